@@ -1,15 +1,15 @@
-//! Writes the codes of notices and their English from the one table of words, and says whether the whole house
-//! is built.
+//! Writes the codes of notices and their English from the one table of words, and decides whether the full
+//! module is built.
 
 use std::fmt::Write;
 use std::{env, fs, path::Path};
 
 const TABLE: &str = "src/notice/words.txt";
-/// The line of the table behind which there is nothing that a first visit needs.
+/// The line of the table after which no entry is needed by a first visit.
 const LATE: &str = "# From here on:";
 
 fn main() {
-    // Only the module of a first visit goes without: see the feature `house`.
+    // Only the module of a first visit is built without it: see the feature `house`.
     println!("cargo::rustc-check-cfg=cfg(house)");
     let in_browser = env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "wasm32");
     let is_whole = !in_browser || env::var_os("CARGO_FEATURE_HOUSE").is_some();
@@ -33,7 +33,7 @@ fn main() {
             writeln!(words, "Code::{code} => {line:?},").expect("a string");
         }
     }
-    // A whole word each: Chromium 156 loses a lone byte of a sentence that is handed on where work fails.
+    // Each code is a 32-bit word: Chromium 156 loses a single byte of a notice that an error carries.
     let made = format!(
         "/// What is said.\n\
          #[derive(Clone, Copy, Debug, PartialEq, Eq)]\n\

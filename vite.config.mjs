@@ -66,7 +66,7 @@ function japanese() {
 }
 
 /** The folder of the second module, which is loaded at first need. */
-const house = here(`pkg-${process.env['BUBBLESTONE_HOUSE'] ?? 'house'}`);
+const house = here('pkg-house');
 
 /** What each module makes, for the page to offer it before it is here; and the second module. */
 const made = {
@@ -121,7 +121,7 @@ export default defineConfig({
   plugins: [words, notices, whole, packed, made, thumbs, packages, licences, offline],
   json: { namedExports: true },
   build: {
-    outDir: process.env['BUBBLESTONE_SITE'] ?? here('dist'),
+    outDir: here('dist'),
     emptyOutDir: true,
     target: 'es2022',
     // The module stays a file of its own, however small: browsers compile it while it arrives.

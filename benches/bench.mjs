@@ -1,4 +1,4 @@
-// The measurements in WebAssembly under Node, and other people's programs for the same work beside them.
+// The benchmarks in WebAssembly under Node, and other programs that do the same work, for comparison.
 import { d3Delaunay, matterJs, threeSubdivide } from './peers.mjs';
 import { threeFrames } from './three.mjs';
 

@@ -1,9 +1,9 @@
-// Other people's programs, timed beside ours: npm packages that do a part of the same work in JavaScript.
+// Other programs, measured for comparison: npm packages that do a part of the same work in JavaScript.
 import { performance } from 'node:perf_hooks';
 
 /** @typedef {{ name: string, ms: number }} Timing */
 
-/** Rounds of Lloyd's relaxation: about as many as it takes for the cells to look even. */
+/** Rounds of Lloyd's relaxation: about as many as the cells need to look even. */
 const ROUNDS = 50;
 const SIDE = 512;
 
@@ -44,8 +44,9 @@ function moveToCentroid(points, i, ring) {
 }
 
 /**
- * One step of matter-js with squares that just fit into a box, a little out of their places.
- * @param {number} count @returns {Promise<Timing | undefined>}
+ * One step of matter-js, with squares that just fit into a box and begin slightly displaced.
+ * @param {number} count
+ * @returns {Promise<Timing | undefined>}
  */
 export async function matterJs(count) {
   const steps = 60;
@@ -83,7 +84,7 @@ export async function matterJs(count) {
  * @returns {Promise<Timing | undefined>}
  */
 export async function threeSubdivide({ points, triangles, stones, levels }) {
-  // One after the other: three-subdivide requires three, which must be loaded by then.
+  // These imports follow each other, because three-subdivide needs three to be loaded.
   const three = await installed('three');
   const subdivide = three && (await installed('three-subdivide'));
   if (!subdivide) return undefined;
@@ -108,7 +109,7 @@ export async function threeSubdivide({ points, triangles, stones, levels }) {
   return { name: `three-subdivide, ${stones} stones, ${levels} times`, ms };
 }
 
-/** A package, or nothing where it is not installed. @param {string} name */
+/** A package; undefined if it is not installed. @param {string} name */
 async function installed(name) {
   try {
     return await import(name);
@@ -134,7 +135,7 @@ function shortest(runs, prepare) {
   return least;
 }
 
-/** The same numbers in 0..1 each time (mulberry32). */
+/** The same numbers in 0..1 on each call (mulberry32). */
 function randomNumbers() {
   let state = 1;
   return () => {

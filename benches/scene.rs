@@ -1,4 +1,4 @@
-//! Bodies in light: a hide of many scales, as one sees it on the turntable.
+//! Frames of a scene: a hide of many scales, as the turntable shows it.
 
 use super::{Clock, Timing, shortest};
 use bubblestone::generators::ALL;
@@ -12,18 +12,18 @@ use bubblestone::scene::{
 use bubblestone::solid::Surface;
 use bubblestone::studio::Studio;
 
-/// Scales of the hide.
+/// The number of scales of the hide.
 const SCALES: usize = 2_000;
-/// Triangles of each at its finest.
+/// The number of triangles of each scale at its finest level.
 const EACH: usize = 200;
-/// One level has so many times the triangles of the next one, as in the turntable's scenes.
+/// A level has this many times the triangles of the next one, as in the turntable's scenes.
 const FINER: usize = 4;
-/// A fish with a few scales more than are wanted.
+/// A fish with a few more scales than needed.
 const HIDE: &str = "tile=1&kind=ellipse&ca=1.3&cs=12.3&dir=constant&angle=90&stone=skin&sv=1.8\
     &sr=0.8&sc=1.8&tilt=0.15&sa=-90&tc=0.5&palette=fish&ground=hide";
-/// Width and height of the still frame in pixels; one that turns has half of them.
+/// Width and height of the still frame in pixels; a turning one has half of them.
 pub const SIZE: [usize; 2] = [640, 480];
-/// All of the hide is seen from here, and it fills most of the frame.
+/// A camera that sees the whole hide, which fills most of the frame.
 pub const CAMERA: Camera = Camera {
     angle: 0.0,
     height: 56.0,
@@ -42,9 +42,10 @@ const STILL: Order = Order {
 /// The work of a slice, as on the turntable.
 const SLICE: usize = 20_000;
 
-/// A hide, and what it is lit by.
+/// A hide and its light.
 pub struct Hide {
-    /// Scales of one level, which is drawn whatever their size, on the coarsest of their grounds.
+    /// The scene with a single level for the scales, so that their size on the screen has no effect, and the
+    /// coarsest ground.
     still: Scene,
     /// The same with a coarser level.
     turning: Scene,
@@ -54,7 +55,7 @@ pub struct Hide {
 }
 
 impl Hide {
-    /// None where the recipe fails.
+    /// Returns none if the recipe fails.
     pub fn new() -> Option<Self> {
         let mut studio = Studio::new(ALL, pavement::recipe(HIDE).0);
         studio.finish(&mut || 0.0).ok()?;
@@ -99,7 +100,7 @@ impl Hide {
         })
     }
 
-    /// The finest surfaces and where they stand, the ground's last.
+    /// The finest surfaces with their places; the ground is the last.
     pub fn surfaces(&self) -> impl Iterator<Item = (&Surface, &Place)> {
         self.still.instances.iter().map(|instance| {
             let body = &self.still.bodies[instance.body as usize];
@@ -107,7 +108,7 @@ impl Hide {
         })
     }
 
-    /// The unit vector to the lamp, and the middle and radius of the ball that it lights.
+    /// The unit vector to the lamp, and the middle and radius of the lit ball.
     #[cfg(target_arch = "wasm32")]
     pub fn lit(&self) -> ([f32; 3], [f32; 3], f32) {
         let to = match self.lamp {
@@ -130,8 +131,8 @@ fn is_ground(instance: &Instance) -> bool {
     instance.id == GROUND
 }
 
-/// The whole still frame with its shadows made anew, and one while the hide turns: of the triangles alone, and then with
-/// the relief of the picture's planes.
+/// Times of a still frame with new shadows, and of a frame while the hide turns: first with the triangles
+/// alone, then with the relief of the picture's planes.
 pub fn timings(clock: Clock) -> Vec<Timing> {
     let Some(mut hide) = Hide::new() else {
         return Vec::new();
@@ -152,7 +153,7 @@ impl Hide {
         let mut make = |scene: &Scene, light: &Lighting, order: Order| {
             frame.begin(order);
             while !frame.advance(scene, light, SLICE) {}
-            // Looked at, so that no compiler leaves the work out.
+            // The result is used, so that no compiler drops the work.
             let scales = frame.ids().iter().filter(|&&id| id != GROUND).count();
             assert!(3 * scales > 2 * frame.ids().len());
         };

@@ -1,5 +1,5 @@
-//! The measurements, the same natively and in WebAssembly. Times are milliseconds by the caller's
-//! clock; each is the shortest of several runs, which other programs have disturbed least.
+//! The benchmarks, the same natively and in WebAssembly. Times are in milliseconds by the caller's clock. Each
+//! is the shortest of several runs, because other programs have disturbed that one least.
 
 #[cfg(house)]
 pub mod scene;
@@ -27,13 +27,13 @@ pub type Clock<'a> = &'a mut dyn FnMut() -> f64;
 /// A measurement's name and milliseconds.
 #[derive(Clone, Debug)]
 pub struct Timing {
-    /// What was measured.
+    /// The name of the benchmark.
     pub name: String,
     /// The shortest of its runs.
     pub ms: f64,
 }
 
-/// Stones that are subdivided, and how many times.
+/// The number of stones that are subdivided.
 pub const STONES: usize = 500;
 /// Loop steps on each stone: 24 triangles become 1,536.
 pub const LEVELS: u32 = 3;
@@ -41,7 +41,7 @@ pub const LEVELS: u32 = 3;
 /// The parameters of fig. 14 (a) of Itoh, Miyata, Shimada (2003), on a square.
 const SKIN: &str = "outline=square&kind=ellipse&ca=1.5&stone=skin&tc=0.2&dr=0";
 
-/// All measurements.
+/// Runs all benchmarks.
 pub fn run(clock: Clock) -> Vec<Timing> {
     let mut timings = Vec::new();
     for cells in [500, 3_000, 30_000] {
@@ -74,7 +74,7 @@ fn shortest(times: impl IntoIterator<Item = f64>) -> f64 {
     times.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// A ring, its hole half as wide, in a picture of 512.
+/// A ring in a picture of 512; its hole is half as wide.
 fn ring() -> Outline {
     let circle = |radius: f64, sense: f64| {
         (0..180)
@@ -99,7 +99,7 @@ fn square() -> Outline {
     }
 }
 
-/// The side of so many squares that fill an outline.
+/// The side of squares of which `cells` fill an outline.
 fn side_of(domain: &Domain, cells: u32) -> f64 {
     (domain.area() / f64::from(cells)).sqrt()
 }
@@ -112,7 +112,7 @@ fn fields(domain: &Domain, size: f64) -> Fields {
     FieldBuilder::build(domain, params)
 }
 
-/// One step of about `cells` cells, and its part for each thousand of them.
+/// Times one step with about `cells` cells, and its part for each thousand of them.
 fn packing_step(cells: u32, integrator: Integrator, clock: Clock, timings: &mut Vec<Timing>) {
     const STEPS: u32 = 8;
     let domain = Domain::from_checked(&ring());
@@ -151,7 +151,7 @@ fn packing_step(cells: u32, integrator: Integrator, clock: Clock, timings: &mut 
     });
 }
 
-/// From an outline to about `cells` fitted cells, and what the direction field takes of it.
+/// Times the way from an outline to about `cells` fitted cells, and the direction field's part of it.
 pub fn whole_way(
     name: &str,
     outline: &Outline,
@@ -195,7 +195,7 @@ pub fn control_mesh() -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let sign = |bit: usize| if bit == 0 { -1.0 } else { 1.0 };
     let corner = |k: usize| Vec3::new(sign(k & 1), sign(k & 2), sign(k & 4));
     let mut points: Vec<Vec3> = (0..8).map(corner).collect();
-    // The corners of each face in a circle, seen from outside.
+    // The corners of each face in order around it, seen from outside.
     let faces: [[u32; 4]; 6] = [
         [0, 2, 3, 1],
         [4, 5, 7, 6],
@@ -213,7 +213,7 @@ pub fn control_mesh() -> (Vec<Vec3>, Vec<[u32; 3]>) {
     (points, triangles)
 }
 
-/// All stones three times, the weights worked out anew.
+/// Subdivides all stones three times and computes the weights anew each time.
 fn subdivision(clock: Clock) -> Timing {
     let (points, triangles) = control_mesh();
     let stones: Vec<Vec<Vec3>> = (0..STONES)
@@ -232,7 +232,7 @@ fn subdivision(clock: Clock) -> Timing {
             reach = reach.max(refined[refined.len() - 1]);
         }
         let time = clock() - start;
-        // Looked at, so that no compiler leaves the work out.
+        // The result is used, so that no compiler drops the work.
         assert!(reach.is_finite());
         time
     });
@@ -242,13 +242,13 @@ fn subdivision(clock: Clock) -> Timing {
     }
 }
 
-/// What is subdivided elsewhere to compare: the prism of a cell of skin of six corners, and the times
-/// and the number of them that make as many triangles as the cells of [`SKIN`] have.
+/// The mesh that other programs subdivide for comparison: the prism of a skin cell with six corners. Also the
+/// number of steps, and the number of prisms that gives as many triangles as the cells of [`SKIN`].
 #[cfg(target_arch = "wasm32")]
 pub fn skin_mesh() -> (Solid, u32, usize) {
     const STEPS: u32 = 4;
     let mut studio = Studio::new(ALL, pavement::recipe(SKIN).0);
-    // Without cells there is nothing to count.
+    // If the recipe fails, there are no cells to count.
     let _ = studio.finish(&mut || 0.0);
     let mut solids = Solids::new();
     let Some(pavement) = studio.engine_as::<Pavement>() else {
@@ -267,7 +267,7 @@ pub fn skin_mesh() -> (Solid, u32, usize) {
     (mesh, STEPS, triangles.div_ceil(each))
 }
 
-/// The whole skin of [`SKIN`]: prisms, subdivision, noise, planes.
+/// Times the whole skin of [`SKIN`]: prisms, subdivision, noise, planes.
 fn skin(clock: Clock) -> Timing {
     let recipe = pavement::recipe(SKIN).0;
     let times = (0..5).map(|_| {
@@ -284,7 +284,7 @@ fn skin(clock: Clock) -> Timing {
     }
 }
 
-/// Every stage of the default recipe and of one with small cells.
+/// Times every stage of the default recipe, and of one with small cells.
 fn stages(clock: Clock, timings: &mut Vec<Timing>) {
     for link in ["", "cs=8"] {
         let (recipe, _) = pavement::recipe(link);
@@ -307,7 +307,7 @@ fn stages(clock: Clock, timings: &mut Vec<Timing>) {
     }
 }
 
-/// The default picture shaded anew, each time with the light elsewhere.
+/// Times the shading of the default picture, with another light each time.
 fn moved_light(light: &str, clock: Clock) -> Timing {
     let link = |k: usize| format!("light={light}&az={}&lx=0.{k:02}", 25 * k);
     let mut studio = Studio::new(ALL, pavement::recipe(&link(0)).0);
@@ -317,7 +317,7 @@ fn moved_light(light: &str, clock: Clock) -> Timing {
         let _ = studio.finish(clock);
         clock() - start
     });
-    // The first ones make the pavement, and find the code not yet compiled.
+    // The first runs make the pavement, and their code may not be compiled yet.
     let times = times.skip(3);
     Timing {
         name: format!("light moved, {light}"),

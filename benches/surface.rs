@@ -12,7 +12,7 @@ use bubblestone::trimesh::TriMesh;
 use bubblestone::trimesh::refine::{Refining, SHARE};
 use std::sync::Arc;
 
-/// The leg with edges short enough for so many squares, and what these are made from.
+/// The leg as a mesh fine enough for this number of squares, with the parameters of its fields.
 fn leg(cells: u32) -> Option<(Arc<TriMesh>, SurfaceFieldParams)> {
     let (positions, triangles) = Shape::Leg.build(&[], 0.02);
     let mesh = TriMesh::new(positions, triangles).ok()?;
@@ -39,7 +39,7 @@ fn leg(cells: u32) -> Option<(Arc<TriMesh>, SurfaceFieldParams)> {
     Some((Arc::new(refined.mesh), params))
 }
 
-/// From the leg's mesh to about so many cells with their polygons, and the parts of that.
+/// Times the way from the leg's mesh to about `cells` cells with their polygons, and the parts of it.
 pub fn whole_way(cells: u32, clock: Clock, timings: &mut Vec<Timing>) {
     let Some((mesh, params)) = leg(cells) else {
         return;
@@ -54,7 +54,7 @@ pub fn whole_way(cells: u32, clock: Clock, timings: &mut Vec<Timing>) {
         let packed = clock();
         let made = SurfaceMesh::build(&mesh, packing.particles(), Polish::default());
         let all = clock() - start;
-        // Looked at, so that no compiler leaves the work out.
+        // The result is used, so that no compiler drops the work.
         assert!(made.rings.len() > 1);
         runs.push([all, directed - start, packed - directed]);
     }

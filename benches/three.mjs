@@ -1,4 +1,4 @@
-// three.js beside ours: the same bodies in the same light, drawn by a browser without a graphics card.
+// three.js for comparison: the same bodies in the same light, drawn by a browser without a graphics card.
 import { fileURLToPath } from 'node:url';
 import { browsers, findBrowser } from '../scripts/lib/browser.mjs';
 import { host } from '../scripts/lib/host.mjs';
@@ -20,7 +20,7 @@ import { host } from '../scripts/lib/host.mjs';
  * @property {number} radius
  */
 
-/** Texels along a side of the shadow map: as many as ours has. */
+/** Texels along a side of the shadow map, as in ours. */
 const TEXELS = 2048;
 
 const flags = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
@@ -37,7 +37,7 @@ export async function threeFrames(hide) {
   const browser = await puppeteer.launch({ browser: 'chrome', executablePath, args: flags, protocolTimeout: 600_000 });
   try {
     const page = await browser.newPage();
-    // Any file of the host will do: the page is of its origin then.
+    // Any file of the host will do, because it gives the page the host's origin.
     await page.goto(`${site.address}three.module.js`);
     const list = (/** @type {ArrayBufferView<ArrayBuffer>} */ { buffer, byteOffset, byteLength }) =>
       Buffer.from(buffer, byteOffset, byteLength).toString('base64');
@@ -64,7 +64,7 @@ export async function threeFrames(hide) {
 }
 
 /**
- * Runs in the page: milliseconds of a frame with its shadows made anew, and of one without.
+ * Runs in the page: measures the milliseconds of a frame with new shadows, and of one without.
  * @param {any} hide
  */
 async function drawn({ width, height, positions, normals, colours, triangles, eye, target, lens, lamp, middle, radius, texels }) {
@@ -104,12 +104,12 @@ async function drawn({ width, height, positions, normals, colours, triangles, ey
     const start = performance.now();
     renderer.shadowMap.needsUpdate = hasShadows;
     renderer.render(scene, camera);
-    // Waits for the picture.
+    // Waits until the picture is drawn.
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     return performance.now() - start;
   };
   const least = (/** @type {boolean} */ hasShadows) => Math.min(...Array.from({ length: 8 }, () => frame(hasShadows)));
-  // The first ones compile and upload.
+  // The first frames include compiling and uploading.
   for (let k = 0; k < 3; k += 1) frame(true);
   const times = [least(true), least(false)];
   let bodies = 0;

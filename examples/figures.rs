@@ -2,8 +2,8 @@
 //!
 //!     cargo run --release --example figures -- --out DIR
 //!
-//! writes into DIR a folder for each preset, with the files that `render` writes of its link, and
-//! sheet-GENERATOR.png. Prints the seconds of the papers beside those of this machine.
+//! Writes into DIR a folder for each preset, with the files that `render` writes for its link, and
+//! sheet-GENERATOR.png. Prints the times printed in the papers beside those of this machine.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
@@ -62,7 +62,7 @@ mod figures {
         Ok(studio)
     }
 
-    /// The work is divided as the paper divides it, as on the page.
+    /// Divides the time into the same parts as the paper, like the page.
     fn print_row(preset: &Preset, report: &Report) {
         let Report { cells, steps, .. } = report;
         let whole = seconds(report, |_| true);

@@ -4,23 +4,27 @@
 //!         --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD]
 //!         [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] [--view CAMERA]
 //!
-//! writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and
-//! report.json into DIR; with --views also each view of the page and mixtures of them as
-//! view-NAME.png, with --maps also normal-opengl.png, normal-directx.png, roughness.png, ao.png, orm.png
-//! and height-float.exr, with --maps-for the files that blender, godot, unity or unreal expect,
-//! with --mesh the surface of all cells and the ground as surface.obj, surface.glb and, with images,
-//! surface-textured.glb, of low, middle (the default) or high detail, with --stl the height field as a
-//! closed slab of these millimetres as slab.stl, with --svg the cells' outlines as cells.svg, with
-//! --scale the picture at 1 to 8 times its side as picture-Nx.png and, with --maps, its
-//! maps as NAME-Nx.png, with --view what is seen of its bodies from a camera as slant.png, slant-depth.png,
-//! slant-normal.png and slant-id.png, and in report.json the hash of the still, `frame`. Ends with code 2 and one sentence where something is wrong with what it was
-//! given.
+//! Writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and report.json into DIR.
+//! Options write more:
 //!
-//! The file of a model (OBJ, GLB, PLY or STL) becomes the link's; where the link names one, it must be that. ROLE is
-//! the key of the parameter that names the file; without it the first one is taken that waits for a file.
+//! - `--views`: each view of the page, and some mixtures, as view-NAME.png.
+//! - `--maps`: normal-opengl.png, normal-directx.png, roughness.png, ao.png, orm.png and height-float.exr.
+//! - `--maps-for`: the files that blender, godot, unity or unreal expect.
+//! - `--mesh`: the meshes of all cells and the ground as surface.obj, surface.glb and, with images,
+//!   surface-textured.glb. `--detail` is low, middle (the default) or high.
+//! - `--stl`: the height field as a closed slab with these millimetres, as slab.stl.
+//! - `--svg`: the cells' outlines as cells.svg.
+//! - `--scale`: the picture at 1 to 8 times its side as picture-Nx.png; with `--maps` also its maps as NAME-Nx.png.
+//! - `--view`: the bodies by this camera as slant.png, slant-depth.png, slant-normal.png and slant-id.png; report.json
+//!   gets the hash of the still, `frame`.
 //!
-//! An outline file that tells its `size` is drawn in a picture of that size, or scaled to that of the
-//! link where the link names one, as on the page.
+//! Ends with code 2 and one sentence if an argument or a file is wrong.
+//!
+//! The model file (OBJ, GLB, PLY or STL) is added to the link; if the link names a file already, it must be that one.
+//! ROLE is the key of the parameter that names the file. Without it, the first parameter that waits for a file is used.
+//!
+//! An outline file with a `size` is drawn in a picture of that size, or scaled to that of the link if the link names
+//! one, as on the page.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
@@ -110,7 +114,7 @@ fn run() -> Result<(), String> {
     Ok(())
 }
 
-/// What the command line asks for.
+/// The options of the command line.
 #[cfg(not(target_arch = "wasm32"))]
 #[derive(Default)]
 struct Wish {
@@ -179,7 +183,7 @@ impl Wish {
         Ok(wish)
     }
 
-    /// Does the link itself name the picture's size?
+    /// Whether the link itself names the picture's size.
     fn link_has_size(&self) -> bool {
         let fragment = self.link.rsplit('#').next().unwrap_or_default();
         fragment.split('&').any(|word| word.starts_with("size="))

@@ -1,20 +1,20 @@
-//! `cargo run --release --example slices [-- LINK...]`: the longest slice of each stage, of all
-//! presets or of these links, as the best of three runs; then those of the turntable: bodies and the
-//! first frame, while something moves, still, and fine as a phone's or a desktop's screen has it.
+//! `cargo run --release --example slices [-- LINK...]`: prints the longest slice of each stage, for all presets
+//! or for these links, as the best of three runs. Then those of the turntable: the bodies and the first frame,
+//! for a moving, a still and a fine frame, at the size of a phone's or a desktop's screen.
 
 use bubblestone::generators::{ALL, TurnOrder};
 use bubblestone::studio::Studio;
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-/// Frames of the turntable, each with its words and its side in pixels.
+/// Frames of the turntable: name, quality, and side in pixels.
 const FRAMES: [(&str, &str, usize); 3] = [
     ("turn moving", "moving", 800),
     ("turn still", "still", 1600),
     ("turn fine", "fine", 1600),
 ];
 
-/// The shortest time of each slice, by its stage and its number there.
+/// The shortest time of each slice, by its stage and its number in the stage.
 type Best = BTreeMap<(&'static str, u32), f64>;
 
 fn main() {
@@ -67,8 +67,8 @@ fn main() {
     }
 }
 
-/// What a slice answers with, and its milliseconds.
-#[allow(clippy::disallowed_methods)] // The library has no clock: this measures it.
+/// The result of a slice, and its milliseconds.
+#[allow(clippy::disallowed_methods)] // The library has no clock of its own; this measures it.
 fn timed(slice: &mut dyn FnMut() -> bool) -> (bool, f64) {
     let before = Instant::now();
     let goes_on = slice();

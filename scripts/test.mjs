@@ -11,7 +11,7 @@ import * as setup from './lib/setup.mjs';
 // locks it. The second pair needs the module. The browsers come last, one kind at a time, as each keeps two cores busy.
 const pairs = [
   [['cargo fmt', 'clippy, native', 'cargo doc', 'dependencies'], ['wasm build']],
-  [['cargo test', 'types', 'page in Node', 'lint'], ['page build', 'specimen build', 'modules as sent', 'clippy, wasm32', 'wasm-pack test']],
+  [['cargo test', 'types', 'page in Node', 'lint'], ['page build', 'modules as sent', 'clippy, wasm32', 'wasm-pack test']],
 ];
 const browsers = ['tests in Chromium', 'tests in Firefox'];
 
@@ -47,7 +47,7 @@ async function everything() {
   }
 }
 
-/** The time of each step, and below it that of its slowest tests. */
+/** Prints the time of each step, with its slowest tests below it. */
 function printCosts() {
   for (const step of done) {
     console.log(linesOf([step], ''));
@@ -69,7 +69,7 @@ function setUp() {
 }
 
 /**
- * Notes how long something took, and the costs within it that it tells.
+ * Measures the time of some work, and collects the costs that it reports.
  * @param {string} name
  * @param {(tell: (slowest: Cost[]) => void) => unknown} work
  */
@@ -104,7 +104,7 @@ async function step(name, output, tell) {
   const shown = [];
   for (const stream of [child.stdout, child.stderr]) stream?.on('data', (piece) => shown.push(piece));
   const [code] = await once(child, 'close');
-  // Another step has failed, and has said so.
+  // Another step has failed and printed its error.
   if (!running.delete(child)) throw new Stop(`${name} was stopped.`);
   if (shown.length) say(`== ${name} has ended:\n${Buffer.concat(shown).toString().trim()}`);
   if (code === 0) return;

@@ -1,11 +1,11 @@
-//! The link is the picture: every preset has the same planes, bit for bit, on every machine. They are compared with
-//! `digests.txt` here, and with the module as it is sent in `node/shipped.test.mjs`. Other properties of all presets are
-//! tested here, too, since each preset takes its time.
+//! The link determines the picture: every preset has the same planes, bit for bit, on every machine. This file
+//! compares them with `digests.txt`; `node/shipped.test.mjs` does the same with the shipped module. Other
+//! properties of all presets are also tested here, because making each preset takes time.
 //!
-//! After a change that is meant to change pictures:
+//! After an intended change of pictures:
 //! `BUBBLESTONE_UPDATE=1 cargo test --test digests`.
 
-// The tests under Node compare the digests in WebAssembly.
+// Tests under Node compare the digests in WebAssembly.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod common;
@@ -20,17 +20,17 @@ use std::sync::OnceLock;
 
 const GOLDEN: &str = include_str!("digests.txt");
 
-/// What is told of a preset's finished picture.
+/// The facts about a preset's finished picture.
 struct Made {
     name: &'static str,
     digest: String,
     converged: bool,
-    /// From a dark tone to a light one; both are those of a twentieth of the picture.
+    /// The difference between a dark and a light tone, at the 5th and 95th percentile.
     contrast: u8,
-    /// All heights are finite.
+    /// Whether all heights are finite.
     finite: bool,
     cracks: usize,
-    /// The part of the picture that is skin, for a preset of skin.
+    /// The share of the picture that is skin, for a preset of skin.
     skin: Option<f64>,
 }
 
@@ -53,7 +53,7 @@ impl Made {
     }
 }
 
-/// All presets, each made once for all tests.
+/// All presets, made once for all tests.
 fn presets() -> &'static [Made] {
     static PRESETS: OnceLock<Vec<Made>> = OnceLock::new();
     PRESETS.get_or_init(|| PAVEMENT.presets.iter().map(Made::of).collect())
@@ -66,7 +66,7 @@ fn contrast(picture: &[u8]) -> u8 {
     light - dark
 }
 
-/// A pixel within one stone that is another's or the ground's and lies below all around it.
+/// The number of pixels surrounded by one stone that are not part of it and lie below all their neighbours.
 fn cracks(planes: &Planes) -> usize {
     let side = planes.side;
     let mut count = 0;

@@ -1,8 +1,9 @@
-//! Bodies from a slant: the still of a link and a camera is the same, bit for bit, on every machine, in whatever slices
-//! it is made and whatever was made before it. `frames.txt` has a hash, a camera (as the page's links have it, `-` for the
-//! usual one) and a link; `node/shipped.test.mjs` and the browsers compare with it, too.
+//! Frames of bodies: the still of a link and a camera is the same, bit for bit, on every machine, whatever its
+//! slices are and whatever was made before it. Each line of `frames.txt` has a hash, a camera (as in links of
+//! the page; `-` for the usual one) and a link. `node/shipped.test.mjs` and the browser tests compare with it,
+//! too.
 //!
-//! After a change that is meant to change frames: `BUBBLESTONE_UPDATE=1 cargo test --test frames`.
+//! After an intended change of frames: `BUBBLESTONE_UPDATE=1 cargo test --test frames`.
 
 // The tests under Node compare the frames in WebAssembly.
 #![cfg(not(target_arch = "wasm32"))]
@@ -15,7 +16,7 @@ use common::finished;
 
 const GOLDEN: &str = include_str!("frames.txt");
 
-/// All of it, as large as the picture.
+/// The order for a still of all bodies, as large as the picture.
 fn still(studio: &Studio, camera: &str) -> TurnOrder {
     let (camera, notices) = studio.generator().camera().read(camera);
     assert!(notices.is_empty(), "{notices:?}");
@@ -27,7 +28,7 @@ fn still(studio: &Studio, camera: &str) -> TurnOrder {
     }
 }
 
-/// The hash of a frame, in slices that end as soon as they may.
+/// The hash of a frame made in the shortest slices.
 fn in_slices(studio: &mut Studio, order: &TurnOrder) -> String {
     let mut now = 0.0;
     let mut clock = || {
@@ -71,7 +72,7 @@ fn frames_are_the_same_everywhere() {
     assert_eq!(found, GOLDEN);
 }
 
-/// Light, room and surfaces that are kept from one frame to the next change none.
+/// Light, scene and surfaces that are kept between frames do not change a frame.
 #[test]
 fn what_was_made_before_changes_no_frame() {
     let mut studio = finished("size=128&cs=16&stone=skin&light=point");
@@ -88,7 +89,7 @@ fn what_was_made_before_changes_no_frame() {
         assert_ne!(at_once(&mut studio, &other), first);
     }
     assert_eq!(at_once(&mut studio, &order), first);
-    // A light that is moved and brought back; while it moves it is coarse.
+    // The light moves and returns; while it moves, its shadows are coarse.
     let recipe = studio.recipe().clone();
     let mut lit = recipe.clone();
     lit.set("lz", "0.9").expect("a number");
@@ -101,14 +102,14 @@ fn what_was_made_before_changes_no_frame() {
     studio.set_recipe(recipe);
     let _ = studio.finish(&mut || 0.0);
     assert_eq!(in_slices(&mut studio, &order), first);
-    // The same bodies from the picture made anew.
+    // The bodies of a new picture give the same frame.
     assert_eq!(
         at_once(&mut finished(&studio.recipe().link()), &order),
         first
     );
 }
 
-/// Each step in the making of a stone is seen, and they differ.
+/// Each step in the making of a stone is visible, and the steps differ.
 #[test]
 fn steps_are_frames_of_their_own() {
     for (form, least) in [("cobble", 8), ("flag", 9), ("skin", 10)] {
@@ -160,7 +161,7 @@ fn what_is_no_frame_gets_a_sentence() {
             "{why}"
         );
     }
-    // Words that are none are passed over, and nothing of it is kept.
+    // Unknown words are ignored and have no later effect.
     let mut order = order;
     let first = at_once(&mut studio, &order);
     order.how = "still+nonsense++".into();

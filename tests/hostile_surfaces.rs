@@ -23,10 +23,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-/// Slices of work after which a recipe counts as hanging: about ten times as many as the longest one took.
+/// Slices of work after which a recipe counts as hanging: about ten times as many as the slowest one took.
 const MOST_SLICES: usize = 130_000;
 
-/// Texts that are no value of any parameter, or hardly one.
+/// Texts that are not valid for any parameter, or hardly.
 const NONSENSE: [&str; 16] = [
     "",
     "NaN",
@@ -46,13 +46,13 @@ const NONSENSE: [&str; 16] = [
     "99999999999999999999",
 ];
 
-/// Tries cases from a start, and lists those that end badly.
+/// Tries cases from a start, and lists those that fail.
 fn try_all(count: u64, case: impl Fn(&mut Random) -> String) {
     let seed = wished("BUBBLESTONE_SEED", 1);
     let mut bad = Vec::new();
     for index in 0..wished("BUBBLESTONE_RECIPES", count) {
         let mut random = Random::new(seed, Purpose::Attribute, index);
-        // Printed where the test fails.
+        // The output is printed only if the test fails.
         match catch_unwind(AssertUnwindSafe(|| case(&mut random))) {
             Ok(end) => println!("{index}: {end}"),
             Err(_) => bad.push(index),
@@ -61,13 +61,13 @@ fn try_all(count: u64, case: impl Fn(&mut Random) -> String) {
     assert!(bad.is_empty(), "cases {bad:?} from start {seed}");
 }
 
-/// A sentence for people.
+/// Asserts that a notice is a sentence.
 fn assert_sentence(notice: &Notice) {
     let text = notice.to_string();
     assert!(text.ends_with('.') && text.len() > 20, "{text}");
 }
 
-/// Works slice by slice up to the end. Answers how it ends.
+/// Works slice by slice up to the end. Returns a description of the end.
 fn ends_well(mut studio: Studio) -> String {
     let mut slices = 0;
     while studio.engine().at_work().is_some() {
@@ -86,7 +86,7 @@ fn ends_well(mut studio: Studio) -> String {
     format!("{slices} slices, {cells} cells, {remarks:?}")
 }
 
-/// The picture, a frame of the bodies, and the numbers of cells and mesh.
+/// Asserts that the picture, a frame of the bodies, and the numbers of cells and mesh are finite.
 fn assert_finite(studio: &mut Studio) {
     let picture = studio.picture().expect("a picture");
     assert_eq!(picture.len(), 4 * studio.side() * studio.side());
@@ -112,7 +112,7 @@ fn places(random: &mut Random, count: usize) -> String {
     numbers.collect::<Vec<_>>().join(",")
 }
 
-/// Rows of a list: a few, or as many as there may be, or more.
+/// Rows of a list: a few, the most allowed, or one more.
 fn rows(random: &mut Random, item: Item) -> String {
     let count = [1, 3, 64, 65][random.below(4)];
     let rows = (0..count).map(|_| match item {
@@ -145,7 +145,7 @@ fn text(random: &mut Random, row: &Parameter) -> String {
     }
 }
 
-/// A link with some parameters far from home, and few cells, so that it takes little time.
+/// A link with some parameters far from their defaults, and few cells, so that it takes little time.
 fn wild(random: &mut Random) -> String {
     let mut link = String::from("make=surface");
     let share = random.unit();
@@ -159,7 +159,7 @@ fn wild(random: &mut Random) -> String {
     link
 }
 
-/// The recipe of a link, whatever is wrong with that. Links of it mean the same.
+/// The recipe of a link with any faults. Asserts that its own link gives the same recipe.
 fn mended(link: &str) -> Recipe {
     let (recipe, notices) = ALL.recipe(link);
     notices.iter().for_each(assert_sentence);
@@ -311,7 +311,7 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
     ]
 }
 
-/// Changes a file in one of the ways in which files break, and in others.
+/// Damages a file in one of several ways, typical ones and others.
 fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     if bytes.is_empty() {
         return;
@@ -347,7 +347,7 @@ fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     }
 }
 
-/// Puts another text in the place of the first number from here on.
+/// Replaces the first number after `from` by another text.
 fn replace_number(random: &mut Random, bytes: &mut Vec<u8>, from: usize) {
     const NUMBERS: [&[u8]; 8] = [
         b"4294967295",
@@ -369,7 +369,7 @@ fn replace_number(random: &mut Random, bytes: &mut Vec<u8>, from: usize) {
     bytes.splice(start..start + length, other.iter().copied());
 }
 
-/// How a file is covered: each kind of cells, and each thing that is done to models alone.
+/// Options for covering a file: each kind of cells, and each option that only models have.
 const COVERED: [&str; 4] = [
     "kind=square&on=simple",
     "kind=rectangle&crease=cut&dir=border",

@@ -1,10 +1,10 @@
-//! What is seen, compared with pictures in `golden/pictures`. The digests hold the planes to the bit;
-//! these hold what the eye would notice in a picture or a view.
+//! Pictures and views are compared with those in `golden/pictures`. The digests fix the planes to the bit;
+//! these tests fix the visible result.
 //!
-//! After a change that is meant to change pictures, `BUBBLESTONE_UPDATE=1 cargo test --test pictures`
-//! writes them anew: look at them before they are kept.
+//! After an intended change of pictures, `BUBBLESTONE_UPDATE=1 cargo test --test pictures` writes them again.
+//! Look at them before you commit them.
 
-// Files are there natively only.
+// Files are available natively only.
 #![cfg(not(target_arch = "wasm32"))]
 
 use bubblestone::generators::ALL;
@@ -15,9 +15,9 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
-/// A channel of a pixel may differ by so much before the pixel counts as another one.
+/// The most by which a channel of a pixel may differ before the pixel counts as changed.
 const SAME: u8 = 10;
-/// So many of a thousand pixels may be other ones: a stone that moves by a pixel changes more.
+/// The most changed pixels, in thousandths. A stone that moves by a pixel changes more.
 const OTHERS_PER_MILLE: usize = 4;
 
 fn studio(link: &str) -> Studio {
@@ -52,8 +52,8 @@ fn read(path: &Path) -> Option<Vec<u8>> {
     Some(bytes)
 }
 
-/// Compares an RGBA picture with the golden one of a name. Where they differ, both the picture and
-/// the difference (black where there is none) are written beside each other for a look.
+/// Compares an RGBA picture with the golden one of this name. If they differ, the picture and the difference
+/// (black where equal) are written side by side for inspection.
 fn check(name: &str, rgba: &[u8]) {
     let found: Vec<u8> = rgba.chunks(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
     let side = (rgba.len() / 4).isqrt();

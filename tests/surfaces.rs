@@ -1,7 +1,7 @@
-//! Surfaces in space: bodies on every surface by rule are the same, bit for bit, on every machine. `surfaces.txt` has a
-//! digest and a link for each; `node/shipped.test.mjs` compares with it, too.
+//! Surfaces in space: bodies on every shape are the same, bit for bit, on every machine. Each line of
+//! `surfaces.txt` has a digest and a link; `node/shipped.test.mjs` compares with it, too.
 //!
-//! After a change that is meant to change them: `BUBBLESTONE_UPDATE=1 cargo test --test surfaces`.
+//! After an intended change: `BUBBLESTONE_UPDATE=1 cargo test --test surfaces`.
 
 // The tests under Node compare the digests in WebAssembly.
 #![cfg(not(target_arch = "wasm32"))]
@@ -29,7 +29,7 @@ fn bodies_on_surfaces_are_the_same_everywhere() {
     assert_eq!(found, GOLDEN);
 }
 
-/// Each shape by rule is among them, each kind of cells, each kind of stones.
+/// The table includes each shape, each kind of cells, and each kind of stones.
 #[test]
 fn all_that_there_is_stands_in_the_table() {
     let (recipes, notices): (Vec<_>, Vec<_>) = GOLDEN

@@ -46,11 +46,11 @@ async function begin(): Promise<void> {
 
 /** Stores the site for the next visit, after the first picture is done. */
 async function storeSite(): Promise<void> {
-  // If this fails, as the connection or the page is gone, the next visit stores the site.
+  // If this fails because the connection or the page is gone, the next visit stores the site.
   const offline = await import('./shell/offline').catch(() => undefined);
   offline?.register((what) => {
     if (what === 'newer') passing('offline', t('offline_newer'));
-    // No message is needed: the page's foot says it.
+    // The page's foot says it, so no message is needed.
     else byId('offline').textContent = t('offline_stored');
   });
 }

@@ -1,5 +1,5 @@
-//! What the native programs share: clock, files, messages.
-#![allow(dead_code)] // Each program uses its part of it.
+//! Functions that the native programs share: clock, files, messages.
+#![allow(dead_code)] // Each program uses a part of it.
 
 pub mod model;
 pub mod sheet;
@@ -17,13 +17,13 @@ use std::path::Path;
 use std::process::ExitCode;
 
 /// Milliseconds since the call.
-#[allow(clippy::disallowed_methods)] // The library has no clock: this is the one handed to it.
+#[allow(clippy::disallowed_methods)] // The library has no clock of its own; it gets this one.
 pub fn clock() -> impl FnMut() -> f64 {
     let start = std::time::Instant::now();
     move || start.elapsed().as_secs_f64() * 1e3
 }
 
-/// Says the sentence and ends with code 2 where there is one.
+/// Prints the sentence of an error and returns exit code 2.
 pub fn end(result: Result<(), String>) -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -38,7 +38,7 @@ pub fn end(result: Result<(), String>) -> ExitCode {
 pub struct OutlineFile {
     /// The rings as they are in the file.
     pub outline: Outline,
-    /// Side of the picture it is drawn for.
+    /// The side of the picture that it is drawn for.
     pub size: Option<f64>,
 }
 
@@ -52,9 +52,9 @@ impl OutlineFile {
     }
 }
 
-/// Reads `{"size": [512, 512], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...], "rings": [...],
-/// "lines": [...]}`: all but `outer` or `rings` may be missing, other words are passed over. What is a
-/// hole and what an island the rings themselves tell.
+/// Reads `{"size": [512, 512], "outer": [[x, y], ...], "holes": [[[x, y], ...], ...], "rings": [...], "lines":
+/// [...]}`. Only `outer` or `rings` is required, and unknown words are ignored. Whether a ring is a hole or an
+/// island follows from the rings themselves.
 pub fn read_outline(path: &str) -> Result<OutlineFile, String> {
     let text = std::fs::read_to_string(path).map_err(|e| format!("Cannot read {path}: {e}."))?;
     let value: Value =
@@ -129,8 +129,8 @@ fn ring_of(ring: &Value, name: &str) -> Result<Vec<glam::DVec2>, String> {
     points.iter().enumerate().map(read).collect()
 }
 
-/// Writes what there is of every link: the report of a finished studio, the pictures, and the stages' work as text.
-/// The report has the hash of a still, `frame`, where one was made.
+/// Writes the files of any link: the report of a finished studio, the pictures, and the stages' data as text.
+/// `frame` is the hash of a still, for the report.
 pub fn write_all(
     studio: &mut Studio,
     notices: Vec<Notice>,
@@ -142,7 +142,7 @@ pub fn write_all(
     write_made(studio, dir)
 }
 
-/// Makes the folder where it is not there.
+/// Makes the folder if it does not exist.
 pub fn make(dir: &Path) -> Result<(), String> {
     std::fs::create_dir_all(dir).map_err(|e| format!("Cannot make {}: {e}.", dir.display()))
 }
@@ -161,7 +161,7 @@ fn write_report(
     write(dir, "report.json", report.json().as_bytes())
 }
 
-/// Writes the picture, three of its maps, and the stages' work as text.
+/// Writes the picture, three of its maps, and the stages' data as text.
 fn write_made(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     for (name, text) in studio.engine().data() {
         write(dir, name, text.as_bytes())?;
@@ -178,7 +178,7 @@ fn write_made(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// What is no height field has no planes.
+/// Only height fields have planes.
 fn has_planes(studio: &Studio) -> bool {
     studio.generator().stages.contains(&"planes")
 }
@@ -191,7 +191,7 @@ pub fn write_maps(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Writes the picture with more pixels, and with `maps` all maps of it.
+/// Writes the enlarged picture, and with `maps` all its maps.
 pub fn write_bigger(
     studio: &mut Studio,
     scale: usize,
@@ -249,7 +249,7 @@ pub fn write_maps_for(studio: &Studio, program: &str, dir: &Path) -> Result<(), 
     Ok(())
 }
 
-/// Writes a map as PNG, one of floats as EXR.
+/// Writes a map as PNG, or as EXR if it has floats.
 fn write_png(dir: &Path, name: &str, map: &Map) -> Result<(), String> {
     match map.bits {
         32 => write(dir, &name.replace(".png", ".exr"), &exr(map)),
@@ -270,15 +270,15 @@ fn png_of(map: &Map) -> Result<Vec<u8>, String> {
     encode((map.side, map.side), &map.bytes, colour, depth)
 }
 
-/// The triangles of a stone in this degree of detail, one of [`DETAILS`].
+/// The triangles of a stone at this level of detail, one of [`DETAILS`].
 pub fn detail_of(word: &str) -> Result<usize, String> {
     let found = DETAILS.iter().find(|(known, _)| *known == word);
     let found = found.ok_or("--detail takes low, middle or high.")?;
     Ok(found.1)
 }
 
-/// Writes the surface of all cells and the ground as surface.obj, surface.glb and, with images,
-/// surface-textured.glb, where there are images.
+/// Writes the meshes of all cells and the ground as surface.obj and surface.glb, and also as
+/// surface-textured.glb if there are images.
 pub fn write_meshes(studio: &mut Studio, detail: usize, dir: &Path) -> Result<(), String> {
     for (format, word) in MeshFormat::ALL {
         let order = MeshOrder {
@@ -325,8 +325,8 @@ fn mesh(studio: &mut Studio, order: MeshOrder) -> Result<Vec<u8>, String> {
     Ok(file.parts.concat())
 }
 
-/// Views of pavements with several overlays that are written along with the single ones, and drawings on
-/// paper, as in docs/making.webp.
+/// Mixed views of pavements that are written in addition to the single ones, and drawings on paper, as in
+/// docs/making.webp.
 const MIXED: [&str; 7] = [
     "paper+packed",
     "paper+mesh",
@@ -337,7 +337,7 @@ const MIXED: [&str; 7] = [
     "cells+anisotropy+singularities",
 ];
 
-/// Writes every base, every overlay alone and over the picture, and some together.
+/// Writes every base, every overlay alone and over the picture, and some mixed views.
 pub fn write_views(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     let views = studio.generator().views;
     let mut words: Vec<String> = views.bases.iter().map(|&word| word.into()).collect();

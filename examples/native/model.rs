@@ -1,4 +1,4 @@
-//! The file of a model, for a link.
+//! Gives the recipe of a link its model file.
 
 use bubblestone::generators::{GivenFile, MissingFile};
 use bubblestone::notice::Notice;
@@ -6,7 +6,7 @@ use bubblestone::recipe::Item;
 use bubblestone::studio::Studio;
 use std::path::Path;
 
-/// Splits `ROLE=FILE`; without a role that the recipe has all is the file's path.
+/// Splits `ROLE=FILE`. Without a role of the recipe, the whole text is the file's path.
 fn role_and_path<'a>(studio: &Studio, text: &'a str) -> (Option<&'a str>, &'a str) {
     let is_role = |word: &str| {
         let row = studio.recipe().schema().row(word);
@@ -18,8 +18,8 @@ fn role_and_path<'a>(studio: &Studio, text: &'a str) -> (Option<&'a str>, &'a st
     }
 }
 
-/// Gives a file, `ROLE=FILE` or `FILE`, that the link asks for, which must have the digest that the link names; where
-/// the link names none, the file becomes the link's.
+/// Gives the recipe a file, `ROLE=FILE` or `FILE`. It must have the digest that the link names; if the link
+/// names none, it is added to the link.
 pub fn open_model(studio: &mut Studio, text: &str) -> Result<Vec<Notice>, String> {
     let (role, path) = role_and_path(studio, text);
     let bytes = std::fs::read(path).map_err(|e| format!("Cannot read {path}: {e}."))?;

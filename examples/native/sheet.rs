@@ -43,7 +43,7 @@ impl Sheet {
         self.count += 1;
     }
 
-    /// Each pixel is the mean of the light of those it stands for.
+    /// Draws a picture; each pixel is the mean light of the pixels that it replaces.
     fn draw(&mut self, (left, top): (usize, usize), side: usize, rgba: &[u8]) {
         let span = |k: usize| k * side / SMALL..(k + 1) * side / SMALL;
         for y in 0..SMALL {
@@ -54,7 +54,7 @@ impl Sheet {
         }
     }
 
-    /// Writes the characters that have room under a picture, from this corner.
+    /// Writes as many characters as fit under a picture, from this corner.
     fn write(&mut self, (left, top): (usize, usize), words: &str) {
         let advance = get_raster_width(WEIGHT, HEIGHT);
         for (k, character) in words.chars().take(SMALL / advance).enumerate() {
@@ -84,7 +84,7 @@ fn mix(a: [u8; 3], b: [u8; 3], share: f64) -> [u8; 3] {
     std::array::from_fn(|c| encoded(linear(a[c]) * (1.0 - share) + linear(b[c]) * share))
 }
 
-/// The light of a byte of sRGB, near enough for small pictures: 0 to 1.
+/// The approximate linear light of an sRGB byte, 0 to 1; exact enough for small pictures.
 fn linear(byte: u8) -> f64 {
     let share = f64::from(byte) / 255.0;
     share * share

@@ -1,4 +1,4 @@
-//! Bodies seen from a slant.
+//! Frames of the bodies by a camera.
 
 use super::{opaque, write_png, write_rgb};
 use bubblestone::export::{FramePlane, frame_map};
@@ -7,8 +7,8 @@ use bubblestone::scene::Camera;
 use bubblestone::studio::Studio;
 use std::path::Path;
 
-/// Writes what is seen from a camera as slant.png and its planes as slant-depth.png, slant-normal.png and slant-id.png;
-/// answers with the hash of the still.
+/// Writes the view of a camera as slant.png and its planes as slant-depth.png, slant-normal.png and
+/// slant-id.png. Returns the hash of the still.
 pub fn write_slant(
     studio: &mut Studio,
     camera: Camera,

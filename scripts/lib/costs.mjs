@@ -1,12 +1,13 @@
-// What tests cost: a step notes the seconds of its test files and tests, and `npm test` prints the slowest at its end.
+// The costs of tests. A step measures the seconds of its test files and tests, and `npm test` prints the slowest at
+// its end.
 
 /** @typedef {{ name: string, seconds: number }} Cost */
 
-/** As many of each step are printed. */
+/** The number of tests that are printed for each step. */
 const SHOWN = 10;
 
 /**
- * Tells the slowest files and tests of a step, to `npm test` where that runs the step.
+ * Reports the slowest files and tests of a step, to `npm test` if that runs the step.
  * @param {Cost[]} costs
  */
 export async function tellCosts(costs) {

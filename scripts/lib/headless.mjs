@@ -9,7 +9,7 @@ export const all = /** @type {const} */ ([1e9, 1e9]);
 /** @typedef {{ data: Uint8ClampedArray<ArrayBuffer>, width: number, height: number }} Pixels */
 
 /**
- * A module, ready for calls.
+ * Loads a module.
  * @param {string} folder where it was built
  * @param {Uint8Array} [bytes] another copy of it
  * @param {string} [copy] a name, for an instance beside the first one

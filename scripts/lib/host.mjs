@@ -1,6 +1,5 @@
-// A static host: for the person at the keyboard, and for the tests, which open what that person gets.
-// Vite's own host would not do: it hands styles over as scripts that write them into the page, which the page's policy
-// forbids.
+// A static host for `npm start` and for the tests, so that both open the same files. Vite's own host would not do: it
+// delivers styles as scripts that write them into the page, which the page's policy forbids.
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
@@ -22,13 +21,13 @@ const contentTypes = {
  * Serves a folder to this machine only.
  * @param {string} files the folder
  * @param {object} [options]
- * @param {number} [options.port] the first one to try: where it is taken the next ones are; 0 is any
+ * @param {number} [options.port] the first port to try; if it is taken, the next ones are tried; 0 is any port
  * @param {string} [options.under] the path that the folder is served under
  * @param {(path: string) => void} [options.asked] gets the path inside the folder of each request
  */
 export async function host(files, { port = 0, under = '/', asked } = {}) {
   const server = createServer(async (request, response) => {
-    // Cut, not parsed: no request, however odd, may end the host.
+    // The path is cut, not parsed, so that no malformed request can end the host.
     const pathname = (request.url ?? '/').replace(/[?#].*$/, '');
     const path = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
     const inside = path.startsWith(under) ? normalize(path.slice(under.length)) : '..';

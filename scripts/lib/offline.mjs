@@ -1,4 +1,4 @@
-// What the service worker stores: the list of the site's files, put into dist/sw.js when all of them are there.
+// Writes the list of the site's files into dist/sw.js, once all of them exist. The service worker stores these files.
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, relative, sep } from 'node:path';
@@ -6,7 +6,7 @@ import { digest } from './digest.mjs';
 
 const worker = 'sw.js';
 
-/** All files of a built site but the service worker, by their paths. @param {string} site @returns {string[]} */
+/** All files of a built site except the service worker, by path. @param {string} site @returns {string[]} */
 export function filesOf(site) {
   return readdirSync(site, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
@@ -15,13 +15,13 @@ export function filesOf(site) {
     .sort();
 }
 
-/** The files that the page needs to begin with: those that its HTML names, and the first WebAssembly module. @param {string} site */
+/** The files that the page needs at its start: those named in its HTML, and the first WebAssembly module. @param {string} site */
 export function firstOf(site) {
   const html = readFileSync(join(site, 'index.html'), 'utf8');
   return filesOf(site).filter((path) => path === 'index.html' || /\bbubblestone-.*\.lzma$/.test(path) || html.includes(`="./${path}"`));
 }
 
-/** What stands for SITE in www/service/sw.ts. @param {string} site */
+/** The value of SITE in www/service/sw.ts. @param {string} site */
 export function listOf(site) {
   const asked = (/** @type {string} */ path) => (path === 'index.html' ? '' : path);
   const files = Object.fromEntries(filesOf(site).map((path) => [asked(path), digest([join(site, path)]).slice(0, 32)]));

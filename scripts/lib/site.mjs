@@ -5,12 +5,8 @@ import { gzipSync } from 'node:zlib';
 import { host } from './host.mjs';
 import { filesOf, firstOf } from './offline.mjs';
 import { root, run, say, Stop } from './run.mjs';
-import { targetDir } from './rust.mjs';
 
 export const site = join(root, 'dist');
-
-/** The site that tests of several generators open: its second module has a specimen. */
-export const specimenSite = join(targetDir, 'site-specimen');
 
 /**
  * The most that each WebAssembly module may weigh, packed: that of a first visit, and the one with all generators, which
@@ -31,16 +27,8 @@ export async function buildSite() {
   weigh();
 }
 
-/** The same with the specimen's module beside it. */
-export async function buildSpecimenSite() {
-  say('Building the page with a specimen');
-  vite({ BUBBLESTONE_HOUSE: 'specimen', BUBBLESTONE_SITE: specimenSite });
-  weighModules(specimenSite);
-}
-
-/** @param {NodeJS.ProcessEnv} [more] */
-function vite(more) {
-  run(process.execPath, [join(root, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', '--logLevel', 'warn'], { env: { ...process.env, ...more } });
+function vite() {
+  run(process.execPath, [join(root, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', '--logLevel', 'warn']);
 }
 
 /** The same, and again after every change of www/, until the program ends; answers when the site is there. */
@@ -85,25 +73,25 @@ function weigh() {
   console.log(`${kilobytes(sum(files.map((path) => weightOf(path))))}  in all (gzipped)`);
   const visit = Math.round(sum(first.map((path) => weightOf(path))) + inSight);
   console.log(`${kilobytes(visit)}  a first visit (* and ${thumbsInSight} small pictures), of at most ${visitBudget / 1000} kB`);
-  weighModules(site);
+  weighModules();
   if (visit > visitBudget) throw new Stop(`A first visit transfers ${visit} bytes gzipped: at most ${visitBudget} are allowed.`);
 }
 
-/** Stops where a module is over its own budget. @param {string} folder of a site */
-function weighModules(folder) {
-  for (const path of filesOf(folder)) {
+/** Stops where a module is over its own budget. */
+function weighModules() {
+  for (const path of filesOf(site)) {
     const [, name] = /\b(\w+)-[^/]*\.lzma$/.exec(path) ?? [];
     if (!name) continue;
-    const weight = weightOf(path, folder);
+    const weight = weightOf(path);
     const budget = moduleBudgets[/** @type {keyof typeof moduleBudgets} */ (name)];
     console.log(`${kilobytes(weight)}  WebAssembly, ${name}, of at most ${budget / 1000} kB`);
     if (!(weight <= budget)) throw new Stop(`The WebAssembly module ${name} is ${weight} bytes packed: at most ${budget} are allowed.`);
   }
 }
 
-/** What is compressed by itself is sent as it is. @param {string} path of a file @param {string} [folder] its site @returns {number} bytes, gzipped */
-function weightOf(path, folder = site) {
-  const bytes = readFileSync(join(folder, path));
+/** What is compressed by itself is sent as it is. @param {string} path of a file @returns {number} bytes, gzipped */
+function weightOf(path) {
+  const bytes = readFileSync(join(site, path));
   return Math.min(bytes.length, gzipSync(bytes, { level: 9 }).length);
 }
 

@@ -11,25 +11,21 @@ import { tellCosts } from './costs.mjs';
 import { ask, root, run, Stop } from './run.mjs';
 import { nativeEnv, neededRust, wasmEnv, wasmTarget } from './rust.mjs';
 import { clippyMatches } from './setup.mjs';
-import { buildSite, buildSpecimenSite } from './site.mjs';
-import { buildModules, buildWasm } from './wasm.mjs';
-
-// The feature only adds a generator. The page's module, and clippy for WebAssembly, are built without it.
-const features = ['--features', 'specimen'];
+import { buildSite } from './site.mjs';
+import { buildModules } from './wasm.mjs';
 
 /** @type {Record<string, () => unknown>} */
 export const steps = {
   'cargo fmt': () => run('cargo', ['fmt', '--check'], { env: nativeEnv(), otherwise: 'Run `cargo fmt`.' }),
-  'clippy, native': () => clippy(['--all-targets', ...features], nativeEnv()),
+  'clippy, native': () => clippy(['--all-targets'], nativeEnv()),
   'cargo test': cargoTest,
-  'cargo doc': () => run('cargo', ['doc', '--no-deps', ...features], { env: { ...nativeEnv(), RUSTDOCFLAGS: '-D warnings' } }),
+  'cargo doc': () => run('cargo', ['doc', '--no-deps'], { env: { ...nativeEnv(), RUSTDOCFLAGS: '-D warnings' } }),
   dependencies,
   'wasm build': () => buildModules(forWasm()),
   'page build': buildSite,
   types,
   'page in Node': () => nodeTests(['viewing', 'painting'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
   lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
-  'specimen build': specimen,
   'modules as sent': () => nodeTests(['shipped', 'film'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
   'clippy, wasm32': () => wasmLint(forWasm()),
   'wasm-pack test': () => wasmTest(forWasm()),
@@ -50,7 +46,7 @@ function clippy(what, env) {
 
 /** Runs the native tests and notes how long each test program took: cargo names it, and the program says its time at its end. */
 async function cargoTest() {
-  const child = spawn('cargo', ['test', ...features], { env: nativeEnv(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
+  const child = spawn('cargo', ['test'], { env: nativeEnv(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
   const text = { said: '', told: '' };
   child.stdout.on('data', (piece) => (process.stdout.write(piece), (text.said += piece)));
   child.stderr.on('data', (piece) => (process.stderr.write(piece), (text.told += piece)));
@@ -79,7 +75,7 @@ function wasmTest(env) {
     env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
   }
   // What WebAssembly alone has: the face towards JavaScript; and `usize` of 32 bits, whose overflow is checked here.
-  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--test', 'properties', '--test', 'hostile', ...features], { env });
+  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--test', 'properties', '--test', 'hostile', '--features', 'house'], { env });
 }
 
 /** Checks licences, sources and duplicates of dependencies, and that none needs a newer Rust than Cargo.toml does. */
@@ -93,11 +89,6 @@ function dependencies() {
   for (const { name, version, rust_version } of newer) console.log(`${name} ${version} needs Rust ${rust_version}`);
   if (newer.length) throw new Stop(`Cargo.toml promises Rust ${neededRust()}: take other versions, or promise less.`);
   console.log(`${packages.length} packages build with Rust ${neededRust()}.`);
-}
-
-async function specimen() {
-  await buildWasm('specimen', forWasm());
-  await buildSpecimenSite();
 }
 
 function types() {

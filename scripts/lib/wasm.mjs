@@ -9,20 +9,18 @@ import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 export const pageModule = join(root, 'pkg');
 /** As it is sent. */
 export const packedModule = join(pageModule, 'bubblestone.lzma');
-/** The whole house with a specimen in it, for tests. */
-export const houseModule = join(root, 'pkg-specimen');
-export const packedHouse = join(houseModule, 'house.lzma');
 export const nodeModule = join(targetDir, 'pkg-node');
 
 /** Where the module is that makes all there is: a feature of Cargo.toml, `house`, adds what a first visit does without. */
 export const wholeModule = join(root, 'pkg-house');
+/** As it is sent. */
+export const packedWhole = join(wholeModule, 'house.lzma');
 
 /** All builds: where they are put, for whom, and the cargo features of each. */
 const BUILDS = {
   /** What a first visit gets. */
   web: { folder: pageModule, target: 'web', features: [] },
   house: { folder: wholeModule, target: 'web', features: ['house'] },
-  specimen: { folder: houseModule, target: 'web', features: ['specimen'] },
   nodejs: { folder: nodeModule, target: 'nodejs', features: ['house'] },
   /** With the measurements. */
   bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', features: ['bench', 'house'] },

@@ -1,6 +1,6 @@
-//! Numbers as bytes, the lowest first.
+//! Numbers as bytes, little-endian.
 
-/// Adds whole numbers of 32 bits.
+/// Adds integers of 32 bits.
 pub(super) fn put(out: &mut Vec<u8>, words: &[u32]) {
     for word in words {
         out.extend_from_slice(&word.to_le_bytes());

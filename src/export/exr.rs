@@ -1,12 +1,12 @@
-//! A map of floats as an OpenEXR file: one part of scan lines, one channel Y, not packed (OpenEXR File
-//! Layout, Academy Software Foundation).
+//! A map of floats as an OpenEXR file: one part of scan lines, one channel Y, uncompressed (OpenEXR File Layout,
+//! Academy Software Foundation).
 //!
-//! For native programs: the page has its own in `www/take/files/exr.ts`, as the module would grow by this.
+//! Only native programs use it. The page has its own in `www/take/files/exr.ts`, as the module would grow by this.
 
 use super::Map;
 use super::bytes::put;
 
-/// Up to the table of lines: attributes with their types and lengths. Where both windows end comes later.
+/// The head up to the values of the windows: attributes with their types and lengths. The windows' ends come later.
 const HEAD: &[u8] = b"\x76\x2f\x31\x01\x02\0\0\0\
     channels\0chlist\0\x13\0\0\0Y\0\x02\0\0\0\0\0\0\0\x01\0\0\0\x01\0\0\0\0\
     compression\0compression\0\x01\0\0\0\0\
@@ -28,7 +28,7 @@ pub fn exr(map: &Map) -> Vec<u8> {
         out.extend_from_slice(window);
         put(&mut out, &[last, last]);
     }
-    // The head ends with an empty name; then a table tells where each line begins, in 64 bits.
+    // The head ends with an empty name. A table of the lines' offsets follows, each in 64 bits.
     out.push(0);
     let (begin, row) = (out.len() as u32 + 8 * side, 4 * side);
     for y in 0..side {

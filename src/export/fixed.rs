@@ -1,6 +1,6 @@
-//! Numbers of a fixed count of decimals, as text, in number.
+//! Writes many numbers as text with a fixed number of decimals.
 
-/// Adds a number below a million in size with at most so many decimals, without zeros at the end.
+/// Adds a number below a million in size, with at most `decimals` decimals and without trailing zeros.
 pub(super) fn push(out: &mut Vec<u8>, x: f32, decimals: u32) {
     let scale = 10u64.pow(decimals);
     let whole = (f64::from(x).abs() * scale as f64 + 0.5) as u64;
@@ -19,7 +19,7 @@ pub(super) fn push(out: &mut Vec<u8>, x: f32, decimals: u32) {
     }
 }
 
-/// Adds a whole number.
+/// Adds an integer.
 pub(super) fn push_whole(out: &mut Vec<u8>, mut x: u64) {
     let start = out.len();
     loop {

@@ -1,12 +1,12 @@
-//! From a surface's axes and units to those of mesh files.
+//! Maps a surface's axes and units to those of mesh files.
 
 use glam::Vec3;
 
-/// What a surface's places are.
+/// The axes and units of a surface.
 pub(super) enum Frame {
-    /// x, y down and height in picture units, of which so many files' units are one.
+    /// x, y down and height, in picture units; `unit` is the file's unit for one of them.
     Picture { unit: f32 },
-    /// Those of a model, as files have them.
+    /// Those of a model, as in files.
     #[cfg(house)]
     Model,
 }
@@ -20,7 +20,8 @@ impl Frame {
         }
     }
 
-    /// From the upper left corner of the maps to the right and down, 0..1 in the picture; a model has no maps.
+    /// The place in the maps, from the upper left corner to the right and down, 0..1 in the picture. A model has no
+    /// maps.
     pub fn place_in_maps(&self, p: Vec3) -> Option<[f32; 2]> {
         match *self {
             Self::Picture { unit } => Some([p.x * unit, p.y * unit]),
@@ -41,7 +42,8 @@ impl Frame {
         }
     }
 
-    /// Exchanging two axes turns triangles over: here they go counter-clockwise seen from outside.
+    /// The file's order of a triangle's corners. Exchanging two axes mirrors; the result is counter-clockwise seen
+    /// from outside.
     pub fn turned(&self, [a, b, c]: [u32; 3]) -> [u32; 3] {
         match self {
             Self::Picture { .. } => [a, c, b],

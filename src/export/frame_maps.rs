@@ -1,38 +1,38 @@
-//! The planes of a frame as files: for compositing, and for whoever learns from pictures.
+//! The planes of a frame as files: for compositing, and as training data.
 
 use super::Map;
 use super::maps::id_colour;
 use crate::scene::Frame;
 
-/// What a plane of a frame tells.
+/// A plane of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FramePlane {
-    /// How near bodies are: grey of 16 bits, from the farthest (1) to the nearest (65535), evenly by depth; 0 where
-    /// none is.
+    /// Nearness of bodies as 16 bit grey, linear in depth, from the farthest (1) to the nearest (65535); 0 where
+    /// there is none.
     Depth,
-    /// Normals as the eye sees them, green up (OpenGL): right, up and to the eye from -1..1 to 0..255; black
-    /// where no body is.
+    /// Normals in view axes, green up (OpenGL): right, up and towards the eye, from -1..1 to 0..255. Black where
+    /// there is no body.
     Normal,
-    /// A colour for each body that no other has, as the map of ids has it; black for ground and none.
+    /// A unique colour for each body, as in the map of ids. Black for the ground and where there is no body.
     Id,
 }
 
 impl FramePlane {
-    /// All, with their words.
+    /// All planes with their words.
     pub const ALL: [(FramePlane, &'static str); 3] = [
         (FramePlane::Depth, "depth"),
         (FramePlane::Normal, "normal"),
         (FramePlane::Id, "id"),
     ];
 
-    /// The plane of a word.
+    /// The plane with this word.
     pub fn of_word(word: &str) -> Option<FramePlane> {
         let found = Self::ALL.iter().find(|(_, w)| *w == word);
         found.map(|&(plane, _)| plane)
     }
 }
 
-/// A plane of a finished frame; its `side` is the frame's width, and rows are as many as the frame has.
+/// A plane of a finished frame. `side` of the result is the frame's width; it has as many rows as the frame.
 pub fn frame_map(frame: &Frame, plane: FramePlane) -> Map {
     let (channels, bits, bytes) = match plane {
         FramePlane::Depth => (1, 16, depth(frame.depths())),

@@ -1,14 +1,14 @@
 //! Surfaces as a GLB file: glTF 2.0 in one binary (Khronos Group, ISO/IEC 12113:2022).
 //!
-//! A node with a mesh for each stone, called by its id, and one for the ground. Bodies of a scene share meshes, and
-//! meshes share surfaces. There are three kinds of files:
+//! The file has a node with a mesh for each stone, named by its id, and one for the ground. Bodies of a scene share
+//! meshes, and meshes share surfaces. There are three kinds of files:
 //!
-//! - *Plain*: a vertex is its position, normal, colour (linear red, green, blue and a full alpha of 16 bits
-//!   each, as 8 bits are too few for dark colours) and place in the maps.
-//! - *Of a model*: the same without a place.
-//! - *With images* of colour, normals, and occlusion, roughness and metal: a vertex is its position and place
-//!   in the maps. All normals go up and all tangents to the right of the picture, for the map of normals has
-//!   whole normals, not differences from those of a mesh: added to the mesh's own they would tilt twice.
+//! - *Plain*: a vertex has position, normal, colour and place in the maps. The colour is linear red, green, blue and
+//!   full alpha, with 16 bits each, as 8 bits are too few for dark colours.
+//! - *For a model*: the same without a place.
+//! - *With images* of colour, normals, and occlusion, roughness and metal: a vertex has position and place in the
+//!   maps. All normals point up and all tangents to the right of the picture. The map of normals has complete
+//!   normals, not differences from those of a mesh: with the mesh's own normals they would tilt twice.
 //!
 //! Places in maps begin at the upper left corner of the picture.
 
@@ -26,15 +26,15 @@ use crate::solid::Surface;
 #[cfg(house)]
 use glam::{Mat3, Quat};
 
-/// What all vertices share in a file with images: normal and tangent.
+/// The normal and tangent that all vertices share in a file with images.
 const UPRIGHT: [&[f32]; 2] = [&[0.0, 1.0, 0.0], &[1.0, 0.0, 0.0, 1.0]];
 
-/// What describes the binary; numbers come in the place of each @. The numbers of an attribute are how
-/// many vertices there are, where they begin, and their least and greatest coordinates.
+/// Templates for the JSON that describes the binary chunk; numbers replace each @. The numbers of an attribute are
+/// the count of vertices, their offset, and their least and greatest coordinates.
 struct Layout {
     /// Bytes of a vertex.
     stride: usize,
-    /// What is read of the vertices: from where in them on, and the accessor.
+    /// The attributes of a vertex: their offset, and their accessor.
     attributes: &'static [(usize, &'static str)],
     mesh: &'static str,
     material: &'static str,
@@ -145,31 +145,31 @@ const PAINTED: &str = concat!(
     r#""metallicFactor":0,"roughnessFactor":@}}"#,
 );
 
-/// The signs of the format and of its two chunks.
+/// The magic numbers of the format and of its two chunks.
 const GLTF: u32 = u32::from_le_bytes(*b"glTF");
 const JSON: u32 = u32::from_le_bytes(*b"JSON");
 const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
 
-/// A GLB file in the making.
+/// A GLB file that is being made.
 pub(super) struct Glb {
     roughness: f32,
-    /// Bytes of each image that comes behind the file's last part.
+    /// The bytes of each image that follows the file's last part.
     images: Option<[u32; 3]>,
-    /// Maps repeat.
+    /// Whether maps repeat.
     tile: bool,
     layout: &'static Layout,
     vertices: Vec<u8>,
     indices: Vec<u8>,
     /// The most vertices of a mesh.
     most: usize,
-    /// Surfaces whose vertices and indices are there, meshes of them, and nodes with such a mesh.
+    /// How many surfaces have been written, meshes made of them, and nodes with such a mesh.
     surfaces_made: usize,
     meshes_made: usize,
     nodes_made: usize,
-    /// Of the JSON's lists, each item with a comma before it.
+    /// Lists of the JSON, with a comma before each item.
     children: String,
     nodes: String,
-    /// Materials beside the first one.
+    /// Materials after the first one.
     #[cfg(house)]
     materials: String,
     #[cfg(house)]
@@ -180,8 +180,8 @@ pub(super) struct Glb {
 }
 
 impl Glb {
-    /// A file of surfaces that are rough by so much, 0..1; with `images` of so many bytes, which the caller
-    /// has to put behind it, each filled up to a multiple of four bytes.
+    /// A file of surfaces with this roughness, 0..1. `images` are the sizes of images in bytes: the caller has to
+    /// append these, each padded to a multiple of four bytes.
     pub fn new(roughness: f32, images: Option<[u32; 3]>, tile: bool) -> Self {
         let linear = |v| (decoded(v as f64 / 255.0) * 65535.0 + 0.5) as u32;
         Self {
@@ -207,7 +207,7 @@ impl Glb {
         }
     }
 
-    /// The same of surfaces in a model's own axes, which have no places in maps.
+    /// A file of surfaces in a model's own axes, without places in maps.
     #[cfg(house)]
     pub fn of_model(roughness: f32) -> Self {
         Self {
@@ -216,14 +216,14 @@ impl Glb {
         }
     }
 
-    /// Adds the surface of a stone by its id, or of the ground by 0.
+    /// Adds the surface of the stone with this id, or of the ground for 0.
     pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
         let surface = self.add_surface(frame, surface);
         let mesh = self.add_mesh(surface, 0);
         self.add_stone(mesh, id);
     }
 
-    /// Adds a surface, which meshes can have; returns its number.
+    /// Adds a surface, for meshes to use; returns its number.
     pub(super) fn add_surface(&mut self, frame: &Frame, surface: &Surface) -> usize {
         let first = self.vertices.len();
         let (mut low, mut high) = ([f32::MAX; 3], [f32::MIN; 3]);
@@ -251,7 +251,7 @@ impl Glb {
         self.surfaces_made - 1
     }
 
-    /// Adds a mesh of a surface, of a material; returns its number.
+    /// Adds a mesh with a surface and a material; returns its number.
     pub(super) fn add_mesh(&mut self, surface: usize, material: usize) -> usize {
         let each = self.layout.attributes.len() + 1;
         let accessors = (0..each).map(|k| each * surface + k);
@@ -261,7 +261,7 @@ impl Glb {
         self.meshes_made - 1
     }
 
-    /// Adds the accessors of vertices that begin at `first`.
+    /// Adds the accessors of the vertices that begin at byte `first`.
     fn describe(&mut self, first: usize, count: usize, [low, high]: [[f32; 3]; 2]) {
         for &(offset, accessor) in self.layout.attributes {
             let ([a, b, c], [d, e, f]) = (low.map(f64::from), high.map(f64::from));
@@ -304,13 +304,13 @@ impl Glb {
         self.list_node();
     }
 
-    /// Adds the last node to the children of the first one.
+    /// Lists the last node among the children of the first one.
     fn list_node(&mut self) {
         self.nodes_made += 1;
         fill(&mut self.children, ",@", &[self.nodes_made as f64]);
     }
 
-    /// Adds a body: a node with a mesh in its place.
+    /// Adds a body: a node with a mesh, in its place.
     #[cfg(house)]
     pub(super) fn add_body(&mut self, mesh: usize, name: &str, place: &Place) {
         let scale = place.scale();
@@ -325,7 +325,7 @@ impl Glb {
         self.list_node();
     }
 
-    /// Adds a material; returns its number. The first one is that of [`Glb::new`].
+    /// Adds a material; returns its number. Number 0 is that of [`Glb::new`].
     #[cfg(house)]
     pub(super) fn add_material(&mut self, tint: [u8; 3], roughness: f32) -> usize {
         let linear = tint.map(|c| decoded(f64::from(c) / 255.0));
@@ -335,7 +335,7 @@ impl Glb {
         self.materials_made
     }
 
-    /// The file, part after part, but for the images.
+    /// The file in parts, without the images.
     pub fn finish(self) -> Vec<Vec<u8>> {
         let mut shared = Vec::new();
         for vector in UPRIGHT.into_iter().filter(|_| self.images.is_some()) {
@@ -354,7 +354,7 @@ impl Glb {
         vec![head, self.vertices, self.indices, shared]
     }
 
-    /// Where `own` bytes come before the images, and `all` with them.
+    /// The JSON. `own` is the length of the binary chunk without images, `all` that with them.
     fn json(&self, own: usize, all: usize) -> String {
         let mut json = HEAD.to_owned();
         let wrap = if self.tile { 10_497.0 } else { 33_071.0 };
@@ -365,7 +365,7 @@ impl Glb {
         fill(&mut json, self.layout.material, &numbers);
         #[cfg(house)]
         if !self.materials.is_empty() {
-            // The list goes on behind its first material.
+            // The list continues after its first material.
             json.pop();
             json += &self.materials;
             json.push(']');
@@ -387,7 +387,7 @@ impl Glb {
         let parts = [&self.children, &self.nodes, &self.meshes, &self.accessors];
         for (k, before) in LISTS.into_iter().enumerate() {
             json += before;
-            // The second goes on behind a first node.
+            // The second list continues after a first node.
             let from = usize::from(k != 1);
             json += parts.get(k).and_then(|part| part.get(from..)).unwrap_or("");
         }
@@ -395,19 +395,19 @@ impl Glb {
     }
 }
 
-/// Bytes of an image with what fills it up.
+/// The length of an image with its padding.
 fn filled(length: u32) -> usize {
     (length as usize).next_multiple_of(4)
 }
 
-/// Fills up to a multiple of four bytes.
+/// Pads to a multiple of four bytes.
 fn fill_up(bytes: &mut Vec<u8>, by: u8) {
     while !bytes.len().is_multiple_of(4) {
         bytes.push(by);
     }
 }
 
-/// Adds a template with numbers in the place of each @.
+/// Adds a template, with numbers in place of each @.
 fn fill(json: &mut String, template: &str, numbers: &[f64]) {
     let mut numbers = numbers.iter();
     for (k, piece) in template.split('@').enumerate() {
@@ -418,7 +418,7 @@ fn fill(json: &mut String, template: &str, numbers: &[f64]) {
     }
 }
 
-/// Counts without an exponent: not all readers take 2e7 for a whole number.
+/// Integers get no exponent: not all readers take 2e7 for one.
 fn number(x: f64) -> String {
     let whole = x as u64;
     if whole as f64 == x {

@@ -86,7 +86,7 @@ pub(super) fn object<K: AsRef<str>>(items: impl IntoIterator<Item = (K, String)>
     "{".to_string() + &items.join(",") + "}"
 }
 
-/// A JSON number; what is not finite, which JSON cannot say, becomes null.
+/// A JSON number; null for numbers that are not finite, which JSON cannot express.
 pub(super) fn number(x: f64) -> String {
     if x.is_finite() {
         format!("{x}")

@@ -1,33 +1,32 @@
-//! The data planes as the maps that other programs light surfaces by. On tiles they repeat to the
-//! pixel.
+//! The data planes as texture maps for other programs. The maps of tiles repeat to the pixel.
 
 use crate::heightfield::{Planes, row_slopes};
 use crate::material::Material;
 use std::ops::Range;
 
-/// A map, `side` x `side` pixels, row after row from the top; or some rows of it.
+/// A map of `side` x `side` pixels, row after row from the top; or some of its rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
     /// Pixels along a side.
     pub side: usize,
-    /// 1 of grey, 3 of red, green, blue, or 4 with alpha.
+    /// 1 for grey, 3 for red, green, blue, or 4 with alpha.
     pub channels: u8,
-    /// 8 or 16 for each channel, or 32 of floats.
+    /// Bits of a channel: 8 or 16, or 32 for floats.
     pub bits: u8,
     /// The values, with the high byte first, as in PNG.
     pub bytes: Vec<u8>,
 }
 
 impl Map {
-    /// A map of 8 bits and one or three channels as opaque RGBA, to look at.
+    /// A map of 8 bits and one or three channels as opaque RGBA, for display.
     pub fn rgba(&self) -> Vec<u8> {
         let channels = usize::from(self.channels);
         let opaque = |p: &[u8]| [p[0], p[channels / 2], p[channels - 1], 255];
         self.bytes.chunks_exact(channels).flat_map(opaque).collect()
     }
 
-    /// The mask map of Unity from one of the kind [`MapKind::Orm`]: metal, occlusion, nothing, and smoothness (what
-    /// is missing of roughness to 1) as red, green, blue and alpha. For native programs: the page has its own.
+    /// The mask map of Unity, made of a map of kind [`MapKind::Orm`]: metal, occlusion, 0, and smoothness (1 -
+    /// roughness) as red, green, blue and alpha. Only native programs use it; the page has its own.
     pub fn mask(&self) -> Map {
         let pixels = self.bytes.chunks_exact(3);
         let mask = pixels.flat_map(|p| [p[2], p[0], 0, 255 - p[1]]);
@@ -39,32 +38,32 @@ impl Map {
     }
 }
 
-/// What a map tells.
+/// The content of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapKind {
-    /// Height: grey of 16 bits, from the lowest (0) to the highest (65535) value of the bump plane,
-    /// which [`super::Report::height_range`] tells.
+    /// Height: grey of 16 bits, from the lowest (0) to the highest (65535) value of the bump plane.
+    /// [`super::Report::height_range`] has both.
     Height,
-    /// Normals with green up the picture, as OpenGL has them: x, y, z from -1..1 to 0..255.
+    /// Normals with green up the picture, as in OpenGL: x, y, z from -1..1 to 0..255.
     NormalOpengl,
-    /// Normals with green down the picture, as DirectX has them.
+    /// Normals with green down the picture, as in DirectX.
     NormalDirectx,
     /// Colour before light, sRGB.
     Albedo,
-    /// See [`roughness`]: grey, not sRGB.
+    /// Roughness (see [`roughness`]): grey, not sRGB.
     Roughness,
-    /// Ambient light that reaches the point: grey, 255 = all of it, not sRGB.
+    /// The ambient light that reaches a point: grey, 255 for all of it, not sRGB.
     Occlusion,
-    /// A colour for each cell that no other has, black for the ground: see [`id_colour`].
+    /// A unique colour for each cell, black for the ground: see [`id_colour`].
     Id,
-    /// Ambient occlusion, roughness and metal, of which there is none, as red, green and blue.
+    /// Ambient occlusion, roughness and metal (always 0) as red, green and blue.
     Orm,
     /// Height above the base level as floats, in sides of the picture.
     HeightFloat,
 }
 
 impl MapKind {
-    /// All maps with their words, which are the names of their files.
+    /// All maps with their words, which are also the names of their files.
     pub const ALL: [(MapKind, &'static str); 9] = [
         (MapKind::Height, "height"),
         (MapKind::NormalOpengl, "normal-opengl"),
@@ -99,32 +98,31 @@ impl MapKind {
         }
     }
 
-    /// The map of a word.
+    /// The map with this word.
     pub fn of_word(word: &str) -> Option<MapKind> {
         let found = Self::ALL.iter().find(|(_, w)| *w == word);
         found.map(|&(kind, _)| kind)
     }
 }
 
-/// Roughness, 0..1, of a highlight with Phong's exponent.
+/// The roughness, 0..1, of a highlight with Phong's exponent.
 ///
-/// The width of Beckmann's (and nearly of the GGX) distribution that equals cos^n is
-/// sqrt(2 / (n + 2)): Walter, Marschner, Li, Torrance (2007), Microfacet Models for Refraction through
-/// Rough Surfaces, section 5.2. The roughness of today's maps is the root of that width: Burley
-/// (2012), Physically Based Shading at Disney; Karis (2013), Real Shading in Unreal Engine 4.
+/// Beckmann's distribution (and nearly GGX) equals cos^n for the width sqrt(2 / (n + 2)): Walter, Marschner, Li,
+/// Torrance (2007), Microfacet Models for Refraction through Rough Surfaces, section 5.2. The roughness in today's
+/// maps is the root of that width: Burley (2012), Physically Based Shading at Disney; Karis (2013), Real Shading in
+/// Unreal Engine 4.
 pub fn roughness(shininess: f64) -> f32 {
     (2.0 / (shininess.max(0.0) + 2.0)).sqrt().sqrt() as f32
 }
 
-/// Red, green, blue of an id of the id plane: 0 for the ground, else the cell's place in the list of
-/// cells + 1. An odd factor makes other colours of all ids below 2^24, far from each other for
-/// neighbouring ones.
+/// Red, green, blue for an id of the id plane: 0 for the ground, else the cell's index + 1. Multiplication by an odd
+/// factor gives all ids below 2^24 different colours, and neighbouring ids very different ones.
 pub fn id_colour(id: u32) -> [u8; 3] {
     let [_, r, g, b] = id.wrapping_mul(0x009E_3779).to_be_bytes();
     [r, g, b]
 }
 
-/// What the maps of some rows need to know of all of them.
+/// The values that depend on all rows, for maps that are made row by row.
 #[derive(Clone, Debug)]
 pub struct Scale {
     /// The lowest and the highest value of the bump plane, in picture units.
@@ -134,7 +132,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// `materials` is the table that the plane of materials indexes, `shininess` the factor of its exponents.
+    /// `materials` is the table that the plane of materials indexes; `shininess` is the factor on its exponents.
     pub fn new(planes: &Planes, materials: &[Material], shininess: f64) -> Self {
         let grey = |o: &Material| roughness(f64::from(o.shininess) * shininess);
         Self {
@@ -148,7 +146,7 @@ impl Scale {
         found.copied().unwrap_or(255)
     }
 
-    /// In the 16 bits of [`MapKind::Height`].
+    /// A height as the 16 bits of [`MapKind::Height`].
     fn grey(&self, height: f32) -> u16 {
         let (low, high) = self.heights;
         let scale = if high > low {
@@ -199,7 +197,7 @@ pub(crate) fn ids(ids: &[u32]) -> impl Iterator<Item = u8> {
     ids.iter().flat_map(|&id| id_colour(id))
 }
 
-/// `green` is the direction of green: 1 down the picture, -1 up.
+/// Normals of some rows. `green` is the direction of green: 1 down the picture, -1 up.
 fn normals(planes: &Planes, green: f32, rows: Range<usize>, to: &mut Vec<u8>) {
     let mut slopes = [vec![0.0; planes.side], vec![0.0; planes.side]];
     for y in rows {
@@ -220,7 +218,7 @@ fn byte(v: f32) -> u8 {
 mod tests {
     use super::*;
 
-    /// Rises to the right by 1 and downwards by 2 a pixel.
+    /// Planes that rise by 1 for a pixel to the right and by 2 for one down.
     fn slope() -> Planes {
         let mut planes = Planes::new(8);
         for at in 0..64 {

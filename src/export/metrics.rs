@@ -3,8 +3,8 @@
 use super::json::{number, object};
 use crate::metrics::{Cover, Histogram, Metrics};
 
-/// `{"cells":{...},"mesh":{...}}`: what [`Metrics`] holds, areas as shares of the outline's, angles
-/// in degrees, histograms as shares by number; null where there is nothing to measure.
+/// `{"cells":{...},"mesh":{...}}`: the contents of [`Metrics`], with areas as shares of the outline's, angles in
+/// degrees, and histograms as shares by number. Null where there is nothing to measure.
 pub fn metrics_json(metrics: &Metrics) -> String {
     let Metrics { cells, mesh } = metrics;
     let mut of_cells = vec![("count", cells.count.to_string())];
@@ -59,7 +59,7 @@ fn cover(cover: &Cover) -> [(&'static str, String); 3] {
 
 /// To six digits after the point.
 fn rounded(x: f64) -> String {
-    // No sum of lengths is exact: what is nothing should not be written as less.
+    // Adding 0 turns -0 into 0: sums of lengths are inexact, and 0 must not become -0.
     number((x * 1e6).round() / 1e6 + 0.0)
 }
 

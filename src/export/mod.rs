@@ -1,5 +1,5 @@
-//! Writers of what the stages found: text with numbers as the shortest decimals that read back as the
-//! same bits, maps of the planes, and files of the cells' surfaces.
+//! Writers of results: text with numbers as the shortest decimals that read back as the same bits, maps of the
+//! planes, and files of the cells' surfaces.
 
 mod bytes;
 mod exr;

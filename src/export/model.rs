@@ -1,4 +1,4 @@
-//! Stones on a surface in one file, cell by cell, and then the ground in parts, in the model's own axes and units.
+//! The stones on a surface in one file, cell by cell, and then the ground in parts, in the model's axes and units.
 
 use super::frame::Frame;
 use super::glb::Glb;
@@ -11,14 +11,14 @@ use crate::surface_cells::SurfaceCell;
 use crate::surface_stones::{Paving, Piece, Pieces, StonesParams};
 use crate::trimesh::TriMesh;
 
-/// A file of a model in the making.
+/// A file of a model that is being made.
 pub struct ModelFile {
     pieces: Pieces,
     writer: Writer,
 }
 
 impl ModelFile {
-    /// A file of the stones of these cells; `materials` is the table of all there are. Images are passed over.
+    /// A file of the stones of these cells. `materials` is the whole table. Images of the order are ignored.
     pub fn new(
         order: &MeshOrder,
         params: StonesParams,
@@ -35,13 +35,13 @@ impl ModelFile {
         }
     }
 
-    /// How much of it is done, 0..1.
+    /// The share of the work that is done, 0 to 1.
     pub fn progress(&self, cells: &[SurfaceCell]) -> f64 {
         self.pieces.progress(cells)
     }
 
-    /// Adds the next stone, or after the last one a part of the ground; true when all is there. Mesh and paving are
-    /// always the same ones.
+    /// Adds the next stone or, after the last one, a part of the ground; true when all is there. Mesh and paving must
+    /// be the same each time.
     pub fn advance(&mut self, mesh: &TriMesh, paving: Paving) -> bool {
         match self.pieces.next(mesh, paving) {
             Piece::None => false,

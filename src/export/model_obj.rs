@@ -1,10 +1,10 @@
-//! A surface as an OBJ file, as it was used.
+//! The surface's mesh as an OBJ file.
 
 use super::fixed::push_whole;
 use super::json::number;
 use crate::trimesh::TriMesh;
 
-/// Text: the vertices with numbers that read back as the same bits, then the triangles, in their order.
+/// Text: vertices with numbers that read back as the same bits, then the triangles, in their order.
 pub fn model_obj(mesh: &TriMesh) -> String {
     let mut out = b"# Made by Bubblestone.\n".to_vec();
     for p in mesh.positions() {
@@ -23,6 +23,6 @@ pub fn model_obj(mesh: &TriMesh) -> String {
         }
         out.push(b'\n');
     }
-    // Nothing but ASCII has been written.
+    // Only ASCII has been written.
     String::from_utf8(out).unwrap_or_default()
 }

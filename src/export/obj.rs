@@ -4,7 +4,7 @@ use super::fixed::{push, push_whole};
 use super::frame::Frame;
 use crate::solid::Surface;
 
-/// Bytes after which another part of the file begins.
+/// The bytes of a part; then another one begins.
 const PART: usize = 1 << 20;
 
 const HEAD: &[u8] = b"# Made by Bubblestone.\n\
@@ -14,11 +14,11 @@ const HEAD: &[u8] = b"# Made by Bubblestone.\n\
 const MODEL_HEAD: &[u8] = b"# Made by Bubblestone.\n\
     # Right-handed, y up, in the units of the surface. Colours are sRGB.\n";
 
-/// An OBJ file in the making.
+/// An OBJ file that is being made.
 pub(super) struct Obj {
     parts: Vec<Vec<u8>>,
     part: Vec<u8>,
-    /// Vertices written; the file counts from 1.
+    /// Vertices written so far; indices in the file count from 1.
     vertices: u64,
 }
 
@@ -36,7 +36,7 @@ impl Obj {
         }
     }
 
-    /// Adds the surface of a stone by its id, or of the ground by 0.
+    /// Adds the surface of the stone with this id, or of the ground for 0.
     pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
         let name = match id.checked_sub(1) {
             None => "ground".to_owned(),
@@ -45,7 +45,7 @@ impl Obj {
         self.add_named(frame, surface, &name);
     }
 
-    /// Adds an object of this name, which is one word.
+    /// Adds an object with this name, which must be one word.
     pub(super) fn add_named(&mut self, frame: &Frame, surface: &Surface, name: &str) {
         let out = &mut self.part;
         out.extend_from_slice(b"o ");
@@ -98,7 +98,7 @@ impl Obj {
         std::mem::take(&mut self.parts)
     }
 
-    /// The rest of the file, part after part.
+    /// The rest of the file, in parts.
     pub fn finish(mut self) -> Vec<Vec<u8>> {
         self.parts.push(self.part);
         self.parts

@@ -1,10 +1,10 @@
-//! Files that are handed on in parts while they are made.
+//! Files that are handed over in parts while they are made.
 
-/// A file in the making.
+/// A file that is being made.
 pub trait PartFile {
-    /// The next parts, as far as they are known before all is added.
+    /// The next parts, as far as they are complete.
     fn take(&mut self) -> Vec<Vec<u8>>;
 
-    /// The rest in parts, one after the other.
+    /// The rest of the file, in parts.
     fn finish(self) -> Vec<Vec<u8>>;
 }

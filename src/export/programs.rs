@@ -1,13 +1,13 @@
-//! Sets of maps as other programs expect them: which maps, packed how, and their files' names. The
-//! page has the same in `www/take/files/programs.ts`, as the module would grow by them.
+//! Sets of maps for other programs: which maps, how packed, and the files' names. The page has the same in
+//! `www/take/files/programs.ts`, as the module would grow by them.
 
 use super::MapKind;
 
-/// Sets by the programs' words: in each line a map's word and the name of its file.
+/// The sets of each program: each line has a map's word and the name of its file.
 ///
-/// Unreal has green down and occlusion, roughness and metal in one map (Epic Games' names of assets); Unity has
-/// the mask map of its pipelines (URP reads it as metal and occlusion, too); Godot takes one map with its
-/// ORMMaterial3D; Blender's Node Wrangler finds single maps by the words in their names.
+/// Unreal has green down, and occlusion, roughness and metal in one map (Epic Games' names of assets). Unity has the
+/// mask map of its pipelines (URP reads it as metal and occlusion, too). Godot takes one map with its ORMMaterial3D.
+/// Blender's Node Wrangler finds single maps by the words in their names.
 const SETS: [(&str, &str); 4] = [
     (
         "blender",
@@ -44,8 +44,8 @@ id T_Bubblestone_ID.png",
     ),
 ];
 
-/// The maps of a program's set with the names of their files; none of another word. That of a mask map is made
-/// of the map of occlusion, roughness and metal: [`super::Map::mask`].
+/// The maps of a program's set with the names of their files; none for an unknown word. A mask map is made of the map
+/// of occlusion, roughness and metal: [`super::Map::mask`].
 pub fn maps_for(program: &str) -> impl Iterator<Item = (MapKind, &'static str)> {
     let set = SETS.iter().find(|(word, _)| *word == program);
     let lines = set.map_or("", |(_, lines)| lines).lines();

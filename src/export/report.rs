@@ -1,4 +1,4 @@
-//! What a run did, for report.json.
+//! The report of a run, for report.json.
 
 use super::json::{list, text};
 use crate::decimal;
@@ -26,7 +26,7 @@ pub struct Report {
     pub steps: u32,
     /// Whether forces and moves became small before the packing's last step.
     pub converged: bool,
-    /// The largest move of the last step, in cell sizes.
+    /// The greatest move of the last step, in cell sizes.
     pub largest_move: f64,
     /// Cells that the population control has added.
     pub added: u32,
@@ -38,18 +38,18 @@ pub struct Report {
     pub milliseconds: Vec<StageTime>,
     /// The heights shown as 0 and as 65535 in height.png, in picture units.
     pub height_range: (f32, f32),
-    /// What [`super::metrics_json`] made of the figures, where they were asked for.
+    /// The result of [`super::metrics_json`], if figures were asked for.
     pub metrics: Option<String>,
-    /// What was clamped, dropped or given up, in words.
+    /// Notices of values that were clamped, dropped or given up.
     pub notices: Vec<Notice>,
     /// Digest of the planes, in hex.
     pub hash: String,
-    /// Hash of the still from the camera that was asked for, in hex; none where none was.
+    /// Hash of the still from the requested camera, in hex, if there was one.
     pub frame: Option<String>,
 }
 
-/// A JSON number, null where there is none. `json::number` is quicker, but would bring the standard
-/// library's code for numbers into the WebAssembly.
+/// A JSON number, null if it is not finite. `json::number` is faster, but would bring the standard library's code for
+/// numbers into the WebAssembly.
 fn number(x: f64) -> String {
     if x.is_finite() {
         decimal::text(x)
@@ -101,7 +101,7 @@ impl Report {
     }
 }
 
-// serde_json is there natively only.
+// serde_json is a dependency of native builds only.
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;

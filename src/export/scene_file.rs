@@ -1,5 +1,5 @@
-//! The bodies of a scene in one file. Bodies of one kind share a mesh in GLB; OBJ, which has no instances, gets an object
-//! for each body.
+//! The bodies of a scene in one file. Bodies of one kind share a mesh in GLB; OBJ, which has no instances, gets an
+//! object for each body.
 
 use super::frame::Frame;
 use super::glb::Glb;
@@ -13,10 +13,10 @@ use crate::scene::{Instance, Paint, Scene};
 use crate::solid::Surface;
 use std::collections::BTreeMap;
 
-/// A file of a scene in the making.
+/// A file of a scene that is being made.
 pub struct SceneFile {
     writer: SceneWriter,
-    /// Triangles of a body, at most.
+    /// The most triangles of a body.
     most: usize,
     next: usize,
 }
@@ -39,7 +39,7 @@ struct SharedMeshes {
 }
 
 impl SceneFile {
-    /// A file of a scene with these materials. Images are passed over.
+    /// A file of a scene with these materials. Images of the order are ignored.
     pub fn new(order: &MeshOrder, materials: &[Material], scene: &Scene) -> Self {
         let rough = |material: &Material| roughness(f64::from(material.shininess));
         let glb = || SharedMeshes {
@@ -59,7 +59,8 @@ impl SceneFile {
         }
     }
 
-    /// Adds the next body by the name that `name` gives it; true when all are there. The scene is always the same one.
+    /// Adds the next body, under the name that `name` gives it; true when all are there. The scene must be the same
+    /// each time.
     pub fn advance(&mut self, scene: &Scene, name: impl Fn(&Instance) -> String) -> bool {
         let Some(instance) = scene.instances.get(self.next) else {
             return true;

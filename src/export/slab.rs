@@ -1,44 +1,44 @@
-//! The height field as a closed slab in an STL file, for printing: millimetres, right-handed with z up, seen
-//! from above as the picture.
+//! The height field as a closed slab in an STL file, for 3D printing: millimetres, right-handed with z up. Seen from
+//! above it looks like the picture.
 //!
-//! The file is the binary form (3D Systems, 1989): 80 bytes of title, the count of triangles, and for each its
-//! normal and corners as floats and two empty bytes. The top has a grid's squares of two triangles each, the
-//! walls one such square below each side, and the base is a fan.
+//! The file is binary (3D Systems, 1989): 80 bytes of title, the count of triangles, and for each its normal and
+//! corners as floats and two zero bytes. The top is a grid of squares with two triangles each. Below each of its
+//! outer sides the walls have one such square. The base is a fan.
 //!
-//! For native programs: the page has its own in `www/take/files/slab.ts`, as the module would grow by this.
+//! Only native programs use it. The page has its own in `www/take/files/slab.ts`, as the module would grow by this.
 
 use super::bytes::{put, put_floats};
 use crate::heightfield::{Planes, means};
 use glam::Vec3;
 
-/// A slab to be made of a picture, in millimetres.
+/// The measures of a slab, in millimetres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slab {
-    /// Length of a side.
+    /// The length of a side.
     pub side: f32,
-    /// Thickness under the lowest point.
+    /// The thickness under the lowest point.
     pub base: f32,
-    /// From the lowest to the highest point.
+    /// The height from the lowest to the highest point.
     pub relief: f32,
     /// Squares along a side of the grid.
     pub squares: usize,
 }
 
-/// The least and the most of each measure, in millimetres; the most is larger than any printer.
+/// The least and the greatest value of each measure, in millimetres; the greatest is beyond any printer.
 const MEASURES: [f32; 2] = [0.1, 10_000.0];
-/// The least and the most squares along a side.
+/// The least and the greatest number of squares along a side.
 const SQUARES: [usize; 2] = [8, 1024];
-/// Bytes of a triangle, and before the first.
+/// Bytes of a triangle, and of the head.
 const TRIANGLE: usize = 50;
 const HEAD: usize = 84;
 const TITLE: &[u8; HEAD - 4] =
     b"Made by Bubblestone. Millimetres.                                               ";
 
 impl Slab {
-    /// The same with all measures within their limits.
+    /// The same slab with all measures clamped to their limits.
     pub fn checked(self) -> Self {
         let [least, most] = MEASURES;
-        // Not `clamp`, which leaves what is no number.
+        // Not `clamp`, which would keep NaN.
         let within = |v: f32| v.max(least).min(most);
         Self {
             side: within(self.side),
@@ -48,25 +48,25 @@ impl Slab {
         }
     }
 
-    /// Its triangles: top, walls, base.
+    /// The number of triangles: top, walls, base.
     pub fn triangles(&self) -> usize {
         let n = self.squares;
         2 * n * n + 4 * 2 * n + 4 * n
     }
 
-    /// Bytes of its file.
+    /// The bytes of the file.
     pub fn bytes(&self) -> usize {
         HEAD + TRIANGLE * self.triangles()
     }
 }
 
-/// An STL file in the making.
+/// An STL file that is being made.
 pub struct SlabFile {
     slab: Slab,
     /// The lowest height of the picture, and millimetres for each unit above it.
     low: f32,
     rise: f32,
-    /// The next row of squares, and the heights of the crossings above it.
+    /// The next row of squares, and the heights at its upper grid points.
     row: usize,
     above: Vec<f32>,
 }
@@ -90,7 +90,7 @@ impl SlabFile {
         }
     }
 
-    /// The file's next part, or none where it has ended.
+    /// The file's next part; `None` at its end.
     pub fn next(&mut self, planes: &Planes) -> Option<Vec<u8>> {
         let n = self.slab.squares;
         if self.row >= n {
@@ -113,7 +113,7 @@ impl SlabFile {
         Some(out)
     }
 
-    /// A corner at a crossing of the grid, with y up the picture.
+    /// A corner at a grid point, with y up the picture.
     fn corner(&self, [i, j]: [usize; 2], z: f32) -> Vec3 {
         let step = self.slab.side / self.slab.squares as f32;
         Vec3::new(i as f32 * step, (self.slab.squares - j) as f32 * step, z)
@@ -123,7 +123,7 @@ impl SlabFile {
         self.corner([i, j], self.slab.base + (height - self.low) * self.rise)
     }
 
-    /// The row's squares, and the walls at its ends.
+    /// The squares of the row, and the walls at its ends.
     fn squares(&self, out: &mut Vec<u8>, above: &[f32]) {
         let (n, j, below) = (self.slab.squares, self.row, &self.above);
         let pair = |i: usize| [self.top(i, j, above[i]), self.top(i, j + 1, below[i])];
@@ -138,8 +138,7 @@ impl SlabFile {
         self.side(out, [b, d], [[n, j], [n, j + 1]]);
     }
 
-    /// A wall under the row of crossings at work: `place` of 0 to n is one after the other, clockwise seen from
-    /// above.
+    /// A wall under the current row of grid points. `place` maps 0..=n to grid points, clockwise seen from above.
     fn wall(&self, out: &mut Vec<u8>, place: &dyn Fn(usize) -> [usize; 2]) {
         for k in 0..self.slab.squares {
             let places = [place(k), place(k + 1)];
@@ -148,7 +147,7 @@ impl SlabFile {
         }
     }
 
-    /// A square of a wall and its part of the base, below two crossings that follow clockwise seen from above.
+    /// A square of a wall and its part of the base, below two grid points in clockwise order seen from above.
     fn side(&self, out: &mut Vec<u8>, [a, b]: [Vec3; 2], places: [[usize; 2]; 2]) {
         let [c, d] = places.map(|place| self.corner(place, 0.0));
         let half = 0.5 * self.slab.side;
@@ -202,7 +201,7 @@ mod tests {
             }
         }
         assert!(sides.iter().all(|&[a, b]| sides.contains(&[b, a])));
-        // Half of it 3, half 7 millimetres, but for the slope between them.
+        // Half of it is 3 millimetres high and half 7, but for the slope between them.
         let mean = six / 6.0 / 3600.0;
         assert!((4.7..5.3).contains(&mean), "{mean}");
     }

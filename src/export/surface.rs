@@ -1,12 +1,11 @@
 //! The surfaces of all cells in one file, cell by cell, and then the ground.
 //!
-//! Files are right-handed with y up, as glTF wants it: x runs to the right of the picture, z down it,
-//! and y is the height; seen from above, the surface looks as the picture. One unit is the picture's
-//! side, with the middle of the picture at x = z = 0 and the base level at y = 0, so the files of
-//! tiles repeat after 1.
+//! Files are right-handed with y up, as in glTF. x runs to the right of the picture, z down it, and y is the height,
+//! so from above the surface looks like the picture. One unit is the picture's side, the middle of the picture is at
+//! x = z = 0, and the base level is y = 0. So the files of tiles repeat after 1.
 //!
-//! The picture's axes with the height pointing out of it are left-handed, since its y goes down. So the
-//! files exchange height and y, and turn each triangle over.
+//! The picture's axes with the height pointing out of it are left-handed, since its y goes down. So the files
+//! exchange height and y, and reverse each triangle.
 
 use super::frame::Frame;
 use super::glb::Glb;
@@ -24,7 +23,7 @@ pub(super) enum Writer {
 }
 
 impl Writer {
-    /// Adds the surface of a stone by its id, or of the ground by 0.
+    /// Adds the surface of the stone with this id, or of the ground for 0.
     pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
         match self {
             Self::Obj(obj) => obj.add(frame, surface, id),
@@ -32,7 +31,7 @@ impl Writer {
         }
     }
 
-    /// The next parts of the file, as far as they are known before all is added.
+    /// The next parts of the file, as far as they are complete.
     pub fn take(&mut self) -> Vec<Vec<u8>> {
         match self {
             Self::Obj(obj) => obj.take(),
@@ -40,7 +39,7 @@ impl Writer {
         }
     }
 
-    /// The rest of the file in parts, one after the other.
+    /// The rest of the file, in parts.
     pub fn finish(self) -> Vec<Vec<u8>> {
         match self {
             Self::Obj(obj) => obj.finish(),
@@ -49,12 +48,12 @@ impl Writer {
     }
 }
 
-/// A mesh file in the making.
+/// A mesh file that is being made.
 pub struct MeshFile {
     surfaces: Surfaces,
     frame: Frame,
     writer: Writer,
-    /// Triangles of each stone, about.
+    /// About how many triangles each stone has.
     each: usize,
     /// Squares along a side of the ground.
     squares: usize,
@@ -62,8 +61,7 @@ pub struct MeshFile {
 }
 
 impl MeshFile {
-    /// A file without cells, that is to have `stones` of them, for planes of these parameters and this table
-    /// of materials.
+    /// An empty file for `stones` cells, for planes with these parameters and this table of materials.
     pub fn new(
         order: &MeshOrder,
         params: TextureParams,
@@ -87,7 +85,7 @@ impl MeshFile {
         }
     }
 
-    /// What makes solids that are fine enough.
+    /// A maker of solids that are fine enough.
     pub fn solids(&self) -> Solids {
         Solids::to_simplify(self.each)
     }
@@ -97,7 +95,7 @@ impl MeshFile {
         self.cells
     }
 
-    /// Adds the solid of the next cell of those that the planes were painted from.
+    /// Adds the solid of the next cell, in the order in which the planes were painted.
     pub fn add(&mut self, solid: &Solid, cell: &Cell, planes: &Planes) {
         let surface = self.surfaces.close(solid, cell, self.cells, planes);
         self.cells += 1;
@@ -115,18 +113,18 @@ impl MeshFile {
         self.writer.add(&self.frame, surface, id);
     }
 
-    /// The next parts of the file, as far as they are known before the last cell is.
+    /// The next parts of the file, as far as they are complete.
     pub fn take(&mut self) -> Vec<Vec<u8>> {
         self.writer.take()
     }
 
-    /// The rest of the file in parts, one after the other.
+    /// The rest of the file, in parts.
     pub fn finish(self) -> Vec<Vec<u8>> {
         self.writer.finish()
     }
 }
 
-/// Of the stones' dry finishes, which come after the ground's.
+/// The mean roughness of the stones' dry finishes, which follow that of the ground in the table.
 pub(super) fn mean_roughness(materials: &[Material]) -> f32 {
     let stones = materials.get(1..=FINISHES).unwrap_or_default();
     let sum: f32 = stones

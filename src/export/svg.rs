@@ -1,4 +1,4 @@
-//! The cells as an SVG file, to be changed, plotted or cut elsewhere.
+//! The cells as an SVG file, for editing, plotting or cutting.
 
 use super::fixed::{push, push_whole};
 use crate::cells::Cell;
@@ -6,12 +6,12 @@ use crate::domain::Domain;
 use crate::draw::{Colour, Layer, Pen, Shape, Tones, copies, lit, stages};
 use glam::DVec2;
 
-/// Coordinates have so many decimals.
+/// Decimals of coordinates.
 const DECIMALS: u32 = 2;
 
-/// A standalone SVG file of the picture's size: the outline, each cell as a path in its stone's colour
-/// whose id is `cell-` and its place in the list, and each constraint line, `line-` and its place. Of a
-/// tile, what reaches over an edge comes in again at the opposite one, as copies of the paths.
+/// A standalone SVG file of the picture's size: the outline, each cell as a path in its stone's colour with the id
+/// `cell-` and its index, and each constraint line with the id `line-` and its index. On a tile, shapes that cross an
+/// edge get copies that enter at the opposite edge.
 pub fn svg(
     side: usize,
     domain: &Domain,
@@ -33,7 +33,7 @@ pub fn svg(
     file.finish()
 }
 
-/// Layers as text, in ASCII: colours are opaque, and corners are not rounded.
+/// The text of the file, in ASCII: colours are opaque, and corners are not rounded.
 struct File(Vec<u8>);
 
 impl File {
@@ -57,7 +57,7 @@ impl File {
         self.0.into_iter().map(char::from).collect()
     }
 
-    /// A layer as a path for each shape.
+    /// Writes a layer, with a path for each shape.
     fn one(&mut self, layer: &Layer) {
         for shape in &layer.shapes {
             self.put("<path id=\"");
@@ -70,7 +70,7 @@ impl File {
         }
     }
 
-    /// A layer as a group of paths, each with its copies on a tile of side `period`.
+    /// Writes a layer as a group of paths, each with its copies on a tile of side `period`.
     fn group(&mut self, layer: &Layer, period: Option<f64>) {
         if layer.shapes.is_empty() {
             return;
@@ -108,7 +108,7 @@ impl File {
         }
     }
 
-    /// What a pen does; `ends` tells what it does at ends and corners.
+    /// Writes a pen's stroke; `ends` has the attributes for ends and corners.
     fn stroke(&mut self, pen: Option<Pen>, ends: &str) {
         let Some(pen) = pen else {
             return;
@@ -121,7 +121,7 @@ impl File {
         self.number(" stroke-width=", pen.width);
     }
 
-    /// A shape's rings or lines, and the end of its path.
+    /// Writes a shape's rings or lines, and ends its path.
     fn paths(&mut self, shape: &Shape, pen: Option<Pen>) {
         self.put(" d=\"");
         for points in &shape.paths {
@@ -138,7 +138,7 @@ impl File {
         self.put("\"/>\n");
     }
 
-    /// A whole number after some text.
+    /// Writes an integer after some text.
     fn count(&mut self, before: &str, x: usize) {
         self.put(before);
         push_whole(&mut self.0, x as u64);
@@ -148,7 +148,7 @@ impl File {
         self.0.extend_from_slice(text.as_bytes());
     }
 
-    /// An attribute whose value is a number.
+    /// Writes an attribute with a number.
     fn number(&mut self, before: &str, x: f64) {
         self.put(before);
         self.put("\"");
@@ -156,7 +156,7 @@ impl File {
         self.put("\"");
     }
 
-    /// An attribute whose value is a colour.
+    /// Writes an attribute with a colour.
     fn colour(&mut self, before: &str, colour: Colour) {
         const DIGITS: &[u8; 16] = b"0123456789abcdef";
         self.put(before);

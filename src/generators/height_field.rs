@@ -4,22 +4,10 @@
 use super::lighting::LightParams;
 use crate::cells::Cell;
 use crate::domain::Domain;
-use crate::graph::{Node, State};
+use crate::graph::Node;
 use crate::heightfield::{Painted, Painter, Planes, Shader, TextureParams, Weathering};
 use crate::material::{Coat, WeatherParams};
-use crate::notice::Notice;
 use crate::solid::Solids;
-
-/// The stages of the finisher, in their order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Finish {
-    /// Bodies, painted as they are made into planes of bump, colour, material and id.
-    Planes,
-    /// What years and weather do to the planes, and how much of the sky each place sees.
-    Weather,
-    /// The picture.
-    Shading,
-}
 
 /// Rows of the picture in one slice.
 pub(super) const ROWS: usize = 16;
@@ -61,14 +49,6 @@ pub(super) struct Bodies<'a> {
     pub coats: &'a [Coat],
 }
 
-/// Revisions of its inputs.
-#[derive(Clone, Copy)]
-pub(super) struct Revisions {
-    pub domain: u64,
-    /// Of the cells and coats, summed up.
-    pub cells: u64,
-}
-
 impl HeightField {
     /// Nothing made yet.
     pub fn new(params: HeightFieldParams) -> Self {
@@ -81,46 +61,17 @@ impl HeightField {
         }
     }
 
-    /// What its stages are to be made by from now on.
-    pub fn want(&mut self, params: HeightFieldParams) {
-        if params.planes.finer != self.planes.params().finer {
-            self.solids = solids(&params.planes);
-        }
-        self.planes.want(params.planes);
-        self.weather.want(params.weather);
-        self.light.want(params.light);
+    /// Notes the parameters of the latest recipe.
+    pub fn ask(&mut self, params: HeightFieldParams) {
+        self.planes.ask(params.planes);
+        self.weather.ask(params.weather);
+        self.light.ask(params.light);
     }
 
-    /// The first of its stages that is not fresh.
-    pub fn due(&self, inputs: Revisions) -> Option<(Finish, State)> {
-        let states = [
-            (Finish::Planes, self.planes.state(inputs.cells)),
-            (
-                Finish::Weather,
-                self.weather.state(self.weather_inputs(inputs)),
-            ),
-            (Finish::Shading, self.light.state(self.weather.revision())),
-        ];
-        let mut states = states.into_iter();
-        states.find(|&(_, state)| state != State::Fresh)
-    }
-
-    fn weather_inputs(&self, inputs: Revisions) -> u64 {
-        inputs.domain + self.planes.revision()
-    }
-
-    /// One slice of a stage.
-    pub fn advance(&mut self, stage: Finish, bodies: Bodies, inputs: Revisions) {
-        match stage {
-            Finish::Planes => self.paint(bodies, inputs.cells),
-            Finish::Weather => self.weather(bodies.domain, self.weather_inputs(inputs)),
-            _ => self.shade(),
-        }
-    }
-
-    fn paint(&mut self, bodies: Bodies, inputs: u64) {
+    /// Paints some of the bodies into planes.
+    pub fn paint(&mut self, bodies: Bodies) -> Option<()> {
         let solids = &mut self.solids;
-        self.planes.advance(inputs, |params, work| {
+        self.planes.advance(|params, work| {
             let Some(painting) = work else {
                 *work = Some(Painting::new(params, bodies.coats, usize::MAX));
                 return Ok(None);
@@ -130,74 +81,44 @@ impl HeightField {
             }
             let painting = work.take();
             Ok(painting.map(Painting::finish))
-        });
+        })
     }
 
-    fn weather(&mut self, domain: &Domain, inputs: u64) {
-        let Some(painted) = self.planes.made() else {
-            return;
-        };
-        self.weather.advance(inputs, |params, work| {
+    /// Does one slice of the weather.
+    pub fn weather(&mut self, domain: &Domain) -> Option<()> {
+        let painted = self.planes.made()?;
+        self.weather.advance(|params, work| {
             work.get_or_insert_with(|| Weathering::new(*params, painted.clone()));
             let over = work.take_if(|weathering| weathering.advance(domain, ROWS));
             Ok(over.map(Weathering::finish))
-        });
+        })
     }
 
-    fn shade(&mut self) {
-        let Some(planes) = self.weather.made() else {
-            return;
-        };
+    /// Shades some rows of the picture.
+    pub fn shade(&mut self) -> Option<()> {
+        let planes = self.weather.made()?;
         let kept = &mut self.shader;
-        self.light
-            .advance(self.weather.revision(), |params, begun| {
-                // Under another light the same shader goes on: its tables stay.
-                let fits = kept.take().filter(|shader| shader.side() == planes.side);
-                let new = || Shader::new(&params.shade, planes.side, planes.pixel_scale);
-                let shader = kept.insert(fits.unwrap_or_else(new));
-                if begun.replace(()).is_none() {
-                    shader.restart(&params.shade);
-                }
-                let done = shader.advance(planes, &params.materials, ROWS);
-                Ok(done.then(|| shader.rgba().to_vec()))
-            });
+        self.light.advance(|params, begun| {
+            // Under another light the same shader goes on: its tables stay.
+            let fits = kept.take().filter(|shader| shader.side() == planes.side);
+            let new = || Shader::new(&params.shade, planes.side, planes.pixel_scale);
+            let shader = kept.insert(fits.unwrap_or_else(new));
+            if begun.replace(()).is_none() {
+                shader.restart(&params.shade);
+            }
+            let done = shader.advance(planes, &params.materials, ROWS);
+            Ok(done.then(|| shader.rgba().to_vec()))
+        })
     }
 
-    /// Why a stage cannot go on.
-    pub fn failure(&self) -> Option<&Notice> {
-        self.weather.failure()
-    }
-
-    /// Grows with every slice of work.
-    pub fn slices(&self) -> u64 {
-        self.planes.slices() + self.weather.slices() + self.light.slices()
-    }
-
-    /// The painting at work.
-    fn painting(&self, inputs: Revisions) -> Option<&Painting> {
-        self.planes.work_of(inputs.cells)
-    }
-
-    /// Stones painted by now.
-    pub fn stones_coming(&self, inputs: Revisions) -> usize {
-        self.painting(inputs).map_or(0, |painting| painting.stones)
-    }
-
-    /// Is the ground laid?
-    pub fn is_bedded(&self, inputs: Revisions) -> bool {
-        self.painting(inputs)
-            .is_some_and(|painting| painting.is_bedded)
-    }
-
-    /// The planes as they are by now, while planes or weather are at work.
-    pub fn planes_coming(&self, stage: Finish, inputs: Revisions) -> Option<&Planes> {
-        match stage {
-            Finish::Planes => Some(self.painting(inputs)?.painter.planes()),
-            Finish::Weather => match self.weather.work_of(self.weather_inputs(inputs)) {
-                Some(weathering) => Some(weathering.planes()),
-                None => Some(&self.planes.made()?.planes),
-            },
-            _ => None,
+    /// The parameters at work, for a picture with `pixel_scale` pixels for each unit.
+    pub fn params(&self, pixel_scale: usize) -> HeightFieldParams {
+        let mut planes = *self.planes.params();
+        planes.texture.pixel_scale = pixel_scale;
+        HeightFieldParams {
+            planes,
+            weather: *self.weather.params(),
+            light: self.light.params().clone(),
         }
     }
 }
@@ -248,9 +169,19 @@ impl Painting {
         self.painter.next_band()
     }
 
-    /// Stones painted by now, of the band at work.
+    /// The number of stones that are painted, in the band at work.
     pub fn stones(&self) -> usize {
         self.stones
+    }
+
+    /// Whether the ground is laid.
+    pub fn is_bedded(&self) -> bool {
+        self.is_bedded
+    }
+
+    /// The planes as they are by now.
+    pub fn planes(&self) -> &Planes {
+        self.painter.planes()
     }
 
     /// Ids of the band's rows.

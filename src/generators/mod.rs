@@ -10,12 +10,11 @@ mod engine;
 mod given;
 mod height_field;
 mod lighting;
+mod packs;
 pub mod pavement;
 mod preset;
 #[cfg(house)]
 mod scene_picture;
-#[cfg(feature = "specimen")]
-pub mod specimen;
 #[cfg(house)]
 pub mod surface;
 #[cfg(house)]
@@ -111,8 +110,6 @@ pub const ALL: Registry = Registry(&[
     &pavement::PAVEMENT,
     #[cfg(house)]
     &surface::SURFACE,
-    #[cfg(feature = "specimen")]
-    &specimen::SPECIMEN,
 ]);
 
 #[cfg(house)]

@@ -1,4 +1,4 @@
-//! GLB, which is glTF 2.0 in one file: a head of JSON, and numbers.
+//! GLB: glTF 2.0 in one file, with a JSON head and binary numbers.
 
 use super::json::Json;
 use super::scene::{Draw, Kind, Mode, Scene, View, broken};
@@ -7,20 +7,20 @@ use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup};
 use glam::DVec3;
 
-/// Of chunks.
+/// The types of chunks.
 const JSON: &[u8] = b"JSON";
 const BIN: &[u8] = b"BIN\0";
 
 #[derive(Default)]
 pub(super) struct Glb {
-    /// Nothing before the head is read.
+    /// The draws; none before the head has been read.
     draws: Option<Vec<Draw>>,
-    /// Where the numbers begin.
+    /// Where the binary chunk begins.
     start: usize,
-    /// The draw at work, and its numbers that are read: first places, then corners.
+    /// The current draw, and how many of its numbers have been read: first positions, then corners.
     draw: usize,
     at: usize,
-    /// The first vertex of the draw.
+    /// The index of the draw's first vertex.
     first: usize,
     corners: Vec<u32>,
 }
@@ -82,7 +82,7 @@ impl Glb {
             Mode::Triangles => count(draw) / 3,
             _ => count(draw).saturating_sub(2),
         };
-        // The same numbers may be drawn many times.
+        // A file may draw the same numbers many times, so check the sum.
         let add = |sum: usize, n: usize| sum.saturating_add(n);
         let all = draws.iter().map(triangles).fold(0, add);
         let vertices = draws.iter().map(|draw| draw.places.count).fold(0, add);
@@ -92,7 +92,7 @@ impl Glb {
         Ok(draws)
     }
 
-    /// Reads some numbers of a draw; how many.
+    /// Reads some numbers of a draw; returns how many.
     fn read(
         &mut self,
         draw: &Draw,
@@ -152,7 +152,7 @@ impl Glb {
         self.first = soup.positions.len();
     }
 
-    /// A component of a group; views are known to lie within the numbers.
+    /// One component of a group. Views have been checked to lie within the binary chunk.
     fn number(&self, bytes: &[u8], view: &View, group: usize, component: usize) -> f64 {
         let size = view.kind.bytes();
         let at = self.start + view.start + view.stride * group + size * component;

@@ -1,8 +1,8 @@
-//! JSON, as far as the head of a GLB file has it: small beside what it tells of.
+//! A JSON parser for the heads of GLB files, which are small.
 
 use crate::decimal;
 
-/// Lists in lists, at most.
+/// The deepest nesting.
 const DEPTH: usize = 64;
 
 /// A value.
@@ -19,7 +19,7 @@ pub(super) enum Json {
 }
 
 impl Json {
-    /// Nothing where it is none.
+    /// Parses a value; nothing if the text is not valid JSON.
     pub fn parse(text: &[u8]) -> Option<Self> {
         let mut parser = Parser {
             text: std::str::from_utf8(text).ok()?.as_bytes(),
@@ -27,12 +27,12 @@ impl Json {
         };
         let value = parser.value(DEPTH)?;
         parser.skip();
-        // Chunks are filled up with spaces, by some programs with zeros.
+        // Chunks are padded with spaces; some programs pad with zeros.
         let rest = &parser.text[parser.at..];
         rest.iter().all(|&b| b == 0).then_some(value)
     }
 
-    /// What an object has of a name.
+    /// The value of a name in an object.
     pub fn get(&self, name: &str) -> Option<&Json> {
         match self {
             Json::Object(all) => all.iter().find(|(own, _)| own == name).map(|(_, v)| v),
@@ -40,7 +40,7 @@ impl Json {
         }
     }
 
-    /// The values of a list; none of anything else.
+    /// The values of a list; empty for anything else.
     pub fn list(&self) -> &[Json] {
         match self {
             Json::List(all) => all,
@@ -48,7 +48,7 @@ impl Json {
         }
     }
 
-    /// The list that an object has of a name.
+    /// The list under a name in an object; empty if there is none.
     pub fn list_of(&self, name: &str) -> &[Json] {
         self.get(name).map_or(&[], Json::list)
     }
@@ -67,14 +67,14 @@ impl Json {
         }
     }
 
-    /// A whole number from 0 to 2^32 - 1.
+    /// The value as an integer from 0 to 2^32 - 1.
     pub fn index(&self) -> Option<usize> {
         let x = self.number()?;
         let index = x as u32;
         (f64::from(index) == x).then_some(index as usize)
     }
 
-    /// The whole number that an object has of a name.
+    /// The integer under a name in an object.
     pub fn index_of(&self, name: &str) -> Option<usize> {
         self.get(name)?.index()
     }
@@ -96,7 +96,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Behind white space, goes over a sign if it comes next.
+    /// Skips white space, then the given character if it comes next; true if it did.
     fn takes(&mut self, sign: u8) -> bool {
         self.skip();
         let found = self.peek() == Some(sign);
@@ -207,7 +207,7 @@ impl Parser<'_> {
                 let digits = self.text.get(self.at..self.at + 4)?;
                 self.at += 4;
                 let code = u32::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok()?;
-                // Names in signs beyond the first plane are never compared with anything.
+                // Surrogate pairs are not decoded: such names are never compared with anything.
                 char::from_u32(code).unwrap_or(char::REPLACEMENT_CHARACTER)
             }
             _ => return None,

@@ -1,11 +1,11 @@
-//! Models of files: OBJ, GLB, PLY and STL.
+//! Readers for model files: OBJ, GLB, PLY and STL.
 //!
 //! The readers are our own. The libraries at hand (`tobj`, `gltf` with `serde_json`, `ply-rs`, `stl_io`) read a file
-//! in one go, which holds a page up for a second where a model has half a million triangles; they keep what no surface
-//! needs; some take the counts of a file's head for true, or end in a panic where it is broken; and the second alone
-//! weighs more than all of this. Only shapes are read: no colours, no joints.
+//! in one go, which blocks a page for a second if a model has half a million triangles. They keep data that no
+//! surface needs. Some trust the counts in a file's head, or panic on a broken file. `gltf` alone is larger than all
+//! of this. Only shapes are read: no colours, no skeletons.
 //!
-//! A fault of a file becomes a sentence. [`crate::trimesh::repair`] mends or reports faults of the model in it.
+//! A fault of a file becomes a notice. [`crate::trimesh::repair`] mends or reports faults of the model in it.
 
 mod glb;
 mod json;
@@ -24,18 +24,18 @@ use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup};
 use std::sync::Arc;
 
-/// Bytes of text, or numbers of other files, of a slice.
+/// Bytes of text, or numbers of binary files, in a slice.
 const SLICE: usize = 1 << 18;
 
-/// Takes a file to pieces.
+/// A reader of one kind of file.
 trait Reader {
-    /// Reads some more of it; true at its end.
+    /// Reads the next slice; true at the end of the file.
     fn advance(&mut self, bytes: &[u8], soup: &mut Soup) -> Result<bool, Notice>;
-    /// How much of it is read, 0 to 1.
+    /// The share that has been read, 0 to 1.
     fn progress(&self, bytes: &[u8]) -> f64;
 }
 
-/// A file being read.
+/// A file that is being read.
 pub struct Reading {
     bytes: Arc<Vec<u8>>,
     soup: Soup,
@@ -43,10 +43,11 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// Of a file's name, which counts where its content does not tell what it is, and its bytes.
+    /// Starts to read a file. Its content decides the kind; the name's ending counts only where the content is
+    /// ambiguous.
     ///
     /// # Errors
-    /// Where it is none of the kinds that can be read.
+    /// If the kind is not one of those that can be read.
     pub fn new(name: &str, bytes: impl Into<Arc<Vec<u8>>>) -> Result<Self, Notice> {
         let bytes = bytes.into();
         let ending = name.rsplit('.').next().unwrap_or("").to_ascii_lowercase();
@@ -74,7 +75,7 @@ impl Reading {
         })
     }
 
-    /// Reads some more; what is in the file when it is done, or a sentence.
+    /// Reads the next slice. Returns the triangles at the end of the file, or a notice of its fault.
     pub fn advance(&mut self) -> Option<Result<Soup, Notice>> {
         let done = match self.reader.advance(&self.bytes, &mut self.soup) {
             Ok(done) => done,
@@ -87,15 +88,15 @@ impl Reading {
         done.then(|| Ok(std::mem::take(&mut self.soup)))
     }
 
-    /// How much of the file is read, 0 to 1.
+    /// The share of the file that has been read, 0 to 1.
     pub fn progress(&self) -> f64 {
         self.reader.progress(&self.bytes)
     }
 
-    /// All of a file at once.
+    /// Reads a whole file.
     ///
     /// # Errors
-    /// Its fault, as a sentence.
+    /// A notice of its fault.
     pub fn read(name: &str, bytes: Vec<u8>) -> Result<Soup, Notice> {
         let mut reading = Self::new(name, bytes)?;
         loop {
@@ -111,12 +112,12 @@ fn too_large(triangles: usize) -> Notice {
     too_large.with("n", triangles).with("most", MOST_TRIANGLES)
 }
 
-/// A file that is not all there.
+/// The notice that a file ends too early.
 fn ends(kind: &str) -> Notice {
     Notice::new(Code::FileEnds).with("kind", kind.to_owned())
 }
 
-/// A line that says nothing.
+/// The notice that a line cannot be read.
 fn bad_line(kind: &str, number: usize, line: &[u8]) -> Notice {
     let line = String::from_utf8_lossy(&line[..line.len().min(200)]);
     Notice::new(Code::FileLine)
@@ -125,7 +126,7 @@ fn bad_line(kind: &str, number: usize, line: &[u8]) -> Notice {
         .with("line", crate::notice::quote(line.trim()))
 }
 
-/// A strip of triangles, each of which begins at the next corner and turns the other way round.
+/// Adds the triangles of a strip. Each begins at the next corner; every other one is reversed.
 fn add_strip(corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
     for (k, t) in corners.windows(3).enumerate() {
         triangles.push(match k % 2 {

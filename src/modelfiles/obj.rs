@@ -6,13 +6,13 @@ use crate::notice::Notice;
 use crate::trimesh::{MOST_TRIANGLES, Soup, polygon};
 use glam::DVec3;
 
-/// What the lines of a file begin with.
+/// The words with which lines may begin.
 const WORDS: [&[u8]; 14] = [
     b"v", b"vt", b"vn", b"vp", b"f", b"g", b"o", b"s", b"l", b"p", b"#", b"usemtl", b"mtllib",
     b"#v",
 ];
 
-/// Does text look like such a file?
+/// Whether text looks like such a file.
 pub(super) fn is_one(start: &[u8]) -> bool {
     let start = &start[..start.len().min(1 << 16)];
     let has = |word: &[u8]| {
@@ -71,7 +71,7 @@ impl Reader for Obj {
     }
 }
 
-/// A line that goes on in the next one, without the sign for that.
+/// The line without its final backslash, if it continues in the next one.
 fn continued(line: &[u8]) -> Option<&[u8]> {
     line.strip_suffix(b"\r").unwrap_or(line).strip_suffix(b"\\")
 }
@@ -92,7 +92,7 @@ impl Obj {
             Some(b"f") => {
                 self.corners.clear();
                 for word in words {
-                    // A comment may end the line.
+                    // The rest of the line is a comment.
                     if word.starts_with(b"#") {
                         break;
                     }
@@ -110,7 +110,8 @@ impl Obj {
     }
 }
 
-/// The vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`: they count from 1, or back from the last with -1.
+/// The vertex of a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`. Indices count from 1, or back from the last vertex with
+/// -1.
 fn corner(word: &[u8], vertices: usize) -> Option<u32> {
     let vertex = word.split(|&b| b == b'/').next()?;
     let at = match vertex.strip_prefix(b"-") {

@@ -1,4 +1,4 @@
-//! PLY, as text and as numbers of either order of bytes.
+//! PLY: text, and binary of either byte order.
 
 use super::text::{next_word, number, whole, words};
 use super::{Reader, add_strip, bad_line, ends, too_large};
@@ -6,7 +6,7 @@ use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup, polygon};
 use glam::DVec3;
 
-/// Numbers of a slice.
+/// Numbers in a slice.
 const NUMBERS: usize = 1 << 17;
 /// The longest head that is read.
 const HEAD: usize = 1 << 16;
@@ -18,7 +18,7 @@ enum Format {
     Big,
 }
 
-/// Bytes of a number, and what it is.
+/// The type of a number, with its size in bytes.
 #[derive(Clone, Copy)]
 enum Scalar {
     Signed(usize),
@@ -29,7 +29,7 @@ enum Scalar {
 
 #[derive(Clone, Copy, PartialEq)]
 enum Role {
-    /// Along an axis.
+    /// A coordinate along an axis.
     Place(usize),
     Corners,
     Strip,
@@ -37,7 +37,7 @@ enum Role {
 }
 
 struct Property {
-    /// Of a list, the number of its items.
+    /// For a list the type of its count.
     count: Option<Scalar>,
     item: Scalar,
     role: Role,
@@ -54,7 +54,7 @@ pub(super) struct Ply {
     head: Option<Head>,
     at: usize,
     element: usize,
-    /// Items of the element that are read.
+    /// How many items of the element have been read.
     item: u64,
     list: Vec<u32>,
     spent: usize,
@@ -177,7 +177,7 @@ impl Ply {
                 [b"ply"] | [b"comment", ..] | [b"obj_info", ..] | [] => {}
                 _ => return Err(bad_head()),
             }
-            // Those of strips are told by their element's name.
+            // Strips are recognised by the name of their element.
             if let [b"element", b"tristrips", _] = line[..] {
                 self.has_faces = true;
             }
@@ -206,7 +206,7 @@ impl Ply {
                 continue;
             };
             let count = self.read(bytes, format, count)?;
-            // Each of them has a byte at least.
+            // Each item has at least one byte.
             if !(count >= 0.0 && count <= (bytes.len() - self.at) as f64) {
                 return Err(ends("PLY"));
             }
@@ -214,7 +214,7 @@ impl Ply {
             for _ in 0..count as usize {
                 let x = self.read(bytes, format, property.item)?;
                 let fits = x >= -1.0 && x < f64::from(u32::MAX) && x as i64 as f64 == x;
-                // What is no corner will not be found.
+                // An index that no vertex can have is reported later.
                 let corner = if fits { x as i64 as u32 } else { u32::MAX };
                 if property.role != Role::None {
                     self.list.push(corner);
@@ -238,7 +238,7 @@ impl Ply {
         match role {
             Role::Corners => polygon::add(&soup.positions, &self.list, &mut soup.triangles),
             Role::Strip => {
-                // A corner of -1 ends a strip.
+                // The corner -1 ends a strip.
                 for strip in self.list.split(|&v| v == u32::MAX) {
                     add_strip(strip, &mut soup.triangles);
                 }
@@ -254,7 +254,7 @@ impl Ply {
         if format == Format::Text {
             let word = next_word(bytes, &mut self.at).ok_or_else(|| ends("PLY"))?;
             let line = || 1 + bytes[..self.at].iter().filter(|&&b| b == b'\n').count();
-            // Some programs write what is no number: the model's check tells of it.
+            // Some programs write values that are not numbers; the check of the model reports them.
             let is_none = |word: &[u8]| {
                 [&b"nan"[..], b"-nan", b"inf", b"-inf"]
                     .iter()
@@ -289,7 +289,7 @@ impl Ply {
     }
 }
 
-/// Vertices need three coordinates.
+/// Checks that vertices have three coordinates, and that there are faces or strips.
 fn check(head: &mut Head, has_strips: bool) -> Result<(), Notice> {
     let Some(vertex) = head.elements.iter().find(|e| e.is_vertex) else {
         return Err(bad_head());

@@ -1,9 +1,9 @@
-//! Files to try readers on.
+//! Files for tests of the readers.
 
 use crate::trimesh::testing::{self, Soup as Raw};
 use glam::DVec3;
 
-/// A model whose numbers are f32, as most files have them.
+/// A model whose coordinates are exact as f32, as in most files.
 pub fn model() -> Raw {
     let (positions, triangles) = testing::blob(2);
     let rounded = positions.iter().map(|p| p.as_vec3().as_dvec3());
@@ -110,7 +110,7 @@ pub fn glb_of(json: &str, numbers: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// Places and corners, what the nodes and primitives are told by.
+/// A GLB file of positions and corners; `nodes` and `more` are parts of its JSON.
 pub fn glb(positions: &[DVec3], corners: &[u32], kind: u32, nodes: &str, more: &str) -> Vec<u8> {
     let mut numbers = Vec::new();
     for p in positions {
@@ -143,7 +143,7 @@ pub fn glb_model((positions, triangles): &Raw) -> Vec<u8> {
     glb(positions, &corners, 5123, r#"{"mesh":0}"#, "")
 }
 
-/// Files of all kinds of one model.
+/// One model as files of all kinds.
 pub fn files() -> Vec<(&'static str, Vec<u8>)> {
     let model = model();
     vec![

@@ -1,10 +1,10 @@
-//! What the head of a GLB file asks to be drawn, and where its numbers are.
+//! The scene of a GLB file: its draws, and the views of its numbers.
 
 use super::json::Json;
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
-/// Triangles of a scene: some numbers of the file, and where they are put.
+/// Triangles to draw: views of the file's numbers, and where they are placed.
 pub(super) struct Draw {
     pub places: View,
     pub corners: Option<View>,
@@ -19,7 +19,7 @@ pub(super) enum Mode {
     Fan,
 }
 
-/// Where numbers are: groups of so many, one each so many bytes.
+/// A view of numbers: `count` groups, one every `stride` bytes.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub start: usize,
@@ -61,7 +61,7 @@ impl Kind {
     }
 }
 
-/// Three axes and an origin.
+/// An affine map: three axes and an origin.
 #[derive(Clone, Copy)]
 pub(super) struct Affine([DVec3; 4]);
 
@@ -81,12 +81,12 @@ impl Affine {
         Self([self.turn(x), self.turn(y), self.turn(z), self.place(at)])
     }
 
-    /// Does it turn left into right?
+    /// Whether it mirrors.
     pub fn mirrors(&self) -> bool {
         self.0[0].cross(self.0[1]).dot(self.0[2]) < 0.0
     }
 
-    /// Where a node puts what it has.
+    /// The local transform of a node.
     fn of(node: &Json) -> Self {
         let numbers = |name: &str| -> Vec<f64> {
             let list = node.list_of(name).iter();
@@ -112,7 +112,7 @@ impl Affine {
     }
 }
 
-/// The axes turned by a quaternion.
+/// The axes of a rotation by a quaternion.
 fn turned(x: f64, y: f64, z: f64, w: f64) -> [DVec3; 3] {
     let square = x * x + y * y + z * z + w * w;
     let s = if square > 0.0 { 2.0 / square } else { 0.0 };
@@ -135,14 +135,14 @@ fn turned(x: f64, y: f64, z: f64, w: f64) -> [DVec3; 3] {
     ]
 }
 
-/// Something in the file is not as it must be.
+/// The notice that something in the file is invalid.
 pub(super) fn broken(what: &str, number: usize) -> Notice {
     Notice::new(Code::FileBroken)
         .with("kind", "GLB".to_owned())
         .with("what", format!("{what} {number}"))
 }
 
-/// Extensions without which a file cannot be read, and those that are no hindrance.
+/// Extensions without which a file cannot be read, and those that can be ignored.
 const COMPRESSED: [&str; 2] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression"];
 const HARMLESS: [&str; 4] = [
     "KHR_mesh_quantization",
@@ -150,12 +150,12 @@ const HARMLESS: [&str; 4] = [
     "KHR_texture_basisu",
     "EXT_texture_webp",
 ];
-/// A file that draws the same things over and over.
+/// The most draws: a hostile file may draw the same things over and over.
 const MOST_DRAWS: usize = 100_000;
-/// Nodes in nodes.
+/// The deepest nesting of nodes.
 const DEPTH: usize = 128;
 
-/// All draws of a file's scene; the numbers are in so many bytes.
+/// Collects all draws of a file's scene. `bytes` is the length of the binary chunk.
 pub(super) struct Scene<'a> {
     json: &'a Json,
     bytes: usize,
@@ -189,7 +189,7 @@ impl<'a> Scene<'a> {
         Ok(scene.draws)
     }
 
-    /// The nodes of the scene to be shown; without one, those that are in no other.
+    /// The root nodes of the default scene; without a scene, the nodes that are no other's child.
     fn roots(&self) -> Vec<usize> {
         let number = self.json.index_of("scene").unwrap_or(0);
         if let Some(scene) = self.json.list_of("scenes").get(number) {
@@ -210,7 +210,7 @@ impl<'a> Scene<'a> {
         let json = self.json;
         let node = json.list_of("nodes").get(number);
         self.visits += 1;
-        // Nodes may be in each other in a broken file.
+        // In a broken file nodes may contain each other.
         let (Some(node), 1..) = (node, depth) else {
             return Err(broken("node", number));
         };
@@ -237,7 +237,7 @@ impl<'a> Scene<'a> {
             None | Some(Some(4)) => Mode::Triangles,
             Some(Some(5)) => Mode::Strip,
             Some(Some(6)) => Mode::Fan,
-            // Points and lines.
+            // Points and lines are skipped.
             _ => return Ok(()),
         };
         let extensions = primitive.get("extensions");
@@ -276,7 +276,7 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
-    /// Where the numbers of an accessor are, in groups of so many.
+    /// The view of an accessor with `group` components.
     fn view(&self, number: usize, group: usize) -> Result<View, Notice> {
         let bad = || broken("accessor", number);
         let accessor = self.json.list_of("accessors").get(number).ok_or_else(bad)?;
@@ -319,7 +319,7 @@ impl<'a> Scene<'a> {
                 .filter(|&stride| stride >= size)
                 .ok_or_else(bad)?,
         };
-        // All are below 2^32: no product of two of them is too large for 64 bits.
+        // All numbers are below 2^32, so the product of two fits into 64 bits.
         let all = |numbers: [usize; 3]| numbers.map(|n| n as u64);
         let [first, last, each] = all([inner, count.saturating_sub(1), stride]);
         let end = first + last * each + if count == 0 { 0 } else { size as u64 };

@@ -1,4 +1,4 @@
-//! STL, as text and as numbers.
+//! STL: text and binary.
 
 use super::text::{next_word, number, trimmed};
 use super::{Reader, SLICE, bad_line, ends, too_large};
@@ -10,7 +10,8 @@ use glam::DVec3;
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
-/// A reader for what is such a file. Both kinds may begin with `solid`: the one of numbers is as long as it says.
+/// The reader, if this is such a file. Both kinds may begin with `solid`; a binary file has exactly the length that
+/// its head gives.
 pub(super) fn of(bytes: &[u8], is_named_so: bool) -> Option<Box<dyn Reader>> {
     let length = count(bytes).map(|n| HEAD as u64 + TRIANGLE as u64 * u64::from(n));
     if length == Some(bytes.len() as u64) {
@@ -25,7 +26,7 @@ pub(super) fn of(bytes: &[u8], is_named_so: bool) -> Option<Box<dyn Reader>> {
     (is_named_so && length.is_some()).then(|| Box::<Numbers>::default() as Box<dyn Reader>)
 }
 
-/// Triangles as the head of a file of numbers says.
+/// The count of triangles in the head of a binary file.
 fn count(bytes: &[u8]) -> Option<u32> {
     let count = bytes.get(HEAD - 4..HEAD)?;
     Some(u32::from_le_bytes(count.try_into().ok()?))
@@ -46,13 +47,13 @@ impl Reader for Numbers {
             return Err(too_large(count));
         }
         if self.at == 0 {
-            // The file has them all, so that is no more than it has bytes.
+            // The length has been checked, so this is no more than the file has bytes.
             soup.positions.reserve_exact(3 * count);
             soup.triangles.reserve_exact(count);
         }
         let end = count.min(self.at + SLICE / 16);
         for t in self.at..end {
-            // Behind the normal.
+            // The corners follow the normal.
             let at = HEAD + TRIANGLE * t + 12;
             let Some(corners) = bytes.get(at..at + 36) else {
                 return Err(ends("STL"));

@@ -19,7 +19,7 @@ fn files_of_all_kinds_hold_the_same_model() {
     let (positions, triangles) = model();
     let apart = testing::apart(&model());
     for (name, bytes) in files() {
-        // The content tells what it is.
+        // The content tells the kind, whatever the name.
         for named in [name, "model"] {
             let soup = read(named, bytes.clone());
             let wanted = if name.ends_with("stl") {
@@ -70,7 +70,7 @@ fn broken_files_are_a_sentence_or_a_model() {
         for _ in 0..1500 {
             let mut bytes = bytes.clone();
             for _ in 0..=chance.below(4) {
-                // Heads more often than the rest.
+                // Change bytes of the head more often than of the rest.
                 let span = [bytes.len(), 1000][chance.below(2)].min(bytes.len());
                 let at = chance.below(span);
                 bytes[at] = match chance.below(3) {
@@ -92,7 +92,7 @@ fn broken_files_are_a_sentence_or_a_model() {
     }
 }
 
-/// Whatever comes of it, it is no panic.
+/// A broken file may give any result but a panic.
 fn try_all(name: &str, bytes: Vec<u8>) {
     if let Ok(soup) = Reading::read(name, bytes) {
         let _ = Mending::mend(soup);
@@ -108,7 +108,7 @@ fn what_an_obj_may_have_is_read() {
     assert_eq!(soup.positions[3], DVec3::new(0.0, 1.0, 0.0));
     assert_eq!(soup.triangles.len(), 4);
     assert_eq!(soup.triangles[2..], [[0, 1, 2], [0, 1, 2]]);
-    // A hollow polygon is cut within.
+    // A concave polygon is triangulated within its outline.
     let text = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 0.5 1 0\nf 1 2 3 4\n";
     let mesh = Mending::mend(read("a.obj", text)).unwrap().mesh;
     assert!((mesh.area() - 1.5).abs() < 1e-12 && mesh.face_normal(0) == DVec3::Z);
@@ -131,7 +131,7 @@ fn bad_lines_are_told_by_their_numbers() {
             "{why}"
         );
     }
-    // A vertex beyond the last may still come: it is looked for at the end.
+    // A corner may name a vertex that comes later: corners are checked at the end.
     let soup = read("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\nv 0 1 0\n");
     assert!(Mending::mend(soup).is_ok());
     let soup = read("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
@@ -158,7 +158,7 @@ fn what_is_no_model_is_told_so() {
     ] {
         assert_eq!(refused(name, bytes), code, "{name}");
     }
-    // What a name promises, and the file has not.
+    // The name promises a kind that the content is not.
     for name in ["a.obj", "a.ply", "a.stl", "a.glb"] {
         let soup = Reading::read(name, b"nothing of the sort".to_vec());
         let code = soup.and_then(Mending::mend).unwrap_err().code;
@@ -248,7 +248,7 @@ fn nodes_of_a_glb_put_meshes_where_they_are() {
     for (p, q) in soup.positions.iter().zip(wanted) {
         assert!((*p - DVec3::from(q)).length() < 1e-12, "{p}");
     }
-    // The mirrored one is turned.
+    // The triangle of the mirrored node is reversed.
     assert_eq!(soup.triangles, [[0, 1, 2], [3, 5, 4]]);
 }
 

@@ -2,9 +2,9 @@
 
 use crate::decimal;
 
-/// Without white space at its start.
+/// The text without white space at its start.
 pub(super) fn trimmed(bytes: &[u8]) -> &[u8] {
-    // Some programs put a mark of Unicode first.
+    // Some programs put a byte order mark first.
     bytes
         .strip_prefix(b"\xEF\xBB\xBF")
         .unwrap_or(bytes)
@@ -17,7 +17,7 @@ pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
         .filter(|word| !word.is_empty())
 }
 
-/// The next word from a place on, which goes behind it.
+/// The next word from `at` on; moves `at` behind it.
 pub(super) fn next_word<'a>(bytes: &'a [u8], at: &mut usize) -> Option<&'a [u8]> {
     let rest = bytes.get(*at..)?;
     let start = rest.iter().position(|b| !b.is_ascii_whitespace())?;
@@ -28,14 +28,14 @@ pub(super) fn next_word<'a>(bytes: &'a [u8], at: &mut usize) -> Option<&'a [u8]>
     Some(&word[..length])
 }
 
-/// Powers of ten that are exact.
+/// Powers of ten that are exact as doubles.
 const TENS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
-/// The double nearest to a decimal number. Those of few digits, as most are, take no long division
-/// (Clinger 1990, How to Read Floating Point Numbers Accurately).
+/// The double nearest to a decimal number. Numbers of few digits, which are the most, need no long division (Clinger
+/// 1990, How to Read Floating Point Numbers Accurately).
 pub(super) fn number(word: &[u8]) -> Option<f64> {
     let (is_negative, plain) = match word {
         [b'-', rest @ ..] => (true, rest),
@@ -54,7 +54,7 @@ pub(super) fn number(word: &[u8]) -> Option<f64> {
     Some(if is_negative { -size } else { size })
 }
 
-/// The digits as one number, and the power of ten that it is to be multiplied by; where there are not too many.
+/// The digits as an integer, and the power of ten to multiply it by. Nothing if there are too many digits.
 fn short(plain: &[u8]) -> Option<(u64, i32)> {
     let (mut digits, mut count, mut power) = (0u64, 0, 0);
     let mut has_point = false;
@@ -65,7 +65,7 @@ fn short(plain: &[u8]) -> Option<(u64, i32)> {
                     return None;
                 }
                 digits = 10 * digits + u64::from(byte - b'0');
-                // Zeros at the start do not count.
+                // Leading zeros do not count.
                 count += i32::from(digits > 0);
                 power -= i32::from(has_point);
             }
@@ -117,7 +117,7 @@ fn quickly(digits: u64, power: i32) -> Option<f64> {
     if !(-19..=0).contains(&power) {
         return None;
     }
-    // More bits of the quotient than a double has, the last of which says whether anything is left.
+    // The quotient has more bits than a double. Its last bit tells whether there is a remainder.
     let zeros = digits.leading_zeros();
     let over = u128::from(digits << zeros) << 63;
     let under = 10u128.pow(power.unsigned_abs());
@@ -126,7 +126,7 @@ fn quickly(digits: u64, power: i32) -> Option<f64> {
     Some(quotient as f64 * two_to)
 }
 
-/// A whole number, at least 0.
+/// An integer of at least 0.
 pub(super) fn whole(word: &[u8]) -> Option<u64> {
     let fits = (1..=18).contains(&word.len()) && word.iter().all(u8::is_ascii_digit);
     fits.then(|| word.iter().fold(0, |sum, b| 10 * sum + u64::from(b - b'0')))

@@ -1,7 +1,7 @@
 //! The schema of a generator's recipes: its rows, and rules beyond single rows.
 
 use super::{Key, Parameter, Recipe, Rows};
-use crate::notice::{Code, Notice, quote};
+use crate::notice::Notice;
 use std::panic::RefUnwindSafe;
 
 /// A generator's parameters.
@@ -35,15 +35,6 @@ pub trait Rules: Sync + RefUnwindSafe {
         key: Key,
         rows: Option<Rows>,
     ) -> Result<Vec<Notice>, Notice>;
-}
-
-/// The rules of a schema without rules beyond its rows and without drawn input.
-pub struct NoRules;
-
-impl Rules for NoRules {
-    fn draw(&self, _: &mut Recipe, key: Key, _: Option<Rows>) -> Result<Vec<Notice>, Notice> {
-        Err(Notice::new(Code::NotAParameter).with("given", quote(key.0)))
-    }
 }
 
 impl Schema {

@@ -16,7 +16,7 @@ pub enum Backdrop {
 }
 
 impl Backdrop {
-    /// All, with their words.
+    /// All backdrops with their words.
     pub const ALL: [(Backdrop, &'static str); 3] = [
         (Backdrop::Floor, "floor"),
         (Backdrop::Sky, "sky"),
@@ -38,8 +38,8 @@ const AIR: Gradient = [[214.0, 224.0, 233.0], [104.0, 146.0, 198.0]];
 /// Air and land meet in haze.
 const LAND: Gradient = [AIR[0], [126.0, 123.0, 114.0]];
 
-/// The colour on the screen in a direction (a unit vector); black for [`Backdrop::Nothing`]. `far` is the
-/// colour of the floor where it fades.
+/// The colour on the screen in a direction (a unit vector); black for [`Backdrop::Nothing`]. `far` is the colour of
+/// the floor where it fades.
 pub(super) fn behind(backdrop: Backdrop, way: Vec3, far: [f32; 3]) -> [f32; 3] {
     let high = greater(way.y, 0.0);
     match backdrop {

@@ -119,7 +119,7 @@ impl Frame {
         (self.sample as f64 + part) / self.samples() as f64
     }
 
-    /// Lists of what is seen go on beyond them.
+    /// Pixels of the frame. Lists of visible triangles are a little longer than that.
     fn pixels(&self) -> usize {
         self.order.size[0] * self.order.size[1]
     }

@@ -7,7 +7,7 @@ use crate::material::Material;
 use crate::order::{greater, lesser};
 use glam::Vec3;
 
-/// The sides of the cube around a lamp have so many parts of that.
+/// The ratio of the shadow map's side to the side of one of the six maps around a lamp.
 const LAMP_SIDE: usize = 2;
 /// Share of the sky's light that comes from below by reflection, relative to that on a vertical face.
 const BELOW: f32 = 0.45;
@@ -71,7 +71,7 @@ pub enum Sharpness {
     Coarse,
     /// For frames whose larger side has at most [`Sharpness::SMALL`] pixels.
     Small,
-    /// For larger ones.
+    /// For frames with a larger side.
     Large,
 }
 

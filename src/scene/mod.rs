@@ -1,12 +1,12 @@
-//! Bodies in light: instances of triangle surfaces, seen from a camera.
+//! Software rendering of a scene: instances of triangle surfaces, seen by a camera.
 //!
-//! All is software, and gives the same bits on every machine. A frame goes through three stages, each in slices:
-//! which triangle of which body is seen at each pixel, how much of the sky is seen from there, and how it is lit
-//! (Phong's shading, with the light, materials and tone that the height field has). Shadow maps depend on bodies and
-//! light only and are kept while the camera moves; the planes of depth, normals and ids come with the frame.
+//! Frames have the same bits on every machine. A frame goes through three stages, each in slices. They find which
+//! triangle of which body is visible at each pixel, how much of the sky is visible from there, and how the point is
+//! lit (Phong's shading, with the light, materials and tone of height fields). Shadow maps depend on bodies and light
+//! only, so they are kept while the camera moves. The planes of depth, normals and ids come with the frame.
 //!
-//! The world is right-handed with y up. What lies in a picture's plane has the picture's x, its y as z, and the
-//! picture's side is 1 with the middle at the origin, as in the files of [`crate::export`].
+//! The world is right-handed with y up. For a picture in a plane, the world's x is the picture's x, its z is the
+//! picture's y, the picture's side is 1, and its middle is the origin, as in the files of [`crate::export`].
 
 mod backdrop;
 mod body;

@@ -1,41 +1,42 @@
-//! Ambient occlusion from what is seen: how much of the sky is hidden by surfaces near a place (Mittring 2007,
-//! Finding Next Gen: CryEngine 2; here with the horizon's cosine).
+//! Ambient occlusion from visible surfaces: how much of the sky is hidden by surfaces near a point (Mittring 2007,
+//! Finding Next Gen: CryEngine 2; here weighted by the cosine to the horizon).
 //!
-//! It is looked for at every other pixel of every other row, at twelve places around each, in a pattern that is turned
-//! from one of them to the next. Each pixel has the mean of those beside it, as far as they lie on the same surface: all
-//! turns have the same weight in it, so that no pattern is left.
+//! It is computed at every other pixel of every other row, from twelve samples around each, in a pattern that is
+//! rotated from one such pixel to the next. Each pixel gets the mean of the computed ones beside it, as far as they
+//! lie on the same surface. All rotations have the same weight in the mean, so no pattern shows.
 
 use super::sight::Sight;
 use crate::order::{greater, lesser};
 use glam::Vec3;
 use std::f64::consts::TAU;
 
-/// Places looked at around a pixel.
+/// Samples around a pixel.
 const TAPS: usize = 12;
-/// Pixels from one that is looked around from to the next.
+/// The distance between computed pixels, along rows and columns.
 const STEP: usize = 2;
-/// The pattern turns over squares of so many of them.
+/// The pattern repeats after this many computed pixels, along rows and columns.
 const PATTERN: usize = 2;
-/// What the three of them around a pixel count, from the one before: at a pixel that is one of them, and between two.
+/// Weights of the three computed pixels around a pixel, from the one before on: for a pixel that is one of them, and
+/// for one between two.
 const WEIGHTS: [[u32; 3]; STEP] = [[1, 2, 1], [0, 2, 2]];
-/// On the screen the reach has at most so many parts of the frame's height.
+/// The greatest reach on the screen, as a part of the frame's height.
 const MOST_REACH: f32 = 0.15;
-/// Cosine below which a surface beside a place hides nothing: its own curvature.
+/// A surface with a smaller cosine hides nothing: it may be the curvature of the surface itself.
 const LEAST: f32 = 0.12;
-/// How dark it gets.
+/// The strength of the darkening.
 const STRENGTH: f32 = 1.5;
-/// The mean is over pixels whose inverse depth differs by no more than this part.
+/// The mean takes only pixels whose inverse depth differs by at most this part.
 const SAME: f32 = 0.04;
 
-/// Occlusion of a frame, in the making.
+/// The occlusion of a frame, while it is computed.
 pub(super) struct Occlusion {
-    /// The places of the pattern, in parts of the reach, for each pixel of a square.
+    /// For each pixel of the pattern its samples, in units of the reach.
     pattern: Vec<[[f32; 2]; TAPS]>,
-    /// At the pixels that are looked around from.
+    /// The occlusion at computed pixels, as in `open`.
     raw: Vec<u8>,
-    /// Of those in a row.
+    /// Computed pixels in a row.
     wide: usize,
-    /// Part of the sky that is seen, 255 all of it.
+    /// The visible part of the sky at each pixel; 255 is all of it.
     pub open: Vec<u8>,
 }
 
@@ -43,7 +44,7 @@ impl Occlusion {
     pub fn new() -> Self {
         let cells = PATTERN * PATTERN;
         let pattern = (0..cells).map(|cell| {
-            // Neighbours look in directions far from each other.
+            // Neighbours sample in very different directions.
             let turn = ((cell * 7) % cells) as f64 / cells as f64;
             std::array::from_fn(|k| {
                 let part = (k as f64 + 0.5) / TAPS as f64;
@@ -68,14 +69,14 @@ impl Occlusion {
         self.open.reserve_exact(width * height);
     }
 
-    /// Makes room for rows up to this one of that width: for all of them before [`Occlusion::look`].
+    /// Makes room for rows of this width up to `rows`. All rows are needed before [`Occlusion::look`].
     pub fn make_room(&mut self, width: usize, rows: usize) {
         self.raw.resize(self.wide * rows.div_ceil(STEP), 255);
         self.open.resize(width * rows, 255);
     }
 
-    /// Looks around from pixels of a row, whose surfaces have these normals, if it is one of those. `reach` is how far
-    /// surfaces are looked for, in the world.
+    /// Computes the occlusion along a row, if it is one of the computed rows. `normal` gives the normal of the
+    /// surface at a column; `reach` is the distance, in the world, within which surfaces count.
     pub fn look(&mut self, sight: &Sight, normal: impl Fn(usize) -> Vec3, reach: f32, y: usize) {
         if !y.is_multiple_of(STEP) {
             return;
@@ -84,7 +85,7 @@ impl Occlusion {
         let [width, height] = view.size;
         let [wide, high] = [width as f32, height as f32];
         let (slope, fading) = (view.slope, 0.5 / (reach * reach));
-        // To the right, down and into the frame.
+        // The axes point to the right, down and into the frame.
         let at_depth = |x: f32, y: f32, depth: f32| {
             let across = (x + 0.5 - view.middle[0]) * slope;
             let down = (y + 0.5 - view.middle[1]) * slope;
@@ -95,7 +96,7 @@ impl Occlusion {
             let at = y * width + x;
             let inverse = sight.inverse[at];
             let across = lesser(reach * view.focal * inverse, MOST_REACH * high);
-            // Where nothing is, too.
+            // Also skips pixels without a surface.
             if across < 1.0 {
                 continue;
             }
@@ -106,12 +107,13 @@ impl Occlusion {
                 -normal.dot(view.up),
                 normal.dot(view.ahead),
             );
-            // First what is seen at the places, then what it hides: the second loop does four at a time.
+            // First read the samples, then compute what they hide: the compiler makes the second loop do four at a
+            // time.
             let (mut there, mut right, mut down) = ([0.0; TAPS], [0.0; TAPS], [0.0; TAPS]);
             for (k, &[dx, dy]) in patterns[x / STEP % PATTERN].iter().enumerate() {
                 let (tx, ty) = (x as f32 + 0.5 + dx * across, y as f32 + 0.5 + dy * across);
                 if tx >= 0.0 && ty >= 0.0 && tx < wide && ty < high {
-                    // Through i32: the cast to unsigned takes a detour on x86.
+                    // Cast through i32: the cast to unsigned is slower on x86.
                     let (tx, ty) = (tx as i32, ty as i32);
                     there[k] = sight.inverse[ty as usize * width + tx as usize];
                     (right[k], down[k]) = (tx as f32, ty as f32);
@@ -121,7 +123,7 @@ impl Occlusion {
             for k in 0..TAPS {
                 let depth = 1.0 / greater(there[k], f32::MIN_POSITIVE);
                 let way = at_depth(right[k], down[k], depth) - point;
-                // The pixel itself is none of its surroundings.
+                // A sample on the pixel itself hides nothing.
                 let square = greater(way.length_squared(), 1e-12);
                 let cosine = way.dot(normal) / square.sqrt();
                 let fades = greater(1.0 - square * fading, 0.0);
@@ -134,10 +136,10 @@ impl Occlusion {
         }
     }
 
-    /// The means of a row: those beside it are looked around from, up to [`STEP`] rows below.
+    /// Averages a row, after the computed rows around it, up to [`STEP`] rows below.
     pub fn average(&mut self, sight: &Sight, y: usize) {
         let [width, height] = sight.view().size;
-        // Beyond the frame is the last one again.
+        // Beyond the frame the last one counts again.
         let three = |v: usize, size: usize| {
             let last = (size - 1) / STEP;
             [
@@ -166,7 +168,7 @@ impl Occlusion {
             }
             self.open[at] = match count > 0 {
                 true => (sum / count) as u8,
-                // Alone on a thing that is thinner than a pixel.
+                // The surface is thinner than a pixel and has no computed pixel.
                 false => 255,
             };
         }

@@ -1,11 +1,11 @@
-//! Triangles to pixels, without gaps or overlaps.
+//! Rasterises triangles without gaps or overlaps.
 //!
-//! Corners are rounded to a fixed grid of 1/256 of a pixel, and all that decides which pixels a triangle has is
-//! worked out in whole numbers: a pixel is covered where its middle is inside, and one whose middle lies on an
-//! edge belongs to exactly one of the triangles beside it (the rule of left and upper edges). Depth is the
-//! inverse of the distance into the frame, which changes evenly on the screen.
+//! Corners are rounded to a grid of 1/256 of a pixel, and coverage is computed in integers. A pixel is covered if its
+//! middle is inside. If the middle lies on an edge, the pixel belongs to exactly one of the two triangles there (the
+//! top-left rule). Depth is stored as its inverse, which is linear on the screen.
 //!
-//! Pixels are looked at four at a time. The whole numbers are kept in i32; those of large triangles, of which there are few, in f64, where they are exact, too.
+//! Pixels are processed four at a time. Integers are kept in i32; those of the few large triangles in f64, which
+//! holds them exactly, too.
 
 use super::four::{Four, LANES};
 use crate::order::{greater, lesser};
@@ -13,18 +13,18 @@ use std::array::from_fn;
 use std::ops::Range;
 use wide::{f32x4, i32x4};
 
-/// Places of the grid for a pixel, along a side, as a power of two.
+/// Grid steps in a pixel along a side, as a power of two.
 const SUB_BITS: u32 = 8;
 const SUB: f64 = (1 << SUB_BITS) as f64;
 const HALF: i32 = 1 << (SUB_BITS - 1);
 
-/// A sum with it is rounded to a whole number, of two as near to the even one.
+/// Adding this to a number rounds it to an integer, ties to even.
 const WHOLE: f64 = 1.5 * (1u64 << 52) as f64;
 
-/// Edge functions of triangles that are no larger, 64 pixels, fit into i32, at pixels that fill up the fours, too.
+/// Edge functions of triangles up to this size (64 pixels) fit into i32, also at pixels that fill up a group of four.
 const SMALL: u32 = 64 << SUB_BITS;
 
-/// A corner on the screen: x to the right, y down, in places of the grid; the inverse of its depth.
+/// A corner on the screen: x to the right and y down in grid steps, and the inverse of its depth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     at: [i32; 2],
@@ -32,26 +32,26 @@ pub(super) struct Corner {
 }
 
 impl Corner {
-    /// Of a place in pixels.
+    /// The corner at a place in pixels.
     #[inline(always)]
     pub fn new([x, y, near]: [f32; 3]) -> Self {
-        // The low bits of the sum are those of the whole number, as no place is as large as 2^31: without a call, as
-        // processors have no one instruction for it.
+        // The low bits of the sum are those of the integer, as no place is as large as 2^31. This needs no call:
+        // processors have no single instruction for rounding.
         let at = [x, y].map(|v| (f64::from(v) * SUB + WHOLE).to_bits() as i32);
         Self { at, near }
     }
 }
 
-/// Where triangles are drawn.
+/// The pixels into which triangles are drawn.
 pub(super) struct Grid {
     pub width: usize,
     pub height: usize,
 }
 
 impl Grid {
-    /// Draws a triangle: calls `put` with pixels some of which it may cover. Triangles whose corners do not turn
-    /// counter-clockwise on the screen (seen with y up) are not drawn. Answers with the number of pixels that
-    /// were looked at.
+    /// Draws a triangle: calls `put` with groups of pixels, of which it may cover some. Triangles whose corners do
+    /// not run counter-clockwise on the screen (seen with y up) are skipped. Returns the number of pixels that were
+    /// examined.
     #[inline(always)]
     pub fn triangle(&self, corners: [Corner; 3], put: impl FnMut(Four)) -> usize {
         let [a, b, c] = corners.map(|corner| corner.at.map(i64::from));
@@ -62,7 +62,8 @@ impl Grid {
         let span = |axis: usize, size: usize| {
             let [a, b, c] = corners.map(|corner| corner.at[axis]);
             let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-            // The first pixel whose middle is not before, the one after the last that is not beyond.
+            // The first pixel whose middle is not before the span, and the one after the last whose middle is not
+            // beyond it.
             let first = (low + (HALF - 1)) >> SUB_BITS;
             let end = ((high - HALF) >> SUB_BITS) + 1;
             let span = first.max(0)..end.min(size as i32);
@@ -81,7 +82,7 @@ impl Grid {
         looked_at
     }
 
-    /// A triangle whose edge functions are whole numbers in i32.
+    /// Draws a triangle whose edge functions fit into i32.
     #[inline(always)]
     fn small(
         &self,
@@ -168,8 +169,8 @@ impl Grid {
     }
 }
 
-/// An edge function: not negative inside. At the first corner, and what it grows by with a pixel to the right
-/// and down.
+/// An edge function, not negative inside: its value at the first corner, and its steps for a pixel to the right and
+/// down.
 #[derive(Clone, Copy)]
 struct Edge {
     start: f64,
@@ -178,8 +179,8 @@ struct Edge {
 }
 
 impl Edge {
-    /// Of the edge from one corner to the next, counter-clockwise as the eye sees them with y down turned up. At
-    /// the first corner the triangle reaches so far beyond it.
+    /// The function of the edge from one corner to the next, counter-clockwise with y up. `start` is its value at the
+    /// triangle's first corner.
     #[inline(always)]
     fn new([ax, ay]: [f64; 2], [bx, by]: [f64; 2], start: f64) -> Self {
         let (dx, dy) = (bx - ax, by - ay);
@@ -191,7 +192,8 @@ impl Edge {
     }
 }
 
-/// How much less than the area beside it an edge function is: left and upper edges own their pixels.
+/// The offset of an edge function from the exact one: 0 for left and upper edges, which own their pixels, and 1 for
+/// others.
 #[inline(always)]
 fn less<T: PartialOrd + From<i8>>(dx: T, dy: T) -> i32 {
     let zero = T::from(0);
@@ -199,7 +201,7 @@ fn less<T: PartialOrd + From<i8>>(dx: T, dy: T) -> i32 {
     i32::from(!owns)
 }
 
-/// The inverse depth over a small triangle, from its edge functions: the parts that its corners have.
+/// The inverse depth over a small triangle, as a sum of its edge functions weighted by its corners.
 struct Parts {
     start: f32,
     first: f32,
@@ -212,7 +214,7 @@ impl Parts {
     #[inline(always)]
     fn new([a, b, c]: &[Corner; 3], area: f32) -> Self {
         let less = |a: &Corner, b: &Corner| less(b.at[0] - a.at[0], b.at[1] - a.at[1]) as f32;
-        // The first edge is opposite to the third corner, the last one to the second.
+        // The first edge is opposite the third corner, the last one opposite the second.
         let one = 1.0 / area;
         let (first, last) = ((c.near - a.near) * one, (b.near - a.near) * one);
         Self {
@@ -228,12 +230,12 @@ impl Parts {
     fn at(&self, first: f32x4, last: f32x4) -> f32x4 {
         let s = f32x4::splat;
         let z = s(self.start) + (first * s(self.first) + last * s(self.last));
-        // No pixel is nearer or farther than the corners.
+        // Rounding must not make a pixel nearer or farther than the corners.
         z.fast_max(s(self.low)).fast_min(s(self.high))
     }
 }
 
-/// The inverse depth over a triangle. Slivers have steep slopes across, which f32 is too coarse for.
+/// The inverse depth over a triangle. It is steep across slivers, for which f32 is too coarse.
 struct Depth {
     start: f64,
     right: f64,
@@ -250,7 +252,7 @@ impl Depth {
         let [cx, cy] = [part(c[0] - a[0]), part(c[1] - a[1])];
         let [za, zb, zc] = near.map(f64::from);
         let (zb, zc) = (zb - za, zc - za);
-        // Twice the area in pixels, negative as y points down.
+        // Twice the area in pixels, negative because y points down.
         let inverse = -SUB * SUB / area;
         Self {
             right: (zb * cy - zc * by) * inverse,
@@ -264,7 +266,7 @@ impl Depth {
     #[inline(always)]
     fn at(&self, across: f64, down: f64) -> f32 {
         let z = (self.start + across * self.right + down) as f32;
-        // No pixel is nearer or farther than the corners.
+        // Rounding must not make a pixel nearer or farther than the corners.
         lesser(greater(z, self.low), self.high)
     }
 }
@@ -291,7 +293,7 @@ mod tests {
         counts
     }
 
-    /// A fan of triangles around a place covers each pixel of a square once, wherever its corners lie.
+    /// A fan of triangles around a point covers each pixel of a square once, wherever the point lies.
     #[test]
     fn neighbours_share_no_pixel_and_leave_none() {
         let ring: Vec<[f32; 3]> = [

@@ -1,4 +1,4 @@
-//! The colours of what is seen.
+//! Shades visible surfaces.
 
 use super::backdrop::{FLOOR_COLOUR, behind, end_of_floor, floor_part};
 use super::lamp::Arriving;
@@ -11,7 +11,7 @@ use super::{Backdrop, Lighting, Scene, Surfel, View};
 use crate::order::lesser;
 use glam::Vec3;
 
-/// Where the floor is and how it ends: it lies under all bodies, around the middle of the ball that they are in.
+/// Where the floor is and where it fades: it lies under all bodies, around the middle of their bounding ball.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Ground {
     pub middle: Vec3,
@@ -19,7 +19,7 @@ pub(super) struct Ground {
     pub height: f32,
 }
 
-/// What a frame is shaded by.
+/// The inputs of shading.
 #[derive(Clone, Copy)]
 pub(super) struct Studio<'a> {
     pub scene: &'a Scene,
@@ -31,12 +31,12 @@ pub(super) struct Studio<'a> {
     pub far: [f32; 3],
 }
 
-/// Colours in the making, from the top.
+/// The state of shading, which runs from the top of a frame.
 pub(super) struct Shading {
     occlusion: Occlusion,
     has_occlusion: bool,
     facets: Facets,
-    /// What is met in the rows of the band that is shaded and of the next one, which its occlusion reaches into.
+    /// The surfaces found in the band of rows that is shaded, and in the next band, into which its occlusion reaches.
     found: Vec<Found>,
     found_rows: usize,
 }
@@ -52,7 +52,7 @@ impl Shading {
         }
     }
 
-    /// Begins a frame.
+    /// Starts a frame.
     pub fn begin(&mut self, size: [usize; 2], has_occlusion: bool) {
         self.has_occlusion = has_occlusion;
         self.occlusion.begin(size);
@@ -60,13 +60,13 @@ impl Shading {
         self.found_rows = 0;
     }
 
-    /// Makes room for rows up to this one of that width: for all of them before [`Shading::advance`].
+    /// Makes room for rows of this width up to `rows`. All rows are needed before [`Shading::advance`].
     pub fn make_room(&mut self, width: usize, rows: usize) {
         self.occlusion.make_room(width, rows);
     }
 
-    /// Goes on from a row, which is the first or that which was answered before, for about the work of so many;
-    /// answers with the next one. `keep` is told the normal of each pixel where a body is.
+    /// Shades about `rows` rows from row `from` on, which is 0 or the last result; returns the next row. Calls `keep`
+    /// with each pixel that shows a body, and its normal.
     pub fn advance(
         &mut self,
         studio: Studio,
@@ -76,7 +76,7 @@ impl Shading {
         mut keep: impl FnMut(usize, Vec3),
     ) -> usize {
         let height = studio.sight.view().size[1];
-        // Finding what is met and shading it are half of the work each.
+        // Finding surfaces and shading them take about half of the work each.
         let (mut row, mut left) = (from, 2 * rows);
         while row < height && left > 0 {
             let end = height.min(row + BAND);
@@ -97,7 +97,7 @@ impl Shading {
         row
     }
 
-    /// Finds what is met in the next rows.
+    /// Finds the surfaces of the next rows.
     fn find(&mut self, studio: Studio, keep: &mut impl FnMut(usize, Vec3)) {
         let [width, height] = studio.sight.view().size;
         let rows = self.found_rows..height.min(self.found_rows + BAND);
@@ -114,7 +114,7 @@ impl Shading {
         }
     }
 
-    /// Loops that look things up are apart from those that reckon, so that the latter wait for nothing.
+    /// Loops that read memory are apart from those that compute, so that the latter never wait.
     fn find_square(&mut self, studio: Studio, square: Square, keep: &mut impl FnMut(usize, Vec3)) {
         let Studio {
             scene,
@@ -158,7 +158,7 @@ impl Shading {
             }
         }
         for (k, [x, y, _]) in square.pixels(view) {
-            // What faces away has no place to be looked up.
+            // Pixels that face away from the lamp have no place in its map.
             self.found[slot(width, x, y)].seen *= light.seen(&spots[k]);
         }
     }
@@ -194,12 +194,12 @@ impl Shading {
     }
 }
 
-/// What is found at a pixel.
+/// The surface at a pixel.
 #[derive(Clone, Copy)]
 struct Found {
     normal: Vec3,
     colour: [f32; 3],
-    /// How much of the lamp is seen from there.
+    /// The visible share of the lamp.
     seen: f32,
 }
 
@@ -211,13 +211,13 @@ impl Found {
     };
 }
 
-/// The place of a pixel in the list of what is met.
+/// The index of a pixel in the list of surfaces found.
 fn slot(width: usize, x: usize, y: usize) -> usize {
     y % (2 * BAND) * width + x
 }
 
 impl Studio<'_> {
-    /// What is seen at a pixel, before light.
+    /// The surface element at a pixel, before light.
     #[inline(always)]
     fn surfel(&self, at: usize, position: Vec3, found: &Found) -> Surfel {
         let mut surfel = Surfel {
@@ -241,7 +241,8 @@ impl Studio<'_> {
         surfel
     }
 
-    /// The colour of a pixel: what is seen there is at a point in this direction, and is lit so.
+    /// The colour of a pixel. `point` is the surface's place, `way` the direction from the eye, and `lit` gives the
+    /// colour of a lit surface.
     #[inline(always)]
     fn pixel(&self, at: usize, [point, way]: [Vec3; 2], lit: impl Fn() -> [u8; 3]) -> [u8; 4] {
         let round = |v: f32| (v + 0.5) as u8;
@@ -277,7 +278,7 @@ pub(super) fn far_floor(light: &Lighting, view: &View, ground: &Ground) -> [f32;
     light.reflected((FLOOR_COLOUR, 0), &arriving).map(f32::from)
 }
 
-/// Finds where in a row the floor is seen.
+/// Marks the pixels of a row that show the floor.
 pub(super) fn find_floor(sight: &mut Sight, ground: Ground, y: usize) {
     let view = *sight.view();
     for x in 0..view.size[0] {
@@ -289,7 +290,7 @@ pub(super) fn find_floor(sight: &mut Sight, ground: Ground, y: usize) {
         let depth = (ground.height - view.eye.y) / ray.y;
         let met = view.eye + ray * depth;
         let is_near = || floor_part((met - ground.middle).length(), ground.radius) > 0.0;
-        // Seen from below there is no floor.
+        // The floor is invisible from below.
         if ray.y < 0.0 && depth > view.near && is_near() {
             sight.owner[at] = FLOOR;
             sight.inverse[at] = 1.0 / depth;

@@ -1,7 +1,8 @@
-//! Shadow maps (Williams 1978, Casting Curved Shadows on Curved Surfaces): how near to the lamp the first surface
-//! is, in each direction. A sun has one map, parallel to its light; a lamp has the six sides of a cube around
-//! itself, of which those are drawn that bodies may be seen through. A map depends on bodies and light only:
-//! while the camera moves it is kept.
+//! Shadow maps (Williams 1978, Casting Curved Shadows on Curved Surfaces): the distance from the lamp to the first
+//! surface, in each direction.
+//!
+//! A sun has one map, parallel to its light. A lamp has the six sides of a cube around itself; only those are drawn
+//! through which bodies may be seen. A map depends on bodies and light only, so it is kept while the camera moves.
 
 use super::cut::{Cut, Left};
 use super::fill::{Fill, Vertex, some_of};
@@ -14,56 +15,58 @@ use crate::solid::Surface;
 use glam::Vec3;
 use wide::f32x4;
 
-/// The map ends so many parts of the ball's radius beyond it.
+/// The half side of the map, in radii of the bounding ball.
 const MARGIN: f32 = 1.02;
-/// Points are compared so many texels off their surface: what is drawn on the map may be a coarser or a finer
-/// level of it. While all is coarse, twice as many.
+/// Points are compared this many texels off their surface, because the map may show a coarser or finer level of it.
+/// Twice as many if all is coarse.
 const OFF: f32 = 0.5;
-/// Where the cosine between a surface and the way to the lamp is smaller, it is taken as this.
+/// The least cosine between a surface and the direction to the lamp; smaller ones are clamped.
 const GRAZING: f32 = 1e-3;
-/// Half the angle that a side of the cube looks through: a little more than an eighth of a turn, for the taps.
+/// The angle of view of a side of the cube, in degrees: a little more than 90, so that the filter's samples stay on
+/// it.
 const SIDE_LENS: f64 = 91.0;
 
-/// Making room for so many texels is about the work of one triangle.
+/// Making room for this many texels is about the work of one triangle.
 const ROOM: usize = 64;
 
 /// One square map.
 struct Map {
     side: usize,
     way: Way,
-    /// Greater is nearer to the lamp; the lowest number where nothing is.
+    /// For each texel how near the first surface is; greater is nearer to the lamp. The lowest number where there is
+    /// none.
     near: Vec<f32>,
 }
 
-/// How a map's texels lie to the world.
+/// The projection of a map.
 #[derive(Clone, Copy)]
 enum Way {
-    /// Parallel: the middle of the map, vectors across, up and to the lamp, and texels for each unit.
+    /// Parallel: the middle of the map, unit vectors across, up and to the lamp, and texels for each unit.
     Along {
         middle: Vec3,
         axes: [Vec3; 3],
         scale: f32,
-        /// Of so many pixels; nothing is cut in it.
+        /// Rasterises into the map's pixels; nothing is clipped.
         fill: Fill,
     },
-    /// From a place.
+    /// Perspective, from a point.
     From(Fill),
 }
 
-/// Shadow maps, in the making until [`Shadows::advance`] says so.
+/// The shadow maps of a scene; complete when [`Shadows::advance`] has returned true.
 pub(super) struct Shadows {
     maps: Vec<Map>,
     is_coarse: bool,
     /// The plane that cuts away bodies.
     pub cut: Option<Cut>,
-    /// The map, the instance and the triangle that come next.
+    /// The next map, instance and triangle.
     at: [usize; 3],
-    /// Those of the instance that is drawn.
+    /// The corners of the current instance.
     corners: Vec<Vertex>,
 }
 
 impl Shadows {
-    /// Maps of so many texels along a side. Coarse ones are of coarser bodies, too.
+    /// Maps with `side` texels along a side. Coarse ones also show coarser bodies.
     pub fn new(scene: &Scene, lamp: Lamp, side: usize, is_coarse: bool) -> Self {
         let ball = scene.ball();
         let maps = ways(ball, lamp, side);
@@ -76,7 +79,7 @@ impl Shadows {
         }
     }
 
-    /// Goes on for about the work of so many triangles; true when all maps are there.
+    /// Does the work of about `amount` triangles; true when all maps are complete.
     pub fn advance(&mut self, scene: &Scene, amount: usize) -> bool {
         let mut left = amount;
         while left > 0 {
@@ -118,8 +121,9 @@ impl Shadows {
         false
     }
 
-    /// Where to look up how much of the lamp is seen from a point of a surface. `normal` is that of the surface, which
-    /// must face the lamp; `spread` is how far, in the world, surfaces drawn there may be off, beside what the map is.
+    /// The place in the maps that tells how much of the lamp is visible from a point. `normal` is that of the
+    /// surface, which must face the lamp. `spread` is the tolerance in the world for surfaces drawn there, in
+    /// addition to that of the map.
     pub fn spot(&self, point: Vec3, normal: Vec3, spread: f32) -> Spot {
         let mut maps = self.maps.iter().enumerate();
         let Some((number, map)) = maps.find(|(_, map)| map.is_towards(point)) else {
@@ -134,7 +138,7 @@ impl Shadows {
         })
     }
 
-    /// How much of the lamp is seen there, 0..1.
+    /// The visible share of the lamp at a place, 0..1.
     #[inline(always)]
     pub fn visible(&self, spot: &Spot) -> f32 {
         let map = self.maps.get(spot.map);
@@ -145,19 +149,19 @@ impl Shadows {
 /// A place on a map.
 #[derive(Clone, Copy)]
 pub(super) struct Spot {
-    /// The map's number; where there is none all of the lamp is seen.
+    /// The number of the map; if there is none, all of the lamp is visible.
     map: usize,
     /// The first of four by four texels.
     texel: usize,
-    /// Where the place is from there on, 0..1.
+    /// The position within that texel, 0..1.
     part: [f32; 2],
-    /// How near to the lamp, and what that grows by for each texel to the right, and down.
+    /// How near the place is to the lamp, and by how much that grows for a texel to the right and down.
     near: f32,
     slopes: [f32; 2],
 }
 
 impl Spot {
-    /// On no map.
+    /// A place on no map.
     pub const BESIDE: Self = Self {
         map: usize::MAX,
         texel: 0,
@@ -167,7 +171,7 @@ impl Spot {
     };
 }
 
-/// The maps that a lamp needs to light a ball.
+/// The projections that a lamp needs to light a ball.
 fn ways((middle, radius): (Vec3, f32), lamp: Lamp, side: usize) -> Vec<Way> {
     match lamp {
         Lamp::Sun(to) => {
@@ -215,12 +219,12 @@ impl Map {
         }
     }
 
-    /// Texels, and a little more.
+    /// Texels, and a few more for the last group of four.
     fn room(&self) -> usize {
         self.side * self.side + LANES - 1
     }
 
-    /// Makes room for some more texels; answers with the work that it was.
+    /// Makes room for some more texels; returns the work done.
     fn make_room(&mut self, most: usize) -> usize {
         let all = self.room();
         let end = all.min(self.near.len() + most.saturating_mul(ROOM));
@@ -229,7 +233,7 @@ impl Map {
         work
     }
 
-    /// How large a texel is at a point, in the world.
+    /// The size of a texel at a point, in the world.
     fn texel(&self, point: Vec3) -> f32 {
         match &self.way {
             Way::Along { scale, .. } => 1.0 / scale,
@@ -240,7 +244,7 @@ impl Map {
         }
     }
 
-    /// Does a point lie on the side of the cube that this map looks through?
+    /// Whether a point lies on the side of the cube that this map shows.
     fn is_towards(&self, point: Vec3) -> bool {
         match &self.way {
             Way::Along { .. } => true,
@@ -251,7 +255,7 @@ impl Map {
         }
     }
 
-    /// A point in texels, with how near it is to the lamp.
+    /// A point in texels, and how near it is to the lamp.
     #[inline(always)]
     fn on_map(&self, p: Vec3) -> [f32; 3] {
         match &self.way {
@@ -273,7 +277,7 @@ impl Map {
         }
     }
 
-    /// How much nearer to the lamp the plane through a point is for each texel to the right, and down.
+    /// For the plane through a point: how much nearer to the lamp it comes for each texel to the right and down.
     fn slopes(&self, p: Vec3, normal: Vec3) -> [f32; 2] {
         match &self.way {
             Way::Along { axes, scale, .. } => {
@@ -282,7 +286,7 @@ impl Map {
                 [-x * part, y * part]
             }
             Way::From(fill) => {
-                // The inverse depth is even over a plane, too: for a ray of depth 1 it is its part along the
+                // The inverse depth is linear over a plane, too: for a ray of depth 1 it is the ray's part along the
                 // normal, over that of any point of the plane.
                 let view = &fill.view;
                 let way = p - view.eye;
@@ -293,11 +297,11 @@ impl Map {
         }
     }
 
-    /// None where the map ends.
+    /// The place of a point on this map; `None` beyond its edges.
     #[inline(always)]
     fn spot(&self, p: Vec3, normal: Vec3) -> Option<Spot> {
         let [u, v, near] = self.on_map(p);
-        // Three by three texels, each weighted by how much of it lies under a square of that size.
+        // A box filter of three by three texels; texels at its edges count by their covered part.
         let (u, v) = (u - 1.5, v - 1.5);
         let end = (self.side - 3) as f32;
         if !(u >= 0.0 && v >= 0.0 && u < end && v < end) {
@@ -318,8 +322,8 @@ impl Map {
         let [tu, tv] = spot.part;
         let across = f32x4::new([1.0 - tu, 1.0, 1.0, tu]);
         let down = [1.0 - tv, 1.0, 1.0, tv];
-        // Each texel is compared with the surface's plane there, so that it does not meet the surface itself,
-        // and shadows end where they do.
+        // Each texel is compared with the surface's plane there. So the surface does not shadow itself, and shadows
+        // end where they should.
         let [right, below] = spot.slopes;
         let rights = (f32x4::new([-1.0, 0.0, 1.0, 2.0]) - f32x4::splat(tu)) * f32x4::splat(right);
         let mut lit = f32x4::ZERO;
@@ -335,7 +339,7 @@ impl Map {
         ((a + b) + (c + d)) * (1.0 / 9.0)
     }
 
-    /// The level of an instance that is fine enough for this map; `None` where it is beside the map.
+    /// The level of an instance that is fine enough for this map; `None` if it lies beside the map.
     fn surface_of<'a>(
         &self,
         scene: &'a Scene,
@@ -358,8 +362,8 @@ impl Map {
             .get(level_of(diameter, body.levels.len(), is_coarse))
     }
 
-    /// The same as [`Map::draw`] for an instance that is cut: of each triangle the part that is left. Both sides of it
-    /// cast a shadow, as light falls on the inside.
+    /// The same as [`Map::draw`] for an instance that is cut: draws the part of each triangle that is left. Both
+    /// sides of it cast a shadow, as light falls on the inside.
     fn draw_cut(
         &mut self,
         scene: &Scene,
@@ -398,8 +402,7 @@ impl Map {
         (drawn, (end < surface.triangles.len()).then_some(end))
     }
 
-    /// Draws an instance from one of its triangles on; answers with the work that it was, and the triangle that
-    /// comes next, if there is one.
+    /// Draws an instance from one of its triangles on; returns the work done, and the next triangle if there is one.
     fn draw(
         &mut self,
         scene: &Scene,

@@ -1,8 +1,8 @@
-//! What is seen at each pixel: which triangle of which body, and how near.
+//! The visibility buffer: which triangle of which body is visible at each pixel, and how near it is.
 //!
-//! Bodies are drawn from the nearest to the farthest, each at the level of detail that its size on the screen
-//! needs, and left out where the ball around them lies behind what is drawn. Surfaces are looked up again from
-//! here when they are shaded, so nothing is worked out for what is hidden.
+//! Bodies are drawn from the nearest to the farthest, each at the level of detail that its size on the screen needs.
+//! A body is skipped if its bounding ball lies behind surfaces already drawn. Shading looks surfaces up again from
+//! this buffer, so nothing is computed for hidden ones.
 
 use super::cut::{Cut, Left};
 use super::fill::{Fill, Vertex, some_of};
@@ -12,12 +12,13 @@ use crate::order::{self, pair};
 use crate::solid::Surface;
 use glam::Vec3;
 
-/// From this many pixels across, a body is drawn at its finest level, or one coarser, and so on: the last
-/// number is between the last two levels.
+/// The widths on the screen, in pixels, down to which a body is drawn at its finest level, the next one, and so on.
+/// The last width is always that between the last two levels.
 const STEPS: [f32; 3] = [160.0, 60.0, 20.0];
-/// Smaller bodies are dots.
+/// Bodies with fewer pixels across are dots.
 const DOT: f32 = 1.0;
-/// Balls of so many pixels across may be hidden; larger ones rarely are, and take long to look at.
+/// Only balls with this many pixels across are tested for being hidden: larger ones rarely are, and take long to
+/// test.
 const MAY_HIDE: [f32; 2] = [4.0, 400.0];
 
 /// In [`Sight::owner`]: nothing is there.
@@ -27,43 +28,43 @@ pub(super) const FLOOR: u32 = u32::MAX - 1;
 /// In [`Sight::triangle`]: a body that is a dot.
 pub(super) const AS_DOT: u32 = u32::MAX;
 
-/// In [`Sight::triangle`]: the inside of a body that is cut, beside the number of the triangle. Its pixels show the cap
-/// in the plane of the cut.
+/// In [`Sight::triangle`]: this bit marks the inside of a body that is cut; the others are the number of the
+/// triangle. Its pixels show the cap in the plane of the cut.
 const CAP: u32 = 1 << 31;
 
-/// Whether what is seen has no triangle to look up.
+/// Whether the entry has no triangle to look up.
 pub(super) fn has_no_triangle(triangle: u32) -> bool {
     triangle >= CAP
 }
 
-/// The level of a body that is so many pixels across, of so many.
+/// The level of a body with this diameter in pixels, of `levels` in all.
 pub(super) fn level_of(diameter: f32, levels: usize, coarse: bool) -> usize {
     let steps = &STEPS[STEPS.len() + 1 - levels.clamp(1, STEPS.len() + 1)..];
     let level = steps.iter().filter(|&&step| diameter <= step).count() + usize::from(coarse);
     level.min(levels.saturating_sub(1))
 }
 
-/// What is seen, in the making.
+/// The visibility buffer, while it is drawn.
 pub(super) struct Sight {
     fill: Fill,
     is_coarse: bool,
     cut: Option<Cut>,
-    /// Pixels whose caps are in the plane of the cut already.
+    /// How many pixels have been searched for caps.
     capped: usize,
-    /// Place of the instance, by pixel from the top.
+    /// For each pixel from the top, the index of the visible instance.
     pub owner: Vec<u32>,
-    /// Place of the triangle in its surface.
+    /// For each pixel the index of the triangle in its surface.
     pub triangle: Vec<u32>,
-    /// Inverse of the depth; 0 where nothing is.
+    /// For each pixel the inverse of the depth; 0 where there is nothing.
     pub inverse: Vec<f32>,
-    /// Of each instance the level that it is drawn at.
+    /// For each instance the level at which it is drawn.
     pub levels: Vec<u8>,
-    /// Instances in the order in which they are drawn: the rank of their nearness and their place.
+    /// Instances in drawing order, as keys: the rank of their nearness, and their index.
     due: Vec<u64>,
     planned: usize,
     is_sorted: bool,
     drawn: usize,
-    /// Of the instance that is drawn, the corners and the triangle that comes next; 0 before it is begun.
+    /// The corners of the current instance, and its next triangle; 0 before it has begun.
     corners: Vec<Vertex>,
     next: usize,
 }
@@ -90,7 +91,7 @@ impl Sight {
         sight
     }
 
-    /// Begins anew, with bodies a level coarser or not, and cut by a plane.
+    /// Starts again, with bodies one level coarser or not, and cut by a plane.
     pub fn begin(&mut self, view: View, is_coarse: bool, cut: Option<Cut>) {
         (self.fill, self.is_coarse) = (Fill::new(view), is_coarse);
         (self.cut, self.capped) = (cut, 0);
@@ -106,7 +107,7 @@ impl Sight {
         (self.planned, self.is_sorted, self.drawn, self.next) = (0, false, 0, 0);
     }
 
-    /// Makes room for pixels up to this one: for all of them before [`Sight::advance`].
+    /// Makes room for pixels up to `pixels`. All are needed before [`Sight::advance`].
     pub fn make_room(&mut self, pixels: usize) {
         let pixels = pixels + LANES - 1;
         self.owner.resize(pixels, NOTHING);
@@ -118,7 +119,7 @@ impl Sight {
         &self.fill.view
     }
 
-    /// How far off what is drawn at a pixel may be, in the world.
+    /// The tolerance of the surface at a pixel, in the world.
     #[inline(always)]
     pub fn spread(&self, at: usize) -> f32 {
         let pixels = if self.is_coarse { 2.0 } else { 1.0 };
@@ -129,7 +130,7 @@ impl Sight {
         &self.fill
     }
 
-    /// How much of it is done, 0..1.
+    /// The share of the work that is done, 0..1.
     pub fn progress(&self) -> f64 {
         match self.is_sorted {
             true => self.drawn as f64 / self.due.len().max(1) as f64,
@@ -137,7 +138,7 @@ impl Sight {
         }
     }
 
-    /// Goes on for about the work of so many triangles; true when all is drawn.
+    /// Does the work of about `amount` triangles; true when all is drawn.
     pub fn advance(&mut self, scene: &Scene, amount: usize) -> bool {
         if self.planned < scene.instances.len() {
             self.plan(scene, amount);
@@ -160,7 +161,7 @@ impl Sight {
         self.drawn == self.due.len() && self.cut.is_none()
     }
 
-    /// The normal of the cap that is seen at a pixel; `None` where there is none.
+    /// The normal of the cap that is visible at a pixel; `None` if there is none.
     #[inline(always)]
     pub fn cap(&self, at: usize) -> Option<Vec3> {
         let triangle = self.triangle[at];
@@ -183,7 +184,7 @@ impl Sight {
             }
             let (x, y) = (at % view.size[0], at / view.size[0]);
             let depth = cut.depth(view.eye, view.ray(x as f32 + 0.5, y as f32 + 0.5));
-            // Through the opening of a surface that is not closed there is no cap in front of its inside.
+            // If the surface has an opening, its inside may be nearer than the plane: then there is no cap.
             if depth > view.near && depth * self.inverse[at] < 1.0 {
                 self.inverse[at] = 1.0 / depth;
             }
@@ -192,7 +193,7 @@ impl Sight {
         end == pixels
     }
 
-    /// Finds out where instances are, and how fine they are to be.
+    /// Chooses the levels of instances and their order.
     fn plan(&mut self, scene: &Scene, amount: usize) {
         let end = scene
             .instances
@@ -216,7 +217,7 @@ impl Sight {
         self.planned = end;
     }
 
-    /// Draws an instance, or goes on with it; answers with the work that it was, and whether it is drawn.
+    /// Draws an instance, or continues it; returns the work done, and whether the instance is complete.
     fn draw(&mut self, scene: &Scene, place: u32, most: usize) -> (usize, bool) {
         let instance = &scene.instances[place as usize];
         let level = usize::from(self.levels[place as usize]);
@@ -266,7 +267,7 @@ impl Sight {
         (work + drawn, is_drawn)
     }
 
-    /// The same for an instance that is cut: of each triangle the part that is left, seen from both sides.
+    /// The same for an instance that is cut: draws the part of each triangle that is left, from both sides.
     fn draw_cut(
         &mut self,
         cut: &Cut,
@@ -299,7 +300,7 @@ impl Sight {
         (work, is_drawn)
     }
 
-    /// A body too small to have a shape.
+    /// Draws a body that is too small to have a shape.
     fn dot(&mut self, seen: Vec3, place: u32) {
         if seen.z <= self.view().near {
             return;
@@ -314,7 +315,7 @@ impl Sight {
         }
     }
 
-    /// Whether something nearer than a ball was met wherever it was looked for.
+    /// Whether something nearer covers all pixels of a ball.
     fn is_hidden(&self, seen: Vec3, radius: f32, diameter: f32) -> bool {
         let may_hide = MAY_HIDE[0]..=MAY_HIDE[1];
         if !may_hide.contains(&diameter) || seen.z <= radius + self.view().near {
@@ -323,7 +324,8 @@ impl Sight {
         let nearest = 1.0 / (seen.z - radius);
         let view = self.view();
         let [width, height] = view.size;
-        // Exactly where a ball is seen, however far to the side: the slopes of the planes that touch it.
+        // The exact span of a ball on the screen, also far from the middle, from the slopes of the planes that touch
+        // it.
         let span = |along: f32, middle: f32, size: usize| {
             let deep = seen.z * seen.z - radius * radius;
             let root = (along * along + deep).sqrt() * radius;
@@ -333,7 +335,7 @@ impl Sight {
         };
         let (x0, x1) = span(seen.x, view.middle[0], width);
         let (y0, y1) = span(-seen.y, view.middle[1], height);
-        // While something moves, a gap of a pixel may be overlooked.
+        // While something moves, gaps of one pixel may be missed.
         let step = if self.is_coarse { 2 } else { 1 };
         let mut rows = (y0..y1).step_by(step);
         rows.all(|row| {
@@ -344,7 +346,7 @@ impl Sight {
     }
 }
 
-/// Writes an instance and its triangle where they are the nearest.
+/// Stores an instance and its triangle at pixels where they are the nearest.
 #[inline(always)]
 fn put(
     four: Four,

@@ -1,29 +1,29 @@
-//! Squares of pixels, worked on together: surfaces, texels of shadow maps and pixels of planes lie near each other in
-//! memory, and compilers make loops over numbers do four at a time.
+//! Tiles of eight by eight pixels, which are processed together: surfaces, texels and pixels of a tile lie close
+//! together in memory, and compilers make loops over numbers do four at a time.
 
 use super::View;
 use super::sight::Sight;
 use glam::Vec3;
 
-/// Rows of a square, and columns.
+/// Rows and columns of a tile.
 pub(super) const BAND: usize = 8;
-/// Pixels of a square.
+/// Pixels of a tile.
 pub(super) const SQUARE: usize = BAND * BAND;
 
-/// Eight by eight pixels, less at the end of a frame: the first column and row.
+/// A tile of eight by eight pixels, fewer at the end of a frame: its first column and row.
 #[derive(Clone, Copy)]
 pub(super) struct Square(pub [usize; 2]);
 
-/// A number for each pixel of a square, row after row.
+/// A number for each pixel of a tile, row after row.
 pub(super) type Each = [f32; SQUARE];
-/// A vector for each, by components.
+/// A vector for each pixel, by components.
 pub(super) type Vectors = [Each; 3];
 
-/// To be written over.
+/// Vectors to be overwritten.
 pub(super) const NO_VECTORS: Vectors = [[0.0; SQUARE]; 3];
 
 impl Square {
-    /// Its pixels: their places in it, their columns, rows, and places in the frame.
+    /// The tile's pixels: index in the tile, and column, row and index in the frame.
     #[inline(always)]
     pub fn pixels(self, view: &View) -> impl Iterator<Item = (usize, [usize; 3])> + use<> {
         let ([x0, y0], [width, height]) = (self.0, view.size);
@@ -33,7 +33,7 @@ impl Square {
         })
     }
 
-    /// Directions from the eye, of depth 1.
+    /// The rays from the eye through the pixels, with depth 1.
     #[inline(always)]
     pub fn rays(self, view: &View) -> Vectors {
         let mut rays = NO_VECTORS;
@@ -45,7 +45,7 @@ impl Square {
         rays
     }
 
-    /// Where rays meet what is seen.
+    /// The points where rays meet visible surfaces.
     #[inline(always)]
     pub fn points(self, sight: &Sight, rays: &Vectors) -> Vectors {
         let view = sight.view();
@@ -70,7 +70,7 @@ pub(super) fn set(list: &mut Vectors, k: usize, v: Vec3) {
     (list[0][k], list[1][k], list[2][k]) = (v.x, v.y, v.z);
 }
 
-/// Makes vectors as long as 1; where there is none, the other one is taken.
+/// Normalises vectors; zero ones are replaced by the vector of the other list.
 #[inline(always)]
 pub(super) fn units(list: &Vectors, others: &Vectors) -> Vectors {
     let mut units = NO_VECTORS;

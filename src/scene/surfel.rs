@@ -1,11 +1,11 @@
-//! A place of a surface, as it is lit.
+//! A surface element, ready to be lit.
 
 use glam::Vec3;
 
-/// What is known of a place of a surface before light falls on it.
+/// The properties of a surface element before light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surfel {
-    /// In the world.
+    /// Its place in the world.
     pub position: Vec3,
     /// Unit vector outwards, in the world.
     pub normal: Vec3,
@@ -13,18 +13,18 @@ pub struct Surfel {
     pub colour: [f32; 3],
     /// Row of the table of materials.
     pub material: u8,
-    /// Part of the sky that is seen from it, 0..1, as far as is known without its surroundings.
+    /// The visible part of the sky, 0..1, as far as is known without the surroundings.
     pub open: f32,
 }
 
-/// What surfaces have beyond their triangles: finer relief, colour, other materials.
+/// Details of surfaces beyond their triangles: finer relief, colours, other materials.
 pub trait Detail {
-    /// Adds it to a place on the body of that id; `spread` is the part of the world that a pixel covers there,
-    /// along a side.
+    /// Adds details to an element of the body with this id. `spread` is the width of a pixel there, in units of the
+    /// world.
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32);
 
-    /// A number for the digest of the scene, which changes with all that it does to colours and materials. Details
-    /// that follow from the bodies alone need none.
+    /// A number for the digest of the scene, which changes with all effects on colours and materials. Details that
+    /// follow from the bodies alone need none.
     fn mark(&self) -> Option<u64> {
         None
     }

@@ -1,33 +1,34 @@
-//! Bones: the lines along which a shape runs, from head to tail.
+//! Bones: the skeleton curves of a shape, from head to tail.
 
 use glam::DVec3;
 
-/// A line through a part of a shape, with its thickness. Scales run along it from the first point to the last.
+/// A skeleton curve through a part of a shape, with its thickness. Scales run along it from the first point to the
+/// last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bone {
     /// Its points, at least two.
     pub points: Vec<DVec3>,
-    /// About how far the surface is from each point.
+    /// The approximate distance of the surface from each point.
     pub radii: Vec<f64>,
-    /// From the last point it goes on to the first.
+    /// Whether it goes on from the last point to the first.
     pub closed: bool,
 }
 
-/// A place on a bone.
+/// A point on a bone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnBone {
     /// Where it is.
     pub at: DVec3,
-    /// How far that is from the point asked for.
+    /// Its distance from the point of the query.
     pub distance: f64,
-    /// How thick the bone is there.
+    /// The radius of the bone there.
     pub radius: f64,
     /// Unit vector along the bone, from head to tail.
     pub along: DVec3,
 }
 
 impl Bone {
-    /// Straight from one end to the other.
+    /// A straight bone from one end to the other.
     pub(super) fn straight(from: DVec3, to: DVec3, radius: f64) -> Self {
         Self {
             points: vec![from, to],
@@ -36,7 +37,7 @@ impl Bone {
         }
     }
 
-    /// The place on it that is nearest to a point, for its thickness: where the distance less the radius is least.
+    /// The point of the bone for which the distance less the radius is least.
     pub fn nearest(&self, p: DVec3) -> OnBone {
         let n = self.points.len();
         let count = if self.closed { n } else { n - 1 };

@@ -1,42 +1,43 @@
-//! Canal surfaces: all that balls cover whose middles and radii change along a curve.
+//! Canal surfaces: the hulls of balls whose middles and radii change along a curve.
 
 use super::bone::Bone;
 use super::jet::{Jet, Spot};
 use glam::DVec3;
 
-/// A curve with a radius at each of its points, by samples with cubic pieces between.
+/// A curve with a radius at each of its points, as samples with cubic pieces between them.
 #[derive(Clone, Debug)]
 pub(super) struct Canal {
     points: Vec<DVec3>,
     radii: Vec<f64>,
-    /// By how much point and radius change from sample to sample.
+    /// The derivatives of point and radius at each sample.
     slopes: Vec<(DVec3, f64)>,
     closed: bool,
-    /// The box around all balls.
+    /// The bounding box of all balls.
     bounds: (DVec3, DVec3),
-    /// By how much samples that are not looked at may be nearer than those that are.
+    /// How much nearer the samples may be that a search leaves out than those that it visits.
     reach: f64,
 }
 
-/// Every so many samples are looked at to find the nearest.
+/// The search for the nearest sample visits one in this many first.
 const STRIDE: usize = 4;
-/// Steps to the exact foot.
+/// Newton steps to the exact foot.
 const STEPS: usize = 3;
-/// The curve comes back to itself where it is so many times as long as the straight way.
+/// Two places belong to different parts of the curve if the way along it is this many times the straight way.
 const RETURNS: f64 = 2.2;
-/// Greatest part of the curve's own radius that balls may have, so that the inside of a bend stays smooth.
+/// The greatest radius of a ball as a part of the curve's radius of curvature, so that the inside of a bend stays
+/// smooth.
 const BEND: f64 = 0.8;
 
-/// A ball of a canal.
+/// The foot of a point: the ball of a canal that is nearest to it.
 pub(super) struct Foot {
-    /// Where it is along the curve, in samples.
+    /// Its place along the curve, in samples.
     pub along: f64,
     pub middle: DVec3,
     pub radius: f64,
 }
 
 impl Canal {
-    /// Of evenly spaced samples, at least two.
+    /// A canal through evenly spaced samples, at least two.
     pub fn new(points: Vec<DVec3>, radii: Vec<f64>, closed: bool) -> Self {
         let n = points.len();
         let slopes = (0..n).map(|i| {
@@ -61,7 +62,7 @@ impl Canal {
         }
     }
 
-    /// A smooth one through a few balls, with so many samples for each gap.
+    /// A smooth canal through a few balls, with `per` samples to each gap.
     pub fn through(balls: &[(DVec3, f64)], per: usize) -> Self {
         let (points, radii) = balls.iter().copied().unzip();
         let rough = Self::new(points, radii, false);
@@ -74,7 +75,7 @@ impl Canal {
         Self::new(points, radii, false)
     }
 
-    /// The cubic at a place along: point, radius, and what they change by.
+    /// Point and radius at a place along the curve, with their derivatives.
     fn piece(&self, along: f64) -> (Motion<DVec3>, Motion<f64>) {
         let n = self.points.len();
         let last = if self.closed { n } else { n - 1 };
@@ -88,7 +89,7 @@ impl Canal {
         )
     }
 
-    /// The ball that a point is deepest in, or nearest to.
+    /// The ball in which a point lies deepest, or which is nearest to it.
     pub fn foot(&self, p: DVec3) -> Foot {
         let far = |i: usize| (p - self.points[i]).length() - self.radii[i];
         let rough = || (0..self.points.len()).step_by(STRIDE).map(|i| (far(i), i));
@@ -97,7 +98,7 @@ impl Canal {
             |best, one| if one.0 < best.0 { one } else { best },
         );
         let mut best = self.descend(first, far);
-        // Others may be nearer between the samples that were looked at.
+        // Other parts of the curve may be nearer between the visited samples.
         for one in rough() {
             if one.0 - self.reach < best.0 && one.1.abs_diff(best.1) > STRIDE {
                 let other = self.descend(one, far);
@@ -109,7 +110,7 @@ impl Canal {
         self.refine(p, best.1 as f64)
     }
 
-    /// On from a sample to its neighbours as long as these are nearer.
+    /// Goes from a sample to its neighbours as long as these are nearer.
     fn descend(&self, mut best: (f64, usize), far: impl Fn(usize) -> f64) -> (f64, usize) {
         let n = self.points.len();
         let after = |i: usize| {
@@ -136,7 +137,7 @@ impl Canal {
         best
     }
 
-    /// Newton's steps from a sample to where the distance is least.
+    /// Newton steps from a sample to the least distance.
     fn refine(&self, p: DVec3, start: f64) -> Foot {
         let n = self.points.len() as f64;
         let (mut least, mut most) = (start - 1.0, start + 1.0);
@@ -181,13 +182,14 @@ impl Canal {
         }
     }
 
-    /// The distance to its surface, negative inside. The foot is where the distance is least, so it counts as fixed.
+    /// The distance to the surface, negative inside. At the foot the distance is stationary, so the gradient needs
+    /// only the distance to a fixed ball.
     pub fn at(&self, p: &Spot) -> Jet {
         let foot = self.foot(p.place());
         p.distance(foot.middle) - foot.radius
     }
 
-    /// How many times as large the radii may be so that no part of it meets another, nor the inside of a bend.
+    /// The factor by which the radii may grow until two parts meet, or the inside of a bend folds.
     pub fn room(&self) -> f64 {
         let mut room = f64::INFINITY;
         self.narrows(|width, radii, is_bend| {
@@ -197,7 +199,7 @@ impl Canal {
         room
     }
 
-    /// The narrowest place between two of its parts, or across the inside of a bend.
+    /// The narrowest gap between two parts, or across the inside of a bend.
     pub fn gap(&self) -> f64 {
         let mut gap = f64::INFINITY;
         self.narrows(|width, radii, is_bend| {
@@ -207,8 +209,8 @@ impl Canal {
         gap
     }
 
-    /// Tells where the curve is near itself: the distance of two places, and the sum of the radii there; and how it
-    /// bends: its own radius, and that of the ball there.
+    /// Calls `tell` for each two places of different parts: their distance, the sum of the radii, false. And for each
+    /// bend: the curve's own radius, the radius of the ball, true.
     fn narrows(&self, mut tell: impl FnMut(f64, f64, bool)) {
         let n = self.points.len();
         let mut along = vec![0.0; n + 1];
@@ -248,31 +250,31 @@ impl Canal {
         }
     }
 
-    /// The same curve with radii so many times as large.
+    /// The same curve with its radii times `by`.
     pub fn thicker(&self, by: f64) -> Self {
         let radii = self.radii.iter().map(|r| r * by).collect();
         Self::new(self.points.clone(), radii, self.closed)
     }
 
-    /// Moved and then scaled.
+    /// The same canal, moved and then scaled.
     pub fn placed(&self, by: DVec3, scale: f64) -> Self {
         let points = self.points.iter().map(|&p| (p + by) * scale).collect();
         let radii = self.radii.iter().map(|r| r * scale).collect();
         Self::new(points, radii, self.closed)
     }
 
-    /// The box around all balls.
+    /// The bounding box of all balls.
     pub fn bounds(&self) -> (DVec3, DVec3) {
         self.bounds
     }
 
-    /// No point is nearer to its surface than this.
+    /// A lower bound of the distance from a point to the surface.
     pub fn far(&self, p: DVec3) -> f64 {
         let (lo, hi) = self.bounds;
         (lo - p).max(p - hi).max(DVec3::ZERO).length()
     }
 
-    /// Joined to something else, which is left as it is where it is too far away to change it.
+    /// Joins another form smoothly with this canal, where the canal is near enough to change it.
     pub fn join_to(&self, other: Jet, p: &Spot, k: f64) -> Jet {
         if self.far(p.place()) >= other.value + k {
             return other;
@@ -288,7 +290,7 @@ impl Canal {
             .fold(none, |(a, b), &r| (a.min(r), b.max(r)))
     }
 
-    /// Where it begins, and the unit vector along it there.
+    /// The first point, and the unit vector along the curve there.
     pub fn start(&self) -> (DVec3, DVec3) {
         (self.points[0], self.slopes[0].0.normalize_or(DVec3::Y))
     }
@@ -302,10 +304,10 @@ impl Canal {
     }
 }
 
-/// A place, its speed, and how that changes.
+/// A value, its first and its second derivative.
 type Motion<T> = (T, T, T);
 
-/// The cubic between two places with these speeds there, at 0..1.
+/// The cubic between two values with given first derivatives, at t from 0 to 1.
 pub(super) fn hermite<T>(t: f64, a: T, da: T, b: T, db: T) -> Motion<T>
 where
     T: Copy
@@ -336,7 +338,7 @@ fn reach(points: &[DVec3], radii: &[f64], closed: bool) -> f64 {
         let j = (i + 1) % n;
         (points[j] - points[i]).length() + (radii[j] - radii[i]).abs()
     };
-    // The last samples of an open curve may be farther from one that is looked at.
+    // At the end of an open curve a sample may be farther from a visited one.
     let steps = if closed { STRIDE / 2 } else { STRIDE - 1 };
     (0..last).map(step).fold(0.0, f64::max) * steps as f64
 }

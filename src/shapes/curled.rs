@@ -7,9 +7,9 @@ use super::jet::{Jet, Spot};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// A canal, stretched in height, with a flat root where it is open.
+/// A canal, stretched in height. An open one has a flat root.
 pub(super) struct Curled {
-    /// Before it is stretched.
+    /// The canal before it is stretched.
     canal: Canal,
     stretch: f64,
     root: Option<Root>,
@@ -18,19 +18,19 @@ pub(super) struct Curled {
 
 struct Root {
     at: DVec3,
-    /// Into the shape.
+    /// The direction into the shape.
     inward: DVec3,
-    /// Radius of its rounded edge.
+    /// The radius of its rounded edge.
     round: f64,
-    /// Samples for a unit of length.
+    /// Samples in a unit of length.
     samples: f64,
 }
 
-/// The part of the root's radius that its edge is rounded by.
+/// The radius of the root's edge, as a part of the root's own radius.
 const ROUND: f64 = 0.7;
 
 impl Curled {
-    /// Scaled to the largest side 1, standing on y = 0 with its middle over the origin.
+    /// Scales the canal so that the largest side is 1, and puts it on y = 0 with its middle over the origin.
     fn new(canal: Canal, stretch: f64, closed: bool) -> Self {
         let tall = DVec3::new(1.0, stretch, 1.0);
         let (lo, hi) = box_of(&canal, closed);
@@ -58,7 +58,7 @@ impl Curled {
     }
 }
 
-/// The box around a canal; where it is open, without what is cut off at its root.
+/// The bounding box of a canal. Without the part that is cut off at the root, if it is open.
 fn box_of(canal: &Canal, closed: bool) -> (DVec3, DVec3) {
     if closed {
         return canal.bounds();
@@ -68,7 +68,7 @@ fn box_of(canal: &Canal, closed: bool) -> (DVec3, DVec3) {
     let tip = (bone.points[last], bone.radii[last]);
     let mut bounds = (tip.0 - tip.1, tip.0 + tip.1);
     for k in 0..last {
-        // Each ball touches the surface along a circle, which lies the farther back the faster radii grow.
+        // Each ball touches the surface along a circle. The faster radii grow, the farther back the circle lies.
         let way = bone.points[k + 1] - bone.points[k];
         let growth = (bone.radii[k + 1] - bone.radii[k]) / way.length();
         let along = way.normalize_or(DVec3::Y);
@@ -122,11 +122,11 @@ impl Form for Curled {
     }
 }
 
-/// Of `[tube, height, waves, swell]`.
+/// The torus for the numbers `[tube, height, waves, swell]`.
 pub(super) fn torus(n: &[f64]) -> Curled {
     let (tube, height, waves, swell) = (n[0], n[1], n[2], n[3]);
     let samples = 64 + 16 * waves as usize;
-    // As deep as they may be before they bend more than twice as sharply as the ring.
+    // Limit the waves: they may bend at most twice as sharply as the ring.
     let swell = if waves == 0.0 {
         0.0
     } else {
@@ -138,12 +138,13 @@ pub(super) fn torus(n: &[f64]) -> Curled {
         DVec3::new(r * libm::cos(angle), 0.0, r * libm::sin(angle))
     });
     let canal = Canal::new(points.collect(), vec![1.0; samples], true);
-    // With waves the inside of their bends may leave less room.
+    // The bends of waves may leave less room for the tube.
     let canal = canal.thicker(tube.min(0.95 * canal.room()));
     Curled::new(canal, height, true)
 }
 
-/// Of `[turns, lobes, tube, swing, height]`. Where turns and lobes have a common divisor, there is one lobe more.
+/// The knot for the numbers `[turns, lobes, tube, swing, height]`. If turns and lobes have a common divisor, there is
+/// one lobe more.
 pub(super) fn knot(n: &[f64]) -> Curled {
     let (turns, mut lobes, tube, swing, height) = (n[0], n[1], n[2], n[3], n[4]);
     if (2..=3).any(|d| turns % f64::from(d) == 0.0 && lobes % f64::from(d) == 0.0) {
@@ -162,17 +163,17 @@ pub(super) fn knot(n: &[f64]) -> Curled {
     Curled::new(canal, 1.0, true)
 }
 
-/// The length of a curve is told in so many samples.
+/// Samples along a curve.
 const SAMPLES: usize = 160;
 
-/// Of `[turns, rise, taper, girth]`: a logarithmic spiral, which is like itself at every size.
+/// The horn for the numbers `[turns, rise, taper, girth]`: a logarithmic spiral, which looks the same at every size.
 pub(super) fn horn(n: &[f64]) -> Curled {
     let (turns, rise, taper, girth) = (n[0], n[1], n[2], n[3]);
     let shrink = -libm::log(taper) / (TAU * turns);
-    // What shrinks fast has to go on as far inward: its curve is a long one.
+    // A fast-shrinking spiral has to run far inwards, so its curve is long.
     let points: Vec<(DVec3, f64)> = (0..=SAMPLES)
         .map(|k| {
-            // Samples in even steps of the length.
+            // Samples at even steps of the length.
             let t = k as f64 / SAMPLES as f64;
             let size = 1.0 - (1.0 - taper) * t;
             let angle = -libm::log(size) / shrink;
@@ -187,7 +188,7 @@ pub(super) fn horn(n: &[f64]) -> Curled {
     Curled::new(canal.thicker(girth * room), 1.0, false)
 }
 
-/// Of `[curl, taper, girth, lift]`: flat on the ground at first, then curled up more and more.
+/// The tail for the numbers `[curl, taper, girth, lift]`: flat on the ground at first, then more and more curled.
 pub(super) fn tail(n: &[f64]) -> Curled {
     let (curl, taper, girth, lift) = (n[0].to_radians(), n[1], n[2], n[3]);
     let mut p = DVec3::ZERO;
@@ -197,7 +198,7 @@ pub(super) fn tail(n: &[f64]) -> Curled {
         let t = k as f64 * step;
         points.push(p);
         radii.push(0.5 * girth * (1.0 - (1.0 - taper) * libm::pow(t, 0.9)));
-        // The middle of the step tells its direction.
+        // The direction of a step is that in its middle.
         let m = t + 0.5 * step;
         let angle = curl * libm::pow(m, 1.7);
         let out = 0.75 * lift * m;

@@ -1,4 +1,4 @@
-//! A round wall, with or without its ends: rings of vertices, sewn together.
+//! A cylinder, with or without caps: rings of vertices that are sewn together.
 
 use super::bone::Bone;
 use crate::trimesh::Soup;
@@ -15,18 +15,18 @@ pub(super) struct Drum {
 
 /// Samples of the wall's outline.
 const SAMPLES: usize = 256;
-/// Rings stand so far apart that triangles have equal sides.
+/// The distance between rings, in edges, for equilateral triangles.
 const ROW: f64 = 0.866_025_403_784_438_6;
 
 struct Ring {
     first: usize,
     count: usize,
-    /// Angle of the first vertex.
+    /// The angle of the first vertex.
     turn: f64,
 }
 
 impl Drum {
-    /// Of `[height, top, belly, caps]`.
+    /// The drum for the numbers `[height, top, belly, caps]`.
     pub fn new(n: &[f64]) -> Self {
         let mut drum = Self {
             height: 2.0 * n[0],
@@ -41,7 +41,7 @@ impl Drum {
         drum
     }
 
-    /// The radius at a share of the height.
+    /// The radius at a height from 0 (bottom) to 1 (top).
     fn radius(&self, t: f64) -> f64 {
         (1.0 + (self.top - 1.0) * t + 4.0 * self.belly * t * (1.0 - t)) * self.scale
     }
@@ -58,7 +58,7 @@ impl Drum {
         }]
     }
 
-    /// The wall's outline in so many even steps: distance from the axis, and height.
+    /// The outline of the wall in even steps: distance from the axis, and height.
     fn outline(&self, step: f64) -> Vec<DVec2> {
         let at = |t: f64| DVec2::new(self.radius(t), t * self.height * self.scale);
         let fine: Vec<DVec2> = (0..=SAMPLES)
@@ -114,7 +114,7 @@ impl Drum {
     }
 }
 
-/// Rings of vertices about the y axis, each sewn to the one before.
+/// Rings of vertices about the y axis, each joined to the one before by triangles.
 struct Sewing {
     step: f64,
     made: Soup,
@@ -130,7 +130,7 @@ impl Sewing {
         }
     }
 
-    /// Adds a ring of this radius and height; one of no radius is a single vertex.
+    /// Adds a ring of this radius and height; a radius of 0 gives a single vertex.
     fn ring(&mut self, at: DVec2) {
         let mut count = match at.x {
             0.0 => 1,
@@ -138,7 +138,7 @@ impl Sewing {
         };
         let mut turn = 0.0;
         if let Some(last) = self.rings.last() {
-            // As many as before where that is near: no irregular vertices.
+            // Keep the count of the ring before if it is nearly right: that makes no irregular vertices.
             if last.count > 1 && count > 1 && last.count.abs_diff(count) * 20 <= count {
                 count = last.count;
             }
@@ -163,7 +163,7 @@ impl Sewing {
         self.rings.push(ring);
     }
 
-    /// Goes round both, always on to the vertex that makes the shorter edge.
+    /// Goes round both rings, each time on to the vertex with the shorter edge.
     fn sew(&mut self, last: usize, upper: &Ring) {
         let lower = &self.rings[last];
         let name = |ring: &Ring, k: usize| (ring.first + k % ring.count) as u32;

@@ -1,4 +1,4 @@
-//! A fish: a body of lens-shaped cross-section, and fins thick enough to pack on. It swims to -x.
+//! A fish: a body with a lens-shaped cross-section, and fins thick enough to pack on. It swims towards -x.
 
 use super::bone::Bone;
 use super::canal::Canal;
@@ -8,42 +8,42 @@ use glam::DVec3;
 
 pub(super) struct Fish {
     body: Canal,
-    /// Half the height, the length being 1.
+    /// Half the height; the length is 1.
     half: f64,
-    /// How much narrower than high.
+    /// The ratio of the width to the height.
     narrow: f64,
-    /// Fins in the plane of the back, and how smoothly each grows out of the body.
+    /// The fins in the middle plane, each with the radius of its smooth join to the body.
     fins: Vec<(Canal, f64)>,
-    /// Those at the sides.
+    /// The fins at the sides.
     side: Canal,
     eye: (DVec3, f64),
     /// Radii of the body at even steps along x.
     radii: Vec<f64>,
     swim: f64,
-    /// The lowest point.
+    /// The lowest and the highest point.
     low: f64,
     high: f64,
 }
 
-/// How far the two arcs of the lens are apart, as part of their radius.
+/// The distance of each arc's centre from the middle plane, as a part of the arc's radius. Two arcs make the lens.
 const LENS: f64 = 0.32;
-/// Roundness of the lens's edges.
+/// The radius of the lens' rounded edges.
 const EDGE: f64 = 0.016;
-/// Fins are so many times as thin as they are broad.
+/// The ratio of breadth to thickness of the fins in the middle plane and at the sides, and the bend of the latter.
 const THIN: f64 = 2.2;
 const SIDE_THIN: f64 = 2.0;
 const BEND: f64 = 0.55;
-/// Steps of the table of radii.
+/// Steps in the table of radii.
 const SAMPLES: usize = 128;
 /// Where the bend to the side begins.
 const NECK: f64 = -0.15;
 
 impl Fish {
-    /// Of `[height, width, tail, fins, swim]`.
+    /// The fish for the numbers `[height, width, tail, fins, swim]`.
     pub fn new(n: &[f64]) -> Self {
         let (half, width, tail, fins) = (0.5 * n[0], n[1], n[2], n[3]);
         let ball = |x: f64, y: f64, r: f64| (DVec3::new(x, y, 0.0), r);
-        // Circles that are cut to a lens of the wanted height.
+        // Circles that are cut to a lens of the wanted height, so larger by this factor.
         let larger = half / (1.0 - LENS * LENS).sqrt();
         let body = [
             (-0.462, -0.06, 0.17),
@@ -122,7 +122,8 @@ impl Fish {
         };
         let eye = DVec3::new(-0.375, 0.17 * half, fish.skin(-0.375, 0.17 * half) - 0.004);
         fish.eye = (eye, 0.013 + 0.05 * half);
-        // Farther and farther out of the skin, in a space in which what is flat is thick.
+        // Side fins come farther and farther out of the skin. They are made in a space stretched across, where flat
+        // fins are thick.
         let root = fish.skin(-0.225, -0.2 * half) - 0.012;
         let on_side = |x: f64, y: f64, out: f64, r: f64| {
             let z = fish.skin(x, y) + out;
@@ -142,12 +143,12 @@ impl Fish {
         fish
     }
 
-    /// How far the fish bends to the side.
+    /// How far the fish bends to the side at x.
     fn aside(&self, x: Jet) -> Jet {
         (x - NECK).squared() * self.swim - self.swim * 0.12
     }
 
-    /// Out of the fish's own space.
+    /// Maps a point of the straight fish to the shape.
     fn placed(&self, p: DVec3) -> DVec3 {
         let aside = self.aside(Jet::new(p.x, DVec3::ZERO)).value;
         DVec3::new(p.x, p.y - self.low, p.z + aside)
@@ -159,7 +160,7 @@ impl Fish {
         self.body.at(&Spot { z, ..*p })
     }
 
-    /// The radius of the body.
+    /// The radius of the body at x.
     fn radius(&self, x: Jet) -> Jet {
         let last = self.radii.len() - 1;
         let at = ((x.value + 0.5) * last as f64).clamp(0.0, last as f64);
@@ -173,7 +174,7 @@ impl Fish {
         x.map(self.radii[k] + rise * (at - k as f64), slope)
     }
 
-    /// How far the skin is to the side of a point of the middle plane.
+    /// The distance of the skin from a point of the middle plane.
     fn skin(&self, x: f64, y: f64) -> f64 {
         let (mut inside, mut outside) = (0.0, self.half);
         for _ in 0..40 {

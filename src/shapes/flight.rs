@@ -1,9 +1,10 @@
-//! Slopes and stairs: a line from the back to the front, drawn across.
+//! Slopes and stairs: a profile from the back to the front, extruded to the sides.
 
 use crate::trimesh::Soup;
 use glam::{DVec2, DVec3};
 
-/// A grid of vertices, `i` to the right and `j` to the front, each square in two triangles along its shorter diagonal.
+/// A grid of vertices, `i` to the right and `j` to the front. Each square becomes two triangles along its shorter
+/// diagonal.
 pub(super) fn grid(across: usize, along: usize, at: impl Fn(usize, usize) -> DVec3) -> Soup {
     let row = across + 1;
     let each = (0..=along).flat_map(|j| (0..=across).map(move |i| (i, j)));
@@ -31,15 +32,15 @@ pub(super) fn grid(across: usize, along: usize, at: impl Fn(usize, usize) -> DVe
     }
 }
 
-/// Points from the back to the front, `(z, y)`, and whether the line has a corner there.
+/// The points of a profile from the back to the front, as `(z, y)`, each with whether the line has a corner there.
 type Line = Vec<(DVec2, bool)>;
 
-/// Straight pieces of a bend.
+/// Straight pieces in a bend.
 const PIECES: u32 = 24;
-/// Bends of more than this are creases, in radians.
+/// Bends of more than this angle are creases, in radians.
 const CREASE: f64 = 0.3;
 
-/// Draws a line across, after scaling all to the largest side 1.
+/// Extrudes a profile after scaling all to the largest side 1.
 fn drawn(line: Line, width: f64, edge: f64) -> Soup {
     let (mut lo, mut hi) = (line[0].0, line[0].0);
     for &(p, _) in &line {
@@ -48,7 +49,7 @@ fn drawn(line: Line, width: f64, edge: f64) -> Soup {
     let size = DVec3::new(width, hi.y - lo.y, hi.x - lo.x);
     let scale = 1.0 / size.max_element();
     let step = edge * size.length();
-    // In even steps between its corners.
+    // Divide the line into even steps from corner to corner, so that corners stay.
     let mut rows = vec![line[0].0];
     let mut first = 0;
     for last in 1..line.len() {
@@ -65,7 +66,7 @@ fn drawn(line: Line, width: f64, edge: f64) -> Soup {
     })
 }
 
-/// Adds the points of a line without corners, in even steps, but for its first.
+/// Adds a line without corners in even steps, but not its first point.
 fn even_steps(line: &[(DVec2, bool)], step: f64, rows: &mut Vec<DVec2>) {
     let lengths = || line.windows(2).map(|pair| (pair[1].0 - pair[0].0).length());
     let length: f64 = lengths().sum();
@@ -85,7 +86,7 @@ fn even_steps(line: &[(DVec2, bool)], step: f64, rows: &mut Vec<DVec2>) {
     rows.extend(line.last().map(|&(p, _)| p));
 }
 
-/// Of `[rise, landing, width, round]`: it goes down to the front.
+/// The slope for the numbers `[rise, landing, width, round]`; it goes down to the front.
 pub(super) fn slope(n: &[f64], edge: f64) -> Soup {
     let (rise, landing, width, round) = (n[0].to_radians(), n[1], n[2], n[3]);
     let down = DVec2::new(libm::cos(rise), -libm::sin(rise));
@@ -101,7 +102,7 @@ pub(super) fn slope(n: &[f64], edge: f64) -> Soup {
             edge,
         );
     }
-    // A bend is an arc that begins so far before the corner.
+    // A bend is an arc that begins this far before the corner.
     let reach = round * 0.9 * landing.min(0.5 * (bends[1] - bends[0]).length());
     let mut line: Line = vec![(top, false)];
     for (k, corner) in bends.into_iter().enumerate() {
@@ -128,7 +129,7 @@ pub(super) fn slope(n: &[f64], edge: f64) -> Soup {
     drawn(line, width, edge)
 }
 
-/// Of `[steps, pitch, width, landing]`: they go down to the front, to one more tread.
+/// The stairs for the numbers `[steps, pitch, width, landing]`. They go down to the front, to one more tread.
 pub(super) fn stairs(n: &[f64], edge: f64) -> Soup {
     let (steps, pitch, landing) = (n[0] as usize, n[1], n[3]);
     let mut at = DVec2::new(0.0, steps as f64 * pitch);
@@ -148,7 +149,7 @@ pub(super) fn stairs(n: &[f64], edge: f64) -> Soup {
     drawn(line, width, edge.min(stairs_coarsest(n)))
 }
 
-/// Edges of stairs are not much longer than risers are high.
+/// The longest edges for stairs: little longer than a riser is high.
 pub(super) fn stairs_coarsest(n: &[f64]) -> f64 {
     let (length, height) = (n[0] + n[3], n[0] * n[1]);
     let diagonal = (length * length * (1.0 + n[2] * n[2]) + height * height).sqrt();

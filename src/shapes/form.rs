@@ -1,21 +1,21 @@
-//! Solid forms: a number at each point of space that is negative inside.
+//! Implicit solids: functions on space that are negative inside.
 
 use super::bone::Bone;
 use super::jet::{Jet, Spot};
 use glam::DVec3;
 
-/// A solid form whose surface is where a function is 0.
+/// A solid whose surface is the zero set of a function.
 pub(super) trait Form {
-    /// The function: negative inside, about the distance to the surface near it.
+    /// The function: negative inside, and about the distance to the surface near it.
     fn at(&self, p: Spot) -> Jet;
 
-    /// A box around it, as tight as is known.
+    /// A bounding box, as tight as is known.
     fn bounds(&self) -> (DVec3, DVec3);
 
-    /// The length of the longest edges that still show all its parts.
+    /// The length of the longest edges that still resolve all its parts.
     fn coarsest(&self) -> f64;
 
-    /// No gradient is longer.
+    /// The greatest length of a gradient.
     fn steepest(&self) -> f64 {
         1.0
     }
@@ -23,12 +23,12 @@ pub(super) trait Form {
     fn bones(&self) -> Vec<Bone>;
 }
 
-/// Newton's steps onto the surface at most.
+/// The most Newton steps onto the surface.
 const STEPS: usize = 4;
-/// A point is on it where the next step would be this part of the longest one.
+/// A point is on the surface if its next step would be shorter than this part of the longest one.
 const NEAR: f64 = 1e-4;
 
-/// A point brought onto the surface along the gradient, no farther than `most` in a step.
+/// Moves a point onto the surface along the gradient, by at most `most` in a step.
 pub(super) fn onto(form: &dyn Form, p: DVec3, most: f64) -> DVec3 {
     let mut at = p;
     for _ in 0..STEPS {
@@ -43,7 +43,7 @@ pub(super) fn onto(form: &dyn Form, p: DVec3, most: f64) -> DVec3 {
     at
 }
 
-/// A point brought nearer to the surface, by one step: enough for one that has been on it and is moved a little.
+/// Moves a point towards the surface by one step: enough for a point that was on it and has been moved a little.
 pub(super) fn near(form: &dyn Form, p: DVec3, most: f64) -> DVec3 {
     p + step(form, p, most).unwrap_or(DVec3::ZERO)
 }

@@ -5,9 +5,10 @@ use glam::DVec2;
 /// A part of a stroke.
 #[derive(Clone, Copy)]
 enum Part {
-    /// Begins there, or goes straight there.
+    /// Starts the stroke at a point, or continues it straight to one.
     To(f64, f64),
-    /// Along an ellipse: middle, half axes, and the angles at its ends in degrees, counter-clockwise from x.
+    /// Continues along an arc of an ellipse: middle, half axes, and the angles at its ends in degrees,
+    /// counter-clockwise from x.
     Arc([f64; 2], [f64; 2], [f64; 2]),
 }
 
@@ -15,7 +16,7 @@ use Part::{Arc, To};
 
 type Glyph = &'static [&'static [Part]];
 
-/// Straight pieces of a whole turn.
+/// Straight pieces in a whole turn.
 const PIECES: f64 = 96.0;
 
 const GLYPHS: [Glyph; 26] = [
@@ -188,7 +189,7 @@ const GLYPHS: [Glyph; 26] = [
     ],
 ];
 
-/// The strokes of a letter, A being 0, as lines of straight pieces that bend but a little.
+/// The strokes of a letter (A is 0) as polylines with gentle bends.
 pub(super) fn strokes(letter: usize) -> Vec<Vec<DVec2>> {
     let line = |parts: &&[Part]| {
         let mut line: Vec<DVec2> = Vec::new();

@@ -1,4 +1,4 @@
-//! Numbers that know how they change from place to place: a value and its gradient (forward differentiation).
+//! Forward differentiation: numbers with their gradients in space.
 
 use glam::DVec3;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -15,7 +15,7 @@ impl Jet {
         Self { value, slope }
     }
 
-    /// A function of it: its value and its derivative there.
+    /// Applies a function, given its value and its derivative.
     pub fn map(self, value: f64, derivative: f64) -> Self {
         Self::new(value, self.slope * derivative)
     }
@@ -24,7 +24,7 @@ impl Jet {
         self.map(self.value * self.value, 2.0 * self.value)
     }
 
-    /// Its root; where it is nothing, it does not change.
+    /// The square root; at 0 its gradient is taken as 0.
     pub fn root(self) -> Self {
         let root = self.value.max(0.0).sqrt();
         self.map(root, if root > 0.0 { 0.5 / root } else { 0.0 })
@@ -39,7 +39,7 @@ impl Jet {
         if self.value < 0.0 { -self } else { self }
     }
 
-    /// About its absolute value, but smooth: `round` at 0.
+    /// A smooth version of the absolute value, which is `round` at 0.
     pub fn soft_abs(self, round: f64) -> Self {
         (self.squared() + round * round).root()
     }
@@ -58,7 +58,7 @@ impl Jet {
         }
     }
 
-    /// The smaller of two; where they differ by less than `k`, somewhat smaller than both and smooth.
+    /// The minimum of two values. Where they differ by less than `k`, it is smooth and somewhat smaller than both.
     pub fn join(self, other: Self, k: f64) -> Self {
         let (a, b) = if other.value < self.value {
             (other, self)
@@ -73,7 +73,8 @@ impl Jet {
         )
     }
 
-    /// The smaller of two, rounded only where they face different ways: nothing swells where one ends in the other.
+    /// The minimum of two values, rounded only where their gradients differ in direction, so that nothing swells
+    /// where one part ends in the other.
     pub fn weld(self, other: Self, k: f64) -> Self {
         let alike = self.slope.dot(other.slope);
         let lengths = self.slope.length() * other.slope.length();
@@ -81,7 +82,7 @@ impl Jet {
         self.join(other, k * apart.clamp(1e-6, 1.0))
     }
 
-    /// The greater of two, rounded in the same way.
+    /// The maximum of two values, rounded in the same way.
     pub fn cut(self, other: Self, k: f64) -> Self {
         -(-self).join(-other, k)
     }
@@ -139,7 +140,7 @@ impl Neg for Jet {
     }
 }
 
-/// A point of a space that may be a bent one of the space that the gradients are told in.
+/// A point whose coordinates may be functions of the point with respect to which gradients are taken.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot {
     pub x: Jet,
@@ -160,7 +161,7 @@ impl Spot {
         DVec3::new(self.x.value, self.y.value, self.z.value)
     }
 
-    /// The distance to a point of its space.
+    /// The distance to a fixed point.
     pub fn distance(&self, q: DVec3) -> Jet {
         let d = self.place() - q;
         let length = d.length();
@@ -173,7 +174,7 @@ impl Spot {
     }
 }
 
-/// Length of a vector of two.
+/// The length of a vector with two components.
 pub(super) fn length(a: Jet, b: Jet) -> Jet {
     (a.squared() + b.squared()).root()
 }

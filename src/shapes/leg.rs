@@ -1,4 +1,4 @@
-//! A saurian's leg, which stands on its toes: thigh, knee, shin, ankle, and toes with knuckles and tapered tips.
+//! A dinosaur's leg that stands on its toes: thigh, knee, shin, ankle, and toes with knuckles and tapered tips.
 
 use super::bone::Bone;
 use super::canal::Canal;
@@ -21,17 +21,17 @@ struct Toe {
     knuckles: Vec<(DVec3, f64)>,
 }
 
-/// The limb is this much deeper than it is wide.
+/// The ratio of the limb's depth to its width.
 const DEEPER: f64 = 1.14;
-/// How smoothly parts go into each other.
+/// The radii of smooth joins: between parts of the limb, between toes, and at knuckles.
 const JOIN: f64 = 0.07;
 const WEB: f64 = 0.03;
 const KNUCKLE: f64 = 0.018;
-/// The toes' middles come together so far behind the ball of the foot.
+/// The middle lines of the toes meet this far behind the ball of the foot.
 const BEHIND: f64 = 0.045;
 
 impl Leg {
-    /// Of `[toes, spread, bend, girth, reach]`; the toes point to z.
+    /// The leg for the numbers `[toes, spread, bend, girth, reach]`; the toes point to z.
     pub fn new(n: &[f64]) -> Self {
         let (count, spread, bend, girth, reach) = (
             n[0] as usize,
@@ -40,7 +40,7 @@ impl Leg {
             n[3],
             n[4],
         );
-        // Thigh forward, shin back, and forward again from the ankle.
+        // The thigh leans forward, the shin back, and the foot forward again.
         let lean = |angle: f64| DVec3::new(0.0, libm::cos(angle), libm::sin(angle));
         let thigh = lean(-0.6 * bend) * 0.40;
         let shin = lean(0.75 * bend + 0.04) * 0.37;
@@ -100,13 +100,13 @@ impl Leg {
     }
 }
 
-/// A toe at an angle to the foot; those farther from the middle are shorter.
+/// A toe at an angle to the foot; toes farther from the middle one are shorter.
 fn toe(ball: DVec3, angle: f64, aside: f64, reach: f64, girth: f64) -> Toe {
     let length = reach * (0.395 - 0.032 * aside);
     let out = DVec3::new(libm::sin(angle), 0.0, libm::cos(angle));
     let start = DVec3::new(ball.x, 0.0, ball.z - BEHIND);
     let thick = (0.8 + 0.2 * girth) * (1.0 - 0.04 * aside);
-    // How far along, how high, how thick.
+    // Place along the toe, height, and thickness.
     let along = [
         (0.0, 0.078, 0.060),
         (0.25, 0.077, 0.053),
@@ -137,7 +137,7 @@ impl Toe {
         toe
     }
 
-    /// No less far from it than this.
+    /// A lower bound of the distance.
     fn far(&self, p: DVec3) -> f64 {
         self.canal.far(p) - KNUCKLE
     }
@@ -152,7 +152,7 @@ impl Form for Leg {
         };
         let [haunch, calf] = &self.muscles;
         let mut leg = self.limb.at(&slim);
-        // What is above the ankle has no toes, and what is far below it no muscles.
+        // Above the ankle there are no toes, and far below it no muscles.
         if place.y > 0.1 {
             leg = leg.join(self.knee(&slim), JOIN);
             leg = haunch.join_to(leg, &slim, JOIN);
@@ -161,7 +161,7 @@ impl Form for Leg {
         let mut toes: Option<Jet> = None;
         for toe in &self.toes {
             let far = toe.far(place);
-            // Too far away to be felt, or to be the nearest.
+            // Skip toes that are too far away to change the result.
             if far > leg.value + JOIN || toes.is_some_and(|toes| far > toes.value + WEB) {
                 continue;
             }

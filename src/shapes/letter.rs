@@ -17,11 +17,11 @@ pub(super) struct Letter {
     wide: f64,
 }
 
-/// How smoothly strokes go into each other, as part of their half width.
+/// The radius of the smooth join between strokes, as a part of their half width.
 const JOIN: f64 = 0.7;
 
 impl Letter {
-    /// Of `[letter, weight, depth, round, lean]`.
+    /// The letter for the numbers `[letter, weight, depth, round, lean]`.
     pub fn new(n: &[f64]) -> Self {
         let (half, deep) = (0.5 * n[1], 0.5 * n[2]);
         let mut strokes = strokes(n[0] as usize - 1);
@@ -54,7 +54,7 @@ impl Letter {
     }
 }
 
-/// The distance to a line.
+/// The distance to a polyline.
 fn distance(line: &[DVec2], x: Jet, y: Jet) -> Jet {
     let p = DVec2::new(x.value, y.value);
     let mut best = (f64::INFINITY, DVec2::ZERO);

@@ -1,4 +1,4 @@
-//! The triangles of a shape in the making, a piece of the work at a time.
+//! Makes the triangles of a shape, a piece of work at a time.
 
 use super::form::{Form, onto};
 use super::march::March;
@@ -7,7 +7,7 @@ use super::surgery::Surgery;
 use super::{Shape, plain, solid};
 use crate::trimesh::{NONE, Soup};
 
-/// What is done to all edges or vertices, one after another.
+/// A pass over all edges or vertices.
 #[derive(Clone, Copy, PartialEq)]
 enum Pass {
     Split,
@@ -15,36 +15,36 @@ enum Pass {
     EvenOut,
     Slide,
     Delaunay,
-    /// Exactly onto the form.
+    /// Moves vertices exactly onto the form.
     Onto,
 }
 
 use Pass::{Collapse, Delaunay, EvenOut, Onto, Slide, Split};
 
-/// The first triangles are made even by these, ...
+/// These passes, in this many rounds, make the first triangles even, ...
 const ROUND: [Pass; 4] = [Split, Collapse, EvenOut, Slide];
 const ROUNDS: usize = 5;
-/// ... and then by these; ...
+/// ... these follow once, ...
 const LAST: [Pass; 4] = [Slide, Delaunay, Slide, Onto];
-/// ... what comes of a division by these.
+/// ... and these follow each division.
 const DIVIDED: [Pass; 8] = [Onto, Slide, Split, Collapse, EvenOut, Slide, Delaunay, Onto];
 
-/// Vertices that are moved, or half edges that are looked at, at a time.
+/// Vertices or half edges in a piece of work.
 const PIECE: usize = 1_000;
-/// How far a vertex slides towards the middle of its neighbours.
+/// The share of the way to the middle of its neighbours by which a vertex slides.
 const SLIDE: f64 = 0.6;
 
-/// A [`Shape`] in the making.
+/// A [`Shape`] that is being made.
 pub struct ShapeMaking {
     form: Option<Box<dyn Form>>,
     march: Option<March>,
     mesh: Option<Surgery>,
-    /// What is still to be done to the mesh, the next one last.
+    /// The passes to come; the next one is the last of the list.
     passes: Vec<Pass>,
-    /// How far the first of these has come, and where it ends.
+    /// How far the current pass has come, and where it ends.
     at: usize,
     end: usize,
-    /// The length of edges wanted now, and how many times it is halved yet.
+    /// The wanted length of edges now, and how often it is still to be halved.
     edge: f64,
     halvings: usize,
     made: Soup,
@@ -79,7 +79,7 @@ impl ShapeMaking {
         making
     }
 
-    /// Does a piece of the work, of a few milliseconds at most; true when all is done.
+    /// Does a piece of the work, of at most a few milliseconds; true when all is done.
     pub fn advance(&mut self) -> bool {
         let Some(form) = self.form.as_deref() else {
             return true;
@@ -89,7 +89,8 @@ impl ShapeMaking {
                 let (positions, triangles) = march.take();
                 self.mesh = Surgery::new(positions, &triangles);
                 if self.mesh.is_none() && !march.is_whole() {
-                    // The form is steeper than it says, and something was passed over.
+                    // The triangles do not close: the form is steeper than it declares, and blocks were skipped
+                    // wrongly. Look at all of them.
                     *march = March::new(form, self.edge, true);
                     return false;
                 }
@@ -120,7 +121,7 @@ impl ShapeMaking {
         false
     }
 
-    /// Begins with the next pass.
+    /// Begins the next pass.
     fn begin(&mut self) {
         let Some(mesh) = &self.mesh else {
             return;
@@ -132,7 +133,7 @@ impl ShapeMaking {
         };
     }
 
-    /// On to half the length of edges; false where that was the last time.
+    /// Halves the length of edges; false if that was the last time.
     fn divide(&mut self) -> bool {
         let Some(mesh) = self.mesh.take() else {
             return false;
@@ -152,13 +153,13 @@ impl ShapeMaking {
         false
     }
 
-    /// What has been made: all of it once [`Self::advance`] has said so, else nothing.
+    /// The finished shape, once [`Self::advance`] has returned true; empty before.
     pub fn finish(self) -> Soup {
         self.made
     }
 }
 
-/// A piece of a pass: vertices, or half edges.
+/// Does a piece of a pass: a range of vertices or half edges.
 fn work(mesh: &mut Surgery, form: &dyn Form, pass: Pass, edge: f64, piece: std::ops::Range<usize>) {
     let edges = piece.start as u32..piece.end as u32;
     match pass {

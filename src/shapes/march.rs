@@ -1,14 +1,16 @@
-//! First triangles of a form: marching tetrahedra (Doi, Koide 1991, An Efficient Method of Triangulating
-//! Equi-valued Surfaces by Using Tetrahedral Cells), a layer of cubes at a time.
+//! First triangles of a form: marching tetrahedra (Doi, Koide 1991, An Efficient Method of Triangulating Equi-valued
+//! Surfaces by Using Tetrahedral Cells), one layer of cubes at a time.
 //!
-//! Each cube is cut in six tetrahedra around its diagonal, alike in all cubes, so that the triangles always close.
+//! Each cube is cut into six tetrahedra around its diagonal, in the same way in all cubes, so the triangles always
+//! close.
 
 use super::form::Form;
 use super::jet::Spot;
 use crate::trimesh::NONE;
 use glam::DVec3;
 
-/// The tetrahedra of a cube, with corners as bits of x, y and z; the second three are mirrored ones.
+/// The tetrahedra of a cube, with corners as bits of x, y and z. The bool tells whether the order of the corners is
+/// right-handed; the second three are mirrored.
 const TETRAHEDRA: [([usize; 4], bool); 6] = [
     ([0, 1, 3, 7], true),
     ([0, 2, 6, 7], true),
@@ -17,42 +19,42 @@ const TETRAHEDRA: [([usize; 4], bool); 6] = [
     ([0, 2, 3, 7], false),
     ([0, 4, 6, 7], false),
 ];
-/// Cubes along the side of a block that is looked at as a whole first.
+/// Cubes along the side of a block. A block is tested as a whole first.
 const BLOCK: usize = 4;
-/// Vertices keep this part of an edge away from its ends: no triangle without an area.
+/// Vertices keep this part of an edge away from its ends, so that no triangle is without an area.
 const AWAY: f64 = 0.08;
-/// Cubes around the box of the form.
+/// Cubes around the form's bounding box.
 const MARGIN: f64 = 2.5;
-/// Room around it at least, as a share of its diagonal: boxes are not exact.
+/// The least room around that box, as a share of its diagonal, because boxes are not exact.
 const ROOM: f64 = 0.02;
 
-/// Parts of the work on a layer.
+/// The steps of the work on a layer.
 #[derive(Clone, Copy)]
 enum Part {
-    /// Where the surface may be.
+    /// Marks the blocks that may contain the surface.
     Open,
-    /// The function at the nodes below and above.
+    /// Computes the function at the nodes below and above.
     Below,
     Above,
-    /// The triangles.
+    /// Makes the triangles.
     Cubes,
 }
 
 pub(super) struct March {
     origin: DVec3,
     step: f64,
-    /// Cubes along each axis, whole blocks.
+    /// The number of cubes along each axis, whole blocks.
     cubes: [usize; 3],
     layer: usize,
-    /// What is done next in the layer.
+    /// The next step in the layer.
     part: Part,
-    /// Nothing is passed over.
+    /// Whether all blocks are computed, without any test.
     whole: bool,
-    /// Of two layers of nodes: the function there; where no block near is met by the surface, what a block has.
+    /// The function at two layers of nodes. In blocks that are not computed, nodes hold the value of their block.
     values: [Vec<f64>; 2],
-    /// Of each edge that begins in them its vertex.
+    /// For each edge that begins in these layers its vertex.
     edges: [Vec<u32>; 2],
-    /// Of each block of the row of blocks whether the surface may be in it.
+    /// For each block of the layer of blocks whether the surface may be in it.
     open: Vec<bool>,
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
@@ -85,7 +87,7 @@ impl March {
         self.origin + DVec3::new(x as f64, y as f64, z as f64) * self.step
     }
 
-    /// Works out a part of a layer of cubes; true when all are done.
+    /// Does one step of a layer; true when all layers are done.
     pub fn advance(&mut self, form: &dyn Form) -> bool {
         let is_first = self.layer.is_multiple_of(BLOCK);
         self.part = match self.part {
@@ -97,7 +99,7 @@ impl March {
             }
             Part::Below => {
                 if is_first {
-                    // What the row of blocks before had no need of, too.
+                    // Also nodes that the layer of blocks before did not need.
                     self.fill(form, 0, self.layer);
                 }
                 Part::Above
@@ -114,7 +116,7 @@ impl March {
         self.layer == self.cubes[2]
     }
 
-    /// The triangles of the layer.
+    /// Makes the triangles of the layer.
     fn cubes(&mut self) {
         let [nx, ny, _] = self.cubes;
         for y in 0..ny {
@@ -134,7 +136,7 @@ impl March {
         self.whole
     }
 
-    /// What has been made.
+    /// Takes the vertices and triangles.
     pub fn take(&mut self) -> (Vec<DVec3>, Vec<[u32; 3]>) {
         (
             std::mem::take(&mut self.positions),
@@ -157,7 +159,7 @@ impl March {
         }
     }
 
-    /// The function at the nodes of a layer that an open block has.
+    /// Computes the function at the nodes of a layer that belong to an open block.
     fn fill(&mut self, form: &dyn Form, side: usize, z: usize) {
         let [nx, ny, _] = self.cubes;
         let [bx, by] = [nx / BLOCK, ny / BLOCK];
@@ -190,13 +192,13 @@ impl March {
             return;
         }
         for (corners, right) in TETRAHEDRA {
-            // Those inside first; each exchange mirrors it.
+            // Sort inner corners first. Each exchange mirrors the tetrahedron.
             let mut order = corners;
             let mut right = right;
             let mut count = 0;
             for k in 0..4 {
                 if inside[order[k]] {
-                    // Every one that it passes is an exchange.
+                    // One exchange for every corner that it passes.
                     for j in (count..k).rev() {
                         order.swap(j, j + 1);
                         right = !right;
@@ -222,7 +224,7 @@ impl March {
         }
     }
 
-    /// The vertex on an edge of the cube at a place of the layer.
+    /// The vertex on an edge of a cube of the layer; made when it is first needed.
     fn vertex(&mut self, at: [usize; 2], values: &[f64; 8], from: usize, to: usize) -> u32 {
         let (low, high) = (from & to, from | to);
         let [x, y] = [at[0] + (low & 1), at[1] + (low >> 1 & 1)];

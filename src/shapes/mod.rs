@@ -1,11 +1,12 @@
-//! Surfaces by rule: fifteen shapes of three to five numbers each.
+//! Parametric surfaces: fifteen shapes with three to five numbers each.
 //!
-//! Closed ones are solid `form`s: functions that are negative inside. Their first triangles are `march`ed on a
-//! coarse grid, made even by `remesh`, and then divided and brought onto the form until their edges are as short as
-//! asked, so that the cost is in proportion to the triangles. Ground, stairs and cylinders are laid out row by row.
+//! Closed ones are solid `form`s: functions that are negative inside. Their first triangles come from `march` on a
+//! coarse grid, and `remesh` makes them even. Then they are divided and moved onto the form until their edges are as
+//! short as wanted, so the cost is proportional to the triangles. Ground, stairs and cylinders are laid out row by
+//! row.
 //!
-//! y is up; a shape stands on y = 0, with its middle over the origin, and its largest side is about 1. What runs along
-//! a shape runs along its bones ([`Bone`]), from head to tail.
+//! y is up. A shape stands on y = 0, with its middle over the origin, and its largest side is about 1. Directions
+//! follow its bones ([`Bone`]), from head to tail.
 
 mod bone;
 mod canal;
@@ -38,46 +39,46 @@ use crate::trimesh::Soup;
 use form::Form;
 use glam::DVec3;
 
-/// A surface by rule.
+/// A parametric surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// Hills, with a lane between them.
     Terrain,
-    /// Level ground, a slope, level ground.
+    /// Level ground, a slope, and level ground again.
     Slope,
     /// Steps up to a landing.
     Stairs,
-    /// A round wall, with its ends or without.
+    /// A round wall, with or without caps.
     Cylinder,
-    /// A ball, an ellipsoid, a round cube.
+    /// A ball, an ellipsoid, or a rounded cube.
     Sphere,
-    /// A ring, plain or in waves.
+    /// A torus, plain or with waves.
     Torus,
     /// A torus knot.
     Knot,
-    /// A spiral of growing radius with a closed tip.
+    /// A spiral horn of growing radius, with a closed tip.
     Horn,
-    /// A saurian's leg with toes.
+    /// A dinosaur's leg with toes.
     Leg,
-    /// Curled and tapered.
+    /// A curled, tapered tail.
     Tail,
     /// A fish with its fins.
     Fish,
     /// The shell of a turtle.
     Turtle,
-    /// Standing on its blunt end.
+    /// An egg on its blunt end.
     Egg,
-    /// With a neck, a lip, and an inside.
+    /// A vase with a neck, a lip, and an inside.
     Vase,
     /// A thick letter of the alphabet.
     Letter,
 }
 
-/// The shortest edges that are made, as a share of the diagonal.
+/// The shortest edges, as a share of the diagonal.
 const FINEST: f64 = 0.002;
 
 impl Shape {
-    /// All of them.
+    /// All shapes.
     pub const ALL: [Self; 15] = [
         Self::Terrain,
         Self::Slope,
@@ -96,15 +97,15 @@ impl Shape {
         Self::Letter,
     ];
 
-    /// Begins to make its triangles. Numbers are those of [`Self::numbers`], brought into their ranges; `edge` is the
-    /// wanted length of edges as a share of the diagonal of the box around the shape. Edges are shorter than that where
-    /// parts of the shape would be lost otherwise ([`Self::coarsest`]).
+    /// Starts to make the triangles. `numbers` are those of [`Self::numbers`]; they are clamped to their ranges.
+    /// `edge` is the wanted length of edges, as a share of the diagonal of the shape's bounding box. Edges are
+    /// shorter where parts of the shape would be lost otherwise ([`Self::coarsest`]).
     pub fn making(self, numbers: &[f64], edge: f64) -> ShapeMaking {
         let edge = if edge.is_finite() { edge } else { 1.0 };
         ShapeMaking::new(self, &self.fitted(numbers), edge.clamp(FINEST, 1.0))
     }
 
-    /// Its vertices and triangles, at once; see [`Self::making`].
+    /// The vertices and triangles, all at once; see [`Self::making`].
     pub fn build(self, numbers: &[f64], edge: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
         let mut making = self.making(numbers, edge);
         while !making.advance() {}
@@ -112,7 +113,7 @@ impl Shape {
         (made.positions, made.triangles)
     }
 
-    /// The longest edges, as a share of the diagonal, that still show all its parts.
+    /// The longest edges that still resolve all parts, as a share of the diagonal.
     pub fn coarsest(self, numbers: &[f64]) -> f64 {
         match solid(self, &self.fitted(numbers)) {
             Some(form) => {
@@ -123,8 +124,8 @@ impl Shape {
         }
     }
 
-    /// The lines that run through it from head to tail: down the leg and out along each toe, along the fish, up the
-    /// vase, along the strokes of the letter, along the lane. None where there is no such line, see [`Self::main`].
+    /// The bones, from head to tail: down the leg and out along each toe, along the fish, up the vase, along the
+    /// strokes of the letter, along the lane. Empty if the shape has none, see [`Self::main`].
     pub fn bones(self, numbers: &[f64]) -> Vec<Bone> {
         let numbers = self.fitted(numbers);
         match (solid(self, &numbers), self) {
@@ -135,7 +136,7 @@ impl Shape {
         }
     }
 
-    /// Unit vector of its main direction, from head to tail.
+    /// Unit vector of the main direction, from head to tail.
     pub fn main(self) -> DVec3 {
         match self {
             Self::Fish | Self::Turtle => DVec3::X,
@@ -145,16 +146,16 @@ impl Shape {
         }
     }
 
-    /// The height of the ground at a place, where the shape is ground: terrain.
+    /// The height of the ground at a place; only terrain has one.
     pub fn height(self, numbers: &[f64], x: f64, z: f64) -> Option<f64> {
         (self == Self::Terrain).then(|| terrain::Terrain::new(&self.fitted(numbers)).height(x, z))
     }
 }
 
-/// Edges of ground, stairs and cylinders are no longer.
+/// The longest edges of ground, stairs and cylinders.
 const PLAIN_COARSEST: f64 = 0.1;
 
-/// The solid form of a shape, of numbers in their ranges.
+/// The solid form of a shape, if it has one. `n` has to be within its ranges.
 fn solid(shape: Shape, n: &[f64]) -> Option<Box<dyn Form>> {
     Some(match shape {
         Shape::Terrain | Shape::Slope | Shape::Stairs | Shape::Cylinder => return None,

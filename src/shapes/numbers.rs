@@ -1,33 +1,33 @@
-//! The table of shapes: their words and their numbers.
+//! The table of shapes: their names and their numbers.
 
 use super::Shape;
 
-/// One of the numbers that a shape is made by.
+/// One of the numbers of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeNumber {
-    /// Its word, unlike those of the shape's other numbers.
+    /// Its key in links, unique within the shape.
     pub word: &'static str,
-    /// What it is called in English.
+    /// Its English label.
     pub label: &'static str,
-    /// The unit it is told in; empty where it has none.
+    /// Its unit; empty if it has none.
     pub unit: &'static str,
-    /// What it is where nothing else is said.
+    /// Its value when a link does not set it.
     pub default: f64,
-    /// The least that it may be.
+    /// Its least value.
     pub least: f64,
-    /// The most that it may be.
+    /// Its greatest value.
     pub most: f64,
-    /// A control goes in such steps; where it is whole, only whole numbers of steps from the least are taken.
+    /// The step of a control. For a count, only whole numbers of steps above the least value are valid.
     pub step: f64,
 }
 
 impl ShapeNumber {
-    /// Counts and choices: nothing between two steps.
+    /// Whether it is a count or a choice, with no value between two steps.
     pub const fn is_count(&self) -> bool {
         self.step >= 1.0 && self.unit.is_empty()
     }
 
-    /// The nearest that it may be; the default for what is no number.
+    /// The nearest valid value; the default for a number that is not finite.
     pub fn fitted(&self, number: f64) -> f64 {
         if !number.is_finite() {
             return self.default;
@@ -154,7 +154,7 @@ numbers! {
 }
 
 impl Shape {
-    /// Its word, its English name, and its three to five numbers.
+    /// The shape's key, its English label, and its three to five numbers.
     fn row(self) -> (&'static str, &'static str, &'static [ShapeNumber]) {
         match self {
             Self::Terrain => ("terrain", "Terrain", TERRAIN),
@@ -175,27 +175,27 @@ impl Shape {
         }
     }
 
-    /// The word that links have.
+    /// The shape's key in links.
     pub fn word(self) -> &'static str {
         self.row().0
     }
 
-    /// What it is called in English.
+    /// The shape's English label.
     pub fn label(self) -> &'static str {
         self.row().1
     }
 
-    /// The numbers that it is made by, three to five.
+    /// The shape's numbers, three to five.
     pub fn numbers(self) -> &'static [ShapeNumber] {
         self.row().2
     }
 
-    /// The shape of a word.
+    /// The shape with this key.
     pub fn of_word(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|shape| shape.word() == word)
     }
 
-    /// All its numbers, each as near to those given as it may be; where none is given, the default.
+    /// All numbers of the shape: the nearest valid values to those given, and defaults for the rest.
     pub fn fitted(self, given: &[f64]) -> Vec<f64> {
         let each = self.numbers().iter().enumerate();
         each.map(|(k, number)| number.fitted(given.get(k).copied().unwrap_or(number.default)))

@@ -1,25 +1,25 @@
-//! Triangles of one size (Botsch, Kobbelt 2004, A Remeshing Approach to Multiresolution Modeling): long edges are
-//! split, short ones collapsed, others flipped until about six meet at each vertex, and vertices slide over the form
-//! to the middle of their neighbours.
+//! Remeshing to triangles of one size (Botsch, Kobbelt 2004, A Remeshing Approach to Multiresolution Modeling). Long
+//! edges are split and short ones collapsed. Others are flipped until about six meet at each vertex. Vertices slide
+//! over the form to the middle of their neighbours.
 
 use super::form::{Form, near};
 use super::surgery::{Surgery, next};
 use glam::DVec3;
 use std::ops::Range;
 
-/// Longer and shorter edges than so many times the wanted one are split and collapsed.
+/// Edges are split above, and collapsed below, this many times the wanted length.
 const LONG: f64 = 4.0 / 3.0;
 const SHORT: f64 = 0.8;
-/// No vertex gets more edges from a collapse.
+/// The most edges at a vertex after a collapse.
 const MOST_EDGES: usize = 9;
-/// Normals of triangles may turn so far (cosine) when an edge is collapsed or flipped.
+/// The least cosine of the angle by which normals may turn when an edge is collapsed or flipped.
 const TURN: f64 = 0.5;
 
 fn normal(a: DVec3, b: DVec3, c: DVec3) -> DVec3 {
     (b - a).cross(c - a).normalize_or_zero()
 }
 
-/// Splits what is too long.
+/// Splits edges that are too long.
 pub(super) fn split(mesh: &mut Surgery, form: &dyn Form, edge: f64, edges: Range<u32>) {
     let limit = LONG * edge * LONG * edge;
     for h in edges {
@@ -30,7 +30,7 @@ pub(super) fn split(mesh: &mut Surgery, form: &dyn Form, edge: f64, edges: Range
     }
 }
 
-/// Collapses what is too short.
+/// Collapses edges that are too short.
 pub(super) fn collapse(mesh: &mut Surgery, form: &dyn Form, edge: f64, edges: Range<u32>) {
     let limit = SHORT * edge * SHORT * edge;
     for h in edges {
@@ -60,18 +60,18 @@ pub(super) fn collapse(mesh: &mut Surgery, form: &dyn Form, edge: f64, edges: Ra
     }
 }
 
-/// Does a flip keep both triangles on the surface?
+/// Whether both triangles stay on the surface after a flip.
 fn stays_on(mesh: &Surgery, h: u32) -> bool {
     let g = mesh.across(h);
     let [a, b, c, d] = [mesh.start(h), mesh.end(h), mesh.apex(h), mesh.apex(g)].map(|v| mesh.at(v));
     let old = [normal(a, b, c), normal(b, a, d)];
     let mean = (old[0] + old[1]).normalize_or_zero();
     let new = [normal(d, c, a), normal(c, d, b)];
-    // No flip turns a quadrilateral inside out, nor folds it more sharply.
+    // A flip must not turn a quadrilateral inside out, nor fold it more sharply.
     new.iter().all(|n| n.dot(mean) > TURN) && new[0].dot(new[1]) > old[0].dot(old[1]) - 0.2
 }
 
-/// Flips edges where the numbers of edges at their vertices come nearer to six.
+/// Flips edges if that brings the numbers of edges at their vertices closer to six.
 pub(super) fn even_out(mesh: &mut Surgery, edges: Range<u32>) {
     for h in edges {
         if !mesh.is_alive(h) || h > mesh.across(h) {
@@ -90,7 +90,7 @@ pub(super) fn even_out(mesh: &mut Surgery, edges: Range<u32>) {
     }
 }
 
-/// Flips edges that see more than half a turn from their two sides (Delaunay).
+/// Flips edges whose two opposite angles sum to more than half a turn (Delaunay).
 pub(super) fn make_delaunay(mesh: &mut Surgery, edges: Range<u32>) {
     for h in edges {
         if !mesh.is_alive(h) || h > mesh.across(h) {
@@ -107,7 +107,7 @@ pub(super) fn make_delaunay(mesh: &mut Surgery, edges: Range<u32>) {
     }
 }
 
-/// Where a vertex is to slide to: towards the middle of what is around it, weighted with the area there.
+/// The place to which a vertex slides: towards the middle of its neighbours, weighted with the areas there.
 pub(super) fn slid(mesh: &Surgery, form: &dyn Form, v: u32, share: f64, edge: f64) -> DVec3 {
     let p = mesh.at(v);
     let (mut sum, mut weight) = (DVec3::ZERO, 0.0);

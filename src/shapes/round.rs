@@ -12,7 +12,7 @@ pub(super) struct Ball {
 }
 
 impl Ball {
-    /// Of `[height, depth, square]`.
+    /// The ball for the numbers `[height, depth, square]`.
     pub fn new(n: &[f64]) -> Self {
         let half = DVec3::new(1.0, n[0], n[1]);
         Self {
@@ -74,12 +74,12 @@ pub(super) struct Egg {
     half: f64,
     radius: f64,
     point: f64,
-    /// How much is cut off below.
+    /// The height that is cut off at the bottom.
     base: f64,
 }
 
 impl Egg {
-    /// Of `[height, point, base]`.
+    /// The egg for the numbers `[height, point, base]`.
     pub fn new(n: &[f64]) -> Self {
         let scale = 1.0 / (n[0] * (1.0 - n[2])).max(1.0);
         Self {
@@ -94,7 +94,7 @@ impl Egg {
 impl Form for Egg {
     fn at(&self, p: Spot) -> Jet {
         let y = p.y - (self.half - self.base);
-        // Wider below, narrower above.
+        // Wider below the middle, narrower above.
         let narrower = (y * (self.point / self.half)).max(-0.9) + 1.0;
         let round = length(p.x, p.z) * narrower;
         let norm = length(round * (1.0 / self.radius), y * (1.0 / self.half));

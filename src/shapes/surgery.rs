@@ -1,6 +1,6 @@
 //! A closed triangle mesh whose edges can be split, collapsed and flipped.
 //!
-//! Half edge `3 t + k` goes from corner `k` of triangle `t` to the next one. Triangles that are no more begin at
+//! Half edge `3 t + k` goes from corner `k` of triangle `t` to the next one. In removed triangles it begins at
 //! [`NONE`].
 
 use crate::csr::Csr;
@@ -9,26 +9,26 @@ use glam::DVec3;
 
 pub(super) struct Surgery {
     pub positions: Vec<DVec3>,
-    /// Where each half edge begins.
+    /// The vertex where each half edge begins.
     pub from: Vec<u32>,
-    /// The half edge on the other side.
+    /// For each half edge the one on the other side.
     pub twin: Vec<u32>,
-    /// Of each vertex a half edge that begins there; none where the vertex is no more.
+    /// For each vertex a half edge that begins there; [`NONE`] for removed vertices.
     pub out: Vec<u32>,
 }
 
-/// The next half edge of its triangle.
+/// The next half edge in the same triangle.
 pub(super) fn next(h: u32) -> u32 {
     if h % 3 == 2 { h - 2 } else { h + 1 }
 }
 
-/// The one before it.
+/// The half edge before, in the same triangle.
 pub(super) fn before(h: u32) -> u32 {
     if h.is_multiple_of(3) { h + 2 } else { h - 1 }
 }
 
 impl Surgery {
-    /// Of triangles; nothing where they do not close, with each directed edge once.
+    /// Builds the mesh. Nothing if the triangles do not close, with each directed edge exactly once.
     pub fn new(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Option<Self> {
         let mut surgery = Self {
             out: vec![NONE; positions.len()],
@@ -36,7 +36,8 @@ impl Surgery {
             twin: vec![NONE; 3 * triangles.len()],
             positions,
         };
-        // By their smaller vertex first, counted: sorting all of them would take ten times as long.
+        // Group half edges by their smaller vertex first, by counting: sorting all of them would take ten times as
+        // long.
         let ends = |h: u32| {
             let (a, b) = (surgery.start(h), surgery.end(h));
             (a.min(b) as usize, a.max(b))
@@ -88,12 +89,12 @@ impl Surgery {
         self.twin[h as usize]
     }
 
-    /// The vertex of its triangle that a half edge does not touch.
+    /// The third vertex of the half edge's triangle.
     pub fn apex(&self, h: u32) -> u32 {
         self.from[before(h) as usize]
     }
 
-    /// From its start to its end.
+    /// The vector from its start to its end.
     pub fn vector(&self, h: u32) -> DVec3 {
         self.at(self.end(h)) - self.at(self.start(h))
     }
@@ -124,7 +125,7 @@ impl Surgery {
         self.out[from as usize] = h;
     }
 
-    /// Puts a new vertex on an edge; answers with it.
+    /// Splits an edge at a new vertex, and returns the vertex.
     pub fn split(&mut self, h: u32, p: DVec3) -> u32 {
         let g = self.across(h);
         let (hn, gp) = (next(h), before(g));
@@ -153,7 +154,7 @@ impl Surgery {
         m
     }
 
-    /// Can the start of an edge be put into its end without a fault of the mesh?
+    /// Whether the start of an edge can be merged into its end without breaking the mesh.
     pub fn can_collapse(&self, h: u32, most: usize) -> bool {
         let (a, b) = (self.start(h), self.end(h));
         let (c, d) = (self.apex(h), self.apex(self.across(h)));
@@ -168,7 +169,7 @@ impl Surgery {
         c != d && shared.count() == 2
     }
 
-    /// Puts the start of an edge into its end, which stays where it is. See [`Self::can_collapse`].
+    /// Merges the start of an edge into its end, which stays where it is. See [`Self::can_collapse`].
     pub fn collapse(&mut self, h: u32) {
         let g = self.across(h);
         let (a, b) = (self.start(h), self.end(h));
@@ -191,13 +192,13 @@ impl Surgery {
         self.out[d as usize] = u;
     }
 
-    /// Are the two vertices beside an edge joined already?
+    /// Whether the two vertices opposite an edge are not joined yet.
     pub fn can_flip(&self, h: u32) -> bool {
         let (c, d) = (self.apex(h), self.apex(self.across(h)));
         c != d && self.around(c).all(|e| self.end(e) != d)
     }
 
-    /// Joins the two vertices beside an edge instead of its own.
+    /// Replaces an edge by the one between the two vertices opposite it.
     pub fn flip(&mut self, h: u32) {
         let g = self.across(h);
         let (hn, hp, gn, gp) = (next(h), before(h), next(g), before(g));
@@ -215,7 +216,7 @@ impl Surgery {
         self.join(gp, x);
     }
 
-    /// Without what is no more.
+    /// A copy without removed triangles and vertices.
     pub fn compact(&self) -> Self {
         let numbers = |alive: &mut dyn Iterator<Item = bool>| {
             let mut count = 0;
@@ -239,7 +240,7 @@ impl Surgery {
         }
     }
 
-    /// The vertices and the triangles that there are.
+    /// The vertices and triangles.
     pub fn finish(self) -> (Vec<DVec3>, Vec<[u32; 3]>) {
         let compact = self.compact();
         let triangles = compact.from.chunks_exact(3).map(|t| [t[0], t[1], t[2]]);
@@ -247,7 +248,7 @@ impl Surgery {
         (compact.positions, triangles)
     }
 
-    /// Each triangle in four, with a vertex in the middle of each edge; no triangle may be gone.
+    /// Divides each triangle into four, with a vertex in the middle of each edge. No triangle may have been removed.
     pub fn divided(&self) -> Self {
         let mut positions = self.positions.clone();
         let mut middle = vec![NONE; self.from.len()];
@@ -260,7 +261,7 @@ impl Surgery {
                 middle[g as usize] = made;
             }
         }
-        // Of triangle t, 4 t + k is the part at corner k, and 4 t + 3 the one in the middle.
+        // The parts of triangle t: 4 t + k is at corner k, and 4 t + 3 in the middle.
         let count = 4 * self.from.len();
         let (mut from, mut twin) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for (t, (v, m)) in self

@@ -8,32 +8,32 @@ use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 pub(super) struct Terrain {
-    /// Which way each wave goes, how far a whole turn is, its phase and its height.
+    /// Each wave as its vector, its phase and its height.
     waves: Vec<(DVec2, f64, f64)>,
     height: f64,
     lane: f64,
     wind: f64,
     phase: f64,
-    /// What is taken off all heights.
+    /// The height of the lowest place, which is subtracted from all.
     low: f64,
 }
 
-/// Waves in all, those of half the length among them.
+/// How many waves there are, and how many of them have half the length.
 const WAVES: u64 = 18;
 const SHORT: u64 = 6;
-/// Steps of the grid on which the lowest place is looked for.
+/// Steps of the grid on which the lowest place is searched.
 const LOWEST: u32 = 40;
 /// Half the width of the lane.
 const LANE: f64 = 0.15;
 
 impl Terrain {
-    /// Of `[hills, height, lane, wind, hill]`.
+    /// The terrain for the numbers `[hills, height, lane, wind, hill]`.
     pub fn new(n: &[f64]) -> Self {
         let (hills, seed) = (n[0], n[4] as u64);
         let wave = |k: u64| {
             let mut random = Random::new(seed, Purpose::Ground, k);
             let is_short = k >= WAVES - SHORT;
-            // Directions spread evenly, each a little off.
+            // Directions are spread evenly, each a little off.
             let angle = TAU * (k as f64 * 0.381_966 + 0.1 * random.signed());
             let often = hills * (0.75 + 0.35 * random.unit()) * if is_short { 1.9 } else { 1.0 };
             let way = DVec2::new(libm::cos(angle), libm::sin(angle)) * (TAU * often * 0.5);
@@ -52,26 +52,26 @@ impl Terrain {
             wind: n[3],
             phase: Random::new(seed, Purpose::Ground, WAVES).unit() * TAU,
         };
-        // The lowest place of a grid that is fine enough to come near it.
+        // The grid is fine enough to come near the lowest place.
         let side = || (0..=LOWEST).map(|k| f64::from(k) / f64::from(LOWEST) - 0.5);
         let heights = side().flat_map(|z| side().map(move |x| (x, z)));
         terrain.low = heights.fold(f64::INFINITY, |low, (x, z)| low.min(terrain.height(x, z)));
         terrain
     }
 
-    /// The middle of the lane.
+    /// The x of the lane's middle.
     fn lane(&self, z: f64) -> f64 {
         0.22 * self.wind * libm::sin(5.2 * z + self.phase)
     }
 
-    /// The height at a place of the square of the side 1 around the origin.
+    /// The height at a place of the square with side 1 around the origin.
     pub fn height(&self, x: f64, z: f64) -> f64 {
         let p = DVec2::new(x, z);
         let each = self.waves.iter();
         let sum: f64 = each
             .map(|&(way, phase, height)| height * libm::cos(way.dot(p) + phase))
             .sum();
-        // Never far below nothing: valleys have flat ground.
+        // Limit depths, so that valleys have flat ground.
         let lifted = sum + 1.2;
         let hill = 0.5 * (lifted + (lifted * lifted + 0.25).sqrt());
         let off = (x - self.lane(z)) / LANE;
@@ -102,7 +102,7 @@ impl Terrain {
 
     pub fn build(&self, edge: f64) -> Soup {
         let diagonal = (2.0 + 4.0 * self.height * self.height).sqrt();
-        // What goes up and down is longer.
+        // Hilly ground is longer than its plan.
         let steep = 1.0 + 0.3 * (self.height * 8.0).min(0.5);
         let count = (steep / (edge * diagonal)).round().max(2.0) as usize;
         let side = |k: usize| k as f64 / count as f64 - 0.5;

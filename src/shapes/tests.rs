@@ -2,10 +2,11 @@ use super::*;
 use crate::random::{Purpose, Random};
 use crate::trimesh::TriMesh;
 
-/// The edge that shapes are tried with, as a share of the diagonal; finer where the shape wants it.
+/// The length of edges in these tests, as a share of the diagonal; shorter if the shape needs it.
 const EDGE: f64 = 0.02;
 
-/// Defaults, all at their least and at their most, each alone at one end of its range, and by chance.
+/// Sets of numbers: the defaults, all at their least and at their greatest, each alone at either end of its range,
+/// and random ones.
 fn cases(shape: Shape) -> Vec<Vec<f64>> {
     let numbers = shape.numbers();
     let defaults: Vec<f64> = numbers.iter().map(|n| n.default).collect();
@@ -50,7 +51,7 @@ fn wanted(shape: Shape, numbers: &[f64]) -> (i64, usize) {
     }
 }
 
-/// Edges as parts of the wanted one, and the share of triangles with an angle under 15 degrees.
+/// The shortest and the longest edge in wanted lengths, and the share of triangles with an angle under 15 degrees.
 fn measure(mesh: &TriMesh, edge: f64) -> (f64, f64, f64) {
     let (mut least, mut most, mut sharp) = (f64::INFINITY, 0.0_f64, 0);
     for t in 0..mesh.triangles().len() as u32 {
@@ -197,7 +198,7 @@ fn bones_run_within_their_shapes() {
                 bone.points.len() > 1 && bone.points.len() == bone.radii.len(),
                 "{said}"
             );
-            // The skin is near the middle of each, at about the radius that it tells.
+            // The skin is near the middle of each bone, at about the bone's radius.
             let middle = bone.points.len() / 2;
             let (p, r) = (bone.points[middle], bone.radii[middle]);
             let near = positions

@@ -1,4 +1,4 @@
-//! The shell of a turtle: a dome with keels, a belly, and a rim that is raised over neck and tail.
+//! The shell of a turtle: a dome with keels, a belly, and a rim that rises over neck and tail.
 
 use super::bone::Bone;
 use super::form::Form;
@@ -14,13 +14,13 @@ pub(super) struct Turtle {
     keel: f64,
 }
 
-/// The head is at -x.
+/// Half the length; the head is at -x.
 const HALF: f64 = 0.44;
-/// Less than the belly's depth.
+/// A depth below that of the belly, at which distances are cut off.
 const DEEP: f64 = 0.05;
 
 impl Turtle {
-    /// Of `[width, height, rim, keel]`.
+    /// The turtle for the numbers `[width, height, rim, keel]`.
     pub fn new(n: &[f64]) -> Self {
         Self {
             half: HALF,
@@ -33,7 +33,8 @@ impl Turtle {
     }
 }
 
-/// About the distance to an ellipse or ellipsoid, of point over radius and of point over squared radius.
+/// About the distance to an ellipse or ellipsoid. `over` is the length of the point over the radii, `over_square`
+/// that over the squared radii.
 fn ellipsoid(over: Jet, over_square: Jet) -> Jet {
     over * (over - 1.0) * over_square.max(1e-6).inverse()
 }
@@ -41,14 +42,14 @@ fn ellipsoid(over: Jet, over_square: Jet) -> Jet {
 impl Form for Turtle {
     fn at(&self, p: Spot) -> Jet {
         let y = p.y - self.belly;
-        // Narrower where the head is.
+        // Narrower at the head.
         let along = p.x * (1.0 / self.half);
         let z = p.z * (along * 0.1 - along.squared() * 0.03 + 1.0).inverse();
         let (a, b) = (self.half, self.width);
         let (u, v) = (p.x * (1.0 / a), z * (1.0 / b));
         let plan = length(u, v);
         let plan_square = length(u * (1.0 / a), v * (1.0 / b));
-        // The dome, with three keels, and the belly below.
+        // The dome with three keels, and the belly below.
         let keels =
             (v * 7.0).bell() + ((v - 0.45) * 8.0).bell() * 0.6 + ((v + 0.45) * 8.0).bell() * 0.6;
         let ridge = keels * (0.14 * self.keel) + 1.0;
@@ -62,12 +63,12 @@ impl Form for Turtle {
             false => y * (1.0 / h),
         };
         let dome = ellipsoid(length(plan, level), length(plan_square, level * (1.0 / h)));
-        // The rim: an ellipse around, raised over the neck and a little over the tail.
+        // The rim: an ellipse all around, raised over the neck and a little over the tail.
         let raised = ((along + 1.0) * 2.2).bell() * 0.05 + ((along - 1.0) * 2.6).bell() * 0.02;
         let out = ellipsoid(plan, plan_square);
         let up = y - raised - 0.004;
         let rim = length(out - 0.3 * self.rim, (up - out * 0.25) * 1.45) - self.rim;
-        // Deep inside it is of no use, and steep.
+        // The distance deep inside is useless, and steep.
         dome.max(-DEEP).join(rim, 0.08)
     }
 

@@ -1,4 +1,4 @@
-//! A vase: a wall turned about an upright axis, with a foot, a belly, a neck, a lip and an inside.
+//! A vase: a solid of revolution with a foot, a belly, a neck, a lip and an inside.
 
 use super::bone::Bone;
 use super::canal::hermite;
@@ -7,7 +7,7 @@ use super::jet::{Jet, Spot, length};
 use glam::{DVec2, DVec3};
 
 pub(super) struct Vase {
-    /// The outside from the foot to the lip and on straight up: distance from the axis and height.
+    /// The outside profile from the foot to the lip and straight up beyond it: distance from the axis, and height.
     profile: Vec<DVec2>,
     height: f64,
     wall: f64,
@@ -19,14 +19,14 @@ pub(super) struct Vase {
 const SAMPLES: usize = 40;
 
 impl Vase {
-    /// Of `[height, shoulder, neck, lip, hollow]`.
+    /// The vase for the numbers `[height, shoulder, neck, lip, hollow]`.
     pub fn new(n: &[f64]) -> Self {
         let scale = 1.0 / n[0].max(1.0);
         let (height, widest) = (n[0] * scale, 0.5 * scale);
         let neck = n[2] * widest;
         let (lip, foot) = ((neck * n[3]).min(widest), 0.56 * widest);
         let shoulder = n[1];
-        // Share of the height, distance from the axis, and how that changes.
+        // Share of the height, distance from the axis, and its derivative.
         let up = 1.0 - shoulder;
         let knots = [
             (-0.1, foot * 0.94, 0.2 * widest),
@@ -69,7 +69,7 @@ impl Vase {
             }
             best.0
         };
-        // Heights only rise along it: from the piece at the point's own height on, up and down.
+        // Heights only rise along the profile: search up and down from the piece at the point's own height.
         let last = self.profile.len() - 2;
         let at = self
             .profile

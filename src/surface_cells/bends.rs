@@ -1,7 +1,7 @@
-//! Where the rim of a thin sheet turns between two cells.
+//! Corners where the rim of a thin sheet turns between two cells.
 //!
-//! Cells on the two sides of a sheet meet along its rim. Around a corner of the rim one of them has the other along both of
-//! its sides: there the line between the two needs a corner that is no middle of an element.
+//! Cells on the two sides of a sheet meet along its rim. Around a corner of the rim, one cell has the other along two
+//! of its sides: there the line between the two needs a corner that is not the middle of an element.
 
 use super::middles::foot;
 use crate::mesh::quads::Faces;
@@ -9,19 +9,19 @@ use crate::order;
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::{NONE, SurfacePoint, TriMesh};
 
-/// Cells whose normals are this far apart (their dot product) are on different sides of a sheet.
+/// Cells are on different sides of a sheet if the dot product of their normals is less than this.
 const OTHER_SIDE: f64 = -0.5;
-/// The rim turns where it faces this far apart at two places (their dot product) ...
+/// The rim turns if the dot product of its directions at two places is less than this ...
 const TURNS: f64 = 0.8;
-/// ... and not right back.
+/// ... and at least this: it does not turn right back.
 const BACK: f64 = -0.9;
 
-/// Corners of the table, by the two elements between which they are.
+/// Corners in the table, by the pair of elements that they lie between; sorted.
 #[derive(Default)]
 pub(super) struct Bends(Vec<(u64, u32)>);
 
 impl Bends {
-    /// Of these elements; the corners go behind those in the table.
+    /// Finds the bends between neighbouring elements; their corners are appended to the table.
     pub fn new(
         mesh: &TriMesh,
         cells: &[SurfaceParticle],
@@ -49,7 +49,7 @@ impl Bends {
         Self(all)
     }
 
-    /// The corner between two elements.
+    /// The corner in the table between two elements.
     pub fn between(&self, f: u32, g: u32) -> Option<u32> {
         let key = order::pair(f.min(g), f.max(g));
         let place = self.0.binary_search_by_key(&key, |b| b.0).ok()?;
@@ -57,7 +57,7 @@ impl Bends {
     }
 }
 
-/// Where what is straight about two places of a rim meets.
+/// The point where the straight lines through two places of a rim meet, brought onto the surface.
 fn bend(
     mesh: &TriMesh,
     [a, b]: [&SurfaceParticle; 2],

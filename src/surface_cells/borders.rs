@@ -1,4 +1,4 @@
-//! The border of the domain, and where cells meet on it.
+//! The borders of the domain, and the points where cells meet on them.
 
 use crate::cells::CORNER;
 use crate::order::lesser;
@@ -6,41 +6,41 @@ use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::{NONE, SurfacePoint, TriMesh};
 use glam::DVec3;
 
-/// A cell's part of the border is told within this share of its size.
+/// The tolerance of the polyline for a cell's part of the border, in sizes of the cell.
 const NEAR: f64 = 0.02;
-/// Cells that meet nearer than this to a corner, in sizes, meet at it.
+/// Cells that would meet within this distance of a corner, in sizes, meet at the corner.
 const AT_CORNER: f64 = 0.1;
-/// The search for the nearest place of the border ends where it is so much farther, in sizes.
+/// The search for the nearest place of the border ends where the distance exceeds the least one by this, in sizes.
 const AWAY: f64 = 0.25;
 
-/// One closed line of the border, the surface on its left seen from outside.
+/// One closed border. Seen from outside, the surface lies on its left.
 pub(super) struct Border {
     vertices: Vec<u32>,
     points: Vec<DVec3>,
-    /// The triangle's edge that begins at each vertex.
+    /// The edge of a triangle that begins at each vertex.
     halves: Vec<(u32, usize)>,
-    /// How far along each vertex is; the whole length last.
+    /// The length along the border up to each vertex; the whole length last.
     along: Vec<f64>,
-    /// How far along its corners are.
+    /// The length along the border up to each corner.
     corners: Vec<f64>,
 }
 
-/// Where the border goes from one cell to another.
+/// A point of the border where one cell ends and another begins.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Crossing {
-    /// The border that it is on.
+    /// The number of its border.
     pub border: u32,
-    /// How far along.
+    /// The length along the border up to it.
     pub at: f64,
-    /// The cells before and behind.
+    /// The cells before and after it.
     pub from: u32,
     pub to: u32,
-    /// The next crossing on this border.
+    /// The next crossing on the same border.
     pub next: u32,
 }
 
 impl Border {
-    /// All of a domain.
+    /// All borders of a domain.
     pub fn all(mesh: &TriMesh) -> Vec<Self> {
         let borders = mesh.borders();
         borders.into_iter().map(|b| Self::new(mesh, b)).collect()
@@ -79,14 +79,14 @@ impl Border {
         self.along[self.count()]
     }
 
-    /// A place along it, from 0 to its length.
+    /// A length along the border, wrapped to 0 .. its whole length.
     fn within(&self, at: f64) -> f64 {
         let length = self.length();
         let at = at - length * (at / length).floor();
         if at < length { at } else { 0.0 }
     }
 
-    /// The point so far along.
+    /// The point at a length along the border.
     pub fn point(&self, mesh: &TriMesh, at: f64) -> SurfacePoint {
         let at = self.within(at);
         let k = self.along[1..].partition_point(|&end| end <= at);
@@ -103,7 +103,7 @@ impl Border {
         SurfacePoint::new(mesh, t, weights)
     }
 
-    /// The cell that has all of it, where one has.
+    /// The cell that has the whole border, if one has.
     pub fn only(&self, label: &[u32]) -> Option<u32> {
         let first = label[self.vertices[0] as usize];
         let same = |&v: &u32| label[v as usize] == first;
@@ -120,14 +120,15 @@ impl Border {
         before.dot(self.heading(k)) < CORNER
     }
 
-    /// The place nearest to a point around a place, not beyond two others.
+    /// The place nearest to a point, searched both ways from `from` and between `lo` and `hi`; all as lengths along
+    /// the border.
     fn nearest(&self, p: DVec3, from: f64, [lo, hi]: [f64; 2], size: f64) -> f64 {
         let (length, count) = (self.length(), self.count());
         let mut best = (f64::INFINITY, from);
         for ahead in [true, false] {
             let start = self.along[1..].partition_point(|&end| end <= self.within(from));
             let mut k = start.min(count - 1);
-            // What has been gone round.
+            // The length of the whole turns made so far.
             let mut turns = ((from - self.along[k]) / length).round() * length;
             for _ in 0..count {
                 let (a, b) = (self.points[k], self.points[(k + 1) % count]);
@@ -160,7 +161,8 @@ impl Border {
         best.1
     }
 
-    /// The vertices that tell the way from one place to another, in order; the whole round where the two are the same.
+    /// The vertices of a polyline for the border from one place to another, in order; the whole round if the two are
+    /// equal.
     pub fn between(&self, from: f64, to: f64, size: f64) -> Vec<usize> {
         let (length, count) = (self.length(), self.count());
         let from = self.within(from);
@@ -169,7 +171,7 @@ impl Border {
             to += length;
         }
         let first = self.along[..count].partition_point(|&s| s <= from);
-        // The two ends, and what lies between them.
+        // The line: both ends, and all vertices between them.
         let place = |at: f64| {
             let at = self.within(at);
             let k = self.along[1..]
@@ -188,7 +190,7 @@ impl Border {
         line.push((place(to), usize::MAX));
         let mut kept = vec![false; line.len()];
         let near = NEAR * size;
-        // Its corners first, then what is between them (Douglas, Peucker 1973).
+        // Keep the corners first, then what the tolerance needs between them (Douglas, Peucker 1973).
         let mut last = 0;
         for k in 1..line.len() {
             let is_end = k + 1 == line.len();
@@ -202,19 +204,19 @@ impl Border {
         kept.map(|k| line[k].1).collect()
     }
 
-    /// The unit vector along it at a place.
+    /// The unit vector along the border at a place.
     pub fn heading_at(&self, at: f64) -> DVec3 {
         let at = self.within(at);
         let k = self.along[1..].partition_point(|&end| end <= at);
         self.heading(k.min(self.count() - 1))
     }
 
-    /// The vertex's point.
+    /// The point of a vertex.
     pub fn corner(&self, mesh: &TriMesh, k: usize) -> SurfacePoint {
         self.on_edge(mesh, k, 0.0)
     }
 
-    /// The corner of the border that is nearest along it, if it is near.
+    /// The nearest corner of the border within `near` along it.
     fn corner_near(&self, at: f64, near: f64) -> Option<f64> {
         let (length, here) = (self.length(), self.within(at));
         let after = self.corners.partition_point(|&s| s < here);
@@ -232,7 +234,7 @@ impl Border {
     }
 }
 
-/// Keeps the point farthest from the line between two others, if it is far, and so on beside it.
+/// Keeps the point farthest from the chord, if it is farther than the tolerance, and repeats on both sides of it.
 fn thin(line: &[(DVec3, usize)], a: usize, b: usize, near: f64, kept: &mut [bool]) {
     let mut open = vec![(a, b)];
     while let Some((a, b)) = open.pop() {
@@ -253,7 +255,7 @@ fn thin(line: &[(DVec3, usize)], a: usize, b: usize, near: f64, kept: &mut [bool
     }
 }
 
-/// Where cells meet on the borders, in order.
+/// The points where cells meet on the borders, in order.
 pub(super) fn crossings(
     borders: &[Border],
     label: &[u32],
@@ -282,8 +284,8 @@ pub(super) fn crossings(
     all
 }
 
-/// Moves crossings to the foot of the middle between the two cells, not beyond the middle of what each has of the
-/// border.
+/// Moves each crossing to the foot of the middle between its two cells, but not beyond the middles of these cells'
+/// parts of the border.
 fn snap(border: &Border, own: &mut [Crossing], cells: &[SurfaceParticle]) {
     let (n, length) = (own.len(), border.length());
     let raw: Vec<f64> = own.iter().map(|c| c.at).collect();

@@ -23,6 +23,6 @@ pub struct SurfaceCell {
     pub ring: Vec<DVec3>,
     /// The unit normals of the surface at the corners.
     pub normals: Vec<DVec3>,
-    /// Its ring runs along a border of the surface.
+    /// Whether its ring runs along a border of the surface.
     pub on_border: bool,
 }

@@ -1,39 +1,39 @@
-//! The domain's triangles, divided where cells stand in them.
+//! The domain's triangles, divided at the centres of cells.
 //!
-//! Each cell's centre is a vertex of its own here: so every cell has at least this one, however coarse the domain is.
+//! Each cell's centre is a vertex here. So every cell has at least this one, however coarse the domain is.
 
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::{NONE, SurfacePoint, TriMesh};
 use glam::DVec3;
 
-/// Triangles that are copied in one slice of the work.
+/// Triangles to copy in a slice.
 const TRIANGLES: usize = 100_000;
-/// Cells that are put in.
+/// Cells to insert in a slice.
 const CELLS: usize = 20_000;
 
-/// The triangles. The domain's vertices come first, then the cells' centres, in their order.
+/// The divided triangles. The domain's vertices come first, then the cells' centres, in the order of the cells.
 pub(super) struct Divided {
     pub triangles: Vec<[u32; 3]>,
-    /// The triangle beyond the edge from each corner to the next.
+    /// For each triangle, the neighbours over the edges from each corner to the next.
     pub across: Vec<[u32; 3]>,
-    /// The vertices of the domain.
+    /// How many vertices the domain has.
     pub vertices: usize,
-    /// The triangles of the domain.
+    /// How many triangles the domain has.
     whole: usize,
-    /// Of each triangle behind those, the one that it is a piece of.
+    /// For each triangle after those, the one that it is a piece of.
     home: Vec<u32>,
-    /// Cells by the triangle that they stand in.
+    /// Cells sorted by the triangle that they lie in.
     order: Vec<u32>,
     put: usize,
-    /// The triangles that the one at work has become.
+    /// The pieces of the triangle that is being divided.
     pieces: Vec<u32>,
-    /// The neighbours of each vertex, those of one behind those of the one before.
+    /// The neighbours of all vertices, one list after the other.
     start: Vec<u32>,
     near: Vec<u32>,
     next: Next,
 }
 
-/// What the next slice does.
+/// The next slice of work.
 enum Next {
     Copy,
     Put,
@@ -43,7 +43,7 @@ enum Next {
 }
 
 impl Divided {
-    /// Of a domain and cells in it, nothing done yet.
+    /// Starts with a domain and the cells on it.
     pub fn new(mesh: &TriMesh, cells: &[SurfaceParticle]) -> Self {
         let mut order: Vec<u32> = (0..cells.len() as u32).collect();
         order.sort_unstable_by_key(|&c| (cells[c as usize].centre.triangle, c));
@@ -63,7 +63,7 @@ impl Divided {
         }
     }
 
-    /// One slice of the work; true with the last one.
+    /// Does one more slice; true when done.
     pub fn advance(&mut self, mesh: &TriMesh, cells: &[SurfaceParticle]) -> bool {
         self.next = match self.next {
             Next::Copy => {
@@ -100,7 +100,7 @@ impl Divided {
                 if to < self.triangles.len() {
                     Next::Fill(to)
                 } else {
-                    // What was moved on as places were taken.
+                    // Filling has moved each start to its end: move them back by one place.
                     self.start.rotate_right(1);
                     self.start[0] = 0;
                     Next::Nothing
@@ -111,13 +111,13 @@ impl Divided {
         matches!(self.next, Next::Nothing)
     }
 
-    /// The vertices that an edge joins with this one.
+    /// The vertices joined with this one by an edge.
     pub fn near(&self, vertex: u32) -> &[u32] {
         let v = vertex as usize;
         &self.near[self.start[v] as usize..self.start[v + 1] as usize]
     }
 
-    /// Which edge of `u` is the one from `a` to `b`.
+    /// The number of the edge of `u` that goes from `a` to `b`.
     pub fn edge(&self, u: u32, a: u32, b: u32) -> usize {
         let corners = &self.triangles[u as usize];
         (0..3)
@@ -125,7 +125,7 @@ impl Divided {
             .unwrap_or(0)
     }
 
-    /// Divides the triangle that the next cell stands in into three.
+    /// Divides the triangle in which the next cell lies into three.
     fn put_next(&mut self, mesh: &TriMesh, cells: &[SurfaceParticle]) {
         let cell = self.order[self.put];
         let home = cells[cell as usize].centre.triangle;
@@ -173,7 +173,7 @@ impl Divided {
         })
     }
 
-    /// The piece that a point lies in.
+    /// The piece of the current triangle in which a point lies.
     fn piece_at(&self, mesh: &TriMesh, cells: &[SurfaceParticle], p: DVec3) -> u32 {
         let mut best = (self.pieces[0], f64::NEG_INFINITY);
         if self.pieces.len() == 1 {
@@ -192,7 +192,8 @@ impl Divided {
         best.0
     }
 
-    /// Each neighbour is the next corner in one triangle, but for the last one along a border.
+    /// Calls `each` for the pairs of neighbours in a triangle. Each neighbour is the next corner in exactly one
+    /// triangle, but for the last one along a border.
     fn each_near(&self, t: usize, mut each: impl FnMut(u32, u32)) {
         let corners = self.triangles[t];
         for k in 0..3 {

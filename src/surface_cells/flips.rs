@@ -1,30 +1,30 @@
 //! Delaunay flips on a surface.
 //!
-//! A side is flipped where the other one is better in the plane and the metric of the four nodes at it, which depend on
-//! nothing but these four: so flips do not go in circles.
+//! A side is flipped if the other diagonal is better in the plane and the metric of its four nodes. These depend on
+//! the four nodes alone, so flips cannot run in circles.
 
 use super::nodes::SurfaceNodes;
 use crate::mesh::Nodes;
 use crate::mesh::triangles::{MOST_FLIPS, Triangles, wants_flip};
 use crate::trimesh::NONE;
 
-/// Sides that are looked at in one slice of the work.
+/// Sides to look at in a slice.
 const SIDES: usize = 8000;
-/// The fewest sides at an inner node.
+/// The fewest sides that an inner node keeps.
 const FEWEST: u32 = 3;
 
-/// Flips in the making.
+/// Flips that are under way.
 pub(super) struct Flips {
-    /// Sides to look at: a triangle and the corner opposite.
+    /// Sides still to look at: a triangle, and the corner opposite the side.
     open: Vec<[u32; 2]>,
     left: usize,
-    /// Sides at each node.
+    /// The number of sides at each node.
     valence: Vec<u32>,
     is_inner: Vec<bool>,
 }
 
 impl Flips {
-    /// Of these triangles, none flipped yet.
+    /// Starts with these triangles; nothing is flipped yet.
     pub fn new(nodes: &SurfaceNodes, triangles: &Triangles) -> Self {
         let mut flips = Self {
             open: Vec::with_capacity(2 * triangles.nodes.len()),
@@ -48,7 +48,7 @@ impl Flips {
         flips
     }
 
-    /// One slice of the work; true with the last one.
+    /// Does one more slice; true when done.
     pub fn advance(&mut self, nodes: &SurfaceNodes, triangles: &mut Triangles) -> bool {
         for _ in 0..SIDES {
             let Some([t, k]) = self.open.pop() else {
@@ -69,7 +69,8 @@ impl Flips {
             return;
         };
         let d = triangles.nodes[u as usize][j];
-        // A node between just two others is of no use as one.
+        // A flip gives a further side to an inner node with fewer than three. It takes none from a node that has only
+        // three.
         let is_lens = [c, d].iter().any(|&k| self.is_lens(k));
         let is_spare = |k: u32| !self.is_inner[k as usize] || self.valence[k as usize] > FEWEST;
         if c == d
@@ -91,7 +92,7 @@ impl Flips {
         self.open.extend([[t, 0], [t, 2], [u, 0], [u, 2]]);
     }
 
-    /// Is this an inner node with two sides?
+    /// Whether this is an inner node with fewer than three sides.
     pub fn is_lens(&self, node: u32) -> bool {
         self.is_inner[node as usize] && self.valence[node as usize] < FEWEST
     }
@@ -103,9 +104,9 @@ fn facing(triangles: &Triangles, u: u32, [from, to]: [u32; 2]) -> Option<usize> 
     (0..3).find(|&j| corners[(j + 1) % 3] == from && corners[(j + 2) % 3] == to)
 }
 
-/// Does a side join two nodes, of which the first is in one of two triangles?
+/// Whether a side joins `c`, a node of one of the two triangles, to `d`.
 fn is_joined(triangles: &Triangles, both: [u32; 2], c: u32, d: u32) -> bool {
-    // Around the node one way; then, if a border is met, the other.
+    // Go around the node one way and, if that ends at a border, the other way.
     for way in [1, 2] {
         let mut at = both[0];
         loop {
@@ -128,8 +129,9 @@ fn is_joined(triangles: &Triangles, both: [u32; 2], c: u32, d: u32) -> bool {
     false
 }
 
-/// Exchanges the side between `t` (opposite to its corner `k`) and `u` (to its corner `j`) for the other diagonal:
-/// `t` becomes (c, a, d), `u` (d, b, c). As in the plane, but where two triangles share two nodes more than once.
+/// Replaces the side between `t` (opposite its corner `k`) and `u` (opposite its corner `j`) by the other diagonal:
+/// `t` becomes (c, a, d), `u` (d, b, c). Unlike the flip in the plane, this one allows two triangles that share two
+/// nodes more than once.
 fn flip(triangles: &mut Triangles, [t, u]: [u32; 2], [k, j]: [usize; 2]) {
     let nodes = |t: u32, k: usize| triangles.nodes[t as usize][k % 3];
     let sides = |t: u32, k: usize| triangles.adjacent[t as usize][k % 3];

@@ -1,8 +1,8 @@
-//! Which cell each vertex of the domain belongs to.
+//! Assigns each vertex of the domain to a cell: a geodesic Voronoi diagram by flooding.
 //!
-//! Labels spread from the cells over the edges, the nearest first, by the distance that a cell itself sees a vertex at,
-//! in its own size and stretch: so each cell's region hangs together, and what one meets beyond a rim or through a
-//! thin sheet is not taken for near.
+//! Labels spread from the cells over the edges, the nearest first. The distance is that from the cell to the vertex
+//! in the cell's own metric, its size and stretch. So each cell's region is connected, and a vertex beyond a rim or a
+//! thin sheet does not count as near.
 
 use super::divided::Divided;
 use crate::order;
@@ -13,14 +13,14 @@ use glam::DVec3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Vertices that are asked for in one slice of the work.
+/// Vertices to visit in a slice.
 const ASKED: usize = 10_000;
 
-/// A cell as it measures distances.
+/// A cell with its metric.
 struct Source {
     frame: Frame,
     at: DVec3,
-    /// Of the frame's two axes, over the squared size.
+    /// Weights of the squares along the frame's two axes: stretch over squared size.
     along: f64,
     across: f64,
     size: f64,
@@ -41,7 +41,8 @@ impl Source {
         }
     }
 
-    /// The squared distance to a place, in its sizes.
+    /// The squared distance to a place in the cell's metric. Nothing if the place cannot be seen from the cell, see
+    /// [`crate::trimesh::way`].
     fn far(&self, at: DVec3, normal: DVec3) -> Option<f64> {
         if self.along == self.across {
             return Some(apart(self.at, self.frame.normal, at, normal)? * self.along);
@@ -51,19 +52,19 @@ impl Source {
     }
 }
 
-/// Labels that spread.
+/// Labels that are spreading.
 pub(super) struct Flood {
-    /// Of each vertex the cell that it belongs to.
+    /// For each vertex the cell that it belongs to.
     pub label: Vec<u32>,
     sources: Vec<Source>,
-    /// Squared distance, cell and vertex of what is asked for.
+    /// Candidates, the nearest first: squared distance, cell and vertex.
     open: BinaryHeap<Reverse<(u64, u64)>>,
-    /// The cells that have asked for a vertex last.
+    /// For each vertex the last two cells that are candidates for it.
     askers: Vec<[u32; 2]>,
 }
 
 impl Flood {
-    /// From these cells; in the divided domain each has the vertex that it stands on.
+    /// Starts at the vertices of the cells' centres in the divided domain.
     pub fn new(divided: &Divided, cells: &[SurfaceParticle]) -> Self {
         let count = divided.vertices + cells.len();
         let mut flood = Self {
@@ -79,7 +80,7 @@ impl Flood {
         flood
     }
 
-    /// One slice of the work; true with the last one.
+    /// Does one more slice; true when done.
     pub fn advance(&mut self, mesh: &TriMesh, divided: &Divided) -> bool {
         let mut left = ASKED;
         while left > 0 {
@@ -96,7 +97,7 @@ impl Flood {
         false
     }
 
-    /// Asks for the neighbours of a vertex; how many those are.
+    /// Adds the neighbours of a vertex as candidates; returns how many neighbours it has.
     fn ask(
         &mut self,
         mesh: &TriMesh,
@@ -111,14 +112,14 @@ impl Flood {
             if self.label[v] != NONE || self.askers[v].contains(&cell) {
                 continue;
             }
-            // Another cell's centre is its own.
+            // The centre of another cell belongs to that cell.
             if v >= divided.vertices {
                 continue;
             }
             self.askers[v] = [cell, self.askers[v][0]];
             let at = mesh.positions()[v];
             let far = source.far(at, mesh.normals()[v]).unwrap_or_else(|| {
-                // Beyond its sight: on from the one before.
+                // The vertex is out of sight: add the step from the last vertex to that one's distance.
                 let from = match (vertex as usize).checked_sub(divided.vertices) {
                     Some(own) => self.sources[own].at,
                     None => mesh.positions()[vertex as usize],

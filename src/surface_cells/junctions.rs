@@ -1,25 +1,25 @@
-//! Where three cells meet: the triangles between them.
+//! Finds where three cells meet, and makes the triangles between them.
 
 use super::divided::Divided;
 use crate::mesh::triangles::Triangles;
 use crate::trimesh::NONE;
 
-/// Triangles of the domain that are looked at in one slice of the work.
+/// Triangles of the domain to look at in a slice.
 const TRIANGLES: usize = 60_000;
-/// Sides that are followed.
+/// Sides to follow in a slice.
 const SIDES: usize = 6000;
 
-/// The triangles between cells in the making.
+/// The triangles between cells, while they are made.
 #[derive(Default)]
 pub(super) struct Junctions {
-    /// Triangles of the domain whose corners belong to three cells, rising.
+    /// Triangles of the domain whose corners belong to three different cells, in rising order.
     pub places: Vec<u32>,
     looked: usize,
     made: Triangles,
 }
 
 impl Junctions {
-    /// One slice of the work; the triangles with the last one.
+    /// Does one more slice; returns the triangles when all are made.
     pub fn advance(&mut self, divided: &Divided, label: &[u32]) -> Option<Triangles> {
         let labels = |t: u32| divided.triangles[t as usize].map(|v| label[v as usize]);
         let count = divided.triangles.len();
@@ -39,13 +39,13 @@ impl Junctions {
         let to = self.places.len().min(from + SIDES);
         for &place in &self.places[from..to] {
             let side = |k| self.follow(divided, &labels, place, k);
-            // The side that is opposite to each corner.
+            // Sides are stored by the corner opposite them.
             self.made.adjacent.push([side(1), side(2), side(0)]);
         }
         (to == self.places.len()).then(|| std::mem::take(&mut self.made))
     }
 
-    /// Goes along the line between the cells at an edge of a triangle, to the next triangle of three cells; nothing where
+    /// Follows the line between two cells from an edge of a triangle to the next triangle of three cells. Nothing if
     /// it ends at the border.
     fn follow(
         &self,

@@ -1,4 +1,4 @@
-//! From cells to their mesh and polygons, in slices.
+//! Makes the mesh and the polygons of cells, in slices.
 
 use super::SurfaceMesh;
 use super::bends::Bends;
@@ -19,32 +19,32 @@ use crate::order;
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::{NONE, SurfacePoint, TriMesh};
 
-/// Triangles whose pairs are looked at in one slice of the work.
+/// Triangles in a slice of the pairing.
 const PAIRS: usize = 4000;
-/// Work of a search, in corners of patches squared.
+/// Work of the search in a slice, in squares of patches' corners.
 const WORK: usize = 25_000;
-/// Places of meetings that are found.
+/// Places of meetings in a slice.
 const PLACES: usize = 6000;
-/// Middles that are found.
+/// Middles in a slice.
 const MIDDLES: usize = 1000;
-/// Rings.
+/// Rings in a slice.
 const RINGS: usize = 5000;
-/// The fewest corners that pairs leave to a cell: of three it would be a wedge ...
+/// The fewest corners that pairing leaves to a cell; with three it would be a wedge ...
 const CORNERS: u32 = 4;
-/// ... but where the two make nearly a rectangle: there three are as it should be.
+/// ... but a pair with a score above this is nearly a rectangle, and three are right there.
 const RECTANGLE: f64 = 0.9;
-/// The fewest sides that they leave at an inner node where the mesh counts.
+/// The fewest sides that pairing leaves at an inner node, if the mesh is what is wanted.
 const FEWEST: u32 = 3;
-/// Lone triangles are joined over the elements between them while they are more than this share of the elements ...
+/// Lone triangles are joined over the elements between them while their share of all elements is above this ...
 const FEW_TRIANGLES: f64 = 0.02;
-/// ... and as many as a ball's singular points more.
+/// ... plus a number for the singular points of a ball.
 const SINGULAR: f64 = 8.0;
 /// Nodes that are tried in one slice of a smoothing.
 const TRIED: usize = 600;
-/// Nodes that walk to where they have come in one slice of the work.
+/// Nodes to move in a slice.
 const WALKS: usize = 5000;
 
-/// The fewest corners that a pair of this score leaves.
+/// The fewest corners that a pair with this score leaves to a cell.
 fn corners(score: f64) -> u32 {
     if score > RECTANGLE { FEWEST } else { CORNERS }
 }
@@ -52,10 +52,10 @@ fn corners(score: f64) -> u32 {
 /// How cells are finished.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Polish {
-    /// The mesh is made for its own sake, of as few lone triangles as can be: those near each other become quadrilaterals
-    /// with the elements between them. The cells do not change.
+    /// Whether the mesh is made for its own sake, with few lone triangles: those near each other become
+    /// quadrilaterals with the elements between them. The cells do not change.
     pub join: bool,
-    /// Cells with four corners become more like rectangles.
+    /// Whether cells with four corners become more like rectangles.
     pub straighten: bool,
 }
 
@@ -68,13 +68,13 @@ impl Default for Polish {
     }
 }
 
-/// The cells' mesh and polygons in the making.
+/// Makes the mesh and the polygons of cells, in slices.
 pub struct SurfaceMeshing {
     made: SurfaceMesh,
     polish: Polish,
     nodes: SurfaceNodes,
     triangles: Triangles,
-    /// About where each of the triangles is.
+    /// The approximate place of each triangle.
     places: Vec<SurfacePoint>,
     faces: Faces,
     label: Vec<u32>,
@@ -85,7 +85,7 @@ pub struct SurfaceMeshing {
     step: Option<Step>,
 }
 
-/// How far the work is.
+/// The step of the work.
 enum Step {
     Begin,
     Divide(Divided),
@@ -93,14 +93,14 @@ enum Step {
     Junctions(Divided, Junctions),
     Places(Divided, Vec<u32>),
     Flips(Flips),
-    /// For cells.
+    /// Steps for the cells.
     Pairs(Pairing),
     Middles,
     Borders,
     Rings(usize),
     Shapes,
     Straighten(Straightening),
-    /// For the mesh.
+    /// Steps for the mesh.
     Mesh(Pairing),
     Join(usize, Search),
     Smooth(usize, Smoothing),
@@ -109,7 +109,7 @@ enum Step {
 }
 
 impl SurfaceMeshing {
-    /// Of cells that are placed on a mesh, in any order; nothing made yet.
+    /// Starts with cells that are placed on a mesh, in any order.
     pub fn new(mut cells: Vec<SurfaceParticle>, polish: Polish) -> Self {
         order::sort(&mut cells, |c| (c.id.into(), 0));
         Self {
@@ -131,7 +131,7 @@ impl SurfaceMeshing {
         }
     }
 
-    /// One slice of the work on the mesh it was begun with; what has been made with the last one.
+    /// Does one more slice, on the same mesh each time; returns the result when it is done.
     pub fn advance(&mut self, mesh: &TriMesh) -> Option<SurfaceMesh> {
         let step = self.step.take()?;
         let next = self.work(mesh, step);
@@ -188,7 +188,7 @@ impl SurfaceMeshing {
                 if !flips.advance(nodes, &mut self.triangles) {
                     return Step::Flips(flips);
                 }
-                // A flip leaves both triangles about where they were.
+                // After a flip both triangles are about where they were.
                 self.nodes.meetings.add(&self.triangles, &self.places);
                 Step::Pairs(Pairing::default())
             }
@@ -256,7 +256,7 @@ impl SurfaceMeshing {
         }
     }
 
-    /// Begins the next search that joins lone triangles, where there are too many yet.
+    /// Begins the next search that joins lone triangles, unless there are few enough.
     fn join(&mut self, number: usize) -> Step {
         let lone = self.faces.faces.iter();
         let lone = lone.filter(|f| is_lone(&self.nodes, f)).count();
@@ -279,7 +279,7 @@ impl SurfaceMeshing {
         }
     }
 
-    /// Which nodes may move: those inside.
+    /// Marks the nodes that may move: the inner ones.
     fn free(&self) -> Vec<bool> {
         let mut free = vec![true; self.nodes.points.len()];
         for (face, adjacent) in self.faces.faces.iter().zip(&self.faces.adjacent) {
@@ -292,7 +292,7 @@ impl SurfaceMeshing {
         free
     }
 
-    /// Goes on to the mesh.
+    /// The step after the cells: the mesh, if it is wanted.
     fn mesh(&self) -> Step {
         if self.polish.join {
             Step::Mesh(Pairing::default())

@@ -1,6 +1,6 @@
-//! Figures of cells on a surface.
+//! Figures for the quality of cells on a surface.
 //!
-//! All are pure functions of the mesh and the cells, worked out only when they are asked for.
+//! All are pure functions of the mesh and the cells, computed only on demand.
 
 use crate::order;
 use crate::surface_cells::SurfaceMesh;
@@ -10,44 +10,44 @@ use glam::{DVec2, DVec3};
 
 /// Samples for each cell.
 const SAMPLES: f64 = 40.0;
-/// Where samples lie in their triangles: the fractions of a sequence that fills the plane evenly (Roberts 2018).
+/// Strides of the low-discrepancy sequence by which samples lie in their triangles (Roberts 2018).
 const STRIDE: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_3];
 
-/// Normals this far apart (their dot product) are those of the two sides of a sheet.
+/// Normals belong to the two sides of a sheet if their dot product is less than this.
 const OTHER_SIDE: f64 = -0.2;
 
-/// How good cells on a surface are.
+/// Figures for the quality of cells on a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfaceMetrics {
-    /// Cells, and how many of them have a polygon.
+    /// How many cells there are.
     pub cells: usize,
-    /// Those that have one.
+    /// How many cells have a polygon.
     pub rings: usize,
-    /// Mean of the root of a polygon's area over the size it should have.
+    /// The mean ratio of the root of a polygon's area to the size that it should have.
     pub size: f64,
-    /// Standard deviation over mean of the same.
+    /// Standard deviation over mean of that ratio.
     pub size_cv: f64,
-    /// Mean angle, by length, of polygons' sides to their cells' axes, of cells with corners, 0..45 degrees. Sides along
-    /// the border are left out.
+    /// The mean angle of polygons' sides to their cells' axes, weighted by length, 0..45 degrees; for cells with
+    /// corners. Sides along the border are left out.
     pub angle: Option<f64>,
-    /// Share of quadrilaterals among the elements.
+    /// The share of quadrilaterals among the elements.
     pub quads: f64,
-    /// Share of inner nodes that have four sides where the cell has corners, six where it has none.
+    /// The share of regular inner nodes: with four sides for cells with corners, six for others.
     pub regular: Option<f64>,
-    /// Share of the surface that is in no polygon.
+    /// The share of the surface that no polygon covers.
     pub holes: f64,
-    /// Share of the surface that is in more than one.
+    /// The share of the surface that several polygons cover.
     pub overlaps: f64,
     /// The area of all polygons over that of the surface.
     pub area: f64,
     /// The Euler characteristic of the elements.
     pub euler: i64,
-    /// Directed sides of elements that are there more than once.
+    /// How many directed sides of elements occur more than once.
     pub doubled: usize,
 }
 
 impl SurfaceMetrics {
-    /// Measures what has been made of cells on a mesh.
+    /// Measures the cells made on a mesh.
     pub fn new(mesh: &TriMesh, made: &SurfaceMesh) -> Self {
         let (mut sizes, mut squares, mut area) = (0.0, 0.0, 0.0);
         let (mut angles, mut lengths) = (0.0, 0.0);
@@ -62,7 +62,7 @@ impl SurfaceMetrics {
             let size = own.max(0.0).sqrt() / cell.size;
             sizes += size;
             squares += size * size;
-            // Of one that is bent over a rim no angle is told.
+            // The angles of a polygon that is bent over a rim are left out.
             let flat = flattened(made, &cell.centre, ring).unwrap_or_default();
             for k in 0..flat.len() {
                 let next = (k + 1) % flat.len();
@@ -100,7 +100,7 @@ impl SurfaceMetrics {
     }
 }
 
-/// A polygon as its cell sees it.
+/// A polygon in the plane of its cell, by the logarithmic map.
 fn flattened(made: &SurfaceMesh, centre: &SurfacePoint, ring: &[u32]) -> Option<Vec<DVec2>> {
     let frame = centre.frame();
     let seen = |&k: &u32| {
@@ -111,7 +111,7 @@ fn flattened(made: &SurfaceMesh, centre: &SurfacePoint, ring: &[u32]) -> Option<
     (flat.len() >= 3).then_some(flat)
 }
 
-/// The area of the triangles about a cell's centre.
+/// The area of the triangles between a cell's centre and its polygon's sides.
 fn polygon_area(made: &SurfaceMesh, centre: &SurfacePoint, ring: &[u32]) -> f64 {
     let at = |k: usize| made.corners[ring[k % ring.len()] as usize];
     let triangles = (0..ring.len()).map(|k| {
@@ -123,7 +123,7 @@ fn polygon_area(made: &SurfaceMesh, centre: &SurfacePoint, ring: &[u32]) -> f64 
     triangles.sum()
 }
 
-/// The normal at a corner; where that is on the other side of a sheet, the centre's own.
+/// The normal at a corner, or the centre's own if the corner is on the other side of a sheet.
 fn faced(centre: &SurfacePoint, corner: &SurfacePoint) -> DVec3 {
     if corner.normal.dot(centre.normal) < OTHER_SIDE {
         centre.normal
@@ -132,9 +132,9 @@ fn faced(centre: &SurfacePoint, corner: &SurfacePoint) -> DVec3 {
     }
 }
 
-/// The sides of elements.
+/// The sides of all elements.
 struct Sides {
-    /// Sides at each node, and whether the mesh ends at it.
+    /// The number of sides at each node, and whether the node lies on the border.
     valence: Vec<u32>,
     is_border: Vec<bool>,
     count: usize,
@@ -189,7 +189,7 @@ impl Sides {
     }
 }
 
-/// Points all over the surface, as many in each part as its area asks for.
+/// Points all over the surface, spread by area.
 fn samples(mesh: &TriMesh, count: f64) -> Vec<SurfacePoint> {
     let mut made = Vec::new();
     let (mut due, mut number) = (0.5, 0.0);
@@ -208,7 +208,7 @@ fn samples(mesh: &TriMesh, count: f64) -> Vec<SurfacePoint> {
     made
 }
 
-/// The shares of the surface that are in no polygon, and in several.
+/// The shares of the surface that no polygon covers, and that several cover.
 fn cover(mesh: &TriMesh, made: &SurfaceMesh) -> (f64, f64) {
     let samples = samples(mesh, SAMPLES * made.cells.len() as f64);
     let beside = beside(made);
@@ -253,7 +253,7 @@ fn cover(mesh: &TriMesh, made: &SurfaceMesh) -> (f64, f64) {
     (share(&|t| t == 0), share(&|t| t > 1))
 }
 
-/// The polygon that has each side, by its two corners.
+/// The polygon of each side, by the side's two corners.
 fn beside(made: &SurfaceMesh) -> Vec<(u64, u32)> {
     let mut sides = Vec::new();
     for (cell, ring) in made.rings.iter().enumerate() {
@@ -266,14 +266,17 @@ fn beside(made: &SurfaceMesh) -> Vec<(u64, u32)> {
     sides
 }
 
-/// A polygon on the surface. What is on which hand of a side is seen along the mean normal of its ends, of the cells beside it
-/// and of what is seen: the same for both cells. (Along that of a rim alone, which is never quite upright, what is far
-/// down a side of the sheet would be beyond it.)
+/// A polygon on the surface, for tests whether it contains a point.
+///
+/// The test for the side of a line projects along a normal: the mean of those at its ends, of the cells beside it,
+/// and of the point. It is the same for both cells. (The normal of a rim alone is never quite upright: projected
+/// along it, a point far down one side of the sheet would lie beyond the rim.)
 struct Polygon {
     centre: SurfacePoint,
     frame: Frame,
     radius: f64,
-    /// The corners, and along what their spokes are seen, and the sides from each to the next.
+    /// For each corner: its place, the normal along which its spoke is projected, and that for the side to the next
+    /// corner.
     ring: Vec<[DVec3; 3]>,
 }
 
@@ -311,7 +314,8 @@ impl Polygon {
         {
             return false;
         }
-        // Triangles about the centre, those turned over against the others.
+        // Count the triangles around the centre that contain the point; triangles that are turned over count
+        // negative.
         let mut sum = 0;
         let spoke = |[at, along, _]: [DVec3; 3]| is_left([centre, at], along, p.at);
         let mut last = spoke(self.ring[0]);
@@ -330,7 +334,8 @@ impl Polygon {
     }
 }
 
-/// Is a point on the left of the line from one place to another, seen along a normal? Never on both sides of it, nor on none.
+/// Whether a point is on the left of the line from `a` to `b`, projected along a normal. For the reverse line the
+/// answer is always the opposite.
 fn is_left([a, b]: [DVec3; 2], normal: DVec3, p: DVec3) -> bool {
     let rank = |v: DVec3| [v.x, v.y, v.z].map(order::rank);
     let of = |a: DVec3, b: DVec3| (b - a).cross(p - a).dot(normal) >= 0.0;

@@ -10,46 +10,48 @@ use glam::DVec3;
 
 /// The most steps to the foot of a point.
 const STEPS: u32 = 6;
-/// A step shorter than this, in sizes, is none.
+/// A step shorter than this, in sizes, ends the search.
 const SHORT: f64 = 1e-6;
-/// The normals of cells around a rim add up to less than this, each counted as 1: they do not tell where out is.
+/// If the mean of the normals of an element's cells is shorter than this, the cells lie around a rim, and the mean
+/// does not point outwards.
 const OUTWARD: f64 = 0.55;
-/// Cells meet on a rim where the normal there leads so far out of their sheet; elsewhere one of them is folded over it.
+/// Cells meet on a rim if the tangential part of the rim's normal in their sheet is longer than this; if not, one of
+/// them is folded over the rim.
 const RIM: f64 = 0.5;
-/// A triangle that turns less than this (cosine) away from a direction faces it.
+/// A triangle faces a direction if the cosine between its normal and the direction is greater.
 const FACES: f64 = 0.7;
-/// The most triangles among which one is sought.
+/// The most triangles searched for one that faces a direction.
 const NEAREST: usize = 100;
-/// A surface is not steeper than this (cosine) against the mean normal of the cells on it.
+/// The search for a foot ends where the cosine between the surface's normal and the mean normal of the cells is less.
 const STEEP: f64 = 0.2;
 
-/// Where the flood's cells meet.
+/// The points where three cells meet, as the flood has found them.
 #[derive(Default)]
 pub(super) struct Meetings {
-    /// The three cells, rising, and the place.
+    /// The three cells, rising, and the point.
     all: Vec<([u32; 3], SurfacePoint)>,
 }
 
 impl Meetings {
-    /// Adds triangles between cells, and where each is.
+    /// Adds triangles between cells, and their places.
     pub fn add(&mut self, triangles: &Triangles, places: &[SurfacePoint]) {
         let named = triangles.nodes.iter().map(|&three| sorted(three));
         self.all.extend(named.zip(places.iter().copied()));
-        // Of one told twice the first counts.
+        // If three cells occur twice, keep the first place.
         order::sort(&mut self.all, |m| {
             (order::pair(m.0[0], m.0[1]), m.0[2].into())
         });
         self.all.dedup_by_key(|m| m.0);
     }
 
-    /// Where three cells meet.
+    /// The point where three cells meet.
     pub fn of(&self, three: [u32; 3]) -> Option<&SurfacePoint> {
         let three = sorted(three);
         let place = self.all.binary_search_by(|m| m.0.cmp(&three)).ok()?;
         Some(&self.all[place].1)
     }
 
-    /// The place and the normal of the rim where some meet, told by rising numbers.
+    /// The mean place and normal of the points of the rim where these cells meet. `cells` are in rising order.
     pub fn rim(&self, cells: &[u32]) -> Option<(DVec3, DVec3)> {
         let (mut at, mut normal, mut count) = (DVec3::ZERO, DVec3::ZERO, 0.0);
         for (k, &c) in cells.iter().enumerate() {
@@ -66,12 +68,12 @@ impl Meetings {
         Some((at / count, normal.try_normalize()?))
     }
 
-    /// The place where an element's cells meet: the larger a cell, the farther from it.
+    /// The point where an element's cells meet. A larger cell is farther from it.
     pub fn middle(&self, mesh: &TriMesh, cells: &[SurfaceParticle], face: &Face) -> SurfacePoint {
         let (mut sum, mut weight, mut normal) = (DVec3::ZERO, 0.0, DVec3::ZERO);
-        // The mean normal where those on the other side of a sheet are turned round.
+        // The mean normal of the sheet, with those from its other side reversed.
         let mut across = DVec3::ZERO;
-        // In one order, whichever corner is the first.
+        // Sums run in rising order, whichever corner comes first.
         let mut nodes = [u32::MAX; 4];
         let count = face.nodes().len();
         nodes[..count].copy_from_slice(face.nodes());
@@ -87,7 +89,7 @@ impl Meetings {
         let first = &cells[nodes[0] as usize];
         let start = match *face.nodes() {
             [a, b, c] => self.of([a, b, c]),
-            // Of the two triangles, by one diagonal or the other.
+            // Take the meeting of one of the two triangles, by either diagonal.
             [a, b, c, d] => {
                 let found = |k: u32, l: u32| self.of([a, k, l]);
                 found(b, d).or_else(|| found(b, c)).or_else(|| found(c, d))
@@ -95,7 +97,7 @@ impl Meetings {
             _ => None,
         };
         let start = *start.unwrap_or(&first.centre);
-        // At a rim out of it, along the sheet.
+        // At a rim: the direction out of it, along the sheet.
         let rim = || {
             let (_, out) = self.rim(&nodes[..count])?;
             let out = out.reject_from(across);
@@ -110,13 +112,13 @@ impl Meetings {
     }
 }
 
-/// The mean of unit normals, of which this is the sum; none where they are of different sides of a thin sheet.
+/// The mean of `count` unit normals from their sum. Nothing if they belong to different sides of a thin sheet.
 pub(super) fn outward(sum: DVec3, count: usize) -> Option<DVec3> {
     let length = sum.length();
     (length > OUTWARD * count as f64).then(|| sum / length)
 }
 
-/// The nearest triangle that faces a direction, its middle.
+/// The start, if its triangle faces the direction; else the middle of the nearest triangle that does.
 fn facing(mesh: &TriMesh, start: SurfacePoint, out: DVec3) -> SurfacePoint {
     let mut near = vec![start.triangle];
     for k in 0..NEAREST {
@@ -141,9 +143,9 @@ fn sorted(mut three: [u32; 3]) -> [u32; 3] {
     three
 }
 
-/// The foot of a point in space on the surface along a direction, sought from a point nearby: so it stays on that one's side
-/// of thin sheets. Along the mean normal it is on the crease where cells lie across one; the nearest foot would be on either
-/// side of it.
+/// Projects a point in space onto the surface along `out`, by steps from a start nearby. So it stays on the start's
+/// side of thin sheets. Along the mean normal the result lies on a crease that cells lie across; the nearest point of
+/// the surface would lie on one side of it.
 pub(super) fn foot(
     mesh: &TriMesh,
     start: SurfacePoint,

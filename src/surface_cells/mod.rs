@@ -1,11 +1,12 @@
-//! From cells at rest on a surface to polygons that share their corners.
+//! Turns cells at rest on a surface into polygons that share their corners.
 //!
-//! Labels flood the domain from the cells (`flood`); where three meet is a triangle between cells (`junctions`), made
-//! Delaunay by flips (`flips`). Triangles are paired to quadrilaterals by the rules of the plane (`crate::mesh`), the few
-//! nodes concerned laid into one plane each time (`nodes`). Each cell's polygon is the chain of the elements around it
-//! and of its part of the border (`rings`), so that single rows and lone cells have one, too.
+//! Labels flood the domain from the cells (`flood`). Where three labels meet lies a triangle between cells
+//! (`junctions`); flips make the triangles Delaunay (`flips`). The rules of the plane (`crate::mesh`) pair triangles
+//! to quadrilaterals, each time in a plane for the few nodes concerned (`nodes`). Each cell's polygon is the chain of
+//! the elements around it and of its part of the border (`rings`), so single rows and lone cells have a polygon, too.
 //!
-//! Itoh, Miyata, Shimada (2003), section 5.2, has the Delaunay triangulation and the pairs; on surfaces it has none.
+//! Itoh, Miyata, Shimada (2003), section 5.2, gives the Delaunay triangulation and the pairs. It has no construction
+//! on surfaces.
 
 mod bends;
 mod borders;
@@ -16,11 +17,9 @@ mod flood;
 mod junctions;
 mod meshing;
 #[cfg(test)]
-mod metrics;
+pub(crate) mod metrics;
 mod middles;
 mod nodes;
-#[cfg(test)]
-mod quality;
 mod rings;
 mod smooth;
 mod straighten;
@@ -34,27 +33,27 @@ use crate::mesh::Face;
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::{SurfacePoint, TriMesh};
 
-/// The cells' mesh and their polygons.
+/// The mesh of cells and their polygons.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SurfaceMesh {
     /// The cells, by rising ids.
     pub cells: Vec<SurfaceParticle>,
-    /// The mesh's nodes, in the order of the cells: their centres, moved a little where that betters elements.
+    /// The mesh's nodes, in the order of the cells: their centres, moved a little where that improves elements.
     pub nodes: Vec<SurfacePoint>,
-    /// The mesh: elements between cells, counter-clockwise seen from outside, by their places in `cells`.
+    /// The mesh: elements between cells, counter-clockwise seen from outside, as indices into `cells`.
     pub elements: Vec<Face>,
-    /// What polygons have as corners: first places where three or four cells meet or a rim turns between two, then those where two meet on the border,
-    /// then corners of the border that one cell has.
+    /// The corners of polygons: first those where three or four cells meet or a rim turns between two, then those
+    /// where two cells meet on the border, then corners of the border within one cell.
     pub corners: Vec<SurfacePoint>,
-    /// How many there are of the first.
+    /// How many corners of the first kind there are.
     pub inner: usize,
-    /// Of each cell its polygon, by places in `corners`, counter-clockwise seen from outside; empty where it has none: a
-    /// cell that goes all around, or between two others.
+    /// For each cell its polygon, as indices into `corners`, counter-clockwise seen from outside. Empty for a cell
+    /// without a polygon: one that goes all around, or lies between two others.
     pub rings: Vec<Vec<u32>>,
 }
 
 impl SurfaceMesh {
-    /// All at once; see [`SurfaceMeshing`].
+    /// Does all the work at once; see [`SurfaceMeshing`].
     pub fn build(mesh: &TriMesh, cells: Vec<SurfaceParticle>, polish: Polish) -> Self {
         let mut meshing = SurfaceMeshing::new(cells, polish);
         loop {
@@ -64,7 +63,7 @@ impl SurfaceMesh {
         }
     }
 
-    /// Does a corner lie on the border?
+    /// Whether a corner lies on the border.
     pub fn is_on_border(&self, corner: u32) -> bool {
         corner as usize >= self.inner
     }

@@ -1,4 +1,4 @@
-//! The cells' centres as nodes of a mesh.
+//! The centres of cells as nodes of a mesh.
 
 use super::middles::{Meetings, outward};
 use crate::mesh::{Metric, Node, Nodes};
@@ -7,23 +7,23 @@ use crate::trimesh::frame::{arc_over_chord, rotated};
 use crate::trimesh::{Frame, SurfacePoint};
 use glam::{DVec2, DVec3};
 
-/// A node whose normal points so far away from that of others (cosine) is on the other side of a sheet.
+/// A node is on the other side of a sheet if the cosine between its normal and that of others is less.
 const OTHER_SIDE: f64 = -0.2;
 
 /// Nodes on a surface.
 #[derive(Default)]
 pub(super) struct SurfaceNodes {
     pub points: Vec<SurfacePoint>,
-    /// Where they meet, which tells how those about the rim of a thin sheet lie.
+    /// The meetings of cells; they tell how nodes around the rim of a thin sheet lie.
     pub meetings: Meetings,
-    /// Unit vectors along the cells' sides, in space; zero where they have none.
+    /// Unit vectors along the cells' sides, in space; zero for cells without a direction.
     axes: Vec<DVec3>,
     aspects: Vec<f64>,
     corners: Vec<bool>,
 }
 
 impl SurfaceNodes {
-    /// The centres of these cells.
+    /// The centres of these cells as nodes.
     pub fn new(cells: &[SurfaceParticle]) -> Self {
         Self {
             points: cells.iter().map(|c| c.centre).collect(),
@@ -47,16 +47,17 @@ impl Nodes for SurfaceNodes {
     fn laid<const N: usize>(&self, which: [u32; N]) -> [Node; N] {
         match self.plane(which) {
             Some((_, nodes)) => nodes,
-            // In a row: nothing can be made of them.
+            // The nodes share no plane: put them in a row, so that no element comes of them.
             None => which.map(|k| Node::plain(DVec2::new(f64::from(k), 0.0))),
         }
     }
 }
 
 impl SurfaceNodes {
-    /// Some nodes that are near each other, laid into one plane, and the plane; nothing where none is like another.
+    /// Lays nodes that are near each other into one plane. Returns its frame and the nodes, or nothing if the normals
+    /// have no common direction.
     pub fn plane<const N: usize>(&self, which: [u32; N]) -> Option<(Frame, [Node; N])> {
-        // Summed in one order: the same plane to the bit.
+        // Sum in one order, so that the plane has the same bits.
         let mut sorted = which;
         sorted.sort_unstable();
         let (mut middle, mut normal) = (DVec3::ZERO, DVec3::ZERO);
@@ -113,7 +114,7 @@ impl SurfaceNodes {
         Some((frame, nodes))
     }
 
-    /// That one of some nodes which is on the other side of a sheet than all others; `sum` is that of their normals.
+    /// The node that is on the other side of a sheet from all others, if one is. `sum` is the sum of all normals.
     fn beyond(&self, nodes: &[u32], sum: DVec3) -> Option<Beyond> {
         let is_beyond = |node: &&u32| {
             let own = self.points[**node as usize].normal;
@@ -131,12 +132,12 @@ impl SurfaceNodes {
 /// A node on the other side of a sheet.
 struct Beyond {
     node: u32,
-    /// Where it meets others, over the rim: the way to it leads through that.
+    /// The point of the rim where its cell meets others; the path to the node leads through it.
     rim: SurfacePoint,
 }
 
 impl Beyond {
-    /// Where it is in a plane of the others: as far beyond the rim as it is along the surface.
+    /// Its place in the plane of the others: as far beyond the rim as along the surface.
     fn laid(&self, frame: &Frame, middle: DVec3, own: &SurfacePoint) -> DVec2 {
         let rim = Frame::of(self.rim.normal);
         let on = rim.out(laid(&rim, self.rim.at, own));
@@ -145,8 +146,8 @@ impl Beyond {
     }
 }
 
-/// A point in a plane, in the direction that it has once the surface there is turned into it, and as far from the middle as it
-/// is along the surface.
+/// Lays a point into a plane. Its direction is that after the surface there is turned into the plane; its distance
+/// from the middle is that along the surface.
 fn laid(frame: &Frame, middle: DVec3, p: &SurfacePoint) -> DVec2 {
     let r = p.at - middle;
     let flat = frame.within(rotated(r, p.normal, frame.normal));

@@ -1,4 +1,5 @@
-//! Cells' rings: closed chains of links between neighbours, each of them an element of the mesh, or a part of the border.
+//! The rings of cells: closed chains of links between neighbours. Each link is an element of the mesh, or a part of
+//! the border.
 
 use super::bends::Bends;
 use super::borders::{Border, Crossing};
@@ -10,7 +11,7 @@ use crate::trimesh::{NONE, SurfacePoint, TriMesh};
 /// The most links of a chain.
 const MOST_LINKS: usize = 100_000;
 
-/// What rings are made of.
+/// The inputs of rings.
 pub(super) struct Links<'a> {
     pub mesh: &'a TriMesh,
     pub cells: &'a [SurfaceParticle],
@@ -18,31 +19,31 @@ pub(super) struct Links<'a> {
     pub borders: &'a [Border],
     pub crossings: &'a [Crossing],
     pub bends: &'a Bends,
-    /// Where each crossing is in the table of corners.
+    /// The index of the first crossing in the table of corners.
     pub first_crossing: u32,
-    /// Of each cell an element that it is a corner of.
+    /// For each cell an element that it is a corner of.
     pub element: Vec<u32>,
-    /// The border's sides of elements, by their nodes: (from and to, element).
+    /// Sides of elements on the border: (key of their two nodes, element).
     sides: Vec<(u64, u32)>,
-    /// Crossings by the cells before and behind: (from and to, crossing).
+    /// Crossings by the cells before and after them: (key of both cells, crossing).
     by_cells: Vec<(u64, u32)>,
-    /// Of each cell a crossing behind which it is.
+    /// For each cell a crossing after which it comes.
     crossing: Vec<u32>,
 }
 
-/// A ring as corners of the table, and whether the border is in it.
+/// A ring as indices into the table of corners, and whether it runs along the border.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Ring {
     pub corners: Vec<u32>,
     pub on_border: bool,
 }
 
-/// Where a chain is.
+/// A link of a chain.
 #[derive(Clone, Copy, PartialEq)]
 enum At {
-    /// In an element, of which the cell is this corner.
+    /// An element, and the corner of it that is the cell.
     Element(u32, usize),
-    /// At a crossing behind which the cell is.
+    /// A crossing after which the cell comes.
     Crossing(u32),
 }
 
@@ -90,8 +91,8 @@ impl<'a> Links<'a> {
         }
     }
 
-    /// The ring of a cell; none where there is no closed chain of at least three corners. Corners of the border that
-    /// only this cell has go behind the table's.
+    /// The ring of a cell. Nothing if there is no closed chain of at least three corners. Corners of the border
+    /// within this cell are appended to the table.
     pub fn ring(&self, cell: u32, table: &mut Vec<SurfacePoint>) -> Option<Ring> {
         let mut ring = Ring::default();
         let start = match (self.element[cell as usize], self.crossing[cell as usize]) {
@@ -127,7 +128,7 @@ impl<'a> Links<'a> {
         None
     }
 
-    /// The ring of a cell that has a border for itself.
+    /// The ring of a cell that has a whole border to itself.
     pub fn whole(&self, border: &Border, cell: u32, table: &mut Vec<SurfacePoint>) -> Option<Ring> {
         let corners = border.between(0.0, 0.0, self.cells[cell as usize].size);
         let first = table.len() as u32;
@@ -153,7 +154,7 @@ impl<'a> Links<'a> {
         nodes.iter().position(|&n| n == cell)
     }
 
-    /// Over the side before the cell's corner: the next element counter-clockwise, or the border.
+    /// The link over the side before the cell's corner: the next element counter-clockwise, or the border.
     fn beyond(&self, cell: u32, f: u32, k: usize) -> Option<At> {
         let nodes = self.faces.faces[f as usize].nodes();
         let side = (k + nodes.len() - 1) % nodes.len();
@@ -168,7 +169,8 @@ impl<'a> Links<'a> {
         Some(At::Element(next, j))
     }
 
-    /// The crossing that ends a side of the element; of several between the same cells those in the order of the elements.
+    /// The crossing at the end of a side of an element. If several crossings lie between the same two cells, they go
+    /// in the order of the elements.
     fn crossing_at(&self, from: u32, to: u32, element: u32) -> Option<u32> {
         let key = order::pair(from, to);
         let among = run(&self.sides, key);
@@ -177,7 +179,7 @@ impl<'a> Links<'a> {
         all.get(place).or(all.last()).map(|x| x.1)
     }
 
-    /// Along the border to where the cell ends.
+    /// Goes along the border to the end of the cell's part.
     fn along(
         &self,
         cell: u32,
@@ -198,7 +200,8 @@ impl<'a> Links<'a> {
             table.push(border.corner(self.mesh, k));
         }
         corners.push(self.first_crossing + start.next);
-        // On into the element there, or straight over to where the border goes from that cell to this one.
+        // Go on into the element there. Without one, go straight over to the crossing from that cell back to this
+        // one.
         let key = order::pair(cell, end.to);
         let place = run(&self.by_cells, key);
         let place = place.iter().position(|c| c.1 == start.next).unwrap_or(0);
@@ -212,7 +215,7 @@ impl<'a> Links<'a> {
             return Some(At::Element(f, j));
         }
         let back = run(&self.by_cells, order::pair(end.to, cell));
-        // The one that belongs to the same side: with two of them, not the one just come from.
+        // If there are two of them, take the one that the chain has not just come from.
         let other = back.iter().rev().find(|c| c.1 != x).or(back.first());
         other.map(|c| At::Crossing(c.1))
     }

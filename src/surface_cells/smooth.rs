@@ -1,7 +1,7 @@
-//! Moves nodes of the mesh so that the quadrilaterals around irregular places become more rectangular, by the rules of
-//! [`crate::mesh`].
+//! Moves nodes of the mesh so that the quadrilaterals around irregular places become more rectangular. As in
+//! `crate::mesh`, each quadrilateral pulls its corners towards the rectangle that fits it best.
 //!
-//! The nodes stay in the tangent planes of their centres meanwhile, and walk to their new places at the end.
+//! Nodes stay in the tangent planes of their centres during the work, and walk to their final places at the end.
 
 use super::nodes::SurfaceNodes;
 use crate::mesh::{Movable, from_middle};
@@ -31,7 +31,7 @@ impl Movable for SurfaceNodes {
     }
 }
 
-/// Walks the nodes from the cells' centres to their new places.
+/// Walks nodes from the cells' centres to their new places.
 pub(super) fn settle(
     mesh: &TriMesh,
     nodes: &mut SurfaceNodes,

@@ -1,7 +1,7 @@
 //! Straightens cells with four corners towards rectangles along their axes, as in the plane.
 //!
-//! Each asks for its rectangle in its own tangent plane; a corner moves in its own one by the mean of what is asked of it,
-//! on the border along it. The corners walk to where they have come at the end only.
+//! Each cell finds its rectangle in its own tangent plane. A corner moves by the mean of the moves that its cells
+//! want, in its own tangent plane or along the border. Corners walk over the surface only at the end.
 
 use super::borders::{Border, Crossing};
 use super::rings::Ring;
@@ -12,41 +12,41 @@ use crate::trimesh::frame::{rotated, way_in};
 use crate::trimesh::{Frame, SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
-/// A cell that reaches to a corner where the surface has turned as far as this (cosine) is folded over a rim: it asks for
+/// A cell is folded over a rim at a corner if the cosine between their normals is less than this. Such a cell wants
 /// nothing, and the corner stays.
 const FOLDED: f64 = 0.3;
 
 /// The straightening of cells, in rounds.
 pub(super) struct Straightening {
-    /// The frames of the cells, their axes along x.
+    /// The frames of the cells, with their axes along x.
     frames: Vec<Frame>,
-    /// For each cell with exactly four corners, these.
+    /// The four corners of each cell that has exactly four.
     quads: Vec<Option<[u32; 4]>>,
-    /// Where corners are, on or beside the surface, and the normals there.
+    /// The current places of corners, on or beside the surface.
     points: Vec<DVec3>,
-    /// Cells that have each corner: (cell, place in its ring).
+    /// For each corner the cells that have it: (cell, index in its ring).
     uses: Csr<(u32, u32)>,
-    /// How far along the border each crossing may slide, from where it is.
+    /// For each crossing the bounds of its way along the border, from where it was.
     room: Vec<[f64; 2]>,
-    /// The mean area of the cells, of what their sizes ask for.
+    /// The area of all cells over the area that their sizes want.
     share: f64,
     round: u32,
-    /// The mean of what is asked of each corner in this round, and how far it is.
+    /// For each corner the sum of the moves wanted in this round, and how many they are.
     asked: Vec<(DVec3, u32)>,
     next: usize,
 }
 
-/// Cells that ask, and corners that move, in one slice of the work.
+/// Cells to measure, or corners to move, in a slice.
 const ASKING: usize = 2000;
 
-/// What is straightened.
+/// The inputs of straightening.
 pub(super) struct Table<'a> {
     pub cells: &'a [SurfaceParticle],
     pub rings: &'a [Option<Ring>],
     pub corners: &'a [SurfacePoint],
     pub borders: &'a [Border],
     pub crossings: &'a [Crossing],
-    /// Where crossings begin in the table, behind the elements.
+    /// The index of the first crossing in the table, after the middles of elements.
     pub first_crossing: usize,
 }
 
@@ -88,7 +88,7 @@ impl Straightening {
         made
     }
 
-    /// One slice of the work; true with the last one.
+    /// Does one more slice; true when done.
     pub fn advance(&mut self, table: &Table) -> bool {
         let end = self.quads.len().min(self.next + ASKING);
         for cell in self.next.min(end)..end {
@@ -96,7 +96,7 @@ impl Straightening {
                 self.ask(table, cell, corners);
             }
         }
-        // Behind the cells that ask, the corners that move.
+        // Corners move after all cells have been measured.
         let first = self.next.max(self.quads.len()) - self.quads.len();
         self.next = end;
         if end < self.quads.len() {
@@ -117,7 +117,7 @@ impl Straightening {
         self.round == ROUNDS
     }
 
-    /// Walks the corners to where they have come.
+    /// Walks all corners over the surface to their new places.
     pub fn finish(&self, mesh: &TriMesh, table: &Table) -> Vec<SurfacePoint> {
         let each = table.corners.iter().zip(&self.points).enumerate();
         each.map(|(corner, (old, &p))| {
@@ -161,7 +161,7 @@ impl Straightening {
         Some(())
     }
 
-    /// Where a cell sees a corner.
+    /// A corner in the plane of a cell, by the logarithmic map.
     fn seen(&self, table: &Table, cell: usize, corner: u32) -> Option<DVec2> {
         let corner = corner as usize;
         let normal = table.corners[corner].normal;
@@ -185,7 +185,7 @@ impl Straightening {
                 let gone = along.dot(old - home.at);
                 along * ((gone + along.dot(by)).clamp(lo, hi) - gone)
             }
-            // Corners of the border itself are no one's to move.
+            // Corners of the border itself never move.
             None if corner >= table.first_crossing => return,
             None => by - home.normal * home.normal.dot(by),
         };
@@ -195,19 +195,19 @@ impl Straightening {
         }
     }
 
-    /// Is a cell that has the corner folded there?
+    /// Whether a cell of this corner is folded there.
     fn is_folded(&self, table: &Table, corner: usize) -> bool {
         let normal = table.corners[corner].normal;
         let turned = |cell: u32| normal.dot(self.frames[cell as usize].normal) < FOLDED;
         self.uses_of(corner).iter().any(|&(cell, _)| turned(cell))
     }
 
-    /// The cells that have a corner, and its place in their rings.
+    /// The cells of a corner, with its index in their rings.
     fn uses_of(&self, corner: usize) -> &[(u32, u32)] {
         self.uses.row(corner)
     }
 
-    /// Has the corner, come from `old`, turned no ring inside out? Seen in its own tangent plane.
+    /// Whether the corner, moved from `old`, turns no ring inside out, seen in its tangent plane.
     fn is_sound(&self, table: &Table, corner: usize, old: DVec3) -> bool {
         let normal = table.corners[corner].normal;
         let turn = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - b).dot(normal);
@@ -224,7 +224,7 @@ impl Straightening {
         })
     }
 
-    /// The corners of a cell with exactly four: where cells meet, or the border itself turns.
+    /// The corners of a cell with exactly four. Corners are points where cells meet, and corners of the border.
     fn four_corners(&self, table: &Table, cell: u32) -> Option<[u32; 4]> {
         let ring = table.ring(cell);
         let n = ring.len();
@@ -249,7 +249,7 @@ impl Straightening {
         (count == 4).then_some(four)
     }
 
-    /// How far each crossing may slide: not up to the next corner on either side.
+    /// How far each crossing may slide: less than to the next corner on either side.
     fn room(&self, table: &Table) -> Vec<[f64; 2]> {
         let mut room = vec![[0.0; 2]; table.crossings.len()];
         for (x, room) in room.iter_mut().enumerate() {
@@ -258,7 +258,7 @@ impl Straightening {
             let border = &table.borders[crossing.border as usize];
             let along = border.heading_at(crossing.at);
             let back = border.heading_at(crossing.at - 1e-9 * border.length());
-            // At a corner of the border it stays.
+            // A crossing at a corner of the border stays.
             if along.dot(back) < CORNER {
                 continue;
             }
@@ -266,7 +266,7 @@ impl Straightening {
             for &(cell, place) in self.uses_of(corner) {
                 let ring = table.ring(cell);
                 let n = ring.len();
-                // Along the border the cell behind goes ahead, the cell before it comes.
+                // Along the border, the cell after the crossing lies ahead, the cell before it lies back.
                 let ahead = cell == crossing.to;
                 let shift = if ahead { 1 } else { n - 1 };
                 let next = self.points[ring[(place as usize + shift) % n] as usize];
@@ -295,7 +295,7 @@ impl Straightening {
     }
 }
 
-/// The frame of a cell with its axis along x.
+/// The frame of a cell, with its axis along x.
 fn frame_of(cell: &SurfaceParticle) -> Frame {
     let frame = cell.centre.frame();
     let x = frame.out(cell.axis).normalize_or(frame.x);

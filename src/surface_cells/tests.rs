@@ -1,4 +1,4 @@
-//! Cells on meshes made here: what holds for all of them.
+//! Cells on made-up meshes: properties that hold for all of them.
 
 mod packed;
 mod shapes;
@@ -81,7 +81,7 @@ fn meshes_on_a_ball_are_balls() {
         let made = build(&mesh, cells(&mesh, &places, kind, size, 1.0));
         let figures = check("ball", &mesh, &made);
         assert_eq!((figures.euler, figures.rings), (2, count as usize));
-        // Triangles about the centres of four cells are nothing like their parts of the ball.
+        // With four cells the triangles about their centres are far from their parts of the ball.
         assert!(
             count == 4 || figures.holes < 0.005 && figures.overlaps < 0.002,
             "{count}"
@@ -152,7 +152,7 @@ fn a_cube_is_covered_over_its_edges() {
         (figures.area - 1.0).abs() < 0.01 && figures.size_cv < 0.02,
         "{figures:?}"
     );
-    // Eight triangles, at its corners.
+    // Eight of the elements are triangles, at the corners of the box.
     assert_eq!(made.elements.len(), 150 - 2 + 4);
     assert!(figures.holes < 0.002);
 }

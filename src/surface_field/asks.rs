@@ -1,4 +1,4 @@
-//! The fields of a surface as what packing asks of.
+//! Packing reads the sizes and directions of its cells from the fields of a surface.
 
 use super::SurfaceFields;
 use crate::field::Kind;

@@ -1,27 +1,29 @@
-//! Lines inside a body that its skin follows.
+//! Skeleton curves inside a body, which directions on its skin follow.
 
 use glam::{DVec2, DVec3};
 
-/// A polyline inside a body, from head to tail, with the body's radius at each of its points.
+/// A skeleton curve: a polyline inside a body, from head to tail, with the body's radius at its points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bone {
     /// Its points, in the mesh's units.
     pub points: Vec<DVec3>,
-    /// The body's radius at each point; where there are fewer, the last one, and none means a share of the body.
+    /// The body's radius at each point. If there are fewer radii than points, the last one holds for the rest;
+    /// without any, the radius is a share of the body's diagonal.
     pub radii: Vec<f64>,
 }
 
-/// Segments that are looked at together.
+/// Segments in one bounding ball.
 const GROUP: usize = 8;
-/// Beyond how many radii a bone's word counts less: by e at once and a half this.
+/// Beyond its radius a bone's weight falls by a factor e for each of these: in squared distances over the squared
+/// radius.
 const FADE: f64 = 4.0;
 
-/// What bones say at a place.
+/// The constraint of all bones at a place, but for the direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct BoneWord {
-    /// How near the nearest one is: 1 at its radius, less beyond.
+    /// How near the nearest bone is: 1 within its radius, falling to 0 beyond it.
     pub near: f64,
-    /// Weight by bone (they sum to 1) and its direction, as told to `said`.
+    /// How far along the bones the place is, from head (0) to tail (1): the mean over all bones by their weights.
     pub along: f64,
 }
 
@@ -29,22 +31,22 @@ pub(super) struct BoneWord {
 struct Segment {
     from: DVec3,
     by: DVec3,
-    /// 1 / length^2.
+    /// One over the squared length.
     inverse: f64,
     tangents: [DVec3; 2],
     radii: [f64; 2],
     along: [f64; 2],
 }
 
-/// Bones, ready to be asked.
+/// All bones of a body, prepared for queries.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bones {
     bones: Vec<Vec<Segment>>,
-    /// Of each bone balls around its groups of segments.
+    /// For each bone, bounding balls around its groups of segments: centre and radius.
     balls: Vec<Vec<(DVec3, f64)>>,
 }
 
-/// The nearest place of a bone.
+/// The closest point of a bone.
 #[derive(Clone, Copy, Debug)]
 struct Foot {
     square: f64,
@@ -53,7 +55,8 @@ struct Foot {
 }
 
 impl Bones {
-    /// Of a body with a diagonal of this length. A bone that begins within another one goes on from there.
+    /// Prepares the bones of a body whose bounding box has this diagonal. A bone that begins inside another one goes
+    /// on counting its length from there.
     pub fn new(bones: &[Bone], diagonal: f64) -> Self {
         let mut all = Self::default();
         for bone in bones {
@@ -78,7 +81,7 @@ impl Bones {
         self.bones.is_empty()
     }
 
-    /// How far along the bones so far a point is that lies within one of them.
+    /// The length along the bones so far at a point that lies inside one of them.
     fn attached(&self, p: DVec3) -> f64 {
         let mut best = (1.0, 0.0);
         for k in 0..self.bones.len() {
@@ -120,8 +123,8 @@ impl Bones {
         best
     }
 
-    /// What they say at a place: each bone's weight (they sum to 1) and direction goes to `said`. A bone counts as
-    /// exp(-(d / radius)^2), so that what one says turns smoothly into what the next one does.
+    /// Queries the bones at a place. `said` gets each bone's weight, in sum 1, and its unit direction. A weight is
+    /// proportional to exp(-(d / radius)^2), so directions blend smoothly from one bone to the next.
     pub fn ask(&self, p: DVec3, mut said: impl FnMut(f64, DVec3)) -> BoneWord {
         let mut feet = [(f64::INFINITY, 0, 0.0); MOST];
         let mut least = f64::INFINITY;
@@ -156,7 +159,7 @@ impl Bones {
     }
 }
 
-/// More bones than these say nothing.
+/// The most bones; further ones have no influence.
 const MOST: usize = 32;
 
 fn square(x: f64) -> f64 {
@@ -211,15 +214,15 @@ fn ball(segments: &[Segment]) -> (DVec3, f64) {
     (middle, radius)
 }
 
-/// What bones say at a vertex, in its frame.
+/// The constraint of the bones at a vertex, in its frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct BoneSource {
-    /// How much it counts ...
+    /// The weight ...
     pub held: f64,
-    /// ... times the representation vector, and times the vector itself.
+    /// ... times the representation vector, and times the direction itself.
     pub load: DVec2,
     pub flow: DVec2,
-    /// How far from head to tail, 0..1.
+    /// How far along the bones the vertex is, from head (0) to tail (1).
     pub along: f64,
 }
 
@@ -251,7 +254,7 @@ mod tests {
         };
         let (direction, word) = heard(DVec3::new(0.4, 1.5, 0.0));
         assert!(direction.dot(DVec3::NEG_Y) > 0.99, "{direction}");
-        // Legs are 2 long, toes 1.1 more; they begin at 1.9.
+        // The leg is 2 long and the toes 1.1 more; the toes begin at 1.9.
         assert!(
             (word.along - 0.5 / (1.9 + 1.122)).abs() < 0.01,
             "{}",

@@ -1,4 +1,4 @@
-//! Makes the fields, a slice at a time.
+//! Builds the fields of a surface in slices.
 
 use super::bones::{BoneSource, Bones};
 use super::sizes::{self, Ground, Sizes};
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// Vertices, triangles or rows in a slice.
 const SLICE: usize = 1 << 14;
 
-/// Makes [`SurfaceFields`] in slices of some vertices at a time.
+/// Builds [`SurfaceFields`] in slices.
 #[derive(Clone, Debug)]
 pub struct SurfaceFieldBuilder {
     mesh: Arc<TriMesh>,
@@ -27,24 +27,25 @@ pub struct SurfaceFieldBuilder {
     bones: Bones,
     heard: Vec<BoneSource>,
     fields: SurfaceFields,
-    /// Of each vertex its part, how many there are, and up to where they were looked for.
+    /// For each vertex the number of its connected part, the count of parts, and how many vertices have been looked
+    /// at.
     parts: Vec<u32>,
     part_count: usize,
     looked_at: usize,
-    /// Of each part the most that a vertex is held by.
+    /// For each part the greatest weight of a constraint in it.
     most: Vec<f64>,
 }
 
 #[derive(Clone, Debug)]
 enum Stage {
     Links(LinksBuilder),
-    /// Vertices whose neighbours' part is to be told.
+    /// Vertices whose neighbours still have to get their part's number.
     Parts(Vec<u32>),
     Curvature(Curvatures),
     Bones,
     Sizes(Box<Sizes>),
-    /// Equations of the direction (false) or the flow (true): what holds them, row by row, what is to begin with where
-    /// nothing does, and their solution.
+    /// The equations of the direction (false) or the flow (true): their constraints row by row, initial guesses for
+    /// parts without any, and their solution.
     Rims(bool, Box<Sources>),
     Rows(bool, Box<(Sources, System)>),
     Hints(bool, Box<(Sources, System)>, usize),
@@ -54,7 +55,7 @@ enum Stage {
 }
 
 impl SurfaceFieldBuilder {
-    /// Nothing yet.
+    /// Starts with no work done.
     pub fn new(mesh: Arc<TriMesh>, params: SurfaceFieldParams) -> Self {
         let bones = Bones::new(&params.bones, mesh.diagonal());
         Self {
@@ -73,12 +74,12 @@ impl SurfaceFieldBuilder {
         }
     }
 
-    /// Works on some thousands of vertices; true when all is done.
+    /// Does one more slice of some thousands of vertices; true when all is done.
     pub fn advance(&mut self) -> bool {
         self.advance_by(SLICE)
     }
 
-    /// Are sizes, aspect ratios and curvature there, whatever is still to come?
+    /// Whether sizes, aspect ratios and curvature are complete, whatever is still to come.
     pub fn is_sized(&self) -> bool {
         !matches!(
             self.stage,
@@ -90,14 +91,14 @@ impl SurfaceFieldBuilder {
         )
     }
 
-    /// All at once.
+    /// Does all the work at once.
     pub fn build(mesh: Arc<TriMesh>, params: SurfaceFieldParams) -> SurfaceFields {
         let mut builder = Self::new(mesh, params);
         while !builder.advance() {}
         builder.finish()
     }
 
-    /// The fields; what was not yet come to is missing.
+    /// The fields as far as they have been made; the rest is empty.
     pub fn finish(self) -> SurfaceFields {
         self.fields
     }
@@ -174,7 +175,7 @@ impl SurfaceFieldBuilder {
         matches!(self.stage, Stage::Done)
     }
 
-    /// Spreads the numbers of parts over so many vertices.
+    /// Gives up to `amount` more vertices the number of their part.
     fn find_parts(&mut self, mut open: Vec<u32>, amount: usize) -> Stage {
         for _ in 0..amount.max(1) {
             if let Some(v) = open.pop() {
@@ -186,7 +187,7 @@ impl SurfaceFieldBuilder {
                 }
             } else if self.looked_at < self.parts.len() {
                 if self.links.of(self.looked_at).is_empty() {
-                    // A vertex of no triangle is of no part; the first one has no use for it, nor harm from it.
+                    // A vertex of no triangle belongs to no part; part 0 is harmless, as nothing reads it.
                     self.parts[self.looked_at] = 0;
                 } else if self.parts[self.looked_at] == u32::MAX {
                     self.parts[self.looked_at] = self.part_count as u32;
@@ -263,7 +264,7 @@ impl SurfaceFieldBuilder {
         end == self.links.len()
     }
 
-    /// Where no source holds a part, loads are what smoothing begins with.
+    /// In a part without constraints the right-hand sides serve as the initial guess.
     fn hint(
         &mut self,
         is_flow: bool,
@@ -279,7 +280,7 @@ impl SurfaceFieldBuilder {
             if self.most[self.parts[v] as usize] > NO_SOURCE {
                 continue;
             }
-            // Of the flow, only what has sources is kept: the rest is to be done with at once.
+            // The flow is wanted only in parts with constraints: in others the equations get the solution 0.
             let weight = self.links.mass[v];
             (system.held[v], system.load[v]) = if is_flow {
                 (system.diagonal[v], DVec2::ZERO)
@@ -301,7 +302,7 @@ impl SurfaceFieldBuilder {
         )
     }
 
-    /// Unit vectors in space of representation vectors at the vertices.
+    /// Unit vectors in space from the representation vectors at the vertices.
     fn vectors(&mut self, is_flow: bool, found: Vec<DVec2>, amount: usize) -> Stage {
         let (symmetry, turn) = if is_flow {
             let flip = self.params.flow.as_ref().is_some_and(|flow| flow.flip);

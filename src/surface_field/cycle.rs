@@ -1,16 +1,16 @@
-//! One round over all coarser systems and back, as a preconditioner.
+//! A multigrid cycle over all coarser systems, as a preconditioner.
 
 use super::system::{Holding, Level, seen};
 use glam::DVec2;
 
-/// Sweeps there and back on the coarsest system.
+/// Sweeps in each direction on the coarsest system.
 const SWEEPS: usize = 6;
 
-/// A symmetric V-cycle (Brandt 1977, Multi-Level Adaptive Solutions): Gauss-Seidel forwards on the way down, backwards
-/// on the way up, in slices.
+/// A symmetric V-cycle in slices (Brandt 1977, Multi-Level Adaptive Solutions): Gauss-Seidel sweeps run forwards on
+/// the way to coarser levels, backwards on the way back.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cycle {
-    /// By level: what is solved for, the answer, the diagonal and 1 / it, 0 for rows of nothing.
+    /// For each level: the right-hand side, the answer, the diagonal, and its inverse, which is 0 for empty rows.
     right: Vec<Vec<DVec2>>,
     answer: Vec<Vec<DVec2>>,
     diagonal: Vec<Vec<f64>>,
@@ -24,16 +24,16 @@ pub(super) struct Cycle {
 enum Step {
     #[default]
     Forward,
-    /// What is left, to the next coarser level.
+    /// Restricts the residual to the next coarser level.
     Restrict,
-    /// The answer from the next coarser level.
+    /// Adds the answer of the next coarser level.
     Correct,
     Backward,
     Coarsest,
 }
 
 impl Cycle {
-    /// Makes room for these levels, at most so many rows; true when that is done.
+    /// Reserves room for these levels, at most `amount` rows; true when all have room.
     pub fn prepare(&mut self, levels: &[Level], holding: &Holding, amount: &mut usize) -> bool {
         while *amount > 0 && self.level < levels.len() {
             let (l, system) = (self.level, &levels[self.level].system);
@@ -65,7 +65,7 @@ impl Cycle {
         done
     }
 
-    /// The diagonal of the finest level, and 1 / it.
+    /// The diagonal of the finest level, and its inverse.
     pub fn diagonal(&self) -> (&[f64], &[f64]) {
         (&self.diagonal[0], &self.inverse[0])
     }
@@ -75,7 +75,7 @@ impl Cycle {
         &self.answer[0]
     }
 
-    /// Works on at most so many rows, less what it has taken; true when the answer is there.
+    /// Works on at most `amount` rows and subtracts those it has used; true when the answer is complete.
     pub fn advance(&mut self, levels: &[Level], right: &[DVec2], amount: &mut usize) -> bool {
         while *amount > 0 {
             let l = self.level;
@@ -145,7 +145,7 @@ impl Cycle {
         self.answer[self.level][v] = self.inverse[self.level][v] * (right - around);
     }
 
-    /// From nothing: only rows before count.
+    /// Sweeps from an answer of 0. Rows from `end` on are still 0.
     fn forward(&mut self, level: &Level, right: &[DVec2], end: usize) {
         if self.at == 0 {
             self.answer[self.level].fill(DVec2::ZERO);

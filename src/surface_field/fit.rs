@@ -1,4 +1,4 @@
-//! Whether cells fit a surface: beside its roundness, its thickness, and what a machine can pack.
+//! Tells whether cells fit a surface: its curvature, its thickness, and the number that a machine can pack.
 
 use crate::notice::{Code, Notice};
 use crate::surface_field::SurfaceFields;
@@ -8,42 +8,42 @@ use glam::DVec3;
 
 /// The most cells on a surface.
 pub const MOST_CELLS: usize = 250_000;
-/// A cell's side over the radius of the surface: above it, cells are uneven ...
+/// Above this ratio of a cell's side to the radius of curvature, cells become uneven ...
 const TIGHT: f64 = 0.5;
-/// ... and they cannot follow it, where it is round both ways, and where it is round one way.
+/// ... and above these they cannot follow the surface, where it is curved both ways, and where it is curved one way.
 const TOO_TIGHT: [f64; 2] = [1.0, 1.2];
-/// Round both ways: the lesser curvature is at least this part of the greater.
+/// A surface is curved both ways if the lesser curvature is at least this part of the greater.
 const BOTH: f64 = 0.5;
-/// Shares of the area that are told of, and that are too much.
+/// Shares of the area from which on a notice is given, and from which on cells are refused.
 const TOLD: f64 = 0.005;
 const MOST: f64 = 0.5;
-/// One triangle of so many is looked at, and so many of these in a slice.
+/// One triangle in this many is measured, and this many triangles pass in a slice.
 const SAMPLED: usize = 8;
 const SLICE: usize = 1 << 9;
-/// What shows its back to a triangle has a normal whose product with its own is less.
+/// Two triangles face away from each other if the dot product of their normals is less.
 const BACK: f64 = -0.2;
-/// It lies below: at most 60 degrees off the straight way down.
+/// A triangle lies below a point if it is within 60 degrees of straight down (cosine).
 const BELOW: f64 = 0.5;
 
-/// About how many cells lie on a surface.
+/// Checks the number of cells on a surface.
 ///
 /// # Errors
-/// Where these are too many.
+/// If there are more than [`MOST_CELLS`].
 pub fn check_count(cells: f64) -> Result<(), Notice> {
     if cells <= MOST_CELLS as f64 {
         return Ok(());
     }
-    // What is no number is too many as well.
+    // A count that is not a number is too many as well.
     let about = cells.clamp(0.0, 1e15).round() as u64;
     let too_many = Notice::new(Code::SurfaceCells).with("n", about.to_string());
     Err(too_many.with("most", MOST_CELLS))
 }
 
-/// What a surface is like where cells are to lie.
+/// The properties of a surface on which the fit of cells depends.
 pub trait Local {
-    /// The side of cells there.
+    /// The side of cells at a point.
     fn size(&self, point: &SurfacePoint) -> f64;
-    /// The two main curvatures there, one over a length.
+    /// The two principal curvatures at a point, one over a length.
     fn curvatures(&self, point: &SurfacePoint) -> [f64; 2];
 }
 
@@ -59,14 +59,14 @@ impl Local for SurfaceFields {
     }
 }
 
-/// Shares of the area on which cells do not fit well.
+/// Shares of the area where cells do not fit well, 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Fit {
-    /// Where cells are large beside the roundness.
+    /// Where cells are large beside the radius of curvature.
     pub tight: f64,
-    /// Where they are too large for it.
+    /// Where they are too large to follow the surface.
     pub too_tight: f64,
-    /// Where the other side is closer than a cell is long.
+    /// Where the other side is closer than the side of a cell.
     pub thin: f64,
 }
 
@@ -79,16 +79,16 @@ pub struct Fitting {
 }
 
 impl Fitting {
-    /// Nothing measured yet.
+    /// Starts with nothing measured.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Looks at some more of a surface; the shares when it is done.
+    /// Measures one more slice of a surface; returns the shares when it is done.
     pub fn advance(&mut self, mesh: &TriMesh, search: &Search, local: &impl Local) -> Option<Fit> {
         let count = mesh.triangles().len();
         let end = count.min(self.at + SLICE * SAMPLED);
-        // Few triangles are all looked at.
+        // If there are few triangles, all are measured.
         let step = if count > 64 * SAMPLED { SAMPLED } else { 1 };
         for t in (self.at..end).step_by(step) {
             self.measure(mesh, search, local, t as u32);
@@ -123,7 +123,7 @@ impl Fitting {
     }
 }
 
-/// Is a triangle the other side of a sheet of less than some thickness?
+/// Whether a triangle is the other side of a sheet that is thinner than `size`.
 fn is_below(mesh: &TriMesh, point: &SurfacePoint, other: u32, size: f64) -> bool {
     if mesh.face_normal(other).dot(point.normal) >= BACK {
         return false;
@@ -135,13 +135,13 @@ fn is_below(mesh: &TriMesh, point: &SurfacePoint, other: u32, size: f64) -> bool
 }
 
 impl Fit {
-    /// What is to be said of it.
+    /// The notices for these shares.
     ///
     /// # Errors
-    /// Where cells are too large for most of the surface.
+    /// If cells are too large for most of the surface.
     pub fn notices(&self) -> Result<Vec<Notice>, Notice> {
         let told = |code, share: f64| {
-            // At least 1: what is told of is not nothing.
+            // At least 1, so that no notice says 0 percent.
             let percent = (100.0 * share).round().max(1.0) as usize;
             Notice::new(code).with("share", percent)
         };
@@ -199,7 +199,7 @@ mod tests {
                 .map(|p| DVec3::new(p.x, thickness * p.y, p.z));
             let plate = mesh((flat.collect(), triangles.clone()));
             let found = fit(&plate, 0.1, [0.0; 2]);
-            // The rim is not thin, nor does one see the other side from it.
+            // The narrow faces of the rim are not thin, and the other side is not below them.
             let share = 2.0 / (2.0 + 4.0 * thickness) * thin;
             assert!((found.thin - share).abs() < 0.02, "{thickness} {found:?}");
             let told = if thin > 0.0 {
@@ -209,7 +209,7 @@ mod tests {
             };
             assert_eq!(codes(found), told);
         }
-        // One side only has no other.
+        // A single sheet has no other side.
         let open = mesh(testing::flat(20));
         assert_eq!(fit(&open, 0.5, [0.0; 2]).thin, 0.0);
     }

@@ -5,7 +5,8 @@ use super::system::{Holding, Level, System};
 use glam::DVec2;
 
 /// Solves (A + D) x = b for the matrix A of a system and a diagonal D (Hestenes, Stiefel 1952), preconditioned with a
-/// [`Cycle`] over it and all coarser ones. Sums run over the rows in their order, however the work is cut.
+/// [`Cycle`] over it and all coarser systems. Sums run over the rows in order, so results do not depend on how the
+/// work is cut.
 #[derive(Clone, Debug)]
 pub(super) struct Gradients {
     pub x: Vec<DVec2>,
@@ -15,11 +16,11 @@ pub(super) struct Gradients {
     residual: Vec<DVec2>,
     step: Vec<DVec2>,
     image: Vec<DVec2>,
-    /// What is left is at most this share of b.
+    /// The residual may be at most this share of b.
     tolerance: f64,
     most: usize,
     goal: f64,
-    /// What is left, in the measure of the diagonal and in that of the cycle.
+    /// The squared norm of the residual, in the measure of the diagonal and in that of the cycle.
     left: f64,
     product: f64,
     sum: f64,
@@ -41,7 +42,8 @@ enum Phase {
 }
 
 impl Gradients {
-    /// From a guess, until what is left is that share of b, or after the most iterations.
+    /// Starts from an initial guess. Ends when the residual is at most the given share of b, or after the most
+    /// iterations.
     pub fn begin(x: Vec<DVec2>, holding: Holding, (tolerance, most): (f64, usize)) -> Self {
         Self {
             iterations: 0,
@@ -63,7 +65,7 @@ impl Gradients {
         }
     }
 
-    /// Works on so many rows of the first of these levels, or of coarser ones; true when done.
+    /// Works on at most `amount` rows, of the first of these levels or of coarser ones; true when done.
     pub fn advance(&mut self, levels: &[Level], amount: usize) -> bool {
         let mut amount = amount.max(1);
         let system = &levels[0].system;

@@ -66,7 +66,8 @@ use crate::trimesh::{Frame, SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
-/// How many turns of a cell in a full circle look alike, as the direction on a surface sees it.
+/// The number of turns of a cell in a full circle that look alike. On a surface circles have directions of symmetry
+/// 6.
 fn symmetry_of(kind: Kind) -> u32 {
     match kind {
         Kind::Circle => 6,
@@ -74,27 +75,27 @@ fn symmetry_of(kind: Kind) -> u32 {
     }
 }
 
-/// The fields of a surface, ready to be asked at any of its points.
+/// The fields of a surface, for queries at any of its points.
 #[derive(Clone, Debug)]
 pub struct SurfaceFields {
     mesh: Arc<TriMesh>,
     kind: Kind,
     size: f64,
     aspect: f64,
-    /// At the vertices: sizes and aspect ratios, none where they are all the same; unit vectors of the direction; of the
-    /// one sense, none where there is none; curvatures.
+    /// Values at the vertices. Sizes and aspect ratios are empty if they are the same everywhere; the flow is empty
+    /// if there is none.
     sizes: Vec<f64>,
     aspects: Vec<f64>,
     axes: Vec<DVec3>,
     flows: Vec<DVec3>,
     curvature: Vec<Curvature>,
-    /// Rounds in which curvatures were averaged.
+    /// Rounds over which curvatures were averaged.
     curvature_reach: usize,
-    /// Of conjugate gradients on the mesh itself.
+    /// Iterations of conjugate gradients on the finest level.
     iterations: usize,
 }
 
-/// What a cell at a point should be.
+/// The size and shape wanted for a cell at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
     /// See [`SurfaceFields::size`].
@@ -128,7 +129,7 @@ impl SurfaceFields {
         }
     }
 
-    /// The size that so many cells of a kind have in the mean on a surface of some area.
+    /// The mean size for which about `count` cells of a kind cover the area.
     pub fn size_for(kind: Kind, count: f64, area: f64) -> f64 {
         (area / (count.max(1.0) * sizes::cell_area(kind))).sqrt()
     }
@@ -140,7 +141,7 @@ impl SurfaceFields {
             .collect()
     }
 
-    /// The mesh they are told on.
+    /// The mesh on which the fields are defined.
     pub fn mesh(&self) -> &Arc<TriMesh> {
         &self.mesh
     }
@@ -150,12 +151,12 @@ impl SurfaceFields {
         self.kind
     }
 
-    /// How many turns of a direction in a full circle look alike: 4, 2 or, for circles, 6.
+    /// The number of directions in a full circle that mean the same: 4, 2 or, for circles, 6.
     pub fn symmetry(&self) -> u32 {
         symmetry_of(self.kind)
     }
 
-    /// The mean size, before anything changes it.
+    /// The mean size, before spots, tapers and curvature change it.
     pub fn mean_size(&self) -> f64 {
         self.size
     }
@@ -188,7 +189,7 @@ impl SurfaceFields {
         self.sizes.get(vertex).copied().unwrap_or(self.size)
     }
 
-    /// All that a cell at this point should be.
+    /// The size and shape wanted for a cell at this point.
     pub fn at(&self, p: &SurfacePoint) -> Wanted {
         let weights = p.weights(&self.mesh);
         Wanted {
@@ -198,7 +199,7 @@ impl SurfaceFields {
         }
     }
 
-    /// The side a cell at this point should have; a stretched one has the area of a square of this side.
+    /// The side that a cell at this point should have; a stretched cell has the area of a square of this side.
     pub fn size(&self, p: &SurfacePoint) -> f64 {
         if self.sizes.is_empty() {
             return self.size;
@@ -206,7 +207,7 @@ impl SurfaceFields {
         self.mixed(&self.sizes, self.size, p, p.weights(&self.mesh))
     }
 
-    /// Length over width of a cell at this point: 1 for squares and circles, else 1..5.
+    /// Length over width of a cell at this point: 1 for squares and circles, 1 to 5 for others.
     pub fn aspect(&self, p: &SurfacePoint) -> f64 {
         if self.aspects.is_empty() {
             return self.aspect;
@@ -214,20 +215,20 @@ impl SurfaceFields {
         self.mixed(&self.aspects, self.aspect, p, p.weights(&self.mesh))
     }
 
-    /// Unit vector along a side of a cell at this point, in the frame of its normal; zero where the field vanishes. Any
-    /// turn of it by a part of the symmetry means the same.
+    /// Unit vector along a side of a cell at this point, in the frame of its normal; zero where the field vanishes.
+    /// Its turns by a multiple of 2 pi over the symmetry mean the same.
     pub fn axis(&self, p: &SurfacePoint) -> DVec2 {
         self.direction(&self.axes, self.symmetry(), p, p.weights(&self.mesh))
     }
 
-    /// Unit vector of the one sense at this point, from head to tail, in the frame of its normal; zero where there is
+    /// Unit vector of the flow at this point, from head to tail, in the frame of its normal; zero where there is
     /// none.
     pub fn flow(&self, p: &SurfacePoint) -> DVec2 {
         self.direction(&self.flows, 1, p, p.weights(&self.mesh))
     }
 
-    /// The turn of a cell's axis, by half a turn, a quarter or a sixth, that lies nearest to the one sense; the axis
-    /// itself where there is none.
+    /// Turns a cell's axis by a multiple of a half, quarter or sixth turn to the direction nearest to the flow.
+    /// Without a flow the axis stays.
     pub fn one_sense(&self, p: &SurfacePoint, axis: DVec2) -> DVec2 {
         let flow = self.flow(p);
         let part = match self.symmetry() {
@@ -250,7 +251,7 @@ impl SurfaceFields {
         curvature::interpolated(&self.curvature, &self.mesh, p)
     }
 
-    /// The area that dense cells of these sizes cover says how many there will be.
+    /// About how many cells there will be, from the area that dense cells of these sizes cover.
     pub fn about_cells(&self) -> f64 {
         let mut sum = 0.0;
         for (t, corners) in self.mesh.triangles().iter().enumerate() {
@@ -284,7 +285,7 @@ impl SurfaceFields {
         let frame = Frame::of(p.normal);
         let mut sum = DVec2::ZERO;
         let corners = self.mesh.triangles()[p.triangle as usize];
-        // Of the directions that mean the same that which is nearest to an edge: turns of the mesh turn it, too.
+        // Among equivalent directions take the one nearest to an edge, so that the choice turns with the mesh.
         let [a, b] = [corners[0], corners[1]].map(|v| self.mesh.positions()[v as usize]);
         let edge = frame.within(b - a).normalize_or(DVec2::X);
         let told = representation(edge, symmetry);

@@ -1,4 +1,4 @@
-//! What strokes say at the vertices around them.
+//! Constraints from painted strokes at the vertices around them.
 
 use super::Stroke;
 use super::stroke::distance;
@@ -8,16 +8,17 @@ use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Strokes are heard up to so many widths.
+/// A stroke reaches this many widths.
 const REACH: f64 = 2.2;
-/// Pieces of a stroke are at least so many widths long.
+/// Pieces of a stroke are at least this many widths long.
 const PIECE: f64 = 0.25;
 
-/// Of the vertices around strokes, how much these count (0..1) and that times what they say.
+/// For each vertex near a stroke: its share (0..1), and the share times the representation vector.
 pub(super) type Paint = BTreeMap<u32, (f64, DVec2)>;
 
-/// Adds a stroke, over what is there: exp(-(d / width)^2) of it at distance d from its line. It spreads over the
-/// surface, so it is not heard on the other side of a thin sheet. `least` is the width it has at least.
+/// Paints a stroke over what is there, with the share exp(-(d / width)^2) at distance d from its line. The search
+/// spreads over the surface, so a stroke does not reach the other side of a thin sheet. `least` is a lower bound of
+/// the width.
 pub(super) fn add(
     paint: &mut Paint,
     stroke: &Stroke,
@@ -43,7 +44,7 @@ pub(super) fn add(
     }
 }
 
-/// Its segments, short ones joined.
+/// The segments of a stroke, short ones joined.
 fn pieces(stroke: &Stroke, least: f64) -> Vec<(SurfacePoint, SurfacePoint)> {
     let mut pieces: Vec<(SurfacePoint, SurfacePoint)> = Vec::new();
     let Some((&first, rest)) = stroke.points.split_first() else {
@@ -73,7 +74,7 @@ fn piece(
     let corners = [from, to].map(|p| mesh.triangles()[p.triangle as usize]);
     let mut open: Vec<u32> = corners.as_flattened().to_vec();
     let mut met: BTreeSet<u32> = open.iter().copied().collect();
-    // The triangles it lies in hear it, however large they are.
+    // All corners of the triangles that the stroke lies in are reached, however large these are.
     let edges = [from, to].map(|p| longest_edge(mesh, p.triangle));
     let near: BTreeSet<u32> = met.clone();
     while let Some(v) = open.pop() {
@@ -105,7 +106,7 @@ fn hear(
     let along = links.frames[v as usize].within(by).normalize_or_zero();
     let entry = sums.entry(v).or_insert((0.0, DVec2::ZERO));
     entry.0 = entry.0.max(share);
-    // Of several pieces the nearest is heard most.
+    // Squares let the nearest of several pieces count most.
     entry.1 += share * share * representation(along, symmetry);
 }
 

@@ -1,11 +1,11 @@
-//! What the fields of a surface are made from.
+//! Parameters of the fields of a surface.
 
 use super::{Bone, Stroke};
 use crate::field::Kind;
 use crate::trimesh::SurfacePoint;
 use glam::DVec3;
 
-/// What the fields of a surface are made from. Lengths and places are in the mesh's units, angles in radians.
+/// Parameters of the fields of a surface. Lengths and places are in the mesh's units, angles in radians.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SurfaceFieldParams {
     /// Kind of the cells.
@@ -16,73 +16,73 @@ pub struct SurfaceFieldParams {
     pub aspect: AspectParams,
     /// Where their direction comes from.
     pub direction: DirectionParams,
-    /// Where their one sense comes from; nothing where they need none.
+    /// Where their flow, from head to tail, comes from, if they need one.
     pub flow: Option<FlowParams>,
     /// Lines inside the body, from head to tail.
     pub bones: Vec<Bone>,
 }
 
-/// How large cells are in the mean, before anything changes it.
+/// The mean size of cells, before anything changes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Amount {
-    /// Their side: a stretched one has the area of a square of this side.
+    /// The side of a cell; a stretched one has the area of a square of this side.
     Size(f64),
-    /// About so many cells.
+    /// About this many cells on the surface.
     Count(f64),
 }
 
-/// The way that a value changes along.
+/// The direction along which a value changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Along {
-    /// From the lowest place in this direction to the highest; by height, that is (0, 1, 0).
+    /// From the lowest point of the surface in this direction to the highest; for height, (0, 1, 0).
     Axis(DVec3),
     /// From the head of the bones to their tail.
     Bones,
 }
 
-/// A factor that changes evenly (its logarithm does) along the body.
+/// A factor whose logarithm changes linearly along the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taper {
-    /// Along what.
+    /// The direction of the change.
     pub along: Along,
-    /// The factor where it begins ...
+    /// The factor at the start ...
     pub first: f64,
-    /// ... and where it ends.
+    /// ... and at the end.
     pub last: f64,
 }
 
-/// Smaller cells where the surface bends more.
+/// Makes cells smaller where the surface is more curved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ByCurvature {
-    /// The angle that a cell spans (radians; .1 to .35).
+    /// The angle in radians that a cell spans; useful from 0.1 to 0.35.
     pub angle: f64,
     /// The smallest and the largest factor of the size.
     pub factors: (f64, f64),
 }
 
-/// A soft spot: its value in the middle, falling off smoothly to nothing at the radius.
+/// A soft spot: its value holds in the middle and fades smoothly to nothing at the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSpot {
-    /// Its middle. It does not show on the other side of a thin sheet.
+    /// Its middle. The spot does not reach the other side of a thin sheet.
     pub at: SurfacePoint,
-    /// Where it ends.
+    /// The distance at which it ends.
     pub radius: f64,
     /// A factor of the size, or an aspect ratio.
     pub value: f64,
 }
 
-/// Where sizes come from: all of it multiplied.
+/// Where sizes come from. The factors of all sources are multiplied.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SizeParams {
-    /// The size in the mean.
+    /// The mean size.
     pub amount: Amount,
     /// Its change along the body.
     pub taper: Option<Taper>,
     /// Its change with the curvature.
     pub curvature: Option<ByCurvature>,
-    /// Spots; where they overlap, factors are multiplied.
+    /// Spots; factors of spots that overlap are multiplied.
     pub spots: Vec<SurfaceSpot>,
-    /// The steepest slope of the size that curvature and spots may make.
+    /// The steepest slope of the size, where curvature and spots change it.
     pub slope: f64,
 }
 
@@ -105,7 +105,8 @@ pub struct AspectParams {
     pub aspect: f64,
     /// A factor that changes along the body.
     pub taper: Option<Taper>,
-    /// Round where the surface bends alike in all directions, stretched where it bends one way only.
+    /// Whether cells are round where the surface is curved alike in all directions, and stretched where it is curved
+    /// one way only.
     pub by_curvature: bool,
     /// Spots with an aspect ratio of their own, later ones over earlier ones.
     pub spots: Vec<SurfaceSpot>,
@@ -122,29 +123,28 @@ impl Default for AspectParams {
     }
 }
 
-/// Where directions come from: how much each of them counts, 0 not at all. Where none counts, the field is as smooth
-/// as it can be.
+/// The weights of the constraints of directions; 0 has no influence. If all are 0, the field is as smooth as possible.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DirectionParams {
-    /// One direction in space, projected.
+    /// The weight of one direction in space, projected onto the surface.
     pub axis: f64,
     /// That direction.
     pub towards: DVec3,
-    /// The bones.
+    /// The weight of the bones.
     pub bones: f64,
-    /// The direction of least curvature.
+    /// The weight of the direction of least curvature.
     pub curvature: f64,
-    /// Borders of the surface.
+    /// The weight of the borders of the surface.
     pub borders: f64,
-    /// Creases: edges sharper than `crease_angle`.
+    /// The weight of creases: edges sharper than `crease_angle`.
     pub creases: f64,
-    /// The angle between the normals of its two sides from which on an edge is a crease.
+    /// An edge is a crease if the normals of its two sides form at least this angle.
     pub crease_angle: f64,
-    /// Painted strokes, later ones over earlier ones, all of them over anything else.
+    /// Painted strokes: later ones over earlier ones, all of them over anything else.
     pub strokes: Vec<Stroke>,
-    /// Lines that cells line up along: as strokes, but for their width, which is about a cell's.
+    /// Lines that cells line up along: like strokes, but about as wide as a cell.
     pub lines: Vec<Stroke>,
-    /// Everything is turned by this angle in the end, counter-clockwise seen from outside.
+    /// The angle by which the whole field is turned in the end, counter-clockwise seen from outside.
     pub turn: f64,
 }
 
@@ -165,18 +165,18 @@ impl Default for DirectionParams {
     }
 }
 
-/// Where the one sense from head to tail comes from.
+/// Where the flow from head to tail comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowParams {
-    /// How much the direction in space counts, as it points.
+    /// The weight of the direction in space, as it points.
     pub axis: f64,
     /// That direction.
     pub towards: DVec3,
-    /// How much the bones count, from head to tail.
+    /// The weight of the bones, from head to tail.
     pub bones: f64,
-    /// Strokes, as they were drawn.
+    /// Strokes, in the sense in which they were drawn.
     pub strokes: Vec<Stroke>,
-    /// The other way round.
+    /// Whether the flow is reversed in the end.
     pub flip: bool,
 }
 

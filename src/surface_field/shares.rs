@@ -1,28 +1,28 @@
-//! How much of a surface cells of the sizes asked for fit badly.
+//! Shares of a surface where cells of the wanted sizes do not fit.
 
 use super::SurfaceFields;
 use crate::trimesh::{Search, SurfacePoint};
 use glam::DVec3;
 
-/// Shares of the area where cells are large against the radius of curvature. Creases are left out: cells that bend over
-/// them, or end there, are another matter.
+/// Shares of the area where cells are large against the radius of curvature. Creases are left out: cells that bend
+/// over them or end there are another matter.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bent {
-    /// Cells are larger than half the radius: their sizes will vary.
+    /// Where cells are larger than half the radius, so that their sizes will vary.
     pub large: f64,
-    /// The surface bends about alike in both directions, and cells are larger than the radius.
+    /// Where the surface is curved about alike in both directions, and cells are larger than the radius.
     pub balls: f64,
-    /// It bends one way, and cells are larger than 1.2 radii.
+    /// Where it is curved one way, and cells are larger than 1.2 radii.
     pub tubes: f64,
 }
 
-/// Size over radius of what is called large, and what is too large on balls and on tubes.
+/// The ratio of size to radius that counts as large, and as too large on balls and on tubes.
 const LARGE: f64 = 0.5;
 const BALLS: f64 = 1.0;
 const TUBES: f64 = 1.2;
-/// The lesser curvature is at least this share of the greater one on what counts as a ball.
+/// A place counts as a ball if the lesser curvature is at least this share of the greater one.
 const ROUND: f64 = 0.4;
-/// Cosine between the normals of two triangles from which on their edge is a crease.
+/// An edge is a crease if the cosine between the normals of its triangles is less.
 const CREASE: f64 = 0.9;
 
 impl SurfaceFields {
@@ -55,7 +55,7 @@ impl SurfaceFields {
         shares
     }
 
-    /// Vertices whose curvature has some of a crease's in it.
+    /// Marks vertices whose averaged curvature contains some of a crease's.
     fn near_creases(&self) -> Vec<bool> {
         let mesh = &self.mesh;
         let mut near = vec![false; mesh.positions().len()];
@@ -90,12 +90,12 @@ impl SurfaceFields {
     }
 }
 
-/// Places at which the thickness is measured.
+/// The number of places at which the thickness is measured.
 const PLACES: usize = 4000;
-/// In a slice.
+/// Places in a slice.
 const SLICE: usize = 500;
 
-/// Measures how thick a closed surface is: rays inwards from places spread evenly over its area.
+/// Measures how thick a closed surface is: rays go inwards from places spread evenly over its area.
 #[derive(Clone, Debug)]
 pub struct Thickness {
     places: Vec<SurfacePoint>,
@@ -105,7 +105,7 @@ pub struct Thickness {
 }
 
 impl Thickness {
-    /// At places on the mesh of the fields.
+    /// Starts with places on the mesh of the fields.
     pub fn begin(fields: &SurfaceFields) -> Self {
         let mesh = fields.mesh();
         let step = mesh.area() / PLACES as f64;
@@ -113,7 +113,7 @@ impl Thickness {
         for t in 0..mesh.triangles().len() as u32 {
             let area = mesh.area_of(t);
             while next < passed + area && places.len() < PLACES {
-                // Anywhere in the triangle, by the golden ratio.
+                // Places within the triangles follow the golden ratio.
                 let k = places.len() as f64;
                 let (u, v) = (
                     0.618_033_988_749_894_9 * k % 1.0,
@@ -137,7 +137,7 @@ impl Thickness {
         }
     }
 
-    /// Measures at some hundred places; true when done.
+    /// Measures at one more slice of places; true when done.
     pub fn advance(&mut self, fields: &SurfaceFields, search: &Search) -> bool {
         let mesh = fields.mesh();
         let end = self.places.len().min(self.at + SLICE);
@@ -155,12 +155,12 @@ impl Thickness {
         end == self.places.len()
     }
 
-    /// The share of the area where the surface is thinner than a cell's size.
+    /// The share of the area where the surface is thinner than the size of a cell there.
     pub fn thin(&self) -> f64 {
         self.thin as f64 / self.places.len().max(1) as f64
     }
 
-    /// The least thickness found, in sizes; infinite where there is no other side.
+    /// The least thickness found, in sizes of cells; infinite if no ray met another side.
     pub fn least(&self) -> f64 {
         self.least
     }

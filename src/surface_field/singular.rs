@@ -1,4 +1,4 @@
-//! Places around which the direction turns.
+//! Singular points of the direction.
 
 use super::SurfaceFields;
 use crate::field::symmetry::representation;
@@ -8,26 +8,26 @@ use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// A place where the direction cannot be told, as on all sides of it cells stand otherwise.
+/// A singular point, around which the direction turns: there it is undefined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSingularity {
     /// The middle of the triangle around which the direction turns.
     pub at: SurfacePoint,
-    /// How many parts of a full turn it turns on the way once around: quarters for squares, halves for stretched cells,
-    /// sixths for circles.
+    /// By how much the direction turns on the way once around, in quarter turns for squares, half turns for stretched
+    /// cells, sixths for circles.
     pub turns: i32,
     /// The same in full turns: 1/4 where three rows of squares meet, -1/4 where five do.
     pub index: f64,
 }
 
 impl SurfaceFields {
-    /// The singular places of the direction, by triangle. On a closed surface their indices sum to its Euler
+    /// The singular points of the direction, by triangle. On a closed surface their indices sum to its Euler
     /// characteristic; see [`SurfaceFields::border_index`] for others.
     pub fn singular_points(&self) -> Vec<SurfaceSingularity> {
         self.singular_among(0..self.mesh.triangles().len())
     }
 
-    /// Those in some of the triangles.
+    /// The singular points in some of the triangles.
     pub fn singular_among(&self, triangles: Range<usize>) -> Vec<SurfaceSingularity> {
         let symmetry = self.symmetry();
         let mut found = Vec::new();
@@ -51,14 +51,14 @@ impl SurfaceFields {
         found
     }
 
-    /// The sum of the indices of all singular places.
+    /// The sum of the indices of all singular points.
     pub fn index_sum(&self) -> f64 {
         let turns: i32 = self.singular_points().iter().map(|s| s.turns).sum();
         f64::from(turns) / f64::from(self.symmetry())
     }
 
-    /// How often the borders turn against the direction on the way along them, in full turns. Together with the sum of
-    /// the indices it is the Euler characteristic.
+    /// How often the borders turn against the direction on the way along them, in full turns. This and the sum of the
+    /// indices add up to the Euler characteristic.
     pub fn border_index(&self) -> f64 {
         if self.axes.is_empty() {
             return 0.0;
@@ -84,12 +84,12 @@ impl SurfaceFields {
                 sum += tangent - self.turn(v, next) / f64::from(self.symmetry());
             }
         }
-        // What is left of rounding would hide that it is a part of a whole.
+        // Rounding is removed: the result is a whole number of parts of a turn.
         (sum / TAU * f64::from(self.symmetry())).round() / f64::from(self.symmetry())
     }
 
-    /// How far the direction's representation turns from one end of an edge to the other, -pi..pi; the other way the
-    /// reverse, to the bit.
+    /// How far the direction's representation turns from one end of an edge to the other, -pi..pi. The reverse
+    /// direction gives exactly the negative.
     fn turn(&self, a: u32, b: u32) -> f64 {
         let (from, to) = (self.axes[a as usize], self.axes[b as usize]);
         if a < b {
@@ -110,8 +110,8 @@ impl SurfaceFields {
         libm::atan2(carried.perp_dot(here), carried.dot(here))
     }
 
-    /// How far a vector turns that is carried around a triangle: the area of the triangle of the normals on the ball
-    /// (van Oosterom, Strackee 1983, The Solid Angle of a Plane Triangle).
+    /// The angle by which parallel transport around a triangle turns a vector: the area of the triangle of the
+    /// normals on the unit ball (van Oosterom, Strackee 1983, The Solid Angle of a Plane Triangle).
     fn holonomy(&self, corners: [u32; 3]) -> f64 {
         let [a, b, c] = corners.map(|v| self.mesh.normals()[v as usize]);
         let below = 1.0 + a.dot(b) + b.dot(c) + c.dot(a);

@@ -1,4 +1,4 @@
-//! How large cells are to be, and how long.
+//! Sizes and aspect ratios of cells.
 
 use super::SurfaceFieldParams;
 use super::bones::BoneSource;
@@ -12,26 +12,26 @@ use crate::trimesh::links::Links;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Rounds in which a size is found that gives the number of cells asked for.
+/// The most rounds to find the size that gives the wanted number of cells.
 const ROUNDS: usize = 6;
 
-/// Sizes and aspect ratios at the vertices, in slices.
+/// Computes sizes and aspect ratios at the vertices, in slices.
 #[derive(Clone, Debug)]
 pub(super) struct Sizes {
     /// The mean size.
     pub size: f64,
-    /// At the vertices; none where they are all the same.
+    /// Sizes at the vertices; empty if they are the same everywhere.
     pub values: Vec<f64>,
-    /// The same of the aspect ratios.
+    /// Aspect ratios, likewise.
     pub aspects: Vec<f64>,
-    /// Factors that do not hang on the mean size.
+    /// Factors that do not depend on the mean size.
     factors: Vec<f64>,
     step: Step,
     at: usize,
     round: usize,
     sum: f64,
     open: BinaryHeap<Reverse<(u64, u32)>>,
-    /// Of the tapers.
+    /// The ranges of the tapers of size and aspect ratio.
     spans: [Span; 2],
 }
 
@@ -48,14 +48,14 @@ enum Step {
     Done,
 }
 
-/// What sizes are made of.
+/// The inputs of sizes.
 #[derive(Clone, Copy)]
 pub(super) struct Ground<'a> {
     pub params: &'a SurfaceFieldParams,
     pub mesh: &'a TriMesh,
     pub links: &'a Links,
     pub curvature: &'a [Curvature],
-    /// What the bones say of each vertex; none where nobody asked.
+    /// The constraint of the bones at each vertex; empty if nothing depends on them.
     pub heard: &'a [BoneSource],
 }
 
@@ -68,13 +68,13 @@ pub(super) fn cell_area(kind: Kind) -> f64 {
     }
 }
 
-/// The size asked for, as if it were the same everywhere.
+/// The mean size, as if sizes were the same everywhere.
 pub(super) fn mean_size(params: &SurfaceFieldParams, mesh: &TriMesh) -> f64 {
     let size = match params.size.amount {
         Amount::Size(size) => size,
         Amount::Count(count) => (mesh.area() / (count.max(1.0) * cell_area(params.kind))).sqrt(),
     };
-    // No field makes more cells than anyone waits for, nor is it one of nothing.
+    // A lower bound keeps the count of cells finite, for bad numbers, too.
     let least = 1e-4 * mesh.diagonal();
     if size.is_finite() {
         size.max(least)
@@ -84,7 +84,7 @@ pub(super) fn mean_size(params: &SurfaceFieldParams, mesh: &TriMesh) -> f64 {
 }
 
 impl Sizes {
-    /// Nothing yet.
+    /// Starts with no work done.
     pub fn begin(ground: Ground) -> Self {
         let Ground { params, mesh, .. } = ground;
         Self {
@@ -101,7 +101,7 @@ impl Sizes {
         }
     }
 
-    /// Works on so many vertices; true when done.
+    /// Works on at most `amount` vertices; true when done.
     pub fn advance(&mut self, ground: Ground, amount: usize) -> bool {
         match self.step {
             Step::Aspects if !varies_aspect(ground.params) => self.step = Step::Factors,
@@ -184,7 +184,7 @@ impl Sizes {
             (Step::Values, _) => Step::Open,
             (Step::Open, _) => Step::Limit,
             (Step::Recount, Some(asked)) => {
-                // The limit has made cells smaller: all larger again, so that there are as many as asked.
+                // The limit of the slope has made cells smaller: scale all up again, to get the wanted number.
                 self.sum = (self.sum / asked).sqrt();
                 self.size *= self.sum;
                 Step::Rescale
@@ -193,7 +193,7 @@ impl Sizes {
         };
     }
 
-    /// The size at a vertex, but for its slope.
+    /// The size at a vertex before the slope is limited.
     fn wanted(&self, ground: Ground, v: usize) -> f64 {
         let bent = ground.params.size.curvature.map_or(1.0, |by| {
             let angle = ground.curvature[v].most() * self.size;
@@ -210,8 +210,8 @@ impl Sizes {
         })
     }
 
-    /// Settles the sizes of so many vertices, the smallest first, each at most a slope above its neighbours (Persson
-    /// 2006, Mesh Size Functions for Implicit Geometries and PDE-Based Gradient Limiting).
+    /// Limits the slope at up to `amount` vertices, from the smallest size up: each is at most a slope above its
+    /// neighbours (Persson 2006, Mesh Size Functions for Implicit Geometries and PDE-Based Gradient Limiting).
     fn limit(&mut self, ground: Ground, amount: usize) {
         let (at, slope) = (ground.mesh.positions(), ground.params.size.slope);
         for _ in 0..amount.max(1) {
@@ -254,7 +254,7 @@ fn positive(x: f64) -> f64 {
     }
 }
 
-/// A taper, with the heights between which it runs.
+/// A taper and the heights between which it runs.
 #[derive(Clone, Copy, Debug)]
 struct Span {
     taper: Option<Taper>,
@@ -300,14 +300,14 @@ impl Span {
     }
 }
 
-/// A spot's share at a vertex: 1 in its middle, 0 from its radius on.
+/// The share of a spot at a vertex: 1 in its middle, 0 from its radius on.
 fn share(spot: &SurfaceSpot, mesh: &TriMesh, v: usize) -> f64 {
     let square = mesh.positions()[v].distance_squared(spot.at.at);
     let rest = 1.0 - square / (spot.radius * spot.radius);
     if rest.is_nan() || rest <= 0.0 {
         return 0.0;
     }
-    // The other side of a thin sheet looks the other way.
+    // No share on the other side of a thin sheet, which faces away.
     let facing = mesh.normals()[v].dot(spot.at.normal);
     rest * rest * (2.0 * (facing + 0.5)).clamp(0.0, 1.0)
 }
@@ -327,7 +327,7 @@ fn aspect(ground: Ground, span: &Span, v: usize) -> f64 {
     libm::exp(log).clamp(ASPECT_RANGE.0, ASPECT_RANGE.1)
 }
 
-/// How much more a surface bends one way than the other, 0..1.
+/// How much more a surface is curved one way than the other, 0..1.
 pub(super) fn one_way(curvature: &Curvature) -> f64 {
     let [(most, _), (least, _)] = curvature.principal();
     let (most, least) = (most.abs(), least.abs());

@@ -1,28 +1,31 @@
-//! The smoothest directions that follow their sources.
+//! The smoothest directions that follow their constraints.
 //!
 //! Knoppel, Crane, Pinkall, Schroder (2013), Globally Optimal Direction Fields: representation vectors of neighbours,
-//! carried to each other, differ as little as can be. Coarser systems give the guess from which the mesh's own is
-//! solved. A part of the mesh without sources has no such answer but zero: there vectors are smoothed for a short
-//! time and made unit vectors again, time after time (Viertel, Osting 2019, An Approach to Quad Meshing Based on
-//! Harmonic Cross-Valued Maps and the Ginzburg-Landau Theory), beginning on the coarsest system, where singular points
-//! move far in each round.
+//! carried to each other, differ as little as possible. The solutions of coarser systems are the initial guess on the
+//! mesh itself.
+//!
+//! A part of the mesh without constraints has only the solution zero. There vectors are smoothed for a short time and
+//! made unit vectors again, round after round (Viertel, Osting 2019, An Approach to Quad Meshing Based on Harmonic
+//! Cross-Valued Maps and the Ginzburg-Landau Theory). This begins on the coarsest system, where singular points move
+//! far in each round.
 
 use super::gradients::Gradients;
 use super::system::{Coarsening, Holding, Level, System};
 use glam::DVec2;
 
-/// The coarsest system has at most so many rows.
+/// The most rows of the coarsest system.
 const COARSEST: usize = 400;
-/// What solving may leave on the mesh itself, of which angles of the field are no more off, and the most iterations ...
+/// The tolerance of the solver on the mesh itself, which is also about the error of the angles, and its most
+/// iterations ...
 const FINE: (f64, usize) = (1e-4, 500);
-/// ... and on coarser ones.
+/// ... and those on coarser systems.
 const ROUGH: (f64, usize) = (1e-4, 100);
-/// Rounds of smoothing parts without sources: on the coarsest system, on those between, on the mesh.
+/// Rounds of smoothing parts without constraints: on the coarsest system, on those between, on the mesh.
 const ROUNDS: [usize; 3] = [40, 6, 2];
-/// Then parts with sources are smoothed once more, as unit vectors, over so many sizes of a cell: where sources say
-/// little or speak against each other vectors are short, and their turns within a cell are no more than chance.
+/// At the end parts with constraints are smoothed once more, as unit vectors, over this many sizes of a cell. Where
+/// constraints are weak or contradict each other, the solution is short, and its turns within a cell are mere noise.
 const POLISH: f64 = 1.0;
-/// How far smoothing goes in a round, as an area in rows' own.
+/// The area over which one round smooths, in areas of a row.
 const SPREAD: f64 = 20.0;
 
 /// Solves a [`System`] in slices.
@@ -30,14 +33,14 @@ const SPREAD: f64 = 20.0;
 pub(super) struct Smoothing {
     levels: Vec<Level>,
     work: Work,
-    /// Vectors at the rows of the level at work, of length 1 in parts without sources.
+    /// Vectors at the rows of the current level, of length 1 in parts without constraints.
     now: Vec<DVec2>,
     holding: Holding,
     /// See [`POLISH`].
     polish: f64,
     level: usize,
     round: usize,
-    /// Iterations on the mesh itself.
+    /// Iterations of the solver on the mesh itself.
     pub iterations: usize,
 }
 
@@ -45,15 +48,15 @@ pub(super) struct Smoothing {
 enum Work {
     Coarsen(Box<Coarsening>),
     Solve(Box<Gradients>),
-    /// Makes unit vectors of what was solved for.
+    /// Makes unit vectors of the solution.
     Unit(Vec<DVec2>),
-    /// Brings them to the next finer level.
+    /// Carries them to the next finer level.
     Carry(Vec<DVec2>),
     Done,
 }
 
 impl Smoothing {
-    /// `sourced` tells of each part whether sources hold it; in others the loads are the guess to begin with.
+    /// `sourced` tells for each part whether it has constraints; in other parts the loads are the initial guess.
     /// `size` is about that of a cell.
     pub fn begin(system: System, sourced: Vec<bool>, size: f64) -> Self {
         Self {
@@ -74,7 +77,7 @@ impl Smoothing {
         }
     }
 
-    /// Works on so many rows; true when done.
+    /// Works on at most `amount` rows; true when done.
     pub fn advance(&mut self, amount: usize) -> bool {
         self.work = match std::mem::replace(&mut self.work, Work::Done) {
             Work::Coarsen(work) => self.coarsen(work, amount),
@@ -96,8 +99,8 @@ impl Smoothing {
         matches!(self.work, Work::Done)
     }
 
-    /// Unit vectors at the vertices: some direction even where sources cancel each other, so that the turns around
-    /// triangles are whole ones.
+    /// Unit vectors at the vertices. Where constraints cancel each other the direction is arbitrary, but never zero,
+    /// so the turns around triangles are whole ones.
     pub fn finish(self) -> Vec<DVec2> {
         self.now
     }
@@ -128,7 +131,7 @@ impl Smoothing {
         self.holding.sourced.contains(&false)
     }
 
-    /// From the vectors there are.
+    /// Starts the solver from the current vectors.
     fn solve(&mut self) -> Work {
         let system = &self.levels[self.level].system;
         if self.has_free() && self.round == 0 {
@@ -159,7 +162,8 @@ impl Smoothing {
         let begin = self.now.len();
         let end = x.len().min(begin.saturating_add(amount.max(1)));
         for (v, &z) in x.iter().enumerate().take(end).skip(begin) {
-            // Where sources hold them, lengths tell how much these agree: the guess for the next level.
+            // In parts with constraints the length tells how much these agree: keep it as the guess for the next
+            // level.
             let is_held = self.level > 0 && self.holding.is_sourced(system, v);
             self.now
                 .push(if is_held { z } else { z.normalize_or(DVec2::X) });

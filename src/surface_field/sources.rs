@@ -1,4 +1,4 @@
-//! What the directions are held by, vertex by vertex.
+//! Constraints of the directions at the vertices.
 
 use super::bones::{BoneSource, Bones};
 use super::paint::{self, Paint};
@@ -10,34 +10,35 @@ use crate::trimesh::curvature::Curvature;
 use crate::trimesh::links::Links;
 use glam::{DVec2, DVec3};
 
-/// How much strokes and lines count, against 1 for a border.
+/// The weight of strokes and lines, against 1 for a border.
 const PAINTED: f64 = 4.0;
-/// A line counts up to this many sizes.
+/// The width of a line, in sizes of cells.
 const LINE: f64 = 0.6;
-/// A source of weight 1 is heeded from about so many sizes on.
+/// A constraint of weight 1 prevails on areas wider than about this many sizes.
 const HEED: f64 = 0.4;
-/// A part where no source counts more than this has none.
+/// A part has no constraint if no weight in it exceeds this.
 pub(super) const NO_SOURCE: f64 = 1e-3;
 
-/// What the direction at a vertex is held by: how much, and that times what it says.
+/// The constraint at a vertex: its weight, and the weight times the representation vector.
 pub(super) type Held = (f64, DVec2);
 
-/// Sources of one symmetry.
+/// All constraints of one field of directions.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sources {
     symmetry: u32,
     axis: (f64, DVec3),
     bones: f64,
     curvature: f64,
-    /// Of each vertex how many edges of borders or creases there are and what they say, and their weight; empty if none.
+    /// For each vertex the number of its border and crease edges, the sum of their representation vectors, and their
+    /// weight. Empty if these do not count.
     rims: Vec<(f64, DVec2, f64)>,
     paint: Paint,
-    /// Triangles among whose edges borders and creases were looked for.
+    /// How many triangles have been searched for borders and creases.
     looked_at: usize,
 }
 
 impl Sources {
-    /// Of the direction of cells; lines are as wide as the cells, told by the size at a vertex.
+    /// Constraints of the direction of cells. `size` gives the size at a vertex; lines are about as wide as a cell.
     pub fn of_direction(
         params: &DirectionParams,
         symmetry: u32,
@@ -69,7 +70,7 @@ impl Sources {
         sources
     }
 
-    /// Of the one sense.
+    /// Constraints of the flow.
     pub fn of_flow(params: &FlowParams, mesh: &TriMesh, links: &Links) -> Self {
         let mut sources = Self {
             symmetry: 1,
@@ -87,7 +88,7 @@ impl Sources {
         self.bones > 0.0
     }
 
-    /// Finds borders and creases among so many triangles; true when it has looked at all.
+    /// Searches up to `amount` more triangles for borders and creases; true when all are done.
     pub fn find_rims(
         &mut self,
         params: &DirectionParams,
@@ -134,7 +135,7 @@ impl Sources {
         end == all
     }
 
-    /// All that holds a vertex: as weights of their own, not of the vertex' area.
+    /// The sum of all constraints at a vertex. Weights do not include the vertex' area yet, see [`scale`].
     pub fn at(
         &self,
         v: usize,
@@ -187,15 +188,16 @@ impl Sources {
         (held, load)
     }
 
-    /// What is said in a part without sources, for smoothing to begin with: any direction does that is none of symmetry.
+    /// The initial guess in a part without constraints: a direction in space that is no symmetry of common models,
+    /// projected.
     pub fn hint(&self, v: usize, links: &Links) -> DVec2 {
         let along = links.frames[v].within(DVec3::new(0.36, 0.48, 0.8));
         along.length_squared() * representation(along.normalize_or_zero(), self.symmetry)
     }
 }
 
-/// What a source's weight is multiplied with at a vertex of this area: in the equations neighbours count by their edges,
-/// which do not change with the mesh' fineness, so sources must count by area, against that of a cell.
+/// The factor of a constraint at a vertex with the area `mass`. In the equations, the weights of edges do not change
+/// as the mesh gets finer, so constraints count by area, relative to that of a cell.
 pub(super) fn scale(mass: f64, size: f64) -> f64 {
     2.0 / 3.0 * mass / (HEED * HEED * size * size)
 }
@@ -211,8 +213,8 @@ fn axis(by: f64, towards: DVec3) -> (f64, DVec3) {
     }
 }
 
-/// What the bones say at a vertex, for directions of a symmetry: each as much as the fourth power of the share of it that
-/// lies along the surface, so that they say nothing at tips and forks.
+/// The constraint of the bones at a vertex, for directions of a symmetry. A bone counts by the fourth power of the
+/// tangential part of its direction, so bones have no influence at tips and forks.
 pub(super) fn bone_source(
     bones: &Bones,
     symmetry: u32,

@@ -9,23 +9,24 @@ use std::collections::{BTreeMap, BinaryHeap};
 /// A line drawn on a surface.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stroke {
-    /// Its points, one near the next: see [`Stroke::through`].
+    /// Its points, close together: see [`Stroke::through`].
     pub points: Vec<SurfacePoint>,
-    /// Up to where it counts: at this distance by a third.
+    /// Its half-width: at this distance from the line its share has fallen to 1 / e.
     pub width: f64,
 }
 
-/// Steps of the numbers that tell a stroke, along the longest side of the box around the mesh.
+/// Coordinates of a stroke in a recipe count steps; this many span the longest side of the mesh's bounding box.
 const STEPS: f64 = 4096.0;
-/// Rounds in which a path along edges is drawn taut.
+/// Rounds of tightening a path that was found along edges.
 const ROUNDS: usize = 60;
-/// A path is taut when no point moves by more than this share of a step.
+/// A path is taut when no point moves by more than this share of its spacing.
 const TAUT: f64 = 1e-3;
 /// The most points of a path between two places.
 const MOST: usize = 2000;
 
 impl Stroke {
-    /// The shortest path through places on a mesh, one after the other; a place in another part of the mesh is left out.
+    /// The shortest path through places on a mesh, one after the other. A place in another part of the mesh is left
+    /// out.
     pub fn through(mesh: &TriMesh, places: &[SurfacePoint], width: f64) -> Self {
         let mut points: Vec<SurfacePoint> = Vec::new();
         for place in places {
@@ -40,8 +41,8 @@ impl Stroke {
         Self { points, width }
     }
 
-    /// The stroke in whole numbers: its width and its places, in steps of the longest side of the box around the mesh.
-    /// So it is found again on the same model when that is divided into other triangles.
+    /// The stroke as whole numbers: its width and its places, in steps (4096 for the longest side of the mesh's
+    /// bounding box). So the stroke can be found again when the same model is divided into other triangles.
     pub fn row(&self, mesh: &TriMesh) -> Vec<i64> {
         let (lo, side) = unit(mesh);
         let steps = |x: f64| (x / side * STEPS).round() as i64;
@@ -57,8 +58,8 @@ impl Stroke {
         row
     }
 
-    /// The stroke of a row of whole numbers: the nearest places on the mesh, joined by shortest paths. Nothing where the
-    /// numbers are none of a stroke.
+    /// The stroke of a row of whole numbers: the nearest places on the mesh, joined by shortest paths. Nothing if the
+    /// row does not describe a stroke.
     pub fn from_row(mesh: &TriMesh, search: &Search, row: &[i64]) -> Option<Self> {
         let (&width, places) = row.split_first()?;
         let fits = |&x: &i64| (-64..=STEPS as i64 + 64).contains(&x);
@@ -74,7 +75,8 @@ impl Stroke {
         Some(Self::through(mesh, &places, width as f64 * side / STEPS))
     }
 
-    /// The same line with as few points as keep it within a distance (Douglas, Peucker 1973), to be told in few numbers.
+    /// The same line with as few points as keep it within a distance (Douglas, Peucker 1973), so that its row is
+    /// short.
     pub fn simplified(&self, within: f64) -> Self {
         let mut kept = vec![false; self.points.len()];
         let mut open = vec![(0, self.points.len().saturating_sub(1))];
@@ -120,8 +122,8 @@ fn unit(mesh: &TriMesh) -> (DVec3, f64) {
 }
 
 impl TriMesh {
-    /// The shortest path from one place to another along the surface, both among its points; nothing where they lie in
-    /// different parts. It is found along edges first, then drawn taut.
+    /// The shortest path from one place to another along the surface, with both ends. Nothing if they lie in
+    /// different parts. The path is found along edges first, then tightened.
     pub fn shortest_path(
         &self,
         from: &SurfacePoint,
@@ -146,7 +148,8 @@ impl TriMesh {
         Some(path)
     }
 
-    /// Each point but the ends goes to the foot of the middle of its neighbours, again and again; true where one moved.
+    /// Moves each inner point to the foot of the middle of its neighbours, ten times; true if one moved by more than
+    /// `least`.
     fn tighten(&self, path: &mut [SurfacePoint], least: f64) -> bool {
         let mut moved = false;
         for _ in 0..10 {
@@ -160,7 +163,7 @@ impl TriMesh {
         moved
     }
 
-    /// Dijkstra over the vertices; ties by vertex.
+    /// Shortest path over the edges by A*; equal distances go by vertex.
     fn along_edges(&self, from: &SurfacePoint, to: &SurfacePoint) -> Option<Vec<SurfacePoint>> {
         let at = self.positions();
         let mut best: BTreeMap<u32, (f64, u32)> = BTreeMap::new();
@@ -218,7 +221,7 @@ impl TriMesh {
     }
 }
 
-/// Points evenly along a path, a step apart, the ends among them: each a short walk from the one before it.
+/// Points spaced evenly along a path, about `step` apart, with both ends. Each is a short walk from the one before.
 fn respaced(mesh: &TriMesh, path: &[SurfacePoint], step: f64) -> Vec<SurfacePoint> {
     let length: f64 = path.windows(2).map(|w| w[0].at.distance(w[1].at)).sum();
     let count = (length / step).ceil().max(1.0);

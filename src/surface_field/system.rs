@@ -4,31 +4,32 @@ use crate::trimesh::links::Links;
 use glam::DVec2;
 use std::ops::Range;
 
-/// The product of two vectors as complex numbers with the first one conjugated: `b` as `a` sees it.
+/// The complex product of two vectors, the first one conjugated: `b` in the frame of `a`.
 #[inline(always)]
 pub(super) fn seen(a: DVec2, b: DVec2) -> DVec2 {
     DVec2::new(a.x, -a.y).rotate(b)
 }
 
-/// The matrix of sum w |z_i - R_ij z_j|^2 by rows, as complex numbers, and what belongs to its vertices.
+/// The matrix of the energy sum w |z_i - R_ij z_j|^2 in rows of complex numbers, with the constraints and areas of
+/// its vertices.
 #[derive(Clone, Debug, Default)]
 pub(super) struct System {
     pub start: Vec<u32>,
     pub to: Vec<u32>,
-    /// -w R^N.
+    /// Entries beside the diagonal: -w R^N.
     pub off: Vec<DVec2>,
     pub diagonal: Vec<f64>,
     pub mass: Vec<f64>,
-    /// How much the source counts at each vertex ...
+    /// The weight of the constraint at each vertex ...
     pub held: Vec<f64>,
-    /// ... times what it says.
+    /// ... and the weight times its representation vector.
     pub load: Vec<DVec2>,
-    /// The part of the mesh.
+    /// For each vertex the part of the mesh that it belongs to.
     pub part: Vec<u32>,
 }
 
 impl System {
-    /// Of the mesh itself. Needs its rows and its sources still: see [`System::row`].
+    /// The system of a mesh, without rows yet: see [`System::row`].
     pub fn new(links: &Links, part: Vec<u32>) -> Self {
         let mut system = Self {
             mass: links.mass.clone(),
@@ -41,7 +42,7 @@ impl System {
         system
     }
 
-    /// Adds the next row from the mesh's links, for directions of symmetry N, with its source.
+    /// Adds the next row from the mesh's links, for directions of symmetry N, with its constraint.
     pub fn row(&mut self, links: &Links, symmetry: u32, (held, load): (f64, DVec2)) {
         let v = self.diagonal.len();
         let mut diagonal = 0.0;
@@ -66,7 +67,7 @@ impl System {
         self.start[row] as usize..self.start[row + 1] as usize
     }
 
-    /// What neighbours add to a row of the matrix times a vector.
+    /// The sum of a row's entries beside the diagonal, times a vector.
     #[inline(always)]
     pub fn around(&self, row: usize, x: &[DVec2]) -> DVec2 {
         let mut sum = DVec2::ZERO;
@@ -77,14 +78,14 @@ impl System {
     }
 }
 
-/// What is added to the diagonal: sources, or, in parts without any, a pull towards the vectors there are.
+/// Terms added to the diagonal: constraints, or, in parts without any, a pull towards the current vectors.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Holding {
-    /// Of each part: do sources hold it?
+    /// For each part, whether it has constraints.
     pub sourced: Vec<bool>,
-    /// By area.
+    /// The pull in parts without constraints, by area.
     pub pull: f64,
-    /// The same in parts with sources, beside these.
+    /// The pull in parts with constraints, in addition to these.
     pub polish: f64,
 }
 
@@ -94,7 +95,7 @@ impl Holding {
         self.sourced[system.part[v] as usize]
     }
 
-    /// What is added to the diagonal of a row.
+    /// The term added to the diagonal of a row.
     #[inline(always)]
     pub fn more(&self, system: &System, v: usize) -> f64 {
         if self.is_sourced(system, v) {
@@ -104,7 +105,7 @@ impl Holding {
         }
     }
 
-    /// The right side of a row, whose vector is `now`.
+    /// The right-hand side of a row with the current vector `now`.
     #[inline(always)]
     pub fn right(&self, system: &System, v: usize, now: DVec2) -> DVec2 {
         if self.is_sourced(system, v) {
@@ -115,34 +116,34 @@ impl Holding {
     }
 }
 
-/// A system and how the vectors of the next coarser one are carried to its rows; the coarsest has none.
+/// A system, with the maps that carry vectors of the next coarser one to its rows. The coarsest system has none.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Level {
     pub system: System,
-    /// Of each row its group, which is a row of the coarser system ...
+    /// For each row its group, which is a row of the coarser system ...
     pub group: Vec<u32>,
-    /// ... and what carries the group's vector to it.
+    /// ... and the rotation that carries the group's vector to it.
     pub carry: Vec<DVec2>,
 }
 
 /// No group yet.
 const FREE: u32 = u32::MAX;
 
-/// Makes a coarser system, some rows at a time: groups of a vertex and its neighbours move as one, each member's
-/// vector the group's carried along the edge between them (aggregation multigrid: Vanek, Mandel, Brezina 1996). Steps
-/// from group to group are as steep as smooth slopes are over so many edges only: so the matrix is too stiff by the
-/// groups' width, and is divided by it (Braess 1995, Towards Algebraic Multigrid for Elliptic Problems).
+/// Makes a coarser system in slices. A vertex and its neighbours form a group that moves as one; each member's vector
+/// is the group's, carried along the edge between them (aggregation multigrid: Vanek, Mandel, Brezina 1996). A smooth
+/// slope becomes steps between groups, which are steep over one edge only. So the coarse matrix is too stiff by the
+/// width of a group, and is divided by it (Braess 1995, Towards Algebraic Multigrid for Elliptic Problems).
 #[derive(Clone, Debug)]
 pub(super) struct Coarsening {
     pub coarse: System,
-    /// Of each vertex its group ...
+    /// For each vertex its group ...
     pub group: Vec<u32>,
-    /// ... and what carries the group's vector to it.
+    /// ... and the rotation that carries the group's vector to it.
     pub carry: Vec<DVec2>,
-    /// Members by group.
+    /// Members, sorted by group.
     first: Vec<u32>,
     members: Vec<u32>,
-    /// Where a group's entry in the row at work is.
+    /// Where a group's entry is in the current row.
     place: Vec<u32>,
     count: u32,
     stage: u32,
@@ -164,9 +165,9 @@ impl Coarsening {
         }
     }
 
-    /// Works on so many rows; true when done.
+    /// Works on at most `amount` rows; true when done.
     pub fn advance(&mut self, fine: &System, amount: usize) -> bool {
-        // A group's row is the sum of those of its members, of which there are about so many.
+        // A group's row sums the rows of its members, about 13.
         let (all, amount) = if self.stage < 3 {
             (fine.len(), amount)
         } else {
@@ -193,7 +194,7 @@ impl Coarsening {
         self.stage > 3
     }
 
-    /// A vertex none of whose neighbours has a group founds one with all of them.
+    /// A vertex with no neighbour in a group founds one with all of its neighbours.
     fn found(&mut self, fine: &System, v: usize) {
         let neighbours = &fine.to[fine.of(v)];
         if self.group[v] != FREE || neighbours.iter().any(|&j| self.group[j as usize] != FREE) {
@@ -203,13 +204,14 @@ impl Coarsening {
         for e in fine.of(v) {
             let j = fine.to[e] as usize;
             self.group[j] = self.count;
-            // What turns the neighbour's vector into the founder's, backwards.
+            // The inverse of the rotation that takes the neighbour's vector to the founder's.
             self.carry[j] = back(fine.off[e]);
         }
         self.count += 1;
     }
 
-    /// Others join the group of the neighbour they hang on most; `place` marks who had one before.
+    /// Other vertices join the group of the neighbour with the greatest weight. `place` keeps the groups as they were
+    /// before.
     fn join(&mut self, fine: &System, v: usize) {
         if v == 0 {
             self.place = self.group.clone();

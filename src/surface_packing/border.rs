@@ -1,4 +1,4 @@
-//! The first cells along the borders of a surface.
+//! Places the first cells along the borders of a surface.
 
 use super::buckets::Boxes;
 use super::ground::OnSurface;
@@ -11,22 +11,22 @@ use glam::{DVec2, DVec3};
 
 /// A ring is cut into pieces where it turns by more than this (cosine of 41 degrees).
 const CORNER: f64 = 0.755;
-/// Cells nearer to each other than this (in sizes) are dropped ...
+/// Cells closer to each other than this (in sizes) are dropped ...
 const GAP: f64 = 0.6;
-/// ... as are those nearer to a border than this share of their way in.
+/// ... as are those closer to a border than this share of half their extent.
 const CLEARANCE: f64 = 0.8;
 
-/// A place on the border, with the direction across it.
+/// A place on the border, with the direction into the surface.
 #[derive(Clone, Copy)]
 struct Post {
     at: SurfacePoint,
     inward: DVec2,
-    /// The direction of the border there, the surface on its left.
+    /// The direction of the border there; the surface lies on its left.
     along: DVec2,
     length: f64,
 }
 
-/// The pieces of the borders, each to be filled in turn.
+/// The pieces of the borders, which are filled in turn.
 pub(super) struct Border {
     pieces: Vec<(Vec<Post>, bool)>,
     next: usize,
@@ -51,7 +51,7 @@ impl Border {
         }
     }
 
-    /// Places the cells along the next piece; true when there is none.
+    /// Places the cells along the next piece; true when none is left.
     pub fn grow<F: Asks<Place = SurfacePoint>>(
         &mut self,
         placed: &mut Placed<SurfacePoint, Boxes>,
@@ -84,7 +84,7 @@ impl Border {
     }
 }
 
-/// A cell half its extent inside of a place of the border, or in the middle of a narrow strip.
+/// Places a cell half its extent inside of the border, or in the middle of a narrow strip.
 fn put<F: Asks<Place = SurfacePoint>>(
     post: &Post,
     share: f64,
@@ -101,7 +101,8 @@ fn put<F: Asks<Place = SurfacePoint>>(
     if let Some((foot, middle)) = ground.strip(place, shape.length())
         && foot.distance() < CLEARANCE * 0.5 * shape.extent(foot.inward())
     {
-        // Of another border, or of a strip thinner than a cell.
+        // If there is room for a cell, another border is too near, and the place stays empty. In a thinner strip the
+        // cell goes into the middle.
         if middle >= 0.5 * shape.extent(foot.inward()) {
             return;
         }
@@ -112,7 +113,7 @@ fn put<F: Asks<Place = SurfacePoint>>(
     }
 }
 
-/// The edges of a ring in runs between corners; a smooth ring is one closed run.
+/// Cuts a ring into runs between corners; a smooth ring is one closed run.
 fn pieces(mesh: &TriMesh, ring: &[u32], at_edge: &[(u32, usize)]) -> Vec<(Vec<Post>, bool)> {
     let count = ring.len();
     let position = |k: usize| mesh.positions()[ring[k % count] as usize];

@@ -1,4 +1,4 @@
-//! Boxes of places in space, to find neighbours in constant time.
+//! A spatial hash: boxes of points in space, to find neighbours in constant time.
 
 use crate::packing::chains::Chains;
 use crate::packing::ground::Buckets;
@@ -6,10 +6,10 @@ use crate::trimesh::SurfacePoint;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Most boxes: more would cost more than they save.
+/// The most boxes: more would cost more than they save.
 const MOST: f64 = 1_048_576.0;
 
-/// A uniform grid of linked lists in space; points outside go to the nearest box.
+/// A uniform grid of linked lists; points outside go to the nearest box.
 #[derive(Clone, Debug)]
 pub(crate) struct Boxes {
     origin: DVec3,
@@ -19,7 +19,7 @@ pub(crate) struct Boxes {
 }
 
 impl Boxes {
-    /// None filled, over the box `lo`..`hi`, with sides of at least `step`.
+    /// Empty boxes over `lo`..`hi`, with sides of at least `step`.
     pub fn new((lo, hi): (DVec3, DVec3), mut step: f64) -> Self {
         let span = hi - lo;
         step = step.max(span.max_element() / 1e5).max(f64::MIN_POSITIVE);
@@ -38,7 +38,7 @@ impl Boxes {
 
     fn place(&self, p: DVec3) -> [usize; 3] {
         let at = ((p - self.origin) / self.step).to_array();
-        // `as` saturates, so that points outside go to the rim.
+        // `as` saturates, so points outside go to the boxes at the edge.
         std::array::from_fn(|k| (at[k] as usize).min(self.counts[k] - 1))
     }
 
@@ -46,13 +46,13 @@ impl Boxes {
         (z * self.counts[1] + y) * self.counts[0] + x
     }
 
-    /// Adds the next point; points are numbered as they come, from 0.
+    /// Adds the next point; points are numbered from 0 in the order of adding.
     pub fn push_at(&mut self, p: DVec3) {
         let own = self.number(self.place(p));
         self.points.push(own);
     }
 
-    /// Runs of boxes, along x, that may hold points within `radius` of `p`.
+    /// Runs of boxes along x that may hold points within `radius` of `p`.
     fn runs(&self, p: DVec3, radius: f64) -> impl Iterator<Item = Range<usize>> + '_ {
         let lo = self.place(p - DVec3::splat(radius));
         let hi = self.place(p + DVec3::splat(radius));
@@ -64,8 +64,8 @@ impl Boxes {
         })
     }
 
-    /// Calls `visit` with the number of every point that may lie within `radius` of `p`, until it says true; then
-    /// true.
+    /// Calls `visit` with the number of every point that may lie within `radius` of `p`, until it returns true;
+    /// returns whether it did.
     pub fn any_near(&self, p: DVec3, radius: f64, mut visit: impl FnMut(usize) -> bool) -> bool {
         let mut runs = self.runs(p, radius);
         runs.any(|run| self.points.any(run, &mut visit))

@@ -1,4 +1,4 @@
-//! A surface as the ground of a packing.
+//! A surface as the domain of a packing.
 
 use super::site::Site;
 use super::walls::{SurfaceFoot, SurfaceWalls};
@@ -11,14 +11,15 @@ use crate::random::Random;
 use crate::trimesh::{SurfacePoint, Turn};
 use glam::DVec2;
 
-/// On closed surfaces some cells beside singular places never rest, and hardly one in a thousand comes after so many steps.
+/// On closed surfaces some cells beside singular points never rest; after this many steps fewer than one new cell in
+/// a thousand comes.
 const SETTLED: u32 = 50;
-/// Borders that look into such directions (cosine) are the two sides of a strip.
+/// Two borders are the sides of a strip if the cosine between their directions is less than this.
 const OPPOSITE: f64 = -0.5;
-/// A part with less than this of a cell's area stays bare.
+/// A part with less than this share of a cell's area stays empty.
 const BARE: f64 = 0.25;
 
-/// A mesh, and what is asked of cells on it.
+/// A mesh with the fields of the cells on it.
 #[derive(Clone, Copy)]
 pub(crate) struct OnSurface<'a, F> {
     pub site: &'a Site,
@@ -26,7 +27,7 @@ pub(crate) struct OnSurface<'a, F> {
 }
 
 impl<F: Asks<Place = SurfacePoint>> OnSurface<'_, F> {
-    /// The nearest foot within reach, and half the way from border to border through it where there is one opposite.
+    /// The nearest foot within reach, and half the width of the strip through it if there is an opposite border.
     pub fn strip(self, p: SurfacePoint, reach: f64) -> Option<(SurfaceFoot, f64)> {
         if !self.walls().is_near(p) {
             return None;
@@ -43,7 +44,7 @@ impl<F: Asks<Place = SurfacePoint>> OnSurface<'_, F> {
         Some((nearest, half))
     }
 
-    /// The place that is so much farther from a border.
+    /// The place `by` farther from a border.
     pub fn pushed(self, p: SurfacePoint, foot: &SurfaceFoot, by: f64) -> (SurfacePoint, Turn) {
         self.site.beyond(p, foot.inward() * by)
     }

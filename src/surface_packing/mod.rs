@@ -1,8 +1,8 @@
-//! Packs cells on a surface: the packing of the plane, with a surface as its ground.
+//! Packs cells on a surface: the packing of the plane with a surface as its domain.
 //!
 //! Miyata, Itoh, Shimada (2001), section 4; Itoh, Miyata, Shimada (2003), section 5. Places are points of the mesh's
-//! triangles, moves are walks, and what is between two cells is seen in the plane of their mean normal. Forces, motion and
-//! population control are those of [`crate::packing`], compiled for this ground.
+//! triangles, moves are walks, and the vector between two cells lies in the plane of their mean normal. Forces,
+//! motion and population control are those of [`crate::packing`], compiled for this domain.
 
 mod border;
 pub(crate) mod buckets;
@@ -25,16 +25,16 @@ use crate::trimesh::SurfacePoint;
 use buckets::Boxes;
 use ground::OnSurface;
 
-/// A packed cell of a surface: its centre is a point of the mesh, its axis in the frame of that.
+/// A packed cell of a surface: its centre is a point of the mesh, its axis lies in the frame there.
 pub type SurfaceParticle = Particle<SurfacePoint>;
 
-/// Places that are looked at in one slice of the work.
+/// Places to look at in a slice.
 const PLACES: usize = 200;
 
-/// Cells that are moved, or looked around, in one slice of a step.
+/// Cells to move, or to compute forces for, in a slice of a step.
 const PORTION: usize = 2000;
 
-/// The first cells of a packing in the making.
+/// Places the first cells of a packing, in slices.
 pub struct SurfacePlacing {
     params: PackingParams,
     placed: Placed<SurfacePoint, Boxes>,
@@ -43,7 +43,7 @@ pub struct SurfacePlacing {
 }
 
 impl SurfacePlacing {
-    /// Nothing placed yet.
+    /// Starts with nothing placed.
     pub(crate) fn new<F: Asks<Place = SurfacePoint>>(
         site: &Site,
         fields: F,
@@ -57,7 +57,7 @@ impl SurfacePlacing {
         }
     }
 
-    /// One slice of the work; true when all places are filled.
+    /// Does one more slice; true when all places are filled.
     pub(crate) fn advance<F: Asks<Place = SurfacePoint>>(
         &mut self,
         site: &Site,
@@ -76,7 +76,7 @@ impl SurfacePlacing {
         })
     }
 
-    /// The packing of the cells so far.
+    /// Starts the packing with the cells placed so far.
     pub(crate) fn finish<F: Asks<Place = SurfacePoint>>(
         mut self,
         site: &Site,
@@ -92,7 +92,7 @@ impl SurfacePlacing {
     }
 }
 
-/// A packing on a surface, on its way.
+/// A packing on a surface that is under way.
 #[derive(Clone, Debug)]
 pub struct SurfacePacking {
     run: Run<SurfacePoint>,
@@ -101,7 +101,7 @@ pub struct SurfacePacking {
 }
 
 impl SurfacePacking {
-    /// All at once, until it has come to rest; see [`SurfacePlacing`].
+    /// Does all the work at once, until the cells are at rest; see [`SurfacePlacing`].
     pub fn build(site: &Site, fields: &SurfaceFields, params: PackingParams) -> Self {
         let mut placing = SurfacePlacing::new(site, fields, params);
         while !placing.advance(site, fields) {}
@@ -115,7 +115,7 @@ impl SurfacePacking {
         self.run.particles()
     }
 
-    /// What the last step did.
+    /// The report of the last step.
     pub fn report(&self) -> StepReport {
         self.run.report()
     }
@@ -125,13 +125,13 @@ impl SurfacePacking {
         &self.run.samples
     }
 
-    /// The potential energy of the cells among each other, in units of the mean cell's k0.
+    /// The potential energy between the cells, in units of the mean cell's k0.
     pub fn energy(&mut self, site: &Site) -> f64 {
         self.run.energy(site)
     }
 
-    /// One slice of a step, of the equation of motion or, now and then, of population control; true when nothing more
-    /// will happen.
+    /// Does one more slice of a step, of the equation of motion or, now and then, of population control; true when
+    /// the packing has ended.
     pub(crate) fn advance<F: Asks<Place = SurfacePoint>>(
         &mut self,
         site: &Site,
@@ -151,7 +151,7 @@ impl SurfacePacking {
         self.run.report().done
     }
 
-    /// Has a step been begun that is not whole?
+    /// Whether a step has begun and is not complete.
     pub fn is_in_a_step(&self) -> bool {
         self.in_a_step
     }

@@ -1,4 +1,4 @@
-//! A mesh made ready to be packed.
+//! A mesh prepared for packing.
 
 use super::buckets::Boxes;
 use super::walls::SurfaceWalls;
@@ -7,21 +7,21 @@ use crate::trimesh::{SurfacePoint, TriMesh, Turn, way};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
-/// A mesh with all that packing asks of it: its parts, its area, and its walls.
+/// A mesh with its parts, areas and walls.
 #[derive(Clone, Debug)]
 pub struct Site {
     mesh: Arc<TriMesh>,
-    /// Of each triangle the part that it belongs to.
+    /// For each triangle the part that it belongs to.
     part: Vec<u32>,
     parts: usize,
-    /// Areas of the triangles so far, summed.
+    /// Running sums of the triangles' areas.
     areas: Vec<f64>,
     bounds: (DVec3, DVec3),
     pub(super) walls: SurfaceWalls,
 }
 
 impl Site {
-    /// Of a mesh on which no cell is longer than this.
+    /// Prepares a mesh on which no cell is longer than `longest`.
     pub fn new(mesh: impl Into<Arc<TriMesh>>, longest: f64) -> Self {
         let mesh = mesh.into();
         let (part, parts) = mesh.parts();
@@ -55,7 +55,8 @@ impl Site {
         self.parts
     }
 
-    /// The point at which so much of the area, 0..1, is before it, and within its triangle at these two numbers, 0..1.
+    /// The point whose triangle is reached at `share` of the total area, 0..1, at the place in it that `within`
+    /// gives, 0..1 each.
     pub(super) fn point(&self, share: f64, within: DVec2) -> SurfacePoint {
         let wanted = share * self.mesh.area();
         let triangle = self.areas.partition_point(|&sum| sum <= wanted);
@@ -65,7 +66,7 @@ impl Site {
         SurfacePoint::new(&self.mesh, triangle, weights)
     }
 
-    /// The middle of a part, and its area: of the middles of its triangles that which is nearest to their mean.
+    /// The middle of a part, and its area. The middle is that of the triangle nearest to the mean.
     pub(super) fn middle(&self, part: u32) -> (SurfacePoint, f64) {
         let own = |t: &u32| self.part[*t as usize] == part;
         let all = || (0..self.part.len() as u32).filter(own);
@@ -113,7 +114,7 @@ impl Sees for &Site {
 
     #[inline]
     fn way_within(self, from: SurfacePoint, to: SurfacePoint, reach: f64) -> Option<(DVec2, Turn)> {
-        // A way is never shorter than the straight one.
+        // The path along the surface is never shorter than the straight line.
         let is_near = from.at.distance_squared(to.at) <= reach * reach;
         if is_near { self.way(from, to) } else { None }
     }
@@ -154,7 +155,7 @@ impl Sees for &Site {
     fn grid_around(self, mut places: impl Iterator<Item = SurfacePoint>, step: f64) -> Boxes {
         let first = places.next().map_or(DVec3::ZERO, |p| p.at);
         let bounds = places.fold((first, first), |(lo, hi), p| (lo.min(p.at), hi.max(p.at)));
-        // In space fewer and larger boxes are quicker than in the plane.
+        // In space, fewer and larger boxes are faster than in the plane.
         Boxes::new(bounds, 2.0 * step)
     }
 

@@ -5,7 +5,7 @@ use crate::trimesh::TriMesh;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// Of a grid of so many squares, which closes in the directions asked for.
+/// A grid of `n` by `m` squares, closed in the given directions.
 fn sheet([n, m]: [usize; 2], closed: [bool; 2], at: impl Fn(f64, f64) -> DVec3) -> TriMesh {
     let [columns, rows] = [n + usize::from(!closed[0]), m + usize::from(!closed[1])];
     let mut positions = Vec::new();
@@ -68,7 +68,7 @@ fn steps_are_the_same_in_whatever_portions() {
             let (mut slices, mut steps) = (0, 0);
             loop {
                 let done = packing.advance_by(&site, fields, portion);
-                // What is looked at on the way changes nothing.
+                // Queries along the way change nothing.
                 packing.energy(&site);
                 slices += 1;
                 steps += u32::from(!packing.is_in_a_step());

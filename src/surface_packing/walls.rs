@@ -1,4 +1,5 @@
-//! The borders of a surface as walls: the places of them where the distance to a cell has a local minimum.
+//! The borders of a surface as walls. A cell has a foot on a wall where its distance to the border has a local
+//! minimum.
 
 use super::buckets::Boxes;
 use crate::csr::Csr;
@@ -8,18 +9,19 @@ use crate::packing::ground::{Foot, Walled};
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
-/// A place sees walls of triangles whose normals are no farther from its own than this (their dot product) ...
+/// A place sees a wall if the dot product of its normal and that of the wall's triangle is at least this ...
 const SEES: f64 = -0.2;
-/// ... and from whose paved side it comes: at least this much of the way to it is across the wall.
+/// ... and if it lies on the paved side: at least this share of the vector from the wall to it points across the
+/// wall.
 const ACROSS: f64 = 0.1;
 
 /// An edge of the border.
 #[derive(Clone, Copy, Debug)]
 struct Segment {
     ends: [DVec3; 2],
-    /// Across it, along the surface, into the paved side.
+    /// Unit vector across the edge, along the surface, into the paved side.
     inward: DVec3,
-    /// Of its triangle.
+    /// The normal of its triangle.
     normal: DVec3,
     part: u32,
     /// The segments before and after it on its ring.
@@ -27,7 +29,7 @@ struct Segment {
 }
 
 impl Segment {
-    /// How far along it the point nearest to `p` lies, 0..1.
+    /// The place on it nearest to `p`, as a share of its length, 0..1.
     fn nearest(&self, p: DVec3) -> f64 {
         let along = self.ends[1] - self.ends[0];
         ((p - self.ends[0]).dot(along) / along.length_squared().max(f64::MIN_POSITIVE))
@@ -35,7 +37,7 @@ impl Segment {
     }
 }
 
-/// The nearest place on a wall.
+/// The closest point of a wall.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SurfaceFoot {
     distance: f64,
@@ -52,7 +54,7 @@ impl Foot for SurfaceFoot {
     }
 }
 
-/// The walls of a mesh, by the triangles that they are within reach of.
+/// The walls of a mesh, by the triangles within reach of them.
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceWalls {
     segments: Vec<Segment>,
@@ -117,7 +119,7 @@ impl SurfaceWalls {
         }
     }
 
-    /// The foot of a place on a segment, where the distance has a local minimum.
+    /// The foot of a place on a segment, if the distance has a local minimum there.
     fn foot(&self, index: u32, p: &SurfacePoint) -> Option<SurfaceFoot> {
         let segment = &self.segments[index as usize];
         if segment.normal.dot(p.normal) < SEES {
@@ -125,7 +127,8 @@ impl SurfaceWalls {
         }
         let t = segment.nearest(p.at);
         let mut inward = segment.inward;
-        // A corner belongs to the segment that begins there, and is a foot where it is one of both.
+        // A corner belongs to the segment that begins there. It is a foot only if it is the nearest point of both
+        // segments.
         if t == 1.0 {
             return None;
         }
@@ -139,7 +142,7 @@ impl SurfaceWalls {
         let at = segment.ends[0].lerp(segment.ends[1], t);
         let way = p.at - at;
         let distance = way.length();
-        // One that has slid along the border stands on it.
+        // A place that has slid along the border lies on the wall.
         let stands = distance < 1e-6 * segment.ends[0].distance(segment.ends[1]);
         if !stands && way.dot(inward) < ACROSS * distance {
             return None;
@@ -154,7 +157,7 @@ impl SurfaceWalls {
 
 fn segments(mesh: &TriMesh, part: &[u32]) -> Vec<Segment> {
     let mut segments = Vec::new();
-    // Of the edge that begins at a border vertex its triangle.
+    // For each border vertex, the triangle of the border edge that begins there.
     let mut triangle = vec![0; mesh.positions().len()];
     for (t, corners) in mesh.triangles().iter().enumerate() {
         for k in 0..3 {

@@ -1,37 +1,37 @@
-//! From the plane of a cell to its curved surface.
+//! Bends a flat stone onto the curved surface of its cell.
 //!
-//! A vertex at the distance r from the cell's centre, in the direction d, goes along the circle that touches the plane
-//! there and has the surface's curvature in that direction, and then along the normal of the surface where it has
-//! come to, which turns across d as well where the surface is twisted. What is left between the bent corners of the
-//! ring and the true ones is spread over the stone by inverse squares of distances (Shepard 1968), with nothing left
-//! at the centre: neighbours meet in their corners exactly.
+//! A vertex at distance r from the cell's centre, in the direction d, first goes along a circle. The circle touches
+//! the plane at the centre and has the surface's curvature in the direction d. Then the vertex goes along the
+//! surface's normal at the end of that arc, which also leans across d if the surface is twisted. The differences
+//! between the bent corners of the ring and the true ones are spread over the stone by inverse squares of distances
+//! (Shepard 1968), with none at the centre. So neighbours meet exactly in their corners.
 
 use crate::order::greater;
 use glam::{DVec2, DVec3};
 
-/// No normal is turned farther, in radians.
+/// The greatest angle that a normal turns, in radians.
 const MOST_TURN: f64 = 1.5;
-/// Stones reach over a hollow at most this part of its radius, and into a hump.
+/// The greatest height of a stone over a hollow, and depth in a hump, as a part of the radius of curvature.
 const MOST_RISE: f64 = 0.5;
-/// Below this turn sines and cosines are taken from their series.
+/// Below this angle sines and cosines come from their series.
 const SMALL: f64 = 1e-4;
 
-/// How the surface of a cell curves away from its plane; all in picture units, in the plane's axes.
+/// The curvature of a cell's surface, in picture units and in the plane's axes.
 #[derive(Clone, Debug)]
 pub struct Bend {
-    /// The shape operator: xx, xy, yy. Above 0 the surface falls away from the plane.
+    /// The shape operator: xx, xy, yy. It is positive where the surface falls away from the plane.
     pub shape: [f64; 3],
-    /// The height of stones that lies on the surface.
+    /// The height of the stone that lies on the surface.
     pub anchor: f64,
-    /// Heights from there are taken so many times.
+    /// The factor on heights above and below the anchor.
     pub rise: f64,
-    /// Corners of the ring, and how far they are from where they are bent to.
+    /// Corners of the ring in the plane, each with the difference of its true place from its bent one.
     rest: Vec<(DVec2, DVec3)>,
 }
 
 impl Bend {
-    /// For a ring with corners at these places, with these normals, which are truly there. The shape is what turns
-    /// normals most nearly so (least squares).
+    /// Fits the shape operator to the normals at the corners of a ring (least squares). `truly` are the true places
+    /// of the corners.
     pub fn new(places: &[DVec2], normals: &[DVec3], truly: &[DVec3]) -> Self {
         let mut bend = Self {
             shape: fitted(places, normals),
@@ -44,8 +44,8 @@ impl Bend {
         bend
     }
 
-    /// From now on the height `anchor` lies on the surface. Stones from `low` to `high` are made lower where the
-    /// surface curves so much that they would meet over a hollow, or in the middle of a hump.
+    /// Puts the height `anchor` on the surface. Stones from `low` to `high` become lower where they would meet over a
+    /// hollow or in the middle of a hump.
     pub fn stand(&mut self, anchor: f64, [low, high]: [f64; 2]) {
         let [least, most] = self.curvatures();
         let fits = |curvature: f64, reach: f64| match curvature * reach > MOST_RISE {
@@ -56,7 +56,7 @@ impl Bend {
         self.rise = fits(-least, high - anchor).min(fits(most, anchor - low));
     }
 
-    /// The least and the greatest curvature.
+    /// The least and the greatest principal curvature.
     pub fn curvatures(&self) -> [f64; 2] {
         let [xx, xy, yy] = self.shape;
         let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
@@ -64,7 +64,7 @@ impl Bend {
         [mean - spread, mean + spread]
     }
 
-    /// Where a place of the flat stone comes to.
+    /// The bent place of a point of the flat stone.
     pub fn bent(&self, p: DVec3) -> DVec3 {
         let height = (p.z - self.anchor) * self.rise;
         let flat = p.truncate();
@@ -81,7 +81,7 @@ impl Bend {
         (d * along).extend(-down) + normal * height + self.rest_at(flat)
     }
 
-    /// The direction that a normal leans to, for each unit of the way in a direction.
+    /// By how much a normal leans for each unit of the way in the direction `d`, as a vector in the plane.
     fn turned(&self, d: DVec2) -> DVec2 {
         let [xx, xy, yy] = self.shape;
         DVec2::new(xx * d.x + xy * d.y, xy * d.x + yy * d.y)
@@ -106,7 +106,8 @@ impl Bend {
     }
 }
 
-/// Sine and cosine of a turn over the length r of an arc, and how far its end is along and down.
+/// For an arc of length r that turns by `turn`: sine and cosine of the turn, and how far the arc's end lies along and
+/// down.
 fn arc(turn: f64, r: f64) -> (f64, f64, f64, f64) {
     if turn.abs() < SMALL {
         let square = turn * turn;
@@ -121,7 +122,7 @@ fn arc(turn: f64, r: f64) -> (f64, f64, f64, f64) {
     (sin, cos, r * sin / turn, r * (1.0 - cos) / turn)
 }
 
-/// The symmetric matrix S for which S p is most nearly what each normal leans to, as an angle.
+/// The symmetric matrix S for which S p is nearest to the angle that each normal leans by (least squares).
 fn fitted(places: &[DVec2], normals: &[DVec3]) -> [f64; 3] {
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
     let mut sums = DVec3::ZERO;
@@ -137,7 +138,7 @@ fn fitted(places: &[DVec2], normals: &[DVec3]) -> [f64; 3] {
         xy += p.x * p.y;
         yy += p.y * p.y;
     }
-    // Rows of the normal equations; determinants by Cramer's rule.
+    // Rows of the normal equations, solved by Cramer's rule.
     let rows = [
         DVec3::new(xx, xy, 0.0),
         DVec3::new(xy, xx + yy, xy),
@@ -146,7 +147,7 @@ fn fitted(places: &[DVec2], normals: &[DVec3]) -> [f64; 3] {
     let whole = rows[0].dot(rows[1].cross(rows[2]));
     let size = greater(xx + yy, f64::MIN_POSITIVE);
     if whole <= 1e-9 * size * size * size {
-        // All corners in a line, or none.
+        // The corners lie on a line, or there are none.
         let mean = (sums.x + sums.z) / size;
         return [mean, 0.0, mean];
     }

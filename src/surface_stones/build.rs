@@ -13,18 +13,19 @@ use crate::surface_cells::SurfaceCell;
 use crate::trimesh::TriMesh;
 use glam::{DVec3, Vec3};
 
-/// Triangles of a stone at its finest: at least and at most.
+/// The least and the most triangles of a stone at its finest level.
 const EACH: [usize; 2] = [70, 1000];
 /// Rows of the bed in a slice.
 const ROWS: usize = 64;
-/// How far a stone holds light off others, of the size of stones.
+/// The reach of a stone's ambient occlusion, in sizes of a stone.
 const REACH: f64 = 0.5;
-/// Where a pixel covers so many picture units, grain begins to fade, and is gone: it would only sparkle.
+/// Picture units under a pixel from which grain begins to fade, and at which it is gone; beyond that it would only
+/// sparkle.
 const FADES: [f32; 2] = [1.2, 4.0];
-/// Slopes are no steeper.
+/// The steepest slope of the relief.
 const STEEPEST: f32 = 1.6;
 
-/// A scene in the making.
+/// A scene that is being made.
 pub struct Stones {
     params: StonesParams,
     maker: Maker,
@@ -36,21 +37,22 @@ pub struct Stones {
     fit: Fit,
 }
 
-/// The diagonal counts so much as a side: what is wide, deep and high at once is seen whole, too.
+/// The factor on the bounding box' diagonal when it is compared with the sides: a box that is wide, deep and high
+/// fits into the picture, too.
 const DEEP: f64 = 0.78;
 
-/// From the model to the scene, in which the longest side of the box around it is 1, or less where others are long, too,
-/// and its middle the origin.
+/// The map from the model to the scene. In the scene the bounding box has its middle at the origin, and its longest
+/// side is 1, or less if others are long as well.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
     /// The middle of the box.
     pub middle: DVec3,
-    /// The scene's units for one of the model.
+    /// Scene units in a unit of the model.
     pub scale: f64,
 }
 
 impl Fit {
-    /// Of a mesh.
+    /// The map for a mesh.
     pub fn new(mesh: &TriMesh) -> Self {
         let (low, high) = mesh.bounds();
         let side = greater((high - low).max_element(), DEEP * mesh.diagonal());
@@ -60,15 +62,15 @@ impl Fit {
         }
     }
 
-    /// A point of the model in the scene.
+    /// Maps a point of the model to the scene.
     pub fn place(&self, p: DVec3) -> Vec3 {
         ((p - self.middle) * self.scale).as_vec3()
     }
 }
 
 impl Stones {
-    /// Of cells, which have one sense already ([`super::make_one_sense`]), on a mesh, which need not be the one that
-    /// they were packed on: a coarser one is as good.
+    /// Starts with cells whose axes agree already ([`super::make_one_sense`]). The mesh may be another one than that
+    /// of the packing; a coarser one is as good.
     pub fn new(params: StonesParams, mesh: &TriMesh, cells: &[SurfaceCell]) -> Self {
         let most = finest(cells.len(), EACH);
         let (fit, size) = (Fit::new(mesh), mean_size(cells));
@@ -88,15 +90,15 @@ impl Stones {
         }
     }
 
-    /// How much of it is done, 0..1.
+    /// The share of the work that is done, 0 to 1.
     pub fn progress(&self, cells: &[SurfaceCell]) -> f64 {
         let stones = self.cell as f64 / cells.len().max(1) as f64;
         let ground = self.ground.as_ref().map_or(0.0, Ground::progress);
         0.85 * stones + 0.15 * ground
     }
 
-    /// Adds the next stone, or after the last one a part of the ground; true when all is there. Mesh and paving are
-    /// always the same ones.
+    /// Adds the next stone or, after the last one, a part of the ground; true when all is there. Mesh and paving must
+    /// be the same each time.
     pub fn advance(&mut self, mesh: &TriMesh, paving: Paving) -> bool {
         if !self.maker.look.advance(ROWS) {
             return false;
@@ -119,7 +121,7 @@ impl Stones {
         false
     }
 
-    /// The scene, once it is there.
+    /// The finished scene.
     pub fn finish(self) -> Scene {
         let finish = Finish {
             look: self.maker.look,
@@ -169,7 +171,7 @@ impl Stones {
     }
 }
 
-/// What stones and ground have beyond their triangles.
+/// Colour, material and relief of stones and ground at a pixel.
 struct Finish {
     look: Look,
     owns: Vec<Option<Own>>,
@@ -179,7 +181,7 @@ struct Finish {
 
 impl Detail for Finish {
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
-        // Picture units for one of the scene, and units of the model.
+        // Picture units in a unit of the scene, and model units in it.
         let (unit, model) = (self.unit / self.fit.scale, 1.0 / self.fit.scale);
         let covered = spread * unit as f32;
         let near = ((FADES[1] - covered) / (FADES[1] - FADES[0])).clamp(0.0, 1.0);

@@ -1,8 +1,8 @@
 //! Coats of cells on a surface: the rules of [`crate::material::Coats`] in space.
 //!
-//! Noise and bands go through space, so that they have no seams; spots are scattered over the surface itself, and the
-//! reaction and diffusion goes from cell to cell. Directions are those of a picture of the model from the front: x to
-//! the right and y down.
+//! Noise and bands are functions of the place in space, so they have no seams. Spots are scattered over the surface
+//! itself, and reaction and diffusion run from cell to cell. Directions are those of a picture of the model from the
+//! front: x to the right and y down.
 
 use crate::material::{
     Coat, ColourParams, Marking, Pattern, Reaction, WAVELENGTH, belly_at, near, turned,
@@ -15,31 +15,31 @@ use glam::DVec3;
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
 
-/// No two spots are nearer to each other, in their scale: so packed there is about one for each square of it.
+/// The least distance between spots, in units of the scale; it gives about one spot for each square of the scale.
 const APART: f64 = 0.83;
-/// How far spots are larger or smaller than others.
+/// The relative variation of the sizes of spots.
 const UNLIKE: f64 = 0.25;
-/// How much of what is the belly's side is told by normals, and by places.
+/// The weight of normals against places in telling the belly's side.
 const FACES: f64 = 0.6;
 
-/// The coats of all cells in the making.
+/// The coats of all cells, while they are made.
 pub struct SurfaceCoats {
     marking: Marking,
     seed: u64,
     /// The scale of patterns, in the model's units.
     scale: f64,
     middle: DVec3,
-    /// Half of the longest side of the box around all cells.
+    /// Half of the longest side of the bounding box of all cells.
     half: f64,
-    /// Cells in the middle of spots, and how large these are.
+    /// Spots: the centre and normal of the middle cell, and the factor on the size.
     spots: Vec<(DVec3, DVec3, f64)>,
-    /// Distances to the border, in the model's units.
+    /// For each cell its distance to the border, in the model's units.
     inside: Vec<f64>,
 }
 
 impl SurfaceCoats {
-    /// Coats to be made by [`SurfaceCoats::advance`], with so many picture units for a unit of the model. `links` are
-    /// the neighbours by index: see [`super::links`].
+    /// Starts coats that [`SurfaceCoats::advance`] makes. `unit` is the number of picture units in a unit of the
+    /// model. `links` are the neighbours by index, see [`super::links`].
     pub fn new(
         colour: ColourParams,
         seed: u64,
@@ -77,7 +77,7 @@ impl SurfaceCoats {
         coats
     }
 
-    /// Goes on by the work of about `count` cells; true when all coats can be had. The cells must stay the same.
+    /// Does the work for about `count` cells; true when all coats are ready. The cells must be the same each time.
     pub fn advance(&mut self, cells: &[SurfaceCell], count: usize) -> bool {
         if let Some(done) = self.marking.advance(count) {
             return done;
@@ -90,7 +90,7 @@ impl SurfaceCoats {
         due.end == cells.len()
     }
 
-    /// One coat for each cell.
+    /// The coats, one for each cell.
     pub fn finish(self, cells: &[SurfaceCell]) -> Vec<Coat> {
         let bellies: Vec<f64> = cells.iter().map(|cell| self.belly(cell)).collect();
         self.marking.finish(bellies.into_iter())
@@ -115,7 +115,7 @@ impl SurfaceCoats {
         }
     }
 
-    /// Of deviation about 1: noise in three planes that cross each other.
+    /// Noise of deviation about 1: the sum of noise in three planes at right angles.
     fn noise(&self, p: DVec3) -> f64 {
         let at = p * WAVELENGTH;
         let plane = |x: f64, y: f64| self.marking.noise(x, y);
@@ -123,7 +123,8 @@ impl SurfaceCoats {
         sum / 3f64.sqrt()
     }
 
-    /// Chooses the cells in the middle of spots, in random order each that is far enough from all before it.
+    /// Chooses the cells in the middle of spots. In random order, each cell that is far enough from all chosen before
+    /// becomes one.
     fn scatter(&mut self, cells: &[SurfaceCell]) {
         let mut due: Vec<(u64, u32)> = (0..cells.len() as u32)
             .map(|k| {
@@ -148,11 +149,11 @@ impl SurfaceCoats {
         }
     }
 
-    /// 1 in the middle of a spot, 0 where the area around is as large as a spot's share of the surface.
+    /// 1 in the middle of a spot, falling to 0 at the edge of the spot's share of the surface.
     fn spot(&self, cell: &SurfaceCell) -> f64 {
         let mut nearest = f64::MAX;
         for &(p, n, size) in &self.spots {
-            // Not through thin sheets.
+            // A spot does not reach through a thin sheet.
             if n.dot(cell.centre.normal) > -0.2 {
                 let to = (p - cell.centre.at) / (self.scale * size);
                 nearest = lesser(nearest, to.length_squared());
@@ -175,12 +176,12 @@ impl SurfaceCoats {
     }
 }
 
-/// A direction of a picture from the front, in the model.
+/// A direction in a picture of the model from the front, as a vector of the model.
 fn front(angle: f64) -> DVec3 {
     DVec3::new(libm::cos(angle), -libm::sin(angle), 0.0)
 }
 
-/// The area of a ring, as its corners lie in space.
+/// The area of a ring in space.
 fn area(ring: &[DVec3]) -> f64 {
     let Some(&first) = ring.first() else {
         return 0.0;
@@ -190,7 +191,7 @@ fn area(ring: &[DVec3]) -> f64 {
     0.5 * sum.length()
 }
 
-/// How far each cell is from those on the border, along the graph; far where there is no border.
+/// The distance of each cell from the border along the graph of cells; huge if there is no border.
 fn inside(cells: &[SurfaceCell], links: &[Vec<u32>]) -> Vec<f64> {
     let mut far = vec![f64::MAX; cells.len()];
     let mut due = BinaryHeap::new();
@@ -250,7 +251,7 @@ mod tests {
                 Pattern::Plain | Pattern::Lines | Pattern::Boundary => {
                     assert_eq!(mean, 0.0, "{word}")
                 }
-                // All cells of a row are of one size and direction.
+                // All cells of a row have one size and direction.
                 Pattern::Direction => {}
                 _ => assert!((0.2..0.6).contains(&mean), "{word}: {mean}"),
             }
@@ -260,7 +261,7 @@ mod tests {
                 assert!(cell.centre.normal.y < 0.7 || coat.belly < 0.1);
             }
             if pattern == Pattern::Turing {
-                // Neighbours are alike: the pattern is far wider than a cell.
+                // Neighbours are alike, because the pattern is far wider than a cell.
                 let unlike = links.iter().enumerate().map(|(k, list)| {
                     let off = |j: &u32| f64::from((coats[k].mark - coats[*j as usize].mark).abs());
                     list.iter().map(off).sum::<f64>() / list.len() as f64

@@ -1,4 +1,4 @@
-//! Rows of cells on surfaces given by a function of two numbers, for tests.
+//! For tests: rows of cells on surfaces that are functions of two numbers.
 
 use crate::field::Kind;
 use crate::surface_cells::SurfaceCell;
@@ -6,21 +6,22 @@ use crate::trimesh::{Frame, SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// A point of a surface for two numbers from 0 to 1; along the first cross along the second is outwards.
+/// The point of a surface for two numbers from 0 to 1. The derivative by the first one, cross that by the second,
+/// points outwards.
 pub type Patch<'a> = &'a dyn Fn(DVec2) -> DVec3;
 
-/// Cells in rows: so many along and across, each row half a cell further or not; does the surface close, along and
-/// across?
+/// Cells in rows: how many along and across, whether every other row is shifted by half a cell, and whether the
+/// surface closes in each direction.
 pub struct Rows {
     pub count: [usize; 2],
     pub is_staggered: bool,
     pub closes: [bool; 2],
-    /// Edges of the mesh for a side of a cell.
+    /// Edges of the mesh to a side of a cell.
     pub finer: usize,
     pub kind: Kind,
 }
 
-/// Squares, not staggered.
+/// Squares in rows that are not staggered.
 pub fn rows(count: [usize; 2], closes: [bool; 2]) -> Rows {
     Rows {
         count,
@@ -43,7 +44,7 @@ impl Rows {
         let [n, m] = self.count;
         let turned = |x: f64, closes: bool| if closes { x.rem_euclid(1.0) } else { x };
         let wrap = |p: DVec2| {
-            // The same bits on both sides of a seam.
+            // Rounded, so that both sides of a seam have the same bits.
             let near = |x: f64, n: usize| (x * 2.0 * n as f64).round() / (2.0 * n as f64);
             let p = DVec2::new(near(p.x, n), near(p.y, m));
             DVec2::new(turned(p.x, self.closes[0]), turned(p.y, self.closes[1]))
@@ -113,7 +114,7 @@ impl Rows {
     }
 }
 
-/// Round the y axis, with tubes of this radius around a ring of the radius 1.
+/// A torus about the y axis: a tube of this radius around a ring of radius 1.
 pub fn torus(radius: f64) -> impl Fn(DVec2) -> DVec3 {
     move |p| {
         let (a, b) = (-TAU * p.x, TAU * p.y);
@@ -126,7 +127,7 @@ pub fn torus(radius: f64) -> impl Fn(DVec2) -> DVec3 {
     }
 }
 
-/// Around the y axis, of this radius and as high.
+/// A tube about the y axis, of this radius and of height 1.
 pub fn tube(radius: f64) -> impl Fn(DVec2) -> DVec3 {
     move |p| {
         let a = -TAU * p.x;
@@ -144,7 +145,7 @@ pub fn ball(p: DVec2) -> DVec3 {
     )
 }
 
-/// A bowl, seen from inside.
+/// A bowl: the inside of a part of a ball.
 pub fn bowl(p: DVec2) -> DVec3 {
     let (a, b) = (TAU * p.x, TAU * (0.17 * p.y - 0.24));
     DVec3::new(
@@ -163,7 +164,7 @@ pub fn flat(p: DVec2) -> DVec3 {
     DVec3::new(p.y, 0.0, p.x)
 }
 
-/// A horn, bent and ever thinner.
+/// A bent horn that gets thinner.
 pub fn horn(p: DVec2) -> DVec3 {
     let (a, t) = (-TAU * p.x, p.y);
     let turn = 2.2 * t;

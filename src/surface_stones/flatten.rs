@@ -1,4 +1,4 @@
-//! A cell laid into its tangent plane, as the makers of stones take it, and the way back.
+//! Lays a cell into its tangent plane, where stones are made, and maps stones back.
 
 use super::Bend;
 use crate::cells::Cell;
@@ -6,24 +6,27 @@ use crate::surface_cells::SurfaceCell;
 use crate::trimesh::{Frame, SurfacePoint, way};
 use glam::{DVec2, DVec3};
 
-/// A cell in the plane, and how it lies on its surface.
+/// A cell in its tangent plane, and the map back onto the surface.
 #[derive(Clone, Debug)]
 pub struct Flat {
-    /// Its centre at 0, its axis along x, in picture units; as all of a picture, y down and clockwise on screen.
+    /// The cell in picture units, with its centre at 0 and its axis along x. As in all pictures, y points down and
+    /// rings run clockwise on screen.
     pub cell: Cell,
-    /// Where the centre is, in the model's units.
+    /// The place of the centre, in the model's units.
     pub at: DVec3,
-    /// Where the picture's x, its y and heights point to, in the model. Seen from outside x goes to the right and y
-    /// down, so the three are left-handed, as a picture with heights towards the viewer is: nothing is mirrored.
+    /// The directions of the picture's x, its y and of heights, in the model. Seen from outside x points to the right
+    /// and y down. So the three are left-handed, as are a picture's axes with heights towards the viewer, and nothing
+    /// is mirrored.
     pub axes: [DVec3; 3],
-    /// Picture units for a unit of the model.
+    /// Picture units in a unit of the model.
     pub unit: f64,
-    /// How the surface curves away from the plane.
+    /// The curvature of the surface against the plane.
     pub bend: Bend,
 }
 
 impl Flat {
-    /// A cell with so many picture units for a unit of the model: its corners by the logarithmic map about its centre.
+    /// Lays the corners of a cell into its plane by the logarithmic map about its centre. `unit` is the number of
+    /// picture units in a unit of the model.
     pub fn new(cell: &SurfaceCell, unit: f64) -> Self {
         let normal = cell.centre.normal;
         let frame = Frame::of(normal);
@@ -40,7 +43,7 @@ impl Flat {
                 at,
                 normal,
             };
-            // What lies on the other side of a fold is seen from above.
+            // A corner on the other side of a fold is projected straight down.
             let to = way(&cell.centre, &corner).map(|way| frame.out(way.to));
             flat(to.unwrap_or(at - cell.centre.at))
         };
@@ -65,7 +68,7 @@ impl Flat {
                     true => DVec2::ZERO,
                     false => DVec2::X,
                 },
-                // Counter-clockwise with y up is clockwise the other way round with y down.
+                // Reverse the ring: counter-clockwise with y up is the opposite order with y down.
                 ring: places.into_iter().rev().collect(),
             },
             at: cell.centre.at,
@@ -75,13 +78,13 @@ impl Flat {
         }
     }
 
-    /// A place of the stone, in picture units, where it is on the surface: from the cell's centre, in the model's axes
-    /// and units.
+    /// Where a point of the stone (in picture units) lies on the surface, relative to the cell's centre, in the
+    /// model's axes and units.
     pub fn placed(&self, p: DVec3) -> DVec3 {
         self.out(self.bend.bent(p))
     }
 
-    /// From the plane's axes and picture units to the model's.
+    /// Turns a vector in the plane's axes and picture units into the model's.
     pub fn out(&self, p: DVec3) -> DVec3 {
         let [x, y, z] = self.axes;
         (x * p.x + y * p.y + z * p.z) / self.unit

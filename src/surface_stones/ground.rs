@@ -1,8 +1,8 @@
 //! The ground between stones: the surface's mesh, sunk along its normals.
 //!
-//! It is cut into parts, so that what is far away or hidden is drawn with fewer triangles. Along borders of the parts
-//! no vertex goes, so they fit together at all degrees of detail. A surface with a border is a shell: it has an inside,
-//! and a rim between the two; or its openings are closed.
+//! The ground is cut into parts, so that far or hidden ones can be drawn with fewer triangles. Simplification keeps
+//! all vertices along the borders of parts, so parts fit together at all levels of detail. A surface with a border
+//! becomes a shell, with an inside and a rim between the two, or its openings are closed.
 
 use super::maker::{anchor, sunk};
 use super::{Open, StonesParams};
@@ -11,73 +11,73 @@ use crate::solid::{Surface, boundary_edges, normals, simplify_between};
 use crate::trimesh::{NONE, TriMesh};
 use glam::{DVec3, Vec3};
 
-/// Parts have about so many triangles.
+/// About how many triangles a part has.
 const PART: usize = 600;
-/// Triangles of a degree of detail, of those of the mesh.
+/// The levels of detail: the mesh's triangles for each triangle of a level.
 const DEGREES: [usize; 3] = [4, 16, 64];
-/// The ground is never sunk farther than this part of a radius of curvature, and the inside of a shell than this.
+/// The deepest that the ground may be sunk, and the inside of a shell, as parts of the radius of curvature.
 const MOST_SUNK: [f64; 2] = [0.5, 0.6];
-/// How thick a shell is, of the size of stones.
+/// The thickness of a shell, in sizes of stones.
 const THICK: f64 = 0.3;
-/// How deep stones reach, with what the wildest of them is lower.
+/// The depth of stones over their mean one, with room for the deepest of them.
 const BASE: f64 = 1.1;
-/// What degrees of detail may be off, of the depth of the ground.
+/// The error that a level of detail may have, as a part of the depth of the ground.
 const FAR: f64 = 0.35;
-/// Edges of a mesh that are shorter than this, in sizes, are finer than the ground needs.
+/// Edges shorter than this, in sizes, are finer than the ground needs.
 const FINE: f64 = 0.6;
-/// Colours of the inside and of the rim, of that of the ground.
+/// Brightness of the inside and of the rim, relative to the ground.
 const INSIDE: f32 = 0.62;
 const RIM: f32 = 0.85;
 
-/// The ground in the making.
+/// The ground, while it is made.
 #[derive(Debug, Default)]
 pub(super) struct Ground {
     curvatures: Vec<[f64; 2]>,
     surface: Surface,
-    /// Of each triangle its part, sorted by parts.
+    /// Pairs of a part and a triangle, sorted by parts.
     order: Vec<(u32, u32)>,
-    /// How many parts have each vertex, as far as it counts: 2 and more is a border between parts.
+    /// Marks vertices that several parts use: these lie on borders between parts.
     is_shared: Vec<bool>,
-    /// Of each vertex its place in the part at work.
+    /// For each vertex its index in the current part.
     places: Vec<u32>,
     next: usize,
     has_fine: bool,
-    /// Degrees of detail are nowhere farther off: what lies deep must not come through stones.
+    /// The greatest error of a level of detail, so that deep ground does not come through stones.
     far: f64,
 }
 
-/// What a slice of the work has made of it.
+/// The result of a slice of work.
 pub(super) enum Step {
     /// There is more to do.
     More,
-    /// A part at all its degrees of detail, in the model's units.
+    /// A part at all its levels of detail, in the model's units.
     Part(Vec<Surface>),
     /// That was all.
     End,
 }
 
-/// What it is made by, in the model's units.
+/// The measures of the ground, in the model's units.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bed {
     pub sunk: f64,
-    /// Where the inside of a shell is.
+    /// The depth of the inside of a shell.
     pub inside: f64,
     pub open: Open,
     pub colour: [u8; 3],
-    /// Edges of the mesh are shorter than half a cell.
+    /// Whether edges of the mesh are so short that the finest level need not be the mesh itself.
     pub is_fine: bool,
 }
 
 impl Bed {
-    /// Of stones of about this size, on average, with a ground of this colour.
+    /// The ground for stones of this mean size, in this colour.
     pub fn new(params: &StonesParams, mesh: &TriMesh, size: f64, colour: [u8; 3]) -> Self {
         let edges = 3 * mesh.triangles().len();
-        // Of triangles with equal sides.
+        // The mean edge, as if triangles were equilateral.
         let area = 3.0 * mesh.area() / edges as f64;
         let edge = (4.0 * area / 3f64.sqrt()).sqrt();
         let StonesParams { texture, unit, .. } = params;
         let sunk = sunk(texture) / unit;
-        // Stones reach down to their base, which is not to be seen from inside.
+        // Stones reach down to their base, which must not show on the inside.
         let base = BASE * anchor(texture, texture.size) / unit;
         Self {
             sunk,
@@ -90,7 +90,7 @@ impl Bed {
 }
 
 impl Ground {
-    /// Goes on by a slice; always of the same mesh.
+    /// Does one more slice, on the same mesh each time.
     pub fn next(&mut self, mesh: &TriMesh, bed: impl Fn() -> Bed) -> Step {
         if self.curvatures.is_empty() {
             self.curvatures = curvatures(mesh);
@@ -110,7 +110,7 @@ impl Ground {
         Step::More
     }
 
-    /// Of each vertex, whether several parts have it.
+    /// For each vertex, whether several parts use it.
     fn shared(&self) -> Vec<bool> {
         let mut part_of = vec![NONE; self.surface.positions.len()];
         let mut is_shared = vec![false; part_of.len()];
@@ -128,7 +128,7 @@ impl Ground {
             return Step::End;
         };
         let mut fine = Surface::default();
-        // Those that lie on a border of the part, or of all.
+        // Marks vertices that lie on a border of the part or of the surface.
         let mut stays = Vec::new();
         let own = self.order[self.next..].iter().take_while(|o| o.0 == part);
         for &(_, t) in own {
@@ -172,13 +172,13 @@ impl Ground {
         Step::Part(levels)
     }
 
-    /// How much of it is done, 0..1.
+    /// The share of the work that is done, 0 to 1.
     pub fn progress(&self) -> f64 {
         self.next as f64 / self.order.len().max(1) as f64
     }
 }
 
-/// The whole ground, in the model's units, triangles counter-clockwise seen from outside.
+/// The whole ground, in the model's units. Triangles run counter-clockwise seen from outside.
 fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
     let place = |depth: f64, most_sunk: f64| {
         let sunk = |(k, (&p, &n)): (usize, (&DVec3, &DVec3))| {
@@ -235,7 +235,7 @@ fn shade(colour: [u8; 3], by: f32) -> [u8; 3] {
     colour.map(|v| (f32::from(v) * by) as u8)
 }
 
-/// Closes an opening by a fan about its middle.
+/// Closes an opening with a fan about its middle.
 fn close(surface: &mut Surface, ring: &[u32]) {
     let places: Vec<Vec3> = ring
         .iter()
@@ -259,14 +259,14 @@ fn close(surface: &mut Surface, ring: &[u32]) {
     surface.triangles.extend(lid);
 }
 
-/// A strip from a border to the same one inside.
+/// Adds a strip from a border to its copy on the inside.
 fn rim(surface: &mut Surface, ring: &[u32], inside: u32, colour: [u8; 3]) {
     let places = |v: &u32| [*v, v + inside].map(|v| surface.positions[v as usize]);
     let pairs: Vec<[Vec3; 2]> = ring.iter().map(places).collect();
     strip(surface, &pairs, colour);
 }
 
-/// A wall from a border straight down to the floor, and the part of the floor within.
+/// Adds a wall from a border straight down to the floor, and the floor within it.
 fn skirt(surface: &mut Surface, ring: &[u32], floor: f32, colour: [u8; 3]) {
     let wall = |v: &u32| {
         let top = surface.positions[*v as usize];
@@ -279,7 +279,7 @@ fn skirt(surface: &mut Surface, ring: &[u32], floor: f32, colour: [u8; 3]) {
     close(surface, &lower);
 }
 
-/// A strip all around between pairs of places, with normals of its own.
+/// Adds a closed strip between pairs of places, with normals of its own.
 fn strip(surface: &mut Surface, pairs: &[[Vec3; 2]], colour: [u8; 3]) {
     let first = surface.positions.len() as u32;
     let n = pairs.len() as u32;
@@ -296,7 +296,7 @@ fn strip(surface: &mut Surface, pairs: &[[Vec3; 2]], colour: [u8; 3]) {
     surface.triangles.extend(all);
 }
 
-/// The least and the greatest curvature along the edges of each vertex.
+/// The least and the greatest curvature along the edges at each vertex.
 fn curvatures(mesh: &TriMesh) -> Vec<[f64; 2]> {
     let mut found = vec![[0.0f64; 2]; mesh.positions().len()];
     for triangle in mesh.triangles() {
@@ -319,13 +319,14 @@ fn curvatures(mesh: &TriMesh) -> Vec<[f64; 2]> {
     found
 }
 
-/// The triangles by the cubes of a grid that they lie in, about so many in each: pairs of a part and a triangle, by parts.
+/// Groups triangles by the cubes of a grid, about `each` to a cube. Returns pairs of a part and a triangle, sorted by
+/// parts.
 pub(crate) fn parts(positions: &[Vec3], triangles: &[[u32; 3]], each: usize) -> Vec<(u32, u32)> {
     let (mut low, mut high) = (Vec3::MAX, Vec3::MIN);
     for &p in positions {
         (low, high) = (low.min(p), high.max(p));
     }
-    // A surface meets about so many cubes as the square of those along a side, six times.
+    // The surface is taken to meet three times as many cubes as the square of their number along a side.
     let wanted = (triangles.len() / each).max(1) as f32;
     let along = (wanted / 3.0).sqrt().clamp(1.0, 32.0);
     let side = greater((high - low).max_element() / along, f32::MIN_POSITIVE);

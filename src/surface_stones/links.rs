@@ -4,13 +4,13 @@ use crate::order;
 use crate::surface_cells::SurfaceCell;
 use glam::DVec3;
 
-/// Corners that are nearer to each other than this part of the mean size are one.
+/// Corners closer to each other than this part of the mean size are the same.
 const SAME: f64 = 1e-5;
 
-/// The neighbours of every cell, by its index, in rising order; the lists are symmetric.
+/// The neighbours of each cell, as rising indices. If a is a neighbour of b, then b is one of a.
 pub fn links(cells: &[SurfaceCell]) -> Vec<Vec<u32>> {
     let side = SAME * super::mean_size(cells);
-    // A corner may be rounded into any of the cubes that touch the one it lies in.
+    // Rounding may put a corner into any of the cubes that touch its own.
     let cube = |p: DVec3| [p.x, p.y, p.z].map(|v| (v / (4.0 * side)).floor() as i64);
     let mut corners: Vec<([i64; 3], u32, DVec3)> = Vec::new();
     for (k, cell) in cells.iter().enumerate() {
@@ -22,7 +22,7 @@ pub fn links(cells: &[SurfaceCell]) -> Vec<Vec<u32>> {
         let own: &mut Vec<u32> = &mut links[k];
         for &p in &cell.ring {
             for near in 0..8 {
-                // The other cube along an axis where the corner is near its side.
+                // Along an axis where the corner is near a side of its cube, also take the next cube.
                 let reach = DVec3::from([0, 1, 2].map(|axis| f64::from(near >> axis & 1)));
                 let [low, high] = [p - side, p + side].map(cube);
                 let at = [0, 1, 2].map(|axis| {
@@ -50,8 +50,8 @@ pub fn links(cells: &[SurfaceCell]) -> Vec<Vec<u32>> {
     links
 }
 
-/// Directions for cells that have none, from those that have: the one of a cell `from` is handed over to one beside
-/// it, the pairs first that agree best.
+/// Spreads directions from known cells to the others, over the graph. `offer` rates how well the direction of the
+/// first cell suits the second; `take` copies it. The best pairs come first.
 pub(super) fn spread(
     links: &[Vec<u32>],
     mut is_known: Vec<bool>,

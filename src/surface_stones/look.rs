@@ -1,8 +1,8 @@
-//! What stones on a surface, and the ground between them, look like at a place: at the vertices, and at each pixel.
+//! Colour, material and relief of stones on a surface and of the ground, at vertices and at pixels.
 //!
-//! A stone looks as it does in the plane: colours, grain and relief are those of its face, in its own coordinates, which
-//! a place of the surface is bent back to. So there are no seams, and nothing is stretched. The ground is the bed of
-//! pavements from three sides, each as far as the surface looks there.
+//! A stone looks as in the plane: colours, grain and relief come from its face, in its own coordinates; a place of
+//! the surface is bent back into these. So there are no seams, and no pattern is stretched. The ground shows the bed
+//! of pavements from three sides, weighted by the directions in which the surface faces.
 
 use super::Flat;
 use crate::cells::Cell;
@@ -15,52 +15,52 @@ use crate::order::{greater, lesser};
 use crate::solid::StoneKind;
 use glam::Vec3;
 
-/// The mean height of stones around a place, of the joints' depth, stones and skin.
+/// The mean height around a place, as a part of the joints' depth: for stones, and for skin.
 const AROUND: [f32; 2] = [0.72, 0.55];
-/// How much of a hollow a curvature of 1 for each size is.
+/// The factor from curvature (times size) to hollowness.
 const HOLLOW: f32 = 0.5;
-/// How trodden what lies level is.
+/// How much level places are trodden.
 const TRODDEN: f32 = 0.75;
-/// Broad noise is taken so far off that of the ground, in picture units.
+/// The offset of the broad noise against that of the ground, in picture units.
 const BROAD_OFF: [f32; 2] = [211.0, 97.0];
-/// The flattest that puddles lie on: y of the normal.
+/// Puddles lie only where the y of the normal is at least this.
 const LEVEL_GROUND: f32 = 0.985;
-/// Beyond the boundary no water stays: so many sizes.
+/// A distance to the boundary, in sizes, so far beyond it that no water stays.
 const RUNS_OFF: f32 = -9.0;
-/// Below this height, of the joints' depth, stones are walls.
+/// Below this height, as a part of the joints' depth, a stone counts as wall.
 const WALLS: f32 = 0.75;
-/// The distance over which relief is measured, in picture units.
+/// The distance over which slopes of the relief are measured, in picture units.
 const STEP: f32 = 0.7;
 
-/// What all stones share.
+/// The properties that all stones share.
 pub(super) struct Look {
     pub texture: TextureParams,
     weather: WeatherParams,
     palette: &'static Palette,
     pub surfaces: Surfaces,
     bed: Bed,
-    /// Mean colour of the bed.
+    /// The mean colour of the bed.
     soil: [f32; 3],
     pub level: f32,
     pub depth: f32,
     deviation: f32,
-    /// Mean height around a place.
+    /// The mean height around a place.
     wide: f32,
 }
 
-/// What one stone has of its own: its face, and the way back into its plane.
+/// The properties of one stone: its face, and the map back into its plane.
 #[derive(Clone, Debug)]
 pub(super) struct Own {
     pub face: Face,
-    /// In the model.
+    /// Its centre, in the model.
     pub at: Vec3,
     axes: [Vec3; 3],
-    /// Picture units for a unit of the model.
+    /// Picture units in a unit of the model.
     unit: f32,
     shape: [f32; 3],
     anchor: f32,
     rise: f32,
-    /// How much more of a hollow the surface is here.
+    /// How much hollower the surface is here than a plane.
     hollow: f32,
 }
 
@@ -80,7 +80,8 @@ impl Own {
         }
     }
 
-    /// Where a place is in the flat stone, `from` the centre in the model's axes.
+    /// The place in the flat stone of a place on the bent one. `from` is that place relative to the centre, in the
+    /// model's axes.
     fn laid_flat(&self, from: Vec3) -> Vec3 {
         let from = from * self.unit;
         let [x, y, z] = self.axes.map(|axis| axis.dot(from));
@@ -89,7 +90,7 @@ impl Own {
         let square = greater(away * away, 1e-12);
         let curved = (xx * x * x + 2.0 * xy * x * y + yy * y * y) / square;
         let (along, height) = match (curved * (away + z.abs())).abs() < 0.05 {
-            // The circle is nearly a parabola.
+            // For small angles the circle is nearly a parabola.
             true => (away / (1.0 + curved * z), z + 0.5 * curved * away * away),
             false => {
                 let (radius, side) = (1.0 / curved.abs(), curved.signum());
@@ -103,11 +104,11 @@ impl Own {
     }
 }
 
-/// What is to be seen at a place.
+/// Colour, material and height at a place.
 pub(super) struct Seen {
     pub colour: [f32; 3],
     pub material: u8,
-    /// Height above the base level.
+    /// The height above the base level.
     pub height: f32,
 }
 
@@ -134,7 +135,7 @@ impl Look {
         }
     }
 
-    /// Makes about so many rows of the bed; true when it is there.
+    /// Makes about `rows` rows of the bed; true when it is complete.
     pub fn advance(&mut self, rows: usize) -> bool {
         if !self.bed.advance(rows) {
             return false;
@@ -159,17 +160,17 @@ impl Look {
         bytes(self.soil)
     }
 
-    /// A place of the flat stone before the weather, where the surface faces up by so much.
+    /// A place of the flat stone, not yet worn. `up` is the y of the normal there.
     pub fn bare(&self, own: &Own, p: Vec3, up: f32) -> Seen {
         self.stone(own, p, p.z, up)
     }
 
-    /// A place of the flat stone, with the height that it had before the weather.
+    /// A place of the flat stone, with the height that it had before wear.
     fn stone(&self, own: &Own, p: Vec3, height: f32, up: f32) -> Seen {
         let noise = self.surfaces.noise();
         let dust = self.bed.colour(floor(p.x) + 57, floor(p.y) + 31);
         let stand = (height - self.level) / self.depth;
-        // Walls are turned out into the plane, or grain would run down them in streaks.
+        // Walls are unrolled outwards into the plane; else grain would run down them in streaks.
         let top = self.level + WALLS * self.depth;
         let away = greater((p.x * p.x + p.y * p.y).sqrt(), 1e-3);
         let out = 1.0 + greater(top - height, 0.0) / away;
@@ -188,7 +189,7 @@ impl Look {
         self.weathered(sample, [p.x + from.x, p.y + from.y], [own.hollow, up], true)
     }
 
-    /// The weather over a place: `at` is where its noise is taken.
+    /// Applies the weather to a place; `at` is where its noise is read.
     fn weathered(
         &self,
         mut sample: Sample,
@@ -242,13 +243,13 @@ impl Look {
         [wear, moss, dirt, wet] != [0.0; 4]
     }
 
-    /// What faces up is walked on.
+    /// How much a place is trodden: more where it faces up.
     fn trodden(&self, up: f32) -> f32 {
         TRODDEN * smoothstep_f32((up - 0.2) / 0.6)
     }
 
-    /// What is seen of a stone at a place, `from` its centre in the model's axes; and how its relief rises there along
-    /// the two axes of its plane.
+    /// Colour and material of a stone at a place, and the slope of its relief there as a vector in the model. `from`
+    /// is the place relative to the stone's centre, in the model's axes.
     pub fn of_stone(&self, own: &Own, from: Vec3, normal: Vec3) -> (Seen, Vec3) {
         let p = own.laid_flat(from);
         let up = 0.5 * (own.axes[2].y + normal.y);
@@ -272,12 +273,12 @@ impl Look {
         (seen, rise)
     }
 
-    /// How much a normal looks away from where a stone stands, so that relief does not count: 0 on walls, 1 on tops.
+    /// The weight of the relief: 0 on walls, 1 on tops.
     pub fn is_top(own: &Own, normal: Vec3) -> f32 {
         ((normal.dot(own.axes[2]) - 0.25) / 0.35).clamp(0.0, 1.0)
     }
 
-    /// What is seen of the ground at a place, in picture units, and how it rises there.
+    /// Colour and material of the ground at a place, in picture units, and the slope of its relief there.
     pub fn of_ground(&self, at: Vec3, normal: Vec3) -> (Seen, Vec3) {
         let weights = normal * normal * normal * normal;
         let weights = weights / greater(weights.x + weights.y + weights.z, 1e-6);

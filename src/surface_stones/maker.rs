@@ -1,4 +1,4 @@
-//! From a cell to the surfaces of its stone, bent and coloured.
+//! Makes the surfaces of a cell's stone, bent and coloured.
 
 use super::look::{Look, Own, bytes};
 use super::template::Templates;
@@ -21,15 +21,15 @@ pub(super) struct Maker {
 /// A stone on its cell.
 pub(super) struct Made {
     pub own: Own,
-    /// From the finest degree of detail to the coarsest; places are counted from the cell's centre, in the model's axes
-    /// and units. Triangles are counter-clockwise seen from outside.
+    /// Levels of detail, the finest first. Positions are relative to the cell's centre, in the model's axes and
+    /// units. Triangles run counter-clockwise seen from outside.
     pub levels: Vec<Surface>,
-    /// Row of the table of materials of its middle.
+    /// The row of the material at its middle.
     pub material: u8,
 }
 
 impl Maker {
-    /// Of stones with so many triangles at their finest, about.
+    /// Starts; `most` is about the number of triangles of a stone at its finest level.
     pub fn new(params: &StonesParams, cells: &[SurfaceCell], most: usize) -> Self {
         let texture = params.texture;
         let curvature = mean_curvature(cells) / params.unit;
@@ -40,8 +40,8 @@ impl Maker {
         }
     }
 
-    /// The stone of a cell that wears a coat, and [`leans_out`] over a border or does not; none where the cell has no area to speak of. [`Look::advance`] has to be
-    /// done with.
+    /// Makes the stone of a cell with a coat. `leans_out` tells whether a scale would stand out over a border, see
+    /// [`leans_out`]. Nothing if the cell has next to no area. [`Look::advance`] has to be finished before.
     pub fn stone(&mut self, cell: &SurfaceCell, coat: Coat, leans_out: bool) -> Option<Made> {
         let mut flat = Flat::new(cell, self.unit);
         let texture = self.look.texture;
@@ -67,7 +67,7 @@ impl Maker {
             .stand(anchor(&texture, flat.cell.size), span.map(f64::from));
         let own = Own::new(&flat, face);
         let up = flat.axes[2].y as f32;
-        // Those of the finest degree are all that is coloured: coarser ones have some of these.
+        // Colour the vertices of the finest level only: coarser ones use a subset.
         let mut colours = vec![None; positions.len()];
         let finest = template.levels.first()?;
         for &v in &finest.kept {
@@ -85,7 +85,8 @@ impl Maker {
             .iter()
             .map(|p| flat.placed(p.as_dvec3()).as_vec3())
             .collect();
-        // In axes that are left-handed triangles go the other way round; the cap has no say.
+        // The axes are left-handed, so triangles run the other way round. Take normals without the cap, which would
+        // bend those of the walls.
         let turned: Vec<[u32; 3]> = solid.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect();
         let normals = normals(&bent, &turned);
         let level = |level: &super::template::Level| {
@@ -109,7 +110,7 @@ impl Maker {
     }
 }
 
-/// The cap's middle has no normal of walls: it looks inwards.
+/// The middle of the cap belongs to no wall: its normal points inwards.
 fn under(surface: &mut Surface, out: DVec3) {
     for normal in &mut surface.normals {
         if *normal == Vec3::NEG_Z {
@@ -118,8 +119,8 @@ fn under(surface: &mut Surface, out: DVec3) {
     }
 }
 
-/// The height of stones that lies on the surface: the tops of stones, so that joints are as wide as in the plane, and
-/// the ground of skin, which stands out from its body.
+/// The height of stones that lies on the surface. For stones it is their top, so that joints are as wide as in the
+/// plane. For skin it is the ground, and scales stand out from the body.
 pub(super) fn anchor(texture: &TextureParams, size: f64) -> f64 {
     match texture.stone.kind {
         StoneKind::Skin => texture.level(),
@@ -127,12 +128,12 @@ pub(super) fn anchor(texture: &TextureParams, size: f64) -> f64 {
     }
 }
 
-/// How far the ground lies below the surface, in picture units.
+/// The depth of the ground below the surface, in picture units.
 pub(super) fn sunk(texture: &TextureParams) -> f64 {
     anchor(texture, texture.size) - texture.level()
 }
 
-/// Whether a cell on the border points away from its neighbours, which are the cells of these numbers.
+/// Whether a cell on the border points away from its neighbours. `neighbours` are indices into `cells`.
 pub(super) fn leans_out(cell: &SurfaceCell, neighbours: &[u32], cells: &[SurfaceCell]) -> bool {
     let towards = |&k: &u32| (cells[k as usize].centre.at - cell.centre.at).normalize_or_zero();
     let inwards: DVec3 = neighbours.iter().map(towards).sum();
@@ -140,7 +141,7 @@ pub(super) fn leans_out(cell: &SurfaceCell, neighbours: &[u32], cells: &[Surface
     cell.on_border && cell.axis.dot(inwards) <= 0.3 * inwards.length()
 }
 
-/// Scales that would stand out over a border lie flat.
+/// The parameters for one cell: scales that would stand out over a border lie flat.
 fn own_params(stone: &StoneParams, leans_out: bool) -> StoneParams {
     let mut own = *stone;
     if leans_out && stone.kind == StoneKind::Skin {
@@ -150,7 +151,8 @@ fn own_params(stone: &StoneParams, leans_out: bool) -> StoneParams {
     own
 }
 
-/// Of the greater curvatures whichever way, in the model's units: how far normals turn from centres to corners.
+/// The mean curvature of cells, without sign, in the model's units: the angle by which normals turn from centres to
+/// corners over the distance.
 fn mean_curvature(cells: &[SurfaceCell]) -> f64 {
     let (mut turned, mut away) = (0.0, 0.0);
     for cell in cells {

@@ -1,8 +1,9 @@
-//! Stones and scales on a surface: from its cells to bodies in light.
+//! Stones and scales on a surface: from its cells to bodies in a scene.
 //!
-//! A cell is laid into its tangent plane ([`Flat`]), its stone is made there as in any picture, and bent back onto the
-//! surface ([`Bend`]). So all stones, their lean, taper, keels and noise are those of the plane. Axes get one sense
-//! first ([`make_one_sense`]). [`Stones`] makes a [`crate::scene::Scene`] of all of them on their ground.
+//! A cell is laid into its tangent plane ([`Flat`]). Its stone is made there as in any picture, and bent back onto
+//! the surface ([`Bend`]). So the shapes of stones, their lean, taper, keels and noise are those of the plane. Before
+//! that, axes are made to agree ([`make_one_sense`]). [`Stones`] makes a [`crate::scene::Scene`] of all stones on
+//! their ground.
 
 mod bend;
 mod build;
@@ -34,19 +35,19 @@ use crate::material::{Coat, WeatherParams};
 use crate::surface_cells::SurfaceCell;
 use maker::{Made, Maker, leans_out};
 
-/// The cells that are paved, with what belongs to each by its index.
+/// The cells to pave, with their neighbours and coats by index.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Paving<'a> {
-    /// They have one sense already: see [`make_one_sense`].
+    /// The cells; their axes agree already, see [`make_one_sense`].
     pub cells: &'a [SurfaceCell],
-    /// Their neighbours: see [`links`].
+    /// The neighbours of each cell, see [`links`].
     pub links: &'a [Vec<u32>],
-    /// What they wear by rule; those that are missing are plain.
+    /// The coats of the cells; cells beyond the end of the list are plain.
     pub coats: &'a [Coat],
 }
 
 impl Paving<'_> {
-    /// The stone of one of them.
+    /// Makes the stone of a cell.
     fn stone(&self, maker: &mut Maker, k: usize) -> Option<Made> {
         let cell = &self.cells[k];
         let neighbours = self.links.get(k).map_or(&[][..], Vec::as_slice);
@@ -55,33 +56,33 @@ impl Paving<'_> {
     }
 }
 
-/// What a surface with a border is like.
+/// How an open surface ends at its border.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Open {
-    /// A shell with an inside.
+    /// As a shell with an inside.
     #[default]
     Shell,
-    /// A body cut off there.
+    /// As a closed body, cut off there.
     Capped,
-    /// Ground, that goes straight down from there to a floor.
+    /// As ground whose sides go straight down to a floor.
     Block,
 }
 
-/// What stones on a surface are made by.
+/// The parameters of stones on a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StonesParams {
-    /// As in a picture; `side`, `pixel_scale` and `tile` are not asked for.
+    /// As in a picture; `side`, `pixel_scale` and `tile` have no effect.
     pub texture: TextureParams,
-    /// As in a picture; it falls from above.
+    /// As in a picture; it falls from above (y up).
     pub weather: WeatherParams,
-    /// Picture units for a unit of the model.
+    /// Picture units in a unit of the model.
     pub unit: f64,
-    /// What openings are like.
+    /// How the surface ends at borders.
     pub open: Open,
 }
 
 impl StonesParams {
-    /// For these cells: on average they are as large as those of a picture are asked to be.
+    /// Parameters for these cells: `unit` gives them the mean size that the texture asks for.
     pub fn new(texture: TextureParams, weather: WeatherParams, cells: &[SurfaceCell]) -> Self {
         let size = mean_size(cells);
         Self {
@@ -97,7 +98,7 @@ impl StonesParams {
     }
 }
 
-/// Of the sizes that cells should have.
+/// The mean size that cells should have, in the model's units.
 pub(crate) fn mean_size(cells: &[SurfaceCell]) -> f64 {
     let sum: f64 = cells.iter().map(|cell| cell.size).sum();
     sum / cells.len().max(1) as f64

@@ -1,4 +1,4 @@
-//! Stones and ground one after the other, at one degree of detail, for files.
+//! Makes stones and ground one after the other, at one level of detail, for files.
 
 use super::ground::{Bed, Ground, Step};
 use super::maker::Maker;
@@ -11,7 +11,7 @@ use crate::trimesh::TriMesh;
 /// Rows of the bed in a slice.
 const ROWS: usize = 64;
 
-/// All pieces in the making.
+/// All pieces, while they are made.
 pub(crate) struct Pieces {
     params: StonesParams,
     maker: Maker,
@@ -20,18 +20,18 @@ pub(crate) struct Pieces {
     ground: Option<Ground>,
 }
 
-/// What a slice of the work has made.
+/// The result of a slice of work.
 pub(crate) enum Piece {
-    /// There is more to do.
+    /// Nothing yet.
     None,
-    /// A surface in the model's axes and units, and the id of its stone or that of the ground.
+    /// A surface in the model's axes and units, with the id of its stone or of the ground.
     Surface(u32, Surface),
-    /// That was all.
+    /// All pieces have been made.
     End,
 }
 
 impl Pieces {
-    /// Of these cells, with so many triangles each.
+    /// Starts with these cells; `most` is about the number of triangles of a stone.
     pub fn new(params: StonesParams, cells: &[SurfaceCell], most: usize) -> Self {
         Self {
             maker: Maker::new(&params, cells, most),
@@ -42,14 +42,14 @@ impl Pieces {
         }
     }
 
-    /// How much of it is done, 0..1.
+    /// The share of the work that is done, 0 to 1.
     pub fn progress(&self, cells: &[SurfaceCell]) -> f64 {
         let stones = self.cell as f64 / cells.len().max(1) as f64;
         let ground = self.ground.as_ref().map_or(0.0, Ground::progress);
         0.9 * stones + 0.1 * ground
     }
 
-    /// The next piece.
+    /// Does one more slice.
     pub fn next(&mut self, mesh: &TriMesh, paving: Paving) -> Piece {
         if !self.maker.look.advance(ROWS) {
             return Piece::None;

@@ -1,7 +1,7 @@
-//! One sense for the axes of cells on a surface, so that scales lean one way.
+//! Makes the axes of cells on a surface agree, so that scales lean one way.
 //!
-//! A flow that is given decides: of the four axes of a square, or the two of other cells, the one nearest to it. Where
-//! none is given, axes are carried from cell to cell; without any flow all together agree as well as they can
+//! If a flow is given, each cell takes the axis nearest to it: one of four for a square, of two for other cells.
+//! Where the flow is unknown, axes are carried from cell to cell. Without any flow all axes agree as well as possible
 //! ([`crate::solid::oriented`] on the surface's graph).
 
 use super::links::spread;
@@ -11,12 +11,12 @@ use crate::trimesh::{Frame, SurfacePoint, way};
 use glam::DVec2;
 use std::cell::RefCell;
 
-/// A flow: at a point of the surface the direction in the frame of its normal, of any length; none where it is not
-/// known.
+/// A flow: for a point of the surface the direction in the frame of its normal, of any length. Nothing if it is
+/// unknown there.
 pub type Flow<'a> = &'a dyn Fn(&SurfacePoint) -> Option<DVec2>;
 
-/// Turns the axes of cells, by quarters for squares and by halves for others. `links` are the neighbours by index:
-/// see [`super::links`].
+/// Turns the axes of cells, by quarter turns for squares and half turns for others. `links` are the neighbours by
+/// index, see [`super::links`].
 pub fn make_one_sense(cells: &mut [SurfaceCell], links: &[Vec<u32>], flow: Flow) {
     let axis = |cell: &SurfaceCell| Axis {
         along: cell.axis,
@@ -59,7 +59,7 @@ fn turns(cells: &[SurfaceCell], axes: &[Axis], links: &[Vec<u32>], flow: Flow) -
     turns.into_inner()
 }
 
-/// A vector of the frame of one cell in that of another.
+/// Carries a vector from the frame of one cell to that of another.
 fn carried(to: &SurfaceCell, from: &SurfaceCell, v: DVec2) -> DVec2 {
     match way(&to.centre, &from.centre) {
         Some(way) => way.turn.apply(v),
@@ -104,7 +104,7 @@ mod tests {
                     wanted[k].perp_dot(cells[k].axis).abs() + wanted[k].dot(cells[k].axis).abs();
                 assert!((own - 1.0).abs() < 1e-9);
                 for &j in list {
-                    // Where the one points away from the way around, so does the other.
+                    // All axes point along the torus, or all against it.
                     let [a, b] = [k, j as usize].map(|k| cells[k].axis.dot(wanted[k]));
                     agreeing += usize::from((a - b).abs() < 1e-6);
                 }

@@ -1,8 +1,9 @@
-//! Degrees of detail that all stones of one connectivity share.
+//! Levels of detail that all stones with one number of corners share.
 //!
-//! Stones with the same number of corners have the same triangles, and are alike. So which vertices the coarser degrees
-//! keep is found out once, on a stone over a regular polygon, bent as the surface is on average ([`simplify`]), once where
-//! that bulges and once in hollows, where coarse triangles would else lie in front of fine ones; a stone takes its own vertices there, and its normals and colours from the finest mesh.
+//! Stones with the same number of corners have the same triangles, and are alike. So it is enough to find once which
+//! vertices the coarser levels keep ([`simplify`]): on a stone over a regular polygon, bent by the mean curvature of
+//! the surface. There are two such templates, for humps and for hollows: in a hollow the coarse triangles of a hump
+//! would cover fine ones. A stone uses its own vertices, and takes normals and colours from the finest mesh.
 
 use super::Bend;
 use crate::cells::Cell;
@@ -13,12 +14,12 @@ use glam::{DVec2, Vec3};
 use std::f64::consts::TAU;
 use std::rc::Rc;
 
-/// Fewer triangles than this are no stone any more.
+/// A stone has at least this many triangles.
 const LEAST: usize = 16;
-/// Triangles before the finest degree is taken from them, of what that has.
+/// Triangles of the solid over those of the finest level, which is simplified from it.
 const BEFORE: f64 = 1.3;
 
-/// The degrees of stones of one connectivity.
+/// The levels of stones with one number of corners.
 #[derive(Debug)]
 pub(super) struct Template {
     /// Edges of the open base.
@@ -26,27 +27,27 @@ pub(super) struct Template {
     pub levels: Vec<Level>,
 }
 
-/// A degree of detail.
+/// A level of detail.
 #[derive(Debug)]
 pub(super) struct Level {
-    /// The vertices that it keeps.
+    /// The vertices that it keeps, as indices into the solid's.
     pub kept: Vec<u32>,
-    /// By their places among those.
+    /// Its triangles, as indices into `kept`.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Makes the degrees of each connectivity when it is first met.
+/// Makes the levels for each number of corners on first use.
 #[derive(Debug)]
 pub(super) struct Templates {
     solids: Solids,
     stone: StoneParams,
-    /// Triangles at the finest degree.
+    /// Triangles of the finest level.
     most: usize,
-    /// How curved cells are on average, whichever way, for each picture unit.
+    /// The mean curvature of cells, without sign, for each picture unit.
     curvature: f64,
-    /// The lowest height that is seen.
+    /// The lowest height that is visible.
     floor: f32,
-    /// By twice the corners, and one more in hollows.
+    /// Templates at index twice the number of corners, plus one for hollows.
     made: Vec<Option<Rc<Template>>>,
 }
 
@@ -62,8 +63,7 @@ impl Templates {
         }
     }
 
-    /// The solid of a cell, which lies in a hollow or does not, and its degrees; none where the cell has no area to
-    /// speak of.
+    /// The solid of a cell with its levels. Nothing if the cell has next to no area.
     pub fn solid(
         &mut self,
         cell: &Cell,

@@ -1,4 +1,4 @@
-//! Stones on surfaces that are rows of cells.
+//! Stones on surfaces of rows of cells.
 
 use super::fixture::*;
 use super::*;
@@ -17,7 +17,7 @@ const NO_WEATHER: WeatherParams = WeatherParams {
 
 type Named = (&'static str, Rows, Box<dyn Fn(DVec2) -> DVec3>);
 
-/// Every surface with cells of a fifth to a tenth of its radius.
+/// Surfaces with cells of a fifth to a tenth of their radius.
 fn surfaces() -> Vec<Named> {
     vec![
         ("torus", rows([30, 12], [true, true]), Box::new(torus(0.4))),
@@ -64,7 +64,7 @@ fn build(params: StonesParams, mesh: &TriMesh, cells: &[SurfaceCell]) -> Scene {
 
 #[test]
 fn a_flat_stone_stays_as_it_is_and_nothing_is_mirrored() {
-    // Seen from above x goes to the right where z goes down.
+    // Seen from above, with x to the right, z points down.
     for stone in [StoneParams::default(), skin()] {
         let cells = rows([5, 5], [false, false]).cells(&flat);
         let cell = &cells[12];
@@ -75,7 +75,7 @@ fn a_flat_stone_stays_as_it_is_and_nothing_is_mirrored() {
         for v in &solid.vertices {
             let flat = v.as_dvec3();
             let bent = laid.placed(flat) * unit;
-            // The picture's x is the axis, its y is to the right of that seen from above, as y goes down.
+            // The picture's x is the axis. Its y points to the right of that, seen from above, as y points down.
             let (right, out) = (laid.axes[0], laid.axes[2]);
             let down = -out.cross(right);
             let there = right * flat.x + down * flat.y + out * flat.z;
@@ -87,14 +87,14 @@ fn a_flat_stone_stays_as_it_is_and_nothing_is_mirrored() {
 #[test]
 fn an_asymmetric_ring_is_laid_flat_as_it_is_seen() {
     let mut cell = rows([5, 5], [false, false]).cells(&flat).swap_remove(12);
-    // A corner drawn out along z, one of its neighbours along x.
+    // A cell drawn out along z.
     let (at, axis) = (cell.centre.at, DVec3::Z);
     cell.axis = Frame::of(cell.centre.normal).within(axis);
     cell.ring = [(-1.0, -1.0), (-1.0, 2.0), (1.5, 1.0), (1.0, -1.0)]
         .map(|(x, z)| at + DVec3::new(x, 0.0, z) * 0.1)
         .to_vec();
     let laid = Flat::new(&cell, 10.0);
-    // Seen from above with x to the right z goes down: the axis points down, and the picture's y to the left.
+    // Seen from above, with x to the right, z points down: the axis points down, and the picture's y to the left.
     let mut seen: Vec<[i64; 2]> = laid
         .cell
         .ring
@@ -131,7 +131,7 @@ fn bent_corners_are_shared_and_the_ring_is_nearly_bent_so_without_help() {
     }
 }
 
-/// Tops of neighbours at the height of half a radius of curvature, at most, keep the gap that they have in the plane.
+/// The tops of neighbours, up to half a radius of curvature high, keep the gap that they have in the plane.
 #[test]
 fn tops_stay_apart() {
     for (name, patch, closes) in [
@@ -155,7 +155,7 @@ fn tops_stay_apart() {
                     laid.bend.stand(0.0, [0.0, high * radius]);
                     (laid, high * radius)
                 });
-                // The middles of the walls that face each other, drawn in by a tenth.
+                // The middles of the walls that face each other, a tenth inside.
                 let wall = |(laid, high): &(Flat, f64), side: f64, cell: &SurfaceCell| {
                     let half = 0.5 * cell.size * cell.aspect.sqrt() * unit;
                     let p = DVec3::new(side * 0.9 * half, 0.0, *high);
@@ -171,8 +171,8 @@ fn tops_stay_apart() {
     }
 }
 
-/// Triangles of a closed surface look outwards: its volume by the divergence theorem is positive and as large as the
-/// flat stone's, about.
+/// Triangles of a closed surface face outwards: its volume by the divergence theorem is positive, and about that of
+/// the flat stone.
 #[test]
 fn nothing_turns_inside_out() {
     let volume = |surface: &crate::solid::Surface| {
@@ -238,7 +238,7 @@ fn stones_over_a_hollow_are_lower() {
     assert!((bend.rise * 24.0 - 5.0).abs() < 1e-12);
 }
 
-/// The top of a scale leans along its axis on the surface, whatever the surface is turned to, and its left is its left.
+/// The top of a scale leans along its axis, whichever way the surface faces, and the scale is not mirrored.
 #[test]
 fn scales_lean_along_their_axes() {
     let rows = rows([30, 12], [true, false]);
@@ -263,7 +263,7 @@ fn scales_lean_along_their_axes() {
         }
         let level = &scene.bodies[instance.body as usize].levels[0];
         let out = cell.centre.normal.as_vec3();
-        // By areas: where vertices are kept is not the same on both sides.
+        // Weighted by area, because the kept vertices are not symmetric.
         let mean = |over: &dyn Fn(f32) -> bool| {
             let (mut sum, mut whole) = (Vec3::ZERO, 0.0);
             for t in &level.triangles {
@@ -282,7 +282,7 @@ fn scales_lean_along_their_axes() {
         let lean = Frame::of(cell.centre.normal)
             .within(lean.as_dvec3())
             .normalize();
-        // The angle counts clockwise seen from outside.
+        // The angle is clockwise seen from outside.
         let wanted = DVec2::new(libm::cos(0.5), -libm::sin(0.5)).rotate(cell.axis);
         assert!(lean.dot(wanted) > 0.97, "{lean} {wanted}");
     }
@@ -317,7 +317,7 @@ fn a_scene_is_the_same_however_it_is_cut_and_told_by_its_digest() {
     assert!((0.45..1.1).contains(&radius), "{radius}");
 }
 
-/// The tops of stones are on the surface, and the ground under them is as deep as in the plane.
+/// The tops of stones lie on the surface, and the ground is as deep as in the plane.
 #[test]
 fn tops_lie_on_the_surface_and_the_ground_below() {
     let rows = rows([30, 6], [true, false]);
@@ -341,7 +341,7 @@ fn tops_lie_on_the_surface_and_the_ground_below() {
     let mut sheets = 0;
     for instance in &scene.instances {
         let levels = &scene.bodies[instance.body as usize].levels;
-        // However coarse the ground is, it does not leave its depth by much.
+        // However coarse the ground, its depth differs little.
         for level in levels.iter().filter(|_| instance.id == GROUND) {
             for triangle in &level.triangles {
                 let corners = triangle.map(|v| level.positions[v as usize] + instance.place.origin);

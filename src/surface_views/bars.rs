@@ -1,4 +1,4 @@
-//! Bars, crosses and stars that tell a direction, and tubes along lines.
+//! Bars, crosses and stars for directions, and tubes along lines.
 
 use super::SATIN;
 use super::domes::Dome;
@@ -9,14 +9,14 @@ use crate::trimesh::SurfacePoint;
 use glam::{DVec2, DVec3, Vec3};
 use std::f64::consts::{PI, TAU};
 
-/// Half the length and half the width of a bar, of the distance between them.
+/// Half the length and half the width of a bar, in distances between bars.
 const BAR: DVec2 = DVec2::new(0.40, 0.058);
-/// Arms of crosses and stars are shorter and thinner.
+/// The same for the arms of crosses and stars, which are shorter and thinner.
 const ARM: DVec2 = DVec2::new(0.36, 0.046);
-/// The arms of a tube's cross-section.
+/// The sides of a tube's cross-section.
 const AROUND: u32 = 10;
 
-/// As many bars as a direction of this symmetry has ways, through one point.
+/// Bars through one point, for all directions that mean the same in this symmetry.
 pub(super) fn star(symmetry: u32) -> Body {
     let arms = (symmetry / 2).max(1);
     let half = if arms == 1 { BAR } else { ARM };
@@ -43,12 +43,12 @@ pub(super) fn star(symmetry: u32) -> Body {
         }
         all
     };
-    // They are small.
+    // They are small, so the finest level is not needed.
     let levels = bar.levels().iter().skip(1).map(turned).collect();
     Body::new(levels, SATIN)
 }
 
-/// A tube along a line on a surface, of this radius in the scene, with round ends; none where the line has no length.
+/// A tube with round ends along a line on a surface; `radius` in scene units. Nothing if the line has no length.
 pub(super) fn tube(line: &[SurfacePoint], radius: f64, fit: &Fit) -> Option<Body> {
     let mut places: Vec<(DVec3, DVec3)> = Vec::new();
     for p in line {

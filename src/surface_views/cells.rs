@@ -1,4 +1,4 @@
-//! The cells' polygons on the surface, a colour each, with thin joints.
+//! The view of the cells' polygons: a colour each, with thin joints.
 
 use super::ground::push;
 use super::paint::Edged;
@@ -10,29 +10,29 @@ use crate::surface_cells::SurfaceCell;
 use crate::surface_stones::Fit;
 use glam::{DVec3, Vec3};
 
-/// Half the width of a joint, of the size of its cell.
+/// Half the width of a joint, in sizes of its cell.
 const JOINT: f64 = 0.034;
-/// Joints, and what is seen where no cell is.
+/// The colour of joints, and of the surface that no cell covers.
 const DARK: [u8; 3] = [52, 46, 40];
-/// How far that lies below the surface, of the mean size of cells.
+/// How far that surface is sunk, in mean sizes of cells.
 const SUNK: f64 = 0.12;
-/// Parts of a side, by degrees of detail.
+/// Parts of a side at each level of detail.
 const DEGREES: [usize; 3] = [4, 2, 1];
 /// Cells in a slice.
 const CELLS: usize = 150;
 
-/// The view of cells in the making.
+/// The view of cells, while it is made.
 pub struct CellsView {
     scene: Scene,
     edged: Edged,
     next: usize,
-    /// In the tones of the stones to come; else each unlike its neighbours.
+    /// The tones of the stones to come; without them each cell differs from its neighbours in colour.
     tones: Option<Tones>,
 }
 
 impl CellsView {
-    /// Nothing made yet. With tones the colours are those of the stones to come, else each cell's is unlike those of its
-    /// neighbours.
+    /// Starts the view. With `tones` cells have the colours of the stones to come; else each differs in colour from
+    /// its neighbours.
     pub fn new(tones: Option<&Tones>) -> Self {
         Self {
             scene: Scene::default(),
@@ -42,8 +42,8 @@ impl CellsView {
         }
     }
 
-    /// Goes on by a slice; true when all is there. Ground and cells are always the same. Ids in frames are the cells'
-    /// places in the list, from 1.
+    /// Does one more slice; true when done. Ground and cells must be the same each time. The id of a cell in frames
+    /// is its index plus 1.
     pub fn advance(&mut self, ground: &Ground, cells: &[SurfaceCell]) -> bool {
         let fit = ground.fit();
         if self.next < cells.len() {
@@ -63,14 +63,14 @@ impl CellsView {
         true
     }
 
-    /// All at once.
+    /// Does all the work at once.
     pub fn build(ground: &Ground, cells: &[SurfaceCell], tones: Option<&Tones>) -> Scene {
         let mut view = Self::new(tones);
         while !view.advance(ground, cells) {}
         view.finish()
     }
 
-    /// The scene, once it is there.
+    /// The finished scene.
     pub fn finish(self) -> Scene {
         Scene {
             detail: Some(Box::new(self.edged)),
@@ -95,7 +95,7 @@ impl CellsView {
     }
 }
 
-/// A cell as triangles from its centre to its sides, each divided and bent as the surface is.
+/// The triangles from a cell's centre to its sides, each divided and bent like the surface.
 fn patch(cell: &SurfaceCell, parts: usize, colour: [u8; 3], fit: &Fit) -> Surface {
     let mut surface = Surface::default();
     let count = cell.ring.len();
@@ -130,8 +130,8 @@ fn patch(cell: &SurfaceCell, parts: usize, colour: [u8; 3], fit: &Fit) -> Surfac
     surface
 }
 
-/// A point of a triangle, drawn onto the surface that its corners' normals tell of (Boubekeur, Alexa 2008, Phong
-/// Tessellation; at one half sides become the arcs that these normals have).
+/// A point of a triangle, moved towards the surface that the normals at its corners describe (Boubekeur, Alexa 2008,
+/// Phong Tessellation). With the factor one half, sides become the arcs that have these normals.
 fn bent(places: &[DVec3; 3], normals: &[DVec3; 3], weights: [f64; 3]) -> (DVec3, Vec3) {
     let (mut flat, mut normal) = (DVec3::ZERO, DVec3::ZERO);
     for k in 0..3 {

@@ -1,29 +1,31 @@
 //! Bodies that lie on a surface: bubbles and bars.
 //!
-//! x runs along them, y out of the surface; they reach a little below it, as that is round and they are not.
+//! x runs along them, y out of the surface. They reach a little below the surface, because it is curved and they are
+//! flat.
 
 use crate::scene::Body;
 use crate::solid::{Surface, normals};
 use glam::{DVec2, Vec3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// What a dome is like.
+/// The shape of a dome.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dome {
-    /// Half its length, and half its width.
+    /// Half the length and half the width.
     pub half: DVec2,
-    /// The radius of its corners; none where it is an ellipse.
+    /// The radius of the corners; none for an ellipse.
     pub round: Option<f64>,
     pub high: f64,
-    /// How far it reaches below the surface.
+    /// The depth below the surface.
     pub deep: f64,
-    /// The angle between its rim and the surface.
+    /// The angle between the rim and the surface.
     pub rim: f64,
-    /// Lightness of the rim, of that of the top.
+    /// The brightness of the rim, relative to the top.
     pub dark: f64,
 }
 
-/// Points around, of an ellipse; of a corner and of a side; rings from the rim to the top. By degrees of detail.
+/// At each level of detail: points around an ellipse; points of a corner and of a side; rings from the rim to the
+/// top.
 const DEGREES: [(u32, [u32; 2], u32); 4] = [
     (28, [5, 2], 6),
     (20, [3, 2], 4),
@@ -46,14 +48,14 @@ impl Dome {
             Some(round) => rounded(self.half, round, corner, side),
         };
         let count = outline.len() as u32;
-        // Facets lie as far outside of what they stand for as inside: else one degree would hold the light off another.
+        // Facets lie as far outside of the true shape as inside, so no level of detail shadows another.
         let halfway = |angle: f64| 0.5 + 0.5 / libm::cos(angle);
         let wider = halfway(FRAC_PI_2 * 2.0 / f64::from(count));
         let higher = halfway(0.5 * self.rim / f64::from(rings));
         let mut surface = Surface::default();
         let mut ring = |part: f64, high: f64, light: f64| {
             for &p in &outline {
-                // From the outline at the rim to an ellipse at the top.
+                // Rings change from the outline at the rim to an ellipse at the top.
                 let inner = (p / self.half).normalize_or_zero() * self.half;
                 let p = (inner * wider).lerp(p, part * part) * part;
                 let at = Vec3::new(p.x as f32, high as f32, -p.y as f32);
@@ -101,7 +103,7 @@ fn ellipse(half: DVec2, count: u32) -> Vec<DVec2> {
     (0..count).map(at).collect()
 }
 
-/// A rectangle with round corners of so many points each, and as many on each side.
+/// A rectangle with round corners; `corner` and `side` are the points of each.
 fn rounded(half: DVec2, round: f64, corner: u32, side: u32) -> Vec<DVec2> {
     let mut points: Vec<DVec2> = Vec::new();
     let arc = |quarter: u32, k: u32| {

@@ -1,5 +1,4 @@
-//! The cells' mesh: its elements with lines along their sides, and the nodes that have more neighbours than others, or
-//! fewer.
+//! The view of the cells' mesh: elements with lines along their sides, and irregular nodes.
 
 use super::domes::ball;
 use super::ground::push;
@@ -16,16 +15,16 @@ use crate::surface_stones::Fit;
 use crate::trimesh::SurfacePoint;
 use glam::Vec3;
 
-/// Triangles where they are what a mesh is made of, or some of it.
+/// The colour of triangles among quadrilaterals.
 const TRIANGLE: Colour = [0.62, 0.70, 0.74, 1.0];
-/// Half the width of lines, of the size of cells.
+/// Half the width of lines, in sizes of cells.
 const LINE: f64 = 0.022;
-/// The radius of a node's ball, of its size.
+/// The radius of a node's ball, in sizes of its cell.
 const BALL: f64 = 0.15;
 /// Elements in a slice.
 const ELEMENTS: usize = 400;
 
-/// The view of a mesh in the making.
+/// The view of a mesh, while it is made.
 pub struct MeshView {
     scene: Scene,
     edged: Edged,
@@ -35,7 +34,7 @@ pub struct MeshView {
 }
 
 impl MeshView {
-    /// Nothing made yet.
+    /// Starts the view.
     pub fn new() -> Self {
         Self {
             scene: Scene::default(),
@@ -46,7 +45,7 @@ impl MeshView {
         }
     }
 
-    /// Goes on by a slice; true when all is there. Ground and mesh are always the same.
+    /// Does one more slice; true when done. Ground and mesh must be the same each time.
     pub fn advance(&mut self, ground: &Ground, mesh: &SurfaceMesh) -> bool {
         let fit = ground.fit();
         if self.next < mesh.elements.len() {
@@ -63,14 +62,14 @@ impl MeshView {
         self.is_done
     }
 
-    /// All at once.
+    /// Does all the work at once.
     pub fn build(ground: &Ground, mesh: &SurfaceMesh) -> Scene {
         let mut view = Self::new();
         while !view.advance(ground, mesh) {}
         view.finish()
     }
 
-    /// The scene, once it is there.
+    /// The finished scene.
     pub fn finish(self) -> Scene {
         Scene {
             detail: Some(Box::new(self.edged)),
@@ -99,7 +98,7 @@ impl MeshView {
         );
     }
 
-    /// Balls at the nodes inside that do not have as many neighbours as others.
+    /// Adds balls at irregular nodes inside the mesh.
     fn mark(&mut self, mesh: &SurfaceMesh, fit: &Fit) {
         let body = self.scene.bodies.len() as u32;
         let sizes = mesh.cells.iter().map(|c| c.size).sum::<f64>();
@@ -108,7 +107,7 @@ impl MeshView {
         for (node, more) in irregular(mesh) {
             let (at, size) = (&mesh.nodes[node], mesh.cells[node].size);
             let colour = if more < 0 { WITH } else { AGAINST };
-            // Farther off is darker.
+            // The farther from regular, the darker.
             let deep = (more.abs() - 1).clamp(0, 2) as f32;
             let [r, g, b, _] = blend(colour, [0.0, 0.0, 0.0, 1.0], 0.25 * deep);
             self.edged.tints.push([r, g, b]);
@@ -131,8 +130,8 @@ impl Default for MeshView {
     }
 }
 
-/// The nodes inside a mesh with more neighbours than they should have, or fewer: four among cells with corners, six
-/// among others; and how many more.
+/// Irregular inner nodes: those with more or fewer neighbours than the regular number, four among cells with corners
+/// and six among others. Returns the node and the difference.
 pub(super) fn irregular(mesh: &SurfaceMesh) -> Vec<(usize, i32)> {
     let (mut around, mut sides) = (vec![0; mesh.nodes.len()], Vec::new());
     for element in &mesh.elements {
@@ -163,7 +162,7 @@ pub(super) fn irregular(mesh: &SurfaceMesh) -> Vec<(usize, i32)> {
     inside.map(more).filter(|&(_, more)| more != 0).collect()
 }
 
-/// Flat, as elements are: a quadrilateral folds along its shorter diagonal.
+/// A flat element; a quadrilateral folds along its shorter diagonal.
 fn face(points: &[&SurfacePoint], colour: [u8; 3], fit: &Fit, has_inside: bool) -> Body {
     let places: Vec<Vec3> = points.iter().map(|p| fit.place(p.at)).collect();
     let triangles = match places.len() {
@@ -180,7 +179,7 @@ fn face(points: &[&SurfacePoint], colour: [u8; 3], fit: &Fit, has_inside: bool) 
         sum += (b - a).cross(c - a);
     }
     let flat = sum.normalize_or_zero();
-    // A little of the surface's own normals: rows of elements go over into each other.
+    // Mix in some of the surface's normals, so that rows of elements look continuous.
     let normals: Vec<Vec3> = points
         .iter()
         .map(|p| (flat + p.normal.as_vec3() * 0.6).normalize_or(flat))
@@ -197,7 +196,7 @@ fn face(points: &[&SurfacePoint], colour: [u8; 3], fit: &Fit, has_inside: bool) 
     Body::new(vec![surface], MAP)
 }
 
-/// The same seen from the other side.
+/// Adds a copy of the surface for its other side.
 pub(super) fn add_inside(surface: &mut Surface) {
     let count = surface.positions.len() as u32;
     surface.positions.extend_from_within(..);

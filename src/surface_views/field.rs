@@ -1,4 +1,4 @@
-//! The direction of cells, as bars on the surface, and its singular points.
+//! The view of directions: bars on the surface, and singular points.
 
 use super::bars::{star, tube};
 use super::domes::ball;
@@ -18,25 +18,24 @@ use glam::DVec2;
 
 /// The most bars.
 const MOST: f64 = 3_000.0;
-/// The radius of a singular point's ball, and how far it stands out, in mean distances between bars; no smaller and no
-/// larger than this in the scene.
+/// The radius of a singular point's ball, in mean distances between bars; and the bounds of that radius in the scene.
 const BALL: f64 = 0.36;
 const BALLS: (f64, f64) = (0.006, 0.013);
-/// The radius of a stroke, of that.
+/// The radius of a stroke, relative to such a ball.
 const TUBE: f64 = 0.4;
-/// Sizes that differ by no more than this are all the same.
+/// Sizes count as equal if the largest exceeds the smallest by no more than this factor.
 const SAME: f64 = 1.02;
-/// The colour of the middle size: that of the heat would not stand out from the ground.
+/// The colour of the middle size. The usual one would not stand out from the ground.
 const MIDDLE: Colour = [0.80, 0.56, 0.10, 1.0];
-/// Triangles that are looked at in a slice.
+/// Triangles in a slice.
 const TRIANGLES: usize = 6_000;
 
-/// The view of a direction field in the making.
+/// The view of a direction field, while it is made.
 pub struct FieldView {
     scene: Scene,
     strokes: Vec<Stroke>,
     spread: Spread,
-    /// How much farther apart bars are than cells.
+    /// The distance between bars, relative to that between cells.
     factor: f64,
     searched: usize,
     singular: Vec<SurfaceSingularity>,
@@ -44,7 +43,7 @@ pub struct FieldView {
 }
 
 impl FieldView {
-    /// Of fields, with the strokes that shape them; nothing made yet.
+    /// Starts the view of fields, with the strokes that shape them.
     pub fn new(fields: &SurfaceFields, strokes: &[Stroke]) -> Self {
         Self {
             scene: Scene::default(),
@@ -57,7 +56,7 @@ impl FieldView {
         }
     }
 
-    /// Goes on by a slice; true when all is there. Ground and fields are always the same.
+    /// Does one more slice; true when done. Ground and fields must be the same each time.
     pub fn advance(&mut self, ground: &Ground, fields: &SurfaceFields) -> bool {
         let mesh = fields.mesh().as_ref();
         let count = mesh.triangles().len();
@@ -80,19 +79,19 @@ impl FieldView {
         false
     }
 
-    /// All at once.
+    /// Does all the work at once.
     pub fn build(ground: &Ground, fields: &SurfaceFields, strokes: &[Stroke]) -> Self {
         let mut view = Self::new(fields, strokes);
         while !view.advance(ground, fields) {}
         view
     }
 
-    /// What the page can print, once all is there.
+    /// The counts of singular points; complete when the view is.
     pub fn tally(&self) -> Tally {
         self.tally.unwrap_or_default()
     }
 
-    /// The scene, once it is there.
+    /// The finished scene.
     pub fn finish(self) -> Scene {
         self.scene
     }
@@ -143,10 +142,10 @@ impl FieldView {
     }
 }
 
-/// Colours of sizes.
+/// The colours of sizes.
 struct Heat {
     middle: f64,
-    /// Doublings from there to either end; 0 where all sizes are the same.
+    /// Doublings from the middle size to either end; 0 if all sizes are equal.
     reach: f64,
 }
 

@@ -1,4 +1,4 @@
-//! The bare surface, cut into parts at several degrees of detail.
+//! The bare surface, cut into parts at several levels of detail.
 
 use super::{CALM, INSIDE};
 use crate::scene::{Body, Instance, Place, Scene};
@@ -7,37 +7,37 @@ use crate::surface_stones::{Fit, parts};
 use crate::trimesh::{NONE, TriMesh};
 use glam::Vec3;
 
-/// Parts have about so many triangles.
+/// About how many triangles a part has.
 const PART: usize = 350;
-/// Triangles of a degree of detail, of those of the mesh. The coarser ones are for what is far away: nearer by they would
-/// lie in the shadow of the finest.
+/// The levels of detail: the mesh's triangles for each triangle of a level. Coarse levels are for distant parts;
+/// close up they would lie in the shadow of the finest level.
 const DEGREES: [usize; 3] = [1, 4, 16];
-/// Parts of fewer triangles have one degree only.
+/// Parts with fewer triangles have one level only.
 const SMALL: usize = 100;
-/// Vertices that are placed in a slice.
+/// Vertices in a slice.
 const PLACED: usize = 20_000;
 
-/// The bare surface of a mesh, in a scene: made once, in slices, for all views.
+/// The bare surface of a mesh in a scene, made once for all views, in slices.
 ///
-/// One with a border has an inside, too: vertices from the number of the mesh's on look that way.
+/// A surface with a border has an inside, too: a second copy of all vertices, with reversed normals, after the first.
 #[derive(Clone, Debug)]
 pub struct Ground {
     fit: Fit,
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
-    /// How many of the vertices look outwards.
+    /// How many vertices belong to the outside.
     outer: usize,
-    /// Of each triangle its part, sorted by parts.
+    /// Pairs of a part and a triangle, sorted by parts.
     order: Vec<(u32, u32)>,
     is_shared: Vec<bool>,
-    /// Of each vertex its place in the part at work.
+    /// For each vertex its index in the current part.
     places: Vec<u32>,
     next: usize,
     parts: Vec<Vec<Level>>,
 }
 
-/// A part at one degree of detail.
+/// A part at one level of detail.
 #[derive(Clone, Debug)]
 struct Level {
     vertices: Vec<u32>,
@@ -45,7 +45,7 @@ struct Level {
 }
 
 impl Ground {
-    /// Of a mesh, to be made by [`Ground::advance`].
+    /// Starts with a mesh; [`Ground::advance`] does the work.
     pub fn new(mesh: &TriMesh, fit: Fit) -> Self {
         let count = mesh.positions().len();
         Self {
@@ -62,19 +62,19 @@ impl Ground {
         }
     }
 
-    /// All at once.
+    /// Does all the work at once.
     pub fn build(mesh: &TriMesh, fit: Fit) -> Self {
         let mut ground = Self::new(mesh, fit);
         while !ground.advance(mesh) {}
         ground
     }
 
-    /// Where the model is in the scene.
+    /// The map from the model to the scene.
     pub fn fit(&self) -> Fit {
         self.fit
     }
 
-    /// Goes on by a slice, always of the same mesh; true when all is there.
+    /// Does one more slice, on the same mesh each time; true when done.
     pub fn advance(&mut self, mesh: &TriMesh) -> bool {
         let made = self.positions.len();
         if made < self.outer {
@@ -101,7 +101,7 @@ impl Ground {
         false
     }
 
-    /// How much of it is done, 0..1.
+    /// The share of the work that is done, 0 to 1.
     pub fn progress(&self) -> f64 {
         self.next as f64 / self.order.len().max(1) as f64
     }
@@ -117,7 +117,7 @@ impl Ground {
         self.triangles.extend(inside);
     }
 
-    /// Of each vertex, whether several parts have it.
+    /// For each vertex, whether several parts use it.
     fn shared(&self) -> Vec<bool> {
         let mut part_of = vec![NONE; self.positions.len()];
         let mut is_shared = vec![false; part_of.len()];
@@ -130,7 +130,7 @@ impl Ground {
         is_shared
     }
 
-    /// Makes the next part: along its rim no vertex goes, so parts fit together at all degrees of detail.
+    /// Makes the next part. All vertices along its rim stay, so parts fit together at all levels of detail.
     fn part(&mut self) {
         let part = self.order[self.next].0;
         let own = self.order[self.next..].iter().take_while(|o| o.0 == part);
@@ -179,23 +179,23 @@ impl Ground {
         self.parts.push(levels);
     }
 
-    /// How many bodies it has.
+    /// The number of bodies.
     pub(super) fn len(&self) -> usize {
         self.parts.len()
     }
 
-    /// Is it seen from inside, too?
+    /// Whether the surface has an inside that can be seen.
     pub(super) fn has_inside(&self) -> bool {
         self.positions.len() > self.outer
     }
 
-    /// Does a vertex look inwards?
+    /// Whether a vertex belongs to the inside.
     fn is_inside(&self, vertex: u32) -> bool {
         vertex as usize >= self.outer
     }
 
-    /// One of its bodies, sunk along its normals by so much, with vertices of the colours of those of the mesh; a true
-    /// means that it is seen from inside.
+    /// One of the bodies, sunk along its normals by `sunk`, in scene units. `colour` gives the colour of a vertex of
+    /// the mesh; its second argument tells whether that vertex is seen from inside.
     pub(super) fn body(
         &self,
         part: usize,
@@ -221,7 +221,7 @@ impl Ground {
         Body::new(self.parts[part].iter().map(surface).collect(), material)
     }
 
-    /// Adds all of it to a scene, in one calm colour.
+    /// Adds the whole ground to a scene, in one colour.
     pub(super) fn add_to(&self, scene: &mut Scene, material: u8, sunk: f32, colour: [u8; 3]) {
         let inside = colour.map(|v| (f32::from(v) * INSIDE) as u8);
         let of = |_, is_inside| if is_inside { inside } else { colour };
@@ -230,7 +230,7 @@ impl Ground {
         }
     }
 
-    /// A scene of nothing else.
+    /// A scene with nothing but the ground.
     pub fn scene(&self) -> Scene {
         let mut scene = Scene {
             reach: 0.02,
@@ -241,7 +241,7 @@ impl Ground {
     }
 }
 
-/// Adds a body in the place that its vertices have.
+/// Adds a body whose vertices are in scene coordinates.
 pub(super) fn push(scene: &mut Scene, body: Body, id: u32) {
     scene.instances.push(Instance {
         body: scene.bodies.len() as u32,

@@ -1,7 +1,7 @@
-//! The surface in the colours of a number: how it curves, or how large cells are asked to be.
+//! The view of a number on the surface as colours: its curvature, or the size of cells.
 //!
-//! Numbers go with the vertices in place of colours, and become colours where they are seen, so that scales and contours
-//! are sharp.
+//! Vertices hold the number in place of a colour. It becomes a colour at each pixel, so scales and contours are
+//! sharp.
 
 use super::bars::star;
 use super::ground::push;
@@ -15,30 +15,31 @@ use crate::scene::{Detail, Scene, Surfel};
 use crate::surface_field::SurfaceFields;
 use crate::trimesh::{SurfacePoint, TriMesh};
 
-/// What a map shows.
+/// The number that a map shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// The mean of the two principal curvatures, in one over the model's units.
     Mean,
-    /// The root of the Gaussian curvature, with its sign, in one over the model's units: domes are positive, saddles
-    /// negative.
+    /// The root of the Gaussian curvature with its sign, in one over the model's units: positive on domes, negative
+    /// on saddles.
     Gaussian,
-    /// The size asked for, in the model's units.
+    /// The size that cells should have, in the model's units.
     Size,
 }
 
-/// What the colours of a map stand for.
+/// The meaning of a map's colours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Legend {
-    /// What it shows.
+    /// The number that the map shows.
     pub quantity: Quantity,
-    /// The numbers at its ends; what is beyond has the colours of these. Sizes are spread by their logarithms.
+    /// The numbers at the ends of the scale; numbers beyond have the colours of the ends. Sizes are spread by their
+    /// logarithms.
     pub ends: [f64; 2],
-    /// Colours from the one end to the other, evenly spaced.
+    /// Colours from one end to the other, evenly spaced.
     pub colours: Vec<[u8; 3]>,
 }
 
-/// Both ways from zero; told apart by all eyes, as blue and orange are.
+/// A diverging scale from blue to orange, which colour-blind eyes can tell apart.
 const CURVES: [Colour; 5] = [
     [0.09, 0.25, 0.53, 1.0],
     [0.42, 0.66, 0.84, 1.0],
@@ -48,25 +49,25 @@ const CURVES: [Colour; 5] = [
 ];
 /// The ink of contours.
 const INK: f32 = 0.42;
-/// The scale of curvatures ends where so much of the surface is within it.
+/// The scale of curvatures covers this share of the surface.
 const WITHIN: f64 = 0.96;
-/// Vertices that are asked for that, at most.
+/// The most vertices that are sampled for that.
 const ASKED: usize = 4_000;
-/// The scale of sizes goes at least so many doublings each way from the middle.
+/// The scale of sizes covers at least this many doublings each way from the middle.
 const LEAST: f64 = 0.35;
-/// The most bars, and the part of the greater curvature by which the two must differ for one.
+/// The most bars; and the least difference of the two principal curvatures for a bar, as a part of the greater one.
 const BARS: f64 = 1_100.0;
 const DIFFER: f64 = 0.25;
-/// Vertices, and bodies, in a slice.
+/// Vertices and bodies in a slice.
 const VERTICES: usize = 5_000;
 const BODIES: usize = 12;
 
-/// The view of a number on the surface in the making.
+/// The view of a number on the surface, while it is made.
 pub struct MapView {
     scene: Scene,
     quantity: Quantity,
     values: Vec<f64>,
-    /// Steepest slopes along edges at each vertex, in shares of the scale for a unit of the scene.
+    /// The steepest slope along the edges at each vertex, as shares of the scale in a unit of the scene.
     slopes: Vec<f32>,
     ends: Option<[f64; 2]>,
     bodies: usize,
@@ -74,7 +75,7 @@ pub struct MapView {
 }
 
 impl MapView {
-    /// Nothing made yet. Maps of curvature may have bars along the direction of least curvature.
+    /// Starts the view. A map of curvature may have bars along the direction of least curvature.
     pub fn new(quantity: Quantity, has_bars: bool) -> Self {
         let has_bars = has_bars && quantity != Quantity::Size;
         Self {
@@ -88,7 +89,7 @@ impl MapView {
         }
     }
 
-    /// Goes on by a slice; true when all is there. Ground and fields are always the same, and of one mesh.
+    /// Does one more slice; true when done. Ground and fields must be the same each time, and belong to one mesh.
     pub fn advance(&mut self, ground: &Ground, fields: &SurfaceFields) -> bool {
         let mesh = fields.mesh().as_ref();
         let count = mesh.positions().len();
@@ -120,7 +121,7 @@ impl MapView {
         false
     }
 
-    /// All at once.
+    /// Does all the work at once.
     pub fn build(
         ground: &Ground,
         fields: &SurfaceFields,
@@ -132,12 +133,12 @@ impl MapView {
         view
     }
 
-    /// The scene, once it is there.
+    /// The finished scene.
     pub fn finish(self) -> Scene {
         self.scene
     }
 
-    /// What the colours stand for, once the scene is there.
+    /// The meaning of the colours, once the scene is finished.
     pub fn legend(&self) -> Legend {
         let colour = |k: usize| {
             let [r, g, b] = colour_of(self.quantity, k as f32 / 16.0 - 1.0);
@@ -178,7 +179,7 @@ impl MapView {
         }
     }
 
-    /// The ends of the scale.
+    /// The numbers at the ends of the scale.
     fn range(&self) -> [f64; 2] {
         if self.quantity == Quantity::Size {
             let each = || self.values.iter().copied();
@@ -197,7 +198,7 @@ impl MapView {
         [-most, most]
     }
 
-    /// Finds places for bars; true when they are there, or none are wanted.
+    /// Finds places for bars; true when they are found, or no bars are wanted.
     fn scatter(&mut self, fields: &SurfaceFields) -> bool {
         let mesh = fields.mesh().as_ref();
         let gap = (mesh.area() / BARS).sqrt().max(fields.mean_size());
@@ -215,7 +216,7 @@ impl MapView {
             let curvature = fields.curvature(p);
             let bend = curvature.bend.length();
             let part = bend / greater(curvature.mean.abs() + bend, f64::MIN_POSITIVE);
-            // Where the surface is flat as seen from here it has no direction, either.
+            // A nearly flat or evenly curved place has no direction.
             if part < DIFFER || bend * gap < 0.02 {
                 continue;
             }
@@ -239,7 +240,7 @@ impl MapView {
     }
 }
 
-/// Where a value is on the scale, -1..1.
+/// The place of a value on the scale, -1..1.
 fn share(quantity: Quantity, [low, high]: [f64; 2], value: f64) -> f64 {
     let part = match quantity {
         Quantity::Size => libm::log2(value / low) / libm::log2(high / low),
@@ -248,7 +249,7 @@ fn share(quantity: Quantity, [low, high]: [f64; 2], value: f64) -> f64 {
     (2.0 * part - 1.0).clamp(-1.0, 1.0)
 }
 
-/// Of each vertex how steep the scale's shares are around it, in the scene.
+/// For each vertex the steepest slope of shares around it, in the scene.
 fn slopes(mesh: &TriMesh, shares: &[f64], scale: f64) -> Vec<f32> {
     let mut slopes = vec![0.0f32; shares.len()];
     for triangle in mesh.triangles() {
@@ -263,13 +264,13 @@ fn slopes(mesh: &TriMesh, shares: &[f64], scale: f64) -> Vec<f32> {
     slopes
 }
 
-/// Steps of a share.
+/// Steps of a coded share.
 const FINE: f64 = 65_535.0;
-/// The slope of the code 255, and how many codes a doubling has.
+/// The slope with code 255, and the codes in a doubling.
 const STEEPEST: f32 = 4_096.0;
 const DOUBLING: f32 = 14.0;
 
-/// A share and a slope as a colour: mixed colours have mixed shares.
+/// Codes a share and a slope as a colour. Interpolated colours give interpolated shares.
 fn coded(share: f64, slope: f32) -> [u8; 3] {
     let steps = ((0.5 + 0.5 * share.clamp(-1.0, 1.0)) * FINE + 0.5) as u32;
     let doublings = libm::log2f(greater(slope, 1e-6) / STEEPEST);
@@ -281,19 +282,19 @@ fn coded(share: f64, slope: f32) -> [u8; 3] {
     ]
 }
 
-/// The share, and the slope.
+/// Decodes the share and the slope.
 fn decoded([high, low, code]: [f32; 3]) -> [f32; 2] {
     let share = (256.0 * high + low) / FINE as f32 * 2.0 - 1.0;
     [share, STEEPEST * libm::exp2f((code - 255.0) / DOUBLING)]
 }
 
-/// The colour of a share, 0..255.
+/// The colour of a share, each part 0..255.
 fn colour_of(quantity: Quantity, share: f32) -> [f32; 3] {
     let share = share.clamp(-1.0, 1.0);
     let [r, g, b, _] = match quantity {
         Quantity::Size => {
             let [r, g, b, alpha] = heat(share);
-            // As over paper.
+            // Blended as over paper.
             blend(SHEET.bed, [r, g, b, 1.0], 0.14 + alpha)
         }
         _ => {
@@ -305,7 +306,7 @@ fn colour_of(quantity: Quantity, share: f32) -> [f32; 3] {
     [r, g, b].map(|v| 255.0 * v)
 }
 
-/// Makes colours of shares.
+/// Turns shares into colours.
 struct Scale {
     quantity: Quantity,
     tints: Vec<[f32; 3]>,

@@ -1,15 +1,15 @@
-//! What of the work on a surface can be looked at: scenes of their own, in the place and the light of the finished one.
+//! Views of the stages of a surface: scenes in the place and the light of the finished one.
 //!
 //! - [`Particles`]: packed cells as they move, each a bubble that lies on the surface.
 //! - [`FieldView`]: the direction as bars, crosses or stars, and its singular points.
 //! - [`MeshView`]: the cells' mesh.
 //! - [`CellsView`]: the cells' polygons.
-//! - [`MapView`]: the surface in the colours of its curvature, or of the size asked for.
+//! - [`MapView`]: the surface in the colours of its curvature, or of the wanted size.
 //!
-//! All take the same [`Fit`](crate::surface_stones::Fit), so a change of view moves nothing. What is the same in all of them,
-//! the bare surface in parts at several degrees of detail, is made once: [`Ground`]. Bodies of one shape are there
-//! once, and what differs from one to the next, or runs through a face as lines do, is no geometry but a
-//! [`Detail`](crate::scene::Detail): it is worked out for what is seen only, and sharp at any distance.
+//! All use the same [`Fit`](crate::surface_stones::Fit), so a change of view moves nothing. They share the bare
+//! surface, which is made once, in parts at several levels of detail: [`Ground`]. Bodies of one shape are stored
+//! once. Differences between them, and lines within a face, are not geometry but a [`Detail`](crate::scene::Detail):
+//! it is computed for visible pixels only, and sharp at any distance.
 
 mod bars;
 mod cells;
@@ -38,13 +38,12 @@ use crate::material::Material;
 use crate::scene::{Instance, Place};
 use glam::{DVec3, Vec3};
 
-/// What views are made of: the table that [`crate::scene::Lighting`] is to be made with. The tables of palettes have
-/// rows that are about the same.
+/// The materials of views, for the table of [`crate::scene::Lighting`]. The tables of palettes have similar rows.
 pub const MATERIALS: [Material; 4] = [
     material(1.0, 0.92, 0.0, 4.0),
-    // Maps: colours are to be read.
+    // Maps, whose colours must be readable.
     material(1.3, 0.68, 0.0, 4.0),
-    // Bars, balls.
+    // Bars and balls.
     material(1.05, 0.88, 0.16, 24.0),
     // Bubbles.
     material(1.05, 0.86, 0.34, 42.0),
@@ -56,9 +55,9 @@ const MAP: u8 = 1;
 const SATIN: u8 = 2;
 const GLOSS: u8 = 3;
 
-/// The bare surface.
+/// The colour of the bare surface.
 const CALM: [u8; 3] = [168, 162, 151];
-/// Colour of the side that looks inwards, of that of the other one.
+/// The brightness of the inside, relative to the outside.
 const INSIDE: f32 = 0.72;
 
 const fn material(ambient: f32, diffuse: f32, specular: f32, shininess: f32) -> Material {
@@ -70,12 +69,12 @@ const fn material(ambient: f32, diffuse: f32, specular: f32, shininess: f32) -> 
     }
 }
 
-/// A colour of drawings as a body has it.
+/// A colour of drawings as bytes.
 fn bytes(colour: Colour) -> [u8; 3] {
     [0, 1, 2].map(|k| (colour[k].clamp(0.0, 1.0) * 255.0 + 0.5) as u8)
 }
 
-/// The place of a body with x along the surface and y out of it; so many times as large.
+/// Places a body with its x along the surface and its y out of it, scaled by `scale`.
 fn standing(body: u32, id: u32, at: Vec3, [along, out]: [DVec3; 2], scale: f64) -> Instance {
     let across = along.cross(out);
     Instance {

@@ -1,10 +1,10 @@
-//! What faces of a view are coloured by: one colour for each body, lines along the sides of polygons.
+//! Details that colour the faces of views: one colour for each body, and lines along the sides of polygons.
 
 use crate::order::{greater, lesser};
 use crate::scene::{Detail, Surfel};
 use glam::Vec3;
 
-/// Of each id what the colours of its body are multiplied by; id 0 is the ground, which stays as it is.
+/// For each id the factors on the colours of its body; id 0 is the ground, which keeps its colour.
 pub(super) struct Tints(pub Vec<[f32; 3]>);
 
 impl Detail for Tints {
@@ -21,25 +21,25 @@ pub(super) fn tint(tints: &[[f32; 3]], surfel: &mut Surfel, id: u32) {
     }
 }
 
-/// Lines are drawn no thinner than so many pixels, but fainter: down to the least part of their ink.
+/// The least width of lines in pixels; thinner ones become fainter instead, down to the least part of their ink.
 const THINNEST: f32 = 0.55;
 const FAINTEST: f32 = 0.3;
 
-/// Polygons with lines along their sides; half of each line, as the polygon beyond has the other half. Ids are those of
-/// the polygons, from 1; what has a greater one has no lines.
+/// Polygons with lines along their sides. Each polygon draws half of a line; the polygon beyond draws the other half.
+/// Ids of polygons count from 1; bodies with greater ids have no lines.
 pub(super) struct Edged {
-    /// Where the corners of each begin; one more at the end.
+    /// Where the corners of each polygon begin, with one more entry for the end.
     pub first: Vec<u32>,
     pub corners: Vec<Vec3>,
-    /// Of each half the width of its lines.
+    /// For each polygon half the width of its lines.
     pub half: Vec<f32>,
     pub ink: [f32; 3],
-    /// Of those beyond the polygons.
+    /// Factors on the colours of bodies with greater ids.
     pub tints: Vec<[f32; 3]>,
 }
 
 impl Edged {
-    /// No polygons yet.
+    /// Starts without polygons.
     pub fn new(ink: [u8; 3]) -> Self {
         Self {
             first: vec![0],
@@ -50,7 +50,7 @@ impl Edged {
         }
     }
 
-    /// The id of the polygon.
+    /// Adds a polygon and returns its id.
     pub fn push(&mut self, corners: impl Iterator<Item = Vec3>, half: f32) -> u32 {
         self.corners.extend(corners);
         self.first.push(self.corners.len() as u32);
@@ -58,7 +58,7 @@ impl Edged {
         self.half.len() as u32
     }
 
-    /// How far a place is from the nearest side, seen along a normal.
+    /// The distance of a place from the nearest side, projected along a normal.
     fn away(&self, k: usize, at: Vec3, normal: Vec3) -> f32 {
         let ring = &self.corners[self.first[k] as usize..self.first[k + 1] as usize];
         let Some(&last) = ring.last() else {

@@ -1,4 +1,4 @@
-//! Packed cells as bubbles, as they move.
+//! The view of packed cells as bubbles, while they move.
 
 use super::domes::Dome;
 use super::paint::Tints;
@@ -12,41 +12,41 @@ use crate::surface_packing::{Site, SurfaceParticle};
 use crate::surface_stones::Fit;
 use glam::{DVec2, DVec3};
 
-/// Bodies of stretched cells: from an aspect ratio of 1 to this one, ...
+/// Stretched cells have bodies for aspect ratios from 1 to this one, ...
 const LONGEST: f64 = 5.0;
-/// ... so many steps.
+/// ... in this many steps.
 const STEPS: u32 = 24;
-/// Cells are drawn so much smaller that neighbours at rest can be told apart.
+/// The factor on the drawn size, so that neighbours at rest can be told apart.
 const SHRUNK: f64 = 0.975;
-/// How high bubbles are, how far they reach below the surface, and the radius of corners, of half their width.
+/// In half widths of a bubble: its height, its depth below the surface, and the radius of its corners.
 const HIGH: f64 = 0.58;
 const DEEP: f64 = 0.34;
 const ROUND: f64 = 0.36;
-/// Bubbles are lighter than the stones to come: so much of them is of this colour.
+/// The share of a light colour that is mixed in: bubbles are lighter than the stones to come.
 const PALE: f32 = 0.5;
 const LIGHT: Colour = [0.93, 0.90, 0.84, 1.0];
-/// The surface below them.
+/// The colour of the surface below them.
 const UNDER: [u8; 3] = [126, 120, 112];
-/// The angle of rims.
+/// The angle of rims, in radians.
 const RIM: f64 = 1.32;
-/// Lightness of rims, and of cells that are fixed on a border.
+/// The brightness of rims, and of cells that are fixed on a border.
 const DARK: f64 = 0.66;
 const FIXED: f32 = 0.82;
 
 /// All kinds, in the order of their bodies.
 const KINDS: [Kind; 4] = [Kind::Square, Kind::Rectangle, Kind::Circle, Kind::Ellipse];
 
-/// A scene of packed cells that is brought up to date as they move: bodies stay, and only where they stand changes.
+/// A scene of packed cells that is updated as they move: bodies stay, and only their places change.
 pub struct Particles {
     scene: Scene,
     fit: Fit,
-    /// How many bodies, and instances, are the ground's.
+    /// How many bodies, and instances, belong to the ground.
     ground: usize,
-    /// Of each kind the place of its first body.
+    /// For each kind the index of its first body.
     first: [Option<u32>; 4],
 }
 
-/// The scene of cells at one time; the tones are those of the stones to come.
+/// The scene of cells at one time, in the tones of the stones to come.
 pub fn particles(ground: &Ground, site: &Site, cells: &[SurfaceParticle], tones: &Tones) -> Scene {
     let mut view = Particles::new(ground);
     view.update(site, cells, tones);
@@ -54,7 +54,7 @@ pub fn particles(ground: &Ground, site: &Site, cells: &[SurfaceParticle], tones:
 }
 
 impl Particles {
-    /// The ground without cells.
+    /// Starts with the ground alone.
     pub fn new(ground: &Ground) -> Self {
         let mut scene = Scene::default();
         ground.add_to(&mut scene, BARE, 0.0, UNDER);
@@ -66,8 +66,8 @@ impl Particles {
         }
     }
 
-    /// Shows these cells, which are on that site: in their shapes, warm where they are pressed, cool where they are
-    /// alone. Their ids in frames are their places in the list, from 1.
+    /// Shows these cells, which lie on `site`: in their shapes, warm where they are pressed, cool where they have
+    /// room. The id of a cell in frames is its index plus 1.
     pub fn update(&mut self, site: &Site, cells: &[SurfaceParticle], tones: &Tones) {
         self.make_bodies(cells);
         let scene = &mut self.scene;
@@ -95,7 +95,7 @@ impl Particles {
         scene.detail = Some(Box::new(Tints(tints)));
     }
 
-    /// Bodies of all kinds that there are, always in one order.
+    /// Makes the bodies of all kinds that occur, in a fixed order.
     fn make_bodies(&mut self, cells: &[SurfaceParticle]) {
         let is_there = KINDS.map(|kind| cells.iter().any(|c| c.kind == kind));
         if self.first.map(|first| first.is_some()) == is_there {
@@ -112,12 +112,12 @@ impl Particles {
         }
     }
 
-    /// The scene as it is.
+    /// The current scene.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// The scene to be kept.
+    /// The scene, to keep.
     pub fn finish(self) -> Scene {
         self.scene
     }
@@ -125,7 +125,7 @@ impl Particles {
 
 /// The stress on each cell.
 pub(super) fn stress(site: &Site, cells: &[SurfaceParticle]) -> Vec<Stress> {
-    // Of each the axes that tell how far a place is off, in sizes along its own half axes.
+    // For each cell the two axes that measure how far off a place is, in sizes along the cell's half axes.
     let axes = |cell: &SurfaceParticle| {
         let (frame, (e, f)) = (cell.centre.frame(), cell.half_axes());
         let axis = |v: DVec2| frame.out(v) * (0.5 * cell.size / v.length_squared());
@@ -149,7 +149,7 @@ fn place_of(kind: Kind) -> usize {
     KINDS.iter().position(|&k| k == kind).unwrap_or_default()
 }
 
-/// Which of its kind's bodies a cell has.
+/// Which of its kind's bodies a cell uses.
 fn step_of(cell: &SurfaceParticle) -> u32 {
     if !cell.kind.is_stretched() || cell.axis == DVec2::ZERO {
         return 0;

@@ -1,7 +1,7 @@
 //! Places spread evenly over a surface.
 //!
-//! Random places are taken where none is near (dart throwing: Cook 1986, Stochastic Sampling in Computer Graphics), and
-//! then pushed apart by their neighbours a few times.
+//! Random places are kept if no other is near (dart throwing: Cook 1986, Stochastic Sampling in Computer Graphics).
+//! Then neighbours push each other apart in a few rounds.
 
 use crate::order::lesser;
 use crate::random::{Purpose, Random};
@@ -9,28 +9,28 @@ use crate::surface_packing::buckets::Boxes;
 use crate::trimesh::{SurfacePoint, TriMesh, way};
 use glam::{DVec2, DVec3};
 
-/// Darts for each place that there is room for.
+/// Darts for each place for which there is room.
 const DARTS: f64 = 14.0;
-/// No two places are nearer to each other, in distances wanted.
+/// The least distance between places, in wanted distances.
 const APART: f64 = 0.8;
-/// Places are pushed by others up to so many distances away ...
+/// A place is pushed by others up to this many wanted distances away ...
 const REACH: f64 = 1.7;
-/// ... by so much of the distance, at most so much at a time, ...
+/// ... by at most this share of the wanted distance each, and this share in all, ...
 const PUSH: f64 = 0.55;
 const FARTHEST: f64 = 0.25;
-/// ... and so often.
+/// ... in this many rounds.
 const ROUNDS: usize = 7;
-/// Triangles, darts and places that are looked at in a slice.
+/// Triangles, darts and places in a slice.
 const TRIANGLES: usize = 15_000;
 const THROWN: usize = 3_000;
 const PUSHED: usize = 500;
 
-/// Places in the making.
+/// Places, while they are found.
 pub(super) struct Spread {
     places: Vec<SurfacePoint>,
-    /// The distance wanted at each.
+    /// The distance wanted at each place.
     gaps: Vec<f64>,
-    /// Triangles by how many places they have room for, summed.
+    /// Running sums over the triangles of the places for which they have room.
     rooms: Vec<f64>,
     boxes: Option<Boxes>,
     widest: f64,
@@ -53,7 +53,7 @@ impl Spread {
         }
     }
 
-    /// Goes on by a slice; true when the places are there. `gap` is the distance wanted between neighbours.
+    /// Does one more slice; true when the places are found. `gap` gives the distance wanted between neighbours.
     pub fn advance(&mut self, mesh: &TriMesh, gap: impl Fn(&SurfacePoint) -> f64) -> bool {
         let count = mesh.triangles().len();
         if self.rooms.len() < count {

@@ -1,23 +1,23 @@
-//! Singular points, counted.
+//! Counts of singular points.
 
 use crate::surface_field::{SurfaceFields, SurfaceSingularity};
 
-/// What the theorem of Poincaré and Hopf speaks of: the sum of the indices is the Euler characteristic, together with
-/// the turns of the borders where there are any.
+/// The terms of the Poincaré-Hopf theorem: the sum of the indices, plus the turns of the borders, is the Euler
+/// characteristic.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tally {
-    /// Singular points of positive and of negative index.
+    /// How many singular points have positive and negative index.
     pub points: [usize; 2],
     /// The sum of their indices.
     pub index_sum: f64,
-    /// What borders add to it; 0 where there are none. See [`SurfaceFields::border_index`].
+    /// The turns of the borders; 0 without borders. See [`SurfaceFields::border_index`].
     pub border_index: f64,
     /// The Euler characteristic of the surface.
     pub euler: i64,
 }
 
 impl Tally {
-    /// All at once.
+    /// Counts all singular points of the fields.
     pub fn new(fields: &SurfaceFields) -> Self {
         Self::of(fields, &fields.singular_points())
     }
@@ -33,7 +33,7 @@ impl Tally {
         }
     }
 
-    /// Does the sum agree with the Euler characteristic?
+    /// Whether the sum agrees with the Euler characteristic.
     pub fn agrees(&self) -> bool {
         self.index_sum + self.border_index == self.euler as f64
     }

@@ -1,22 +1,22 @@
-//! Making a mesh of vertices and triangles, some of them at a time.
+//! Builds a [`TriMesh`] from vertices and triangles, in slices.
 
 use super::mesh::{MeshFault, TriMesh};
 use crate::csr::NONE;
 use crate::order;
 use glam::DVec3;
 
-/// Triangles, or vertices, of a slice.
+/// Triangles or vertices in a slice.
 const SLICE: usize = 1 << 14;
-/// More edges than so many of one vertex are sorted to find those that belong together.
+/// Edges with the same lesser end are compared in pairs up to this count, and sorted by their other end above it.
 const MANY: usize = 24;
 
-/// A mesh in the making.
+/// A mesh that is being built.
 pub struct MeshBuilding {
     mesh: TriMesh,
     stage: Stage,
-    /// Triangles or vertices of the stage that are done.
+    /// How many triangles or vertices the current stage has done.
     at: usize,
-    /// Where the edges of each vertex begin in `edges`: those that have it for the lesser end.
+    /// Where the edges of each vertex begin in `edges`. An edge belongs to its end with the lesser number.
     starts: Vec<u32>,
     edges: Vec<u32>,
 }
@@ -32,7 +32,7 @@ enum Stage {
 }
 
 impl MeshBuilding {
-    /// Of vertices and triangles, counter-clockwise seen from outside.
+    /// Starts with the vertices and with triangles that run counter-clockwise seen from outside.
     pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
         Self {
             mesh: TriMesh {
@@ -51,7 +51,7 @@ impl MeshBuilding {
         }
     }
 
-    /// Works on some more; the mesh when it is done, or what is wrong with the triangles.
+    /// Does one more slice. Returns the mesh when it is done, or the fault of the triangles.
     pub fn advance(&mut self) -> Option<Result<TriMesh, MeshFault>> {
         let count = match self.stage {
             Stage::Link | Stage::Normals => self.mesh.positions.len(),
@@ -93,7 +93,7 @@ impl MeshBuilding {
         })
     }
 
-    /// Goes on to the next stage; true behind the last.
+    /// Goes to the next stage; true after the last one.
     fn is_last(&mut self) -> bool {
         self.at = 0;
         self.stage = match self.stage {
@@ -140,7 +140,8 @@ impl MeshBuilding {
         }
     }
 
-    // Counted two places on, the sums are where each vertex begins, and the filling moves them one on.
+    // Counts stand two places further on: after the prefix sum, entry v + 1 is where vertex v begins, and filling the
+    // list moves it to where v ends.
     fn count(&mut self, range: std::ops::Range<usize>) {
         for &[a, b, c] in &self.mesh.triangles[range] {
             for v in [a.min(b), b.min(c), c.min(a)] {
@@ -161,19 +162,19 @@ impl MeshBuilding {
     }
 }
 
-/// Where the edges of a vertex are.
+/// The range of a vertex' edges.
 fn span(starts: &[u32], v: usize) -> std::ops::Range<usize> {
     starts[v] as usize..starts[v + 1] as usize
 }
 
-/// The ends of an edge, as it runs.
+/// The two ends of a directed edge, in its direction.
 fn ends(mesh: &TriMesh, edge: u32) -> [u32; 2] {
     let (t, k) = (edge as usize / 3, edge as usize % 3);
     let corners = &mesh.triangles[t];
     [corners[k], corners[(k + 1) % 3]]
 }
 
-/// Joins edges that have the same ends; all of them have the same lesser one.
+/// Joins edges that have the same two ends. All edges given have the same lesser end.
 fn link(mesh: &mut TriMesh, edges: &mut [u32]) -> Result<(), MeshFault> {
     let greater = |mesh: &TriMesh, edge: u32| {
         let [a, b] = ends(mesh, edge);
@@ -208,7 +209,7 @@ fn link(mesh: &mut TriMesh, edges: &mut [u32]) -> Result<(), MeshFault> {
 }
 
 impl TriMesh {
-    /// A mesh of vertices and triangles, which run counter-clockwise seen from outside.
+    /// Builds a mesh from vertices and triangles, which run counter-clockwise seen from outside.
     ///
     /// # Errors
     /// A fault of the triangles, see [`MeshFault`].
@@ -221,7 +222,7 @@ impl TriMesh {
         }
     }
 
-    /// What a mesh in the making leaves behind.
+    /// An empty mesh: the placeholder that a builder keeps when its mesh is taken out.
     pub(super) fn none() -> Self {
         Self {
             positions: Vec::new(),
@@ -234,8 +235,8 @@ impl TriMesh {
         }
     }
 
-    /// Adds a triangle to the normals of its corners, weighted with the angles there (Thurmer, Wuthrich 1998, Computing
-    /// Vertex Normals from Polygonal Facets), to the area, and to what is known of the vertices.
+    /// Adds a triangle to the normals of its corners, weighted with the angles there (Thurmer, Wuthrich 1998,
+    /// Computing Vertex Normals from Polygonal Facets), to the area, and to the first corners of its vertices.
     fn weigh(&mut self, t: usize) {
         let corners = self.corners(t as u32);
         let cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
@@ -250,7 +251,7 @@ impl TriMesh {
             );
             let v = self.triangles[t][k] as usize;
             self.normals[v] += libm::atan2(double, e.dot(f)) * normal;
-            // Going round counter-clockwise begins where there is nothing before.
+            // A counter-clockwise fan at the border begins with the corner that has no triangle before it.
             if self.first[v] == NONE || self.across[t][k] == NONE {
                 self.first[v] = (3 * t + k) as u32;
             }

@@ -1,17 +1,18 @@
-//! How a surface bends.
+//! Curvature of a triangle mesh.
 
 use super::links::{Links, carried};
 use super::{Frame, SurfacePoint, TriMesh};
 use crate::field::symmetry::direction_of;
 use glam::DVec2;
 
-/// The shape operator S at a place, in the frame of its normal n: along a step dx the normal changes by S dx. Positive
-/// on a ball seen from outside.
+/// The shape operator S at a place, in the frame of its normal n: along a step dx the normal changes by S dx. It is
+/// positive on a ball seen from outside. Curvatures are one over a length.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Curvature {
     /// The mean of the two principal curvatures.
     pub mean: f64,
-    /// Half their difference, as a vector at twice the angle of the direction of the greater one.
+    /// Half the difference of the principal curvatures, as a vector at twice the angle of the direction of the
+    /// greater one.
     pub bend: DVec2,
 }
 
@@ -25,8 +26,8 @@ impl Curvature {
         )
     }
 
-    /// The principal curvatures with unit vectors of their directions, at right angles: first the one of most bending,
-    /// whichever way. Where they are the same, so is any direction.
+    /// The principal curvatures with unit vectors of their directions, at right angles. The greater one, with its
+    /// sign, comes first. Where both are equal, the directions are arbitrary.
     pub fn principal(&self) -> [(f64, DVec2); 2] {
         let half = self.bend.length();
         let first = direction_of(self.bend.try_normalize().unwrap_or(DVec2::X), 2);
@@ -38,19 +39,20 @@ impl Curvature {
         }
     }
 
-    /// The curvature of most bending, without its sign.
+    /// The greatest absolute curvature in any direction.
     pub fn most(&self) -> f64 {
         self.mean.abs() + self.bend.length()
     }
 }
 
-/// Averaging goes so far, in sizes of cells, along each axis (standard deviation) ...
+/// Standard deviation of the averaging along each axis, in sizes of cells.
 const REACH: f64 = 0.35;
-/// ... in so many rounds.
+/// Bounds of the number of rounds of averaging.
 const ROUNDS: (f64, f64) = (3.0, 24.0);
 
-/// Curvatures at the vertices of a mesh: by least squares over the normals of each vertex' neighbours (Rusinkiewicz
-/// 2004, Estimating Curvatures and Their Derivatives on Triangle Meshes, by vertices), then averaged.
+/// Curvatures at the vertices of a mesh: a least squares fit to the normals of each vertex' neighbours (Rusinkiewicz
+/// 2004, Estimating Curvatures and Their Derivatives on Triangle Meshes, here by vertices), averaged over about a
+/// cell.
 #[derive(Clone, Debug)]
 pub(crate) struct Curvatures {
     pub values: Vec<Curvature>,
@@ -60,9 +62,10 @@ pub(crate) struct Curvatures {
 }
 
 impl Curvatures {
-    /// Nothing yet; averaged over about a cell of this size.
+    /// Starts the work; values will be averaged over about a cell of this size.
     pub fn begin(mesh: &TriMesh, links: &Links, size: f64) -> Self {
-        // Half of each value goes to the neighbours, a quarter of their squared distance along each axis.
+        // In one round half of each value goes to the neighbours, which spreads it by a quarter of their squared
+        // distance along each axis.
         let rounds = REACH * REACH * size * size / (0.25 * links.mean_square(mesh));
         let rounds = rounds.clamp(ROUNDS.0, ROUNDS.1);
         Self {
@@ -73,7 +76,7 @@ impl Curvatures {
         }
     }
 
-    /// Works on so many vertices; true when all are done.
+    /// Works on at most `amount` vertices; true when all are done.
     pub fn advance(&mut self, mesh: &TriMesh, links: &Links, amount: usize) -> bool {
         if self.values.len() < links.len() {
             let end = links
@@ -122,7 +125,7 @@ impl Curvatures {
     }
 }
 
-/// S of a vertex, from how the normals of its neighbours differ from its own.
+/// Fits S at a vertex to the differences between its normal and those of its neighbours.
 fn fitted(mesh: &TriMesh, links: &Links, v: usize) -> Curvature {
     let frame = &links.frames[v];
     let (at, normals) = (mesh.positions(), mesh.normals());
@@ -150,7 +153,7 @@ fn fitted(mesh: &TriMesh, links: &Links, v: usize) -> Curvature {
     let (a, b) = (xx + 1e-9 * trace, yy + 1e-9 * trace);
     let pivot = trace - xy * xy / a - xy * xy / b;
     if pivot < 1e-4 * trace {
-        // All neighbours on one line, as at a corner of the border.
+        // All neighbours lie on one line, as at a corner of the border: only the mean can be fitted.
         return Curvature {
             mean: (x_x + y_y) / trace,
             bend: DVec2::ZERO,
@@ -164,7 +167,7 @@ fn fitted(mesh: &TriMesh, links: &Links, v: usize) -> Curvature {
     }
 }
 
-/// The curvature at a point, from those at the corners of its triangle.
+/// The curvature at a point, interpolated between the corners of its triangle.
 pub(crate) fn interpolated(values: &[Curvature], mesh: &TriMesh, p: &SurfacePoint) -> Curvature {
     let frame = p.frame();
     let weights = p.weights(mesh).to_array();
@@ -214,7 +217,7 @@ mod tests {
         for (v, c) in values.iter().enumerate() {
             let p = mesh.positions()[v];
             let r = (p.x * p.x + p.z * p.z).sqrt();
-            // Around the tube 1 / 0.4, along it cos b / r.
+            // Expected: 1 / 0.4 around the tube, cos b / r along it.
             let around = (r - 1.0) / 0.4 / r;
             let [(most, _), (least, direction)] = c.principal();
             assert!((most - 2.5).abs() < 0.05, "{most}");
@@ -226,7 +229,7 @@ mod tests {
             assert!(step.length() < 1e-9);
             assert!((c.most() - most).abs() < 1e-9);
         }
-        // In the middle of a triangle as at its corners.
+        // Interpolation in the middle of a triangle agrees with its corners.
         let p = SurfacePoint::new(&mesh, 7, DVec3::splat(1.0 / 3.0));
         let c = interpolated(&values, &mesh, &p);
         assert!((c.most() - 2.5).abs() < 0.05);
@@ -234,7 +237,7 @@ mod tests {
 
     #[test]
     fn noise_is_averaged_away() {
-        // Edges of .08, noise of up to a third of them.
+        // Edges are 0.08 long; the noise is up to a third of that.
         let noisy = samples::noisy(&samples::torus(80, 32), 0.025);
         let errors = |size: f64| {
             let values = curvatures(&noisy, size);

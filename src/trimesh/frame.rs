@@ -1,22 +1,23 @@
-//! Tangent frames, and what one point of a surface sees of another.
+//! Tangent frames, and the logarithmic map between two points of a surface.
 
 use super::SurfacePoint;
 use crate::packing::ground::Carry;
 use glam::{DVec2, DVec3};
 
-/// An orthonormal frame of the plane across a normal.
+/// A right-handed orthonormal frame: two axes in the tangent plane, and its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Its x axis.
+    /// The x axis, in the tangent plane.
     pub x: DVec3,
-    /// Its y axis.
+    /// The y axis, in the tangent plane.
     pub y: DVec3,
     /// The unit normal: x cross y.
     pub normal: DVec3,
 }
 
 impl Frame {
-    /// The one frame that belongs to a unit normal (Duff et al. 2017, Building an Orthonormal Basis, Revisited).
+    /// The frame of a unit normal; equal normals get equal frames (Duff et al. 2017, Building an Orthonormal Basis,
+    /// Revisited).
     pub fn of(normal: DVec3) -> Self {
         let n = normal;
         let sign = if n.z < 0.0 { -1.0 } else { 1.0 };
@@ -29,50 +30,50 @@ impl Frame {
         }
     }
 
-    /// The part of a vector in space that lies in the plane.
+    /// The tangential part of a vector in space, in coordinates of the frame.
     pub fn within(&self, v: DVec3) -> DVec2 {
         DVec2::new(self.x.dot(v), self.y.dot(v))
     }
 
-    /// A vector of the plane, in space.
+    /// The vector in space with these coordinates of the frame.
     pub fn out(&self, v: DVec2) -> DVec3 {
         self.x * v.x + self.y * v.y
     }
 
     /// The turn that carries vectors of another frame into this one, by the smallest rotation between the two
-    /// normals; where those are opposite, none in particular.
+    /// normals. If the normals are opposite, the turn is arbitrary.
     pub fn turn_from(&self, other: &Frame) -> Turn {
         Turn(self.within(rotated(other.x, other.normal, self.normal)))
     }
 }
 
-/// A vector across a unit normal, turned by the smallest rotation that takes this normal to another.
+/// Turns a vector by the smallest rotation that takes one unit normal to the other.
 #[inline(always)]
 pub(crate) fn rotated(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
     let cos = from.dot(to);
     v - (from + to) * (v.dot(to) / (1.0 + cos).max(1e-12))
 }
 
-/// A turn of the plane, from one frame into another: where it takes the x axis to.
+/// A rotation of the plane that takes coordinates of one frame to those of another: the image of the x axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn(pub DVec2);
 
 impl Turn {
-    /// No turn.
+    /// The identity.
     pub const NONE: Self = Self(DVec2::X);
 
-    /// This turn and then another one.
+    /// This turn followed by another one.
     pub fn then(self, other: Self) -> Self {
         Self(self.0.rotate(other.0))
     }
 
-    /// A vector of the first frame in the second one.
+    /// Takes a vector of the first frame to the second one.
     #[inline(always)]
     pub fn apply(self, v: DVec2) -> DVec2 {
         self.0.rotate(v)
     }
 
-    /// A vector of the second frame in the first one.
+    /// Takes a vector of the second frame to the first one.
     #[inline(always)]
     pub fn undo(self, v: DVec2) -> DVec2 {
         DVec2::new(self.0.x, -self.0.y).rotate(v)
@@ -91,7 +92,7 @@ impl Carry for Turn {
     }
 }
 
-/// What one point of a surface sees of another.
+/// The logarithmic map of one point at another, with the turn between their frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Way {
     /// Direction and distance to the other point, in the frame of the first one.
@@ -101,20 +102,20 @@ pub struct Way {
 }
 
 impl SurfacePoint {
-    /// The frame of the normal there.
+    /// The frame of the normal at this point.
     pub fn frame(&self) -> Frame {
         Frame::of(self.normal)
     }
 }
 
-/// Points whose normals are farther apart than this (their dot product) do not see each other ...
+/// Points do not see each other if the dot product of their normals is less than this ...
 const SEES: f64 = -0.2;
-/// ... nor do those whose difference points this far out of the surface (share of it that lies in the plane).
+/// ... or if their difference points further out of the surface than this share of its tangential part.
 const LIES: f64 = 0.3;
 
-/// The way from one point to another: the logarithmic map, in the plane of the mean of the two normals, with the
-/// length of the circular arc that has these normals at its ends. The way back is its reverse. Nothing where the two
-/// lie on different sides of a thin sheet. Points at one place see each other, at no distance.
+/// The logarithmic map from one point to another. The direction lies in the plane of the mean of the two normals; the
+/// length is that of the circular arc that has these normals at its ends. The map from `b` to `a` is the reverse.
+/// Nothing if the points lie on different sides of a thin sheet. Points at one place see each other, at distance 0.
 pub fn way(a: &SurfacePoint, b: &SurfacePoint) -> Option<Way> {
     let to = seen(a.at, a.normal, b.at, b.normal)?;
     let own = Frame::of(a.normal);
@@ -127,12 +128,12 @@ pub fn way(a: &SurfacePoint, b: &SurfacePoint) -> Option<Way> {
     Some(Way { to, turn })
 }
 
-/// What [`Way::to`] is, in any frame of the first point's normal.
+/// [`Way::to`] in any frame of the first point's normal.
 pub(crate) fn way_in(own: &Frame, from: DVec3, at: DVec3, normal: DVec3) -> Option<DVec2> {
     Some(own.within(seen(from, own.normal, at, normal)?))
 }
 
-/// The square of how long [`Way::to`] is.
+/// The squared length of [`Way::to`].
 #[inline(always)]
 pub(crate) fn apart(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<f64> {
     let cos = own.dot(normal);
@@ -149,14 +150,14 @@ pub(crate) fn apart(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option
     Some(length * arc * arc)
 }
 
-/// What [`Way::to`] is, in space.
+/// [`Way::to`] as a vector in space.
 #[inline(always)]
 fn seen(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<DVec3> {
     let cos = own.dot(normal);
     if cos < SEES {
         return None;
     }
-    // The sum of the normals, instead of their mean: its square is 2 + 2 cos.
+    // The sum of the normals serves instead of their mean; its square is 2 + 2 cos.
     let sum = own + normal;
     let square = 2.0 + 2.0 * cos;
     let r = at - from;
@@ -172,7 +173,8 @@ fn seen(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<DVec3> {
     Some(rotated(in_plane, sum / square.sqrt(), own))
 }
 
-/// (a / 2) / sin(a / 2) of the angle a between two normals, of its cosine: an arc's length over its chord's.
+/// The length of an arc over that of its chord, (a / 2) / sin(a / 2), from the cosine of the angle a between the
+/// normals at its ends.
 #[inline(always)]
 pub(crate) fn arc_over_chord(cos: f64) -> f64 {
     // The square of sin(a / 2).
@@ -181,16 +183,16 @@ pub(crate) fn arc_over_chord(cos: f64) -> f64 {
         let sine = s.sqrt();
         return libm::asin(sine) / sine;
     }
-    // Pairs first: none of them waits for another.
+    // Summed in pairs, so that the products do not wait for each other.
     let (s2, a) = (s * s, ARC);
     let low = (a[0] + a[1] * s) + (a[2] + a[3] * s) * s2;
     let high = (a[4] + a[5] * s) + (a[6] + a[7] * s) * s2;
     low + high * (s2 * s2)
 }
 
-/// Up to here the first terms of the series of asin(sqrt s) / sqrt s are exact to ten digits, more than a mesh is.
+/// Below this the first terms of the series of asin(sqrt s) / sqrt s have ten exact digits, more than a mesh has.
 const SERIES: f64 = 0.06;
-/// These terms: 1, 1/2 / 3, (1 3)/(2 4) / 5, ...
+/// The terms: 1, 1/2 / 3, (1 3)/(2 4) / 5, ...
 const ARC: [f64; 8] = [
     1.0,
     1.0 / 6.0,
@@ -240,7 +242,7 @@ mod tests {
                 };
                 let reverse = -there.turn.undo(there.to);
                 assert!((reverse - back.to).length() < 1e-9, "{a} {b}");
-                // On the unit ball the way is the great circle's.
+                // On the unit ball the logarithmic map follows the great circle.
                 assert!((there.to.length() - libm::acos(a.dot(b))).abs() < 1e-9);
             }
         }

@@ -1,53 +1,53 @@
-//! What the vertices of a mesh are to their neighbours.
+//! Neighbours of the vertices of a mesh, with weights and parallel transport.
 
 use super::{Frame, TriMesh};
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 
-/// A vector along the surface, carried from one unit normal to another by the smallest rotation between them.
+/// Carries a tangent vector from one unit normal to another by the smallest rotation between them.
 #[inline(always)]
 pub(crate) fn carried(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
     let share = v.dot(to) / (1.0 + from.dot(to)).max(1e-9);
     v - (from + to) * share
 }
 
-/// Bounds of the weight of an edge: slivers neither tear their corners apart nor tie them together.
+/// Bounds of an edge's weight: slivers then neither tear their corners apart nor tie them together.
 const WEIGHTS: (f64, f64) = (0.05, 4.0);
 
-/// Of each vertex its neighbours, counter-clockwise, with the weights of the edges to them and the turns that carry
-/// vectors of their frames into its own.
+/// The neighbours of each vertex, counter-clockwise, with the weights of the edges to them and the turns that carry
+/// vectors of their frames into the vertex' own.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Links {
     start: Vec<u32>,
     pub to: Vec<u32>,
-    /// Half the sum of the cotangents of the angles across an edge, within bounds.
+    /// Half the sum of the cotangents of the angles opposite an edge, clamped to [`WEIGHTS`].
     pub weight: Vec<f64>,
     pub turn: Vec<DVec2>,
     /// A third of the area of the triangles around each vertex.
     pub mass: Vec<f64>,
     pub frames: Vec<Frame>,
-    /// The sum of the squared lengths of all triangles' edges.
+    /// The sum of the squared edge lengths of all triangles.
     squares: f64,
 }
 
 impl Links {
-    /// The entries of a vertex.
+    /// The range of a vertex' entries.
     #[inline(always)]
     pub fn of(&self, vertex: usize) -> Range<usize> {
         self.start[vertex] as usize..self.start[vertex + 1] as usize
     }
 
-    /// How many vertices there are.
+    /// The number of vertices.
     pub fn len(&self) -> usize {
         self.mass.len()
     }
 
-    /// The mean of the squared lengths of the edges.
+    /// The mean of the squared lengths of the triangles' edges.
     pub fn mean_square(&self, mesh: &TriMesh) -> f64 {
         self.squares / (3 * mesh.triangles().len()) as f64
     }
 
-    /// All at once.
+    /// Does all the work at once.
     #[cfg(test)]
     pub fn build(mesh: &TriMesh) -> Self {
         let mut builder = LinksBuilder::new(mesh);
@@ -56,13 +56,13 @@ impl Links {
     }
 }
 
-/// Makes [`Links`] some triangles, then some vertices, at a time.
+/// Makes [`Links`] in slices: first by triangles, then by vertices.
 #[derive(Clone, Debug)]
 pub(crate) struct LinksBuilder {
     pub links: Links,
-    /// Cotangents of the angles at the corners.
+    /// Cotangents of the angles at each triangle's corners.
     cots: Vec<[f64; 3]>,
-    /// Edges of the border.
+    /// How many edges lie on the border.
     borders: usize,
     at: usize,
 }
@@ -84,7 +84,7 @@ impl LinksBuilder {
         }
     }
 
-    /// Works on so many triangles or vertices; true when all are done.
+    /// Works on at most `amount` triangles or vertices; true when all are done.
     pub fn advance(&mut self, mesh: &TriMesh, amount: usize) -> bool {
         let triangles = mesh.triangles().len();
         let vertices = mesh.positions().len();
@@ -106,7 +106,7 @@ impl LinksBuilder {
             return false;
         }
         if self.at == 0 {
-            // Growing step by step would copy all there is.
+            // Reserve first: growing step by step would copy the lists again and again.
             let count = 3 * triangles + self.borders;
             self.links.to.reserve_exact(count);
             self.links.weight.reserve_exact(count);
@@ -130,7 +130,7 @@ impl LinksBuilder {
         for k in 0..3 {
             let (e, f) = (p[(k + 1) % 3] - p[k], p[(k + 2) % 3] - p[k]);
             let dot = e.dot(f);
-            // Slivers have huge ones, of both signs: held so that their sums are numbers.
+            // Slivers have huge cotangents of both signs; bounds keep their sums finite.
             cots[k] = (dot / double.max(1e-6 * e.length() * f.length())).clamp(-1e6, 1e6);
             if !cots[k].is_finite() {
                 cots[k] = 0.0;
@@ -148,7 +148,7 @@ impl LinksBuilder {
 
     fn vertex(&mut self, mesh: &TriMesh, v: u32) {
         let first = self.links.to.len();
-        // The cotangent across the edge that the next corner shares with the one before it.
+        // The cotangent opposite the edge that this corner shares with the next one.
         let mut before: Option<(u32, f64)> = None;
         for (t, k) in mesh.fan(v) {
             let corners = mesh.triangles()[t as usize];

@@ -1,35 +1,36 @@
-//! A triangle mesh whose edges join two triangles, or end one.
+//! An oriented triangle mesh: each edge joins two triangles or lies on the border.
 
 use crate::csr::NONE;
 use glam::DVec3;
 
-/// Why triangles are no mesh.
+/// Why triangles do not make a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshFault {
-    /// There are none.
+    /// There are no triangles.
     Empty,
-    /// A corner is none of the vertices, or two corners of a triangle are the same.
+    /// A corner is not the number of a vertex, or two corners of a triangle are the same.
     BadTriangle,
-    /// A coordinate is no number.
+    /// A coordinate is not finite.
     NotFinite,
-    /// An edge of more than two triangles, or of two that run along it in the same direction.
+    /// An edge has more than two triangles, or two that run along it in the same direction.
     BadEdge,
 }
 
-/// An oriented triangle mesh: each directed edge is there once.
+/// An oriented triangle mesh: each directed edge occurs once.
 ///
-/// Vertices where the border touches itself are there once for each of the corners around them that hang together
-/// (see [`TriMesh::fan`]); whoever makes a mesh sees to that.
+/// Where the border touches itself at a place, that place has a vertex for each connected fan of corners (see
+/// [`TriMesh::fan`]). Whoever makes a mesh has to split such vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriMesh {
     pub(super) positions: Vec<DVec3>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Of each edge the same one of the triangle beyond it, `3 * triangle + edge`.
+    /// For each edge of each triangle, the same edge in the triangle beyond it, as `3 * triangle + edge`, or
+    /// [`NONE`].
     pub(super) across: Vec<[u32; 3]>,
     pub(super) normals: Vec<DVec3>,
     /// The unit normals of the triangles.
     pub(super) faces: Vec<DVec3>,
-    /// Of each vertex one corner, `3 * triangle + corner`; where it is on the border, the first one counter-clockwise.
+    /// One corner of each vertex, `3 * triangle + corner`. On the border it is the first one counter-clockwise.
     pub(super) first: Vec<u32>,
     pub(super) area: f64,
 }
@@ -50,26 +51,26 @@ impl TriMesh {
         &self.normals
     }
 
-    /// The area of all triangles.
+    /// The area of all triangles together.
     pub fn area(&self) -> f64 {
         self.area
     }
 
-    /// Where the corners of a triangle are.
+    /// The positions of a triangle's corners.
     #[inline]
     pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
         self.triangles[triangle as usize].map(|v| self.positions[v as usize])
     }
 
-    /// The triangle beyond the edge from corner `k` to the next one, and the number of that edge there; nothing at the
-    /// border.
+    /// The triangle beyond the edge from corner `k` to the next one, and the number of that edge there. Nothing at
+    /// the border.
     #[inline]
     pub fn across(&self, triangle: u32, k: usize) -> Option<(u32, usize)> {
         let other = self.across[triangle as usize][k];
         (other != NONE).then_some((other / 3, (other % 3) as usize))
     }
 
-    /// The unit normal of a triangle's plane; zero where it has no area.
+    /// The unit normal of a triangle's plane; zero if the triangle has no area.
     #[inline]
     pub fn face_normal(&self, triangle: u32) -> DVec3 {
         self.faces[triangle as usize]
@@ -89,7 +90,7 @@ impl TriMesh {
             .unwrap_or_else(|| self.face_normal(triangle))
     }
 
-    /// The barycentric weights of a point in the plane of a triangle.
+    /// The barycentric weights of a point in the plane of a triangle; they sum to 1.
     pub fn weights(&self, triangle: u32, p: DVec3) -> DVec3 {
         let [a, b, c] = self.corners(triangle);
         let normal = (b - a).cross(c - a);
@@ -101,27 +102,27 @@ impl TriMesh {
         DVec3::new(of(p, b, c), of(p, c, a), of(p, a, b))
     }
 
-    /// The corners around a vertex, `(triangle, corner)`, counter-clockwise seen from outside; on the border from one end
-    /// to the other.
+    /// The corners around a vertex, as `(triangle, corner)`, counter-clockwise seen from outside. On the border they
+    /// run from one end of the fan to the other.
     pub fn fan(&self, vertex: u32) -> impl Iterator<Item = (u32, usize)> + '_ {
         let first = self.first[vertex as usize];
         let mut next = (first != NONE).then_some((first / 3, (first % 3) as usize));
         let start = next;
         std::iter::from_fn(move || {
             let (t, k) = next?;
-            // Over the edge that comes to the vertex.
+            // Go on over the edge that ends at the vertex.
             next = self.across(t, (k + 2) % 3).filter(|&to| Some(to) != start);
             Some((t, k))
         })
     }
 
-    /// Does the border go through a vertex?
+    /// Whether the vertex lies on the border.
     pub fn is_on_border(&self, vertex: u32) -> bool {
         let first = self.first[vertex as usize];
         first != NONE && self.across[(first / 3) as usize][(first % 3) as usize] == NONE
     }
 
-    /// The border as closed rings of vertices, the surface on their left seen from outside.
+    /// The borders as closed rings of vertices. Seen from outside, the surface lies on their left.
     pub fn borders(&self) -> Vec<Vec<u32>> {
         let mut next: Vec<u32> = vec![NONE; self.positions.len()];
         for (t, triangle) in self.triangles.iter().enumerate() {
@@ -146,7 +147,7 @@ impl TriMesh {
         rings
     }
 
-    /// Of each triangle the number of the part that it hangs together with, over edges, and how many parts there are.
+    /// Connected components over edges: the number of each triangle's component, and how many there are.
     pub fn parts(&self) -> (Vec<u32>, usize) {
         let mut part = vec![NONE; self.triangles.len()];
         let mut count = 0;
@@ -170,7 +171,7 @@ impl TriMesh {
         (part, count as usize)
     }
 
-    /// The Euler characteristic: vertices in use, less edges, plus triangles.
+    /// The Euler characteristic: vertices in use, minus edges, plus triangles.
     pub fn euler(&self) -> i64 {
         let vertices = self.first.iter().filter(|&&first| first != NONE).count() as i64;
         let borders = self.across.iter().flatten().filter(|&&t| t == NONE).count() as i64;
@@ -178,14 +179,14 @@ impl TriMesh {
         vertices - (3 * faces + borders) / 2 + faces
     }
 
-    /// The corners of the box around it.
+    /// The least and greatest corner of the bounding box.
     pub fn bounds(&self) -> (DVec3, DVec3) {
         let first = self.positions[0];
         let each = self.positions.iter();
         each.fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)))
     }
 
-    /// The diagonal of the box around it.
+    /// The diagonal of the bounding box.
     pub fn diagonal(&self) -> f64 {
         let (lo, hi) = self.bounds();
         (hi - lo).length()

@@ -1,19 +1,17 @@
-//! Triangle meshes in space: read, mended, searched and walked on.
+//! Triangle meshes in space: repair, search, and walks on them.
 //!
 //! Points lie in triangles of a mesh ([`TriMesh`], [`SurfacePoint`]) and move along straightest paths
-//! ([`TriMesh::walk`]). What is between two of them is seen in the plane of their mean normal ([`way`]), so that code
-//! for the plane, which works with two-dimensional vectors, serves on a surface as well.
+//! ([`TriMesh::walk`]). The vector between two points lies in the plane of their mean normal ([`way`]), so code for
+//! the plane, which works with two-dimensional vectors, serves on a surface as well.
 //!
-//! The triangles of a file ([`Soup`]) become a mesh in steps, each of them in slices: [`repair::Mending`] makes a surface
-//! of them, [`repair::Filling`] closes openings that are small beside a cell, [`refine::Refining`] makes edges short enough
-//! to tell cells apart, and [`repair::Cutting`], where it is asked for, cuts along creases. [`Simplifying`] makes a simpler
-//! surface to pack on, and a [`Search`] brings places of it to the full one.
+//! The triangles of a file ([`Soup`]) become a mesh in steps, each of them in slices. [`repair::Mending`] makes a
+//! surface of them. [`repair::Filling`] closes openings that are small beside a cell. [`refine::Refining`] makes
+//! edges short enough to tell cells apart. [`repair::Cutting`], an option, cuts along creases. [`Simplifying`] makes
+//! a simpler surface to pack on, and a [`Search`] brings points of it to the full one.
 //!
-//! A mesh can prove that it is closed ([`TriMesh::closed`]): then it has a volume and an inside.
-//!
-//! Space is right-handed with y up. Triangles run counter-clockwise seen from outside. A vector along the surface at
-//! a point is a [`glam::DVec2`] in the [`Frame`] of the point's normal: its x axis, its y axis and the normal are
-//! right-handed, so a positive turn is counter-clockwise seen from outside.
+//! Space is right-handed with y up. Triangles run counter-clockwise seen from outside. A tangent vector at a point is
+//! a [`glam::DVec2`] in the [`Frame`] of the point's normal: its x axis, its y axis and the normal are right-handed,
+//! so a positive turn is counter-clockwise seen from outside.
 
 /// Beyond an edge of the border: no triangle.
 pub(crate) use crate::csr::NONE;

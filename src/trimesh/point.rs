@@ -1,4 +1,4 @@
-//! A place on a triangle mesh.
+//! A point on a triangle mesh.
 
 use super::TriMesh;
 use glam::DVec3;
@@ -10,7 +10,7 @@ pub struct SurfacePoint {
     pub triangle: u32,
     /// Where it is, in the mesh's units.
     pub at: DVec3,
-    /// The unit normal there: that of the corners, interpolated.
+    /// The unit normal there, interpolated between the corners.
     pub normal: DVec3,
 }
 
@@ -26,7 +26,7 @@ impl SurfacePoint {
         }
     }
 
-    /// The barycentric weights of its triangle's corners; within rounding, at least 0.
+    /// The barycentric weights in its triangle; at least 0, up to rounding.
     pub fn weights(&self, mesh: &TriMesh) -> DVec3 {
         mesh.weights(self.triangle, self.at)
     }

@@ -2,12 +2,13 @@
 
 use glam::DVec3;
 
-/// Polygons of more corners are not cut.
+/// Polygons with more corners are not triangulated.
 const MOST_CORNERS: usize = 600;
-/// Nor are those of files, of which there may be many.
+/// The same limit for polygons of files, which may have many of them.
 const MOST_IN_FILES: usize = 64;
 
-/// The sum of the cross products of neighbours: across the polygon's mean plane, twice its area long (Newell).
+/// The sum of the cross products of neighbouring corners (Newell): normal to the polygon's mean plane, twice its area
+/// long.
 pub(crate) fn across(points: &[DVec3]) -> DVec3 {
     let about = points.first().copied().unwrap_or_default();
     let next = points.iter().cycle().skip(1);
@@ -15,9 +16,9 @@ pub(crate) fn across(points: &[DVec3]) -> DVec3 {
     each.map(|(&p, &q)| (p - about).cross(q - about)).sum()
 }
 
-/// Cuts off one corner after the other, each time the one that makes the best triangle and has no other corner in it.
-/// `may_join` is asked whether two corners may have an edge between them. Nothing where that cannot be, or where there
-/// are too many corners.
+/// Triangulates by cutting off ears: each time the one with the best triangle and no other corner in it. `may_join`
+/// tells whether an edge may join two corners. Nothing if there is no such triangulation, or if there are too many
+/// corners.
 pub(crate) fn cut(
     points: &[DVec3],
     may_join: impl Fn(usize, usize) -> bool,
@@ -35,7 +36,7 @@ pub(crate) fn cut(
             let [i, j, l] = [ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n]];
             let quality = quality(points, [i, j, l], up);
             let is_better = |best: (bool, f64, usize), empty| (empty, quality) > (best.0, best.1);
-            // Only those that may win are tried at length.
+            // Skip the slow tests for ears that cannot win.
             if best.is_some_and(|best| !is_better(best, true)) || !may_join(i, l) {
                 continue;
             }
@@ -52,7 +53,8 @@ pub(crate) fn cut(
     Some(triangles)
 }
 
-/// Area over the squares of the sides: greatest for equilateral triangles, negative where it is turned over.
+/// Area over the sum of the squared sides: greatest for equilateral triangles, negative for triangles that are turned
+/// over.
 fn quality(points: &[DVec3], triangle: [usize; 3], up: DVec3) -> f64 {
     let [a, b, c] = triangle.map(|v| points[v]);
     let sides = (b - a).length_squared() + (c - b).length_squared() + (a - c).length_squared();
@@ -62,7 +64,7 @@ fn quality(points: &[DVec3], triangle: [usize; 3], up: DVec3) -> f64 {
     (b - a).cross(c - a).dot(up) / sides
 }
 
-/// Is no other corner in a triangle, seen from above?
+/// Whether no other corner lies in a triangle, seen from above.
 fn is_empty(points: &[DVec3], ring: &[usize], triangle: [usize; 3], up: DVec3) -> bool {
     let corners = triangle.map(|v| points[v]);
     let is_inside = |p: DVec3| {
@@ -77,7 +79,7 @@ fn is_empty(points: &[DVec3], ring: &[usize], triangle: [usize; 3], up: DVec3) -
         .all(|p| corners.contains(&p) || !is_inside(p))
 }
 
-/// Adds a polygon of a file to triangles: cut where it may be hollow, else as a fan.
+/// Adds a polygon of a file to `triangles`: by ears if it may be concave, else as a fan.
 pub(crate) fn add(positions: &[DVec3], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
     let places = || {
         let places = corners.iter().map(|&v| positions.get(v as usize).copied());

@@ -1,23 +1,23 @@
-//! Meshes with shorter edges.
+//! Splits edges until all are short enough.
 //!
-//! Cells are told apart by the vertices between them, so edges may be at most [`SHARE`] of a cell long. Rounds of
-//! splits, the longest edges first (after Rivara 1984, Algorithms for refining triangular grids): in each round all
-//! edges get a new vertex in their middle that are nearly as long as the longest, each compared with what it may be;
-//! and each triangle with one, two or three of these becomes two, three or four. What is done to an edge hangs on the
-//! edge alone, so the mesh stays without gaps, the order of triangles decides nothing, and borders that were one edge
-//! before a cut are split alike. New vertices lie in the old triangles: nothing is smoothed.
+//! The vertices of a mesh tell cells apart, so an edge may be at most [`SHARE`] of a cell long. Edges are split in
+//! rounds, the longest first (after Rivara 1984, Algorithms for refining triangular grids). The excess of an edge is
+//! its length over the length that it may have. In each round all edges whose excess is near the greatest get a new
+//! vertex in their middle; each triangle with one, two or three of these becomes two, three or four. Whether an edge
+//! is split depends on the edge alone. So the mesh stays without gaps, the order of triangles has no influence, and
+//! the two sides of a cut are split alike. New vertices lie in the old triangles; nothing is smoothed.
 
 use super::{MeshBuilding, NONE, TriMesh};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
-/// Edges may be so long, as a part of the size of the cells there.
+/// The longest edge, as a part of the size of the cells there.
 pub const SHARE: f64 = 0.4;
-/// The most triangles that are made.
+/// The most triangles that a refined mesh may have.
 pub const MOST_REFINED: usize = 1_500_000;
-/// Edges of a round: those of at least this share of the greatest excess.
+/// A round splits edges with at least this share of the greatest excess.
 const NEARLY: f64 = 0.6;
-/// Triangles of a slice.
+/// Triangles in a slice.
 const SLICE: usize = 1 << 14;
 
 /// A mesh with edges short enough.
@@ -25,30 +25,30 @@ const SLICE: usize = 1 << 14;
 pub struct Refined {
     /// The mesh: first the old vertices, then the new ones.
     pub mesh: TriMesh,
-    /// Of each new vertex the two between which it is, in the order they were made: new ones may be between new ones.
+    /// For each new vertex, the two that it was put between, in the order of making. These may be new themselves.
     pub parents: Vec<[u32; 2]>,
-    /// Of each triangle the old one that it lies in.
+    /// For each triangle, the old one that it lies in.
     pub origin: Vec<u32>,
 }
 
 /// A mesh whose edges are being split.
 pub struct Refining {
     mesh: TriMesh,
-    /// Of each vertex the length that edges there may have.
+    /// For each vertex, the length that edges may have there.
     targets: Vec<f64>,
     parents: Vec<[u32; 2]>,
     origin: Vec<u32>,
     stage: Stage,
     at: usize,
-    /// The greatest of the edges' lengths over what they may be, squared.
+    /// The greatest square of an edge's length over its allowed one.
     excess: f64,
-    /// The same length everywhere, so that the count of triangles can be told.
+    /// Whether the allowed length is the same everywhere; then the count of triangles can be foretold.
     is_even: bool,
-    /// Triangles there would be at the end at least.
+    /// A lower bound of the triangles at the end.
     least: f64,
-    /// Of each edge of each triangle its new vertex.
+    /// For each edge of each triangle its new vertex, or [`NONE`].
     middles: Vec<[u32; 3]>,
-    /// The positions, once edges are marked, and triangles of the next mesh.
+    /// Positions of the next mesh, once edges are marked, and its triangles.
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     origins: Vec<u32>,
@@ -64,7 +64,7 @@ enum Stage {
 }
 
 impl Refining {
-    /// Of a mesh and the length that edges may have at each of its vertices, greater than 0. See [`SHARE`].
+    /// Starts with a mesh and the length that edges may have at each of its vertices, greater than 0. See [`SHARE`].
     pub fn new(mesh: TriMesh, targets: Vec<f64>) -> Self {
         Self {
             origin: (0..mesh.triangles().len() as u32).collect(),
@@ -84,7 +84,7 @@ impl Refining {
         }
     }
 
-    /// With the same length everywhere.
+    /// Starts with the same length everywhere.
     pub fn evenly(mesh: TriMesh, target: f64) -> Self {
         let targets = vec![target; mesh.positions().len()];
         let mut new = Self::new(mesh, targets);
@@ -92,8 +92,8 @@ impl Refining {
         new
     }
 
-    /// Works on some more. `target` tells the length for a new vertex of its place, and of the mean of those that it
-    /// is between. The mesh when it is done, or a sentence where it would be too large.
+    /// Does one more slice. `target` gives the length at a new vertex, from its place and from the mean of the
+    /// lengths at the two vertices beside it. Returns the mesh when it is done, or a notice if it would be too large.
     pub fn advance(
         &mut self,
         target: &dyn Fn(DVec3, f64) -> f64,
@@ -105,7 +105,7 @@ impl Refining {
                 MeshBuilding::new(std::mem::take(positions), std::mem::take(triangles))
             });
             let mesh = building.advance()?;
-            // Of a mesh comes a mesh.
+            // Splitting keeps a mesh valid, so there is no fault.
             self.mesh = mesh.ok()?;
             (self.stage, self.building) = (Stage::Measure, None);
             return None;
@@ -151,10 +151,10 @@ impl Refining {
         None
     }
 
-    /// Splits with the same lengths in between, until it is done.
+    /// Splits to the end; a new vertex gets the mean length of its two parents.
     ///
     /// # Errors
-    /// Where it would be too large.
+    /// If the mesh would be too large.
     pub fn finish_all(mut self) -> Result<Refined, Notice> {
         loop {
             if let Some(done) = self.advance(&|_, mean| mean) {
@@ -173,7 +173,7 @@ impl Refining {
         }
     }
 
-    /// The square of an edge's length over what it may be.
+    /// The square of an edge's length over its allowed one.
     fn ratio(&self, t: usize, k: usize) -> f64 {
         let [a, b] = self.ends(t, k).map(|v| v as usize);
         let positions = match self.stage {
@@ -194,7 +194,7 @@ impl Refining {
             self.excess = self.excess.max(self.ratio(t, k));
         }
         if self.is_even {
-            // No triangle has more area than the equilateral one.
+            // The equilateral triangle has the greatest area of all.
             let most = 0.4330127018922193 * self.targets[0] * self.targets[0];
             self.least += (self.mesh.area_of(t as u32) / most).max(1.0);
         }
@@ -232,7 +232,7 @@ impl Refining {
         let corners = self.mesh.triangles()[t];
         let middles = self.middles[t];
         let marked = middles.iter().filter(|&&m| m != NONE).count();
-        // Turned so that the one marked edge is the first, or the one that is not is the last.
+        // Rotate the triangle so that a single marked edge comes first, or a single unmarked one last.
         let first = match marked {
             1 => (0..3).find(|&k| middles[k] != NONE),
             2 => (0..3).find(|&k| middles[(k + 2) % 3] == NONE),
@@ -264,7 +264,7 @@ impl Refining {
         (self.positions[a as usize] - self.positions[b as usize]).length_squared()
     }
 
-    /// Cuts along the shorter diagonal; where they are as long, through the least vertex.
+    /// Cuts a quadrilateral along its shorter diagonal; if both are equal, through the vertex with the least number.
     fn quad(&mut self, t: usize, [a, b, c, d]: [u32; 4]) {
         let (one, other) = (self.between(a, c), self.between(b, d));
         let alike = (one - other).abs() <= 1e-12 * one;
@@ -282,14 +282,15 @@ impl Refining {
         }
     }
 
-    /// Four alike; but an obtuse corner keeps its line to the middle across, which makes the angles less obtuse.
+    /// Cuts a triangle into four like it. An obtuse corner keeps a line to the middle of the opposite side instead,
+    /// which makes the angles less obtuse.
     fn four(&mut self, t: usize, [a, b, c]: [u32; 3], [ab, bc, ca]: [u32; 3]) {
         for (corner, opposite, [x, y], [beside_y, beside_x]) in [
             (c, ab, [a, b], [bc, ca]),
             (a, bc, [b, c], [ca, ab]),
             (b, ca, [c, a], [ab, bc]),
         ] {
-            // The median of an obtuse corner is shorter than half of the side across.
+            // The median of an obtuse corner is shorter than half of the opposite side.
             let median = self.between(corner, opposite);
             if median < 0.25 * self.between(x, y) * (1.0 - 1e-9) {
                 self.push(t, [x, opposite, beside_x]);
@@ -307,7 +308,7 @@ impl Refining {
 }
 
 fn too_many(count: f64) -> Notice {
-    // Two digits say enough.
+    // Round the count to two digits.
     let mut unit = 1000.0;
     while count > 100.0 * unit && unit < 1e15 {
         unit *= 10.0;

@@ -4,7 +4,8 @@ use super::TriMesh;
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Rows of points joined by triangles: row `v`, place `u` is point `v * nu + u`; closed around where asked.
+/// Joins rows of points by triangles: row `v`, place `u` is point `v * nu + u`. Rows or columns are closed where
+/// `around` is true.
 pub(crate) fn grid(
     nu: u32,
     nv: u32,
@@ -20,7 +21,7 @@ pub(crate) fn grid(
         for u in 0..du {
             let [a, b] = [u, (u + 1) % nu].map(|u| v * nu + u);
             let [d, c] = [u, (u + 1) % nu].map(|u| ((v + 1) % nv) * nu + u);
-            // The diagonals change, so that no direction is before the other.
+            // Diagonals alternate, so that no direction is preferred.
             if (u + v) % 2 == 0 {
                 triangles.extend([[a, b, c], [a, c, d]]);
             } else {
@@ -31,7 +32,7 @@ pub(crate) fn grid(
     TriMesh::new(positions.collect(), triangles).expect("a mesh")
 }
 
-/// Radii 1 and 0.4, about the y axis.
+/// A torus of radii 1 and 0.4 about the y axis.
 pub(crate) fn torus(nu: u32, nv: u32) -> TriMesh {
     grid(nu, nv, (true, true), |u, v| {
         let (a, b) = (TAU * u, TAU * v);
@@ -78,7 +79,7 @@ pub(crate) fn knot(nu: u32, nv: u32) -> TriMesh {
     })
 }
 
-/// The unit ball: an icosahedron, each side divided by four so often.
+/// The unit ball: an icosahedron whose triangles are cut in four, `times` times.
 pub(crate) fn ball(times: u32) -> TriMesh {
     let g = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let mut positions = Vec::new();
@@ -126,14 +127,14 @@ pub(crate) fn blob(times: u32) -> TriMesh {
     })
 }
 
-/// A mesh with other places for its vertices.
+/// The same mesh with moved vertices.
 pub(crate) fn moved(mesh: &TriMesh, to: impl Fn(usize, DVec3) -> DVec3) -> TriMesh {
     let each = mesh.positions().iter().enumerate();
     let positions = each.map(|(k, &p)| to(k, p)).collect();
     TriMesh::new(positions, mesh.triangles().to_vec()).expect("a mesh")
 }
 
-/// Its vertices off by up to so much along each axis.
+/// The same mesh with each coordinate moved at random by at most `by`.
 pub(crate) fn noisy(mesh: &TriMesh, by: f64) -> TriMesh {
     moved(mesh, |k, p| {
         let r = |m: u64| {
@@ -145,7 +146,7 @@ pub(crate) fn noisy(mesh: &TriMesh, by: f64) -> TriMesh {
     })
 }
 
-/// A plate of `n` squares of small cubes to a unit with two square holes through it, all corners sharp: genus 2.
+/// A plate of genus 2 with two square holes through it and sharp corners; `n` squares to a unit.
 pub(crate) fn double_ring(n: i64) -> TriMesh {
     let full = |x: i64, y: i64, z: i64| {
         let inside = (0..7 * n).contains(&x) && (0..n).contains(&y) && (0..3 * n).contains(&z);

@@ -1,7 +1,7 @@
-//! Finds places on a mesh: the nearest to a point in space, and what a ray meets.
+//! Finds the point of a mesh that is nearest to a point in space, and the first hit of a ray.
 //!
-//! A tree of boxes over the triangles in the order of a Morton curve (Lauterbach et al. 2009, Fast BVH Construction
-//! on GPUs): a radix sort makes it, so that all of it is loops that can be cut.
+//! The search tree is a hierarchy of boxes over the triangles in the order of a Morton curve (Lauterbach et al. 2009,
+//! Fast BVH Construction on GPUs). A radix sort makes that order, so all the work is loops that can be cut anywhere.
 
 use super::sorting::Sorting;
 use super::{NONE, SurfacePoint, TriMesh};
@@ -9,20 +9,21 @@ use glam::DVec3;
 
 /// Triangles in a leaf.
 const LEAF: usize = 8;
-/// Steps of the curve along each axis, as a power of two.
+/// Steps of the curve along each axis, as a power of two. The bits of the three axes fill the three rounds of the
+/// sort.
 const BITS: u32 = 10;
-/// What rounding may take away from the distance to a box.
+/// Rounding may make the distance to a box too large by less than this factor.
 const SLACK: f64 = 1.0 + 1e-12;
 
 /// A point is not moved to the back of a thin sheet while its front is at most this many times as far away.
 const BACK: f64 = 4.0;
 
-/// What a ray has met.
+/// The hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// Where.
+    /// The point that is hit.
     pub point: SurfacePoint,
-    /// How far along the ray, in lengths of its direction.
+    /// The distance along the ray, in lengths of its direction.
     pub along: f64,
 }
 
@@ -52,11 +53,11 @@ impl Found {
     }
 }
 
-/// A tree over the triangles of one mesh.
+/// The search tree of one mesh.
 #[derive(Clone, Debug)]
 pub struct Search {
     triangles: Vec<u32>,
-    /// The tree as a heap: the box of node k holds those of 2k and 2k + 1; the last half are the leaves.
+    /// The tree as a heap: the box of node k holds those of nodes 2k and 2k + 1. The last half are the leaves.
     boxes: Vec<(DVec3, DVec3)>,
     stage: TreeStage,
     at: usize,
@@ -77,14 +78,14 @@ enum TreeStage {
 const NOTHING: (DVec3, DVec3) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
 
 impl Search {
-    /// All of it at once; [`Search::begin`] and [`Search::advance`] make it in slices.
+    /// Makes the whole tree; [`Search::begin`] and [`Search::advance`] make it in slices.
     pub fn new(mesh: &TriMesh) -> Self {
         let mut search = Self::begin(mesh);
         while !search.advance(mesh, usize::MAX) {}
         search
     }
 
-    /// Nothing yet.
+    /// Starts an empty tree.
     pub fn begin(mesh: &TriMesh) -> Self {
         let count = mesh.triangles().len();
         let leaves = count.div_ceil(LEAF).next_power_of_two();
@@ -96,9 +97,10 @@ impl Search {
         }
     }
 
-    /// Works on about this many triangles; true when it can be asked.
+    /// Works on at most `amount` triangles; true when the tree is complete.
     pub fn advance(&mut self, mesh: &TriMesh, amount: usize) -> bool {
         let leaves = self.boxes.len() / 2;
+        // Stages: codes; three rounds of counting and placing; leaves; the boxes from the leaves to the root.
         let all = match self.stage {
             TreeStage::Codes(_) => mesh.triangles().len(),
             TreeStage::Leaves => leaves,
@@ -170,7 +172,7 @@ impl Search {
         &self.triangles[(leaf * LEAF).min(count)..((leaf + 1) * LEAF).min(count)]
     }
 
-    /// The place on the mesh nearest to a point in space; of equally near ones that of the first triangle.
+    /// The point of the mesh nearest to `p`. Among equally near ones, that of the triangle with the least number.
     pub fn closest(&self, mesh: &TriMesh, p: DVec3) -> SurfacePoint {
         self.nearest(mesh, p, Found::NONE, |_| true).point(mesh)
     }
@@ -208,7 +210,7 @@ impl Search {
             }
             if node < leaves {
                 let [a, b] = [2 * node, 2 * node + 1].map(|k| (self.square(k, p), k));
-                // The nearer one is looked at first.
+                // The nearer child is searched first.
                 let (far, near) = if a.0 < b.0 { (b, a) } else { (a, b) };
                 open.extend([far, near].into_iter().filter(|n| n.0 < f64::INFINITY));
                 continue;
@@ -255,7 +257,7 @@ impl Search {
         p.distance_squared(p.max(lo).min(hi))
     }
 
-    /// The first place where a ray meets a triangle that is wanted, from either side.
+    /// The first hit of a ray on a triangle for which `wanted` is true, from either side.
     pub fn ray(
         &self,
         mesh: &TriMesh,
@@ -292,7 +294,7 @@ impl Search {
         })
     }
 
-    /// Where a ray comes into a box; infinity where it does not.
+    /// Where a ray enters a box; infinity if it misses it.
     fn entry(&self, node: usize, from: DVec3, inverse: DVec3) -> f64 {
         let (lo, hi) = self.boxes[node];
         let (mut first, mut last) = (0.0_f64, f64::INFINITY);
@@ -325,7 +327,7 @@ fn push_codes(mesh: &TriMesh, end: usize, codes: &mut Vec<(u64, u32)>) {
     }
 }
 
-/// Puts two empty bits between each two.
+/// Puts two zero bits between each two bits.
 fn spread(x: u32) -> u32 {
     let mut spread = 0;
     for bit in 0..BITS {
@@ -374,8 +376,8 @@ fn nearest_weights([a, b, c]: [DVec3; 3], p: DVec3) -> DVec3 {
     DVec3::new(va, vb, vc) / sum
 }
 
-/// How far along a ray it meets a triangle, and the weights there (Moller, Trumbore 1997, Fast, Minimum Storage
-/// Ray-Triangle Intersection).
+/// The distance along a ray at which it meets a triangle, and the weights there (Moller, Trumbore 1997, Fast, Minimum
+/// Storage Ray-Triangle Intersection).
 fn meets([a, b, c]: [DVec3; 3], from: DVec3, along: DVec3) -> Option<(f64, DVec3)> {
     let (e, f) = (b - a, c - a);
     let across = along.cross(f);
@@ -388,7 +390,7 @@ fn meets([a, b, c]: [DVec3; 3], from: DVec3, along: DVec3) -> Option<(f64, DVec3
     let q = off.cross(e);
     let v = along.dot(q) / volume;
     let far = f.dot(q) / volume;
-    // A ray through an edge meets one of its triangles, at least.
+    // The tolerance makes a ray through an edge meet at least one of its triangles.
     let within = u >= -1e-12 && v >= -1e-12 && u + v <= 1.0 + 1e-12 && far >= 0.0;
     within.then(|| {
         let w = DVec3::new(1.0 - u - v, u, v).max(DVec3::ZERO);
@@ -429,7 +431,7 @@ mod tests {
                 let weights = found.weights(&mesh);
                 assert!(weights.min_element() > -1e-9);
             }
-            // At a vertex all its triangles are as near.
+            // At a vertex all its triangles are equally near.
             for (v, &p) in mesh.positions().iter().enumerate() {
                 let first = mesh.fan(v as u32).map(|(t, _)| t).min().unwrap();
                 assert_eq!(search.closest(&mesh, p).triangle, first);

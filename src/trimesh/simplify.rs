@@ -1,29 +1,31 @@
-//! A surface with fewer triangles: cells are packed on it, and brought to the full one by a [`super::Search`]
+//! Simplifies a surface. Cells are packed on the simpler one, and brought to the full one by a [`super::Search`]
 //! (Itoh, Miyata, Shimada 2003, section 5).
 //!
-//! The new vertex of an edge lies where it is least off the planes around. An edge goes only where the surface stays
-//! what it is (its ends have no other neighbours in common than those across it: Dey, Edelsbrunner, Guha, Nekhayev 1999)
-//! and where no triangle turns over; borders stay borders and keep their shape.
+//! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics: edges collapse to a vertex one after
+//! the other, each time the one of least cost. An edge may collapse only where the surface keeps its topology (its
+//! ends have no common neighbours but those opposite it: Dey, Edelsbrunner, Guha, Nekhayev 1999) and where no
+//! triangle turns over. Borders stay borders and keep their shape. Edges of equal cost go by number.
 
 use super::{MeshBuilding, NONE, TriMesh};
 use crate::solid::{Collapse, LENGTH, Quadric};
 use glam::DVec3;
 
-/// Planes across the surface along its border count so many times the square of the edge.
+/// Weight of the planes that stand on the border, in squares of the edge.
 const BORDER: f64 = 10.0;
-/// How much a new vertex is held in the middle of its edge, as a part of the weights.
+/// The pull of a new vertex towards the middle of its edge, as parts of the weights; the second one is tried if the
+/// first one fails.
 const HOLDS: [f64; 2] = [1e-8, 1e-2];
-/// Cosine of how far a triangle may turn.
+/// The least cosine of the angle by which a triangle may turn.
 const TURN: f64 = 0.3;
-/// The least quality of a triangle, which is 1 for an equilateral one, unless it was less before.
+/// The least quality of a triangle (1 for an equilateral one), unless it was less before.
 const LEAST_QUALITY: f64 = 0.15;
-/// Triangles to begin with, and edges to go, of a slice.
+/// In a slice: triangles of the preparation, and edges to collapse.
 const SLICE: usize = 1 << 14;
 const EDGES: usize = 1 << 10;
 
-/// A surface losing triangles.
+/// A surface that is being simplified.
 pub struct Simplifying {
-    /// About the first vertex: sums about a near place lose less.
+    /// Coordinates are relative to the first vertex: sums about a near place lose fewer digits.
     origin: DVec3,
     collapse: Collapse,
     is_border: Vec<bool>,
@@ -31,7 +33,7 @@ pub struct Simplifying {
     at: usize,
     left: usize,
     most: usize,
-    /// The most that the mean square of the distances to the old planes may become.
+    /// The greatest mean square of the distances to the old planes that is allowed.
     limit: f64,
     mesh: TriMesh,
     building: Option<MeshBuilding>,
@@ -45,12 +47,12 @@ enum Stage {
     Build,
 }
 
-/// A triangle that has gone.
+/// A removed triangle.
 const GONE: [u32; 3] = [NONE; 3];
 
 impl Simplifying {
-    /// Until at most so many triangles are left, or none can go without moving the surface by more than `error`, about,
-    /// in its units; that may be infinite.
+    /// Simplifies until at most `most` triangles are left, or until each further collapse would move the surface by
+    /// more than about `error`, in its units. `error` may be infinite.
     pub fn new(mesh: TriMesh, most: usize, error: f64) -> Self {
         let origin = mesh.positions().first().copied().unwrap_or_default();
         let places = mesh.positions().iter().map(|&p| p - origin);
@@ -68,7 +70,7 @@ impl Simplifying {
         }
     }
 
-    /// Works on some more; the new surface when it is done.
+    /// Does one more slice; returns the new surface when it is done.
     pub fn advance(&mut self) -> Option<TriMesh> {
         let count = self.collapse.triangles.len();
         let range = self.at..count.min(self.at + SLICE);
@@ -95,13 +97,13 @@ impl Simplifying {
                     self.stage = Stage::Build;
                 }
             }
-            // Of a mesh comes a mesh.
+            // Collapses keep a mesh valid, so there is no fault.
             Stage::Build => return self.building.as_mut()?.advance()?.ok(),
         }
         None
     }
 
-    /// All of it at once.
+    /// Does all the work at once.
     pub fn finish(mut self) -> TriMesh {
         loop {
             if let Some(mesh) = self.advance() {
@@ -110,7 +112,7 @@ impl Simplifying {
         }
     }
 
-    /// Adds a triangle to its corners, and planes along the border.
+    /// Adds the plane of a triangle to its corners, and upright planes along the border.
     fn weigh(&mut self, t: usize) {
         let triangle = self.collapse.triangles[t];
         let [a, b, c] = self.corners(triangle);
@@ -135,7 +137,7 @@ impl Simplifying {
     fn offer_edges(&mut self, t: usize) {
         let [a, b, c] = self.collapse.triangles[t];
         for (k, [from, to]) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
-            // Once for both triangles.
+            // Offer an inner edge once, not from both of its triangles.
             if from < to || self.mesh.across(t as u32, k).is_none() {
                 self.offer(from, to);
             }
@@ -162,7 +164,7 @@ impl Simplifying {
         sum
     }
 
-    /// Where the one vertex comes that an edge becomes: inner ones go to the border.
+    /// The place of the vertex that an edge becomes. If one end lies on the border, it is that end.
     fn place(&self, ends: [u32; 2]) -> DVec3 {
         let [p, q] = self.corners(ends);
         match ends.map(|v| self.is_border[v as usize]) {
@@ -172,13 +174,14 @@ impl Simplifying {
         }
         let middle = 0.5 * (p + q);
         let sum = self.sum(ends);
-        // Where planes meet far away, they are nearly one: then across them only.
+        // Nearly parallel planes meet far away: then the pull is made stronger, so that the vertex moves only across
+        // them.
         let is_near = |place: &DVec3| (*place - middle).length_squared() < (p - q).length_squared();
         let lowest = HOLDS.map(|hold| sum.lowest(middle, hold));
         lowest.into_iter().find(is_near).unwrap_or(middle)
     }
 
-    /// Takes the next edge, if it can go; false where there is no more to do.
+    /// Collapses the next edge, if it may; false when there is nothing more to do.
     fn next(&mut self) -> bool {
         if self.left <= self.most.max(4) {
             return false;
@@ -200,7 +203,7 @@ impl Simplifying {
         true
     }
 
-    /// The vertices beside one.
+    /// The neighbours of a vertex.
     fn beside(&self, v: u32) -> Vec<u32> {
         let mut all: Vec<u32> = Vec::with_capacity(12);
         for (_, triangle) in self.collapse.living(v) {
@@ -220,14 +223,14 @@ impl Simplifying {
             .filter(|(_, t)| t.contains(&b))
             .count();
         let is_border = [a, b].map(|v| self.is_border[v as usize]);
-        // An edge between two borders, or two places of one.
+        // The edge joins two borders, or two places of one border.
         if shared == 0 || (is_border == [true, true] && shared == 2) {
             return false;
         }
         let beside = self.beside(b);
         let common = self.beside(a).into_iter().filter(|v| beside.contains(v));
         let common: Vec<u32> = common.collect();
-        // Each of these loses a triangle.
+        // The collapse takes a triangle from each of these.
         let has_enough = |&v: &u32| {
             let least = if self.is_border[v as usize] { 2 } else { 4 };
             self.collapse.living(v).nth(least - 1).is_some()
@@ -283,7 +286,7 @@ impl Simplifying {
     }
 }
 
-/// Area over the squares of the sides, 1 for an equilateral triangle.
+/// Area over the squares of the sides, scaled to 1 for an equilateral triangle.
 fn quality([p, q, r]: [DVec3; 3], across: DVec3) -> f64 {
     let sides = (q - p).length_squared() + (r - q).length_squared() + (p - r).length_squared();
     if sides == 0.0 {
@@ -292,7 +295,7 @@ fn quality([p, q, r]: [DVec3; 3], across: DVec3) -> f64 {
     2.0 * 3f64.sqrt() * across.length() / sides
 }
 
-/// The same of a triangle as it was: what was worse may be a little worse.
+/// The least quality for a triangle that replaces `old`: it may be a little worse than it was.
 fn quality_of(old: [DVec3; 3], across: DVec3) -> f64 {
     0.9 * quality(old, across)
 }

@@ -1,6 +1,6 @@
-//! Sorting long lists, some of the work at a time.
+//! Sorts long lists in slices.
 
-/// Entries of a slice.
+/// Entries in a slice.
 const SLICE: usize = 1 << 18;
 /// Bits of a digit.
 const BITS: u32 = 11;
@@ -11,7 +11,7 @@ const BITS: u32 = 11;
 pub(super) struct Sorting {
     entries: Vec<(u64, u32)>,
     sorted: Vec<(u64, u32)>,
-    /// Of each digit's value, how many entries have it, and then where the next one goes.
+    /// For each value of a digit, how many entries have it; then where the next of them goes.
     places: Vec<u32>,
     shift: u32,
     at: usize,
@@ -34,7 +34,7 @@ impl Sorting {
         (key >> self.shift) as usize & ((1 << BITS) - 1)
     }
 
-    /// Works on some more; the sorted list when it is done.
+    /// Does one more slice; returns the sorted list when it is done.
     pub fn advance(&mut self) -> Option<Vec<(u64, u32)>> {
         let count = self.entries.len();
         let end = count.min(self.at + SLICE);
@@ -52,7 +52,7 @@ impl Sorting {
             return None;
         }
         self.at = 0;
-        // Where all have the same digit, they are in order.
+        // If all entries have the same digit, they are in order already.
         let alike = self.places.iter().any(|&n| n as usize == count);
         if !self.counted && !alike {
             self.counted = true;

@@ -1,15 +1,15 @@
-//! Triangles as files have them.
+//! Triangles as they stand in files.
 
 use glam::DVec3;
 
-/// Places, and triangles between them; nothing about them is promised.
+/// Vertices and triangles between them; nothing about them is checked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Soup {
-    /// Where vertices are, in the file's units.
+    /// The vertices, in the file's units.
     pub positions: Vec<DVec3>,
-    /// The vertices of each triangle.
+    /// The three vertices of each triangle.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// No model may have more triangles.
+/// The most triangles of a model.
 pub const MOST_TRIANGLES: usize = 2_000_000;

@@ -1,4 +1,4 @@
-//! Meshes to try things on.
+//! Triangle soups for tests.
 
 use super::TriMesh;
 use crate::random::{Purpose, Random};
@@ -12,12 +12,12 @@ pub fn mesh((positions, triangles): Soup) -> TriMesh {
     TriMesh::new(positions, triangles).expect("a mesh")
 }
 
-/// Random numbers, the same ones for the same seed.
+/// Random numbers that depend on the seed alone.
 pub fn chance(seed: u64) -> Random {
     Random::new(seed, Purpose::Scatter, 0)
 }
 
-/// Points of a grid of so many squares, each cut in two, one way here and the other there.
+/// A grid of `across` times `up` squares, each cut in two along alternating diagonals.
 pub fn grid(across: u32, up: u32, place: impl Fn(f64, f64) -> DVec3) -> Soup {
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     for j in 0..=up {
@@ -40,7 +40,7 @@ pub fn grid(across: u32, up: u32, place: impl Fn(f64, f64) -> DVec3) -> Soup {
     (positions, triangles)
 }
 
-/// A flat square of side 1 in the plane y = 0, seen from above, of so many irregular squares along a side.
+/// A flat square of side 1 in the plane y = 0, facing up, with `squares` irregular squares along a side.
 pub fn flat(squares: u32) -> Soup {
     let (mut positions, triangles) = grid(squares, squares, |u, v| DVec3::new(u, 0.0, -v));
     let mut chance = chance(5);
@@ -57,11 +57,11 @@ pub fn flat(squares: u32) -> Soup {
     (positions, triangles)
 }
 
-/// Joins vertices at one place, to the bit.
+/// Joins vertices whose positions are equal to the bit.
 pub fn joined((positions, triangles): Soup) -> Soup {
     let (mut places, mut kept) = (HashMap::new(), Vec::new());
     let number = positions.iter().map(|p| {
-        // Without the sign of 0.
+        // Adding 0 turns -0 into 0.
         let key = (*p + DVec3::ZERO).to_array().map(f64::to_bits);
         *places.entry(key).or_insert_with(|| {
             kept.push(*p);
@@ -75,7 +75,7 @@ pub fn joined((positions, triangles): Soup) -> Soup {
     (kept, triangles)
 }
 
-/// Each triangle with vertices of its own.
+/// Gives each triangle vertices of its own.
 pub fn apart((positions, triangles): &Soup) -> Soup {
     let all = triangles.iter().flatten().map(|&v| positions[v as usize]);
     let count = triangles.len() as u32;
@@ -83,7 +83,7 @@ pub fn apart((positions, triangles): &Soup) -> Soup {
     (all.collect(), numbers.collect())
 }
 
-/// A ring of radius 1 and `thin` around the y axis, of so many facets.
+/// A torus of radii 1 and `thin` around the y axis, with these numbers of facets.
 pub fn torus(around: u32, across: u32, thin: f64) -> Soup {
     let angle = |k: u32, n: u32| TAU * f64::from(k % n) / f64::from(n);
     let mut soup = (Vec::new(), Vec::new());
@@ -106,7 +106,7 @@ pub fn torus(around: u32, across: u32, thin: f64) -> Soup {
     soup
 }
 
-/// A ball of radius 1, of an octahedron whose triangles are cut in four so many times.
+/// The unit ball: an octahedron whose triangles are cut in four, `steps` times.
 pub fn ball(steps: u32) -> Soup {
     let axes = [DVec3::X, DVec3::Y, DVec3::Z];
     let mut positions: Vec<DVec3> = axes.into_iter().chain(axes.map(|v| -v)).collect();
@@ -147,7 +147,7 @@ pub fn blob(steps: u32) -> Soup {
     (positions, triangles)
 }
 
-/// All vertices moved by chance, by at most so much along each axis.
+/// Moves all vertices at random, by at most `most` along each axis.
 pub fn noisy((mut positions, triangles): Soup, most: f64) -> Soup {
     let mut chance = chance(7);
     for p in &mut positions {
@@ -156,7 +156,8 @@ pub fn noisy((mut positions, triangles): Soup, most: f64) -> Soup {
     (positions, triangles)
 }
 
-/// The outside of unit cubes at whole places, each square of it of so many squares. Cubes may touch in squares only.
+/// The outside of unit cubes at integer places, with `squares` times `squares` squares to a face. Cubes may share
+/// whole faces only.
 pub fn cubes(at: &[[i32; 3]], squares: u32) -> Soup {
     let mut soup: Soup = (Vec::new(), Vec::new());
     for &cube in at {
@@ -202,7 +203,7 @@ pub fn cube(squares: u32) -> Soup {
     cubes(&[[0; 3]], squares)
 }
 
-/// The side of a prism of height 2 and so many facets, open at both ends, with corners at distance 1 from the y axis.
+/// The side of a prism of height 2, open at both ends, with its corners at distance 1 from the y axis.
 pub fn tube(facets: u32, rows: u32) -> Soup {
     let soup = grid(facets, rows, |u, v| {
         let k = (u * f64::from(facets)).round() % f64::from(facets);
@@ -212,7 +213,7 @@ pub fn tube(facets: u32, rows: u32) -> Soup {
     joined(soup)
 }
 
-/// Hilly ground as a scanner sees it: noisy, open, without some of its triangles.
+/// Hilly ground as from a scanner: noisy, open, and with triangles missing.
 pub fn scan(squares: u32) -> Soup {
     let hills = |u: f64, v: f64| 0.1 * libm::sin(5.0 * u) * libm::cos(4.0 * v);
     let soup = grid(squares, squares, |u, v| DVec3::new(u, hills(u, v), -v));

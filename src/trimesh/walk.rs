@@ -1,32 +1,32 @@
-//! Walking over a surface, straight on.
+//! Straightest paths over a surface.
 
 use super::frame::rotated;
 use super::{SurfacePoint, TriMesh, Turn};
 use glam::{DVec2, DVec3};
 
-/// Where a walk has led.
+/// The result of a walk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Walked {
     /// Its end.
     pub to: SurfacePoint,
-    /// Carries vectors of the frame at its start into that at its end, along the way.
+    /// Carries vectors of the frame at the start into the frame at the end, along the path.
     pub turn: Turn,
-    /// It met the border, and went on along it.
+    /// Whether it met the border and went on along it.
     pub slid: bool,
 }
 
 /// The most edges that a walk crosses.
 const MOST_EDGES: usize = 10_000;
-/// What is left of a step that has come to its end, as a share of it.
+/// A step has come to its end when less than this share of it is left.
 const END: f64 = 1e-12;
-/// At a corner the border turns a walk aside at most so many times.
+/// The most times that the border may turn a walk aside at a corner.
 const MOST_SLIDES: usize = 3;
 
 impl TriMesh {
-    /// Goes from a point by a vector of its frame, triangle by triangle: over each edge the rest of the way is turned
-    /// about it into the next triangle's plane (the straightest path: Polthier, Schmies 1998, Straightest Geodesics on
-    /// Polyhedral Surfaces). At the border it goes on along it, as far as it leads that way. A vector that is not
-    /// finite leads nowhere.
+    /// Goes from a point along a vector of its frame, triangle by triangle. Over each edge the rest of the path is
+    /// turned about the edge into the next triangle's plane (the straightest path: Polthier, Schmies 1998,
+    /// Straightest Geodesics on Polyhedral Surfaces). At the border the walk goes on along it, by the part of the
+    /// vector along the border. A vector that is not finite leads nowhere.
     pub fn walk(&self, from: &SurfacePoint, by: DVec2) -> Walked {
         let length = by.length_squared();
         if !(length > 0.0 && length.is_finite()) {
@@ -40,7 +40,7 @@ impl TriMesh {
         let slid = walker.go(length);
         let weights = walker.weights();
         let to = SurfacePoint::new(self, walker.triangle, weights);
-        // What the way's direction was at its start, and has become at its end, tells the turn.
+        // The turn takes the path's direction at its start to that at its end.
         let end = to
             .frame()
             .within(rotated(walker.heading, walker.normal, to.normal));
@@ -54,19 +54,19 @@ impl TriMesh {
     }
 }
 
-/// On its way it keeps to barycentric weights: they are 0 on an edge, to the bit, and never lead out of a triangle.
-/// Lengths are parts of the whole step, so no root is taken from edge to edge.
+/// The state of a walk. The place is kept as barycentric weights: they are exactly 0 on an edge and never lead out of
+/// a triangle. Lengths are parts of the whole step, so crossing an edge needs no square root.
 struct Walker<'a> {
     mesh: &'a TriMesh,
     triangle: u32,
-    /// Of the triangle's plane.
+    /// The normal of the triangle's plane.
     normal: DVec3,
     weights: [f64; 3],
     /// The whole step, in the triangle's plane.
     heading: DVec3,
-    /// The same in the frame at the start, carried along.
+    /// The whole step in the frame at the start, carried along.
     ahead: DVec2,
-    /// The corner across the edge just come over, which is not crossed again at once.
+    /// The corner opposite the edge just crossed: that edge is not crossed back at once.
     behind: usize,
 }
 
@@ -89,7 +89,7 @@ impl<'a> Walker<'a> {
         weights / (weights.x + weights.y + weights.z)
     }
 
-    /// Goes a step whose length has this square; true where it met the border.
+    /// Goes a step whose length has this square; true if it met the border.
     fn go(&mut self, length: f64) -> bool {
         let (mut left, mut slid, mut slides) = (1.0, false, 0);
         for _ in 0..MOST_EDGES {
@@ -123,7 +123,8 @@ impl<'a> Walker<'a> {
         slid
     }
 
-    /// How fast the weights change on the way, and the corner whose weight is the first to be 0, and when.
+    /// How fast the weights change along the path; and the corner whose weight first becomes 0, with the length until
+    /// then.
     fn rates(&self) -> ([f64; 3], Option<(usize, f64)>) {
         let [a, b, c] = self.mesh.corners(self.triangle);
         let (e, f) = (b - a, c - a);
@@ -131,7 +132,7 @@ impl<'a> Walker<'a> {
         let across = self.heading.cross(cross) / cross.length_squared();
         let (at_b, at_c) = (-f.dot(across), e.dot(across));
         let rates = [-at_b - at_c, at_b, at_c];
-        // Slower is along the edge.
+        // A slower rate counts as a path along the edge.
         let least = -1e-14 * (at_b.abs() + at_c.abs());
         let mut exit: Option<(usize, f64)> = None;
         for (k, &rate) in rates.iter().enumerate() {
@@ -145,14 +146,14 @@ impl<'a> Walker<'a> {
         (rates, exit)
     }
 
-    /// From one end of an edge to the other.
+    /// The vector from one end of an edge to the other.
     fn along(&self, edge: usize) -> DVec3 {
         let corners = &self.mesh.triangles()[self.triangle as usize];
         let positions = self.mesh.positions();
         positions[corners[(edge + 1) % 3] as usize] - positions[corners[edge] as usize]
     }
 
-    /// Into the next triangle, with the heading turned about the edge.
+    /// Goes over an edge into the next triangle and turns the heading about the edge.
     fn cross(&mut self, edge: usize, next: u32, entered: usize) {
         let along = self.along(edge);
         let normal = self.mesh.face_normal(next);
@@ -168,7 +169,7 @@ impl<'a> Walker<'a> {
         self.behind = (entered + 2) % 3;
     }
 
-    /// On along the border, as much of the way as leads along it; false where none does.
+    /// Goes on along the border, by the part of the rest that leads along it; false if no part does.
     fn slide(&mut self, edge: usize, length: f64) -> bool {
         let along = self.along(edge);
         let whole = self.heading.length_squared();

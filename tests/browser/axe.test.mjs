@@ -4,7 +4,6 @@ import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { targetDir } from '../../scripts/lib/rust.mjs';
-import { specimenSite } from '../../scripts/lib/site.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { phone } from './page.mjs';
@@ -12,8 +11,6 @@ import { enter, states } from './states.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
-/** @type {Awaited<ReturnType<typeof open>>} */
-let several;
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
@@ -37,13 +34,9 @@ const screensOf = (/** @type {string} */ state, /** @type {number} */ turn) => (
 before(async () => {
   mkdirSync(pictures, { recursive: true });
   site = await open();
-  several = await open({ files: specimenSite, beside: site });
 });
 
-after(async () => {
-  await several?.close();
-  await site?.close();
-});
+after(() => site?.close());
 
 /** The findings of axe with every rule of these tags, even those that are off by default. */
 async function findings(page) {
@@ -61,7 +54,7 @@ async function findings(page) {
 for (const [turn, [name, state]] of Object.entries(states).entries()) {
   for (const { name: screen, ...options } of screensOf(name, turn)) {
     test(`axe finds nothing: ${name}, ${screen}`, sameEverywhere, async () => {
-      const { page, close } = await enter(state.several ? several : site, state, options);
+      const { page, close } = await enter(site, state, options);
       await page.screenshot({ path: join(pictures, `${name}-${screen}.png`) });
       const { found, count } = await findings(page);
       // Behind a dialog, or with the picture alone, few rules apply.

@@ -21,10 +21,11 @@ import { browsers, findBrowser } from '../../scripts/lib/browser.mjs';
 export const kind = process.env.BROWSER === 'firefox' ? 'firefox' : 'chromium';
 
 /**
- * Marks tests of what the module or the page's scripts work out by themselves: Chromium answers for all browsers. Never marked
- * is what browsers do in ways of their own: how the page is laid out and drawn, focus, keys, pointers and fingers, the clipboard,
- * storage, the way back, files that are handed over, workers, the service worker, what the system asks for; and the digests.
- * One test of each of these for a part of the page is enough: further ones are marked.
+ * Marks tests of results that the module or the page's scripts compute themselves: they are the same in every
+ * browser, so Chromium is enough. Tests of the browser's own work are never marked: layout and drawing, focus, keys,
+ * pointers and fingers, the clipboard, storage, history, files, workers, the service worker, and the system's
+ * settings. Tests of digests are not marked either. One unmarked test of each kind is enough for a part of the page;
+ * further ones are marked.
  */
 export const sameEverywhere = { skip: kind !== 'chromium' && 'the same scripts work it out in every browser' };
 
@@ -44,7 +45,7 @@ const chromiumFlags = [
   '--disable-renderer-backgrounding',
 ];
 
-/** Firefox reads from preferences what Chromium is given per page. @param {System} system */
+/** Firefox takes from its preferences the settings that Chromium takes for each page. @param {System} system */
 const firefoxPreferences = ({ dark, still, touch }) => ({
   'ui.systemUsesDarkTheme': dark ? 1 : 0,
   'ui.prefersReducedMotion': still ? 1 : 0,
@@ -57,8 +58,8 @@ const firefoxPreferences = ({ dark, still, touch }) => ({
 });
 
 /**
- * Removes a folder. Some processes of a browser end a little after it, and write new files while the old ones are removed. A
- * rest after a minute is not worth a failure.
+ * Removes a folder. Some processes of a browser end a little later than it, and write new files while the old ones
+ * are removed. After a minute the rest is left: it is not worth a failure.
  * @param {string} folder
  */
 async function remove(folder) {
@@ -117,7 +118,7 @@ export async function blankPage(browser, { dark, still }) {
   return { page, close: () => context.close() };
 }
 
-/** Lets a page read the clipboard; Firefox allows that to all pages. @param {Page} page @param {string} origin */
+/** Lets a page read the clipboard. Firefox allows it to all pages. @param {Page} page @param {string} origin */
 export async function allowClipboard(page, origin) {
   if (kind === 'firefox') return;
   await page.browserContext().overridePermissions(origin, ['clipboard-read', 'clipboard-write', 'clipboard-sanitized-write']);

@@ -1,6 +1,5 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { specimenSite } from '../../scripts/lib/site.mjs';
 import { open } from './harness.mjs';
 import { all, digest, edit, SMALL } from './page.mjs';
 
@@ -8,7 +7,7 @@ import { all, digest, edit, SMALL } from './page.mjs';
 let site;
 
 before(async () => {
-  site = await open({ files: specimenSite });
+  site = await open();
 });
 
 after(() => site?.close());

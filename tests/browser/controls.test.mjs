@@ -30,7 +30,7 @@ const NEEDS = {
   flow: 'stone=skin&sc=1.5&dir=constant&strokes=0.9,0.5,0.1,0.5',
 };
 
-// Values that surely differ. Half the way to the end, the usual one, may not.
+// Values that surely differ; the usual choice, halfway to the end, might not.
 const OTHER = { cs: '21', on: '7', seed: '7', size: '256' };
 
 /** A value other than this one. */

@@ -1,4 +1,5 @@
-// The page's own words in this browser. All presets are compared natively and, once, with the module as it is sent under Node.
+// The page's own digests in this browser. All presets are compared natively and, once, with the shipped module under
+// Node.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { digests, frames, varied } from '../common/golden.mjs';

@@ -180,7 +180,7 @@ test('a film of the forming loops from the finished picture to the finished pict
 });
 
 test('a film of the turntable goes round once, and loops', sameEverywhere, async () => {
-  // Saved as an animation, which has a third of the frames.
+  // The film is saved as an animation, which has a third of the frames.
   const { page, problems, close } = await opened('#size=128&cs=26&camera=20,50', { films: false });
   await digest(page);
   await page.waitForSelector('#sheet[data-turn=fine]');

@@ -61,7 +61,7 @@ test('single keys work anywhere but where they are text', async () => {
   const does = () => page.$eval('#play', (button) => button.textContent.trim());
   await page.keyboard.press('r');
   assert.equal(await does(), 'Pause');
-  // Started again and paused at once, however long the checks took: the packing lasts only two seconds.
+  // Starts again and pauses at once, because the packing lasts only two seconds, and the checks may take longer.
   await page.keyboard.press('r');
   await page.keyboard.press(' ');
   assert.equal(await does(), 'Play');

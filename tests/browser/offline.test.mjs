@@ -13,7 +13,7 @@ import { handed } from './saved.mjs';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
-// Each test has its own host, whose requests it counts. All use one browser.
+// Each test has a host of its own, whose requests it counts. All use one browser.
 /** @type {Awaited<ReturnType<typeof open>>} */
 let beside;
 

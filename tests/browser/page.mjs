@@ -9,6 +9,9 @@ export const SMALL = '#size=192&cs=16';
 /** The same in a square. */
 export const SQUARE = `${SMALL}&outline=square`;
 
+/** Some stones on a ball. */
+export const BALL = '#v=1&make=surface&form=sphere&size=128&cn=60';
+
 export const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 /** The digest of the planes, once they are done. @param {Page} page @returns {Promise<string>} */

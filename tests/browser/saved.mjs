@@ -1,4 +1,4 @@
-// What the page saves, opened by the tests.
+// Opens the files that the page saves.
 import assert from 'node:assert/strict';
 import { unzipSync } from 'fflate';
 import { click, SMALL } from './page.mjs';
@@ -7,12 +7,12 @@ import { click, SMALL } from './page.mjs';
 /** @typedef {import('puppeteer-core').Page} Page */
 /** @typedef {Window & { saved?: { name: string, blob: Blob } | undefined }} Keeping */
 
-/** A page that keeps the files it hands over. @param {Site} site @param {string} [fragment] */
+/** A page that records the files that it hands over. @param {Site} site @param {string} [fragment] */
 export async function opened(site, fragment = SMALL) {
   return site.newPage(fragment, { before: (fresh) => fresh.evaluateOnNewDocument(keeping) });
 }
 
-/** Runs in the page: keeps the files that it hands over. */
+/** Runs in the page: records the files that it hands over. */
 export function keeping() {
   const page = /** @type {Keeping} */ (window);
   /** @type {Map<string, any>} */
@@ -28,13 +28,13 @@ export function keeping() {
   };
 }
 
-/** Opens the dialog of all that can be saved. @param {Page} page */
+/** Opens the dialog for saving. @param {Page} page */
 export async function dialog(page) {
   await click(page, '#save');
   await page.waitForSelector('#save-dialog[open]');
 }
 
-/** Chooses of the dialog's lists. @param {Page} page @param {Record<string, string>} chosen values by ids */
+/** Chooses values in the dialog's lists. @param {Page} page @param {Record<string, string>} chosen values by ids */
 export async function choose(page, chosen) {
   for (const [id, value] of Object.entries(chosen)) {
     await page.$eval(
@@ -49,10 +49,12 @@ export async function choose(page, chosen) {
 }
 
 /**
- * Does what makes a file, and waits until the page hands it over. Fails with the page's own sentence where the page refuses.
+ * Runs an action that makes a file, and waits until the page hands the file over. Fails with the page's own sentence
+ * if the page refuses.
  * @param {Page} page
  * @param {() => Promise<unknown>} act
- * @param {string} what the name in `window` that the file is kept by, or a selector of what offers it
+ * @param {string} what the property of `window` that will hold the file, or a selector of the element that will offer
+ * it
  */
 export async function handed(page, act, what = 'saved') {
   await page.evaluate((name) => {
@@ -72,7 +74,12 @@ export async function handed(page, act, what = 'saved') {
   assert.deepEqual(await end.jsonValue(), { refused: '' });
 }
 
-/** Clicks a button of the dialog; answers the file's name and bytes. @param {Page} page @param {string} button @param {Record<string, string>} [chosen] */
+/**
+ * Clicks a button of the dialog. Returns the file's name and bytes.
+ * @param {Page} page
+ * @param {string} button
+ * @param {Record<string, string>} [chosen]
+ */
 export async function saved(page, button, chosen = {}) {
   await dialog(page);
   await choose(page, chosen);
@@ -90,5 +97,5 @@ export async function saved(page, button, chosen = {}) {
   return { name, bytes: new Uint8Array(Buffer.from(text.slice(text.indexOf(',') + 1), 'base64')) };
 }
 
-/** What is in a zip file. @param {{ bytes: Uint8Array }} file */
+/** The content of a ZIP file. @param {{ bytes: Uint8Array }} file */
 export const files = ({ bytes }) => unzipSync(bytes);

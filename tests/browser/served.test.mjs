@@ -1,4 +1,4 @@
-// What `npm start` serves: every part of the page that is loaded late comes, with its styles, and without an error.
+// The site as `npm start` serves it: every lazy part of the page loads, with its styles and without an error.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { filesOf, firstOf } from '../../scripts/lib/offline.mjs';
@@ -25,13 +25,13 @@ async function visit(query, language = 'en') {
   return opened;
 }
 
-/** Has the picture painted finer, which the tests have turned off. */
+/** Turns the fine picture on, which is off in tests. */
 async function fine(page) {
   await click(page, '#layers-button');
   await click(page, '#fine');
 }
 
-/** What a part gives, and a style that the page has from that part only; `close` puts it out of the way. */
+/** The element that a part adds, and styles that only this part gives it; `close` is clicked to hide the part again. */
 const parts = [
   { name: 'zoom', act: (page) => click(page, '#zoom-in'), of: '.walk svg', styles: { position: 'absolute' }, close: '#zoom-fit' },
   { name: 'light', act: (page) => click(page, '#light-button'), of: '.light-layer', styles: { position: 'absolute', top: '0px' }, close: '#light-button' },
@@ -89,7 +89,7 @@ test('every part that is loaded late comes, with its styles', async () => {
   assert.deepEqual(japanese.problems, []);
   await japanese.close();
   const first = firstOf(dist);
-  // A film takes long: film.test.mjs has one made.
+  // A film takes long; film.test.mjs makes one.
   const late = filesOf(dist).filter((path) => path.startsWith('assets/') && !first.includes(path) && !/\/(film|turn-film|encoder)-/.test(path));
   assert.deepEqual(late.filter((path) => !site.requests.includes(path)), [], 'not asked for');
 });
@@ -100,7 +100,7 @@ test('the page leads to the licences of all packages in it', sameEverywhere, asy
   const answer = await fetch(address);
   assert.equal(answer.headers.get('content-type'), 'text/plain; charset=utf-8');
   const text = await answer.text();
-  // One of the page's own bundle, one of a worker's, and one inside another package.
+  // The file names a package of the page's bundle, one of a worker's, and one inside another package.
   for (const words of [/^uplot [\d.]+, MIT\nSource: https:/m, /^mediabunny [\d.]+, MPL-2\.0\nSource: https:.*\n\nMozilla Public License Version 2\.0/m, /^htmlparser2 [\d.]+, MIT/m]) assert.match(text, words);
   await close();
 });

@@ -1,12 +1,9 @@
-// Several generators on one page: the choice between them, and the keys and parts of each. The second module of this site has
-// a specimen.
+// Several generators on one page: the choice between them, and the keys and parts of each.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { specimenSite } from '../../scripts/lib/site.mjs';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, frames, phone, SMALL } from './page.mjs';
-import { SQUARES } from './states.mjs';
+import { BALL, click, digest, frames, phone, SMALL } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -14,7 +11,7 @@ import { SQUARES } from './states.mjs';
 let site;
 
 before(async () => {
-  site = await open({ files: specimenSite });
+  site = await open();
 });
 
 after(() => site?.close());
@@ -35,21 +32,21 @@ test('a generator without a part of the page has no keys of it, and what was ope
   const all = await listed(page);
   await page.keyboard.press('o');
   await page.waitForSelector('#layers', { visible: true });
-  await click(page, '.make[data-make=specimen]');
-  await page.waitForSelector('.make[data-make=specimen][aria-current]');
-  await digest(page);
+  await page.evaluate((fragment) => (location.hash = fragment), BALL);
+  await page.waitForSelector('.make[data-make=surface][aria-current]');
+  await page.waitForSelector('#sheet[data-turn=fine]');
   await page.waitForSelector('#layers', { hidden: true });
-  for (const key of ['e', 'o', 'g', 't', 'v', 'p']) await page.keyboard.press(key);
+  for (const key of ['e', 'o', 't', 'p']) await page.keyboard.press(key);
   // The next free key comes after them.
   await page.keyboard.press('l');
   await page.waitForSelector('#light-sun', { visible: true });
   await frames(page, 5);
   assert.equal(await page.$('.handle, #divider'), null);
-  assert.deepEqual(await page.$$eval('#editor, #layers, #turn, .tiles, #plots', (parts) => parts.filter((part) => part.checkVisibility()).map(({ id }) => id)), []);
+  assert.deepEqual(await page.$$eval('#editor, #layers, .tiles, #plots', (parts) => parts.filter((part) => part.checkVisibility()).map(({ id }) => id)), []);
   assert.equal(await page.$eval('#cells', (cells) => cells.checkVisibility()), false, 'a stop for Tab where there are no cells');
   const few = await listed(page);
   const gone = all.filter((row) => !few.includes(row));
-  assert.equal(gone.length, 17, String(gone));
+  assert.equal(gone.length, 16, String(gone));
   for (const row of few) assert.ok(all.includes(row), row);
   await click(page, '.make[data-make=pavement]');
   await page.waitForSelector('.make[data-make=pavement][aria-current]');
@@ -61,12 +58,12 @@ test('a generator without a part of the page has no keys of it, and what was ope
 });
 
 test('a link of a generator without cells opens with no stop for Tab on them', sameEverywhere, async () => {
-  const { page, close } = await site.newPage(SQUARES);
-  await digest(page);
+  const { page, close } = await site.newPage(BALL);
+  await page.waitForSelector('#sheet[data-turn=fine]');
   assert.equal(await page.$eval('#cells', (cells) => cells.checkVisibility()), false);
-  const { x, y, width } = await page.$eval('#canvas', (canvas) => canvas.getBoundingClientRect().toJSON());
+  const { x, y, width } = await page.$eval('#turn', (turn) => turn.getBoundingClientRect().toJSON());
   await page.mouse.move(x + width / 2, y + width / 2);
-  await page.waitForSelector('.cell-card');
+  await page.waitForSelector('.turn-card');
   assert.equal(await page.$eval('#cells', (cells) => cells.checkVisibility()), false, 'nor once the picture listens');
   await close();
 });

@@ -34,7 +34,7 @@ async function scanned(page) {
     picture.src = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(copy))}`;
     await picture.decode();
     const canvas = document.createElement('canvas');
-    // With a dark page around it.
+    // A dark page surrounds the code.
     canvas.width = Math.round(width) + 40;
     canvas.height = Math.round(height) + 40;
     const context = canvas.getContext('2d');

@@ -1,6 +1,6 @@
 // The main states of the page, and how to reach them. Tests check all of them.
 // Their pictures are in target/page-pictures/.
-import { all, digest, frames, message, SMALL, SQUARE } from './page.mjs';
+import { all, BALL, digest, frames, message, SMALL, SQUARE } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -11,7 +11,6 @@ import { all, digest, frames, message, SMALL, SQUARE } from './page.mjs';
  * @property {(fresh: Page) => Promise<unknown>} [before] runs before the page is opened
  * @property {(page: Page) => Promise<unknown>} [arrange] runs once the picture is done
  * @property {boolean} [few] most of the page is hidden, or behind a dialog
- * @property {boolean} [several] needs the site with a specimen
  * @property {boolean} [early] does not wait for the picture
  */
 
@@ -32,9 +31,6 @@ const opening = (selector, opened) => async (/** @type {Page} */ page) => {
 
 /** @param {(document: Document) => void} change */
 const change = (change) => (/** @type {Page} */ page) => page.evaluate(`(${change})(document)`);
-
-/** A few squares of the specimen. */
-export const SQUARES = '#v=1&make=specimen&size=192&across=5';
 
 /** @param {string} code */
 const speaking = (code) => (/** @type {Page} */ fresh) => fresh.evaluateOnNewDocument((word) => localStorage.setItem('bubblestone.language', word), code);
@@ -121,9 +117,7 @@ export const states = {
       await page.waitForSelector('#sheet[data-turn=fine]');
     },
   },
-  generators: { several: true },
-  squares: { several: true, fragment: SQUARES, before: speaking('ja') },
-  surface: { fragment: '#v=1&make=surface&form=sphere&size=128&cn=60&view=direction', arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
+  surface: { fragment: `${BALL}&view=direction`, arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
   about: { arrange: click('#about-button') },
 };
 

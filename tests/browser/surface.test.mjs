@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, click, digest, frames, get, link, phone, reloading, set, SMALL } from './page.mjs';
+import { all, BALL, click, digest, frames, get, link, phone, reloading, set, SMALL } from './page.mjs';
 import { dialog, opened, saved } from './saved.mjs';
 import { box, drag, spot } from './sheet.mjs';
 
@@ -17,9 +17,6 @@ before(async () => {
 });
 
 after(() => site?.close());
-
-/** Some stones on a ball. */
-const BALL = '#v=1&make=surface&form=sphere&size=128&cn=60';
 
 /** Waits until the wanted frame is shown as smoothly as possible, or in another state. @param {Page} page */
 const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`, { timeout: 60_000 });

@@ -17,8 +17,8 @@ export const frames = lines('frames.txt').map((line) => {
 });
 
 /**
- * Presets that use every choice of words that some preset uses, but of colours, patterns and outlines, or as many as this number of presets
- * can: for places where all would take too long.
+ * The names of a few presets, for places where all would take too long. Together they use every choice of words that
+ * some preset uses, except colours, patterns and outlines, or as many of these as `count` presets can.
  * @param {{ name: string, link: string }[]} presets
  * @param {number} [count]
  * @returns {Set<string>} their names

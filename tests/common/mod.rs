@@ -1,4 +1,4 @@
-//! Recipes of links, and their finished pictures.
+//! Recipes from links, and their finished pictures.
 
 // Each test program uses a part of these.
 #![allow(dead_code)]
@@ -10,14 +10,14 @@ use bubblestone::recipe::{Kind, Recipe};
 use bubblestone::studio::Studio;
 use glam::DVec2;
 
-/// The recipe of a link that nothing is wrong with.
+/// The recipe of a link without faults.
 pub fn recipe(link: &str) -> Recipe {
     let (recipe, notices) = ALL.recipe(link);
     assert!(notices.is_empty(), "{link}: {notices:?}");
     recipe
 }
 
-/// The finished picture of a link that nothing is wrong with.
+/// The finished picture of a link without faults.
 pub fn finished(link: &str) -> Studio {
     finish(Studio::new(ALL, recipe(link)))
 }
@@ -27,7 +27,7 @@ pub fn finished_recipe(recipe: &Recipe) -> Studio {
     finish(Studio::new(ALL, recipe.clone()))
 }
 
-/// The finished picture of a pavement's link, its skin with so many Loop steps more than it needs.
+/// The finished picture of a pavement's link, whose skin has this many more Loop steps than it needs.
 pub fn refined(link: &str, steps: i32) -> Studio {
     let recipe = recipe(link);
     let engine = Pavement::finer(&recipe, steps);
@@ -42,7 +42,7 @@ fn finish(mut studio: Studio) -> Studio {
     studio
 }
 
-/// A star-shaped polygon around the picture's middle: `radii` in parts of half of the side.
+/// A star-shaped polygon around the picture's middle; `radii` are fractions of half the side.
 pub fn star(side: f64, radii: &[f64]) -> Vec<DVec2> {
     let n = radii.len() as f64;
     radii
@@ -56,7 +56,7 @@ pub fn star(side: f64, radii: &[f64]) -> Vec<DVec2> {
         .collect()
 }
 
-/// What every recipe keeps: values within their limits and words of the schema.
+/// Asserts that values are within their limits, and words in the schema.
 pub fn valid(recipe: &Recipe) {
     for row in recipe.schema().rows {
         let (min, max) = recipe.limits(row);
@@ -78,13 +78,13 @@ pub fn valid(recipe: &Recipe) {
     assert!(notices.is_empty(), "{notices:?}");
 }
 
-/// A number of the environment, where there is one.
+/// A number from the environment, if it is set.
 pub fn wished(name: &str, otherwise: u64) -> u64 {
     let text = std::env::var(name).unwrap_or_default();
     text.parse().unwrap_or(otherwise)
 }
 
-/// One end of the range, or the other, or anything between.
+/// A random value: one end of the range, the other, or any value between.
 pub fn number(random: &mut Random, (min, max): (f64, f64)) -> f64 {
     match random.below(3) {
         0 => min,

@@ -1,4 +1,5 @@
-// The frames of the forming's film, before they are encoded, and their order in the file. `npm test -- 'wasm build' 'modules as sent'`.
+// The frames of the film of the forming, before they are encoded, and their order in the file. `npm test --
+// 'wasm build' 'modules as sent'`.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { fileURLToPath } from 'node:url';
@@ -13,7 +14,7 @@ let module;
 /** @type {any} */
 let frames;
 
-/** A canvas that remembers the names of what was drawn on it. */
+/** A canvas that records the hashes of the pictures drawn on it. */
 class Canvas {
   name = '';
 
@@ -65,7 +66,10 @@ for (const link of ['size=192&cs=16', 'size=192&cs=9&vs=0.4&stone=skin', 'size=1
   });
 }
 
-/** An encoder of the browser's kind that hands over frames in the order in which they are decoded: each third one before the two that it follows. */
+/**
+ * An encoder like those of some browsers: it delivers frames in the order of decoding. Each third frame comes before
+ * the two that precede it.
+ */
 class Encoder extends EventTarget {
   encodeQueueSize = 0;
   /** @type {{ timestamp: number, duration: number, type: string }[]} */

@@ -1,8 +1,8 @@
-// The page's module as it is sent: with what never runs taken out (scripts/lib/trim.mjs), optimised and packed. The other
-// tests of the crate run as cargo built it. A function that was taken out wrongly stops the module where it is called,
-// so here all is called that can be: by every parameter, view, file and notice that the module itself lists.
+// The page's module as it is shipped: without the functions that never run (scripts/lib/trim.mjs), optimised and
+// packed. Other tests use the module as cargo builds it. A function that was removed wrongly stops the module when it
+// is called, so these tests call everything: every parameter, view, file and notice that the module lists.
 //
-// `npm test -- 'wasm build' 'specimen build' 'modules as sent'`.
+// `npm test -- 'wasm build' 'modules as sent'`.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,7 +11,7 @@ import { pathToFileURL } from 'node:url';
 import lzma from 'lzma';
 import { all, Canvas, moduleIn } from '../../scripts/lib/headless.mjs';
 import { digests, frames, surfaces, varied } from '../common/golden.mjs';
-import { houseModule, packedHouse, packedModule, pageModule } from '../../scripts/lib/wasm.mjs';
+import { packedModule, packedWhole, pageModule, wholeModule } from '../../scripts/lib/wasm.mjs';
 
 /** @type {any} */
 let module;
@@ -32,7 +32,9 @@ const text = (path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf
 /** A small picture of few cells. */
 const SMALL = 'size=128&cs=14';
 
-/** Recipes that take every way through the drawings: each kind, an outline of several rings, and a tile. */
+/**
+ * Recipes that together reach all code of the drawings: each kind of cells, an outline of several rings, and a tile.
+ */
 const DRAWN = [
   SMALL,
   `${SMALL}&outline=plaza&kind=ellipse&ca=2&gx=0.4&lines=0.2,0.5,0.8,0.5&strokes=0.2,0.3,0.8,0.6`,
@@ -51,24 +53,24 @@ function finished(studio) {
   return studio;
 }
 
-/** The codes of all notices that the tests here have got. @type {Set<string>} */
+/** The codes of all notices that these tests have received. @type {Set<string>} */
 const said = new Set();
 
-/** Notes the codes of a notice, of its arguments, or of several. @param {any} what */
+/** Collects the codes of a notice, of its arguments, or of several notices. @param {any} what */
 function hear(what) {
   if (what === null || typeof what !== 'object') return;
   if (typeof what.code === 'string') said.add(what.code);
   Object.values(what).forEach(hear);
 }
 
-/** Every view: each base and each overlay alone, each overlay over each base, and all of them over one. */
+/** Every view: each base and each overlay alone, each overlay over each base, and all overlays over one base. */
 function views() {
   const [{ bases, overlays }] = module.generators();
   const over = bases.flatMap((/** @type {string} */ base) => overlays.map((/** @type {string} */ word) => `${base}+${word}`));
   return [...bases, ...overlays, ...over, `paper+${overlays.join('+')}`, `picture+${overlays.join('+')}`];
 }
 
-/** Draws what there is and asks for all that is told of it. @param {any} studio */
+/** Draws all views and calls all queries of a studio. @param {any} studio */
 function lookAt(studio) {
   const canvas = new Canvas();
   const side = studio.side();
@@ -90,7 +92,7 @@ function lookAt(studio) {
 /** The rows of parameters. @returns {any[]} */
 const rows = () => module.schema('pavement');
 
-/** Some text for a parameter, from one end of its range to the other. @param {any} row @returns {string[]} */
+/** Some texts for a parameter, from one end of its range to the other. @param {any} row @returns {string[]} */
 function textsFor({ kind, min, max, choices, key }) {
   if (kind === 'choice') return choices.map((/** @type {{ word: string }} */ { word }) => word);
   if (kind === 'text') return LISTS[key] ?? [];
@@ -114,7 +116,7 @@ test('every preset has the planes that it has natively', () => {
 });
 
 test('the module that makes all has the same planes, bodies and frames', async () => {
-  const all = await moduleIn(houseModule, unpacked(packedHouse));
+  const all = await moduleIn(wholeModule, unpacked(packedWhole));
   const presets = all.presets('pavement');
   const chosen = varied(presets);
   const golden = new Map(digests);
@@ -131,7 +133,7 @@ test('the first picture, a large one, and the largest painted anew take the memo
   const taken = (/** @type {string} */ link) => (own.digest_of_link(link), memory.buffer.byteLength / 2 ** 20);
   assert.ok(taken('') < 32);
   assert.ok(taken('size=1024') < 80);
-  // Painted anew, the largest picture is held twice for a while.
+  // When it is made again, the largest picture is in memory twice for a while.
   const studio = finished(new own.Bubblestone('size=2048'));
   studio.set('hs', '9');
   finished(studio).free();
@@ -144,7 +146,7 @@ test('what there is no memory for gets a sentence, and the picture stays', async
   const { memory } = own.initSync({ module: bytes });
   const studio = finished(new own.Bubblestone(SMALL));
   const digest = studio.digest();
-  // Of 1 GiB 300 MB are left.
+  // 300 MB of 1 GiB are left.
   memory.grow((2 ** 30 - 3e8 - memory.buffer.byteLength) >> 16);
   assert.equal(studio.pictureFile(64, '', 20).code, 'bad_scale');
   const large = finished(new own.Bubblestone('size=1024'));
@@ -192,7 +194,7 @@ test('every file is made', () => {
   }
 });
 
-/** Has all slices made. @param {() => any} slice @returns {number} the bytes of a file */
+/** Makes all slices of a file. @param {() => any} slice @returns {number} the bytes of a file */
 function bytesOf(slice) {
   for (let sum = 0; ; ) {
     const { parts, maps, done } = slice();
@@ -202,11 +204,12 @@ function bytesOf(slice) {
 }
 
 /**
- * Where a parameter does something: beside another one's word, or beside another value than its default.
- * @param {any} row @returns {string} as in a link
+ * The context in which a parameter has an effect: another parameter's word, or a value other than its default.
+ * @param {any} row
+ * @returns {string} as in a link
  */
 function besideWhat({ key, shownFor }) {
-  // The polygon chooses its outline itself.
+  // The polygon sets the outline itself.
   if (!shownFor || key === 'poly') return '';
   const other = rows().find((row) => row.key === shownFor.key);
   const value = shownFor.words[0] ?? textsFor(other).find((text) => text !== other.default);
@@ -265,7 +268,7 @@ test('cells flow while an outline is held, step by step, and begin again', () =>
 });
 
 test('bodies are turned, told and made step by step, and each step has its words', async () => {
-  const all = await moduleIn(houseModule, unpacked(packedHouse));
+  const all = await moduleIn(wholeModule, unpacked(packedWhole));
   const words = JSON.parse(text('../www/strings/turn.json'));
   for (const form of ['cobble', 'flag', 'skin']) {
     const studio = finished(new all.Bubblestone(`${SMALL}&outline=square&stone=${form}`));
@@ -300,10 +303,10 @@ test('bodies are turned, told and made step by step, and each step has its words
   }
 });
 
-/** Some 540,000 cells, as the outline goes far beyond the picture. */
+/** About 540,000 cells, because the outline reaches far beyond the picture. */
 const TOO_MANY = 'size=2048&cs=5&poly=-0.4,-0.4,1.4,-0.4,1.4,1.4,-0.4,1.4';
 
-/** Links that are not quite right. */
+/** Links with faults. */
 const WRONG = [
   'cs=9999', 'gx=9', 'size=2048&cs=4', 'cs=NaN', 'cs=1e999', 'cs=inf', 'cs=1,5', 'cs=', 'seed=1.5', 'seed=-1', 'stone=brick', 'lines=!',
   'lines=0.1,0.2', 'strokes=0.1,0.2,0.3', 'strokes=0,0,9,9', 'strokes=0,0,1,x', 'strokes=0,0,1,1e30', 'spots=0.5,0.5,0.2',
@@ -317,7 +320,7 @@ const WRONG = [
 const ring = [10, 10, 110, 10, 110, 110, 10, 110];
 const hole = [40, 40, 40, 60, 60, 60, 60, 40];
 
-/** Outlines that are not quite right: their rings. @type {number[][][]} */
+/** Outlines with faults, as rings. @type {number[][][]} */
 const ROUGH = [
   [],
   [[10, 10, 90, 90]],
@@ -360,11 +363,11 @@ test('notices of pavements are said', () => {
   studio.free();
 });
 
-/** A cube of so many faces, with more text after it. */
+/** A cube with this number of faces, followed by more text. */
 const cube = (faces = 6, more = '') =>
   `v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n${['4 3 2 1', '5 6 7 8', '1 2 6 5', '2 3 7 6', '3 4 8 7', '4 1 5 8'].slice(0, faces).map((face) => `f ${face}\n`).join('')}${more}`;
 
-/** A strip of so many squares, turned over once. */
+/** A strip of squares with half a twist. */
 function moebius(count = 24) {
   const lines = [];
   for (let k = 0; k < count; k += 1) {
@@ -382,7 +385,7 @@ function moebius(count = 24) {
   return lines.join('\n');
 }
 
-/** A ball of so many rings without its first triangle. */
+/** A ball without its first triangle; `count` is its number of rings. */
 function ball(count = 12) {
   const lines = ['v 0 1 0'];
   for (let i = 1; i < count; i += 1) {
@@ -399,7 +402,7 @@ function ball(count = 12) {
   return lines.join('\n');
 }
 
-/** Triangles as binary STL. @param {number[]} numbers nine of each */
+/** Triangles as binary STL. @param {number[]} numbers nine for each triangle */
 function stl(numbers) {
   const count = numbers.length / 9;
   const view = new DataView(new ArrayBuffer(84 + 50 * count));
@@ -408,7 +411,7 @@ function stl(numbers) {
   return new Uint8Array(view.buffer);
 }
 
-/** A GLB of its JSON alone. @param {object} json */
+/** A GLB file with its JSON only. @param {object} json */
 function glb(json) {
   const words = new TextEncoder().encode(JSON.stringify(json).padEnd(4 * Math.ceil(JSON.stringify(json).length / 4)));
   const view = new DataView(new ArrayBuffer(20 + words.length));
@@ -421,7 +424,7 @@ const asset = { version: '2.0' };
 const tetrahedron = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
 const SOUP = [0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 1, 0];
 
-/** Files of models that are not quite right. @type {[name: string, bytes: string | Uint8Array][]} */
+/** Model files with faults. @type {[name: string, bytes: string | Uint8Array][]} */
 const MODELS = [
   ['poem.txt', 'no model at all'],
   ['none.obj', 'v 0 0 0\nf\n'],
@@ -453,14 +456,14 @@ const MODELS = [
   ['cut.glb', glb({ asset }).slice(0, 24)],
 ];
 
-/** Links of surfaces that are not quite right. */
+/** Links of surfaces with faults. */
 const WRONG_SPACE = [
   'form=file', 'form=file&model=1', 'form=file&model=!,?', 'spots=0.5,0.5,0.5,0.2', 'lines=0.1,0.2', 'lines=0,0,0,9,9,9', 'spots=0.5,0.5', 'form=file&model=qi3BmipB4jiDoi2BwGiG4GsG8C-GkG0G',
   'form=cylinder&kind=rectangle&cn=60', 'form=knot&kind=ellipse&cn=60', 'form=vase&cn=200',
 ];
 
 test('notices of surfaces are said', async () => {
-  const whole = await moduleIn(houseModule, unpacked(packedHouse), 'space');
+  const whole = await moduleIn(wholeModule, unpacked(packedWhole), 'space');
   const space = 'make=surface&size=128';
   for (const link of WRONG_SPACE) {
     const studio = new whole.Bubblestone(`${space}&${link}`);
@@ -490,7 +493,7 @@ test('notices of surfaces are said', async () => {
   }
 });
 
-/** No recipe is known that comes to this: even the thinnest outline gets a cell. */
+/** No known recipe leads to this notice: even the thinnest outline gets a cell. */
 const GUARDS = ['no_cells'];
 
 test('every notice is said, by the tests above or natively', () => {
@@ -504,7 +507,7 @@ test('a break inside stops the module: a call of it throws', async () => {
   const own = await moduleIn(pageModule, bytes, 'own');
   const studio = new own.Bubblestone(SMALL);
   const now = performance.now;
-  // The studio is lent to the call that asks for the time.
+  // The studio is borrowed by the call that reads the clock.
   performance.now = () => studio.link();
   try {
     assert.throws(() => studio.tick(1, 1), WebAssembly.RuntimeError);

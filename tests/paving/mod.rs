@@ -1,5 +1,5 @@
-//! What tests ask of studios that make pavements.
-#![allow(dead_code)] // Each test file uses its part of it.
+//! Access to the pavement inside a studio, for tests.
+#![allow(dead_code)] // Each test file uses a part of it.
 
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::{self, Pavement};
@@ -11,16 +11,16 @@ pub fn studio(link: &str) -> Studio {
     Studio::new(ALL, pavement::recipe(link).0)
 }
 
-/// The row of a pavement's parameter.
+/// The schema's row of a pavement's parameter.
 pub fn row(key: Key) -> &'static Parameter {
     pavement::SCHEMA.row(key.0).expect(key.0)
 }
 
-/// The engine of a studio.
+/// The engine of a studio, as a pavement.
 pub trait OfPavement {
     /// The pavement at work.
     fn pavement(&self) -> &Pavement;
-    /// The same, for what it works out when it is asked.
+    /// The same, mutable, for results that are computed on request.
     fn pavement_mut(&mut self) -> &mut Pavement;
 }
 

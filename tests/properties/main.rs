@@ -1,4 +1,5 @@
-//! What must hold of each stage and of all together. One file of them: `cargo test --test properties fields::`.
+//! Properties of each stage and of the whole pipeline. To run one file: `cargo test --test properties
+//! fields::`.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -8,7 +9,8 @@ mod paving;
 #[cfg(target_arch = "wasm32")]
 mod web;
 
-/// Everything else is native only: WebAssembly has the same bits, as the digests say, so nothing here can differ there.
+/// Everything else is tested natively only. The digests show that WebAssembly computes the same bits, so
+/// nothing here can differ there.
 #[cfg(not(target_arch = "wasm32"))]
 mod native {
     mod bad_links;
@@ -17,6 +19,7 @@ mod native {
     mod even;
     mod export;
     mod fields;
+    mod generators;
     mod heights;
     mod house;
     mod inspect;
@@ -51,6 +54,7 @@ mod native {
     mod skin_recipes;
     mod skins;
     mod stones;
+    mod studio;
     mod tiles;
     mod views;
     mod weather;

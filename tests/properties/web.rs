@@ -1,4 +1,4 @@
-//! The face towards JavaScript, under Node.
+//! The interface to JavaScript, under Node.
 
 use bubblestone::web::{Bubblestone, digest_of_link, generators, presets, random_seed, schema};
 use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
@@ -15,14 +15,14 @@ fn number(object: &JsValue, key: &str) -> f64 {
     property(object, key).as_f64().unwrap()
 }
 
-/// The code of a notice, whose sentence ends well.
+/// The code of a notice, whose sentence ends with a full stop.
 fn code(notice: &JsValue) -> String {
     let text = property(notice, "text").as_string().unwrap();
     assert!(text.ends_with('.'), "{text}");
     property(notice, "code").as_string().unwrap()
 }
 
-/// Whether something was refused, and the codes of what was said.
+/// Whether a value was refused, and the codes of the notices.
 fn answer(answer: &JsValue) -> (bool, String) {
     let notices: Array = property(answer, "notices").unchecked_into();
     let codes: Vec<String> = notices.iter().map(|notice| code(&notice)).collect();
@@ -94,7 +94,7 @@ fn parameters_are_set_by_text() {
         (page.get("cs").as_str(), page.notices().length()),
         ("12", 1)
     );
-    // Arguments come apart from the words.
+    // Arguments are separate from the words.
     let notice = page.open("stone=brick").get(0);
     let args = property(&notice, "args");
     assert_eq!(
@@ -145,7 +145,7 @@ fn outlines_go_in_and_out() {
         (vec![10., 10., 100., 100., 100., 10., 10., 100.], vec![4]),
         (vec![], vec![]),
         (vec![1., 2.], vec![u32::MAX, 2]),
-        // So many that a copy of the rest for each would not fit into memory.
+        // Copying the remaining points for each of these rings would not fit into memory.
         (vec![10.; 400_000], vec![2; 100_000]),
     ] {
         assert!(answer(&page.set_outline(&points, &rings)).0);

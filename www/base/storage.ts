@@ -1,8 +1,8 @@
-/** What this browser keeps of the page: the only file that touches its storage, but for public/theme.js, which reads there. */
+/** The storage of this browser. No other file touches it, except public/theme.js, which reads it. */
 
 const PREFIX = 'bubblestone.';
 
-/** What was kept by this name; undefined where there is nothing, or no storage. */
+/** The text stored under this name; undefined if there is none, or no storage. */
 export function kept(name: string): string | undefined {
   try {
     return localStorage.getItem(PREFIX + name) ?? undefined;
@@ -11,7 +11,7 @@ export function kept(name: string): string | undefined {
   }
 }
 
-/** Keeps a text for later visits; false where the storage is full or forbidden. */
+/** Stores a text for later visits; false if the storage is full or forbidden. */
 export function keep(name: string, text: string): boolean {
   try {
     localStorage.setItem(PREFIX + name, text);
@@ -21,7 +21,7 @@ export function keep(name: string, text: string): boolean {
   }
 }
 
-/** Whether nothing is kept here from an earlier visit; from now on something is. */
+/** Whether nothing is stored from an earlier visit. Marks the visit, so that the next one is not the first. */
 export function isFirstVisit(): boolean {
   try {
     const isFirst = !Object.keys(localStorage).some((name) => name.startsWith(PREFIX));

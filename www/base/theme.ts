@@ -1,4 +1,7 @@
-/** The light and the dark page: as the system is, until the visitor wants the other one. public/theme.js begins before the first paint. */
+/**
+ * The light and the dark theme. It follows the system until the visitor chooses the other one. public/theme.js sets
+ * it before the first paint.
+ */
 import { byId } from './dom';
 import { keep, kept } from './storage';
 
@@ -6,12 +9,12 @@ const CHOICE = 'theme';
 
 const system = matchMedia('(prefers-color-scheme: dark)');
 
-/** Who draws with the page's colours listens for this on the window. */
+/** The event on the window for parts that draw with the page's colours. */
 export const REPAINT = 'theme';
 
 const ofSystem = (): string => (system.matches ? 'dark' : 'light');
 
-/** Binds the switch. A choice that is the system's own follows the system again. */
+/** Binds the switch. Choosing the system's own theme makes the page follow the system again. */
 export function followTheme(): void {
   let chosen = kept(CHOICE) ?? '';
   const show = (): void => apply(chosen || ofSystem());

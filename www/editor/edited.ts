@@ -15,7 +15,7 @@ export interface FigureNeeds {
   fresh(sort: Sort, figures: Figure[], at?: Point): Figure | undefined;
   /** The initial value of a figure that was drawn. */
   first(sort: Sort): number;
-  /** Takes the figures over. Returns false where it refuses, and shows why. */
+  /** Writes the figures into the recipe. Returns false, with a message, if they are refused. */
   change(sort: Sort, figures: Figure[]): boolean;
   /** A drag begins or ends. */
   live(on: boolean): void;
@@ -323,7 +323,7 @@ function drawsFreely({ form }: Sort): boolean {
   return form === 'line' || form === 'spot';
 }
 
-/** The mirror image of `from` about `at`. */
+/** The mirror image of `from` in the point `at`. */
 function mirrored(from: Point, at: Point): Point {
   return [2 * at[0] - from[0], 2 * at[1] - from[1]];
 }

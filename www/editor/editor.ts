@@ -302,7 +302,7 @@ export class Editor {
     return [word, this.engine.get('outline'), this.engine.get('poly')].join();
   }
 
-  /** Makes a change that the handles need not follow, as it comes from them. */
+  /** Makes a change that comes from the handles, so they need not follow it. */
   private change(word: string, act: () => Told): boolean {
     this.writing = true;
     const { refused, sentences } = act();

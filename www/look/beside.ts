@@ -1,6 +1,6 @@
 /**
- * Another picture beside the one at work: both form in step, and what a control changes goes to both. What the other one
- * has of its own stays until that is touched. Undo brings back both.
+ * Another picture beside the page's own. Both form in step, and a changed control changes both. Other values of the
+ * second recipe stay as they are. Undo restores both.
  */
 import { isEnd } from '../module/stages';
 import { t } from '../words/look';
@@ -31,14 +31,14 @@ export class Beside implements Partner {
   private readonly names = [make('p', { class: 'beside-name', id: 'beside-name' }), make('p', { class: 'beside-name own' })] as const;
   private engine: Engine | undefined;
   private loop: Loop | undefined;
-  /** Its frames, where it is seen by these. */
+  /** Its frames, for generators that are seen by frames only. */
   private frames: OtherFrames | undefined;
-  /** What the other one is called, and the link that is called so. */
+  /** The name of the other recipe, and the link that has this name. */
   private title = '';
   private link = '';
-  /** The other recipe that stood beside each of this page's, for the way back. */
+  /** For each recipe of the page, the other recipe that stood beside it, to restore it on Undo. */
   private readonly pairs = new Map<string, string>();
-  /** The page's recipe of the last change. */
+  /** The page's recipe after the last change. */
   private last = '';
 
   constructor(work: Work, view: View, own: Loop) {
@@ -61,7 +61,7 @@ export class Beside implements Partner {
     if (on) {
       byId('sheet').before(this.sheet, this.names[0]);
       byId('sheet').after(this.names[1]);
-      // The frame is another one: on a phone the pictures may be small now.
+      // On a phone, the new layout may leave the pictures small: scrolls to where they are large.
       void frame().then(() => byId('enlarge').hidden || byId('enlarge').click());
       return;
     }
@@ -72,7 +72,10 @@ export class Beside implements Partner {
     this.store.update({ other: 'done' });
   }
 
-  /** What stands beside the picture is the engine's from now on. Both begin anew, or it comes up to the one that is still in the making. */
+  /**
+   * Shows the picture of this engine beside the page's own. Both begin again; if less motion is preferred, only the
+   * other one works.
+   */
   take(engine: Engine, title: string): void {
     this.loop?.end();
     this.frames?.end();
@@ -89,14 +92,14 @@ export class Beside implements Partner {
     this.store.update({ other: engine.stage() });
     this.drive();
     this.loop.begin();
-    // Who asks for less motion sees what is there already.
+    // Visitors who prefer less motion see the present picture.
     if (wantsStill()) return;
     if (!isEnd(this.work.engine.stage())) return this.restart();
     this.work.restart();
     this.own.changed();
   }
 
-  /** Both are turned by what is done on either. */
+  /** Gestures on either picture turn both. */
   private framesOf(engine: Engine, loop: Loop): OtherFrames {
     const { store } = this;
     const frames = new OtherFrames(engine, store, loop);
@@ -117,7 +120,7 @@ export class Beside implements Partner {
     return frames;
   }
 
-  /** A control was moved: the values that are other ones than before go to the other one, too, where it has them. */
+  /** A control has changed: copies the changed values to the other recipe, if it has these parameters. */
   follow(): void {
     const { engine, last } = this;
     const own = this.work.engine;
@@ -140,7 +143,7 @@ export class Beside implements Partner {
     this.loop?.changed();
   }
 
-  /** Another recipe of the page's: where the other one stood beside it as another one, so it does again. */
+  /** The page has another recipe: restores the other recipe that stood beside it before. */
   private goBack(): void {
     const { engine } = this;
     if (!engine) return;
@@ -164,7 +167,7 @@ export class Beside implements Partner {
     loop.stepsPerFrame = pace;
   }
 
-  /** Who asks for less motion sees what is finished or held only. */
+  /** Visitors who prefer less motion see finished or paused pictures only. */
   private shownAt(stage: string): string | undefined {
     return !wantsStill() || isEnd(stage) || this.store.state.paused ? this.view.words : undefined;
   }
@@ -183,7 +186,7 @@ export class Beside implements Partner {
     this.tell();
   }
 
-  /** Names and counts below both. */
+  /** Writes names and counts below both. */
   private tell(): void {
     const { engine } = this;
     if (!engine) return;
@@ -205,7 +208,10 @@ function write(line: HTMLElement, name: string, engine: Engine): void {
   if (counts) say(counts, engine.problem() || counted(engine));
 }
 
-/** The time is that of the stages up to the one at work: of later ones it is that of the picture before. */
+/**
+ * Counts and time. The time covers the stages up to the present one, because later stages still hold the times of the
+ * previous picture.
+ */
 function counted(engine: Engine): string {
   const { cells, steps, ms } = engine.status();
   const { stages, offers } = engine.generator;

@@ -1,13 +1,13 @@
-/** Works a link out anew, and its picture with more pixels. Nothing here blocks the page: it is a worker, which ends with the picture. */
+/** Runs a link and makes its picture with more pixels, in a worker that ends with the picture. So the page is never blocked. */
 import { serve } from '../late/worker';
 import { studioFor } from '../module/given';
 import { loadModule } from '../module/load';
 import { BUDGET, finish } from '../module/run';
 
-/** What the worker gets: the recipe, and how many pixels there are for one of its own, along a side. */
+/** The message to the worker: the recipe, and the pixels for one of its own, along a side. */
 export type Order = [link: string, scale: number];
 
-/** What it answers; no picture where the recipe gives none of this scale. */
+/** The worker's answer; without a picture if the recipe gives none at this scale. */
 export interface Answer {
   picture?: ImageBitmap;
 }
@@ -34,7 +34,7 @@ async function painted(link: string, scale: number): Promise<ImageData | undefin
   }
 }
 
-/** Puts red, green and blue into pixels from this place on; answers the next place. */
+/** Copies red, green and blue into RGBA pixels from `at` on; returns the next place. */
 function put(rows: Uint8Array, pixels: Uint8ClampedArray, at: number): number {
   for (let k = 0; k < rows.length; k += 3, at += 4) {
     pixels[at] = rows[k] ?? 0;

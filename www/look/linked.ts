@@ -9,8 +9,8 @@ import type { Loop } from '../picture/loop';
 import { Until } from '../picture/until';
 
 /**
- * Changes the store through `change`, as the words say. A step is reached from the start of the work. Returns the words
- * as the page writes them.
+ * Applies the words to the store through `change`. A step is reached from the start of the work. Returns the words as
+ * the page writes them.
  */
 export function show(words: string, work: Work, loop: Loop, change: (asked: Partial<State>) => void): string {
   const { engine } = work;

@@ -22,10 +22,10 @@ export class Under {
   private readonly line = make('div', { class: 'compare-line' });
   private readonly divider = make('input', { type: 'range', id: 'divider', min: '0', max: '100', step: '1', value: '50', 'aria-label': t('compare_divider') });
   private engine: Engine | undefined;
-  /** Its frames, where it is seen by these. */
+  /** Its frames, for generators that are seen by frames only. */
   private frames: OtherFrames | undefined;
   private waiting = false;
-  /** A drawing is made in pieces, before there is more work. */
+  /** A drawing is being made in pieces; the work pauses until it is ready. */
   private owed = false;
   private drawn = 0;
 
@@ -53,7 +53,7 @@ export class Under {
     }
   }
 
-  /** What is compared is the engine's picture from now on. */
+  /** Compares with the picture of this engine. */
   take(engine: Engine): void {
     this.engine = engine;
     this.drawn = 0;
@@ -63,7 +63,7 @@ export class Under {
     this.wake();
   }
 
-  /** Its frames lie over those of the page's own. */
+  /** Lays its frames over those of the page. */
   private framesOf(engine: Engine): OtherFrames {
     const stands = (): boolean => isEnd(engine.stage());
     const beat = {
@@ -88,7 +88,7 @@ export class Under {
     this.divider.setAttribute('aria-valuetext', t('compare_said', { n: at }));
   }
 
-  /** Goes on in an idle moment. */
+  /** Continues in an idle moment. */
   private wake(): void {
     const { engine } = this;
     if (!engine) return;
@@ -101,14 +101,14 @@ export class Under {
     });
   }
 
-  /** Works as long as the shown picture needs no work and the page is seen; what is finished is drawn before it is said to be. */
+  /** Works while the page is visible and its own picture needs no work. A finished picture is drawn before it is announced. */
   private goOn(): void {
     const { engine } = this;
     if (!engine || document.hidden) return;
     const works = !isEnd(engine.stage());
     if (works && !this.resting()) return;
     if (works && !this.owed && engine.tick(SLICE, 100_000)) this.frames?.painter.changed();
-    // Its failure was told.
+    // The engine failed, which has been announced.
     if (this.engine !== engine) return;
     const ended = isEnd(engine.stage());
     const due = ended || performance.now() >= this.drawn;

@@ -1,10 +1,10 @@
-/** The generators of the site, which the build has asked their modules for. */
+/** The generators of the site. The build gets this list from their modules. */
 import made from 'virtual:generators';
 
-/** In the order of the page; the first one is that of links that name none. */
+/** The generators in the order of the page. A link that names none uses the first. */
 export const generators = made;
 
-/** The word of the generator that a link names; that of the first where it names none that is known. */
+/** The word of the generator that a link names, or of the first one if it names no known generator. */
 export function makeOf(link: string): string {
   const pairs = link.replace(/^[^#]*#/, '').split('&').map((pair) => pair.split('='));
   const given = pairs.filter(([key]) => key?.trim().toLowerCase() === 'make').map(([, word = '']) => decoded(word).trim().toLowerCase());
@@ -12,7 +12,7 @@ export function makeOf(link: string): string {
   return known.at(-1) ?? generators[0]?.word ?? '';
 }
 
-/** The place of the first module that has the generator of a link. */
+/** The index of the first module that has the generator of a link. */
 export function placeOf(link: string): number {
   const word = makeOf(link);
   return generators.find((one) => one.word === word)?.module ?? 0;

@@ -1,19 +1,19 @@
-/** The one place that every engine goes through for the files that its recipe asks for: page and workers alike. */
+/** Gives engines the files that their recipes name. The page and all workers use this. */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
 import type { RecipeFile } from '../../pkg-house/bubblestone.js';
 import type { Module } from './load';
 import type { SceneStudio, Whole } from './scene';
 import { dropFile, findFile } from './shelf';
 
-/** Bytes that are handed over at a time: a millisecond's work. */
+/** Bytes of one piece: about a millisecond of work. */
 const PIECE = 1 << 20;
 
-/** A file's bytes, one piece after the other. */
+/** The bytes of a file, piece by piece. */
 export async function* piecesOf(file: Blob): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   for (let at = 0; at < file.size; at += PIECE) yield new Uint8Array(await file.slice(at, at + PIECE).arrayBuffer());
 }
 
-/** An engine for a link, with the files that this asks for, where they are to be had. */
+/** An engine for a link, with the files that it names, as far as they are available. */
 export function studioFor(module: Whole, link: string): Promise<SceneStudio>;
 export function studioFor(module: Module, link: string): Promise<Bubblestone>;
 export async function studioFor(module: Module | Whole, link: string): Promise<Bubblestone> {
@@ -22,7 +22,7 @@ export async function studioFor(module: Module | Whole, link: string): Promise<B
   return studio;
 }
 
-/** Gives an engine the files that it waits for; false where one is not to be had, or not `wanted` any more. */
+/** Gives an engine its missing files. False if one is not available, or if `wanted` returns false meanwhile. */
 export async function supply(studio: Bubblestone, wanted: () => boolean = () => true): Promise<boolean> {
   if (!isWhole(studio)) return true;
   for (const missing of studio.missingFiles()) if (missing.digest !== '' && !(await give(studio, missing, wanted))) return false;
@@ -39,7 +39,7 @@ async function give(studio: SceneStudio, { digest, name }: RecipeFile, wanted: (
   }
   if (!wanted()) return false;
   if (studio.giveFile() === digest) return true;
-  // It is not what it was when it was kept.
+  // The stored file is not the one that was stored under this digest.
   await dropFile(digest);
   return false;
 }

@@ -1,7 +1,7 @@
 /**
- * The WebAssembly modules: one that makes pavements, which a first visit gets, and one that makes all there is, bodies in
- * light among it, which comes when it is first needed. Each is fetched packed, compiled while it is unpacked, and for
- * later visits kept unpacked.
+ * The WebAssembly modules. The first one makes pavements and loads on a first visit. The second one makes everything,
+ * including bodies in light, and loads when it is first needed. Each is downloaded compressed, compiled while it is
+ * decompressed, and stored decompressed for later visits.
  */
 import house from 'virtual:house';
 import * as pavements from '../../pkg/bubblestone.js';
@@ -10,7 +10,7 @@ import { placeOf } from './generators';
 import { Unpacker } from './lzma';
 import type { Whole } from './scene';
 
-/** A module that is ready, for calls. */
+/** A loaded module. */
 export type Module = typeof pavements;
 
 interface Source {
@@ -18,26 +18,28 @@ interface Source {
   readonly bring: () => Promise<Module>;
 }
 
-/** By their places. */
+/** The modules, in the order of their indices. */
 const FIRST: Source = { packed, bring: () => Promise.resolve(pavements) };
 const SOURCES: readonly Source[] = [FIRST, { packed: house.packed, bring: () => script(house.script) }];
 
-/** Bytes that are unpacked at a time: a few milliseconds of work, after which the page may do other things. */
+/** Bytes that are decompressed at a time: a few milliseconds of work, after which the page can do other things. */
 const PIECE = 32_768;
 
 const CACHE = 'bubblestone module';
 
-/** The modules that are ready, and those on their way, by their places. */
+/** The loaded modules, and those being loaded, by index. */
 const ready: (Module | undefined)[] = [];
 const coming: (Promise<Module> | undefined)[] = [];
 
-/** How many use each. */
+/** The number of users of each module. */
 const users = new Map<Module, number>();
 
-/** One is ready that is not kept for the next visit yet. */
+/** Whether a loaded module is not stored for the next visit yet. */
 let fresh = false;
 
-/** The module that a link is to be opened with, where it is ready; the later one has all that the one before it has. */
+/**
+ * A loaded module that can open this link, if there is one. A later module can do everything that an earlier one can.
+ */
 export function moduleFor(link: string): Module | undefined {
   return ready
     .slice(placeOf(link))
@@ -45,12 +47,12 @@ export function moduleFor(link: string): Module | undefined {
     .at(-1);
 }
 
-/** The same, once it is ready. Throws what a browser without a fitting WebAssembly or a broken connection throws. */
+/** Such a module, once it is loaded. Throws the browser's error if WebAssembly is missing or the connection fails. */
 export async function loadModule(link: string): Promise<Module> {
   return moduleFor(link) ?? (coming[placeOf(link)] ??= arriving(placeOf(link)));
 }
 
-/** The last module, which has all there is, once it is ready, whatever a link makes. Throws the same. */
+/** The last module, which can make everything, once it is loaded. Throws the same. */
 export async function loadWhole(): Promise<Whole> {
   const last = SOURCES.length - 1;
   return (ready[last] ?? (await (coming[last] ??= arriving(last)))) as Whole;
@@ -66,12 +68,15 @@ async function arriving(place: number): Promise<Module> {
   }
 }
 
-/** Somebody begins to use a module. */
+/** Counts a user of a module. */
 export function useModule(module: Module): void {
   users.set(module, (users.get(module) ?? 0) + 1);
 }
 
-/** Who used a module has freed all that was made with it: where nobody uses it and another one can do all that it could, it goes, with all its memory. */
+/**
+ * Ends a use of a module; everything that was made with it has been freed. An unused module is released with all its
+ * memory if a later one can replace it.
+ */
 export function leaveModule(module: Module): void {
   const left = (users.get(module) ?? 1) - 1;
   users.set(module, left);
@@ -81,7 +86,10 @@ export function leaveModule(module: Module): void {
   module.release();
 }
 
-/** The script of a later module. Some browsers never ask again for a script whose import has failed: it is imported once it can be had. */
+/**
+ * The script of a later module. Some browsers never retry a script whose import has failed, so it is fetched before
+ * it is imported.
+ */
 async function script(address: string): Promise<Module> {
   await answerFrom(address);
   return (await import(/* @vite-ignore */ address)) as Module;
@@ -94,7 +102,7 @@ async function opened({ packed, bring }: Source): Promise<Module> {
       await module.default({ module_or_path: kept });
       return module;
     } catch {
-      // The kept copy is broken: the site has another.
+      // The stored copy is broken; it is downloaded again.
       await caches.delete(CACHE);
     }
   }
@@ -102,7 +110,7 @@ async function opened({ packed, bring }: Source): Promise<Module> {
   return module;
 }
 
-/** Keeps the modules that are ready for the next visit; of other builds nothing stays. */
+/** Stores the loaded modules for the next visit, and deletes those of other builds. */
 export async function keepModules(): Promise<void> {
   if (!fresh) return;
   fresh = false;
@@ -129,7 +137,7 @@ async function keptModule(packed: string): Promise<Response | undefined> {
 }
 
 async function unpacked(packed: string): Promise<Response> {
-  // When it is to be kept, the browser still has it from the first time.
+  // The browser still has this file in its cache when the module is stored.
   const answer = await answerFrom(packed, { cache: 'force-cache' });
   const unpacker = new Unpacker(new Uint8Array(await answer.arrayBuffer()));
   const pieces = new ReadableStream({

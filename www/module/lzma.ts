@@ -1,12 +1,13 @@
 /**
- * Unpacks LZMA (the .lzma format of Igor Pavlov's LZMA specification, 2015) piece by piece. The module is a fifth smaller
- * so than by gzip, which is what most hosts have; browsers themselves know neither LZMA nor, everywhere, brotli.
+ * Decompresses LZMA piece by piece (the .lzma format of Igor Pavlov's LZMA specification, 2015). LZMA makes the
+ * module a fifth smaller than gzip, the format of most hosts. Browsers decompress gzip themselves; they do not
+ * support LZMA, and not all support brotli.
  */
 
 const STATES = 12;
 const POSITIONS = 16;
 
-/** Places of the probabilities in one array. */
+/** Offsets of the probabilities in one array. */
 const IS_MATCH = 0;
 const IS_REP = IS_MATCH + STATES * POSITIONS;
 const IS_REP_0 = IS_REP + STATES;
@@ -21,11 +22,11 @@ const LENGTHS = 2 + 2 * 8 * POSITIONS + 256;
 const REP_LENGTH = LENGTH + LENGTHS;
 const LITERAL = REP_LENGTH + LENGTHS;
 
-/** Bytes before the packed ones: properties, size of the dictionary, size of the whole. */
+/** Bytes of the header: properties, size of the dictionary, size of the whole. */
 const HEAD = 13;
 
 export class Unpacker {
-  /** What is unpacked so far, in an array of the whole size: it is the dictionary, too. */
+  /** The decompressed bytes so far, in an array of the final size, which is also the dictionary. */
   private readonly out: Uint8Array<ArrayBuffer>;
   private readonly packed: Uint8Array;
   private readonly probabilities: Uint16Array;
@@ -37,7 +38,7 @@ export class Unpacker {
   private state = 0;
   /** The last four distances. */
   private readonly distances = new Int32Array(4);
-  /** Range and code of the range coder: a typed array keeps them out of the heap. */
+  /** Range and code of the range coder. A typed array avoids boxed numbers. */
   private readonly coder = new Uint32Array(2);
 
   constructor(packed: Uint8Array) {
@@ -52,7 +53,7 @@ export class Unpacker {
     this.coder.set([0xffffffff, view.getUint32(HEAD + 1)]);
   }
 
-  /** The next bytes, about that many; none at the end. */
+  /** The next bytes, about `bytes` of them; empty at the end. */
   next(bytes: number): Uint8Array<ArrayBuffer> {
     const from = this.made;
     const to = Math.min(this.out.length, from + bytes);

@@ -1,17 +1,20 @@
-/** A recipe that is worked out from its start to its end, in slices. */
+/** Runs a recipe from its start to its end, in slices. */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
 import type { Module } from './load';
 import { isEnd } from './stages';
 import type { Generator as Made, Status } from './types';
 
-/** Milliseconds of work in one slice, and more steps than fit into that. */
+/** Milliseconds of work in one slice; and a limit of steps that this time never reaches. */
 export const BUDGET = 50;
 const STEPS = 100_000;
 
-/** Works on a recipe: a studio, or an engine of the page. */
+/** Something that works on a recipe: a studio, or an engine of the page. */
 type Worker = Pick<Bubblestone, 'stage' | 'status' | 'tick'>;
 
-/** How far the work is before each slice of these milliseconds and steps. It ends where no work is left. */
+/**
+ * Yields stage and status before each slice, which is limited by milliseconds and steps. It ends when no work is
+ * left.
+ */
 export function* making(worker: Worker, budget = BUDGET, steps = STEPS): Generator<[stage: string, status: Status], undefined> {
   for (let stage = worker.stage(); !isEnd(stage); stage = worker.stage()) {
     yield [stage, worker.status()];
@@ -24,7 +27,7 @@ export function finish(worker: Worker): void {
   for (const work = making(worker); !work.next().done; );
 }
 
-/** The generator at work in a studio. */
+/** The present generator of a studio. */
 export function generatorOf({ generators }: Pick<Module, 'generators'>, studio: Bubblestone): Made {
   const word = studio.generator();
   const found = generators().find((one) => one.word === word);

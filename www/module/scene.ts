@@ -1,4 +1,4 @@
-/** What the whole module has beyond the first one: the bodies of a picture, seen from a slant, and files that recipes ask for. */
+/** The parts that only the whole module has: bodies of a picture for the turntable, and files that recipes name. */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
 import type * as house from '../../pkg-house/bubblestone.js';
 import type { Module } from './load';

@@ -1,13 +1,13 @@
 /**
- * Files that recipes ask for, by the digest of their bytes: kept on this device, and where that fails, by the pages that
- * got them while those are open. Pages and workers of one site find the same ones.
+ * Files that recipes name, by the digest of their bytes. They are stored on this device; if that fails, the pages
+ * that received them keep them while they are open. All pages and workers of the site share them.
  */
 
-/** A file as it is kept. */
+/** A stored file. */
 interface Kept {
   digest: string;
   name: string;
-  /** When it was last asked for. */
+  /** The time when it was last requested. */
   used: number;
   file: Blob;
 }
@@ -15,18 +15,18 @@ interface Kept {
 const NAME = 'bubblestone files';
 const STORE = 'files';
 
-/** Bytes that are kept in all; what was not asked for longest goes first. */
+/** The most bytes that are stored. The files that were not requested for the longest time are deleted first. */
 const MOST = 256_000_000;
 
-/** Milliseconds that other pages may take to say that they have a file. */
+/** Milliseconds to wait for the answers of other pages. */
 const PATIENCE = 400;
 
-/** Those that this page got. */
+/** The files that this page received. */
 const here = new Map<string, Kept>();
 let channel: BroadcastChannel | undefined;
 let base: Promise<IDBDatabase> | undefined;
 
-/** Keeps a file; false where it is gone with this page, as there is no storage, or no room. */
+/** Stores a file; false if it is lost with this page because there is no storage or no space. */
 export async function keepFile(digest: string, name: string, file: Blob): Promise<boolean> {
   const kept = { digest, name, used: Date.now(), file };
   here.set(digest, kept);
@@ -40,13 +40,13 @@ export async function keepFile(digest: string, name: string, file: Blob): Promis
   }
 }
 
-/** A file of this digest, wherever it is; undefined where it is not to be had. */
+/** A file with this digest from any source; undefined if it is not available. */
 export async function findFile(digest: string): Promise<Blob | undefined> {
   const { file } = here.get(digest) ?? (await stored(digest)) ?? {};
   return file ?? (await fromOthers(digest));
 }
 
-/** Lets go of a file that is not what it should be. */
+/** Deletes a file whose content is wrong. */
 export async function dropFile(digest: string): Promise<void> {
   here.delete(digest);
   await within('readwrite', (store) => store.delete(digest)).catch(() => undefined);
@@ -64,7 +64,7 @@ async function stored(digest: string): Promise<Kept | undefined> {
   }
 }
 
-/** The newest stays, however large it is. */
+/** Deletes old files; the newest stays, however large it is. */
 async function makeRoom(newest: string): Promise<void> {
   const all = (await within('readonly', (store) => store.getAll())) as Kept[];
   const size = (kept: Kept[]): number => kept.reduce((sum, { file }) => sum + file.size, 0);
@@ -77,7 +77,7 @@ async function makeRoom(newest: string): Promise<void> {
   }
 }
 
-/** Has one thing done in the storage. */
+/** Runs one request in the storage. */
 async function within<T>(mode: IDBTransactionMode, act: (store: IDBObjectStore) => IDBRequest<T>): Promise<T> {
   const transaction = (await (base ??= opened())).transaction(STORE, mode);
   const done = new Promise<void>((resolve, reject) => {
@@ -89,7 +89,7 @@ async function within<T>(mode: IDBTransactionMode, act: (store: IDBObjectStore) 
   return request.result;
 }
 
-/** The storage, which stays open: some browsers can read a file only as long as what it came from is. */
+/** Opens the storage, which stays open: some browsers can read a file only while its source is open. */
 function opened(): Promise<IDBDatabase> {
   const forget = (): void => {
     base = undefined;
@@ -100,7 +100,7 @@ function opened(): Promise<IDBDatabase> {
     opening.onsuccess = () => {
       const { result } = opening;
       result.onclose = forget;
-      // Another page, of a later build, has something to change.
+      // A page of a later build wants to change the storage.
       result.onversionchange = () => {
         result.close();
         forget();
@@ -114,7 +114,7 @@ function opened(): Promise<IDBDatabase> {
   });
 }
 
-/** This page tells others what it has. */
+/** Answers the requests of other pages with this page's files. */
 function answer(): void {
   if (channel || typeof BroadcastChannel !== 'function') return;
   channel = new BroadcastChannel(NAME);
@@ -124,7 +124,7 @@ function answer(): void {
   });
 }
 
-/** A file that a page has which is open now. */
+/** Requests a file from the other open pages. */
 async function fromOthers(digest: string): Promise<Blob | undefined> {
   if (typeof BroadcastChannel !== 'function') return undefined;
   const asking = new BroadcastChannel(NAME);

@@ -1,7 +1,7 @@
-/** The stages of the work as the page sees them: whether all is done, and how far it is. Each generator tells its own. */
+/** The stages of the work for the page: whether all is done, and the progress. Each generator defines its own stages. */
 import type { Generator, Status } from './types';
 
-/** The stages of a generator, and how they go on. */
+/** The stages of a generator, and their order. */
 export type Course = Pick<Generator, 'stages' | 'begins' | 'stepping' | 'placing' | 'settled'>;
 
 /** Whether there is no work left at this stage. */
@@ -9,24 +9,27 @@ export function isEnd(stage: string): boolean {
   return stage === 'done' || stage === 'error';
 }
 
-/** Whether a stage comes before the one that goes in steps, or is that one; where nothing does, a pause holds nothing. */
+/**
+ * Whether a stage is the one of single steps, or comes before it. If no stage has steps, this is true for all, and a
+ * pause holds nothing.
+ */
 export function isUpToSteps({ stages, stepping }: Course, stage: string): boolean {
   const last = stages.indexOf(stepping);
   return last < 0 || stages.indexOf(stage) <= last;
 }
 
-/** Whether the bodies stay as they are: the rest of the work is a picture of them. */
+/** Whether the bodies no longer change, so that the rest of the work is a picture of them. */
 export function isSettled({ stages, settled }: Course, stage: string): boolean {
   const first = stages.indexOf(settled);
   return stage === 'done' || (first >= 0 && stages.indexOf(stage) >= first);
 }
 
-/** After these packing steps the rest of the way is taken to be half as long, as nobody knows how many it takes. */
+/** The number of steps is unknown. After this many, half of the remaining progress is taken to be done. */
 const HALF = 60;
 
 /**
- * How far the work on a picture is, about: 0..1, and never less than before while a picture is made. Stages of which
- * nothing is known take even shares.
+ * The approximate progress of the work on a picture, 0..1, which never decreases. Stages without a known beginning
+ * have equal shares.
  */
 export function progressOf({ stages, begins, stepping, placing }: Course, stage: string, { steps, stones, cells }: Status): number {
   const at = stages.indexOf(stage);

@@ -1,22 +1,22 @@
-/** What the build puts together: see vite.config.mjs. */
+/** Modules that the build generates: see vite.config.mjs. */
 
 declare module 'virtual:generators' {
   const made: {
-    /** As `make=` in the link. */
+    /** The word in `make=` of a link. */
     word: string;
     /** In English. */
     title: string;
-    /** The place of the first module that has it. */
+    /** The index of the first module that has it. */
     module: number;
-    /** The name of the preset whose picture stands for it. */
+    /** The preset whose picture represents it on the page. */
     preset: string;
-    /** Parameters that go along from one generator to another: seed, light and weather. */
+    /** Parameters that are kept when the visitor changes the generator: seed, light and weather. */
     carried: string[];
   }[];
   export default made;
 }
 
-/** The second module, which has all there is. */
+/** The second module, which can make everything. */
 declare module 'virtual:house' {
   const house: { packed: string; script: string };
   export default house;

@@ -33,7 +33,7 @@ export type Table = Record<string, readonly Row[]>;
 const FAMILY = ['Cells', 'Relief', 'Surface'];
 
 export const range = (from: number, to: number, step: number, more: Pick<Range, 'plain' | 'per'> = {}): Range => ({ from, to, step, ...more });
-/** Mostly 0. */
+/** A value that is mostly 0. */
 export const rarely = (part: number, from: number, to: number, step = 0.05): Range => range(from, to, step, { plain: [0, 1 - part] });
 
 /**

@@ -5,7 +5,10 @@ import { make, say, symbol } from '../base/dom';
 import { differs } from '../state/rules';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from '../state/scale';
 
-/** Choices are a row of buttons where their labels, with so much room around each, come to no more letters than this; else a list. */
+/**
+ * A choice is a row of buttons if its labels, with SEGMENT_ROOM letters for the space around each, have at most this
+ * many letters; else a list.
+ */
 const SEGMENT_LETTERS = 38;
 const SEGMENT_ROOM = 4;
 
@@ -15,11 +18,11 @@ const PLACES = 1000;
 export interface Control {
   readonly parameter: Parameter;
   readonly element: HTMLElement;
-  /** Shows the value that the engine holds, and what the default is now. */
+  /** Shows the value in the engine, and the present default. */
   show(value: string, standard: string): void;
 }
 
-/** `change` gets the new text; `last` is false while a slider is still on its way. */
+/** `change` gets the new text; `last` is false while a slider is being dragged. */
 export type Change = (key: string, text: string, last: boolean) => void;
 
 interface Parts {
@@ -27,7 +30,7 @@ interface Parts {
   show: (value: string, standard: string) => void;
 }
 
-/** Opens what is edited over the canvas, or chosen as a file. */
+/** Opens the editor over the canvas, or a file dialog. */
 export type Edit = (parameter: Parameter) => void;
 
 export function makeControl(parameter: Parameter, change: Change, edit: Edit): Control {
@@ -83,7 +86,7 @@ function width(label: string): number {
   return label.length + (label.match(/[\u3000-\u9fff]/g)?.length ?? 0);
 }
 
-/** How a value reads in a sentence. */
+/** A value as text for a sentence. */
 export function shown(parameter: Parameter, value: string): string {
   const choice = parameter.choices.find(({ word }) => word === value);
   if (parameter.kind === 'text') return t('none');
@@ -127,7 +130,7 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
     show: (text, standard) => {
       slider.style.setProperty('--default', String(toPlace(parameter, Number(standard))));
       const place = toPlace(parameter, Number(text));
-      // A number that is being typed is left alone, and so is a slider that is being dragged, where it means the same.
+      // A number that is being typed stays as it is. So does a dragged slider, if it means the same value.
       if (box.value !== text) box.value = text;
       if (now() !== Number(text) || document.activeElement !== slider) slider.value = String(place * PLACES);
       slider.style.setProperty('--place', String(place));
@@ -136,10 +139,13 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
   };
 }
 
-/** Pixels that a finger goes along a slider before it moves it: one that scrolls the page goes across. */
+/**
+ * Pixels that a finger moves along a slider before it changes the value. A finger that scrolls the page moves across
+ * it.
+ */
 const ALONG = 8;
 
-/** Reports a slider's values, but none of a finger that only began on it to scroll the page. */
+/** Reports a slider's values, except those of a finger that only scrolls the page. */
 function whenMeant(slider: HTMLInputElement, report: (last: boolean) => void): void {
   let open: { x: number; value: string } | undefined;
   let scrolled = false;
@@ -162,7 +168,10 @@ function whenMeant(slider: HTMLInputElement, report: (last: boolean) => void): v
   }
 }
 
-/** Arrow keys move by the parameter's step, page keys by a tenth of the way, whatever the slider's scale. */
+/**
+ * The value after a key press: arrow keys move by the parameter's step, page keys by a tenth of the range, on any
+ * scale of the slider.
+ */
 function byKey(parameter: Parameter, value: number, event: KeyboardEvent): number | undefined {
   const step = stepOf(parameter);
   const page = (way: number): number =>
@@ -218,15 +227,15 @@ function segments(parameter: Parameter, id: string, change: Change): Parts {
   };
 }
 
-/** A list that is edited over the canvas: how many entries it has, and a button to edit them. */
+/** A list that is edited over the canvas: its number of entries, and a button to edit them. */
 function drawnList(parameter: Parameter, id: string, edit: Edit): Parts {
   const button = make('button', { type: 'button', class: 'wide', id, 'aria-labelledby': `${id}-name ${id}`, 'aria-describedby': `${id}-help` });
   button.addEventListener('click', () => edit(parameter));
-  /** A file is one entry, which is opened. */
+  /** A file has a single entry and opens a file dialog. */
   const isFile = parameter.item === 'file';
   return {
     inputs: [button],
-    // In a list's text dots stand between the entries.
+    // Dots separate the entries of a list's text.
     show: (value) => say(button, isFile ? t(value ? 'model_other' : 'model_open') : value ? t('list_edit', { n: value.split('.').length }) : t('list_add')),
   };
 }

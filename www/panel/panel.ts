@@ -1,7 +1,7 @@
 /**
  * The panel: every parameter of the schema as a control, in groups in the order of the pipeline.
  *
- * It is built a few controls a frame while the first cells move, and one frame is left to the browser to lay it out.
+ * It is built a few controls per frame while the first cells move. One frame is left to the browser for its layout.
  */
 import { groupIn, t } from '../words/words';
 import { byId, byIdAs, frame, make, say } from '../base/dom';
@@ -15,13 +15,13 @@ import { SIDE } from './scaling';
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = ['seed', 'poly'];
 
-/** Rows of these are painted on frames, with tools that stand beside them. */
+/** Lists of these kinds are painted on frames, with tools beside them. */
 const PAINTED: readonly Parameter['item'][] = ['trace', 'patch'];
 
 /** The visitor's choice of how much of the panel is shown. */
 const EXTENT = 'panel';
 
-/** Groups that stand open at first where there is room; on a phone only the first of them does. */
+/** Groups that are open at first on a large screen; on a phone only the first of them is. */
 const OPEN_AT_FIRST = ['Outline', 'Shape', 'Cells', 'Size', 'Direction', 'Relief'];
 
 /** Milliseconds of building in a frame. */
@@ -54,12 +54,15 @@ export class Panel {
     for (const radio of this.extents) radio.checked = this.simple === (radio.value === 'simple');
   }
 
-  /** Builds the controls of what is made now, a few a frame: they are much, and the cells move meanwhile. */
+  /**
+   * Builds the controls of the present generator, a few per frame, because they take long and the cells move
+   * meanwhile.
+   */
   async build(): Promise<void> {
     let begin = performance.now();
     this.groups.clear();
     this.recipe = recipeOf(this.engine);
-    // Frames have as many pixels as there is room for.
+    // Frames have as many pixels as the screen allows, so the side has no control.
     const elsewhere = this.engine.offers('frames') ? [...ELSEWHERE, SIDE] : ELSEWHERE;
     for (const parameter of this.recipe.schema) {
       if (elsewhere.includes(parameter.key) || PAINTED.includes(parameter.item)) continue;
@@ -73,7 +76,7 @@ export class Panel {
     }
   }
 
-  /** Puts them on the page, once all of them are as they will be. */
+  /** Puts the controls on the page, once all of them are complete. */
   attach(): void {
     this.form.replaceChildren(...Array.from(this.groups.values(), ({ box }) => box));
   }
@@ -96,7 +99,7 @@ export class Panel {
     });
   }
 
-  /** Appends something of the page's own to a group. */
+  /** Appends an element to a group. */
   append(group: string, element: HTMLElement): void {
     this.groups.get(group)?.details.append(element);
   }
@@ -106,7 +109,7 @@ export class Panel {
     for (const [name, { box }] of this.groups) yield [name, box];
   }
 
-  /** Shows what the engine holds: values, which controls apply, how many differ from the default. */
+  /** Shows the engine's values, which controls apply, and how many differ from the default. */
   refresh(): void {
     let apart = 0;
     for (const { controls, badge, details } of this.groups.values()) {
@@ -145,7 +148,7 @@ export class Panel {
   }
 }
 
-/** The help of the control under the pointer or the keyboard, in one line at the panel's foot. */
+/** Shows the help of the control under the pointer or the keyboard, in one line at the panel's foot. */
 function hintFrom(form: HTMLFormElement): void {
   const hint = byId('hint');
   const show = (event: Event): void => {
@@ -155,7 +158,7 @@ function hintFrom(form: HTMLFormElement): void {
   form.addEventListener('pointerover', show);
   form.addEventListener('focusin', (event) => {
     show(event);
-    // Not every browser scrolls to what is in sight but under the help.
+    // Not every browser scrolls to an element that is covered by the help.
     if (event.target instanceof Element && event.target.matches(':focus-visible')) event.target.scrollIntoView({ block: 'nearest' });
   });
   form.addEventListener('pointerleave', () => say(hint, ''));

@@ -1,4 +1,4 @@
-/** The ranges in which most pictures look good, by the words that generators tell; they follow the presets. */
+/** The ranges in which most pictures look good, by the word of a generator's table. They follow the presets. */
 import { range, rarely, type Table, type When, type Words } from './chance';
 
 const SKIN: When = { stone: ['skin'] };
@@ -152,7 +152,7 @@ const PLANE: Table = {
   ],
 };
 
-/** Lengths are in sizes of cells here. */
+/** Lengths here are multiples of the cell size. */
 const SURFACE: Table = {
   Shape: [
     ['form', { leg: 3, tail: 3, fish: 3, turtle: 3, horn: 2, egg: 3, knot: 2, torus: 2, vase: 1 }, SKIN],
@@ -316,5 +316,5 @@ const SURFACE: Table = {
   ],
 };
 
-/** By the word of a generator's chance. */
+/** The tables, by the word that a generator gives. */
 export const CHANCES: Record<string, Table> = { plane: PLANE, surface: SURFACE };

@@ -1,18 +1,18 @@
 /**
- * A recipe worked out unseen and at full speed while it forms slowly on the screen: scripts need not wait for that.
+ * Runs a recipe unseen at full speed while it forms slowly on the screen, so that scripts need not wait.
  *
- * It tells scripts stage, status and digest, and is freed when it is done.
+ * It provides stage, status and digest for scripts, and its studio is freed when the recipe is done.
  */
 import { isEnd } from '../module/stages';
 import type { Status } from '../module/types';
 import { Engine } from '../state/engine';
 
-/** Milliseconds of work at a time, between frames, and more packing steps than fit into that. */
+/** Milliseconds of work at a time, between frames; and a limit of packing steps that this time never reaches. */
 const SLICE = 12;
 const STEPS = 100_000;
 
 export class Ahead {
-  /** What is told of the planes once they are there; the studio that made them is gone by then. */
+  /** The results, once the planes are done; the studio that made them is freed by then. */
   planes: { digest: string; status: Status } | undefined;
   private readonly studio: Engine;
   private readonly tell: () => void;
@@ -25,7 +25,7 @@ export class Ahead {
     this.wait();
   }
 
-  /** The stage at work, then 'done'. */
+  /** The current stage, 'done' at the end. */
   get stage(): string {
     return this.planes ? 'done' : this.studio.stage();
   }
@@ -34,7 +34,7 @@ export class Ahead {
     return this.planes?.status ?? this.studio.status();
   }
 
-  /** Nobody asks any more. */
+  /** Stops the work and frees the studio. */
   end(): void {
     clearTimeout(this.timer);
     this.studio.free();

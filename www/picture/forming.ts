@@ -25,7 +25,7 @@ export class Forming {
     this.told = told;
   }
 
-  /** The work now goes at the pace of a viewer. */
+  /** Starts the pace of a viewer. */
   begin(newcomer = this.newcomer): void {
     if (!this.engine.offers('forming')) return;
     this.newcomer = newcomer;
@@ -35,7 +35,7 @@ export class Forming {
     this.subtitle.begin(this.engine.get('stone') === 'skin');
   }
 
-  /** Nobody watches any more: the work goes on at its own pace. */
+  /** Ends the pace of a viewer; the work goes on at its own pace. */
   leave(): void {
     this.newcomer = false;
     if (!this.loop.watch) return;
@@ -49,7 +49,7 @@ export class Forming {
     this.ahead = undefined;
   }
 
-  /** Updates pace and subtitle after a frame. `begun`: the first cells are visible. */
+  /** Updates pace and subtitle after a frame. `begun` is true once the first cells are visible. */
   follow(stage: string, begun: boolean): void {
     const { loop } = this;
     if (isEnd(stage)) {

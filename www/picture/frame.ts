@@ -1,4 +1,4 @@
-/** Computes which part of the picture is in its frame. styles/stage.css lays the pane out in the same way. */
+/** Computes which part of the picture its frame shows. styles/stage.css lays the pane out in the same way. */
 import type { Zoomed } from '../state/viewing';
 
 /** From this zoom on, the picture's pixels are shown as squares. */

@@ -19,7 +19,7 @@ export function keepInSight(store: Store): void {
   const fit = (): void => {
     due = 0;
     const { bottom, height } = frame.getBoundingClientRect();
-    // Where the frame does not stick above the page's upper edge, the picture keeps its size.
+    // If the frame does not stick above the page's upper edge, the picture keeps its size.
     const least = 1 + Math.min(0, (parseFloat(getComputedStyle(frame).top) || 0) - above) / height;
     const scale = Math.min(1, Math.max(least, (bottom - above) / height));
     frame.style.setProperty('--shrunk', String(scale));
@@ -51,7 +51,7 @@ function followKeyboard(changed: (above: number) => void): void {
   const seen = window.visualViewport;
   if (!seen) return;
   const follow = (): void => {
-    // A zoom of the page by two fingers also shrinks the viewport, and is no keyboard.
+    // A zoom of the page by two fingers also shrinks the viewport, but it is no keyboard.
     const covered = seen.scale < 1.01 && seen.height < innerHeight - 1;
     const { style } = document.documentElement;
     style.setProperty('--seen-height', covered ? `${seen.height}px` : '');

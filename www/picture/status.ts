@@ -1,11 +1,14 @@
-/** The state of the work: the stages with their milliseconds, the counts, and the caption. */
+/** The status of the work: stages with their milliseconds, counts, and the caption. */
 import { progressOf, type Course } from '../module/stages';
 import type { Preset, Status } from '../module/types';
 import { partIn, stageIn, t } from '../words/words';
 import { byId, make, say } from '../base/dom';
 import { notice } from '../base/messages';
 
-/** Milliseconds after which the bar shows how far the work is; later where it takes its time because somebody watches. */
+/**
+ * Milliseconds after which the progress bar appears; later while a visitor watches, since the work is slow on
+ * purpose.
+ */
 const LONG = 400;
 const WATCHED = 6000;
 
@@ -18,7 +21,7 @@ export class StatusLine {
   private readonly work = byId('work');
   private readonly way = make('span');
   private began: number | undefined;
-  /** What the caption says, and its remarks. */
+  /** The text of the caption, with its remarks. */
   private captioned = '';
   private course: Course = { stages: [], begins: [], stepping: '', placing: '', settled: '' };
 
@@ -33,7 +36,7 @@ export class StatusLine {
     }
   }
 
-  /** The stages of what is made now. */
+  /** Shows the stages of the present generator. */
   follow(course: Course): void {
     this.course = course;
     this.stages.clear();
@@ -66,9 +69,9 @@ export class StatusLine {
   }
 
   /**
-   * The caption: `note` where there is one (of drawings, and recipes without a name), else the preset's name, with the
-   * papers' seconds beside ours where they print them; then why something is `absent`, and a button for what is to be said
-   * of the rest.
+   * Writes the caption. It is `note` if there is one (for drawings, and recipes without a name), else the preset's
+   * name, with the times printed in the papers beside ours. Then follow the reasons why parts are `absent`, and a
+   * button for the remarks.
    */
   name(note: string, [absent, remarks]: [absent: Iterable<string>, remarks: readonly string[]], preset: Preset | undefined, changed: boolean, stage: string, status: Status): void {
     const parts = note || !preset ? [note] : this.named(preset, changed, stage, status);
@@ -93,7 +96,7 @@ export class StatusLine {
     return parts;
   }
 
-  /** The bar under the canvas, while work takes long. */
+  /** The progress bar under the canvas, while work takes long. */
   private progress(stage: string, status: Status, long: number): void {
     const word = this.course.stages.includes(stage) ? stage : undefined;
     const now = performance.now();
@@ -113,7 +116,7 @@ export class StatusLine {
   }
 }
 
-/** Says these over the picture when it is pressed. */
+/** A button that shows the remarks over the picture. */
 function remarked(remarks: readonly string[]): HTMLElement {
   const button = make('button', { type: 'button', class: 'remarks' }, t('remarks', { n: remarks.length }));
   button.addEventListener('click', () => notice('remarks', ...remarks));

@@ -1,12 +1,12 @@
-/** A forming that runs up to one step of its packing, and is held there; where the packing ends before, at its end. */
+/** Runs a forming up to one step of its packing and pauses it there, or at the packing's end if that comes earlier. */
 import { isEnd, isUpToSteps } from '../module/stages';
 import type { Engine } from '../state/engine';
 
 export class Until {
-  /** The steps that were made, once it is held. */
+  /** The steps made, once it is paused. */
   made: number | undefined;
   private readonly step: number;
-  /** Is called when it is held. */
+  /** Called when it is paused. */
   readonly held: (steps: number) => void;
 
   constructor(step: number, held: (steps: number) => void) {
@@ -14,14 +14,15 @@ export class Until {
     this.held = held;
   }
 
-  /** Works for about `budget` milliseconds, and makes at most so many steps; true when what is shown may have changed. */
+  /** Works for about `budget` milliseconds and makes at most `steps` steps; true if the picture may have changed. */
   tick(engine: Engine, budget: number, steps: number): boolean {
     const end = performance.now() + budget;
     const { stepping } = engine.generator;
     let changed = false;
     for (let left = steps; performance.now() < end; ) {
       if (this.isPast(engine)) break;
-      // One slice of anything but a step: where there is none, a step is next, and what is counted is the packing at work.
+      // Runs one slice of anything but a packing step. If there is none, a packing step is next, and the count of
+      // steps is that of this packing.
       if (engine.tick(0, 0)) changed = true;
       else if (engine.stage() !== stepping || engine.status().steps >= this.step) {
         this.made = engine.status().steps;

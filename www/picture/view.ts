@@ -1,10 +1,10 @@
-/** The canvas: its size, and what it shows. */
+/** The canvas: its size and its content. */
 import { said, t, viewIn } from '../words/words';
 import { byIdAs, make } from '../base/dom';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 
-/** Views that need a sentence about what they show. */
+/** Views that have a sentence about their content. */
 const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'height', 'normals', 'ids', 'potential', 'albedo', 'roughness', 'ao', 'paper'] as const;
 
 export class View {
@@ -14,7 +14,7 @@ export class View {
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly followers: (() => void)[] = [];
-  /** The note of a view that is seen by frames. */
+  /** Returns the note of a view that is seen by frames. */
   noted: ((view: string) => string) | undefined;
 
   constructor(engine: Engine, store: Store) {
@@ -27,17 +27,17 @@ export class View {
     store.on(['view'], ({ view }) => (this.select.value = view));
   }
 
-  /** The views of what is made now, the first ten in the order of their keys 0 to 9. */
+  /** The views of the present generator; the first ten have the keys 0 to 9. */
   get bases(): readonly string[] {
     return this.engine.generator.bases;
   }
 
-  /** What is drawn over them, in the order in which it is drawn. */
+  /** The overlays, in the order of drawing. */
   get overlays(): readonly string[] {
     return this.engine.generator.overlays;
   }
 
-  /** Another generator is at work: what it has no words for is not shown any more. */
+  /** Updates the views for another generator; a view or overlay that it does not have is no longer shown. */
   follow(): void {
     const { view, overlays } = this.store.state;
     this.select.replaceChildren(...this.bases.map((word) => make('option', { value: word }, viewIn(word))));
@@ -45,21 +45,24 @@ export class View {
     this.select.value = this.store.state.view;
   }
 
-  /** What a drawing shows, in a sentence; '' for pictures. */
+  /** A sentence on the content of a drawing; '' for pictures. */
   get note(): string {
     if (this.engine.offers('frames')) return this.noted?.(this.store.state.view) ?? '';
     const drawing = DRAWINGS.find((word) => word === this.store.state.view);
     return drawing ? t(`note_${drawing}`, { n: this.engine.heightRange().toFixed(1) }) : '';
   }
 
-  /** What of the view shows nothing, by its word, with a sentence that says why; while work goes on all of it may still come. */
+  /**
+   * The parts of the view that show nothing, by word, with a sentence on the reason. Empty while work goes on,
+   * because they may still come.
+   */
   absences(): Map<string, string> {
     const { stage, paused } = this.store.state;
     const found = stage === 'done' || paused ? this.engine.absences(this.words) : [];
     return new Map([...found].map(([word, why]) => [word, t(`absent_${why}`)]));
   }
 
-  /** The remarks of the engine, once all is there that cells are packed by. */
+  /** The remarks of the engine, once the packing has begun. */
   remarks(stage: string): string[] {
     const { stages, stepping } = this.engine.generator;
     return stage === 'done' || stages.indexOf(stage) >= stages.indexOf(stepping) ? this.engine.remarks().map(said) : [];
@@ -75,13 +78,13 @@ export class View {
     for (const follow of this.followers) follow();
   }
 
-  /** What is drawn, in the words of the module. */
+  /** The view and overlays in the words of the module. */
   get words(): string {
     const { view, overlays } = this.store.state;
     return [view, ...overlays].join('+');
   }
 
-  /** `follow` is called whenever the canvas was drawn anew. */
+  /** `follow` is called after each drawing of the canvas. */
   drawn(follow: () => void): void {
     this.followers.push(follow);
   }

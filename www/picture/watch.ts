@@ -1,40 +1,40 @@
 /**
- * The pace of a forming that somebody watches. It goes by the clock, so that it lasts as long on a fast machine as on a
- * slow one; the clock tells only when things are made, never what is made.
+ * The pace of a forming that a visitor watches. It goes by the clock, so that it takes the same time on fast and slow
+ * machines. The clock decides only when things are made, never the result.
  */
 import type { Course } from '../module/stages';
 import type { Engine } from '../state/engine';
 
-/** Milliseconds in which cells are packed, then stand as polygons, then get their stones. */
+/** Milliseconds for the packing, for the cells as polygons, and for the stones. */
 const PACKING = 2100;
 const STANDING = 350;
 const STONES = 1000;
 
-/** Steps of a packing of which nothing is known yet. */
+/** The assumed steps of a packing whose number of steps is unknown. */
 const STEPS = 45;
 
-/** Milliseconds that a frame may take off the time: a page that was hidden goes on where it was. */
+/** The most milliseconds that one frame counts, so that a page that was hidden goes on where it was. */
 const LONGEST = 300;
 
-/** This part of the packing goes by before what is seen is called settling. */
+/** The share of the packing's time after which the subtitle calls it settling. */
 const SETTLING = 0.62;
 
-/** What is seen, in the order in which it comes. */
+/** The phases of the subtitle, in their order. */
 export const PHASES = ['push', 'settle', 'stone'] as const;
 export type Phase = (typeof PHASES)[number];
 
 export class Watch {
-  /** Steps that the packing takes, as far as known. */
+  /** The number of steps of the packing, as far as known. */
   expected = STEPS;
   private last: number | undefined;
   private stage = '';
   private readonly course: Course;
-  /** Milliseconds of the stage at work. */
+  /** Milliseconds spent in the present stage. */
   private passed = 0;
   /** The fraction of a packing step that is due but not made yet. */
   private due = 0;
 
-  /** How the stages go on in what is watched. */
+  /** `course` is the order of the stages. */
   constructor(course: Course) {
     this.course = course;
   }
@@ -48,8 +48,8 @@ export class Watch {
   }
 
   /**
-   * Does what is due in a frame that begins now, within `budget` milliseconds; true when what is shown may have changed.
-   * `steps` are those of the packing where the visitor asked for fewer than would fit in.
+   * Does the work that is due in a frame that begins at `now`, within `budget` milliseconds; true if the picture may
+   * have changed. `steps` limits the packing steps if the visitor asked for fewer.
    */
   tick(engine: Engine, now: number, budget: number, steps?: number): boolean {
     const before = this.follow(engine.stage(), now);
@@ -57,7 +57,7 @@ export class Watch {
     return this.stage === this.course.placing ? this.stones(engine, budget) : engine.tick(budget, 0);
   }
 
-  /** Counts the time of the stage; answers what it was before. */
+  /** Adds to the time of the stage; returns the time before. */
   private follow(stage: string, now: number): number {
     if (stage !== this.stage) [this.stage, this.passed, this.due] = [stage, 0, 0];
     const before = this.passed;
@@ -66,7 +66,7 @@ export class Watch {
     return before;
   }
 
-  /** Few at first, when each of them moves much. */
+  /** The whole steps that are due. The rate is low at first, because each early step moves much. */
   private steps(before: number): number {
     const way = (at: number): number => 0.5 * at + 0.5 * Math.min(at, 1) * at;
     this.due += this.expected * (way(this.passed / PACKING) - way(before / PACKING));
@@ -75,7 +75,7 @@ export class Watch {
     return whole;
   }
 
-  /** One after the other, as many as there should be by now. */
+  /** Makes one stone after the other, as many as are due by now. */
   private stones(engine: Engine, budget: number): boolean {
     const share = (this.passed - STANDING) / STONES;
     const end = performance.now() + budget;

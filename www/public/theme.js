@@ -1,11 +1,11 @@
-// Light or dark, as it was chosen here or else as the system is: worked out before anything is painted, so this is no
-// module. www/base/theme.ts goes on from here.
+// Sets the light or dark theme: the visitor's choice, or else the system's. It runs before the first paint, so it is
+// no module. www/base/theme.ts continues it.
 {
   let chosen;
   try {
     chosen = localStorage.getItem('bubblestone.theme');
   } catch {
-    // Without a storage it is the system's.
+    // Without a storage, the system decides.
   }
   document.documentElement.dataset.theme = chosen || (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
 }

@@ -1,4 +1,4 @@
-/** The address: the recipe, and the view that a link asked for, until the visitor goes on from that. */
+/** The address of the page: the recipe, and the view of an opened link until the visitor changes the view. */
 import { t } from '../words/words';
 import { make } from '../base/dom';
 import { clear, offerOf } from '../base/messages';
@@ -17,10 +17,10 @@ export class Address {
   private readonly link: Link;
   /** The words of the view. */
   private words = '';
-  /** What changes now is what a link asked for. */
+  /** True while the view of a link is being applied. */
   private showing = false;
 
-  /** `undo` goes one step back. */
+  /** `undo` goes one step back in the history. */
   constructor(work: Work, loop: Loop, linked: Parts['linked'], undo: () => void) {
     this.work = work;
     this.loop = loop;
@@ -33,7 +33,7 @@ export class Address {
       loop.until = undefined;
       this.write();
     });
-    // What did not come leaves the address of what is shown.
+    // If a recipe is abandoned before it is loaded, the address shows the present one again.
     store.on(['coming'], ({ coming }) => coming || this.write());
   }
 
@@ -41,12 +41,12 @@ export class Address {
     this.link.write(joined(this.work.store.state.recipe, this.words));
   }
 
-  /** The next change is an entry of its own in the browser's history. */
+  /** Makes the next change an entry of its own in the browser's history. */
   push(): void {
     this.link.next = 'push';
   }
 
-  /** Shows what a link's words of the view ask for, then goes on. */
+  /** Applies a link's words of the view, then calls `then`. */
   show(words: string, then: () => void): void {
     const shown = (now: string): void => {
       this.words = now;
@@ -62,14 +62,14 @@ export class Address {
     void this.linked.load().then((it) => shown(it?.show(words, this.work, this.loop, change) ?? ''));
   }
 
-  /** The visitor goes on from what a link asked for: the address has the recipe alone again. */
+  /** The visitor has changed the view of a link: the address holds the recipe alone again. */
   leave(): void {
     if (this.showing || this.words === '') return;
     this.words = '';
     this.write();
   }
 
-  /** A link was opened over work of the visitor's own: that is one step back. */
+  /** A link was opened over the visitor's own work; offers to undo that. */
   tellReplaced(): void {
     const back = make('button', { type: 'button' }, t('replaced_back'));
     back.addEventListener('click', () => {
@@ -79,7 +79,7 @@ export class Address {
     offerOf('replaced', t('replaced'), back);
   }
 
-  /** `ours` says that the page had written this address before. */
+  /** `ours` is true if the page itself had written this address before. */
   private open(fragment: string, ours: boolean): void {
     const { store } = this.work;
     const { own, recipe: before } = store.state;

@@ -1,4 +1,4 @@
-/** The wiring: what happens when something on the page is changed, and what is shown of it. */
+/** The wiring of the page: which changes cause which work, and which parts show the result. */
 import { keepModules } from '../module/load';
 import { isEnd, isUpToSteps } from '../module/stages';
 import { language, t } from '../words/words';
@@ -39,9 +39,12 @@ import { refine } from './refine';
 import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
 
-/** Milliseconds that the picture stands still before listeners are told: a slider's steps are not told one by one. */
+/**
+ * Milliseconds without a change before the end of the work is announced, so that the steps of a slider are not
+ * announced one by one.
+ */
 const SETTLED = 400;
-/** Frames that the first cells may take before the panel comes all the same. */
+/** Frames to wait for the first cells before the panel is built anyway. */
 const PATIENCE = 12;
 
 export class App {
@@ -58,20 +61,23 @@ export class App {
   private readonly parts: Parts;
   private readonly scaling: Scaling;
   private readonly face: ScriptFace;
-  /** Whether cells were shown. */
+  /** Whether cells have been shown. */
   private begun = false;
-  /** The first picture is done. */
+  /** Resolves when the first picture is done. */
   readonly finished: Promise<void>;
   private finish = (): void => undefined;
-  /** A timer: the end of the work is told once it lasts. */
+  /** The timer of the announcement that the work has ended. */
   private telling = 0;
-  /** Visitors who asked for less motion see no cells move until they choose a speed. */
+  /** Visitors who prefer less motion see no forming until they choose a speed. */
   private still = wantsStill();
 
   constructor() {
     const last = lastWork();
     const { recipe: asked, words } = askedFor(last);
-    /** The picture that the page begins with forms slowly for a newcomer: scripts are told ahead. */
+    /**
+     * For a new visitor the page's first picture forms slowly. Scripts get their results from a second engine that
+     * runs ahead.
+     */
     const newcomer = isFirstVisit() && asked === '' && !this.still;
     this.finished = new Promise((resolve) => (this.finish = resolve));
     this.engine = new Engine(openedFirst(asked, last), (error, link) => this.crashed(error, link));
@@ -106,7 +112,7 @@ export class App {
     void this.finished.then(() => refine(this.work, this.view));
   }
 
-  /** Panel and rail, which are much to build: the first cells are shown before. */
+  /** Builds the panel and the rail. They take long to build, so the first cells are shown before. */
   async furnish(): Promise<void> {
     const { store } = this;
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
@@ -114,7 +120,7 @@ export class App {
       this.engine,
       (key, text, done) => {
         this.change(key, text, done);
-        // A file is still to be chosen.
+        // The visitor has not chosen a file yet, so the control shows the old value again.
         if (this.wantsFile(key, text)) panel.refresh();
       },
       ({ key, item }) => (item === 'file' ? this.parts.space.ask((space) => space.choose()) : this.parts.editor.ask((editor) => editor.toggle(key))),
@@ -129,9 +135,9 @@ export class App {
       store.update({ paused: false });
     });
     const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
-    /** The generator that the panel is of. */
+    /** The generator that the panel was built for. */
     let made = '';
-    /** Builds what depends on the generator. */
+    /** Builds the parts that depend on the generator. */
     const build = async (): Promise<void> => {
       const { make: word } = store.state;
       if (word === made) return;
@@ -149,7 +155,7 @@ export class App {
       made = word;
     };
     let building = Promise.resolve();
-    // One after the other: what is built is one panel.
+    // Builds run one after the other, because they share the panel.
     const follow = (): Promise<void> => (building = building.catch(() => undefined).then(build));
     store.on(['make'], () => void follow());
     store.on(['recipe'], (state) => {
@@ -160,7 +166,10 @@ export class App {
     await follow();
   }
 
-  /** What is made now, before anything of it is shown: stages, views, and the parts of the page that serve it. */
+  /**
+   * Prepares the page for the present generator before anything of it is shown: stages, views, and the parts that it
+   * needs.
+   */
   private offer(): void {
     const { generator } = this.engine;
     const { offers } = generator;
@@ -174,17 +183,17 @@ export class App {
     this.store.update({ layers: false, compare: false, plots: false, turn: isFramed, camera: undefined, repeat: 1, ...(isFramed ? { zoom: WHOLE } : {}) });
   }
 
-  /** Whether cells were shown, or never will be. */
+  /** Whether cells have been shown, or never will be. */
   private hasBegun(): boolean {
     return this.begun || this.store.state.stage === 'error' || !this.engine.alive;
   }
 
-  /** What scripts may use. */
+  /** The functions for scripts. */
   scripts(): ScriptFace['face'] {
     return this.face.face;
   }
 
-  /** recipe -> studio -> view: what follows which part of the state. */
+  /** Connects the parts of the state with their followers: recipe -> studio -> view. */
   private follow(): void {
     const { store } = this;
     const showHistory = ({ past, future, stored, own }: State): void => {
@@ -192,7 +201,7 @@ export class App {
       byIdAs('redo', HTMLButtonElement).disabled = future.length === 0;
       const note = byId('stored');
       const text = stored && own ? t('stored') : '';
-      // Screen readers tell it the first time only.
+      // Screen readers announce it only the first time.
       if (!text && note.textContent) note.ariaLive = 'off';
       say(note, text);
     };
@@ -265,7 +274,7 @@ export class App {
     select.addEventListener('change', () => speak(select.value));
   }
 
-  /** May come at any time, even while the engine is being made. */
+  /** Shows a crash. It may happen at any time, even while the engine is being made. */
   private crashed(error: unknown, link: string): void {
     (this.store as Store | undefined)?.update({ stage: 'error' });
     document.documentElement.dataset['stage'] = 'error';
@@ -281,22 +290,22 @@ export class App {
     this.work.set(key, text, !done);
   }
 
-  /** Whether a value asks for a file that the recipe does not name yet. */
+  /** Whether a value needs a file that the recipe does not name yet. */
   private wantsFile(key: string, text: string): boolean {
     const files = this.engine.schema.filter(({ item }) => item === 'file');
     return files.some(({ key: file, shownFor }) => shownFor?.key === key && shownFor.words.includes(text) && this.engine.get(file) === '');
   }
 
-  /** The forming from its start, at a pace to watch it, or held there. */
+  /** Restarts the forming, at a pace to watch it, or paused at its start. */
   private again(paused = false): void {
     this.still = false;
     this.store.update({ paused });
     this.goOn();
     const { compare, beside } = this.store.state;
-    // Two pictures go on in step, not by the clock.
+    // Two compared pictures advance together by steps, not by the clock.
     if (!compare || !beside) this.forming.begin();
     this.work.restart();
-    // Buttons tell at once what they do now, not with the next frame.
+    // The buttons are updated now, not with the next frame.
     this.report(this.engine.stage());
     this.loop.changed();
   }
@@ -305,13 +314,13 @@ export class App {
     this.parts.editor.here?.close();
   }
 
-  /** From here on the work is not held where a link asked for it. */
+  /** Lets the work run past the step where a link held it. */
   private goOn(): void {
     this.loop.until = undefined;
     this.address.leave();
   }
 
-  /** Whether there is nothing left to do, neither here nor beside. */
+  /** Whether no work is left, neither here nor in the compared picture. */
   private isOver(): boolean {
     return isEnd(this.engine.stage()) && isEnd(this.store.state.other);
   }
@@ -321,7 +330,7 @@ export class App {
     if (this.isOver()) return this.again(true);
     this.store.update({ paused: true });
     this.goOn();
-    // The first cells come by themselves.
+    // The work up to the first step of the packing runs even while paused.
     const { generator } = this.engine;
     if (!isEnd(stage) && stage !== generator.stepping && isUpToSteps(generator, stage)) return;
     const before = this.engine.status().steps;
@@ -330,12 +339,12 @@ export class App {
     this.loop.redraw();
   }
 
-  /** The view that is drawn at a stage: who asks for less motion sees finished pictures only. */
+  /** The view that is drawn at a stage. Visitors who prefer less motion see finished pictures only. */
   private shownAt(stage: string): string | undefined {
     return !this.still || stage === 'done' || this.store.state.paused ? this.view.words : undefined;
   }
 
-  /** After each frame in which something was done. */
+  /** Called after each frame in which something was done. */
   private drawn(stage: string, changed: boolean): void {
     if (!this.engine.alive) return;
     const { preset, recipe } = this.store.state;
@@ -351,7 +360,7 @@ export class App {
     if (stage === 'done') this.finish();
   }
 
-  /** Tells scripts the stage of the recipe: on the screen it may be an earlier one. */
+  /** Sets the stage of the recipe for scripts. The stage on the screen may be an earlier one. */
   private told(): void {
     const stage = this.forming.ahead?.stage ?? this.engine.stage();
     const { dataset } = document.documentElement;
@@ -359,32 +368,32 @@ export class App {
     if (stage === 'done') this.face.done();
   }
 
-  /** This recipe gives no pavement; another one may. */
+  /** This recipe gives no picture; another one may. */
   private stuck(): void {
     const sentence = this.engine.problem();
-    // A file that is missing has its own place on the sheet.
+    // A missing file is shown by a part of its own on the sheet.
     if (!this.engine.missing().length) alertOf('trouble', sentence);
     this.face.failed(sentence);
   }
 
-  /** Names the stage at work to scripts, and the end of the work to listeners. */
+  /** Updates the stage in the state and for scripts, and announces the end of the work. */
   private report(stage: string): void {
     this.told();
     const before = this.store.state.stage;
     if (stage === before) return;
     if (before === 'error') clear('trouble');
-    // A pause holds one forming, not the next.
+    // A pause applies to one forming, not to the next.
     this.store.update(isEnd(stage) ? { stage, paused: false } : { stage });
     const { cells, steps } = this.engine.status();
     clearTimeout(this.telling);
     say(byId('live'), '');
     if (stage !== 'done') return;
-    // There is time now; without a storage the next visit unpacks the module again.
+    // There is time for this now. Without a storage, the next visit unpacks the module again.
     keepModules().catch(() => undefined);
     this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
   }
 
-  /** The next change is an entry of its own in the browser's history. */
+  /** Makes the next change an entry of its own in the browser's history. */
   private push(): void {
     this.address.push();
   }

@@ -1,4 +1,4 @@
-/** The link to the clipboard. */
+/** Copies the link to the clipboard. */
 import { t } from '../words/words';
 import { notice, passing } from '../base/messages';
 import { address } from '../state/link';

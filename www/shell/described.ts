@@ -1,4 +1,4 @@
-/** A recipe that has no name, in the words of its controls. */
+/** Describes a recipe without a name by the values of its controls. */
 import { t } from '../words/words';
 import type { Engine } from '../state/engine';
 import { telling } from '../state/name';

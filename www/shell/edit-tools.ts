@@ -7,7 +7,7 @@ import type { Work } from '../state/work';
 import type { Panel } from '../panel/panel';
 import type { Parts } from './parts';
 
-/** Files of models. */
+/** Names of model files. */
 const MODEL = /\.(obj|glb|ply|stl|gltf)$/i;
 
 export class EditTools {
@@ -39,19 +39,19 @@ export class EditTools {
     this.show();
   }
 
-  /** The panel's own button for the outline. */
+  /** Adds the panel's button for the outline. */
   build(panel: Panel): void {
     panel.append('Outline', make('div', { class: 'tools' }, this.edit));
     this.show();
   }
 
-  /** Where there is little room a button shows and hides the rare tools; to choose one hides them, too. */
+  /** On small screens a button shows and hides the rare tools; choosing one hides them, too. */
   private foldRare(box: HTMLElement): void {
     const { more } = this;
     const rare = byId('rare-tools');
     const isOpen = (): boolean => more.getAttribute('aria-expanded') === 'true';
     const open = (on: boolean): void => {
-      // Where the toolbar's stop for Tab is hidden, the button becomes it.
+      // If the toolbar's Tab stop becomes hidden, the button takes its place.
       const stop = rare.querySelector<HTMLElement>('[tabindex="0"]');
       if (!on && stop && isShown(more)) [stop.tabIndex, more.tabIndex] = [-1, 0];
       more.setAttribute('aria-expanded', String(on));
@@ -65,7 +65,10 @@ export class EditTools {
     });
   }
 
-  /** Outlines come by the clipboard, models and they as files dropped anywhere: beside the picture a browser would open them instead of the page. */
+  /**
+   * Outlines can be pasted; outlines and models can be dropped anywhere. The whole page takes them, because a browser
+   * would open a file that is dropped beside the picture.
+   */
   private receive(): void {
     const sheet = byId('sheet');
     const page = document.documentElement;
@@ -81,10 +84,10 @@ export class EditTools {
     });
     page.addEventListener('drop', (event) => {
       const files = [...(event.dataTransfer?.files ?? [])];
-      // Text that is dropped into a field goes there.
+      // Text that is dropped into a field stays there.
       if (files.length) event.preventDefault();
       sheet.classList.remove('dropping');
-      // Of several files the first one that may be an outline, a recipe, or a model.
+      // Takes the first file that may be an outline, a recipe or a model.
       const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name) || MODEL.test(name)) ?? files[0];
       if (file && MODEL.test(file.name)) this.takeModel(file);
       else if (file) this.editor.ask((it) => void it.takeFile(file));

@@ -1,4 +1,7 @@
-/** The picture alone, for other pages, in the view that its link asks for: a click pauses and plays, a link in the corner opens the whole page. It stores nothing. */
+/**
+ * The picture alone, for other pages, in the view of its link. A click pauses and plays; a link in the corner opens
+ * the whole page. It stores nothing.
+ */
 import { isEnd } from '../module/stages';
 import { t } from '../words/words';
 import { byId, byIdAs, make, wantsStill } from '../base/dom';
@@ -31,12 +34,12 @@ export class Embed {
   /** The view and its overlays, in the module's words. */
   private view = 'auto';
   private zoom = WHOLE;
-  /** What makes the finished picture finer; it comes when there is time, and without it there is the picture. */
+  /** Smooths the finished picture. It is loaded later; without it the plain picture stays. */
   private fine: Fine | undefined;
   private refining = !wantsFine();
-  /** Where the bodies are seen from; undefined while the picture is. */
+  /** The camera of the turntable; undefined while the picture is shown. */
   private camera: Camera | undefined;
-  /** That of a picture's bodies, and that of what is seen by frames only. */
+  /** The turntable of a picture's bodies, and that of generators seen by frames only. */
   private slant: Turntable | undefined;
   private own: Turntable | undefined;
   private frames: LocalFrames | undefined;
@@ -58,7 +61,7 @@ export class Embed {
         engine.open(recipe);
         if (engine.alive) clear('trouble');
         this.opened(words);
-        // A step is come to from the start.
+        // A held step is reached from the start.
         if (loop.until) engine.restart();
       });
     });
@@ -113,7 +116,7 @@ export class Embed {
     this.name(engine.stage());
   }
 
-  /** The button says what it does now. */
+  /** Updates the button's name to its present action. */
   private name(stage: string): void {
     const does = this.loop.paused || isEnd(stage) ? 'play' : 'pause';
     const word = t(does);
@@ -123,7 +126,10 @@ export class Embed {
     this.button.setAttribute('aria-label', word);
   }
 
-  /** Shows the bodies from a slant, or the picture again; what is seen by frames is shown so always. What makes them comes later; without it there is the picture. */
+  /**
+   * Shows the turntable, or the picture again. Generators that are seen by frames only always show the turntable. Its
+   * code is loaded later; without it the picture stays.
+   */
   private turn(camera: Camera | undefined): void {
     const { engine, loop } = this;
     const isFramed = engine.offers('frames');
@@ -132,7 +138,7 @@ export class Embed {
     const show = (): void => {
       const on = isFramed || this.camera !== undefined;
       const turntable = isFramed ? this.own : this.slant;
-      // Beside frames of the engine's own the button is a small one.
+      // Beside frames of the engine itself, a small button is shown.
       this.button.hidden = on && !isFramed;
       for (const other of [this.own, this.slant]) if (other !== turntable) other?.toggle(false);
       loop.painter = isFramed ? this.frames : undefined;

@@ -1,4 +1,4 @@
-/** The buttons for looking closer, beside the canvas. */
+/** The buttons for inspecting, beside the canvas. */
 import { t } from '../words/words';
 import { byId, say, walkByArrows } from '../base/dom';
 import { bindKeys } from '../base/keys';
@@ -6,11 +6,11 @@ import type { Later } from '../base/later';
 import type { Store } from '../state/store';
 import type { Parts } from './parts';
 
-/** What may stand beside or over the picture. */
+/** Tools that appear beside or over the picture. */
 type Tool = 'light' | 'layers' | 'compare' | 'plots' | 'turn';
 
 interface Shown {
-  /** Is called whenever the tool is shown or goes. */
+  /** Called whenever the tool is shown or hidden. */
   show(on: boolean): void;
 }
 
@@ -31,7 +31,7 @@ export function makeLookTools(store: Store, parts: Parts, leave: () => void): vo
     store.update({ compare: false, repeat: 1 });
   });
   byId('tile-button').addEventListener('click', () => {
-    // To edit and to compare there is one picture: what was asked for last ends the others.
+    // Editing and comparing need a single picture. The mode chosen last ends the others.
     leave();
     store.update({ compare: false, turn: false, repeat: (store.state.repeat % REPEATS) + 1 });
   });
@@ -43,7 +43,7 @@ export function makeLookTools(store: Store, parts: Parts, leave: () => void): vo
   bind();
 }
 
-/** What is done on the picture may come before what answers it, and is kept for that. */
+/** Passes events on the picture to parts that are loaded on demand; early events are kept for them. */
 function forward({ pointer, turn }: Parts, store: Store): void {
   const zoom = (by: number) => () => (store.state.turn ? turn.ask((it) => it.step(by)) : pointer.ask((it) => it.zoom.step(by)));
   byId('zoom-in').addEventListener('click', zoom(1));
@@ -55,7 +55,7 @@ function forward({ pointer, turn }: Parts, store: Store): void {
     'wheel',
     (event) => {
       if (pointer.here) return;
-      // All the way out, the wheel scrolls the page.
+      // Fully zoomed out, the wheel scrolls the page.
       if (event.deltaY < 0 || event.ctrlKey) event.preventDefault();
       pointer.ask((it) => it.zoom.wheel(event));
     },
@@ -70,7 +70,7 @@ function forward({ pointer, turn }: Parts, store: Store): void {
 function bind(): void {
   const press = (id: string) => () => byId(id).click();
   const turn = (): void => {
-    // From where the focus is, the keys go on.
+    // The focus moves to the button, so that further keys go on from there.
     byId('turn-button').focus();
     byId('turn-button').click();
   };
@@ -86,7 +86,7 @@ function bind(): void {
   );
 }
 
-/** A button that shows and hides what its state says. */
+/** A button that toggles a tool in the state. */
 function tool(store: Store, name: Tool, part: Later<Shown>): void {
   const button = byId(`${name}-button`);
   const state = button.hasAttribute('aria-pressed') ? 'aria-pressed' : 'aria-expanded';

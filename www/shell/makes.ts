@@ -1,18 +1,21 @@
-/** The choice of a generator at the top of the page, by picture and word; the build writes it into the page, where there is more than one. */
+/**
+ * The choice of a generator at the top of the page, as pictures with words. The build writes it into the page if
+ * there is more than one generator.
+ */
 import { generators, makeOf } from '../module/generators';
 import { makeIn } from '../words/words';
 import { byId } from '../base/dom';
 import { withValues } from '../state/link';
 import type { Work } from '../state/work';
 
-/** What was pressed before there was anything to choose with. */
+/** The choice that was pressed before `offerMakes` was called. */
 let pressed = '';
 
 let choose = (word: string): void => {
   pressed = word;
 };
 
-/** Hears what is pressed, also before `offerMakes`. */
+/** Listens to presses, also before `offerMakes`. */
 export function hearMakes(): void {
   byId('makes').addEventListener('click', ({ target }) => {
     const word = (target as Element).closest<HTMLElement>('.make')?.dataset['make'];
@@ -23,7 +26,7 @@ export function hearMakes(): void {
 /** `push` is called before a change that the browser's Back button should undo. */
 export function offerMakes(work: Work, push: () => void): void {
   const { engine, store } = work;
-  /** The last recipe of each, for the way back. */
+  /** The last recipe of each generator, for the way back. */
   const last = new Map<string, string>();
   choose = (word) => {
     const chosen = generators.find((one) => one.word === word);

@@ -1,18 +1,18 @@
-/** Lets the service worker store the site, quietly, so that the page works offline from then on. */
+/** Registers the service worker that stores the site, so that the page works offline. */
 import { idle } from '../base/dom';
 
-/** `stored`: all of the site is there offline. `newer`: the next visit gets a newer build than the page is of. */
+/** `stored`: the whole site is available offline. `newer`: the next visit gets a newer build than this page. */
 type Offline = 'stored' | 'newer';
 
-/** To be called once the first picture is done: until then nothing but the picture is worth a request. */
+/** To be called once the first picture is done: before that, every request would delay the picture. */
 export function register(tell: (what: Offline) => void): void {
-  // An embedded page leaves nothing behind.
+  // An embedded page stores nothing.
   if (!('serviceWorker' in navigator) || window.top !== window.self) return;
   navigator.serviceWorker.addEventListener('message', ({ data }: MessageEvent<Offline>) => {
     document.documentElement.dataset['offline'] = data;
     tell(data);
   });
-  // Forbidden, no place, no connection: the page works all the same.
+  // If it fails (forbidden, no space, no connection), the page works without it.
   begin().catch(() => undefined);
 }
 
@@ -28,7 +28,7 @@ async function begin(): Promise<void> {
   worker.postMessage(new URL(ownScript(), document.baseURI).href.slice(registration.scope.length));
 }
 
-/** The path of the page's script, which has the build's hash in its name. */
+/** The path of the page's script, whose name contains the build's hash. */
 function ownScript(): string {
   return document.querySelector('script[type=module]')?.getAttribute('src') ?? '';
 }

@@ -1,10 +1,10 @@
-/** The parts of the page that are loaded when they are first asked for, by name. */
+/** The parts of the page that are loaded on demand, by name. */
 import { Later } from '../base/later';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
 import type { View } from '../picture/view';
 
-/** Those that only some generators need, and what opens them. */
+/** Parts that only some generators need, with the elements that open them. */
 export const OFFERED = [
   ['outline', 'edit-tools'],
   ['probe', 'cells'],

@@ -1,4 +1,4 @@
-/** What makes the finished picture finer comes when there is time, where the visitor wants it; without it there is the picture. */
+/** Loads the smoothing of the finished picture, if the visitor wants it. Without it the plain picture stays. */
 import type { View } from '../picture/view';
 import type { Work } from '../state/work';
 

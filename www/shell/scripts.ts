@@ -1,11 +1,14 @@
-/** `window.bubblestone`: what scripts may ask the page. */
+/** `window.bubblestone`: the functions for scripts. */
 import type { Parameter, Preset, Probe, Status } from '../module/types';
 import type { Engine } from '../state/engine';
 import type { Camera } from '../state/viewing';
 import type { Ahead } from '../picture/ahead';
 
 export interface Bubblestone {
-  /** The digest of the planes, once they are done and drawn; on a first visit, while they still form on the screen. */
+  /**
+   * The digest of the planes, once they are done and drawn. On a first visit it comes earlier, while the picture
+   * still forms on the screen.
+   */
   digest(): Promise<string>;
   /** The fragment of the recipe, without '#'. */
   link(): string;
@@ -13,9 +16,9 @@ export interface Bubblestone {
   status(): Status;
   /** The cell at a place, in units of the picture. */
   probe(x: number, y: number): Probe | undefined;
-  /** The hash of a frame of all bodies, as large as the picture: seen from here, or from where the turntable is. */
+  /** The hash of a frame of all bodies, as large as the picture, from this camera or from that of the turntable. */
   frame(camera?: string): Promise<string>;
-  /** Those of the generator at work. */
+  /** The schema and presets of the present generator. */
   readonly schema: Parameter[];
   readonly presets: Preset[];
 }
@@ -28,13 +31,16 @@ declare global {
 
 export interface ScriptFace {
   readonly face: Bubblestone;
-  /** The planes are done, and drawn or worked out ahead: answers those who wait. */
+  /** Resolves waiting digests: the planes are done, and drawn or computed ahead. */
   done(): void;
-  /** They never will be: rejects those who wait. */
+  /** Rejects waiting digests: there will be no planes. */
   failed(sentence?: string): void;
 }
 
-/** `rests` tells that all that was done is drawn, `camera` where bodies are seen from; `ahead` is where the recipe was worked out before. */
+/**
+ * `rests` returns whether all finished work is drawn, `camera` the camera of the turntable, and `ahead` the engine
+ * that runs ahead, if there is one.
+ */
 export function scriptFace(engine: Engine, rests: () => boolean, camera: () => Camera | undefined, ahead: () => Ahead | undefined = () => undefined): ScriptFace {
   const waiting: { resolve: (digest: string) => void; reject: (error: Error) => void }[] = [];
   const digest = (): string => ahead()?.planes?.digest ?? engine.digest();

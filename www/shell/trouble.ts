@@ -1,10 +1,10 @@
-/** What the visitor sees when the program itself broke. */
+/** The message that the visitor sees when the program itself has failed. */
 import { t } from '../words/words';
 import { make } from '../base/dom';
 import { alertOf } from '../base/messages';
 import { address, reopen } from '../state/link';
 
-/** Says it in words, with a link to the same recipe and a button that starts afresh. */
+/** Shows the error, a link to the same recipe, and a button that starts with an empty recipe. */
 export function tellCrash(error: unknown, link: string): void {
   console.error(error);
   const again = make('a', { href: address(link) }, t('crash_again'));

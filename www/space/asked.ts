@@ -1,4 +1,4 @@
-/** The place on the sheet that asks for the file which a recipe needs. */
+/** The part of the sheet that asks for a file which the recipe needs. */
 import { t } from '../words/space';
 import { byId, make } from '../base/dom';
 
@@ -6,12 +6,12 @@ export class Asked {
   private readonly choose: () => void;
   private element: HTMLElement | undefined;
 
-  /** `choose` has the visitor choose a file. */
+  /** `choose` opens the browser's dialog for files. */
   constructor(choose: () => void) {
     this.choose = choose;
   }
 
-  /** Asks for the file of this name; for none any more without one. */
+  /** Asks for the file of this name; without a name, removes the question. */
   show(name: string | undefined): void {
     if (name === this.element?.dataset['name']) return;
     this.element?.remove();
@@ -21,7 +21,7 @@ export class Asked {
     open.addEventListener('click', this.choose);
     const text = make('div', { role: 'status' }, make('strong', {}, t('asked', { name })), make('p', {}, t('asked_why')));
     this.element = make('div', { class: 'asked', role: 'group', 'aria-label': t('asked_label'), 'data-name': name }, text, open, make('p', {}, t('drop')));
-    // What is done here is not for the picture below.
+    // Events here are not for the picture below.
     for (const sign of ['click', 'dblclick', 'pointerdown', 'touchstart']) this.element.addEventListener(sign, (event) => event.stopPropagation());
     byId('sheet').append(this.element);
   }

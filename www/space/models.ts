@@ -1,4 +1,4 @@
-/** Files of models, as the visitor opens them: known by their digest, kept, and made the recipe's. */
+/** Model files that the visitor opens: they are identified by their digest, stored, and named in the recipe. */
 import { piecesOf } from '../module/given';
 import { generators } from '../module/generators';
 import { loadWhole } from '../module/load';
@@ -13,24 +13,24 @@ import { withValues } from '../state/link';
 import type { State } from '../state/store';
 import type { Work } from '../state/work';
 
-/** Bytes of a file; a model of as many triangles as can be taken has some two hundred million. */
+/** Largest file in bytes; a model with the most triangles allowed has some two hundred million. */
 const LARGEST = 400_000_000;
 
-/** A file, as recipes name it. */
+/** A file as recipes name it. */
 interface Named {
   digest: string;
-  /** The value of the parameter that names it. */
+  /** The value of the parameter for it. */
   value: string;
-  /** The module that has read it. */
+  /** The module that has computed the digest. */
   module: Whole;
 }
 
-/** What is read now. */
+/** Stops the file that is being read. */
 let now: AbortController | undefined;
 
 /**
- * Opens a file: the recipe asks for it from now on, all other settings stay where it takes files already. One that the
- * recipe asks for is given to it. `again` is called where only that is new.
+ * Opens a file and names it in the recipe. The other settings stay if the present generator takes files. If the
+ * recipe already names the file, the engine receives it, and `again` is called because the recipe does not change.
  */
 export async function openModel(work: Work, file: File, again: () => void): Promise<void> {
   now?.abort();
@@ -48,12 +48,12 @@ export async function openModel(work: Work, file: File, again: () => void): Prom
     if (!isKept) notice('files', t('not_kept', { name }));
   } catch (error) {
     if (!stopping.signal.aborted) alertOf('outline', t('unread', { name, reason: reasonOf(error) }));
-    // Another file has taken its place.
+    // Unless another file has taken its place.
     else if (stopping === now) passing('files', t('stopped', { name }));
   }
 }
 
-/** Throws what a browser throws where the file went, or the module does not come. */
+/** Throws the browser's error if the file has gone or the module does not load. */
 async function nameOf(file: File, task: Task): Promise<Named> {
   const module = await loadWhole();
   const digest = new module.FileDigest(file.size);
@@ -72,8 +72,8 @@ async function nameOf(file: File, task: Task): Promise<Named> {
 }
 
 /**
- * The link that asks for a file: the recipe with it, or of another generator where this one takes no files. `role` is the key of
- * the parameter that the recipe waits for.
+ * The link of a recipe that names a file: the present recipe with it, or one of another generator if this one takes
+ * no files. `role` is the key of the parameter that the recipe waits for.
  */
 function askingFor({ value, module }: Named, { make, recipe }: State, role: string | undefined): string {
   const rowOf = (word: string): Parameter | undefined => {
@@ -83,7 +83,7 @@ function askingFor({ value, module }: Named, { make, recipe }: State, role: stri
   const taker = rowOf(make) ? make : generators.find(({ word }) => rowOf(word))?.word;
   const row = taker === undefined ? undefined : rowOf(taker);
   if (!row) return recipe;
-  // It may apply only beside a value of another parameter.
+  // The parameter may apply only with certain values of another one.
   const beside = row.shownFor?.words.slice(0, 1).map((word) => [row.shownFor?.key ?? '', word] as const) ?? [];
   return withValues(taker === make ? recipe : `v=1&make=${taker}`, [...beside, [row.key, value]]);
 }

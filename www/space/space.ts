@@ -1,4 +1,4 @@
-/** What bodies that are seen by frames have on the page beside what all pictures have: files of models, and tools to paint on them. */
+/** The parts of the page for generators that are seen by frames only: model files, and tools for painting. */
 import { t } from '../words/space';
 import { said } from '../words/words';
 import { make } from '../base/dom';
@@ -12,7 +12,7 @@ import { openModel } from './models';
 import { Painter } from './paint/painter';
 import '../styles/late/space.css';
 
-/** The place of the stage that has mended a file. */
+/** The index of the stage that repairs a file. */
 const MADE = 0;
 
 export class Space {
@@ -20,12 +20,12 @@ export class Space {
   private readonly turn: Later<PageTurntable>;
   private readonly again: () => void;
   private painter: Painter | undefined;
-  /** The file that was opened last, until it is told what of it was mended. */
+  /** The name of the file that was opened last, until its repairs have been shown. */
   private opened = '';
   private readonly asked = new Asked(() => this.choose());
   private readonly file = make('input', { type: 'file', id: 'model-file', accept: '.obj,.glb,.ply,.stl', hidden: '', 'aria-label': t('choose') });
 
-  /** `again` is to be called where the engine has something to do that is no change of the recipe. */
+  /** `again` starts the engine when the recipe has not changed. */
   constructor(work: Work, turn: Later<PageTurntable>, again: () => void) {
     this.work = work;
     this.turn = turn;
@@ -34,24 +34,24 @@ export class Space {
     this.file.addEventListener('change', () => {
       const [chosen] = this.file.files ?? [];
       if (chosen) void this.take(chosen);
-      // The same file may be chosen again.
+      // Resetting the value lets the visitor choose the same file again.
       this.file.value = '';
     });
     work.store.on(['recipe', 'stage'], () => this.follow());
   }
 
-  /** Has the visitor choose a file. */
+  /** Opens the browser's dialog for files. */
   choose(): void {
     this.file.click();
   }
 
-  /** A file that was chosen or dropped. */
+  /** Takes a file that was chosen or dropped. */
   take(file: File): Promise<void> {
     this.opened = file.name;
     return openModel(this.work, file, this.again);
   }
 
-  /** Shows what the state of the work asks for. */
+  /** Updates these parts after a change of the state. */
   follow(): void {
     const { engine, store } = this.work;
     const { stage } = store.state;
@@ -60,7 +60,7 @@ export class Space {
     if (engine.offers('paint')) this.turn.ask((page) => void this.painted(page));
   }
 
-  /** What was mended of a file that was opened, once that is known. */
+  /** Shows what was repaired in an opened file, once that is known. */
   private tell(): void {
     const { engine } = this.work;
     const { stages } = engine.generator;

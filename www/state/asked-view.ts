@@ -1,54 +1,54 @@
-/** What the words of the view in a link ask for (viewing.ts), checked, and the words for what is shown. */
+/** Reads the words of the view in a link (viewing.ts), checks them, and writes the words for the present view. */
 import type { Camera, Viewing, Zoomed } from './viewing';
 
-/** What there is to look at, of a generator. */
+/** The views and the camera that a generator offers. */
 export interface Sights {
   readonly bases: readonly string[];
   readonly overlays: readonly string[];
-  /** Only what is offered as a forming goes in steps. A camera needs frames, or bodies that can be turned. */
+  /** Only an offered forming has steps. A camera needs frames, or bodies that can be turned. */
   readonly offers: readonly string[];
-  /** Where the viewer stands at first, in numbers with commas between, and how low it may stand, in degrees. */
+  /** The first camera as numbers with commas between, and the lowest camera in degrees. */
   readonly home: string;
   readonly lowest: number;
 }
 
-/** Something in a link that cannot be used as it is. */
+/** A word of a link that cannot be used as it is. */
 export interface Fault {
   readonly what: 'view' | 'layer' | 'pace' | 'step' | 'zoom' | 'camera';
   readonly given: string;
-  /** What is taken instead; without it the word is left out. */
+  /** The value used instead; without it the word is left out. */
   readonly kept?: string;
 }
 
-/** From and to. */
+/** Minimum and maximum. */
 export const LIMITS = { pace: [0.01, 100_000], step: [0, 100_000], zoom: [1, 16] } as const;
 
-/** The same of each number of a camera; angles go round. */
+/** Minimum and maximum for each number of a camera; angles wrap around. */
 export const CAMERA = [[0, 360], [5, 90], [0.05, 20], [5, 100], [-2, 2], [-2, 2], [-2, 2]] as const;
 
-/** Where the viewer of a plane stands at first; other generators have the first numbers of it otherwise. */
+/** The first camera for a plane. Other generators replace its first numbers. */
 const HOME: Camera = [330, 40, 2.95, 28, 0, 0, 0];
 
-/** Decimals that a link has of each number. */
+/** Decimals of each number in a link. */
 const DIGITS = [1, 1, 3, 1, 4, 4, 4];
 
-/** Where the viewer stands at first, and in links that do not say so. */
+/** The camera of links without one. */
 export function homeOf({ home }: Pick<Sights, 'home'>): Camera {
   const numbers = home.split(',').map(numberIn);
   return HOME.map((value, k) => numbers[k] ?? value) as unknown as Camera;
 }
 
-/** From and to, of each number of a camera. */
+/** Minimum and maximum for each number of a camera. */
 export function cameraLimits({ lowest }: Pick<Sights, 'lowest'>): readonly (readonly [number, number])[] {
   return CAMERA.map(([least, most], k) => [k === 1 ? lowest : least, most] as const);
 }
 
-/** Whether there are bodies to be seen by a camera. */
+/** Whether a camera can see bodies. */
 export function hasBodies({ offers }: Pick<Sights, 'offers'>): boolean {
   return offers.includes('turn') || offers.includes('frames');
 }
 
-/** What the words ask for, and what of it is mended or left out. */
+/** The view that the words describe, and the faults that were corrected or left out. */
 export function read(words: string, sights: Sights): { viewing: Viewing; faults: Fault[] } {
   const viewing: Viewing = {};
   const faults: Fault[] = [];
@@ -64,7 +64,7 @@ export function read(words: string, sights: Sights): { viewing: Viewing; faults:
   return { viewing, faults };
 }
 
-/** The words that ask for this; '' for what all see. */
+/** The words of a view; '' for the usual one. */
 export function written({ view = 'auto', overlays = [], pace, step, zoom, camera }: Viewing, sights: Pick<Sights, 'home'>): string {
   const drawn = [view, ...overlays].join('+');
   return [
@@ -76,14 +76,14 @@ export function written({ view = 'auto', overlays = [], pace, step, zoom, camera
   ].join('&');
 }
 
-/** A camera as links have it, without the last numbers where those are usual. */
+/** A camera as words of a link, without trailing numbers that are the usual ones. */
 export function cameraWords(camera: Camera, home: Camera): string {
   const numbers = camera.map((value, k) => Number(value.toFixed(DIGITS[k])));
   const last = numbers.findLastIndex((value, k) => value !== home[k]);
   return numbers.slice(0, Math.max(1, last + 1)).join();
 }
 
-/** The same with no place beyond the picture in the frame. */
+/** Moves the zoom so that the frame shows nothing beyond the picture. */
 export function inFrame({ scale, x, y }: Zoomed): Zoomed {
   const kept = (at: number): number => Math.min(1 - 0.5 / scale, Math.max(0.5 / scale, at));
   return { scale, x: kept(x), y: kept(y) };
@@ -102,7 +102,7 @@ function decoded(text: string): string {
   }
 }
 
-/** A view and layers over it, or layers alone. */
+/** Reads a view with layers over it, or layers alone. */
 function readView(given: string, { bases, overlays }: Sights, viewing: Viewing, faults: Fault[]): void {
   const [first = '', ...more] = given.split(/[+,\s]+/);
   const isView = bases.includes(first);
@@ -114,7 +114,7 @@ function readView(given: string, { bases, overlays }: Sights, viewing: Viewing, 
   viewing.overlays = overlays.filter((word) => layers.includes(word));
 }
 
-/** How much closer, and the middle; that of the picture where it is not said. */
+/** Reads the factor and the middle; without one, the middle of the picture. */
 function readZoom(given: string, viewing: Viewing, faults: Fault[]): void {
   const [times = '', ...place] = given.split(',');
   const [x, y] = (place.length ? place : ['0.5', '0.5']).map(numberIn);
@@ -126,7 +126,7 @@ function readZoom(given: string, viewing: Viewing, faults: Fault[]): void {
   viewing.zoom = inFrame(asked);
 }
 
-/** Up to seven numbers; what is missing is usual. */
+/** Reads up to seven numbers; missing ones are the usual ones. */
 function readCamera(given: string, sights: Sights, viewing: Viewing, faults: Fault[]): void {
   const home = homeOf(sights);
   const numbers = given === '' ? [] : given.split(',').map(numberIn);
@@ -137,7 +137,7 @@ function readCamera(given: string, sights: Sights, viewing: Viewing, faults: Fau
   viewing.camera = kept;
 }
 
-/** A number within the limits of its word, steps whole; undefined where it is none. */
+/** A number within the limits of its word, a whole number for steps; undefined if it is no number. */
 function within(given: string, what: 'pace' | 'step' | 'zoom', faults: Fault[]): number | undefined {
   const number = numberIn(given);
   if (number === undefined) return void faults.push({ what, given });

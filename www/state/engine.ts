@@ -1,6 +1,6 @@
 /**
- * The studio in WebAssembly behind one guard: when a call fails, the page is told once, and later
- * calls answer with harmless values instead of failing again.
+ * The studio in WebAssembly behind one guard. When a call fails, the page is notified once; later calls return
+ * harmless values instead of failing again.
  */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
 import type { FrameSlice, RecipeFile, SeenBody } from '../../pkg-house/bubblestone.js';
@@ -9,11 +9,11 @@ import type { SceneStudio } from '../module/scene';
 import type { Absence, Answer, Generator, Histograms, Notice, Parameter, PixelMap, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
 import { parameterIn, presetIn, said } from '../words/words';
 
-/** What became of what was asked for. */
+/** The result of setting a value. */
 export interface Told {
-  /** It cannot be used, and what was there stays. */
+  /** The value cannot be used; the old one stays. */
   refused: boolean;
-  /** Why it was refused, or what was clamped or mended. */
+  /** Why it was refused, clamped or corrected. */
   sentences: string[];
 }
 
@@ -58,15 +58,15 @@ export class Engine {
   private dead = false;
   private lastLink: string;
   private made: Generator[] | undefined;
-  /** The digest of the file that is looked for, or was not to be had; '' where the recipe needs none. */
+  /** The digest of the file that is being searched for, or was not found; '' if the recipe needs none. */
   private sought = '';
   private seeking = false;
-  /** Counts the searches: one that is not the last one hands nothing over. */
+  /** Counts the searches; an outdated search delivers nothing. */
   private searches = 0;
   private readonly rows = new Map<string, Parameter[]>();
   private readonly known = new Map<string, Preset[]>();
 
-  /** The module of the link has to be there. Never throws; a failure reaches `crashed` with the last known link. */
+  /** The link's module must be loaded. Never throws; a failure is passed to `crashed` with the last known link. */
   constructor(link: string, crashed: (error: unknown, link: string) => void) {
     this.crashed = crashed;
     this.lastLink = link.replace(/^#/, '');
@@ -92,26 +92,26 @@ export class Engine {
     this.module = undefined;
   }
 
-  /** What is made now. */
+  /** The present generator. */
   get generator(): Generator {
     const word = this.ask((core) => core.generator(), '');
     this.made ??= this.guard(() => this.module?.generators(), undefined) ?? [];
     return this.made.find((one) => one.word === word) ?? NO_GENERATOR;
   }
 
-  /** The parameters of what is made now. */
+  /** The parameters of the present generator. */
   get schema(): Parameter[] {
     const { word } = this.generator;
     return kept(this.rows, word, () => this.guard(() => this.module?.schema(word).map((row) => parameterIn(word, row)), undefined) ?? []);
   }
 
-  /** The presets of what is made now. */
+  /** The presets of the present generator. */
   get presets(): Preset[] {
     const { word } = this.generator;
     return kept(this.known, word, () => this.guard(() => this.module?.presets(word).map(presetIn), undefined) ?? []);
   }
 
-  /** Whether what is made now has this part; see `Generator` of the module. */
+  /** Whether the present generator offers this part; see `Generator` of the module. */
   offers(part: string): boolean {
     return this.generator.offers.includes(part);
   }
@@ -120,7 +120,7 @@ export class Engine {
     return !this.dead;
   }
 
-  /** Opens a link, whose module has to be there; where that is another one, the one before is let go of. */
+  /** Opens a link, whose module must be loaded. If that is another module, the previous one is released. */
   open(link: string): string[] {
     if (this.dead) return [];
     this.lastLink = link.replace(/^#/, '');
@@ -155,18 +155,18 @@ export class Engine {
     return this.ask((core) => core.get(key), '');
   }
 
-  /** A parameter's default in the recipe at hand: that of some numbers depends on the kind of stone. */
+  /** A parameter's default in the present recipe: some defaults depend on the kind of stone. */
   defaultOf({ key, kind, default: plain }: Parameter): string {
     if (kind !== 'number' && kind !== 'int') return plain;
     return this.ask((core) => String(core.defaultOf(key)), plain);
   }
 
-  /** Works for about `budget` milliseconds; true when what is shown may have changed. */
+  /** Works for about `budget` milliseconds; true if the picture may have changed. */
   tick(budget: number, steps: number): boolean {
     return !this.seeking && this.ask((core) => core.tick(budget, steps), false);
   }
 
-  /** While live, the cells flow after each change; the end of it makes them anew, as the link asks. */
+  /** While live, the cells flow after each change. At the end they are made again, exactly as the link describes. */
   live(on: boolean): void {
     this.ask((core) => core.setLive(on), undefined);
   }
@@ -179,12 +179,12 @@ export class Engine {
     this.ask((core) => core.restart(), undefined);
   }
 
-  /** The word of the stage at work, then 'done', or 'error' where no pavement can be made. */
+  /** The word of the stage at work, then 'done', or 'error' if the recipe gives no picture. */
   stage(): string {
     return this.seeking ? (this.generator.stages[0] ?? '') : this.ask((core) => core.stage(), 'error');
   }
 
-  /** Why the stage is 'error'; '' while all is well. */
+  /** Why the stage is 'error'; '' without an error. */
   problem(): string {
     const problem = this.ask((core) => core.problem(), undefined);
     return problem ? said(problem) : '';
@@ -194,17 +194,20 @@ export class Engine {
     return this.ask((core) => core.status(), NO_STATUS);
   }
 
-  /** Draws a view's pieces for about `budget` milliseconds; true when `draw` has only the rest to do. */
+  /** Prepares a view's pieces for about `budget` milliseconds; true when only `draw` is left to do. */
   prepare(view: string, budget: number): boolean {
     return this.ask((core) => core.prepare(view, budget), true);
   }
 
-  /** Draws a view: words joined by '+', at most one of a base, any of overlays; see `draw` of the module. */
+  /** Draws a view: words joined by '+', at most one base and any overlays; see `draw` of the module. */
   draw(context: CanvasRenderingContext2D, view: string): void {
     this.ask((core) => core.draw(context, view), undefined);
   }
 
-  /** Works for about `budget` milliseconds on a frame of the bodies; only of what has some. See `turn` of the module. */
+  /**
+   * Works for about `budget` milliseconds on a frame of the bodies, if the generator has some. See `turn` of the
+   * module.
+   */
   turn(subject: string, camera: string, width: number, height: number, how: string, budget: number): FrameSlice | Notice {
     return this.ask((core) => (core as SceneStudio).turn(subject, camera, width, height, how, budget), NOT_YET);
   }
@@ -224,29 +227,32 @@ export class Engine {
     return this.ask((core) => (core as SceneStudio).frameMap(word), NOT_YET);
   }
 
-  /** What is to be read beside a view that is shown: what its colours stand for, or what it counts; '' where there is nothing. */
+  /** The caption of a view: the meaning of its colours, or a count; '' if it has none. */
   caption(view: string): string {
     const caption = this.askWhole((studio) => studio.caption(view), undefined);
     return caption ? said(caption) : '';
   }
 
-  /** What is to be said of what was made: what was mended, or does not fit well. */
+  /** Remarks on the result: repairs, and parts that do not fit well. */
   remarks(): Notice[] {
     return this.askWhole((studio) => studio.remarks(), []);
   }
 
-  /** What of a view shows nothing, by its word, and why. */
+  /** The parts of a view that show nothing, by word, with the reason. */
   absences(view: string): Map<string, Absence> {
     const told = this.ask((core) => core.absences(view), []);
     return new Map(told.map((one) => one.split(':') as [string, Absence]));
   }
 
-  /** From black to white in the view 'height', in pixels; 0 before there is anything. */
+  /** The difference in height between black and white in the view 'height', in pixels; 0 before there are heights. */
   heightRange(): number {
     return this.ask((core) => core.heightRange(), 0);
   }
 
-  /** The triangles and bytes, about, of a mesh file in this degree of detail; `images` are the bytes of those inside. */
+  /**
+   * The approximate triangles and bytes of a mesh file with this level of detail; `images` are the bytes of its
+   * images.
+   */
   meshSize(ending: string, detail: string, images: readonly number[] = []): { triangles: number; bytes: number } {
     const [triangles = 0, bytes = 0] = this.ask((core) => core.meshSize(ending, detail, Uint32Array.from(images)), new Float64Array());
     return { triangles, bytes };
@@ -257,7 +263,7 @@ export class Engine {
     return this.ask((core) => core.probe(x, y), undefined);
   }
 
-  /** How the packing went so far. */
+  /** The progress of the packing so far. */
   series(): Series {
     const none = { step: new Float64Array(), energy: new Float64Array(), move: new Float64Array() };
     return this.ask((core) => core.series(), none);
@@ -295,7 +301,7 @@ export class Engine {
     );
   }
 
-  /** The rows of a list parameter; lengths in sides of the picture. */
+  /** The rows of a list parameter; lengths are in sides of the picture. */
   list(key: string): number[][] {
     const none = { numbers: new Float64Array(), rows: new Uint32Array() };
     const { numbers, rows } = this.ask((core) => core.list(key), none);
@@ -303,17 +309,17 @@ export class Engine {
     return Array.from(rows, (count) => Array.from(numbers.slice(at, (at += count))));
   }
 
-  /** The part of the outline that holds this place; -1 outside. */
+  /** The index of the part of the outline that contains this place; -1 outside. */
   part([x, y]: Point): number {
     return this.ask((core) => core.part(x, y), -1);
   }
 
-  /** What only the module can tell that has all there is; `otherwise` where another one is at work. */
+  /** Calls the whole module; returns `otherwise` if another module is at work. */
   askWhole<T>(call: (studio: SceneStudio) => T, otherwise: T): T {
     return this.ask((core) => (isWhole(core) ? call(core) : otherwise), otherwise);
   }
 
-  /** The files that the work waits for; none while they are looked for. */
+  /** The files that the work waits for; empty while they are being searched for. */
   missing(): RecipeFile[] {
     return this.seeking ? [] : this.waitsFor();
   }
@@ -331,7 +337,7 @@ export class Engine {
     return this.guard(() => this.module?.random_seed(), undefined) ?? 1;
   }
 
-  /** Where the recipe asks for files that are not here, they are looked for, once; meanwhile nothing is worked on. */
+  /** Searches once for files that the recipe names and the engine does not have. The work pauses meanwhile. */
   private seek(): void {
     const { core } = this;
     const named = this.waitsFor().filter(({ digest }) => digest !== '');
@@ -343,7 +349,7 @@ export class Engine {
     const search = (this.searches += 1);
     const wanted = (): boolean => this.core === core && this.seeking && this.searches === search;
     const found = import('../module/given').then(({ supply }) => supply(core, wanted));
-    // What fails here fails when it is worked on, too, or the file is asked for.
+    // A failure here shows when the recipe is run, or the visitor is asked for the file.
     void found.catch(() => false).then(() => wanted() && (this.seeking = false));
   }
 

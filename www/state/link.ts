@@ -28,7 +28,7 @@ export class Link {
     addEventListener('pagehide', () => this.flush());
   }
 
-  /** Writes the state into the address: soon, or at once as a new entry. */
+  /** Writes the state into the address: after a short wait, or at once as a new entry. */
   write(state: string): void {
     const how = this.next;
     this.next = 'replace';

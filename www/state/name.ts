@@ -3,7 +3,7 @@ import type { Parameter } from '../module/types';
 import type { Engine } from './engine';
 import { applies, recipeOf } from './rules';
 
-/** The parameters that tell most of it. One on which another of them depends gives way to that where it applies. */
+/** The parameters that describe a recipe best. If one of them depends on another, only the dependent one is named. */
 export function telling(engine: Engine): Parameter[] {
   const recipe = recipeOf(engine);
   const { names } = engine.generator;
@@ -11,7 +11,7 @@ export function telling(engine: Engine): Parameter[] {
   return told.filter(({ key }) => !told.some(({ shownFor }) => shownFor?.key === key));
 }
 
-/** The first of them in a word: that of a choice, or the parameter's own where the choice is yes or no; '' where there is none. */
+/** A word for the first of them: its value, or the parameter's key if the value is a number; '' if there is none. */
 export function wordOf(engine: Engine): string {
   const [first] = telling(engine);
   if (!first) return '';

@@ -17,7 +17,7 @@ interface Opening {
 
 /** A second picture that changes with the page's own. */
 export interface Partner {
-  /** Takes a control's change over from the recipe in the store. */
+  /** Copies a control's change from the recipe in the store. */
   follow(): void;
   step(): void;
   restart(): void;

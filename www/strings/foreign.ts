@@ -2,7 +2,10 @@ import type { Notice } from '../module/types';
 
 /** The translations of the module's words into a language other than English. */
 export interface Foreign {
-  /** By the parameter's key, or by generator and key, as `surface.dir`, where that differs from the first generator's. */
+  /**
+   * By the parameter's key; or by generator and key, such as `surface.dir`, if that differs from the first
+   * generator's.
+   */
   parameters: Record<string, { name: string; help: string; choices?: Record<string, string> }>;
   units: Record<string, string>;
   /** The generators, by word. */

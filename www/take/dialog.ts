@@ -1,4 +1,4 @@
-/** The dialogs of what is taken away, with a way out at their end. */
+/** The dialogs for saving and sharing, each with a button at its end that closes it. */
 import { t } from '../words/take';
 import { make } from '../base/dom';
 import { dialogOf } from '../late/dialog';
@@ -11,17 +11,17 @@ export function takeDialog(id: string, title: string, ...body: HTMLElement[]): H
   return dialog;
 }
 
-/** A choice with a name that is only read out. */
+/** A choice whose name only screen readers announce. */
 export function select(id: string, name: string, options: Record<string, string>, value: string): HTMLSelectElement {
   const element = make('select', { id, 'aria-label': name }, ...Object.entries(options).map(([word, text]) => make('option', { value: word }, text)));
   element.value = value;
   return element;
 }
 
-/** What can be taken away, what it is, and the ways to take it. */
+/** A row of a dialog: a heading, a note, and the controls that export it. */
 export function row(what: string, note: string, ...ways: HTMLElement[]): HTMLElement {
   const count = (tag: string): number => ways.filter(({ tagName }) => tagName === tag).length;
-  // The words keep a column beside a few ways only.
+  // The words keep a column of their own only beside a few controls.
   const wide = ways.length > 3 || count('SELECT') > 1 || count('OUTPUT') > 0;
   return make(
     'section',

@@ -1,4 +1,4 @@
-/** The film of the forming: how it is asked for, and how it is handed over. */
+/** The film of the forming: how the page orders it and hands it over. */
 import { t } from '../words/take';
 import { make } from '../base/dom';
 import { notice, offerOf } from '../base/messages';
@@ -11,7 +11,7 @@ import { nameOf } from './name';
 import { seenNow } from './seen';
 import { working } from './working';
 
-/** Films as files are called by people. */
+/** Names of film files on the page. */
 export const FILES = { mp4: 'MP4', webm: 'WebM' };
 
 /** Makes a film of the finished picture, or of a turn of the turntable, and hands it over. */
@@ -27,7 +27,10 @@ export function makeFilm(engine: Engine, store: Store, shape: Shape, codecs: Cod
   return working(nameOf(engine, store, `-${shape}.${codecs[0]?.file ?? 'gif'}`), work, handOver);
 }
 
-/** Where the system shares files, this is asked for: its sheet opens only right after a click. */
+/**
+ * Where the system can share files, offers to share or to save the film. The system's sheet opens only right after a
+ * click.
+ */
 function handOver(film: Blob, name: string): boolean {
   const file = new File([film], name, { type: film.type });
   if (!sharesFile(file)) return false;
@@ -39,17 +42,20 @@ function handOver(film: Blob, name: string): boolean {
   return true;
 }
 
-/** Whether the system's sheet takes such a file. */
+/** Whether the system can share such a file. */
 export function sharesFile(file: File): boolean {
   return 'canShare' in navigator && navigator.canShare({ files: [file] });
 }
 
-/** The system's sheet with a file alone: many programs take a file or a link, not both. Answers what went wrong, but for the visitor's own will. */
+/**
+ * Opens the system's sheet for a file alone: many programs accept a file or a link, not both. Answers what went
+ * wrong; '' if nothing did or the visitor cancelled.
+ */
 export function shareFile(file: File): Promise<string> {
   return shared({ files: [file] });
 }
 
-/** The same with whatever else. */
+/** Opens the system's sheet for any data, and answers like `shareFile`. */
 export async function shared(data: ShareData): Promise<string> {
   try {
     await navigator.share(data);

@@ -1,8 +1,8 @@
 /**
- * Files of a recipe, made in a worker that packs it anew, so that the page stays free.
+ * Files of a recipe, made in a worker.
  *
- * The worker packs the recipe's link anew, the same to the bit. The page is never held, and Stop ends the worker with
- * all its memory. Only the picture on the screen and the recipe are saved without it.
+ * The worker runs the recipe's link again, with the same result to the bit. So the page is never blocked, and Stop
+ * ends the worker with all its memory. Only the picture on the screen and the recipe are saved without a worker.
  */
 import { t } from '../words/take';
 import { said } from '../words/words';
@@ -10,7 +10,7 @@ import type { Task } from '../late/task';
 import { answerOf } from '../late/worker';
 import type { Answer, Job, Order } from './files/job.worker';
 
-/** Throws a sentence where the file cannot be made. */
+/** Throws an Error with a sentence if the file cannot be made. */
 export async function fileOf(link: string, job: Job, task: Task): Promise<Blob> {
   const packs = job.file === 'picture' || job.file === 'turn' || job.file === 'maps' || (job.file === 'glb' && job.images);
   if (packs && typeof CompressionStream !== 'function') throw new Error(t('old'));
@@ -18,7 +18,7 @@ export async function fileOf(link: string, job: Job, task: Task): Promise<Blob> 
   const answer = await answerOf<Answer>(worker, [link, job] satisfies Order, task);
   if ('file' in answer) return answer.file;
   if ('refused' in answer) throw new Error(t('not_made', { reason: said(answer.refused) }));
-  // A module that is given no more memory ends without a word.
+  // A module that runs out of memory ends without a message.
   const isLarge = 'scale' in job && job.scale > 1;
   throw new Error(t(isLarge ? 'not_made_large' : 'not_made', { reason: answer.broken }));
 }

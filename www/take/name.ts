@@ -1,4 +1,4 @@
-/** What files of the work are called. */
+/** The name of a file of the work. */
 import type { Engine } from '../state/engine';
 import { wordOf } from '../state/name';
 import type { Store } from '../state/store';

@@ -1,13 +1,13 @@
 /**
- * Where a saved file comes from: pictures and drawings carry their link, and are opened by it again as recipes are.
- * In a PNG file it is a text of the program's name, in an SVG file the metadata.
+ * The origin of a saved file: pictures and drawings carry their link, and can be opened like recipes. A PNG file
+ * holds the link as a text with the program's name as keyword, an SVG file as metadata.
  */
 import { textIn, withText } from './files/png';
 
-/** The program that writes these files, and reads no other ones. */
+/** The program that writes these files. Files of other programs are not read. */
 export const PROGRAM = 'Bubblestone';
 
-/** The file with the address inside. */
+/** A copy of the file with the address inside. */
 export async function signed(file: Blob, address: string): Promise<Blob> {
   if (file.type === 'image/png') return withText(file, PROGRAM, address);
   const text = await file.text();
@@ -16,13 +16,13 @@ export async function signed(file: Blob, address: string): Promise<Blob> {
   return new Blob([text.slice(0, inside), origin, text.slice(inside)], { type: file.type });
 }
 
-/** What a canvas shows, as such a file; undefined where the browser cannot make one. */
+/** The content of a canvas as such a file; undefined if the browser cannot make one. */
 export async function signedPng(canvas: HTMLCanvasElement, address: string): Promise<Blob | undefined> {
   const picture = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
   return picture ? signed(picture, address) : undefined;
 }
 
-/** The address in such a file's bytes, as far as they reach; undefined where there is none. */
+/** The address in such a file, read from its first bytes; undefined if there is none. */
 export function originIn(bytes: Uint8Array): string | undefined {
   const inPicture = textIn(bytes, PROGRAM);
   if (inPicture !== undefined) return inPicture;

@@ -1,4 +1,7 @@
-/** The files of models inside a recipe's file: their bytes, compressed, as text, at the end. Both ways work piece by piece. */
+/**
+ * The model files inside a recipe's file: their bytes, compressed, as base64 at its end. Writing and reading go piece
+ * by piece.
+ */
 import { findFile, keepFile } from '../module/shelf';
 import { piecesOf } from '../module/given';
 import { t } from '../words/take';
@@ -6,17 +9,20 @@ import type { Task } from '../late/task';
 import type { Engine } from '../state/engine';
 import { Parts } from './files/parts';
 
-/** Between what tells of the file and its bytes. */
+/** The text between a model's description and its bytes. */
 const BYTES = '"gzip": "';
 
-/** Bytes of a piece, and of its text. */
+/** Bytes of a piece, and characters of its base64. */
 const PIECE = 3 << 16;
 const TEXT = 4 << 16;
 
-/** Bytes in which the next file begins behind one. */
+/** The next model's bytes begin within this many bytes after the end of one. */
 const HEAD = 4096;
 
-/** The text of a recipe's file with those of its models at its end; `text` is that of an object. Throws a sentence where one is not to be had. */
+/**
+ * Adds the models of a recipe to the text of its file; `text` is a JSON object. Throws an Error with a sentence if a
+ * model is missing.
+ */
 export async function withFiles(text: string, engine: Engine, task: Task): Promise<BlobPart[]> {
   const named = engine.files();
   if (!named.length) return [text];
@@ -32,7 +38,7 @@ export async function withFiles(text: string, engine: Engine, task: Task): Promi
   return [...parts, ']\n}\n'];
 }
 
-/** The bytes of a file, compressed, as text; `overall` tells how much of all is done from how much of this is. */
+/** The bytes of a file, compressed, as base64; `overall` converts the progress of this file to that of all files. */
 async function packedText(file: Blob, task: Task, overall: (part: number) => number): Promise<Blob> {
   const parts = new Parts();
   let read = 0;
@@ -48,17 +54,17 @@ async function packedText(file: Blob, task: Task, overall: (part: number) => num
   return parts.file('');
 }
 
-/** The text of a recipe's file as far as it can be read at once, and where in the file the first model's bytes begin. */
+/** The text of a recipe's file up to its first model, and the place in the file where that model's bytes begin. */
 export function headOf(bytes: Uint8Array): { text: string; at: number | undefined } {
   const at = new TextDecoder('latin1').decode(bytes).indexOf(BYTES);
   if (at < 0) return { text: new TextDecoder().decode(bytes), at: undefined };
   const begin = at + BYTES.length;
   const text = new TextDecoder().decode(bytes.subarray(0, begin));
-  // Older files have one model, which is no list.
+  // Older files have a single model instead of a list.
   return { text: `${text}"}${text.includes('"files": [') ? ']' : ''}}`, at: begin };
 }
 
-/** Keeps the models of a recipe's file, so that the recipe finds them. Whether they are what they should be the engine sees. */
+/** Stores the models of a recipe's file, so that the recipe finds them. The engine checks their digests. */
 export async function keepFiles(file: Blob, at: number, first: object): Promise<void> {
   let next: { head: object; at: number } | undefined = { head: first, at };
   while (next) {
@@ -73,7 +79,7 @@ async function keepOne(file: Blob, at: number, { digest, name }: { digest?: unkn
   await keepFile(digest, name, await new Response(unpacked).blob());
 }
 
-/** The model behind the one whose bytes begin here; undefined behind the last one. */
+/** The model after the one whose bytes begin at `begin`; undefined after the last one. */
 async function following(file: Blob, begin: number): Promise<{ head: object; at: number } | undefined> {
   for (let at = begin; at < file.size; at += TEXT) {
     const text = new TextDecoder('latin1').decode(await file.slice(at, at + TEXT).arrayBuffer());
@@ -90,7 +96,7 @@ async function following(file: Blob, begin: number): Promise<{ head: object; at:
   return undefined;
 }
 
-/** The bytes that a text in a file stands for, up to its end. */
+/** The bytes that a base64 text in a file encodes, up to its closing quote. */
 async function* bytesFrom(file: Blob, begin: number): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   for (let at = begin; at < file.size; at += TEXT) {
     const text = new TextDecoder('latin1').decode(await file.slice(at, at + TEXT).arrayBuffer());
@@ -110,7 +116,7 @@ function from(pieces: AsyncGenerator<Uint8Array<ArrayBuffer>>): ReadableStream<U
   });
 }
 
-/** Pieces of whole threes of bytes, which texts of four letters stand for. */
+/** Pieces whose length is a multiple of three bytes, as base64 needs. */
 async function* inThrees(reader: ReadableStreamDefaultReader<Uint8Array<ArrayBuffer>>): AsyncGenerator<Uint8Array> {
   const held = new Uint8Array(PIECE);
   let filled = 0;
@@ -132,7 +138,7 @@ async function* inThrees(reader: ReadableStreamDefaultReader<Uint8Array<ArrayBuf
 
 function lettersOf(bytes: Uint8Array): string {
   let letters = '';
-  // A call of String.fromCharCode takes at most about 65,000 arguments; 8192 are safe in every browser.
+  // String.fromCharCode takes at most about 65,000 arguments; 8192 are safe in every browser.
   for (let at = 0; at < bytes.length; at += 8192) letters += String.fromCharCode(...bytes.subarray(at, at + 8192));
   return letters;
 }

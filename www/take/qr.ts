@@ -1,8 +1,8 @@
-/** A QR code (ISO 18004) of a text as an SVG: dark on light in any theme, with the quiet zone of four modules. */
+/** A QR code (ISO 18004) of a text as an SVG. It is dark on light in any theme, with the quiet zone of four modules. */
 import { generate } from 'lean-qr';
 import { shape } from '../late/svg';
 
-/** Characters; a longer text has modules too small for a camera in front of a screen. */
+/** The most characters; the modules of a longer text are too small for a camera in front of a screen. */
 export const MOST = 1200;
 
 const QUIET = 4;
@@ -16,7 +16,7 @@ export function qrCode(text: string, label: string): SVGSVGElement {
   }
   const attributes = { viewBox: `0 0 ${side} ${side}`, role: 'img', 'aria-label': label, class: 'qr', 'shape-rendering': 'crispEdges' };
   const svg = shape('svg', attributes, shape('path', { d: `M0 0h${side}v${side}H0z`, fill: '#fff' }), shape('path', { d: dark, fill: '#000' }));
-  // Each module is a whole number of pixels, three at least.
+  // Each module is a whole number of pixels, at least three.
   const pixels = side * Math.max(3, Math.floor(216 / side));
   svg.style.width = `${pixels}px`;
   svg.style.height = `${pixels}px`;

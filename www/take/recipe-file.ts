@@ -1,6 +1,7 @@
 /**
- * Files that are opened as a recipe: JSON files `{"program", "version", "link", "recipe", "parameters": {...}}`,
- * of which `recipe` is what counts, with the files of the models that it asks for, and pictures and drawings that were saved here.
+ * Files that open as a recipe. They are JSON files `{"program", "version", "link", "recipe", "parameters": {...}}`
+ * with the model files that the recipe needs, and pictures and drawings saved here. Only `recipe` is read from the
+ * JSON, besides the models.
  */
 import { version } from '../../package.json';
 import type { Parameter } from '../module/types';
@@ -13,10 +14,10 @@ import type { Work } from '../state/work';
 import { originIn, PROGRAM } from './origin';
 import { headOf, keepFiles, withFiles } from './packed-file';
 
-/** Of a file so many bytes are read, but for the model inside it; a link of a thousand points has some ten thousand. */
+/** The most bytes that are read of a file, besides its models. A link of a thousand points has some ten thousand. */
 const LARGEST = 200_000;
 
-/** Throws a sentence where it cannot be made. */
+/** Throws an Error with a sentence if the file cannot be made. */
 export async function recipeFile(engine: Engine, task: Task): Promise<Blob> {
   const recipe = engine.link();
   const parameters = Object.fromEntries(engine.schema.map((parameter) => [parameter.key, valueOf(parameter, engine.get(parameter.key))]));
@@ -28,7 +29,7 @@ function valueOf({ kind }: Parameter, text: string): string | number {
   return kind === 'number' || kind === 'int' ? Number(text) : text;
 }
 
-/** Opens the recipe that a file holds; false where it is something else. */
+/** Opens the recipe that a file holds; false if the file is something else. */
 export async function openRecipe(work: Work, file: File): Promise<boolean> {
   const bytes = new Uint8Array(await file.slice(0, LARGEST).arrayBuffer());
   const origin = originIn(bytes);
@@ -36,14 +37,17 @@ export async function openRecipe(work: Work, file: File): Promise<boolean> {
   const inside = origin === undefined ? recipeIn(text) : { recipe: origin.replace(/^[^#]*#?/, ''), file: undefined };
   if (!inside) return false;
   const { recipe, file: model } = inside;
-  // Without the model, or where it is broken, the page asks for it.
+  // If the model is missing or broken, the page asks the visitor for it.
   if (model && at !== undefined) await keepFiles(file, at, model).catch(() => undefined);
   work.open(recipe, { own: true });
   passing('files', t('opened', { name: file.name }));
   return true;
 }
 
-/** The link that a recipe's file holds, and what it tells of its first model; undefined where it is something else. */
+/**
+ * The link that a recipe's file holds, and the description of its first model; undefined if the file is something
+ * else.
+ */
 function recipeIn(text: string): { recipe: string; file: object | undefined } | undefined {
   try {
     const { program, recipe, file, files } = JSON.parse(text) as { program?: unknown; recipe?: unknown; file?: unknown; files?: unknown };

@@ -1,4 +1,4 @@
-/** The dialog of all that can be saved: pictures, drawings, an animation, files for other programs, the recipe. */
+/** The dialog for saving: pictures, drawings, an animation, files for other programs, and the recipe. */
 import { t } from '../words/take';
 import { make, say } from '../base/dom';
 import { notice } from '../base/messages';
@@ -18,31 +18,34 @@ import { seenNow } from './seen';
 import { turned } from './turned';
 import { working } from './working';
 
-/** Times the picture's side, of pictures and of maps. */
+/** Factors of the picture's side, for pictures and for maps. */
 const SCALES = [1, 2, 3, 4, 8];
 const MAP_SCALES = [1, 2, 4, 8];
 
-/** The most pixels that a side may have. */
+/** The most pixels along a side. */
 const MOST = 8192;
 
-/** What was chosen last: of maps the program or the normals, and times the picture's side; of meshes the degree of detail, of films the shape. */
+/**
+ * The last choices: the program or kind of normals and the factor of the side for maps, the level of detail for
+ * meshes, the shape for films.
+ */
 const chosen: { program: string; scale: number; detail: string; shape: FormingShape } = { program: 'normal-opengl', scale: 1, detail: 'middle', shape: 'square' };
 
-/** Programs that maps are for; the first two keep the maps' own names. */
+/** Programs that maps are for. With the first two, maps keep their own names. */
 const PROGRAMS = { 'normal-opengl': 'OpenGL (+Y)', 'normal-directx': 'DirectX (−Y)', blender: 'Blender', godot: 'Godot', unity: 'Unity', unreal: 'Unreal' };
 
-/** Triangles of a stone, by degrees of detail. */
+/** Triangles of a stone, by level of detail. */
 const DETAILS = { low: 100, middle: 400, high: 1600 };
 
-/** Bytes of a pixel of a mesh's images, about: colour, normals, occlusion and roughness. */
+/** Approximate bytes for a pixel of a mesh's images: colour, normals, occlusion with roughness. */
 const IMAGES = [1.85, 2.2, 1.15];
 
-/** Of slabs, in millimetres, but for the squares along a side of the grid. */
+/** The sizes of slabs, in millimetres, and the squares along a side of the grid. */
 const measures: Slab = { side: 100, base: 3, relief: 4, squares: 256 };
 const LIMITS = { side: [1, 10_000], base: [0.1, 1000], relief: [0.1, 1000] } as const;
 const GRIDS = [128, 256, 512, 1024];
 
-/** Pictures and drawings carry their link. */
+/** Files that carry their link. */
 const SIGNED: readonly Job['file'][] = ['picture', 'turn', 'svg'];
 
 type Making = (task: Task) => Promise<Blob>;
@@ -69,7 +72,7 @@ export class SaveDialog {
     );
   }
 
-  /** A row of what the generator at work makes. */
+  /** A row, if the generator at work offers that part. */
   private offered(part: string, row: () => HTMLElement): HTMLElement[] {
     return this.work.engine.offers(part) ? [row()] : [];
   }
@@ -83,7 +86,10 @@ export class SaveDialog {
     return key;
   }
 
-  /** By the worker; what is made of the `finished` picture waits for it, or nobody has seen what it will show. */
+  /**
+   * Has the worker make a file. Files of the `finished` picture can be made only once it is finished, because the
+   * visitor has to see what is saved.
+   */
   private made(job: () => Job, finished = true): Making {
     const { engine } = this.work;
     return async (task) => {
@@ -108,7 +114,7 @@ export class SaveDialog {
     });
   }
 
-  /** Films, as far as the browser can, and the animation that all can make. */
+  /** Films in the shapes that the browser can encode, and the animation, which all browsers can make. */
   private films(): HTMLElement[] {
     const { engine, store } = this.work;
     const shape = select('shape', t('shape'), { square: t('square'), upright: t('upright') }, chosen.shape);
@@ -149,7 +155,7 @@ export class SaveDialog {
     return [program, size, zip];
   }
 
-  /** How large the files are is told before one is made. */
+  /** Meshes; the row shows the sizes of the files before one is made. */
   private mesh(): HTMLElement[] {
     const { engine } = this.work;
     const words = { low: t('low', { n: shown(DETAILS.low) }), middle: t('middle', { n: shown(DETAILS.middle) }), high: t('high', { n: shown(DETAILS.high) }) };
@@ -171,7 +177,7 @@ export class SaveDialog {
     return [detail, file('save-glb', 'GLB', 'glb'), ...images, file('save-obj', 'OBJ', 'obj'), size];
   }
 
-  /** A slab for printing; all measures stay while the page is open. */
+  /** A slab for 3D printing. All its sizes are kept while the page is open. */
   private slab(): HTMLElement[] {
     const size = make('output', { class: 'take-note', id: 'slab-size' });
     const tell = (): void => {
@@ -182,7 +188,7 @@ export class SaveDialog {
       const [least, most] = LIMITS[word];
       const box = make('input', { id: `slab-${word}`, type: 'number', inputmode: 'decimal', min: String(least), max: String(most), step: 'any', value: String(measures[word]) });
       box.addEventListener('change', () => {
-        // What is no number leaves the measure as it was.
+        // An invalid number leaves the size as it was.
         measures[word] = Math.min(most, Math.max(least, box.valueAsNumber || measures[word]));
         box.value = String(measures[word]);
       });
@@ -198,7 +204,7 @@ export class SaveDialog {
     return [measure('side'), measure('base'), measure('relief'), grid, stl, size];
   }
 
-  /** Saves the recipe, and opens one. */
+  /** Saves the recipe, or opens one. */
   private recipe(): HTMLElement[] {
     const { work } = this;
     const file = make('input', { type: 'file', accept: '.json,.png,.svg', hidden: '', 'aria-label': t('open_label') });
@@ -217,7 +223,7 @@ function shown(count: number): string {
   return count.toLocaleString(document.documentElement.lang);
 }
 
-/** To three digits. */
+/** Rounds to three digits. */
 function rounded(count: number): number {
   return Number(count.toPrecision(3));
 }

@@ -1,4 +1,4 @@
-/** What the turntable shows now, and where from. */
+/** The subject, camera and view that the turntable shows now. */
 import { cameraWords, homeOf } from '../state/asked-view';
 import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';

@@ -1,4 +1,4 @@
-/** The dialog that shares the picture: its link, the system's way, a QR code, and code for other pages. */
+/** The dialog that shares the picture: its link, the system's sheet, a QR code, and code for other pages. */
 import { isEnd } from '../module/stages';
 import { overlayIn } from '../words/look';
 import { t } from '../words/take';
@@ -15,13 +15,13 @@ import { codecsFor, type Codec, type Shape } from './files/codecs';
 import { signedPng } from './origin';
 import { MOST, qrCode } from './qr';
 
-/** Sides in pixels that the embedded picture may have. */
+/** Sides of the embedded picture, in pixels. */
 const SIDES = [320, 480, 640, 800];
 
-/** Parts of the dialog that hold the link, and follow it. */
+/** A part of the dialog that contains the link and is updated with it. */
 interface Linked {
   readonly element: HTMLElement;
-  /** `state` is the whole fragment, `words` what of it is the view. */
+  /** `state` is the whole fragment; `words` is the part of it that describes the view. */
   follow(state: string, words: string): void;
 }
 
@@ -41,7 +41,7 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
     dialog.close();
     void makeFilm(engine, store, shape, codecs);
   };
-  // On the turntable a film is a turn of it.
+  // A film of the turntable shows one turn of it.
   const shapes: Shape[] = store.state.turn ? ['turn'] : engine.offers('forming') ? ['square', 'upright'] : [];
   const alone = picture ? [filesAlone(picture, shapes, film)] : [];
   const dialog = takeDialog('share-dialog', t('share'), ...(first ? [first] : []), ...alone, ...others);
@@ -54,7 +54,7 @@ async function pictureOf(canvas: HTMLCanvasElement, recipe: string): Promise<Fil
   return png && new File([png], 'bubblestone.png', { type: png.type });
 }
 
-/** How the picture is shown now, but for what all see of it. */
+/** The view of the picture, without values that every visitor sees anyway. */
 function seen(engine: Engine, store: Store): Viewing {
   const { view, overlays, pace, paused, stage, zoom, turn, camera } = store.state;
   return {
@@ -67,7 +67,7 @@ function seen(engine: Engine, store: Store): Viewing {
   };
 }
 
-/** The choice of a link that shows all as it is shown now. */
+/** The option of a link that restores the current view. */
 function asSeen(viewing: Viewing, words: string, follow: (words: string) => void): HTMLElement {
   const check = make('input', { type: 'checkbox', id: 'share-seen', 'aria-describedby': 'share-sees' });
   check.disabled = words === '';
@@ -91,7 +91,7 @@ function section(...parts: HTMLElement[]): HTMLElement {
   return make('section', {}, ...parts);
 }
 
-/** The link itself, to be copied or given to the system, and what it holds. */
+/** The link, to be copied or given to the system, and a note on its content. */
 function linkOf(engine: Engine, picture: Promise<File | undefined> | undefined, title: string, told: HTMLElement): Linked {
   const box = make('input', { id: 'share-link', type: 'text', readonly: '', spellcheck: 'false' });
   const copyLink = make('button', { type: 'button', class: 'key', id: 'copy' }, t('copy_link'));
@@ -110,7 +110,7 @@ function linkOf(engine: Engine, picture: Promise<File | undefined> | undefined, 
   };
 }
 
-/** The code of the link for cameras, unless it is too long for them. */
+/** The QR code of the link, unless the link is too long. */
 function codeOf(): Linked {
   const element = section();
   return {
@@ -126,7 +126,7 @@ function codeOf(): Linked {
   };
 }
 
-/** How long the link is, and what it holds. */
+/** A sentence on the length and content of the link. */
 function holds(engine: Engine, link: string, words: string): string {
   const values = valuesIn(engine.link()).length;
   const parts = [values === 0 ? t('holds_nothing') : values === 1 ? t('holds_one') : t('holds_values', { n: values })];
@@ -153,10 +153,13 @@ async function copied(box: HTMLInputElement | HTMLTextAreaElement, told: HTMLEle
   }
 }
 
-/** The system's own sheet, with the picture where it takes files; that carries the recipe's link. */
+/**
+ * The button of the system's sheet. The sheet gets the link and, where it takes files, the picture, which carries the
+ * recipe's link.
+ */
 function systemButton(urlNow: () => string, title: string, picture: Promise<File | undefined>, told: HTMLElement): HTMLElement {
   const button = make('button', { type: 'button', class: 'key', id: 'share-system' }, t('system'));
-  // Made beforehand: a sheet opens only right after a click.
+  // The file is made beforehand, because a sheet opens only right after a click.
   let file: File | undefined;
   void picture.then((made) => (file = made));
   button.addEventListener('click', () => {
@@ -166,7 +169,7 @@ function systemButton(urlNow: () => string, title: string, picture: Promise<File
   return button;
 }
 
-/** The picture and its film by themselves, where the system's sheet takes files. */
+/** The picture and its film as files alone, where the system's sheet takes files. */
 function filesAlone(picture: Promise<File | undefined>, shapes: readonly Shape[], film: (shape: Shape, codecs: Codec[]) => void): HTMLElement {
   const told = make('p', { class: 'take-told', role: 'status' });
   const row = make('div', { class: 'take-row' });
@@ -190,7 +193,7 @@ function filesAlone(picture: Promise<File | undefined>, shapes: readonly Shape[]
   return element;
 }
 
-/** Code that shows the picture alone in another page. */
+/** HTML code that shows the picture alone in another page. */
 function embedding(title: string, told: HTMLElement): Linked {
   let state = '';
   const sizes = (id: string, full: boolean): HTMLSelectElement => {
@@ -227,7 +230,7 @@ function embedding(title: string, told: HTMLElement): Linked {
   };
 }
 
-/** A choice that stays beside its name. */
+/** A choice that stays on one line with its name. */
 function sized(name: string, select: HTMLSelectElement): HTMLElement {
   return make('span', { class: 'take-sized' }, make('label', { for: select.id }, name), select);
 }

@@ -1,4 +1,4 @@
-/** What is taken away of the turntable: pictures of its bodies, the planes of these, and a film of one turn. */
+/** Exports of the turntable: pictures of its bodies, the data planes of these, and a film of one turn. */
 import { t } from '../words/take';
 import { make } from '../base/dom';
 import type { Work } from '../state/work';
@@ -9,18 +9,18 @@ import type { Job } from './files/job.worker';
 import type { Backdrop } from './files/turn';
 import { seenNow } from './seen';
 
-/** Pixels along the side of a picture, and times as many. */
+/** Pixels along the side of a picture, and its factors. */
 const SIDE = 1024;
 const SCALES = [1, 2, 3, 4];
 
 const PLANES = ['depth', 'normal', 'id'] as const;
 
-/** What was chosen last. */
+/** The last choices. */
 const chosen: { scale: string; backdrop: string } = { scale: '1', backdrop: 'floor' };
 
 type Offer = (id: string, word: string, ending: string, job: () => Job) => HTMLElement;
 
-/** The row of the dialog; `offer` makes a button for a file, `close` closes the dialog. */
+/** The row of the dialog. `offer` makes a button for a file; `close` closes the dialog. */
 export function turned({ engine, store }: Work, offer: Offer, close: () => void): HTMLElement {
   const sizes = Object.fromEntries(SCALES.map((scale) => [scale, t('turned_scale', { scale, n: SIDE * scale })]));
   const size = select('turn-size', t('turned_size'), sizes, chosen.scale);
@@ -45,7 +45,10 @@ export function turned({ engine, store }: Work, offer: Offer, close: () => void)
   );
 }
 
-/** The button of the film: in the best file that the browser makes, or as an animation, which all can make. */
+/**
+ * The button of the film. It makes the best file that the browser can encode, or an animation, which all browsers can
+ * make.
+ */
 function film(makeIt: (codecs: Codec[]) => void): HTMLElement {
   const key = make('button', { type: 'button', class: 'key', id: 'save-turn-film', disabled: '' }, t('turned_film', { file: FILES.mp4 }));
   void codecsFor('turn').then((codecs) => {

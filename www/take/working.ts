@@ -1,16 +1,16 @@
-/** A file in the making: how far it is, and a way to stop it; then the file. */
+/** Shows the progress of a file with a button that stops it, then hands over the file. */
 import { t } from '../words/take';
 import { reasonOf } from '../base/errors';
 import { clear, notice, passing } from '../base/messages';
 import { offer } from '../late/download';
 import { stoppable, type Task } from '../late/task';
 
-/** What is being made. */
+/** The name of the file that is being made. */
 let busy: string | undefined;
 
 /**
- * Makes a file and hands it over; `work` throws a sentence where it cannot be made. `hand` may do it in a way of its own,
- * and then says so.
+ * Makes a file and hands it over. `work` throws an Error with a sentence if the file cannot be made. `hand` may hand
+ * it over in another way, and then returns true.
  */
 export async function working(name: string, work: (task: Task) => Promise<Blob>, hand: (file: Blob, name: string) => boolean = () => false): Promise<void> {
   if (busy !== undefined) {

@@ -1,31 +1,35 @@
 /**
- * How the viewer of the turntable moves. In the world y is up, and a picture lies in the plane of x and z with its side
- * for a unit; the viewer looks at a target from an angle, clockwise from the picture's lower edge, and a height.
+ * How the camera of the turntable moves. In the world, y points up, and a picture lies in the plane of x and z with
+ * its side as the unit. The camera looks at a target. Its angle goes clockwise from the picture's lower edge; its
+ * height is an angle, too.
  */
 import { CAMERA } from '../state/asked-view';
 import type { Camera } from '../state/viewing';
 
 type Vector = readonly [x: number, y: number, z: number];
 
-/** A place of the frame: from its middle to the right and down, in its shorter sides. */
+/** A place in the frame, from its middle to the right and down. The unit is the frame's shorter side. */
 export type Spot = readonly [u: number, v: number];
 
-/** How low and how high the viewer stands, in degrees: over the ground, or about one body. */
+/** The lowest and highest camera in degrees: over the ground, or around one body. */
 export type Heights = readonly [least: number, most: number];
 export const ALL_AROUND: Heights = [-85, 90];
 
-/** What is pointed at counts up to so many distances of the target. */
+/** A place on the ground counts if it is at most this many times as far away as the target. */
 const FAR = 3;
 
-/** Seen from low, much ground is in few pixels: it does not run away from the pointer all the same. */
+/** Seen from low down, much ground lies in few pixels. This limit keeps it from running away from the pointer. */
 const LOW = 0.3;
 
-/** Goes round by so many degrees, and up. */
+/** Turns the camera by `round` degrees around the target, and by `up` degrees in height. */
 export function turned([angle, height, ...rest]: Camera, round: number, up: number, [least, most]: Heights): Camera {
   return [(((angle + round) % 360) + 360) % 360, Math.min(most, Math.max(least, height + up)), ...rest];
 }
 
-/** So many times as far from the target; the place of the ground that is seen at a spot stays there. */
+/**
+ * Multiplies the distance to the target by `times`. The place on the ground seen at `at` stays where it is in the
+ * frame.
+ */
 export function nearer(camera: Camera, times: number, at?: Spot): Camera {
   const [angle, height, distance, lens, ...target] = camera;
   const [least, most] = CAMERA[2];
@@ -35,7 +39,7 @@ export function nearer(camera: Camera, times: number, at?: Spot): Camera {
   return inReach([angle, height, next, lens, ...moved]);
 }
 
-/** The ground is moved under the viewer, from one spot of the frame to another; where there is sky, as if both were in the middle. */
+/** Drags the ground from one spot of the frame to another. If either spot shows sky, it drags as if both were in the middle. */
 export function dragged(camera: Camera, from: Spot, to: Spot): Camera {
   const [angle, height, distance, lens, x, y, z] = camera;
   const [before, now] = [ground(camera, from), ground(camera, to)];
@@ -46,13 +50,13 @@ export function dragged(camera: Camera, from: Spot, to: Spot): Camera {
   return inReach([angle, height, distance, lens, x - cos * right + sin * away, y, z - sin * right - cos * away]);
 }
 
-/** The place of the ground at a spot; undefined where that is too far, or sky. */
+/** The place on the ground at a spot; undefined if it is too far away, or sky. */
 function ground(camera: Camera, [u, v]: Spot): Vector | undefined {
   const [angle, height, distance, lens, x, y, z] = camera;
   const [sin, cos] = [Math.sin(radians(angle)), Math.cos(radians(angle))];
   const [rise, run] = [Math.sin(radians(height)), Math.cos(radians(height))];
   const wide = 2 * Math.tan(radians(lens) / 2);
-  // Forward, to the right and up, as the viewer has them.
+  // The ray through the spot: a sum of the camera's forward, right and up.
   const ray = [sin * run + u * wide * cos - v * wide * sin * rise, -rise - v * wide * run, -cos * run + u * wide * sin + v * wide * cos * rise];
   const [dx = 0, dy = 0, dz = 0] = ray;
   const far = dy < 0 ? (distance * rise) / -dy : Infinity;

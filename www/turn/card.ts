@@ -1,4 +1,4 @@
-/** What is told of a body, on a card beside where it was pointed at. */
+/** A card with the facts about a body, beside the place that was pointed at. */
 import { t } from '../words/turn';
 import { make } from '../base/dom';
 import { cellNumbers, cellRows } from '../late/cell';
@@ -10,17 +10,20 @@ const GAP = 18;
 export class Card {
   readonly element = make('div', { class: 'cell-card turn-card' });
   private readonly how: (body: Told) => void;
-  /** The body that was clicked, or come to by a key: its card stays. */
+  /** The body that was clicked or picked by a key: its card stays. */
   picked: Told | undefined;
 
-  /** `how` shows how a body is made. */
+  /** `how` opens the view of how a body is made. */
   constructor(how: (body: Told) => void) {
     this.how = how;
     this.element.hidden = true;
     for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart']) this.element.addEventListener(sign, (event) => event.stopPropagation());
   }
 
-  /** Shows a body at a place, in parts of the sides; what is `picked` may be asked for more. */
+  /**
+   * Shows a body's card at a place, in fractions of the frame's sides. The card of a `picked` body has a button for
+   * more.
+   */
   show(body: Told, skin: boolean, x: number, y: number, picked: boolean): void {
     const { element } = this;
     this.picked = picked ? body : undefined;
@@ -48,7 +51,7 @@ export class Card {
   }
 }
 
-/** The same in a sentence. */
+/** The card's text as a sentence. */
 export function sentence(body: Told, skin: boolean): string {
   const numbers = body.probe ? cellNumbers(body.probe).map((row) => row.join(' ')) : [];
   return [[called(body, skin), ...numbers].join(', '), ...(body.steps.length ? [t('how_key')] : [])].join('. ');

@@ -1,27 +1,27 @@
-/** The worker that makes the frames, as the page sees it: the latest wish goes there, frames come back. */
+/** The page's side of the worker that makes frames: it sends the latest request there and receives frames. */
 import type { Notice } from '../module/types';
 import type { Bodies, Quality, Question, Said, Told, Wish } from './turn.worker';
 
-/** Gets what the worker says. */
+/** Receives the messages of the worker. */
 export interface Heard {
-  /** `latest` says that it is what was wished for last. */
+  /** `latest` is true if the frame is the one requested last. */
   frame(frame: ImageBitmap, quality: Quality, bodies: Bodies, latest: boolean): void;
   working(done: number): void;
   refused(why: Notice): void;
-  /** It could not be loaded, or it broke; there are no frames any more. */
+  /** The worker could not be loaded, or it failed; there are no more frames. */
   ended(how: 'lost' | 'broken', why: string): void;
 }
 
-/** What is to be seen, as the turntable says it. */
+/** A request for frames, without its number. */
 export type Wished = Omit<Wish, 'n'>;
 
-/** Where frames come from. */
+/** A source of frames. */
 export interface FrameSource {
-  /** Asks for frames; true where they are other ones than before. */
+  /** Requests frames; true if they differ from those requested before. */
   want(wish: Wished): boolean;
-  /** The body at a place of the last frame, in parts of its sides. */
+  /** The body at a place of the last frame, in fractions of its sides. */
   bodyAt(x: number, y: number): Promise<Told | undefined>;
-  /** None are asked for any more. */
+  /** No more frames are requested. */
   end(): void;
 }
 

@@ -1,25 +1,26 @@
 /**
- * What pointers, wheel and keys do on the turntable. It never keeps the page from being scrolled: one finger up or down
- * and the wheel are the page's, until a finger goes sideways, or the wheel comes closer or has the focus.
+ * Pointers, wheel and keys on the turntable. The page can always be scrolled: a vertical move of one finger scrolls
+ * it, unless the finger has moved sideways first. The wheel scrolls it, unless the visitor has zoomed in first or the
+ * turntable has the focus.
  */
 import { wantsStill } from '../base/dom';
 import { ARROWS } from '../late/arrows';
 import type { Camera } from '../state/viewing';
 import { dragged, nearer, turned, type Heights, type Spot } from './camera';
 
-/** What is done is told to these. */
+/** The receiver of the gestures. */
 export interface Hands {
   readonly camera: () => Camera;
   readonly heights: () => Heights;
-  /** `moving` says that more is about to come. */
+  /** `moving` means that more moves follow. */
   take(camera: Camera, moving: boolean): void;
   home(): void;
   leave(): void;
-  /** A click, or a finger's tap; places are in parts of the sides. */
+  /** A click, or a finger's tap; places are in fractions of the sides. */
   tap(x: number, y: number): void;
-  /** A mouse rests there; nowhere, once it goes. */
+  /** A mouse rests at a place. Without a place: it has left. */
   over(x?: number, y?: number): void;
-  /** Enter: what is in the middle. */
+  /** Enter was pressed: it picks the body in the middle. */
   enter(): void;
 }
 
@@ -29,24 +30,33 @@ interface Point {
   readonly y: number;
 }
 
-/** A pointer that came down alone: where, whether it moves by now, and whether the ground rather than the viewer. */
+/**
+ * A single pointer: the place where it went down, whether it has moved, and whether it drags the ground rather than
+ * turns the camera.
+ */
 interface Begun extends Point {
   readonly ground: boolean;
   moves: boolean;
 }
 
-/** Degrees from one edge of the frame to the other. */
+/** Degrees for a move from one edge of the frame to the other. */
 const ROUND = 220;
 const UP = 130;
 
-/** Of a key: degrees, and parts of the frame; of a press of a button, times as far. */
+/**
+ * The effect of a key: degrees, and fractions of the frame. A press of a zoom button multiplies the distance by
+ * CLOSER.
+ */
 const KEY = { round: 10, up: 5, drag: 0.08 };
 export const CLOSER = 1 / 1.3;
 
-/** A pointer that moves less than so many pixels has clicked; fingers are less steady. */
+/** A pointer that moves fewer pixels than this has clicked; fingers are less steady. */
 const SLACK = { mouse: 4, touch: 9 };
 
-/** Milliseconds: a mouse rests before a body is told; the wheel and keys have stopped; a throw is as fast as its last part, in degrees each, and dies down. */
+/**
+ * In milliseconds: a mouse rests this long before a body is shown; after this pause the wheel or keys have stopped. A
+ * throw continues at the speed of its last part, in degrees per millisecond, and decays.
+ */
 const REST = 120;
 const STOPPED = 220;
 const THROW = { last: 90, dies: 260, least: 0.01, most: 0.2 };
@@ -54,17 +64,17 @@ const THROW = { last: 90, dies: 260, least: 0.01, most: 0.2 };
 export class Gestures {
   private readonly stand: HTMLElement;
   private readonly hands: Hands;
-  /** In a page of somebody else. */
+  /** The picture is embedded in another page. */
   private readonly alone: boolean;
   private readonly down = new Map<number, Point>();
   private begun: Begun | undefined;
-  /** The last moves of a turn: when, and by how many degrees. */
+  /** The last moves of a turn: times, and degrees. */
   private trail: { at: number; round: number; up: number }[] = [];
   private flying = 0;
   private stopping = 0;
   private resting = 0;
   private telling = false;
-  /** The wheel came closer since the pointer came. */
+  /** The wheel has zoomed in since the pointer entered. */
   private wheeled = false;
 
   constructor(stand: HTMLElement, hands: Hands, alone: boolean) {
@@ -86,13 +96,13 @@ export class Gestures {
       this.hands.home();
     });
     this.listen('contextmenu', (event) => event.preventDefault());
-    // Two fingers move the viewer, not the page.
+    // Two fingers move the camera, not the page.
     this.listen('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault());
-    // A tap is told by its pointer.
+    // Taps are handled by their pointer events.
     this.listen('click', () => undefined);
   }
 
-  /** No motion of its own goes on. */
+  /** Stops all motion that continues by itself. */
   stop(): void {
     cancelAnimationFrame(this.flying);
     clearTimeout(this.stopping);
@@ -100,7 +110,7 @@ export class Gestures {
     this.rest();
   }
 
-  /** What is done here is not for the picture below. */
+  /** Listens to an event, and keeps it from the picture below. */
   private listen<K extends keyof HTMLElementEventMap>(sign: K, act: (event: HTMLElementEventMap[K]) => void): void {
     this.stand.addEventListener(
       sign,
@@ -116,7 +126,7 @@ export class Gestures {
     return this.stand.getBoundingClientRect();
   }
 
-  /** From the middle, in shorter sides. */
+  /** The place of a point from the middle of the frame, in shorter sides. */
   private spot({ x, y }: Point): Spot {
     const { left, top, width, height } = this.box;
     const short = Math.min(width, height);
@@ -125,7 +135,7 @@ export class Gestures {
 
   private press(event: PointerEvent): void {
     const { pointerId, button, pointerType, shiftKey, clientX: x, clientY: y } = event;
-    // What still moved is caught.
+    // A new press stops a motion that still continues.
     if (this.flying || this.stopping) this.hands.take(this.hands.camera(), false);
     this.stop();
     if (pointerType !== 'touch' && button > 2) return;
@@ -152,7 +162,7 @@ export class Gestures {
     const { timeStamp: at, pointerType } = event;
     const touch = pointerType === 'touch';
     if (!begun.moves && Math.hypot(dx, dy) < (touch ? SLACK.touch : SLACK.mouse)) return;
-    // Up and down is the page's.
+    // A vertical move scrolls the page.
     if (!begun.moves && touch && Math.abs(dy) > Math.abs(dx)) return;
     if (!begun.moves) this.stand.setPointerCapture(event.pointerId);
     this.stand.toggleAttribute('data-held', true);
@@ -191,7 +201,7 @@ export class Gestures {
     this.hands.tap((event.clientX - left) / width, (event.clientY - top) / height);
   }
 
-  /** A turn goes on as it was let go of, and dies down. */
+  /** A turn continues after its release, and slows down. */
   private fly(at: number): void {
     const last = this.trail.filter((one) => one.at > at - THROW.last);
     const time = Math.max(16, at - (last[0]?.at ?? at));
@@ -213,7 +223,7 @@ export class Gestures {
     this.flying = requestAnimationFrame(on);
   }
 
-  /** All the way out, and until one comes closer, the wheel scrolls the page. */
+  /** The wheel scrolls the page until the visitor zooms in, and again once the camera is as far out as it goes. */
   private wheel(event: WheelEvent): void {
     const { deltaY, deltaMode, ctrlKey } = event;
     const focused = this.stand.contains(document.activeElement);
@@ -244,7 +254,7 @@ export class Gestures {
     event.preventDefault();
   }
 
-  /** The camera moves, and perhaps on; it has stopped when nothing comes for a while. */
+  /** Moves the camera, perhaps one of several moves. It counts as stopped after a pause. */
   soon(camera: Camera): void {
     this.stop();
     this.hands.take(camera, true);
@@ -258,7 +268,7 @@ export class Gestures {
       this.telling = true;
       this.hands.over((clientX - left) / width, (clientY - top) / height);
     };
-    // Once one body is told, others follow the pointer.
+    // Once one body is shown, the card follows the pointer without delay.
     if (this.telling) tell();
     else this.resting = window.setTimeout(tell, REST);
   }

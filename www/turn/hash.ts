@@ -4,7 +4,10 @@ import { cameraWords, homeOf } from '../state/asked-view';
 import type { Camera } from '../state/viewing';
 import type { Answer, Order } from './hash.worker';
 
-/** A frame of a recipe's bodies, from a place in the words of a link, or as the store has it; usual where there is none; `home` is the generator's. */
+/**
+ * The hash of a frame of a recipe's bodies. `from` is a camera in the words of a link or as the store has it; without
+ * it, the usual one. `home` is the generator's own camera.
+ */
 export async function hashOf(link: string, from: string | Camera | undefined, home: string): Promise<string> {
   const worker = new Worker(new URL('./hash.worker.ts', import.meta.url), { type: 'module' });
   const camera = typeof from === 'string' || from === undefined ? (from ?? '') : cameraWords(from, homeOf({ home }));

@@ -1,10 +1,10 @@
-/** Works a recipe out anew, and a frame of its bodies: its hash is all that is asked for. */
+/** Runs a recipe and makes one frame of its bodies, only for its hash. */
 import { serve } from '../late/worker';
 import { studioFor } from '../module/given';
 import { loadWhole } from '../module/load';
 import { BUDGET, finish } from '../module/run';
 
-/** The recipe, and where it is seen from. */
+/** The recipe, and the camera. */
 export type Order = [link: string, camera: string];
 
 export interface Answer {

@@ -1,27 +1,30 @@
-/** How good frames are: the first one of what is new is coarse, and with time they become smooth. */
+/** The quality of frames. The first frame of a new view is coarse; later ones are smooth. */
 import type { Quality, Wish } from './turn.worker';
 
-/** Pixels for one of a moving frame, along a side, and the milliseconds that such a frame may take. */
+/**
+ * The least and most pixels of a full frame for one pixel of a moving frame, along a side. A frame slower than `slow`
+ * milliseconds makes the next ones coarser, a frame faster than `quick` makes them finer.
+ */
 const COARSE = { least: 2, most: 5, slow: 140, quick: 45 };
 
 export const LADDER: readonly Quality[] = ['moving', 'still', 'fine'];
 
-/** Planes of depth, normals and numbers are of one sample. */
+/** Planes of depth, normals and numbers have one sample a pixel. */
 export function ladderOf({ plane }: Pick<Wish, 'plane'>): readonly Quality[] {
   return plane === 'light' || plane === 'alpha' ? LADDER : LADDER.slice(0, 2);
 }
 
-/** Two wishes of one view ask for the same frames. */
+/** A key of the view: requests with the same key need the same frames. */
 export function viewOf({ link, subject, camera, width, height, plane }: Omit<Wish, 'n'>): string {
   return [link, subject, camera, width, height, plane].join(' ');
 }
 
 /** Moving frames have as many pixels as there is time for. */
 export class Coarse {
-  /** Pixels of the whole frame for one of a moving one, along a side. */
+  /** Pixels of the full frame for one of a moving frame, along a side. */
   part = COARSE.least;
 
-  /** After a moving frame that took so many milliseconds. */
+  /** Adapts the size to the milliseconds that the last moving frame took. */
   suit(time: number): void {
     const { least, most, slow, quick } = COARSE;
     if (time > slow) this.part = Math.min(most, this.part + 1);

@@ -1,6 +1,6 @@
 /**
- * Frames of the engine at work, made between the slices of its work in the page's own frames: the bodies are seen
- * from any side while they are being made. While one frame is made the work waits, or no frame would ever be finished.
+ * Frames of the engine at work, made between the slices of its work, so that bodies can be seen from any side while
+ * they are being made. The work pauses while a frame is made; otherwise no frame would ever be finished.
  */
 import { isSettled } from '../module/stages';
 import type { Loop, Painter } from '../picture/loop';
@@ -9,13 +9,13 @@ import type { FrameSource, Heard, Wished } from './frames';
 import { FrameMaker, type Made } from './maker';
 import type { Told } from './turn.worker';
 
-/** A place of a frame, in parts of its sides. */
+/** A place in a frame, in fractions of its sides. */
 type Part = readonly [u: number, v: number];
 
-/** What goes on from frame to frame. */
+/** The loop that calls the engine for each frame of the page. */
 export type Beat = Pick<Loop, 'look' | 'stands'>;
 
-/** What the frames are of. */
+/** The source of the frames' content. */
 interface Place {
   readonly engine: Engine;
   readonly loop: Beat;
@@ -30,7 +30,7 @@ export class LocalFrames implements FrameSource, Painter {
   private readonly maker: FrameMaker;
   private wish: Wished | undefined;
   private stage = '';
-  /** Counts the frames that are handed over, and the last one that was shown. */
+  /** Numbers of the last frame that was passed on, and of the last one that was shown. */
   private handed = 0;
   private shown = 0;
 
@@ -55,14 +55,14 @@ export class LocalFrames implements FrameSource, Painter {
     return Promise.resolve(body && { id: body.id, probe: undefined, steps: engine.making(body.id) });
   }
 
-  /** The place of the model at a place of the last frame, in parts of its sides; undefined beside it. */
+  /** The place on the model at a place of the last frame, in fractions of its sides; undefined beside the model. */
   placeAt([u, v]: Part): [x: number, y: number, z: number] | undefined {
     const { sides } = this.maker;
     const place = sides && this.place.engine.askWhole((studio) => studio.placeAt(Math.floor(u * sides[0]), Math.floor(v * sides[1])), undefined);
     return place && [place[0] ?? 0, place[1] ?? 0, place[2] ?? 0];
   }
 
-  /** Where a place of the model is in that frame; undefined where it is not seen. */
+  /** The place in that frame of a place on the model; undefined if it is hidden. */
   spotOf([x, y, z]: readonly [x: number, y: number, z: number]): Part | undefined {
     const { sides } = this.maker;
     const pixel = sides && this.place.engine.askWhole((studio) => studio.pixelOf(x, y, z), undefined);
@@ -76,7 +76,7 @@ export class LocalFrames implements FrameSource, Painter {
 
   changed(): void {
     const stage = this.place.engine.stage();
-    // The picture of bodies that stay as they are waits for better frames.
+    // If the bodies do not change any more, the current frame stays until better ones come.
     if (!this.isSettled(stage) || !this.isSettled(this.stage)) this.maker.changed();
     this.stage = stage;
   }
@@ -89,7 +89,7 @@ export class LocalFrames implements FrameSource, Painter {
     else if ('refused' in piece) heard.refused(piece.refused);
     else {
       void this.show(piece.made);
-      // The next rung, or what was wished for meanwhile.
+      // The next level of quality, or a newer request, is due.
       if (maker.due(wish, stands)) this.place.loop.look();
     }
     return !('working' in piece);
@@ -112,7 +112,7 @@ export class LocalFrames implements FrameSource, Painter {
     const what = view === 'auto' ? seen[stages.indexOf(engine.stage())] : view === 'picture' ? undefined : view;
     const bodies = { count: what ? cells : stones, skin: engine.get('stone') === 'skin', what };
     const frame = await createImageBitmap(new ImageData(pixels, width, height));
-    // Browsers may be done with a later one earlier.
+    // Browsers may finish a later bitmap earlier.
     if (number < this.shown || !this.wish) { frame.close(); return; }
     this.shown = number;
     this.heard.frame(frame, quality, bodies, wish === this.wish && number === this.handed);

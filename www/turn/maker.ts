@@ -1,7 +1,7 @@
 /**
- * Makes frames of a studio's bodies, whether that is the engine of the page or works in a worker. A new view gets a
- * coarse frame first, then one of all pixels, then a smooth one. While something moves there are coarse frames only,
- * each of which is finished: else none ever would be.
+ * Makes frames of a studio's bodies, for the engine of the page or in a worker. A new view gets a coarse frame first,
+ * then one with all pixels, then an antialiased one. While something moves there are coarse frames only, and each is
+ * finished: otherwise none ever would be.
  */
 import type { SceneStudio } from '../module/scene';
 import type { Notice } from '../module/types';
@@ -10,7 +10,7 @@ import { coverage, pixelsOf } from './pixels';
 import type { Wished } from './frames';
 import type { Quality } from './turn.worker';
 
-/** Makes the frames. */
+/** The part of a studio that makes frames. */
 type Studio = Pick<SceneStudio, 'turn' | 'frameMap'>;
 
 interface Order<W> {
@@ -28,17 +28,17 @@ export interface Made<W> extends Order<W> {
 /** The result of a piece of work. */
 type Piece<W> = { made: Made<W> } | { working: number } | { refused: Notice };
 
-/** `W` is what is wished for, as whoever wishes tells it. */
+/** `W` is the caller's type of request. */
 export class FrameMaker<W extends Wished = Wished> {
   private readonly studio: Studio;
   private readonly view: () => string;
   private readonly coarse = new Coarse();
   private order: Order<W> | undefined;
-  /** How long its pieces took so far, in milliseconds. */
+  /** The milliseconds that the pieces of the order took so far. */
   private spent = 0;
-  /** The bodies look otherwise than in the last frame. */
+  /** The bodies may differ from the last frame. */
   private stale = true;
-  /** The view of the last frame, how many of the ladder's rungs it has, its subject, and its sides. */
+  /** The last frame: its view, the levels of quality that it has reached, its subject, and its sides. */
   private last = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
 
   /** `view` is the word of the view. */
@@ -47,30 +47,30 @@ export class FrameMaker<W extends Wished = Wished> {
     this.view = view;
   }
 
-  /** The bodies may look otherwise now. */
+  /** Notes that the bodies may look different now. */
   changed(): void {
     this.stale = true;
   }
 
-  /** The frame in the making is let go of. */
+  /** Abandons the frame in the making. */
   drop(): void {
     this.order = undefined;
     this.stale = true;
   }
 
-  /** The sides of the last frame, where it shows all bodies. */
+  /** The sides of the last frame, if it shows all bodies. */
   get sides(): readonly [width: number, height: number] | undefined {
     const { width, height, subject } = this.last;
     return width && subject === '' ? [width, height] : undefined;
   }
 
-  /** How good the next frame is to be; undefined where none is due. Bodies that do not stand get coarse frames only. */
+  /** The quality of the next frame; undefined if none is due. Bodies that still change get coarse frames only. */
   due(wish: Wished, stands = true): Quality | undefined {
     const rung = !this.stale && this.seen(wish) === this.last.view ? this.last.rungs : 0;
     return rung > 0 && (wish.moving || !stands) ? undefined : ladderOf(wish)[rung];
   }
 
-  /** Works for about `budget` milliseconds on the frame that is due; undefined where none is, or there is nothing to be seen yet. */
+  /** Works for about `budget` milliseconds on the frame that is due. Undefined if none is due or there is nothing to see yet. */
   advance(wish: W, budget: number, stands = true): Piece<W> | undefined {
     if (this.order && this.order.wish !== wish && this.order.quality !== 'moving') this.order = undefined;
     const order = (this.order ??= this.begun(wish, stands));

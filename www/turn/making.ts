@@ -1,17 +1,17 @@
-/** How one body is made: a strip under the frame that goes through the steps. */
+/** How one body is made: a strip under the frame that steps through it. */
 import { t } from '../words/turn';
 import { make, say } from '../base/dom';
 import { shape } from '../late/svg';
 import { stepName, stepNote } from './told';
 import type { Told } from './turn.worker';
 
-/** What the strip asks the turntable. */
+/** The connection of the strip to the turntable. */
 export interface Steps {
   /** A parameter of the recipe. */
   get(key: string): string;
-  /** Another step is to be shown. */
+  /** Shows the chosen step. */
   show(): void;
-  /** All bodies again. */
+  /** Shows all bodies again. */
   end(): void;
 }
 
@@ -41,22 +41,22 @@ export class Making {
     );
     this.strip.hidden = true;
     this.strip.addEventListener('keydown', (event) => this.key(event));
-    // What is done here is not for the picture below.
+    // Events here are not for the picture below.
     for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart']) this.strip.addEventListener(sign, (event) => event.stopPropagation());
   }
 
-  /** What is to be made of a frame: `ID:STEP`; '' while all bodies are shown. */
+  /** The subject of the frame: `ID:STEP`; '' while all bodies are shown. */
   get subject(): string {
     return this.body ? `${this.body.id}:${this.at}` : '';
   }
 
-  /** What is shown, in a sentence. */
+  /** The shown step in a sentence. */
   get seen(): string {
     const step = this.body?.steps[this.at] ?? '';
     return t('seen_one', { what: this.called, n: this.at + 1, all: this.body?.steps.length ?? 0, step: stepName(step) });
   }
 
-  /** Begins with the first step of a body. */
+  /** Shows the first step of a body. */
   begin(body: Told): void {
     this.body = body;
     this.at = 0;
@@ -77,7 +77,7 @@ export class Making {
     this.strip.hidden = true;
   }
 
-  /** So many steps on, or back. */
+  /** Goes a number of steps forward or back. */
   go(by: number): void {
     const last = (this.body?.steps.length ?? 1) - 1;
     const next = Math.min(last, Math.max(0, this.at + by));
@@ -86,7 +86,7 @@ export class Making {
     this.tell();
   }
 
-  /** Keys of the steps; true where this was one. */
+  /** Handles the keys of the steps; true if `key` is one of them. */
   step(key: string): boolean {
     if (!this.body || (key !== ',' && key !== '.')) return false;
     this.go(key === ',' ? -1 : 1);
@@ -109,7 +109,7 @@ export class Making {
       if (k === at) dot.setAttribute('aria-current', 'step');
       else dot.removeAttribute('aria-current');
     });
-    // What has the focus keeps it.
+    // A disabled button would lose the focus; these only announce that they are disabled.
     this.back.setAttribute('aria-disabled', String(at === 0));
     this.on.setAttribute('aria-disabled', String(at === body.steps.length - 1));
     this.steps.show();

@@ -1,11 +1,11 @@
-/** Frames of another engine, on a canvas of their own, seen from where the page's own is: to compare both. */
+/** Frames of another engine on a canvas of its own, with the camera of the page's turntable, for comparison. */
 import { make } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { cameraWords, homeOf } from '../state/asked-view';
 import type { Store } from '../state/store';
 import { LocalFrames, type Beat } from './local';
 
-/** Milliseconds after which the viewer stands still. */
+/** The camera counts as still after this many milliseconds. */
 const STILL = 220;
 
 /** The most pixels along a side. */
@@ -20,7 +20,7 @@ export class OtherFrames {
   private stopping = 0;
   private ended = false;
 
-  /** `loop` is that of the other engine. */
+  /** `loop` is the loop of the other engine. */
   constructor(engine: Engine, store: Store, loop: Beat) {
     this.engine = engine;
     this.store = store;
@@ -41,7 +41,7 @@ export class OtherFrames {
     this.size.observe(this.canvas);
   }
 
-  /** Nobody looks at it any more. */
+  /** Ends the frames and removes the canvas. */
   end(): void {
     this.ended = true;
     this.size.disconnect();

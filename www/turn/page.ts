@@ -1,4 +1,4 @@
-/** The turntable on the page: the store tells whether it is on, and where from. */
+/** The turntable on the page. The store holds whether it is on, and its camera. */
 import { t } from '../words/turn';
 import { t as common } from '../words/words';
 import { byId, make } from '../base/dom';
@@ -13,15 +13,15 @@ import { Turntable, type Place } from './turntable';
 export class PageTurntable {
   private readonly work: Work;
   private readonly loop: Loop;
-  /** That of a picture's bodies, and that of what is seen by frames only. */
+  /** The turntable of a picture's bodies, and that of generators seen by frames only. */
   private slant: Turntable | undefined;
   private own: Turntable | undefined;
   private frames: LocalFrames | undefined;
-  /** Is called after each frame that the engine at work has made. */
+  /** Called after each frame that the engine at work has made. */
   framed: (() => void) | undefined;
-  /** The last note, and what it is of. */
+  /** The last note, and the key that it belongs to. */
   private told: readonly [of: string, note: string] = ['', ''];
-  /** The one that is shown, or was last. */
+  /** The turntable that is shown, or was shown last. */
   private shown: Turntable | undefined;
 
   constructor(work: Work, loop: Loop, view: View) {
@@ -31,7 +31,7 @@ export class PageTurntable {
     const { store } = work;
     store.on(['recipe', 'held', 'camera'], () => this.shown?.follow());
     store.on(['make'], ({ turn }) => this.show(turn));
-    // To edit, to compare and to repeat there is the picture: what was asked for last ends the others.
+    // Editing, comparing and repeating need the picture. The mode chosen last ends the others.
     store.on(['editing', 'compare', 'repeat'], ({ turn, editing, compare, repeat }) => {
       if (turn && !work.engine.offers('frames') && (editing !== undefined || compare || repeat > 1)) store.update({ turn: false });
     });
@@ -48,7 +48,7 @@ export class PageTurntable {
     this.loop.painter = isFramed ? this.frames : undefined;
     this.shown = turntable;
     turntable.toggle(on);
-    // A link that opens it leaves the focus where it is.
+    // A link that opens the turntable leaves the focus where it is.
     if (on && document.activeElement === button) turntable.focus();
     if (!on && focused) button.focus();
   }
@@ -57,12 +57,12 @@ export class PageTurntable {
     this.shown?.focus();
   }
 
-  /** Closer (1), farther (-1), or the first look again (0). */
+  /** Zooms in (1), out (-1), or back to the first camera (0). */
   step(by: number): void {
     this.shown?.step(by);
   }
 
-  /** The frame that the engine at work makes, to be painted on, and which places of the model are where in it. */
+  /** The frame of the engine at work, to be painted on, and the mapping between its places and places on the model. */
   get surface() {
     this.own ??= this.ofFrames();
     return {
@@ -72,7 +72,7 @@ export class PageTurntable {
     };
   }
 
-  /** What both have. */
+  /** The parts that both turntables share. */
   private place(): Omit<Place, 'leave' | 'frames'> {
     const { store, engine } = this.work;
     return {
@@ -91,7 +91,7 @@ export class PageTurntable {
     return new Turntable({ ...this.place(), leave: () => this.work.store.update({ turn: false }) });
   }
 
-  /** Its frames are made by the engine at work, between the slices of that. */
+  /** The engine at work makes the frames, between the slices of its work. */
   private ofFrames(): Turntable {
     const { loop } = this;
     const { store, engine } = this.work;
@@ -102,7 +102,9 @@ export class PageTurntable {
     });
   }
 
-  /** What a view shows: singular points are counted once for each piece of the work. */
+  /**
+   * The note of a view. It is cached, because singular points should be counted only once for each stage of the work.
+   */
   private note(view: string): string {
     const { store, engine } = this.work;
     const of = [store.state.recipe, engine.stage(), view].join(' ');

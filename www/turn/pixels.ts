@@ -1,7 +1,7 @@
-/** Planes of a frame as pixels to be shown: red, green, blue, alpha. */
+/** Planes of a frame as RGBA pixels. */
 import type { PixelMap } from '../module/types';
 
-/** A map, opaque. Greys of 16 bits are by the byte that counts. */
+/** The opaque pixels of a map. 16 bit greys are shown by their high byte. */
 export function pixelsOf({ channels, bits, bytes }: PixelMap): Uint8ClampedArray<ArrayBuffer> {
   const each = (channels * bits) / 8;
   const pixels = new Uint8ClampedArray((4 * bytes.length) / each).fill(255);
@@ -11,7 +11,7 @@ export function pixelsOf({ channels, bits, bytes }: PixelMap): Uint8ClampedArray
   return pixels;
 }
 
-/** How far bodies cover each pixel, from black to white, of a frame with nothing behind them. */
+/** The coverage of each pixel from black to white, in a frame without a background. */
 export function coverage(pixels: Uint8Array): Uint8ClampedArray<ArrayBuffer> {
   const grey = new Uint8ClampedArray(pixels.length).fill(255);
   for (let at = 0; at < pixels.length; at += 4) grey.fill(pixels[at + 3] ?? 0, at, at + 3);

@@ -1,21 +1,21 @@
-/** What is seen on the turntable, in sentences. */
+/** Sentences that describe the view of the turntable. */
 import { isWord, t } from '../words/turn';
 import type { Camera } from '../state/viewing';
 import type { Engine } from '../state/engine';
 import type { Bodies } from './turn.worker';
 
-/** From here on, in degrees, one looks from above. */
+/** A camera this high, in degrees, looks from above. */
 const ABOVE = 80;
 
-/** Less and more of the ground is in the frame than so many sides of the picture. */
+/** The frame is near if it shows fewer sides of the picture than `near`, and far if it shows more than `far`. */
 const FAR = { near: 0.6, far: 2.4 };
 
 const SIDES = ['side_0', 'side_1', 'side_2', 'side_3', 'side_4', 'side_5', 'side_6', 'side_7'] as const;
 
-/** The same of what is seen by frames only. */
+/** The same for generators that are seen by frames only. */
 const AROUND = ['around_0', 'around_1', 'around_2', 'around_3', 'around_4', 'around_5', 'around_6', 'around_7'] as const;
 
-/** All bodies, or what else is shown of them, and where they are seen from. */
+/** A sentence on the bodies, or on the other content of the view, and on the camera. */
 export function seen({ count, skin, what: view }: Bodies, [angle, height, distance, lens]: Camera, isFramed = false): string {
   const drawn = `shown_${view}`;
   const what = t(isWord(drawn) ? drawn : skin ? 'scales' : 'stones', { n: count });
@@ -26,20 +26,20 @@ export function seen({ count, skin, what: view }: Bodies, [angle, height, distan
   return t(height < 0 ? 'seen_below' : 'seen', { what, side, height: Math.abs(Math.round(height)), far });
 }
 
-/** What a view that is seen by frames shows; '' where that needs no words. */
+/** A note on a view that is seen by frames; '' if it needs none. */
 export function noteOf(engine: Engine, view: string): string {
   const key = `note_${view}`;
   return [isWord(key) ? t(key) : '', engine.caption(view)].filter(Boolean).join(' ');
 }
 
-/** The name of a step in the making of a body; its own word where there is none. */
+/** The name of a step in the making of a body; its own word if it has no name. */
 export function stepName(step: string): string {
   const [, word = step, n = ''] = /^([a-z]+?)(\d*)$/.exec(step) ?? [];
   const key = `step_${word}`;
   return isWord(key) ? t(key, { n }) : step;
 }
 
-/** What is done in it, with the recipe's own numbers; '' where there is no sentence. */
+/** A sentence on such a step, with the recipe's numbers; '' if there is none. */
 export function stepNote(step: string, get: (key: string) => string): string {
   const form = get('stone');
   const word = step.replace(/\d+$/, '');

@@ -1,9 +1,9 @@
 /**
- * Works a recipe out once more, with the module that has all there is, and makes frames of its bodies as the page wishes.
+ * Runs a recipe once more, with the full module, and makes frames of its bodies for the page.
  *
- * Only the latest wish counts. While something moves there are coarse frames of few pixels, each of which is finished:
- * else none ever would be. What rests gets a coarse frame, then one of all pixels, then one that is smooth; a newer wish
- * ends these.
+ * Only the latest request counts. While something moves there are coarse frames only, and each is finished: otherwise
+ * none ever would be. A view at rest gets a coarse frame, then one with all pixels, then an antialiased one; a newer
+ * request ends these.
  */
 import { reasonOf } from '../base/errors';
 import { studioFor, supply } from '../module/given';
@@ -15,36 +15,36 @@ import type { Notice, Probe } from '../module/types';
 import { FrameMaker, type Made } from './maker';
 import type { Plane } from './planes';
 
-/** What is to be seen. */
+/** A request for a frame. */
 export interface Wish {
-  /** Counts them. */
+  /** The number of the request. */
   n: number;
   link: string;
-  /** All of the picture (''), or a step in the making of a body (`ID:STEP`). */
+  /** '' for all bodies, or a step in the making of one (`ID:STEP`). */
   subject: string;
   camera: string;
   width: number;
   height: number;
   plane: Plane;
-  /** The next wish will come soon. */
+  /** The next request will come soon. */
   moving: boolean;
 }
 
-/** Which body is at a place of the frame, in parts of its sides. */
+/** Requests the body at a place of the frame, in fractions of its sides. */
 export interface Question {
   ask: number;
   x: number;
   y: number;
 }
 
-/** A body: its number, what is told of its cell, and the words of the steps in its making. */
+/** A body: its number, the facts about its cell, and the words of the steps in its making. */
 export interface Told {
   id: number;
   probe: Probe | undefined;
   steps: string[];
 }
 
-/** How many bodies there are, and of what sort; `what` is the word of the view where that shows something else. */
+/** The number and sort of the bodies; `what` is the word of the view if it shows something else. */
 export interface Bodies {
   count: number;
   skin: boolean;
@@ -55,7 +55,7 @@ export type Quality = 'moving' | 'still' | 'fine';
 
 export type Said =
   | { frame: ImageBitmap; n: number; quality: Quality; bodies: Bodies }
-  /** How far the work is, 0..1: the recipe's, and then a frame's. */
+  /** Progress, 0..1: first of the recipe, then of a frame. */
   | { working: number }
   | { ask: number; body: Told | undefined }
   /** There is no picture, or no such subject. */
@@ -66,7 +66,7 @@ export type Said =
 /** Milliseconds of work in one call. */
 const BUDGET = 12;
 
-/** So long a recipe is worked on, in milliseconds, before a newer one ends that. */
+/** For this many milliseconds a recipe is worked on before a newer one may replace it. */
 const PATIENCE = 400;
 
 /** The share of a recipe's own stages in the work before the first frame. */
@@ -74,7 +74,7 @@ const WORKED = 0.5;
 
 const { port1, port2 } = new MessageChannel();
 
-/** Lets messages come in. */
+/** Lets waiting messages arrive. */
 function pause(): Promise<void> {
   return new Promise((resolve) => {
     port2.onmessage = () => resolve();
@@ -83,7 +83,7 @@ function pause(): Promise<void> {
 }
 
 class Turner {
-  /** The latest that is not fulfilled. */
+  /** The latest request that is not fulfilled. */
   wish: Wish | undefined;
   private readonly studio: SceneStudio;
   private readonly course: Course;
@@ -98,7 +98,7 @@ class Turner {
     this.link = link;
   }
 
-  /** Works until nothing is wished for. */
+  /** Works until no request is left. */
   async work(): Promise<void> {
     for (let wish = this.wish; wish; wish = this.wish) {
       if (!(await this.ready(wish))) continue;
@@ -119,7 +119,7 @@ class Turner {
     return body && { id: body.id, probe: this.studio.probe(body.x, body.y), steps: this.studio.making(body.id) };
   }
 
-  /** Works the wish's recipe out; false where a newer wish came, or there is no picture. */
+  /** Runs the request's recipe; false if a newer request came, or there is no picture. */
   private async ready(wish: Wish): Promise<boolean> {
     const { studio } = this;
     if (wish.link !== this.link) {
@@ -148,7 +148,7 @@ class Turner {
     const frame = await createImageBitmap(new ImageData(pixels, width, height));
     const bodies: Bodies = { count: this.studio.status().stones, skin: this.studio.get('stone') === 'skin' };
     say({ frame, n: wish.n, quality, bodies }, [frame]);
-    // There is time by now; without a storage the next visit unpacks the module again.
+    // There is time for this now. Without a storage, the next visit unpacks the module again.
     if (quality === 'fine' && !this.kept) keepModules().catch(() => undefined);
     this.kept ||= quality === 'fine';
   }

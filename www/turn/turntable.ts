@@ -1,8 +1,9 @@
 /**
- * The turntable: the bodies of the picture, seen from a slant, over the sheet. All of it is worked out in a worker; the page
- * shows its frames. For scripts the sheet tells as `data-turn` what it shows of the latest wish: nothing yet (`coming`), a
- * frame that is `moving`, `still` or `fine`, or that there is none (`refused`); the frame tells as `data-body` the number of
- * the body last pointed at, or `none`.
+ * The turntable: the bodies of the picture from an oblique camera, over the sheet. A worker makes the frames; the
+ * page shows them.
+ *
+ * For scripts, the sheet has an attribute `data-turn`: the state of the latest request (`coming`, `moving`, `still`,
+ * `fine` or `refused`). The frame has `data-body`: the number of the body last pointed at, or `none`.
  */
 import { t } from '../words/turn';
 import { byId, make, say } from '../base/dom';
@@ -20,35 +21,38 @@ import type { Bodies, Quality, Told } from './turn.worker';
 import '../styles/late/look.css';
 import '../styles/late/turn.css';
 
-/** What the turntable stands in. */
+/** The surroundings of a turntable. */
 export interface Place {
-  /** What is made, by what its viewer goes. */
+  /** The generator, which decides the first camera and its limits. */
   generator(): Pick<Generator, 'home' | 'lowest' | 'offers'>;
-  /** Where frames come from, unless a worker makes them. */
+  /** The source of frames; without it, a worker makes them. */
   frames?: (heard: Heard) => FrameSource;
-  /** The recipe, whether it is in somebody's hand, and its values. */
+  /** The recipe's link, whether a control is being dragged, and the recipe's values. */
   link(): string;
   held(): boolean;
   get(key: string): string;
-  /** Where the viewer stands; undefined where that is usual. */
+  /** The camera; undefined for the usual one. */
   camera(): Camera | undefined;
   take(camera: Camera): void;
-  /** One body is shown, a step in its making (`ID:STEP`), or all again. */
+  /** Called with the subject that is shown: a step in the making of one body (`ID:STEP`), or '' for all. */
   only?(subject: string, camera: Camera): void;
-  /** Ends it; in somebody else's page nothing does, nor where there is nothing but bodies to be seen. */
+  /** Leaves the turntable. Missing in an embedded picture, and if there is nothing but bodies to see. */
   leave?: () => void;
-  /** In somebody else's page. */
+  /** Whether it is embedded in another page. */
   alone?: boolean;
-  /** There is a new frame. */
+  /** Called after each new frame. */
   framed?: () => void;
-  /** There are no frames. */
+  /** Called when there are no more frames. */
   ended(how: 'lost' | 'broken', why: string): void;
 }
 
-/** Where the viewer of one body stands at first, with the usual light from the front; its corners are a unit from its middle. */
+/**
+ * The first camera for one body. The usual light then comes from the front; the body's corners are at distance 1 from
+ * its middle.
+ */
 const BODY: Camera = [80, 30, 4.2, 35, 0, 0, 0];
 
-/** Milliseconds for which the worker is kept for the way back. */
+/** Milliseconds for which the worker is kept after the turntable is left. */
 const KEPT = 60_000;
 
 /** The most pixels along a side. */
@@ -71,14 +75,14 @@ export class Turntable {
   private plane: Plane = 'light';
   private on = false;
   private moving = false;
-  /** What is shown of the latest wish, and the recipe that the frame is of. */
+  /** The state of the latest request, and the recipe of the frame that is shown. */
   private reached: Quality | 'coming' | 'refused' = 'coming';
   private shown = '';
-  /** Ends the worker once the turntable is off for long. */
+  /** The timer that ends the worker once the turntable is off for long. */
   private ending = 0;
-  /** Where one body is seen from. */
+  /** The camera for one body. */
   private beside: Camera = BODY;
-  /** Counts what was pointed at: an answer that comes late is let be. */
+  /** Counts the places pointed at; a late answer is ignored. */
   private pointed = 0;
 
   constructor(place: Place) {
@@ -112,7 +116,7 @@ export class Turntable {
     this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
     if (place.leave) this.root.append(planes((plane) => this.choose(plane)), this.wayOut());
     this.stand.ariaLabel = this.isFramed ? `${t('name_space')}. ${t('keys_space')}` : `${t('name')}. ${t('keys')}`;
-    // The keys of the steps, and the way back, are there while the frame has the focus, too.
+    // The keys of the steps and of the way back also work while the frame has the focus.
     this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
     new ResizeObserver(() => this.follow()).observe(this.stand);
   }
@@ -120,7 +124,7 @@ export class Turntable {
   toggle(on: boolean): void {
     if (on === this.on) return;
     this.on = on;
-    // Readers and keys do not come to what is covered.
+    // Screen readers and the Tab key skip the covered picture.
     byId('pane').inert = on;
     clearTimeout(this.ending);
     if (on) {
@@ -142,7 +146,7 @@ export class Turntable {
     this.stand.focus({ preventScroll: true });
   }
 
-  /** Holds the frame. */
+  /** The element that contains the frame. */
   get host(): HTMLElement {
     return this.stand.parentElement ?? this.root;
   }
@@ -152,13 +156,13 @@ export class Turntable {
     return this.root.contains(document.activeElement);
   }
 
-  /** Closer (1), farther (-1), or the first look again (0). */
+  /** Zooms in (1), out (-1), or back to the first camera (0). */
   step(by: number): void {
     if (by) this.gestures.soon(nearer(this.camera, by > 0 ? CLOSER : 1 / CLOSER));
     else this.home();
   }
 
-  /** Is to be called after whatever may change what is to be seen. */
+  /** Requests a new frame. To be called after each change of the view. */
   follow(): void {
     const { clientWidth, clientHeight } = this.stand;
     if (!this.on || !clientWidth || !clientHeight) return;
@@ -183,7 +187,7 @@ export class Turntable {
     return this.making.subject === '' ? (this.place.camera() ?? this.first) : this.beside;
   }
 
-  /** Where the viewer of all bodies stands at first. */
+  /** The first camera for all bodies. */
   private get first(): Camera {
     return homeOf(this.place.generator());
   }
@@ -234,7 +238,7 @@ export class Turntable {
     if (this.on) this.sheet.dataset['turn'] = word;
   }
 
-  /** Tells the body at a place of the frame; one that is picked may be asked for more. */
+  /** Shows the card of the body at a place of the frame. The card of a `picked` body has a button for more. */
   private async point(x: number, y: number, picked: boolean): Promise<Told | undefined> {
     if (this.making.subject !== '' || this.moving || (this.card.picked && !picked)) return undefined;
     const turn = (this.pointed += 1);
@@ -252,7 +256,7 @@ export class Turntable {
     if (!this.card.picked) this.card.hide();
   }
 
-  /** The body in the middle; once more: how it is made. */
+  /** Picks the body in the middle; a second call shows how it is made. */
   private async enter(): Promise<void> {
     if (this.making.subject !== '') return;
     const { picked } = this.card;

@@ -84,12 +84,12 @@ export function presetIn(preset: Preset): Preset {
   return foreign && own ? { ...preset, title: own.title || foreign.figure(preset.figure), note: own.note, figure: foreign.figure(preset.figure) } : preset;
 }
 
-/** What the module says, in the language in use. */
+/** A notice of the module in the page's language. */
 export function said(notice: Notice): string {
   return foreign?.said(notice) ?? notice.text;
 }
 
-/** What a paper calls a part of its work, in the language in use. */
+/** A paper's name for a part of its work, in the page's language. */
 export function partIn(name: string): string {
   return foreign?.parts[name] ?? name;
 }

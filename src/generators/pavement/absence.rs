@@ -91,7 +91,7 @@ impl Pavement {
             return still.then_some(Absence::AtRest);
         }
         let made = &self.made;
-        let Some((domain, fields)) = made.terrain.made() else {
+        let Some((domain, fields)) = made.ground() else {
             return Some(Absence::NotYet);
         };
         match overlay {

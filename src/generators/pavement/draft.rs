@@ -5,22 +5,22 @@
 //! The stages stand still meanwhile and know nothing of the draft, which is seen until the new packing
 //! has ended.
 
-use super::terrain::Terrain;
-use super::{Pavement, Stage, Wish};
-use crate::domain::{Domain, Outline};
+use super::stages::Stages;
+use super::{Pavement, Stage};
+use crate::domain::Domain;
 use crate::draw::Tones;
 use crate::field::Fields;
 use crate::generators::{Budget, Clock, Engine};
+use crate::graph::Wiring;
 use crate::packing::Packing;
 use glam::DVec2;
 
 /// Steps that a draft makes in one tick at most: more would look hasty.
 const STEPS: u32 = 4;
 
-/// A packing that flows, and what it lies in.
+/// A packing that flows, with stages of its own for its domain and its fields.
 pub(super) struct Draft {
-    wish: Wish,
-    terrain: Terrain,
+    pub(super) stages: Stages,
     pub packing: Packing,
     pub tones: Tones,
 }
@@ -41,7 +41,7 @@ impl Pavement {
     /// Works on the draft; true when it may look different.
     pub(super) fn flow(&mut self, clock: Clock, budget: f64) -> bool {
         let budget = Budget::new(clock, budget);
-        let is_old = |draft: &mut Draft| draft.wish.params != self.latest.params;
+        let is_old = |draft: &mut Draft| draft.stages.stale().is_some();
         let stale = self.draft.take_if(is_old);
         let mut worked = stale.is_some() || self.draft.is_none();
         if worked {
@@ -66,20 +66,20 @@ impl Pavement {
     /// A draft for the latest recipe with the particles of the last one, or of the last packing;
     /// nothing where no cell fits.
     fn drafted(&self, last: Option<Draft>) -> Option<Draft> {
-        let wish = self.latest.clone();
-        let asked = wish.params.terrain.clone();
-        let (mut terrain, packing, tones) = match last {
-            Some(last) => (last.terrain, Some(last.packing), last.tones),
+        let (mut stages, packing, tones) = match last {
+            Some(last) => (last.stages, Some(last.packing), last.tones),
             None => (
-                Terrain::new(asked.clone()),
+                Stages::new(self.made.latest()),
                 self.made.shown_packing().cloned(),
                 self.tones(),
             ),
         };
-        terrain.want(asked);
-        terrain.finish();
-        let (domain, fields) = terrain.made()?;
-        let params = wish.params.packing;
+        stages.take_up();
+        while stages.at().is_some_and(|stage| stage < Stage::Packing) {
+            stages.advance();
+        }
+        let (domain, fields) = stages.ground()?;
+        let params = *stages.packing.params();
         let carried = packing.map(|mut packing| {
             packing.warm_start(domain, fields, params);
             packing
@@ -89,8 +89,7 @@ impl Pavement {
             None => Packing::new(domain, fields, params).ok()?,
         };
         Some(Draft {
-            wish,
-            terrain,
+            stages,
             packing,
             tones,
         })
@@ -98,18 +97,15 @@ impl Pavement {
 
     /// The outline, domain, fields and packing to look at: those of the draft while it is to be seen.
     pub(super) fn shown(&self) -> Shown<'_> {
-        let (outline, terrain, packing) = match self.draft() {
-            Some(draft) => (&draft.wish.outline, &draft.terrain, Some(&draft.packing)),
-            None => (
-                &self.working.outline,
-                &self.made.terrain,
-                self.made.shown_packing(),
-            ),
+        let (stages, packing) = match self.draft() {
+            Some(draft) => (&draft.stages, Some(&draft.packing)),
+            None => (&self.made, self.made.shown_packing()),
         };
+        let rings = stages.rings().iter();
         Shown {
-            rings: rings(outline),
-            domain: terrain.domain.made(),
-            fields: terrain.fields.made(),
+            rings: rings.map(Vec::as_slice).collect(),
+            domain: stages.domain.made(),
+            fields: stages.fields.made(),
             packing,
         }
     }
@@ -118,14 +114,14 @@ impl Pavement {
 impl Draft {
     /// One step of the packing.
     fn step(&mut self) {
-        if let Some((domain, fields)) = self.terrain.made() {
+        if let Some((domain, fields)) = self.stages.ground() {
             self.packing.step(domain, fields);
         }
     }
 
     /// The packing's potential energy, in units of a cell's.
     pub fn energy(&mut self) -> f64 {
-        let domain = self.terrain.domain.made();
+        let domain = self.stages.domain.made();
         domain.map_or(0.0, |domain| self.packing.energy(domain))
     }
 }
@@ -136,8 +132,4 @@ pub(super) struct Shown<'a> {
     pub domain: Option<&'a Domain>,
     pub fields: Option<&'a Fields>,
     pub packing: Option<&'a Packing>,
-}
-
-fn rings(outline: &Outline) -> Vec<&[DVec2]> {
-    outline.rings.iter().map(Vec::as_slice).collect()
 }

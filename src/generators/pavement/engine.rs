@@ -1,11 +1,13 @@
 //! A pavement as one of the generators: what the studio asks of it.
 
 use super::look::View;
-use super::{Pavement, Stage, Wish};
+use super::params::Params;
+use super::{Pavement, Stage};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
-use crate::generators::{Clock, Engine, MeshSlice, PictureSlice, Progress, common};
+use crate::generators::{Clock, Engine, MeshSlice, PictureSlice, Progress};
 #[cfg(house)]
 use crate::generators::{FrameSlice, SeenBody, TurnOrder};
+use crate::graph::Wiring;
 use crate::heightfield::Planes;
 use crate::notice::Notice;
 use crate::recipe::Recipe;
@@ -14,31 +16,30 @@ use crate::scene::Frame;
 
 impl Engine for Pavement {
     fn ask(&mut self, recipe: &Recipe) {
-        self.latest = Wish::new(recipe, self.exact.as_ref(), self.finer);
-        self.stale = self.latest.params.first_difference(&self.working.params);
+        let params = Params::new(recipe, self.exact.as_ref(), self.finer);
+        if let Some(draft) = &mut self.draft {
+            draft.stages.ask(params.clone());
+        }
+        self.made.ask(params);
         if !self.is_live || !self.keeps_side() {
             self.draft = None;
         }
     }
 
     fn stale(&self) -> Option<usize> {
-        self.stale.map(|stage| stage as usize)
+        self.made.stale().map(|stage| stage as usize)
     }
 
     fn take_up(&mut self) {
-        self.working = self.latest.clone();
-        // Whether anything differs the nodes find out for themselves.
-        self.made.want(self.working.params.clone());
-        self.changes += u64::from(self.stale.take().is_some());
+        self.made.take_up();
     }
 
     fn forget(&mut self) {
         self.made.forget();
-        self.changes += 1;
     }
 
     fn side(&self) -> usize {
-        common::side(&self.working.recipe)
+        self.texture().side
     }
 
     fn at(&self) -> Option<usize> {
@@ -70,7 +71,7 @@ impl Engine for Pavement {
     }
 
     fn runs(&self) -> Vec<u64> {
-        self.made.runs().to_vec()
+        self.made.runs()
     }
 
     fn progress(&self) -> Progress {
@@ -101,7 +102,10 @@ impl Engine for Pavement {
     }
 
     fn is_drafting(&self) -> bool {
-        let is_stale = self.stale.is_some_and(|stage| stage <= Stage::Packing);
+        let is_stale = self
+            .made
+            .stale()
+            .is_some_and(|stage| stage <= Stage::Packing);
         self.is_live && is_stale && self.keeps_side()
     }
 

@@ -1,6 +1,6 @@
 //! What can be taken out of a finished studio: maps, and the mesh of all cells.
 
-use super::{Pavement, params};
+use super::Pavement;
 use crate::export::{self, Map, MapKind, MeshFile, MeshOrder, maps};
 use crate::generators::bigger::{Bigger, Picture};
 use crate::generators::height_field::Bodies;
@@ -23,7 +23,7 @@ impl Pavement {
     pub(super) fn map_of_planes(&self, kind: MapKind) -> Result<Map, Notice> {
         let planes = self.made.planes().filter(|_| self.is_done());
         let planes = planes.ok_or(Code::NotYet)?;
-        let light = &self.working.params.finish.light;
+        let light = self.light();
         Ok(maps::map(
             kind,
             planes,
@@ -39,7 +39,7 @@ impl Pavement {
         budget: f64,
     ) -> Result<PictureSlice, Notice> {
         let mut kept = self.bigger.take();
-        let domain = self.made.terrain.domain.made();
+        let domain = self.made.domain.made();
         let picture = Picture {
             side: self.side(),
             revision: self.is_done().then(|| self.made.finish.light.revision()),
@@ -49,7 +49,7 @@ impl Pavement {
                 coats: self.made.coats(),
             }),
         };
-        let params = || params::finish(&self.working.recipe, order.0, self.finer);
+        let params = || self.made.finish.params(order.0);
         let slice = Bigger::advance(&mut kept, &picture, (order, &params), clock, budget);
         self.bigger = kept;
         slice
@@ -58,7 +58,7 @@ impl Pavement {
     /// The cells last finished as a standalone SVG file of the picture's size; '' before there are any.
     pub fn svg(&self) -> String {
         let made = &self.made;
-        match made.terrain.domain.made() {
+        match made.domain.made() {
             Some(domain) if !made.cells().is_empty() => export::svg(
                 self.side(),
                 domain,
@@ -95,8 +95,7 @@ impl Pavement {
     }
 
     fn begin(&self, order: &MeshOrder, revision: u64) -> Saving {
-        let asked = &self.working.params.finish;
-        let (texture, materials) = (asked.planes.texture, &asked.light.materials);
+        let (texture, materials) = (*self.texture(), &self.light().materials);
         let file = MeshFile::new(order, texture, materials, self.scales().len());
         Saving {
             solids: file.solids(),

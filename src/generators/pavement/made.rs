@@ -1,45 +1,45 @@
 //! What the stages of a pavement have made, and what they are making.
 
-use super::slices::Packs;
 use super::stage::Stage;
 use super::stages::Stages;
 use crate::cells::Cell;
 use crate::domain::Domain;
-use crate::generators::height_field::Finish;
+use crate::field::Fields;
+use crate::generators::height_field::Painting;
+use crate::generators::packs::Packs;
+use crate::graph::Wiring;
 use crate::heightfield::Planes;
 use crate::material::Coat;
 use crate::mesh::Mesh;
 use crate::packing::Packing;
 
-/// Where nothing else is said, what was made last, stale or not.
+/// Values are those made last, stale or not, unless a comment says otherwise.
 impl Stages {
+    /// The domain and the fields, once they are there.
+    pub fn ground(&self) -> Option<(&Domain, &Fields)> {
+        self.domain.made().zip(self.fields.made())
+    }
+
     /// The packing at work, or the last one.
     pub fn shown_packing(&self) -> Option<&Packing> {
-        match self.packing.work() {
-            Some(Packs::Moving(packing)) => Some(packing),
-            _ => self.packing.made(),
-        }
+        let moving = self.packing.work().and_then(Packs::moving);
+        moving.or(self.packing.made())
     }
 
-    /// The packing at work, or the last one, and the domain: it keeps what it works out of itself.
+    /// The packing at work, or the last one, and the domain. The packing keeps the answers to some questions.
     pub fn shown_packing_mut(&mut self) -> Option<(&mut Packing, &Domain)> {
-        let is_moving = matches!(self.packing.work(), Some(Packs::Moving(_)));
-        let packing = match is_moving {
-            true => self.packing.work_mut().and_then(|packs| match packs {
-                Packs::Moving(packing) => Some(&mut **packing),
-                Packs::Placing(_) => None,
-            }),
-            false => self.packing.made_mut(),
-        };
-        packing.zip(self.terrain.domain.made())
+        let domain = self.domain.made()?;
+        let (work, made) = self.packing.both_mut();
+        let packing = work.and_then(Packs::moving_mut).or(made);
+        Some((packing?, domain))
     }
 
-    /// Are there cells of the packing at work, or of one that is over and fresh?
+    /// Whether there are cells of the packing at work, or of one that is over and fresh.
     pub fn is_packing(&self) -> bool {
         match self.at() {
             Some(Stage::Packing) => {
-                let work = self.packing.work_of(self.terrain.revision());
-                matches!(work, Some(Packs::Moving(_)))
+                let work = self.begun(&self.packing);
+                work.is_some_and(|packs| packs.moving().is_some())
             }
             at => at.is_none_or(|stage| stage > Stage::Packing),
         }
@@ -68,7 +68,7 @@ impl Stages {
 
     /// The cells that stones are made of: of skin, those in which the axes have one sense.
     pub fn scales(&self) -> &[Cell] {
-        let oriented = self.flow.made_of(self.cell_inputs());
+        let oriented = self.current(&self.flow);
         let oriented = oriented.filter(|cells| !cells.is_empty());
         oriented.map_or_else(|| self.cells(), Vec::as_slice)
     }
@@ -76,24 +76,29 @@ impl Stages {
     /// What the cells wear by rule; none while other cells form.
     pub fn coats(&self) -> &[Coat] {
         let forms = self.at().is_some_and(|stage| stage < Stage::Planes);
-        let coats = self.coats.made_of(self.cell_inputs());
+        let coats = self.current(&self.coats);
         coats.filter(|_| !forms).map_or(&[], Vec::as_slice)
     }
 
-    /// Stones painted by now.
+    /// The painting at work.
+    fn painting(&self) -> Option<&Painting> {
+        self.begun(&self.finish.planes)
+    }
+
+    /// The number of stones that are painted.
     pub fn stones(&self) -> usize {
         match self.at() {
-            Some(stage) if stage <= Stage::Planes => {
-                self.finish.stones_coming(self.finish_inputs())
-            }
+            Some(stage) if stage <= Stage::Planes => self.painting().map_or(0, Painting::stones),
             _ => self.scales().len(),
         }
     }
 
-    /// Is the ground laid that the stones at work come on?
+    /// Whether the ground is laid that the stones at work lie on.
     pub fn is_bedded(&self) -> bool {
         match self.at() {
-            Some(stage) if stage <= Stage::Planes => self.finish.is_bedded(self.finish_inputs()),
+            Some(stage) if stage <= Stage::Planes => {
+                self.painting().is_some_and(Painting::is_bedded)
+            }
             _ => true,
         }
     }
@@ -103,39 +108,20 @@ impl Stages {
         self.finish.weather.made()
     }
 
-    /// The planes on their way.
+    /// The planes in the making, while planes or weather are at work.
     pub fn planes_coming(&self) -> Option<&Planes> {
-        let stage = match self.at()? {
-            Stage::Planes => Finish::Planes,
-            Stage::Weather => Finish::Weather,
-            _ => return None,
-        };
-        self.finish.planes_coming(stage, self.finish_inputs())
+        match self.at()? {
+            Stage::Planes => self.painting().map(Painting::planes),
+            Stage::Weather => match self.begun(&self.finish.weather) {
+                Some(weathering) => Some(weathering.planes()),
+                None => Some(&self.finish.planes.made()?.planes),
+            },
+            _ => None,
+        }
     }
 
     /// The picture last finished, empty before there is one.
     pub fn picture(&self) -> &[u8] {
         self.finish.light.made().map_or(&[], Vec::as_slice)
-    }
-
-    /// Grows whenever something else may be seen.
-    pub fn slices(&self) -> u64 {
-        let packing = self.packing.slices() + self.mesh.slices() + self.cells.slices();
-        let before = self.terrain.slices() + packing;
-        before + self.flow.slices() + self.coats.slices() + self.finish.slices()
-    }
-
-    /// How often each stage has finished, in their order.
-    pub fn runs(&self) -> [u64; 8] {
-        [
-            self.terrain.domain.revision(),
-            self.terrain.fields.revision(),
-            self.packing.revision(),
-            self.mesh.revision(),
-            self.cells.revision(),
-            self.finish.planes.revision(),
-            self.finish.weather.revision(),
-            self.finish.light.revision(),
-        ]
     }
 }

@@ -15,12 +15,11 @@ mod params;
 mod presets;
 mod probe;
 mod schema;
+mod shaping;
 #[cfg(house)]
 mod slant;
-mod slices;
 mod stage;
 mod stages;
-mod terrain;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -33,11 +32,13 @@ pub use schema::keys;
 pub use stage::Stage;
 
 use super::bigger::Bigger;
+use super::lighting::LightParams;
 use super::{Course, Engine, Generator, Views};
 use crate::cells::Cell;
 use crate::domain::{Domain, Outline};
 use crate::field::Fields;
-use crate::heightfield::Planes;
+use crate::graph::Wiring;
+use crate::heightfield::{Planes, TextureParams};
 use crate::mesh::Mesh;
 use crate::metrics::Metrics;
 use crate::notice::Notice;
@@ -89,19 +90,14 @@ pub fn recipe(link: &str) -> (Recipe, Vec<Notice>) {
     Recipe::from_link(&[&SCHEMA], link)
 }
 
-/// The machine: what is asked for, what was made of it, and what is looked at.
+/// The engine: its stages, and what is looked at.
 pub struct Pavement {
     /// The outline used instead of the recipe's, for outlines finer than a link can say.
     exact: Option<Outline>,
     /// Loop steps of skin beyond those that a picture needs.
     finer: i32,
-    latest: Wish,
-    /// What the stages work by; behind the latest while a short pass is let finish.
-    working: Wish,
-    /// The first stage of which the latest asks something else.
-    stale: Option<Stage>,
     made: Stages,
-    /// Counts what a draft and recipes that were taken up changed, for the views.
+    /// Counts the changes of drafts, for the views.
     changes: u64,
     gallery: Gallery,
     /// Do the cells flow after each change?
@@ -114,26 +110,6 @@ pub struct Pavement {
     boxes: probe::Boxes,
     #[cfg(house)]
     slant: slant::Slant,
-}
-
-/// A recipe, and what it asks of the stages.
-#[derive(Clone)]
-struct Wish {
-    recipe: Recipe,
-    /// Checked.
-    outline: Outline,
-    params: Params,
-}
-
-impl Wish {
-    fn new(recipe: &Recipe, exact: Option<&Outline>, finer: i32) -> Self {
-        let outline = params::outline(recipe, exact);
-        Self {
-            params: Params::new(recipe, &outline, finer),
-            recipe: recipe.clone(),
-            outline,
-        }
-    }
 }
 
 impl Pavement {
@@ -158,14 +134,10 @@ impl Pavement {
     }
 
     fn start(recipe: &Recipe, exact: Option<Outline>, finer: i32) -> Self {
-        let wish = Wish::new(recipe, exact.as_ref(), finer);
         Self {
-            made: Stages::new(wish.params.clone()),
+            made: Stages::new(Params::new(recipe, exact.as_ref(), finer)),
             exact,
             finer,
-            working: wish.clone(),
-            latest: wish,
-            stale: None,
             changes: 0,
             gallery: Gallery::default(),
             is_live: false,
@@ -180,7 +152,8 @@ impl Pavement {
 
     /// Is the latest picture as large as the one at work?
     fn keeps_side(&self) -> bool {
-        self.latest.recipe.side() == self.working.recipe.side()
+        let planes = &self.made.finish.planes;
+        planes.latest().texture.side == planes.params().texture.side
     }
 
     /// Is the picture finished?
@@ -233,9 +206,19 @@ impl Pavement {
         self.made.scales()
     }
 
-    /// What the stones are made by.
+    /// The parameters of the stones at work.
     pub fn stone_params(&self) -> StoneParams {
-        self.working.params.finish.planes.texture.stone
+        self.texture().stone
+    }
+
+    /// The parameters of the planes at work.
+    fn texture(&self) -> &TextureParams {
+        &self.made.finish.planes.params().texture
+    }
+
+    /// The light at work.
+    fn light(&self) -> &LightParams {
+        self.made.finish.light.params()
     }
 
     /// The planes last finished.
@@ -247,7 +230,7 @@ impl Pavement {
     pub fn metrics(&self) -> Option<Metrics> {
         let made = &self.made;
         let particles = made.packing.made()?.particles();
-        let (domain, fields) = made.terrain.made()?;
+        let (domain, fields) = made.ground()?;
         let mesh = made.mesh().filter(|_| !made.cells().is_empty())?;
         Some(Metrics::new(domain, fields, &particles, mesh, made.cells()))
     }

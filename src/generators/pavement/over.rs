@@ -2,16 +2,16 @@
 
 use super::{Overlay, Pavement, Stage, View};
 use crate::draw::{self, Board, size::HeatMap};
-use crate::generators::common;
+use crate::generators::Engine;
 use crate::packing::{Packing, stress};
 
 impl Pavement {
     /// Draws a view's overlays, each as soon as there is something to show of the pavement at work.
     pub(super) fn draw_over(&mut self, view: View, board: &mut Board, heat: &mut HeatMap) {
-        let side = common::side(&self.working.recipe);
+        let side = self.side();
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
         let packs = self.made.is_packing();
-        let domain = self.made.terrain.domain.made();
+        let domain = self.made.domain.made();
         if domain.is_some_and(|domain| domain.space().period().is_some()) {
             board.repeat();
         }
@@ -22,13 +22,13 @@ impl Pavement {
             };
             let loads = loads.map(|(packing, domain)| packing.net_forces(domain));
             let made = &self.made;
-            let Some((domain, fields)) = made.terrain.made() else {
+            let Some((domain, fields)) = made.ground() else {
                 return;
             };
             match overlay {
                 Overlay::Size => {
                     // In a new domain the last fields stay as they were shown.
-                    let revision = made.terrain.fields.revision();
+                    let revision = made.fields.revision();
                     heat.draw(board, revision, side, domain, fields);
                 }
                 Overlay::Packed => {

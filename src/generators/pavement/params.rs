@@ -2,8 +2,6 @@
 
 use super::outline::PavementRecipe;
 use super::schema::keys;
-use super::stage::Stage;
-use super::terrain::{DomainParams, TerrainParams};
 use crate::cells::Cell;
 use crate::domain::Outline;
 use crate::field::{Direction, FieldParams, Grading, Kind, Spot};
@@ -18,6 +16,15 @@ use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: after these it hardly gets better.
 const LLOYD_ROUNDS: u32 = 50;
+
+/// What the domain is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum DomainParams {
+    /// A checked outline with its constraint lines.
+    Plane(Outline),
+    /// The whole picture as a tile, with constraint lines. The outline does not count.
+    Tile { side: f64, lines: Vec<Vec<DVec2>> },
+}
 
 /// What cells are made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +49,10 @@ pub(super) struct CoatParams {
 /// What a recipe asks of each stage.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Params {
-    pub terrain: TerrainParams,
+    /// The outer ring, then the holes.
+    pub rings: Vec<Vec<DVec2>>,
+    pub domain: DomainParams,
+    pub fields: FieldParams,
     pub packing: PackingParams,
     pub cells: CellParams,
     /// The one sense of the flow; nothing for stones that are not skin.
@@ -80,10 +90,20 @@ impl FlowParams {
 }
 
 impl Params {
-    /// Of a recipe for this outline ([`outline`]); skin gets `finer` Loop steps more than it needs.
-    pub fn new(recipe: &Recipe, outline: &Outline, finer: i32) -> Self {
+    /// The parameters of a recipe, or of an exact outline with the recipe's constraint lines. Skin gets `finer` Loop
+    /// steps more than a picture needs.
+    pub fn new(recipe: &Recipe, exact: Option<&Outline>, finer: i32) -> Self {
+        let outline = outline(recipe, exact);
         Self {
-            terrain: terrain(recipe, outline),
+            rings: outline.rings.clone(),
+            domain: match recipe.is_tile() {
+                false => DomainParams::Plane(outline),
+                true => DomainParams::Tile {
+                    side: recipe.side(),
+                    lines: outline.lines,
+                },
+            },
+            fields: fields(recipe),
             packing: packing(recipe),
             cells: cells(recipe),
             flow: recipe.is_skin().then(|| flow(recipe)),
@@ -92,58 +112,26 @@ impl Params {
                 seed: common::seed(recipe),
                 side: recipe.side(),
             },
-            finish: finish(recipe, 1, finer),
+            finish: HeightFieldParams {
+                planes: PlaneParams {
+                    texture: texture(recipe),
+                    finer,
+                },
+                weather: common::weather(recipe),
+                light: common::light(recipe),
+            },
         }
-    }
-
-    /// The first stage of which others ask something else.
-    pub fn first_difference(&self, other: &Params) -> Option<Stage> {
-        let differences = [
-            (Stage::Domain, self.terrain.domain != other.terrain.domain),
-            (Stage::Fields, self.terrain.fields != other.terrain.fields),
-            (Stage::Packing, self.packing != other.packing),
-            (Stage::Cells, self.cells != other.cells),
-            (Stage::Planes, self.flow != other.flow),
-            (Stage::Planes, self.coats != other.coats),
-            (Stage::Planes, self.finish.planes != other.finish.planes),
-            (Stage::Weather, self.finish.weather != other.finish.weather),
-            (Stage::Shading, self.finish.light != other.finish.light),
-        ];
-        let mut differences = differences.into_iter();
-        differences
-            .find(|&(_, differs)| differs)
-            .map(|(stage, _)| stage)
     }
 }
 
-/// The outline to pave: the exact one where there is one, the recipe's constraint lines in either.
-pub(super) fn outline(recipe: &Recipe, exact: Option<&Outline>) -> Outline {
+/// The outline to pave.
+fn outline(recipe: &Recipe, exact: Option<&Outline>) -> Outline {
     let Some(exact) = exact else {
         return recipe.outline();
     };
     let mut outline = exact.clone();
     outline.lines.extend(recipe.lines());
     outline
-}
-
-/// The domain and its fields.
-pub(super) fn terrain(recipe: &Recipe, outline: &Outline) -> TerrainParams {
-    TerrainParams {
-        domain: domain(recipe, outline),
-        fields: fields(recipe),
-    }
-}
-
-/// An outline's rings and lines, or the whole picture as a tile.
-fn domain(recipe: &Recipe, outline: &Outline) -> DomainParams {
-    if recipe.is_tile() {
-        DomainParams::Torus {
-            side: recipe.side(),
-            lines: outline.lines.clone(),
-        }
-    } else {
-        DomainParams::Plane(outline.clone())
-    }
 }
 
 /// The aspect ratio that cells of a kind are packed with for one of `ca`. The cells of ellipses are
@@ -270,19 +258,6 @@ fn cells(recipe: &Recipe) -> CellParams {
         "voronoi" => scattered(0),
         "lloyd" => scattered(LLOYD_ROUNDS),
         _ => CellParams::Fitted,
-    }
-}
-
-/// Planes, weather and light with `pixel_scale` pixels for each of the recipe, along a side.
-pub(super) fn finish(recipe: &Recipe, pixel_scale: usize, finer: i32) -> HeightFieldParams {
-    let texture = TextureParams {
-        pixel_scale,
-        ..texture(recipe)
-    };
-    HeightFieldParams {
-        planes: PlaneParams { texture, finer },
-        weather: common::weather(recipe),
-        light: common::light(recipe),
     }
 }
 

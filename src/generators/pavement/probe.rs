@@ -7,6 +7,7 @@ use super::{Pavement, Stage};
 use crate::cells::Cell;
 use crate::domain::{Domain, ring_contains};
 use crate::field::Kind;
+use crate::graph::Wiring;
 use crate::metrics::{Figure, symmetry_angle};
 use crate::packing::Sample;
 use glam::DVec2;
@@ -97,7 +98,7 @@ impl Pavement {
     fn packed_at(&self, p: DVec2) -> Option<Probe> {
         let made = &self.made;
         let packing = made.shown_packing().filter(|_| made.is_packing())?;
-        let (domain, fields) = made.terrain.made()?;
+        let (domain, fields) = made.ground()?;
         let (cell, particle) = packing.at(domain, p)?;
         let shift = domain.space().shortest(particle.centre - p) + p - particle.centre;
         let has_axis = particle.kind != Kind::Circle && particle.axis != DVec2::ZERO;
@@ -118,7 +119,7 @@ impl Pavement {
 
     fn polygon_at(&mut self, p: DVec2) -> Option<Probe> {
         let made = &self.made;
-        let (domain, fields) = made.terrain.made()?;
+        let (domain, fields) = made.ground()?;
         let (cells, revision) = (made.cells(), made.cells_revision());
         if self.boxes.revision != revision {
             let boxes = cells.iter().map(bounds).collect();
@@ -167,7 +168,7 @@ impl Pavement {
                 packing.map_or(Vec::new(), |(packing, domain)| packing.alignments(domain))
             }
         };
-        let Some(fields) = self.made.terrain.fields.made() else {
+        let Some(fields) = self.made.fields.made() else {
             return Default::default();
         };
         let mut found: Vec<(f64, Option<f64>)> = Vec::new();

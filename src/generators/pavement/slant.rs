@@ -71,7 +71,7 @@ impl Pavement {
             return None;
         }
         let (cells, planes) = (self.scales(), self.planes()?);
-        let texture = self.working.params.finish.planes.texture;
+        let texture = *self.texture();
         let new = || Cutout::new(texture, cells.len(), planes);
         let mut making = slant.making.take().unwrap_or_else(new);
         if !budget.until(clock, || making.advance(cells, planes)) {
@@ -102,7 +102,7 @@ impl Pavement {
         let mut stand = Stand {
             scene,
             number: slant.number,
-            light: &self.working.params.finish.light,
+            light: self.light(),
             ground: planes.ground * planes.pixel_scale as f32 / planes.side as f32,
         };
         let beside: LightParams;
@@ -153,16 +153,16 @@ impl Pavement {
     }
 
     fn surfaces(&self) -> Surfaces {
-        let texture = self.working.params.finish.planes.texture;
+        let texture = *self.texture();
         Surfaces::new(texture, usize::MAX)
     }
 
     /// The light on a stone that stands alone, large: it comes from where the lamp is seen from the stone's place.
     fn light_of(&self, id: u32) -> LightParams {
-        let mut light = self.working.params.finish.light.clone();
+        let mut light = self.light().clone();
         let cell = self.scales().get((id as usize).wrapping_sub(1));
         if let (Light::Point { x, y, z }, Some(cell)) = (light.shade.light, cell) {
-            let place = cell.centre / self.working.params.finish.planes.texture.side as f64;
+            let place = cell.centre / self.texture().side as f64;
             let (x, y) = (x - place.x, y - place.y);
             light.shade.light = Light::Parallel {
                 azimuth: libm::atan2(y, x),
@@ -179,7 +179,7 @@ impl Pavement {
         let surfaces = self.surfaces();
         let making = *surfaces.making(cell).get(step)?;
         let made = surfaces.step(&mut Solids::new(), (cell, index), planes, making)?;
-        let high = top(&self.working.params.finish.planes.texture.stone, cell.size);
+        let high = top(&self.texture().stone, cell.size);
         Some(alone(&made, cell, high))
     }
 }

@@ -1,7 +1,5 @@
 //! The stages of a pavement, by name.
 
-use crate::generators::height_field::Finish;
-
 /// The stages of a pavement, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
@@ -41,13 +39,3 @@ impl Stage {
 pub const WORDS: [&str; 8] = [
     "domain", "fields", "packing", "mesh", "cells", "planes", "weather", "shading",
 ];
-
-impl From<Finish> for Stage {
-    fn from(finish: Finish) -> Self {
-        match finish {
-            Finish::Planes => Stage::Planes,
-            Finish::Weather => Stage::Weather,
-            Finish::Shading => Stage::Shading,
-        }
-    }
-}

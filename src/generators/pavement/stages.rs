@@ -1,65 +1,88 @@
-//! How the stages of a pavement hang together, and what is due next.
+//! The stages of a pavement, as a table of tasks.
 
-use super::params::{CellParams, CoatParams, FlowParams, Params};
-use super::slices::{Packed, Packs, Shaping};
+use super::params::{CellParams, CoatParams, DomainParams, FlowParams, Params};
+use super::shaping::{Packed, Shaping};
 use super::stage::Stage;
-use super::terrain::Terrain;
 use crate::cells::{Cell, Graph};
-use crate::generators::height_field::{Bodies, Finish, HeightField, Revisions};
-use crate::graph::{Node, State};
+use crate::domain::Domain;
+use crate::field::{FieldBuilder, FieldParams, Fields};
+use crate::generators::height_field::{Bodies, HeightField, HeightFieldParams};
+use crate::generators::packs::Packs;
+use crate::graph::{Node, Task, Wiring, task};
 use crate::material::{Coat, Coats};
 use crate::mesh::{Mesh, Meshing};
-use crate::notice::Notice;
-use crate::packing::{Packing, PackingParams};
+use crate::packing::{Packing, PackingParams, Placing};
 use crate::solid::oriented;
+use glam::DVec2;
 
 /// Cells whose neighbours are found, or whose coats are made, in one slice.
 const CELLS: usize = 500;
 
-/// The stages.
+/// The nodes of the stages.
 pub(super) struct Stages {
-    pub terrain: Terrain,
-    pub(super) packing: Node<PackingParams, Packs, Packing>,
+    pub(super) domain: Node<DomainParams, (), Domain>,
+    pub(super) fields: Node<FieldParams, FieldBuilder, Fields>,
+    pub(super) packing: Node<PackingParams, Packs<Placing, Packing>, Packing>,
     pub(super) mesh: Node<(), Meshing, Mesh>,
     pub(super) cells: Node<CellParams, Shaping, Vec<Cell>>,
-    /// Of skin, the cells in which the axes have one sense; none of stones.
+    /// The cells of skin, whose axes have one sense; none of stones.
     pub(super) flow: Node<Option<FlowParams>, Graph, Vec<Cell>>,
     pub(super) coats: Node<CoatParams, Coats, Vec<Coat>>,
-    pub finish: HeightField,
-    /// Of which packing the picture is.
+    pub(super) finish: HeightField,
+    /// The revision of the packing that the picture shows.
     pub(super) pictured: u64,
+    /// The rings of the latest recipe.
+    rings: Vec<Vec<DVec2>>,
 }
 
-/// A piece of the work. A stage has several where it needs more than one product.
-#[derive(Clone, Copy)]
-enum Task {
-    Terrain(Stage),
-    Pack,
-    Mesh,
-    Cells,
-    Flow,
-    Coats,
-    Finish(Finish),
-}
+impl Wiring for Stages {
+    type Stage = Stage;
 
-impl Task {
-    fn stage(self) -> Stage {
-        match self {
-            Task::Terrain(stage) => stage,
-            Task::Finish(stage) => stage.into(),
-            Task::Pack => Stage::Packing,
-            Task::Mesh => Stage::Mesh,
-            Task::Cells => Stage::Cells,
-            Task::Flow | Task::Coats => Stage::Planes,
-        }
-    }
+    const TASKS: &'static [Task<Self>] = &[
+        task!(Stage::Domain, domain, [], Self::make_domain),
+        task!(Stage::Fields, fields, [domain], Self::make_fields),
+        task!(
+            Stage::Packing,
+            packing,
+            [domain, fields],
+            Self::make_packing
+        ),
+        task!(Stage::Mesh, mesh, [domain, packing], Self::make_mesh),
+        task!(
+            Stage::Cells,
+            cells,
+            [domain, fields, packing],
+            Self::make_cells
+        ),
+        task!(Stage::Planes, flow, [domain, cells], Self::make_flow),
+        task!(Stage::Planes, coats, [domain, cells], Self::make_coats),
+        task!(
+            Stage::Planes,
+            finish.planes,
+            [cells, flow, coats],
+            Self::make_planes
+        ),
+        task!(
+            Stage::Weather,
+            finish.weather,
+            [domain, finish.planes],
+            Self::make_weather
+        ),
+        task!(
+            Stage::Shading,
+            finish.light,
+            [finish.weather],
+            Self::make_light
+        ),
+    ];
 }
 
 impl Stages {
     /// Nothing made yet.
     pub fn new(params: Params) -> Self {
         Self {
-            terrain: Terrain::new(params.terrain),
+            domain: Node::new(params.domain),
+            fields: Node::new(params.fields),
             packing: Node::new(params.packing),
             mesh: Node::new(()),
             cells: Node::new(params.cells),
@@ -67,172 +90,135 @@ impl Stages {
             coats: Node::new(params.coats),
             finish: HeightField::new(params.finish),
             pictured: 0,
+            rings: params.rings,
         }
     }
 
-    /// What the stages are to be made by from now on.
-    pub fn want(&mut self, params: Params) {
-        self.terrain.want(params.terrain);
-        self.packing.want(params.packing);
-        self.cells.want(params.cells);
-        self.flow.want(params.flow);
-        self.coats.want(params.coats);
-        self.finish.want(params.finish);
+    /// Notes the parameters of the latest recipe.
+    pub fn ask(&mut self, params: Params) {
+        self.rings = params.rings;
+        self.domain.ask(params.domain);
+        self.fields.ask(params.fields);
+        self.packing.ask(params.packing);
+        self.cells.ask(params.cells);
+        self.flow.ask(params.flow);
+        self.coats.ask(params.coats);
+        self.finish.ask(params.finish);
     }
 
-    /// All stages are to run again.
+    /// The parameters of the latest recipe.
+    pub fn latest(&self) -> Params {
+        Params {
+            rings: self.rings.clone(),
+            domain: self.domain.latest().clone(),
+            fields: self.fields.latest().clone(),
+            packing: *self.packing.latest(),
+            cells: *self.cells.latest(),
+            flow: self.flow.latest().clone(),
+            coats: *self.coats.latest(),
+            finish: HeightFieldParams {
+                planes: *self.finish.planes.latest(),
+                weather: *self.finish.weather.latest(),
+                light: self.finish.light.latest().clone(),
+            },
+        }
+    }
+
+    /// Makes all stages stale.
     pub fn forget(&mut self) {
-        self.terrain.domain.forget();
+        self.domain.forget();
     }
 
-    fn packed_inputs(&self) -> u64 {
-        self.terrain.revision() + self.packing.revision()
-    }
-
-    pub(super) fn cell_inputs(&self) -> u64 {
-        self.terrain.domain.revision() + self.cells.revision()
-    }
-
-    pub(super) fn finish_inputs(&self) -> Revisions {
-        Revisions {
-            domain: self.terrain.domain.revision(),
-            cells: self.cells.revision() + self.flow.revision() + self.coats.revision(),
+    /// The rings of the outline at work; on a tile, where they do not count, those of the latest recipe.
+    pub fn rings(&self) -> &[Vec<DVec2>] {
+        match self.domain.params() {
+            DomainParams::Plane(outline) => &outline.rings,
+            DomainParams::Tile { .. } => &self.rings,
         }
     }
 
-    /// The first piece of the work that is not fresh.
-    fn due(&self) -> Option<(Task, State)> {
-        let middle = || {
-            let states = [
-                (Task::Pack, self.packing.state(self.terrain.revision())),
-                (Task::Mesh, self.mesh.state(self.packed_inputs())),
-                (Task::Cells, self.cells.state(self.packed_inputs())),
-                (Task::Flow, self.flow.state(self.cell_inputs())),
-                (Task::Coats, self.coats.state(self.cell_inputs())),
-            ];
-            let mut states = states.into_iter();
-            states.find(|&(_, state)| state != State::Fresh)
-        };
-        let first = self.terrain.due();
-        let first = first.map(|(stage, state)| (Task::Terrain(stage), state));
-        let last = || {
-            let last = self.finish.due(self.finish_inputs());
-            last.map(|(stage, state)| (Task::Finish(stage), state))
-        };
-        first.or_else(middle).or_else(last)
+    fn make_domain(&mut self) -> Option<()> {
+        self.domain.advance(|params, _| {
+            Ok(Some(match params {
+                DomainParams::Plane(outline) => Domain::from_checked(outline),
+                DomainParams::Tile { side, lines } => Domain::torus(*side, lines),
+            }))
+        })
     }
 
-    /// The stage that is not fresh; none where all is done.
-    pub fn at(&self) -> Option<Stage> {
-        self.due().map(|(task, _)| task.stage())
+    fn make_fields(&mut self) -> Option<()> {
+        let domain = self.domain.made()?;
+        self.fields.advance(|params, work| {
+            work.get_or_insert_with(|| FieldBuilder::new(domain, params.clone()));
+            let over = work.take_if(|builder| builder.advance(domain));
+            Ok(over.map(FieldBuilder::finish))
+        })
     }
 
-    /// Why the stage at work cannot go on.
-    pub fn failure(&self) -> Option<&Notice> {
-        let (task, _) = self.due().filter(|&(_, state)| state == State::Failed)?;
-        match task {
-            Task::Terrain(_) => None,
-            Task::Pack => self.packing.failure(),
-            Task::Mesh => self.mesh.failure(),
-            Task::Cells => self.cells.failure(),
-            Task::Flow => self.flow.failure(),
-            Task::Coats => self.coats.failure(),
-            Task::Finish(_) => self.finish.failure(),
-        }
+    fn make_packing(&mut self) -> Option<()> {
+        let ground = (self.domain.made()?, self.fields.made()?);
+        self.packing
+            .advance(|params, work| Packs::advance(params, work, ground))
     }
 
-    /// One slice of the first piece that is not fresh.
-    pub fn advance(&mut self) {
-        match self.due() {
-            None | Some((_, State::Failed)) => {}
-            Some((Task::Terrain(stage), _)) => self.terrain.advance(stage),
-            Some((Task::Pack, _)) => self.make_packing(),
-            Some((Task::Mesh, _)) => self.make_mesh(),
-            Some((Task::Cells, _)) => self.make_cells(),
-            Some((Task::Flow, _)) => self.make_flow(),
-            Some((Task::Coats, _)) => self.make_coats(),
-            Some((Task::Finish(stage), _)) => self.make_picture(stage),
-        }
-    }
-
-    fn make_packing(&mut self) {
-        let Some((domain, fields)) = self.terrain.made() else {
-            return;
-        };
-        let inputs = self.terrain.revision();
-        self.packing.advance(inputs, |params, work| {
-            Packs::advance(params, work, domain, fields)
-        });
-    }
-
-    fn make_mesh(&mut self) {
-        let (Some(domain), Some(packing)) = (self.terrain.domain.made(), self.packing.made())
-        else {
-            return;
-        };
-        let inputs = self.terrain.revision() + self.packing.revision();
-        self.mesh.advance(inputs, |(), work| {
+    fn make_mesh(&mut self) -> Option<()> {
+        let (domain, packing) = (self.domain.made()?, self.packing.made()?);
+        self.mesh.advance(|(), work| {
             let new = || Meshing::new(domain, packing.particles());
             Ok(work.get_or_insert_with(new).advance(domain))
-        });
+        })
     }
 
-    fn make_cells(&mut self) {
-        let (Some((domain, fields)), Some(packing)) = (self.terrain.made(), self.packing.made())
-        else {
-            return;
-        };
-        let inputs = self.terrain.revision() + self.packing.revision();
+    fn make_cells(&mut self) -> Option<()> {
         let from = Packed {
-            domain,
-            fields,
-            packing,
+            domain: self.domain.made()?,
+            fields: self.fields.made()?,
+            packing: self.packing.made()?,
         };
         self.cells
-            .advance(inputs, |params, work| Shaping::advance(params, work, from));
+            .advance(|params, work| Shaping::advance(params, work, from))
     }
 
-    fn make_flow(&mut self) {
-        let (Some(domain), Some(cells)) = (self.terrain.domain.made(), self.cells.made()) else {
-            return;
-        };
-        let inputs = self.terrain.domain.revision() + self.cells.revision();
-        self.flow.advance(inputs, |params, work| {
+    fn make_flow(&mut self) -> Option<()> {
+        let (domain, cells) = (self.domain.made()?, self.cells.made()?);
+        self.flow.advance(|params, work| {
             let Some(flow) = params else {
                 return Ok(Some(Vec::new()));
             };
             work.get_or_insert_with(|| Graph::new(domain, cells));
             let over = work.take_if(|graph| graph.advance(domain, CELLS));
             Ok(over.map(|graph| oriented(cells, &graph.finish(), |cell| flow.at(cell))))
-        });
+        })
     }
 
-    fn make_coats(&mut self) {
-        let (Some(domain), Some(cells)) = (self.terrain.domain.made(), self.cells.made()) else {
-            return;
-        };
-        let inputs = self.terrain.domain.revision() + self.cells.revision();
-        self.coats.advance(inputs, |params, work| {
+    fn make_coats(&mut self) -> Option<()> {
+        let (domain, cells) = (self.domain.made()?, self.cells.made()?);
+        self.coats.advance(|params, work| {
             work.get_or_insert_with(|| Coats::new(params.colour, params.seed, params.side));
             let over = work.take_if(|coats| coats.advance(domain, cells, CELLS));
             Ok(over.map(|coats| coats.finish(domain, cells)))
-        });
+        })
     }
 
-    fn make_picture(&mut self, stage: Finish) {
-        let inputs = self.finish_inputs();
-        let (Some(domain), Some(cells)) = (self.terrain.domain.made(), self.cells.made()) else {
-            return;
-        };
+    fn make_planes(&mut self) -> Option<()> {
         let oriented = self.flow.made().filter(|cells| !cells.is_empty());
         let bodies = Bodies {
-            domain,
-            cells: oriented.unwrap_or(cells),
-            coats: self.coats.made().map_or(&[], Vec::as_slice),
+            domain: self.domain.made()?,
+            cells: oriented.or(self.cells.made())?,
+            coats: self.coats.made()?,
         };
-        self.finish.advance(stage, bodies, inputs);
+        self.finish.paint(bodies)
+    }
+
+    fn make_weather(&mut self) -> Option<()> {
+        self.finish.weather(self.domain.made()?)
+    }
+
+    fn make_light(&mut self) -> Option<()> {
+        self.finish.shade()?;
         if self.at().is_none() {
             self.pictured = self.packing.revision();
         }
+        Some(())
     }
 }

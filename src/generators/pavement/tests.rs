@@ -1,6 +1,6 @@
 //! Exactly what differs runs, and bigger pictures do not show that they were painted in bands.
 
-use super::params::{self, Params};
+use super::params::Params;
 use super::schema::keys;
 use super::{Pavement, SCHEMA, Stage};
 use crate::export::{Map, MapKind};
@@ -93,8 +93,8 @@ fn due(from: &Params, to: &Params) -> [bool; 8] {
         finishes[0].light != finishes[1].light,
     ];
     let dressed = (&from.flow, from.coats) != (&to.flow, to.coats);
-    let domain = from.terrain.domain != to.terrain.domain;
-    let fields = domain || from.terrain.fields != to.terrain.fields;
+    let domain = from.domain != to.domain;
+    let fields = domain || from.fields != to.fields;
     let packing = fields || from.packing != to.packing;
     let cells = packing || from.cells != to.cells;
     let planes = cells || dressed || painted;
@@ -113,7 +113,7 @@ fn due(from: &Params, to: &Params) -> [bool; 8] {
 
 fn asked(studio: &Studio) -> Params {
     let engine = studio.engine_as::<Pavement>();
-    engine.expect("a pavement").working.params.clone()
+    engine.expect("a pavement").made.latest()
 }
 
 /// Wherever a studio comes from, it gives what the recipe gives, and works on nothing in vain.
@@ -175,11 +175,11 @@ const LINKS: [&str; 9] = [
 /// A picture or its maps, made in bands of so many rows.
 fn made(pavement: &Pavement, scale: usize, kinds: &[MapKind], band: usize) -> Vec<Map> {
     let bodies = Bodies {
-        domain: pavement.made.terrain.domain.made().expect("a domain"),
+        domain: pavement.made.domain.made().expect("a domain"),
         cells: pavement.made.scales(),
         coats: pavement.made.coats(),
     };
-    let params = params::finish(&pavement.working.recipe, scale, 0);
+    let params = pavement.made.finish.params(scale);
     let side = scale * pavement.made.planes().expect("planes").side;
     let mut bigger = Bigger::begin((scale, kinds), side, 0, params, (bodies, band));
     while !bigger.is_done() {

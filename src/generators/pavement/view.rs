@@ -2,11 +2,12 @@
 
 use super::files::map_of;
 use super::look::{Base, View};
-use super::{Pavement, PavementRecipe, Stage, params};
+use super::{Pavement, Stage};
 use crate::cells::Cell;
 use crate::draw::{self, Board, Layer, Paper, SHEET, Sketch, Tones};
 use crate::export::MapKind;
 use crate::generators::{Budget, Clock, Engine};
+use crate::graph::Wiring;
 use crate::heightfield::{Planes, row_slopes};
 use crate::order;
 use glam::DVec2;
@@ -134,7 +135,7 @@ impl Pavement {
                 self.on_paper(&tones.paper, layers)
             }
             Base::Mesh => {
-                let both = made.mesh().zip(made.terrain.fields.made());
+                let both = made.mesh().zip(made.fields.made());
                 let mesh = both.map(|(mesh, fields)| draw::stages::mesh(mesh, fields));
                 let mut layers = Vec::from_iter(mesh);
                 layers.extend(self.lines());
@@ -175,8 +176,13 @@ impl Pavement {
             }
             Base::Potential => {
                 let mut board = Board::new(self.side(), SHEET.bed);
-                let (kind, aspect) = params::kind(&self.working.recipe);
-                draw::potential::potential(&mut board, kind, aspect, self.side() as f64);
+                let asked = self.made.fields.params();
+                draw::potential::potential(
+                    &mut board,
+                    asked.kind,
+                    asked.aspect,
+                    self.side() as f64,
+                );
                 Some(board)
             }
             Base::Height => Some(of_planes(draw::planes::height)),
@@ -194,7 +200,7 @@ impl Pavement {
             return self.bare().finish();
         };
         let mut board = Board::new(self.side(), SHEET.surround);
-        let map = map_of(kind, planes, &self.working.params.finish.light);
+        let map = map_of(kind, planes, self.light());
         board.show(&map.rgba());
         board
     }
@@ -249,7 +255,7 @@ impl Pavement {
             return draft.tones.clone();
         }
         let made = &self.made;
-        let texture = &self.working.params.finish.planes.texture;
+        let texture = self.texture();
         Tones::new(texture).wearing(made.cells(), made.coats())
     }
 
@@ -260,7 +266,7 @@ impl Pavement {
 
     fn on_board(&self, mut board: Board, paper: &Paper, layers: Vec<Layer>) -> Sketch {
         let mut all = Vec::with_capacity(layers.len() + 2);
-        if self.working.recipe.is_tile() {
+        if self.texture().tile {
             board.repeat();
             let side = self.side() as f64;
             let ring = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side * p);

@@ -1,31 +1,30 @@
 //! A surface as one of the generators: what the studio asks of it.
 
+use super::Surface;
+use super::params::Params;
 use super::stages::{PACKING, STONES};
-use super::{Surface, Wish};
 use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
 use crate::generators::scene_picture;
 use crate::generators::{
     Clock, Engine, FrameSlice, GivenFile, MeshSlice, MissingFile, PictureSlice, Progress, SeenBody,
     TurnOrder,
 };
+use crate::graph::Wiring;
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 use crate::scene::Frame;
 
 impl Engine for Surface {
     fn ask(&mut self, recipe: &Recipe) {
-        self.latest = Wish::new(recipe);
-        self.stale = self.latest.params.first_difference(&self.working.params);
+        self.made.ask(Params::new(recipe));
     }
 
     fn stale(&self) -> Option<usize> {
-        self.stale
+        self.made.stale()
     }
 
     fn take_up(&mut self) {
-        self.working = self.latest.clone();
-        self.made.want(&self.working.params);
-        self.stale = None;
+        self.made.take_up();
     }
 
     fn forget(&mut self) {
@@ -33,7 +32,7 @@ impl Engine for Surface {
     }
 
     fn side(&self) -> usize {
-        self.working.params.side
+        self.made.still.params().side
     }
 
     fn at(&self) -> Option<usize> {
@@ -69,7 +68,7 @@ impl Engine for Surface {
     }
 
     fn runs(&self) -> Vec<u64> {
-        self.made.runs().to_vec()
+        self.made.runs()
     }
 
     fn progress(&self) -> Progress {
@@ -147,7 +146,7 @@ impl Engine for Surface {
     }
 
     fn body_at(&self, x: usize, y: usize) -> Option<SeenBody> {
-        self.picture.body_at(self.working.params.yaw, x, y)
+        self.picture.body_at(self.made.still.params().yaw, x, y)
     }
 
     fn caption(&self, words: &str) -> Option<Notice> {

@@ -22,10 +22,10 @@ impl Surface {
         ) else {
             return Err(Code::NotYet.into());
         };
-        let params = &self.working.params;
+        let materials = &self.made.still.params().light.materials;
         let new = || {
-            let stones = stones_params(&params.stones, &paved.cells);
-            ModelFile::new(order, stones, &params.light.materials, &paved.cells)
+            let stones = stones_params(self.made.stones.params(), &paved.cells);
+            ModelFile::new(order, stones, materials, &paved.cells)
         };
         let advance = |file: &mut ModelFile| file.advance(&built.whole, paved.paving());
         let wanted = (order, revision);

@@ -3,8 +3,9 @@
 use super::build::Built;
 use super::fields::Fielded;
 use super::paving::Paved;
-use super::stages::{Packs, STONES, Stages, Task};
-use crate::graph::State;
+use super::stages::{PACKING, STONES, Stages};
+use crate::generators::packs::Packs;
+use crate::graph::Wiring;
 use crate::packing::StepReport;
 use crate::scene::Scene;
 use crate::surface_cells::SurfaceMesh;
@@ -22,7 +23,7 @@ pub(super) struct Revisions {
 impl Stages {
     /// The surface, if it is of the parameters at work.
     pub fn built(&self) -> Option<&Built> {
-        self.built.made_of(self.inputs(Task::Build))
+        self.current(&self.built)
     }
 
     /// The surface last made.
@@ -37,16 +38,14 @@ impl Stages {
 
     /// The fields of the surface that is there.
     pub fn fresh_fields(&self) -> Option<&Fielded> {
-        self.fields.made_of(self.inputs(Task::Fields))
+        self.current(&self.fields)
     }
 
     /// The packing at work on the fields that are there, or the one that came of it.
     pub fn live_packing(&self) -> Option<&SurfacePacking> {
-        let inputs = self.inputs(Task::Pack);
-        match self.packing.work_of(inputs) {
-            Some(Packs::Moving(packing)) => Some(packing),
-            Some(Packs::Placing(_)) => None,
-            None => self.packing.made_of(inputs),
+        match self.begun(&self.packing) {
+            Some(packs) => packs.moving(),
+            None => self.current(&self.packing),
         }
     }
 
@@ -62,25 +61,20 @@ impl Stages {
 
     /// The packing at work, or the last one.
     pub fn packing(&self) -> Option<&SurfacePacking> {
-        match self.packing.work() {
-            Some(Packs::Moving(packing)) => Some(packing),
-            _ => self.packing.made(),
-        }
+        let moving = self.packing.work().and_then(Packs::moving);
+        moving.or(self.packing.made())
     }
 
+    /// The packing at work, and its site. The packing keeps the answers to some questions.
     pub fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &Site)> {
-        let site = self.site.made()?;
-        let is_moving = matches!(self.packing.work(), Some(Packs::Moving(_)));
-        if is_moving && let Some(Packs::Moving(packing)) = self.packing.work_mut() {
-            return Some((packing, site));
-        }
-        None
+        let moving = self.packing.work_mut().and_then(Packs::moving_mut);
+        moving.zip(self.site.made())
     }
 
     /// Do cells move?
     pub fn is_moving(&self) -> bool {
-        let between_steps = |packs: &Packs| matches!(packs, Packs::Moving(p) if !p.is_in_a_step());
-        self.due() == Some(Task::Pack) && self.packing.work().is_some_and(between_steps)
+        let moving = self.begun(&self.packing).and_then(Packs::moving);
+        self.at() == Some(PACKING) && moving.is_some_and(|packing| !packing.is_in_a_step())
     }
 
     /// What the last step did.
@@ -107,7 +101,7 @@ impl Stages {
 
     /// Are there stones of the packing that is there, though others may be asked for?
     pub fn has_stones(&self) -> bool {
-        let is_packed = self.packing.state(self.inputs(Task::Pack)) == State::Fresh;
+        let is_packed = self.is_fresh(&self.packing);
         let bodies = self.stones.made().filter(|_| is_packed);
         bodies.is_some_and(|bodies| bodies.packing == self.packing.revision())
     }
@@ -132,19 +126,6 @@ impl Stages {
     /// The picture last made.
     pub fn picture(&self) -> &[u8] {
         self.still.made().map_or(&[], Vec::as_slice)
-    }
-
-    /// How often each stage has finished.
-    pub fn runs(&self) -> [u64; 7] {
-        [
-            self.built.revision(),
-            self.fields.revision(),
-            self.packing.revision(),
-            self.mesh.revision(),
-            self.paved.revision(),
-            self.stones.revision(),
-            self.still.revision(),
-        ]
     }
 
     /// Grows with all that views may show of the packing.

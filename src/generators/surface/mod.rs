@@ -13,6 +13,8 @@ mod made;
 mod params;
 mod paving;
 mod presets;
+#[cfg(test)]
+mod quality;
 mod rules;
 mod schema;
 mod stages;
@@ -65,13 +67,8 @@ pub static SURFACE: Generator = Generator {
     engine: |recipe| Box::new(Surface::new(recipe)),
 };
 
-/// The machine: what is asked for, what was made of it, and what is looked at.
+/// The engine: its stages, and what is looked at.
 pub struct Surface {
-    latest: Wish,
-    /// What the stages work by; behind the latest while a short pass is let finish.
-    working: Wish,
-    /// The first stage of which the latest asks something else.
-    stale: Option<usize>,
     made: Stages,
     picture: ScenePicture<Surface>,
     /// The bare surface that views share, and its number.
@@ -80,29 +77,11 @@ pub struct Surface {
     saving: Option<Saving<ModelFile>>,
 }
 
-/// A recipe, and what it asks of the stages.
-#[derive(Clone)]
-struct Wish {
-    params: Params,
-}
-
-impl Wish {
-    fn new(recipe: &Recipe) -> Self {
-        Self {
-            params: Params::new(recipe),
-        }
-    }
-}
-
 impl Surface {
     /// With all its work before it.
     pub fn new(recipe: &Recipe) -> Self {
-        let wish = Wish::new(recipe);
         Self {
-            made: Stages::new(&wish.params),
-            working: wish.clone(),
-            latest: wish,
-            stale: None,
+            made: Stages::new(&Params::new(recipe)),
             picture: ScenePicture::default(),
             ground: None,
             saving: None,

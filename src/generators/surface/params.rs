@@ -4,11 +4,12 @@ use super::schema::{FILE, ROWS, keys};
 use crate::field::Kind;
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
+use crate::generators::scene_picture::AskedFile;
 use crate::heightfield::TextureParams;
 use crate::material::{ColourParams, WeatherParams};
 use crate::packing::PackingParams;
+use crate::recipe::Recipe;
 use crate::recipe::common::keys as shared;
-use crate::recipe::{NamedFile, Recipe};
 use crate::shapes::Shape;
 use crate::surface_field::{Along, ByCurvature, Taper};
 use crate::surface_stones::Open;
@@ -48,8 +49,8 @@ pub(super) enum On {
 pub(super) enum Source {
     /// By rule, with its numbers.
     Shape(Shape, Vec<f64>),
-    /// From a file; none where none was given yet. The second one tells whether z is up in it.
-    Model(Option<NamedFile>, bool),
+    /// From a file.
+    Model(AskedFile),
 }
 
 /// What the surface is made by.
@@ -145,20 +146,6 @@ impl Params {
             side: common::side(recipe),
         }
     }
-
-    /// The first stage that works by other parameters, by its place.
-    pub fn first_difference(&self, other: &Self) -> Option<usize> {
-        let differences = [
-            self.surface != other.surface,
-            self.fields != other.fields,
-            self.packing != other.packing,
-            false,
-            self.cells != other.cells,
-            self.stones != other.stones,
-            self.light != other.light || self.yaw != other.yaw || self.side != other.side,
-        ];
-        differences.into_iter().position(|differs| differs)
-    }
 }
 
 /// The shape by rule that a recipe asks for.
@@ -180,10 +167,11 @@ fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
     SurfaceParams {
         source: match shape(recipe).filter(|_| !is_file) {
             Some(shape) => Source::Shape(shape, numbers(recipe, shape)),
-            None => Source::Model(
-                recipe.files(keys::MODEL).pop(),
-                recipe.choice(keys::UP) == "z",
-            ),
+            None => Source::Model(AskedFile {
+                role: keys::MODEL.0,
+                file: recipe.files(keys::MODEL).pop(),
+                is_z_up: recipe.choice(keys::UP) == "z",
+            }),
         },
         on: match recipe.choice(keys::ON) {
             "simple" if is_file => On::Simple,

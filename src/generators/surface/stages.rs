@@ -1,17 +1,17 @@
-//! How the stages of a surface hang together, and what is due next.
+//! The stages of a surface, as a table of tasks.
 
 use super::SURFACE;
 use super::build::{Building, Built};
 use super::fields::{Fielded, Fielding};
 use super::params::{CellParams, FieldParams, Params, Source, StoneLook, SurfaceParams};
 use super::paving::{Meshed, Paved, Paves};
-use super::schema::keys;
 use crate::generators::MissingFile;
+use crate::generators::packs::Packs;
 use crate::generators::scene_picture::{
     AskedFile, GivenFiles, Loaded, Loading, Still, StillParams,
 };
-use crate::graph::{Node, State};
-use crate::notice::{Code, Notice};
+use crate::graph::{Inputs, Node, Task, Wiring, inputs, task};
+use crate::notice::Notice;
 use crate::packing::PackingParams;
 use crate::scene::Scene;
 use crate::surface_cells::SurfaceCell;
@@ -39,68 +39,46 @@ pub(super) struct Bodies {
     pub packing: u64,
 }
 
-/// A packing on its way.
-pub(super) enum Packs {
-    Placing(Box<SurfacePlacing>),
-    Moving(Box<SurfacePacking>),
-}
-
-/// The stages.
+/// The nodes of the stages, and the files given for them.
 pub(super) struct Stages {
     pub files: GivenFiles,
     pub(super) loaded: Node<Vec<AskedFile>, Loading, Loaded>,
     pub(super) built: Node<SurfaceParams, Building, Built>,
     pub(super) fields: Node<FieldParams, Fielding, Fielded>,
     pub(super) site: Node<(), (), Site>,
-    pub(super) packing: Node<PackingParams, Packs, SurfacePacking>,
+    pub(super) packing: Node<PackingParams, Packs<SurfacePlacing, SurfacePacking>, SurfacePacking>,
     pub(super) mesh: Node<(), SurfaceMeshing, SurfaceMesh>,
     pub(super) paved: Node<CellParams, Paves, Paved>,
     pub(super) stones: Node<StoneLook, Stones, Bodies>,
     pub(super) still: Node<StillParams, Still, Vec<u8>>,
 }
 
-/// A piece of the work, in their order.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Task {
-    Load,
-    Build,
-    Fields,
-    Site,
-    Pack,
-    Mesh,
-    Pave,
-    Stones,
-    Still,
-}
+impl Wiring for Stages {
+    type Stage = usize;
 
-impl Task {
-    fn stage(self) -> usize {
-        match self {
-            Task::Load | Task::Build => 0,
-            Task::Fields => 1,
-            Task::Site | Task::Pack => PACKING,
-            Task::Mesh => 3,
-            Task::Pave => 4,
-            Task::Stones => STONES,
-            Task::Still => 6,
-        }
-    }
+    const TASKS: &'static [Task<Self>] = &[
+        task!(0, loaded, Self::files_given, Self::load),
+        task!(0, built, [loaded], Self::build),
+        task!(1, fields, [built], Self::make_fields),
+        task!(PACKING, site, [fields], Self::make_site),
+        task!(PACKING, packing, [fields, site], Self::make_packing),
+        task!(3, mesh, [site, packing], Self::make_mesh),
+        task!(4, paved, [built, fields, mesh], Self::make_cells),
+        task!(STONES, stones, [built, paved], Self::make_stones),
+        task!(6, still, [stones], Self::make_still),
+    ];
 }
 
 /// The files that a surface needs.
 fn asked(params: &SurfaceParams) -> Vec<AskedFile> {
     match &params.source {
         Source::Shape(..) => Vec::new(),
-        Source::Model(file, is_z_up) => vec![AskedFile {
-            role: keys::MODEL.0,
-            file: file.clone(),
-            is_z_up: *is_z_up,
-        }],
+        Source::Model(file) => vec![file.clone()],
     }
 }
 
 /// How the picture is seen and lit.
-pub(super) fn still(params: &Params) -> StillParams {
+fn still(params: &Params) -> StillParams {
     StillParams {
         camera: SURFACE.camera(),
         light: params.light.clone(),
@@ -126,18 +104,18 @@ impl Stages {
         }
     }
 
-    /// From now on all is to be made by these.
-    pub fn want(&mut self, params: &Params) {
-        self.loaded.want(asked(&params.surface));
-        self.built.want(params.surface.clone());
-        self.fields.want(params.fields.clone());
-        self.packing.want(params.packing);
-        self.paved.want(params.cells);
-        self.stones.want(params.stones);
-        self.still.want(still(params));
+    /// Notes the parameters of the latest recipe.
+    pub fn ask(&mut self, params: Params) {
+        self.loaded.ask(asked(&params.surface));
+        self.still.ask(still(&params));
+        self.built.ask(params.surface);
+        self.fields.ask(params.fields);
+        self.packing.ask(params.packing);
+        self.paved.ask(params.cells);
+        self.stones.ask(params.stones);
     }
 
-    /// Marks all stages as stale.
+    /// Makes all stages stale.
     pub fn forget(&mut self) {
         self.built.forget();
     }
@@ -147,85 +125,11 @@ impl Stages {
         self.files.give(digest, bytes, self.loaded.params());
     }
 
-    /// The revisions that a piece of the work hangs on, summed.
-    pub(super) fn inputs(&self, task: Task) -> u64 {
-        let built = || self.built.revision();
-        let fields = || built() + self.fields.revision();
-        let packed = || fields() + self.packing.revision();
-        let meshed = || packed() + self.mesh.revision();
-        let paved = || meshed() + self.paved.revision();
-        match task {
-            Task::Load => self.files.count(self.loaded.params()),
-            Task::Build => self.loaded.revision(),
-            Task::Fields => built(),
-            Task::Site => fields(),
-            Task::Pack => fields() + self.site.revision(),
-            Task::Mesh => packed(),
-            Task::Pave => meshed(),
-            Task::Stones => paved(),
-            Task::Still => paved() + self.stones.revision(),
-        }
-    }
-
-    fn state(&self, task: Task) -> State {
-        let inputs = self.inputs(task);
-        match task {
-            Task::Load => self.loaded.state(inputs),
-            Task::Build => self.built.state(inputs),
-            Task::Fields => self.fields.state(inputs),
-            Task::Site => self.site.state(inputs),
-            Task::Pack => self.packing.state(inputs),
-            Task::Mesh => self.mesh.state(inputs),
-            Task::Pave => self.paved.state(inputs),
-            Task::Stones => self.stones.state(inputs),
-            Task::Still => self.still.state(inputs),
-        }
-    }
-
-    /// The first piece of the work that is not fresh.
-    pub(super) fn due(&self) -> Option<Task> {
-        let all = [
-            Task::Load,
-            Task::Build,
-            Task::Fields,
-            Task::Site,
-            Task::Pack,
-            Task::Mesh,
-            Task::Pave,
-            Task::Stones,
-            Task::Still,
-        ];
-        all.into_iter()
-            .find(|&task| self.state(task) != State::Fresh)
-    }
-
-    /// The stage that is not fresh; none where all is done.
-    pub fn at(&self) -> Option<usize> {
-        self.due().map(Task::stage)
-    }
-
-    /// Why the stage at work cannot go on.
-    pub fn failure(&self) -> Option<&Notice> {
-        let task = self
-            .due()
-            .filter(|&task| self.state(task) == State::Failed)?;
-        match task {
-            Task::Load => self.loaded.failure(),
-            Task::Build => self.built.failure(),
-            Task::Fields => self.fields.failure(),
-            Task::Pack => self.packing.failure(),
-            Task::Mesh | Task::Site => None,
-            Task::Pave => self.paved.failure(),
-            Task::Stones => self.stones.failure(),
-            Task::Still => self.still.failure(),
-        }
-    }
-
     /// The files that are missing, also before any work has found that.
     pub fn missing(&self) -> Vec<MissingFile> {
-        let asked = match self.due() {
-            Some(Task::Load) => &self.loaded.params()[..],
-            _ => &[],
+        let asked = match self.is_fresh(&self.loaded) {
+            true => &[],
+            false => &self.loaded.params()[..],
         };
         self.files.missing(asked).collect()
     }
@@ -233,134 +137,74 @@ impl Stages {
     /// What was done to the surface, or is to be said of cells on it.
     pub fn remarks(&self) -> Vec<Notice> {
         let built = self.built().map_or(&[][..], |built| &built.notices);
-        let fields = self.fields.made_of(self.inputs(Task::Fields));
-        let fields = fields.map_or(&[][..], |fielded| &fielded.notices);
+        let fields = self
+            .fresh_fields()
+            .map_or(&[][..], |fielded| &fielded.notices);
         [built, fields].concat()
     }
 
-    /// One slice of the first piece that is not fresh.
-    pub fn advance(&mut self) {
-        let Some(task) = self.due().filter(|&task| self.state(task) != State::Failed) else {
-            return;
-        };
-        let inputs = self.inputs(task);
-        match task {
-            Task::Load => {
-                let files = &self.files;
-                self.loaded
-                    .advance(inputs, |asked, work| Loading::advance(asked, work, files));
-            }
-            Task::Build => {
-                let Some(loaded) = self.loaded.made() else {
-                    return;
-                };
-                self.built.advance(inputs, |params, work| {
-                    Building::advance(params, work, loaded)
-                });
-            }
-            Task::Fields => {
-                let Some(built) = self.built.made() else {
-                    return;
-                };
-                self.fields.advance(inputs, |params, work| {
-                    Fielding::advance(params, work, built)
-                });
-            }
-            Task::Site => self.make_site(inputs),
-            Task::Pack => self.make_packing(inputs),
-            Task::Mesh => self.make_mesh(inputs),
-            Task::Pave => self.make_cells(inputs),
-            Task::Stones => self.make_stones(inputs),
-            Task::Still => {
-                let Some(Bodies { scene, .. }) = self.stones.made() else {
-                    return;
-                };
-                self.still.advance(inputs, |params, work| {
-                    work.get_or_insert_with(|| Still::new(params, scene.clone()))
-                        .advance()
-                });
-            }
-        }
+    /// The number of files that are there, as the input of loading.
+    fn files_given(&self) -> Inputs {
+        inputs([self.files.count(self.loaded.params())])
     }
 
-    fn make_site(&mut self, inputs: u64) {
-        let Some(Fielded { fields, .. }) = self.fields.made() else {
-            return;
-        };
-        self.site.advance(inputs, |(), _| {
+    fn load(&mut self) -> Option<()> {
+        let files = &self.files;
+        self.loaded
+            .advance(|asked, work| Loading::advance(asked, work, files))
+    }
+
+    fn build(&mut self) -> Option<()> {
+        let loaded = self.loaded.made()?;
+        self.built
+            .advance(|params, work| Building::advance(params, work, loaded))
+    }
+
+    fn make_fields(&mut self) -> Option<()> {
+        let built = self.built.made()?;
+        self.fields
+            .advance(|params, work| Fielding::advance(params, work, built))
+    }
+
+    fn make_site(&mut self) -> Option<()> {
+        let Fielded { fields, .. } = self.fields.made()?;
+        self.site.advance(|(), _| {
             let longest = fields.size_range().1 * fields.aspect_range().1.sqrt();
             Ok(Some(Site::new(fields.mesh().clone(), longest)))
-        });
+        })
     }
 
-    fn make_packing(&mut self, inputs: u64) {
-        let (Some(Fielded { fields, .. }), Some(site)) = (self.fields.made(), self.site.made())
-        else {
-            return;
-        };
-        self.packing.advance(inputs, |params, work| {
-            let mut placing = match work.take() {
-                Some(Packs::Moving(mut packing)) => {
-                    if packing.advance(site, fields) {
-                        return Ok(Some(*packing));
-                    }
-                    *work = Some(Packs::Moving(packing));
-                    return Ok(None);
-                }
-                Some(Packs::Placing(placing)) => placing,
-                None => Box::new(SurfacePlacing::new(site, fields, *params)),
-            };
-            if !placing.advance(site, fields) {
-                *work = Some(Packs::Placing(placing));
-                return Ok(None);
-            }
-            let packing = placing.finish(site, fields);
-            if packing.report().cells == 0 {
-                return Err(Code::NoCells.into());
-            }
-            *work = Some(Packs::Moving(Box::new(packing)));
-            Ok(None)
-        });
+    fn make_packing(&mut self) -> Option<()> {
+        let ground = (self.site.made()?, &self.fields.made()?.fields);
+        self.packing
+            .advance(|params, work| Packs::advance(params, work, ground))
     }
 
-    fn make_mesh(&mut self, inputs: u64) {
-        let (Some(site), Some(packing)) = (self.site.made(), self.packing.made()) else {
-            return;
-        };
-        self.mesh.advance(inputs, |(), work| {
+    fn make_mesh(&mut self) -> Option<()> {
+        let (site, packing) = (self.site.made()?, self.packing.made()?);
+        self.mesh.advance(|(), work| {
             let new = || SurfaceMeshing::new(packing.particles(), Polish::default());
             Ok(work.get_or_insert_with(new).advance(site.mesh()))
-        });
+        })
     }
 
-    fn make_cells(&mut self, inputs: u64) {
-        let (Some(mesh), Some(built), Some(Fielded { fields, .. })) =
-            (self.mesh.made(), self.built.made(), self.fields.made())
-        else {
-            return;
+    fn make_cells(&mut self) -> Option<()> {
+        let from = Meshed {
+            mesh: self.mesh.made()?,
+            built: self.built.made()?,
+            fields: &self.fields.made()?.fields,
         };
-        self.paved.advance(inputs, |params, work| {
-            let from = Meshed {
-                mesh,
-                built,
-                fields,
-            };
-            Ok(Paves::advance(params, work, from))
-        });
+        self.paved
+            .advance(|params, work| Ok(Paves::advance(params, work, from)))
     }
 
-    fn make_stones(&mut self, inputs: u64) {
-        let (Some(built), Some(paved)) = (self.built.made(), self.paved.made()) else {
-            return;
-        };
+    fn make_stones(&mut self) -> Option<()> {
+        let (built, paved) = (self.built.made()?, self.paved.made()?);
         let packing = self.packing.revision();
-        self.stones.advance(inputs, |look, work| {
+        self.stones.advance(|look, work| {
             let new = || {
-                Stones::new(
-                    stones_params(look, &paved.cells),
-                    &built.whole,
-                    &paved.cells,
-                )
+                let params = stones_params(look, &paved.cells);
+                Stones::new(params, &built.whole, &paved.cells)
             };
             let stones = work.get_or_insert_with(new);
             if !stones.advance(&built.whole, paved.paving()) {
@@ -374,7 +218,15 @@ impl Stages {
                     scene: Rc::new(scene),
                 }
             }))
-        });
+        })
+    }
+
+    fn make_still(&mut self) -> Option<()> {
+        let scene = &self.stones.made()?.scene;
+        self.still.advance(|params, work| {
+            work.get_or_insert_with(|| Still::new(params, scene.clone()))
+                .advance()
+        })
     }
 }
 

@@ -1,10 +1,10 @@
 //! What can be seen of the work on a surface, made in slices.
 
 use super::Surface;
-use super::stages::still;
 use super::views::View;
 use crate::draw::Tones;
 use crate::generators::scene_picture::{ScenePicture, SceneSource, StillParams};
+use crate::graph::Wiring;
 use crate::material::Material;
 use crate::notice::{Code, Notice};
 use crate::scene::Scene;
@@ -120,7 +120,7 @@ impl SceneSource for Surface {
         if !ground.advance(&built.mesh) {
             return None;
         }
-        let tones = || Tones::new(&self.working.params.stones.texture);
+        let tones = || Tones::new(&self.made.stones.params().texture);
         if let Making::Begin(last) = making {
             let last = last.take();
             *making = match of.view {
@@ -168,7 +168,7 @@ impl SceneSource for Surface {
     }
 
     fn still(&self) -> StillParams {
-        still(&self.working.params)
+        self.made.still.params().clone()
     }
 
     fn materials(&self, subject: &Subject) -> Option<&'static [Material]> {

@@ -1,4 +1,4 @@
-//! Packed cells: as good as those in the plane, and how long they take.
+//! Packed cells: their quality against that in the plane.
 
 use super::super::*;
 use super::shapes::{cell, check, nearest, patch};
@@ -32,9 +32,9 @@ fn packed(outline: Vec<DVec2>, params: FieldParams) -> Vec<crate::packing::Parti
     packing.particles()
 }
 
-/// A disc of 512 units, in squares.
+/// A disc of diameter 512, in squares.
 fn disc(p: DVec2) -> DVec2 {
-    // Concentric (Shirley, Chiu 1997).
+    // The concentric map (Shirley, Chiu 1997).
     let q = 2.0 * p - DVec2::ONE;
     if q == DVec2::ZERO {
         return DVec2::splat(256.0);
@@ -112,7 +112,7 @@ fn packed_cells_on_a_dome_are_as_those_in_the_plane() {
     }
 }
 
-/// The share of quadrilaterals of the mesh in the plane, and how much the sizes of fitted cells vary.
+/// The share of quadrilaterals of the mesh in the plane, and the variation of the sizes of fitted cells.
 fn in_plane(domain: &Domain, particles: &[crate::packing::Particle]) -> (f64, f64) {
     let mesh = crate::mesh::Mesh::build(domain, particles);
     let quads = mesh.faces.iter().filter(|f| f.nodes().len() == 4).count();
@@ -135,7 +135,7 @@ fn along(kind: Kind, size: f64, aspect: f64) -> Along {
     }
 }
 
-/// A wall of height 1 about a circle of radius 1, much thinner than cells of size .2.
+/// A wall of height 1 about a circle of radius 1, much thinner than cells of size 0.2.
 fn wall(thick: f64) -> testing::Soup {
     let profile = move |t: f64| {
         let (long, all) = (1.0, 2.0 + 2.0 * thick);
@@ -150,7 +150,7 @@ fn wall(thick: f64) -> testing::Soup {
             DVec2::new(1.0 - thick + (s - 2.0 * long - thick), 0.0)
         }
     };
-    // As many rows as put edges onto the rims.
+    // Enough rows that edges lie on the rims.
     let rows = (2.0 / thick) as u32 + 2;
     let mesh = patch([100, rows], [true; 2], |u, v| {
         let (p, t) = (profile(v), std::f64::consts::TAU * u);
@@ -205,10 +205,10 @@ fn packed_cells_on_surfaces_make_good_meshes() {
             assert_eq!(figures.euler, site.mesh().euler());
             assert_eq!(figures.rings, particles.len());
             let thin = name == "wall";
-            // Cells that ride on a rim lie on both sides of the sheet: no polygon of a plane covers that.
+            // Cells on a rim lie on both sides of the sheet: no plane polygon covers that.
             let most = if thin { 0.02 } else { 0.005 };
             assert!(figures.holes < most && figures.overlaps < most);
-            // Triangles about a centre cut the edges of a rim.
+            // Triangles about a centre cut off the edges of a rim.
             assert!(thin || figures.area > 0.97 && figures.area < 1.03);
             if polish.join && kind.has_corners() {
                 assert!(figures.quads > if thin { 0.94 } else { 0.97 });
@@ -227,7 +227,7 @@ fn the_order_of_cells_and_a_turn_of_the_mesh_change_nothing() {
     others.reverse();
     let same = SurfaceMesh::build(site.mesh(), others, Polish::default());
     assert_eq!(same, made);
-    // A third of a turn about the diagonal, and ten times as large.
+    // A third of a turn about the diagonal, ten times as large.
     let turned = |v: DVec3| 10.0 * DVec3::new(v.z, v.x, v.y);
     let positions = site.mesh().positions().iter().map(|&p| turned(p)).collect();
     let mesh = TriMesh::new(positions, site.mesh().triangles().to_vec()).unwrap();

@@ -1,4 +1,4 @@
-//! Meshes, places on them, and what must hold for any cells.
+//! Meshes, places on them, and properties that hold for any cells.
 
 use super::super::*;
 use crate::field::Kind;
@@ -7,7 +7,7 @@ use crate::surface_cells::metrics::SurfaceMetrics;
 use crate::trimesh::{Frame, TriMesh};
 use glam::DVec3;
 
-/// A patch of `nu` by `nv` squares, each of two triangles, closed in one or both ways.
+/// A patch of `nu` by `nv` squares, each of two triangles, closed in either direction or both.
 pub fn patch(
     [nu, nv]: [u32; 2],
     [round_u, round_v]: [bool; 2],
@@ -37,7 +37,7 @@ pub fn patch(
     TriMesh::new(positions, triangles).unwrap()
 }
 
-/// A box with corners, each side of `n` by `n` squares, corners shared.
+/// A box with `n` squares along each of its sides, corners shared.
 pub fn boxed(n: [u32; 3], size: DVec3) -> TriMesh {
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     let mut number = std::collections::BTreeMap::new();
@@ -88,7 +88,7 @@ pub fn on_torus(u: f64, v: f64) -> DVec3 {
     DVec3::new(r * libm::cos(u), r * libm::sin(u), libm::sin(v))
 }
 
-/// The point of a mesh that is nearest to a place, among the triangles that it lies above or below.
+/// The point of a mesh nearest to a place, among the triangles that the place lies above or below.
 pub fn nearest(mesh: &TriMesh, p: DVec3) -> SurfacePoint {
     let mut best = (f64::INFINITY, 0, DVec3::ZERO);
     for t in 0..mesh.triangles().len() as u32 {
@@ -106,7 +106,7 @@ pub fn nearest(mesh: &TriMesh, p: DVec3) -> SurfacePoint {
     SurfacePoint::new(mesh, best.1, best.2)
 }
 
-/// A cell whose axis is as near as can be to a vector in space.
+/// A cell whose axis is as near as possible to a vector in space.
 pub fn cell(
     id: u32,
     centre: SurfacePoint,
@@ -126,7 +126,7 @@ pub fn cell(
     }
 }
 
-/// Squares or others at places, with an axis in space.
+/// Cells of a kind at places, with an axis in space.
 pub fn cells(
     mesh: &TriMesh,
     places: &[(DVec3, DVec3)],
@@ -139,7 +139,7 @@ pub fn cells(
         .collect()
 }
 
-/// Even places on a ball, each a little off.
+/// Even places on a ball, each moved a little.
 pub fn on_ball(count: u32, off: f64) -> Vec<(DVec3, DVec3)> {
     let mut random = Random::new(7, Purpose::Placement, 0);
     let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
@@ -154,12 +154,12 @@ pub fn on_ball(count: u32, off: f64) -> Vec<(DVec3, DVec3)> {
         .collect()
 }
 
-/// What must hold for any cells on any mesh.
+/// Checks properties that hold for any cells on any mesh.
 pub fn check(name: &str, mesh: &TriMesh, made: &SurfaceMesh) -> SurfaceMetrics {
     let figures = SurfaceMetrics::new(mesh, made);
     println!("{name}: {figures:?}");
     assert_eq!(figures.doubled, 0, "{name}: doubled sides");
-    // Each side of a polygon that is not on the border is one of another polygon, the other way.
+    // Each side of a polygon that is not on the border is a side of another polygon, reversed.
     let mut sides = std::collections::BTreeSet::new();
     for ring in &made.rings {
         for k in 0..ring.len() {

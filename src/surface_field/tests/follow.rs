@@ -1,4 +1,4 @@
-//! What directions follow.
+//! Directions follow their constraints.
 
 use super::super::bones::Bones;
 use super::*;
@@ -32,7 +32,7 @@ fn rows_follow_an_axis_and_the_least_curvature() {
         }
         assert_eq!(fields.singular_points(), []);
     }
-    // All turned by a third of a quarter.
+    // All directions turned by a third of a quarter turn.
     let turned = DirectionParams {
         axis: 1.0,
         turn: 30.0_f64.to_radians(),
@@ -108,14 +108,14 @@ fn a_turned_mesh_has_its_direction_turned() {
         );
         for (p, q) in middles(&mesh).zip(middles(&turned)) {
             let (u, v) = (turn(out(&p, a.axis(&p))), out(&q, b.axis(&q)));
-            // Told to a quarter.
+            // Compared up to quarter turns.
             let off = angle(u, v).min(90.0 - angle(u, v));
             assert!(off < 0.02, "{off}");
         }
     }
 }
 
-/// A body with a leg and two toes, as one smooth skin: where the sum of balls along its bones is level.
+/// A body with a leg and two toes, under one smooth skin: a level set of balls along its bones.
 fn leg() -> (TriMesh, Vec<Bone>) {
     let bones = vec![
         Bone {
@@ -134,7 +134,7 @@ fn leg() -> (TriMesh, Vec<Bone>) {
         },
     ];
     let ready = Bones::new(&bones, 3.0);
-    // A ball around the fork whose points go outwards to where no bone is any more.
+    // A ball around the fork whose points are moved outwards, out of reach of the bones.
     let mesh = samples::moved(&samples::ball(5), |_, way| {
         let middle = DVec3::new(0.0, 0.25, 0.1);
         let (mut lo, mut hi) = (0.0, 2.5);
@@ -234,7 +234,7 @@ fn strokes_lead_and_give_the_sense() {
             assert!(fields.flow(&p).dot(way) > 0.97);
         }
     }
-    // On the other side all is as if it were not there.
+    // The other side is as it is without the stroke.
     params.direction.strokes.clear();
     let without = build(&mesh, params);
     let far = place(4.0, 4.0);
@@ -260,8 +260,8 @@ fn poles_of_an_axis_are_as_few_singular_places_as_can_be() {
 }
 #[test]
 fn where_sources_say_little_there_are_no_singular_places_by_chance() {
-    // Flat sides between creases have no curvature: 36 singular places where vectors as short as rounding were taken as
-    // they are.
+    // Flat sides between creases have no curvature, and the solution is tiny there. Before the last smoothing this
+    // gave 36 singular points from rounding.
     let mesh = samples::double_ring(8);
     let size = (16.0 * mesh.area() / mesh.positions().len() as f64).sqrt();
     let direction = DirectionParams {

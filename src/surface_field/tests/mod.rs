@@ -1,4 +1,4 @@
-//! Fields as a whole.
+//! The fields together.
 
 mod follow;
 mod values;
@@ -21,7 +21,7 @@ fn of_size(kind: Kind, size: f64) -> SurfaceFieldParams {
     }
 }
 
-/// Directions told in several ways.
+/// Parameters of directions that use different constraints.
 fn directions() -> Vec<DirectionParams> {
     let none = DirectionParams::default();
     vec![
@@ -166,7 +166,7 @@ fn each_part_has_its_own_direction() {
     let n = ball.positions().len() as u32;
     let more = ball.positions().iter().map(|&p| 0.5 * p + DVec3::X * 3.0);
     let mut positions: Vec<DVec3> = ball.positions().iter().copied().chain(more).collect();
-    // A point of no triangle is no part.
+    // A point of no triangle does not count as a part.
     positions.push(DVec3::splat(9.0));
     let second = ball.triangles().iter().map(|t| t.map(|v| v + n));
     let triangles = ball.triangles().iter().copied().chain(second).collect();

@@ -1,4 +1,4 @@
-//! Sizes, aspect ratios and what is said of them.
+//! Sizes, aspect ratios, and the shares of bad fit.
 
 use super::*;
 
@@ -107,7 +107,7 @@ fn curvature_makes_cells_smaller() {
         assert!((1.0..3.0).contains(&aspect));
         let r = (p.at.x * p.at.x + p.at.z * p.at.z).sqrt();
         if (r - 1.0).abs() < 0.03 {
-            // On top it bends one way only.
+            // On top of the ring the surface is curved one way only.
             assert!(aspect > 2.6, "{aspect}");
         }
     }
@@ -128,7 +128,7 @@ fn large_cells_and_thin_sheets_are_told() {
     let tube = samples::cylinder(60, 40);
     let bent = build(&tube, of_size(Kind::Square, 0.45)).bent();
     assert!(bent.tubes > 0.9 && bent.balls < 0.05, "{bent:?}");
-    // Sharp edges are none of it: the sides between them are flat.
+    // Sharp edges do not count: the sides between them are flat.
     let rings = samples::double_ring(4);
     assert!(build(&rings, of_size(Kind::Square, 0.3)).bent().large < 0.01);
     for (size, least, most) in [(0.9, 0.0, 0.0), (1.1, 0.6, 1.0)] {

@@ -1,4 +1,4 @@
-//! Directions.
+//! The view of directions.
 
 use super::*;
 
@@ -80,7 +80,7 @@ fn indices_sum_to_what_the_surface_says() {
             let tally = view.tally();
             assert_eq!(tally, Tally::new(&fields));
             assert!(tally.agrees(), "{kind:?} {tally:?}");
-            // A ball for each.
+            // There is a ball for each singular point.
             let scene = view.finish();
             let balls = tally.points[0] + tally.points[1];
             let ball = scene.instances.last().expect("bars").body;
@@ -115,7 +115,7 @@ fn strokes_are_tubes_on_the_surface() {
         let [a, b, c] = t.map(|v| tube.positions[v as usize].as_dvec3());
         volume += a.cross(b).dot(c) / 6.0;
     }
-    // Outwards, and of a radius that can be seen.
+    // The tube faces outwards, and its radius can be seen.
     let length = length * ground.fit().scale;
     let radius = (volume / (std::f64::consts::PI * length)).sqrt();
     assert!((0.002..0.02).contains(&radius), "{volume} {length}");

@@ -71,14 +71,14 @@ fn each_cell_is_a_bubble_on_its_place() {
             let body = &scene.bodies[bubble.body as usize];
             let positions = || body.levels[0].positions.iter();
             let most = |k: usize| positions().map(|p| p[k]).fold(0.0, f32::max);
-            // Its length and its width are those of the cell, about.
+            // Length and width are about those of the cell.
             for (k, wanted) in [(0, cell.aspect.sqrt()), (2, 1.0 / cell.aspect.sqrt())] {
                 let half = most(k) * place.scale() / fit.scale as f32;
                 let ratio = f64::from(2.0 * half) / (cell.size * wanted);
                 assert!((0.94..1.01).contains(&ratio), "{kind:?} {k}: {ratio}");
             }
         }
-        // Brought up to date it is as if made anew, whatever was shown before.
+        // An updated view is the same as a new one, whatever it showed before.
         let mut view = Particles::new(&ground);
         for count in [150, 20] {
             let others = [Kind::Circle, Kind::Rectangle].map(|k| scattered(&mesh, k, count));
@@ -150,7 +150,7 @@ fn no_neighbour_is_overlooked() {
     for kind in [Kind::Square, Kind::Rectangle, Kind::Ellipse] {
         let mut cells = scattered(&mesh, kind, 220);
         for (k, cell) in cells.iter_mut().enumerate() {
-            // Directions go over into each other, about.
+            // Directions of neighbours are similar.
             let at = cell.centre.at;
             let around = cell.centre.frame().within(DVec3::new(-at.z, 0.0, at.x));
             let turn = DVec2::new(1.0, 0.1 * (k % 5) as f64);

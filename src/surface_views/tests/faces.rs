@@ -57,10 +57,10 @@ fn elements_have_lines_and_irregular_nodes_balls() {
             let side = 0.5 * (corners[k] + corners[(k + 1) % 4]);
             assert!(look(side)[0] < 100.0 && look(side.lerp(middle, 0.2)) == [200.0; 3]);
         }
-        // Fewer neighbours are warm; a ball has no lines.
+        // Nodes with fewer neighbours are warm; a ball has no lines.
         let [r, _, b] = tint(&scene, 7);
         assert!(r > b);
-        // Nodes on a border tell nothing.
+        // Nodes on a border are never irregular.
         made.elements.pop();
         let found = crate::surface_views::elements::irregular(&made);
         assert!(
@@ -70,7 +70,7 @@ fn elements_have_lines_and_irregular_nodes_balls() {
     }
 }
 
-/// A cell of so many corners around the top of the unit ball.
+/// A cell with `corners` corners around the top of the unit ball.
 fn cap(corners: u32, away: f64) -> SurfaceCell {
     let at = |k: u32| {
         let turn = -std::f64::consts::TAU * f64::from(k) / f64::from(corners);

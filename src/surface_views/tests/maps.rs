@@ -9,7 +9,7 @@ fn curvature_goes_from_blue_over_pale_to_orange() {
     let ground = grounded(&mesh);
     let view = MapView::build(&ground, &fields, Quantity::Gaussian, true);
     let legend = view.legend();
-    // 1 / (.4 * 1.4) outside; inside it bends more, and the other way.
+    // On the outside the curvature is 1 / (0.4 * 1.4). On the inside it is greater, with the opposite sign.
     assert!(legend.ends[1] > 1.0 / (0.4 * 1.4f64).sqrt() && legend.ends[0] == -legend.ends[1]);
     let light = |c: [u8; 3]| c.iter().map(|&v| u32::from(v)).sum::<u32>();
     let (first, last) = (legend.colours[0], legend.colours[legend.colours.len() - 1]);
@@ -36,7 +36,7 @@ fn curvature_goes_from_blue_over_pale_to_orange() {
         }
     }
     assert!(checked[0] > 300 && checked[1] > 300);
-    // Bars run around the hole on the outer side, where that is the way of least curvature.
+    // On the outer side bars run around the hole: that is the direction of least curvature.
     let bars = scene.instances.iter().filter(|i| i.id > 0);
     let mut count = 0;
     for bar in bars {

@@ -65,7 +65,7 @@ fn tones() -> Tones {
     Tones::new(&TextureParams::default())
 }
 
-/// What is seen of a body of that colour at a place, before light.
+/// The colour of a body with this colour at a place, before light.
 fn seen(scene: &Scene, id: u32, colour: [f32; 3], [position, normal]: [Vec3; 2]) -> [f32; 3] {
     let mut surfel = Surfel {
         position,

@@ -121,7 +121,7 @@ fn normals_point_outwards_and_areas_add_up() {
         assert!(p.dot(*n) > 0.9999, "{p} {n}");
     }
     assert!((ball.area() - 4.0 * std::f64::consts::PI).abs() < 0.05);
-    // However its squares are cut in two, a cube's corners look at all three sides alike.
+    // A cube's corner normals treat all three sides alike, whichever diagonals cut its squares.
     let cube = mesh(testing::cube(1));
     for (p, n) in cube.positions().iter().zip(cube.normals()) {
         let corner = (*p - DVec3::splat(0.5)).normalize();

@@ -38,7 +38,7 @@ fn edges_become_short_enough_and_the_surface_stays() {
         assert_eq!(new.mesh.parts().1, old.parts().1);
         assert_eq!(new.mesh.borders().len(), old.borders().len());
         assert!((new.mesh.area() - old.area()).abs() < 1e-9 * old.area());
-        // No angle gets much smaller than it was, and there are not many more triangles than need be.
+        // No angle becomes much smaller, and there are not many more triangles than needed.
         assert!(least_angle(&new.mesh) > 0.45 * least_angle(&old).min(40.0));
         let least = old.area() / (0.433 * target * target);
         assert!(
@@ -80,7 +80,7 @@ fn short_edges_stay() {
     assert!(new.parents.is_empty());
 }
 
-/// All triangles by their corners' places.
+/// All triangles as the bits of their corners' positions.
 fn places(mesh: &TriMesh) -> Vec<[[u64; 3]; 3]> {
     let bits = |p: DVec3| p.to_array().map(f64::to_bits);
     let count = mesh.triangles().len() as u32;

@@ -1,18 +1,18 @@
-//! What no surface can be made of.
+//! Refuses numbers of which no surface can be made.
 
 use super::super::MOST_TRIANGLES;
 use super::{NONE, Step, Work, slice};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
-/// Squares of larger numbers, or of smaller ones, are none.
+/// Squares of sizes outside this range overflow or vanish.
 const SIZES: std::ops::Range<f64> = 1e-100..1e100;
 
-/// Checks all numbers, and leaves out vertices that no triangle has.
+/// Checks all numbers, and drops vertices that no triangle uses.
 #[derive(Default)]
 pub(super) struct Checking {
     at: usize,
-    /// Of each vertex whether a triangle has it, and then its new number.
+    /// For each vertex, whether a triangle uses it; then its new number.
     number: Vec<u32>,
     checked: bool,
 }
@@ -59,7 +59,7 @@ impl Checking {
         Ok(())
     }
 
-    /// True where there is a vertex that no triangle has.
+    /// True if there is a vertex that no triangle uses.
     fn leave_out(&mut self, work: &mut Work) -> bool {
         if !self.number.contains(&NONE) {
             return false;
@@ -86,7 +86,7 @@ fn check_extent(work: &Work) -> Result<(), Notice> {
     if !(most < SIZES.end && diagonal > SIZES.start) {
         return Err(Code::ModelExtent.into());
     }
-    // The last digits of such numbers are as large as the model's details.
+    // The rounding of such numbers is as large as the model's details.
     if most > 1e9 * diagonal {
         return Err(Code::ModelFar.into());
     }
@@ -98,7 +98,7 @@ fn check_counts(work: &Work) -> Result<(), Notice> {
     if triangles == 0 {
         return Err(Code::ModelEmpty.into());
     }
-    // Not one of three vertices is used where there are more of them.
+    // With more vertices than this, fewer than one in three of them would be used.
     if triangles > MOST_TRIANGLES || vertices > 9 * MOST_TRIANGLES {
         let too_large = Notice::new(Code::ModelTooLarge);
         let n = triangles.max(vertices / 3);

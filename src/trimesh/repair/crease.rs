@@ -1,4 +1,4 @@
-//! Surfaces cut along their creases.
+//! Cuts surfaces along their creases.
 
 use super::super::{MeshBuilding, NONE, TriMesh};
 use super::slice;
@@ -8,16 +8,16 @@ use glam::DVec3;
 /// A surface with borders along its creases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cut {
-    /// The surface: vertices along creases are there once for each side.
+    /// The surface, with a vertex for each side of a crease.
     pub mesh: TriMesh,
-    /// Of each vertex the one that it was before. Those with the same one are at the same place and stay there.
+    /// For each vertex, the one that it was before. Vertices with the same origin stay at the same place.
     pub origin: Vec<u32>,
-    /// Edges cut.
+    /// How many edges were cut.
     pub count: usize,
 }
 
-/// Cuts all edges where the surface turns by more than an angle. Best after refining: what is between creases is cut
-/// apart then even where two creases do not meet at a vertex of the file.
+/// Cuts all edges where the surface turns by more than an angle. Best after refining: then the faces between creases
+/// come apart even where two creases do not meet at a vertex of the file.
 pub struct Cutting {
     at: usize,
     cos: f64,
@@ -31,7 +31,7 @@ pub struct Cutting {
 }
 
 impl Cutting {
-    /// Along creases sharper than an angle in radians, 0 to pi.
+    /// Cuts along creases sharper than `angle`, in radians from 0 to pi.
     pub fn new(mesh: TriMesh, angle: f64) -> Self {
         Self {
             at: 0,
@@ -46,10 +46,10 @@ impl Cutting {
         }
     }
 
-    /// Works on some more; the surface when it is done.
+    /// Does one more slice; returns the surface when it is done.
     pub fn advance(&mut self) -> Option<Cut> {
         if let Some(building) = &mut self.building {
-            // Of a mesh comes a mesh.
+            // Cutting keeps a mesh valid, so there is no fault.
             let mesh = building.advance()?.ok()?;
             let all = 0..(mesh.positions.len() as u32);
             let splitter = self.splitter.take()?;
@@ -96,7 +96,7 @@ impl Cutting {
         }
     }
 
-    /// All of it at once.
+    /// Does all the work at once.
     pub fn finish(mut self) -> Cut {
         loop {
             if let Some(cut) = self.advance() {

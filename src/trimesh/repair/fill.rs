@@ -1,15 +1,16 @@
-//! Holes and parts that are small beside the cells.
+//! Closes holes that are small beside a cell, and finds parts that are.
 
 use super::super::{MeshBuilding, TriMesh, polygon};
 use super::slice;
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
-/// Holes whose border is shorter than so many cells are closed.
+/// A hole is closed if its border is shorter than this many cells.
 const HOLE: f64 = 4.0;
-/// A border closes a hole only in a part of at least so many times the hole's area: a lone patch has an outer border.
+/// A hole is closed only if its part of the surface has at least this many times its area: the outer border of a
+/// small patch is not a hole.
 const PART: f64 = 4.0;
-/// Corners of holes of a slice.
+/// Corners of holes in a slice.
 const CORNERS: usize = 256;
 
 /// A surface without small holes.
@@ -17,9 +18,9 @@ const CORNERS: usize = 256;
 pub struct Filled {
     /// The surface: its old vertices and triangles come first, in their order.
     pub mesh: TriMesh,
-    /// Of each triangle, whether it is of a part smaller than a cell, where there is to be none.
+    /// For each triangle, whether its part of the surface is smaller than a cell and therefore has none.
     pub bare: Vec<bool>,
-    /// What was done, or is to be said.
+    /// Notices of the changes, and of small parts.
     pub notices: Vec<Notice>,
 }
 
@@ -30,7 +31,7 @@ pub struct Filling {
     stage: Stage,
     at: usize,
     loops: Vec<Loop>,
-    /// Vertices that become one.
+    /// Pairs of vertices to merge.
     welds: Vec<[u32; 2]>,
     part: Vec<u32>,
     areas: Vec<f64>,
@@ -50,7 +51,7 @@ enum Stage {
 }
 
 impl Filling {
-    /// Of a surface, and the side of a cell of mean size.
+    /// Starts with a surface and the side of a cell of mean size.
     pub fn new(mesh: TriMesh, size: f64) -> Self {
         Self {
             mesh,
@@ -68,7 +69,7 @@ impl Filling {
         }
     }
 
-    /// Works on some more. The surface when it is done, or a sentence where it is smaller than a cell.
+    /// Does one more slice. Returns the surface when it is done, or a notice if it is smaller than a cell.
     pub fn advance(&mut self) -> Option<Result<Filled, Notice>> {
         match self.stage {
             Stage::Parts => {
@@ -107,7 +108,7 @@ impl Filling {
             }
             Stage::Build => {
                 let mesh = self.building.as_mut()?.advance()?;
-                // Without new edges where there is one already, it is a mesh as before.
+                // No edge was added where one exists, so this is a mesh.
                 match mesh {
                     Ok(mesh) => self.mesh = mesh,
                     Err(_) => self.filled = 0,
@@ -118,10 +119,10 @@ impl Filling {
         None
     }
 
-    /// All of it at once.
+    /// Does all the work at once.
     ///
     /// # Errors
-    /// Where the whole surface is smaller than a cell.
+    /// If the whole surface is smaller than a cell.
     pub fn fill_all(mesh: TriMesh, size: f64) -> Result<Filled, Notice> {
         let mut filling = Self::new(mesh, size);
         loop {
@@ -159,7 +160,7 @@ impl Filling {
                 .extend(cut.iter().map(|t| t.map(|k| ring[k])));
             return;
         }
-        // Around the border's middle.
+        // A fan around the border's middle.
         let weighted = (0..places.len()).map(|k| 0.5 * (places[k] + places[next(k)]) * lengths[k]);
         let middle = weighted.sum::<DVec3>() / length;
         let centre = (self.mesh.positions().len() + self.positions.len()) as u32;
@@ -209,16 +210,16 @@ impl Filling {
     }
 }
 
-/// A piece of a border that comes back to where it began.
+/// A piece of a border that ends where it began.
 #[derive(Default)]
 struct Loop {
     corners: Vec<u32>,
-    /// Vertices at one place, which are one once it is filled.
+    /// Pairs of vertices at one place, which are merged when the loop is filled.
     twins: Vec<[u32; 2]>,
 }
 
 impl Loop {
-    /// Is there an edge between two of its corners, or between twins of these?
+    /// Whether an edge joins two of the loop's corners or their twins.
     fn are_joined(&self, mesh: &TriMesh, a: u32, b: u32) -> bool {
         let all = |v: u32| {
             let twins = self.twins.iter().filter(move |t| t.contains(&v));
@@ -228,16 +229,16 @@ impl Loop {
     }
 }
 
-/// Cuts a ring of the border where it is at one place twice: holes that touch there, each other or the outer border.
+/// Cuts a ring of the border at places that it passes twice: holes may touch each other or the outer border there.
 fn loops(mesh: &TriMesh, ring: &[u32]) -> Vec<Loop> {
-    // Without the sign of 0.
+    // Adding 0 turns -0 into 0.
     let place = |k: &usize| {
         let at = mesh.positions()[ring[*k] as usize] + DVec3::ZERO;
         at.to_array().map(f64::to_bits)
     };
     let mut order: Vec<usize> = (0..ring.len()).collect();
     order.sort_unstable_by_key(|k| (place(k), *k));
-    // Of each corner the first one at its place, and where that is among the open ones.
+    // For each corner the first one at its place, and where that stands in the list of open ones.
     let mut first = vec![0; ring.len()];
     for same in order.chunk_by(|a, b| place(a) == place(b)) {
         same.iter().for_each(|&k| first[k] = same[0]);
@@ -268,7 +269,7 @@ fn loops(mesh: &TriMesh, ring: &[u32]) -> Vec<Loop> {
     made
 }
 
-/// Of each of so many vertices the one that it becomes: the least of those that are one.
+/// The vertex that each of `count` vertices becomes: the least of those that are merged.
 fn welded(count: usize, welds: &[[u32; 2]]) -> Vec<u32> {
     let mut into: Vec<u32> = (0..count as u32).collect();
     let root = |into: &[u32], mut v: u32| {
@@ -284,7 +285,7 @@ fn welded(count: usize, welds: &[[u32; 2]]) -> Vec<u32> {
     (0..count as u32).map(|v| root(&into, v)).collect()
 }
 
-/// Is there an edge between two vertices?
+/// Whether an edge joins two vertices.
 fn are_joined(mesh: &TriMesh, a: u32, b: u32) -> bool {
     mesh.fan(a)
         .any(|(t, _)| mesh.triangles()[t as usize].contains(&b))
@@ -303,7 +304,7 @@ mod tests {
         let fan = |v: u32| mesh.fan(v).map(|(t, _)| t).collect::<Vec<_>>();
         let mut tried = [0; 2];
         for middle in 0..positions.len() as u32 {
-            // Two triangles at a vertex that do not lie beside each other; at the border one that has none of it.
+            // Take out two triangles at a vertex that are not neighbours; at the border, one that has no edge on it.
             let around = fan(middle);
             let is_border = mesh.is_on_border(middle);
             let gone = match (is_border, around.len()) {

@@ -1,22 +1,22 @@
-//! Which triangles hang together over which edges.
+//! Finds the triangles that share edges.
 
 use super::super::sorting::Sorting;
 use super::{NONE, Step, Work, slice};
 use crate::notice::{Code, Notice};
 use crate::order::{self, pair};
 
-/// Drops triangles that are there already, and joins those that share an edge two by two.
+/// Drops duplicate triangles, and joins the triangles at each edge in pairs.
 #[derive(Default)]
 pub(super) struct Linking {
     stage: Stage,
     at: usize,
     edges: Vec<(u64, u32)>,
     sorting: Option<Sorting>,
-    /// Triangles that are there already.
+    /// Marks triangles that are duplicates.
     doubled: Vec<bool>,
-    /// Edges that more than two triangles have.
+    /// How many edges have more than two triangles.
     crowded: usize,
-    /// Triangles once these are dropped.
+    /// How many triangles are left without the duplicates.
     kept: usize,
 }
 
@@ -69,7 +69,7 @@ impl Step for Linking {
                 Stage::Doubled
             }
             Stage::Doubled => Stage::Drop,
-            // Without them the edges are other ones: once more from the start.
+            // Without them the edges have other numbers: start again.
             Stage::Drop if self.kept < triangles => {
                 work.tell(Code::MendedDoubled, triangles - self.kept);
                 work.triangles.truncate(self.kept);
@@ -90,7 +90,7 @@ impl Step for Linking {
     }
 }
 
-/// The corner across an edge.
+/// The corner opposite an edge.
 fn opposite(work: &Work, edge: u32) -> u32 {
     work.triangles[edge as usize / 3][(edge as usize + 2) % 3]
 }
@@ -104,7 +104,7 @@ impl Linking {
         }
     }
 
-    /// Sees to the edges that begin at a place of the list and have the same ends; where the next ones begin.
+    /// Handles the edges from `at` on that have the same ends; returns where the next group begins.
     fn group(&mut self, work: &mut Work, at: usize) -> usize {
         let key = self.edges[at].0;
         let same = self.edges[at..].iter().take_while(|e| e.0 == key).count();

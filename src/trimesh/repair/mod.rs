@@ -1,9 +1,10 @@
-//! From the triangles of a file to a surface that cells can be packed on.
+//! Makes a surface that cells can be packed on from the triangles of a file.
 //!
-//! [`Mending`] has checked, welded, oriented and, where that is safe, mended what it is given, and tells each thing that
-//! it has done. [`Filling`] closes holes that are small beside cells, and tells of parts that are smaller than one.
+//! [`Mending`] checks, welds and orients the triangles, mends them where that is safe, and reports each kind of
+//! change. [`Filling`] closes holes that are small beside cells, and reports parts that are smaller than one.
 //! [`Cutting`] cuts a surface along its creases, once its edges are short enough (see [`super::refine`]). All work is
-//! cut by amount. Nothing hangs on scale or place: what counts as nothing is a millionth of the model's diagonal.
+//! cut into slices by amount. Results do not depend on scale or position: a distance counts as zero below a millionth
+//! of the model's diagonal.
 
 mod checks;
 mod crease;
@@ -24,34 +25,34 @@ use super::{MeshBuilding, NONE, Soup, TriMesh};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
-/// What is closer than this, as a part of the diagonal, is at one place.
+/// Vertices closer than this share of the diagonal are at one place.
 const NEAR: f64 = 1e-6;
-/// Triangles or vertices of a slice.
+/// Triangles or vertices in a slice.
 const SLICE: usize = 1 << 15;
 
-/// A surface, and what has been done to get it.
+/// A mended surface and the changes made to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mended {
     /// The surface.
     pub mesh: TriMesh,
-    /// What was done, or is to be said.
+    /// Notices of the changes, and of defects that remain.
     pub notices: Vec<Notice>,
 }
 
-/// What the steps work on.
+/// The data that the steps change in turn.
 struct Work {
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
-    /// Of each edge the same one of the triangle beyond it, `3 * triangle + edge`, once that is known.
+    /// For each edge, the same one in the triangle beyond it, as `3 * triangle + edge`, once that is known.
     across: Vec<[u32; 3]>,
-    /// The corners of the box around all triangles.
+    /// The least and greatest corner of the bounding box.
     low: DVec3,
     high: DVec3,
     notices: Vec<Notice>,
 }
 
 impl Work {
-    /// What is closer than this is at one place.
+    /// Vertices closer than this are at one place, in the model's units.
     fn near(&self) -> f64 {
         NEAR * (self.high - self.low).length()
     }
@@ -60,7 +61,7 @@ impl Work {
         self.triangles[t].map(|v| self.positions[v as usize])
     }
 
-    /// Tells of things of one kind, where there are any.
+    /// Adds a notice with a count, unless the count is 0.
     fn tell(&mut self, code: Code, count: usize) {
         if count > 0 {
             self.notices.push(Notice::new(code).with("n", count));
@@ -68,13 +69,13 @@ impl Work {
     }
 }
 
-/// A part of the work, in slices.
+/// A step of the work, done in slices.
 trait Step {
-    /// Works on some more; true when it is done.
+    /// Does one more slice; true when the step is done.
     fn advance(&mut self, work: &mut Work) -> Result<bool, Notice>;
 }
 
-/// A surface in the making.
+/// A surface that is being mended.
 pub struct Mending {
     work: Work,
     step: Box<dyn Step>,
@@ -83,11 +84,11 @@ pub struct Mending {
     building: Option<MeshBuilding>,
 }
 
-/// Steps before the mesh is built.
+/// How many steps come before the mesh is built.
 const STEPS: usize = 6;
 
 impl Mending {
-    /// Of the triangles of a file.
+    /// Starts with the triangles of a file.
     pub fn new(soup: Soup) -> Self {
         let work = Work {
             positions: soup.positions,
@@ -105,13 +106,13 @@ impl Mending {
         }
     }
 
-    /// Works on some more. The surface when it is done, or why there can be none.
+    /// Does one more slice. Returns the surface when it is done, or the reason why there is none.
     pub fn advance(&mut self) -> Option<Result<Mended, Notice>> {
         if let Some(building) = &mut self.building {
             let mesh = building.advance()?;
             let notices = std::mem::take(&mut self.work.notices);
             let mended = mesh.map(|mesh| Mended { mesh, notices });
-            // What comes here without a triangle had none with an area; all else has been seen to.
+            // The steps before have removed all faults but one: no triangle with an area is left.
             return Some(mended.map_err(|_| Code::ModelNoArea.into()));
         }
         match self.step.advance(&mut self.work) {
@@ -131,15 +132,15 @@ impl Mending {
         None
     }
 
-    /// How much of it is done, 0 to 1.
+    /// The share of the work that is done, 0 to 1.
     pub fn progress(&self) -> f64 {
         self.done as f64 / (STEPS + 1) as f64
     }
 
-    /// All of it at once.
+    /// Does all the work at once.
     ///
     /// # Errors
-    /// Why there can be no surface.
+    /// The reason why there is no surface.
     pub fn mend(soup: Soup) -> Result<Mended, Notice> {
         let mut mending = Self::new(soup);
         loop {
@@ -161,7 +162,7 @@ fn step(number: usize) -> Box<dyn Step> {
     }
 }
 
-/// The part of a list that a slice works on.
+/// The range of a list for the next slice; moves `at` to its end.
 fn slice(at: &mut usize, count: usize) -> std::ops::Range<usize> {
     let start = *at;
     *at = count.min(start + SLICE);

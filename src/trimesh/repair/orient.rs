@@ -1,20 +1,20 @@
-//! All triangles of a part run round the same way, seen from outside.
+//! Makes all triangles of a part run the same way round, seen from outside.
 
 use super::{NONE, SLICE, Step, Work, slice};
 use crate::notice::{Code, Notice};
 
-/// A part whose volume is less than this, as a part of its area to the power of 3/2, has no outside.
+/// A part has no outside if its volume is less than this share of its area to the power of 3/2.
 const NO_VOLUME: f64 = 1e-9;
 
-/// Goes from triangle to triangle over edges: both that have an edge run along it in opposite directions. Closed parts
-/// are then turned outwards; of open ones as few triangles are turned as can be.
+/// Visits triangle after triangle over edges: the two triangles of an edge must run along it in opposite directions.
+/// Closed parts are then turned outwards; in open ones the smaller set of triangles is turned.
 #[derive(Default)]
 pub(super) struct Orienting {
     stage: Stage,
     at: usize,
-    /// Of each triangle its part.
+    /// For each triangle the number of its part.
     part: Vec<u32>,
-    /// Is it turned, seen from the first of its part?
+    /// For each triangle, whether its direction differs from that of the first one of its part.
     turned: Vec<bool>,
     open: Vec<u32>,
     parts: Vec<Part>,
@@ -31,7 +31,7 @@ enum Stage {
 
 #[derive(Default)]
 struct Part {
-    /// A place on it.
+    /// A vertex of the part; volumes are summed about it.
     about: glam::DVec3,
     is_open: bool,
     triangles: usize,
@@ -88,7 +88,7 @@ impl Step for Orienting {
 }
 
 impl Orienting {
-    /// True when all triangles have been come to.
+    /// Visits one more slice of triangles; true when all have been visited.
     fn spread(&mut self, work: &Work) -> Result<bool, Notice> {
         for _ in 0..SLICE {
             let Some(t) = self.open.pop() else {
@@ -143,7 +143,7 @@ impl Orienting {
         let is_turned =
             |t: usize| self.turned[t] != self.parts[self.part[t] as usize].is_inside_out();
         let across = work.across[t].map(|edge| match edge {
-            // The other one is turned with it, or not: its edges then run in the opposite order.
+            // If the triangle beyond is turned as well, its edges run in reverse order.
             edge if edge != NONE && is_turned(edge as usize / 3) => edge / 3 * 3 + 2 - edge % 3,
             edge => edge,
         });

@@ -1,17 +1,17 @@
-//! A vertex for each of the corners around it that hang together.
+//! Gives each connected fan of corners a vertex of its own.
 
 use super::{NONE, Step, Work, slice};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
-/// Goes round all vertices; where not all of its corners are come to, the vertex is split.
+/// Visits all vertices. A vertex is split if one way round it does not reach all of its corners.
 pub(super) struct Splitter {
     at: usize,
-    /// Corners that have been come to.
+    /// Marks corners that have been visited.
     seen: Vec<[bool; 3]>,
-    /// Vertices that have corners already.
+    /// Marks vertices that have a fan already.
     taken: Vec<bool>,
-    /// Of each new vertex the one that it was.
+    /// For each new vertex, the one that it was.
     pub origin: Vec<u32>,
 }
 
@@ -25,7 +25,7 @@ impl Splitter {
         }
     }
 
-    /// Works on some more, with what is across each edge (`3 * triangle + edge`); true when it is done.
+    /// Does one more slice, given the neighbour over each edge (`3 * triangle + edge`); true when it is done.
     pub fn advance(
         &mut self,
         positions: &mut Vec<DVec3>,
@@ -58,7 +58,7 @@ impl Splitter {
             self.taken[old as usize] = true;
             old
         };
-        // Counter-clockwise, and where that ends, the other way.
+        // Go counter-clockwise; where that ends at a border, go the other way from the first corner.
         for step in [2, 0] {
             let (mut t, mut corner) = first;
             loop {

@@ -17,7 +17,7 @@ fn refused(raw: testing::Soup) -> Code {
     Mending::mend(soup(raw)).expect_err("no surface").code
 }
 
-/// What was said, with the numbers.
+/// The codes and counts of notices.
 fn said(notices: &[Notice]) -> Vec<(Code, usize)> {
     let each = notices.iter().map(|notice| {
         let number = match &notice.args[..] {
@@ -74,7 +74,7 @@ fn numbers_that_are_none_are_refused() {
         refused((vec![DVec3::ONE; 99], t.clone())),
         Code::ModelNoArea
     );
-    // A vertex that nothing has may be anywhere.
+    // A vertex that no triangle uses may lie anywhere.
     let stray: Vec<DVec3> = p.iter().copied().chain([DVec3::NAN]).collect();
     assert_eq!(mend((stray, t)).notices, []);
 }
@@ -97,7 +97,7 @@ fn soup_is_welded_whatever_its_place_and_size() {
             testing::torus(24, 10, 0.4),
         ] {
             let (positions, triangles) = testing::apart(&whole);
-            // A ten-millionth off, as decimals in files are.
+            // Off by a ten-millionth, as the decimals in files are.
             let (mut positions, triangles) = testing::noisy((positions, triangles), 2e-7);
             for p in &mut positions {
                 *p = *p * scale + DVec3::splat(moved * scale);
@@ -135,7 +135,7 @@ fn the_order_of_vertices_does_not_move_what_is_welded() {
 #[test]
 fn one_place_for_many_does_not_take_for_ever() {
     let mut raw = testing::apart(&testing::ball(5));
-    // All else is so far away that the ball is hardly more than a point.
+    // A triangle so large that the ball is hardly more than a point beside it.
     raw.0
         .extend([DVec3::X * 3e6, DVec3::Y * 3e6, DVec3::Z * 3e6]);
     let n = raw.0.len() as u32;
@@ -176,7 +176,7 @@ fn closed_parts_show_their_outside() {
     assert_eq!(said(&mended.notices), [(Code::MendedTurned, count)]);
     let body = mended.mesh.closed().unwrap();
     assert!((body.volume() - 2.0).abs() < 1e-12);
-    // An open one is as it is.
+    // An open surface keeps its direction.
     let (positions, triangles) = testing::flat(4);
     let down = triangles.iter().map(|&[a, b, c]| [a, c, b]).collect();
     let mended = mend((positions, down));
@@ -201,7 +201,7 @@ fn a_one_sided_strip_is_refused() {
         (p, t)
     };
     assert_eq!(refused(strip(1.0)), Code::ModelOneSided);
-    // A whole twist has two sides.
+    // A strip with a whole twist has two sides.
     assert_eq!(mend(strip(2.0)).mesh.euler(), 0);
 }
 
@@ -222,7 +222,7 @@ fn degenerate_and_doubled_triangles_go() {
 
 #[test]
 fn thin_triangles_leave_no_gap() {
-    // A square whose one half has a vertex on the diagonal that the other half has not.
+    // A square cut along its diagonal; only one half has a vertex on the diagonal.
     for off in [0.0, 1e-9] {
         let p = [
             [0.0, 0.0],
@@ -253,7 +253,7 @@ fn thin_triangles_leave_no_gap() {
 
 #[test]
 fn edges_of_three_triangles_are_cut_apart() {
-    // Two squares, and a fin on the edge between them.
+    // Two squares with a fin on the edge between them.
     let (mut p, mut t) = testing::grid(8, 2, |u, v| DVec3::new(u, 0.0, -v));
     let first = p.len() as u32;
     let (fin_p, fin_t) = testing::grid(8, 1, |u, v| DVec3::new(u, v, -0.5));
@@ -294,7 +294,7 @@ fn where_the_surface_touches_itself_in_a_point_it_is_cut_apart() {
 #[test]
 fn small_holes_are_closed_and_large_ones_stay() {
     let (positions, mut triangles) = testing::ball(4);
-    // Triangles, a star of six, and a large cap.
+    // Remove single triangles, a star of six, and a large cap.
     let low = |t: &[u32; 3]| t.iter().all(|v| positions[*v as usize].y < -0.2);
     let below: Vec<[u32; 3]> = triangles.iter().copied().filter(low).collect();
     let alone = [below[5], below[150], below[250]];
@@ -308,7 +308,7 @@ fn small_holes_are_closed_and_large_ones_stay() {
     assert_eq!((filled.mesh.borders().len(), filled.mesh.euler()), (1, 1));
     assert_eq!(filled.bare.len(), filled.mesh.triangles().len());
     assert!(!filled.bare.contains(&true));
-    // Nothing is turned over.
+    // No triangle is turned over.
     for t in 0..filled.mesh.triangles().len() as u32 {
         let middle: DVec3 = filled.mesh.corners(t).into_iter().sum();
         assert!(filled.mesh.face_normal(t).dot(middle.normalize()) > 0.8);
@@ -367,7 +367,7 @@ fn creases_are_cut_and_remembered() {
         (cut.mesh.parts().1, cut.mesh.borders().len(), cut.count),
         (6, 6, 48)
     );
-    // Edges have two sides, and corners three.
+    // An edge of the cube has two vertices at each place, a corner three.
     assert_eq!(cut.mesh.positions().len(), 6 * 25);
     for (v, &old) in cut.origin.iter().enumerate() {
         assert_eq!(cut.mesh.positions()[v], cube.positions()[old as usize]);

@@ -1,22 +1,22 @@
-//! Triangles without an area, whose corners lie on a line.
+//! Removes triangles without an area, whose corners lie on a line.
 //!
-//! Leaving such a triangle out would open a gap, so its longest edge is turned instead: it and its neighbour beyond are
-//! two triangles of the neighbour's area. Where there is no neighbour, it goes.
+//! To drop such a triangle would open a gap. Its longest edge is flipped instead: it and its neighbour over that edge
+//! become two triangles that share the neighbour's area. Without a neighbour there, the triangle is dropped.
 
 use super::{NONE, Step, Work, slice};
 use crate::notice::{Code, Notice};
 
-/// Turning an edge may leave another triangle without an area: so many times all are looked through.
+/// The most rounds: a flip may leave another triangle without an area.
 const MOST_ROUNDS: usize = 8;
 
 #[derive(Default)]
 pub(super) struct Thinning {
     at: usize,
     round: usize,
-    /// Of this round.
+    /// How many triangles this round has changed.
     changed: usize,
     count: usize,
-    /// Triangles kept, and whether the rounds are over.
+    /// How many triangles are kept, and whether this is the last round.
     kept: usize,
     last: bool,
     number: Vec<u32>,
@@ -50,10 +50,10 @@ impl Step for Thinning {
     }
 }
 
-/// A triangle that has gone.
+/// A removed triangle.
 const GONE: [u32; 3] = [NONE; 3];
 
-/// The height of a triangle over its longest edge, and which one that is.
+/// The height of a triangle over its longest edge, and the number of that edge.
 fn height(work: &Work, corners: [u32; 3]) -> (f64, usize) {
     let p = corners.map(|v| work.positions[v as usize]);
     let length = |k: usize| (p[(k + 1) % 3] - p[k]).length();
@@ -122,7 +122,7 @@ impl Thinning {
     }
 }
 
-/// Is there an edge from a corner of a triangle to a vertex, as far as one can go round the corner?
+/// Whether an edge joins a corner of a triangle to a vertex, as far as the fan around the corner reaches.
 fn are_joined(work: &Work, t: usize, corner: usize, vertex: u32) -> bool {
     let first = (t, corner);
     for step in [2, 0] {
@@ -147,16 +147,17 @@ fn are_joined(work: &Work, t: usize, corner: usize, vertex: u32) -> bool {
     false
 }
 
-/// The edge `k` of `t` and `j` of `other` goes from a to b; now one goes from d, across it there, to c, across it here.
+/// Flips an edge: edge `k` of `t`, which is edge `j` of `other`, goes from a to b. The new one joins d, the corner of
+/// `other` opposite it, to c, the corner of `t` opposite it.
 fn turn(work: &mut Work, (t, k): (usize, usize), (other, j): (usize, usize), new: [[u32; 3]; 2]) {
-    // Beyond a–d, d–b, b–c and c–a.
+    // The neighbours over a–d, d–b, b–c and c–a.
     let ad = work.across[other][(j + 1) % 3];
     let db = work.across[other][(j + 2) % 3];
     let bc = work.across[t][(k + 1) % 3];
     let ca = work.across[t][(k + 2) % 3];
     [work.triangles[t], work.triangles[other]] = new;
     let (t, other) = (t as u32, other as u32);
-    // [a, d, c] and [d, b, c].
+    // The new triangles are [a, d, c] and [d, b, c].
     for (edge, beyond) in [
         (3 * t, ad),
         (3 * t + 1, 3 * other + 2),

@@ -1,7 +1,7 @@
-//! Vertices at one place become one.
+//! Merges vertices that are at one place.
 //!
-//! A grid of cubes whose diagonal counts as nothing: what is in one cube is at one place, and so is what is close to it
-//! in a cube beside it. Cubes are sorted by row, so that each of the rows beside is gone through once.
+//! A grid of cubes whose diagonal counts as zero: all vertices in one cube are at one place, and so are close
+//! vertices in neighbouring cubes. Cubes are sorted by row, so one pass over each of the neighbouring rows is enough.
 
 use super::super::sorting::Sorting;
 use super::{NONE, Step, Work, slice};
@@ -9,11 +9,11 @@ use crate::notice::{Code, Notice};
 use crate::order::rank;
 use glam::DVec3;
 
-/// Bits of a cube's place along an axis.
+/// Bits of a cube's coordinate along an axis.
 const BITS: u32 = 21;
-/// What is close is at most so many cubes on.
+/// Vertices that are close lie at most this many cubes apart along an axis.
 const REACH: i64 = 2;
-/// The rows of cubes beside one, and its own: places along z and y.
+/// The rows of neighbouring cubes and a cube's own row, as offsets along z and y.
 const ROWS: [[i64; 2]; 13] = [
     [0, 0],
     [0, 1],
@@ -36,18 +36,18 @@ pub(super) struct Welding {
     at: usize,
     keys: Vec<(u64, u32)>,
     sorting: Option<Sorting>,
-    /// Cubes with something in them, sorted, with the first vertex of each (the least along x, y, z).
+    /// Occupied cubes, sorted, each with its first vertex (the least along x, y, z).
     cubes: Vec<(u64, u32)>,
-    /// Of each vertex its cube.
+    /// For each vertex its cube.
     cube_of: Vec<u32>,
-    /// Of each cube one that is at the same place, with a lesser number; at last itself.
+    /// For each cube, one at the same place with a lesser number; the last of such a chain is itself.
     joined: Vec<u32>,
-    /// Where each of the rows has been gone through to.
+    /// How far the pass has come in each of the rows.
     rows: [usize; ROWS.len()],
-    /// Of each cube that all at its place are joined to, the number of the vertex that is left.
+    /// For the cube at the end of each chain, the number of the vertex that is kept.
     number: Vec<u32>,
     kept: Vec<DVec3>,
-    /// How many triangles have been kept.
+    /// How many triangles are kept.
     triangles: usize,
 }
 
@@ -122,7 +122,7 @@ impl Step for Welding {
     }
 }
 
-/// The cube that a vertex is in, its rows along x one after the other.
+/// The key of the cube that a vertex is in; cubes of a row along x have consecutive keys.
 fn key(work: &Work, v: usize) -> u64 {
     let side = work.near() / 3f64.sqrt();
     let [x, y, z] = ((work.positions[v] - work.low) / side)
@@ -182,7 +182,7 @@ impl Welding {
         }
     }
 
-    /// Of all cubes at a place, the least vertex is kept.
+    /// Keeps the least vertex of all cubes at a place.
     fn choose(&mut self, work: &Work, cube: usize) {
         let root = self.root(cube as u32) as usize;
         let place = |v: u32| work.positions[v as usize].to_array().map(rank);
@@ -192,7 +192,7 @@ impl Welding {
         }
     }
 
-    /// Numbers places in the order in which vertices come to them.
+    /// Numbers the places in the order of the vertices.
     fn count(&mut self, work: &Work, v: usize) {
         let root = self.root(self.cube_of[v]) as usize;
         if self.number[root] == NONE {
@@ -202,7 +202,7 @@ impl Welding {
         self.cube_of[v] = self.number[root];
     }
 
-    /// Renames the corners of a triangle; it stays where these are three.
+    /// Renumbers the corners of a triangle; the triangle is kept if they differ.
     fn rename(&mut self, work: &mut Work, t: usize) {
         let [a, b, c] = work.triangles[t].map(|v| self.cube_of[v as usize]);
         if a != b && b != c && c != a {

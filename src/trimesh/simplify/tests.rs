@@ -2,7 +2,7 @@ use super::super::testing::{self, mesh};
 use super::super::{Search, TriMesh};
 use super::*;
 
-/// The farthest that corners and middles of one surface are from another, as a part of its diagonal.
+/// The greatest distance of corners and triangle middles of one surface from another, over its diagonal.
 fn farthest(from: &TriMesh, to: &TriMesh) -> f64 {
     let search = Search::new(to);
     let mut most = 0.0f64;

@@ -13,7 +13,7 @@ fn above(mesh: &TriMesh, x: f64, z: f64) -> SurfacePoint {
     SurfacePoint::new(mesh, triangle, weights)
 }
 
-/// Goes by a vector of space, as far as it lies along the surface.
+/// Walks by the tangential part of a vector in space.
 fn go(mesh: &TriMesh, from: &SurfacePoint, by: DVec3) -> Walked {
     mesh.walk(from, from.frame().within(by))
 }
@@ -60,7 +60,7 @@ fn through_vertices_and_along_edges_it_goes_straight_on() {
             [2, 5],
         ] {
             let (a, b) = (vertex(from[0], from[1]), vertex(to[0], to[1]));
-            // Whichever of the triangles around it says where it begins.
+            // The walk does not depend on which of the triangles around the vertex it begins in.
             for t in 0..mesh.triangles().len() as u32 {
                 let weights = mesh.weights(t, a);
                 if weights.min_element() > -1e-9 {
@@ -95,7 +95,7 @@ fn round_a_prism_it_comes_back() {
         let start = SurfacePoint::new(&mesh, 2 * facets + 1, DVec3::new(0.2, 0.3, 0.5));
         let face = mesh.face_normal(start.triangle);
         let frame = start.frame();
-        // Around, in the plane of the facet.
+        // Around the tube, in the plane of the facet.
         let around = DVec3::Y.cross(face).normalize();
         let by = frame.within(frame::rotated(around, face, start.normal));
         for rounds in [1.0, -1.0, 3.0] {
@@ -109,7 +109,7 @@ fn round_a_prism_it_comes_back() {
 #[test]
 fn round_a_cube_it_comes_back() {
     let mesh = mesh(testing::cube(3));
-    // The square y = 1, whose normal is Y in its middle square only.
+    // The top face y = 1; its normal is Y in the middle square only.
     let on_top = |t: &u32| mesh.face_normal(*t).y > 0.5;
     for triangle in (0..mesh.triangles().len() as u32).filter(on_top) {
         let start = SurfacePoint::new(&mesh, triangle, DVec3::new(0.5, 0.2, 0.3));
@@ -137,10 +137,10 @@ fn at_the_border_it_goes_along_it() {
     let mesh = mesh(testing::flat(9));
     let start = above(&mesh, 0.5, -0.5);
     let walked = go(&mesh, &start, DVec3::new(1.0, 0.0, -0.25));
-    // Half of the way leads to the border; what is left of it leads up by an eighth.
+    // Half of the step reaches the border; an eighth of it goes on along the border.
     assert!(walked.slid && is_near(walked.to.at, DVec3::new(1.0, 0.0, -0.75), 1e-12));
     assert!((walked.turn.0 - DVec2::X).length() < 1e-12);
-    // Into a corner, and no farther.
+    // Into a corner, where the walk ends.
     for by in [[9.0, 8.0], [8.0, 9.0], [3.0, 3.0], [5.0, 0.5]] {
         let walked = go(&mesh, &start, DVec3::new(by[0], 0.0, -by[1]));
         assert!(
@@ -148,7 +148,7 @@ fn at_the_border_it_goes_along_it() {
             "{by:?}"
         );
     }
-    // Right at it, and from it.
+    // Straight at the border, and back from it.
     let walked = go(&mesh, &start, DVec3::X);
     assert!(walked.slid && is_near(walked.to.at, DVec3::new(1.0, 0.0, -0.5), 1e-12));
     let back = go(&mesh, &walked.to, DVec3::new(-0.5, 0.0, 0.25));
@@ -188,7 +188,7 @@ fn round_the_outside_of_a_ring_the_border_carries_it() {
     let walked = go(&mesh, &start, DVec3::new(0.0, 0.0, -2.0));
     let at = walked.to.at;
     assert!(walked.slid && (at.length() - 2.0).abs() < 3e-3);
-    // It leans on the border and stays in step with it: a radian, but for what the corners take.
+    // The path follows the border: about a radian, a little less because of the corners.
     assert!((libm::atan2(-at.z, at.x) - 1.0).abs() < 0.05, "{at}");
 }
 
@@ -205,7 +205,7 @@ fn a_vector_carried_round_a_ball_is_turned_by_the_angle_excess() {
             at = walked.to;
         }
         assert!(is_near(at.at, start.at, 0.01), "{}", at.at);
-        // An eighth of the ball has three right angles: a quarter turn more than in the plane.
+        // An eighth of the ball has three right angles, so transport around it turns by a quarter turn.
         assert!((carried - DVec2::Y).length() < 0.02, "{carried}");
     }
 }
@@ -238,6 +238,6 @@ fn steps_that_are_none_lead_nowhere() {
         let walked = mesh.walk(&start, by);
         assert_eq!((walked.to, walked.turn), (start, Turn::NONE));
     }
-    // And the longest ones end.
+    // The longest walks end, too.
     assert!(mesh.walk(&start, DVec2::splat(1e9)).to.at.is_finite());
 }

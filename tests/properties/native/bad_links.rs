@@ -1,10 +1,10 @@
-//! Links that are not quite right: what they say is mended, and told.
+//! Faulty links are corrected, and a notice says how.
 
 use super::links::open;
 use bubblestone::generators::pavement;
 use bubblestone::notice::text;
 
-/// Each bad link, what it becomes, and what its sentence must name.
+/// Each faulty link, its corrected form, and words that the notice must contain.
 #[test]
 fn bad_links_are_mended_and_told() {
     let cases: &[(&str, &str, &[&str])] = &[

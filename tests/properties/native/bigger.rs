@@ -1,4 +1,4 @@
-//! The picture with more pixels is the same picture.
+//! A picture with more pixels is the same picture.
 
 use crate::common::finished;
 use bubblestone::export::{Map, MapKind};
@@ -6,7 +6,7 @@ use bubblestone::generators::PictureSlice;
 use bubblestone::notice::{Code, Notice};
 use bubblestone::studio::Studio;
 
-/// All of a bigger picture, or of its maps, in as few slices as can be.
+/// A whole enlarged picture, or its maps, in as few slices as possible.
 fn made(studio: &mut Studio, scale: usize, kinds: &[MapKind]) -> PictureSlice {
     let mut slice = || {
         let engine = studio.engine_mut();
@@ -24,19 +24,19 @@ fn made(studio: &mut Studio, scale: usize, kinds: &[MapKind]) -> PictureSlice {
     whole
 }
 
-/// All of a bigger picture.
+/// A whole enlarged picture.
 fn bigger(studio: &mut Studio, scale: usize) -> Map {
     made(studio, scale, &[]).rows.remove(0)
 }
 
-/// A slice of it in no time at all: the least there can be.
+/// The smallest slice of one: a slice with no time.
 fn slice(studio: &mut Studio, scale: usize) -> Result<PictureSlice, Notice> {
     let engine = studio.engine_mut();
     engine.picture_file((scale, &[]), &mut || 0.0, 0.0)
 }
 
-/// The mean difference of colours between a picture and a bigger one whose pixels are averaged over
-/// squares of `block` pixels of the first.
+/// The mean colour difference between a picture and an enlarged one, whose pixels are averaged over blocks. A
+/// block covers `block` by `block` pixels of the first picture.
 fn difference(picture: &[u8], made: &Map, scale: usize, block: usize) -> f64 {
     let side = made.side / scale;
     let across = side / block;
@@ -88,7 +88,7 @@ fn averaged_it_is_the_picture() {
 
 #[test]
 fn at_its_own_side_it_is_the_picture() {
-    // Stones of two bands, and of two pictures of a tile.
+    // Stones in two bands, and on a tile whose stones reach over its edges.
     for link in [
         "size=1536&cs=80&outline=square",
         "size=256&tile=1&stone=skin",
@@ -174,7 +174,7 @@ fn its_maps_are_those_of_the_picture() {
                 (320, 4 * own.bytes.len()),
                 "{word}"
             );
-            // The high byte of what has two.
+            // The high byte of 16 bit values.
             let step = usize::from(map.bits / 8);
             let mean = |bytes: &[u8]| {
                 let values = bytes.iter().step_by(step).map(|&v| f64::from(v));

@@ -1,4 +1,4 @@
-//! Colours by rule: each rule says what its name says.
+//! Colours by rule: each rule does what its name says.
 
 use crate::common::finished;
 use crate::paving::OfPavement;
@@ -125,7 +125,7 @@ fn the_share_is_kept_by_every_scattered_rule() {
     }
 }
 
-/// A band comes back after the scale, across the angle; along it there is less change.
+/// Bands repeat after the scale across their angle; along it they change less.
 #[test]
 fn bands_are_periodic_across_their_angle() {
     let domain = Domain::torus(SIDE, &[]);
@@ -135,7 +135,7 @@ fn bands_are_periodic_across_their_angle() {
         let other = |k: usize| (k / 48 + dy) % 48 * 48 + (k % 48 + dx) % 48;
         mean((0..cells.len()).map(|k| (found[k].mark - found[other(k)].mark).abs()))
     };
-    // A band is 12 cells.
+    // A band's period is 12 cells.
     assert!(
         away(12, 0) < 0.6 * away(6, 0),
         "{} {}",
@@ -173,7 +173,7 @@ fn patterns_of_tiles_repeat() {
     }
 }
 
-/// Both states of the reaction are there, in marks of about the scale, at any number of cells.
+/// The reaction shows both states, in marks of about the scale, at any number of cells.
 #[test]
 fn reactions_make_marks_of_the_scale() {
     let domain = Domain::torus(SIDE, &[]);
@@ -188,7 +188,7 @@ fn reactions_make_marks_of_the_scale() {
         let off = |c: &Coat| c.mark - middle as f32;
         let variance = mean(found.iter().map(|c| off(c) * off(c)));
         assert!(variance > 0.12, "{count}: {variance}");
-        // Two borders a wave along the rows; a labyrinth's stripes are met at all angles.
+        // A wave has two borders along a row. A labyrinth's stripes cross the row at all angles.
         let differs = |k: usize| {
             let right = k / count * count + (k + 1) % count;
             (found[k].mark > 0.5) != (found[right].mark > 0.5)
@@ -239,7 +239,7 @@ fn boundary_lines_size_and_direction_are_told_apart() {
     assert!(rim > rest + 0.5, "{rim} {rest}");
     let (right, left) = of(by(Pattern::Size), &|c| c.centre.x > 0.5 * SIDE);
     assert!(right > left + 0.3, "{right} {left}");
-    // Of squares a quarter turn looks alike, an eighth does not.
+    // A square looks the same after a quarter turn, but not after an eighth.
     let pointing = |angle| {
         of(
             ColourParams {

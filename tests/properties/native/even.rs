@@ -1,4 +1,4 @@
-//! Cells are even: no wedges, no double stones in rows, and thin tips are packed, too.
+//! Cells are even: no wedges, no rows with doubled stones, and thin tips are packed, too.
 
 use bubblestone::cells::{Cell, fitted};
 use bubblestone::domain::{Domain, Outline, signed_area};

@@ -1,5 +1,4 @@
-//! Meshes that are taken out of the program for other programs: closed surfaces as OBJ and GLB, read by other
-//! readers.
+//! Meshes for other programs: closed surfaces as OBJ and GLB, read by independent readers.
 
 use super::samples::{painted, small, star};
 use crate::common::finished;
@@ -15,7 +14,7 @@ use proptest::prelude::*;
 use std::collections::HashSet;
 
 pub(super) const LINK: &str = "size=160&outline=annulus&cs=14";
-/// Scales that lie over each other.
+/// Scales that overlap.
 const SKIN: &str = "size=160&outline=annulus&cs=20&stone=skin&sc=0.7&dir=boundary";
 
 fn file(studio: &mut Studio, format: MeshFormat) -> Vec<u8> {
@@ -37,7 +36,7 @@ pub(super) fn file_of(studio: &mut Studio, order: &MeshOrder) -> Vec<u8> {
     made.expect("a finished picture").parts.concat()
 }
 
-/// Every side belongs to two triangles, once in each direction.
+/// Asserts that every edge belongs to two triangles, once in each direction.
 fn assert_closed(triangles: &[[u32; 3]], what: &str) {
     let mut sides = HashSet::new();
     for &[a, b, c] in triangles {
@@ -50,7 +49,8 @@ fn assert_closed(triangles: &[[u32; 3]], what: &str) {
     }
 }
 
-/// Where the axes are right-handed, greater than 0 if triangles go counter-clockwise seen from outside.
+/// The enclosed volume. With right-handed axes it is positive if triangles are counter-clockwise seen from
+/// outside.
 fn volume(places: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
     let six = triangles.iter().map(|t| {
         let [a, b, c] = t.map(|k| places[k as usize].as_dvec3());
@@ -125,7 +125,7 @@ fn a_surface_stands_as_its_planes_show_it() {
     for (index, cell) in cells.iter().enumerate() {
         let solid = solids.solid(cell, &params.stone);
         let surface = surfaces.close(&solid, cell, index, &planes);
-        // All but the middle of the base.
+        // All vertices but the middle of the base.
         let vertices = surface.positions.iter().zip(&surface.colours);
         for (p, &colour) in vertices.take(solid.vertices.len()) {
             let at = p.y as usize * planes.side + p.x as usize;
@@ -201,7 +201,7 @@ fn read_as_obj(mut studio: Studio) {
     assert!(seen as usize > all / 3, "{seen} of {all}");
 }
 
-/// A mesh of a GLB file: its node's name, places of its vertices, places in the maps, triangles.
+/// A mesh of a GLB file: its node's name, positions, texture coordinates and triangles.
 pub(super) struct Node {
     name: String,
     places: Vec<Vec3>,
@@ -218,7 +218,7 @@ pub(super) fn nodes(glb: &[u8]) -> Vec<Node> {
     let json: serde_json::Value = serde_json::from_slice(&glb[20..start - 8]).unwrap();
     assert_eq!(start + word(start - 8) as usize, glb.len());
     let number = |value: &serde_json::Value| value.as_u64().unwrap_or(0) as usize;
-    // Where an accessor begins, the bytes of an element, its count.
+    // The beginning of an accessor, the bytes of an element, and the number of elements.
     let accessor = |which: &serde_json::Value| {
         let accessor = &json["accessors"][number(which)];
         let view = &json["bufferViews"][number(&accessor["bufferView"])];
@@ -336,7 +336,7 @@ fn slices_do_not_matter_and_changes_begin_anew() {
         assert!(slices > 3 && cut == whole, "{word}");
 
         let before = studio.recipe().clone();
-        // Colours are of the planes, and how rough a GLB file is depends on the light's materials.
+        // Colours come from the planes. The roughness in a GLB file depends on the materials.
         for change in ["palette=basalt", "gloss=wet"] {
             assert!(slice(&mut studio).is_ok_and(|next| next.begun && !next.done));
             let (recipe, _) = pavement::recipe(&format!("{LINK}&{change}"));
@@ -357,7 +357,7 @@ fn slices_do_not_matter_and_changes_begin_anew() {
 
 #[test]
 fn surfaces_of_a_tile_fit_their_images() {
-    // Cells that reach over an edge are whole, so that copies a side apart fill the gaps.
+    // Cells that reach over an edge are complete, so that copies at a distance of one side fill the gaps.
     let mut studio = finished("size=192&tile=1&cs=17&kind=square");
     let text = String::from_utf8(file(&mut studio, MeshFormat::Obj)).unwrap();
     let places = text.lines().filter_map(|line| line.strip_prefix("v "));

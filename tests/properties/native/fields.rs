@@ -1,4 +1,4 @@
-//! Fields: where rows go, how large cells are, and where directions cannot be told.
+//! Fields: directions, sizes, and singular points.
 
 use crate::paving::row;
 use bubblestone::domain::{Domain, Outline};
@@ -45,7 +45,7 @@ fn params(direction: Direction, kind: Kind) -> FieldParams {
     }
 }
 
-/// The sine of the angle between the field and a direction, any cell's turn allowed.
+/// The sine of the angle between the field and a direction, up to the symmetry of the cell.
 fn off(fields: &Fields, p: DVec2, wanted: DVec2) -> f64 {
     let e = fields.direction(p);
     match fields.kind(p).symmetry() {
@@ -124,11 +124,11 @@ fn strokes_are_followed_near_them_and_the_base_far_from_them() {
     let fields = FieldBuilder::build(&picture(), params.clone());
     assert!(off(&fields, at(205., 195.), unit(std::f64::consts::FRAC_PI_4)) < 0.01);
     assert!(off(&fields, at(480., 60.), DVec2::X) < 0.05);
-    // Only strokes: the same direction far away as well.
+    // With strokes alone, the direction is the same far away.
     params.direction = Direction::Strokes;
     let fields = FieldBuilder::build(&picture(), params.clone());
     assert!(off(&fields, at(480., 60.), unit(std::f64::consts::FRAC_PI_4)) < 0.01);
-    // Without strokes one angle everywhere.
+    // Without strokes, the angle is constant.
     params.strokes.clear();
     params.angle = 0.3;
     let fields = FieldBuilder::build(&picture(), params);
@@ -172,18 +172,18 @@ fn singular_points_of_a_disc_and_a_triangle() {
     for kind in [Kind::Square, Kind::Ellipse] {
         let fields = FieldBuilder::build(&disc, params(Direction::Boundary, kind));
         let points = fields.singularities(&disc);
-        // The polygon's symmetry may hold more than one point, but all of them make one turn.
+        // The polygon's symmetry may cause several singular points, but their indices add up to one.
         let turns: f64 = points.iter().map(|s| s.index).sum();
         assert_eq!(turns, 1.0, "{kind:?} {points:?}");
     }
-    // Squares in a triangle: three corners of 60 degrees, each rounded to a quarter turn.
+    // Squares in a triangle: each of the three corners of 60 degrees counts as a quarter turn.
     let triangle = domain(ring(3, 240.0, 1.0), vec![], vec![]);
     let fields = FieldBuilder::build(&triangle, params(Direction::Boundary, Kind::Square));
     let points = fields.singularities(&triangle);
     assert_eq!(points.len(), 1, "{points:?}");
     assert_eq!(points[0].index, 0.25);
     assert!(points[0].point.distance(DVec2::splat(256.0)) < 8.0);
-    // In a square nothing turns.
+    // A square has no singular points.
     let square = picture();
     for kind in [Kind::Square, Kind::Ellipse] {
         let fields = FieldBuilder::build(&square, params(Direction::Boundary, kind));
@@ -222,7 +222,7 @@ fn sizes_grow_from_the_boundary_and_in_spots() {
     near(fields.aspect(at(6., 256.)), 4.0);
     near(fields.aspect(at(150., 256.)), 2.0);
     near(fields.aspect(at(256., 256.)), 1.0);
-    // Nowhere does the size change by more than the cells are wide.
+    // The size changes by less than one unit per unit of length everywhere.
     for k in 0..4000 {
         let p = at(f64::from(k % 63) * 8.0 + 6.0, f64::from(k / 63) * 7.9 + 6.0);
         let change = fields.size(p + DVec2::X) - fields.size(p);
@@ -237,7 +237,7 @@ fn parts_have_kinds_and_directions_of_their_own() {
     assert_eq!(cut.parts(), 2);
     let mut params = params(Direction::Boundary, Kind::Square);
     params.aspect = 2.0;
-    // The later of two places in a part counts; one outside the outline is in none.
+    // If two places are in one part, the later one counts. A place outside the outline belongs to no part.
     params.part_kinds = vec![
         (at(300., 400.), Kind::Circle),
         (at(250., 400.), Kind::Ellipse),
@@ -248,7 +248,7 @@ fn parts_have_kinds_and_directions_of_their_own() {
     assert_eq!(fields.kind(at(250., 400.)), Kind::Ellipse);
     assert_eq!(fields.aspect(at(250., 100.)), 1.0);
     assert_eq!(fields.aspect(at(250., 400.)), 2.0);
-    // Squares see no difference between the walls at right angles, ellipses stand along the nearest.
+    // Squares stand alike at both walls, which meet at right angles; ellipses follow the nearest wall.
     assert!(off(&fields, at(12., 400.), DVec2::Y) < 0.05);
     assert!(off(&fields, at(250., 490.), DVec2::X) < 0.05);
 }
@@ -325,7 +325,7 @@ fn every_built_in_outline_has_directions_throughout() {
                     without += 1;
                 }
             }
-            // Two-fold directions cancel on lines at 45 degrees, which some of these points lie on.
+            // Two-fold directions cancel on lines at 45 degrees, and some of these points lie there.
             assert!(without < 20, "{} {kind:?}: {without}", choice.word);
         }
     }

@@ -1,4 +1,4 @@
-//! The height of stones, Hs, over its whole range: in the joints, in the shadows, in the picture.
+//! The height of stones, Hs, over its whole range: joints, shadows and picture.
 
 use crate::common::finished;
 use crate::paving::OfPavement;
@@ -8,11 +8,11 @@ use bubblestone::solid::{StoneKind, StoneParams, joint_depth};
 use bubblestone::studio::Studio;
 
 const KINDS: [StoneKind; 2] = [StoneKind::Cobble, StoneKind::Flagstone];
-/// The default ring, smaller, with as many stones, and its heights in parts of the default cell size.
+/// The default ring at half the side, with as many stones, and the factor of its lengths.
 const SMALL: &str = "size=256&cs=11.5";
 const UNIT: f64 = 0.5;
 
-/// The pictures of a link at some heights, which were given for a ring of 512 pixels.
+/// Calls `look` with the finished pictures at some heights, which are given for a picture of 512 pixels.
 fn at_heights(more: &str, heights: &[f64], mut look: impl FnMut(&Studio)) {
     let mut studio = finished(&format!("{SMALL}{more}"));
     for height in heights {
@@ -24,7 +24,7 @@ fn at_heights(more: &str, heights: &[f64], mut look: impl FnMut(&Studio)) {
     }
 }
 
-/// From one picture to another, of full scale.
+/// The mean difference of two pictures, as a fraction of the full scale.
 fn difference(a: &[u8], b: &[u8]) -> f64 {
     let apart: u64 = a
         .iter()
@@ -49,10 +49,10 @@ fn pictures_tell_low_stones_from_high_ones() {
     }
 }
 
-/// The mean over the pixels of stones less that over the joints, and of the occlusion of these.
+/// The mean height of stones minus that of joints, and the mean occlusion of joints.
 fn joints(studio: &Studio) -> [f64; 2] {
     let planes = studio.pavement().planes().unwrap();
-    // Ground that stones are near to: beside it there is a cell's stone on two sides at least.
+    // Joint pixels lie near stones: at least on two opposite sides.
     let side = planes.side;
     let near = |i: usize| {
         let [x, y] = [i % side, i / side];
@@ -120,7 +120,7 @@ fn joints_grow_with_the_height_and_with_the_size() {
 #[test]
 fn the_ground_swallows_no_stone_however_low() {
     for more in ["&dr=1", "&dr=1&af=8&stone=flag"] {
-        // How many pixels there are of each stone, of low ones and of high ones.
+        // The number of pixels of each stone, for low stones and for high ones.
         let [low, high] = [1, 20].map(|hs| {
             let studio = finished(&format!("size=256&cs=40&hs={hs}{more}"));
             let mut seen = vec![0usize; studio.pavement().cells().len()];
@@ -139,7 +139,7 @@ fn the_ground_swallows_no_stone_however_low() {
 
 #[test]
 fn a_lamp_stands_on_the_ground_whatever_height_stones_have() {
-    // What is far from stones is lit alike under low ones and under high ones.
+    // Ground far from stones is lit alike between low and high ones.
     let at = |hs: u32| {
         let studio = finished(&format!(
             "size=128&cs=9&hs={hs}&light=point&lx=0.5&ly=0.5&lz=0.2"

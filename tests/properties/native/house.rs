@@ -1,16 +1,16 @@
-//! The drawing of the house (docs/house.svg) is true to the code: what a folder uses, its arrows lead to,
-//! each arrow stands for a use, and there is no way round in a circle. No files use each other in a circle either.
+//! The drawing of the house (docs/house.svg) agrees with the code. Each use between folders has arrows, each
+//! arrow stands for a use, and no arrows form a circle. No files use each other in a circle either.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-/// Names of two folders, of which the first uses the second.
+/// Pairs of folders, of which the first uses the second.
 type Uses = BTreeSet<(String, String)>;
 
-/// The ground, which any folder of src may use: no arrows are drawn to it.
+/// Basic folders, which any folder of src may use without an arrow.
 const GROUND: [&str; 6] = ["notice", "order", "csr", "random", "decimal", "hash"];
 
-/// Files that still use each other in a circle, to be taken apart: none is to be added.
+/// Files that still use each other in a circle. The list may only shrink.
 const TO_TAKE_APART: [&str; 14] = [
     "mesh::patch",
     "mesh::requad",
@@ -43,7 +43,7 @@ fn files(path: &std::path::Path) -> Vec<String> {
         .collect()
 }
 
-/// The folders and files at the top of `www`, without endings.
+/// The names in a folder, without endings.
 fn rooms(top: &str) -> BTreeSet<String> {
     let entries = fs::read_dir(root().join(top)).unwrap();
     let paths = entries.map(|entry| entry.unwrap().path());
@@ -51,7 +51,7 @@ fn rooms(top: &str) -> BTreeSet<String> {
     paths.map(stem).collect()
 }
 
-/// The code of a Rust file: without comments, and without the tests at its end.
+/// The code of a Rust file, without comments and without the tests at its end.
 fn code(file: &str) -> String {
     let shipped = file.split("#[cfg(test)]\nmod tests {").next().unwrap();
     let lines = shipped
@@ -60,10 +60,10 @@ fn code(file: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The names that lead to a module or an item, from the crate's root.
+/// The names from the crate's root to a module or an item.
 type Path = Vec<String>;
 
-/// The shipped code of `src` by modules, and the names that modules hand on with `pub use`.
+/// The shipped code of `src` by module, and the names that modules re-export with `pub use`.
 struct Modules {
     code: BTreeMap<Path, String>,
     handed_on: BTreeMap<Path, Path>,
@@ -89,7 +89,7 @@ impl Modules {
         modules
     }
 
-    /// A path as a module writes it, from the root; nothing where it leads to another crate.
+    /// The path from the root of a path in a module; none if it leads to another crate.
     fn path_from_root(&self, module: &[String], path: &[String]) -> Option<Path> {
         let ups = path.iter().take_while(|name| *name == "super").count();
         let (base, rest) = match path[0].as_str() {
@@ -102,7 +102,7 @@ impl Modules {
         Some([base, rest].concat())
     }
 
-    /// The module that has the item which a path from the root leads to; the empty path is the root itself.
+    /// The module that defines the item of a path from the root; the empty path is the root itself.
     fn home(&self, path: &[String]) -> Path {
         for end in 1..=path.len() {
             if let Some(to) = self.handed_on.get(&path[..end])
@@ -136,7 +136,7 @@ fn below(module: &[String], name: &str) -> Path {
     [module, &[name.to_owned()]].concat()
 }
 
-/// Reads a folder of `src`, but no module of tests.
+/// Reads a folder of `src` without its test modules.
 fn read_module(folder: &std::path::Path, module: &[String], found: &mut BTreeMap<Path, String>) {
     let head = ["mod.rs", "lib.rs"].map(|name| fs::read_to_string(folder.join(name)));
     let beside = fs::read_to_string(folder.with_extension("rs"));
@@ -165,7 +165,7 @@ fn read_module(folder: &std::path::Path, module: &[String], found: &mut BTreeMap
     }
 }
 
-/// The `use` lines of some code, each with what follows it.
+/// The trees of the `use` lines in some code; true for `pub use`.
 fn use_lines(code: &str) -> impl Iterator<Item = (bool, &str)> {
     let starts = code.match_indices("use ");
     starts.filter_map(|(at, word)| {
@@ -176,7 +176,7 @@ fn use_lines(code: &str) -> impl Iterator<Item = (bool, &str)> {
     })
 }
 
-/// The paths that are imported; true where they are handed on.
+/// The imported paths; true for those that are re-exported.
 fn imports(code: &str) -> Vec<(bool, Path)> {
     let mut found = Vec::new();
     for (is_public, tree) in use_lines(code) {
@@ -187,7 +187,7 @@ fn imports(code: &str) -> Vec<(bool, Path)> {
     found
 }
 
-/// All paths of a tree of imports, as in `a::{b, c::{d, e}}`.
+/// Lists all paths of a tree of imports such as `a::{b, c::{d, e}}`.
 fn expand(before: &[String], tree: &str, paths: &mut Vec<Path>) {
     let names = |text: &str| -> Path {
         let names = text.split("::").map(str::trim);
@@ -213,7 +213,7 @@ fn expand(before: &[String], tree: &str, paths: &mut Vec<Path>) {
     }
 }
 
-/// The paths in code that begin at the root or go up, without those of `use` lines.
+/// The paths in code that begin with `crate` or `super`, except in `use` lines.
 fn paths_in_code(code: &str) -> Vec<Path> {
     let is_end = |c: char| !c.is_alphanumeric() && c != '_' && c != ':';
     let words = code.split(is_end);
@@ -237,7 +237,7 @@ fn uses_of_src() -> Uses {
     uses
 }
 
-/// Uses between the folders of `www`: what is imported, now or later.
+/// Uses between the folders of `www`, by static and dynamic imports.
 fn uses_of_www() -> Uses {
     let drawn: BTreeSet<String> = arrows().into_iter().flat_map(|(a, b)| [a, b]).collect();
     let mut uses = Uses::new();
@@ -268,7 +268,7 @@ fn arrows() -> Uses {
         .collect()
 }
 
-/// What the arrows lead to from a folder, over one or more of them.
+/// The folders that a folder's arrows lead to, directly or over others.
 fn reached<'a>(arrows: &'a Uses, from: &str) -> BTreeSet<&'a str> {
     let mut reached = BTreeSet::new();
     let mut ends = vec![from];
@@ -292,7 +292,7 @@ fn the_drawing_shows_what_uses_what() {
             "{a} uses {b}, and no arrow of docs/house.svg says so"
         );
     }
-    // Between page, crate and programs nothing imports by these names.
+    // Between page, crate and programs there are no imports by these names.
     let joints = [("module", "web"), ("examples", "studio")];
     for (a, b) in &arrows {
         let known =
@@ -314,7 +314,7 @@ fn no_files_use_each_other_in_a_circle() {
     let modules = Modules::read();
     let mut left: Uses = Uses::new();
     for (module, used) in modules.uses() {
-        // A file may use the head of its own folder, which names its files.
+        // A file may use the head of its own folder, which lists its files.
         for other in used.iter().filter(|other| !module.starts_with(other)) {
             let [user, used] = [module, other].map(|path| path.join("::"));
             if !TO_TAKE_APART.contains(&user.as_str()) {
@@ -323,7 +323,7 @@ fn no_files_use_each_other_in_a_circle() {
         }
     }
     assert!(left.len() > 800, "{}", left.len());
-    // The uses that lead nowhere go, until all are gone, or those of circles are left.
+    // Removes the ends of chains until only circles are left, or nothing.
     loop {
         let users: BTreeSet<String> = left.iter().map(|(user, _)| user.clone()).collect();
         let before = left.len();

@@ -1,4 +1,4 @@
-//! What can be asked of cells and packings: one cell, the plots' figures, the cells as SVG.
+//! Inspection of cells and packings: the probe, the plots, and the cells as SVG.
 
 use crate::paving::OfPavement;
 use bubblestone::generators::ALL;
@@ -109,7 +109,7 @@ fn rows_of_squares_are_as_wanted() {
         assert!((probe.size / wanted.size - 1.0).abs() < 0.02, "{probe:?}");
         assert_eq!(probe.wanted, wanted.size);
         assert!(probe.off.unwrap() < 0.5 && probe.aspect < 1.05, "{probe:?}");
-        // Of all turns that are alike, the one that repeats with the tile is nearest.
+        // Among the equivalent rotations, the nearest one is that which repeats with the tile.
         let off = (probe.angle.unwrap() - turn).rem_euclid(90.0);
         assert!(off.min(90.0 - off) < 8.0, "{probe:?}");
     }
@@ -183,7 +183,7 @@ fn histograms_count_all_cells() {
         }
         let [size, angle] = done.pavement_mut().histograms();
         assert_eq!(angle.to, widest, "{link}");
-        // Most are about as large as they should be, and stand as the field does.
+        // Most cells have about the wanted size, and stand as the field does.
         let within = |h: &Histogram, classes: std::ops::Range<usize>| -> usize {
             let some = h.counts.get(classes).unwrap_or_default();
             some.iter().map(|&n| n as usize).sum()
@@ -212,7 +212,7 @@ fn packings_are_recorded_step_by_step() {
     assert_eq!(end.largest_move, last.largest_move);
     assert_eq!(whole.engine_mut().energy(), end.energy);
     assert!(end.energy < rows[0].energy);
-    // Whoever looks on, and however the work is cut, it is the same.
+    // Inspection and the size of slices do not change the result.
     let mut watched = studio("size=192&cs=16&outline=star&kind=circle");
     while !watched.done() {
         watched.tick(&mut || 0.0, 0.0, 1);
@@ -242,7 +242,7 @@ fn records_of_large_packings_are_thinned() {
 
 #[test]
 fn the_net_force_is_what_the_energy_asks_for() {
-    // At rest all are near to nothing; at the start they are not, and the energy is shared out.
+    // Forces are much smaller at rest than at the start, and the energies of the particles add up to the total.
     let greatest = |studio: &Studio| {
         let mut packing = studio.pavement().packing().unwrap().clone();
         let loads = packing.net_forces(studio.pavement().domain().unwrap());

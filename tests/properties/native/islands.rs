@@ -1,4 +1,4 @@
-//! Outlines of several outer rings: every island has cells of its own, and they fill it.
+//! Outlines with several outer rings: every island has its own cells, which fill it.
 
 use crate::paving::OfPavement;
 use bubblestone::cells::{Cell, graph};
@@ -25,7 +25,7 @@ fn disc(x: f64, y: f64, radius: f64) -> Vec<DVec2> {
     (0..40).map(corner).collect()
 }
 
-/// Two islands, beside each other with a gap much narrower than a cell.
+/// Two islands beside each other, with a gap much narrower than a cell.
 fn beside() -> Vec<Vec<DVec2>> {
     vec![
         rectangle(20., 20., 118., 236.),
@@ -43,7 +43,7 @@ fn target() -> Vec<Vec<DVec2>> {
     ]
 }
 
-/// An i in front of a bowl that nearly closes around its dot, and bars.
+/// A letter i in front of a bowl that nearly closes around its dot, and bars.
 fn word() -> Vec<Vec<DVec2>> {
     let point = |&(x, y): &(f64, f64)| DVec2::new(x, y);
     let bowl = [
@@ -69,7 +69,7 @@ fn word() -> Vec<Vec<DVec2>> {
     ]
 }
 
-/// The pavement of an outline of those rings, with its cells made.
+/// A pavement with these rings as its outline, worked on until its cells are made.
 fn with_cells(link: &str, rings: &[Vec<DVec2>]) -> Studio {
     let (mut recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{notices:?}");
@@ -78,7 +78,7 @@ fn with_cells(link: &str, rings: &[Vec<DVec2>]) -> Studio {
         ..Outline::default()
     };
     recipe.set_polygon(&outline).unwrap();
-    // The link tells the same.
+    // The link describes the same outline.
     let recipe = pavement::recipe(&recipe.link()).0;
     let mut studio = Studio::new(ALL, recipe);
     while !["planes", "done", "error"].contains(&studio.stage()) {
@@ -125,7 +125,7 @@ fn every_island_is_filled_by_cells_of_its_own() {
     }
 }
 
-/// Of packed cells no corner is farther beyond the rim than they overlap each other.
+/// The corners of packed cells reach beyond the rim no farther than cells overlap.
 #[test]
 fn packed_cells_stay_on_their_island() {
     for (name, rings) in [("beside", beside()), ("target", target()), ("word", word())] {
@@ -220,7 +220,7 @@ fn nothing_joins_two_islands() {
     }
 }
 
-/// Lines over several islands, and a kind for each part.
+/// Lines that cross several islands, and a kind for each part.
 #[test]
 fn islands_with_lines_and_kinds() {
     let link = "size=256&cs=13&lines=0,0.45,1,0.5&parts=0.2,0.2,2;0.7,0.7,3";

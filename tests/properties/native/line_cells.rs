@@ -45,7 +45,7 @@ fn packed(domain: &Domain, size: f64, boundary: BoundaryCondition) -> Vec<Partic
     packing.particles()
 }
 
-/// Do two sides of a ring that are not neighbours cross?
+/// Whether two sides of a ring that are not neighbours cross.
 fn crosses_itself(ring: &[DVec2]) -> bool {
     let n = ring.len();
     let side = |k: usize| [ring[k], ring[(k + 1) % n]];
@@ -58,7 +58,7 @@ fn crosses_itself(ring: &[DVec2]) -> bool {
     })
 }
 
-/// Whole, simple, in one part each.
+/// Asserts that cells fill the domain, and that each one is simple and lies in one part.
 fn assert_sound(domain: &Domain, cells: &[Cell], what: &str) {
     let area: f64 = cells.iter().map(|c| signed_area(&c.ring)).sum();
     let error = (area / domain.area() - 1.0).abs();
@@ -76,7 +76,8 @@ fn assert_sound(domain: &Domain, cells: &[Cell], what: &str) {
             cell.id,
             cell.ring
         );
-        // No side of a triangle fan would do for a bent cell: every side's middle, a little inwards.
+        // For bent cells, a triangle fan would not do. Instead the test takes a point just inside the middle of
+        // every side.
         let mut part = None;
         for (k, &a) in cell.ring.iter().enumerate() {
             let b = cell.ring[(k + 1) % cell.ring.len()];
@@ -149,7 +150,7 @@ fn cells_fill_random_outlines_with_random_lines() {
     }
 }
 
-/// Rows of squares at both sides of a line, shifted against each other: every cell ends at the line.
+/// The rows of squares on the two sides of a line are shifted against each other; every cell ends at the line.
 #[test]
 fn each_side_of_a_line_has_its_own_cells() {
     let outline = Outline {
@@ -187,7 +188,7 @@ fn each_side_of_a_line_has_its_own_cells() {
     }
 }
 
-/// Every side of every ring is, up to whole pictures, the side of another one.
+/// Asserts that every side of every ring is also a side of another ring, up to a period.
 fn assert_seamless(domain: &Domain, cells: &[Cell], what: &str) {
     let bits = |q: DVec2| (q.x.to_bits(), q.y.to_bits());
     let mut sides = HashMap::new();
@@ -214,7 +215,8 @@ fn cells_of_a_torus_meet_over_the_seams() {
     let domain = Domain::torus(SIDE, &[]);
     let mut random = Random::new(5, Purpose::Noise, 0);
     for k in 0..30 {
-        // An even lattice, then more and more disorder; from 4 cells to 400.
+        // The first lattices are regular, later ones more and more irregular; the number of cells varies from 4
+        // to 400.
         let across = [2, 3, 5, 11, 20][k % 5];
         let size = SIDE / f64::from(across);
         let disorder = 0.05 * size * (k / 5) as f64;
@@ -244,7 +246,7 @@ fn cells_of_a_torus_meet_over_the_seams() {
     }
 }
 
-/// On a torus, too, cells end at constraint lines, and meet over the seams.
+/// On a torus, too, cells end at constraint lines and meet across the seams.
 #[test]
 fn cells_of_a_torus_end_at_lines() {
     let lines = [
@@ -263,7 +265,7 @@ fn cells_of_a_torus_end_at_lines() {
     for lines in lines {
         let domain = Domain::torus(SIDE, &lines);
         assert_eq!(domain.parts(), 2, "{lines:?}");
-        // Where cells stand on a line over a sharp corner, slivers at the line may be left.
+        // If cells stand on a line at a sharp corner, slivers may be left at the line.
         let sharp = lines[0][0].x == 200.0;
         let conditions = [BoundaryCondition::Wall, BoundaryCondition::On];
         for size in [9.0, 14.0, 30.0] {

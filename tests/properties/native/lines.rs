@@ -1,4 +1,4 @@
-//! Constraint lines, the parts they cut, and the periodic picture.
+//! Constraint lines, the parts that they cut, and the periodic picture.
 
 use bubblestone::domain::{Domain, Outline, Walls};
 use bubblestone::random::{Purpose, Random};
@@ -63,7 +63,7 @@ fn lines_that_nearly_touch_do() {
     assert_eq!(short.parts(), 2);
     let dangling = domain(vec![vec![p(100., 150.), p(390., 150.)]]);
     assert_eq!(dangling.parts(), 1);
-    // Along the outline, and one line twice.
+    // A line along the outline, and a line given twice.
     let doubled = domain(vec![
         vec![p(100., 100.), p(400., 100.)],
         vec![p(100., 150.), p(400., 150.)],
@@ -79,14 +79,14 @@ fn closed_lines_make_parts_and_parts_are_numbered_from_the_top() {
     assert_eq!(made.lines()[1], island);
     assert_eq!(made.parts(), 2);
     assert_eq!(made.part(p(170., 350.)), 1);
-    // From the hole's corner to the outline and once more: two parts.
+    // Lines from the hole to the outline at two places give two parts.
     let cut = domain(vec![
         vec![p(300., 200.), p(400., 100.)],
         vec![p(250., 300.), p(250., 400.)],
     ]);
     assert_eq!(cut.parts(), 2);
     assert_eq!((cut.part(p(150., 150.)), cut.part(p(350., 250.))), (0, 1));
-    // Outside it is the part nearby.
+    // A place outside belongs to the nearest part.
     assert_eq!(cut.part(p(450., 250.)), 1);
 }
 
@@ -130,7 +130,7 @@ fn lines_face_from_both_sides_and_hide_what_is_behind() {
         points(p(160., 130.)),
         [p(150., 130.), p(160., 100.), p(200., 200.)][..2]
     );
-    // The free end is a tip; the end at the outline is none.
+    // The free end of a line is a tip; an end at the outline is not.
     assert_eq!(points(p(150., 170.))[0], p(150., 160.));
     assert!(made.crosses_line(p(140., 130.), p(160., 131.)));
     assert!(!made.crosses_line(p(140., 170.), p(160., 170.)));
@@ -144,7 +144,7 @@ fn a_torus_has_no_boundary_and_wraps_lines() {
     assert!(plain.contains(p(0., 0.)) && plain.nearest(p(1., 1.)).distance > 1e6);
     assert_eq!(plain.space().wrap(p(-1., 513.)), p(511., 1.));
     assert_eq!(plain.space().shortest(p(500., -300.)), p(-12., 212.));
-    // A line all around does not cut a torus, two do; a closed one does.
+    // One line all around does not divide a torus, but two lines do, or a closed one.
     let around = |x: f64| vec![p(x, -10.), p(x, 502.)];
     assert_eq!(Domain::torus(SIDE, &[around(100.)]).parts(), 1);
     let two = Domain::torus(SIDE, &[around(100.), around(300.)]);
@@ -172,8 +172,7 @@ fn a_torus_has_no_boundary_and_wraps_lines() {
     assert_eq!(points, [p(509., -12.), p(500., -7.)]);
 }
 
-/// Two places are in different parts only where every way between them crosses a line: checked for
-/// straight ways, over random lines.
+/// If a straight path crosses no line, its ends lie in the same part. Checked over random lines.
 #[test]
 fn a_way_that_crosses_nothing_stays_in_its_part() {
     let mut random = Random::new(7, Purpose::Noise, 0);

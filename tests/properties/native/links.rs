@@ -1,4 +1,4 @@
-//! Links: every recipe comes back from its own, and nothing that a link says can break one.
+//! Links: every recipe is restored from its own link, and no text of a link can break a recipe.
 
 use crate::common::{star, valid};
 use bubblestone::domain::Outline;
@@ -9,7 +9,7 @@ use bubblestone::recipe::{Kind, Recipe};
 use glam::DVec2;
 use proptest::prelude::*;
 
-/// A link may say how the page is to show the picture: of that nothing is in the recipe, and nothing is said.
+/// A link may contain words of the view. They do not enter the recipe, and give no notice.
 #[test]
 fn the_view_of_a_link_is_nothing_to_the_recipe() {
     for view in [
@@ -148,18 +148,18 @@ fn a_hundred_points_make_a_short_link_with_the_same_bits() {
     }
 }
 
-/// Points anywhere in the picture, as far from each other as chance has it.
+/// Random points in the picture.
 fn anywhere(random: &mut Random, count: usize) -> Vec<[f64; 2]> {
     (0..count).map(|_| [random.unit(), random.unit()]).collect()
 }
 
-/// A star of so many points whose radii jump.
+/// A star of `count` points with random radii.
 fn jagged(random: &mut Random, side: f64, count: usize) -> Vec<DVec2> {
     let radii: Vec<f64> = (0..count).map(|_| 0.2 + 0.78 * random.unit()).collect();
     star(side, &radii)
 }
 
-/// The worst a hundred points can do, and a hundred more in lines, strokes and spots.
+/// The longest links: a hundred rough points, and a hundred more in lines, strokes and spots.
 #[test]
 fn links_of_hundreds_of_points_stay_below_two_thousand_characters() {
     let mut random = Random::new(1, Purpose::Noise, 0);
@@ -195,7 +195,7 @@ fn links_of_hundreds_of_points_stay_below_two_thousand_characters() {
     }
 }
 
-/// Letters are written ring after ring.
+/// Letters give outlines of many rings.
 #[test]
 fn outlines_of_many_rings_come_back_from_the_link() {
     let mut random = Random::new(2, Purpose::Noise, 0);
@@ -268,7 +268,7 @@ fn lists_are_read_in_decimals_and_written_compactly() {
     assert_eq!(recipe.spots(keys::SPOTS)[1][3], 3.0);
     assert_eq!(recipe.spots(keys::STRETCH), [[512.0, 512.0, 256.0, 2.5]]);
     assert_eq!(recipe.polylines(keys::STROKES)[0].len(), 3);
-    // From their compact form the same again, in any picture.
+    // The compact form gives the same values again, at any side of the picture.
     let (mut back, notices) = open(&recipe.link());
     assert_eq!((&back, notices.as_str()), (&recipe, ""));
     assert!(recipe.link().len() < 200, "{}", recipe.link());
@@ -279,7 +279,7 @@ fn lists_are_read_in_decimals_and_written_compactly() {
     assert!(recipe.polylines(keys::STROKES).is_empty());
 }
 
-/// A value for a row: in its range, at its ends, or a word.
+/// A value for a parameter: a number in its range, an end of the range, or a word.
 fn value(index: usize, t: f64) -> String {
     let row = &SCHEMA.rows[index];
     match row.kind {

@@ -1,4 +1,4 @@
-//! Dragging: the cells flow, and what stays is what the link gives.
+//! Dragging: the cells flow meanwhile, and the final result is the one of the link.
 
 use crate::common::{finished_recipe, recipe};
 use crate::paving::OfPavement;
@@ -9,7 +9,7 @@ use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
 use glam::DVec2;
 
-/// Small pavements of all kinds of cells, with lines, cells on the edge, parts, spots, as a tile.
+/// Small pavements with all kinds of cells, lines, cells on the edge, parts, spots, and tiles.
 const LINKS: [&str; 8] = [
     "size=128&cs=13",
     "size=128&cs=13&kind=rectangle&ca=2&edge=on",
@@ -29,7 +29,7 @@ fn clock() -> impl FnMut() -> f64 {
     }
 }
 
-/// A free outline with a hole, one corner of it moved by `t`, and the first line's end with it.
+/// A free outline with a hole. `t` moves one of its corners and the end of the first line.
 fn dragged(recipe: &Recipe, t: f64) -> Recipe {
     let mut recipe = recipe.clone();
     let ring = |points: &[(f64, f64)]| points.iter().map(|&p| 128.0 * DVec2::from(p)).collect();
@@ -76,7 +76,7 @@ fn what_stays_is_what_the_link_gives() {
             assert_eq!(studio.stage(), "packing", "{link}");
             assert!(!studio.done() && studio.digest().is_empty());
             for _ in 0..k % 4 {
-                // Even a page that is paused, and has no steps to give, shows them flow.
+                // The cells flow even if the page is paused and allows no steps.
                 assert!(studio.tick(&mut clock, 8.0, 0), "{link}");
                 assert!(
                     studio.progress().cells > 5,
@@ -89,7 +89,7 @@ fn what_stays_is_what_the_link_gives() {
         }
         assert_eq!(studio.recipe().link(), last.link());
         studio.set_live(false);
-        // Of a tile without lines only a spot was dragged: the outline does not count.
+        // On a tile without lines only a spot was dragged, because it has no outline.
         let moved = link.contains("tile=1") && !link.contains("lines=");
         let first_stale = if moved { "fields" } else { "domain" };
         assert_eq!(studio.stage(), first_stale, "{link}");
@@ -149,7 +149,7 @@ fn the_draft_is_seen_until_the_new_packing_has_ended() {
         studio.tick(&mut clock, 0.0, 1);
     }
     assert_ne!(studio.engine_mut().view("auto"), draft);
-    // Held, the packing that begins is shown instead.
+    // In a paused studio, the start of the new packing is shown instead.
     let mut held = finished_recipe(&first);
     held.set_live(true);
     held.set_recipe(last);
@@ -177,7 +177,7 @@ fn where_nothing_changes_nothing_is_done_again() {
     studio.set_recipe(first.clone());
     assert!(studio.done());
     assert_eq!(studio.digest(), digest);
-    // What enters later stages goes its usual way.
+    // A change that affects only later stages is worked on as usual.
     let mut lit = first;
     assert_eq!(lit.set("az", "10"), Ok(vec![]));
     studio.set_recipe(lit);
@@ -211,7 +211,7 @@ fn cells_that_lie_elsewhere_start_anew() {
     assert!(!cells.is_empty());
     let inside = |p: DVec2| p.x > 2.0 && p.x < 30.0 && p.y > 2.0 && p.y < 12.0;
     assert!(cells.iter().all(|cell| inside(cell.centre)));
-    // The end of the work ends live, too.
+    // Finishing the work also ends the live mode.
     assert_eq!(studio.finish(&mut clock()), Ok(()));
     assert_eq!(studio.digest(), finished_recipe(&away).digest());
 }

@@ -1,4 +1,4 @@
-//! The steps of the making of stones and scales are true to what their solids are made by.
+//! The steps of making stones and scales agree with their solids.
 
 use super::samples::star;
 use bubblestone::cells::Cell;
@@ -10,7 +10,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Stones of that kind, all else as it is by itself.
+/// Stones of this kind with the default values.
 pub fn of(kind: StoneKind) -> StoneParams {
     StoneParams {
         kind,
@@ -21,19 +21,19 @@ pub fn of(kind: StoneKind) -> StoneParams {
 /// All kinds of stones.
 pub const KINDS: [StoneKind; 3] = [StoneKind::Cobble, StoneKind::Flagstone, StoneKind::Skin];
 
-/// A step that there is.
+/// A step that exists.
 pub fn made(cell: &Cell, params: &StoneParams, making: Making) -> Step {
     let step = step(&mut Solids::new(), cell, params, making);
     step.unwrap_or_else(|| panic!("{} of {:?}", making.word(), params.kind))
 }
 
-/// How many Loop steps a making has.
+/// The number of Loop steps of a cell.
 pub fn last_loop(cell: &Cell, params: &StoneParams) -> u32 {
     let steps = steps(cell, params);
     steps.iter().filter_map(|s| s.level()).max().expect("loops")
 }
 
-/// Corners of triangles by their bits.
+/// The corners of triangles by their bits.
 fn corners(surface: &Surface) -> Vec<[[u32; 3]; 3]> {
     let bits = |k: u32| {
         (surface.positions[k as usize] + 0.0)
@@ -43,7 +43,7 @@ fn corners(surface: &Surface) -> Vec<[[u32; 3]; 3]> {
     surface.triangles.iter().map(|t| t.map(bits)).collect()
 }
 
-/// Asserts that a step has all that a drawing needs, and is closed. Answers with its volume.
+/// Asserts that a step has everything that a drawing needs and is closed. Returns its volume.
 pub fn assert_drawable(step: &Step, what: &str) -> f64 {
     let surface = &step.surface;
     let count = surface.positions.len();
@@ -64,7 +64,7 @@ pub fn assert_drawable(step: &Step, what: &str) -> f64 {
         "{what}"
     );
     assert!(step.edges.iter().flatten().all(|p| p.is_finite()), "{what}");
-    // Closed: as often as a side goes one way it goes the other.
+    // In a closed surface, each edge occurs equally often in both directions.
     let mut ways = BTreeMap::new();
     let mut volume = 0.0;
     for [a, b, c] in corners(surface) {
@@ -120,7 +120,7 @@ fn the_last_loop_step_is_the_solid() {
         };
         let params = StoneParams { skin, ..of(kind) };
         let step = made(&cell, &params, Making::Loop(last_loop(&cell, &params)));
-        // As fine as some picture has it.
+        // The finest mesh that a picture may use.
         let finer = |k| match kind {
             StoneKind::Skin => Solids::for_picture(1, k - 4),
             _ => Solids::for_picture(k as usize + 1, 0),
@@ -140,14 +140,14 @@ fn the_last_loop_step_is_the_solid() {
             shown.triangles[..solid.triangles.len()],
             solid.triangles[..]
         );
-        // Loop steps before it are other ones, with a line for each edge of the first.
+        // Earlier Loop steps differ from it, and have a line for each edge of the first one.
         let first = made(&cell, &params, Making::Loop(1));
         let control = made(&cell, &params, Making::Control);
         assert!(first.edges.len() > 2 * control.edges.len() && step.edges.is_empty());
     }
 }
 
-/// The edges of a prism: those of its base or top, and those that rise.
+/// The edges of a prism: those of its base or top, and the rising ones.
 fn prism_edges(step: &Step) -> (Vec<[Vec3; 2]>, Vec<[Vec3; 2]>) {
     let n = step.edges.len() / 3;
     let (top, rest) = step.edges.split_at(n);
@@ -187,13 +187,13 @@ fn sweeps_are_straight_and_as_high_as_asked_for() {
                     "{kind:?}"
                 );
             }
-            // The base is its plate, and beside it the cell.
+            // The base shows a plate and, in addition, the cell's outline.
             let base = made(&cell, &params, Making::Base);
             let (bottom, swept) = (&base.edges[0][0], &sweep.edges[0][0]);
             assert_eq!((bottom.x, bottom.y), (swept.x, swept.y));
             assert!(bottom.z > 0.0 && f64::from(bottom.z) < 0.1 * height);
             assert_eq!(base.edges.len(), 5 + cell.ring.len());
-            // Displaced at the top only, and not at all by 0.
+            // Only the top is displaced, and a displacement of 0 changes nothing.
             let displaced = made(&cell, &params, Making::Distortion);
             let (_, moved) = prism_edges(&displaced);
             let (_, rising) = prism_edges(&sweep);
@@ -219,7 +219,7 @@ fn sweeps_are_straight_and_as_high_as_asked_for() {
     }
 }
 
-/// Mean distance of corners from the middle: of a cell of few corners, as its footprint keeps them.
+/// The mean distance of the corners from the middle, for a cell with few corners, which its footprint keeps.
 fn skin_size(cell: &Cell) -> f64 {
     let n = cell.ring.len() as f64;
     cell.ring
@@ -251,7 +251,7 @@ fn skew_moves_the_top_along_the_flow_and_taper_to_the_middle() {
         let inwards = (cell.centre.as_vec2().extend(0.0) - edge[0]) * 0.25;
         assert!((tapered - skewed).distance(inwards) < 1e-3);
     }
-    // The control mesh stands on the same points.
+    // The control mesh has the same corners.
     let control = corners(&made(&cell, &params, Making::Control).surface);
     assert_eq!(control, corners(&tops[2].surface));
 }
@@ -327,7 +327,7 @@ proptest! {
         let mut solids = Solids::new();
         for making in steps(&cell, &params) {
             let step = step(&mut solids, &cell, &params, making).expect("a step");
-            // A top displaced by more than it is wide or high may turn over.
+            // A top that is displaced by more than its width or height may turn over.
             let volume = assert_drawable(&step, making.word());
             let may_turn = kind == StoneKind::Skin && making != Making::Base;
             assert!(may_turn || volume > 0.0, "{} has {volume}", making.word());

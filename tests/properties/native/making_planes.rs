@@ -1,4 +1,4 @@
-//! The last steps of the making of stones and scales, which need the planes; and all steps are fit to be drawn.
+//! The last steps of making stones and scales, which need the planes. All steps can be drawn.
 
 use super::making::{KINDS, assert_drawable, last_loop, of};
 use super::samples::{cell, painted, small, star};
@@ -16,7 +16,7 @@ const LINKS: [&str; 3] = [
     "size=128&cs=24&stone=skin&sc=0.6&tilt=0.1",
 ];
 
-/// Pictures of cells, with what they were made by.
+/// Cells of some pictures, with the parameters and planes of their stones.
 fn pictures() -> Vec<(Vec<Cell>, TextureParams, Planes)> {
     let picture = |link| {
         let studio = finished(link);
@@ -60,7 +60,7 @@ fn steps_come_in_order_and_can_be_drawn() {
                 let made = surfaces.step(&mut solids, (cell, index), &planes, step);
                 let made = made.expect("a step");
                 assert_eq!(made.making, step);
-                // Of some cells at the edge of the picture next to nothing is to be seen.
+                // Cells at the edge of the picture may be almost invisible.
                 if step != Making::Mask || !made.surface.triangles.is_empty() {
                     let volume = assert_drawable(&made, &format!("{} of {}", step.word(), cell.id));
                     assert!(volume > 0.0, "{} has {volume}", step.word());
@@ -70,7 +70,7 @@ fn steps_come_in_order_and_can_be_drawn() {
     }
 }
 
-/// Squares that a sheet has.
+/// The number of squares of a sheet.
 fn squares(step: &Step) -> usize {
     step.surface
         .normals
@@ -117,7 +117,7 @@ fn the_mask_is_what_the_planes_have_of_a_stone() {
                 assert!(mask.edges.len() >= 4);
                 continue;
             }
-            // The sheet goes around the stone, and has the noise alone.
+            // The sheet surrounds the stone and shows its noise alone.
             let low = noise
                 .surface
                 .positions
@@ -206,7 +206,7 @@ fn what_is_no_step_of_a_cell_is_not_made() {
                 None
             );
         }
-        // Nothing of it is in the picture.
+        // This cell lies outside the picture.
         let mask = surfaces.step(&mut solids, (&square, 0), &planes, Making::Mask);
         assert!(mask.is_some_and(|mask| mask.surface.triangles.is_empty()));
     }

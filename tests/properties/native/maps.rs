@@ -7,7 +7,7 @@ use bubblestone::heightfield::Planes;
 use bubblestone::material::{Gloss, material_table};
 use std::collections::HashSet;
 
-/// Planes that begin at another place of the tile.
+/// The planes of a tile, moved by an offset.
 fn shifted(planes: &Planes, [dx, dy]: [usize; 2]) -> Planes {
     fn moved<T: Clone>(list: &[T], side: usize, [dx, dy]: [usize; 2]) -> Vec<T> {
         let at = |k: usize| (k / side + dy) % side * side + (k % side + dx) % side;

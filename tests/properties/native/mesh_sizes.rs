@@ -1,4 +1,4 @@
-//! How many triangles and bytes mesh files are told to have, and have.
+//! The announced numbers of triangles and bytes of mesh files are those of the files.
 
 use super::export::{LINK, file_of, nodes, order};
 use crate::common::finished;
@@ -6,7 +6,7 @@ use bubblestone::export::{DETAILS, MeshFormat};
 use bubblestone::generators::pavement::PAVEMENT;
 use std::collections::HashSet;
 
-/// Stones of presets of every group have as many triangles as asked for, and files the bytes that were told.
+/// For presets of every group, stones have as many triangles as ordered, and files have the announced size.
 #[test]
 fn details_are_kept_over_presets() {
     let mut seen = HashSet::new();

@@ -1,4 +1,4 @@
-//! Figures that can be worked out by hand.
+//! Metrics of arrangements that can be computed by hand.
 
 use crate::common::{finished, recipe};
 use crate::paving::OfPavement;
@@ -23,7 +23,7 @@ fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Vec<DVec2> {
     ]
 }
 
-/// 40 units a side.
+/// A square domain with a side of 40 units.
 fn square() -> Domain {
     Domain::from_checked(&Outline {
         rings: vec![rectangle(0.0, 0.0, 40.0, 40.0)],
@@ -31,7 +31,7 @@ fn square() -> Domain {
     })
 }
 
-/// One direction, degrees, everywhere.
+/// Fields with one direction, in degrees.
 fn fields(domain: &Domain, degrees: f64) -> Fields {
     let params = FieldParams {
         direction: Direction::Constant,
@@ -93,7 +93,7 @@ fn squares_that_fill_the_outline() {
     near(figures.aspect.unwrap(), 1.0);
     assert_eq!(figures.axis_angle, None);
     assert_eq!(figures.sides[4], 16);
-    // Asked to be 8 a side, they are 100 / 64 as large.
+    // With a wanted side of 8, the cells are larger by 100 / 64.
     near(measured(&checkers(8.0), 0.0).size_error, 100.0 / 64.0 - 1.0);
     near(measured(&checkers(10.0), -80.0).edge_angle.unwrap(), 10.0);
 }
@@ -101,16 +101,17 @@ fn squares_that_fill_the_outline() {
 #[test]
 fn gaps_overlaps_and_what_sticks_out() {
     let mut cells = checkers(10.0);
-    // The last one, in the corner, by 2.5 to the right and by 1 up.
+    // The last cell, in the corner, moves by 2.5 to the right and by 1 up.
     for corner in &mut cells[15].ring {
         *corner += p(2.5, -1.0);
     }
     let cover = measured(&cells, 0.0).cover;
-    // Of 1,600: out by 2.5 over its height; over the one above by 1 along 7.5; the rest is a gap.
+    // In a domain of 1,600 units: it sticks out by 2.5 over its height, and overlaps the cell above by 1 along
+    // 7.5. The rest is a gap.
     near(cover.outside, 25.0 / 1600.0);
     near(cover.overlap, 7.5 / 1600.0);
     near(cover.coverage, 1.0 - (100.0 - 7.5 * 9.0) / 1600.0);
-    // All of one cell twice.
+    // One cell is there twice.
     let mut cells = checkers(10.0);
     cells.push(cells[5].clone());
     near(measured(&cells, 0.0).cover.overlap, 100.0 / 1600.0);
@@ -123,7 +124,7 @@ fn on_a_torus_cells_go_on_at_the_other_side() {
     let torus = Domain::torus(40.0, &[]);
     let fields = fields(&torus, 0.0);
     let mut cells = checkers(10.0);
-    // All of them by 3 to the right and 4 up: none is missing, none lies twice.
+    // All cells move by 3 to the right and 4 up: no gap and no overlap results.
     for corner in cells.iter_mut().flat_map(|c| &mut c.ring) {
         *corner += p(3.0, -4.0);
     }
@@ -131,14 +132,14 @@ fn on_a_torus_cells_go_on_at_the_other_side() {
     near(cover.coverage, 1.0);
     near(cover.overlap, 0.0);
     near(cover.outside, 0.0);
-    // The one in the upper left corner by 1 to the left, over the last one of its row.
+    // The cell in the upper left corner moves by 1 to the left, over the last one of its row.
     for corner in &mut cells[0].ring {
         corner.x -= 1.0;
     }
     let cover = CellMetrics::new(&torus, &fields, &cells).cover;
     near(cover.coverage, 1.0 - 10.0 / 1600.0);
     near(cover.overlap, 10.0 / 1600.0);
-    // The mesh of their centres has as many elements as nodes.
+    // The mesh of their centres has as many faces as nodes.
     let vertices: Vec<DVec2> = checkers(10.0).iter().map(|c| c.centre).collect();
     let quad = |k: u32| {
         let at = |x: u32, y: u32| x % 4 + y % 4 * 4;
@@ -163,7 +164,7 @@ fn edges_that_cross_are_measured_well() {
     let diamond = |x: f64| vec![p(x, 10.0), p(x + 10.0, 20.0), p(x, 30.0), p(x - 10.0, 20.0)];
     let cells = [13.0, 23.0, 35.0].map(|x| cell(Kind::Square, 14.0, 1.0, diamond(x)));
     let cover = measured(&cells, 0.0).cover;
-    // Diamonds of 10 and 8 wide and high lie twice; one corner sticks out by 5.
+    // Diamonds with a width and height of 10 and 8 are covered twice; one corner sticks out by 5.
     let (overlap, outside) = (50.0 + 32.0, 25.0);
     let covered = 600.0 - overlap - outside;
     assert!((cover.overlap - overlap / 1600.0).abs() < 1e-5, "{cover:?}");
@@ -174,8 +175,7 @@ fn edges_that_cross_are_measured_well() {
     );
 }
 
-/// A regular hexagon of this width between two of its sides, which lie left and right, made
-/// longer along x.
+/// A hexagon of this width between its left and right sides, stretched along x.
 fn hexagon(width: f64, aspect: f64) -> Vec<DVec2> {
     let stretch = p(aspect.sqrt(), 1.0 / aspect.sqrt());
     (0..6)
@@ -222,7 +222,7 @@ fn flat_corners_are_no_corners() {
         measured(&[cell(Kind::Square, 20.0, 1.0, ring.clone())], 0.0).sides[5],
         1
     );
-    // 9.1 degrees in all.
+    // The side now bends by only 9.1 degrees.
     ring[1].y = 9.2;
     assert_eq!(
         measured(&[cell(Kind::Square, 20.0, 1.0, ring)], 0.0).sides[4],
@@ -248,7 +248,7 @@ fn a_mesh_of_squares_one_of_them_dented() {
     let mut vertices: Vec<DVec2> = (0..25_u32)
         .map(|k| p(f64::from(k % 5), f64::from(k / 5)) * 10.0)
         .collect();
-    // A corner of the outline, drawn in beyond the diagonal.
+    // A corner of the outline moves inwards beyond the diagonal.
     vertices[24] = p(34.0, 34.0);
     let quad = |k: u32| Face::quad([k, k + 1, k + 6, k + 5]);
     let faces: Vec<Face> = (0..4)
@@ -263,7 +263,7 @@ fn a_mesh_of_squares_one_of_them_dented() {
     let figures = MeshMetrics::new(&domain, &particles(&mesh.vertices, Kind::Square), &mesh);
     assert_eq!((figures.faces, figures.quads), (16, 1.0));
     let jacobian = figures.jacobian.unwrap();
-    // Two sides of the dent as vectors (6, -4) and (-4, 6) from its tip.
+    // The two sides at the tip of the dent are the vectors (6, -4) and (-4, 6).
     near(jacobian.min, (36.0 - 16.0) / -52.0);
     near(jacobian.mean, (15.0 + jacobian.min) / 16.0);
     assert_eq!(jacobian.not_positive, 1);
@@ -302,7 +302,7 @@ fn a_wheel_of_triangles_with_a_square_at_its_rim() {
     near(quality.min, 1.0);
     assert_eq!(figures.valence[6], 1);
     assert_eq!(figures.ideal_valence, Some(1.0));
-    // Every way of the spokes is 0 or 60 degrees to the sides of the outline, or 30.
+    // Every spoke is at 0, 30 or 60 degrees to the sides of the outline.
     assert!(figures.triangles_to_boundary.unwrap() <= 30.0);
     let nothing = MeshMetrics::new(&square(), &[], &Mesh::default());
     assert_eq!(
@@ -311,7 +311,7 @@ fn a_wheel_of_triangles_with_a_square_at_its_rim() {
     );
 }
 
-/// While other particles move, the figures are those of the cells that are there.
+/// While other particles move, the metrics are still those of the present cells.
 #[test]
 fn figures_are_of_the_packing_that_ended() {
     let mut studio = finished("size=128&cs=14&vs=0.2");

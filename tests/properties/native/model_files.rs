@@ -1,4 +1,4 @@
-//! Files of stones on a surface: what other programs read of them.
+//! Files of stones on a surface, as other programs read them.
 
 use bubblestone::export::{MeshFormat, MeshOrder, ModelFile, PartFile};
 use bubblestone::field::Kind;

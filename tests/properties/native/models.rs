@@ -1,4 +1,4 @@
-//! Surfaces of files: from a link that names one to stones on it, and what is said where that does not go.
+//! Surfaces from files: from a link that names a file to stones on it, and the notices of failures.
 
 use bubblestone::generators::{ALL, GivenFile, MissingFile};
 use bubblestone::notice::Notice;
@@ -6,7 +6,7 @@ use bubblestone::studio::Studio;
 
 const LINK: &str = "v=1&make=surface&size=128&cn=60";
 
-/// A cube as text; facets of the other files of these tests differ in its side.
+/// A cube as text. Files of other tests differ in its side.
 fn cube(side: f64) -> Vec<u8> {
     let mut text = String::from("# a cube\n");
     for k in 0..8 {
@@ -63,7 +63,7 @@ fn a_file_becomes_stones_and_a_link_that_finds_it_again() {
     first.finish(&mut || 0.0).expect("a picture");
     assert!(first.progress().stones > 40, "{:?}", first.progress());
     let link = first.recipe().link();
-    // Elsewhere the file is missing, by its name, until it is given.
+    // On another machine the file is missing, and its name is known, until it is given.
     let (mut other, notices) = studio(&link);
     assert_eq!(notices, []);
     let digest = file("", &cube(2.0)).named().digest_text();
@@ -87,7 +87,7 @@ fn a_file_becomes_stones_and_a_link_that_finds_it_again() {
 #[test]
 fn what_was_mended_is_said() {
     let (mut studio, _) = studio(LINK);
-    // One face is turned over, and one is there twice.
+    // One face is reversed, and one is there twice.
     let text = String::from_utf8(cube(2.0)).unwrap();
     let text = text.replace("f 1 2 6 5", "f 5 6 2 1") + "f 2 4 8 6\n";
     studio
@@ -130,7 +130,7 @@ fn files_that_are_none_say_why() {
         ("", b"", "no model that can be read"),
     ] {
         let (mut studio, _) = studio(LINK);
-        // Whatever was there before.
+        // The result does not depend on the file before it.
         studio
             .open_file(None, file("box.obj", &cube(2.0)))
             .expect("it is taken");
@@ -140,7 +140,7 @@ fn files_that_are_none_say_why() {
             .expect("it is taken");
         let said = failure(&mut studio);
         assert!(said.contains(words), "{name}: {said}");
-        // It is here: what is wrong is something else.
+        // The file is not missing: it is broken.
         assert_eq!(studio.engine().missing(), [], "{name}");
     }
 }

@@ -1,6 +1,6 @@
-//! Notices that only a native program can get. The WebAssembly module takes no lines beside rings and no camera to
-//! mend, and a test of it has no time for too many triangles or cells. `node/shipped.test.mjs` makes the module say
-//! all other notices, and reads in this file which ones it can leave out.
+//! Notices that only a native program can get. The WebAssembly module takes no lines beside rings and no camera
+//! to correct, and its tests have no time for too many triangles or cells. `node/shipped.test.mjs` makes the
+//! module give all other notices, and reads from this file which ones it can leave out.
 
 use super::lines::outline;
 use bubblestone::generators::pavement::{self, PavementRecipe};

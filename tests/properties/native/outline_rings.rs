@@ -17,7 +17,7 @@ fn no_rings_that_meet() {
         ),
         &["hole 1 and hole 2"],
     );
-    // Touching along a side, at a corner, and the same hole twice.
+    // The other hole touches along a side or at a corner, or it is the same hole.
     let first = hole(100., 100., 200., 200.);
     for other in [
         hole(200., 120., 300., 180.),
@@ -73,7 +73,7 @@ fn rings_inside_an_even_number_of_others_are_islands() {
     assert_eq!(place(350., 350.), (true, 2, 2));
     assert!(!place(70., 70.).0 && !place(250., 250.).0);
     assert_eq!(domain.parts(), 3);
-    // Whatever way they run, and in any order: the first one is an outer ring then.
+    // Rings may have any orientation and order. The first one here is an outer ring.
     let mut turned = given.clone();
     turned.rings.rotate_left(2);
     turned.rings.iter_mut().for_each(|ring| ring.reverse());
@@ -83,7 +83,7 @@ fn rings_inside_an_even_number_of_others_are_islands() {
     let mended = Domain::from_checked(&mended);
     assert_eq!(mended.area(), domain.area());
     assert_eq!(mended.islands().len(), 3);
-    // A ring around the first one makes that a hole.
+    // A ring around the first one makes the first one a hole.
     let (mended, _) = outline(small, &[hole(10., 10., 400., 400.)])
         .check(SIDE)
         .unwrap();
@@ -98,7 +98,8 @@ fn no_islands_that_meet() {
     let first = rectangle(40., 40., 100., 100.);
     let island = rectangle(200., 200., 300., 300.);
     for other in [
-        // The same, along a side, at a corner, a corner on a side, over a corner.
+        // The same island; one that touches along a side; one at a corner; one with a corner on a side; one
+        // that overlaps a corner.
         island.clone(),
         rectangle(300., 220., 400., 280.),
         rectangle(300., 300., 400., 400.),

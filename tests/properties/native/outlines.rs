@@ -1,4 +1,4 @@
-//! The check of an outline: good ones pass, bad ones get the sentence that names ring and place.
+//! The check of outlines: valid ones pass, invalid ones get a sentence that names ring and place.
 
 use crate::common::{star, valid};
 use bubblestone::domain::{Domain, MAX_POINTS, Outline, signed_area};
@@ -13,7 +13,7 @@ pub(super) fn ring(points: &[(f64, f64)]) -> Vec<DVec2> {
     points.iter().map(|&p| p.into()).collect()
 }
 
-/// A box from corner to corner with the orientation of an outer ring.
+/// A rectangle with the orientation of an outer ring.
 pub(super) fn rectangle(left: f64, top: f64, right: f64, bottom: f64) -> Vec<DVec2> {
     ring(&[(left, top), (right, top), (right, bottom), (left, bottom)])
 }
@@ -40,7 +40,7 @@ fn scaled(outline: &Outline, scale: f64) -> Outline {
     }
 }
 
-/// The sentence that refuses the outline, at every scale.
+/// The sentence that refuses an outline, which is refused at every scale.
 fn refused(outline: &Outline) -> String {
     for scale in [1e-3, 0.25, 1e3] {
         let verdict = scaled(outline, scale).check(SIDE * scale);
@@ -76,7 +76,7 @@ fn good_outlines_pass_as_they_are() {
             &[hole(100., 100., 200., 200.), hole(201., 100., 300., 200.)],
         ),
         outline(ring(&[(0., 0.), (512., 0.), (256., 512.)]), &[]),
-        // Points in the middle of a straight side are no fault.
+        // Points in the middle of a straight side are allowed.
         outline(
             ring(&[
                 (10., 10.),
@@ -201,7 +201,7 @@ fn no_ring_that_crosses_or_touches_itself() {
     says(&outline(bow, &[]), &["outer ring crosses", "(250, 250)"]);
     let bow = ring(&[(100., 100.), (200., 200.), (200., 100.), (100., 200.)]);
     says(&outline(big(), &[bow]), &["hole 1 crosses", "(150, 150)"]);
-    // A corner on a side.
+    // A corner lies on a side.
     let touch = ring(&[
         (10., 10.),
         (400., 10.),
@@ -213,7 +213,7 @@ fn no_ring_that_crosses_or_touches_itself() {
         &outline(touch, &[]),
         &["outer ring", "touches itself", "(200, 10)"],
     );
-    // The same point twice, not one after the other.
+    // The same point occurs twice, but not in succession.
     let pinch = ring(&[
         (10., 10.),
         (200., 200.),
@@ -226,7 +226,7 @@ fn no_ring_that_crosses_or_touches_itself() {
         &outline(pinch, &[]),
         &["outer ring", "touches itself", "(200, 200)"],
     );
-    // Two sides on one line, overlapping, in a slanting and an upright direction.
+    // Two sides overlap on one line, first a slanted one, then a vertical one.
     let overlap = ring(&[
         (0., 0.),
         (300., 300.),
@@ -331,7 +331,7 @@ proptest! {
         let (checked, notices) = given.check(SIDE).unwrap();
         prop_assert_eq!(&checked, &given);
         prop_assert!(notices.is_empty());
-        // What passes is fit for the next stage.
+        // An outline that passes is valid for the next stage.
         let domain = Domain::from_checked(&checked);
         prop_assert!(domain.contains(DVec2::splat(SIDE / 2.0)));
         let mut recipe = pavement::recipe("").0;
@@ -344,7 +344,7 @@ proptest! {
         prop_assert_eq!(notices.len(), 1);
     }
 
-    /// Points of a coarse grid meet often, repeat, and lie on lines.
+    /// On a coarse grid points often meet, repeat, and lie on lines.
     #[test]
     fn scrambles_pass_or_get_a_sentence(
         outer in prop::collection::vec((0..6, 0..6), 0..9),

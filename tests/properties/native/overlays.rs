@@ -1,11 +1,11 @@
-//! What is drawn over a picture, asked of its pixels.
+//! The overlays of a picture, checked by its pixels.
 
 use super::views::{SIDE, differing, finished};
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::{self, Overlay};
 use bubblestone::studio::Studio;
 
-/// Every overlay, in a pavement in which each has something to show.
+/// A pavement in which every overlay has something to show.
 const FULL: &str = "outline=square&kind=ellipse&dir=circular&gx=0.4&stretch=0.5,0.5,0.3,4";
 
 #[test]
@@ -51,7 +51,7 @@ fn heat_waits_for_the_fields_of_a_new_outline() {
 fn overlays_let_the_picture_through() {
     let mut studio = finished(FULL);
     let picture = studio.engine_mut().view("picture").to_vec();
-    // Light stays light and dark stays dark under a filling.
+    // A fill keeps light pixels light and dark pixels dark.
     for word in ["size", "energy"] {
         let over = studio.engine_mut().view(&format!("picture+{word}"));
         let grey = |rgba: &[u8]| -> Vec<f64> {
@@ -72,7 +72,7 @@ fn overlays_let_the_picture_through() {
     }
 }
 
-/// The contrast of two pixels, 1 to 21: of their luminances, as for texts.
+/// The contrast of two pixels, 1 to 21, from their luminances (as for text in WCAG).
 fn contrast(a: &[u8], b: &[u8]) -> f64 {
     let linear = |c: u8| libm::pow((f64::from(c) / 255.0 + 0.055) / 1.055, 2.4);
     let light =

@@ -27,7 +27,7 @@ fn ring(value: &serde_json::Value) -> Vec<DVec2> {
         .collect()
 }
 
-/// The outlines kept beside the tests, by name.
+/// The outlines in tests/data, by name.
 fn outlines() -> Vec<(String, Domain)> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
     let mut files: Vec<_> = std::fs::read_dir(folder)
@@ -87,7 +87,7 @@ fn contains(ring: &[DVec2], p: DVec2) -> bool {
     inside
 }
 
-/// Every cell is a ring inside the outline; together they fill it once.
+/// Asserts that every cell is a ring inside the outline, and that together they cover it once.
 fn assert_fills(name: &str, domain: &Domain, cells: &[Cell]) {
     let mut sum = 0.0;
     for cell in cells {
@@ -122,7 +122,7 @@ fn assert_fills(name: &str, domain: &Domain, cells: &[Cell]) {
             wrong += usize::from(count != usize::from(domain.contains(p)));
         }
     }
-    // A point on a side of two cells may count for both or none.
+    // A point on a side of two cells may count for both or for neither.
     assert!(
         wrong <= 2,
         "{name}: {wrong} of 900 points are not in just one cell"
@@ -359,7 +359,7 @@ fn too_many_cells_get_a_sentence() {
     assert!(why.to_string().contains("Choose larger cells"), "{why}");
 }
 
-/// A line in the middle of a tile parts nothing over the tile's edges.
+/// A line in the middle of a tile does not separate cells across the tile's edges.
 #[test]
 fn cells_keep_apart_over_the_edges_of_a_tile_with_a_line() {
     for [from, to] in [
@@ -378,14 +378,14 @@ fn cells_keep_apart_over_the_edges_of_a_tile_with_a_line() {
             let fields = FieldBuilder::build(&torus, params);
             let first = Packing::new(&torus, &fields, PARAMS).unwrap().particles();
             assert!(least_way(&torus, &first) > 0.5 * 20.0);
-            // Cells that feel each other come to rest apart.
+            // Cells that repel each other come to rest apart.
             let (last, _) = run(&torus, &fields, PARAMS);
             assert!(least_way(&torus, &last) > 0.75 * 20.0, "{kind:?}");
         }
     }
 }
 
-/// The shortest way between two centres that no line parts.
+/// The least distance of two centres that no line separates.
 fn least_way(torus: &Domain, particles: &[Particle]) -> f64 {
     let mut least = f64::INFINITY;
     for (k, a) in particles.iter().enumerate() {

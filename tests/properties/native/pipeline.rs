@@ -1,4 +1,4 @@
-//! The pipeline as a whole: slices, staleness, the latest recipe wins, views at any moment.
+//! The pipeline as a whole: slices, stale stages, the latest recipe, and views at any time.
 
 use crate::common::{finished, finished_recipe, recipe};
 use crate::paving::OfPavement;
@@ -13,7 +13,7 @@ use bubblestone::studio::Studio;
 use glam::DVec2;
 use std::cell::Cell;
 
-/// Small, and with everything switched on.
+/// A small recipe that uses every stage.
 const LINK: &str = "size=160&outline=annulus&cs=14&vs=0.1&gx=0.3";
 
 fn with(recipe: &Recipe, key: &str, text: &str) -> Recipe {
@@ -22,7 +22,7 @@ fn with(recipe: &Recipe, key: &str, text: &str) -> Recipe {
     changed
 }
 
-/// A clock that goes on by one at each look.
+/// A clock that advances by one at each reading.
 fn counting_clock() -> impl FnMut() -> f64 {
     let mut time = 0.0;
     move || {
@@ -45,7 +45,7 @@ fn slices_do_not_matter() {
         while !studio.done() {
             assert!(studio.tick(&mut clock, budget, most_steps));
             ticks += 1;
-            // To look, and to ask for figures, changes nothing either.
+            // Views and metrics do not change the result either.
             if ticks % 5 == 0 {
                 studio.engine_mut().view("auto");
                 assert!(studio.engine_mut().energy().is_finite());
@@ -69,7 +69,7 @@ fn steps_are_made_one_by_one() {
             Some(wanted)
         );
     }
-    // No steps allowed: the packing stands still, whatever the time.
+    // With no steps allowed, the packing pauses, whatever the time.
     assert!(!studio.tick(&mut clock, f64::INFINITY, 0));
     assert_eq!(studio.stage(), "packing");
     run_on(&mut studio);
@@ -118,7 +118,7 @@ fn only_stale_stages_run_again() {
         kept(studio.pavement().cells() == cells, "cells");
         kept(studio.pavement().planes() == planes.as_ref(), "weather");
         for ((word, runs), (_, old)) in studio.runs().into_iter().zip(before) {
-            // The mesh is of the packing, not of what cells are made of.
+            // The mesh depends on the packing, not on the choice of cells.
             let is_due = rank(word) >= rank(stage) && (word, stage) != ("mesh", "cells");
             assert_eq!(runs - old, u64::from(is_due), "{key}: {word}");
         }
@@ -140,7 +140,7 @@ fn the_same_recipe_makes_no_work() {
     assert!(studio.done());
 }
 
-/// Whatever is changed, and whenever, the end is that of the last recipe.
+/// Whatever changes and whenever, the result is that of the last recipe.
 #[test]
 fn the_latest_recipe_wins() {
     let mut random = Random::new(3, Purpose::Placement, 0);
@@ -181,8 +181,7 @@ fn the_latest_recipe_wins() {
     }
 }
 
-/// While a slider of the weather is dragged, the weather comes to an end now and then, however long the
-/// stones took before.
+/// While a weather slider is dragged, the weather finishes now and then, even after slow stones.
 #[test]
 fn weather_is_let_finish_after_slow_stones() {
     let pace = Cell::new(100.0);
@@ -207,7 +206,7 @@ fn weather_is_let_finish_after_slow_stones() {
     assert_eq!(studio.digest(), finished_recipe(&wanted).digest());
 }
 
-/// A step back before anything else was made has nothing to do, and tells the times of what is there.
+/// Going back to a recipe whose results still exist needs no work and keeps their times.
 #[test]
 fn times_stay_with_what_they_made() {
     let milliseconds = |studio: &Studio| {
@@ -226,7 +225,7 @@ fn times_stay_with_what_they_made() {
     let domain_and_fields = 2;
     let back = milliseconds(&studio);
     assert_eq!(back[domain_and_fields..], made[domain_and_fields..]);
-    // Work that goes on keeps its time, and work that begins anew does not.
+    // Work that continues keeps its time; work that starts again does not.
     studio.set_recipe(with(&recipe(LINK), "hs", "9"));
     while studio.stage() != "planes" || milliseconds(&studio)[rank("planes")] < 5.0 {
         studio.tick(&mut clock, 0.0, 1);
@@ -350,7 +349,7 @@ fn coarse_cells_in_small_outlines_do_no_harm() {
     }
 }
 
-/// Held in its packing, a studio goes on to the first cells of another one, and no further.
+/// A paused studio works up to the first cells of a new packing, and no further.
 #[test]
 fn a_held_packing_begins_anew_with_its_first_cells() {
     let mut studio = Studio::new(ALL, recipe(LINK));

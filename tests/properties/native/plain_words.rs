@@ -1,8 +1,9 @@
 //! Comments are plain English: a reader from outside understands a sentence the first time.
 //!
-//! Grammar cannot be checked, but the habits that made comments hard to read can: sentences that begin with
-//! "Of" or "What", and a few phrases that hide who does something. `plain_words.txt` lists the files that
-//! are still to be rewritten. It may only shrink: a listed file that is clean has to leave the list.
+//! Grammar cannot be checked, but some habits that made comments hard to read can: sentences that begin with
+//! the words in [`FIRST_WORDS`], and the phrases in [`PHRASES`], which hide who does something.
+//! `plain_words.txt` lists the files that still have to be rewritten. It may only shrink: a listed file that is
+//! clean has to leave the list.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -21,10 +22,10 @@ const READ: [&str; 9] = [
     "vite.config.mjs",
 ];
 
-/// Words that no sentence begins with.
+/// Words that may not begin a sentence.
 const FIRST_WORDS: [&str; 2] = ["of", "what"];
 
-/// Phrases that stand in no comment, in lower case.
+/// Phrases that may not occur in comments, in lower case.
 const PHRASES: [&str; 12] = [
     "so many",
     "is told",
@@ -57,8 +58,8 @@ fn sources(path: &Path) -> Vec<PathBuf> {
     read.then(|| path.to_owned()).into_iter().collect()
 }
 
-/// The comment in a line, without its marks, if the line has one. `block` says whether a block comment is
-/// open, before and after the line.
+/// The comment in a line, without its marks, if there is one. `block` is whether a block comment is open,
+/// before and after the line.
 fn comment<'a>(line: &'a str, block: &mut bool) -> Option<&'a str> {
     let trimmed = line.trim();
     if *block || trimmed.starts_with("/*") {
@@ -73,7 +74,7 @@ fn comment<'a>(line: &'a str, block: &mut bool) -> Option<&'a str> {
     Some(text.trim())
 }
 
-/// The paragraphs of all comments of a file; examples in them, between fences, are code and left out.
+/// The paragraphs of all comments in a file. Examples between fences are code and left out.
 fn paragraphs(source: &str) -> Vec<String> {
     let mut paragraphs = vec![String::new()];
     let (mut block, mut fenced) = (false, false);

@@ -1,4 +1,4 @@
-//! Recipes: the schema, the presets, the polygon, and what a change makes stale.
+//! Recipes: the schema, the presets, the polygon, and the stages that a change makes stale.
 
 use crate::common::{star, valid};
 use crate::paving::row;
@@ -54,8 +54,8 @@ fn schemas_are_consistent() {
     assert_eq!(default.limits(size), (size.min, size.max));
 }
 
-/// A link leaves out what has its default: with another default, every link that was ever shared
-/// shows another pavement. Where that is meant, links need a new version, and this file its line.
+/// A link leaves out values equal to the defaults. If a default changes, every shared link shows another
+/// picture. So an intended change needs a new version of links, and a change of the golden file.
 #[test]
 fn defaults_are_those_that_links_rely_on() {
     let recipe = pavement::recipe("").0;
@@ -66,7 +66,7 @@ fn defaults_are_those_that_links_rely_on() {
     assert_eq!(found, golden);
 }
 
-/// One row of the table of all keys.
+/// A row of the table of all keys.
 #[cfg(not(target_arch = "wasm32"))]
 fn described(row: &Parameter) -> String {
     let words = |row: &Parameter| {
@@ -104,13 +104,12 @@ fn described(row: &Parameter) -> String {
     )
 }
 
-/// The table follows from the schemas: `BUBBLESTONE_UPDATE=1 cargo test recipes`. What comes after it is
+/// The table is generated from the schemas: `BUBBLESTONE_UPDATE=1 cargo test recipes`. The text after it is
 /// written by hand.
 #[test]
 fn the_table_of_keys_is_that_of_the_schemas() {
     let mut table = "# The keys of a link\n".to_owned();
-    let shipped = ALL.iter().filter(|one| one.schema.word != "specimen");
-    for generator in shipped {
+    for generator in ALL.iter() {
         let schema = generator.schema;
         let make = match schema.is_named {
             true => format!("`make={}`", schema.word),
@@ -220,8 +219,7 @@ fn presets_of_the_papers_have_the_parameters_of_table_1() {
     }
 }
 
-/// Table 1 of the paper on skins, in the order Ca, Sv, Sr, Sc, Tc, Dr, Fd, Af, and the seconds of its
-/// Table 2.
+/// Table 1 of the paper on skins, in the order Ca, Sv, Sr, Sc, Tc, Dr, Fd, Af, and the seconds of its Table 2.
 #[test]
 fn presets_of_the_skins_have_the_parameters_of_table_1() {
     let table = [
@@ -289,7 +287,7 @@ fn presets_of_the_skins_have_the_parameters_of_table_1() {
             ["ellipse", "rectangle"].contains(&kind),
             "{name}: Ca has no effect on {kind}"
         );
-        // Restriction lines in all of figure 17, both arrangements in one texture in (a) to (c).
+        // All of figure 17 has restriction lines; (a) to (c) have both arrangements in one texture.
         let seventeenth = row.starts_with("17");
         assert_eq!(!recipe.lines().is_empty(), seventeenth, "{name}");
         let mixed = recipe

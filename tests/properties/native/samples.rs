@@ -1,4 +1,4 @@
-//! Cells and planes to try things on.
+//! Sample cells and planes for other tests.
 
 use bubblestone::cells::Cell;
 use bubblestone::domain::{Domain, signed_area};
@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 /// Side of the pictures, in pixels.
 pub const SIDE: usize = 96;
 
-/// A cell of that ring.
+/// A cell with this ring.
 pub fn cell(id: u32, ring: Vec<DVec2>) -> Cell {
     let centre = ring.iter().sum::<DVec2>() / ring.len() as f64;
     Cell {
@@ -27,7 +27,7 @@ pub fn cell(id: u32, ring: Vec<DVec2>) -> Cell {
     }
 }
 
-/// A ring of `n` points, `rough` (0..1) of its radius uneven.
+/// A ring of `n` points whose radii vary by the fraction `rough` (0..1).
 pub fn star(n: usize, radius: f64, rough: f64, id: u32) -> Cell {
     let mut random = Random::new(5, Purpose::Placement, u64::from(id));
     let at = |i: usize, r: f64| {
@@ -40,7 +40,7 @@ pub fn star(n: usize, radius: f64, rough: f64, id: u32) -> Cell {
     cell(id, ring)
 }
 
-/// Squares with corners moved a little, filling the picture but for a margin.
+/// Squares with slightly moved corners, which fill the picture up to a margin.
 pub fn pavement(size: f64) -> Vec<Cell> {
     let n = ((SIDE as f64 - 12.0) / size) as usize;
     let mut random = Random::new(8, Purpose::Placement, 0);
@@ -70,7 +70,7 @@ pub fn painted(params: TextureParams, cells: &[Cell]) -> Planes {
     in_fair_weather(painter)
 }
 
-/// The planes that a painter leaves where there is no weather.
+/// The planes of a painter without weather.
 pub fn in_fair_weather(painter: Painter) -> Planes {
     let mut weather = Weathering::new(WeatherParams::default(), painter.finish());
     let domain = Domain::torus(1.0, &[]);

@@ -1,5 +1,4 @@
-//! Voronoi cells of scattered points, plain and evened out: they fill the outline, and are what they
-//! are called.
+//! Voronoi cells of scattered points, plain and relaxed: they fill the outline, and are what their name says.
 
 use crate::common::finished;
 use crate::paving::OfPavement;
@@ -32,7 +31,7 @@ fn they_fill_every_outline() {
                     cover.overlap < 1e-5 && cover.outside < 1e-5,
                     "{link}: {cover:?}"
                 );
-                // Large pieces that the outline cuts off are cells of their own.
+                // Large pieces that the outline cuts off become separate cells.
                 let packed = studio.pavement().packing().unwrap().report().cells;
                 let of_points = studio
                     .pavement()
@@ -55,7 +54,8 @@ fn every_place_belongs_to_the_nearest_point() {
                 let distances = cells.iter().map(|c| c.centre.distance(p));
                 distances.fold(f64::INFINITY, f64::min)
             };
-            // A little inside of each corner, where up to three points are nearly as near.
+            // The test points lie a little inside each corner, because up to three points are equally near at
+            // the corner.
             for &corner in &cell.ring {
                 let p = corner.lerp(cell.centre, 0.01);
                 assert!(cell.centre.distance(p) <= nearest(p), "{cell:?}");
@@ -72,7 +72,7 @@ fn lloyds_relaxation_evens_them_out() {
         let variation = |s: &Studio| s.pavement().metrics().unwrap().cells.area_cv;
         assert!(variation(&plain) > 0.4, "{outline}: {}", variation(&plain));
         assert!(variation(&even) < 0.15, "{outline}: {}", variation(&even));
-        // Also beside the boundary, where the outline cuts the cells.
+        // Cells cut by the outline are included.
         let mut farthest = 0.0_f64;
         for cell in even.pavement().cells() {
             farthest = farthest.max(cell.centre.distance(centroid(&cell.ring)));

@@ -1,4 +1,4 @@
-//! Bodies in light are where rays from the eye meet them.
+//! Frames of bodies agree with rays from the eye.
 
 use super::scene_rays::*;
 use bubblestone::scene::{Camera, Instance, Order, Place, Scene};
@@ -6,16 +6,16 @@ use glam::Vec3;
 
 const SIZE: [usize; 2] = [96, 72];
 
-/// What the rays through a pixel meet: its middle first, then its corners.
+/// The hits of the rays through a pixel: through its middle first, then through its corners.
 pub(super) fn around(rays: &Rays, order: &Order, x: usize, y: usize) -> [Option<Hit>; 5] {
     let view = order.camera.view(order.size[0], order.size[1]);
     let places = [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
     places.map(|[i, j]| rays.seen(&view, x as f64 + i, y as f64 + j))
 }
 
-/// Compares a frame with rays. A pixel is on an edge where the rays through its middle and its corners do not all
-/// meet the same body. Elsewhere the body is the same one; where they meet one triangle, depth and normal are, too,
-/// and else they are between those that the rays have met.
+/// Compares a frame with rays. A pixel is on an edge if the rays through its middle and its corners do not all
+/// meet the same body. In other pixels the body must agree. If the rays meet one triangle, depth and normal
+/// must agree, too; otherwise they must lie between those of the rays.
 fn compare(scene: &Scene, order: Order, words: &str) {
     let (rays, frame) = (Rays::new(scene), plain(scene, order));
     let [width, height] = order.size;
@@ -48,7 +48,7 @@ fn compare(scene: &Scene, order: Order, words: &str) {
                 .map(|hit| hit.away)
         };
         let (near, far) = all().fold((f64::MAX, 0.0f64), |(a, b), t| (a.min(t), b.max(t)));
-        // Corners are rounded to 1/256 of a pixel, numbers to f32.
+        // Corners are rounded to 1/256 of a pixel, and numbers to f32.
         let is_one = corners
             .iter()
             .flatten()
@@ -91,7 +91,7 @@ fn frames_are_what_rays_meet() {
         camera(100.0, 5.0, 3.0, 40.0),
         camera(200.0, 90.0, 2.6, 50.0),
         camera(45.0, -60.0, 3.0, 35.0),
-        // A wide lens among the bodies, and a narrow one from afar.
+        // A wide lens among the bodies, and a narrow one far away.
         camera(20.0, 30.0, 1.2, 100.0),
         camera(280.0, 25.0, 18.0, 5.0),
     ];
@@ -100,7 +100,7 @@ fn frames_are_what_rays_meet() {
     }
 }
 
-/// Far away and near, bodies of many triangles, much turned and scaled, have the places and normals of rays.
+/// Bodies with many triangles, rotated and scaled, far away and near, agree with rays in position and normal.
 #[test]
 fn places_turn_and_scale_bodies() {
     for (degrees, scale, lens) in [(200.0, 0.01, 5.0), (77.0, 1.0, 40.0), (310.0, 6.0, 90.0)] {
@@ -123,7 +123,7 @@ fn places_turn_and_scale_bodies() {
     }
 }
 
-/// Every pixel whose ray, and those of the pixels around it, meets a closed body, shows it.
+/// If the ray of a pixel and those of its neighbours meet a closed body, the pixel shows it.
 #[test]
 fn closed_bodies_have_no_holes() {
     let bodies = [ball(24), torus(48, 24), rod(40)];
@@ -133,7 +133,7 @@ fn closed_bodies_have_no_holes() {
         let rays = Rays::new(&scene);
         let is_checked = |turn: usize| turn.is_multiple_of(25);
         for turn in 0..200 {
-            // Fibonacci's directions.
+            // Directions of a Fibonacci sphere.
             let height = libm::asin(1.0 - 2.0 * (turn as f64 + 0.5) / 200.0).to_degrees();
             let angle = (137.507_764 * turn as f64) % 360.0;
             let order = order(camera(angle, height, 4.0, 35.0), size);
@@ -145,8 +145,8 @@ fn closed_bodies_have_no_holes() {
             for (x, y) in (1..size[1] - 1).flat_map(|y| (1..size[0] - 1).map(move |x| (x, y))) {
                 let block = || (y - 1..=y + 1).flat_map(|j| (x - 1..=x + 1).map(move |i| (i, j)));
                 let count = block().filter(|&(i, j)| is_body(i, j)).count();
-                // A hole is a pixel with the body on all sides; rays are asked where there is one, and for
-                // some directions everywhere.
+                // A hole is a background pixel with the body on all sides. Rays are computed at such pixels,
+                // and for some directions at all pixels.
                 if !is_body(x, y) && (count >= 6 || is_checked(turn)) {
                     let all = block().all(|(i, j)| meets(i, j));
                     assert!(!all, "body {k} from {angle}, {height}: {x},{y}");
@@ -158,7 +158,7 @@ fn closed_bodies_have_no_holes() {
 
 #[test]
 fn triangles_of_any_size_are_drawn() {
-    // Straight from above a square as large as the frame, and larger ones, cover all of it.
+    // From straight above, squares as large as the frame or larger cover all of it.
     let above = order(camera(0.0, 90.0, 1.0, 60.0), SIZE);
     for half in [0.8, 80.0, 8000.0] {
         let scene = scene(vec![(square(half), Place::default())]);
@@ -167,7 +167,7 @@ fn triangles_of_any_size_are_drawn() {
             assert!((depth - 1.0).abs() < 1e-3, "{half}: {depth} at {at}");
         }
     }
-    // Seen along it, through the near plane and far beyond, it ends at the horizon.
+    // Seen along its surface, a square through the near plane and far beyond ends at the horizon.
     let along = order(camera(30.0, 10.0, 0.2, 60.0), SIZE);
     for half in [2.0, 2000.0] {
         let scene = scene(vec![(square(half), Place::default())]);
@@ -184,14 +184,14 @@ fn triangles_of_any_size_are_drawn() {
 fn what_is_behind_the_camera_or_around_it_is_not_seen() {
     let view = order(camera(0.0, 0.0, 2.0, 60.0), SIZE);
     for z in [4.0, 2.0, 3.1, 2.9] {
-        // Behind the eye at z = 2, and around it: a body's inside is not seen.
+        // The ball is behind the eye at z = 2, or around it: the inside of a body is not visible.
         let scene = scene(vec![(ball(12), Place::at(Vec3::new(0.0, 0.0, z)))]);
         let frame = plain(&scene, view);
         assert!(frame.ids().iter().all(|&id| id == 0), "at {z}");
     }
 }
 
-/// Many bodies of less than a pixel are dots, the nearest ones, of their own colour.
+/// Many bodies smaller than a pixel are dots of their own colour; the nearest one is visible.
 #[test]
 fn small_bodies_are_dots() {
     let mut scene = scene(vec![(ball(4), Place::default())]);
@@ -222,13 +222,13 @@ fn small_bodies_are_dots() {
         }
     }
     let same = (0..wanted.len()).filter(|&at| frame.ids()[at] == wanted[at].1);
-    // A body's middle is its box's, a rounding away from its origin.
+    // A body's middle is that of its box, which differs from its origin by rounding.
     assert!(same.count() * 1000 > 995 * wanted.len());
     assert!(frame.ids().iter().filter(|&&id| id > 0).count() > 2000);
 }
 
-/// A ball far to the side of a wide lens is drawn there, however large it looks: one before it hides it as far as
-/// it is before it.
+/// A ball far to the side of a wide lens is drawn, however large it looks. It is hidden only where a nearer
+/// ball covers it.
 #[test]
 fn balls_at_the_side_of_a_wide_lens_are_not_overlooked() {
     let mut chance = Chance(11);

@@ -1,4 +1,4 @@
-//! Frames of any scene, size and cut into slices; scenes that cannot be drawn.
+//! Frames of any scene, size and slicing, and scenes that cannot be drawn.
 
 use super::scene::around;
 use super::scene_rays::*;
@@ -25,7 +25,7 @@ fn frames_have_any_size() {
                 assert_eq!(frame.instance_at(x, y), hits[0], "{size:?}: {x}, {y}");
             }
         }
-        // The one pixel of the smallest frame is on edges.
+        // The only pixel of the smallest frame is on edges.
         assert!(inner > 5 || size == [1, 1], "{size:?}");
     }
 }
@@ -82,7 +82,7 @@ fn bad_scenes_are_told() {
         change(&mut surface);
         assert!(surface.fault().unwrap().contains(word));
         let mut scene = still_life();
-        // In a coarser level, too.
+        // The fault may also be in a coarser level.
         scene.bodies[1].levels.push(surface);
         told(scene, word);
     }
@@ -102,7 +102,7 @@ fn bad_scenes_are_told() {
         turned.instances[4].place.axes[2].z = number;
         told(turned, "body 4");
     }
-    // The largest numbers there may be are drawn without harm.
+    // The largest valid numbers can be drawn.
     let mut large = still_life();
     large.bodies[1].levels[0].positions[4] = Vec3::new(1e9, -1e9, 1e9);
     large.bodies[1] = Body::new(large.bodies[1].levels.clone(), 0);
@@ -116,7 +116,7 @@ fn bad_scenes_are_told() {
     }
 }
 
-/// Slices: one row or triangle at a time, or all at once.
+/// The slices are one row or triangle, or everything at once.
 #[test]
 fn slices_do_not_change_a_frame() {
     let mut scene = still_life();
@@ -147,7 +147,7 @@ fn slices_do_not_change_a_frame() {
     }
 }
 
-/// A frame begun in the memory of another one is the same as a new one.
+/// A frame that reuses the memory of another one is the same as a new one.
 #[test]
 fn memory_keeps_nothing_of_the_frame_before() {
     let scene = still_life();
@@ -169,7 +169,7 @@ fn memory_keeps_nothing_of_the_frame_before() {
     }
 }
 
-/// One large body is no larger slice than many small ones, and neither are maps and planes.
+/// A large body takes no larger slices than many small ones; neither do maps and planes.
 #[test]
 fn large_bodies_and_frames_are_cut_into_slices() {
     const AMOUNT: usize = 2000;
@@ -191,7 +191,7 @@ fn large_bodies_and_frames_are_cut_into_slices() {
                 assert!(frame.progress() >= progress && frame.progress() < 1.0);
                 progress = frame.progress();
             }
-            // Of shading alone there are as many as pixels ask for.
+            // Shading alone takes as many slices as its pixels need.
             let least = triangles / AMOUNT + size[0] * size[1] / AMOUNT;
             assert!(calls > least.max(before), "{calls} for a frame of {size:?}");
             before = calls;

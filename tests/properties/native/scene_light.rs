@@ -7,18 +7,18 @@ use bubblestone::material::Material;
 use bubblestone::scene::{Body, Instance, Lamp, Lighting, Order, Place, Scene, Sharpness};
 use glam::{DVec3, Vec3};
 
-/// Texels of the sun's map along its side; each side of the cube around a lamp has half of them.
+/// Texels along the side of the sun's map. Each side of the cube around a lamp has half as many.
 const SIDES: [(Sharpness, f64); 2] = [(Sharpness::Small, 1024.0), (Sharpness::Large, 2048.0)];
-/// No shadow is softer than so many texels to each side.
+/// The softest shadow edge, in texels to each side.
 const BAND: f64 = 2.0;
 
-/// A place of a surface: the normal is that of its triangle.
+/// A place on a surface, with the normal of its triangle.
 struct Spot {
     point: DVec3,
     normal: DVec3,
 }
 
-/// Places on the triangles of all bodies, by their areas.
+/// Random places on the triangles of all bodies, weighted by area.
 fn spots(scene: &Scene, count: usize) -> Vec<Spot> {
     let mut chance = Chance(3);
     let mut corners = Vec::new();
@@ -51,8 +51,8 @@ fn spots(scene: &Scene, count: usize) -> Vec<Spot> {
     spots
 }
 
-/// The places of the plane around a spot that are so many texels away on the lamp's map, with the ways to the
-/// lamp; none where that plane is seen along it.
+/// Places on the plane through a spot that are BAND texels away on the lamp's map, with their directions to the
+/// lamp. Empty if the light grazes that plane.
 fn near_spots(lamp: Lamp, [radius, side]: [f64; 2], spot: &Spot) -> Vec<(DVec3, DVec3)> {
     let offsets = (0..9).map(|k| [f64::from(k % 3 - 1), f64::from(k / 3 - 1)].map(|v| v * BAND));
     match lamp {
@@ -66,7 +66,7 @@ fn near_spots(lamp: Lamp, [radius, side]: [f64; 2], spot: &Spot) -> Vec<(DVec3, 
         Lamp::Bulb { at, .. } => {
             let (at, from) = (at.as_dvec3(), spot.point - at.as_dvec3());
             let texel = 2.0 * libm::tan(45.5f64.to_radians()) / (0.5 * side);
-            // The cube's side is the one of the largest part.
+            // The cube's side is that of the largest coordinate.
             let size = from.abs();
             let (axis, u, v) = match size.max_element() {
                 most if most == size.x => (size.x, DVec3::Y, DVec3::Z),
@@ -83,7 +83,7 @@ fn near_spots(lamp: Lamp, [radius, side]: [f64; 2], spot: &Spot) -> Vec<(DVec3, 
     }
 }
 
-/// Compares shadows with rays wherever the rays from around a place, two texels away, say the same.
+/// Compares shadows with rays at places where all rays within two texels agree.
 fn compare(scene: &Scene, lamp: Lamp) {
     for (sharpness, side) in SIDES {
         let mut light = Lighting::new(scene, lamp, (&PARAMS, &[MATT]), sharpness);
@@ -106,7 +106,7 @@ fn compare_with(light: &Lighting, scene: &Scene, lamp: Lamp, side: f64) {
             assert!(facing > -1e-6 || seen == 0.0);
             continue;
         }
-        // Seen along the surface all is an edge.
+        // At grazing light everything is an edge.
         if facing < 0.02 {
             continue;
         }
@@ -115,7 +115,7 @@ fn compare_with(light: &Lighting, scene: &Scene, lamp: Lamp, side: f64) {
             hit.is_some_and(|hit| matches!(lamp, Lamp::Sun(_)) || hit.away < 1.0)
         };
         let near = near_spots(lamp, [radius.into(), side], &spot);
-        // In a crease the plane of one side lies under the other.
+        // In a crease, the plane of one side lies below the other side.
         let is_inside =
             |(from, way): &(DVec3, DVec3)| rays.leaves(*from + spot.normal * 1e-7, *way);
         if near.iter().any(is_inside) {
@@ -166,8 +166,8 @@ fn a_lamps_shadows_are_those_of_rays() {
     }
 }
 
-/// Flat and curved surfaces that nothing stands before are lit wherever light does not graze them, from all
-/// sides, with the normals of their vertices.
+/// Flat and curved surfaces that nothing shadows are lit from all sides, with the normals of their vertices,
+/// unless the light grazes them.
 #[test]
 fn nothing_shadows_itself() {
     let flat = scene(vec![(square(1.0), Place::default())]);
@@ -182,7 +182,7 @@ fn nothing_shadows_itself() {
         let way = way.normalize();
         let lamp = match turn % 2 {
             0 => Lamp::Sun(way),
-            // The height says nothing about shadows.
+            // The height has no effect on shadows.
             _ => Lamp::Bulb {
                 at: way * 2.5,
                 height: 1.0,
@@ -208,14 +208,14 @@ fn nothing_shadows_itself() {
     }
 }
 
-/// A body drawn at another level than its shadow is has no shadow on itself either.
+/// A body drawn at another level of detail than its shadow does not shadow itself.
 #[test]
 fn levels_do_not_shadow_each_other() {
     let mut scene = scene(vec![]);
     scene
         .bodies
         .push(Body::new([40, 24, 12, 8].map(ball).to_vec(), 0));
-    // Two more, so that the map is wide and the ball has few texels in it.
+    // Two more balls make the map wide, so that the ball has few texels in it.
     for (k, x) in (0..).zip([0.0, -30.0, 30.0]) {
         let place = Place::at(Vec3::new(x, 0.0, 0.0));
         scene.instances.push(Instance {
@@ -262,7 +262,7 @@ fn levels_do_not_shadow_each_other() {
     }
 }
 
-/// A flat slab has the colour that the height field gives to a flat picture.
+/// A flat slab has the colour of a flat picture in the height field.
 #[test]
 fn light_is_that_of_the_height_field() {
     const SIDE: usize = 32;
@@ -295,7 +295,8 @@ fn light_is_that_of_the_height_field() {
     }
 }
 
-/// The highlight is where the eye sees the sun mirrored; the sun of a picture shines from where it does there.
+/// The highlight lies in the mirror direction of the sun, and the sun of a picture shines from the same side in
+/// space.
 #[test]
 fn highlights_lie_towards_the_mirrored_sun() {
     let light = Light::Parallel {
@@ -341,7 +342,7 @@ fn highlights_lie_towards_the_mirrored_sun() {
     );
 }
 
-/// Where a ball stands on a slab it is darker; a plane alone is as bright with occlusion as without.
+/// A ball darkens the slab where it stands. Occlusion does not darken a plane alone.
 #[test]
 fn occlusion_is_at_the_foot_of_bodies_only() {
     let sky = ShadeParams {

@@ -1,4 +1,4 @@
-//! What comes with a frame beside its light: planes, transparency, levels of detail, lines.
+//! The other results of a frame: planes, transparency, levels of detail, lines.
 
 use super::scene_rays::*;
 use bubblestone::light::ShadeParams;
@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 
 const SIZE: [usize; 2] = [96, 72];
 
-/// While something moves, coarser levels keep the silhouette.
+/// The coarser levels used during motion keep the silhouette.
 #[test]
 fn coarse_levels_keep_the_silhouette() {
     let mut scene = scene(vec![(ball(32), Place::default())]);
@@ -33,7 +33,7 @@ fn coarse_levels_keep_the_silhouette() {
     }
 }
 
-/// Where nothing is, is nothing: planes and alpha say the same, and colours at the rim are those of bodies.
+/// The background is empty: planes and alpha agree, and pixels at the rim have the colours of bodies.
 #[test]
 fn planes_say_where_bodies_are() {
     let mut scene = still_life();
@@ -60,7 +60,7 @@ fn planes_say_where_bodies_are() {
     assert_eq!(one.instance_at(SIZE[0], 0), None);
     assert_eq!(one.instance_at(0, SIZE[1]), None);
 
-    // In the light of the sky alone a ball has one colour up to its rim: nothing is mixed with what is behind.
+    // In the light of the sky alone, a ball has one colour up to its rim: the background is not mixed in.
     let ball = scene_of_ball();
     let params = ShadeParams {
         diffuse: 0.0,
@@ -99,7 +99,8 @@ fn scene_of_ball() -> Scene {
     scene(vec![(ball(24), Place::default())])
 }
 
-/// An edge before a body is drawn, one behind it is not, one that ends behind the eye is as far as it is seen.
+/// An edge in front of a body is drawn, one behind it is not. An edge that ends behind the eye is drawn as far
+/// as it is visible.
 #[test]
 fn lines_are_hidden_by_what_is_before_them() {
     let mut scene = scene_of_ball();
@@ -116,13 +117,13 @@ fn lines_are_hidden_by_what_is_before_them() {
     assert!(dark(&scene, 30) > 15);
     scene.lines = across(-1.1);
     assert_eq!(dark(&scene, 30), 0);
-    // On the surface.
+    // The line lies on the surface.
     scene.lines = vec![[Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.1, 0.0, 0.995)]];
     assert!(dark(&scene, 30) > 1);
-    // From before the ball to far behind the eye, to the right of it.
+    // The line leads from the front of the ball to far behind the eye, to the right of it.
     scene.lines = vec![[Vec3::new(0.1, 0.0, 2.0), Vec3::new(0.5, 0.0, 400.0)]];
     assert!(dark(&scene, 30) > 15);
-    // Across the frame, from far to the left to far to the right, without a gap.
+    // The line crosses the whole frame without a gap.
     scene.lines = vec![[Vec3::new(-1e4, 0.0, 1.1), Vec3::new(1e4, 0.0, 1.1)]];
     assert_eq!(dark(&scene, 30), 61);
     scene.lines = vec![[Vec3::new(-1e9, 0.0, 1e9), Vec3::new(1e9, 0.0, 1e9)]];

@@ -1,4 +1,4 @@
-//! What scenes are compared with: rays against all triangles, in f64; and the bodies that scenes are made of.
+//! The reference for scenes: rays against all triangles, in f64; and the bodies that scenes consist of.
 
 use bubblestone::light::{Light, ShadeParams};
 use bubblestone::material::Material;
@@ -10,18 +10,18 @@ use bubblestone::solid::Surface;
 use glam::{DVec3, Vec3};
 use std::f64::consts::{PI, TAU};
 
-/// The first triangle that a ray meets from its front; backs are not seen.
+/// The first triangle that a ray meets from its front; backs are invisible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hit {
     pub instance: usize,
     pub triangle: usize,
-    /// In lengths of the ray's direction.
+    /// The distance, in lengths of the ray's direction.
     pub away: f64,
-    /// The parts of the triangle's corners.
+    /// The barycentric coordinates.
     pub parts: [f64; 3],
 }
 
-/// All triangles of a scene at their finest.
+/// All triangles of a scene at the finest level of detail.
 pub(super) struct Rays {
     triangles: Vec<(usize, usize, [DVec3; 3])>,
 }
@@ -39,14 +39,14 @@ impl Rays {
         Self { triangles }
     }
 
-    /// The first front that a ray meets.
+    /// The first front face that a ray meets.
     pub fn nearest(&self, from: DVec3, way: DVec3) -> Option<Hit> {
         let hits = self.hits(from, way);
         let fronts = hits.filter_map(|(hit, is_front)| is_front.then_some(hit));
         fronts.min_by(|a, b| a.away.total_cmp(&b.away))
     }
 
-    /// Whether a ray begins inside of a body: what it meets first is a back.
+    /// Whether a ray begins inside a body: the first face that it meets is a back.
     pub fn leaves(&self, from: DVec3, way: DVec3) -> bool {
         let first = self
             .hits(from, way)
@@ -54,8 +54,8 @@ impl Rays {
         first.is_some_and(|(_, is_front)| !is_front)
     }
 
-    /// All triangles that a ray meets, and whether from the front (Möller and Trumbore 1997, Fast, Minimum Storage
-    /// Ray/Triangle Intersection).
+    /// All triangles that a ray meets, with whether it meets their front (Möller and Trumbore 1997, Fast,
+    /// Minimum Storage Ray/Triangle Intersection).
     fn hits(&self, from: DVec3, way: DVec3) -> impl Iterator<Item = (Hit, bool)> {
         self.triangles
             .iter()
@@ -82,13 +82,13 @@ impl Rays {
             })
     }
 
-    /// What is seen at a place of a frame.
+    /// The hit at a place of a frame.
     pub fn seen(&self, view: &View, x: f64, y: f64) -> Option<Hit> {
         self.nearest(view.eye.as_dvec3(), ray(view, x, y))
     }
 }
 
-/// The direction from the eye through a place of the frame, of depth 1.
+/// The direction from the eye through a place of the frame, with depth 1.
 pub(super) fn ray(view: &View, x: f64, y: f64) -> DVec3 {
     let focal = f64::from(view.focal);
     let across = (x - f64::from(view.middle[0])) / focal;
@@ -103,7 +103,7 @@ fn of(place: &Place, p: Vec3) -> DVec3 {
     place.origin.as_dvec3() + axes[0] * p.x + axes[1] * p.y + axes[2] * p.z
 }
 
-/// The normal that a surface has where a ray meets it, as its vertices say.
+/// The interpolated normal of the vertices at a hit.
 pub(super) fn normal_at(scene: &Scene, hit: &Hit) -> Vec3 {
     let instance = &scene.instances[hit.instance];
     let surface = &scene.bodies[instance.body as usize].levels[0];
@@ -112,7 +112,7 @@ pub(super) fn normal_at(scene: &Scene, hit: &Hit) -> Vec3 {
     instance.place.turned(sum).normalize()
 }
 
-/// A surface of points and triangles with the normals that those have.
+/// A surface of points and triangles, with vertex normals from the triangles.
 pub(super) fn surface(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>, colour: [u8; 3]) -> Surface {
     let mut normals = vec![Vec3::ZERO; positions.len()];
     for triangle in &triangles {
@@ -129,7 +129,7 @@ pub(super) fn surface(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>, colour: [u
     }
 }
 
-/// Squares of a closed grid, `across` times `down`, as triangles: a torus, or a ball with its poles drawn apart.
+/// A closed grid of `across` times `down` squares as triangles, such as a torus.
 fn wound(across: u32, down: u32, at: impl Fn(f64, f64) -> DVec3) -> Surface {
     let mut positions = Vec::new();
     let mut triangles = Vec::new();
@@ -153,7 +153,7 @@ pub(super) fn torus(across: u32, down: u32) -> Surface {
     })
 }
 
-/// A ball of radius 1 with so many rings of triangles.
+/// A ball of radius 1 with this number of rings of triangles.
 pub(super) fn ball(rings: u32) -> Surface {
     let around = 2 * rings;
     let mut positions = vec![Vec3::Y];
@@ -190,7 +190,7 @@ pub(super) fn ball(rings: u32) -> Surface {
     surface(positions, triangles, [120, 160, 200])
 }
 
-/// A box with faces that turn sharply: corners are there once for each face.
+/// A box with sharp edges: each face has corners of its own.
 pub(super) fn block(half: Vec3) -> Surface {
     let mut positions = Vec::new();
     let mut triangles = Vec::new();
@@ -207,7 +207,7 @@ pub(super) fn block(half: Vec3) -> Surface {
     surface(positions, triangles, [200, 190, 170])
 }
 
-/// A rod whose sides are long thin triangles, as control meshes have them.
+/// A rod whose sides are long thin triangles, like those of control meshes.
 pub(super) fn rod(sides: u32) -> Surface {
     let ring = |y: f32| {
         (0..sides).map(move |k| {
@@ -235,14 +235,14 @@ pub(super) fn rod(sides: u32) -> Surface {
     surface(positions, triangles, [90, 140, 90])
 }
 
-/// A square in the plane y = 0, seen from above.
+/// A square in the plane y = 0 that faces up.
 pub(super) fn square(half: f32) -> Surface {
     let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
     let positions = corners.map(|[x, z]| Vec3::new(x * half, 0.0, z * half));
     surface(positions.to_vec(), vec![[0, 1, 2], [0, 2, 3]], [150; 3])
 }
 
-/// Turned about an axis by degrees, scaled, moved.
+/// A place that rotates about an axis by degrees, scales, and moves.
 pub(super) fn place(axis: [f32; 3], degrees: f64, scale: f32, origin: [f32; 3]) -> Place {
     let axis = Vec3::from(axis).normalize();
     let (sin, cos) = (
@@ -302,7 +302,7 @@ pub(super) const MATT: Material = Material {
     shininess: 12.0,
 };
 
-/// Light without occlusion and highlights from the recipe's side: all factors are 1.
+/// Shading with all factors 1.
 pub(super) const PARAMS: ShadeParams = ShadeParams {
     light: Light::Parallel {
         azimuth: 3.9,
@@ -330,7 +330,7 @@ pub(super) fn camera(angle: f64, height: f64, distance: f64, lens: f64) -> Camer
     }
 }
 
-/// One sample for each pixel, nothing behind.
+/// One sample for each pixel, and no backdrop.
 pub(super) fn order(camera: Camera, size: [usize; 2]) -> Order {
     Order {
         camera,
@@ -342,21 +342,21 @@ pub(super) fn order(camera: Camera, size: [usize; 2]) -> Order {
     }
 }
 
-/// The light of a scene, ready.
+/// The finished light of a scene.
 pub(super) fn lighting(scene: &Scene, lamp: Lamp, params: &ShadeParams, amount: usize) -> Lighting {
     let mut light = Lighting::new(scene, lamp, (params, &[MATT]), Sharpness::Large);
     while !light.advance(scene, amount) {}
     light
 }
 
-/// A frame in slices of so much work.
+/// A frame made in slices of this amount of work.
 pub(super) fn frame(scene: &Scene, light: &Lighting, order: Order, amount: usize) -> Frame {
     let mut frame = Frame::new(order);
     while !frame.advance(scene, light, amount) {}
     frame
 }
 
-/// A frame in the least light there is to work out.
+/// A frame with the cheapest light.
 pub(super) fn plain(scene: &Scene, order: Order) -> Frame {
     let params = ShadeParams {
         shadow: 0.0,
@@ -366,7 +366,7 @@ pub(super) fn plain(scene: &Scene, order: Order) -> Frame {
     frame(scene, &light, order, 1_000_000)
 }
 
-/// Numbers that are the same on every run, 0..1.
+/// Pseudo-random numbers in 0..1, the same on every run.
 pub(super) struct Chance(pub u64);
 
 impl Chance {

@@ -3,7 +3,7 @@
 use bubblestone::generators::pavement::{self, SCHEMA};
 use bubblestone::recipe::Recipe;
 
-/// The numbers with a default for skin: that of stones, that of skin.
+/// The parameters whose default differs for skin: the default for stones, the default for skin.
 const OWN: [(&str, f64, f64); 4] = [
     ("sv", 1.0, 1.4),
     ("dr", 0.3, 0.05),

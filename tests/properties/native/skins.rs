@@ -1,4 +1,4 @@
-//! Cells of skin: prisms by their formulas, noise by its dimension, and what is seen of them.
+//! Cells of skin: prisms by their formulas, noise by its dimension, and their visibility.
 
 use super::samples::in_fair_weather;
 use crate::common::{finished, refined};
@@ -9,7 +9,7 @@ use bubblestone::heightfield::{GROUND, Painter, Planes, TextureParams};
 use bubblestone::solid::{Prism, SkinParams, Solids, StoneKind, StoneParams};
 use glam::{DVec2, DVec3};
 
-/// A regular polygon about the middle of a picture, its first corner to the right.
+/// A regular polygon around the middle of a picture, with its first corner to the right.
 fn polygon(n: usize, radius: f64) -> Vec<DVec2> {
     let corner = |k: usize| {
         let angle = std::f64::consts::TAU * k as f64 / n as f64;
@@ -199,7 +199,7 @@ fn a_cell_has_neither_cracks_nor_holes() {
     }
 }
 
-/// How many pixels of the ground cannot be reached from the picture's edge.
+/// The number of ground pixels that cannot be reached from the picture's edge.
 fn enclosed(planes: &Planes) -> usize {
     let side = planes.side;
     let mut free: Vec<bool> = planes.id.iter().map(|&id| id == GROUND).collect();
@@ -242,7 +242,7 @@ fn scales_cover_the_next_along_the_flow_in_whatever_order_they_are_painted() {
     );
     let planes = painted(&row, params);
     for (k, scale) in row.iter().enumerate().skip(1) {
-        // Where a cell begins, the tip of the one before lies over it.
+        // The tip of the previous cell covers the beginning of a cell.
         let root = scale.centre - DVec2::new(6.0, 0.0);
         let id = planes.id[root.y as usize * 128 + root.x as usize];
         assert_eq!(id as usize, k, "the root of scale {}", k + 1);
@@ -259,8 +259,8 @@ fn scales_cover_the_next_along_the_flow_in_whatever_order_they_are_painted() {
     assert!(planes.id.iter().zip(&other.id).all(same));
 }
 
-/// The noise on a large flat cell, seed by seed, has the dimension asked for: the slope of its
-/// variogram is 2 H, H = 2 - Fd.
+/// The noise on a large flat cell has the requested dimension, for each seed: the slope of its variogram is 2
+/// H, with H = 2 - Fd.
 #[test]
 fn noise_on_a_flat_cell_has_its_dimension() {
     const SIDE: usize = 300;
@@ -325,7 +325,8 @@ fn noise_on_a_flat_cell_has_its_dimension() {
 /// The packing of fig. 14 (a) on a square.
 const FIGURE: &str = "outline=square&kind=ellipse&ca=1.5&stone=skin&tc=0.2&dr=0";
 
-/// The ground of hides: on a brighter one a hair at a rim counts for more, which no triangle can help.
+/// The ground of hides. On a brighter ground a tiny shift of a rim changes more, which finer triangles cannot
+/// avoid.
 const HIDE: &str = "ground=hide";
 
 #[test]
@@ -358,7 +359,7 @@ fn triangles_are_fine_and_finer_ones_are_not_seen() {
             "{link}: {seen} of {} values differ by more than 3, most {most}",
             pictures[0].len()
         );
-        // Where a hair decides which stone a sample is of.
+        // The exceptions are samples where a tiny shift decides which stone they belong to.
         assert!(
             seen * 10_000 < pictures[0].len() && most <= 8,
             "{link}: {seen}, {most}"

@@ -1,4 +1,4 @@
-//! Stones and planes: what must hold for any cell.
+//! Stones and planes: properties that hold for any cell.
 
 use super::samples::{SIDE, cell, painted, pavement, small, star};
 use bubblestone::cells::Cell;
@@ -22,7 +22,7 @@ fn flat(v: &Vec3) -> DVec2 {
     DVec2::new(f64::from(v.x), f64::from(v.y))
 }
 
-/// How far a point lies outside a ring enlarged `scale` times about `centre`; 0 inside.
+/// The distance of a point from a ring enlarged `scale` times about `centre`; 0 inside.
 fn outside(ring: &[DVec2], centre: DVec2, scale: f64, p: DVec2) -> f64 {
     let q = centre + (p - centre) / scale;
     let (mut inside, mut distance) = (false, f64::MAX);
@@ -257,7 +257,7 @@ fn every_palette_on_every_ground_gives_stones_of_many_tones() {
     }
 }
 
-/// A stone over the corner of a tile is whole, and the ground runs on over the edges.
+/// A stone over the corner of a tile is complete, and the ground continues across the edges.
 #[test]
 fn tiles_repeat_without_a_seam() {
     let tile = TextureParams {
@@ -276,7 +276,7 @@ fn tiles_repeat_without_a_seam() {
     }
     let moved = |k: usize| ((k / SIDE + 48) % SIDE) * SIDE + (k % SIDE + 48) % SIDE;
     let other = (0..SIDE * SIDE).filter(|&k| over.id[k] != inside.id[moved(k)]);
-    // Relief and ground are others at another place: they decide a few pixels of the rim.
+    // Relief and ground differ at another place, which decides a few pixels of the rim.
     let other = other.count();
     assert!(other < 80, "{other} pixels");
     let open = |planes: &bubblestone::heightfield::Planes, id: u32| {

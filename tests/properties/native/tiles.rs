@@ -1,4 +1,4 @@
-//! Tiles: meshes, planes and pictures of the periodic picture run on over its edges.
+//! Tiles: meshes, planes and pictures of the periodic picture continue across its edges.
 
 use crate::paving::OfPavement;
 use bubblestone::domain::{Domain, signed_area};
@@ -13,7 +13,7 @@ use std::collections::HashMap;
 
 const SIDE: usize = 192;
 
-/// All kinds, fields that turn and grow, sizes that vary.
+/// All kinds of cells, fields with varying direction and size, and random sizes.
 const LINKS: [&str; 5] = [
     "kind=square&dir=constant&angle=20&vs=0.15",
     "kind=circle&vs=0.1",
@@ -26,7 +26,7 @@ fn finished(link: &str) -> Studio {
     crate::common::finished(&format!("size={SIDE}&tile=1&cs=17&{link}"))
 }
 
-/// Every side of every element is, up to whole pictures, the side of another one.
+/// Asserts that every side of every face is also a side of another face, up to a period.
 fn assert_closed(domain: &Domain, mesh: &Mesh, what: &str) {
     let first = mesh.vertices.len() - mesh.images.len();
     let real = |k: u32| {
@@ -90,7 +90,7 @@ fn meshes_close_over_the_seams() {
     }
 }
 
-/// A few cells only: they are their own neighbours, over several seams at once.
+/// With only a few cells, cells are neighbours of themselves across several seams at once.
 #[test]
 fn meshes_of_few_cells_close_over_the_seams() {
     let domain = Domain::torus(SIDE as f64, &[]);
@@ -129,7 +129,7 @@ fn shaded(planes: &Planes, light: Light) -> Vec<u8> {
     shader.rgba().to_vec()
 }
 
-/// Where pixel `k` comes from when the picture is moved.
+/// The source of pixel `k` in the picture before it was moved.
 fn from(k: usize, [x, y]: [usize; 2]) -> usize {
     (k / SIDE + y) % SIDE * SIDE + (k % SIDE + x) % SIDE
 }
@@ -138,7 +138,7 @@ fn moved<T: Copy>(plane: &[T], by: [usize; 2]) -> Vec<T> {
     (0..plane.len()).map(|k| plane[from(k, by)]).collect()
 }
 
-/// Shading does not know where the picture's edges are: that of moved planes is the moved one.
+/// Shading does not depend on the picture's edges: the shading of moved planes is the moved shading.
 #[test]
 fn shading_of_a_tile_has_no_edges() {
     let studio = finished("kind=square&dir=constant&vs=0.2&hs=30");
@@ -166,7 +166,7 @@ fn shading_of_a_tile_has_no_edges() {
                 );
             }
         }
-        // The same planes without repeating: the edges show.
+        // Without repeating, the edges of the same planes are visible.
         other.tile = false;
         let single = Planes {
             tile: false,
@@ -179,7 +179,7 @@ fn shading_of_a_tile_has_no_edges() {
     }
 }
 
-/// The steps of a plane from each column to the next, the last to the first.
+/// The sums of a plane's changes from each column to the next, and from the last to the first.
 fn steps(step: impl Fn(usize, usize) -> f64) -> Vec<f64> {
     let line = |x: usize| {
         let at = |y: usize| (y * SIDE + x, y * SIDE + (x + 1) % SIDE);
@@ -188,7 +188,7 @@ fn steps(step: impl Fn(usize, usize) -> f64) -> Vec<f64> {
     (0..SIDE).map(line).collect()
 }
 
-/// Over the seams planes and picture change as they do elsewhere, and stones go on.
+/// Across the seams, planes and picture change as much as elsewhere, and stones continue.
 #[test]
 fn planes_and_pictures_run_on_over_the_seams() {
     for link in LINKS {

@@ -1,4 +1,4 @@
-//! What the drawings of the stages show, asked of their pixels.
+//! The drawings of the stages, checked by their pixels.
 
 use crate::paving::OfPavement;
 use bubblestone::generators::ALL;
@@ -8,7 +8,7 @@ use bubblestone::studio::Studio;
 
 pub(super) const SIDE: usize = 160;
 
-/// A view of a recipe in a small picture, finished.
+/// A finished view of a recipe, in a small picture.
 fn view(link: &str, words: &str) -> Vec<u8> {
     finished(link).engine_mut().view(words).to_vec()
 }
@@ -17,7 +17,7 @@ fn pixel(rgba: &[u8], x: usize, y: usize) -> [i32; 3] {
     std::array::from_fn(|c| i32::from(rgba[4 * (y * SIDE + x) + c]))
 }
 
-/// How much more red than blue there is.
+/// The amount by which red exceeds blue.
 fn warmth(rgba: &[u8], x: usize, y: usize) -> i32 {
     let [red, _, blue] = pixel(rgba, x, y);
     red - blue
@@ -28,7 +28,7 @@ pub(super) fn differing(a: &[u8], b: &[u8]) -> usize {
     pairs.filter(|(a, b)| a != b).count()
 }
 
-/// The picture turned by a quarter.
+/// The picture rotated by a quarter turn.
 fn turned(rgba: &[u8]) -> Vec<u8> {
     let place = |k: usize| (k % SIDE) * SIDE + SIDE - 1 - k / SIDE;
     let pixels = (0..SIDE * SIDE).map(|k| 4 * place(k));
@@ -48,7 +48,7 @@ fn every_kind_has_a_potential_of_its_own() {
             assert!(differing(rgba, other) > 1000);
         }
     }
-    // Where the cells stop at a quarter turn, so does the drawing, but for soft edges.
+    // If the cells are symmetric under a quarter turn, so is the drawing, except for soft edges.
     for (rgba, alike) in views.iter().zip([true, false, true, false]) {
         let others = differing(rgba, &turned(rgba));
         assert_eq!(others < SIDE * SIDE / 5, alike, "{others}");
@@ -57,7 +57,7 @@ fn every_kind_has_a_potential_of_its_own() {
 
 #[test]
 fn squares_have_wells_at_their_edges_and_circles_all_around() {
-    // A stable distance in this picture.
+    // The stable distance in this picture.
     let l0 = SIDE as f64 / 3.6;
     let along = |rgba: &[u8], degrees: f64| {
         let ray = |r: f64| {
@@ -72,7 +72,7 @@ fn squares_have_wells_at_their_edges_and_circles_all_around() {
                 (half + r * l0 * y) as usize,
             )
         };
-        // Beside the white lines and dots.
+        // These radii avoid the white lines and dots.
         (80..95).map(|r| ray(f64::from(r) / 100.0)).min().unwrap()
     };
     let square = view("kind=square", "potential");
@@ -134,7 +134,7 @@ fn singular_points_are_marked_by_their_sign() {
         "{:?}",
         pixel(&round, half, half)
     );
-    // Around a stroke that turns back, rows turn against the way round.
+    // Around a stroke that turns back, the direction field rotates in the opposite sense.
     let cold = |link: &str| {
         let rgba = view(link, "direction");
         (0..SIDE * SIDE)
@@ -164,7 +164,7 @@ fn a_tile_has_no_outline_and_no_seam() {
         let (a, b) = (pixel(&rgba, x, y), pixel(&rgba, u, v));
         (0..3).map(|c| (a[c] - b[c]).abs()).sum::<i32>()
     };
-    // Where images at the edges were missing, both would be far above those inside.
+    // If images across the edges were missing, both values would be far above those inside.
     let column = |x: usize| -> i32 { (0..SIDE).map(|y| apart(x, y, (x + 1) % SIDE, y)).sum() };
     let row = |y: usize| -> i32 { (0..SIDE).map(|x| apart(x, y, x, (y + 1) % SIDE)).sum() };
     assert!(column(SIDE - 1) <= (0..SIDE - 1).map(column).max().unwrap());
@@ -175,7 +175,7 @@ pub(super) fn finished(link: &str) -> Studio {
     crate::common::finished(&format!("size={SIDE}&cs=14&{link}"))
 }
 
-/// What of a view shows nothing.
+/// The parts of a view that show nothing.
 fn absent(studio: &mut Studio, words: &str) -> Vec<(&'static str, &'static str)> {
     studio.engine_mut().absences(words)
 }
@@ -184,7 +184,7 @@ fn absent(studio: &mut Studio, words: &str) -> Vec<(&'static str, &'static str)>
 fn what_shows_nothing_says_why() {
     const ALL: &str =
         "height+size+packed+energy+cells+mesh+anisotropy+direction+forces+singularities";
-    // A ring has squares of one size, and its direction turns about no point of it.
+    // A ring has squares of one size, and its direction field has no singular point inside.
     let mut ring = finished("");
     let ours = [
         ("size", Absence::OneSize.word()),
@@ -195,7 +195,7 @@ fn what_shows_nothing_says_why() {
     assert_eq!(absent(&mut ring, "auto+direction"), []);
     let mut full = finished("outline=star&kind=ellipse&gx=0.5");
     assert_eq!(absent(&mut full, ALL), []);
-    // Squares in rows that fill a tile press on each other alike from all sides.
+    // Squares in rows that fill a tile repel each other equally from all sides.
     let mut rows = crate::common::finished(&format!("size={SIDE}&tile=1&dir=constant&cs=20"));
     assert_eq!(
         absent(&mut rows, "forces"),
@@ -264,7 +264,7 @@ fn planes_have_views_of_their_own() {
     assert_eq!(views[5][4 * at..][..3], [planes.occlusion[at]; 3]);
 }
 
-/// A studio in the midst of its work: so many packing steps in, or so many slices past the packing.
+/// A studio in the middle of its work: after some packing steps, or `past` slices after the packing.
 fn midway(link: &str, past: Option<u32>) -> Studio {
     let (recipe, notices) = pavement::recipe(link);
     assert!(notices.is_empty(), "{notices:?}");
@@ -304,7 +304,7 @@ fn a_drawing_made_in_pieces_is_the_one_made_at_once() {
             whole.engine_mut().view(view) == pieces.engine_mut().view(view),
             "{link}: {words}"
         );
-        // What is drawn needs no more, until there is something new.
+        // A drawing is prepared only once, until something changes.
         assert!(pieces.engine_mut().prepare(view, &mut || 0.0, 0.0));
     }
 }

@@ -1,4 +1,4 @@
-//! Wear, dirt, moss and wet: where they are, and what they do there.
+//! Wear, dirt, moss and wet: their places and their effects.
 
 use crate::paving::OfPavement;
 use bubblestone::heightfield::{GROUND, Planes};
@@ -53,7 +53,7 @@ fn moss_and_dirt_lie_low() {
         let low = height(&plain, covered);
         let all = height(&plain, paved);
         assert!(low < all - 1.0, "{more}: {low}, {all} on average");
-        // It has a thickness of its own.
+        // The cover has a thickness of its own.
         assert!(height(&grown, covered) > low, "{more}");
     }
 }
@@ -126,7 +126,7 @@ fn wet_darkens_shines_and_stands_level() {
         most < some && some < 0.95 * dry && most < 0.8 * dry,
         "{dry} {some} {most}"
     );
-    // What is under water is one level among the stones.
+    // Water among the stones has one level.
     let water = (material_table("granite", "sand", Gloss::Own).len() - 1) as u8;
     let pools: Vec<usize> = (0..SIDE * SIDE)
         .filter(|&i| wet.material[i] == water && wet.bump[i] > plain.bump[i])
@@ -152,7 +152,7 @@ fn gloss_changes_the_light_and_not_the_planes() {
     assert!(shine.is_sorted() && shine[0] < shine[2]);
 }
 
-/// Pixels on both sides of a tile's edges go together as those inside it do.
+/// Pixels on both sides of a tile's edges differ as little as those inside it.
 #[test]
 fn weather_on_tiles_has_no_seam() {
     let studio = finished("&tile=1&wear=0.8&moss=0.5&dirt=0.5&wet=0.6");

@@ -18,7 +18,7 @@ export interface Stretch {
   from: Point;
   to: Point;
   length: number;
-  /** The points between the ends; `along` is the share of the length before each. */
+  /** The points between the ends; `along` is the fraction of the length before each. */
   inner: { at: Point; along: number }[];
 }
 

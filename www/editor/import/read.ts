@@ -28,7 +28,7 @@ const SMALLEST = 1 / 128;
 const APART = 2;
 const GRAINS = 32768;
 
-/** A candidate for the outline, and what the file lost on the way to it. */
+/** A candidate for the outline, and the counts of features that the file lost. */
 export interface Try {
   rings: Ring[];
   left: Count;

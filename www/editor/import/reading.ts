@@ -12,8 +12,8 @@ import type { Answer, Order } from './read.worker';
 let now: AbortController | undefined;
 
 /**
- * The outlines in a text; the first that the engine accepts is meant. Returns undefined where it was stopped, and
- * throws a sentence.
+ * The outlines in a text, of which the caller uses the first that the engine accepts. Returns undefined if the
+ * visitor stopped it. Throws an Error with a sentence if the text cannot be read.
  */
 export async function read(text: string, name: string, side: number): Promise<Try[] | undefined> {
   now?.abort();

@@ -1,4 +1,4 @@
-/** The dialog for letters as the outline. It shows them in stones, and says what is wrong and what is allowed. */
+/** The dialog for letters as the outline. It previews them in stones, and names problems and limits. */
 import type { Ring } from '../../module/types';
 import { t } from '../../words/editor';
 import { language } from '../../words/words';
@@ -15,17 +15,17 @@ import '../../styles/late/letters.css';
 /** Cells across a stroke: least, most, step and initial value. */
 const ACROSS = { min: 1, max: 8, step: 0.5, first: 3.5 };
 
-/** Sides of the picture, and the largest that is chosen without asking: twice the side is four times the work. */
+/** Sides of the picture, and the largest that is chosen automatically: twice the side is four times the work. */
 const SIDES = [512, 1024, 2048];
 const LARGEST = 1024;
 
-/** Cells of fewer pixels hardly look like stones. */
+/** Cells with fewer pixels hardly look like stones. */
 const SMALL = 4;
 
-/** The outline is made up to this many times finer until it does not touch itself. */
+/** If the outline touches itself, it is made again up to this many times finer. */
 const FINEST = 4;
 
-/** Wait after the last change of the text, in milliseconds. */
+/** The wait after the last change of the text, in milliseconds. */
 const SETTLED = 150;
 
 /** The last choices, kept until the visitor leaves the page. */
@@ -35,7 +35,10 @@ type Values = [key: string, text: string][];
 
 export interface LettersNeeds {
   readonly engine: Engine;
-  /** Takes rings, with lengths in sides, and parameters as one step. Returns the reason of a refusal, or ''. */
+  /**
+   * Takes rings, with lengths in sides of the picture, and parameters as one step. Returns the reason of a refusal,
+   * or ''.
+   */
   take(rings: Ring[], values: Values): string;
 }
 
@@ -198,7 +201,7 @@ class LettersDialog {
     return (last.follows ? (sides.find(fits) ?? sides.at(-1)) : own) ?? own;
   }
 
-  /** What was left out or cut off. */
+  /** Sentences on letters that were left out or cut off. */
   private remarks({ given, specks }: Letters): string[] {
     const cut = given > MOST_LETTERS ? [t('text_cut', { most: number(MOST_LETTERS), n: number(given) })] : [];
     return [...cut, ...(specks ? [t(specks === 1 ? 'text_speck' : 'text_specks', { n: number(specks) })] : [])];

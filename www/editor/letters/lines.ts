@@ -6,7 +6,7 @@
  * with the word before them, and words stay whole, unless breaking them makes the letters a lot larger.
  */
 
-/** A part of a line that is not broken; `spaced` where a space comes before it within a line. */
+/** A part of a line that is not broken; `spaced` if a space precedes it within a line. */
 export interface Piece {
   text: string;
   spaced: boolean;

@@ -6,7 +6,7 @@ const WHITE = 250;
 /** A paint that is less opaque hides nothing. */
 const COVERS = 0.5;
 
-/** `ink` adds to the outline; `paper` removes the area under it; undefined paints nothing. */
+/** `ink` adds to the outline; `paper` removes the area under it; undefined has no effect. */
 export type Paint = 'ink' | 'paper' | undefined;
 
 export function paintOf(colour: string, opacity: number): Paint {

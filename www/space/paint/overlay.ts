@@ -1,21 +1,21 @@
-/** What is painted, drawn over the frame: what is there, as far as it is seen, and the way of the pointer. */
+/** Draws painted rows over the frame, where they are visible, and the path of the pointer. */
 import { make } from '../../base/dom';
 import { shape } from '../../late/svg';
 import type { Place } from './places';
 
-/** A place of the frame, in parts of its sides. */
+/** A place in the frame, in fractions of its sides. */
 export type Spot = readonly [u: number, v: number];
 
-/** Lines with their word; a place alone is a spot. */
+/** A painted row and its tool's key: a line, or a spot if it has a single place. */
 export interface Painted {
   readonly key: string;
   readonly places: readonly Place[];
 }
 
-/** Pieces of the way between two places: it may go behind something. */
+/** Pieces of a line between two places, because parts of it may be hidden. */
 const PIECES = 6;
 
-/** Pixels of the head of an arrow, and of a spot. */
+/** Sizes of an arrow head and of a spot, in pixels. */
 const HEAD = 11;
 const DOT = 7;
 
@@ -27,7 +27,7 @@ export class Overlay {
     this.element.append(this.svg, make('i', { class: 'paint-cross' }));
   }
 
-  /** Draws all anew; `seen` tells where a place is in the frame, where it is seen. */
+  /** Redraws everything; `seen` projects a place to the frame if it is visible. */
   draw(painted: readonly Painted[], seen: (place: Place) => Spot | undefined, path: readonly Spot[], key: string): void {
     const { clientWidth: width, clientHeight: height } = this.element;
     const at = ([u, v]: Spot): Spot => [u * width, v * height];
@@ -46,12 +46,12 @@ export class Overlay {
   }
 }
 
-/** A line on a lighter one, to be seen on anything. */
+/** A line on top of a lighter one, visible on any background. */
 function strokes(key: string, d: string): SVGElement[] {
   return [shape('path', { class: 'paint-under', d }), shape('path', { class: `paint-line paint-${key}`, d })];
 }
 
-/** The pieces of a line that are seen. */
+/** The visible pieces of a line. */
 function runsOf(places: readonly Place[], seen: (place: Place) => Spot | undefined): Spot[][] {
   const [first] = places;
   const all = places.slice(1).flatMap((to, k) => between(places[k] ?? to, to));
@@ -79,7 +79,7 @@ function lineOf(run: readonly Spot[]): string {
   return run.map(([px, py], k) => `${k ? 'L' : 'M'}${px.toFixed(1)} ${py.toFixed(1)}`).join('');
 }
 
-/** The head of an arrow at a line's end. */
+/** The arrow head at a line's end. */
 function headOf(run: readonly Spot[]): string {
   const end = run.at(-1);
   const before = end && run.findLast((spot) => Math.hypot(end[0] - spot[0], end[1] - spot[1]) > HEAD / 2);

@@ -1,9 +1,8 @@
 /**
- * Painting on a surface: what the visitor does on the frame that it is seen in becomes rows of the recipe, each a step of
- * its history.
+ * Painting on a surface: strokes on the frame become rows of the recipe, each a step of the history.
  *
- * With a tool one finger, or the mouse, paints where the model is; beside it they turn it as ever, and so do two fingers,
- * the other buttons, and keys. By keys it is painted in the middle: Enter sets a point there, or takes away what is there,
+ * With a tool chosen, one finger or the mouse paints on the model. Beside the model they turn it as usual, as do two
+ * fingers, the other buttons, and keys. Keys paint in the middle of the frame: Enter sets a point, or erases, and
  * Enter again at the same place ends the line.
  */
 import { t } from '../../words/space';
@@ -15,20 +14,23 @@ import { Overlay, type Painted, type Spot } from './overlay';
 import { distance, fromLine, placesOf, rowOf, simplified, STEPS, textOf, type Place } from './places';
 import { TOOLS, Tools, type Tool } from './tools';
 
-/** What is painted on. */
+/** The surface that is painted on. */
 export interface Surface {
-  /** Holds the frame, and gets all that is done on it. */
+  /** The element that contains the frame and receives its events. */
   readonly host: HTMLElement;
-  /** The place of the model at a place of the last frame; undefined beside it. */
+  /** The place on the model at a place of the last frame; undefined beside the model. */
   placeAt(spot: Spot): Place | undefined;
-  /** Where a place of the model is in that frame; undefined where it is not seen. */
+  /** The place in that frame of a place on the model; undefined if it is hidden. */
   spotOf(place: Place): Spot | undefined;
 }
 
-/** Points of one line. */
+/** The most points of one line. */
 const POINTS = 20;
 
-/** Steps: two places that are nearer are the same; what is to be taken away may be so far off; spots, unless they are drawn larger. */
+/**
+ * Distances in steps: two places closer than SAME are the same; the eraser reaches NEAR; a spot has RADIUS unless a
+ * larger or smaller one is drawn, and at least LEAST.
+ */
 const SAME = 24;
 const NEAR = 170;
 const RADIUS = 400;
@@ -48,9 +50,9 @@ export class Painter {
   private readonly told = make('p', { class: 'said', role: 'status', id: 'paint-told' });
   private tool: Tool | undefined;
   private drawn: Drawn | undefined;
-  /** The points that were set by a key. */
+  /** The points that were set by keys. */
   private keyed: Place[] = [];
-  /** What goes on to the frame all the same. */
+  /** Events that are passed on to the frame. */
   private readonly passed = new WeakSet<Event>();
 
   constructor(work: Work, surface: Surface) {
@@ -75,7 +77,7 @@ export class Painter {
     this.show();
   }
 
-  /** Paints with a tool from now on, or with none. */
+  /** Chooses a tool; undefined for none. */
   choose(tool: Tool | undefined): void {
     this.tool = tool;
     this.drawn = undefined;
@@ -85,7 +87,7 @@ export class Painter {
     if (tool) say(this.told, t(`paint_${tool}_title`));
   }
 
-  /** Is to be called after each new frame. */
+  /** To be called after each new frame. */
   draw(): void {
     const { tool, keyed, drawn, surface } = this;
     const painted = tool ? this.painted() : [];
@@ -94,7 +96,7 @@ export class Painter {
     this.overlay.draw(painted, (place) => surface.spotOf(place), line, tool ?? '');
   }
 
-  /** All that is painted; of spots their middles. */
+  /** All painted rows; a spot is its middle. */
   private painted(): Painted[] {
     return TOOLS.flatMap((key) =>
       key === 'erase' || !this.isUseful(key) ? [] : this.rows(key).map((row) => ({ key, places: placesOf(isSpot(key) ? row.slice(0, 3) : row) })),
@@ -123,7 +125,7 @@ export class Painter {
     this.work.set('flip', this.work.engine.get('flip') === '1' ? '0' : '1');
   }
 
-  /** What is done with a tool is not for the frame: `act` tells whether it was. */
+  /** Listens to events of the host. `act` returns whether it has used the event; the frame then does not get it. */
   private listen<K extends keyof HTMLElementEventMap>(sign: K, act: (event: HTMLElementEventMap[K]) => boolean): void {
     this.surface.host.addEventListener(
       sign,
@@ -145,7 +147,7 @@ export class Painter {
     const { tool, drawn } = this;
     if (!tool) return false;
     if (drawn) {
-      // A second finger: both turn the model.
+      // With a second finger, both turn the model.
       this.passOn(drawn.pointer);
       this.cancel();
       return false;
@@ -154,7 +156,7 @@ export class Painter {
     const spot = this.spot(event);
     const place = this.surface.placeAt(spot);
     if (!place) return false;
-    // What turns the model gets the pointer as well, once another finger comes.
+    // The frame gets this pointer as well once another finger touches.
     const stand = this.surface.host.querySelector<HTMLElement>('[tabindex]');
     stand?.setPointerCapture(event.pointerId);
     stand?.focus({ preventScroll: true });
@@ -163,7 +165,7 @@ export class Painter {
     return true;
   }
 
-  /** The frame gets what was kept from it. */
+  /** Passes a withheld event on to the frame. */
   private passOn(event: PointerEvent): void {
     const { pointerId, pointerType, isPrimary, clientX, clientY, button } = event;
     const again = new PointerEvent('pointerdown', { pointerId, pointerType, isPrimary, clientX, clientY, button, bubbles: true, cancelable: true });
@@ -173,7 +175,7 @@ export class Painter {
 
   private move(event: PointerEvent): boolean {
     const { drawn } = this;
-    // No body is told under the pointer.
+    // While a tool is chosen, no card of a body is shown under the mouse.
     if (drawn?.pointer.pointerId !== event.pointerId) return this.tool !== undefined && event.buttons === 0 && event.pointerType === 'mouse';
     const all = 'getCoalescedEvents' in event ? event.getCoalescedEvents() : [];
     for (const one of all.length ? all : [event]) {
@@ -229,7 +231,7 @@ export class Painter {
     return true;
   }
 
-  /** A point of a line, by a key. */
+  /** Sets a point of a line by a key. */
   private set(tool: Tool, place: Place): void {
     const last = this.keyed.at(-1);
     if (!last || distance(last, place) > SAME) this.keyed.push(place);
@@ -243,7 +245,7 @@ export class Painter {
     this.draw();
   }
 
-  /** What was done with a tool becomes the recipe's. */
+  /** Writes a finished stroke into the recipe. */
   private take(tool: Tool, places: readonly Place[]): void {
     const [first, last] = [places[0], places.at(-1)];
     if (!first || !last) return;
@@ -258,7 +260,7 @@ export class Painter {
     this.draw();
   }
 
-  /** Takes away what is nearest. */
+  /** Erases the nearest row. */
   private erase(place: Place): void {
     const all = TOOLS.flatMap((key) => (key === 'erase' ? [] : this.rows(key).map((row, at) => ({ key, at, off: fromLine(place, placesOf(isSpot(key) ? row.slice(0, 3) : row)) }))));
     const [nearest] = all.filter(({ key }) => this.isUseful(key)).sort((a, b) => a.off - b.off);

@@ -1,11 +1,17 @@
-/** Places on a model, in steps of the box around it, and the rows of what is painted there. */
+/** Places on a model, in steps of the box around it, and the rows of the recipe that hold them. */
 
 export type Place = readonly [x: number, y: number, z: number];
 
-/** Steps along the box's longest side: of them are whole numbers in rows, of which lists have parts. */
+/**
+ * Steps along the box's longest side. The recipe's rows hold whole steps; the engine's lists hold fractions of that
+ * side.
+ */
 export const STEPS = 4096;
 
-/** How far a simplified line may be off at first, in steps, and how much more where it still has too many points. */
+/**
+ * The first tolerance of a simplified line, in steps, and the factor by which it grows while the line has too many
+ * points.
+ */
 const OFF = 10;
 const COARSER = 1.5;
 
@@ -13,7 +19,7 @@ export function distance(a: Place, b: Place): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/** How far a place is from the straight way between two others. */
+/** The distance of a place from a segment. */
 function fromSegment(p: Place, a: Place, b: Place): number {
   const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
   const square = dx * dx + dy * dy + dz * dz;
@@ -22,14 +28,14 @@ function fromSegment(p: Place, a: Place, b: Place): number {
   return distance(p, [a[0] + t * dx, a[1] + t * dy, a[2] + t * dz]);
 }
 
-/** How far a place is from a line. */
+/** The distance of a place from a line. */
 export function fromLine(p: Place, line: readonly Place[]): number {
   const [first] = line;
   if (!first) return Infinity;
   return line.slice(1).reduce((least, to, k) => Math.min(least, fromSegment(p, line[k] ?? to, to)), distance(p, first));
 }
 
-/** The same line with few points, at most so many, at least two (Douglas, Peucker 1973). */
+/** The line with at most `most` points and at least two (Douglas, Peucker 1973). */
 export function simplified(line: readonly Place[], most: number): Place[] {
   for (let off = OFF; ; off *= COARSER) {
     const kept = within(line, off);
@@ -56,13 +62,13 @@ function within(line: readonly Place[], off: number): Place[] {
   return line.filter((_, k) => kept.has(k));
 }
 
-/** The places of a row, as a list of the engine has it. */
+/** The places of a row, from a list of the engine. */
 export function placesOf(row: readonly number[]): Place[] {
   const count = Math.floor(row.length / 3);
   return Array.from({ length: count }, (_, k) => [0, 1, 2].map((axis) => (row[3 * k + axis] ?? 0) * STEPS) as unknown as Place);
 }
 
-/** A row of places, as the engine takes it. */
+/** A row of places for the engine. */
 export function rowOf(places: readonly Place[]): number[] {
   return places.flat().map((steps) => steps / STEPS);
 }

@@ -1,13 +1,13 @@
-/** The tools for painting on a surface, beside the frame that it is seen in. */
+/** The tools for painting on a surface, beside the frame. */
 import { t } from '../../words/space';
 import { make, walkByArrows } from '../../base/dom';
 import { shape } from '../../late/svg';
 
-/** What a tool paints, by the parameter that holds it; the last one takes away. */
+/** The tools, named by the parameter that they write; the last one erases. */
 export const TOOLS = ['strokes', 'lines', 'spots', 'stretch', 'erase'] as const;
 export type Tool = (typeof TOOLS)[number];
 
-/** What a spot says: limits of its value, and its first one. */
+/** The limits of a spot's value, and its first value. */
 const VALUES = { spots: { min: 0.2, max: 3, first: 0.5 }, stretch: { min: 1, max: 5, first: 3 } } as const;
 
 const ICONS: Record<Tool | 'flip', string> = {
@@ -45,24 +45,24 @@ export class Tools {
     this.value.addEventListener('input', () => this.taken());
     this.element = make('div', { class: 'paint-tools', id: 'paint-tools', role: 'toolbar', 'aria-label': t('paint') }, ...this.buttons.values(), this.flip, this.label);
     walkByArrows(this.element);
-    // What is done here is not for the frame, nor the picture below.
+    // Events here are neither for the frame nor for the picture below.
     for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart']) this.element.addEventListener(sign, (event) => event.stopPropagation());
     this.show(undefined, [], false);
   }
 
-  /** The value that spots are painted with. */
+  /** The value of new spots. */
   valueOf(tool: keyof typeof VALUES): number {
     return this.values[tool];
   }
 
-  /** The tool in use, those that do something, and whether the flow goes the other way. */
+  /** Shows the chosen tool, the tools that have an effect, and whether the flow is reversed. */
   show(tool: Tool | undefined, useful: readonly Tool[], flipped: boolean): void {
     for (const [word, key] of this.buttons) {
       key.setAttribute('aria-pressed', String(word === tool));
       key.hidden = !useful.includes(word);
     }
     this.flip.setAttribute('aria-pressed', String(flipped));
-    // One of them is a stop for Tab.
+    // One of the buttons is the Tab stop.
     const all = [...this.buttons.values(), this.flip];
     const stop = (tool && this.buttons.get(tool)) ?? all.find((key) => !key.hidden);
     for (const key of all) key.tabIndex = key === stop ? 0 : -1;

@@ -1,4 +1,4 @@
-/** The finished picture, or its maps, at several times its side, as rows. */
+/** The finished picture, or its maps, at several times its side, delivered as rows. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { PictureSlice, PixelMap } from '../../module/types';
 import { BUDGET } from '../../module/run';
@@ -6,8 +6,8 @@ import type { Progress } from './worked';
 import { given } from './refusal';
 
 /**
- * Has the rows of these maps taken as they are made, of the picture where there are no words; answers the heights that
- * are 0 and 65535 in the map of heights. Throws a Refusal where it cannot be made.
+ * Passes the rows of these maps to `take` as they are made; without words, the rows of the picture. Answers the
+ * heights that are 0 and 65535 in the map of heights. Throws a Refusal if it cannot be made.
  */
 export async function bigger(studio: Bubblestone, scale: number, words: string[], take: (maps: PixelMap[]) => Promise<void> | void, progress: Progress): Promise<PictureSlice['heights']> {
   for (;;) {

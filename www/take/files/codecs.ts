@@ -1,21 +1,24 @@
-/** The files and codecs that a film may be made in, and which of them the browser at hand encodes. */
+/** The files and codecs that a film may be made in, and which of them this browser can encode. */
 
 import type { Matrix } from './planes';
 
-/** The shapes of a film, in pixels: even, as codecs have it. */
+/** The sizes of a film, in pixels. They are even because codecs require it. */
 export const SHAPES = { square: { width: 1080, height: 1080 }, upright: { width: 1080, height: 1920 }, turn: { width: 720, height: 720 } };
 export type Shape = keyof typeof SHAPES;
 
-/** Those of the film of the forming. */
+/** The shapes of the film of the forming. */
 export type FormingShape = Exclude<Shape, 'turn'>;
 
-/** Frames a second. */
+/** Frames in a second. */
 export const RATE = 30;
 
-/** Bits for each pixel of a frame, and frame. */
+/** Bits for each pixel of each frame. */
 const BITS = 0.16;
 
-/** A codec as browsers call it, and as its file does; levels fit the largest shape. */
+/**
+ * A codec: its name for browsers, its name for the file, and its colour matrix. The levels in the names fit the
+ * largest shape.
+ */
 export interface Codec {
   file: 'mp4' | 'webm';
   codec: string;
@@ -23,7 +26,7 @@ export interface Codec {
   matrix: Matrix;
 }
 
-/** The best first: what phones and networks take. */
+/** The best first: phones and networks accept these files. */
 const CODECS: readonly Codec[] = [
   { file: 'mp4', codec: 'avc1.640028', track: 'avc', matrix: 'bt709' },
   { file: 'mp4', codec: 'avc1.4d0028', track: 'avc', matrix: 'bt709' },
@@ -33,7 +36,10 @@ const CODECS: readonly Codec[] = [
   { file: 'webm', codec: 'av01.0.08M.08', track: 'av1', matrix: 'bt709' },
 ];
 
-/** The codecs of the best file that the browser encodes in this shape: two of them where time is to tell which; none where it encodes none. */
+/**
+ * The codecs of the best file that the browser encodes in this shape; empty if it encodes no film. Two codecs are
+ * returned if only a measurement can tell which is faster.
+ */
 export async function codecsFor(shape: Shape): Promise<Codec[]> {
   if (!('VideoEncoder' in globalThis && 'OffscreenCanvas' in globalThis)) return [];
   const found: Codec[] = [];
@@ -44,7 +50,7 @@ export async function codecsFor(shape: Shape): Promise<Codec[]> {
   return found[0]?.file === 'webm' ? found.slice(0, 2) : found.slice(0, 1);
 }
 
-/** What an encoder is told. */
+/** The configuration of an encoder. */
 export function encoding({ file, codec }: Codec, shape: Shape): VideoEncoderConfig {
   const { width, height } = SHAPES[shape];
   const plain: VideoEncoderConfig = { codec, width, height, framerate: RATE, bitrate: Math.round(BITS * width * height * RATE) };

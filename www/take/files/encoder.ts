@@ -1,20 +1,23 @@
 /**
- * A film as a file: frames go in, in their order, each for as long as the others.
+ * A film as a file. Frames are added in their order, each shown for the same time.
  *
- * Some encoders hand frames over in the order in which they are decoded, which is not the order in which they are shown. Both
- * kinds of files are written by a library that takes them so.
+ * Some encoders deliver frames in the order of decoding, which is not the order of showing. The library that writes
+ * the files accepts that.
  */
 import { BufferTarget, EncodedPacket, EncodedVideoPacketSource, Mp4OutputFormat, Output, WebMOutputFormat } from 'mediabunny';
 import { RATE, SHAPES, encoding, type Codec, type Shape } from './codecs';
 import { planesOf } from './planes';
 
-/** Frames that wait for the encoder at most: each has megabytes. */
+/** The most frames that may wait for the encoder: each takes megabytes. */
 const WAITING = 8;
 
-/** Frames from one that stands for itself to the next; players jump to these. */
+/** Frames from one key frame to the next; players jump to these. */
 const KEY = 90;
 
-/** What codecs are tried with: frames, each as the one before but moved by some bytes, and milliseconds for each that are quick enough. */
+/**
+ * The trial of codecs: the number of frames, the bytes by which each differs from the one before, and the
+ * milliseconds per frame that are fast enough.
+ */
 const TRIAL = { frames: 5, shift: 40_000, quick: 50 };
 
 export class FilmEncoder {
@@ -24,7 +27,7 @@ export class FilmEncoder {
   private readonly output: Output;
   private frames = 0;
   private failure: Error | undefined;
-  /** Ends a wait. */
+  /** Ends a wait for the encoder. */
   private wake: () => void = () => undefined;
 
   private constructor(
@@ -32,7 +35,7 @@ export class FilmEncoder {
     private readonly shape: Shape,
   ) {
     this.track = new EncodedVideoPacketSource(codec.track);
-    // The index of the frames comes first, so that a player begins before it has all of the file.
+    // The index of the frames stands at the beginning, so that a player can start before it has the whole file.
     const format = codec.file === 'mp4' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
     this.output = new Output({ format, target: this.target });
     this.output.addVideoTrack(this.track, { frameRate: RATE });
@@ -40,7 +43,7 @@ export class FilmEncoder {
       this.failure ??= error;
       this.wake();
     };
-    // The track keeps the order of the calls, also of those that nothing waits for.
+    // The track keeps the order of the calls, also when nothing waits for them.
     this.encoder = new VideoEncoder({
       output: (chunk, meta) => void this.track.add(EncodedPacket.fromEncodedChunk(chunk), inColours(meta, codec)).catch(fail),
       error: fail,
@@ -55,7 +58,7 @@ export class FilmEncoder {
     return film;
   }
 
-  /** Shows red, green, blue, alpha of all pixels for so many frames. Throws what the browser says where it cannot encode them. */
+  /** Shows an RGBA image for `times` frames. Throws the browser's error if it cannot encode them. */
   async add(rgba: Uint8ClampedArray, times = 1): Promise<void> {
     const { width, height } = SHAPES[this.shape];
     const planes = planesOf(rgba, width, height, this.codec.matrix);
@@ -81,8 +84,8 @@ export class FilmEncoder {
 }
 
 /**
- * The quickest of some codecs: one browser takes ten times as long for VP9 as for VP8, another one for VP8 as for VP9. Only
- * where the first one is slow the others are tried. `rgba` is a frame to try them with, and is spoilt.
+ * The fastest of some codecs. One browser takes ten times as long for VP9 as for VP8, another one for VP8 as for VP9.
+ * The others are tried only if the first one is slow. `rgba` is a frame to try them with, and is overwritten.
  */
 export async function quickest(codecs: readonly Codec[], shape: Shape, rgba: Uint8ClampedArray): Promise<Codec> {
   let [best, least] = [codecs[0], Infinity];
@@ -102,7 +105,7 @@ export async function quickest(codecs: readonly Codec[], shape: Shape, rgba: Uin
   return best;
 }
 
-/** Microseconds at which a frame begins. */
+/** The time, in microseconds, at which a frame begins. */
 function at(frame: number): number {
   return Math.round((frame * 1e6) / RATE);
 }
@@ -111,7 +114,7 @@ function coloursOf({ matrix }: Codec): VideoColorSpaceInit {
   return { primaries: 'bt709', transfer: 'bt709', matrix, fullRange: false };
 }
 
-/** Encoders that say nothing of colours leave it to the player to guess. */
+/** If an encoder does not report its colours, players have to guess them. */
 function inColours(meta: EncodedVideoChunkMetadata | undefined, codec: Codec): EncodedVideoChunkMetadata | undefined {
   return meta?.decoderConfig ? { ...meta, decoderConfig: { ...meta.decoderConfig, colorSpace: coloursOf(codec) } } : meta;
 }

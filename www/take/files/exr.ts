@@ -1,7 +1,10 @@
-/** Heights as an OpenEXR file: one part of scan lines, one channel Y of 32 bit floats, not packed (OpenEXR File Layout). */
+/**
+ * Heights as an OpenEXR file: one part of scan lines, one channel Y of 32 bit floats, uncompressed (OpenEXR File
+ * Layout).
+ */
 import { Parts, type RowWriter } from './parts';
 
-/** Attributes with their types; the values are numbers of 32 bits, or the list of channels. */
+/** Attributes with their types. The values are 32 bit numbers, or the list of channels. */
 const ATTRIBUTES = (last: number): readonly (readonly [name: string, kind: string, value: Uint8Array])[] => {
   const window = words(0, 0, last, last);
   const one = words(0x3f800000);
@@ -17,7 +20,7 @@ const ATTRIBUTES = (last: number): readonly (readonly [name: string, kind: strin
   ];
 };
 
-/** The file of a map of one channel of 32 bits. */
+/** Writes the file of a map with one channel of 32 bits. */
 export class ExrWriter implements RowWriter {
   private readonly side: number;
   private readonly parts = new Parts();
@@ -28,7 +31,7 @@ export class ExrWriter implements RowWriter {
     const text = new TextEncoder();
     const attributes = ATTRIBUTES(side - 1).flatMap(([name, kind, value]) => [...text.encode(`${name}\0${kind}\0`), ...words(value.length), ...value]);
     const head = Uint8Array.from([...words(20_000_630, 2), ...attributes, 0]);
-    // The table tells where each line begins, in 64 bits.
+    // The table holds where each line begins, in 64 bits.
     const begin = head.length + 8 * side;
     const table = new DataView(new ArrayBuffer(8 * side));
     for (let y = 0; y < side; y += 1) table.setUint32(8 * y, begin + y * (8 + 4 * side), true);
@@ -43,7 +46,7 @@ export class ExrWriter implements RowWriter {
       const line = new DataView(new ArrayBuffer(8 + 4 * side));
       line.setUint32(0, this.line++, true);
       line.setUint32(4, 4 * side, true);
-      // Maps have the high byte first.
+      // Maps store the high byte first.
       for (let x = 0; x < side; x += 1) line.setFloat32(8 + 4 * x, values.getFloat32(at + 4 * x), true);
       this.parts.add(new Uint8Array(line.buffer));
     }

@@ -1,8 +1,9 @@
 /**
- * The film of the forming: the finished picture, then how it came about, to the finished picture again, so that it loops.
+ * The film of the forming. It shows the finished picture, then how it was made, then the finished picture again, so
+ * that it loops.
  *
- * The picture is made twice. The first time tells how many steps it takes, and what it ends with; the second time goes from
- * frame to frame. So every film has about the same length, and frames depend on steps, never on a clock.
+ * The picture is made twice. The first run counts the steps and keeps the final picture; the second run makes the
+ * frames. So all films have about the same length, and frames depend on steps, never on a clock.
  */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { Generator, PixelMap } from '../../module/types';
@@ -16,7 +17,7 @@ import { contextOf, Sheet, type Words } from './sheet';
 import type { SceneStudio } from '../../module/scene';
 import type { Seen } from './turn';
 
-/** The film. */
+/** The order for a film. */
 export interface FilmJob extends Seen {
   file: 'film';
   codecs: Codec[];
@@ -24,17 +25,17 @@ export interface FilmJob extends Seen {
   words: Words;
 }
 
-/** The parts of the work: the picture, the picture larger, the frames. */
+/** The progress at which the picture is done, and at which the enlarged picture is done; frames take the rest. */
 const FIRST = 0.12;
 const SECOND = 0.2;
 
-/** Pixels along a side of frames while it forms. */
+/** Pixels along a side of the frames that show the forming. */
 const MOVING = 720;
 
-/** The most that a picture file is enlarged. */
+/** The most times that a picture is enlarged. */
 const MOST = 4;
 
-/** Throws a Refusal where there is no picture. */
+/** Throws a Refusal if there is no picture. */
 export async function formingFilm(studio: Bubblestone, generator: Generator, { codecs, shape, words, ...seen }: FilmJob, progress: Progress): Promise<Blob> {
   const sheet = new Sheet(shape, words);
   workedOut(studio, generator, (done) => progress(FIRST * done));
@@ -54,14 +55,14 @@ export async function formingFilm(studio: Bubblestone, generator: Generator, { c
   return encoder.finish();
 }
 
-/** The bodies that are seen by frames, when they are finished. */
+/** The finished bodies, as a frame. */
 function framedPicture(studio: SceneStudio, seen: Seen, side: number): OffscreenCanvas {
   const context = contextOf(side, side);
   context.putImageData(frame(studio, seen, side, 'fine'), 0, 0);
   return context.canvas;
 }
 
-/** The finished picture, with as many pixels as the sheet has for it where that can be. */
+/** The finished picture, with as many pixels as the sheet shows of it, up to MOST times its own. */
 async function largePicture(studio: Bubblestone, side: number, progress: Progress): Promise<OffscreenCanvas> {
   const scale = Math.min(MOST, Math.ceil(side / studio.side()));
   const context = contextOf(scale * studio.side(), scale * studio.side());

@@ -1,5 +1,5 @@
 /**
- * The looping animation of the forming, with frames taken on the way.
+ * The looping animation of the forming.
  *
  * One step or one stone is made at a time, so frames do not depend on a clock.
  */
@@ -10,27 +10,27 @@ import { lookOf } from './look';
 import { workedOut, type Progress } from './worked';
 import type { Seen } from './turn';
 
-/** The animation. */
+/** The order for the animation. */
 export interface GifJob extends Seen {
   file: 'gif';
 }
 
-/** Sides in pixels; smaller pictures keep their own. */
+/** The side in pixels; smaller pictures keep their own. */
 const SIDE = 480;
 
-/** Frames of the packing at most; there are half as many at least, where there are as many steps. */
+/** The most frames of the packing. There are at least half as many if there are enough steps. */
 const PACKING = 48;
 
-/** Frames of the stones as they come. */
+/** Frames that show stones being placed. */
 const STONES = 10;
 
-/** Milliseconds. */
+/** Durations of frames in milliseconds. */
 const SHOWN = { first: 500, step: 70, stones: 80, last: 2500 };
 
-/** Making frames is this part of the work. */
+/** The share of the work that making frames takes; the rest is encoding. */
 const MAKING = 0.7;
 
-/** Throws a sentence where there is no picture. */
+/** Throws a Refusal if there is no picture. */
 export function formingGif(studio: Bubblestone, generator: Generator, job: GifJob, progress: Progress): Blob {
   const { stepping, placing } = generator;
   const look = lookOf(studio, generator, job, SIDE);
@@ -48,7 +48,7 @@ export function formingGif(studio: Bubblestone, generator: Generator, job: GifJo
       packed = steps;
       packing.push(frame(SHOWN.step));
       if (packing.length > PACKING) {
-        // Twice as many steps from frame to frame.
+        // From here on, twice as many steps lie between frames.
         stride *= 2;
         packing.splice(0, packing.length, ...packing.filter((_, index) => index % 2 === 0));
       }
@@ -63,14 +63,14 @@ export function formingGif(studio: Bubblestone, generator: Generator, job: GifJo
   return new Blob([gif(frames, side, (done) => progress(MAKING + (1 - MAKING) * done))], { type: 'image/gif' });
 }
 
-/** What the studio needs of a canvas. */
+/** The part of a canvas' context that the studio draws to. */
 class Picture {
   pixels: Uint8Array = new Uint8Array();
 
   constructor(private readonly side: number) {}
 
   putImageData({ data, width }: ImageData): void {
-    // The studio hands over a view of its own memory, which does not stay.
+    // The studio passes a view of its own memory, which does not stay valid.
     this.pixels = width === this.side ? new Uint8Array(data) : smaller(data, width, this.side);
   }
 }

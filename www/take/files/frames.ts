@@ -1,4 +1,4 @@
-/** The frames of the forming's film, by steps: what each of them shows of the pictures on the way. */
+/** The frames of the film of the forming: which pictures each of them shows, by steps of the packing. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { Generator, Status } from '../../module/types';
 import type { Look } from './look';
@@ -7,26 +7,32 @@ import { contextOf } from './sheet';
 
 type Canvas = OffscreenCanvas;
 
-/** Frames of the parts. */
+/** The number of frames of each part. */
 const FRAMES = { opening: 8, start: 10, still: 6, cells: 9, standing: 6, stones: 40, light: 16, last: 66 };
 
-/** Frames of the packing: so many for each step, within limits. */
+/** Frames of the packing: a number for each step, within limits. */
 const PACKING = { step: 2, least: 48, most: 96 };
 
-/** One picture, and so much of another over it, 0..1, for so many frames. */
+/** Shows one picture, with `share` (0..1) of another one blended over it, for a number of frames. */
 export type Show = (one: Canvas, other?: Canvas, share?: number, times?: number) => Promise<void>;
 
-/** So many frames have a film of so many steps. */
+/** The number of frames in a film of `steps` steps. */
 export function framesOf(steps: number): number {
   return Object.values(FRAMES).reduce((sum, count) => sum + count, paceOf(steps).length);
 }
 
-/** Makes a picture anew that was made before with this status, and shows the finished one, how it forms, and it again. */
+/**
+ * Makes a picture again that was made before with this status. Shows the finished picture, its forming, and the
+ * finished picture again.
+ */
 export async function showForming(studio: Bubblestone, { placing }: Pick<Generator, 'placing'>, look: Look, finished: Canvas, { steps, stones }: Status, show: Show): Promise<void> {
   await new Forming(studio, placing, look, finished, paceOf(steps), stones, show).run();
 }
 
-/** At which step each frame of the packing is: few steps at first, when each of them moves much. */
+/**
+ * The step that each frame of the packing shows. The first frames lie closer together in steps, because each early
+ * step moves much.
+ */
 function paceOf(steps: number): number[] {
   const frames = steps ? Math.min(PACKING.most, Math.max(PACKING.least, PACKING.step * steps)) : 0;
   return Array.from({ length: frames }, (_, frame) => {
@@ -36,7 +42,7 @@ function paceOf(steps: number): number[] {
 }
 
 class Forming {
-  /** What was seen last, and what is seen now. */
+  /** The previous picture and the current one. */
   private before: OffscreenCanvasRenderingContext2D;
   private now: OffscreenCanvasRenderingContext2D;
   private begun = false;
@@ -71,13 +77,13 @@ class Forming {
       // The last stone ends its stage.
       if (stood && this.stones) await this.stone(stonesCome ? stones : this.stones);
     }
-    // Where nothing was seen on the way, this is seen.
+    // If no frame was drawn on the way, one is drawn now.
     if (!this.begun) await this.look();
     await this.dissolve(this.now.canvas, this.finished, FRAMES.light);
     await this.show(this.finished, this.finished, 0, FRAMES.last);
   }
 
-  /** Draws what there is now; the first time the film begins. */
+  /** Draws the current picture. The first call begins the film. */
   private async look(): Promise<void> {
     [this.before, this.now] = [this.now, this.before];
     this.seen.draw(this.now);
@@ -88,12 +94,12 @@ class Forming {
     await this.show(this.now.canvas, this.now.canvas, 0, FRAMES.still);
   }
 
-  /** After a step of the packing: the frames up to it. */
+  /** Shows the frames up to a step of the packing, after that step. */
   private async step(steps: number): Promise<void> {
     const next = this.pace[this.packed] ?? Infinity;
     const last = this.steps;
     this.steps = steps;
-    // Only what lies beside a frame is drawn.
+    // Only steps next to a frame are drawn.
     if (next > steps + 1) return;
     await this.look();
     for (let at = this.pace[this.packed]; at !== undefined && at <= steps; at = this.pace[(this.packed += 1)]) {
@@ -101,14 +107,14 @@ class Forming {
     }
   }
 
-  /** Bubbles have become cells. */
+  /** Shows that bubbles have become cells. */
   private async stand(): Promise<void> {
     await this.look();
     await this.dissolve(this.before.canvas, this.now.canvas, FRAMES.cells);
     await this.show(this.now.canvas, this.now.canvas, 0, FRAMES.standing);
   }
 
-  /** After a stone: the frame that is due. */
+  /** Shows the frame that is due after a stone, if one is. */
   private async stone(stones: number): Promise<void> {
     if (stones < (this.placed / FRAMES.stones) * this.stones) return;
     await this.look();

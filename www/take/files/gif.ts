@@ -1,17 +1,20 @@
-/** Frames of a film as a GIF: one palette for all, and of each frame only what differs from the one before. */
+/**
+ * Frames of a film as a GIF. All frames share one palette; each frame stores only the pixels that differ from the one
+ * before.
+ */
 import { applyPalette, GIFEncoder, quantize } from 'gifenc';
 
 export interface Frame {
   /** Red, green, blue, alpha. */
   pixels: Uint8Array;
-  /** Milliseconds. */
+  /** The time for which it is shown, in milliseconds. */
   shown: number;
 }
 
-/** Colours of the palette; one more entry of it means “as before”. */
+/** Colours of the palette; one more entry means "as before". */
 const COLOURS = 255;
 
-/** Pixels that decide the palette: half of them from the last frame, which is seen the longest. */
+/** The number of pixels that decide the palette. Half of them come from the last frame, which is shown longest. */
 const SAMPLE = 60_000;
 
 /** `progress` gets 0..1. */
@@ -45,15 +48,15 @@ function sample(frames: readonly Frame[]): Uint8Array {
   return new Uint8Array(whole.buffer);
 }
 
-/** About so many pixels, spread over the picture. */
+/** About `count` pixels, spread over the picture. */
 function every(rgba: Uint8Array, count: number): Uint32Array {
   const pixels = new Uint32Array(rgba.buffer, rgba.byteOffset, rgba.length / 4);
-  // Odd steps do not fall into columns.
+  // Odd steps do not sample the same columns in each row.
   const step = Math.max(1, Math.floor(pixels.length / count)) | 1;
   return Uint32Array.from({ length: Math.floor((pixels.length - 1) / step) + 1 }, (_, k) => pixels[k * step] ?? 0);
 }
 
-/** A square picture made smaller: each pixel is the mean of the area it covers. */
+/** A square picture made smaller: each pixel is the mean of the area that it covers. */
 export function smaller(rgba: Uint8ClampedArray, from: number, to: number): Uint8Array {
   const out = new Uint8Array(to * to * 4);
   const row = new Float32Array(from * 4);
@@ -64,7 +67,7 @@ export function smaller(rgba: Uint8ClampedArray, from: number, to: number): Uint
       for (let k = 0, source = 4 * at * from; k < row.length; k += 1, source += 1) row[k] = (row[k] ?? 0) + share * (rgba[source] ?? 0);
     }
     for (let x = 0, place = 4 * y * to; x < to; x += 1, place += 4) {
-      // Rounded.
+      // The 0.5 rounds the sums.
       let [red, green, blue] = [0.5, 0.5, 0.5];
       for (const { at, share } of spans[x] ?? []) {
         red += share * (row[4 * at] ?? 0);
@@ -80,7 +83,7 @@ export function smaller(rgba: Uint8ClampedArray, from: number, to: number): Uint
   return out;
 }
 
-/** The places that a new one covers, and their shares of it. */
+/** The old pixels that a new pixel covers along one axis, with their shares of it. */
 function covered(place: number, scale: number, from: number): { at: number; share: number }[] {
   const [begin, end] = [place * scale, Math.min(from, (place + 1) * scale)];
   const places = [];

@@ -1,4 +1,4 @@
-/** Makes one file. Nothing here blocks the page: it is a worker, which ends with the file. */
+/** Makes one file in a worker, which ends with the file. So the page is never blocked. */
 import { studioFor } from '../../module/given';
 import { loadModule } from '../../module/load';
 import { generatorOf } from '../../module/run';
@@ -15,7 +15,7 @@ import { turnFile, type TurnJob } from './turn';
 import type { TurnFilmJob } from './turn-film';
 import { workedOut, type Progress } from './worked';
 
-/** What is to be made; `scale` is times the picture's side. */
+/** The file to make; `scale` multiplies the picture's side. */
 export type Job =
   | { file: 'svg' }
   | GifJob
@@ -27,10 +27,10 @@ export type Job =
   | { file: 'picture'; scale: number }
   | MapsJob;
 
-/** What the worker gets: the recipe and what to make of it. */
+/** The message to the worker: the recipe and the file to make from it. */
 export type Order = [link: string, job: Job];
 
-/** What it answers: the file, or why there can be none. */
+/** The worker's answer: the file, or the reason why there is none. */
 export type Answer = { file: Blob } | { refused: Notice };
 
 serve(async ([link, job]: Order, progress): Promise<Answer> => {
@@ -53,11 +53,11 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
   const generator = generatorOf(module, studio);
   if (job.file === 'gif') return formingGif(studio, generator, job, progress);
   if (job.file === 'film') {
-    // Only films need what films need.
+    // Only films load the code for films.
     const { formingFilm } = await import('./film');
     return formingFilm(studio, generator, job, progress);
   }
-  // The picture is this part of the work.
+  // The share of the work that the picture takes.
   const part = 'scale' in job && job.scale > 1 ? 1 / job.scale ** 2 : 0.8;
   const rest = (done: number): void => progress(part + (1 - part) * done);
   workedOut(studio, generator, (done) => progress(part * done));

@@ -1,4 +1,4 @@
-/** All maps in one zip file. */
+/** All maps in one ZIP file. */
 import { strToU8, Zip, ZipDeflate, ZipPassThrough } from 'fflate';
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { PixelMap } from '../../module/types';
@@ -10,17 +10,17 @@ import { PngWriter } from './png';
 import { mapsFor, maskOf } from './programs';
 import { given } from './refusal';
 
-/** `program` is one of PROGRAMS, or the word of the normal map; `scale` is times the picture's side. */
+/** `program` is one of PROGRAMS, or the word of the normal map; `scale` multiplies the picture's side. */
 export interface MapsJob {
   file: 'maps';
   program: string;
   scale: number;
 }
 
-/** The share of the work before the zip is put together. */
+/** The share of the work before the ZIP file is assembled. */
 const MADE = 0.85;
 
-/** Throws a Refusal where there are no maps. */
+/** Throws a Refusal if there are no maps. */
 export async function mapsZip(studio: Bubblestone, { program, scale }: MapsJob, progress: Progress): Promise<Blob> {
   const maps = mapsFor(program);
   const words = maps.map(([word]) => (word === 'mask' ? 'orm' : word));
@@ -33,7 +33,7 @@ export async function mapsZip(studio: Bubblestone, { program, scale }: MapsJob, 
     }
   };
   let report = studio.report();
-  // The picture's own pixels are there already.
+  // The picture's own pixels exist already.
   if (scale === 1) await take(words.map((word) => given(studio.map(word))));
   else {
     const heights = await bigger(studio, scale, words, take, (done) => progress(MADE * done));
@@ -48,7 +48,7 @@ export async function mapsZip(studio: Bubblestone, { program, scale }: MapsJob, 
   return zip.finish();
 }
 
-/** Files one after the other, none of which is in memory as a whole. */
+/** A ZIP file of several files, none of which is in memory as a whole. */
 class ZipFile {
   private readonly parts = new Parts();
   private readonly zip = new Zip((error, part) => {
@@ -57,7 +57,7 @@ class ZipFile {
   });
 
   async add(name: string, content: Blob): Promise<void> {
-    // PNG files are packed already.
+    // PNG files are compressed already.
     const file = name.endsWith('.exr') ? new ZipDeflate(name, { level: 1 }) : new ZipPassThrough(name);
     this.zip.add(file);
     const reader = content.stream().getReader();

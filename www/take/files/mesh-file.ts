@@ -1,10 +1,10 @@
-/** The surfaces of all cells and the ground, for other programs. */
+/** The meshes of all cells and of the ground, for other programs. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import { BUDGET } from '../../module/run';
 import { png } from './png';
 import { given } from './refusal';
 
-/** A mesh file: `detail` is 'low', 'middle' or 'high'; only GLB files may have images. */
+/** The order for a mesh file. `detail` is 'low', 'middle' or 'high'; only GLB files may have images. */
 export interface MeshJob {
   file: 'glb' | 'obj';
   detail: string;
@@ -13,7 +13,7 @@ export interface MeshJob {
 
 const TYPES = { glb: 'model/gltf-binary', obj: 'model/obj' };
 
-/** Throws a Refusal where it cannot be made. */
+/** Throws a Refusal if it cannot be made. */
 export async function meshFile(studio: Bubblestone, { file, detail, images }: MeshJob): Promise<Blob> {
   const pictures: Blob[] = [];
   if (images) for (const word of ['albedo', 'normal-opengl', 'orm']) pictures.push(await png(given(studio.map(word))));
@@ -24,7 +24,7 @@ export async function meshFile(studio: Bubblestone, { file, detail, images }: Me
     parts.push(...slice.parts);
     if (slice.done) break;
   }
-  // The file ends with the images, each filled up to a multiple of four bytes.
+  // The file ends with the images, each padded to a multiple of four bytes.
   for (const picture of pictures) parts.push(picture, new Uint8Array(-picture.size & 3));
   return new Blob(parts, { type: TYPES[file] });
 }

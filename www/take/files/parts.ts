@@ -1,6 +1,6 @@
-/** A file in the making, which the browser may put aside part by part: memory holds its end only. */
+/** A file in the making. The browser may move its parts out of memory, which holds only the end of the file. */
 
-/** Bytes that are put aside together. */
+/** Bytes that are moved into one blob. */
 const TOGETHER = 1 << 22;
 
 export class Parts {
@@ -21,9 +21,9 @@ export class Parts {
   }
 }
 
-/** A file that is written row after row. */
+/** A file that is written row by row. */
 export interface RowWriter {
-  /** Whole rows from the top. */
+  /** Writes whole rows, from the top. */
   write(rows: Uint8Array): Promise<void>;
   finish(): Promise<Blob>;
 }

@@ -1,15 +1,18 @@
 /**
- * Pixels as films have them: brightness of every pixel, and the two differences of colour of every second one of every
- * second row (limited range). Browsers would do the same, but not all by the same matrix.
+ * Pixels in the format of films (YUV 4:2:0, limited range): luma for every pixel, and the two colour differences for
+ * every second pixel of every second row. Browsers can convert too, but not all with the same matrix.
  */
 
-/** How colours become these, by the words of browsers: VP8 knows BT.601 only, what is newer takes large films for BT.709. */
+/**
+ * The matrix of the conversion, as browsers name it. VP8 supports BT.601 only; for newer codecs players assume that
+ * large films are BT.709.
+ */
 export type Matrix = 'bt709' | 'smpte170m';
 
-/** Shares of red, green and blue in the brightness. */
+/** Weights of red, green and blue in the luma. */
 const SHARES: Record<Matrix, readonly [number, number, number]> = { bt709: [0.2126, 0.7152, 0.0722], smpte170m: [0.299, 0.587, 0.114] };
 
-/** From 0..255 to brightness, and to differences of blue and red from it, in parts of 2^16. */
+/** Fixed-point unit of the conversion: coefficients are multiples of 2^-16. */
 const UNIT = 2 ** 16;
 type Row = readonly [red: number, green: number, blue: number];
 
@@ -22,7 +25,7 @@ function rowsOf(matrix: Matrix): [y: Row, u: Row, v: Row] {
   return [row(219, red, green, blue), row(112 / (1 - blue), -red, -green, 1 - blue), row(112 / (1 - red), 1 - red, -green, -blue)];
 }
 
-/** All three after each other (I420); sides are even. */
+/** All three planes one after the other (I420); sides are even. */
 export function planesOf(rgba: Uint8ClampedArray, width: number, height: number, matrix: Matrix): Uint8Array<ArrayBuffer> {
   const planes = new Uint8Array((width * height * 3) / 2);
   const [light, [ur, ug, ub], [vr, vg, vb]] = rowsOf(matrix);

@@ -1,15 +1,15 @@
-/** Pixels as PNG files, with 16 bits a channel where a map has them, which a canvas cannot do. */
+/** Pixels as PNG files. Maps may have 16 bits a channel, which a canvas cannot write. */
 import type { PixelMap } from '../../module/types';
 import { Parts, type RowWriter } from './parts';
 
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
-/** Each row as the difference to the one above (PNG specification, section 9). */
+/** The filter type "Up": each row stores its difference from the row above (PNG specification, section 9). */
 const UP = 2;
 
-/** By the number of channels. */
+/** PNG colour types by the number of channels. */
 const COLOUR_TYPES: Record<number, number> = { 1: 0, 3: 2, 4: 6 };
 
-/** A PNG file, packed as its rows come. */
+/** A PNG file that is compressed as its rows arrive. */
 export class PngWriter implements RowWriter {
   private readonly head = new Uint8Array(13);
   private readonly row: number;
@@ -25,7 +25,7 @@ export class PngWriter implements RowWriter {
     this.head.set([bits, COLOUR_TYPES[channels] ?? 0], 8);
     this.row = (side * channels * bits) / 8;
     this.above = new Uint8Array(this.row);
-    // The browser's “deflate” is the format of zlib that PNG asks for.
+    // The browser's "deflate" is the zlib format that PNG requires.
     const stream = new CompressionStream('deflate');
     this.into = stream.writable.getWriter();
     this.parts.add(Uint8Array.from(SIGNATURE));
@@ -44,7 +44,7 @@ export class PngWriter implements RowWriter {
     return this.parts.file('image/png');
   }
 
-  /** Each piece that comes out packed is a chunk of its own. */
+  /** Writes each compressed piece as a chunk of its own. */
   private async pack(from: ReadableStreamDefaultReader<Uint8Array>): Promise<void> {
     for (let piece = await from.read(); !piece.done; piece = await from.read()) this.parts.add(chunk('IDAT', piece.value));
   }
@@ -69,17 +69,17 @@ export async function png({ side, channels, bits, bytes }: PixelMap): Promise<Bl
   return writer.finish();
 }
 
-/** The bytes of the signature and of the first chunk, which has to be the first. */
+/** Bytes of the signature and of the IHDR chunk, which has to be the first. */
 const HEAD = 33;
 
-/** A PNG file with a text inside; both are ASCII. */
+/** A copy of a PNG file with a text added. Keyword and text are ASCII. */
 export async function withText(file: Blob, keyword: string, text: string): Promise<Blob> {
   const head = new Uint8Array(await file.slice(0, HEAD).arrayBuffer());
   const content = new TextEncoder().encode(`${keyword}\0${text}`);
   return new Blob([joined([head, chunk('tEXt', content)]), file.slice(HEAD)], { type: file.type });
 }
 
-/** The text of this keyword in a PNG file, of which the first bytes are enough; undefined where there is none. */
+/** The text with this keyword in a PNG file, or undefined. The first bytes of the file are enough. */
 export function textIn(bytes: Uint8Array, keyword: string): string | undefined {
   if (SIGNATURE.some((byte, k) => bytes[k] !== byte)) return undefined;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);

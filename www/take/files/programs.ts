@@ -1,9 +1,9 @@
 /**
- * Sets of maps as other programs expect them: the words of the maps and their files' names.
+ * Sets of maps for other programs: the words of the maps and the names of their files.
  *
- * Unreal has green down and occlusion, roughness and metal in one map (Epic Games' names of assets); Unity has the mask map
- * of its pipelines (URP reads it as metal and occlusion, too); Godot takes one map with its ORMMaterial3D; Blender's Node
- * Wrangler finds single maps by the words in their names.
+ * Unreal expects green down, and occlusion, roughness and metal in one map (Epic Games' names of assets). Unity has a
+ * mask map (URP reads it as metal and occlusion, too). Godot takes one ORM map in its ORMMaterial3D. Blender's Node
+ * Wrangler finds single maps by words in their file names.
  */
 export const PROGRAMS = {
   blender: [
@@ -37,7 +37,10 @@ export const PROGRAMS = {
   ],
 } as const;
 
-/** The pixels of a mask map from those of occlusion, roughness and metal: these, nothing, and smoothness for roughness. */
+/**
+ * The pixels of a mask map from a map of occlusion, roughness and metal. Its channels are metal (0), occlusion,
+ * nothing, and smoothness.
+ */
 export function maskOf(orm: Uint8Array): Uint8Array {
   const pixels = orm.length / 3;
   const mask = new Uint8Array(4 * pixels);
@@ -48,7 +51,7 @@ export function maskOf(orm: Uint8Array): Uint8Array {
   return mask;
 }
 
-/** The maps of a program, or of the word of a normal map under their own names. */
+/** The maps of a program. For the word of a normal map: all maps under their own names. */
 export function mapsFor(program: string): readonly (readonly [word: string, file: string])[] {
   if (program in PROGRAMS) return PROGRAMS[program as keyof typeof PROGRAMS];
   return ['height', program, 'albedo', 'roughness', 'ao', 'id'].map((word) => [word, `${word}.png`] as const);

@@ -1,4 +1,4 @@
-/** A refusal of the module, carried to the page through what makes a file. */
+/** A refusal of the module, thrown through the code that makes a file up to the page. */
 import type { Notice } from '../../module/types';
 
 export class Refusal extends Error {
@@ -10,7 +10,7 @@ export class Refusal extends Error {
   }
 }
 
-/** What was made; throws a Refusal where there is none. */
+/** Returns the result; throws a Refusal if the module refused. */
 export function given<T extends object>(made: T | Notice): T {
   if ('code' in made) throw new Refusal(made);
   return made;

@@ -1,27 +1,30 @@
 /**
- * What a film's frames are drawn on. On a square one the picture is all there is. On an upright one it lies over itself,
- * enlarged, out of focus and darkened, with its title below.
+ * The sheet that a film's frames are drawn on. A square sheet holds the picture alone. An upright sheet shows the
+ * picture over a blurred, darkened enlargement of itself, with its title below.
  */
 import { SHAPES, type FormingShape } from './codecs';
 
-/** Where the picture lies. */
+/** The place of the picture on the sheet. */
 const BOXES = { square: { x: 0, y: 0, side: 1080 }, upright: { x: 28, y: 356, side: 1024 } };
 
-/** Of the upright sheet, in pixels: round corners, the base lines of title and name below the picture, the widest title. */
+/**
+ * The upright sheet, in pixels: the radius of its round corners, the base lines of title and name below the picture,
+ * and the greatest width of the title.
+ */
 const ROUND = 18;
 const LINES = { title: 124, name: 196 };
 const WIDEST = 940;
 
-/** Pixels along the side of the picture out of focus. */
+/** Pixels along the side of the blurred picture. */
 const COARSE = 7;
 
-/** How bright the ground is, 0..255: letters on it are white. */
+/** The brightness of the background, 0..255. It is dark because the letters on it are white. */
 const DARK = 66;
 
-/** What is written. */
+/** The texts on the sheet. */
 export interface Words {
   title: string;
-  /** The page's type, and that of its name. */
+  /** The font of the page, and the font of its name. */
   font: string;
   latin: string;
 }
@@ -41,12 +44,12 @@ export class Sheet {
     this.side = BOXES[shape].side;
   }
 
-  /** Lays the ground, which the finished picture gives. */
+  /** Draws the background from the finished picture. */
   lay(picture: OffscreenCanvas): void {
     if (this.shape === 'upright') this.ground = groundOf(picture, this.words);
   }
 
-  /** The pixels of a frame: one picture, and so much of another over it. */
+  /** The pixels of a frame: one picture, with `share` of another one blended over it. */
   frame(one: OffscreenCanvas, other: OffscreenCanvas, share: number): Uint8ClampedArray {
     const { context, ground } = this;
     const { width, height } = context.canvas;
@@ -69,7 +72,7 @@ export class Sheet {
   }
 }
 
-/** For pictures that go from canvas to canvas in the processor's own memory. */
+/** A context for pictures that are copied between canvases; the browser keeps it in main memory. */
 export function contextOf(width: number, height: number): Context {
   const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true, alpha: false });
   if (!context) throw new Error('OffscreenCanvas');
@@ -86,11 +89,11 @@ function roundBox(context: Context): void {
 function groundOf(picture: OffscreenCanvas, words: Words): OffscreenCanvas {
   const { width, height } = SHAPES.upright;
   const context = contextOf(width, height);
-  // Not all browsers have filters on canvases: made small and large again, step by step, it is as soft.
+  // Not all browsers have filters on canvases. Scaling down and up again in steps blurs as well.
   const soft = outOfFocus(picture, COARSE, 900);
   const all = [(width - height) / 2, 0, height, height] as const;
   context.drawImage(soft, ...all);
-  // Multiplied by themselves bright colours become deep ones; dark ones are deep.
+  // Multiplying a picture by itself makes bright colours deep. Dark colours are deep already.
   context.globalCompositeOperation = 'multiply';
   context.globalAlpha = Math.min(1, Math.max(0, brightnessOf(context) / DARK - 1));
   context.drawImage(soft, ...all);
@@ -113,7 +116,7 @@ function groundOf(picture: OffscreenCanvas, words: Words): OffscreenCanvas {
   return context.canvas;
 }
 
-/** Of all there is, 0..255. */
+/** The mean brightness of a canvas, 0..255, at least 1. */
 function brightnessOf(context: Context): number {
   const one = contextOf(1, 1);
   one.drawImage(outOfFocus(context.canvas, 1, 1), 0, 0);
@@ -121,7 +124,7 @@ function brightnessOf(context: Context): number {
   return Math.max(1, 0.2126 * red + 0.7152 * green + 0.0722 * blue);
 }
 
-/** Made small by halves, down to so many pixels, and large again by doubles, up to at least so many. */
+/** Blurs a picture: halves its side down to `least` pixels, then doubles it until it has at least `most`. */
 function outOfFocus(picture: OffscreenCanvas, least: number, most: number): OffscreenCanvas {
   let soft = picture;
   let side = picture.width;

@@ -1,20 +1,20 @@
 /**
- * The height field as a closed slab in an STL file, for printing: millimetres, right-handed with z up, seen from above as
- * the picture.
+ * The height field as a closed slab in an STL file for 3D printing. Units are millimetres, axes are right-handed with
+ * z up, and the picture is seen from above.
  *
- * The file is the binary form (3D Systems, 1989): 80 bytes of title, the count of triangles, and for each its normal and
- * corners as floats and two empty bytes. The top has a grid's squares of two triangles each, the walls one such square
- * below each side, and the base is a fan.
+ * The file is binary STL (3D Systems, 1989): an 80-byte title, the count of triangles, and for each triangle its
+ * normal and corners as floats and two empty bytes. The top has two triangles for each square of a grid, each wall
+ * has one such square below each edge of the grid, and the base is a fan.
  */
 import type { PixelMap } from '../../module/types';
 import type { Progress } from './worked';
 
-/** In millimetres, but for the squares along a side of the grid. */
+/** Lengths are in millimetres. */
 export interface Slab {
   side: number;
-  /** Thickness under the lowest point. */
+  /** The thickness under the lowest point. */
   base: number;
-  /** From the lowest to the highest point. */
+  /** The height from the lowest to the highest point. */
   relief: number;
   squares: number;
 }
@@ -24,13 +24,13 @@ const TRIANGLE = 50;
 
 type Corner = readonly [x: number, y: number, z: number];
 
-/** How large the file of so many squares along a side is. */
+/** The size of a file with `squares` squares along a side. */
 export function slabSize(squares: number): { triangles: number; bytes: number } {
   const triangles = 2 * squares * squares + 12 * squares;
   return { triangles, bytes: HEAD + TRIANGLE * triangles };
 }
 
-/** The file of a map of heights as floats; that of a tile goes on beyond its edges. */
+/** The file of a map of heights as floats. Heights of a tile are continued beyond its edges. */
 export function slabFile(slab: Slab, map: PixelMap, tile: boolean, progress: Progress): Blob {
   const { side, base, relief, squares: n } = slab;
   const { triangles, bytes } = slabSize(n);
@@ -38,7 +38,7 @@ export function slabFile(slab: Slab, map: PixelMap, tile: boolean, progress: Pro
   new Uint8Array(file.buffer).set(new TextEncoder().encode('Made by Bubblestone. Millimetres.'.padEnd(HEAD - 4)));
   file.setUint32(HEAD - 4, triangles, true);
   let at = HEAD;
-  /** Counter-clockwise seen from outside. */
+  /** Writes a triangle. Its corners are counter-clockwise seen from outside. */
   const put = (a: Corner, b: Corner, c: Corner): void => {
     for (const corner of [normal(a, b, c), a, b, c]) {
       for (const v of corner) {
@@ -54,7 +54,10 @@ export function slabFile(slab: Slab, map: PixelMap, tile: boolean, progress: Pro
   const corner = (i: number, j: number, z: number): Corner => [(i * side) / n, ((n - j) * side) / n, z];
   const top = (i: number, j: number): Corner => corner(i, j, base + ((heights[j * (n + 1) + i] ?? low) - low) * rise);
   const middle: Corner = [side / 2, side / 2, 0];
-  /** A square of a wall and its part of the base, below two crossings that follow clockwise seen from above. */
+  /**
+   * A square of a wall and its triangle of the base, below two grid points that follow each other clockwise seen from
+   * above.
+   */
   const wall = (i: number, j: number, k: number, l: number): void => {
     const [a, b, c, d] = [top(i, j), top(k, l), corner(i, j, 0), corner(k, l, 0)];
     put(a, b, d);
@@ -76,11 +79,11 @@ export function slabFile(slab: Slab, map: PixelMap, tile: boolean, progress: Pro
   return new Blob([file.buffer], { type: 'model/stl' });
 }
 
-/** The mean height around each crossing of a grid of `n` squares a side, row after row. */
+/** The mean height around each point of a grid with `n` squares a side, row by row. */
 function crossings({ side, bytes }: PixelMap, n: number, tile: boolean, progress: Progress): Float32Array {
   const values = new DataView(bytes.buffer, bytes.byteOffset);
   const half = Math.max(0.5, side / n / 2);
-  /** The pixels around a crossing of a row or column. */
+  /** The pixels around a grid point, along a row or column. */
   const around = (k: number): number[] => {
     const place = tile && k === n ? 0 : (k * side) / n;
     const [from, to] = [Math.floor(place - half), Math.ceil(place + half)];

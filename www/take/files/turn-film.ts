@@ -1,24 +1,24 @@
-/** The film of the turntable: the viewer goes round once, and the film loops. */
+/** The film of the turntable. The camera goes round once, and the film loops. */
 import { RATE, SHAPES, type Codec } from './codecs';
 import { FilmEncoder, quickest } from './encoder';
 import { gif, type Frame } from './gif';
 import type { Progress } from './worked';
 import { frameOf, studioOf, WORKED, type Seen } from './turn';
 
-/** A film, or where there is no codec an animation. */
+/** The order for the film; an animation (GIF) if no codec is given. */
 export interface TurnFilmJob extends Seen {
   file: 'turn-film';
   codecs: Codec[];
 }
 
-/** Seconds of a turn; of an animation, pixels along a side and frames, which are large in its file. */
+/** Seconds of a turn. The animation has few pixels and frames because they are large in its file. */
 const LENGTH = 6;
 const ANIMATION = { side: 360, frames: 60 };
 
-/** How much slower than evenly the turn begins and ends: there the eye comes to rest. */
+/** How much the turn slows down at its beginning and end, where the eye rests. */
 const EASE = 0.5;
 
-/** Throws a Refusal where there is nothing to be seen. */
+/** Throws a Refusal if there is nothing to see. */
 export async function turnFilm(link: string, { codecs, subject, camera, view }: TurnFilmJob, progress: Progress): Promise<Blob> {
   const studio = await studioOf(link, progress);
   const [side, count] = codecs.length ? [SHAPES.turn.width, LENGTH * RATE] : [ANIMATION.side, ANIMATION.frames];
@@ -38,7 +38,7 @@ export async function turnFilm(link: string, { codecs, subject, camera, view }: 
   return encoder.finish();
 }
 
-/** From 0 to 1, slow at both ends, which meet without a jerk. */
+/** Eases 0..1: slow at both ends, which join without a jerk. */
 function eased(part: number): number {
   return part - (EASE * Math.sin(2 * Math.PI * part)) / (2 * Math.PI);
 }

@@ -1,4 +1,4 @@
-/** Pictures of the turntable: a frame of its bodies, or a plane of it. */
+/** Pictures of the turntable: a frame of its bodies, or a data plane of that frame. */
 import { studioFor } from '../../module/given';
 import { loadWhole } from '../../module/load';
 import { BUDGET, generatorOf } from '../../module/run';
@@ -7,17 +7,20 @@ import { workedOut, type Progress } from './worked';
 import { png } from './png';
 import { given } from './refusal';
 
-/** What is to be seen, all of it ('') or a step in the making of a body (`ID:STEP`), the words of where from, and the view where that is seen by frames. */
+/**
+ * The shown subject, camera and view. `subject` is '' for all bodies, or `ID:STEP` for a step in the making of one.
+ * `view` matters for generators that are seen by frames only.
+ */
 export interface Seen {
   subject: string;
   camera: string;
   view: string;
 }
 
-/** What is behind the bodies. */
+/** The background behind the bodies. */
 export type Backdrop = 'floor' | 'sky' | 'nothing';
 
-/** A square frame, or one of its planes; `scale` is times the usual side. */
+/** The order for a square frame, or for one of its planes; `scale` multiplies the usual side. */
 export interface TurnJob extends Seen {
   file: 'turn';
   plane: 'depth' | 'normal' | 'id' | undefined;
@@ -26,20 +29,20 @@ export interface TurnJob extends Seen {
   backdrop: Backdrop;
 }
 
-/** The share of the work before the first frame. */
+/** The progress at which the first frame begins. */
 export const WORKED = 0.15;
 
-/** Throws a Refusal where there is nothing to be seen. */
+/** Throws a Refusal if there is nothing to see. */
 export async function turnFile(link: string, { plane, side, backdrop, ...seen }: TurnJob, progress: Progress): Promise<Blob> {
   const studio = await studioOf(link, progress);
   const rest = (done: number): void => progress(WORKED + (1 - WORKED) * done);
-  // Planes have no smooth edges.
+  // Planes are not antialiased.
   const pixels = frameOf(studio, seen, side, `${plane ? 'still' : 'fine'}+${backdrop}`, rest);
   if (plane) return png(given(studio.frameMap(plane)));
   return png(backdrop === 'nothing' ? { side, channels: 4, bits: 8, bytes: pixels } : { side, channels: 3, bits: 8, bytes: opaque(pixels) });
 }
 
-/** A recipe worked out, with its scene. Throws a Refusal where there is no picture. */
+/** A studio with a finished recipe and its scene. Throws a Refusal if there is no picture. */
 export async function studioOf(link: string, progress: Progress): Promise<SceneStudio> {
   const module = await loadWhole();
   const studio = await studioFor(module, link);
@@ -47,7 +50,7 @@ export async function studioOf(link: string, progress: Progress): Promise<SceneS
   return studio;
 }
 
-/** The pixels of a square frame. Throws a Refusal where there is nothing to be seen. */
+/** The pixels of a square frame. Throws a Refusal if there is nothing to see. */
 export function frameOf(studio: SceneStudio, { subject, camera, view }: Seen, side: number, how: string, progress: Progress): Uint8Array<ArrayBuffer> {
   for (;;) {
     const slice = given(studio.turn(subject, camera, side, side, `${how}+${view}`, BUDGET));
@@ -56,7 +59,7 @@ export function frameOf(studio: SceneStudio, { subject, camera, view }: Seen, si
   }
 }
 
-/** Red, green, blue of pixels that hide all. */
+/** The RGB values of opaque pixels. */
 function opaque(pixels: Uint8Array): Uint8Array<ArrayBuffer> {
   const out = new Uint8Array((pixels.length / 4) * 3);
   for (let from = 0, to = 0; from < pixels.length; from += 4) {

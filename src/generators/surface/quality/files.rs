@@ -1,4 +1,4 @@
-//! Meshes as files have them.
+//! Meshes as they stand in files.
 
 use crate::trimesh::testing::{self, Soup};
 use glam::DVec3;

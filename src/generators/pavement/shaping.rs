@@ -1,64 +1,21 @@
-//! Packing and cells in slices: what each has begun, and its next step.
+//! Cells in the making.
 
 use super::params::CellParams;
 use crate::cells::{self, Cell, Fitting, Scatter, ScatterParams};
 use crate::domain::Domain;
 use crate::field::Fields;
 use crate::notice::{Code, Notice};
-use crate::packing::{Packing, PackingParams, Placing};
+use crate::packing::Packing;
 
-/// A packing on its way.
-pub(super) enum Packs {
-    /// Its first cells are being placed.
-    Placing(Box<Placing>),
-    /// They move.
-    Moving(Box<Packing>),
-}
-
-impl Packs {
-    /// Places some cells, or moves all of them by one step; answers with the packing at rest.
-    ///
-    /// # Errors
-    /// If no cell has room.
-    pub fn advance(
-        params: &PackingParams,
-        work: &mut Option<Packs>,
-        domain: &Domain,
-        fields: &Fields,
-    ) -> Result<Option<Packing>, Notice> {
-        let mut placing = match work.take() {
-            Some(Packs::Moving(mut packing)) => {
-                if packing.step(domain, fields).done {
-                    return Ok(Some(*packing));
-                }
-                *work = Some(Packs::Moving(packing));
-                return Ok(None);
-            }
-            Some(Packs::Placing(placing)) => placing,
-            None => Box::new(Placing::new(domain, fields, *params)?),
-        };
-        if !placing.advance(domain, fields) {
-            *work = Some(Packs::Placing(placing));
-            return Ok(None);
-        }
-        let packing = placing.finish(domain, fields);
-        if packing.report().cells == 0 {
-            return Err(Code::NoCells.into());
-        }
-        *work = Some(Packs::Moving(Box::new(packing)));
-        Ok(None)
-    }
-}
-
-/// Cells on their way.
+/// Cells in the making.
 pub(super) enum Shaping {
-    /// Points are scattered, to be the middles of Voronoi cells.
+    /// Points are scattered, to be the centres of Voronoi cells.
     Scatter(Box<Scatter>),
     /// Cells are fitted to each other.
     Fitting(Box<Fitting>),
 }
 
-/// What cells are made of.
+/// The inputs of cells.
 #[derive(Clone, Copy)]
 pub(super) struct Packed<'a> {
     pub domain: &'a Domain,
@@ -67,10 +24,10 @@ pub(super) struct Packed<'a> {
 }
 
 impl Shaping {
-    /// One slice; answers with the cells once they are made.
+    /// Does one slice of the work; returns the cells when all are made.
     ///
     /// # Errors
-    /// If there are none.
+    /// A notice where there are none.
     pub fn advance(
         params: &CellParams,
         work: &mut Option<Shaping>,

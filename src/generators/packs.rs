@@ -1,0 +1,139 @@
+//! A packing in the making, in the plane or on a surface.
+
+use crate::domain::Domain;
+use crate::field::Fields;
+use crate::notice::{Code, Notice};
+use crate::packing::{Packing, PackingParams, Placing};
+#[cfg(house)]
+use crate::surface_field::SurfaceFields;
+#[cfg(house)]
+use crate::surface_packing::{Site, SurfacePacking, SurfacePlacing};
+
+/// A packing in the making: `L` places its first cells, and `M` moves them.
+pub(super) enum Packs<L, M> {
+    Placing(Box<L>),
+    Moving(Box<M>),
+}
+
+/// A domain with its fields, on which cells are packed.
+pub(super) trait PackingGround: Copy {
+    /// Places the first cells.
+    type Placing;
+    /// Moves the cells.
+    type Packing;
+
+    /// Begins to place cells.
+    ///
+    /// # Errors
+    /// A notice where there would be too many.
+    fn begin(self, params: PackingParams) -> Result<Self::Placing, Notice>;
+
+    /// Does one slice of the placing; true when all places are filled.
+    fn place(self, placing: &mut Self::Placing) -> bool;
+
+    /// Makes a packing of the placed cells, and counts them.
+    fn finish(self, placing: Self::Placing) -> (Self::Packing, usize);
+
+    /// Does one slice of a step; true when the packing is at rest.
+    fn advance(self, packing: &mut Self::Packing) -> bool;
+}
+
+impl<L, M> Packs<L, M> {
+    /// Does one slice of the work; returns the packing when it is at rest.
+    ///
+    /// # Errors
+    /// A notice where no cell has room, or there would be too many.
+    pub fn advance(
+        params: &PackingParams,
+        work: &mut Option<Self>,
+        ground: impl PackingGround<Placing = L, Packing = M>,
+    ) -> Result<Option<M>, Notice> {
+        let next = match work.take() {
+            None => Self::Placing(Box::new(ground.begin(*params)?)),
+            Some(begun) => begun,
+        };
+        *work = Some(match next {
+            Self::Moving(mut packing) => {
+                if ground.advance(&mut packing) {
+                    return Ok(Some(*packing));
+                }
+                Self::Moving(packing)
+            }
+            Self::Placing(mut placing) => {
+                if ground.place(&mut placing) {
+                    let (packing, cells) = ground.finish(*placing);
+                    if cells == 0 {
+                        return Err(Code::NoCells.into());
+                    }
+                    Self::Moving(Box::new(packing))
+                } else {
+                    Self::Placing(placing)
+                }
+            }
+        });
+        Ok(None)
+    }
+
+    /// The packing, once its cells move.
+    pub fn moving(&self) -> Option<&M> {
+        match self {
+            Self::Moving(packing) => Some(packing),
+            Self::Placing(_) => None,
+        }
+    }
+
+    /// The same, for a packing that keeps the answers to some questions.
+    pub fn moving_mut(&mut self) -> Option<&mut M> {
+        match self {
+            Self::Moving(packing) => Some(packing),
+            Self::Placing(_) => None,
+        }
+    }
+}
+
+impl PackingGround for (&Domain, &Fields) {
+    type Placing = Placing;
+    type Packing = Packing;
+
+    fn begin(self, params: PackingParams) -> Result<Placing, Notice> {
+        Placing::new(self.0, self.1, params)
+    }
+
+    fn place(self, placing: &mut Placing) -> bool {
+        placing.advance(self.0, self.1)
+    }
+
+    fn finish(self, placing: Placing) -> (Packing, usize) {
+        let packing = placing.finish(self.0, self.1);
+        let cells = packing.report().cells;
+        (packing, cells)
+    }
+
+    fn advance(self, packing: &mut Packing) -> bool {
+        packing.step(self.0, self.1).done
+    }
+}
+
+#[cfg(house)]
+impl PackingGround for (&Site, &SurfaceFields) {
+    type Placing = SurfacePlacing;
+    type Packing = SurfacePacking;
+
+    fn begin(self, params: PackingParams) -> Result<SurfacePlacing, Notice> {
+        Ok(SurfacePlacing::new(self.0, self.1, params))
+    }
+
+    fn place(self, placing: &mut SurfacePlacing) -> bool {
+        placing.advance(self.0, self.1)
+    }
+
+    fn finish(self, placing: SurfacePlacing) -> (SurfacePacking, usize) {
+        let packing = placing.finish(self.0, self.1);
+        let cells = packing.report().cells;
+        (packing, cells)
+    }
+
+    fn advance(self, packing: &mut SurfacePacking) -> bool {
+        packing.advance(self.0, self.1)
+    }
+}

@@ -1,0 +1,141 @@
+//! From a table of tasks to what is due.
+
+use super::node::{AnyNode, Inputs, Node, State};
+use crate::notice::{Code, Notice};
+
+/// A task of a wiring; see [`task!`].
+pub struct Task<S: Wiring> {
+    /// Its stage. A stage has run when the last of its tasks has.
+    pub stage: S::Stage,
+    /// The node that keeps the value.
+    pub node: fn(&S) -> &dyn AnyNode,
+    /// The same.
+    pub node_mut: fn(&mut S) -> &mut dyn AnyNode,
+    /// The revisions of the inputs.
+    pub inputs: fn(&S) -> Inputs,
+    /// Does one slice of the work; `None` where an input is missing.
+    pub make: fn(&mut S) -> Option<()>,
+}
+
+/// A task: its stage, the field of its node, the fields of its inputs (or a function that returns their revisions),
+/// and the function that makes the value.
+macro_rules! task {
+    ($stage:expr, $($node:ident).+, [$($($input:ident).+),*], $make:expr) => {
+        $crate::graph::task!($stage, $($node).+, |_all| {
+            $crate::graph::inputs([$(_all.$($input).+.revision()),*])
+        }, $make)
+    };
+    ($stage:expr, $($node:ident).+, $inputs:expr, $make:expr) => {
+        $crate::graph::Task {
+            stage: $stage,
+            node: |all| &all.$($node).+,
+            node_mut: |all| &mut all.$($node).+,
+            inputs: $inputs,
+            make: $make,
+        }
+    };
+}
+
+pub(crate) use task;
+
+/// The revisions of some inputs.
+pub fn inputs<const N: usize>(revisions: [u64; N]) -> Inputs {
+    let mut inputs = Inputs::default();
+    inputs[..N].copy_from_slice(&revisions);
+    inputs
+}
+
+/// The nodes of a generator, and the table of their tasks.
+pub trait Wiring: Sized + 'static {
+    /// A stage: one task, or several in a row.
+    type Stage: Copy + PartialEq;
+
+    /// The tasks in their order: each uses only what earlier ones have made.
+    const TASKS: &'static [Task<Self>];
+
+    /// The first task that is not fresh.
+    fn due(&self) -> Option<(&'static Task<Self>, State)> {
+        let state = |task: &Task<Self>| (task.node)(self).status().state((task.inputs)(self));
+        let mut states = Self::TASKS.iter().map(|task| (task, state(task)));
+        states.find(|&(_, state)| state != State::Fresh)
+    }
+
+    /// The stage of that task; none where all is done.
+    fn at(&self) -> Option<Self::Stage> {
+        self.due().map(|(task, _)| task.stage)
+    }
+
+    /// Why that task cannot go on.
+    fn failure(&self) -> Option<&Notice> {
+        let (task, _) = self.due().filter(|&(_, state)| state == State::Failed)?;
+        (task.node)(self).status().failure()
+    }
+
+    /// One slice of that task.
+    fn advance(&mut self) {
+        let Some((task, State::Stale)) = self.due() else {
+            return;
+        };
+        let inputs = (task.inputs)(self);
+        (task.node_mut)(self).begin(inputs);
+        if (task.make)(self).is_none() {
+            (task.node_mut)(self).fail(Code::NoCells.into());
+        }
+    }
+
+    /// The first stage of which the latest recipe asks something else than the one at work.
+    fn stale(&self) -> Option<Self::Stage> {
+        let mut tasks = Self::TASKS.iter();
+        let found = tasks.find(|task| (task.node)(self).is_stale());
+        found.map(|task| task.stage)
+    }
+
+    /// Makes the latest recipe the one at work.
+    fn take_up(&mut self) {
+        for task in Self::TASKS {
+            (task.node_mut)(self).take_up();
+        }
+    }
+
+    /// How often each stage has run.
+    fn runs(&self) -> Vec<u64> {
+        let stages = Self::TASKS.chunk_by(|a, b| a.stage == b.stage);
+        let last = stages.filter_map(|tasks| tasks.last());
+        last.map(|task| (task.node)(self).status().revision())
+            .collect()
+    }
+
+    /// Grows whenever something else may be seen.
+    fn slices(&self) -> u64 {
+        let nodes = Self::TASKS.iter().map(|task| (task.node)(self));
+        nodes.map(|node| node.status().slices()).sum()
+    }
+
+    /// The inputs of one of the nodes, as they are now.
+    fn inputs_of(&self, node: &dyn AnyNode) -> Inputs {
+        let is_of = |task: &&Task<Self>| std::ptr::addr_eq((task.node)(self), node);
+        let task = Self::TASKS.iter().find(is_of);
+        task.map_or(Inputs::default(), |task| (task.inputs)(self))
+    }
+
+    /// Is the value of a node made by the parameters at work, of the inputs that are there?
+    fn is_fresh(&self, node: &dyn AnyNode) -> bool {
+        node.status().state(self.inputs_of(node)) == State::Fresh
+    }
+
+    /// The value of a node, if it was made of the inputs that are there, by whatever parameters.
+    fn current<'a, P, W, T>(&self, node: &'a Node<P, W, T>) -> Option<&'a T>
+    where
+        P: Clone + PartialEq,
+    {
+        node.made_of(self.inputs_of(node))
+    }
+
+    /// The work of a node, if it was begun on the inputs that are there.
+    fn begun<'a, P, W, T>(&self, node: &'a Node<P, W, T>) -> Option<&'a W>
+    where
+        P: Clone + PartialEq,
+    {
+        node.work_of(self.inputs_of(node))
+    }
+}
