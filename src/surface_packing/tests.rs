@@ -1,6 +1,7 @@
 use super::fixture::Along;
 use super::*;
 use crate::field::Kind;
+use crate::packing::Integrator;
 use crate::trimesh::TriMesh;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! Exactly what differs runs, and bigger pictures do not show that they were painted in bands.
 
-use super::params::Params;
+use super::params::{self, Params};
 use super::schema::keys;
 use super::{Pavement, SCHEMA, Stage};
 use crate::export::{Map, MapKind};
