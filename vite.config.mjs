@@ -35,7 +35,7 @@ const words = {
   },
 };
 
-/** Nothing is painted before the page is whole and in its language: browsers paint what has come of a page under load. */
+/** Nothing is painted before the page is complete and in its language: under load, browsers paint unfinished pages. */
 const whole = {
   name: 'whole',
   transformIndexHtml: {
@@ -68,10 +68,12 @@ function japanese() {
 /** The folder of the second module, which is loaded at first need. */
 const house = here('pkg-house');
 
-/** What each module makes, for the page to offer it before it is here; and the second module. */
+/**
+ * The generators of each module, so that the page can offer them before the module is loaded; and the second module.
+ */
 const made = {
   name: 'made',
-  // The choice of a generator is there when the page is painted first: not every browser waits for the script.
+  // The choice of a generator is in the page at its first paint: not every browser waits for the script.
   transformIndexHtml: {
     order: /** @type {const} */ ('post'),
     handler: async (/** @type {string} */ html) => {
@@ -92,7 +94,7 @@ const made = {
   },
 };
 
-/** The small pictures of what the second module adds; workers show none. */
+/** The small pictures of the second module's presets; workers need none. */
 const thumbs = {
   name: 'thumbs',
   /** @this {import('rolldown').PluginContext} */
@@ -103,11 +105,14 @@ const thumbs = {
   },
 };
 
-// Files of the site that are made have to be there before Vite looks for files.
+// Generated files of the site have to exist before Vite looks for files.
 await buildThumbs();
 await buildIcons();
 
-/** The page gives the module to the glue itself, packed (www/module/load.ts): the plain file is no part of the site. */
+/**
+ * The page gives the compressed module to the glue code itself (www/module/load.ts): the plain file is not part of
+ * the site.
+ */
 const packed = {
   name: 'packed',
   /** @param {string} code @param {string} id */
@@ -129,10 +134,11 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     rolldownOptions: {
       input: { index: here('www/index.html'), sw: here('www/service/sw.ts') },
-      // A service worker has one address for ever, and stands over all that it serves.
+      // A service worker has one fixed address, and its scope is all that it serves.
       output: {
         entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js'),
-        // What the page begins with is one file, whichever parts of it those need that come later; so is what these share.
+        // The page starts with one file, whichever parts of it later files need; what those share is one file as
+        // well.
         codeSplitting: {
           groups: [
             { name: 'page', tags: ['$initial'], test: (id) => !id.includes('/www/service/') },

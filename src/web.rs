@@ -1,7 +1,7 @@
-//! The face towards the browser and Node: only what stands here knows JavaScript.
+//! The interface to browsers and Node. Only this module knows JavaScript.
 //!
-//! Everything is said in numbers, strings and plain objects, whose types are declared where they are
-//! made. Nothing here throws for bad input: notices come back instead.
+//! All results are numbers, strings and plain objects, whose types are declared where they are made. Nothing
+//! here throws for bad input; notices are returned instead.
 
 #[cfg(feature = "bench")]
 mod bench;
@@ -29,7 +29,7 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen::{Clamped, JsCast};
 use web_sys::{CanvasRenderingContext2d, ImageData, Performance};
 
-/// Milliseconds of a clock that only goes forward, in a page, in a worker and in Node.
+/// A clock in milliseconds that never goes back, in a page, in a worker and in Node.
 struct Clock(Option<Performance>);
 
 impl Clock {
@@ -44,24 +44,24 @@ impl Clock {
     }
 }
 
-/// A picture in the making, of any generator.
+/// A picture of any generator, while it is made.
 #[wasm_bindgen]
 pub struct Bubblestone {
     studio: Studio,
     notices: Vec<Notice>,
     clock: Clock,
-    /// A file on its way here.
+    /// The file that is being received.
     #[cfg(house)]
     arriving: Option<crate::generators::GivenFile>,
 }
 
 #[wasm_bindgen]
 impl Bubblestone {
-    /// Opens a link (a whole address, a fragment, or nothing for the default recipe). What did not
-    /// fit is told by `notices`.
+    /// Opens a link (a whole address, a fragment, or nothing for the default recipe). `notices` lists the parts
+    /// that did not fit.
     #[wasm_bindgen(constructor)]
     pub fn new(link: &str) -> Bubblestone {
-        // The page's own module has no words for a panic: see scripts/lib/trim.mjs.
+        // The page's own module has no panic messages: see scripts/lib/trim.mjs.
         #[cfg(debug_assertions)]
         console_error_panic_hook::set_once();
         let (recipe, notices) = ALL.recipe(link);
@@ -74,7 +74,7 @@ impl Bubblestone {
         }
     }
 
-    /// Opens another link; answers with what was clamped, dropped or refused.
+    /// Opens another link. Returns notices on values that were clamped, dropped or refused.
     #[wasm_bindgen(unchecked_return_type = "Notice[]")]
     pub fn open(&mut self, link: &str) -> Array {
         let (recipe, notices) = ALL.recipe(link);
@@ -83,7 +83,7 @@ impl Bubblestone {
         self.notices()
     }
 
-    /// What the last link opened said.
+    /// The notices of the last link opened.
     #[wasm_bindgen(unchecked_return_type = "Notice[]")]
     pub fn notices(&self) -> Array {
         all(&self.notices)
@@ -94,7 +94,7 @@ impl Bubblestone {
         self.studio.recipe().link()
     }
 
-    /// The generator at work, by its word.
+    /// The word of the generator at work.
     pub fn generator(&self) -> String {
         self.studio.generator().schema.word.to_owned()
     }
@@ -115,7 +115,7 @@ impl Bubblestone {
         self.studio.engine_as_mut()
     }
 
-    /// Works by a recipe from now on, where it was not refused.
+    /// Takes a recipe, unless the change was refused.
     fn take(&mut self, recipe: Recipe, said: Result<Vec<Notice>, Notice>) -> Object {
         if said.is_ok() {
             self.studio.set_recipe(recipe);
@@ -128,80 +128,80 @@ impl Bubblestone {
         self.studio.recipe().get(key)
     }
 
-    /// Works for about `budget` milliseconds and makes at most `max_steps` packing steps (0 holds
-    /// the packing still, the other stages go on). True when what is shown may have changed.
+    /// Works for about `budget` milliseconds and makes at most `max_steps` packing steps (with 0 the packing
+    /// pauses, but the other stages go on). True if the picture may have changed.
     pub fn tick(&mut self, budget: f64, max_steps: u32) -> bool {
         let clock = &self.clock;
         self.studio.tick(&mut || clock.now(), budget, max_steps)
     }
 
-    /// Exactly one packing step; nothing when the packing is over.
+    /// Makes exactly one packing step; does nothing when the packing is over.
     pub fn step(&mut self) {
         let clock = &self.clock;
         self.studio.step(&mut || clock.now());
     }
 
-    /// While live, the cells flow after each change of outline, fields or packing; the end of it
-    /// makes the packing again from its own start: the link's.
+    /// While live, the cells flow after each change of outline, fields or packing. At the end the packing is
+    /// made again from its own start, as the link describes it.
     #[wasm_bindgen(js_name = setLive)]
     pub fn set_live(&mut self, on: bool) {
         self.studio.set_live(on);
     }
 
-    /// All stages again, from the same recipe.
+    /// Runs all stages again, for the same recipe.
     pub fn restart(&mut self) {
         self.studio.restart();
     }
 
-    /// The stage at work, then 'done', or 'error' where no picture can be made.
+    /// The stage at work, then 'done', or 'error' if no picture can be made.
     pub fn stage(&self) -> String {
         self.studio.stage().to_string()
     }
 
-    /// Why there is 'error'; undefined while all is well.
+    /// The reason for the stage 'error'; undefined without an error.
     #[wasm_bindgen(unchecked_return_type = "Notice | undefined")]
     pub fn problem(&self) -> JsValue {
         let problem = self.studio.problem();
         problem.map_or(JsValue::UNDEFINED, |why| notice(why).into())
     }
 
-    /// How far the work is.
+    /// The progress of the work.
     #[wasm_bindgen(unchecked_return_type = "Status")]
     pub fn status(&mut self) -> Object {
         let energy = self.studio.engine_mut().energy();
         objects::status(&self.studio.progress(), energy, &self.studio.milliseconds())
     }
 
-    /// Draws a view at the context's upper left corner: words joined by '+', at most one of what lies
-    /// at the bottom ('auto', 'picture', 'paper', 'height', 'normals', 'albedo', 'roughness', 'ao',
-    /// 'ids', 'potential') and any of what is drawn over it ('size', 'packed', 'energy', 'cells',
-    /// 'mesh', 'anisotropy', 'direction', 'forces', 'singularities'; alone they stand on paper). Words
-    /// that name nothing are passed over.
+    /// Draws a view at the context's upper left corner. A view is words joined by '+': at most one base
+    /// ('auto', 'picture', 'paper', 'height', 'normals', 'albedo', 'roughness', 'ao', 'ids', 'potential') and
+    /// any overlays ('size', 'packed', 'energy', 'cells', 'mesh', 'anisotropy', 'direction', 'forces',
+    /// 'singularities'; without a base they are drawn on paper). Unknown words are ignored.
     pub fn draw(&mut self, context: &CanvasRenderingContext2d, view: &str) {
         let side = self.studio.side() as u32;
         let frame = self.studio.engine_mut().view(view);
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(frame), side, side);
-        // A context that is lost draws nothing; the next frame tries again.
+        // A lost context draws nothing; the next frame tries again.
         let _ = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
     }
 
-    /// Draws beforehand, for about `budget` milliseconds, what is much to draw of a view; true when
-    /// [`Bubblestone::draw`] has only the rest to do.
+    /// Prepares the large parts of a view for about `budget` milliseconds; true when only the rest is left to
+    /// [`Bubblestone::draw`].
     pub fn prepare(&mut self, view: &str, budget: f64) -> bool {
         let clock = &self.clock;
         let engine = self.studio.engine_mut();
         engine.prepare(view, &mut || clock.now(), budget)
     }
 
-    /// What of a view shows nothing, and why: each as its word, ':' and 'not_yet', 'at_rest', 'no_point',
-    /// 'no_mesh', 'one_size' or 'all_even'.
+    /// The parts of a view that show nothing, with the reason: each as its word, ':' and 'not_yet', 'at_rest',
+    /// 'no_point', 'no_mesh', 'one_size' or 'all_even'.
     pub fn absences(&mut self, view: &str) -> Vec<String> {
         let found = self.studio.engine_mut().absences(view);
         let told = found.iter().map(|&(word, why)| [word, why].join(":"));
         told.collect()
     }
 
-    /// From black to white in the view 'height', in picture units; 0 before there are planes.
+    /// The difference in height between black and white in the view 'height', in picture units; 0 before there
+    /// are planes.
     #[wasm_bindgen(js_name = heightRange)]
     pub fn height_range(&self) -> f64 {
         self.pavement().map_or(0.0, Pavement::height_range)
@@ -216,21 +216,21 @@ impl Bubblestone {
         probe.map_or(JsValue::UNDEFINED, |probe| objects::probe(&probe).into())
     }
 
-    /// How the packing went so far.
+    /// The progress of the packing so far.
     #[wasm_bindgen(unchecked_return_type = "Series")]
     pub fn series(&self) -> Object {
         objects::series(self.pavement().map_or(&[], Pavement::samples))
     }
 
-    /// How many cells have a size so many times the wanted one, and how many stand so many degrees off
-    /// the direction field.
+    /// Histograms of the cells: sizes relative to the wanted ones, and angles to the direction field in
+    /// degrees.
     #[wasm_bindgen(unchecked_return_type = "Histograms")]
     pub fn histograms(&mut self) -> Object {
         let pavement = self.pavement_mut();
         objects::histograms(&pavement.map(Pavement::histograms).unwrap_or_default())
     }
 
-    /// The default of a number in the recipe at hand.
+    /// The default of a number in the present recipe.
     #[wasm_bindgen(js_name = defaultOf)]
     pub fn default_of(&self, key: &str) -> f64 {
         let recipe = self.studio.recipe();
@@ -238,13 +238,13 @@ impl Bubblestone {
         row.map_or(0.0, |row| recipe.default_of(row))
     }
 
-    /// Hex digest of the planes; '' until done.
+    /// The digest of the planes in hex; '' until done.
     pub fn digest(&self) -> String {
         self.studio.digest()
     }
 
-    /// Makes a free polygon of rings (x, y, x, y, ...; in any order) the outline; refused, the last good
-    /// outline stays.
+    /// Sets the outline to a free polygon of rings (x, y, x, y, ...; in any order). If it is refused, the last
+    /// valid outline stays.
     #[wasm_bindgen(js_name = setOutline, unchecked_return_type = "Answer")]
     pub fn set_outline(&mut self, points: &[f64], ring_lengths: &[u32]) -> Object {
         let mut recipe = self.studio.recipe().clone();
@@ -256,7 +256,7 @@ impl Bubblestone {
         self.take(recipe, said)
     }
 
-    /// The outline in use.
+    /// The present outline.
     #[wasm_bindgen(unchecked_return_type = "Rings")]
     pub fn outline(&self) -> Object {
         let numbers = |ring: &&[DVec2]| ring.iter().flat_map(|p| [p.x, p.y]).collect();
@@ -265,8 +265,7 @@ impl Bubblestone {
         objects::rows(&rings, 2, ["points", "rings"])
     }
 
-    /// A list parameter. `set` takes it back as text, with commas between numbers and semicolons
-    /// between rows.
+    /// A list parameter. `set` takes it back as text, with commas between numbers and semicolons between rows.
     #[wasm_bindgen(unchecked_return_type = "Rows")]
     pub fn list(&self, key: &str) -> Object {
         let recipe = self.studio.recipe();
@@ -275,7 +274,7 @@ impl Bubblestone {
         objects::rows(&rows, 1, ["numbers", "rows"])
     }
 
-    /// Which of the parts that lines cut the outline into holds this point; -1 outside.
+    /// The index of the part that contains this point, if lines divide the outline; -1 outside.
     pub fn part(&self, x: f64, y: f64) -> i32 {
         let p = DVec2::new(x, y);
         let domain = self
@@ -315,15 +314,15 @@ fn object(entries: &[(&str, JsValue)]) -> Object {
     object
 }
 
-/// A seed for the dice: any whole number below 2^32.
+/// A random seed: any whole number below 2^32.
 #[wasm_bindgen]
 pub fn random_seed() -> u32 {
-    // Where the browser has no source of chance, the clock will do for a throw of dice.
+    // If the browser has no random source, the clock is good enough for a throw of dice.
     getrandom::u32().unwrap_or_else(|_| Date::now() as u64 as u32)
 }
 
-/// The digest of a link's planes, all worked out at once; the problem's sentence where there are
-/// none. For programs that compare the bits of machines.
+/// The digest of a link's planes, computed in one call; the sentence of the problem if there are none. For
+/// programs that compare results between machines.
 #[wasm_bindgen]
 pub fn digest_of_link(link: &str) -> String {
     let (recipe, _) = ALL.recipe(link);

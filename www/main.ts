@@ -50,7 +50,7 @@ async function storeSite(): Promise<void> {
   const offline = await import('./shell/offline').catch(() => undefined);
   offline?.register((what) => {
     if (what === 'newer') passing('offline', t('offline_newer'));
-    // The page's foot says it, so no message is needed.
+    // The text in the page's foot is enough; no message is needed.
     else byId('offline').textContent = t('offline_stored');
   });
 }

@@ -11,7 +11,7 @@ export function isDebian() {
   }
 }
 
-/** The words before a command that needs root; undefined where root is out of reach. */
+/** The words before a command that needs root; undefined if root is out of reach. */
 function rootPrefix() {
   if (process.getuid?.() === 0) return [];
   return ask('sudo', ['-n', 'true']) === undefined ? undefined : ['sudo', '-n'];

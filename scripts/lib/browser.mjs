@@ -22,7 +22,7 @@ export const browsers = {
 };
 
 /**
- * The program of a browser: the one that its variable names, or one found; undefined where there is none.
+ * The program of a browser: the one that its variable names, or one found; undefined if there is none.
  * @param {Kind} kind
  */
 export function findBrowser(kind) {

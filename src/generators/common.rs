@@ -1,4 +1,4 @@
-//! From the rows that generators share to the parameters of stones, their colours, weather and light.
+//! Turns the rows that generators share into parameters of stones, their colours, weather and light.
 
 use super::lighting::LightParams;
 use crate::light::{Light, ShadeParams};
@@ -18,7 +18,7 @@ pub(super) fn seed(recipe: &Recipe) -> u64 {
     recipe.number(keys::SEED) as u64
 }
 
-/// How much years and weather do, each 0..1.
+/// The strength of years and weather, each 0..1.
 pub(super) fn weather(recipe: &Recipe) -> WeatherParams {
     WeatherParams {
         wear: recipe.number(keys::WEAR),
@@ -28,7 +28,7 @@ pub(super) fn weather(recipe: &Recipe) -> WeatherParams {
     }
 }
 
-/// The light, and how palette, ground and gloss answer it.
+/// The light, and the materials of palette, ground and gloss.
 pub(super) fn light(recipe: &Recipe) -> LightParams {
     LightParams {
         shade: shading(recipe),
@@ -63,7 +63,7 @@ pub(super) fn shading(recipe: &Recipe) -> ShadeParams {
     }
 }
 
-/// What a cell becomes, of heights in such units.
+/// The parameters of stones; `unit` is the unit of heights.
 pub(super) fn stone(recipe: &Recipe, unit: f64) -> StoneParams {
     StoneParams {
         kind: match recipe.choice(stones::STONE) {
@@ -96,7 +96,7 @@ pub(super) fn stone(recipe: &Recipe, unit: f64) -> StoneParams {
     }
 }
 
-/// Which cells are marked, of patterns in such units.
+/// The rule that marks cells; `unit` is the unit of patterns.
 pub(super) fn colour(recipe: &Recipe, unit: f64) -> ColourParams {
     ColourParams {
         pattern: Pattern::of_word(recipe.choice(stones::PATTERN)),
@@ -116,7 +116,7 @@ mod tests {
     use super::*;
     use crate::generators::ALL;
 
-    /// To ask for a row that is not there panics.
+    /// Access to a row that does not exist panics.
     #[test]
     fn who_uses_the_height_field_has_its_rows() {
         let finisher = ["planes", "weather", "shading"];

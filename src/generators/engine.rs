@@ -1,4 +1,4 @@
-//! What an engine is to those who run it: stages that work in slices, views, and files.
+//! The interface of an engine: stages that work in slices, views, and files.
 
 use super::budget::Clock;
 #[cfg(house)]
@@ -12,12 +12,12 @@ use crate::recipe::Recipe;
 use crate::scene::Frame;
 use std::any::Any;
 
-/// How far the work has come.
+/// The progress of the work.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Progress {
-    /// Cells, or bodies, that are there.
+    /// The number of cells, or bodies.
     pub cells: usize,
-    /// Steps that they have moved by.
+    /// The number of steps that they have moved by.
     pub steps: u32,
     /// The largest move of the last step, in cell sizes.
     pub largest_move: f64,
@@ -25,113 +25,111 @@ pub struct Progress {
     pub added: u32,
     /// Cells removed since then.
     pub removed: u32,
-    /// Did it come to rest by itself?
+    /// Whether it came to rest by itself.
     pub converged: bool,
-    /// Stones, or bodies, that are finished.
+    /// The number of finished stones, or bodies.
     pub stones: usize,
 }
 
-/// What one slice of work has made of a mesh file.
+/// The result of one slice of work on a mesh file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshSlice {
-    /// A new file begins with these parts; those of calls before belong to another one.
+    /// Whether a new file begins with these parts; those of earlier calls belong to another one.
     pub begun: bool,
-    /// The next parts of the file, one after the other.
+    /// The next parts of the file, in order.
     pub parts: Vec<Vec<u8>>,
-    /// The file ends with them.
+    /// Whether the file ends with them.
     pub done: bool,
 }
 
-/// What one slice of work has made of a bigger picture, or of its maps.
+/// The result of one slice of work on a bigger picture, or on its maps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureSlice {
-    /// A new picture begins with these rows; those of calls before belong to another one.
+    /// Whether a new picture begins with these rows; those of earlier calls belong to another one.
     pub begun: bool,
-    /// How much of the work is done, 0..1, by a rough estimate.
+    /// The share of the work that is done, 0..1, a rough estimate.
     pub progress: f64,
-    /// The next rows of each map that was asked for, or of the picture, from the top; none in most slices.
+    /// The next rows of each requested map, or of the picture, from the top; empty in most slices.
     pub rows: Vec<Map>,
     /// The lowest and the highest value of its bump plane, in picture units, once that is finished.
     pub heights: (f32, f32),
-    /// The picture ends with them.
+    /// Whether the picture ends with them.
     pub done: bool,
 }
 
-/// Makes pictures of one generator's recipes, slice by slice. A stage is named by its place in
+/// Makes pictures of one generator's recipes, slice by slice. A stage is given by its index in
 /// [`super::Generator::stages`].
 pub trait Engine: Any {
-    /// Gives it the latest recipe. The work goes on by the one before until [`Engine::take_up`].
+    /// Sets the latest recipe. The work continues with the present one until [`Engine::take_up`].
     fn ask(&mut self, recipe: &Recipe);
 
-    /// The first stage that the latest recipe wants otherwise than the recipe at work does.
+    /// The first stage in which the latest recipe differs from the present one.
     fn stale(&self) -> Option<usize>;
 
-    /// Makes the latest recipe the one at work.
+    /// Makes the latest recipe the present one.
     fn take_up(&mut self);
 
     /// Marks all stages as stale, so that they run again.
     fn forget(&mut self);
 
-    /// Pixels along the side of the picture at work.
+    /// Pixels along the side of the present picture.
     fn side(&self) -> usize;
 
-    /// The first stage that is not fresh; none where all is done.
+    /// The first stage that is not fresh; `None` when all is done.
     fn at(&self) -> Option<usize>;
 
     /// Why the work cannot go on; `None` while it can.
     fn failure(&self) -> Option<&Notice>;
 
-    /// What is to be said of what was made so far: what was mended, or does not fit well.
+    /// Remarks on the result so far: what was mended, or does not fit well.
     fn remarks(&self) -> Vec<Notice> {
         Vec::new()
     }
 
-    /// The stage that the next slice works on; `None` where all is done or the work cannot go on.
+    /// The stage of the next slice; `None` if all is done or the work cannot go on.
     fn at_work(&self) -> Option<usize> {
         self.at().filter(|_| self.failure().is_none())
     }
 
-    /// Does one slice of the work, on the first stage that is not fresh.
+    /// Does one slice of work, on the first stage that is not fresh.
     fn advance(&mut self);
 
-    /// Does a step begin with the next slice? It waits while the work is held; the rest of a step does not.
+    /// Whether a step begins with the next slice. It waits while the work is held; the rest of a step does not.
     fn is_step(&self) -> bool {
         false
     }
 
-    /// The stage that goes in steps, such as the packing.
+    /// The stage that proceeds in steps, such as the packing.
     fn stepping(&self) -> Option<usize> {
         None
     }
 
-    /// The first stage of the finisher: from there on a short pass is let finish.
+    /// The first stage of the finisher: from there on a short pass is finished before a newer recipe begins.
     fn finisher(&self) -> usize;
 
-    /// Do other cells or bodies form than those of the picture that is there?
+    /// Whether the cells or bodies that form differ from those of the present picture.
     fn is_forming(&self) -> bool;
 
     /// How often each stage has finished.
     fn runs(&self) -> Vec<u64>;
 
-    /// How far the work is.
+    /// The progress of the work.
     fn progress(&self) -> Progress;
 
-    /// The potential energy of what moves, in units of the mean cell's spring constant
-    /// k0; 0 where nothing moves.
+    /// The potential energy of moving cells, in units of the mean cell's spring constant k0; 0 if nothing moves.
     fn energy(&mut self) -> f64 {
         0.0
     }
 
-    /// While live, a recipe may be shown by a draft that goes on from what is there, instead of the
-    /// stages.
+    /// While live, a draft may show a recipe: it continues from the present state instead of running the stages.
     fn set_live(&mut self, _on: bool) {}
 
-    /// Is a draft at work, and not the stages?
+    /// Whether a draft is active instead of the stages.
     fn is_drafting(&self) -> bool {
         false
     }
 
-    /// Is a draft to be seen?
+    /// Whether a draft is shown.
     fn shows_draft(&self) -> bool {
         false
     }
@@ -141,38 +139,38 @@ pub trait Engine: Any {
         false
     }
 
-    /// Drops the draft: in any case (`all`), or only where the stages have something to show instead.
+    /// Drops the draft: always (`all`), or only if the stages have something to show instead.
     fn drop_draft(&mut self, _all: bool) {}
 
-    /// The picture of a view, by its words: opaque RGBA, row after row from the top. While a stage has
-    /// nothing to show yet, what was there before.
+    /// The picture of a view, by its words: opaque RGBA, row after row from the top. While a stage has nothing to
+    /// show yet, the last one stays.
     fn view(&mut self, words: &str) -> &[u8];
 
-    /// Draws some of a view that takes long to draw, for about `budget` milliseconds but at least one
-    /// piece. True when [`Engine::view`] has nothing left to do that takes long.
+    /// Draws a part of a view that takes long, for about `budget` milliseconds but at least one piece. True if
+    /// [`Engine::view`] has no long work left.
     fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool;
 
     /// The words of a view that show nothing, each with the word of the reason.
     fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)>;
 
-    /// The picture last finished, in the form of [`Engine::view`]; empty before there is one.
+    /// The last finished picture, in the form of [`Engine::view`]; empty before there is one.
     fn picture(&self) -> &[u8];
 
-    /// Digest of what was made last, 16 hexadecimal digits: equal for equal planes.
+    /// Digest of the last result, 16 hexadecimal digits: equal for equal planes.
     fn digest(&self) -> String;
 
     /// A map of the finished picture.
     ///
     /// # Errors
-    /// A notice where the picture is not finished, or there is no such map.
+    /// A notice if the picture is not finished, or there is no such map.
     fn map(&self, kind: MapKind) -> Result<Map, Notice>;
 
-    /// Works for about `budget` milliseconds, or until there are some megabytes of rows, on these maps of the finished picture with `scale` times as many pixels
-    /// along its side, or where there are none on the picture itself. Begins anew where the order or the picture
-    /// is another one than the last time, or the last one was done.
+    /// Works for about `budget` milliseconds, or until there are some megabytes of rows, on these maps of the
+    /// finished picture with `scale` times as many pixels along its side; without maps, on the picture itself. Starts
+    /// again if the order or the picture has changed, or the last file was done.
     ///
     /// # Errors
-    /// A notice where the picture is not finished, or would be too large.
+    /// A notice if the picture is not finished, or would be too large.
     fn picture_file(
         &mut self,
         order: (usize, &[MapKind]),
@@ -180,11 +178,10 @@ pub trait Engine: Any {
         budget: f64,
     ) -> Result<PictureSlice, Notice>;
 
-    /// Works for about `budget` milliseconds on a mesh file. Begins anew where the picture or the order is
-    /// another one than the last time.
+    /// Works for about `budget` milliseconds on a mesh file. Starts again if the picture or the order has changed.
     ///
     /// # Errors
-    /// A notice where the picture is not finished, or there is no such file.
+    /// A notice if the picture is not finished, or there is no such file.
     fn mesh_file(
         &mut self,
         _order: &MeshOrder,
@@ -194,16 +191,16 @@ pub trait Engine: Any {
         Err(Code::NoSuchFile.into())
     }
 
-    /// How large such a file is; nothing where there is none.
+    /// The size of such a file; `None` if there is none.
     fn mesh_size(&self, _order: &MeshOrder) -> Option<MeshSize> {
         None
     }
 
-    /// Works for about `budget` milliseconds on a frame of the bodies, seen from a slant. Begins anew where it is
-    /// another one than the last time, or was done.
+    /// Works for about `budget` milliseconds on a frame of the bodies, seen from a slant. Starts again if the order
+    /// has changed, or the last frame was done.
     ///
     /// # Errors
-    /// A notice where the picture is not finished, or there are no bodies.
+    /// A notice if the picture is not finished, or there are no bodies.
     #[cfg(house)]
     fn turn(
         &mut self,
@@ -226,31 +223,32 @@ pub trait Engine: Any {
         None
     }
 
-    /// The words of the steps in which a body is made, of its id.
+    /// The words of the steps in the making of a body, by its id.
     #[cfg(house)]
     fn making(&self, _id: u32) -> Vec<String> {
         Vec::new()
     }
 
-    /// What is to be read beside a view, once it is shown: what its colours stand for, or what it counts.
+    /// The caption of a view that is shown: the meaning of its colours, or its counts.
     #[cfg(house)]
     fn caption(&self, _words: &str) -> Option<Notice> {
         None
     }
 
-    /// The place of the model at a pixel of that frame, as rows of strokes and spots on it have it; nothing beside it.
+    /// The place of the model at a pixel of that frame, as rows of strokes and spots hold it; `None` beside the
+    /// model.
     #[cfg(house)]
     fn place_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
         None
     }
 
-    /// Where such a place is in that frame, in pixels; nothing where it is not seen there.
+    /// Where such a place is in that frame, in pixels; `None` if it is not visible there.
     #[cfg(house)]
     fn pixel_of(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
         None
     }
 
-    /// Takes a file that recipes may ask for, in any role; false where this generator has no use for files.
+    /// Takes a file for recipes that name it, in any role; false if this generator takes no files.
     #[cfg(house)]
     fn give(&mut self, _file: GivenFile) -> bool {
         false
@@ -262,13 +260,13 @@ pub trait Engine: Any {
         Vec::new()
     }
 
-    /// Lets go of files in the making, and of what was kept of a bigger picture for its maps.
+    /// Drops unfinished files, and the parts of a bigger picture that are kept for its maps.
     fn stop_file(&mut self);
 
-    /// Adds the figures that only this generator has to a report.
+    /// Adds the figures of this generator to a report.
     fn report(&mut self, report: &mut Report);
 
-    /// Files of what was made, as text, for whoever measures: names and contents.
+    /// The results as text files, for measurements: names and contents.
     #[cfg(not(target_arch = "wasm32"))]
     fn data(&self) -> Vec<(&'static str, String)>;
 }

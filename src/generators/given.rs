@@ -1,4 +1,4 @@
-//! Files that recipes may ask for, as they arrive: in pieces, so that nobody has to wait for their digest.
+//! Files for recipes, as they arrive: in pieces, so that no call takes long for the digest.
 
 use crate::hash::Hash;
 use crate::recipe::NamedFile;
@@ -6,20 +6,20 @@ use crate::recipe::NamedFile;
 /// Bytes of a word of the digest.
 const WORD: usize = 8;
 
-/// What a file is said to have is not believed beyond this.
+/// The most bytes that are reserved for a file, whatever size is announced.
 const BELIEVED: usize = 1 << 29;
 
-/// The digest of a file in the making.
+/// The digest of a file, while its bytes arrive.
 #[derive(Clone)]
 pub struct FileDigest {
     hash: Hash,
-    /// What is no whole word yet.
+    /// Bytes that do not fill a word yet.
     rest: [u8; WORD],
     filled: usize,
 }
 
 impl FileDigest {
-    /// Of a file of so many bytes.
+    /// Starts the digest of a file with `size` bytes.
     pub fn new(size: usize) -> Self {
         let mut hash = Hash::new();
         hash.add(size as u64);
@@ -30,7 +30,7 @@ impl FileDigest {
         }
     }
 
-    /// Some more bytes.
+    /// Adds some more bytes.
     pub fn add(&mut self, mut piece: &[u8]) {
         if self.filled > 0 {
             let some = piece.len().min(WORD - self.filled);
@@ -75,9 +75,9 @@ pub struct MissingFile {
     pub name: String,
 }
 
-/// A file.
+/// A file with its name.
 pub struct GivenFile {
-    /// What it is called.
+    /// The file's name.
     pub name: String,
     bytes: Vec<u8>,
     size: usize,
@@ -85,7 +85,7 @@ pub struct GivenFile {
 }
 
 impl GivenFile {
-    /// A file of so many bytes, none of which is there yet.
+    /// A file of `size` bytes, none of which has arrived.
     pub fn begin(name: &str, size: usize) -> Self {
         Self {
             name: name.to_owned(),
@@ -95,7 +95,7 @@ impl GivenFile {
         }
     }
 
-    /// All of a file.
+    /// A complete file.
     pub fn whole(name: &str, bytes: Vec<u8>) -> Self {
         let mut file = Self::begin(name, bytes.len());
         file.digest.add(&bytes);
@@ -103,7 +103,7 @@ impl GivenFile {
         file
     }
 
-    /// Some more of it.
+    /// Adds some more bytes.
     pub fn add(&mut self, piece: &[u8]) {
         if self.bytes.is_empty() {
             self.bytes.reserve_exact(self.size.min(BELIEVED));
@@ -112,12 +112,12 @@ impl GivenFile {
         self.digest.add(piece);
     }
 
-    /// The digest of its bytes, as far as they are there.
+    /// The digest of the bytes that have arrived.
     pub fn digest(&self) -> u64 {
         self.digest.number()
     }
 
-    /// How a recipe names it.
+    /// The file as recipes name it.
     pub fn named(&self) -> NamedFile {
         NamedFile::new(self.digest(), &self.name)
     }

@@ -1,5 +1,4 @@
-//! The finisher of what lies in the plane: stones painted into planes, the weather over them, and
-//! their light.
+//! The finisher of pictures in the plane: stones are painted into planes, then weathered, then lit.
 
 use super::lighting::LightParams;
 use crate::cells::Cell;
@@ -12,7 +11,7 @@ use crate::solid::Solids;
 /// Rows of the picture in one slice.
 pub(super) const ROWS: usize = 16;
 
-/// What planes are made by.
+/// The parameters of planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PlaneParams {
     pub texture: TextureParams,
@@ -20,7 +19,7 @@ pub(super) struct PlaneParams {
     pub finer: i32,
 }
 
-/// What is asked of all its stages.
+/// The parameters of all its stages.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct HeightFieldParams {
     pub planes: PlaneParams,
@@ -30,7 +29,7 @@ pub(super) struct HeightFieldParams {
 
 /// Planes, weather and light.
 pub(super) struct HeightField {
-    /// While stones are painted anew the last ones stay, 13 bytes a pixel and their ground: after a step back
+    /// The last planes stay while stones are painted again, 13 bytes a pixel and their ground. So after a step back
     /// nothing has to be painted.
     pub planes: Node<PlaneParams, Painting, Painted>,
     pub weather: Node<WeatherParams, Weathering, Planes>,
@@ -40,17 +39,17 @@ pub(super) struct HeightField {
     shader: Option<Shader>,
 }
 
-/// What it is made of.
+/// The inputs of the finisher.
 #[derive(Clone, Copy)]
 pub(super) struct Bodies<'a> {
     pub domain: &'a Domain,
-    /// The cells that stones are made of, and what they wear by rule.
+    /// The cells of the stones, and their coats by rule.
     pub cells: &'a [Cell],
     pub coats: &'a [Coat],
 }
 
 impl HeightField {
-    /// Nothing made yet.
+    /// Starts with nothing made.
     pub fn new(params: HeightFieldParams) -> Self {
         Self {
             solids: solids(&params.planes),
@@ -99,7 +98,7 @@ impl HeightField {
         let planes = self.weather.made()?;
         let kept = &mut self.shader;
         self.light.advance(|params, begun| {
-            // Under another light the same shader goes on: its tables stay.
+            // Under another light the same shader continues and keeps its tables.
             let fits = kept.take().filter(|shader| shader.side() == planes.side);
             let new = || Shader::new(&params.shade, planes.side, planes.pixel_scale);
             let shader = kept.insert(fits.unwrap_or_else(new));
@@ -123,15 +122,16 @@ impl HeightField {
     }
 }
 
-/// More triangles than for so many pixels of a unit show nothing new: bodies are smooth, and take most of the memory.
+/// The greatest detail in pixels of a unit: more triangles would show nothing new, as bodies are smooth, and take
+/// most of the memory.
 const MOST_DETAIL: usize = 4;
 
-/// Solids as detailed as these planes need them.
+/// A maker of solids with the detail that these planes need.
 pub(super) fn solids(params: &PlaneParams) -> Solids {
     Solids::for_picture(params.texture.pixel_scale.min(MOST_DETAIL), params.finer)
 }
 
-/// Planes on their way.
+/// Planes that are being painted.
 pub(super) struct Painting {
     painter: Painter,
     is_bedded: bool,
@@ -139,7 +139,7 @@ pub(super) struct Painting {
 }
 
 impl Painting {
-    /// Stones are to be put into `band` rows at a time.
+    /// Starts the painting. Stones are painted into `band` rows at a time.
     pub fn new(params: &PlaneParams, coats: &[Coat], band: usize) -> Self {
         let mut painter = Painter::banded(params.texture, band);
         painter.set_coats(coats);
@@ -150,7 +150,7 @@ impl Painting {
         }
     }
 
-    /// One slice: some ground or a stone; true when all stones are in the band's rows.
+    /// Does one slice: some ground or a stone; true when all stones are in the band's rows.
     pub fn advance(&mut self, solids: &mut Solids, cells: &[Cell]) -> bool {
         if !self.is_bedded {
             self.is_bedded = self.painter.lay_ground(ROWS);
@@ -163,7 +163,7 @@ impl Painting {
         self.stones >= cells.len()
     }
 
-    /// Goes on to the next band; false where there is none left.
+    /// Goes on to the next band; false if none is left.
     pub fn next_band(&mut self) -> bool {
         (self.is_bedded, self.stones) = (false, 0);
         self.painter.next_band()

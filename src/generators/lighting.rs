@@ -1,12 +1,12 @@
-//! The light of a picture, whatever finisher makes it.
+//! The light of a picture, for both finishers.
 
 use crate::light::ShadeParams;
 use crate::material::Material;
 
-/// Lamp and shading, and the materials that they fall on.
+/// The lamp, the shading, and the materials.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LightParams {
     pub shade: ShadeParams,
-    /// The table of the materials that bodies name.
+    /// The table of materials; bodies refer to its entries.
     pub materials: Vec<Material>,
 }

@@ -1,6 +1,6 @@
-//! What can be made: each generator with its schema, presets, stages, views, and the machine that
-//! works. A new one is a folder here, its libraries, and one line in [`ALL`], both of the cargo feature
-//! `house`, as a first visit does without them.
+//! The generators, each with its schema, presets, stages, views, and engine. To add one, add a folder here, its
+//! libraries, and one line in [`ALL`]. Put the line and the libraries under the cargo feature `house`, because the
+//! module of a first visit does not contain them.
 
 mod bigger;
 mod budget;
@@ -33,7 +33,7 @@ pub use turntable::{FrameSlice, SeenBody, TurnOrder};
 use crate::notice::Notice;
 use crate::recipe::{Recipe, Schema};
 
-/// A generator, as data: what the page, the link and the studio have to know of it.
+/// A generator as data: its properties for the page, links and the studio.
 pub struct Generator {
     /// Its parameters. The schema's word is also the generator's, as in `make=` of a link.
     pub schema: &'static Schema,
@@ -41,47 +41,47 @@ pub struct Generator {
     pub title: &'static str,
     /// Its presets, in the order of the page.
     pub presets: &'static [Preset],
-    /// Words of the stages, in their order: scripts and reports call them so.
+    /// Words of the stages, in their order, as in scripts and reports.
     pub stages: &'static [&'static str],
-    /// How the stages go on, for whoever watches them.
+    /// The course of the stages, for viewers.
     pub course: Course,
-    /// What of its work can be looked at.
+    /// The views of its work.
     pub views: Views,
-    /// Words of the page's parts that it needs. A picture in a plane has `outline` (the editor), `probe`,
-    /// `plots`, `layers`, `tiles`, `svg`, `maps` (with larger pictures), `slab` (its relief for printing),
-    /// and `turn` (its bodies seen from a slant). `frames` are of what has no such picture: it is seen
-    /// by frames of its bodies only, and `paint` paints on these. Both may have `compare`, `mesh` and `forming`.
+    /// Words of the page's parts that it needs. A picture in a plane has `outline` (the editor), `probe`, `plots`,
+    /// `layers`, `tiles`, `svg`, `maps` (with larger pictures), `slab` (its relief for printing), and `turn` (its
+    /// bodies seen from a slant). A generator without such a picture has `frames`: only frames of its bodies are
+    /// shown, and `paint` paints on these. Both may have `compare`, `mesh` and `forming`.
     pub offers: &'static [&'static str],
-    /// Keys of the parameters that tell most of a recipe without a name.
+    /// Keys of the parameters that best describe a recipe without a name.
     pub names: &'static [&'static str],
-    /// The word of the ranges in which chance throws its parameters.
+    /// The word of the ranges for random parameters.
     pub chance: &'static str,
-    /// From where its bodies are seen at first: the numbers of a camera, with commas between.
+    /// The first camera for its bodies: its numbers, with commas between.
     pub home: &'static str,
-    /// How low a camera may stand, in degrees above the ground.
+    /// The lowest elevation of a camera, in degrees above the ground.
     pub lowest: f64,
-    /// Makes an engine for a recipe, with all its work before it.
+    /// Makes an engine for a recipe, with all its work to be done.
     pub engine: fn(&Recipe) -> Box<dyn Engine>,
 }
 
-/// How the stages of a generator go on: words of stages, empty where there is no such stage, and a list
-/// with a place for each stage, empty where nothing is known.
+/// The course of a generator's stages. Words of stages are empty if there is no such stage; lists have an entry for
+/// each stage, and are empty if nothing is known.
 #[derive(Clone, Copy)]
 pub struct Course {
     /// Where each stage begins, as a share of the time of common recipes.
     pub begins: &'static [f64],
-    /// The stage that goes in steps.
+    /// The stage that proceeds in steps.
     pub stepping: &'static str,
     /// The stage that makes one body after the other.
     pub placing: &'static str,
     /// The first stage that leaves the bodies as they are.
     pub settled: &'static str,
-    /// The view in which each stage is seen while all is seen as it forms; empty for the bodies.
+    /// The view in which the forming shows each stage; empty for the bodies.
     pub seen: &'static [&'static str],
 }
 
 impl Course {
-    /// A course of which nothing is known.
+    /// A course about which nothing is known.
     pub const UNKNOWN: Course = Course {
         begins: &[],
         stepping: "",
@@ -91,17 +91,16 @@ impl Course {
     };
 }
 
-/// Words of views, which are joined by '+': at most one of those that lie at the bottom, and drawings
-/// over it.
+/// Words of views, joined by '+': at most one base, and overlays.
 #[derive(Clone, Copy)]
 pub struct Views {
-    /// Words of pictures and diagrams, one of which lies at the bottom.
+    /// Words of pictures and diagrams, of which a view has one as its base.
     pub bases: &'static [&'static str],
     /// Words of drawings that may lie over it.
     pub overlays: &'static [&'static str],
 }
 
-/// The generators that there are. The first one is that of links that name none.
+/// A list of generators. The first one is for links that name none.
 #[derive(Clone, Copy)]
 pub struct Registry(&'static [&'static Generator]);
 
@@ -114,7 +113,7 @@ pub const ALL: Registry = Registry(&[
 
 #[cfg(house)]
 impl Generator {
-    /// From where its bodies are seen at first.
+    /// The first camera for its bodies.
     pub fn camera(&self) -> crate::scene::Camera {
         crate::scene::Camera::default().read(self.home).0
     }

@@ -1,4 +1,4 @@
-//! A packing in the making, in the plane or on a surface.
+//! A packing while it is made, in the plane or on a surface.
 
 use crate::domain::Domain;
 use crate::field::Fields;
@@ -9,7 +9,7 @@ use crate::surface_field::SurfaceFields;
 #[cfg(house)]
 use crate::surface_packing::{Site, SurfacePacking, SurfacePlacing};
 
-/// A packing in the making: `L` places its first cells, and `M` moves them.
+/// A packing while it is made: first `L` places the cells, then `M` moves them.
 pub(super) enum Packs<L, M> {
     Placing(Box<L>),
     Moving(Box<M>),
@@ -17,21 +17,21 @@ pub(super) enum Packs<L, M> {
 
 /// A domain with its fields, on which cells are packed.
 pub(super) trait PackingGround: Copy {
-    /// Places the first cells.
+    /// The placing of the first cells.
     type Placing;
-    /// Moves the cells.
+    /// The packing of the placed cells.
     type Packing;
 
     /// Begins to place cells.
     ///
     /// # Errors
-    /// A notice where there would be too many.
+    /// A notice if there would be too many.
     fn begin(self, params: PackingParams) -> Result<Self::Placing, Notice>;
 
     /// Does one slice of the placing; true when all places are filled.
     fn place(self, placing: &mut Self::Placing) -> bool;
 
-    /// Makes a packing of the placed cells, and counts them.
+    /// Makes a packing of the placed cells; also returns their number.
     fn finish(self, placing: Self::Placing) -> (Self::Packing, usize);
 
     /// Does one slice of a step; true when the packing is at rest.
@@ -42,7 +42,7 @@ impl<L, M> Packs<L, M> {
     /// Does one slice of the work; returns the packing when it is at rest.
     ///
     /// # Errors
-    /// A notice where no cell has room, or there would be too many.
+    /// A notice if there is no room for a cell, or there would be too many.
     pub fn advance(
         params: &PackingParams,
         work: &mut Option<Self>,
@@ -82,7 +82,7 @@ impl<L, M> Packs<L, M> {
         }
     }
 
-    /// The same, for a packing that keeps the answers to some questions.
+    /// The same packing, mutable.
     pub fn moving_mut(&mut self) -> Option<&mut M> {
         match self {
             Self::Moving(packing) => Some(packing),

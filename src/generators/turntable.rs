@@ -1,4 +1,4 @@
-//! Scenes on a turntable: frames in slices, of the latest order, with the light kept while the camera moves.
+//! Scenes on a turntable: frames in slices, for the latest order. The lighting is kept while the camera moves.
 
 use super::lighting::LightParams;
 use super::{Budget, Clock};
@@ -7,26 +7,26 @@ use crate::scene::{Backdrop, Camera, Cut, Frame, Lamp, Lighting, Order, Scene, S
 
 /// The work of one slice, in triangles drawn or pixels shaded.
 const SLICE: usize = 20_000;
-/// Pixels along a side of a frame at most.
+/// The most pixels along a side of a frame.
 const MOST_PIXELS: usize = 8192;
 
-/// What frame is asked for.
+/// An order for a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TurnOrder {
-    /// Nothing for all there is, or a body's id and the place of a step in its making, as '12:3'.
+    /// Empty for all bodies, or a body's id and the index of a step in its making, as '12:3'.
     pub subject: String,
-    /// Where it is seen from; each subject has its own scale.
+    /// The camera; each subject has its own scale.
     pub camera: Camera,
     /// Width and height in pixels.
     pub size: [usize; 2],
-    /// Words joined by '+': 'moving' (coarser, without occlusion), 'still' (one sample for each pixel) or 'fine' (two by
-    /// two); 'floor', 'sky' or 'nothing' behind; 'whole=X,Y,Z,D' or 'through=X,Y,Z,D' for a plane that cuts away bodies
-    /// ([`Cut::read`]). Others are passed over.
+    /// Words joined by '+': 'moving' (coarser, without occlusion), 'still' (one sample for each pixel) or 'fine' (two
+    /// by two); 'floor', 'sky' or 'nothing' as the background; 'whole=X,Y,Z,D' or 'through=X,Y,Z,D' for a plane that
+    /// cuts away bodies ([`Cut::read`]). Other words are ignored.
     pub how: String,
 }
 
 impl TurnOrder {
-    /// The body and the step that are asked for; none where it is all.
+    /// The wanted body and step; `None` for all bodies.
     pub(super) fn step(&self) -> Result<Option<(u32, usize)>, Notice> {
         if self.subject.is_empty() {
             return Ok(None);
@@ -40,7 +40,7 @@ impl TurnOrder {
         Notice::new(Code::NoSuchBody).with("given", quote(&self.subject))
     }
 
-    /// The frame that is to be made.
+    /// The order of the scene's frame.
     pub(super) fn order(&self) -> Result<Order, Notice> {
         let fits = |n: &usize| (1..=MOST_PIXELS).contains(n);
         if !self.size.iter().all(fits) {
@@ -61,21 +61,21 @@ impl TurnOrder {
     }
 }
 
-/// What a slice of work has made of a frame.
+/// The result of a slice of work on a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameSlice {
-    /// A new frame begins: another one was asked for, or is wanted again.
+    /// Whether a new frame begins: for another order, or the same one again.
     pub begun: bool,
-    /// It is finished.
+    /// Whether it is finished.
     pub done: bool,
-    /// How much of the work is done, 0..1, by a rough estimate.
+    /// The share of the work that is done, 0..1, a rough estimate.
     pub progress: f64,
 }
 
-/// A body that is seen.
+/// A visible body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeenBody {
-    /// Its id, from 1.
+    /// Its id; ids count from 1.
     pub id: u32,
     /// The middle of its cell, in picture units.
     pub cell: [f64; 2],
@@ -83,7 +83,7 @@ pub struct SeenBody {
     pub middle: [f64; 3],
 }
 
-/// What a frame is of.
+/// The key of a frame.
 #[derive(Clone, PartialEq)]
 struct Key {
     scene: u64,
@@ -94,23 +94,23 @@ struct Key {
 /// Light and frame.
 #[derive(Default)]
 pub(super) struct Turntable {
-    /// Fine and coarse, each with the scene and the light that it is of.
+    /// Fine and coarse lighting, each with the scene and the light that it is for.
     lights: [Option<(u64, LightParams, Lighting)>; 2],
     frame: Option<Frame>,
     key: Option<Key>,
 }
 
-/// What is lit: a scene and its number, which no other one has.
+/// A scene with its light, and a number that no other scene has.
 pub(super) struct Stand<'a> {
     pub scene: &'a Scene,
     pub number: u64,
     pub light: &'a LightParams,
-    /// Height of the ground that lamps stand over, in the scene.
+    /// The height of the ground under lamps, in the scene.
     pub ground: f32,
 }
 
 impl Stand<'_> {
-    /// Its light, with the work on it still to be done.
+    /// Its lighting, with the work on it still to be done.
     pub fn lighting(&self, sharpness: Sharpness, cut: Option<Cut>) -> Lighting {
         let lamp = Lamp::over_picture(self.light.shade.light, self.ground);
         let (params, materials) = (&self.light.shade, &self.light.materials);
@@ -119,7 +119,7 @@ impl Stand<'_> {
 }
 
 impl Turntable {
-    /// Works for about `budget` milliseconds on a frame. Begins anew where it is another one than the last time.
+    /// Works for about `budget` milliseconds on a frame. Starts again if the order differs from the last one.
     pub fn advance(
         &mut self,
         stand: &Stand,
@@ -160,18 +160,18 @@ impl Turntable {
         })
     }
 
-    /// Is there no frame that was begun and is not finished?
+    /// Whether there is no unfinished frame.
     pub fn is_idle(&self) -> bool {
         self.frame.as_ref().is_none_or(Frame::is_done)
     }
 
-    /// The frame last finished.
+    /// The last finished frame.
     pub fn frame(&self) -> Option<&Frame> {
         self.frame.as_ref().filter(|frame| frame.is_done())
     }
 }
 
-/// Whether there is memory for a frame, and for the picture that is handed over.
+/// Checks that there is memory for a frame, and for the picture that is handed over.
 fn check_room([width, height]: [usize; 2]) -> Result<(), Notice> {
     let bytes = (Frame::BYTES + 4) * width * height;
     match Vec::<u8>::new().try_reserve_exact(bytes) {
@@ -180,7 +180,7 @@ fn check_room([width, height]: [usize; 2]) -> Result<(), Notice> {
     }
 }
 
-/// While something moves the fine light does where it is there, whatever it is for; else the coarse one is made sooner.
+/// While something moves, any fine lighting that exists will do; without one, the coarse one is made sooner.
 fn light_for<'a>(
     [fine, coarse]: &'a mut [Option<(u64, LightParams, Lighting)>; 2],
     stand: &Stand,

@@ -1,9 +1,9 @@
-//! The stages of a generator: nodes, which keep what was made, and their wiring.
+//! The stages of a generator: nodes, which keep results, and their wiring.
 //!
-//! A [`Node`] keeps one value with the parameters and the revisions of the inputs that it was made of. A
-//! [`Wiring`] is a table of tasks. Each [`Task`] names a node, its inputs, and the function that makes its
-//! value. Everything else follows from the table: which stage is stale, which one is due, why the work
-//! stopped, and how often each stage has run.
+//! A [`Node`] keeps one value, with the parameters and the revisions of the inputs that it was made from. A
+//! [`Wiring`] is a table of tasks. Each [`Task`] names a node, its inputs, and the function that makes its value. The
+//! table determines everything else: which stage is stale, which one is next, why the work stopped, and how often
+//! each stage has run.
 //!
 //! Inputs are lent to each slice of the work, so work in progress holds no borrows.
 

@@ -1,31 +1,31 @@
-//! The memo of one task.
+//! Keeps the value of one task.
 
 use crate::notice::Notice;
 
-/// The revisions of the inputs of a value, in the order of its task; 0 where there are fewer.
+/// The revisions of a value's inputs, in the order of its task; unused ones are 0.
 pub type Inputs = [u64; 3];
 
 /// Whether a node has work to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum State {
-    /// Its value is made by the parameters at work, of these inputs.
+    /// The value was made with the present parameters from these inputs.
     Fresh,
-    /// Its value has still to be made.
+    /// The value has not been made yet.
     Stale,
-    /// Its value cannot be made by these parameters, of these inputs.
+    /// The value cannot be made with these parameters from these inputs.
     Failed,
 }
 
-/// A memo: parameters `P`, work in progress `W`, and the value `T` that was made last. The value stays, to be
-/// shown, until the next one is there.
+/// Keeps the parameters `P` of a task, the work `W` in progress, and the last value `T`. The last value stays visible
+/// until the next one is made.
 #[derive(Debug)]
 pub struct Node<P, W, T> {
-    /// The parameters at work.
+    /// The present parameters.
     params: P,
-    /// Those of the latest recipe, where they differ.
+    /// The latest recipe's parameters, if they differ.
     asked: Option<P>,
     work: Option<W>,
-    /// The last value, and the parameters that it was made by.
+    /// The last value, and the parameters that it was made with.
     made: Option<(P, T)>,
     status: Status,
 }
@@ -33,11 +33,11 @@ pub struct Node<P, W, T> {
 /// The part of a node that does not depend on its types.
 #[derive(Debug, Default)]
 pub struct Status {
-    /// The inputs of the value; none before there is one.
+    /// The inputs of the value; `None` before there is one.
     made_of: Option<Inputs>,
-    /// Was the value made by the parameters at work?
+    /// Whether the value was made with the present parameters.
     is_wanted: bool,
-    /// The inputs of the work, or of its failure.
+    /// The inputs of the work in progress, or of the failed work.
     begun_of: Inputs,
     failure: Option<Notice>,
     revision: u64,
@@ -67,24 +67,24 @@ impl Status {
         self.revision
     }
 
-    /// Grows with every slice of work, and whenever work is dropped.
+    /// Increases with every slice of work, and whenever work is dropped.
     pub fn slices(&self) -> u64 {
         self.slices
     }
 }
 
-/// A node of any types.
+/// A node, whatever its types are.
 pub trait AnyNode {
     /// Its status.
     fn status(&self) -> &Status;
 
-    /// Does the latest recipe ask for other parameters than those at work?
+    /// Whether the latest recipe has other parameters than the present ones.
     fn is_stale(&self) -> bool;
 
-    /// Takes up the parameters of the latest recipe. Work by others is dropped.
+    /// Makes the latest recipe's parameters the present ones. Drops work with other parameters.
     fn take_up(&mut self);
 
-    /// Begins or continues the work on these inputs. Work on other inputs is dropped.
+    /// Begins or continues the work on these inputs. Drops work on other inputs.
     fn begin(&mut self, inputs: Inputs);
 
     /// Ends the work without a value.
@@ -135,12 +135,12 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         }
     }
 
-    /// Notes the parameters of the latest recipe; the work goes on by those at work until they are taken up.
+    /// Notes the latest recipe's parameters. The work continues with the present ones until `take_up`.
     pub fn ask(&mut self, params: P) {
         self.asked = (params != self.params).then_some(params);
     }
 
-    /// Makes the value stale, whatever it was made of.
+    /// Makes the value stale, whatever its parameters and inputs are.
     pub fn forget(&mut self) {
         self.status.is_wanted = false;
         self.drop_work();
@@ -151,18 +151,18 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.status.slices += 1;
     }
 
-    /// The parameters at work.
+    /// The present parameters.
     pub fn params(&self) -> &P {
         &self.params
     }
 
-    /// The parameters of the latest recipe.
+    /// The latest recipe's parameters.
     pub fn latest(&self) -> &P {
         self.asked.as_ref().unwrap_or(&self.params)
     }
 
-    /// One slice of the work: `slice` begins it, continues it, or ends it with a value. It answers with
-    /// `Some`, as a task does whose inputs are all there.
+    /// Does one slice of the work: `slice` begins the work, continues it, or ends it with a value. Always returns
+    /// `Some`, like a task whose inputs all exist.
     pub fn advance(
         &mut self,
         slice: impl FnOnce(&P, &mut Option<W>) -> Result<Option<T>, Notice>,
@@ -181,22 +181,22 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         Some(())
     }
 
-    /// The value that was made last, stale or not.
+    /// The last value, stale or not.
     pub fn made(&self) -> Option<&T> {
         self.made.as_ref().map(|(_, value)| value)
     }
 
-    /// The value if it was made of these inputs, by whatever parameters.
+    /// The value if it was made from these inputs, with any parameters.
     pub(super) fn made_of(&self, inputs: Inputs) -> Option<&T> {
         self.made().filter(|_| self.status.made_of == Some(inputs))
     }
 
-    /// The work in progress, of whatever inputs: it stays, to be shown, until it is begun anew.
+    /// The work in progress, on any inputs. It stays visible until new work begins.
     pub fn work(&self) -> Option<&W> {
         self.work.as_ref()
     }
 
-    /// The same, for work that keeps the answers to some questions.
+    /// The same work, mutable.
     pub fn work_mut(&mut self) -> Option<&mut W> {
         self.work.as_mut()
     }
@@ -206,23 +206,23 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.work().filter(|_| self.status.begun_of == inputs)
     }
 
-    /// The work in progress and the value that was made last.
+    /// The work in progress and the last value.
     pub fn both_mut(&mut self) -> (Option<&mut W>, Option<&mut T>) {
         let made = self.made.as_mut().map(|(_, value)| value);
         (self.work.as_mut(), made)
     }
 
-    /// The number of values made so far; readers compare it to see whether there is a new one.
+    /// The number of values made so far. A reader compares it to find out if there is a new one.
     pub fn revision(&self) -> u64 {
         self.status.revision
     }
 
-    /// How often the work was begun, from the start or anew.
+    /// How often work was begun.
     pub fn passes(&self) -> u64 {
         self.status.passes
     }
 
-    /// Grows with every slice of work, and whenever work is dropped.
+    /// Increases with every slice of work, and whenever work is dropped.
     pub fn slices(&self) -> u64 {
         self.status.slices
     }

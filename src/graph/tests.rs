@@ -2,7 +2,7 @@ use super::node::{AnyNode, Inputs, State};
 use super::*;
 use crate::notice::Code;
 
-/// Counts up to its parameter, plus what is lent.
+/// Counts up to its parameter, and adds the lent number.
 type Counter = Node<u32, u32, u32>;
 
 const A: Inputs = [1, 2, 0];
@@ -41,13 +41,13 @@ fn a_node_is_stale_by_its_parameters_and_inputs_only() {
     assert_eq!((state(&node, A), node.work()), (State::Stale, Some(&1)));
     advance(&mut node, A, 10);
     assert_eq!((state(&node, A), node.made()), (State::Fresh, Some(&12)));
-    // The sum of the revisions is the same.
+    // These inputs differ, but their revisions have the same sum.
     assert_eq!(state(&node, B), State::Stale);
     want(&mut node, 2);
     assert_eq!(state(&node, A), State::Fresh);
     want(&mut node, 3);
     assert_eq!((state(&node, A), node.made()), (State::Stale, Some(&12)));
-    // Back again before anything else was made: there is nothing to do.
+    // The parameter returns to its old value before another value was made, so there is nothing to do.
     advance(&mut node, A, 10);
     want(&mut node, 2);
     assert_eq!((state(&node, A), node.work()), (State::Fresh, None));
@@ -98,7 +98,7 @@ fn a_failure_stands_for_its_parameters_and_inputs() {
     assert_eq!(node.status().failure(), None);
 }
 
-/// A base, two parts of one stage that are made of it, and their sum.
+/// A base, two parts of one stage made from it, and their sum.
 struct Sums {
     base: Counter,
     left: Counter,
@@ -136,7 +136,7 @@ impl Sums {
         }
     }
 
-    /// Works until nothing more is due; the stage of each slice.
+    /// Works until nothing is due; returns the stage of each slice.
     fn finish(&mut self) -> Vec<u32> {
         let mut stages = Vec::new();
         while self.failure().is_none()
@@ -159,7 +159,7 @@ fn a_wiring_makes_what_is_stale_in_the_order_of_its_tasks() {
     sums.take_up();
     assert_eq!((sums.stale(), sums.at()), (None, Some(1)));
     assert_eq!(sums.finish(), [1, 2, 2, 2, 2]);
-    // The last task of a stage tells how often the stage has run.
+    // A stage has run as often as its last task.
     assert_eq!((sums.sum.made(), sums.runs()), (Some(&9), vec![1, 2, 2]));
     sums.left.ask(1);
     sums.take_up();
@@ -216,7 +216,7 @@ fn a_failure_ends_the_work_until_something_else_is_asked() {
     assert_eq!((sums.failure(), sums.sum.made()), (None, Some(&11)));
 }
 
-/// A table with one task, whose input is never there.
+/// A table with one task, whose input never exists.
 struct Torn {
     sum: Counter,
     missing: Counter,

@@ -1,19 +1,19 @@
-//! From a table of tasks to what is due.
+//! Derives from a table of tasks which one is due.
 
 use super::node::{AnyNode, Inputs, Node, State};
 use crate::notice::{Code, Notice};
 
 /// A task of a wiring; see [`task!`].
 pub struct Task<S: Wiring> {
-    /// Its stage. A stage has run when the last of its tasks has.
+    /// The stage of the task. A stage has run when the last of its tasks has.
     pub stage: S::Stage,
     /// The node that keeps the value.
     pub node: fn(&S) -> &dyn AnyNode,
-    /// The same.
+    /// The same node, mutable.
     pub node_mut: fn(&mut S) -> &mut dyn AnyNode,
     /// The revisions of the inputs.
     pub inputs: fn(&S) -> Inputs,
-    /// Does one slice of the work; `None` where an input is missing.
+    /// Does one slice of the work; `None` if an input is missing.
     pub make: fn(&mut S) -> Option<()>,
 }
 
@@ -50,17 +50,17 @@ pub trait Wiring: Sized + 'static {
     /// A stage: one task, or several in a row.
     type Stage: Copy + PartialEq;
 
-    /// The tasks in their order: each uses only what earlier ones have made.
+    /// The tasks in their order: each one uses only the values of earlier ones.
     const TASKS: &'static [Task<Self>];
 
-    /// The first task that is not fresh.
+    /// The first task that is not fresh, with its state.
     fn due(&self) -> Option<(&'static Task<Self>, State)> {
         let state = |task: &Task<Self>| (task.node)(self).status().state((task.inputs)(self));
         let mut states = Self::TASKS.iter().map(|task| (task, state(task)));
         states.find(|&(_, state)| state != State::Fresh)
     }
 
-    /// The stage of that task; none where all is done.
+    /// The stage of that task; `None` if all is done.
     fn at(&self) -> Option<Self::Stage> {
         self.due().map(|(task, _)| task.stage)
     }
@@ -71,7 +71,7 @@ pub trait Wiring: Sized + 'static {
         (task.node)(self).status().failure()
     }
 
-    /// One slice of that task.
+    /// Does one slice of that task.
     fn advance(&mut self) {
         let Some((task, State::Stale)) = self.due() else {
             return;
@@ -83,14 +83,14 @@ pub trait Wiring: Sized + 'static {
         }
     }
 
-    /// The first stage of which the latest recipe asks something else than the one at work.
+    /// The first stage whose parameters differ in the latest recipe.
     fn stale(&self) -> Option<Self::Stage> {
         let mut tasks = Self::TASKS.iter();
         let found = tasks.find(|task| (task.node)(self).is_stale());
         found.map(|task| task.stage)
     }
 
-    /// Makes the latest recipe the one at work.
+    /// Makes the latest recipe the present one.
     fn take_up(&mut self) {
         for task in Self::TASKS {
             (task.node_mut)(self).take_up();
@@ -105,25 +105,25 @@ pub trait Wiring: Sized + 'static {
             .collect()
     }
 
-    /// Grows whenever something else may be seen.
+    /// Increases whenever views may change.
     fn slices(&self) -> u64 {
         let nodes = Self::TASKS.iter().map(|task| (task.node)(self));
         nodes.map(|node| node.status().slices()).sum()
     }
 
-    /// The inputs of one of the nodes, as they are now.
+    /// The present inputs of a node.
     fn inputs_of(&self, node: &dyn AnyNode) -> Inputs {
         let is_of = |task: &&Task<Self>| std::ptr::addr_eq((task.node)(self), node);
         let task = Self::TASKS.iter().find(is_of);
         task.map_or(Inputs::default(), |task| (task.inputs)(self))
     }
 
-    /// Is the value of a node made by the parameters at work, of the inputs that are there?
+    /// Whether a node's value was made with the present parameters from the present inputs.
     fn is_fresh(&self, node: &dyn AnyNode) -> bool {
         node.status().state(self.inputs_of(node)) == State::Fresh
     }
 
-    /// The value of a node, if it was made of the inputs that are there, by whatever parameters.
+    /// A node's value, if it was made from the present inputs, with any parameters.
     fn current<'a, P, W, T>(&self, node: &'a Node<P, W, T>) -> Option<&'a T>
     where
         P: Clone + PartialEq,
@@ -131,7 +131,7 @@ pub trait Wiring: Sized + 'static {
         node.made_of(self.inputs_of(node))
     }
 
-    /// The work of a node, if it was begun on the inputs that are there.
+    /// A node's work, if it was begun on the present inputs.
     fn begun<'a, P, W, T>(&self, node: &'a Node<P, W, T>) -> Option<&'a W>
     where
         P: Clone + PartialEq,

@@ -39,7 +39,7 @@ impl BoxFilter {
         if self.entered >= around {
             return false;
         }
-        // One row more: the one that leaves the sums.
+        // One more row than the sums cover: the row that is subtracted next.
         self.along.resize((around + 1) * self.side, 0.0);
         while self.entered < end {
             self.enter(planes);

@@ -172,7 +172,7 @@ impl<P: Copy, B: Buckets<P>> Survey<P, B> {
     }
 }
 
-/// Whether a new cell would not stand between two walls nearer to each other than a cell.
+/// Whether a new cell has room between the walls: false between two walls that are closer than the size of a cell.
 fn clear_of_walls<G: Ground>(place: G::Place, shape: &Shape, ground: G) -> bool {
     let mut near = Vec::new();
     ground.walls().feet(place, shape.length(), &mut near);

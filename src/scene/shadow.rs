@@ -286,8 +286,8 @@ impl Map {
                 [-x * part, y * part]
             }
             Way::From(fill) => {
-                // The inverse depth is linear over a plane, too: for a ray of depth 1 it is the ray's part along the
-                // normal, over that of any point of the plane.
+                // The inverse depth is linear over a plane, too. With a ray r of depth 1, the normal n and the vector q
+                // from the lamp to any point of the plane, it is (n . r) / (n . q).
                 let view = &fill.view;
                 let way = p - view.eye;
                 let facing = greater(-normal.dot(way), GRAZING * way.length());

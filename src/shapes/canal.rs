@@ -338,7 +338,7 @@ fn reach(points: &[DVec3], radii: &[f64], closed: bool) -> f64 {
         let j = (i + 1) % n;
         (points[j] - points[i]).length() + (radii[j] - radii[i]).abs()
     };
-    // At the end of an open curve a sample may be farther from a visited one.
+    // A sample is at most half a stride from a visited one, but nearly a whole stride at the end of an open curve.
     let steps = if closed { STRIDE / 2 } else { STRIDE - 1 };
     (0..last).map(step).fold(0.0, f64::max) * steps as f64
 }

@@ -29,9 +29,10 @@ pub(super) struct Fish {
 const LENS: f64 = 0.32;
 /// The radius of the lens' rounded edges.
 const EDGE: f64 = 0.016;
-/// The ratio of breadth to thickness of the fins in the middle plane and at the sides, and the bend of the latter.
+/// The ratio of breadth to thickness of fins in the middle plane and of those at the sides.
 const THIN: f64 = 2.2;
 const SIDE_THIN: f64 = 2.0;
+/// The strength of the body's bend to the side, for an angle with tangent 1.
 const BEND: f64 = 0.55;
 /// Steps in the table of radii.
 const SAMPLES: usize = 128;
@@ -43,7 +44,7 @@ impl Fish {
     pub fn new(n: &[f64]) -> Self {
         let (half, width, tail, fins) = (0.5 * n[0], n[1], n[2], n[3]);
         let ball = |x: f64, y: f64, r: f64| (DVec3::new(x, y, 0.0), r);
-        // Circles that are cut to a lens of the wanted height, so larger by this factor.
+        // The lens is lower than its circles. So these are larger, which gives it the wanted height.
         let larger = half / (1.0 - LENS * LENS).sqrt();
         let body = [
             (-0.462, -0.06, 0.17),

@@ -53,7 +53,7 @@ pub(crate) fn turns_to_agree(
     turns_along(axes, links, &kept, carried)
 }
 
-/// The same; `flow` gives the wanted direction of each, which groups follow as a whole.
+/// The same, but each group as a whole follows `flow`, the wanted direction of each axis.
 fn turns_along(
     axes: &[Axis],
     links: &[Vec<u32>],

@@ -1,13 +1,11 @@
-//! Runs any generator: from a recipe to its picture in slices, only what is stale.
+//! Runs any generator: from a recipe to its picture in slices, redoing only stale stages.
 //!
-//! A studio holds the latest recipe and one live engine, which is another one when the recipe is of
-//! another generator. [`Studio::tick`] works on the first stale stage for about the time given; what is
-//! finished stays until its successor is finished, too. No result depends on how the work was cut into
-//! slices or on the clock.
+//! A studio holds the latest recipe and one live engine, which is replaced when the recipe is of another
+//! generator. [`Studio::tick`] works on the first stale stage for about the given time. The result of a stage
+//! stays until its successor is finished, too. No result depends on the slicing of the work or on the clock.
 //!
-//! Stages cut their work by amount (places looked at, points inserted, rows of weights, triangles of a
-//! stone), never by time. `cargo run --release --example slices` prints the longest slice of each
-//! stage.
+//! Stages divide their work by amount (places looked at, points inserted, rows of weights, triangles of a
+//! stone), never by time. `cargo run --release --example slices` prints the longest slice of each stage.
 
 use crate::export::{Report, StageTime};
 use crate::generators::{Budget, Clock, Engine, Generator, Progress, Registry};
@@ -22,14 +20,14 @@ use crate::{
 };
 use std::any::Any;
 
-/// A pass over the finisher shorter than this many milliseconds is let finish before a newer recipe
-/// begins, so that the picture follows a slider while it is dragged.
+/// A pass over the finisher shorter than this many milliseconds may finish before a newer recipe begins, so
+/// that the picture follows a slider while it is dragged.
 const SHORT_PASS: f64 = 400.0;
-/// Shading that took at most this many milliseconds the last time is done in one tick, beyond the
-/// budget, so that each frame shows the light where it is now.
+/// If the last shading took at most this many milliseconds, shading is done in one tick, beyond the budget, so
+/// that each frame shows the present light.
 const ONE_FRAME: f64 = 33.0;
 
-/// The recipe, the engine that works for it, and the time that it took.
+/// The recipe, the engine that works on it, and the times.
 pub struct Studio {
     registry: Registry,
     generator: &'static Generator,
@@ -38,22 +36,22 @@ pub struct Studio {
     is_live: bool,
     /// Milliseconds by stage of the latest pass through it.
     spent: Vec<f64>,
-    /// The first stage that the recipe at work asked something else of.
+    /// The first stage that the present recipe has changed.
     first: usize,
-    /// The stage of the last slice, unless it has to begin anew.
+    /// The stage of the last slice, unless it has to start again.
     last: Option<usize>,
-    /// Milliseconds of the last shading that was finished; infinite before there is one.
+    /// Milliseconds of the last finished shading; infinite before there is one.
     last_shading: f64,
 }
 
 impl Studio {
-    /// A studio for one of these generators, with all its work before it.
+    /// A studio for one of these generators, before any work.
     pub fn new(registry: Registry, recipe: Recipe) -> Self {
         let engine = (registry.of(&recipe).engine)(&recipe);
         Self::with_engine(registry, recipe, engine)
     }
 
-    /// A studio with an engine that was made for this recipe, in another way than the generator's.
+    /// A studio with an engine that was made for this recipe in a special way.
     pub fn with_engine(registry: Registry, recipe: Recipe, engine: Box<dyn Engine>) -> Self {
         let generator = registry.of(&recipe);
         Self {
@@ -69,39 +67,39 @@ impl Studio {
         }
     }
 
-    /// The generators whose recipes it takes.
+    /// The generators whose recipes it accepts.
     pub fn registry(&self) -> Registry {
         self.registry
     }
 
-    /// The generator at work.
+    /// The present generator.
     pub fn generator(&self) -> &'static Generator {
         self.generator
     }
 
-    /// The engine at work.
+    /// The present engine.
     pub fn engine(&self) -> &dyn Engine {
         &*self.engine
     }
 
-    /// The engine at work, to draw views and to make files.
+    /// The present engine, to draw views and to make files.
     pub fn engine_mut(&mut self) -> &mut dyn Engine {
         &mut *self.engine
     }
 
-    /// The engine at work, where it is of this type.
+    /// The engine at work, if it is of this type.
     pub fn engine_as<E: Engine>(&self) -> Option<&E> {
         let engine: &dyn Any = &*self.engine;
         engine.downcast_ref()
     }
 
-    /// The same, for questions whose answers the engine keeps.
+    /// The same, mutable, for queries whose results the engine keeps.
     pub fn engine_as_mut<E: Engine>(&mut self) -> Option<&mut E> {
         let engine: &mut dyn Any = &mut *self.engine;
         engine.downcast_mut()
     }
 
-    /// The latest recipe asked for.
+    /// The latest recipe.
     pub fn recipe(&self) -> &Recipe {
         &self.recipe
     }
@@ -111,8 +109,8 @@ impl Studio {
         self.engine.side()
     }
 
-    /// The stage at work: its word, or "done", or "error" where no picture can be made of the recipe
-    /// ([`Studio::problem`] says why).
+    /// The word of the stage at work, or "done", or "error" if no picture can be made of the recipe
+    /// ([`Studio::problem`] has the reason).
     pub fn stage(&self) -> &'static str {
         let word = |at: usize| self.generator.stages[at];
         match (self.engine.at(), self.engine.stepping()) {
@@ -123,28 +121,28 @@ impl Studio {
         }
     }
 
-    /// Is the picture finished?
+    /// Whether the picture is finished.
     pub fn done(&self) -> bool {
         self.engine.at().is_none() && !self.engine.is_drafting()
     }
 
-    /// Why the work stopped; `None` while all is well.
+    /// Why the work stopped; `None` without a problem.
     pub fn problem(&self) -> Option<&Notice> {
         let failure = self.engine.failure();
         failure.filter(|_| !self.engine.is_drafting())
     }
 
-    /// How far the work has come.
+    /// The progress of the work.
     pub fn progress(&self) -> Progress {
         self.engine.progress()
     }
 
-    /// The picture last finished: opaque RGBA, row after row from the top.
+    /// The last finished picture: opaque RGBA, row after row from the top.
     pub fn picture(&self) -> Option<&[u8]> {
         Some(self.engine.picture()).filter(|picture| !picture.is_empty())
     }
 
-    /// Digest of what was made, 16 hexadecimal digits; empty until the work is done.
+    /// Digest of the result, 16 hexadecimal digits; empty until the work is done.
     pub fn digest(&self) -> String {
         match self.done() {
             true => self.engine.digest(),
@@ -152,7 +150,7 @@ impl Studio {
         }
     }
 
-    /// How often each stage has finished, by its word, in the stages' order.
+    /// The number of times that each stage has finished, by its word, in the stages' order.
     pub fn runs(&self) -> Vec<(&'static str, u64)> {
         let words = self.generator.stages.iter().copied();
         words.zip(self.engine.runs()).collect()
@@ -164,7 +162,7 @@ impl Studio {
         times.map(|(&stage, &ms)| StageTime { stage, ms }).collect()
     }
 
-    /// The figures of the run so far.
+    /// The report of the run so far.
     pub fn report(&mut self) -> Report {
         let mut report = Report {
             link: self.recipe.link(),
@@ -177,8 +175,8 @@ impl Studio {
         report
     }
 
-    /// Takes a new recipe; the stages it makes stale run again in the ticks to come. The latest
-    /// recipe wins over one still at work. One of another generator ends the engine.
+    /// Takes a new recipe; the stages that it makes stale run again in the next ticks. The latest recipe
+    /// replaces one still at work. A recipe of another generator ends the engine.
     pub fn set_recipe(&mut self, recipe: Recipe) {
         if !recipe.is_of(self.recipe.schema()) {
             let is_live = self.is_live;
@@ -193,11 +191,12 @@ impl Studio {
         }
     }
 
-    /// Takes a file and makes it the recipe's in a role, which is the key of a parameter of files; without a role in the
-    /// first one there is. Returns what to tell the user.
+    /// Takes a file and adds it to the recipe in a role, which is the key of a file parameter; without a role,
+    /// in the first one. Returns notices for the user.
     ///
     /// # Errors
-    /// Where the generator has no use for files, or no such role.
+    ///
+    /// If the generator uses no files, or has no such role.
     #[cfg(house)]
     pub fn open_file(
         &mut self,
@@ -227,10 +226,10 @@ impl Studio {
         self.begin(0);
     }
 
-    /// While live, a recipe may be shown by a draft that goes on from what is there, instead of the
-    /// stages, and nothing else is worked on. What was made for the last recipe before stays until live
-    /// ends; then all goes on as if the latest recipe had just been set, but the draft is shown until
-    /// the stages have something to show.
+    /// While live, a draft may be shown instead of the stages' results. The draft continues from the present
+    /// result, and nothing else is worked on. The result of the recipe before stays until live ends. Then the
+    /// work goes on as if the latest recipe had just been set, but the draft is shown until the stages have
+    /// something to show.
     pub fn set_live(&mut self, on: bool) {
         let ends = self.is_live && !on;
         self.is_live = on;
@@ -243,12 +242,12 @@ impl Studio {
         }
     }
 
-    /// Works for about `budget` milliseconds by `clock`, at least one slice, and makes at most
-    /// `max_steps` steps (0 holds what goes in steps still, the other stages go on). True when what is
-    /// shown may have changed.
+    /// Works for about `budget` milliseconds by `clock`, at least one slice, and makes at most `max_steps`
+    /// steps (with 0 the stage that makes steps pauses, the other stages go on). True if the picture may have
+    /// changed.
     ///
-    /// While a draft is at work ([`Studio::set_live`]) it works on that only, whatever `max_steps` says.
-    /// What takes its place is made at full pace, or shown from its start with 0 steps.
+    /// While a draft is at work ([`Studio::set_live`]), it works on the draft only, whatever `max_steps` is.
+    /// The result that replaces the draft is made at full speed, or shown from its start with 0 steps.
     pub fn tick(&mut self, clock: Clock, budget: f64, max_steps: u32) -> bool {
         if self.engine.is_drafting() {
             return self.engine.advance_draft(clock, budget);
@@ -280,7 +279,7 @@ impl Studio {
         worked
     }
 
-    /// Is a finished picture being lit anew, and can that be done in a frame?
+    /// Whether a finished picture is being shaded again, and that fits into a frame.
     fn shades_in_one(&self) -> bool {
         let shades = self.engine.at_work() == Some(self.last_stage());
         shades && !self.engine.is_forming() && self.last_shading <= ONE_FRAME
@@ -290,8 +289,8 @@ impl Studio {
         self.spent.len() - 1
     }
 
-    /// Makes exactly one step, after what must come before it; nothing once the steps are over or while
-    /// a draft is at work.
+    /// Makes exactly one step, after the work that must come before it. Does nothing once the steps are over or
+    /// while a draft is at work.
     pub fn step(&mut self, clock: Clock) {
         if self.engine.is_drafting() {
             return;
@@ -299,7 +298,7 @@ impl Studio {
         self.engine.drop_draft(true);
         let mut begun = false;
         while let Some(stage) = self.engine.at_work() {
-            // A step may take several slices: it is whole where the next one would begin.
+            // A step may take several slices: it is complete where the next one would begin.
             if Some(stage) > self.engine.stepping() || (begun && self.engine.is_step()) {
                 return;
             }
@@ -309,10 +308,11 @@ impl Studio {
         }
     }
 
-    /// Works until the picture is finished or cannot be made.
+    /// Works until the picture is finished or fails.
     ///
     /// # Errors
-    /// Why it cannot be made.
+    ///
+    /// The reason why it cannot be made.
     pub fn finish(&mut self, clock: Clock) -> Result<(), Notice> {
         self.set_live(false);
         while self.engine.at_work().is_some() {
@@ -322,10 +322,11 @@ impl Studio {
         failure.map_or(Ok(()), |why| Err(why.clone()))
     }
 
-    /// Finishes the picture, and then a frame of its bodies, seen from a slant.
+    /// Finishes the picture, and then a frame of its bodies.
     ///
     /// # Errors
-    /// Why there is none.
+    ///
+    /// The reason why there is none.
     #[cfg(house)]
     pub fn finish_frame(&mut self, order: &TurnOrder, clock: Clock) -> Result<&Frame, Notice> {
         self.finish(clock)?;
@@ -333,7 +334,7 @@ impl Studio {
         self.engine.frame().ok_or(Code::NotYet.into())
     }
 
-    /// One slice of a stage, begun at `before`. Answers with the time after it.
+    /// Runs one slice of a stage, begun at `before`. Returns the time after it.
     fn timed_slice(&mut self, stage: usize, before: f64, clock: Clock) -> f64 {
         self.engine.advance();
         let after = clock();
@@ -350,8 +351,8 @@ impl Studio {
         after
     }
 
-    /// Is the work so near its end that it should finish before the new recipe begins? Where that asks
-    /// something else only of stages to come, it can begin at once: nothing is dropped.
+    /// Whether the work is so near its end that it should finish before the new recipe begins. If the new
+    /// recipe changes only later stages, it can begin at once, because nothing is dropped.
     fn lets_finish(&self) -> bool {
         let (Some(at), Some(stale)) = (self.engine.at_work(), self.engine.stale()) else {
             return false;
@@ -361,14 +362,14 @@ impl Studio {
         late && (at == self.last_stage() || self.pass(finisher) < SHORT_PASS)
     }
 
-    /// Milliseconds of the pass at work from this stage on.
+    /// Milliseconds of the present pass from this stage on.
     fn pass(&self, from: usize) -> f64 {
         let begun = self.last.map_or(0, |last| last + 1);
         let skipped = from.max(self.first);
         self.spent[..begun].iter().skip(skipped).sum()
     }
 
-    /// Makes the latest recipe the one at work.
+    /// Makes the latest recipe the present one.
     fn take_up(&mut self) {
         let stale = self.engine.stale();
         self.engine.take_up();
@@ -377,10 +378,10 @@ impl Studio {
         }
     }
 
-    /// A stage has got something else to do.
+    /// Notes that a stage has new work.
     fn begin(&mut self, stage: usize) {
         self.first = stage;
-        // Stages before it go on with their work.
+        // Earlier stages go on with their work.
         if self.engine.at().is_some_and(|at| at >= stage) {
             self.last = None;
         }

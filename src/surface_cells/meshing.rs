@@ -21,9 +21,9 @@ use crate::trimesh::{NONE, SurfacePoint, TriMesh};
 
 /// Triangles in a slice of the pairing.
 const PAIRS: usize = 4000;
-/// Work of the search in a slice, in squares of patches' corners.
+/// Work of the search in a slice: the sum of the squared numbers of corners of the patches.
 const WORK: usize = 25_000;
-/// Places of meetings in a slice.
+/// Triangles whose meeting places are computed in a slice.
 const PLACES: usize = 6000;
 /// Middles in a slice.
 const MIDDLES: usize = 1000;

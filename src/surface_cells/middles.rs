@@ -15,8 +15,8 @@ const SHORT: f64 = 1e-6;
 /// If the mean of the normals of an element's cells is shorter than this, the cells lie around a rim, and the mean
 /// does not point outwards.
 const OUTWARD: f64 = 0.55;
-/// Cells meet on a rim if the tangential part of the rim's normal in their sheet is longer than this; if not, one of
-/// them is folded over the rim.
+/// Cells meet on a rim if the part of the rim's normal along their sheet is longer than this. Otherwise one of them is
+/// folded over the rim.
 const RIM: f64 = 0.5;
 /// A triangle faces a direction if the cosine between its normal and the direction is greater.
 const FACES: f64 = 0.7;

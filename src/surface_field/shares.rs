@@ -4,15 +4,15 @@ use super::SurfaceFields;
 use crate::trimesh::{Search, SurfacePoint};
 use glam::DVec3;
 
-/// Shares of the area where cells are large against the radius of curvature. Creases are left out: cells that bend
-/// over them or end there are another matter.
+/// Shares of the area where cells are large against the radius of curvature. Creases are not counted, because cells
+/// fold over them or end there.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bent {
-    /// Where cells are larger than half the radius, so that their sizes will vary.
+    /// The share where cells are larger than half the radius, so that their sizes will vary.
     pub large: f64,
-    /// Where the surface is curved about alike in both directions, and cells are larger than the radius.
+    /// The share where both curvatures are similar, and cells are larger than the radius.
     pub balls: f64,
-    /// Where it is curved one way, and cells are larger than 1.2 radii.
+    /// The share where the surface is curved in one direction, and cells are larger than 1.2 radii.
     pub tubes: f64,
 }
 

@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 const APART: f64 = 0.83;
 /// The relative variation of the sizes of spots.
 const UNLIKE: f64 = 0.25;
-/// The weight of normals against places in telling the belly's side.
+/// The weight of a cell's normal in its share of the belly; its place has the rest.
 const FACES: f64 = 0.6;
 
 /// The coats of all cells, while they are made.

@@ -1,4 +1,4 @@
-//! The measurements, and what peers are measured with.
+//! The benchmarks, and the meshes that other programs are measured with.
 
 use super::{Clock, object};
 use crate::suite;
@@ -6,7 +6,7 @@ use glam::Vec3;
 use js_sys::{Array, Object, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-/// All measurements: a list of `{ name, ms }`.
+/// Runs all benchmarks. Returns a list of `{ name, ms }`.
 #[wasm_bindgen]
 pub fn bench() -> Array {
     let clock = Clock::new();
@@ -18,23 +18,22 @@ pub fn bench() -> Array {
     timings.iter().map(entry).collect()
 }
 
-/// What the subdivision is measured with, to be measured elsewhere, too:
-/// `{ points, triangles, stones, levels }`.
+/// The stones that the benchmark subdivides, for other programs: `{ points, triangles, stones, levels }`.
 #[wasm_bindgen]
 pub fn bench_mesh() -> Object {
     let (points, triangles) = suite::control_mesh();
     mesh_object(&points, &triangles, suite::STONES, suite::LEVELS)
 }
 
-/// The same of the skin.
+/// The same for the skin.
 #[wasm_bindgen]
 pub fn bench_skin() -> Object {
     let (mesh, levels, stones) = suite::skin_mesh();
     mesh_object(&mesh.vertices, &mesh.triangles, stones, levels)
 }
 
-/// The hide that is lit, to be drawn elsewhere, too: `{ positions, normals, colours, triangles, width, height, eye, target,
-/// lens, lamp, middle, radius }`.
+/// The hide that the benchmark lights, for other programs: `{ positions, normals, colours, triangles, width,
+/// height, eye, target, lens, lamp, middle, radius }`.
 #[cfg(house)]
 #[wasm_bindgen]
 pub fn bench_hide() -> Object {

@@ -1,4 +1,4 @@
-//! What there is to choose from: parameters and presets.
+//! The catalogue of a module: generators, parameters and presets.
 
 use super::object;
 use crate::decimal;
@@ -23,71 +23,71 @@ export interface Parameter {
   unit: string;
   help: string;
   group: string;
-  /** It is one of those that matter most. */
+  /** Whether it is one of the main parameters. */
   main: boolean;
-  /** Chance leaves it as it is. */
+  /** Whether randomising leaves it as it is. */
   steady: boolean;
   choices: { word: string; label: string }[];
-  /** The content of a text's rows, '' for other kinds. Traces and patches are on the bodies, and a file has one row. */
+  /** The content of a text's rows; '' for other kinds. Traces and patches lie on the bodies, and a file has one row. */
   item: '' | 'ring' | 'line' | 'spot' | 'seed' | 'trace' | 'patch' | 'file';
-  /** It applies only while another parameter has one of these words or, where there are none, is not at its default. */
+  /** It applies only while another parameter has one of these words or, if there are none, differs from its default. */
   shownFor?: { key: string; words: string[] } | undefined;
 }
 
-/** What can be made. */
+/** A generator and what it offers. */
 export interface Generator {
-  /** As `make=` in the link. */
+  /** The word in `make=` of a link. */
   word: string;
   title: string;
-  /** In their order. */
+  /** The words of its stages, in their order. */
   stages: string[];
-  /** Where each of them begins, as a share of the time of common recipes; empty where nothing is known. */
+  /** The beginning of each stage, as a share of the time of common recipes; empty if unknown. */
   begins: number[];
-  /** The stage that goes in steps; '' where none does. */
+  /** The stage that makes single steps; '' if none does. */
   stepping: string;
-  /** The stage that makes one body after the other; '' where none does. */
+  /** The stage that makes one body after the other; '' if none does. */
   placing: string;
-  /** The first stage that leaves the bodies as they are; '' where none is known. */
+  /** The first stage that no longer changes the bodies; '' if unknown. */
   settled: string;
-  /** The view in which each stage is seen while all is seen as it forms; '' for the bodies, empty where nothing is known. */
+  /** The view that shows each stage in the automatic view; '' for the bodies. Empty if unknown. */
   seen: string[];
   /** Words of views: at most one base, and overlays. */
   bases: string[];
   overlays: string[];
-  /** The page's parts that it needs. */
+  /** The parts of the page that it needs. */
   offers: string[];
-  /** Keys of the parameters that tell most of a recipe without a name. */
+  /** Keys of the parameters that describe a recipe without a name best. */
   names: string[];
-  /** The word of the ranges of chance. */
+  /** The word of the table of ranges for randomising. */
   chance: string;
-  /** From where its bodies are seen at first: the numbers of a camera, with commas between. */
+  /** The first camera for its bodies: numbers with commas between. */
   home: string;
-  /** How low a camera may stand, in degrees. */
+  /** The lowest camera, in degrees. */
   lowest: number;
 }
 
 export interface Preset {
   name: string;
   title: string;
-  /** What it stands under on the page. */
+  /** The title of its group on the page. */
   group: string;
   /** The figure of the paper, or ''. */
   figure: string;
   note: string;
   link: string;
-  /** How long it took in the paper, where that is printed. */
+  /** The time that it took in the paper, if the paper prints it. */
   timing: Timing | null;
 }
 
 export interface Timing {
-  /** What it was measured on. */
+  /** The machine that it was measured on. */
   machine: string;
-  /** The paper's parts of the work, and the stages here that do the same. */
+  /** The paper's parts of the work, with the stages here that do the same. */
   parts: { name: string; stages: string[]; seconds: number }[];
 }
 ";
 
-/// The generators of this module; the first is that of links that name none.
+/// The generators of this module; the first one is for links that name none.
 #[wasm_bindgen(unchecked_return_type = "Generator[]")]
 pub fn generators() -> Array {
     ALL.iter().map(generator_object).collect()
@@ -126,7 +126,7 @@ fn words(words: &[&str]) -> JsValue {
     words.into()
 }
 
-/// A generator's parameters, in the order of its links; none of an unknown word.
+/// A generator's parameters, in the order of its links; empty for an unknown word.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn schema(word: &str) -> Array {
     let generator = ALL.named(word).into_iter();
@@ -169,7 +169,7 @@ fn parameter_object(p: &Parameter) -> Object {
     row
 }
 
-/// A generator's named recipes, in the order of the page; none of an unknown word.
+/// A generator's named recipes, in the order of the page; empty for an unknown word.
 #[wasm_bindgen(unchecked_return_type = "Preset[]")]
 pub fn presets(word: &str) -> Array {
     let generator = ALL.named(word).into_iter();

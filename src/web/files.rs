@@ -1,4 +1,4 @@
-//! What is taken away: files and what they hold.
+//! Exports: files, and their sizes.
 
 use super::said::or_why;
 use super::{Bubblestone, objects};
@@ -15,8 +15,8 @@ impl Bubblestone {
         self.pavement().map_or(String::new(), Pavement::svg)
     }
 
-    /// A map of the finished picture ('height', 'normal-opengl', 'normal-directx', 'albedo',
-    /// 'roughness', 'ao', 'id', 'orm', 'height-float'), or why there is none.
+    /// A map of the finished picture ('height', 'normal-opengl', 'normal-directx', 'albedo', 'roughness', 'ao',
+    /// 'id', 'orm', 'height-float'), or a notice with the reason why there is none.
     #[wasm_bindgen(unchecked_return_type = "PixelMap | Notice")]
     pub fn map(&self, word: &str) -> Object {
         let kind = MapKind::of_word(word).ok_or(Code::NoSuchFile.into());
@@ -25,8 +25,8 @@ impl Bubblestone {
     }
 
     /// Works for about `budget` milliseconds on a mesh file: 'glb' or 'obj', with 'low', 'middle' or 'high'
-    /// detail. The lengths of three images, or none, are those that the caller puts behind a GLB file, each
-    /// filled up to a multiple of four bytes: colour, normals (OpenGL), 'orm'.
+    /// detail. `images` is empty, or has the lengths of three images that the caller appends to a GLB file,
+    /// each padded to a multiple of four bytes: colour, normals (OpenGL), 'orm'.
     #[wasm_bindgen(js_name = meshFile, unchecked_return_type = "MeshSlice | Notice")]
     pub fn mesh_file(&mut self, ending: &str, detail: &str, images: &[u32], budget: f64) -> Object {
         let clock = &self.clock;
@@ -39,7 +39,7 @@ impl Bubblestone {
         or_why(made)
     }
 
-    /// The triangles of a `meshFile` and its bytes, about; empty where there is no such file.
+    /// The approximate triangles and bytes of a `meshFile`; empty if there is no such file.
     #[wasm_bindgen(js_name = meshSize)]
     pub fn mesh_size(&self, ending: &str, detail: &str, images: &[u32]) -> Vec<f64> {
         let order = order(ending, detail, images);
@@ -47,9 +47,9 @@ impl Bubblestone {
         size.map_or(Vec::new(), |size| vec![size.triangles as f64, size.bytes])
     }
 
-    /// Works for about `budget` milliseconds on maps of the finished picture at `scale` (1 to 8) times its side, by
-    /// their words with spaces between; on the picture itself where there are none. `stopFile` frees what it
-    /// holds.
+    /// Works for about `budget` milliseconds on maps of the finished picture at `scale` (1 to 8) times its
+    /// side. `maps` has their words with spaces between; without words, the picture itself is made. `stopFile`
+    /// frees the memory.
     #[wasm_bindgen(js_name = pictureFile, unchecked_return_type = "PictureSlice | Notice")]
     pub fn picture_file(&mut self, scale: u32, maps: &str, budget: f64) -> Object {
         let clock = &self.clock;
@@ -63,7 +63,7 @@ impl Bubblestone {
         or_why(made.map(|slice| objects::picture_slice(&slice)))
     }
 
-    /// Stops `meshFile` or `pictureFile` and frees what they hold, for visitors who do not want to wait.
+    /// Stops `meshFile` or `pictureFile` and frees their memory, for visitors who do not want to wait.
     #[wasm_bindgen(js_name = stopFile)]
     pub fn stop_file(&mut self) {
         self.studio.engine_mut().stop_file();

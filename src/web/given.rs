@@ -1,4 +1,4 @@
-//! Files that recipes ask for. They arrive in pieces, so that no call takes long.
+//! Files that recipes name. They are received in pieces, so that no call takes long.
 
 use super::said::all;
 use super::{Bubblestone, object};
@@ -14,7 +14,7 @@ const TYPES: &str = r"
 export interface RecipeFile {
   /** The key of the parameter that names it. */
   role: string;
-  /** 16 hex digits. */
+  /** The digest as 16 hex digits. */
   digest: string;
   name: string;
 }
@@ -22,13 +22,13 @@ export interface RecipeFile {
 
 #[wasm_bindgen]
 impl Bubblestone {
-    /// A file of so many bytes begins to arrive; one that was on its way before is let go of.
+    /// Begins to receive a file of `size` bytes. A file that was being received is dropped.
     #[wasm_bindgen(js_name = beginFile)]
     pub fn begin_file(&mut self, name: &str, size: u32) {
         self.arriving = Some(GivenFile::begin(name, size as usize));
     }
 
-    /// Its next bytes.
+    /// Receives the next bytes.
     #[wasm_bindgen(js_name = addToFile)]
     pub fn add_to_file(&mut self, piece: &[u8]) {
         if let Some(file) = &mut self.arriving {
@@ -36,8 +36,8 @@ impl Bubblestone {
         }
     }
 
-    /// All of it is here: a recipe that asks for it by its digest finds it. Answers with that digest, '' where this
-    /// generator has no use for files.
+    /// Gives the received file to a recipe that names it by its digest. Returns that digest; '' if this
+    /// generator uses no files.
     #[wasm_bindgen(js_name = giveFile)]
     pub fn give_file(&mut self) -> String {
         let Some(file) = self.arriving.take() else {
@@ -50,7 +50,7 @@ impl Bubblestone {
         }
     }
 
-    /// All of it is here: it becomes the recipe's in a role, '' for the first one. Answers with what is to be said.
+    /// Adds the received file to the recipe in a role; '' is the first role. Returns notices.
     #[wasm_bindgen(js_name = openFile, unchecked_return_type = "Notice[]")]
     pub fn open_file(&mut self, role: &str) -> Array {
         let file = self.arriving.take().ok_or(Code::NoSuchFile.into());
@@ -59,7 +59,7 @@ impl Bubblestone {
         all(&said.unwrap_or_else(|why| vec![why]))
     }
 
-    /// The files that the work waits for; digest and name are empty where the recipe names none yet.
+    /// The files that the work waits for. Digest and name are empty if the recipe names no file yet.
     #[wasm_bindgen(js_name = missingFiles, unchecked_return_type = "RecipeFile[]")]
     pub fn missing_files(&self) -> Array {
         let missing = self.studio.engine().missing();
@@ -69,7 +69,7 @@ impl Bubblestone {
             .collect()
     }
 
-    /// The files that the recipe names, where they count.
+    /// The files that the recipe names, where they have an effect.
     #[wasm_bindgen(js_name = recipeFiles, unchecked_return_type = "RecipeFile[]")]
     pub fn recipe_files(&self) -> Array {
         let named = self.studio.recipe().named_files().into_iter();
@@ -88,29 +88,29 @@ fn recipe_file(role: &str, digest: &str, name: &str) -> JsValue {
     .into()
 }
 
-/// The digest of a file, and the value of a parameter that asks for it.
+/// The digest of a file, and the parameter's value that names the file.
 #[wasm_bindgen]
 pub struct FileDigest(generators::FileDigest);
 
 #[wasm_bindgen]
 impl FileDigest {
-    /// Of a file of so many bytes.
+    /// The digest of a file of `size` bytes.
     #[wasm_bindgen(constructor)]
     pub fn new(size: u32) -> FileDigest {
         Self(generators::FileDigest::new(size as usize))
     }
 
-    /// Its next bytes.
+    /// Adds the next bytes.
     pub fn add(&mut self, piece: &[u8]) {
         self.0.add(piece);
     }
 
-    /// 16 hex digits.
+    /// The digest as 16 hex digits.
     pub fn text(&self) -> String {
         format!("{:016x}", self.0.number())
     }
 
-    /// The value of the parameter of a link that names a file of this name.
+    /// The parameter's value that names this file, with this name.
     pub fn value(&self, name: &str) -> String {
         NamedFile::new(self.0.number(), name).text()
     }

@@ -1,4 +1,4 @@
-//! Plain objects of what a studio tells.
+//! Plain objects for the results of a studio.
 
 use super::object;
 use crate::export::{Map, StageTime};
@@ -10,7 +10,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r"
-/** How far the work is. */
+/** The progress of the work. */
 export interface Status {
   cells: number;
   steps: number;
@@ -21,82 +21,88 @@ export interface Status {
   removed: number;
   converged: boolean;
   stones: number;
-  /** Milliseconds by the word of the stage. */
+  /** Milliseconds by the words of the stages. */
   ms: Record<string, number>;
 }
 
-/** A cell, as found at a place of the picture: lengths in picture units, angles in degrees, y down. */
+/** A cell at a place of the picture: lengths in picture units, angles in degrees, y down. */
 export interface Probe {
-  /** Its place in the list of cells, from 0; while they are packed, in that of the packing. */
+  /** Its index in the list of cells, from 0; during the packing, its index in the packing. */
   cell: number;
   x: number;
   y: number;
   kind: 'square' | 'rectangle' | 'circle' | 'ellipse';
   size: number;
-  /** What the size field asks for there. */
+  /** The size field at that place. */
   wanted: number;
   /** Length over width, at least 1. */
   aspect: number;
-  /** 0..90 of squares, 0..180 of rectangles and ellipses; null of circles. */
+  /** 0..90 for squares, 0..180 for rectangles and ellipses; null for circles. */
   angle: number | null;
-  /** Off the direction field: 0..45 of squares, else 0..90; null of circles. */
+  /** The angle to the direction field: 0..45 for squares, else 0..90; null for circles. */
   off: number | null;
-  /** Its polygon as x, y, x, y, ..., not closed; of a packed cell its shape. */
+  /** Its polygon as x, y, x, y, ..., not closed; its shape for a packed cell. */
   outline: Float64Array;
-  /** The following only once the cells have polygons. */
+  /** The following values exist only once the cells have polygons. */
   area: number | null;
   sides: number | null;
-  /** Cells on the other side of its sides. */
+  /** The number of cells that share a side with it. */
   neighbours: number | null;
 }
 
-/** How the packing went so far: lists of the same length, by rising steps. */
+/** The progress of the packing so far: lists of the same length, by increasing steps. */
 export interface Series {
   step: Float64Array;
   energy: Float64Array;
-  /** The largest move of the step, in cell sizes. */
+  /** The greatest move of the step, in cell sizes. */
   move: Float64Array;
 }
 
-/** Counts of equal classes; those beyond count in the outermost. No classes where there is nothing to count. */
+/**
+ * Counts in equal classes; values outside the range count in the outermost classes. Without values there are no
+ * classes.
+ */
 export interface Histogram {
   from: number;
   to: number;
   counts: Uint32Array;
 }
 
-/** Of all cells: sizes over the wanted ones, and degrees off the direction field. */
+/** Histograms of all cells: sizes relative to the wanted ones, and angles to the direction field in degrees. */
 export interface Histograms {
   size: Histogram;
   angle: Histogram;
 }
 
-/** A map for other programs, or the next of its rows: from the top, values of 16 and 32 bits with the high byte first. */
+/** A map for other programs, or its next rows: from the top, values of 16 and 32 bits with the high byte first. */
 export interface PixelMap {
   /** Pixels along the side of the whole map. */
   side: number;
-  /** 1 of grey, or 3 of red, green, blue. */
+  /** 1 for grey, or 3 for red, green, blue. */
   channels: number;
   bits: number;
   bytes: Uint8Array<ArrayBuffer>;
 }
 
-/** What a slice of work gave of a mesh file: its next parts, whether it begins with them, and whether it ends. */
+/**
+ * The result of a slice of work on a mesh file: its next parts, whether the file begins with them, and whether
+ * it ends.
+ */
 export interface MeshSlice {
   begun: boolean;
   parts: Uint8Array<ArrayBuffer>[];
   done: boolean;
 }
 
-/** What a slice of work gave of a bigger picture, or of its maps. */
+/** The result of a slice of work on an enlarged picture, or on its maps. */
 export interface PictureSlice {
   begun: boolean;
   done: boolean;
-  /** How much of the work is done, about, 0..1. */
+  /** The approximate progress, 0..1. */
   progress: number;
-  /** The next whole rows of each map in the order that they were asked for, or of the picture: mostly none yet. */
+  /** The next whole rows of each map in the order of the request, or of the picture; often none yet. */
   maps: PixelMap[];
-  /** The heights shown as 0 and 65535 in the map 'height', in picture units, from its first row on. */
+  /** The heights shown as 0 and 65535 in the map 'height', in picture units; valid from its first row on. */
   heights: [low: number, high: number];
 }
 
@@ -106,7 +112,7 @@ export interface Rings {
   rings: Uint32Array;
 }
 
-/** A list's numbers row after row, lengths in sides of the picture, and how many numbers each row has. */
+/** A list's numbers row by row, lengths in sides of the picture, and the number of numbers in each row. */
 export interface Rows {
   numbers: Float64Array;
   rows: Uint32Array;

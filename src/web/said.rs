@@ -1,4 +1,4 @@
-//! Notices, as the page gets them.
+//! Notices as objects for the page.
 
 use super::object;
 use crate::notice::{Arg, Notice};
@@ -7,17 +7,20 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r"
-/** What is said to people: a code and its arguments by name, and all of it in English. */
+/** A message for people: a code, its arguments by name, and the whole text in English. */
 export interface Notice {
   code: string;
   args: Record<string, NoticeArg>;
   text: string;
 }
 
-/** Text that is the same in all languages, a parameter, a word of a choice, a part of the sentence, or one of several. */
+/**
+ * An argument: text that is the same in all languages, a parameter, a word of a choice, a part of the sentence, or a
+ * list of these.
+ */
 export type NoticeArg = string | { key: string; name: string } | { key: string; word: string; label: string } | Notice | NoticeArg[];
 
-/** What became of something that was asked for: refused, it says why, else what was clamped or mended. */
+/** The result of a change: if it was refused, the reason; else the values that were clamped or corrected. */
 export interface Answer {
   refused: boolean;
   notices: Notice[];
@@ -66,7 +69,7 @@ pub(super) fn answer(said: &Result<Vec<Notice>, Notice>) -> Object {
     ])
 }
 
-/// What was asked for, or why there is none.
+/// The result, or the notice with the reason why there is none.
 pub(super) fn or_why(made: Result<Object, Notice>) -> Object {
     made.unwrap_or_else(|why| notice(&why))
 }

@@ -1,4 +1,4 @@
-//! Bodies in light, seen from a slant: frames of them, and what is seen there.
+//! Frames of bodies in light, and queries on them.
 
 use super::said::{all, notice, or_why};
 use super::{Bubblestone, object, objects};
@@ -12,20 +12,20 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r"
-/** What a slice of work gave of a frame. */
+/** The result of a slice of work on a frame. */
 export interface FrameSlice {
-  /** A new frame begins. */
+  /** Whether a new frame begins. */
   begun: boolean;
   done: boolean;
-  /** How much of the work is done, about, 0..1. */
+  /** The approximate progress, 0..1. */
   progress: number;
-  /** Red, green, blue and alpha (not multiplied in) of each pixel from the top, when it is done. */
+  /** The RGBA pixels (alpha is not premultiplied) from the top, when the frame is done. */
   pixels?: Uint8Array<ArrayBuffer>;
 }
 
-/** A body, as found at a pixel of a frame. */
+/** A body at a pixel of a frame. */
 export interface SeenBody {
-  /** From 1. */
+  /** Ids count from 1. */
   id: number;
   /** The middle of its cell, in picture units. */
   x: number;
@@ -37,11 +37,11 @@ export interface SeenBody {
 
 #[wasm_bindgen]
 impl Bubblestone {
-    /// Works for about `budget` milliseconds on a frame of the bodies. `subject` is '' for all there is, or a body's id
-    /// and the place of a step in its making, as '12:3'; `camera` its numbers with commas between: angle, height,
-    /// distance, lens, and the target's x, y, z, of which those at the end may be missing. `how` has words joined by
-    /// '+': 'moving', 'still' or 'fine', and 'floor', 'sky' or 'nothing' behind. Begins anew where something of that is
-    /// otherwise than the last time.
+    /// Works for about `budget` milliseconds on a frame of the bodies. `subject` is '' for all bodies, or a
+    /// body's id and the index of a step in its making, such as '12:3'. `camera` is numbers with commas
+    /// between: angle, height, distance, lens, and the target's x, y, z; trailing numbers may be missing. `how`
+    /// is words joined by '+': 'moving', 'still' or 'fine', and the background 'floor', 'sky' or 'nothing'. If
+    /// any of these differs from the last call, a new frame begins.
     #[wasm_bindgen(unchecked_return_type = "FrameSlice | Notice")]
     pub fn turn(
         &mut self,
@@ -61,7 +61,7 @@ impl Bubblestone {
         or_why(made)
     }
 
-    /// The body at a pixel of the frame last finished.
+    /// The body at a pixel of the last finished frame.
     #[wasm_bindgen(js_name = bodyAt, unchecked_return_type = "SeenBody | undefined")]
     pub fn body_at(&self, x: u32, y: u32) -> JsValue {
         let body = self.studio.engine().body_at(x as usize, y as usize);
@@ -78,7 +78,7 @@ impl Bubblestone {
         })
     }
 
-    /// A plane of the frame last finished: 'depth', 'normal' or 'id'. Its side is the frame's width.
+    /// A plane of the last finished frame: 'depth', 'normal' or 'id'. Its side is the frame's width.
     #[wasm_bindgen(js_name = frameMap, unchecked_return_type = "PixelMap | Notice")]
     pub fn frame_plane(&self, word: &str) -> Object {
         let plane = FramePlane::of_word(word).ok_or(Notice::from(Code::NoSuchFile));
@@ -89,40 +89,40 @@ impl Bubblestone {
         or_why(map.map(|map| objects::map(&map)))
     }
 
-    /// The words of the steps in which a body is made: a frame of each is that of the subject 'ID:STEP'.
+    /// The words of the steps in the making of a body. The subject 'ID:STEP' shows a step.
     pub fn making(&self, id: u32) -> Vec<String> {
         self.studio.engine().making(id)
     }
 
-    /// The place of the model at a pixel of the frame last finished, as the rows of what is drawn on it have it;
-    /// undefined beside it.
+    /// The place on the model at a pixel of the frame last finished, in the units of painted rows; undefined
+    /// beside the model.
     #[wasm_bindgen(js_name = placeAt)]
     pub fn place_at(&self, x: u32, y: u32) -> Option<Vec<i32>> {
         let place = self.studio.engine().place_at(x as usize, y as usize)?;
         Some(place.map(|n| n as i32).to_vec())
     }
 
-    /// What is to be read beside a view, once it is shown.
+    /// The caption of a view.
     #[wasm_bindgen(unchecked_return_type = "Notice | undefined")]
     pub fn caption(&self, words: &str) -> JsValue {
         let caption = self.studio.engine().caption(words);
         caption.map_or(JsValue::UNDEFINED, |caption| notice(&caption).into())
     }
 
-    /// Where such a place is in that frame, in pixels; undefined where it is not seen there.
+    /// The pixel of such a place in that frame; undefined if it is hidden there.
     #[wasm_bindgen(js_name = pixelOf)]
     pub fn pixel_of(&self, x: i32, y: i32, z: i32) -> Option<Vec<f64>> {
         let place = [x, y, z].map(i64::from);
         Some(self.studio.engine().pixel_of(place)?.to_vec())
     }
 
-    /// What is to be said of what was made: what was mended, or does not fit well.
+    /// Remarks on the result: repairs, and parts that do not fit well.
     #[wasm_bindgen(unchecked_return_type = "Notice[]")]
     pub fn remarks(&self) -> Array {
         all(&self.studio.engine().remarks())
     }
 
-    /// 16 hex digits that change with any bit of the frame last finished; '' before there is one.
+    /// 16 hex digits that change with any bit of the last finished frame; '' before there is one.
     #[wasm_bindgen(js_name = frameHash)]
     pub fn frame_hash(&self) -> String {
         let frame = self.studio.engine().frame();
@@ -130,8 +130,8 @@ impl Bubblestone {
     }
 }
 
-/// The hash of the still of a link from a camera: as large as the picture, one sample for each pixel, full detail; the
-/// problem's sentence where there is none.
+/// The hash of the still of a link by a camera: as large as the picture, with one sample for each pixel, at
+/// full detail. The sentence of the problem if there is none.
 #[wasm_bindgen]
 pub fn frame_of_link(link: &str, camera: &str) -> String {
     let (recipe, _) = ALL.recipe(link);
@@ -146,7 +146,7 @@ pub fn frame_of_link(link: &str, camera: &str) -> String {
 }
 
 fn order(home: Camera, subject: &str, camera: &str, size: [u32; 2], how: &str) -> TurnOrder {
-    // What is wrong with the words of a link the page has said before.
+    // The page has reported faulty words of a link before.
     let (camera, _) = home.read(camera);
     TurnOrder {
         subject: subject.to_owned(),

@@ -71,7 +71,7 @@ test('a whole line is moved by its middle, and a double click gives it a point',
   for (const k of [0, 1]) {
     assert.ok(Math.abs(now[k].x - before[k].x - 10) < 1.5 && Math.abs(now[k].y - before[k].y - 40) < 1.5);
   }
-  // Two presses count as a double click only where the page is not busy between them.
+  // Two presses count as a double click only if the page is not busy between them.
   await digest(page);
   await page.mouse.click(middle.x + 10, middle.y + 40, { count: 2 });
   assert.equal((await handles(page)).length, 3);

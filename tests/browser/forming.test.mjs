@@ -70,7 +70,7 @@ test('on a first visit the forming takes its time, and scripts need not wait for
   assert.ok(end - begin > 2500, `${end - begin} ms`);
   assert.equal(await page.$eval('#subtitle .said', (text) => text.textContent), 'Bubbles push each other into place, settle, and turn to stone.');
   assert.equal(await page.$eval('#play', (button) => button.textContent.trim()), 'Watch again');
-  // The final picture is the one that scripts were told of, and the same as from the link elsewhere.
+  // The final picture is the one whose digest scripts received, and the same as that of the link elsewhere.
   assert.deepEqual(await page.evaluate(() => [window.bubblestone.status().cells, window.bubblestone.status().steps]), [cells, steps]);
   assert.equal(await digest(page), planes);
   const shown = await canvas(page);

@@ -1,4 +1,5 @@
-// Drawings become outlines as they look, or a sentence says why not. The page stays responsive meanwhile.
+// The visible shape of a drawing becomes the outline, or a sentence gives the reason why not. The page stays responsive
+// meanwhile.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';

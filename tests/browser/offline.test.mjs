@@ -40,7 +40,7 @@ test('after the first visit all works without a host, and nothing was fetched tw
   const { page, external, close } = await site.newPage(SMALL, { stores: true });
   const planes = await digest(page);
   await told(page, 'stored');
-  // The foot of the page says so; nothing covers the picture.
+  // The foot of the page mentions it; nothing covers the picture.
   assert.match(await page.$eval('#offline', (text) => text.textContent), /works offline/);
   assert.equal(await page.$('.message'), null);
   // Chromium fetches the tab's icon separately.

@@ -84,7 +84,7 @@ test('points are moved, added and removed by the keyboard, and an edge takes a p
   await page.keyboard.press('Delete');
   assert.equal((await handles(page)).length, count);
   const [from, to] = await handles(page);
-  // Two presses count as a double click only where the page is not busy between them.
+  // Two presses count as a double click only if the page is not busy between them.
   await digest(page);
   await page.mouse.click(from.x * 0.4 + to.x * 0.6, from.y * 0.4 + to.y * 0.6, { count: 2 });
   assert.equal((await handles(page)).length, count + 1);

@@ -37,7 +37,7 @@ test('a generator without a part of the page has no keys of it, and what was ope
   await page.waitForSelector('#sheet[data-turn=fine]');
   await page.waitForSelector('#layers', { hidden: true });
   for (const key of ['e', 'o', 't', 'p']) await page.keyboard.press(key);
-  // The next free key comes after them.
+  // If the light appears, the keys before it have been handled, too.
   await page.keyboard.press('l');
   await page.waitForSelector('#light-sun', { visible: true });
   await frames(page, 5);

@@ -229,7 +229,7 @@ test('points come from the middles of edges and go by a double click', sameEvery
   assert.equal((await handles(page)).length, 4, 'the keyboard is on the point that came');
   await page.mouse.click(...middle);
   assert.equal((await handles(page)).length, 5);
-  // Two presses count as a double click only where the page is not busy between them.
+  // Two presses count as a double click only if the page is not busy between them.
   await digest(page);
   await page.mouse.click(...middle, { count: 2 });
   await frames(page, 2);

@@ -142,7 +142,7 @@ test('the page is scrolled over it, by one finger and by the wheel, and two fing
 test('a mouse turns it, moves its ground with Shift, and comes closer to what it points at', async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&outline=square&camera=330,45`, { still: true });
   await turned(page);
-  /** The body under the pointer at a place; 'none' where there is none. */
+  /** The body under the pointer at a place; 'none' if there is none. */
   const body = async ({ x, y }) => {
     await page.mouse.move(2, 2);
     await page.waitForSelector('#turn:not([data-body])');

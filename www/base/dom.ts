@@ -55,7 +55,7 @@ export function wantsStill(): boolean {
   return matchMedia('(prefers-reduced-motion: reduce)').matches;
 }
 
-/** Waits until the browser has painted, or 200 ms where it does not, as in a hidden tab. */
+/** Waits until the browser has painted, or 200 ms if it does not paint, as in a hidden tab. */
 export function frame(): Promise<void> {
   return new Promise((resolve) => {
     requestAnimationFrame(() => setTimeout(resolve));
@@ -63,7 +63,7 @@ export function frame(): Promise<void> {
   });
 }
 
-/** Waits until the browser is idle. Where it does not say, as in Safari, waits some milliseconds. */
+/** Waits until the browser is idle. In browsers that do not report it, such as Safari, waits some milliseconds. */
 export function idle(otherwise: number): Promise<void> {
   return new Promise((resolve) => {
     if ('requestIdleCallback' in window) requestIdleCallback(() => resolve());

@@ -9,7 +9,7 @@ interface Binding {
   shown?: string[];
   /** Their effect, for the list. */
   word: Word;
-  /** The part of the page that the keys serve. Where a generator does not offer it, the keys do nothing. */
+  /** The part of the page that the keys serve. If a generator does not offer it, the keys do nothing. */
   part?: string;
   act: (key: string) => void;
   /** Holding the key down repeats the action. */

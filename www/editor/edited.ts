@@ -23,9 +23,9 @@ export interface FigureNeeds {
   disarmed(): void;
 }
 
-/** The editor around the figures, which shows what can be done with them. */
+/** The editor around the figures, which shows the possible actions. */
 interface Around {
-  /** The figures were drawn anew, or the possible actions changed. */
+  /** Called when the figures were drawn again, or the possible actions changed. */
   follow(): void;
   /** Moves the keyboard focus to the marked point, or to the button that adds figures. */
   focus(): void;
@@ -90,7 +90,7 @@ export class EditedFigures {
     this.around.follow();
   }
 
-  /** Moves the keyboard focus to the marked point. Returns false where there is none. */
+  /** Moves the keyboard focus to the marked point. Returns false if there is none. */
   focus(): boolean {
     return this.sheet.focus(this.all, this.at);
   }
@@ -129,7 +129,7 @@ export class EditedFigures {
     this.place();
   }
 
-  /** Where a point goes: with Shift it snaps, and a guide shows to what. */
+  /** The new place of a point. With Shift it snaps, and a guide shows the target. */
   snapped(at: Point, snaps: boolean, place: Place | undefined, neighbour?: Point): Point {
     if (!snaps) {
       this.sheet.guide('');

@@ -198,7 +198,7 @@ export class Editor {
     }
   }
 
-  /** Whether the picture is a tile, which has no outline to edit. Says so. */
+  /** Whether the picture is a tile, which has no outline to edit. Shows a message if it is. */
   private tiled(): boolean {
     const tiled = this.engine.get('tile') === '1';
     if (tiled) alertOf('outline', t('tile_has_none'));
@@ -245,7 +245,7 @@ export class Editor {
     else setTimeout(() => this.begin('outline'));
   }
 
-  /** Gives an outline to the engine. Returns false where it was refused. */
+  /** Gives an outline to the engine. Returns false if it was refused. */
   private takeRings(rings: Ring[]): boolean {
     return this.change('outline', () => {
       const { refused, sentences } = this.work.outline(rings, this.held);
@@ -291,7 +291,7 @@ export class Editor {
     this.giving = [];
   }
 
-  /** The figures that gave the present outline, where they are known. */
+  /** The figures that gave the present outline, if they are known. */
   private remembered(word: string): Figure[] | undefined {
     const side = this.engine.side();
     return isOutline(word) ? this.given.get(this.shape(word))?.map((figure) => scaled(figure, side)) : undefined;

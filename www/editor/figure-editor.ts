@@ -15,7 +15,7 @@ interface FigureEditorNeeds extends FigureNeeds {
   sorts(): Sort[];
   /** The visitor chose another sort in the bar. */
   choose(word: string): void;
-  /** The outline that the figures make, where they are not the outline themselves. */
+  /** The outline that the figures make, if they are not the outline themselves. */
   rim(): Point[][];
   closed(): void;
 }

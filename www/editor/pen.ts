@@ -76,7 +76,7 @@ export class Pen {
     return closes || (moved && before === 0) ? this.finish() : undefined;
   }
 
-  /** The line as it is; undefined where it has less than two points. */
+  /** The line as it is; undefined if it has less than two points. */
   finish(): Figure | undefined {
     const points = this.points;
     this.cancel();

@@ -119,7 +119,7 @@ export class Sheet {
     this.paths.guide.setAttribute('d', d);
   }
 
-  /** Moves the keyboard focus to a point. Returns false where there is none. */
+  /** Moves the keyboard focus to a point. Returns false if there is none. */
   focus(figures: Figure[], { figure, index }: Place): boolean {
     const before = figures.slice(0, figure).reduce((total, { points }) => total + points.length, 0);
     const handle = this.handles.children[before + index];

@@ -8,31 +8,30 @@ import { byId, frame, make, say, wantsStill } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { valuesIn } from '../state/link';
 import type { Store } from '../state/store';
-import type { Camera } from '../state/viewing';
 import type { Partner, Work } from '../state/work';
-import { Loop } from '../picture/loop';
+import type { PictureHost } from '../picture/host';
+import { FRAMES, type Loop } from '../picture/loop';
 import type { View } from '../picture/view';
-import { Gestures } from '../turn/gestures';
+import { Gestures, type Hands } from '../turn/gestures';
 import { homeOf } from '../state/asked-view';
 import { ALL_AROUND } from '../turn/camera';
-import { OtherFrames } from '../turn/others';
+import type { Way } from './compare';
 import { Together } from './together';
 import { Zoom } from './zoom';
 import '../styles/late/beside.css';
 
-export class Beside implements Partner {
+export class Beside implements Partner, Way {
   readonly sheet = make('div', { class: 'sheet', id: 'beside' });
   private readonly work: Work;
   private readonly store: Store;
-  private readonly view: View;
   private readonly own: Loop;
   private readonly frame = byId('frame');
-  private readonly canvas = make('canvas', { role: 'img', 'aria-labelledby': 'beside-name' });
+  private readonly canvas: HTMLCanvasElement;
+  private readonly pane = make('div', { class: 'pane' });
+  /** Lies over frames and takes the gestures that turn them. */
+  private readonly grip = make('div', { class: 'beside-grip' });
   private readonly names = [make('p', { class: 'beside-name', id: 'beside-name' }), make('p', { class: 'beside-name own' })] as const;
-  private engine: Engine | undefined;
-  private loop: Loop | undefined;
-  /** Its frames, for generators that are seen by frames only. */
-  private frames: OtherFrames | undefined;
+  private host: PictureHost | undefined;
   /** The name of the other recipe, and the link that has this name. */
   private title = '';
   private link = '';
@@ -41,18 +40,18 @@ export class Beside implements Partner {
   /** The page's recipe after the last change. */
   private last = '';
 
-  constructor(work: Work, view: View, own: Loop) {
+  constructor(work: Work, view: View, own: Loop, canvas: HTMLCanvasElement) {
     this.work = work;
     this.store = work.store;
-    this.view = view;
     this.own = own;
-    this.sheet.append(make('div', { class: 'pane' }, this.canvas));
+    this.canvas = canvas;
+    this.sheet.append(this.pane);
+    new Gestures(this.grip, this.hands(), false);
     new Zoom(this.store, () => undefined, this.sheet);
     // Two fingers zoom the pictures, not the page.
     this.sheet.addEventListener('touchstart', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault(), { passive: false });
     this.store.on(['recipe'], () => this.goBack());
-    this.store.on(['paused', 'pace'], () => this.drive());
-    this.store.on(['view', 'overlays'], () => this.loop?.redraw());
+    this.store.on(['paused', 'pace'], (state) => this.host?.drive(state));
     view.drawn(() => this.tell());
   }
 
@@ -66,32 +65,29 @@ export class Beside implements Partner {
       return;
     }
     for (const element of [this.sheet, ...this.names]) element.remove();
-    this.loop?.end();
-    this.frames?.end();
-    this.engine = this.loop = this.frames = this.own.pair = this.work.partner = undefined;
+    if (this.host) this.host.loop.pair = undefined;
+    this.host = this.own.pair = this.work.partner = undefined;
     this.store.update({ other: 'done' });
   }
 
-  /**
-   * Shows the picture of this engine beside the page's own. Both begin again; if less motion is preferred, only the
-   * other one works.
-   */
-  take(engine: Engine, title: string): void {
-    this.loop?.end();
-    this.frames?.end();
-    this.engine = engine;
+  /** Shows this host beside the page's own picture. Both begin again; if less motion is preferred, only the other one works. */
+  take(host: PictureHost, title: string): void {
+    const { canvas, grip, pane } = this;
+    const { engine, loop } = (this.host = host);
     [this.title, this.link] = [title, engine.link()];
-    this.loop = new Loop(engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed));
-    this.frames = engine.offers('frames') ? this.framesOf(engine, this.loop) : undefined;
-    this.loop.painter = this.frames?.painter;
-    this.canvas.hidden = engine.offers('frames');
-    this.loop.pair = this.own.pair = new Together(this.work.engine, engine);
+    canvas.ariaHidden = null;
+    canvas.setAttribute('role', 'img');
+    if (engine.offers('frames')) pane.after(canvas, grip);
+    else pane.append(canvas);
+    grip.hidden = !engine.offers('frames');
+    [loop.rhythm, loop.may] = [FRAMES, undefined];
+    host.still = wantsStill();
+    loop.pair = this.own.pair = new Together(this.work.engine, engine);
     this.work.partner = this;
     this.pairs.clear();
     this.remember();
     this.store.update({ other: engine.stage() });
-    this.drive();
-    this.loop.begin();
+    host.drive(this.store.state);
     // Visitors who prefer less motion see the present picture.
     if (wantsStill()) return;
     if (!isEnd(this.work.engine.stage())) return this.restart();
@@ -100,96 +96,67 @@ export class Beside implements Partner {
   }
 
   /** Gestures on either picture turn both. */
-  private framesOf(engine: Engine, loop: Loop): OtherFrames {
+  private hands(): Hands {
     const { store } = this;
-    const frames = new OtherFrames(engine, store, loop);
-    const home = homeOf(engine.generator);
     const none = (): void => undefined;
-    const hands = {
-      camera: () => store.state.camera ?? home,
+    return {
+      camera: () => store.state.camera ?? homeOf(this.host?.engine.generator ?? { home: '' }),
       heights: () => ALL_AROUND,
-      take: (camera: Camera) => store.update({ camera }),
+      take: (camera) => store.update({ camera }),
       home: () => store.update({ camera: undefined }),
       leave: none,
       tap: none,
       over: none,
       enter: none,
     };
-    new Gestures(frames.canvas, hands, false);
-    this.sheet.append(frames.canvas);
-    return frames;
   }
 
   /** A control has changed: copies the changed values to the other recipe, if it has these parameters. */
   follow(): void {
-    const { engine, last } = this;
+    const { host, last } = this;
     const own = this.work.engine;
-    if (!engine) return;
+    if (!host) return;
+    const { engine } = host;
     const [before, now] = [new Set(valuesIn(last)), new Set(valuesIn(own.link()))];
     const keys = [...before, ...now].filter((pair) => before.has(pair) !== now.has(pair)).map((pair) => pair.replace(/=.*/s, ''));
     const known = new Set(engine.schema.map(({ key }) => key));
     for (const key of new Set(keys)) if (known.has(key)) engine.set(key, own.get(key));
     this.remember();
-    this.loop?.changed();
+    host.changed();
   }
 
   step(): void {
-    this.engine?.step();
-    this.loop?.redraw();
+    this.host?.step();
   }
 
   restart(): void {
-    this.engine?.restart();
-    this.loop?.changed();
+    this.host?.restart();
   }
 
   /** The page has another recipe: restores the other recipe that stood beside it before. */
   private goBack(): void {
-    const { engine } = this;
-    if (!engine) return;
+    const { host } = this;
+    if (!host) return;
     const then = this.pairs.get(this.store.state.recipe);
-    if (then === undefined || then === engine.link()) return this.tell();
-    engine.open(then);
+    if (then === undefined || then === host.engine.link()) return this.tell();
+    host.open(then);
     this.last = this.store.state.recipe;
-    this.loop?.changed();
   }
 
   private remember(): void {
     this.last = this.store.state.recipe;
-    if (this.engine) this.pairs.set(this.last, this.engine.link());
+    if (this.host) this.pairs.set(this.last, this.host.engine.link());
   }
 
-  private drive(): void {
-    const { loop } = this;
-    const { paused, pace } = this.store.state;
-    if (!loop) return;
-    if (loop.paused !== paused) loop.paused = paused;
-    loop.stepsPerFrame = pace;
-  }
-
-  /** Visitors who prefer less motion see finished or paused pictures only. */
-  private shownAt(stage: string): string | undefined {
-    return !wantsStill() || isEnd(stage) || this.store.state.paused ? this.view.words : undefined;
-  }
-
-  private drawn(stage: string, changed: boolean): void {
-    const { engine, canvas } = this;
-    if (!engine?.alive) return;
-    const context = canvas.getContext('2d');
-    const words = this.shownAt(stage);
-    if (context && !engine.offers('frames') && changed && words !== undefined) {
-      const side = engine.side();
-      if (canvas.width !== side) canvas.width = canvas.height = side;
-      engine.draw(context, words);
-    }
+  worked(stage: string): void {
     this.store.update({ other: stage });
     this.tell();
   }
 
   /** Writes names and counts below both. */
   private tell(): void {
-    const { engine } = this;
-    if (!engine) return;
+    if (!this.host) return;
+    const { engine } = this.host;
     const { preset, recipe } = this.store.state;
     const mine = preset ? named(preset.shown.figure || preset.shown.title, preset.recipe === recipe) : t('compare_mine');
     write(this.names[0], named(this.title, engine.link() === this.link), engine);

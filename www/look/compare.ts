@@ -5,10 +5,11 @@ import { byId, make, say } from '../base/dom';
 import { notice } from '../base/messages';
 import { shape } from '../late/svg';
 import { Arrivals } from '../state/arrivals';
-import { Engine } from '../state/engine';
+import type { Engine } from '../state/engine';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
+import { PictureHost } from '../picture/host';
 import type { View } from '../picture/view';
 import { Beside } from './beside';
 import { Under } from './under';
@@ -26,9 +27,19 @@ const PRESET = 'preset:';
 /** Elements where Escape has another meaning. */
 const NOT_HERE = 'dialog, select, [type=text], #layers, #layers-button, .light-layer, .light-kinds, .edit-tools';
 
+/** A way to show the second picture. */
+export interface Way {
+  show(on: boolean): void;
+  /** The host shows another recipe from now on. */
+  take(host: PictureHost, title: string): void;
+  /** The second picture was worked on, up to this stage. */
+  worked(stage: string): void;
+}
+
 export class Compare {
   private readonly work: Work;
   private readonly store: Store;
+  private readonly view: View;
   private readonly under: Under;
   private readonly beside: Beside;
   private readonly sheet = byId('sheet');
@@ -40,7 +51,8 @@ export class Compare {
   private readonly right = make('div', { class: 'compare-right' });
   /** The page's recipe when the comparison began. */
   private before = '';
-  private engine: Engine | undefined;
+  private readonly canvas = make('canvas', { class: 'other' });
+  private host: PictureHost | undefined;
   private readonly arrivals = new Arrivals();
   /** The recipe of the second engine. */
   private wanted = '';
@@ -50,23 +62,26 @@ export class Compare {
   constructor(work: Work, view: View, loop: Loop) {
     this.work = work;
     this.store = work.store;
+    this.view = view;
     const end = make('button', { type: 'button', class: 'key', id: 'compare-end', 'aria-label': t('compare_end'), title: t('compare_end') }, '×');
     end.addEventListener('click', () => this.end());
     this.way.append(shape('svg', { viewBox: '0 0 20 20', 'aria-hidden': 'true' }, shape('path', { 'fill-rule': 'evenodd', d: 'M2 4.500h7v11H2zm1.700 1.700v7.600h3.600V6.200zM11 4.500h7v11h-7zm1.700 1.700v7.600h3.600V6.200z' })));
     this.way.addEventListener('click', () => this.store.update({ beside: !this.store.state.beside }));
     this.right.append(make('span', { class: 'compare-name' }, t('compare_own')), this.way, end);
-    this.under = new Under(work, view, this.progress);
-    this.beside = new Beside(work, view, loop);
+    this.under = new Under(work, this.canvas, this.progress);
+    this.beside = new Beside(work, view, loop, this.canvas);
     this.sheet.append(this.left, this.right);
     this.choice.addEventListener('change', () => this.choose());
     this.link.addEventListener('change', () => this.follow(true));
     document.addEventListener('keydown', (event) => this.key(event));
     this.store.on(['recipe', 'held'], () => this.follow());
+    this.store.on(['recipe', 'held', 'camera'], () => this.host?.moved());
+    this.store.on(['view', 'overlays'], () => this.host?.loop.redraw());
     this.store.on(['beside'], () => this.store.state.compare && this.lay());
   }
 
   show(on: boolean): void {
-    for (const element of [this.left, this.right]) element.hidden = !on;
+    for (const element of [this.canvas, this.left, this.right]) element.hidden = !on;
     if (!on) return this.stop();
     this.before = this.store.state.recipe;
     if (this.store.state.repeat > 1) this.store.update({ repeat: 1 });
@@ -86,8 +101,8 @@ export class Compare {
     this.under.show(false);
     this.beside.show(false);
     this.sheet.append(this.left);
-    this.engine?.free();
-    this.engine = undefined;
+    this.host?.free();
+    this.host = undefined;
     this.wanted = '';
   }
 
@@ -149,13 +164,28 @@ export class Compare {
     if (wanted === this.wanted) return;
     this.wanted = wanted;
     this.arrivals.reach(base, () => {
-      const engine = (this.engine ??= new Engine(base, () => this.failed()));
-      const said = engine.open(base);
-      if (variant) engine.set(variant[0], variant[1]);
+      const host = (this.host ??= this.hostOf(base));
+      const said = host.open(base);
+      if (variant) host.engine.set(variant[0], variant[1]);
       if (value === 'link') notice('link', ...said);
-      if (this.store.state.beside) this.beside.take(engine, this.titleOf(value, engine));
-      else this.under.take(engine);
+      this.chosen.take(host, this.titleOf(value, host.engine));
     });
+  }
+
+  private hostOf(link: string): PictureHost {
+    this.canvas.hidden = false;
+    return new PictureHost(link, {
+      canvas: this.canvas,
+      view: () => this.view.words,
+      camera: () => this.store.state.camera,
+      held: () => this.store.state.held,
+      worked: (stage) => this.chosen.worked(stage),
+      crashed: () => this.failed(),
+    });
+  }
+
+  private get chosen(): Way {
+    return this.store.state.beside ? this.beside : this.under;
   }
 
   /** The chosen recipe; undefined for a variant of the page's recipe. */
@@ -173,7 +203,9 @@ export class Compare {
 
   /** The second engine failed; the page's own picture goes on. */
   private failed(): void {
-    this.engine = undefined;
+    this.host?.free();
+    this.host = undefined;
+    this.canvas.hidden = true;
     this.under.show(false);
     this.beside.show(false);
     this.sheet.append(this.left);

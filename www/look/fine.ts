@@ -24,10 +24,10 @@ const SLACK = 1.04;
 /** Largest number of fine pixels per pixel of the recipe, along a side. */
 const MOST_SCALE = 8;
 
-/** Most pixels along a side. The module's own limit holds where there is much memory, a share of it elsewhere. */
+/** Most pixels along a side: the module's own limit if there is much memory, else a share of it. */
 const MOST_PIXELS = 4096;
 const MUCH_MEMORY = 8;
-/** Gigabytes to assume where the browser does not say. */
+/** Gigabytes to assume if the browser does not report them. */
 const USUAL_MEMORY = 4;
 
 /** A finished picture on the canvas: its link, its side, and the zoom. */
@@ -64,7 +64,7 @@ export class Fine {
   private next: Picture | undefined;
   private making = new AbortController();
 
-  /** `asked` returns what the canvas shows; undefined where that is unfinished, or not wanted finer. */
+  /** `asked` describes the picture on the canvas; undefined if that is unfinished, or not wanted finer. */
   constructor(canvas: HTMLCanvasElement, asked: () => Asked | undefined) {
     this.canvas = canvas;
     this.asked = asked;

@@ -32,7 +32,7 @@ export class LightOnCanvas {
   private readonly store: Store;
   private readonly sheet = byId('sheet');
   private readonly layer = make('div', { class: 'light-layer' });
-  /** Each line twice: the wider dark one below is its shadow. A filter would cost seconds where the processor draws the page. */
+  /** Each line twice: the wider dark one below is its shadow. A filter would cost seconds if the processor draws the page. */
   private readonly lines = twice('line');
   private readonly horizons = twice('circle');
   private readonly sun = handle('sun', 'sun_place');

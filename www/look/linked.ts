@@ -1,4 +1,4 @@
-/** Shows the view that a link's words ask for, and says which of them cannot be shown. */
+/** Shows the view that a link's words describe, and names the words that cannot be shown. */
 import { t } from '../words/look';
 import { wantsStill } from '../base/dom';
 import { notice } from '../base/messages';
@@ -26,7 +26,7 @@ export function show(words: string, work: Work, loop: Loop, change: (asked: Part
   });
   if (step !== undefined) {
     loop.until = new Until(step, (made) => {
-      // Such a recipe has already said why it gives nothing.
+      // The reason why such a recipe gives no picture is shown already.
       if (engine.stage() === 'error') return;
       change({ paused: true });
       if (made < step) notice('done', t('linked_ended', { made, step }));

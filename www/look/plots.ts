@@ -1,6 +1,6 @@
 /** Plots of the packing's progress and of the quality of its cells. They follow the work. */
 import uPlot from 'uplot';
-import type { Histogram } from '../module/types';
+import type { Histogram, Histograms, Series } from '../module/types';
 import { t, type Word } from '../words/look';
 import { byId, make, say, wantsStill } from '../base/dom';
 import { REPAINT } from '../base/theme';
@@ -43,16 +43,16 @@ export class Plots {
     this.engine = engine;
     this.plots = [
       this.plot('plot_energy', lines('axis_step'), () => {
-        const { step, energy } = engine.series();
+        const { step, energy } = seriesOf(engine);
         return { data: [step, energy], said: said('plot_energy_said', step, energy) };
       }),
       this.plot('plot_move', lines('axis_step', true), () => {
-        const { step, move } = engine.series();
+        const { step, move } = seriesOf(engine);
         return { data: [step, move.map((v) => Math.max(v, 1e-6))], said: said('plot_move_said', step, move) };
       }),
-      this.plot('plot_size', bars('axis_size'), () => counted(engine.histograms().size, 'plot_size_said', 1 - SIZE_BAND, 1 + SIZE_BAND)),
+      this.plot('plot_size', bars('axis_size'), () => counted(histogramsOf(engine).size, 'plot_size_said', 1 - SIZE_BAND, 1 + SIZE_BAND)),
       this.plot('plot_angle', bars('axis_angle'), () => {
-        const { size, angle } = engine.histograms();
+        const { size, angle } = histogramsOf(engine);
         const { data, said } = counted(angle, 'plot_angle_said', 0, ANGLE_BAND);
         return { data, said: size.counts.some(Boolean) && !angle.counts.some(Boolean) ? t('plot_angle_none') : said };
       }),
@@ -152,6 +152,17 @@ function bars(word: Word): Plot['make'] {
     axes: axes(word, false),
     series: [{}, { stroke: colour('--accent'), fill: colour('--accent'), width: 0, points: { show: false }, ...(uPlot.paths.bars ? { paths: uPlot.paths.bars({ size: [0.86, 40] }) } : {}) }],
   });
+}
+
+/** The progress of the packing so far. */
+function seriesOf(engine: Engine): Series {
+  const none = { step: new Float64Array(), energy: new Float64Array(), move: new Float64Array() };
+  return engine.ask((studio) => studio.series(), none);
+}
+
+function histogramsOf(engine: Engine): Histograms {
+  const none = { from: 0, to: 0, counts: new Uint32Array() };
+  return engine.ask((studio) => studio.histograms(), { size: none, angle: none });
 }
 
 /** A sentence with the last value of a row, and the first. */

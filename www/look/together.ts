@@ -9,7 +9,7 @@ export class Together {
   private readonly first: Engine;
   private readonly second: Engine;
 
-  /** The frames of the first one advance both. */
+  /** `first` is the picture whose frames advance both. */
   constructor(first: Engine, second: Engine) {
     this.first = first;
     this.second = second;

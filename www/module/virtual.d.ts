@@ -4,7 +4,7 @@ declare module 'virtual:generators' {
   const made: {
     /** The word in `make=` of a link. */
     word: string;
-    /** In English. */
+    /** The English name. */
     title: string;
     /** The index of the first module that has it. */
     module: number;

@@ -28,7 +28,7 @@ export class Seed {
     this.now = engine.get(SEED);
     this.box.addEventListener('change', () => {
       const text = this.box.value;
-      // Only an empty box shows the engine's value for the text.
+      // The text in a focused box is replaced by the engine's value only if the box is empty.
       this.box.value = '';
       this.take(text);
     });

@@ -3,24 +3,25 @@
  *
  * It provides stage, status and digest for scripts, and its studio is freed when the recipe is done.
  */
-import { isEnd } from '../module/stages';
+import { making } from '../module/run';
 import type { Status } from '../module/types';
 import { Engine } from '../state/engine';
 
 /** Milliseconds of work at a time, between frames; and a limit of packing steps that this time never reaches. */
 const SLICE = 12;
-const STEPS = 100_000;
 
 export class Ahead {
   /** The results, once the planes are done; the studio that made them is freed by then. */
   planes: { digest: string; status: Status } | undefined;
   private readonly studio: Engine;
   private readonly tell: () => void;
+  private readonly work: ReturnType<typeof making>;
   private timer = 0;
 
   /** `tell` is called after each piece of work. */
   constructor(recipe: string, crashed: (error: unknown, link: string) => void, tell: () => void) {
     this.studio = new Engine(recipe, crashed);
+    this.work = making(this.studio, SLICE);
     this.tell = tell;
     this.wait();
   }
@@ -41,16 +42,15 @@ export class Ahead {
   }
 
   private wait(): void {
-    this.timer = window.setTimeout(() => this.work());
+    this.timer = window.setTimeout(() => this.goOn());
   }
 
-  private work(): void {
-    this.studio.tick(SLICE, STEPS);
-    if (this.studio.stage() === 'done') {
+  private goOn(): void {
+    if (!this.work.next().done) this.wait();
+    else if (this.studio.stage() === 'done') {
       this.planes = { digest: this.studio.digest(), status: this.studio.status() };
       this.studio.free();
     }
-    if (!isEnd(this.stage)) this.wait();
     this.tell();
   }
 }

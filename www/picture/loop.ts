@@ -6,12 +6,11 @@
  * at once. Scripts get the digest only when its picture is drawn.
  */
 import { isEnd, isUpToSteps } from '../module/stages';
+import { idle } from '../base/dom';
 import type { Engine } from '../state/engine';
+import type { Painter } from './frames/source';
 import type { Until } from './until';
 import type { Watch } from './watch';
-
-/** Milliseconds of work in a frame; the rest of the frame belongs to the browser. */
-const BUDGET = 12;
 
 /**
  * If drawing takes longer than DRAWN_ALWAYS milliseconds, only some frames draw, so that drawing takes this share of
@@ -26,26 +25,34 @@ const BARE = 250;
 /** If work and drawing would take longer than this, a frame only works, and the next one only draws. */
 const LONG = 32;
 
-/** Milliseconds of a frame for a drawing that is made in pieces. */
-const PIECE = 16;
-
 /** Decides how the work advances in a frame, when two pictures form together. */
 interface Pair {
   /** Works for about `budget` milliseconds and makes at most `steps` steps; true if the picture may have changed. */
   tick(engine: Engine, budget: number, steps: number): boolean;
 }
 
-/** Draws something else instead of the view, also in pieces. */
-export interface Painter {
-  /** The share of the time that it may take while the work goes on. */
-  readonly share: number;
-  /** Called when its content may have changed. */
-  changed(): void;
-  /** Works for about `budget` milliseconds; true when the work may go on. */
-  advance(budget: number): boolean;
+/** When slices of the work come, and how long each is. */
+export interface Rhythm {
+  /** Milliseconds of work in a slice. */
+  readonly budget: number;
+  /** Milliseconds of a slice for a drawing that is made in pieces. */
+  readonly piece: number;
+  /** The least time between two drawings of work in progress, in milliseconds. */
+  readonly apart: number;
+  /** Requests the next slice. */
+  next(slice: (begin: number) => void): void;
 }
 
+/** The frames of the browser. The rest of each frame belongs to the browser. */
+export const FRAMES: Rhythm = { budget: 12, piece: 16, apart: 0, next: (slice) => requestAnimationFrame(slice) };
+
+/** Idle moments, for work that is not the page's own picture. */
+export const IDLE: Rhythm = { budget: 6, piece: 6, apart: 150, next: (slice) => void idle(50).then(() => slice(performance.now())) };
+
 export class Loop {
+  rhythm = FRAMES;
+  /** Whether unfinished work goes on now. Where it does not, call `wake` once it does. */
+  may: (() => boolean) | undefined;
   /** The most packing steps of a frame; below 1, several frames share one. */
   stepsPerFrame = 1;
   /** The pace while a visitor watches. */
@@ -54,6 +61,7 @@ export class Loop {
   until: Until | undefined;
   /** Another picture that forms together with this one. */
   pair: Pair | undefined;
+  /** Draws something else instead of the view, also in pieces. */
   painter: Painter | undefined;
   private readonly ending = new AbortController();
   private credit = 0;
@@ -64,7 +72,7 @@ export class Loop {
   /** While held: the work may run up to the packing, or after a finished packing, but makes no packing step. */
   private settling = false;
   private dirty = false;
-  private frame = 0;
+  private waiting = false;
   /**
    * Work in progress is not drawn again before this time. Requested drawings, the first cells and finished work are
    * drawn at once.
@@ -96,7 +104,8 @@ export class Loop {
   set paused(paused: boolean) {
     this.held = paused;
     this.until = undefined;
-    // Work without cells goes on to the first ones. With a painter, a step of many cells may take several slices.
+    // A pause lets the work reach its first cells. With a painter, it also lets a step of many cells finish, which may
+    // take several slices.
     const { generator } = this.engine;
     const stage = this.engine.stage();
     this.settling = isUpToSteps(generator, stage) || (this.painter !== undefined && stage === generator.stepping);
@@ -112,12 +121,11 @@ export class Loop {
   /** Stops all frames. */
   end(): void {
     this.ending.abort();
-    cancelAnimationFrame(this.frame);
   }
 
   /** Whether nothing is left to do or to draw, or the page is hidden. */
   get rests(): boolean {
-    return this.frame === 0;
+    return !this.waiting;
   }
 
   /** Starts the work. The first drawing shows cells, unless they take long. */
@@ -150,8 +158,11 @@ export class Loop {
     this.spared = true;
   }
 
-  private wake(): void {
-    if (!this.frame && !document.hidden) this.frame = requestAnimationFrame((begin) => this.run(begin));
+  /** Requests a slice, if none is requested yet. */
+  wake(): void {
+    if (this.waiting || document.hidden) return;
+    this.waiting = true;
+    this.rhythm.next((begin) => this.run(begin));
   }
 
   /** Whole steps for this frame; the remainder is kept for the next one. */
@@ -166,8 +177,9 @@ export class Loop {
   private prepared(stage: string): boolean {
     const view = this.view(stage);
     if (view === undefined) return true;
+    const { piece } = this.rhythm;
     const begin = performance.now();
-    const ready = this.painter ? this.painter.advance(PIECE) : this.engine.prepare(view, PIECE);
+    const ready = this.painter ? this.painter.advance(piece) : this.engine.prepare(view, piece);
     this.pieces += performance.now() - begin;
     return ready;
   }
@@ -180,19 +192,21 @@ export class Loop {
     this.drawing = Math.max(end - begin, 0.8 * this.drawing);
     const spent = end - begin + this.pieces;
     this.pieces = 0;
-    this.nextDrawing = spent > DRAWN_ALWAYS ? end + spent * (1 / (this.painter?.share ?? DRAWING_SHARE) - 1) : end;
+    const apart = spent > DRAWN_ALWAYS ? spent * (1 / (this.painter?.share ?? DRAWING_SHARE) - 1) : 0;
+    this.nextDrawing = end + Math.max(apart, this.rhythm.apart);
   }
 
   /** `begin` is the time when the frame began. */
   private run(begin: number): void {
-    this.frame = 0;
-    if (document.hidden || !this.engine.alive) return;
+    this.waiting = false;
+    if (document.hidden || this.ending.signal.aborted || !this.engine.alive) return;
     if (this.spared) {
       this.spared = false;
       return this.wake();
     }
     const { stepping } = this.engine.generator;
     const before = this.engine.stage();
+    if (!isEnd(before) && this.may?.() === false) return;
     const working = !this.owed && !isEnd(before) && (!this.held || this.settling);
     const changed = working && this.work(begin);
     this.hold();
@@ -208,7 +222,7 @@ export class Loop {
     const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === stepping));
-    const isLong = working && now - begin + (this.painter ? PIECE : this.drawing) > LONG;
+    const isLong = working && now - begin + (this.painter ? this.rhythm.piece : this.drawing) > LONG;
     // A painter may request another frame, which comes next.
     if (this.painter) this.dirty = false;
     this.owed = draw && (isLong || !this.prepared(stage));
@@ -228,13 +242,13 @@ export class Loop {
 
   /** Does a slice of the work in a frame that began at `begin`; true if the picture may have changed. */
   private work(begin: number): boolean {
-    const { engine, watch } = this;
+    const { engine, watch, rhythm: { budget } } = this;
     // The other picture uses the other half of the time.
-    if (this.pair && !this.until) return this.pair.tick(engine, BUDGET / 2, this.held ? 0 : this.stepsNow());
-    if (this.held) return engine.tick(BUDGET, 0);
-    if (this.until) return this.until.tick(engine, BUDGET, this.stepsNow());
-    if (!watch) return engine.tick(BUDGET, this.stepsNow());
+    if (this.pair && !this.until) return this.pair.tick(engine, budget / 2, this.held ? 0 : this.stepsNow());
+    if (this.held) return engine.tick(budget, 0);
+    if (this.until) return this.until.tick(engine, budget, this.stepsNow());
+    if (!watch) return engine.tick(budget, this.stepsNow());
     // If the visitor asked for slow steps, they stay slow.
-    return watch.tick(engine, begin, BUDGET, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
+    return watch.tick(engine, begin, budget, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
   }
 }

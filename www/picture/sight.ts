@@ -46,7 +46,10 @@ function show(behavior: ScrollBehavior): void {
   scrollTo({ top: scrollY + byId('head').getBoundingClientRect().bottom, behavior: wantsStill() ? 'instant' : behavior });
 }
 
-/** Some browsers lay their keyboard over the page. Tells the styles the visible height, and how much is hidden above. */
+/**
+ * Some browsers lay their keyboard over the page. This passes the visible height, and the height hidden above, to the
+ * styles.
+ */
 function followKeyboard(changed: (above: number) => void): void {
   const seen = window.visualViewport;
   if (!seen) return;

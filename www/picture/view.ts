@@ -10,7 +10,6 @@ const DRAWINGS = ['packed', 'cells', 'mesh', 'direction', 'height', 'normals', '
 export class View {
   readonly canvas = byIdAs('canvas', HTMLCanvasElement);
   private readonly select = byIdAs('view', HTMLSelectElement);
-  private readonly context: CanvasRenderingContext2D;
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly followers: (() => void)[] = [];
@@ -20,9 +19,6 @@ export class View {
   constructor(engine: Engine, store: Store) {
     this.engine = engine;
     this.store = store;
-    const context = this.canvas.getContext('2d');
-    if (!context) throw new Error('This browser gives no canvas to draw on.');
-    this.context = context;
     this.select.addEventListener('change', () => store.update({ view: this.select.value }));
     store.on(['view'], ({ view }) => (this.select.value = view));
   }
@@ -68,13 +64,8 @@ export class View {
     return stage === 'done' || stages.indexOf(stage) >= stages.indexOf(stepping) ? this.engine.remarks().map(said) : [];
   }
 
-  draw(): void {
-    const side = this.engine.side();
-    if (this.canvas.width !== side) {
-      this.canvas.width = side;
-      this.canvas.height = side;
-    }
-    this.engine.draw(this.context, this.words);
+  /** The canvas was drawn anew. */
+  redrawn(): void {
     for (const follow of this.followers) follow();
   }
 

@@ -1,4 +1,6 @@
-/** The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted. */
+/**
+ * The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted.
+ */
 import { t } from '../words/words';
 import { byId, isShown, make, say, walkByArrows } from '../base/dom';
 import type { Engine } from '../state/engine';

@@ -4,19 +4,18 @@
  */
 import { isEnd } from '../module/stages';
 import { t } from '../words/words';
-import { byId, byIdAs, make, wantsStill } from '../base/dom';
+import { byId, byIdAs, make } from '../base/dom';
+import { Later } from '../base/later';
 import { alertOf, clear } from '../base/messages';
 import { Arrivals } from '../state/arrivals';
-import { Engine } from '../state/engine';
 import { fragment, pageAddress } from '../state/link';
 import { read, written } from '../state/asked-view';
 import { isPicture, wantsFine } from '../state/fine';
 import { joined, parted, WHOLE, type Camera } from '../state/viewing';
 import type { Fine } from '../look/fine';
-import type { LocalFrames } from '../turn/local';
-import type { Place, Turntable } from '../turn/turntable';
+import type { Turntables } from '../turn/turntables';
 import { layInFrame } from '../picture/frame';
-import { Loop } from '../picture/loop';
+import { PictureHost } from '../picture/host';
 import { Until } from '../picture/until';
 import { scriptFace, type ScriptFace } from './scripts';
 import { tellCrash } from './trouble';
@@ -25,12 +24,10 @@ import '../styles/late/embed.css';
 export class Embed {
   readonly scripts: ScriptFace;
   private readonly canvas = byIdAs('canvas', HTMLCanvasElement);
-  private readonly context = this.canvas.getContext('2d');
   private readonly button = make('button', { type: 'button', class: 'embed-play' });
   private readonly home = make('a', { class: 'embed-home', target: '_blank', rel: 'noopener' }, 'Bubblestone');
-  private readonly engine: Engine;
-  private readonly loop: Loop;
-  private readonly still = wantsStill();
+  private readonly host: PictureHost;
+  private readonly turning: Later<Turntables>;
   /** The view and its overlays, in the module's words. */
   private view = 'auto';
   private zoom = WHOLE;
@@ -39,18 +36,18 @@ export class Embed {
   private refining = !wantsFine();
   /** The camera of the turntable; undefined while the picture is shown. */
   private camera: Camera | undefined;
-  /** The turntable of a picture's bodies, and that of generators seen by frames only. */
-  private slant: Turntable | undefined;
-  private own: Turntable | undefined;
-  private frames: LocalFrames | undefined;
 
   constructor() {
     const { recipe, words } = parted(fragment());
-    const engine = (this.engine = new Engine(recipe, (error, link) => {
-      document.documentElement.dataset['stage'] = 'error';
-      tellCrash(error, link);
-    }));
-    const loop = (this.loop = new Loop(engine, (stage) => this.shownAt(stage), (stage, changed) => this.drawn(stage, changed)));
+    const { canvas } = this;
+    this.host = new PictureHost(recipe, {
+      canvas,
+      view: () => this.view,
+      worked: (stage) => this.worked(stage),
+      crashed: (error, link) => this.crashed(error, link),
+    });
+    const { engine, loop } = this.host;
+    this.turning = new Later(() => this.bringTurntables());
     this.scripts = scriptFace(engine, () => loop.rests, () => this.camera);
     byId('sheet').append(make('h1', { class: 'said' }, 'Bubblestone'), this.button, this.home);
     this.button.addEventListener('click', () => this.toggle());
@@ -58,7 +55,7 @@ export class Embed {
     addEventListener('hashchange', () => {
       const { recipe, words } = parted(fragment());
       arrivals.reach(recipe, () => {
-        engine.open(recipe);
+        this.host.open(recipe);
         if (engine.alive) clear('trouble');
         this.opened(words);
         // A held step is reached from the start.
@@ -68,25 +65,25 @@ export class Embed {
     this.opened(words);
   }
 
-  /** The view of a stage. Visitors who prefer reduced motion see only finished or paused pictures. */
-  private shownAt(stage: string): string | undefined {
-    return !this.still || isEnd(stage) || this.loop.paused ? this.view : undefined;
+  /** Shows a crash. It may happen while the engine is being made. */
+  private crashed(error: unknown, link: string): void {
+    document.documentElement.dataset['stage'] = 'error';
+    (this.scripts as ScriptFace | undefined)?.failed();
+    tellCrash(error, link);
   }
 
-  private drawn(stage: string, changed: boolean): void {
-    const { canvas, context, engine, scripts } = this;
+  private worked(stage: string): void {
+    const { scripts } = this;
     document.documentElement.dataset['stage'] = stage;
-    const view = this.shownAt(stage);
-    if (context && changed && view && !engine.offers('frames')) {
-      if (canvas.width !== engine.side()) canvas.width = canvas.height = engine.side();
-      engine.draw(context, view);
+    if (stage === 'done') {
+      scripts.done();
+      this.refine();
     }
-    if (stage === 'done') scripts.done();
-    if (stage === 'done') this.refine();
     this.fine?.follow();
     if (stage === 'error') {
-      alertOf('trouble', engine.problem());
-      scripts.failed(engine.problem());
+      const problem = this.host.engine.problem();
+      alertOf('trouble', problem);
+      scripts.failed(problem);
     }
     this.name(stage);
   }
@@ -94,7 +91,7 @@ export class Embed {
   private refine(): void {
     if (this.refining) return;
     this.refining = true;
-    const { canvas, engine } = this;
+    const { canvas, host: { engine } } = this;
     import('../look/fine').then(
       ({ Fine }) =>
         (this.fine = new Fine(canvas, () => {
@@ -106,19 +103,18 @@ export class Embed {
   }
 
   private toggle(): void {
-    const { engine, loop } = this;
+    const { host, host: { engine, loop } } = this;
     if (isEnd(engine.stage())) {
       loop.until = undefined;
-      engine.restart();
       loop.paused = false;
-      loop.changed();
+      host.restart();
     } else loop.paused = !loop.paused;
     this.name(engine.stage());
   }
 
   /** Updates the button's name to its present action. */
   private name(stage: string): void {
-    const does = this.loop.paused || isEnd(stage) ? 'play' : 'pause';
+    const does = this.host.loop.paused || isEnd(stage) ? 'play' : 'pause';
     const word = t(does);
     this.button.dataset['does'] = does;
     if (this.button.title === word) return;
@@ -131,22 +127,22 @@ export class Embed {
    * code is loaded later; without it the picture stays.
    */
   private turn(camera: Camera | undefined): void {
-    const { engine, loop } = this;
-    const isFramed = engine.offers('frames');
+    const { engine } = this.host;
     this.camera = camera;
     document.documentElement.dataset['offers'] = engine.generator.offers.join(' ');
-    const show = (): void => {
-      const on = isFramed || this.camera !== undefined;
-      const turntable = isFramed ? this.own : this.slant;
-      // Beside frames of the engine itself, a small button is shown.
-      this.button.hidden = on && !isFramed;
-      for (const other of [this.own, this.slant]) if (other !== turntable) other?.toggle(false);
-      loop.painter = isFramed ? this.frames : undefined;
-      turntable?.toggle(on);
-      turntable?.follow();
-    };
-    if (isFramed ? this.own : (this.slant ?? !camera)) return show();
-    const place: Place = {
+    const isOn = (): boolean => engine.offers('frames') || this.camera !== undefined;
+    if (!isOn() && !this.turning.here) return;
+    this.turning.ask((both) => {
+      // The turntable of a picture hides the play button; frames of the engine itself keep it, as a small one.
+      this.button.hidden = isOn() && !engine.offers('frames');
+      both.show(isOn()).follow();
+    });
+  }
+
+  private async bringTurntables(): Promise<Turntables> {
+    const { Turntables } = await import('../turn/turntables');
+    const { engine } = this.host;
+    return new Turntables(this.host, {
       generator: () => engine.generator,
       link: () => engine.link(),
       held: () => false,
@@ -155,20 +151,11 @@ export class Embed {
       take: (now) => (this.camera = now),
       ended: () => this.turn(undefined),
       alone: true,
-    };
-    const both = Promise.all([import('../turn/turntable'), isFramed ? import('../turn/local') : undefined]);
-    both.then(
-      ([{ Turntable }, local]) => {
-        if (local) this.own ??= new Turntable({ ...place, frames: (heard) => (this.frames = new local.LocalFrames({ engine, loop, view: () => this.view }, heard)) });
-        else this.slant ??= new Turntable(place);
-        show();
-      },
-      () => undefined,
-    );
+    });
   }
 
   private opened(words: string): void {
-    const { engine, loop } = this;
+    const { host, host: { engine, loop } } = this;
     const { viewing } = read(words, engine.generator);
     const { view = 'auto', overlays = [], pace = 1, step, zoom = WHOLE, camera } = viewing;
     this.view = [view, ...overlays].join('+');
@@ -176,11 +163,11 @@ export class Embed {
     layInFrame(byId('sheet'), (this.zoom = engine.offers('frames') ? WHOLE : zoom));
     this.turn(camera);
     this.fine?.follow();
-    loop.stepsPerFrame = this.still ? Number.MAX_SAFE_INTEGER : pace;
+    loop.stepsPerFrame = host.still ? Number.MAX_SAFE_INTEGER : pace;
     if (step !== undefined) {
       loop.paused = false;
       loop.until = new Until(step, () => this.name(engine.stage()));
     }
-    loop.changed();
+    host.changed();
   }
 }

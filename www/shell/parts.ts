@@ -1,7 +1,7 @@
 /** The parts of the page that are loaded on demand, by name. */
 import { Later } from '../base/later';
 import type { Work } from '../state/work';
-import type { Loop } from '../picture/loop';
+import type { PictureHost } from '../picture/host';
 import type { View } from '../picture/view';
 
 /** Parts that only some generators need, with the elements that open them. */
@@ -17,18 +17,18 @@ export const OFFERED = [
 
 export type Parts = ReturnType<typeof partsOf>;
 
-export function partsOf(work: Work, view: View, loop: Loop) {
+export function partsOf(work: Work, view: View, host: PictureHost) {
   const { engine, store } = work;
-  const turn = new Later(async () => new (await import('../turn/page')).PageTurntable(work, loop, view));
+  const turn = new Later(async () => new (await import('../turn/page')).PageTurntable(work, host, view));
   return {
     editor: new Later(async () => new (await import('../editor/editor')).Editor(work)),
     pointer: new Later(async () => new (await import('../look/pointer')).Pointer(work, view)),
     light: new Later(async () => new (await import('../look/light')).LightOnCanvas(work)),
     layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),
-    compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, loop)),
+    compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, host.loop)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
     turn,
-    space: new Later(async () => new (await import('../space/space')).Space(work, turn, () => loop.changed())),
+    space: new Later(async () => new (await import('../space/space')).Space(work, turn, () => host.changed())),
     tiles: new Later(async () => new (await import('../look/tiles')).Tiles(store, view)),
     linked: new Later(() => import('../look/linked')),
     share: new Later(() => import('../take/share')),

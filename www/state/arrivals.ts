@@ -34,7 +34,7 @@ export class Arrivals {
     this.tell = tell;
   }
 
-  /** Calls `act` once the link can be opened: at once where its generator is loaded. Cancels any earlier wait. */
+  /** Calls `act` once the link can be opened: at once if its generator is loaded. Cancels any earlier wait. */
   reach(link: string, act: () => void): void {
     this.cancel();
     if (isHere(link)) act();

@@ -3,11 +3,13 @@
  * harmless values instead of failing again.
  */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
-import type { FrameSlice, RecipeFile, SeenBody } from '../../pkg-house/bubblestone.js';
+import type { RecipeFile } from '../../pkg-house/bubblestone.js';
 import { leaveModule, moduleFor, useModule, type Module } from '../module/load';
 import type { SceneStudio } from '../module/scene';
-import type { Absence, Answer, Generator, Histograms, Notice, Parameter, PixelMap, Point, Preset, Probe, Ring, Series, Status } from '../module/types';
+import type { Absence, Answer, Generator, Notice, Parameter, Point, Preset, Probe, Ring, Status } from '../module/types';
 import { parameterIn, presetIn, said } from '../words/words';
+import { NO_ANSWER, NO_GENERATOR, NO_STATUS } from './answers';
+import { FileSearch } from './search';
 
 /** The result of setting a value. */
 export interface Told {
@@ -17,40 +19,6 @@ export interface Told {
   sentences: string[];
 }
 
-const NO_ANSWER: Answer = { refused: true, notices: [] };
-
-const NO_GENERATOR: Generator = {
-  word: '',
-  title: '',
-  stages: [],
-  begins: [],
-  stepping: '',
-  placing: '',
-  settled: '',
-  seen: [],
-  bases: [],
-  overlays: [],
-  offers: [],
-  names: [],
-  chance: '',
-  home: '',
-  lowest: 0,
-};
-
-const NOT_YET: Notice = { code: 'not_yet', args: {}, text: '' };
-
-const NO_STATUS: Status = {
-  cells: 0,
-  steps: 0,
-  largestMove: 0,
-  energy: 0,
-  added: 0,
-  removed: 0,
-  converged: false,
-  stones: 0,
-  ms: {},
-};
-
 export class Engine {
   private core: Bubblestone | undefined;
   private module: Module | undefined;
@@ -58,11 +26,7 @@ export class Engine {
   private dead = false;
   private lastLink: string;
   private made: Generator[] | undefined;
-  /** The digest of the file that is being searched for, or was not found; '' if the recipe needs none. */
-  private sought = '';
-  private seeking = false;
-  /** Counts the searches; an outdated search delivers nothing. */
-  private searches = 0;
+  private readonly search = new FileSearch();
   private readonly rows = new Map<string, Parameter[]>();
   private readonly known = new Map<string, Preset[]>();
 
@@ -86,8 +50,7 @@ export class Engine {
   private end(): void {
     this.ask((core) => core.free(), undefined);
     this.core = undefined;
-    this.sought = '';
-    this.seeking = false;
+    this.search.end();
     if (this.module) leaveModule(this.module);
     this.module = undefined;
   }
@@ -124,7 +87,7 @@ export class Engine {
   open(link: string): string[] {
     if (this.dead) return [];
     this.lastLink = link.replace(/^#/, '');
-    this.sought = '';
+    this.search.end();
     if (moduleFor(link) === this.module) {
       const notices = this.ask((core) => core.open(link), []);
       this.seek();
@@ -163,7 +126,7 @@ export class Engine {
 
   /** Works for about `budget` milliseconds; true if the picture may have changed. */
   tick(budget: number, steps: number): boolean {
-    return !this.seeking && this.ask((core) => core.tick(budget, steps), false);
+    return !this.search.on && this.ask((core) => core.tick(budget, steps), false);
   }
 
   /** While live, the cells flow after each change. At the end they are made again, exactly as the link describes. */
@@ -181,7 +144,7 @@ export class Engine {
 
   /** The word of the stage at work, then 'done', or 'error' if the recipe gives no picture. */
   stage(): string {
-    return this.seeking ? (this.generator.stages[0] ?? '') : this.ask((core) => core.stage(), 'error');
+    return this.search.on ? (this.generator.stages[0] ?? '') : this.ask((core) => core.stage(), 'error');
   }
 
   /** Why the stage is 'error'; '' without an error. */
@@ -204,28 +167,6 @@ export class Engine {
     this.ask((core) => core.draw(context, view), undefined);
   }
 
-  /**
-   * Works for about `budget` milliseconds on a frame of the bodies, if the generator has some. See `turn` of the
-   * module.
-   */
-  turn(subject: string, camera: string, width: number, height: number, how: string, budget: number): FrameSlice | Notice {
-    return this.ask((core) => (core as SceneStudio).turn(subject, camera, width, height, how, budget), NOT_YET);
-  }
-
-  /** The body at a pixel of the frame last finished. */
-  bodyAt(x: number, y: number): SeenBody | undefined {
-    return this.ask((core) => (core as SceneStudio).bodyAt(x, y), undefined);
-  }
-
-  /** The words of the steps in the making of a body. */
-  making(id: number): string[] {
-    return this.ask((core) => (core as SceneStudio).making(id), []);
-  }
-
-  /** A plane of the frame last finished. */
-  frameMap(word: string): PixelMap | Notice {
-    return this.ask((core) => (core as SceneStudio).frameMap(word), NOT_YET);
-  }
 
   /** The caption of a view: the meaning of its colours, or a count; '' if it has none. */
   caption(view: string): string {
@@ -249,29 +190,9 @@ export class Engine {
     return this.ask((core) => core.heightRange(), 0);
   }
 
-  /**
-   * The approximate triangles and bytes of a mesh file with this level of detail; `images` are the bytes of its
-   * images.
-   */
-  meshSize(ending: string, detail: string, images: readonly number[] = []): { triangles: number; bytes: number } {
-    const [triangles = 0, bytes = 0] = this.ask((core) => core.meshSize(ending, detail, Uint32Array.from(images)), new Float64Array());
-    return { triangles, bytes };
-  }
-
   /** The cell at a place in picture units. */
   probe([x, y]: Point): Probe | undefined {
     return this.ask((core) => core.probe(x, y), undefined);
-  }
-
-  /** The progress of the packing so far. */
-  series(): Series {
-    const none = { step: new Float64Array(), energy: new Float64Array(), move: new Float64Array() };
-    return this.ask((core) => core.series(), none);
-  }
-
-  histograms(): Histograms {
-    const none = { from: 0, to: 0, counts: new Uint32Array() };
-    return this.ask((core) => core.histograms(), { size: none, angle: none });
   }
 
   digest(): string {
@@ -291,27 +212,26 @@ export class Engine {
   outline(): Ring[] {
     const none = { points: new Float64Array(), rings: new Uint32Array() };
     const { points, rings } = this.ask((core) => core.outline(), none);
-    let at = 0;
-    return Array.from(rings, (count) =>
-      Array.from({ length: count }, (): Point => {
-        const point: Point = [points[at] ?? 0, points[at + 1] ?? 0];
-        at += 2;
-        return point;
-      }),
-    );
+    const flat = rowsOf(points, rings, 2);
+    return flat.map((ring) => Array.from({ length: ring.length / 2 }, (_, k): Point => [ring[2 * k] ?? 0, ring[2 * k + 1] ?? 0]));
   }
 
   /** The rows of a list parameter; lengths are in sides of the picture. */
   list(key: string): number[][] {
     const none = { numbers: new Float64Array(), rows: new Uint32Array() };
     const { numbers, rows } = this.ask((core) => core.list(key), none);
-    let at = 0;
-    return Array.from(rows, (count) => Array.from(numbers.slice(at, (at += count))));
+    return rowsOf(numbers, rows, 1);
   }
 
   /** The index of the part of the outline that contains this place; -1 outside. */
   part([x, y]: Point): number {
     return this.ask((core) => core.part(x, y), -1);
+  }
+
+  /** Calls the studio; returns `otherwise` if it has failed. */
+  ask<T>(call: (core: Bubblestone) => T, otherwise: T): T {
+    const core = this.core;
+    return core ? this.guard(() => call(core), otherwise) : otherwise;
   }
 
   /** Calls the whole module; returns `otherwise` if another module is at work. */
@@ -321,7 +241,7 @@ export class Engine {
 
   /** The files that the work waits for; empty while they are being searched for. */
   missing(): RecipeFile[] {
-    return this.seeking ? [] : this.waitsFor();
+    return this.search.on ? [] : this.waitsFor();
   }
 
   /** The files that the recipe names. */
@@ -337,30 +257,13 @@ export class Engine {
     return this.guard(() => this.module?.random_seed(), undefined) ?? 1;
   }
 
-  /** Searches once for files that the recipe names and the engine does not have. The work pauses meanwhile. */
   private seek(): void {
-    const { core } = this;
-    const named = this.waitsFor().filter(({ digest }) => digest !== '');
-    const digests = named.map(({ digest }) => digest).join(' ');
-    if (!core || digests === this.sought) return;
-    this.sought = digests;
-    this.seeking = digests !== '';
-    if (!this.seeking) return;
-    const search = (this.searches += 1);
-    const wanted = (): boolean => this.core === core && this.seeking && this.searches === search;
-    const found = import('../module/given').then(({ supply }) => supply(core, wanted));
-    // A failure here shows when the recipe is run, or the visitor is asked for the file.
-    void found.catch(() => false).then(() => wanted() && (this.seeking = false));
+    if (this.core) this.search.begin(this.core, this.waitsFor());
   }
 
   free(): void {
     this.end();
     this.dead = true;
-  }
-
-  private ask<T>(call: (core: Bubblestone) => T, otherwise: T): T {
-    const core = this.core;
-    return core ? this.guard(() => call(core), otherwise) : otherwise;
   }
 
   private guard<T>(call: () => T, otherwise: T): T {
@@ -373,6 +276,12 @@ export class Engine {
       return otherwise;
     }
   }
+}
+
+/** Numbers in rows of these lengths, where each item of a row has some numbers. */
+function rowsOf(numbers: Float64Array, lengths: Uint32Array, each: number): number[][] {
+  let at = 0;
+  return Array.from(lengths, (length) => Array.from(numbers.slice(at, (at += each * length))));
 }
 
 function isWhole(core: Bubblestone): core is SceneStudio {

@@ -15,7 +15,7 @@ export function askedFor(last: LastWork | undefined): { recipe: string; words: s
   return isBehind ? { recipe: last.recipe, words: '' } : asked;
 }
 
-/** The recipe to open: the visitor's own last work, where the address has none. */
+/** The recipe to open: the visitor's own last work, if the address has none. */
 export function openedFirst(asked: string, last: LastWork | undefined): string {
   return asked === '' && last?.own ? last.recipe : asked;
 }

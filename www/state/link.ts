@@ -14,7 +14,7 @@ export class Link {
   private timer = 0;
   private last = -THROTTLE;
 
-  /** `open` gets the fragment of an address that the visitor went to; `ours` tells that the page wrote it. */
+  /** `open` gets the fragment of an address that the visitor went to; `ours` is true if the page wrote it. */
   constructor(open: (fragment: string, ours: boolean) => void) {
     const moved = (): void => {
       if (fragment() === this.written) return;

@@ -9,7 +9,7 @@ const THROTTLE = 400;
 
 export type LastWork = Pick<State, 'recipe' | 'past' | 'future' | 'own'>;
 
-/** The last work; undefined where there is none, or it cannot be read. */
+/** The last work; undefined if there is none, or it cannot be read. */
 export function lastWork(): LastWork | undefined {
   try {
     const { recipe, past, future, own } = JSON.parse(kept(WORK) ?? 'null') as Record<keyof LastWork, unknown>;
@@ -31,7 +31,7 @@ export function remember(store: Store): void {
     clearTimeout(timer);
     timer = 0;
     const { recipe, past, future, own } = store.state;
-    // Where the storage is full or forbidden, the link in the address still holds the work.
+    // If the storage is full or forbidden, the link in the address still holds the work.
     if (keep(WORK, JSON.stringify({ recipe, past, future, own }))) store.update({ stored: true });
   };
   store.on(['recipe', 'past', 'future', 'own', 'held'], ({ held }) => {

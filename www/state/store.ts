@@ -14,14 +14,14 @@ export interface State {
   readonly recipe: string;
   /** The word of the present generator. */
   readonly make: string;
-  /** The link to open once its generator is loaded; '' where there is none. */
+  /** The link to open once its generator is loaded; '' if there is none. */
   readonly coming: string;
   /** Something is being dragged (a slider, a point): the recipe changes without making steps of the history. */
   readonly held: boolean;
   /** The recipes before this one, nearest last, and after it, nearest first. */
   readonly past: readonly string[];
   readonly future: readonly string[];
-  /** The preset that was opened, and its recipe. Undefined where the recipe does not come from a preset. */
+  /** The preset that was opened, and its recipe. Undefined if the recipe does not come from a preset. */
   readonly preset: { shown: Preset; recipe: string } | undefined;
   /** The recipe is the visitor's own work, not only an opened link or preset. */
   readonly own: boolean;
@@ -49,7 +49,7 @@ export interface State {
   /** The stage of the picture beside; 'done' while there is none. */
   readonly other: string;
   readonly plots: boolean;
-  /** The bodies are shown by a camera, and its place; undefined until the visitor chose one. */
+  /** Whether the bodies are shown by a camera, and that camera; undefined until the visitor chose one. */
   readonly turn: boolean;
   readonly camera: Camera | undefined;
   /** The single body whose making is shown: its number and step (`ID:STEP`), and the camera. */

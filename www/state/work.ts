@@ -9,7 +9,7 @@ import type { State, Store } from './store';
 interface Opening {
   /** The link is the visitor's own work. */
   own?: boolean;
-  /** The preset to name, where the link is not exactly a preset's. */
+  /** The preset to name, if the link is not exactly a preset's. */
   preset?: Preset;
   /** Called once it is open. */
   then?: () => void;

@@ -48,8 +48,8 @@ export function sharesFile(file: File): boolean {
 }
 
 /**
- * Opens the system's sheet for a file alone: many programs accept a file or a link, not both. Answers what went
- * wrong; '' if nothing did or the visitor cancelled.
+ * Opens the system's sheet for a file alone: many programs accept a file or a link, not both. Returns an error as a
+ * sentence; '' without an error or if the visitor cancelled.
  */
 export function shareFile(file: File): Promise<string> {
   return shared({ files: [file] });

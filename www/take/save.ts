@@ -4,6 +4,7 @@ import { make, say } from '../base/dom';
 import { notice } from '../base/messages';
 import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
+import type { Engine } from '../state/engine';
 import type { Work } from '../state/work';
 import { row, select, takeDialog } from './dialog';
 import { FILES, makeFilm } from './film';
@@ -164,7 +165,7 @@ export class SaveDialog {
     const tell = (): void => {
       chosen.detail = detail.value;
       const images = IMAGES.map((bytes) => bytes * engine.side() ** 2);
-      const [plain, textured, obj] = [engine.meshSize('glb', detail.value), engine.meshSize('glb', detail.value, images), engine.meshSize('obj', detail.value)];
+      const [plain, textured, obj] = [meshSize(engine, 'glb', detail.value), meshSize(engine, 'glb', detail.value, images), meshSize(engine, 'obj', detail.value)];
       const sizes = { n: shown(rounded(plain.triangles)), glb: megabytes(plain.bytes), obj: megabytes(obj.bytes) };
       size.value = engine.offers('maps') ? t('mesh_size', { ...sizes, images: megabytes(textured.bytes) }) : t('mesh_size_space', sizes);
     };
@@ -217,6 +218,12 @@ export class SaveDialog {
     });
     return [this.button('save-recipe', 'JSON', '.json', (task) => recipeFile(work.engine, task)), open, file];
   }
+}
+
+/** The approximate triangles and bytes of a mesh file with this level of detail; `images` are the bytes of its images. */
+function meshSize(engine: Engine, ending: string, detail: string, images: readonly number[] = []): { triangles: number; bytes: number } {
+  const [triangles = 0, bytes = 0] = engine.ask((studio) => studio.meshSize(ending, detail, Uint32Array.from(images)), new Float64Array());
+  return { triangles, bytes };
 }
 
 function shown(count: number): string {

@@ -169,7 +169,7 @@ function systemButton(urlNow: () => string, title: string, picture: Promise<File
   return button;
 }
 
-/** The picture and its film as files alone, where the system's sheet takes files. */
+/** The picture and its film as files alone, if the system's sheet takes files. */
 function filesAlone(picture: Promise<File | undefined>, shapes: readonly Shape[], film: (shape: Shape, codecs: Codec[]) => void): HTMLElement {
   const told = make('p', { class: 'take-told', role: 'status' });
   const row = make('div', { class: 'take-row' });

@@ -18,7 +18,7 @@ export const ALL_AROUND: Heights = [-85, 90];
 /** A place on the ground counts if it is at most this many times as far away as the target. */
 const FAR = 3;
 
-/** Seen from low down, much ground lies in few pixels. This limit keeps it from running away from the pointer. */
+/** From a low camera, much ground lies in few pixels. This limit keeps the ground from moving faster than the pointer. */
 const LOW = 0.3;
 
 /** Turns the camera by `round` degrees around the target, and by `up` degrees in height. */

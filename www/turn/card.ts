@@ -2,9 +2,9 @@
 import { t } from '../words/turn';
 import { make } from '../base/dom';
 import { cellNumbers, cellRows } from '../late/cell';
-import type { Told } from './turn.worker';
+import type { Told } from '../picture/frames/source';
 
-/** From the pointer to the card, in pixels. */
+/** The distance from the pointer to the card, in pixels. */
 const GAP = 18;
 
 export class Card {

@@ -1,29 +1,6 @@
 /** The page's side of the worker that makes frames: it sends the latest request there and receives frames. */
-import type { Notice } from '../module/types';
-import type { Bodies, Quality, Question, Said, Told, Wish } from './turn.worker';
-
-/** Receives the messages of the worker. */
-export interface Heard {
-  /** `latest` is true if the frame is the one requested last. */
-  frame(frame: ImageBitmap, quality: Quality, bodies: Bodies, latest: boolean): void;
-  working(done: number): void;
-  refused(why: Notice): void;
-  /** The worker could not be loaded, or it failed; there are no more frames. */
-  ended(how: 'lost' | 'broken', why: string): void;
-}
-
-/** A request for frames, without its number. */
-export type Wished = Omit<Wish, 'n'>;
-
-/** A source of frames. */
-export interface FrameSource {
-  /** Requests frames; true if they differ from those requested before. */
-  want(wish: Wished): boolean;
-  /** The body at a place of the last frame, in fractions of its sides. */
-  bodyAt(x: number, y: number): Promise<Told | undefined>;
-  /** No more frames are requested. */
-  end(): void;
-}
+import type { FrameSource, Heard, Told, Wished } from '../picture/frames/source';
+import type { Question, Said, Wish } from './turn.worker';
 
 export class Frames implements FrameSource {
   private readonly heard: Heard;

@@ -3,11 +3,11 @@ import { t } from '../words/turn';
 import { make, say } from '../base/dom';
 import { shape } from '../late/svg';
 import { stepName, stepNote } from './told';
-import type { Told } from './turn.worker';
+import type { Told } from '../picture/frames/source';
 
 /** The connection of the strip to the turntable. */
 export interface Steps {
-  /** A parameter of the recipe. */
+  /** The value of a parameter of the recipe. */
   get(key: string): string;
   /** Shows the chosen step. */
   show(): void;

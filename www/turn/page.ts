@@ -4,32 +4,26 @@ import { t as common } from '../words/words';
 import { byId, make } from '../base/dom';
 import { alertOf, clear } from '../base/messages';
 import type { Work } from '../state/work';
-import type { Loop } from '../picture/loop';
+import type { PictureHost } from '../picture/host';
 import type { View } from '../picture/view';
-import { LocalFrames } from './local';
 import { noteOf } from './told';
-import { Turntable, type Place } from './turntable';
+import type { Place } from './turntable';
+import { Turntables } from './turntables';
 
 export class PageTurntable {
   private readonly work: Work;
-  private readonly loop: Loop;
-  /** The turntable of a picture's bodies, and that of generators seen by frames only. */
-  private slant: Turntable | undefined;
-  private own: Turntable | undefined;
-  private frames: LocalFrames | undefined;
+  private readonly both: Turntables;
   /** Called after each frame that the engine at work has made. */
   framed: (() => void) | undefined;
   /** The last note, and the key that it belongs to. */
   private told: readonly [of: string, note: string] = ['', ''];
-  /** The turntable that is shown, or was shown last. */
-  private shown: Turntable | undefined;
 
-  constructor(work: Work, loop: Loop, view: View) {
+  constructor(work: Work, host: PictureHost, view: View) {
     this.work = work;
     view.noted = (word) => this.note(word);
-    this.loop = loop;
     const { store } = work;
-    store.on(['recipe', 'held', 'camera'], () => this.shown?.follow());
+    this.both = new Turntables(host, this.place(), { leave: () => store.update({ turn: false }) });
+    store.on(['recipe', 'held', 'camera'], () => this.both.shown?.follow());
     store.on(['make'], ({ turn }) => this.show(turn));
     // Editing, comparing and repeating need the picture. The mode chosen last ends the others.
     store.on(['editing', 'compare', 'repeat'], ({ turn, editing, compare, repeat }) => {
@@ -39,40 +33,29 @@ export class PageTurntable {
 
   show(on: boolean): void {
     const button = byId('turn-button');
-    const isFramed = this.work.engine.offers('frames');
-    const turntable = isFramed ? (this.own ??= this.ofFrames()) : (this.slant ??= this.onSlant());
-    const focused = this.shown?.focused;
+    const focused = this.both.shown?.focused;
     if (on) clear('part');
     else this.work.store.update({ body: undefined });
-    if (this.shown !== turntable) this.shown?.toggle(false);
-    this.loop.painter = isFramed ? this.frames : undefined;
-    this.shown = turntable;
-    turntable.toggle(on);
+    const turntable = this.both.show(on);
     // A link that opens the turntable leaves the focus where it is.
     if (on && document.activeElement === button) turntable.focus();
     if (!on && focused) button.focus();
   }
 
   focus(): void {
-    this.shown?.focus();
+    this.both.shown?.focus();
   }
 
   /** Zooms in (1), out (-1), or back to the first camera (0). */
   step(by: number): void {
-    this.shown?.step(by);
+    this.both.shown?.step(by);
   }
 
-  /** The frame of the engine at work, to be painted on, and the mapping between its places and places on the model. */
-  get surface() {
-    this.own ??= this.ofFrames();
-    return {
-      host: this.own.host,
-      placeAt: (spot: readonly [number, number]) => this.frames?.placeAt(spot),
-      spotOf: (place: readonly [number, number, number]) => this.frames?.spotOf(place),
-    };
+  /** The frame of the engine at work, to be painted on. */
+  get surface(): Turntables['surface'] {
+    return this.both.surface;
   }
 
-  /** The parts that both turntables share. */
   private place(): Omit<Place, 'leave' | 'frames'> {
     const { store, engine } = this.work;
     return {
@@ -83,23 +66,9 @@ export class PageTurntable {
       camera: () => store.state.camera,
       take: (camera) => store.update({ camera }),
       only: (subject, camera) => store.update({ body: subject === '' ? undefined : { subject, camera } }),
+      framed: () => engine.offers('frames') && this.framed?.(),
       ended: (how, why) => this.ended(how, why),
     };
-  }
-
-  private onSlant(): Turntable {
-    return new Turntable({ ...this.place(), leave: () => this.work.store.update({ turn: false }) });
-  }
-
-  /** The engine at work makes the frames, between the slices of its work. */
-  private ofFrames(): Turntable {
-    const { loop } = this;
-    const { store, engine } = this.work;
-    return new Turntable({
-      ...this.place(),
-      framed: () => this.framed?.(),
-      frames: (heard) => (this.frames = new LocalFrames({ engine, loop, view: () => store.state.view }, heard)),
-    });
   }
 
   /**

@@ -1,9 +1,7 @@
 /** The choice between a frame's light and its data planes, which are usually saved to files. */
 import { t } from '../words/turn';
 import { make } from '../base/dom';
-
-/** Depth, normals and numbers are the module's maps; `alpha` is the coverage of a picture without a background. */
-export type Plane = 'light' | 'depth' | 'normal' | 'id' | 'alpha';
+import type { Plane } from '../picture/frames/source';
 
 const PLANES: readonly Plane[] = ['light', 'depth', 'normal', 'id', 'alpha'];
 

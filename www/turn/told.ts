@@ -2,7 +2,7 @@
 import { isWord, t } from '../words/turn';
 import type { Camera } from '../state/viewing';
 import type { Engine } from '../state/engine';
-import type { Bodies } from './turn.worker';
+import type { Bodies } from '../picture/frames/source';
 
 /** A camera this high, in degrees, looks from above. */
 const ABOVE = 80;

@@ -11,23 +11,14 @@ import { keepModules, loadWhole } from '../module/load';
 import type { SceneStudio } from '../module/scene';
 import { generatorOf, making } from '../module/run';
 import { progressOf, type Course } from '../module/stages';
-import type { Notice, Probe } from '../module/types';
-import { FrameMaker, type Made } from './maker';
-import type { Plane } from './planes';
+import type { Notice } from '../module/types';
+import { FrameMaker, type Made } from '../picture/frames/maker';
+import type { Bodies, Quality, Told, Wished } from '../picture/frames/source';
 
 /** A request for a frame. */
-export interface Wish {
+export interface Wish extends Wished {
   /** The number of the request. */
-  n: number;
-  link: string;
-  /** '' for all bodies, or a step in the making of one (`ID:STEP`). */
-  subject: string;
-  camera: string;
-  width: number;
-  height: number;
-  plane: Plane;
-  /** The next request will come soon. */
-  moving: boolean;
+  readonly n: number;
 }
 
 /** Requests the body at a place of the frame, in fractions of its sides. */
@@ -36,22 +27,6 @@ export interface Question {
   x: number;
   y: number;
 }
-
-/** A body: its number, the facts about its cell, and the words of the steps in its making. */
-export interface Told {
-  id: number;
-  probe: Probe | undefined;
-  steps: string[];
-}
-
-/** The number and sort of the bodies; `what` is the word of the view if it shows something else. */
-export interface Bodies {
-  count: number;
-  skin: boolean;
-  what?: string | undefined;
-}
-
-export type Quality = 'moving' | 'still' | 'fine';
 
 export type Said =
   | { frame: ImageBitmap; n: number; quality: Quality; bodies: Bodies }

@@ -10,14 +10,14 @@ import { byId, make, say } from '../base/dom';
 import type { Generator } from '../module/types';
 import { cameraLimits, cameraWords, homeOf } from '../state/asked-view';
 import type { Camera } from '../state/viewing';
+import type { Bodies, FrameSource, Heard, Plane, Quality, Told } from '../picture/frames/source';
 import { ALL_AROUND, nearer, type Heights } from './camera';
 import { Card, sentence } from './card';
-import { Frames, type FrameSource, type Heard } from './frames';
+import { Frames } from './frames';
 import { CLOSER, Gestures } from './gestures';
 import { Making } from './making';
-import { planes, type Plane } from './planes';
+import { planes } from './planes';
 import { seen } from './told';
-import type { Bodies, Quality, Told } from './turn.worker';
 import '../styles/late/look.css';
 import '../styles/late/turn.css';
 

@@ -9,7 +9,7 @@ const own = wordsOf({ en, ja });
 
 export type Word = Common | keyof typeof en;
 
-/** An overlay's name, and a sentence about it. Where there are none, its word and ''. */
+/** An overlay's name, and a sentence about it; without them, its word and ''. */
 export function overlayIn(word: string): [name: string, note: string] {
   const known = (key: string): string | undefined => (key in en ? own(key as keyof typeof en) : undefined);
   return [known(`over_${word}`) ?? word, known(`note_over_${word}`) ?? ''];

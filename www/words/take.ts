@@ -1,4 +1,4 @@
-/** The words of sharing and saving, in the page's language. They are loaded with them, in both languages. */
+/** The words of sharing and saving, in the page's language. Both languages are loaded together with the dialogs. */
 import { en, ja } from '../strings/take.json';
 import { wordsOf } from './words';
 

@@ -41,7 +41,7 @@ export function translate(code: string, to: { words: Record<Word, string>; forei
   document.documentElement.lang = code;
 }
 
-/** A stage's name in the page's language; its own word where there is none. */
+/** A stage's name in the page's language; its own word if it has no name. */
 export function stageIn(word: string): string {
   return known(`stage_${word}`) ?? word;
 }
@@ -51,7 +51,7 @@ export function viewIn(word: string): string {
   return known(`view_${word}`) ?? word;
 }
 
-/** The same for a generator; in English, the schema's title where the page has no words for it. */
+/** The same for a generator; the schema's title if the page has no words for it. */
 export function makeIn(word: string, title: string): string {
   return foreign?.makes[word] ?? title;
 }

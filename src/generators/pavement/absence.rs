@@ -1,4 +1,4 @@
-//! Why a view, or a drawing over it, shows nothing.
+//! Why a view or an overlay shows nothing.
 
 use super::{Base, Overlay, Pavement, Stage, View};
 use crate::domain::Domain;
@@ -6,25 +6,25 @@ use crate::draw;
 use crate::heightfield::Planes;
 use glam::DVec2;
 
-/// Why a view, or a drawing over it, shows nothing.
+/// Why a view or an overlay shows nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Absence {
-    /// What it shows is still to be made.
+    /// Its content has not been made yet.
     NotYet,
-    /// No cell bears a force that is worth an arrow.
+    /// No force on a cell is large enough for an arrow.
     AtRest,
-    /// The directions meet nowhere.
+    /// The direction has no singular point.
     NoPoint,
-    /// Too few cells for a mesh.
+    /// There are too few cells for a mesh.
     NoMesh,
-    /// Cells are asked to have one size everywhere.
+    /// Cells should have one size everywhere.
     OneSize,
-    /// Cells are asked to be as wide as long everywhere.
+    /// Cells should be as wide as long everywhere.
     AllEven,
 }
 
 impl Absence {
-    /// Its name, as the page knows it.
+    /// The page's word for it.
     pub fn word(self) -> &'static str {
         match self {
             Absence::NotYet => "not_yet",
@@ -37,14 +37,14 @@ impl Absence {
     }
 }
 
-/// Places along a side of the picture at which fields are asked.
+/// Places along a side of the picture at which fields are sampled.
 const PLACES: usize = 32;
-/// Fields that vary by less than this part are the same everywhere.
+/// Fields that vary by less than this share count as constant.
 const SAME: f64 = 0.01;
 
 impl Pavement {
-    /// What of a view shows nothing, by its word, and why: first what lies below, then the drawings
-    /// over it in their order.
+    /// The parts of a view that show nothing, by their words, with the reasons: first the base, then the overlays in
+    /// their order.
     pub(super) fn missing(&mut self, view: View) -> Vec<(&'static str, Absence)> {
         let mut found = Vec::new();
         if let Some(why) = self.base_absence(view.base) {
@@ -60,8 +60,7 @@ impl Pavement {
         found
     }
 
-    /// From the lowest place of the bump plane that is shown to the highest, in picture units; 0 where
-    /// there is none yet.
+    /// The range of the shown bump plane, in picture units; 0 before there is one.
     pub fn height_range(&self) -> f64 {
         let range = self.planes_to_show().map(Planes::height_range);
         range.map_or(0.0, |(low, high)| f64::from(high - low))
@@ -118,7 +117,7 @@ impl Pavement {
     }
 }
 
-/// Is a field about the same everywhere in the outline, or about `wanted`?
+/// Whether a field is about constant in the outline, or about `wanted`.
 fn is_even(domain: &Domain, field: &dyn Fn(DVec2) -> f64, wanted: Option<f64>) -> bool {
     let (low, high) = domain.bounds();
     let places = (0..PLACES * PLACES).map(|k| {

@@ -1,9 +1,8 @@
-//! While a point is dragged the cells flow after it: a draft of the packing goes on with the
-//! particles that are there, in the outline and the fields of the latest recipe. When the point is
-//! let go the packing is made from its own start, as ever, and takes the place of the draft.
+//! While a point is dragged the cells flow after it. A draft of the packing continues with the present particles, in
+//! the outline and the fields of the latest recipe. When the point is let go, the packing is made from its own start,
+//! as always, and replaces the draft.
 //!
-//! The stages stand still meanwhile and know nothing of the draft, which is seen until the new packing
-//! has ended.
+//! The stages stand still meanwhile and do not know the draft. It is shown until the new packing has ended.
 
 use super::stages::Stages;
 use super::{Pavement, Stage};
@@ -15,7 +14,7 @@ use crate::graph::Wiring;
 use crate::packing::Packing;
 use glam::DVec2;
 
-/// Steps that a draft makes in one tick at most: more would look hasty.
+/// The most steps that a draft makes in one tick: more would look hasty.
 const STEPS: u32 = 4;
 
 /// A packing that flows, with stages of its own for its domain and its fields.
@@ -26,19 +25,19 @@ pub(super) struct Draft {
 }
 
 impl Pavement {
-    /// The draft, while it is to be seen.
+    /// The draft, while it is shown.
     pub(super) fn draft(&self) -> Option<&Draft> {
         let is_failed = self.made.failure().is_some();
         let packs = self.made.at().is_some_and(|stage| stage <= Stage::Packing) && !is_failed;
         self.draft.as_ref().filter(|_| packs || self.is_drafting())
     }
 
-    /// The draft, while it is at work.
+    /// The draft, while it is active.
     pub(super) fn flowing(&self) -> Option<&Draft> {
         self.draft.as_ref().filter(|_| self.is_drafting())
     }
 
-    /// Works on the draft; true when it may look different.
+    /// Works on the draft; true if it may look different.
     pub(super) fn flow(&mut self, clock: Clock, budget: f64) -> bool {
         let budget = Budget::new(clock, budget);
         let is_old = |draft: &mut Draft| draft.stages.stale().is_some();
@@ -63,8 +62,8 @@ impl Pavement {
         worked
     }
 
-    /// A draft for the latest recipe with the particles of the last one, or of the last packing;
-    /// nothing where no cell fits.
+    /// A draft for the latest recipe with the particles of the last draft, or of the last packing; `None` if no cell
+    /// fits.
     fn drafted(&self, last: Option<Draft>) -> Option<Draft> {
         let (mut stages, packing, tones) = match last {
             Some(last) => (last.stages, Some(last.packing), last.tones),
@@ -95,7 +94,7 @@ impl Pavement {
         })
     }
 
-    /// The outline, domain, fields and packing to look at: those of the draft while it is to be seen.
+    /// The outline, domain, fields and packing to show: those of the draft while it is shown.
     pub(super) fn shown(&self) -> Shown<'_> {
         let (stages, packing) = match self.draft() {
             Some(draft) => (&draft.stages, Some(&draft.packing)),
@@ -112,7 +111,7 @@ impl Pavement {
 }
 
 impl Draft {
-    /// One step of the packing.
+    /// Makes one step of the packing.
     fn step(&mut self) {
         if let Some((domain, fields)) = self.stages.ground() {
             self.packing.step(domain, fields);
@@ -126,7 +125,7 @@ impl Draft {
     }
 }
 
-/// What is shown of the stages that a draft has.
+/// The shown results of the stages that a draft replaces.
 pub(super) struct Shown<'a> {
     pub rings: Vec<&'a [DVec2]>,
     pub domain: Option<&'a Domain>,

@@ -1,4 +1,4 @@
-//! A pavement as one of the generators: what the studio asks of it.
+//! The engine of pavements, for the studio.
 
 use super::look::View;
 use super::params::Params;

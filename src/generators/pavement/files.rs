@@ -1,4 +1,4 @@
-//! What can be taken out of a finished studio: maps, and the mesh of all cells.
+//! Files of a finished pavement: maps, and the mesh of all cells.
 
 use super::Pavement;
 use crate::export::{self, Map, MapKind, MeshFile, MeshOrder, maps};
@@ -10,12 +10,12 @@ use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};
 use crate::solid::Solids;
 
-/// A mesh file in the making.
+/// A mesh file that is being made.
 pub(super) struct Saving {
     file: MeshFile,
     solids: Solids,
     order: MeshOrder,
-    /// Which of the pictures it is of: planes, and how they answer the light.
+    /// The revision of its picture: of the planes and their materials.
     revision: u64,
 }
 
@@ -55,7 +55,7 @@ impl Pavement {
         slice
     }
 
-    /// The cells last finished as a standalone SVG file of the picture's size; '' before there are any.
+    /// The last finished cells as a standalone SVG file of the picture's size; '' before there are any.
     pub fn svg(&self) -> String {
         let made = &self.made;
         match made.domain.made() {

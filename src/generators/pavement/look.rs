@@ -1,10 +1,9 @@
-//! The words for what is looked at: something at the bottom, and drawings over it.
+//! The words of views: a base, and overlays.
 //!
-//! Drawings have a fixed order, whatever the order of their words. On paper the first of them is drawn
-//! in full colours; over anything else they are light lines with dark rims, and fillings let the
-//! picture through.
+//! Overlays have a fixed order, whatever the order of their words. On paper the first of them is drawn in full
+//! colours. Over anything else they are light lines with dark rims, and fillings let the picture through.
 
-/// What a view shows at the bottom.
+/// The base of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Base {
     /// The packing as it forms, then the stones as they come, then the picture.
@@ -19,7 +18,7 @@ pub enum Base {
     Cells,
     /// The mesh of triangles and quadrilaterals, on paper.
     Mesh,
-    /// The direction field, what shapes it, and its singular points, on paper.
+    /// The direction field, its sources, and its singular points, on paper.
     Direction,
     /// The bump plane in grey.
     Height,
@@ -27,22 +26,22 @@ pub enum Base {
     Normals,
     /// The colour plane, without light.
     Albedo,
-    /// The roughness of the materials, white is rough.
+    /// The roughness of the materials; white is rough.
     Roughness,
-    /// The plane of ambient occlusion: how much of the sky's light comes, white is all of it.
+    /// The plane of ambient occlusion: white where all of the sky's light arrives.
     Occlusion,
-    /// One colour per stone.
+    /// A colour for each stone.
     Ids,
     /// The potential around one cell of the recipe's kind.
     Potential,
 }
 
-/// A drawing over what lies at the bottom.
+/// A drawing over the base.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Overlay {
-    /// The size that the field asks for, as heat and contours.
+    /// The size in the field, as heat and contours.
     Size,
-    /// The packed cells in their shapes, warm where pressed, cool where alone.
+    /// The packed cells in their shapes, warm where pressed, cool where they have room.
     Packed,
     /// The potential energy of each packed cell.
     Energy,
@@ -50,9 +49,9 @@ pub enum Overlay {
     Cells,
     /// The mesh of triangles and quadrilaterals.
     Mesh,
-    /// The aspect ratio that the field asks for, as ellipses.
+    /// The aspect ratio in the field, as ellipses.
     Anisotropy,
-    /// The direction field and what shapes it.
+    /// The direction field and its sources.
     Direction,
     /// The net force on each packed cell.
     Forces,
@@ -60,18 +59,18 @@ pub enum Overlay {
     Singularities,
 }
 
-/// A way to look at the work.
+/// A view: a base with overlays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct View {
-    /// What is at the bottom.
+    /// The base.
     pub base: Base,
-    /// The overlays, a bit each, by their places in [`Overlay::ALL`].
+    /// The overlays, a bit for each, by their indices in [`Overlay::ALL`].
     over: u16,
 }
 
 impl Base {
-    /// All bases with their words, in the order of the page, whose keys 0 to 9 show the first ten. Those
-    /// of [`Overlay`], too, stand for drawings on paper where they stand alone.
+    /// All bases with their words, in the order of the page, whose keys 0 to 9 select the first ten. Words of
+    /// [`Overlay`] that stand alone select drawings on paper.
     pub const ALL: [(Base, &'static str); 14] = [
         (Base::Auto, "auto"),
         (Base::Picture, "picture"),
@@ -108,7 +107,7 @@ impl Overlay {
         1 << self as u16
     }
 
-    /// What stands for it alone on paper.
+    /// The base that shows it alone on paper.
     const fn on_paper(self) -> Option<Base> {
         match self {
             Overlay::Packed => Some(Base::Packed),
@@ -121,7 +120,7 @@ impl Overlay {
 }
 
 impl Base {
-    /// The words alone.
+    /// The words only.
     pub(super) const WORDS: [&str; 14] = {
         let (mut words, mut k) = ([""; 14], 0);
         while k < 14 {
@@ -133,7 +132,7 @@ impl Base {
 }
 
 impl Overlay {
-    /// The words alone.
+    /// The words only.
     pub(super) const WORDS: [&str; 9] = {
         let (mut words, mut k) = ([""; 9], 0);
         while k < 9 {
@@ -151,10 +150,9 @@ impl From<Base> for View {
 }
 
 impl View {
-    /// The view of words joined by '+': at most one base, and overlays. Words that name nothing, and
-    /// more bases, are passed over. Overlays without a base are drawn on paper, the first of them (in
-    /// the order in which they are drawn) in full colours if it is the packing, the cells, the mesh or
-    /// the direction. Without any word that names something it is [`Base::Auto`].
+    /// The view of words joined by '+': at most one base, and overlays. Unknown words and further bases are ignored.
+    /// Overlays without a base are drawn on paper, the first of them (in drawing order) in full colours if it is the
+    /// packing, the cells, the mesh or the direction. Without any known word it is [`Base::Auto`].
     pub fn of_words(words: &str) -> View {
         let (mut base, mut over) = (None, 0);
         for word in words.split('+') {
@@ -167,7 +165,7 @@ impl View {
         }
         let view = |base: Base, over: u16| View { base, over };
         match base {
-            // The potential is of one cell: nothing of the picture lies over it.
+            // The potential is that of one cell: nothing of the picture lies over it.
             Some(Base::Potential) => Base::Potential.into(),
             Some(base) => view(base, over),
             None => match view(Base::Paper, over).overlays().next() {
@@ -186,7 +184,7 @@ impl View {
         all.filter(move |overlay| self.over & overlay.bit() != 0)
     }
 
-    /// Is nothing drawn over the base?
+    /// Whether nothing is drawn over the base.
     pub fn is_plain(self) -> bool {
         self.over == 0
     }

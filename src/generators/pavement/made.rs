@@ -1,4 +1,4 @@
-//! What the stages of a pavement have made, and what they are making.
+//! The results of a pavement's stages, finished or in progress.
 
 use super::stage::Stage;
 use super::stages::Stages;
@@ -15,18 +15,19 @@ use crate::packing::Packing;
 
 /// Values are those made last, stale or not, unless a comment says otherwise.
 impl Stages {
-    /// The domain and the fields, once they are there.
+    /// The domain and the fields, once both exist.
     pub fn ground(&self) -> Option<(&Domain, &Fields)> {
         self.domain.made().zip(self.fields.made())
     }
 
-    /// The packing at work, or the last one.
+    /// The packing in progress, or the last one.
     pub fn shown_packing(&self) -> Option<&Packing> {
         let moving = self.packing.work().and_then(Packs::moving);
         moving.or(self.packing.made())
     }
 
-    /// The packing at work, or the last one, and the domain. The packing keeps the answers to some questions.
+    /// The packing in progress, or the last one, and the domain. The packing is mutable because it caches measures
+    /// such as its energy.
     pub fn shown_packing_mut(&mut self) -> Option<(&mut Packing, &Domain)> {
         let domain = self.domain.made()?;
         let (work, made) = self.packing.both_mut();
@@ -34,7 +35,7 @@ impl Stages {
         Some((packing?, domain))
     }
 
-    /// Whether there are cells of the packing at work, or of one that is over and fresh.
+    /// Whether cells of the present packing can be shown: they are moving, or the packing is finished and fresh.
     pub fn is_packing(&self) -> bool {
         match self.at() {
             Some(Stage::Packing) => {
@@ -45,7 +46,7 @@ impl Stages {
         }
     }
 
-    /// Is the pavement forming anew, so that older pictures are of another one?
+    /// Whether cells are forming again, so that the last picture shows an older pavement.
     pub fn is_forming(&self) -> bool {
         let packs = self.at().is_some_and(|stage| stage <= Stage::Packing);
         packs || self.pictured != self.packing.revision()
@@ -61,31 +62,31 @@ impl Stages {
         self.cells.made().map_or(&[], Vec::as_slice)
     }
 
-    /// Of the cells.
+    /// The revision of the cells.
     pub fn cells_revision(&self) -> u64 {
         self.cells.revision()
     }
 
-    /// The cells that stones are made of: of skin, those in which the axes have one sense.
+    /// The cells of the stones: for skin, those whose axes agree.
     pub fn scales(&self) -> &[Cell] {
         let oriented = self.current(&self.flow);
         let oriented = oriented.filter(|cells| !cells.is_empty());
         oriented.map_or_else(|| self.cells(), Vec::as_slice)
     }
 
-    /// What the cells wear by rule; none while other cells form.
+    /// The coats of the cells by rule; empty while other cells form.
     pub fn coats(&self) -> &[Coat] {
         let forms = self.at().is_some_and(|stage| stage < Stage::Planes);
         let coats = self.current(&self.coats);
         coats.filter(|_| !forms).map_or(&[], Vec::as_slice)
     }
 
-    /// The painting at work.
+    /// The painting in progress.
     fn painting(&self) -> Option<&Painting> {
         self.begun(&self.finish.planes)
     }
 
-    /// The number of stones that are painted.
+    /// The number of stones painted so far.
     pub fn stones(&self) -> usize {
         match self.at() {
             Some(stage) if stage <= Stage::Planes => self.painting().map_or(0, Painting::stones),
@@ -93,7 +94,7 @@ impl Stages {
         }
     }
 
-    /// Whether the ground is laid that the stones at work lie on.
+    /// Whether the ground under the stones is finished.
     pub fn is_bedded(&self) -> bool {
         match self.at() {
             Some(stage) if stage <= Stage::Planes => {
@@ -103,12 +104,12 @@ impl Stages {
         }
     }
 
-    /// The planes last finished.
+    /// The last finished planes.
     pub fn planes(&self) -> Option<&Planes> {
         self.finish.weather.made()
     }
 
-    /// The planes in the making, while planes or weather are at work.
+    /// The unfinished planes, while stones are painted or weathered.
     pub fn planes_coming(&self) -> Option<&Planes> {
         match self.at()? {
             Stage::Planes => self.painting().map(Painting::planes),
@@ -120,7 +121,7 @@ impl Stages {
         }
     }
 
-    /// The picture last finished, empty before there is one.
+    /// The last finished picture; empty before there is one.
     pub fn picture(&self) -> &[u8] {
         self.finish.light.made().map_or(&[], Vec::as_slice)
     }

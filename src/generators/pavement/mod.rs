@@ -58,7 +58,7 @@ pub static SCHEMA: Schema = Schema {
     rules: &outline::PavementRules,
 };
 
-/// The generator of links that name none.
+/// The generator for links that name none.
 pub static PAVEMENT: Generator = Generator {
     schema: &SCHEMA,
     title: "Pavements and hides",
@@ -92,7 +92,7 @@ pub fn recipe(link: &str) -> (Recipe, Vec<Notice>) {
 
 /// The engine: its stages, and what is looked at.
 pub struct Pavement {
-    /// The outline used instead of the recipe's, for outlines finer than a link can say.
+    /// The outline used instead of the recipe's, for outlines finer than a link can hold.
     exact: Option<Outline>,
     /// Loop steps of skin beyond those that a picture needs.
     finer: i32,
@@ -100,12 +100,12 @@ pub struct Pavement {
     /// Counts the changes of drafts, for the views.
     changes: u64,
     gallery: Gallery,
-    /// Do the cells flow after each change?
+    /// Whether the cells flow after each change.
     is_live: bool,
     draft: Option<Draft>,
-    /// The mesh file in the making.
+    /// The unfinished mesh file.
     saving: Option<files::Saving>,
-    /// The bigger picture in the making.
+    /// The unfinished bigger picture.
     bigger: Option<Bigger>,
     boxes: probe::Boxes,
     #[cfg(house)]
@@ -113,22 +113,22 @@ pub struct Pavement {
 }
 
 impl Pavement {
-    /// With all its work before it.
+    /// Starts with all its work to be done.
     pub fn new(recipe: &Recipe) -> Self {
         Self::start(recipe, None, 0)
     }
 
-    /// One that paves exactly this outline, whatever outline a recipe names. Answers with what was
-    /// mended.
+    /// An engine that paves exactly this outline, whatever outline a recipe names. Also returns notices of the
+    /// repairs.
     ///
     /// # Errors
-    /// What is wrong with the outline.
+    /// The fault of the outline.
     pub fn with_outline(recipe: &Recipe, outline: &Outline) -> Result<(Self, Vec<Notice>), Notice> {
         let (outline, notices) = outline.check(recipe.side())?;
         Ok((Self::start(recipe, Some(outline), 0), notices))
     }
 
-    /// One whose skin has so many Loop steps more than a picture needs, or below 0 fewer.
+    /// An engine whose skin has `steps` Loop steps more than a picture needs, or fewer if negative.
     pub fn finer(recipe: &Recipe, steps: i32) -> Self {
         Self::start(recipe, None, steps)
     }
@@ -150,39 +150,39 @@ impl Pavement {
         }
     }
 
-    /// Is the latest picture as large as the one at work?
+    /// Whether the latest picture is as large as the present one.
     fn keeps_side(&self) -> bool {
         let planes = &self.made.finish.planes;
         planes.latest().texture.side == planes.params().texture.side
     }
 
-    /// Is the picture finished?
+    /// Whether the picture is finished.
     fn is_done(&self) -> bool {
         self.made.at().is_none() && !self.is_drafting()
     }
 
-    /// The outline in use, checked and mended: the outer ring first, then the holes.
+    /// The present outline, checked and mended: the outer ring first, then the holes.
     pub fn rings(&self) -> Vec<&[glam::DVec2]> {
         self.shown().rings
     }
 
-    /// The domain, once it is there.
+    /// The domain, once it exists.
     pub fn domain(&self) -> Option<&Domain> {
         self.shown().domain
     }
 
-    /// The fields, once they are there.
+    /// The fields, once they exist.
     pub fn fields(&self) -> Option<&Fields> {
         self.shown().fields
     }
 
-    /// The packing at work, or the last one; while live, the one that flows.
+    /// The packing in progress, or the last one; while live, the one that flows.
     pub fn packing(&self) -> Option<&Packing> {
         let flowing = self.flowing().map(|draft| &draft.packing);
         flowing.or(self.made.shown_packing())
     }
 
-    /// What the packing at work has done so far; nothing before its first cells are placed.
+    /// The report of the packing in progress; empty before its first cells are placed.
     fn step_report(&self) -> StepReport {
         if let Some(draft) = self.flowing() {
             return draft.packing.report();
@@ -201,7 +201,7 @@ impl Pavement {
         self.made.cells()
     }
 
-    /// The cells that stones are made of: of skin, those in which the axes have one sense.
+    /// The cells of the stones: for skin, those whose axes agree.
     pub fn scales(&self) -> &[Cell] {
         self.made.scales()
     }
@@ -221,12 +221,12 @@ impl Pavement {
         self.made.finish.light.params()
     }
 
-    /// The planes last finished.
+    /// The last finished planes.
     pub fn planes(&self) -> Option<&Planes> {
         self.made.planes()
     }
 
-    /// How good the mesh and the cells of the last packing that ended are, once they are there.
+    /// The quality of the mesh and the cells of the last packing that ended, once they exist.
     pub fn metrics(&self) -> Option<Metrics> {
         let made = &self.made;
         let particles = made.packing.made()?.particles();

@@ -1,4 +1,4 @@
-//! The outline that a recipe asks for, and the free polygon that may be drawn for it.
+//! The outline of a recipe, and the free polygon that may replace it.
 
 use super::schema::{POLYGON, keys};
 use crate::domain::Outline;
@@ -8,25 +8,25 @@ use crate::recipe::stones::SKIN;
 use crate::recipe::{Key, Recipe, Rows, Rules, STEPS, points, row};
 use glam::DVec2;
 
-/// What a recipe of a pavement tells beyond its rows.
+/// Values of a pavement's recipe that take more than one row.
 pub trait PavementRecipe {
     /// The outline with the constraint lines, checked, in picture units.
     fn outline(&self) -> Outline;
 
-    /// The free polygon in picture units, where one was given (in use or not).
+    /// The free polygon in picture units, if one was given (in use or not).
     fn polygon(&self) -> Option<Outline>;
 
-    /// Takes the outline as the free polygon and chooses it, and its constraint lines where it has any.
-    /// Its points are moved to the nearest ones that a link can hold (1/32768 of the picture's side).
+    /// Takes the outline as the free polygon and selects it, and also its constraint lines if it has any. Its points
+    /// are moved to the nearest ones that a link can hold (1/32768 of the picture's side).
     ///
     /// # Errors
-    /// What [`Outline::check`] says; the recipe stays as it was. `Ok` holds what was mended.
+    /// Those of [`Outline::check`]; the recipe stays as it was. `Ok` holds notices of the repairs.
     fn set_polygon(&mut self, outline: &Outline) -> Result<Vec<Notice>, Notice>;
 
-    /// Is the picture a tile, whose edges fit each other? Then the outline does not count.
+    /// Whether the picture is a tile, whose edges fit each other. Then the outline has no effect.
     fn is_tile(&self) -> bool;
 
-    /// Are the stones skin cells, whose numbers have defaults of their own?
+    /// Whether the stones are skin, whose numbers have defaults of their own.
     fn is_skin(&self) -> bool;
 
     /// The constraint lines, in picture units.
@@ -60,7 +60,7 @@ impl PavementRecipe for Recipe {
 
     fn set_polygon(&mut self, outline: &Outline) -> Result<Vec<Notice>, Notice> {
         let side = self.side();
-        // Before the points are moved, too: a notice should tell the places that were given.
+        // Check before the points are moved, too: a notice should give the original places.
         let (given, mut notices) = outline.check(side)?;
         let (checked, more) = snap(&given, side).check(side)?;
         notices.extend(more);
@@ -108,7 +108,7 @@ fn snap(outline: &Outline, side: f64) -> Outline {
 pub(super) struct PavementRules;
 
 impl Rules for PavementRules {
-    /// The one bevel ratio Br of the 2001 paper is both of ours.
+    /// The bevel ratio Br of the 2001 paper sets both of ours.
     fn modern(&self, key: String, value: String) -> Vec<(String, String)> {
         match key.as_str() {
             "br" => ["bh", "bv"].map(|k| (k.to_owned(), value.clone())).to_vec(),
@@ -121,7 +121,7 @@ impl Rules for PavementRules {
         }
     }
 
-    /// The shape on the screen becomes the polygon to start from.
+    /// Uses the present outline as the first polygon.
     fn draw(&self, recipe: &mut Recipe, _: Key, rows: Option<Rows>) -> Result<Vec<Notice>, Notice> {
         let outline = match rows {
             Some(rows) => of_rows(&rows, recipe.side()),
@@ -131,7 +131,7 @@ impl Rules for PavementRules {
     }
 }
 
-/// Other words for outlines, in links only.
+/// Alternative words for outlines, accepted in links only.
 const OUTLINE_WORDS: [(&str, &str); 8] = [
     ("road", "road_straight"),
     ("s_curve", "road_s"),

@@ -1,4 +1,4 @@
-//! Overlays: what is drawn over a base.
+//! Overlays, which are drawn over a base.
 
 use super::{Overlay, Pavement, Stage, View};
 use crate::draw::{self, Board, size::HeatMap};
@@ -6,7 +6,7 @@ use crate::generators::Engine;
 use crate::packing::{Packing, stress};
 
 impl Pavement {
-    /// Draws a view's overlays, each as soon as there is something to show of the pavement at work.
+    /// Draws the overlays of a view. Each one appears as soon as the present pavement has something to show in it.
     pub(super) fn draw_over(&mut self, view: View, board: &mut Board, heat: &mut HeatMap) {
         let side = self.side();
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
@@ -27,7 +27,7 @@ impl Pavement {
             };
             match overlay {
                 Overlay::Size => {
-                    // In a new domain the last fields stay as they were shown.
+                    // In a new domain the last fields keep their colours.
                     let revision = made.fields.revision();
                     heat.draw(board, revision, side, domain, fields);
                 }

@@ -1,4 +1,4 @@
-//! From the recipe's words and numbers to the small parameter structures of the stages.
+//! Turns the recipe's words and numbers into the small parameter structures of the stages.
 
 use super::outline::PavementRecipe;
 use super::schema::keys;
@@ -14,10 +14,10 @@ use crate::recipe::Recipe;
 use crate::recipe::common::keys as shared;
 use glam::DVec2;
 
-/// Rounds of Lloyd's relaxation: after these it hardly gets better.
+/// Rounds of Lloyd's relaxation: further ones improve little.
 const LLOYD_ROUNDS: u32 = 50;
 
-/// What the domain is made of.
+/// Where the domain comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum DomainParams {
     /// A checked outline with its constraint lines.
@@ -26,27 +26,27 @@ pub(super) enum DomainParams {
     Tile { side: f64, lines: Vec<Vec<DVec2>> },
 }
 
-/// What cells are made of.
+/// The kind of cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum CellParams {
     /// The dual of the packing's mesh.
     Fitted,
     /// The packed squares as they are.
     Packed,
-    /// The Voronoi diagram of as many scattered points, evened out in so many rounds.
+    /// The Voronoi diagram of the same number of scattered points, relaxed in `rounds` rounds.
     Scattered { rounds: u32, seed: u64 },
 }
 
-/// What coats are made by.
+/// The parameters of coats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CoatParams {
     pub colour: ColourParams,
     pub seed: u64,
-    /// Of the picture.
+    /// The side of the picture.
     pub side: f64,
 }
 
-/// What a recipe asks of each stage.
+/// The parameters of each stage.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Params {
     /// The outer ring, then the holes.
@@ -55,18 +55,18 @@ pub(super) struct Params {
     pub fields: FieldParams,
     pub packing: PackingParams,
     pub cells: CellParams,
-    /// The one sense of the flow; nothing for stones that are not skin.
+    /// The flow that makes axes agree; `None` for stones that are not skin.
     pub flow: Option<FlowParams>,
     pub coats: CoatParams,
     pub finish: HeightFieldParams,
 }
 
-/// Which way scales lean as a whole.
+/// The sense in which scales lean as a whole.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FlowParams {
-    /// With the strokes, 1, or against them, -1.
+    /// 1 along the strokes, -1 against them.
     sense: f64,
-    /// None where axes stay as they are.
+    /// Strokes that set the flow; empty if axes stay as they are.
     strokes: Vec<Vec<DVec2>>,
 }
 
@@ -81,7 +81,7 @@ impl FlowParams {
             let by = ends[1] - ends[0];
             let from = cell.centre - ends[0];
             let along = (from.dot(by) / by.length_squared()).clamp(0.0, 1.0);
-            // The nearest stroke counts most by far.
+            // Inverse fourth powers: the nearest stroke counts most by far.
             let far = (from - by * along).length_squared() + cell.size * cell.size;
             sum += by / (far * far);
         }
@@ -134,9 +134,9 @@ fn outline(recipe: &Recipe, exact: Option<&Outline>) -> Outline {
     outline
 }
 
-/// The aspect ratio that cells of a kind are packed with for one of `ca`. The cells of ellipses are
-/// hexagons: by their second moments they are as long as the ellipses, by the box around them 0.87
-/// times. This is between.
+/// The aspect ratio with which cells of a kind are packed for the wanted one `ca`. The cells of ellipses are
+/// hexagons. By their second moments they are as long as the ellipses, by their bounding boxes 0.87 times as long;
+/// this is a value between.
 fn drawn(kind: Kind, ca: f64) -> f64 {
     if kind == Kind::Ellipse {
         1.0 + 1.06 * (ca - 1.0)

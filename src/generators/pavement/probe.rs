@@ -1,7 +1,7 @@
-//! What the cell at a place is like, and how all of them are.
+//! Measures of the cell at a place, and of all cells.
 //!
-//! Once cells have polygons, those are measured. While they are packed the particles are, whose size
-//! and angle their neighbours tell.
+//! Once cells have polygons, these are measured. During the packing the particles are measured: their size and angle
+//! follow from their neighbours.
 
 use super::{Pavement, Stage};
 use crate::cells::Cell;
@@ -12,80 +12,79 @@ use crate::metrics::{Figure, symmetry_angle};
 use crate::packing::Sample;
 use glam::DVec2;
 
-/// A cell as it is found at a place. Lengths are picture units, angles degrees from +x, y down.
+/// A cell at a place. Lengths are in picture units, angles in degrees from +x, y down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
-    /// Its place in the list of cells; while they are packed, in that of the packing by rising ids.
+    /// Its index in the list of cells; during the packing, in that of the particles by rising ids.
     pub cell: usize,
     /// Its middle.
     pub centre: DVec2,
     /// Its kind.
     pub kind: Kind,
-    /// Its size: that of its kind which has its area.
+    /// Its size: that of a cell of its kind with its area.
     pub size: f64,
-    /// The size that the field asks for there.
+    /// The size in the field there.
     pub wanted: f64,
     /// Length over width, at least 1.
     pub aspect: f64,
-    /// Where it points to: 0..90 of squares, 0..180 of rectangles and ellipses. None of circles, and
-    /// where there is no direction.
+    /// Its direction: 0..90 for squares, 0..180 for rectangles and ellipses. `None` for circles, and without a
+    /// direction.
     pub angle: Option<f64>,
-    /// How far that is from the direction field: 0..45 of squares, else 0..90.
+    /// The angle between that and the direction field: 0..45 for squares, else 0..90.
     pub off: Option<f64>,
-    /// Its outline, not closed; of a packed cell its shape.
+    /// Its outline, not closed; for a packed cell its shape.
     pub outline: Vec<DVec2>,
-    /// What only a cell with a polygon has.
+    /// Measures of its polygon, if it has one.
     pub polygon: Option<Polygon>,
 }
 
-/// What a cell's polygon tells.
+/// Measures of a cell's polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polygon {
     /// Its area.
     pub area: f64,
     /// Corners that turn by more than 10 degrees.
     pub sides: usize,
-    /// Cells on the other side of its sides; those that meet it in a corner only do not count.
+    /// The number of cells on the other side of its sides; cells that only meet it in a corner do not count.
     pub neighbours: usize,
 }
 
-/// How many values fall into each of equal classes; what lies beyond counts in the outermost.
+/// Counts of values in equal classes; values beyond count in the outermost ones.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Histogram {
     /// Where the first class begins.
     pub from: f64,
     /// Where the last one ends.
     pub to: f64,
-    /// By class; none where there is nothing to count.
+    /// Counts by class; empty if there is nothing to count.
     pub counts: Vec<u32>,
 }
 
 /// Classes of a histogram.
 const CLASSES: usize = 30;
-/// Sizes over wanted sizes are counted from here to there.
+/// The range of sizes over wanted sizes.
 const SIZES: (f64, f64) = (0.55, 1.45);
 
-/// Places along a side at which a neighbour is looked for are about so far apart, in cell sizes ...
+/// Neighbours are searched beside places along a side that are about this far apart, in cell sizes ...
 const STEP: f64 = 0.12;
-/// ... and so far outside: neighbours that share the side, and packed ones with a gap between.
+/// ... and this far outside: for neighbours that share the side, and for packed ones with a gap between.
 const REACH: [f64; 2] = [0.03, 0.25];
 
-/// Boxes around the cells, so that not every polygon is looked at.
+/// Bounding boxes of the cells, to skip most polygons.
 #[derive(Default)]
 pub(super) struct Boxes {
-    /// Of the cells.
+    /// The revision of the cells.
     revision: u64,
     boxes: Vec<[DVec2; 2]>,
 }
 
 impl Pavement {
-    /// Are the products of this stage those of the pass at work?
+    /// Whether the results of this stage belong to the current pass.
     pub(super) fn is_past(&self, stage: Stage) -> bool {
         self.made.at().is_none_or(|at| at > stage)
     }
 
-    /// The cell at a place of the picture: of the polygons once they are there, while they form of
-    /// the packing.
+    /// The cell at a place of the picture, by its polygon; while polygons are not made yet, by the packing.
     pub fn probe(&mut self, x: f64, y: f64) -> Option<Probe> {
         let p = DVec2::new(x, y);
         if self.is_past(Stage::Cells) {
@@ -148,17 +147,17 @@ impl Pavement {
         })
     }
 
-    /// How the packing at work went so far, or the last one, by rising steps.
+    /// The record of the packing in progress, or of the last one, by rising steps.
     pub fn samples(&self) -> &[Sample] {
         let packing = self.made.shown_packing();
         let begun = packing.filter(|_| self.made.is_packing());
         begun.map_or(&[], |packing| packing.samples())
     }
 
-    /// The sizes of all cells over the wanted ones, and their angles to the direction field in degrees
-    /// (0..45 where all with an angle are squares or stand in a packing of cells with corners, else
-    /// 0..90; circles have none). While they are packed, sizes are told by the neighbours' distances
-    /// and angles by the rows that they stand in.
+    /// The sizes of all cells over the wanted ones, and their angles to the direction field in degrees. Angles are
+    /// 0..45 if all cells with an angle are squares or are in a packing of cells with corners, else 0..90; circles
+    /// have none. During the packing, sizes follow from the neighbours' distances, and angles from the rows that
+    /// cells stand in.
     pub fn histograms(&mut self) -> [Histogram; 2] {
         let past = self.is_past(Stage::Cells);
         let stands = match past || !self.made.is_packing() {
@@ -214,7 +213,7 @@ impl Histogram {
 }
 
 impl Boxes {
-    /// The cell that holds a place or one of its images, and that image.
+    /// The cell that contains a place or one of its images, and that image.
     fn find(&self, domain: &Domain, cells: &[Cell], p: DVec2) -> Option<(usize, DVec2)> {
         let here = |image: DVec2| {
             self.meeting([image; 2])
@@ -231,7 +230,7 @@ impl Boxes {
         boxes.filter(move |(_, b)| meets(b)).map(|(k, _)| k)
     }
 
-    /// How many cells there are beyond the sides of one.
+    /// The number of cells beyond the sides of a cell.
     fn neighbours(&self, domain: &Domain, cells: &[Cell], index: usize) -> usize {
         let cell = &cells[index];
         let reach = REACH.map(|reach| reach * cell.size);

@@ -13,10 +13,10 @@ use crate::solid::SkinParams;
 /// The library's defaults, which are the rows'.
 const FIELDS: &FieldParams = &FieldParams::DEFAULT;
 
-/// The word for the outline that is given by its points.
+/// The word for an outline that is given by its points.
 pub const POLYGON: &str = "polygon";
 
-/// Cells below two pixels could not be told from noise.
+/// Cells smaller than two pixels would look like noise.
 const CELL_LIMITS: SideLimits = SideLimits {
     finest: 400.0,
     least: 2.0,

@@ -1,4 +1,4 @@
-//! Cells in the making.
+//! Makes the polygons of cells, in slices.
 
 use super::params::CellParams;
 use crate::cells::{self, Cell, Fitting, Scatter, ScatterParams};
@@ -7,15 +7,15 @@ use crate::field::Fields;
 use crate::notice::{Code, Notice};
 use crate::packing::Packing;
 
-/// Cells in the making.
+/// Cells while they are made.
 pub(super) enum Shaping {
-    /// Points are scattered, to be the centres of Voronoi cells.
+    /// Points are scattered; later they are the centres of Voronoi cells.
     Scatter(Box<Scatter>),
-    /// Cells are fitted to each other.
+    /// Cells are fitted to their neighbours.
     Fitting(Box<Fitting>),
 }
 
-/// The inputs of cells.
+/// The inputs for making cells.
 #[derive(Clone, Copy)]
 pub(super) struct Packed<'a> {
     pub domain: &'a Domain,
@@ -27,7 +27,7 @@ impl Shaping {
     /// Does one slice of the work; returns the cells when all are made.
     ///
     /// # Errors
-    /// A notice where there are none.
+    /// A notice if there are no cells.
     pub fn advance(
         params: &CellParams,
         work: &mut Option<Shaping>,
@@ -66,7 +66,7 @@ impl Shaping {
         Shaping::Fitting(Box::new(fitting))
     }
 
-    /// The cells, or what is left to do.
+    /// The cells, or the remaining work.
     fn slice(self, from: Packed) -> Result<Vec<Cell>, Self> {
         match self {
             Shaping::Fitting(mut fitting) => match fitting.advance(from.domain) {

@@ -12,30 +12,30 @@ use crate::scene::{Body, Frame, Instance, Place, Scene};
 use crate::solid::{Solids, Step, top};
 use glam::Vec3;
 
-/// What is on the turntable.
+/// The state of the turntable.
 #[derive(Default)]
 pub(super) struct Slant {
-    /// Of which planes the bodies are.
+    /// The revision of the planes from which the bodies are made.
     revision: u64,
     making: Option<Cutout>,
     scene: Option<Scene>,
     step: Option<Shown>,
-    /// Of the scene, and of all made so far.
+    /// The number of the scene, and the count of all scenes so far.
     number: u64,
     count: u64,
     table: Turntable,
 }
 
-/// The step in the making of a stone that was asked for last.
+/// The step in the making of a stone that was requested last.
 struct Shown {
-    /// Of which planes, which stone, and which step of it.
+    /// The revision of its planes, the stone, and the step.
     of: (u64, (u32, usize)),
     number: u64,
     scene: Scene,
 }
 
 impl Slant {
-    /// The frame last finished.
+    /// The last finished frame.
     pub fn frame(&self) -> Option<&Frame> {
         self.table.frame()
     }
@@ -61,7 +61,7 @@ impl Pavement {
         made
     }
 
-    /// Makes the bodies; nothing where they are there.
+    /// Makes the bodies; `None` if they exist.
     fn build(&self, slant: &mut Slant, clock: Clock, budget: Budget) -> Option<FrameSlice> {
         let revision = self.made.finish.weather.revision();
         let is_new = slant.revision != revision;
@@ -129,7 +129,7 @@ impl Pavement {
         })
     }
 
-    /// The stone at a pixel of the frame last finished.
+    /// The stone at a pixel of the last finished frame.
     pub(super) fn seen_at(&self, x: usize, y: usize) -> Option<SeenBody> {
         let scene = self.slant.scene.as_ref()?;
         let place = self.slant.frame()?.instance_at(x, y)?;
@@ -143,7 +143,7 @@ impl Pavement {
         })
     }
 
-    /// The words of the steps in which a stone is made.
+    /// The words of the steps in the making of a stone.
     pub(super) fn steps_of(&self, id: u32) -> Vec<String> {
         let cell = (id as usize)
             .checked_sub(1)
@@ -157,7 +157,7 @@ impl Pavement {
         Surfaces::new(texture, usize::MAX)
     }
 
-    /// The light on a stone that stands alone, large: it comes from where the lamp is seen from the stone's place.
+    /// The light on a stone that is shown alone and large: its direction is that from the stone's place to the lamp.
     fn light_of(&self, id: u32) -> LightParams {
         let mut light = self.light().clone();
         let cell = self.scales().get((id as usize).wrapping_sub(1));
@@ -184,8 +184,8 @@ impl Pavement {
     }
 }
 
-/// A surface alone on the turntable, with the lines over it. The middle of a stone of this height is the origin, and the
-/// corners of its cell are a unit away from there, at the top and at the base, by the mean of the cell's corners.
+/// A surface alone on the turntable, with lines over it. The origin is the middle of a stone of this height. The
+/// corners of its cell are one unit away from it, at the top and at the base, taking the mean over the corners.
 fn alone(step: &Step, cell: &Cell, high: f64) -> Scene {
     let far: f64 = cell.ring.iter().map(|&p| (p - cell.centre).length()).sum();
     let mean = far / cell.ring.len().max(1) as f64;

@@ -11,11 +11,11 @@ pub enum Stage {
     Packing,
     /// The mesh that joins neighbouring cells.
     Mesh,
-    /// One polygon per cell.
+    /// One polygon for each cell.
     Cells,
-    /// Stones, painted as they are made into planes of bump, colour, material and id.
+    /// Stones, painted into planes of bump, colour, material and id as they are made.
     Planes,
-    /// What years and weather do to the planes, and how much of the sky each place sees.
+    /// The effects of years and weather on the planes, and ambient occlusion.
     Weather,
     /// The picture.
     Shading,

@@ -15,7 +15,7 @@ use crate::packing::{Packing, PackingParams, Placing};
 use crate::solid::oriented;
 use glam::DVec2;
 
-/// Cells whose neighbours are found, or whose coats are made, in one slice.
+/// Cells in a slice, to find neighbours or to make coats.
 const CELLS: usize = 500;
 
 /// The nodes of the stages.
@@ -25,7 +25,7 @@ pub(super) struct Stages {
     pub(super) packing: Node<PackingParams, Packs<Placing, Packing>, Packing>,
     pub(super) mesh: Node<(), Meshing, Mesh>,
     pub(super) cells: Node<CellParams, Shaping, Vec<Cell>>,
-    /// The cells of skin, whose axes have one sense; none of stones.
+    /// The cells of skin with axes of one sense; empty for stones.
     pub(super) flow: Node<Option<FlowParams>, Graph, Vec<Cell>>,
     pub(super) coats: Node<CoatParams, Coats, Vec<Coat>>,
     pub(super) finish: HeightField,
@@ -78,7 +78,7 @@ impl Wiring for Stages {
 }
 
 impl Stages {
-    /// Nothing made yet.
+    /// Starts with nothing made.
     pub fn new(params: Params) -> Self {
         Self {
             domain: Node::new(params.domain),

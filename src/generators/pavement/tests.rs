@@ -1,4 +1,4 @@
-//! Exactly what differs runs, and bigger pictures do not show that they were painted in bands.
+//! Exactly the stages that differ run, and bigger pictures show no joints of their bands.
 
 use super::params::{self, Params};
 use super::schema::keys;
@@ -16,7 +16,7 @@ use crate::recipe::{Key, Kind, Recipe};
 use crate::solid::{SkinParams, StoneParams};
 use crate::studio::Studio;
 
-/// What is drawn, for each of the lists.
+/// Sample values for each of the lists.
 fn drawn(key: Key) -> [&'static str; 3] {
     match key {
         keys::POLY => [
@@ -33,7 +33,7 @@ fn drawn(key: Key) -> [&'static str; 3] {
     }
 }
 
-/// A recipe in which some values are other ones, of small pictures with few cells.
+/// A recipe with some changed values, for small pictures with few cells.
 fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
     let mut changed = recipe.clone();
     for _ in 0..=random.below(3) {
@@ -83,8 +83,8 @@ fn the_libraries_defaults_are_those_of_a_recipe() {
     assert_eq!(stone(&recipe).skin, skin);
 }
 
-/// Which stages must run to go from one recipe to another: those of which something else is asked,
-/// and those that read what they make.
+/// The stages that must run to go from one recipe to another: those whose parameters differ, and those that read
+/// their results.
 fn due(from: &Params, to: &Params) -> [bool; 8] {
     let finishes = [&from.finish, &to.finish];
     let [painted, weathered, lit] = [
@@ -116,7 +116,7 @@ fn asked(studio: &Studio) -> Params {
     engine.expect("a pavement").made.latest()
 }
 
-/// Wherever a studio comes from, it gives what the recipe gives, and works on nothing in vain.
+/// From any state, a studio reaches the recipe's result without unnecessary work.
 #[test]
 fn exactly_what_differs_runs() {
     let mut random = Random::new(11, Purpose::Placement, 0);
@@ -172,7 +172,7 @@ const LINKS: [&str; 9] = [
     "size=128&cs=18&az=280&el=8&outline=square&stone=flag",
 ];
 
-/// A picture or its maps, made in bands of so many rows.
+/// A picture or its maps, made in bands of `band` rows.
 fn made(pavement: &Pavement, scale: usize, kinds: &[MapKind], band: usize) -> Vec<Map> {
     let bodies = Bodies {
         domain: pavement.made.domain.made().expect("a domain"),

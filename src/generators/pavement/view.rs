@@ -1,4 +1,4 @@
-//! What can be looked at, as pictures of the recipe's size.
+//! Views as pictures of the recipe's size.
 
 use super::files::map_of;
 use super::look::{Base, View};
@@ -12,12 +12,12 @@ use crate::heightfield::{Planes, row_slopes};
 use crate::order;
 use glam::DVec2;
 
-/// The frame last drawn, and what the next one can be made from.
+/// The last frame, and the data for the next one.
 #[derive(Default)]
 pub(super) struct Gallery {
     frame: Option<Board>,
     drawn: Option<(Base, u64)>,
-    /// The next frame's drawing, begun, and of what it is.
+    /// The unfinished drawing of the next frame, with its key.
     begun: Option<((Base, u64, Way), Sketch)>,
     preview: Preview,
     /// The frame with overlays.
@@ -26,33 +26,33 @@ pub(super) struct Gallery {
     heat: draw::size::HeatMap,
 }
 
-/// Stones in a simple light over the cells, while the picture is not there.
+/// Stones in a simple light over the cells, until the picture is finished.
 #[derive(Default)]
 struct Preview {
     board: Option<Board>,
-    /// Which pass over the stones it shows.
+    /// The pass over the stones that it shows.
     pass: u64,
     stones: usize,
 }
 
-/// What is to be seen on the way from the packing to the picture.
+/// The content of the view between the packing and the picture.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Way {
-    /// Nothing but the outline yet.
+    /// Only the outline so far.
     Bare,
     Packed,
-    /// Nothing new for a moment: what was there stays.
+    /// Nothing new for a moment: the last frame stays.
     Stays,
     /// The cells' polygons, before the ground is laid.
     Cells,
-    /// The stones so far on them.
+    /// The stones painted so far, over the cells.
     Stones,
     Picture,
 }
 
 impl Pavement {
-    /// The picture of a view; while a stage has nothing to show yet, what was there before, or the bare
-    /// outline.
+    /// The picture of a view. While a stage has nothing to show yet, the last one stays, or the bare outline is
+    /// shown.
     pub(super) fn look_at(&mut self, view: View) -> &[u8] {
         let stamp = self.stamp();
         let mut gallery = std::mem::take(&mut self.gallery);
@@ -79,7 +79,7 @@ impl Pavement {
         shown.map_or(&[], Board::rgba)
     }
 
-    /// Work on the recipe in between makes it begin again.
+    /// Draws a piece of the frame in advance. Work on the recipe in between makes it start again.
     pub(super) fn draw_beforehand(&mut self, view: View, clock: Clock, budget: f64) -> bool {
         let budget = Budget::new(clock, budget);
         let mut gallery = std::mem::take(&mut self.gallery);
@@ -97,12 +97,12 @@ impl Pavement {
         ready
     }
 
-    /// Changes whenever something else may be seen.
+    /// Changes whenever views may change.
     pub(super) fn stamp(&self) -> u64 {
         self.changes + self.made.slices()
     }
 
-    /// The drawing that a view is or lies on, as far as it was begun; nothing where there is none.
+    /// The base drawing of a view, as far as it was begun; `None` if the base is no drawing.
     fn sketch(&self, base: Base, gallery: &mut Gallery) -> Option<Sketch> {
         let key = (base, self.stamp(), self.way(base, gallery));
         match gallery.begun.take() {
@@ -145,7 +145,7 @@ impl Pavement {
         })
     }
 
-    /// Draws a new frame, or leaves the last one where it should stay.
+    /// Draws a new frame, or keeps the last one if it should stay.
     fn draw(&self, base: Base, gallery: &mut Gallery, sketch: Option<Sketch>) {
         let planes = self.planes_to_show();
         let of_planes = |draw: fn(&Planes) -> Vec<u8>| {
@@ -194,7 +194,7 @@ impl Pavement {
         };
     }
 
-    /// A map as it is handed out, of the planes there are.
+    /// A map of the present planes.
     fn map_shown(&self, kind: MapKind) -> Board {
         let Some(planes) = self.planes_to_show() else {
             return self.bare().finish();
@@ -205,7 +205,7 @@ impl Pavement {
         board
     }
 
-    /// The planes to look at: the finished ones unless they are of another pavement.
+    /// The planes to show: the finished ones, unless they belong to another pavement.
     pub(super) fn planes_to_show(&self) -> Option<&Planes> {
         let finished = self.made.planes();
         let finished = finished.filter(|p| p.side == self.side());
@@ -217,7 +217,7 @@ impl Pavement {
         }
     }
 
-    /// What is to be seen on the way from the packing to the picture.
+    /// The content of the view between the packing and the picture.
     fn way(&self, base: Base, gallery: &Gallery) -> Way {
         let made = &self.made;
         if base == Base::Auto && self.draft().is_some() {
@@ -245,7 +245,7 @@ impl Pavement {
         board
     }
 
-    /// The planes of stones that come, once the ground is laid.
+    /// The planes in progress, once the ground is laid.
     fn ground_shown(&self) -> Option<&Planes> {
         self.planes_to_show().filter(|_| self.made.is_bedded())
     }
@@ -259,7 +259,7 @@ impl Pavement {
         Tones::new(texture).wearing(made.cells(), made.coats())
     }
 
-    /// Layers over the area to pave, which is the outline or all of a tile.
+    /// Layers over the area to pave: the outline, or the whole of a tile.
     fn on_paper(&self, paper: &Paper, layers: Vec<Layer>) -> Sketch {
         self.on_board(Board::new(self.side(), paper.surround), paper, layers)
     }
@@ -299,13 +299,13 @@ impl Pavement {
         self.on_paper(&tones.paper, layers)
     }
 
-    /// Does the preview show the stones that come now?
+    /// Whether the preview shows the stones in progress.
     fn goes_on(&self, preview: &Preview) -> bool {
         let board = preview.board.as_ref().filter(|b| b.fits(self.side()));
         board.is_some() && preview.pass == self.made.finish.planes.passes()
     }
 
-    /// The cells on the ground that is laid, before there are stones.
+    /// The cells on the ground, before there are stones.
     fn bedded(&self) -> Option<Sketch> {
         let (planes, tones) = (self.ground_shown()?, self.tones());
         let mut board = Board::new(planes.side, tones.paper.surround);
@@ -314,7 +314,7 @@ impl Pavement {
         Some(self.on_board(board, &tones.paper, vec![cells]))
     }
 
-    /// The cells with the stones so far on them; `bedded` is what the first one lies on.
+    /// The cells with the stones so far; `bedded` is the background of the first one.
     fn stones_coming(&self, preview: &mut Preview, bedded: Option<Board>) -> Option<Board> {
         let made = &self.made;
         let planes = self.ground_shown()?;
@@ -369,7 +369,7 @@ fn light_stone(planes: &Planes, cell: &Cell, index: usize, rgba: &mut [u8]) {
     }
 }
 
-/// Light from the upper left, as strong on level ground as in a finished picture.
+/// Light from the upper left. On level ground it is as strong as in a finished picture.
 fn light_pixel(colour: [u8; 3], n: [f32; 3], pixel: &mut [u8]) {
     let facing = order::greater(-0.42 * n[0] - 0.48 * n[1] + 0.77 * n[2], 0.0);
     let light = 0.42 + 0.80 * facing;

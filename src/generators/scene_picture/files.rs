@@ -1,9 +1,9 @@
-//! Files of bodies, in slices.
+//! Files of bodies, written in slices.
 
 use crate::export::{MeshOrder, PartFile};
 use crate::generators::{Clock, MeshSlice, until};
 
-/// A mesh file in the making.
+/// An unfinished mesh file.
 pub(crate) struct Saving<F> {
     file: F,
     order: MeshOrder,
@@ -12,8 +12,8 @@ pub(crate) struct Saving<F> {
 }
 
 impl<F: PartFile> Saving<F> {
-    /// Works for about `budget` milliseconds on the file of an order; `advance` adds a part and is true after the last
-    /// one. Begins anew with `new` where the order or the revision of the bodies is another one than the last time.
+    /// Works for about `budget` milliseconds on the file of an order. `advance` adds a part, and is true after the
+    /// last one. If the order or the revision of the bodies has changed, `new` starts a new file.
     pub fn slice(
         kept: &mut Option<Self>,
         (order, revision): (&MeshOrder, u64),

@@ -1,4 +1,4 @@
-//! The files that recipes ask for, by the digests of their bytes.
+//! The files that recipes name, found by the digests of their bytes.
 
 use crate::generators::MissingFile;
 use crate::modelfiles::Reading;
@@ -6,14 +6,14 @@ use crate::notice::Notice;
 use crate::recipe::NamedFile;
 use std::sync::Arc;
 
-/// A file that a recipe asks for.
+/// A file that a recipe needs.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct AskedFile {
-    /// The key of the parameter that names it.
+    /// The key of the parameter that names the file.
     pub role: &'static str,
-    /// `None` while the recipe names none.
+    /// The file; `None` while the recipe names none.
     pub file: Option<NamedFile>,
-    /// Whether z is up in it.
+    /// Whether the file's z axis points up.
     pub is_z_up: bool,
 }
 
@@ -23,17 +23,17 @@ impl AskedFile {
     }
 }
 
-/// The files that were given.
+/// The received files, the oldest first.
 #[derive(Default)]
 pub(crate) struct GivenFiles {
     files: Vec<(u64, Arc<Vec<u8>>)>,
 }
 
-/// At least this many bytes of files are kept, and the last file; the one given first goes first.
+/// Bytes of the newest files that are kept. An older file is dropped unless a recipe needs it.
 const KEPT: usize = 1 << 26;
 
 impl GivenFiles {
-    /// Takes a file. Those that are asked for stay.
+    /// Adds a file. Older files are dropped beyond [`KEPT`] bytes, but not those in `asked`.
     pub fn give(&mut self, digest: u64, bytes: Vec<u8>, asked: &[AskedFile]) {
         if self.find(digest).is_some() {
             return;
@@ -55,13 +55,13 @@ impl GivenFiles {
         found.map(|(_, bytes)| bytes)
     }
 
-    /// Whether a file that is asked for has been given.
+    /// Whether a needed file is there.
     pub fn has(&self, asked: &AskedFile) -> bool {
         let file = asked.file.as_ref();
         file.is_some_and(|file| self.find(file.digest).is_some())
     }
 
-    /// The files that are asked for and have not been given.
+    /// The needed files that are not there.
     pub fn missing(&self, asked: &[AskedFile]) -> impl Iterator<Item = MissingFile> {
         let missing = asked.iter().filter(|one| !self.has(one));
         missing.map(|AskedFile { role, file, .. }| MissingFile {
@@ -73,12 +73,12 @@ impl GivenFiles {
         })
     }
 
-    /// The number of files that are asked for and have been given.
+    /// The number of needed files that are there.
     pub fn count(&self, asked: &[AskedFile]) -> u64 {
         asked.iter().filter(|one| self.has(one)).count() as u64
     }
 
-    /// The reading of a file.
+    /// A reader for a file; `None` if the file is not there.
     pub fn reading(&self, file: &NamedFile) -> Option<Result<Reading, Notice>> {
         let bytes = self.find(file.digest)?;
         Some(Reading::new(&file.name, bytes.clone()))

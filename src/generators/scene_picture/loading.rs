@@ -1,4 +1,4 @@
-//! The surfaces of files: read, checked, mended, one after the other.
+//! Reads, checks and mends the surfaces of files, one after the other.
 
 use super::given_files::{AskedFile, GivenFiles};
 use crate::modelfiles::Reading;
@@ -11,30 +11,30 @@ use std::sync::Arc;
 /// The surfaces of files.
 #[derive(Default)]
 pub(crate) struct Loaded {
-    /// A surface for each file that was asked for, mended.
+    /// The mended surface of each needed file.
     pub meshes: Vec<Arc<TriMesh>>,
-    /// The faults that were mended.
+    /// Notices about mended faults.
     pub notices: Vec<Notice>,
 }
 
-/// Surfaces in the making.
+/// Surfaces that are being loaded.
 #[derive(Default)]
 pub(crate) struct Loading {
     loaded: Loaded,
     file: Option<LoadingFile>,
 }
 
-/// The surface of a file in the making.
+/// The surface that is being loaded.
 enum LoadingFile {
     Reading(Box<Reading>),
     Mending(Box<Mending>),
 }
 
 impl Loading {
-    /// One slice; the surfaces when they are done.
+    /// Does one slice of the work; returns the surfaces when all are done.
     ///
     /// # Errors
-    /// Where a file is not there, or cannot be read.
+    /// If a file is missing or cannot be read.
     pub fn advance(
         asked: &[AskedFile],
         work: &mut Option<Loading>,

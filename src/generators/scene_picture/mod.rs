@@ -1,12 +1,12 @@
-//! The finisher of scenes: the picture, frames of a camera that moves, pictures of views, files of bodies and files
-//! that recipes ask for. A generator lends its scenes as a [`SceneSource`] and keeps one [`ScenePicture`].
+//! The finisher of scenes: the picture, frames of a moving camera, pictures of views, files of bodies, and files that
+//! recipes name. A generator implements [`SceneSource`] and keeps one [`ScenePicture`].
 
 mod files;
 mod given_files;
 mod loading;
 mod picture;
 mod still;
-// They read files with a library that only native builds have.
+// The tests read files with a library that only native builds have.
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests;
 mod view;

@@ -1,5 +1,4 @@
-//! Scenes that a generator lends, on a turntable: frames of the picture's bodies, or of a view of the work as it goes
-//! on.
+//! A generator's scenes on a turntable: frames of the picture's bodies, or of a view of unfinished work.
 
 use super::still::StillParams;
 use super::yaw::{clockwise, seen_by, turned, turned_cut};
@@ -10,31 +9,31 @@ use crate::notice::{Code, Notice};
 use crate::scene::{Frame, Order, Scene};
 use glam::Vec3;
 
-/// A place may lie this far behind the surface that is seen and still count as seen, in units of the scene.
+/// A place counts as visible up to this distance behind the visible surface, in units of the scene.
 const BURIED: f32 = 0.06;
 
 /// A generator's scenes, which are made in slices.
 pub(crate) trait SceneSource: Sized {
-    /// Names a scene: its view, and the work that it shows.
+    /// Identifies a scene: its view, and the state of the work in it.
     type Key: Copy + PartialEq;
-    /// A scene that is made, with all that the generator keeps of it.
+    /// A finished scene, with everything that the generator keeps of it.
     type Subject: AsRef<Scene>;
-    /// A scene in the making.
+    /// An unfinished scene.
     type Making;
 
     /// The pictures of these scenes.
     fn scene_picture(&mut self) -> &mut ScenePicture<Self>;
 
-    /// The scene that the words of a view ask for now; `None` while there is none.
+    /// The key of the present scene of a view; `None` while there is none.
     fn key(&self, view: &str) -> Option<Self::Key>;
 
-    /// Whether a scene shows the same as another one, some time later. Then a frame that has begun is finished first:
-    /// otherwise bodies that move would never be seen.
+    /// Whether the second scene is a later state of the first. Then an unfinished frame of the first is finished
+    /// before the second begins. Otherwise no frame of moving bodies would ever be finished.
     fn is_later(&self, _before: Self::Key, _after: Self::Key) -> bool {
         false
     }
 
-    /// Begins a scene. It may take the one that is shown and change it.
+    /// Begins a scene. It may take the shown scene and change it.
     fn begin(&self, key: Self::Key, shown: &mut Option<(Self::Key, Self::Subject)>)
     -> Self::Making;
 
@@ -56,13 +55,13 @@ pub(crate) trait SceneSource: Sized {
 /// The pictures of a generator's scenes.
 pub(crate) struct ScenePicture<S: SceneSource> {
     table: Turntable,
-    /// The scene that is shown.
+    /// The shown scene.
     shown: Option<(S::Key, S::Subject)>,
-    /// The number of that scene, which no other one has.
+    /// The number of the shown scene, unique among all scenes of this generator.
     number: u64,
-    /// The next scene, in the making.
+    /// The next scene, while it is made.
     making: Option<(S::Key, S::Making)>,
-    /// The pixels of the view drawn last.
+    /// The pixels of the last drawn view.
     pub(super) view: Vec<u8>,
 }
 
@@ -78,11 +77,10 @@ impl<S: SceneSource> Default for ScenePicture<S> {
     }
 }
 
-/// Works for about `budget` milliseconds on a frame of a generator's scene. Begins anew where the order is another one
-/// than the last time.
+/// Works for about `budget` milliseconds on a frame of a generator's scene. Starts again if the order has changed.
 ///
 /// # Errors
-/// A notice where there is no scene yet, or no such frame.
+/// A notice if there is no scene yet, or no such frame.
 pub(crate) fn turn<S: SceneSource>(
     source: &mut S,
     order: &TurnOrder,
@@ -103,12 +101,12 @@ pub(crate) fn turn<S: SceneSource>(
 }
 
 impl<S: SceneSource> ScenePicture<S> {
-    /// The frame last finished.
+    /// The last finished frame.
     pub fn frame(&self) -> Option<&Frame> {
         self.table.frame()
     }
 
-    /// The scene that is shown.
+    /// The shown scene with its key.
     pub fn shown(&self) -> Option<(S::Key, &S::Subject)> {
         self.shown.as_ref().map(|(key, subject)| (*key, subject))
     }
@@ -117,7 +115,7 @@ impl<S: SceneSource> ScenePicture<S> {
         Some(self.shown()?.1.as_ref())
     }
 
-    /// Makes the scene of a view; nothing where it is there, or cannot be made yet.
+    /// Works on the scene of a view. `None` if the scene is finished, or cannot be made yet.
     fn choose(
         &mut self,
         source: &mut S,
@@ -191,7 +189,7 @@ impl<S: SceneSource> ScenePicture<S> {
         self.table.advance(&stand, order, clock, left)
     }
 
-    /// The body at a pixel of the frame last finished, of a scene that is turned by `yaw` degrees.
+    /// The body at a pixel of the last finished frame, whose scene is turned by `yaw` degrees.
     pub fn body_at(&self, yaw: f64, x: usize, y: usize) -> Option<SeenBody> {
         let scene = self.scene()?;
         let place = self.frame()?.instance_at(x, y)?;
@@ -205,7 +203,7 @@ impl<S: SceneSource> ScenePicture<S> {
         })
     }
 
-    /// The place in the scene that is seen at a pixel of the frame last finished; `None` where there is no body.
+    /// The place in the scene at a pixel of the last finished frame; `None` if there is no body.
     pub fn place_at(&self, x: usize, y: usize) -> Option<Vec3> {
         let frame = self.frame()?;
         frame.instance_at(x, y)?;
@@ -216,7 +214,7 @@ impl<S: SceneSource> ScenePicture<S> {
         place.is_finite().then_some(place)
     }
 
-    /// The pixel of a place in the frame last finished; `None` where the place is not seen.
+    /// The pixel of a place in the last finished frame; `None` if the place is not visible.
     pub fn pixel_of(&self, place: Vec3) -> Option<[f64; 2]> {
         let frame = self.frame()?;
         let [width, height] = frame.order().size;

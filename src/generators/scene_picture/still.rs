@@ -1,4 +1,4 @@
-//! The picture: the bodies as the generator's camera sees them, in slices.
+//! The picture: the bodies seen by the generator's camera, drawn in slices.
 
 use super::yaw::{seen_by, turned};
 use crate::generators::lighting::LightParams;
@@ -7,22 +7,22 @@ use crate::notice::Notice;
 use crate::scene::{Backdrop, Camera, Frame, Lighting, Order, Scene, Sharpness};
 use std::rc::Rc;
 
-/// The work of one slice, in triangles drawn or pixels shaded.
+/// The amount of work in one slice: drawn triangles or shaded pixels.
 const SLICE: usize = 20_000;
 
-/// How the picture is seen and lit.
+/// Camera and light of the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StillParams {
-    /// The camera, for a scene that is not turned.
+    /// The camera for a scene that is not turned.
     pub camera: Camera,
     pub light: LightParams,
-    /// Degrees that the scene is turned by, clockwise seen from above.
+    /// The degrees by which the scene is turned, clockwise seen from above.
     pub yaw: f64,
     /// Pixels along the picture's side.
     pub side: usize,
 }
 
-/// A picture in the making.
+/// An unfinished picture.
 pub(crate) struct Still {
     scene: Rc<Scene>,
     light: Lighting,
@@ -30,7 +30,7 @@ pub(crate) struct Still {
 }
 
 impl Still {
-    /// Nothing drawn yet.
+    /// A picture without anything drawn yet.
     pub fn new(params: &StillParams, scene: Rc<Scene>) -> Self {
         let order = Order {
             camera: turned(params.camera, params.yaw),
@@ -54,7 +54,7 @@ impl Still {
         }
     }
 
-    /// One slice; the picture when it is done.
+    /// Does one slice of the work; returns the picture when it is finished.
     pub fn advance(&mut self) -> Result<Option<Vec<u8>>, Notice> {
         let lit = self.light.advance(&self.scene, SLICE);
         let done = lit && self.frame.advance(&self.scene, &self.light, SLICE);

@@ -1,4 +1,4 @@
-//! A generator of plain boxes that has nothing but the finisher.
+//! Tests of the finisher with a generator of plain boxes that has no other stages.
 
 use super::*;
 use crate::export::{MeshFormat, MeshOrder, SceneFile};
@@ -214,7 +214,7 @@ fn bodies_share_meshes_in_a_file() {
     let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
     let json: serde_json::Value = serde_json::from_slice(&glb[20..20 + length]).unwrap();
     let count = |key: &str| json[key].as_array().unwrap().len();
-    // A mesh for each paint, of one surface; the first node holds the bodies.
+    // One surface as a mesh with each paint; the bodies are in the first node.
     assert_eq!(
         (count("meshes"), count("accessors"), count("nodes")),
         (2, 4, 11)
@@ -267,13 +267,13 @@ fn count(frame: &Frame, id: u32) -> usize {
 fn a_plane_cuts_bodies_away() {
     let mut source = boxes([Some(RED), Some(GREEN)]);
     let all = [1, 2].map(|id| count(source.frame("still"), id));
-    // The right box is beyond the plane, the left one is not.
+    // The plane cuts away the right box, but not the left one.
     let frame = source.frame("still+whole=1,0,0,0");
     assert_eq!([1, 2].map(|id| count(frame, id)), [all[0], 0]);
-    // Its middle is not beyond this one.
+    // The middles of both boxes are on the kept side of this plane.
     let frame = source.frame("still+whole=1,0,0,0.35");
     assert_eq!([1, 2].map(|id| count(frame, id)), all);
-    // The upper half of both goes; the caps face up, in the plane.
+    // The upper halves of both are cut away; the caps lie in the plane and face up.
     let frame = source.frame("still+through=0,2,0,0.2");
     let left = [1, 2].map(|id| count(frame, id));
     assert!(
@@ -307,7 +307,7 @@ fn what_is_cut_away_casts_no_shadow() {
     let shadowed = darkest(floor(source.frame("still")));
     let cut = darkest(floor(source.frame("still+whole=0,1,0,-1")));
     assert!(cut > shadowed, "{cut} {shadowed}");
-    // Half a box still has a shadow.
+    // Half a box still casts a shadow.
     let half = darkest(floor(source.frame("still+through=0,1,0,0.2")));
     assert!(half < cut, "{half} {cut}");
 }

@@ -1,9 +1,9 @@
-//! Pictures of views, as the generator's camera sees them.
+//! Pictures of views, seen by the generator's camera.
 
 use super::picture::{SceneSource, turn};
 use crate::generators::{Clock, TurnOrder};
 
-/// The picture of a view; white before there is any.
+/// The picture of a view; white until the first one is finished.
 pub(crate) fn view<'a, S: SceneSource>(source: &'a mut S, words: &str) -> &'a [u8] {
     let side = source.still().side;
     match source.finished(words).map(<[u8]>::to_vec) {
@@ -17,7 +17,7 @@ pub(crate) fn view<'a, S: SceneSource>(source: &'a mut S, words: &str) -> &'a [u
     pixels
 }
 
-/// Draws some of a view; true when [`view`] has nothing to do that takes long.
+/// Works on the picture of a view for about `budget` milliseconds; true if [`view`] has no long work left.
 pub(crate) fn prepare<S: SceneSource>(
     source: &mut S,
     words: &str,

@@ -1,18 +1,18 @@
-//! A model that is turned about its upright axis: viewer and light go round it the other way, so bodies stay as they are.
+//! A model turned about its upright axis. Instead of the bodies, camera and light are turned the other way.
 
 use crate::generators::lighting::LightParams;
 use crate::light::Light;
 use crate::scene::{Camera, Cut};
 use glam::Vec3;
 
-/// Clockwise seen from above, by degrees.
+/// The place (x, z) turned clockwise by `degrees`, seen from above.
 pub(super) fn clockwise([x, z]: [f64; 2], degrees: f64) -> [f64; 2] {
     let angle = degrees.to_radians();
     let (sin, cos) = (libm::sin(angle), libm::cos(angle));
     [x * cos - z * sin, x * sin + z * cos]
 }
 
-/// The camera that sees the model as `camera` does where it is turned by `yaw`.
+/// The camera that sees the model as `camera` sees it turned by `yaw` degrees.
 pub(super) fn turned(camera: Camera, yaw: f64) -> Camera {
     if yaw == 0.0 {
         return camera;
@@ -26,7 +26,7 @@ pub(super) fn turned(camera: Camera, yaw: f64) -> Camera {
     }
 }
 
-/// The plane that cuts the model as `cut` does where it is turned by `yaw`.
+/// The plane that cuts the model as `cut` cuts it turned by `yaw` degrees.
 pub(super) fn turned_cut(cut: Cut, yaw: f64) -> Cut {
     let [x, y, z] = cut.normal.to_array();
     let [x, z] = clockwise([x, z].map(f64::from), -yaw);
@@ -36,7 +36,7 @@ pub(super) fn turned_cut(cut: Cut, yaw: f64) -> Cut {
     }
 }
 
-/// The light that falls on the model as `light` does where it is turned by `yaw`.
+/// The light that falls on the model as `light` falls on it turned by `yaw` degrees.
 pub(super) fn seen_by(light: &LightParams, yaw: f64) -> LightParams {
     let mut light = light.clone();
     light.shade.light = match light.shade.light {
@@ -71,7 +71,7 @@ mod tests {
         assert_eq!(turned(camera, 0.0), camera);
         let quarter = turned(camera, 90.0);
         assert_eq!(quarter.angle, -70.0);
-        // From above, x to the right and z down: clockwise goes from x to z.
+        // Seen from above, x points to the right and z down, so clockwise is from x to z.
         let wanted = [-0.2, 0.1, -0.3];
         let off = quarter
             .target

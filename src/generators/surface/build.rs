@@ -1,4 +1,4 @@
-//! The first stage: a surface that cells of the asked sizes can be packed on.
+//! The first stage: a surface fit for cells of the wanted sizes.
 
 use super::params::{On, Sizes, Source, SurfaceParams};
 use super::tracing;
@@ -15,42 +15,42 @@ use crate::trimesh::{MeshBuilding, Search, Simplifying, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Edges are divided for smaller cells where these are smaller than this part of the mean.
+/// Edges are divided further if the smallest cells are smaller than this part of the mean.
 const VARIES: f64 = 0.6;
-/// Triangles for a cell that are plenty: of more, a simpler surface is packed.
+/// If there are more triangles for a cell than this, a simpler surface is packed.
 const PLENTY: f64 = 60.0;
-/// Triangles for a cell that a simpler surface has, before its edges are divided.
+/// Triangles for a cell on a simpler surface, before its edges are divided.
 const SIMPLE: f64 = 6.0;
-/// How far a simpler surface may be off, in sizes of cells.
+/// The greatest error of a simpler surface, in sizes of cells.
 const OFF: f64 = 0.2;
 
 /// A surface ready for its fields.
 pub(super) struct Built {
-    /// What cells are packed on.
+    /// The mesh on which cells are packed.
     pub mesh: Arc<TriMesh>,
-    /// What stones stand on: not cut, and as fine as it was given.
+    /// The mesh on which stones stand: not cut, and as fine as given.
     pub whole: Arc<TriMesh>,
-    /// Brings cells from the one to the other, where they are not the same surface.
+    /// Brings cells from the first to the second, if they differ.
     pub search: Option<Search>,
     pub bones: Vec<Bone>,
-    /// From head to tail, where there are no bones.
+    /// The main direction from head to tail, if there are no bones.
     pub main: DVec3,
     pub notices: Vec<Notice>,
 }
 
-/// A surface in the making.
+/// A surface in progress.
 pub(super) struct Building {
     step: Step,
     /// The mean size of cells.
     size: f64,
-    /// What stones stand on, where that is another surface than the one at work.
+    /// The mesh for stones, if it differs from the current one.
     whole: Option<Arc<TriMesh>>,
     search: Option<Search>,
     notices: Vec<Notice>,
 }
 
 enum Step {
-    /// Coarsely, to know its area.
+    /// A coarse version, to find its area.
     Sketch(Box<ShapeMaking>),
     SketchMesh(Box<MeshBuilding>),
     Shape(Box<ShapeMaking>),
@@ -68,14 +68,14 @@ enum Step {
     None,
 }
 
-/// Triangles that are put into a search in one slice.
+/// Triangles in a slice of a search tree.
 const SEARCHED: usize = 1 << 14;
 
 impl Building {
-    /// One slice. `loaded` is the file's surface, for one from a file.
+    /// Does one slice. `loaded` is the file's surface, if the surface comes from a file.
     ///
     /// # Errors
-    /// Where there is none, or it would have too many triangles or cells.
+    /// If there is none, or it would have too many triangles or cells.
     pub fn advance(
         params: &SurfaceParams,
         work: &mut Option<Building>,
@@ -207,7 +207,7 @@ impl Building {
         })
     }
 
-    /// The sketch of a shape tells its area, and so the mean size and the edges that are wanted.
+    /// The sketch of a shape gives its area, and so the mean size and the wanted length of edges.
     fn shaped(&mut self, params: &SurfaceParams, sketch: TriMesh) -> Step {
         self.size = size_for(&params.sizes, sketch.area());
         let Source::Shape(shape, numbers) = &params.source else {
@@ -221,7 +221,7 @@ impl Building {
         Refining::evenly(mesh, SHARE * self.size)
     }
 
-    /// Where sizes differ much, edges are to be as short as the smallest cells need.
+    /// If sizes differ much, edges become as short as the smallest cells need.
     fn sized(&mut self, params: &SurfaceParams, mesh: TriMesh) -> Step {
         let sizes = &params.sizes;
         if sizes.taper.is_none() && sizes.curvature.is_none() && sizes.spots.is_empty() {
@@ -267,7 +267,7 @@ impl Building {
         }
     }
 
-    /// The surface, where all steps are done.
+    /// The surface, when all steps are done.
     fn finish(&mut self, params: &SurfaceParams) -> Option<Built> {
         let Step::End(..) = self.step else {
             return None;
@@ -318,7 +318,7 @@ fn sizing(params: &SurfaceParams, mesh: Arc<TriMesh>, size: SizeParams) -> Step 
     Step::Sizes(mesh, Box::new(builder))
 }
 
-/// What sizes are made by on a mesh; spots need a search.
+/// The parameters of sizes on a mesh; spots need a search.
 pub(super) fn size_params(sizes: &Sizes, mesh: &TriMesh, search: Option<&Search>) -> SizeParams {
     SizeParams {
         amount: Amount::Count(sizes.count),
@@ -331,7 +331,7 @@ pub(super) fn size_params(sizes: &Sizes, mesh: &TriMesh, search: Option<&Search>
     }
 }
 
-/// The bones of a shape as fields have them: closed ones come back to where they began.
+/// The bones of a shape in the form for fields: closed ones return to their first point.
 fn bones(shape: Shape, numbers: &[f64]) -> Vec<Bone> {
     let open = |bone: ShapeBone| {
         let (mut points, mut radii) = (bone.points, bone.radii);
@@ -346,7 +346,7 @@ fn bones(shape: Shape, numbers: &[f64]) -> Vec<Bone> {
     shape.bones(numbers).into_iter().map(open).collect()
 }
 
-/// Without the triangles of parts that are smaller than a cell.
+/// The mesh without parts that are smaller than a cell.
 fn without(mesh: TriMesh, bare: &[bool]) -> TriMesh {
     if !bare.contains(&true) {
         return mesh;

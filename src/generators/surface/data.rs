@@ -1,4 +1,4 @@
-//! What was made as text, for whoever measures.
+//! The results as text, for measurements.
 
 use super::Surface;
 use crate::export::{model_obj, surface_cells_json, surface_mesh_json};
@@ -6,7 +6,7 @@ use crate::mesh::Face;
 use glam::DVec3;
 
 impl Surface {
-    /// Files of what was made, as text: names and contents.
+    /// The results as text files: names and contents.
     pub(super) fn files(&self) -> Vec<(&'static str, String)> {
         let cells = self
             .made

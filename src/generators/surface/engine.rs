@@ -1,4 +1,4 @@
-//! A surface as one of the generators: what the studio asks of it.
+//! The engine of surfaces, for the studio.
 
 use super::Surface;
 use super::params::Params;

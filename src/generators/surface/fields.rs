@@ -1,4 +1,4 @@
-//! The second stage: what cells should be at each place of the surface, and whether they fit there.
+//! The second stage: the size and shape wanted at each place of the surface, and whether cells fit there.
 
 use super::build::{Built, size_params};
 use super::params::{FieldParams, Follow};
@@ -11,25 +11,25 @@ use crate::surface_field::{
 };
 use crate::trimesh::Search;
 
-/// Triangles that are put into a search in one slice.
+/// Triangles in a slice of a search tree.
 const SEARCHED: usize = 1 << 14;
 
-/// The fields, and what is to be said of them.
+/// The fields, with notices about them.
 pub(super) struct Fielded {
     pub fields: SurfaceFields,
-    /// What shapes them by hand.
+    /// The painted strokes.
     pub strokes: Vec<Stroke>,
     pub notices: Vec<Notice>,
 }
 
-/// Fields in the making.
+/// Fields in progress.
 pub(super) struct Fielding {
     strokes: Vec<Stroke>,
     step: Step,
 }
 
 enum Step {
-    /// To find the places of what is drawn.
+    /// Finds the places of painted items.
     Search(Box<Search>),
     Fields(Box<SurfaceFieldBuilder>),
     Grid(Box<(SurfaceFields, Search)>),
@@ -37,10 +37,10 @@ enum Step {
 }
 
 impl Fielding {
-    /// One slice.
+    /// Does one slice.
     ///
     /// # Errors
-    /// Where cells do not fit on the surface, or there would be too many.
+    /// If cells do not fit on the surface, or there would be too many.
     pub fn advance(
         params: &FieldParams,
         work: &mut Option<Fielding>,
@@ -97,7 +97,7 @@ impl Fielding {
         Ok(None)
     }
 
-    /// With what is drawn found by a search, where anything is.
+    /// Starts, with the painted items found by a search, if there are any.
     fn begin(params: &FieldParams, built: &Built, search: Option<&Search>) -> Self {
         let traced = |rows: &[Vec<i64>]| {
             let find = |search| tracing::strokes(&built.mesh, search, rows, params.reach);
@@ -128,7 +128,7 @@ fn field_params(
     let mesh = &built.mesh;
     let has_bones = !built.bones.is_empty();
     let counts = |follow: Follow, own: Follow| if follow == own { 1.0 } else { 0.0 };
-    // A shape without bones has a main direction in their place.
+    // A shape without bones uses its main direction instead.
     let along = |own: Follow| match has_bones {
         true => [counts(Follow::Axis, own), counts(Follow::Bones, own)],
         false => [counts(Follow::Axis, own) + counts(Follow::Bones, own), 0.0],

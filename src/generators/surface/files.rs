@@ -1,4 +1,4 @@
-//! What can be taken out of a finished surface.
+//! Files of a finished surface.
 
 use super::Surface;
 use super::stages::stones_params;

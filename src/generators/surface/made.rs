@@ -1,4 +1,4 @@
-//! What the stages have made so far, finished or not.
+//! The results of the stages so far, finished or not.
 
 use super::build::Built;
 use super::fields::Fielded;
@@ -12,7 +12,7 @@ use crate::surface_cells::SurfaceMesh;
 use crate::surface_packing::{Site, SurfacePacking};
 use std::rc::Rc;
 
-/// How often some of it was made.
+/// Revisions of some results.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Revisions {
     pub fields: u64,
@@ -21,27 +21,27 @@ pub(super) struct Revisions {
 }
 
 impl Stages {
-    /// The surface, if it is of the parameters at work.
+    /// The surface, if it was made with the present parameters.
     pub fn built(&self) -> Option<&Built> {
         self.current(&self.built)
     }
 
-    /// The surface last made.
+    /// The last surface.
     pub fn last_built(&self) -> Option<&Built> {
         self.built.made()
     }
 
-    /// The site last made.
+    /// The last site.
     pub fn site(&self) -> Option<&Site> {
         self.site.made()
     }
 
-    /// The fields of the surface that is there.
+    /// The fields of the present surface.
     pub fn fresh_fields(&self) -> Option<&Fielded> {
         self.current(&self.fields)
     }
 
-    /// The packing at work on the fields that are there, or the one that came of it.
+    /// The packing in progress on the present fields, or the finished one.
     pub fn live_packing(&self) -> Option<&SurfacePacking> {
         match self.begun(&self.packing) {
             Some(packs) => packs.moving(),
@@ -49,7 +49,7 @@ impl Stages {
         }
     }
 
-    /// The number of the surface last made, and of what was made on it.
+    /// The revision of the last surface, and those of the results on it.
     pub fn revisions(&self) -> (u64, Revisions) {
         let revisions = Revisions {
             fields: self.fields.revision(),
@@ -59,60 +59,60 @@ impl Stages {
         (self.built.revision(), revisions)
     }
 
-    /// The packing at work, or the last one.
+    /// The packing in progress, or the last one.
     pub fn packing(&self) -> Option<&SurfacePacking> {
         let moving = self.packing.work().and_then(Packs::moving);
         moving.or(self.packing.made())
     }
 
-    /// The packing at work, and its site. The packing keeps the answers to some questions.
+    /// The packing in progress, and its site. The packing is mutable because it caches measures such as its energy.
     pub fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &Site)> {
         let moving = self.packing.work_mut().and_then(Packs::moving_mut);
         moving.zip(self.site.made())
     }
 
-    /// Do cells move?
+    /// Whether cells are moving.
     pub fn is_moving(&self) -> bool {
         let moving = self.begun(&self.packing).and_then(Packs::moving);
         self.at() == Some(PACKING) && moving.is_some_and(|packing| !packing.is_in_a_step())
     }
 
-    /// What the last step did.
+    /// The report of the last step.
     pub fn report(&self) -> StepReport {
         self.packing()
             .map(SurfacePacking::report)
             .unwrap_or_default()
     }
 
-    /// The cells' mesh last made.
+    /// The last mesh of cells.
     pub fn mesh(&self) -> Option<&SurfaceMesh> {
         self.mesh.made()
     }
 
-    /// The cells last made.
+    /// The last cells.
     pub fn paved(&self) -> Option<&Paved> {
         self.paved.made()
     }
 
-    /// The scene of stones last made, and its number.
+    /// The last scene of stones, and its revision.
     pub fn scene(&self) -> Option<(&Rc<Scene>, u64)> {
         Some((&self.stones.made()?.scene, self.stones.revision()))
     }
 
-    /// Are there stones of the packing that is there, though others may be asked for?
+    /// Whether there are stones of the present packing, even if other ones are wanted.
     pub fn has_stones(&self) -> bool {
         let is_packed = self.is_fresh(&self.packing);
         let bodies = self.stones.made().filter(|_| is_packed);
         bodies.is_some_and(|bodies| bodies.packing == self.packing.revision())
     }
 
-    /// Its digest; empty before there is one.
+    /// The digest of the scene; empty before there is one.
     pub fn digest(&self) -> String {
         let bodies = self.stones.made();
         bodies.map_or(String::new(), |bodies| bodies.digest.clone())
     }
 
-    /// How much of the stones is done.
+    /// How many stones are done.
     pub fn stones(&self) -> usize {
         match (self.stones.work(), self.paved.made()) {
             (Some(work), Some(paved)) => {
@@ -123,12 +123,12 @@ impl Stages {
         }
     }
 
-    /// The picture last made.
+    /// The last picture.
     pub fn picture(&self) -> &[u8] {
         self.still.made().map_or(&[], Vec::as_slice)
     }
 
-    /// Grows with all that views may show of the packing.
+    /// Grows with every change of the packing that views may show.
     pub fn changes(&self) -> u64 {
         self.packing.slices() + self.packing.revision()
     }

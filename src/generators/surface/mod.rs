@@ -71,14 +71,14 @@ pub static SURFACE: Generator = Generator {
 pub struct Surface {
     made: Stages,
     picture: ScenePicture<Surface>,
-    /// The bare surface that views share, and its number.
+    /// The bare surface that views share, and its revision.
     ground: Option<(u64, Ground)>,
-    /// The mesh file in the making.
+    /// The unfinished mesh file.
     saving: Option<Saving<ModelFile>>,
 }
 
 impl Surface {
-    /// With all its work before it.
+    /// Starts with all its work to be done.
     pub fn new(recipe: &Recipe) -> Self {
         Self {
             made: Stages::new(&Params::new(recipe)),

@@ -1,4 +1,4 @@
-//! From a recipe to what each stage works by.
+//! Turns a recipe into the parameters of each stage.
 
 use super::schema::{FILE, ROWS, keys};
 use crate::field::Kind;
@@ -15,10 +15,10 @@ use crate::surface_field::{Along, ByCurvature, Taper};
 use crate::surface_stones::Open;
 use glam::DVec3;
 
-/// Picture units along a cell of mean size: stones are as fine as those of a picture with such cells.
+/// Picture units along a cell of mean size: stones have the detail of a picture with such cells.
 pub(super) const UNIT: f64 = 24.0;
 
-/// What the stages work by.
+/// The parameters of the stages.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Params {
     pub surface: SurfaceParams,
@@ -27,48 +27,48 @@ pub(super) struct Params {
     pub cells: CellParams,
     pub stones: StoneLook,
     pub light: LightParams,
-    /// Degrees that the model is turned by, clockwise seen from above.
+    /// The degrees by which the model is turned, clockwise seen from above.
     pub yaw: f64,
     /// Pixels along the picture's side.
     pub side: usize,
 }
 
-/// What cells are packed on.
+/// The mesh on which cells are packed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum On {
-    /// The surface itself, or where that is far finer than cells need a simpler one.
+    /// The surface itself, or a simpler one if the surface is far finer than cells need.
     Fit,
     /// The surface itself.
     Whole,
-    /// A simpler one: cells are brought back to the surface from there.
+    /// A simpler one; cells are then carried to the surface.
     Simple,
 }
 
-/// Where a surface comes from.
+/// The source of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Source {
-    /// By rule, with its numbers.
+    /// A shape by rule, with its numbers.
     Shape(Shape, Vec<f64>),
     /// From a file.
     Model(AskedFile),
 }
 
-/// What the surface is made by.
+/// The parameters of the surface.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SurfaceParams {
     pub source: Source,
-    /// What cells are packed on.
+    /// The mesh on which cells are packed.
     pub on: On,
     /// The angle from which on creases are cut.
     pub cut: Option<f64>,
     pub sizes: Sizes,
 }
 
-/// How large cells are.
+/// The sizes of cells.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sizes {
     pub kind: Kind,
-    /// About so many.
+    /// About how many cells there are.
     pub count: f64,
     pub taper: Option<Taper>,
     pub curvature: Option<ByCurvature>,
@@ -76,7 +76,7 @@ pub(super) struct Sizes {
     pub spots: Vec<[f64; 5]>,
 }
 
-/// What rows follow.
+/// The source of directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Follow {
     Bones,
@@ -87,7 +87,7 @@ pub(super) enum Follow {
     Free,
 }
 
-/// What the fields are made by.
+/// The parameters of the fields.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FieldParams {
     pub sizes: Sizes,
@@ -98,25 +98,25 @@ pub(super) struct FieldParams {
     pub flow: Follow,
     pub towards: DVec3,
     pub angle: f64,
-    /// Radians; creases that are not cut guide the rows.
+    /// In radians; creases that are not cut guide the rows.
     pub crease: f64,
     /// Rows of [`crate::recipe::Item::Trace`].
     pub strokes: Vec<Vec<i64>>,
     pub lines: Vec<Vec<i64>>,
-    /// Sides of the box around the model.
+    /// The width of strokes, in sides of the model's bounding box.
     pub reach: f64,
 }
 
-/// What cells wear, and which way they lean.
+/// The coats of cells, and the sense in which scales lean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CellParams {
     pub colour: ColourParams,
     pub seed: u64,
-    /// The flow goes the other way.
+    /// Whether the flow is reversed.
     pub flip: bool,
 }
 
-/// What stones are made by.
+/// The parameters of stones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct StoneLook {
     pub texture: TextureParams,
@@ -148,7 +148,7 @@ impl Params {
     }
 }
 
-/// The shape by rule that a recipe asks for.
+/// The shape of a recipe, if it is one by rule.
 pub(super) fn shape(recipe: &Recipe) -> Option<Shape> {
     Shape::of_word(recipe.choice(keys::FORM))
 }
@@ -208,7 +208,7 @@ fn sizes(recipe: &Recipe) -> Sizes {
         count: recipe.number(keys::CN),
         taper: (taper != 1.0).then(|| Taper {
             along: match recipe.choice(keys::ALONG) {
-                // What comes from a file has no bones: its main axis is upright.
+                // A model from a file has no bones: its main axis is upright.
                 "bones" if recipe.choice(keys::FORM) != FILE => Along::Bones,
                 word => Along::Axis(towards(word)),
             },

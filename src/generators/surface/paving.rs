@@ -1,4 +1,4 @@
-//! From cells' polygons to all that stones need of them: neighbours, one sense, what they wear.
+//! Turns cells' polygons into cells for stones: with neighbours, agreeing axes, and coats.
 
 use super::build::Built;
 use super::params::{CellParams, UNIT};
@@ -9,12 +9,12 @@ use crate::surface_field::SurfaceFields;
 use crate::surface_stones::{Paving, SurfaceCoats, links, make_one_sense};
 use crate::trimesh::{Search, SurfacePoint};
 
-/// Cells whose coats are made in one slice.
+/// Cells in a slice of coats.
 const CELLS: usize = 500;
-/// Cells brought to another surface in one slice.
+/// Cells in a slice of carrying them to another surface.
 const CARRIED: usize = 200;
 
-/// Cells with all that stones need of them.
+/// Cells with everything that stones need.
 #[derive(Clone, Default)]
 pub(super) struct Paved {
     pub cells: Vec<SurfaceCell>,
@@ -32,7 +32,7 @@ impl Paved {
     }
 }
 
-/// What it is made of.
+/// The inputs of paving.
 #[derive(Clone, Copy)]
 pub(super) struct Meshed<'a> {
     pub mesh: &'a SurfaceMesh,
@@ -40,18 +40,18 @@ pub(super) struct Meshed<'a> {
     pub fields: &'a SurfaceFields,
 }
 
-/// Cells on their way to it.
+/// Cells in progress.
 pub(super) enum Paves {
-    /// To find who is whose neighbour.
+    /// Finds the neighbours of each cell.
     Link(Vec<SurfaceCell>),
     Turn(Paved),
-    /// Brought to the surface that stones stand on, up to this one.
+    /// Carries cells to the surface of the stones; the number is the next cell.
     Carry(Paved, usize),
     Coat(Paved, Box<SurfaceCoats>),
 }
 
 impl Paves {
-    /// One slice; answers with the cells when all is there.
+    /// Does one slice; returns the cells when all is done.
     pub fn advance(params: &CellParams, work: &mut Option<Paves>, from: Meshed) -> Option<Paved> {
         let next = match work.take() {
             None => Paves::Link(from.mesh.surface_cells()),
@@ -101,14 +101,14 @@ fn coating(params: &CellParams, paved: Paved, built: &Built) -> Paves {
     Paves::Coat(paved, Box::new(coats))
 }
 
-/// Picture units for a unit of the model.
+/// Picture units in a unit of the model.
 fn unit(cells: &[SurfaceCell]) -> f64 {
     let sum: f64 = cells.iter().map(|cell| cell.size).sum();
     let mean = sum / cells.len().max(1) as f64;
     if mean > 0.0 { UNIT / mean } else { 1.0 }
 }
 
-/// Brings a cell to the surface that stones stand on.
+/// Carries a cell to the surface of the stones.
 fn carry(cell: &mut SurfaceCell, built: &Built, search: &Search) {
     let along = cell.centre.frame().out(cell.axis);
     cell.centre = search.closest_facing(&built.whole, cell.centre.at, cell.centre.normal);

@@ -1,4 +1,4 @@
-//! What goes beyond single rows: a file is chosen where it is named.
+//! Rules beyond single rows: naming a file selects the form `file`.
 
 use super::schema::{FILE, keys};
 use crate::notice::{Code, Notice};

@@ -25,17 +25,17 @@ pub(super) const WORDS: [&str; 7] = [
     "surface", "fields", "packing", "mesh", "cells", "stones", "light",
 ];
 
-/// The places of some of them.
+/// The indices of some of them.
 pub(super) const PACKING: usize = 2;
-/// Stones, the first stage of the finisher.
+/// The index of the stones, the first stage of the finisher.
 pub(super) const STONES: usize = 5;
 
 /// The bodies on the surface.
 pub(super) struct Bodies {
     pub scene: Rc<Scene>,
-    /// Of all that the scene is made of.
+    /// The digest of the scene.
     pub digest: String,
-    /// Of which packing they are.
+    /// The revision of their packing.
     pub packing: u64,
 }
 
@@ -77,7 +77,7 @@ fn asked(params: &SurfaceParams) -> Vec<AskedFile> {
     }
 }
 
-/// How the picture is seen and lit.
+/// Camera and light of the picture.
 fn still(params: &Params) -> StillParams {
     StillParams {
         camera: SURFACE.camera(),
@@ -88,7 +88,7 @@ fn still(params: &Params) -> StillParams {
 }
 
 impl Stages {
-    /// Nothing made yet.
+    /// Starts with nothing made.
     pub fn new(params: &Params) -> Self {
         Self {
             files: GivenFiles::default(),
@@ -125,7 +125,7 @@ impl Stages {
         self.files.give(digest, bytes, self.loaded.params());
     }
 
-    /// The files that are missing, also before any work has found that.
+    /// The missing files, also before any work has found that out.
     pub fn missing(&self) -> Vec<MissingFile> {
         let asked = match self.is_fresh(&self.loaded) {
             true => &[],
@@ -134,7 +134,7 @@ impl Stages {
         self.files.missing(asked).collect()
     }
 
-    /// What was done to the surface, or is to be said of cells on it.
+    /// Remarks on repairs of the surface, and on the fit of cells.
     pub fn remarks(&self) -> Vec<Notice> {
         let built = self.built().map_or(&[][..], |built| &built.notices);
         let fields = self
@@ -230,7 +230,7 @@ impl Stages {
     }
 }
 
-/// What stones on these cells are made by.
+/// The parameters of stones on these cells.
 pub(super) fn stones_params(look: &StoneLook, cells: &[SurfaceCell]) -> StonesParams {
     StonesParams {
         open: look.open,

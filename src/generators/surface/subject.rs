@@ -1,4 +1,4 @@
-//! What can be seen of the work on a surface, made in slices.
+//! Scenes of the views of a surface, made in slices.
 
 use super::Surface;
 use super::views::View;
@@ -14,13 +14,13 @@ use crate::surface_views::{
 };
 use std::rc::Rc;
 
-/// What a scene is of.
+/// The key of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Of {
     pub view: View,
-    /// The surface that it is on, by its number.
+    /// The revision of its surface.
     pub surface: u64,
-    /// Of which work on it.
+    /// The revision of the shown results on it.
     pub revision: u64,
 }
 
@@ -43,7 +43,7 @@ impl AsRef<Scene> for Subject {
     }
 }
 
-/// A scene in the making.
+/// A scene in progress.
 pub(crate) enum Making {
     Begin(Option<Box<Particles>>),
     Field(Box<FieldView>),
@@ -182,7 +182,7 @@ impl SceneSource for Surface {
 }
 
 impl Surface {
-    /// What is to be read beside a view that is shown.
+    /// The caption of a view that is shown.
     pub(super) fn caption_of(&self, words: &str) -> Option<Notice> {
         let view = View::of_words(words);
         let (of, subject) = self.picture.shown()?;
@@ -220,7 +220,7 @@ fn between(code: Code, [low, high]: [f64; 2]) -> Notice {
         .with("high", text(high))
 }
 
-/// With two decimals at most.
+/// A number with at most two decimals.
 fn text(number: f64) -> String {
     crate::decimal::text((number * 100.0).round() / 100.0)
 }

@@ -1,4 +1,4 @@
-//! What the generator's table and stages promise.
+//! Properties of the generator's table and stages.
 
 use super::params::Params;
 use super::schema::ROWS;
@@ -93,7 +93,7 @@ fn only_what_is_asked_otherwise_is_made_anew() {
             assert_eq!(old.1 < new.1, k >= first, "{key}: {}", old.0);
         }
     }
-    // What was not asked for any more leaves no trace.
+    // Earlier recipes leave no trace.
     let again = finished(&studio.recipe().link());
     assert_eq!(studio.digest(), again.digest());
 }
@@ -108,7 +108,7 @@ fn a_step_back_to_what_is_there_makes_nothing() {
     assert_eq!(studio.runs(), runs);
 }
 
-/// The file that a recipe names, as its link has it.
+/// The file of a recipe, read back from its link.
 fn read_back(file: &NamedFile) -> NamedFile {
     let mut recipe = Recipe::new(&SCHEMA);
     let rows = Some(vec![file.row()]);

@@ -1,4 +1,4 @@
-//! What is drawn on a surface: from the rows of a recipe to strokes and spots, and from a place to its numbers.
+//! Painted items: turns rows of a recipe into strokes and spots, and a place into its numbers.
 
 use super::Surface;
 use crate::recipe::BOX_STEPS;
@@ -7,13 +7,13 @@ use crate::surface_stones::Fit;
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 
-/// The least corner of the box around a mesh, and its longest side.
+/// The least corner of a mesh's bounding box, and its longest side.
 fn unit(mesh: &TriMesh) -> (DVec3, f64) {
     let (low, high) = mesh.bounds();
     (low, (high - low).max_element().max(f64::MIN_POSITIVE))
 }
 
-/// The strokes of rows, each as wide as `reach` sides of the box.
+/// The strokes of rows, with a width of `reach` sides of the box.
 pub(super) fn strokes(
     mesh: &TriMesh,
     search: &Search,
@@ -45,7 +45,7 @@ fn place(mesh: &TriMesh, numbers: [i64; 3]) -> DVec3 {
     low + DVec3::from(numbers.map(|n| n as f64)) * (side / BOX_STEPS)
 }
 
-/// The numbers of a place in space, as rows have them.
+/// The numbers of a place in space, as in rows.
 fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
     let (low, side) = unit(mesh);
     ((p - low) / side * BOX_STEPS)
@@ -55,8 +55,8 @@ fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
 }
 
 impl Surface {
-    /// The place of the model at a pixel of the frame last finished, as rows of strokes and spots have it; nothing
-    /// beside the model.
+    /// The place of the model at a pixel of the last finished frame, as in rows of strokes and spots; `None` beside
+    /// the model.
     pub(super) fn place_seen_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {
         let seen = self.picture.place_at(x, y)?.as_dvec3();
         let built = self.made.last_built()?;
@@ -64,7 +64,7 @@ impl Surface {
         Some(numbers(&built.mesh, seen / fit.scale + fit.middle))
     }
 
-    /// Where such a place is in the frame last finished, in pixels; nothing where it is not seen there.
+    /// Where such a place is in the last finished frame, in pixels; `None` if it is not visible there.
     pub(super) fn pixel_of_place(&self, numbers: [i64; 3]) -> Option<[f64; 2]> {
         let built = self.made.last_built()?;
         let fit = Fit::new(&built.whole);

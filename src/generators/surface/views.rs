@@ -1,4 +1,4 @@
-//! The words for what is looked at.
+//! The words of views.
 
 /// The words of views, in the order of the page.
 pub(super) const WORDS: [&str; 8] = [
@@ -12,7 +12,7 @@ pub(super) const WORDS: [&str; 8] = [
     "curvature",
 ];
 
-/// What a view shows.
+/// The content of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum View {
     /// The packing as it forms, then the stones.
@@ -27,7 +27,7 @@ pub(crate) enum View {
     Mesh,
     /// The direction with its singular points.
     Direction,
-    /// The size asked for.
+    /// The wanted size.
     Size,
     /// The curvature.
     Curvature,
@@ -45,7 +45,7 @@ const ALL: [View; 8] = [
 ];
 
 impl View {
-    /// The first of some words joined by '+' that names one; else [`View::Auto`].
+    /// The view of the first known word among words joined by '+'; else [`View::Auto`].
     pub fn of_words(words: &str) -> Self {
         let place = |word: &str| WORDS.iter().position(|own| *own == word);
         words

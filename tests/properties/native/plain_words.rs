@@ -165,7 +165,7 @@ fn comments_are_plain() {
 #[test]
 fn riddles_are_found() {
     let source = "/// The area. Of one, its name.\n///\n/// What it has.\nlet a = 1; // so\nlet b = 2; // many\n\
-        /* A block\n * of what is so, many\n */\n// There are so\n// many of them.\n//! ```\n//! // What?\n//! ```\n";
+        /* A block\n * of\u{20}what is so, many\n */\n// There are so\n// many of them.\n//! ```\n//! // What?\n//! ```\n";
     let found = riddles(source);
     let expected = [
         "of one, its name.",

@@ -215,7 +215,7 @@ function swung(from: Point, to: Point, leaves: Point | undefined, comes: Point |
   return [from, ...Array.from({ length: pieces - 1 }, (_, k) => hermite(from, out, to, back, (k + 1) / pieces)), to];
 }
 
-/** The stretches of a ring as it is now; straight ones where it had none. */
+/** The stretches of a ring as it is now; straight ones if it had none. */
 function stretched(figure: Figure, side: number): Stretch[] {
   const { points } = figure;
   settle(figure, side);

@@ -6,7 +6,7 @@ export interface Figure {
   points: Point[];
   /** A spot's factor or ratio, the index of a seed's kind, or a road's width in hundredths of the side. */
   value: number;
-  /** The stretches between a ring's points, where they are not straight. */
+  /** The stretches between a ring's points, unless they are straight. */
   stretches?: Stretch[];
 }
 
@@ -38,11 +38,11 @@ export interface Sort {
   form: 'ring' | 'line' | 'spot' | 'seed';
   /** The least number of points of a figure. */
   least: number;
-  /** A sentence that says how to draw one. */
+  /** A sentence on how to draw one. */
   tip: string;
   /** The label of a figure's point. */
   name(place: Place, all: Figure[]): string;
-  /** The meaning of a figure's value; `words` where it is a choice of words. */
+  /** The meaning of a figure's value; `words` if it is a choice of words. */
   value?: FigureValue | undefined;
   /** Drawn as a band whose width is its value, in hundredths of the picture's side. */
   broad?: boolean;

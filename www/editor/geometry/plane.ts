@@ -22,7 +22,7 @@ export function times(a: Point, b: Point): Point {
   return [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]];
 }
 
-/** The complex quotient; 1 where it does not exist. */
+/** The complex quotient; 1 if it does not exist. */
 export function over(a: Point, b: Point): Point {
   const square = b[0] * b[0] + b[1] * b[1];
   return square > 0 ? times(a, [b[0] / square, -b[1] / square]) : [1, 0];

@@ -45,7 +45,7 @@ export function remarks({ rings, left, coarse }: Try): string[] {
   return [...leftOut(left, 'left_out'), ...(coarse ? [t('coarse', { n: number(rings.flat().length), before: number(coarse) })] : [])];
 }
 
-/** A sentence that counts what was left out, where there is anything. */
+/** A sentence with the counts of features that were left out, if there are any. */
 function leftOut(left: Count, word: Word): string[] {
   const parts = LEFT.filter((what) => left[what]).map((what) => t(left[what] === 1 ? `left_${what}_one` : `left_${what}`, { n: number(left[what] ?? 0) }));
   return parts.length ? [t(word, { list: new Intl.ListFormat(language()).format(parts) })] : [];

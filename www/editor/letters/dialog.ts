@@ -271,7 +271,7 @@ function placeOf(across: number): number {
   return (across - ACROSS.min) / (ACROSS.max - ACROSS.min);
 }
 
-/** The number in the page's language, with one decimal where it is small. */
+/** The number in the page's language, with one decimal if it is small. */
 function number(value: number): string {
   return value.toLocaleString(language(), { maximumFractionDigits: value < 20 ? 1 : 0 });
 }

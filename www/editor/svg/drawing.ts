@@ -30,7 +30,7 @@ export interface Piece {
   /** Maps the piece to the drawing's own units. */
   matrix: Matrix;
   rule: Rule;
-  /** The pen of a stroke; `still` where its width stays the same at any scale. */
+  /** The pen of a stroke; `still` if its width stays the same at any scale. */
   pen?: Pen & { still: boolean };
   paint: Exclude<Paint, undefined>;
   /** All clips of the piece. */
@@ -43,7 +43,7 @@ export interface Clip {
 
 export interface Drawing {
   pieces: Piece[];
-  /** The visible part of the drawing; undefined where the file does not say. */
+  /** The visible part of the drawing; undefined if the file does not define it. */
   frame: Box | undefined;
   left: Count;
 }
@@ -62,7 +62,7 @@ interface Around {
   cutting: boolean;
 }
 
-/** Undefined where the text has no drawing. */
+/** Undefined if the text has no drawing. */
 export function drawingOf(text: string): Drawing | undefined {
   const whole = parsed(text);
   const root = [...elements(whole)].find(({ name }) => name === 'svg') ?? [...elements(parsed(`<svg>${text}</svg>`))][0];
@@ -322,7 +322,7 @@ function transformOf(said: Said): Matrix {
   return Number.isFinite(x + y) ? times(times(shift(x, y), matrix), shift(-x, -y)) : matrix;
 }
 
-/** A number or percentage as 0..1; 1 where there is none. */
+/** A number or percentage as 0..1; 1 if there is none. */
 function share(text: string | undefined): number {
   const number = parseFloat(text ?? '');
   return Number.isFinite(number) ? Math.min(1, Math.max(0, text?.endsWith('%') ? number / 100 : number)) : 1;

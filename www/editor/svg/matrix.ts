@@ -28,7 +28,7 @@ export function stretch(x: number, y = x): Matrix {
   return [x, 0, 0, y, 0, 0];
 }
 
-/** The inverse; undefined where the map is singular. */
+/** The inverse; undefined if the map is singular. */
 export function back([a, b, c, d, e, f]: Matrix): Matrix | undefined {
   const det = a * d - b * c;
   return det === 0 || !Number.isFinite(det) ? undefined : [d / det, -b / det, -c / det, a / det, (c * f - d * e) / det, (b * e - a * f) / det];

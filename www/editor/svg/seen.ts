@@ -142,7 +142,7 @@ function together(layers: Layer[], progress: (done: number) => void): Layer {
   return left[0] ?? { covers: EMPTY, adds: EMPTY };
 }
 
-/** The box of the visible pieces; undefined where nothing is visible in the frame. */
+/** The box of the visible pieces; undefined if nothing is visible in the frame. */
 function extentOf(pieces: Piece[], frame: Box | undefined): Box | undefined {
   const reach = pieces.reduce((most, { pen, matrix }) => Math.max(most, pen ? pen.width * (pen.still ? 1 : growth(matrix)) * Math.max(1, pen.limit) : 0), 0);
   const [left, right, top, bottom] = boundsOf(pieces.flatMap(placesOf));

@@ -43,7 +43,7 @@ function dot([x, y]: Point, half: number, cap: string, step: number): Ring[] {
   return cap === 'square' ? [[[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]]] : [];
 }
 
-/** The left side of a line, with the cap at its end where it has one. */
+/** The left side of a line, with the cap at its end if it has one. */
 function side(line: Ring, half: number, pen: Pen, step: number, capped: boolean): Ring {
   const ring: Ring = [];
   let before: Point | undefined;
@@ -96,7 +96,7 @@ function turned([x, y]: Point, [u, v]: Point, angle: number, step: number): Ring
   });
 }
 
-/** The dashes of a line; undefined where it is solid. */
+/** The dashes of a line; undefined if it is solid. */
 function dashed(line: Ring, closed: boolean, { dashes, offset }: Pen): Ring[] | undefined {
   const pattern = dashes.length % 2 ? [...dashes, ...dashes] : dashes;
   const period = pattern.reduce((sum, length) => sum + length, 0);

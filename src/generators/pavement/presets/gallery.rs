@@ -1,4 +1,4 @@
-//! Skins of animals, of plants like them, and of creatures of tales.
+//! Skins of animals, of plants, and of creatures in tales.
 
 use super::{Preset, free};
 

@@ -1,4 +1,4 @@
-//! Pavements of the house.
+//! Pavements that are not from the papers.
 
 use super::{Preset, free};
 

@@ -1,4 +1,4 @@
-//! Each kind of cell and of field, and other ways to cells for comparison.
+//! Each kind of cell and of field, and other methods to make cells, for comparison.
 
 use super::{Preset, free};
 

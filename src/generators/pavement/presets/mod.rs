@@ -13,7 +13,7 @@ mod textures;
 
 use crate::generators::{Part, Preset, Timing};
 
-/// One without a figure.
+/// A preset without a figure.
 const fn free(
     group: &'static str,
     name: &'static str,

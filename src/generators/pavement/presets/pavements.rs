@@ -9,7 +9,7 @@
 use super::{Part, Preset, Timing};
 use crate::generators::pavement::stage;
 
-/// The 2001 paper's Ts and Tt.
+/// The times Ts and Tt of the 2001 paper.
 const fn timing(packing: f64, texture: f64) -> Option<Timing> {
     let (first, second) = stage::WORDS.split_at(3);
     Some(Timing {

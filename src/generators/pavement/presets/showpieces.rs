@@ -1,4 +1,4 @@
-//! The most beautiful of all sorts, which the page opens with.
+//! A few of the finest presets, with which the page opens.
 
 use super::{Preset, free};
 

@@ -1,5 +1,5 @@
 /** Planes of a frame as RGBA pixels. */
-import type { PixelMap } from '../module/types';
+import type { PixelMap } from '../../module/types';
 
 /** The opaque pixels of a map. 16 bit greys are shown by their high byte. */
 export function pixelsOf({ channels, bits, bytes }: PixelMap): Uint8ClampedArray<ArrayBuffer> {

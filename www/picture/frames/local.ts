@@ -2,24 +2,24 @@
  * Frames of the engine at work, made between the slices of its work, so that bodies can be seen from any side while
  * they are being made. The work pauses while a frame is made; otherwise no frame would ever be finished.
  */
-import { isSettled } from '../module/stages';
-import type { Loop, Painter } from '../picture/loop';
-import type { Engine } from '../state/engine';
-import type { FrameSource, Heard, Wished } from './frames';
+import type { SceneStudio } from '../../module/scene';
+import { isSettled } from '../../module/stages';
+import type { Notice } from '../../module/types';
+import type { Engine } from '../../state/engine';
 import { FrameMaker, type Made } from './maker';
-import type { Told } from './turn.worker';
+import type { Beat, FrameSource, Heard, Painter, Told, Wished } from './source';
+
+/** The answer where there is nothing to be seen. */
+const NOT_YET: Notice = { code: 'not_yet', args: {}, text: '' };
 
 /** A place in a frame, in fractions of its sides. */
 type Part = readonly [u: number, v: number];
-
-/** The loop that calls the engine for each frame of the page. */
-export type Beat = Pick<Loop, 'look' | 'stands'>;
 
 /** The source of the frames' content. */
 interface Place {
   readonly engine: Engine;
   readonly loop: Beat;
-  /** The word of the view. */
+  /** The words of the view. Only the first one counts, because no overlays are drawn on frames. */
   view(): string;
 }
 
@@ -37,7 +37,13 @@ export class LocalFrames implements FrameSource, Painter {
   constructor(place: Place, heard: Heard) {
     this.place = place;
     this.heard = heard;
-    this.maker = new FrameMaker(place.engine, () => place.view());
+    this.maker = new FrameMaker(
+      {
+        turn: (...order) => this.ask((studio) => studio.turn(...order)) ?? NOT_YET,
+        frameMap: (word) => this.ask((studio) => studio.frameMap(word)) ?? NOT_YET,
+      },
+      () => this.view,
+    );
   }
 
   want(wish: Wished): boolean {
@@ -49,23 +55,22 @@ export class LocalFrames implements FrameSource, Painter {
   }
 
   bodyAt(x: number, y: number): Promise<Told | undefined> {
-    const { engine } = this.place;
     const { sides } = this.maker;
-    const body = sides && engine.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1]));
-    return Promise.resolve(body && { id: body.id, probe: undefined, steps: engine.making(body.id) });
+    const body = sides && this.ask((studio) => studio.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1])));
+    return Promise.resolve(body && { id: body.id, probe: undefined, steps: this.ask((studio) => studio.making(body.id)) ?? [] });
   }
 
   /** The place on the model at a place of the last frame, in fractions of its sides; undefined beside the model. */
   placeAt([u, v]: Part): [x: number, y: number, z: number] | undefined {
     const { sides } = this.maker;
-    const place = sides && this.place.engine.askWhole((studio) => studio.placeAt(Math.floor(u * sides[0]), Math.floor(v * sides[1])), undefined);
+    const place = sides && this.ask((studio) => studio.placeAt(Math.floor(u * sides[0]), Math.floor(v * sides[1])));
     return place && [place[0] ?? 0, place[1] ?? 0, place[2] ?? 0];
   }
 
   /** The place in that frame of a place on the model; undefined if it is hidden. */
   spotOf([x, y, z]: readonly [x: number, y: number, z: number]): Part | undefined {
     const { sides } = this.maker;
-    const pixel = sides && this.place.engine.askWhole((studio) => studio.pixelOf(x, y, z), undefined);
+    const pixel = sides && this.ask((studio) => studio.pixelOf(x, y, z));
     return pixel && [(pixel[0] ?? 0) / sides[0], (pixel[1] ?? 0) / sides[1]];
   }
 
@@ -95,6 +100,14 @@ export class LocalFrames implements FrameSource, Painter {
     return !('working' in piece);
   }
 
+  private ask<T>(call: (studio: SceneStudio) => T): T | undefined {
+    return this.place.engine.askWhole<T | undefined>(call, undefined);
+  }
+
+  private get view(): string {
+    return this.place.view().split('+', 1)[0] ?? 'auto';
+  }
+
   private get stands(): boolean {
     return this.place.loop.stands || this.isSettled(this.stage);
   }
@@ -104,10 +117,10 @@ export class LocalFrames implements FrameSource, Painter {
   }
 
   private async show({ wish, quality, width, height, pixels }: Made<Wished>): Promise<void> {
+    const { view } = this;
     const { engine } = this.place;
     const number = (this.handed += 1);
     const { cells, stones } = engine.status();
-    const view = this.place.view();
     const { stages, seen } = engine.generator;
     const what = view === 'auto' ? seen[stages.indexOf(engine.stage())] : view === 'picture' ? undefined : view;
     const bodies = { count: what ? cells : stones, skin: engine.get('stone') === 'skin', what };

@@ -1,5 +1,5 @@
 /** The quality of frames. The first frame of a new view is coarse; later ones are smooth. */
-import type { Quality, Wish } from './turn.worker';
+import type { Quality, Wished } from './source';
 
 /**
  * The least and most pixels of a full frame for one pixel of a moving frame, along a side. A frame slower than `slow`
@@ -10,16 +10,16 @@ const COARSE = { least: 2, most: 5, slow: 140, quick: 45 };
 export const LADDER: readonly Quality[] = ['moving', 'still', 'fine'];
 
 /** Planes of depth, normals and numbers have one sample a pixel. */
-export function ladderOf({ plane }: Pick<Wish, 'plane'>): readonly Quality[] {
+export function ladderOf({ plane }: Pick<Wished, 'plane'>): readonly Quality[] {
   return plane === 'light' || plane === 'alpha' ? LADDER : LADDER.slice(0, 2);
 }
 
 /** A key of the view: requests with the same key need the same frames. */
-export function viewOf({ link, subject, camera, width, height, plane }: Omit<Wish, 'n'>): string {
+export function viewOf({ link, subject, camera, width, height, plane }: Wished): string {
   return [link, subject, camera, width, height, plane].join(' ');
 }
 
-/** Moving frames have as many pixels as there is time for. */
+/** Adapts the number of pixels of moving frames to their times. */
 export class Coarse {
   /** Pixels of the full frame for one of a moving frame, along a side. */
   part = COARSE.least;

@@ -3,12 +3,11 @@
  * then one with all pixels, then an antialiased one. While something moves there are coarse frames only, and each is
  * finished: otherwise none ever would be.
  */
-import type { SceneStudio } from '../module/scene';
-import type { Notice } from '../module/types';
+import type { SceneStudio } from '../../module/scene';
+import type { Notice } from '../../module/types';
 import { Coarse, ladderOf, viewOf } from './ladder';
 import { coverage, pixelsOf } from './pixels';
-import type { Wished } from './frames';
-import type { Quality } from './turn.worker';
+import type { Quality, Wished } from './source';
 
 /** The part of a studio that makes frames. */
 type Studio = Pick<SceneStudio, 'turn' | 'frameMap'>;
@@ -20,7 +19,7 @@ interface Order<W> {
   readonly height: number;
 }
 
-/** A frame that was made. */
+/** A finished frame. */
 export interface Made<W> extends Order<W> {
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
@@ -41,7 +40,7 @@ export class FrameMaker<W extends Wished = Wished> {
   /** The last frame: its view, the levels of quality that it has reached, its subject, and its sides. */
   private last = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
 
-  /** `view` is the word of the view. */
+  /** `view` gives the word of the view. */
   constructor(studio: Studio, view: () => string = () => 'auto') {
     this.studio = studio;
     this.view = view;

@@ -1,0 +1,73 @@
+/** The types that a viewer of frames and their maker share: requests, and the frames that come back. */
+import type { Notice, Probe } from '../../module/types';
+
+/** The content of a frame. Depth, normals and numbers are the module's maps; `alpha` is the coverage of a picture without a background. */
+export type Plane = 'light' | 'depth' | 'normal' | 'id' | 'alpha';
+
+/** The quality of a frame. */
+export type Quality = 'moving' | 'still' | 'fine';
+
+/** A request for a frame. */
+export interface Wished {
+  readonly link: string;
+  /** '' for all bodies, or a step in the making of one (`ID:STEP`). */
+  readonly subject: string;
+  readonly camera: string;
+  readonly width: number;
+  readonly height: number;
+  readonly plane: Plane;
+  /** The next request will come soon. */
+  readonly moving: boolean;
+}
+
+/** A body: its number, the facts about its cell, and the words of the steps in its making. */
+export interface Told {
+  readonly id: number;
+  readonly probe: Probe | undefined;
+  readonly steps: string[];
+}
+
+/** The number and sort of the bodies; `what` is the word of the view if it shows something else. */
+export interface Bodies {
+  readonly count: number;
+  readonly skin: boolean;
+  readonly what?: string | undefined;
+}
+
+/** Receives the messages of the maker of frames. */
+export interface Heard {
+  /** `latest` is true if the frame is the one requested last. */
+  frame(frame: ImageBitmap, quality: Quality, bodies: Bodies, latest: boolean): void;
+  working(done: number): void;
+  refused(why: Notice): void;
+  /** The maker could not be loaded, or it failed; there are no more frames. */
+  ended(how: 'lost' | 'broken', why: string): void;
+}
+
+/** A source of frames. */
+export interface FrameSource {
+  /** Requests frames; true if they differ from those requested before. */
+  want(wish: Wished): boolean;
+  /** The body at a place of the last frame, in fractions of its sides. */
+  bodyAt(x: number, y: number): Promise<Told | undefined>;
+  /** No more frames are requested. */
+  end(): void;
+}
+
+/** Draws something else instead of the view, also in pieces. */
+export interface Painter {
+  /** The share of the time that it may take while the work goes on. */
+  readonly share: number;
+  /** Called when its content may have changed. */
+  changed(): void;
+  /** Works for about `budget` milliseconds; true when the work may go on. */
+  advance(budget: number): boolean;
+}
+
+/** The loop that calls a painter. */
+export interface Beat {
+  /** There is more to be painted. */
+  look(): void;
+  /** No work is left but what a pause holds. */
+  readonly stands: boolean;
+}

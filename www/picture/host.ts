@@ -1,0 +1,140 @@
+/**
+ * The one host of an engine: it works on a recipe, draws the view into a canvas, and frees all at the end. The page, an
+ * embedded picture, a compared one and a dialog's preview are built on it. It needs no other part of the page:
+ *
+ *     await load(link); // state/arrivals.ts: the module of the link
+ *     const host = new PictureHost(link, { canvas, view: () => 'mesh', camera: () => undefined, worked, crashed });
+ *     host.drive({ paused: false, pace: 0.5 });
+ *     host.changed();
+ *
+ * shows how the mesh of a recipe forms, one step in two frames. `host.step()` takes one step, `host.open(link)` shows
+ * another recipe, `host.engine.problem()` is the sentence why there is no picture. `host.free()` frees all. Style sheets
+ * give the canvas its size on the screen.
+ */
+import { wantsStill } from '../base/dom';
+import { isEnd } from '../module/stages';
+import { Engine } from '../state/engine';
+import type { Camera } from '../state/viewing';
+import type { FrameCanvas } from './frames/canvas';
+import { Loop } from './loop';
+
+/** The canvas, the view, and who learns of the work. */
+interface Showing {
+  readonly canvas: HTMLCanvasElement;
+  /** The words of the view, joined by '+'. */
+  readonly view: () => string;
+  /**
+   * Where the viewer stands, undefined for the usual place: frames of a generator that is seen by these are drawn into the
+   * canvas. Without it somebody else shows frames.
+   */
+  readonly camera?: () => Camera | undefined;
+  /** Something is being dragged: frames come fast rather than fine. */
+  readonly held?: () => boolean;
+  /** Work was done, up to this stage: `changed` says that the picture may have changed, `drawn` that it was drawn. */
+  readonly worked: (stage: string, changed: boolean, drawn: boolean) => void;
+  /** The program failed at this link, and nothing goes on. It may be called before the host is made. */
+  readonly crashed: (error: unknown, link: string) => void;
+}
+
+export class PictureHost {
+  readonly engine: Engine;
+  readonly loop: Loop;
+  /** Only what is finished or paused is drawn, for visitors who prefer less motion. */
+  still = wantsStill();
+  private readonly showing: Showing;
+  private readonly context: CanvasRenderingContext2D;
+  private frames: FrameCanvas | undefined;
+
+  /** The module of the link has to be there. Nothing is worked on before `changed`. */
+  constructor(link: string, showing: Showing) {
+    const context = showing.canvas.getContext('2d');
+    if (!context) throw new Error('This browser gives no canvas to draw on.');
+    this.context = context;
+    this.showing = showing;
+    this.engine = new Engine(link, showing.crashed);
+    this.loop = new Loop(this.engine, (stage) => (this.isShown(stage) ? showing.view() : undefined), (stage, changed) => this.worked(stage, changed));
+    void this.bringFrames();
+  }
+
+  /** The words of the view. */
+  view(): string {
+    return this.showing.view();
+  }
+
+  /** Opens another link, whose module has to be there. Returns what of it was mended. */
+  open(link: string): string[] {
+    const sentences = this.engine.open(link);
+    void this.bringFrames();
+    this.changed();
+    return sentences;
+  }
+
+  /** The recipe was changed: works and draws again. */
+  changed(): void {
+    this.loop.changed();
+    this.frames?.follow();
+  }
+
+  /** The viewer of frames has moved, or holds something. */
+  moved(): void {
+    this.frames?.moved();
+  }
+
+  /** Pauses or goes on, with this many steps in each frame. */
+  drive({ paused, pace }: { paused: boolean; pace: number }): void {
+    if (this.loop.paused !== paused) this.loop.paused = paused;
+    this.loop.stepsPerFrame = pace;
+  }
+
+  /** Takes one step. */
+  step(): void {
+    this.engine.step();
+    this.loop.redraw();
+  }
+
+  /** Runs all stages again. */
+  restart(): void {
+    this.engine.restart();
+    this.loop.changed();
+  }
+
+  free(): void {
+    this.loop.end();
+    this.frames?.end();
+    this.engine.free();
+  }
+
+  private isShown(stage: string): boolean {
+    return !this.still || isEnd(stage) || this.loop.paused;
+  }
+
+  private worked(stage: string, changed: boolean): void {
+    if (!this.engine.alive) return;
+    const draws = changed && this.isShown(stage) && !this.engine.offers('frames');
+    if (draws) this.draw();
+    this.showing.worked(stage, changed, draws);
+  }
+
+  private draw(): void {
+    const { canvas } = this.context;
+    const side = this.engine.side();
+    if (canvas.width !== side || canvas.height !== side) canvas.width = canvas.height = side;
+    this.engine.draw(this.context, this.showing.view());
+  }
+
+  /** Brings the maker of frames, once a generator is seen by these. */
+  private async bringFrames(): Promise<void> {
+    const { engine, loop, context, showing } = this;
+    if (!showing.camera) return;
+    loop.painter = undefined;
+    if (!engine.offers('frames')) return;
+    try {
+      const part = await import('./frames/canvas');
+      if (engine.alive) this.frames ??= new part.FrameCanvas(engine, loop, context, showing);
+    } catch (error) {
+      showing.crashed(error, engine.link());
+    }
+    if (engine.offers('frames')) loop.painter = this.frames?.painter;
+    this.changed();
+  }
+}

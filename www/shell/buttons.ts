@@ -1,0 +1,77 @@
+/** The page's own buttons and keys. */
+import { language, t } from '../words/words';
+import { byId, byIdAs, say } from '../base/dom';
+import { bindKeys, listenToKeys } from '../base/keys';
+import { speak } from '../base/language';
+import type { History } from '../state/history';
+import type { State } from '../state/store';
+import type { Work } from '../state/work';
+import type { Forming } from '../picture/forming';
+import type { PictureHost } from '../picture/host';
+import type { View } from '../picture/view';
+import { copyLink } from './copy';
+import type { Parts } from './parts';
+
+/** The buttons act on these. */
+interface House {
+  readonly host: PictureHost;
+  readonly work: Work;
+  readonly parts: Parts;
+  readonly view: View;
+  readonly history: History;
+  readonly forming: Forming;
+  /** Restarts the forming. */
+  again(): void;
+}
+
+export function bindButtons(house: House): void {
+  const { host, work, parts, view, history, forming } = house;
+  const { engine, store } = work;
+  bindAllKeys(house);
+  for (const id of ['share', 'save']) onClick(id, () => forming.leave());
+  onClick('share', () => parts.share.ask(({ share }) => share(engine, store, view.canvas)));
+  onClick('save', () => parts.save.ask(({ SaveDialog }) => new SaveDialog(work, view.canvas)));
+  onClick('undo', () => history.undo());
+  onClick('redo', () => history.redo());
+  onClick('about-button', () => {
+    byId('about').scrollIntoView({ behavior: host.still ? 'auto' : 'smooth' });
+    byId('about').focus({ preventScroll: true });
+  });
+  const select = byIdAs('language', HTMLSelectElement);
+  select.value = language();
+  select.addEventListener('change', () => speak(select.value));
+  store.on(['past', 'future', 'stored', 'own'], showHistory);
+  showHistory(store.state);
+}
+
+function bindAllKeys(house: House): void {
+  const { work: { engine, store }, parts, view } = house;
+  const press = (id: string) => () => byId(id).click();
+  bindKeys(
+    { keys: [' '], shown: ['Space'], word: 'key_play', act: press('play') },
+    { keys: ['s', '.'], word: 'key_step', act: press('step'), repeats: true },
+    { keys: ['r'], word: 'key_restart', act: () => house.again() },
+    { keys: ['d'], word: 'key_dice', act: press('dice') },
+    { keys: ['x'], word: 'key_throw', act: press('throw') },
+    { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
+    { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
+    { keys: ['c'], word: 'key_copy', act: () => void copyLink(engine.link()) },
+    { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => store.update({ view: view.bases[Number(key)] ?? 'auto' }) },
+    { keys: ['e'], word: 'key_edit', part: 'outline', act: () => parts.editor.ask((editor) => editor.toggle()) },
+  );
+  listenToKeys();
+}
+
+function showHistory({ past, future, stored, own }: State): void {
+  byIdAs('undo', HTMLButtonElement).disabled = past.length === 0;
+  byIdAs('redo', HTMLButtonElement).disabled = future.length === 0;
+  const note = byId('stored');
+  const text = stored && own ? t('stored') : '';
+  // Screen readers announce it only the first time.
+  if (!text && note.textContent) note.ariaLive = 'off';
+  say(note, text);
+}
+
+function onClick(id: string, act: () => void): void {
+  byId(id).addEventListener('click', act);
+}

@@ -1,0 +1,103 @@
+/** The controls of the generator at work: panel, dice, presets and the tools of the editor. */
+import { frame } from '../base/dom';
+import { withValues } from '../state/link';
+import { isLocked } from '../state/locks';
+import type { State } from '../state/store';
+import type { Work } from '../state/work';
+import type { PictureHost } from '../picture/host';
+import { Dice } from '../panel/dice';
+import { Panel } from '../panel/panel';
+import { Presets } from '../panel/presets';
+import { SIDE, type Scaling } from '../panel/scaling';
+import { SEED } from '../panel/seed';
+import { EditTools } from './edit-tools';
+import type { Parts } from './parts';
+
+/** The controls act on these. */
+interface House {
+  readonly host: PictureHost;
+  readonly work: Work;
+  readonly parts: Parts;
+  readonly scaling: Scaling;
+  /** Makes the next change an entry of its own in the browser's history. */
+  push(): void;
+}
+
+/** Builds the controls, and again whenever another generator is at work. */
+export async function furnish(house: House): Promise<void> {
+  const { host, work, parts, scaling } = house;
+  const { engine, store } = work;
+  const panel = panelOf(house);
+  const tools = new EditTools(work, parts.editor, (file) => parts.space.ask((space) => void space.take(file)));
+  const dice = new Dice(work, () => house.push());
+  const presets = presetsOf(house);
+  const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
+  /** The generator that the panel was built for. */
+  let made = '';
+  const build = async (): Promise<void> => {
+    const { make: word } = store.state;
+    if (word === made) return;
+    made = '';
+    await panel.build();
+    for (const part of [tools, dice, scaling]) part.build(panel);
+    panel.refresh();
+    panel.attach();
+    host.loop.spare();
+    await frame();
+    presets.build(engine.presets);
+    mark(store.state);
+    made = word;
+  };
+  // Builds run one after the other, because they share the panel.
+  let building = Promise.resolve();
+  const follow = (): Promise<void> => (building = building.catch(() => undefined).then(build));
+  store.on(['make'], () => void follow());
+  store.on(['recipe'], (state) => {
+    if (state.make !== made) return;
+    panel.refresh();
+    mark(state);
+  });
+  await follow();
+}
+
+function panelOf(house: House): Panel {
+  const { engine } = house.work;
+  const { editor, space } = house.parts;
+  const panel = new Panel(
+    engine,
+    (key, text, done) => {
+      change(house, key, text, done);
+      // The visitor has not chosen a file yet, so the control shows the old value again.
+      if (wantsFile(house, key, text)) panel.refresh();
+    },
+    ({ key, item }) => (item === 'file' ? space.ask((part) => part.choose()) : editor.ask((part) => part.toggle(key))),
+  );
+  return panel;
+}
+
+/** A control was moved. */
+function change(house: House, key: string, text: string, done: boolean): void {
+  const { work, parts, scaling } = house;
+  if (key === 'outline' && text === 'polygon') parts.editor.ask((editor) => editor.free());
+  else if (wantsFile(house, key, text)) parts.space.ask((space) => space.choose());
+  else if (key === SIDE) scaling.set(text, !done);
+  else work.set(key, text, !done);
+}
+
+/** Whether a value needs a file that the recipe does not name yet. */
+function wantsFile({ work: { engine } }: House, key: string, text: string): boolean {
+  const files = engine.schema.filter(({ item }) => item === 'file');
+  return files.some(({ key: file, shownFor }) => shownFor?.key === key && shownFor.words.includes(text) && engine.get(file) === '');
+}
+
+function presetsOf(house: House): Presets {
+  const { work, parts } = house;
+  const { engine, store } = work;
+  return new Presets((preset) => {
+    parts.editor.here?.close();
+    house.push();
+    if (isLocked(store, SEED)) work.open(withValues(preset.link, [[SEED, engine.get(SEED)]]), { preset });
+    else work.open(preset.link);
+    store.update({ paused: false });
+  });
+}
