@@ -17,7 +17,7 @@ use bubblestone::packing::{
 };
 use bubblestone::solid::Stencil;
 #[cfg(target_arch = "wasm32")]
-use bubblestone::solid::{Solids, TriangleMesh, control_mesh as solid_mesh};
+use bubblestone::solid::{Solid, Solids, control_mesh as solid_mesh};
 use bubblestone::studio::Studio;
 use glam::{DVec2, Vec3};
 
@@ -245,7 +245,7 @@ fn subdivision(clock: Clock) -> Timing {
 /// The mesh that other programs subdivide for comparison: the prism of a skin cell with six corners. Also the
 /// number of steps, and the number of prisms that gives as many triangles as the cells of [`SKIN`].
 #[cfg(target_arch = "wasm32")]
-pub fn skin_mesh() -> (TriangleMesh, u32, usize) {
+pub fn skin_mesh() -> (Solid, u32, usize) {
     const STEPS: u32 = 4;
     let mut studio = Studio::new(ALL, pavement::recipe(SKIN).0);
     // If the recipe fails, there are no cells to count.

@@ -56,6 +56,7 @@
 //! sections and equations that it implements.
 
 pub mod cells;
+mod csr;
 mod decimal;
 pub mod domain;
 pub mod draw;

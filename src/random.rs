@@ -6,6 +6,9 @@
 
 use std::f64::consts::TAU;
 
+/// The seed where none is given.
+pub const SEED: u64 = 1;
+
 /// The purpose of a stream; each has its own numbers for the same seed and item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u64)]

@@ -6,8 +6,9 @@
 use super::ghosts;
 use super::visibility::{self, Visibility};
 use super::voronoi::circumcentre;
+use crate::csr::Csr;
 use crate::domain::Domain;
-use crate::mesh::{Face, Fans, Mesh, Node};
+use crate::mesh::{Face, Mesh, Node};
 use crate::order;
 use crate::packing::Particle;
 use crate::planar::on_grain;
@@ -52,7 +53,7 @@ pub(super) struct Dual {
     pub particles: Vec<Particle>,
     /// The sizes of the mesh's first vertices, the cells.
     sizes: Vec<f64>,
-    fans: Fans,
+    fans: Csr<u32>,
     /// The dual's vertices: one for each element, and more for elements that a constraint line divides.
     pub vertices: Vec<DVec2>,
     /// Whether the element has a ghost among its nodes, or a constraint line divides it.
@@ -276,7 +277,7 @@ impl Dual {
 
     /// The vertices around a cell or a ghost, clockwise on screen; empty if they do not close.
     pub fn around(&self, vertex: usize) -> Vec<u32> {
-        let around = self.fans.around(vertex);
+        let around = self.fans.row(vertex);
         if self.own_vertices.is_empty() {
             return around.to_vec();
         }

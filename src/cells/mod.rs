@@ -46,7 +46,9 @@ pub use fitted::{Fitting, fitted};
 pub use graph::{Graph, graph};
 pub use packed::packed;
 #[cfg(house)]
-pub(crate) use straighten::rectangle;
+pub(crate) use straighten::{PACE, ROOM, ROUNDS, rectangle};
+#[cfg(house)]
+pub(crate) use vertices::CORNER;
 pub use voronoi::{Scatter, ScatterParams};
 
 use crate::field::Kind;

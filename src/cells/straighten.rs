@@ -12,9 +12,9 @@ use crate::planar::on_grain;
 use glam::DVec2;
 
 /// Rounds of proposing and moving.
-const ROUNDS: u32 = 12;
+pub(crate) const ROUNDS: u32 = 12;
 /// Share of the way that a corner moves in a round.
-const PACE: f64 = 0.6;
+pub(crate) const PACE: f64 = 0.6;
 /// Pull towards the mean area: 0 none, 1 all at once.
 const EVEN_AREA: f64 = 0.7;
 /// A point farther from the boundary (picture units) does not lie on it.
@@ -22,7 +22,7 @@ const OFF: f64 = 1.0 / 4096.0;
 /// A corner with a smaller sine is straight: rounding alone decides its sign.
 const FLAT: f64 = 1e-6;
 /// Largest share of the distance to the next boundary vertex that a vertex may slide.
-const ROOM: f64 = 0.4;
+pub(crate) const ROOM: f64 = 0.4;
 /// No proposed rectangle is thinner than this share of its cell's size.
 const THINNEST: f64 = 0.2;
 

@@ -1,12 +1,13 @@
 //! The corners of cells as shared vertices, and the freedom of each to move.
 
 use super::{Cell, images};
+use crate::csr::Csr;
 use crate::domain::Domain;
 use crate::order;
 use glam::DVec2;
 
 /// A turn of the boundary sharper than this (cosine of 30 degrees) is a corner of the cell.
-const CORNER: f64 = 0.866;
+pub(crate) const CORNER: f64 = 0.866;
 /// Two pieces of the boundary are one straight line within this (cosine of 1 degree).
 pub(super) const STRAIGHT: f64 = 0.9998;
 /// The ends of a piece are rounded to the grain, so a shorter one (picture units) has no reliable direction.
@@ -34,9 +35,8 @@ pub(super) struct Rings {
     pub rings: Vec<Vec<u32>>,
     /// For each cell with exactly four corners, the corners.
     pub quads: Vec<Option<[u32; 4]>>,
-    /// (vertex, cell, position in the ring), sorted by vertex.
-    uses: Vec<[u32; 3]>,
-    start: Vec<u32>,
+    /// For each vertex, its uses: (vertex, cell, position in the ring).
+    uses: Csr<[u32; 3]>,
     /// See [`images::twins`].
     pub twins: Vec<(u32, u32, DVec2)>,
 }
@@ -52,19 +52,21 @@ impl Rings {
         }
         order::sort(&mut all, |a| (a.0, a.1));
         let mut rings: Vec<Vec<u32>> = cells.iter().map(|c| vec![0; c.ring.len()]).collect();
-        let (mut points, mut uses, mut start) = (Vec::new(), Vec::new(), Vec::new());
-        let mut last = None;
-        for (x, y, cell, place) in all {
-            if last != Some((x, y)) {
-                last = Some((x, y));
-                start.push(uses.len() as u32);
-                points.push(DVec2::new(f64::from_bits(x), f64::from_bits(y)));
+        let (mut points, mut uses) = (Vec::new(), Csr::default());
+        for same in all.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+            let vertex = points.len() as u32;
+            points.push(DVec2::new(
+                f64::from_bits(same[0].0),
+                f64::from_bits(same[0].1),
+            ));
+            for &(_, _, cell, place) in same {
+                rings[cell as usize][place as usize] = vertex;
             }
-            let vertex = points.len() as u32 - 1;
-            rings[cell as usize][place as usize] = vertex;
-            uses.push([vertex, cell, place]);
+            uses.push(
+                same.iter()
+                    .map(|&(_, _, cell, place)| [vertex, cell, place]),
+            );
         }
-        start.push(uses.len() as u32);
         Self {
             twins: images::twins(domain, &points),
             free: vec![Freedom::Fixed; points.len()],
@@ -73,13 +75,12 @@ impl Rings {
             rings,
             quads: Vec::new(),
             uses,
-            start,
         }
     }
 
     /// The uses of a vertex: (vertex, cell, position in its ring).
     pub fn uses_of(&self, vertex: usize) -> &[[u32; 3]] {
-        &self.uses[self.start[vertex] as usize..self.start[vertex + 1] as usize]
+        self.uses.row(vertex)
     }
 
     /// The vertex after or before a position of a ring.

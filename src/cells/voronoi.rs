@@ -7,11 +7,13 @@
 //! centres and a frame around the picture instead of ghosts. Nothing is joined or straightened.
 
 use super::ghosts::frame;
+use crate::csr::Csr;
 use crate::domain::Domain;
 use crate::field::Fields;
 use crate::mesh::triangulate;
 use crate::order;
 use crate::packing::Particle;
+use crate::planar::cut_polygon;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 
@@ -113,11 +115,13 @@ impl Scatter {
                 reach[site] = order::greater(reach[site], to.length());
             }
         }
-        let links = Links::new(&triangles, real);
+        let links = links(&triangles, real);
         let mut clip = Clip::default();
         for (site, &p) in self.points.iter().enumerate() {
             if domain.nearest(p).distance < reach[site] {
-                let neighbours = links.of(site).map(|k| vertices[k]);
+                // The last one first.
+                let neighbours = links.row(site).iter().rev();
+                let neighbours = neighbours.map(|&k| vertices[k as usize]);
                 let island = &domain.islands()[domain.island(p)];
                 cells[site] = clip.moments(island, p, neighbours);
             }
@@ -145,39 +149,11 @@ fn images(domain: &Domain, points: &[DVec2]) -> Vec<DVec2> {
 }
 
 /// For each of the first points, its neighbours in the triangulation.
-struct Links {
-    /// The last entry of a point's chain.
-    last: Vec<u32>,
-    /// (neighbour, the previous entry).
-    entries: Vec<[u32; 2]>,
-}
-
-impl Links {
-    fn new(triangles: &[[u32; 3]], real: usize) -> Self {
-        let mut links = Self {
-            last: vec![u32::MAX; real],
-            entries: Vec::with_capacity(3 * triangles.len()),
-        };
-        for t in triangles {
-            for k in 0..3 {
-                if let Some(last) = links.last.get_mut(t[k] as usize) {
-                    let entry = [t[(k + 1) % 3], *last];
-                    *last = links.entries.len() as u32;
-                    links.entries.push(entry);
-                }
-            }
-        }
-        links
-    }
-
-    fn of(&self, site: usize) -> impl Iterator<Item = usize> + Clone {
-        let mut at = self.last[site];
-        std::iter::from_fn(move || {
-            let [neighbour, before] = *self.entries.get(at as usize)?;
-            at = before;
-            Some(neighbour as usize)
-        })
-    }
+fn links(triangles: &[[u32; 3]], real: usize) -> Csr<u32> {
+    let sides = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [(a as usize, b), (b as usize, c), (c as usize, a)]);
+    Csr::from_pairs(real, sides.filter(|&(from, _)| from < real))
 }
 
 /// The circumcentre of three points; their mean if they are collinear.
@@ -228,7 +204,7 @@ struct Clip {
 
 impl Clip {
     /// The area and moments of a point's cell inside the outline: the outline's rings, cut by the bisectors
-    /// to the neighbours (Sutherland, Hodgman 1974). If a ring falls apart, the double lines between its
+    /// to the neighbours. If a ring falls apart, the double lines between its
     /// parts have no area.
     fn moments(
         &mut self,
@@ -257,21 +233,13 @@ impl Clip {
     /// Keeps the points nearer to the origin than to `q`.
     fn cut(&mut self, q: DVec2) {
         let half = 0.5 * q.length_squared();
-        let Some(&last) = self.ring.last() else {
-            return;
-        };
         self.next.clear();
-        let (mut a, mut over) = (last, last.dot(q) - half);
-        for &b in &self.ring {
-            let beyond = b.dot(q) - half;
-            if (over > 0.0) != (beyond > 0.0) {
-                self.next.push(a + (b - a) * (over / (over - beyond)));
-            }
-            if beyond <= 0.0 {
-                self.next.push(b);
-            }
-            (a, over) = (b, beyond);
-        }
+        cut_polygon(
+            &self.ring,
+            |p| half - p.dot(q),
+            |(a, here), (b, there)| a + (b - a) * (here / (here - there)),
+            |p| self.next.push(p),
+        );
         std::mem::swap(&mut self.ring, &mut self.next);
     }
 }

@@ -42,6 +42,8 @@ mod walls;
 pub use check::{MAX_LINE_POINTS, MAX_POINTS, Ring, check_lines};
 pub use distance::Nearest;
 pub(crate) use ring::ring_contains;
+#[cfg(house)]
+pub(crate) use walls::SAME_WALL;
 pub use walls::{Projection, Walls};
 
 pub use crate::planar::Space;

@@ -1,5 +1,6 @@
 //! Finds the segments near a place with a uniform grid.
 
+use crate::csr::Csr;
 use crate::planar::closest_on_segment;
 use glam::DVec2;
 
@@ -10,8 +11,8 @@ pub(super) struct SegmentGrid {
     step: f64,
     columns: usize,
     rows: usize,
-    start: Vec<u32>,
-    list: Vec<u32>,
+    /// The segments of each square.
+    lists: Csr<u32>,
 }
 
 impl SegmentGrid {
@@ -47,30 +48,13 @@ impl SegmentGrid {
                     let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
                     let middle = self.origin + self.step * at;
                     if closest_on_segment(middle, a, b).distance(middle) <= near {
-                        entries.push(((row * self.columns + column) as u32, index as u32));
+                        entries.push((row * self.columns + column, index as u32));
                     }
                 }
             }
         }
-        self.start = vec![0; self.columns * self.rows + 1];
-        for &(square, _) in &entries {
-            self.start[square as usize + 1] += 1;
-        }
-        for k in 1..self.start.len() {
-            self.start[k] += self.start[k - 1];
-        }
         // The segments come in rising order, so every square lists them in that order.
-        let mut free = self.start.clone();
-        self.list = vec![0; entries.len()];
-        for (square, index) in entries {
-            let at = &mut free[square as usize];
-            self.list[*at as usize] = index;
-            *at += 1;
-        }
-    }
-
-    fn square(&self, square: usize) -> &[u32] {
-        &self.list[self.start[square] as usize..self.start[square + 1] as usize]
+        self.lists = Csr::from_pairs(self.columns * self.rows, entries.into_iter());
     }
 
     /// The segments within the reach of a point, and a few more; none outside the grid.
@@ -79,7 +63,7 @@ impl SegmentGrid {
         if !(at.x >= 0.0 && at.y >= 0.0 && at.x < self.columns as f64 && at.y < self.rows as f64) {
             return &[];
         }
-        self.square(at.y as usize * self.columns + at.x as usize)
+        self.lists.row(at.y as usize * self.columns + at.x as usize)
     }
 
     /// Whether a test holds for any segment near the box around two points. It may be called more than once
@@ -93,7 +77,7 @@ impl SegmentGrid {
         let (last_row, last_column) = (self.rows - 1, self.columns - 1);
         (lo.y as usize..=(hi.y as usize).min(last_row)).any(|row| {
             (lo.x as usize..=(hi.x as usize).min(last_column)).any(|column| {
-                let near = self.square(row * self.columns + column);
+                let near = self.lists.row(row * self.columns + column);
                 near.iter().any(|&index| test(index as usize))
             })
         })

@@ -46,7 +46,7 @@ pub struct Walls {
 const MOST_SQUARES: f64 = 256.0;
 
 /// Projections whose directions differ by less than this (cosine of 30 degrees) belong to one wall.
-const SAME_WALL: f64 = 0.866;
+pub(crate) const SAME_WALL: f64 = 0.866;
 
 impl Walls {
     /// Prepares for points up to `reach` (picture units) away from the walls.

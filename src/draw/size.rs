@@ -9,16 +9,29 @@ use glam::DVec2;
 
 /// Colours of the smallest size, the middle, and the largest.
 pub(crate) const SMALL: Colour = [0.04, 0.26, 0.56, 0.66];
-pub(crate) const MIDDLE: Colour = [0.98, 0.82, 0.40, 0.42];
+const MIDDLE: Colour = [0.98, 0.82, 0.40, 0.42];
 pub(crate) const LARGE: Colour = [0.80, 0.10, 0.10, 0.66];
 const CONTOUR: Colour = [0.10, 0.07, 0.05, 0.80];
 const WIDTH: f32 = 1.1;
 /// Contours from the middle to the end of the scale.
-const CONTOURS: f32 = 5.0;
+pub(crate) const CONTOURS: f32 = 5.0;
 /// The scale covers at least this many doublings of the size each way from the middle.
 const LEAST: f32 = 0.35;
 /// Distance of sampled points, in pixels.
 const STEP: usize = 4;
+
+/// The colour of a place on the scale, -1..1.
+pub(crate) fn heat(v: f32) -> Colour {
+    blend(MIDDLE, if v < 0.0 { SMALL } else { LARGE }, v.abs())
+}
+
+/// How much of a contour there is at a place on the scale, 0..1, where a pixel covers `pixel` contours. There is none
+/// in the middle, because the size may be constant.
+pub(crate) fn contour(v: f32, pixel: f32) -> f32 {
+    let lines = CONTOURS * v;
+    let off = (lines - lines.floor() - 0.5).abs() / pixel;
+    (0.5 * WIDTH + 0.5 - off).clamp(0.0, 1.0)
+}
 
 /// The size field as colours, kept from frame to frame: it does not change while cells are packed.
 #[derive(Clone, Debug, Default)]
@@ -96,12 +109,8 @@ fn pixels(side: usize, domain: &Domain, fields: &Fields) -> Vec<[u8; 4]> {
             f64::from(level(x + 1, y) - v),
             f64::from(level(x, y + 1) - v),
         );
-        let heat = blend(MIDDLE, if v < 0.0 { SMALL } else { LARGE }, v.abs());
-        // There is no contour in the middle, because the size may be constant.
-        let lines = CONTOURS * v;
-        let off = (lines - lines.floor() - 0.5).abs() / (CONTOURS * slope.length() as f32 + 1e-6);
-        let dark = (0.5 * WIDTH + 0.5 - off).clamp(0.0, 1.0) * CONTOUR[3];
-        let [r, g, b, a] = blend(heat, CONTOUR, dark);
+        let dark = contour(v, CONTOURS * slope.length() as f32 + 1e-6) * CONTOUR[3];
+        let [r, g, b, a] = blend(heat(v), CONTOUR, dark);
         let alpha = (a + (1.0 - a) * 0.5 * dark) * share;
         let byte = |c: f32| (255.0 * c + 0.5) as u8;
         pixels.push([

@@ -80,11 +80,11 @@ struct Layer {
 }
 
 /// Bounds of the size field as multiples of the mean size.
-const SIZE_RANGE: (f64, f64) = (0.2, 3.0);
+pub(crate) const SIZE_RANGE: (f64, f64) = (0.2, 3.0);
 /// Divisor of the picture's side that gives the smallest cell: 100,000 such cells would fill the picture.
 const FINEST: f64 = 320.0;
 /// Bounds of the aspect ratio.
-const ASPECT_RANGE: (f64, f64) = (1.0, 5.0);
+pub(crate) const ASPECT_RANGE: (f64, f64) = (1.0, 5.0);
 
 impl Fields {
     /// The parameters of the fields. On a torus with a constant direction, size, angle and aspect ratio are

@@ -70,7 +70,41 @@ pub struct FieldParams {
     pub side: f64,
 }
 
+impl Default for FieldParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+/// No change towards the boundary.
+const EVEN: Grading = Grading {
+    factor: 1.0,
+    reach: 128.0,
+};
+
 impl FieldParams {
+    /// Squares along the boundary, in a picture of 512 units.
+    pub const DEFAULT: Self = Self {
+        direction: Direction::Boundary,
+        angle: 0.0,
+        centre: DVec2::splat(256.0),
+        power: 4,
+        ends: 0.0,
+        strokes: Vec::new(),
+        reach: 76.8,
+        kind: Kind::Square,
+        part_kinds: Vec::new(),
+        aspect: 2.0,
+        aspect_grading: EVEN,
+        aspect_spots: Vec::new(),
+        size: 23.0,
+        linear: DVec2::ZERO,
+        radial: 0.0,
+        size_grading: EVEN,
+        size_spots: Vec::new(),
+        side: 512.0,
+    };
+
     /// The kinds by the index of the domain's part; empty if all are the same.
     pub(super) fn kinds(&self, domain: &Domain) -> Vec<Kind> {
         let mut kinds = vec![self.kind; domain.parts()];

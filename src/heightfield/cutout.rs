@@ -9,15 +9,11 @@ use super::{GROUND, Planes, Surfaces, TextureParams};
 use crate::cells::Cell;
 use crate::order::lesser;
 use crate::scene::{Body, Instance, Place, Scene};
-use crate::solid::{Solids, Surface, joint_depth, top};
+use crate::solid::{Solids, Surface, finest, joint_depth, levels, top};
 use glam::Vec3;
 
-/// About how many triangles all stones have at the finest level.
-const ALL: usize = 700_000;
 /// Fewest and most triangles of a stone at the finest level.
 const EACH: [usize; 2] = [150, 1500];
-/// Each level has this many times the triangles of the next one.
-const FINER: usize = 4;
 /// A stone with fewer triangles is not recognisable.
 const LEAST: usize = 28;
 /// Squares along a side of the ground at each level, finest first.
@@ -58,7 +54,7 @@ impl Cutout {
                 *is_seen = true;
             }
         }
-        let most = (ALL / cells.max(1)).clamp(EACH[0], EACH[1]);
+        let most = finest(cells, EACH);
         let side = params.side as f64;
         let deep = joint_depth(&params.stone, params.size);
         let reach = (REACH * params.size).max(deep) / side;
@@ -125,13 +121,11 @@ impl Cutout {
             return;
         }
         let floor = (top(stone, cell.size) - joint_depth(stone, cell.size)) as f32;
-        let mut levels = vec![finest];
-        let mut most = self.most / FINER;
-        while most >= LEAST {
-            levels.push(levels[levels.len() - 1].coarser(most, floor));
-            most /= FINER;
+        let mut made = vec![finest];
+        for most in levels(self.most, LEAST).skip(1) {
+            made.push(made[made.len() - 1].coarser(most, floor));
         }
-        let levels: Vec<Surface> = levels.iter().map(|level| self.upright(level)).collect();
+        let levels: Vec<Surface> = made.iter().map(|level| self.upright(level)).collect();
         let material = self.material(cell, planes);
         let body = Body::new(levels, material);
         let (middle, radius) = (body.middle, body.radius);

@@ -16,7 +16,7 @@ use crate::cells::Cell;
 use crate::material::Coat;
 use crate::order::{greater, lesser};
 use crate::solid::{Making, PLAIN, Solids, Step, StoneKind, Surface, control_mesh, normals};
-use crate::solid::{step, steps};
+use crate::solid::{step, steps, used};
 use glam::{DVec2, Vec3};
 
 /// Most squares along a side of a sheet.
@@ -189,20 +189,19 @@ impl Sheet {
 
     /// The squares in `part` as a body: the sheet on top, walls around it, and the base level below.
     fn body(&self, part: &[bool]) -> Surface {
-        let mut surface = Surface::default();
         let squares = || (0..part.len()).filter(|&k| part[k]);
-        let mut places = vec![u32::MAX; self.points.len()];
-        for square in squares() {
-            let [a, b, c, d] = self.corners(square).map(|k| {
-                if places[k] == u32::MAX {
-                    places[k] = surface.positions.len() as u32;
-                    surface.positions.push(self.points[k]);
-                }
-                places[k]
-            });
-            surface.triangles.extend([[a, b, c], [a, c, d]]);
-        }
-        surface.normals = normals(&surface.positions, &surface.triangles);
+        let top = squares().flat_map(|square| {
+            let [a, b, c, d] = self.corners(square).map(|k| k as u32);
+            [[a, b, c], [a, c, d]]
+        });
+        let (kept, triangles) = used(&top.collect::<Vec<_>>(), self.points.len());
+        let positions: Vec<Vec3> = kept.iter().map(|&k| self.points[k as usize]).collect();
+        let mut surface = Surface {
+            normals: normals(&positions, &triangles),
+            positions,
+            triangles,
+            ..Surface::default()
+        };
         let base = |k: usize| self.points[k].with_z(0.0);
         for square in squares() {
             let [a, b, c, d] = self.corners(square).map(base);

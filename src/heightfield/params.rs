@@ -4,6 +4,7 @@ use super::ground::Bed;
 use super::pixel_scale::PixelScale;
 use crate::cells::Cell;
 use crate::material::{Coat, ColourParams, Face, ground, palette};
+use crate::random::SEED;
 use crate::solid::{StoneKind, StoneParams, joint_depth, lean, top};
 
 /// Parameters of the planes; the papers' symbols in brackets.
@@ -35,6 +36,12 @@ pub struct TextureParams {
     pub tile: bool,
 }
 
+impl Default for TextureParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
 /// Standard deviation of the relief at the scale of a stone, relative to its amplitude.
 const RELIEF: f64 = 0.3;
 /// Upper limit of that deviation, relative to the joints' depth: otherwise the ground would cover low stones.
@@ -49,6 +56,22 @@ const MOST_SWELL: f64 = 0.33;
 const UNEVEN: f64 = 0.2;
 
 impl TextureParams {
+    /// Granite in sand, in a picture of 512 units.
+    pub const DEFAULT: Self = Self {
+        side: 512,
+        pixel_scale: 1,
+        seed: SEED,
+        size: 23.0,
+        stone: StoneParams::DEFAULT,
+        dimension: 1.5,
+        amplitude: 2.0,
+        palette: "granite",
+        ground: "sand",
+        vary: 1.0,
+        colour: ColourParams::DEFAULT,
+        tile: false,
+    };
+
     /// Standard deviation of the relief added to stones, in picture units; skin has its own noise.
     pub(crate) fn relief(&self) -> f32 {
         match self.stone.kind {

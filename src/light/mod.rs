@@ -63,6 +63,35 @@ pub struct ShadeParams {
     pub occlusion: f64,
 }
 
+impl Light {
+    /// Where parallel light comes from by default, in degrees: from the upper left, ...
+    pub const AZIMUTH: f64 = 225.0;
+    /// ... at this height above the horizon.
+    pub const ELEVATION: f64 = 42.0;
+}
+
+impl ShadeParams {
+    /// Parallel light, and materials as they are.
+    pub const DEFAULT: Self = Self {
+        light: Light::Parallel {
+            azimuth: Light::AZIMUTH.to_radians(),
+            elevation: Light::ELEVATION.to_radians(),
+        },
+        ambient: 1.0,
+        diffuse: 1.0,
+        specular: 1.0,
+        shininess: 1.0,
+        shadow: 1.0,
+        occlusion: 1.0,
+    };
+}
+
+impl Default for ShadeParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
 /// The unit vector from a point to a lamp, and the lamp's strength there; the third coordinate is the height.
 #[inline(always)]
 pub(crate) fn lamp_from(p: [f32; 3], lamp: [f32; 3]) -> ([f32; 3], f32) {

@@ -8,7 +8,7 @@ use super::smoothstep::smoothstep_f32 as smoothstep;
 use crate::order::{greater, lesser};
 
 /// Strength of each effect, 0..1.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WeatherParams {
     /// Trodden tops are lowered, rounded and polished, mostly along the middle of the way.
     pub wear: f64,

@@ -1,9 +1,9 @@
 //! The texture of one stone: attributes drawn from the palette by its id, and its colour and relief at every
 //! place.
 
-use super::coat::Coat;
 use super::noise::NoiseTile;
 use super::palette::Palette;
+use super::pattern::Coat;
 use super::phong::FINISHES;
 use super::smoothstep::smoothstep_f32;
 use crate::cells::Cell;

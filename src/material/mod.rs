@@ -6,26 +6,29 @@ mod effects;
 mod face;
 mod grounds;
 mod hides;
+mod marking;
 mod noise;
 mod palette;
 mod palettes;
+mod pattern;
 mod phong;
 mod reaction;
 mod smoothstep;
 mod stones;
 
-pub use coat::{Coat, Coats, ColourParams, Pattern};
-#[cfg(house)]
-pub(crate) use coat::{belly_at, spread_evenly, triangle};
+pub use coat::Coats;
 pub use effects::WeatherParams;
 pub(crate) use effects::{Effects, LEVEL, Place, Sample};
 pub use face::stone_colour;
 pub(crate) use face::{Face, FaceNoise};
 pub use grounds::GROUNDS;
+#[cfg(house)]
+pub(crate) use marking::{Marking, WAVELENGTH, belly_at, near, turned};
 pub use noise::NoiseTile;
 pub(crate) use noise::floor;
 pub use palette::{Ground, Palette};
 pub use palettes::{PALETTES, ground, material_table, palette};
+pub use pattern::{Coat, ColourParams, Pattern};
 pub(crate) use phong::GROUND_ROW;
 pub use phong::{FINISHES, Gloss, Material};
 #[cfg(house)]

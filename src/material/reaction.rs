@@ -13,6 +13,7 @@
 //! Thinning begins where a wave is longer than eight cells: the cost on a single graph would grow with the
 //! square of the scale.
 
+use crate::csr::NONE;
 use crate::order::{greater, lesser};
 use crate::random::{Purpose, Random};
 
@@ -220,7 +221,6 @@ fn thinned(
     places: &[u32],
     links: &[Vec<u32>],
 ) -> (Vec<u32>, Vec<u32>) {
-    const NONE: u32 = u32::MAX;
     let mut kept = Vec::new();
     let mut parents = vec![NONE; places.len()];
     for (k, list) in links.iter().enumerate() {

@@ -3,7 +3,7 @@
 use super::constraints::{is_cut, lies_on_line};
 use super::quads::{self, Faces};
 use super::triangles::{NONE, Triangles};
-use super::{Face, IncrementalDelaunay, Mesh, Node, requad, smooth};
+use super::{Face, IncrementalDelaunay, Mesh, Node, Smoothing, requad};
 use crate::domain::Domain;
 use crate::packing::Particle;
 use glam::DVec2;
@@ -22,9 +22,6 @@ const FEW_TRIANGLES: f64 = 0.037;
 const RIM_TRIANGLES: f64 = 6.0;
 /// ... at most this share.
 const MOST_TRIANGLES: f64 = 0.08;
-/// Descending least scores of quadrilaterals that replace lone triangles.
-const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
-
 /// The meshes of all islands, in progress.
 pub(super) struct IslandMeshing {
     particles: Vec<Particle>,
@@ -178,12 +175,12 @@ pub(super) fn join_lone(
     let quads = made.faces.iter().filter(|f| f.sides == 4).count();
     let count = (quads + lone(nodes, made)) as f64;
     let few = (FEW_TRIANGLES * count + RIM_TRIANGLES).min(MOST_TRIANGLES * count) as usize;
-    for worst in STANDARDS {
+    for worst in requad::STANDARDS {
         if lone(nodes, made) <= few {
             break;
         }
         requad::requadrangulate(nodes, made, worst, few, &keep);
-        smooth::smooth(nodes, &made.faces, &free);
+        Smoothing::new(&made.faces, free.clone()).advance(nodes, &made.faces, usize::MAX);
     }
 }
 

@@ -41,7 +41,11 @@ pub(crate) mod triangles;
 pub use meshing::Meshing;
 pub use metric::Metric;
 pub(crate) use nodes::Nodes;
+pub(crate) use smooth::Smoothing;
+#[cfg(house)]
+pub(crate) use smooth::{Movable, from_middle};
 
+use crate::csr::Csr;
 use crate::domain::Domain;
 use crate::order;
 use crate::packing::Particle;
@@ -167,30 +171,12 @@ impl Mesh {
         }
     }
 
-    /// For every vertex the elements around it in order, if they close a full turn; empty for vertices on the
-    /// border.
-    pub(crate) fn fans(&self) -> Fans {
-        Fans::new(self)
-    }
-}
-
-/// Delaunay triangles with positive shoelace area, in an order that depends on the points only.
-pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
-    let nodes: Vec<Node> = points.iter().copied().map(Node::plain).collect();
-    IncrementalDelaunay::new(nodes).finish().1.nodes
-}
-
-/// The elements around each vertex.
-pub(crate) struct Fans {
-    start: Vec<u32>,
-    faces: Vec<u32>,
-}
-
-impl Fans {
-    fn new(mesh: &Mesh) -> Self {
+    /// For every vertex the elements around it in order, clockwise on screen, if they close a full turn; empty for
+    /// vertices on the border.
+    pub(crate) fn fans(&self) -> Csr<u32> {
         // (vertex, next vertex in the element, previous vertex, element)
         let mut corners: Vec<[u32; 4]> = Vec::new();
-        for (index, face) in mesh.faces.iter().enumerate() {
+        for (index, face) in self.faces.iter().enumerate() {
             let nodes = face.nodes();
             for k in 0..nodes.len() {
                 let next = nodes[(k + 1) % nodes.len()];
@@ -201,48 +187,42 @@ impl Fans {
         order::sort(&mut corners, |&[a, b, c, d]| {
             (order::pair(a, b), order::pair(c, d))
         });
-        let mut fans = Self {
-            start: vec![0],
-            faces: Vec::new(),
-        };
+        let mut fans = Csr::default();
         let mut at = 0;
-        for vertex in 0..mesh.vertices.len() as u32 {
+        for vertex in 0..self.vertices.len() as u32 {
             let from = at;
             while at < corners.len() && corners[at][0] == vertex {
                 at += 1;
             }
-            fans.push_closed(&corners[from..at]);
-            fans.start.push(fans.faces.len() as u32);
+            fans.push(closed_fan(&corners[from..at]));
         }
         fans
     }
+}
 
-    /// Walks from element to element over shared edges; a fan that does not close stays empty.
-    fn push_closed(&mut self, corners: &[[u32; 4]]) {
-        let first = self.faces.len();
-        let Some(&[_, start, mut edge, face]) = corners.first() else {
-            return;
+/// Delaunay triangles with positive shoelace area, in an order that depends on the points only.
+pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
+    let nodes: Vec<Node> = points.iter().copied().map(Node::plain).collect();
+    IncrementalDelaunay::new(nodes).finish().1.nodes
+}
+
+/// Walks from element to element over shared edges; empty if that does not close a full turn.
+fn closed_fan(corners: &[[u32; 4]]) -> Vec<u32> {
+    let Some(&[_, start, mut edge, face]) = corners.first() else {
+        return Vec::new();
+    };
+    let mut faces = vec![face];
+    while edge != start && faces.len() <= corners.len() {
+        let Some(corner) = corners.iter().find(|c| c[1] == edge) else {
+            return Vec::new();
         };
-        self.faces.push(face);
-        while edge != start {
-            let Some(corner) = corners.iter().find(|c| c[1] == edge) else {
-                break;
-            };
-            self.faces.push(corner[3]);
-            edge = corner[2];
-            if self.faces.len() - first > corners.len() {
-                break;
-            }
-        }
-        if edge != start || self.faces.len() - first != corners.len() {
-            self.faces.truncate(first);
-        }
+        faces.push(corner[3]);
+        edge = corner[2];
     }
-
-    /// The elements around a vertex, clockwise on screen; empty if they do not close.
-    pub fn around(&self, vertex: usize) -> &[u32] {
-        &self.faces[self.start[vertex] as usize..self.start[vertex + 1] as usize]
+    if edge != start || faces.len() != corners.len() {
+        faces.clear();
     }
+    faces
 }
 
 #[cfg(test)]

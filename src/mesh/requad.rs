@@ -17,6 +17,8 @@ use super::{Face, Nodes};
 
 /// The most elements of a patch.
 const LONGEST: usize = (MOST - 2) / 2;
+/// Descending least scores of quadrilaterals that replace lone triangles.
+pub(crate) const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
 /// Smaller gains do not count.
 const LEAST_GAIN: f64 = 1e-3;
 /// A quadrilateral with a lower cost, among regular nodes, is left unchanged.

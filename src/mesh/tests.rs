@@ -32,7 +32,7 @@ fn a_lattice_becomes_quads_with_four_around_each_inner_node() {
     for k in 0..36 {
         let (x, y) = (k % 6, k / 6);
         let inner = x > 0 && x < 5 && y > 0 && y < 5;
-        assert_eq!(fans.around(k).len(), if inner { 4 } else { 0 });
+        assert_eq!(fans.row(k).len(), if inner { 4 } else { 0 });
     }
 }
 
@@ -43,7 +43,7 @@ fn fans_run_clockwise_on_screen() {
     let mesh = Mesh::whole(plain_delaunay(points), |_| false, 0);
     let ring: Vec<DVec2> = mesh
         .fans()
-        .around(12)
+        .row(12)
         .iter()
         .map(|&f| mesh.faces[f as usize].centroid(&mesh.vertices))
         .collect();
@@ -254,7 +254,7 @@ fn every_inner_node_of_a_whole_mesh_keeps_four_elements() {
         let mesh = Mesh::whole(IncrementalDelaunay::new(nodes), |_| false, 4);
         let fans = mesh.fans();
         for (k, before) in before.into_iter().enumerate() {
-            let after = fans.around(k).len();
+            let after = fans.row(k).len();
             assert!(
                 after == 0 || after >= before.min(4),
                 "{k}: {before}, {after}"

@@ -1,15 +1,15 @@
 //! The triangulation: Delaunay (spade), then flipped to be Delaunay in the local metric.
 
+pub(crate) use crate::csr::NONE;
+
 use super::metric::Metric;
 use super::{Node, Nodes};
 use crate::planar::{Delaunay, insert};
 use glam::DVec2;
 use spade::{Point2, Triangulation as _};
 
-/// No triangle.
-pub(crate) const NONE: u32 = u32::MAX;
 /// Most flips for each triangle: where the metric turns within a few cells, flips can cycle.
-const MOST_FLIPS: usize = 4;
+pub(crate) const MOST_FLIPS: usize = 4;
 /// An edge is flipped if its opposite angles add up to more than 180 degrees by this (their sine), so that
 /// ties stay.
 const TIE: f64 = 1e-9;

@@ -9,13 +9,13 @@ use crate::field::Fields;
 use glam::DVec2;
 
 /// The least distance from the boundary at which a cell is placed, in sizes.
-const INSIDE_CLEARANCE: f64 = 0.35;
+pub(crate) const INSIDE_CLEARANCE: f64 = 0.35;
 
 /// If the centre line of the outline is nearer to the walls than this, in sizes, cells go onto the centre
 /// line ...
-const NARROW: f64 = 0.4;
+pub(crate) const NARROW: f64 = 0.4;
 /// ... but not where it is nearer than this.
-const NARROWEST: f64 = 0.25;
+pub(crate) const NARROWEST: f64 = 0.25;
 
 /// The point on the centre line at a place too narrow for a cell. `None` if there is room, or so little that
 /// a cell would be a sliver.

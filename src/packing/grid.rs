@@ -1,5 +1,6 @@
 //! A spatial hash of points: finds neighbours in constant time.
 
+use super::chains::Chains;
 use crate::planar::Space;
 use glam::DVec2;
 use std::ops::Range;
@@ -11,11 +12,8 @@ pub struct Grid {
     step: f64,
     columns: usize,
     rows: usize,
-    head: Vec<u32>,
-    next: Vec<u32>,
+    points: Chains,
 }
-
-const NONE: u32 = u32::MAX;
 
 /// Most buckets along a side, so that tiny cells in a large picture do not cost much memory.
 const MOST: f64 = 1024.0;
@@ -31,8 +29,7 @@ impl Grid {
             step,
             columns,
             rows,
-            head: vec![NONE; columns * rows],
-            next: Vec::new(),
+            points: Chains::new(columns * rows),
         }
     }
 
@@ -53,7 +50,7 @@ impl Grid {
 
     /// The number of buckets.
     pub fn buckets(&self) -> usize {
-        self.head.len()
+        self.points.buckets()
     }
 
     /// The buckets whose points may lie within `radius` of `p`, as ranges in rising order.
@@ -66,9 +63,7 @@ impl Grid {
 
     /// Adds the next point; points are numbered from 0 in order of insertion.
     pub fn push(&mut self, p: DVec2) {
-        let bucket = self.bucket(p);
-        self.next.push(self.head[bucket]);
-        self.head[bucket] = (self.next.len() - 1) as u32;
+        self.points.push(self.bucket(p));
     }
 
     /// Calls `visit` with the number of every point that may lie within `radius` of an image of `p`, until it
@@ -81,20 +76,8 @@ impl Grid {
         mut visit: impl FnMut(usize) -> bool,
     ) -> bool {
         space.images(p, radius).any(|image| {
-            let (x0, y0) = self.place(image - DVec2::splat(radius));
-            let (x1, y1) = self.place(image + DVec2::splat(radius));
-            for y in y0..=y1 {
-                for &first in &self.head[y * self.columns + x0..=y * self.columns + x1] {
-                    let mut k = first;
-                    while k != NONE {
-                        if visit(k as usize) {
-                            return true;
-                        }
-                        k = self.next[k as usize];
-                    }
-                }
-            }
-            false
+            let mut runs = self.runs_near(image, radius);
+            runs.any(|run| self.points.any(run, &mut visit))
         })
     }
 

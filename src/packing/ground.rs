@@ -163,11 +163,17 @@ pub(crate) trait Ground: Copy {
     /// Whether there are several parts.
     fn has_parts(self) -> bool;
     /// Seeds from which round cells grow, instead of growing from the walls.
-    fn hearts(self) -> Vec<Self::Place>;
+    fn hearts(self) -> Vec<Self::Place> {
+        Vec::new()
+    }
     /// The row direction of each honeycomb.
-    fn honeycombs(self) -> Vec<DVec2>;
+    fn honeycombs(self) -> Vec<DVec2> {
+        Vec::new()
+    }
     /// The honeycomb that a place belongs to; `None` if rows follow the field.
-    fn honeycomb(self, p: Self::Place) -> Option<usize>;
+    fn honeycomb(self, _: Self::Place) -> Option<usize> {
+        None
+    }
     /// A random place.
     fn anywhere(self, random: &mut Random) -> Self::Place;
 }

@@ -8,6 +8,7 @@ use super::run::Body;
 use super::shape::{SQUARE_REACH, Shape};
 use super::wall::{stays_clear, wall_force};
 use super::{Integrator, Particle};
+use crate::csr::Csr;
 use crate::field::Kind;
 use crate::order::greater;
 use glam::DVec2;
@@ -80,9 +81,8 @@ pub(super) struct Motion<P> {
     doing: Doing<P>,
     /// The largest move and the largest force of the step so far.
     largest: (f64, f64),
-    /// The neighbours of body i with higher numbers are `list[start[i]..start[i + 1]]`.
-    start: Vec<u32>,
-    list: Vec<u32>,
+    /// The neighbours of each body that have higher numbers.
+    near: Csr<u32>,
     /// Bodies that are not at rest.
     awake: Vec<bool>,
     forces: Vec<DVec2>,
@@ -99,8 +99,7 @@ impl<P> Default for Motion<P> {
         Self {
             doing: Doing::default(),
             largest: (0.0, 0.0),
-            start: Vec::new(),
-            list: Vec::new(),
+            near: Csr::default(),
             awake: Vec::new(),
             forces: Vec::new(),
             clear: Vec::new(),
@@ -190,19 +189,18 @@ impl<P: Copy> Motion<P> {
         &mut self,
         bodies: &[Body<P>],
         sight: S,
-        (grid, firsts): (&S::Grid, &[usize]),
+        (grid, firsts): (&S::Grid, &[u32]),
         (reach, margin): (f64, f64),
     ) {
-        self.list.clear();
-        self.start.clear();
-        self.start.push(0);
+        self.near.clear();
+        let mut near = Vec::new();
         for (i, body) in bodies.iter().enumerate() {
             let centre = body.particle.centre;
             let shape = Shape::of(&body.particle);
             for image in sight.images(centre, reach) {
                 for run in grid.runs_near(image, reach) {
-                    let end = firsts[run.end];
-                    let first = firsts[run.start].max(i + 1).min(end);
+                    let end = firsts[run.end] as usize;
+                    let first = (firsts[run.start] as usize).max(i + 1).min(end);
                     for (other, j) in bodies[first..end].iter().zip(first as u32..) {
                         let Some((r, turn)) = sight.way_from(image, other.particle.centre, reach)
                         else {
@@ -212,21 +210,20 @@ impl<P: Copy> Motion<P> {
                         if shape.may_touch(&seen, r, margin)
                             && !is_walled_off(body, other, r, sight)
                         {
-                            self.list.push(j);
+                            near.push(j);
                         }
                     }
                 }
             }
-            self.start.push(self.list.len() as u32);
+            self.near.push(near.drain(..));
         }
     }
 
     /// The pairs that may touch, each once.
     pub fn pairs<'a>(&'a self, bodies: &'a [Body<P>]) -> impl Iterator<Item = (usize, usize)> + 'a {
         (0..bodies.len()).flat_map(|i| {
-            self.list[self.start[i] as usize..self.start[i + 1] as usize]
-                .iter()
-                .map(move |&j| (i, j as usize))
+            let near = self.near.row(i).iter();
+            near.map(move |&j| (i, j as usize))
         })
     }
 
@@ -235,7 +232,7 @@ impl<P: Copy> Motion<P> {
         self.awake.clear();
         self.awake.extend(bodies.iter().map(|b| b.has_moved));
         for (i, body) in bodies.iter().enumerate() {
-            for &j in &self.list[self.start[i] as usize..self.start[i + 1] as usize] {
+            for &j in self.near.row(i) {
                 self.awake[i] |= bodies[j as usize].has_moved;
                 self.awake[j as usize] |= body.has_moved;
             }
@@ -265,7 +262,7 @@ impl<P: Copy> Motion<P> {
         for (i, body) in these.clone().zip(&bodies[these]) {
             let (a, a_awake) = (self.pair_data[i], self.awake[i]);
             let mut total = DVec2::ZERO;
-            for &j in &self.list[self.start[i] as usize..self.start[i + 1] as usize] {
+            for &j in self.near.row(i) {
                 let j = j as usize;
                 let b = &self.pair_data[j];
                 if !(a_awake || self.awake[j]) {
@@ -484,28 +481,15 @@ fn is_walled_off<S: Sees>(
 }
 
 /// Sorts bodies by bucket, and within a bucket by id. Gives the start of each bucket.
-fn sort_by_bucket<P: Copy>(bodies: &mut [Body<P>], grid: &impl Buckets<P>) -> Vec<usize> {
-    let buckets: Vec<usize> = bodies
-        .iter()
-        .map(|b| grid.bucket(b.particle.centre))
-        .collect();
-    let mut firsts = vec![0; grid.buckets() + 1];
-    for &bucket in &buckets {
-        firsts[bucket + 1] += 1;
+fn sort_by_bucket<P: Copy>(bodies: &mut [Body<P>], grid: &impl Buckets<P>) -> Vec<u32> {
+    let pairs = bodies.iter().map(|b| (grid.bucket(b.particle.centre), *b));
+    let mut sorted = Csr::from_pairs(grid.buckets(), pairs);
+    for bucket in 0..grid.buckets() {
+        sorted
+            .row_mut(bucket)
+            .sort_unstable_by_key(|b| b.particle.id);
     }
-    for k in 1..firsts.len() {
-        firsts[k] += firsts[k - 1];
-    }
-    let mut free = firsts.clone();
-    let old = bodies.to_vec();
-    for (body, bucket) in old.into_iter().zip(buckets) {
-        let mut k = free[bucket];
-        free[bucket] += 1;
-        while k > firsts[bucket] && bodies[k - 1].particle.id > body.particle.id {
-            bodies[k] = bodies[k - 1];
-            k -= 1;
-        }
-        bodies[k] = body;
-    }
+    let (firsts, sorted) = sorted.into_parts();
+    bodies.copy_from_slice(&sorted);
     firsts
 }

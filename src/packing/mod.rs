@@ -33,7 +33,8 @@
 //! ```
 
 mod boundary_cells;
-mod clearance;
+pub(crate) mod chains;
+pub(crate) mod clearance;
 pub mod force;
 pub(crate) mod front;
 mod grid;

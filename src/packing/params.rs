@@ -1,5 +1,7 @@
 //! Parameters of a packing, and its fixed constants.
 
+use crate::random::SEED;
+
 /// How the cells meet the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundaryCondition {
@@ -53,6 +55,24 @@ pub struct PackingParams {
     pub variance: f64,
     /// Seed of the sizes and of random choices in placement.
     pub seed: u64,
+}
+
+impl PackingParams {
+    /// Edges on the boundary, filled and moved as we found best.
+    pub const DEFAULT: Self = Self {
+        boundary: BoundaryCondition::Wall,
+        start: Start::Stream,
+        integrator: Integrator::SemiImplicit,
+        population: Population::Slots,
+        variance: 0.0,
+        seed: SEED,
+    };
+}
+
+impl Default for PackingParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
 }
 
 /// The constants of the relaxation; lengths are in cell sizes.

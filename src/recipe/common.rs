@@ -3,6 +3,13 @@
 
 use super::parameter::{Parameter, choice, int, number};
 use super::schema::choices;
+use crate::heightfield::TextureParams;
+use crate::light::{Light, ShadeParams};
+use crate::random::SEED as SEED_BY_DEFAULT;
+
+/// The libraries' defaults, which are the rows'.
+const TEXTURE: TextureParams = TextureParams::DEFAULT;
+const SHADE: ShadeParams = ShadeParams::DEFAULT;
 
 /// Defines a table of rows that belong to no single generator.
 macro_rules! common {
@@ -20,17 +27,17 @@ pub(super) use common;
 
 common! {
     size SIZE: "Side of the square picture." =>
-        int("", "Picture side").range(128.0, 2048.0, 64.0, 512.0).unit("px")
+        int("", "Picture side").range(128.0, 2048.0, 64.0, TEXTURE.side as f64).unit("px")
             .group("Picture").steady();
 
     seed SEED: "Names the random numbers." =>
-        int("", "Seed").range(0.0, 4_294_967_295.0, 1.0, 1.0).group("Picture").steady();
+        int("", "Seed").range(0.0, 4_294_967_295.0, 1.0, SEED_BY_DEFAULT as f64).group("Picture").steady();
 
     fd FD: "Fractal dimension of the faces: near 1 smooth swells, near 2 rough grain." =>
-        number("Fd", "Fractal dimension").range(1.05, 1.95, 0.01, 1.5)
+        number("Fd", "Fractal dimension").range(1.05, 1.95, 0.01, TEXTURE.dimension)
             .group("Surface");
     af AF: "Amplitude of the fractal noise: in pixels on stones, in skin sizes on skin." =>
-        number("Af", "Roughness").range(0.0, 8.0, 0.05, 2.0)
+        number("Af", "Roughness").range(0.0, 8.0, 0.05, TEXTURE.amplitude)
             .group("Surface");
     palette PALETTE: "Colours and optical attributes." =>
         choice("Palette", choices![
@@ -42,7 +49,7 @@ common! {
             pangolin: "Pangolin", desert: "Thorny devil", cone: "Pine cone", dragon: "Dragon",
         ]).group("Surface").main();
     vary VARY: "Variation of tone from stone to stone." =>
-        number("", "Tone variation").range(0.0, 2.0, 0.05, 1.0).group("Surface");
+        number("", "Tone variation").range(0.0, 2.0, 0.05, TEXTURE.vary).group("Surface");
     ground GROUND: "What lies between the stones." =>
         choice("Ground", choices![
             sand: "Sand", soil: "Soil", mortar: "Mortar", dark: "Dark earth",
@@ -66,10 +73,10 @@ common! {
         choice("Light", choices![parallel: "Parallel", point: "Point"])
             .group("Light");
     az AZ: "Where the light comes from, clockwise from the right of the picture." =>
-        number("", "Azimuth").range(0.0, 360.0, 1.0, 225.0).unit("°").group("Light").main()
+        number("", "Azimuth").range(0.0, 360.0, 1.0, Light::AZIMUTH).unit("°").group("Light").main()
             .only_for(keys::LIGHT, &["parallel"]);
     el EL: "Height of the light above the ground." =>
-        number("", "Elevation").range(5.0, 90.0, 1.0, 42.0).unit("°").group("Light").main()
+        number("", "Elevation").range(5.0, 90.0, 1.0, Light::ELEVATION).unit("°").group("Light").main()
             .only_for(keys::LIGHT, &["parallel"]);
     lx LX: "Lamp's place from left to right, in picture sides." =>
         number("", "Lamp x").range(-1.0, 2.0, 0.01, 0.25).group("Light").main()
@@ -81,15 +88,15 @@ common! {
         number("", "Lamp height").range(0.05, 2.0, 0.01, 0.4).group("Light")
             .only_for(keys::LIGHT, &["point"]);
     amb AMB: "Factor of the ambient reflection A." =>
-        number("A", "Ambient").range(0.0, 2.0, 0.05, 1.0).group("Light");
+        number("A", "Ambient").range(0.0, 2.0, 0.05, SHADE.ambient).group("Light");
     diff DIFF: "Factor of the diffuse reflection D." =>
-        number("D", "Diffuse").range(0.0, 2.0, 0.05, 1.0).group("Light");
+        number("D", "Diffuse").range(0.0, 2.0, 0.05, SHADE.diffuse).group("Light");
     spec SPEC: "Factor of the specular reflection S." =>
-        number("S", "Specular").range(0.0, 2.0, 0.05, 1.0).group("Light");
+        number("S", "Specular").range(0.0, 2.0, 0.05, SHADE.specular).group("Light");
     shin SHIN: "Factor of the shininess n: the higher, the smaller the highlights." =>
-        number("n", "Shininess").range(0.25, 4.0, 0.05, 1.0).group("Light");
+        number("n", "Shininess").range(0.25, 4.0, 0.05, SHADE.shininess).group("Light");
     shadow SHADOW: "Strength of the shadows that stones cast." =>
-        number("", "Shadows").range(0.0, 1.0, 0.05, 1.0).group("Light");
+        number("", "Shadows").range(0.0, 1.0, 0.05, SHADE.shadow).group("Light");
     occl OCCL: "Strength of ambient occlusion, the darkness of the joints." =>
-        number("", "Occlusion").range(0.0, 1.0, 0.05, 1.0).group("Light");
+        number("", "Occlusion").range(0.0, 1.0, 0.05, SHADE.occlusion).group("Light");
 }

@@ -1,19 +1,68 @@
 //! Clips triangles and lines to the drawable part.
 
 use super::View;
+use crate::planar::cut_polygon;
 use glam::Vec3;
 
 /// Guard band: the frame is extended on each side by at least this many times its longer side before a
 /// triangle is clipped, so hardly any is.
 const GUARD: f32 = 2.0;
 /// Most corners of a clipped triangle: three, and one more for each of five planes.
-pub(super) const MOST: usize = 8;
+const MOST: usize = 8;
 
-/// A convex polygon; only the first `count` corners are valid.
+/// A convex polygon of at most `N` corners; only the first `count` are valid.
 #[derive(Clone, Copy)]
-pub(super) struct Polygon {
-    pub corners: [Vec3; MOST],
+pub(super) struct Polygon<const N: usize> {
+    pub corners: [Vec3; N],
     pub count: usize,
+}
+
+/// A corner with its distance inside a plane.
+type CornerAt = (Vec3, f32);
+
+impl<const N: usize> Polygon<N> {
+    pub fn triangle([a, b, c]: [Vec3; 3]) -> Self {
+        let mut corners = [Vec3::ZERO; N];
+        corners[..3].copy_from_slice(&[a, b, c]);
+        Self { corners, count: 3 }
+    }
+
+    /// The part where the distance is not negative.
+    #[inline(always)]
+    pub fn cut(
+        &self,
+        distance: impl Fn(Vec3) -> f32,
+        crossing: impl Fn(CornerAt, CornerAt) -> Vec3,
+    ) -> Self {
+        let mut cut = Self {
+            corners: [Vec3::ZERO; N],
+            count: 0,
+        };
+        let corners = &self.corners[..self.count];
+        cut_polygon(corners, &distance, crossing, |p| {
+            if cut.count < N {
+                cut.corners[cut.count] = p;
+                cut.count += 1;
+            }
+        });
+        // The first corner stays the first: a crossing of the last side with the plane comes behind all others.
+        if let [first, .., last] = corners
+            && (distance(*first) >= 0.0) != (distance(*last) >= 0.0)
+        {
+            cut.corners[..cut.count].rotate_left(1);
+        }
+        cut
+    }
+}
+
+/// The place of distance zero between two corners. It is computed from the inner one: two triangles with a common edge
+/// are cut at the same place of it, bit for bit.
+#[inline(always)]
+pub(super) fn between((p, here): CornerAt, (q, there): CornerAt) -> Vec3 {
+    match here >= 0.0 {
+        true => p + (q - p) * (here / (here - there)),
+        false => q + (p - q) * (there / (there - here)),
+    }
 }
 
 /// The clipping planes: `distance` of a point in the view is not negative inside.
@@ -58,15 +107,12 @@ impl Planes {
         bits
     }
 
-    /// The part of a triangle inside these planes. Two triangles with a common edge are cut at the same point
-    /// of it, bit for bit, because cuts are computed from the inner end.
-    pub fn cut(&self, triangle: [Vec3; 3], planes: u32) -> Polygon {
-        let [a, b, c] = triangle;
-        let mut corners = [Vec3::ZERO; MOST];
-        corners[..3].copy_from_slice(&[a, b, c]);
-        let mut polygon = Polygon { corners, count: 3 };
+    /// The part of a triangle inside these planes.
+    pub fn cut(&self, triangle: [Vec3; 3], planes: u32) -> Polygon<MOST> {
+        let mut polygon = Polygon::triangle(triangle);
         for plane in (0..5).filter(|plane| planes >> plane & 1 == 1) {
-            polygon = self.cut_by(plane, &polygon);
+            let crossing = |p, q| self.crossing(plane, p, q);
+            polygon = polygon.cut(|p| self.distance(plane, p), crossing);
         }
         polygon
     }
@@ -77,8 +123,8 @@ impl Planes {
             let (here, there) = (self.distance(plane, a), self.distance(plane, b));
             match (here >= 0.0, there >= 0.0) {
                 (true, true) => {}
-                (true, false) => b = self.crossing(plane, a, b),
-                (false, true) => a = self.crossing(plane, b, a),
+                (true, false) => b = self.crossing(plane, (a, here), (b, there)),
+                (false, true) => a = self.crossing(plane, (a, here), (b, there)),
                 (false, false) => return None,
             }
         }
@@ -87,39 +133,11 @@ impl Planes {
 
     /// The crossing of a line with a plane between its ends.
     #[inline(always)]
-    fn crossing(&self, plane: usize, inner: Vec3, outer: Vec3) -> Vec3 {
-        let (from, to) = (self.distance(plane, inner), self.distance(plane, outer));
-        let mut at = inner + (outer - inner) * (from / (from - to));
+    fn crossing(&self, plane: usize, p: CornerAt, q: CornerAt) -> Vec3 {
+        let mut at = between(p, q);
         if plane == 0 {
             at.z = self.near;
         }
         at
-    }
-
-    fn cut_by(&self, plane: usize, polygon: &Polygon) -> Polygon {
-        let mut cut = Polygon {
-            corners: [Vec3::ZERO; MOST],
-            count: 0,
-        };
-        let mut add = |p: Vec3| {
-            if cut.count < MOST {
-                cut.corners[cut.count] = p;
-                cut.count += 1;
-            }
-        };
-        for k in 0..polygon.count {
-            let (p, q) = (polygon.corners[k], polygon.corners[(k + 1) % polygon.count]);
-            let (here, there) = (self.distance(plane, p), self.distance(plane, q));
-            if here >= 0.0 {
-                add(p);
-            }
-            if (here >= 0.0) != (there >= 0.0) {
-                add(match here >= 0.0 {
-                    true => self.crossing(plane, p, q),
-                    false => self.crossing(plane, q, p),
-                });
-            }
-        }
-        cut
     }
 }

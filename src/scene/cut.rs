@@ -1,5 +1,6 @@
 //! A plane that cuts away bodies, so that a view shows the bodies behind it.
 
+use super::clip::{Polygon, between};
 use crate::decimal;
 use glam::{DVec3, Vec3};
 
@@ -29,12 +30,6 @@ pub(super) enum Left {
     All,
     Some,
     None,
-}
-
-/// The part of a triangle that is left, a convex polygon; only the first `count` corners are valid.
-pub(super) struct Rest {
-    pub corners: [Vec3; 4],
-    pub count: usize,
 }
 
 impl Cut {
@@ -71,32 +66,9 @@ impl Cut {
         }
     }
 
-    /// The part of a triangle that is left. Two triangles with a common edge are cut at the same point of it, bit for
-    /// bit, because cuts are computed from the end that is left.
-    pub(super) fn rest_of(&self, triangle: [Vec3; 3]) -> Rest {
-        let mut rest = Rest {
-            corners: [Vec3::ZERO; 4],
-            count: 0,
-        };
-        let mut add = |p: Vec3| {
-            rest.corners[rest.count] = p;
-            rest.count += 1;
-        };
-        for k in 0..3 {
-            let (p, q) = (triangle[k], triangle[(k + 1) % 3]);
-            let (here, there) = (self.beyond(p), self.beyond(q));
-            if here <= 0.0 {
-                add(p);
-            }
-            if (here <= 0.0) != (there <= 0.0) {
-                let (from, to, part) = match here <= 0.0 {
-                    true => (p, q, here / (here - there)),
-                    false => (q, p, there / (there - here)),
-                };
-                add(from + (to - from) * part);
-            }
-        }
-        rest
+    /// The part of a triangle that is left.
+    pub(super) fn rest_of(&self, triangle: [Vec3; 3]) -> Polygon<4> {
+        Polygon::triangle(triangle).cut(|p| -self.beyond(p), between)
     }
 
     /// The depth at which a ray from the eye, of depth 1, meets the plane.

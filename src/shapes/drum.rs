@@ -1,7 +1,7 @@
 //! A cylinder, with or without caps: rings of vertices that are sewn together.
 
-use super::ShapeMesh;
 use super::bone::Bone;
+use crate::trimesh::Soup;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -83,7 +83,7 @@ impl Drum {
             .collect()
     }
 
-    pub fn build(&self, edge: f64) -> ShapeMesh {
+    pub fn build(&self, edge: f64) -> Soup {
         let height = self.height * self.scale;
         let wide = 2.0 * self.outline(0.01).iter().fold(0.0, |most, p| p.x.max(most));
         let step = edge * (2.0 * wide * wide + height * height).sqrt();
@@ -101,12 +101,8 @@ impl Drum {
                 sewing.ring(DVec2::new(at(k), below.y));
             }
         }
-        let mut rims = Vec::new();
-        for (k, &p) in wall.iter().enumerate() {
+        for &p in &wall {
             sewing.ring(p);
-            if k == 0 || k + 1 == wall.len() {
-                rims.push(sewing.rings.len() - 1);
-            }
         }
         if self.caps {
             let at = cap(above.x);
@@ -114,26 +110,14 @@ impl Drum {
                 sewing.ring(DVec2::new(at(k), above.y));
             }
         }
-        let mut creases = Vec::new();
-        for ring in rims.iter().filter(|_| self.caps).map(|&k| &sewing.rings[k]) {
-            for k in 0..ring.count {
-                let [a, b] = [k, (k + 1) % ring.count].map(|k| (ring.first + k) as u32);
-                creases.push([a.min(b), a.max(b)]);
-            }
-        }
-        ShapeMesh {
-            positions: sewing.positions,
-            triangles: sewing.triangles,
-            creases,
-        }
+        sewing.made
     }
 }
 
 /// Rings of vertices about the y axis, each joined to the one before by triangles.
 struct Sewing {
     step: f64,
-    positions: Vec<DVec3>,
-    triangles: Vec<[u32; 3]>,
+    made: Soup,
     rings: Vec<Ring>,
 }
 
@@ -141,8 +125,7 @@ impl Sewing {
     fn new(step: f64) -> Self {
         Self {
             step,
-            positions: Vec::new(),
-            triangles: Vec::new(),
+            made: Soup::default(),
             rings: Vec::new(),
         }
     }
@@ -162,13 +145,13 @@ impl Sewing {
             turn = last.turn + 0.5 * TAU / last.count.max(count) as f64;
         }
         let ring = Ring {
-            first: self.positions.len(),
+            first: self.made.positions.len(),
             count,
             turn,
         };
         for k in 0..count {
             let angle = turn + TAU * k as f64 / count as f64;
-            self.positions.push(DVec3::new(
+            self.made.positions.push(DVec3::new(
                 at.x * libm::cos(angle),
                 at.y,
                 at.x * libm::sin(angle),
@@ -188,15 +171,16 @@ impl Sewing {
         let (mut i, mut j) = (0, 0);
         while i < steps(lower) || j < steps(upper) {
             let (a, b) = (name(lower, i), name(upper, j));
-            let far =
-                |p: u32, q: u32| (self.positions[p as usize] - self.positions[q as usize]).length();
+            let far = |p: u32, q: u32| {
+                (self.made.positions[p as usize] - self.made.positions[q as usize]).length()
+            };
             let below = i < steps(lower)
                 && (j == steps(upper) || far(name(lower, i + 1), b) <= far(a, name(upper, j + 1)));
             if below {
-                self.triangles.push([a, b, name(lower, i + 1)]);
+                self.made.triangles.push([a, b, name(lower, i + 1)]);
                 i += 1;
             } else {
-                self.triangles.push([a, b, name(upper, j + 1)]);
+                self.made.triangles.push([a, b, name(upper, j + 1)]);
                 j += 1;
             }
         }

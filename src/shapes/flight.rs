@@ -1,15 +1,11 @@
 //! Slopes and stairs: a profile from the back to the front, extruded to the sides.
 
-use super::ShapeMesh;
+use crate::trimesh::Soup;
 use glam::{DVec2, DVec3};
 
 /// A grid of vertices, `i` to the right and `j` to the front. Each square becomes two triangles along its shorter
 /// diagonal.
-pub(super) fn grid(
-    across: usize,
-    along: usize,
-    at: impl Fn(usize, usize) -> DVec3,
-) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub(super) fn grid(across: usize, along: usize, at: impl Fn(usize, usize) -> DVec3) -> Soup {
     let row = across + 1;
     let each = (0..=along).flat_map(|j| (0..=across).map(move |i| (i, j)));
     let positions: Vec<DVec3> = each.map(|(i, j)| at(i, j)).collect();
@@ -30,7 +26,10 @@ pub(super) fn grid(
             }
         }
     }
-    (positions, triangles)
+    Soup {
+        positions,
+        triangles,
+    }
 }
 
 /// The points of a profile from the back to the front, as `(z, y)`, each with whether the line has a corner there.
@@ -42,7 +41,7 @@ const PIECES: u32 = 24;
 const CREASE: f64 = 0.3;
 
 /// Extrudes a profile after scaling all to the largest side 1.
-fn drawn(line: Line, width: f64, edge: f64) -> ShapeMesh {
+fn drawn(line: Line, width: f64, edge: f64) -> Soup {
     let (mut lo, mut hi) = (line[0].0, line[0].0);
     for &(p, _) in &line {
         (lo, hi) = (lo.min(p), hi.max(p));
@@ -51,7 +50,7 @@ fn drawn(line: Line, width: f64, edge: f64) -> ShapeMesh {
     let scale = 1.0 / size.max_element();
     let step = edge * size.length();
     // Divide the line into even steps from corner to corner, so that corners stay.
-    let mut rows: Line = vec![line[0]];
+    let mut rows = vec![line[0].0];
     let mut first = 0;
     for last in 1..line.len() {
         if line[last].1 || last + 1 == line.len() {
@@ -60,25 +59,15 @@ fn drawn(line: Line, width: f64, edge: f64) -> ShapeMesh {
         }
     }
     let across = (width / step).round().max(2.0) as usize;
-    let (positions, triangles) = grid(across, rows.len() - 1, |i, j| {
-        let p = rows[j].0;
+    grid(across, rows.len() - 1, |i, j| {
+        let p = rows[j];
         let x = (i as f64 / across as f64 - 0.5) * width;
         DVec3::new(x, p.y - lo.y, p.x - 0.5 * (lo.x + hi.x)) * scale
-    });
-    let mut creases = Vec::new();
-    for (j, _) in rows.iter().enumerate().filter(|(_, row)| row.1) {
-        let first = (j * (across + 1)) as u32;
-        creases.extend((first..first + across as u32).map(|v| [v, v + 1]));
-    }
-    ShapeMesh {
-        positions,
-        triangles,
-        creases,
-    }
+    })
 }
 
 /// Adds a line without corners in even steps, but not its first point.
-fn even_steps(line: &[(DVec2, bool)], step: f64, rows: &mut Line) {
+fn even_steps(line: &[(DVec2, bool)], step: f64, rows: &mut Vec<DVec2>) {
     let lengths = || line.windows(2).map(|pair| (pair[1].0 - pair[0].0).length());
     let length: f64 = lengths().sum();
     let count = (length / step).round().max(1.0);
@@ -92,13 +81,13 @@ fn even_steps(line: &[(DVec2, bool)], step: f64, rows: &mut Line) {
             own = (line[k + 1].0 - line[k].0).length();
         }
         let share = ((wanted - before) / own.max(f64::MIN_POSITIVE)).min(1.0);
-        rows.push((line[k].0 + (line[k + 1].0 - line[k].0) * share, false));
+        rows.push(line[k].0 + (line[k + 1].0 - line[k].0) * share);
     }
-    rows.extend(line.last());
+    rows.extend(line.last().map(|&(p, _)| p));
 }
 
 /// The slope for the numbers `[rise, landing, width, round]`; it goes down to the front.
-pub(super) fn slope(n: &[f64], edge: f64) -> ShapeMesh {
+pub(super) fn slope(n: &[f64], edge: f64) -> Soup {
     let (rise, landing, width, round) = (n[0].to_radians(), n[1], n[2], n[3]);
     let down = DVec2::new(libm::cos(rise), -libm::sin(rise));
     let run = 1.0 - 2.0 * landing;
@@ -141,7 +130,7 @@ pub(super) fn slope(n: &[f64], edge: f64) -> ShapeMesh {
 }
 
 /// The stairs for the numbers `[steps, pitch, width, landing]`. They go down to the front, to one more tread.
-pub(super) fn stairs(n: &[f64], edge: f64) -> ShapeMesh {
+pub(super) fn stairs(n: &[f64], edge: f64) -> Soup {
     let (steps, pitch, landing) = (n[0] as usize, n[1], n[3]);
     let mut at = DVec2::new(0.0, steps as f64 * pitch);
     let mut line: Line = vec![(at, false)];

@@ -4,8 +4,8 @@ use super::form::{Form, onto};
 use super::march::March;
 use super::remesh;
 use super::surgery::Surgery;
-use super::{Shape, ShapeMesh, plain, solid};
-use crate::trimesh::NONE;
+use super::{Shape, plain, solid};
+use crate::trimesh::{NONE, Soup};
 
 /// A pass over all edges or vertices.
 #[derive(Clone, Copy, PartialEq)]
@@ -47,7 +47,7 @@ pub struct ShapeMaking {
     /// The wanted length of edges now, and how often it is still to be halved.
     edge: f64,
     halvings: usize,
-    made: ShapeMesh,
+    made: Soup,
 }
 
 impl ShapeMaking {
@@ -61,7 +61,7 @@ impl ShapeMaking {
             end: 0,
             edge,
             halvings: 0,
-            made: ShapeMesh::default(),
+            made: Soup::default(),
         };
         match &making.form {
             None => making.made = plain(shape, numbers, edge),
@@ -146,16 +146,15 @@ impl ShapeMaking {
             return true;
         }
         let (positions, triangles) = mesh.finish();
-        self.made = ShapeMesh {
+        self.made = Soup {
             positions,
             triangles,
-            creases: Vec::new(),
         };
         false
     }
 
     /// The finished shape, once [`Self::advance`] has returned true; empty before.
-    pub fn finish(self) -> ShapeMesh {
+    pub fn finish(self) -> Soup {
         self.made
     }
 }

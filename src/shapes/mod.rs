@@ -35,6 +35,7 @@ pub use bone::{Bone, OnBone};
 pub use making::ShapeMaking;
 pub use numbers::ShapeNumber;
 
+use crate::trimesh::Soup;
 use form::Form;
 use glam::DVec3;
 
@@ -71,17 +72,6 @@ pub enum Shape {
     Vase,
     /// A thick letter of the alphabet.
     Letter,
-}
-
-/// The triangles of a shape.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ShapeMesh {
-    /// The vertices.
-    pub positions: Vec<DVec3>,
-    /// Their triangles, counter-clockwise seen from outside.
-    pub triangles: Vec<[u32; 3]>,
-    /// Edges where the surface has a sharp bend, as pairs of vertices with the smaller number first.
-    pub creases: Vec<[u32; 2]>,
 }
 
 /// The shortest edges, as a share of the diagonal.
@@ -184,7 +174,7 @@ fn solid(shape: Shape, n: &[f64]) -> Option<Box<dyn Form>> {
 }
 
 /// The triangles of a shape that has no solid form.
-fn plain(shape: Shape, n: &[f64], edge: f64) -> ShapeMesh {
+fn plain(shape: Shape, n: &[f64], edge: f64) -> Soup {
     let edge = edge.min(PLAIN_COARSEST);
     match shape {
         Shape::Slope => flight::slope(n, edge),

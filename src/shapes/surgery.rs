@@ -3,6 +3,7 @@
 //! Half edge `3 t + k` goes from corner `k` of triangle `t` to the next one. In removed triangles it begins at
 //! [`NONE`].
 
+use crate::csr::Csr;
 use crate::trimesh::NONE;
 use glam::DVec3;
 
@@ -41,22 +42,13 @@ impl Surgery {
             let (a, b) = (surgery.start(h), surgery.end(h));
             (a.min(b) as usize, a.max(b))
         };
-        let mut first = vec![0_usize; surgery.positions.len() + 1];
-        for h in 0..surgery.from.len() as u32 {
-            first[ends(h).0 + 1] += 1;
-        }
-        for v in 1..first.len() {
-            first[v] += first[v - 1];
-        }
-        let mut edges = vec![(0_u32, 0_u32); surgery.from.len()];
-        let mut free = first.clone();
-        for h in 0..surgery.from.len() as u32 {
+        let edges = (0..surgery.from.len() as u32).map(|h| {
             let (a, b) = ends(h);
-            edges[free[a]] = (b, h);
-            free[a] += 1;
-        }
-        for v in first.windows(2) {
-            let own = &mut edges[v[0]..v[1]];
+            (a, (b, h))
+        });
+        let mut edges = Csr::from_pairs(surgery.positions.len(), edges);
+        for v in 0..surgery.positions.len() {
+            let own = edges.row_mut(v);
             own.sort_unstable();
             let mut pairs = own.chunks_exact(2);
             for pair in &mut pairs {

@@ -1,9 +1,9 @@
 //! Gentle hills: a sum of waves, with a lane that winds between them.
 
-use super::ShapeMesh;
 use super::bone::Bone;
 use super::flight::grid;
 use crate::random::{Purpose, Random};
+use crate::trimesh::Soup;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -100,17 +100,12 @@ impl Terrain {
         }]
     }
 
-    pub fn build(&self, edge: f64) -> ShapeMesh {
+    pub fn build(&self, edge: f64) -> Soup {
         let diagonal = (2.0 + 4.0 * self.height * self.height).sqrt();
         // Hilly ground is longer than its plan.
         let steep = 1.0 + 0.3 * (self.height * 8.0).min(0.5);
         let count = (steep / (edge * diagonal)).round().max(2.0) as usize;
         let side = |k: usize| k as f64 / count as f64 - 0.5;
-        let mesh = grid(count, count, |i, j| self.at(side(i), side(j)));
-        ShapeMesh {
-            positions: mesh.0,
-            triangles: mesh.1,
-            creases: Vec::new(),
-        }
+        grid(count, count, |i, j| self.at(side(i), side(j)))
     }
 }

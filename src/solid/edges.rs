@@ -1,5 +1,7 @@
 //! The edges of a triangle mesh, and the division of each triangle at their midpoints.
 
+use crate::csr::Csr;
+
 /// An edge, with its ends in rising order and the opposite corners: two, or one at a boundary.
 #[derive(Debug)]
 pub(super) struct Edge {
@@ -15,42 +17,22 @@ pub(super) struct Edges {
     starts: Vec<u32>,
 }
 
-/// Prefix sums: from counts to the start of each item, with the end of the last one.
-pub(super) fn starts(counts: impl Iterator<Item = u32>) -> Vec<u32> {
-    let mut sum = 0;
-    let mut starts = vec![0];
-    starts.extend(counts.map(|count| {
-        sum += count;
-        sum
-    }));
-    starts
-}
-
 impl Edges {
     /// The edges of a mesh with `vertices` vertices. A counting sort by first ends: meshes are large, and few
     /// edges begin at a vertex.
     pub fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
         let sides = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]];
-        let mut counts = vec![0; vertices];
-        for [a, b, _] in triangles.iter().flat_map(sides) {
-            counts[a.min(b) as usize] += 1;
-        }
-        let firsts = starts(counts.into_iter());
-        let mut free = firsts.clone();
-        let mut others = vec![(0, 0); 3 * triangles.len()];
-        for [a, b, opposite] in triangles.iter().flat_map(sides) {
-            let at = &mut free[a.min(b) as usize];
-            others[*at as usize] = (a.max(b), opposite);
-            *at += 1;
-        }
-        let mut list = Vec::with_capacity(others.len() / 2 + 1);
+        let sides = triangles.iter().flat_map(sides);
+        let sides = sides.map(|[a, b, opposite]| (a.min(b) as usize, (a.max(b), opposite)));
+        let mut others = Csr::from_pairs(vertices, sides);
+        let mut list = Vec::with_capacity(3 * triangles.len() / 2 + 1);
         let mut begun = Vec::with_capacity(vertices + 1);
-        for (first, span) in (0..).zip(firsts.windows(2)) {
+        for first in 0..vertices {
             begun.push(list.len() as u32);
-            let own = &mut others[span[0] as usize..span[1] as usize];
+            let own = others.row_mut(first);
             by_insertion(own);
             list.extend(own.chunk_by(|x, y| x.0 == y.0).map(|same| Edge {
-                ends: [first, same[0].0],
+                ends: [first as u32, same[0].0],
                 opposite: match same {
                     [c, d] => Some([c.1, d.1]),
                     _ => None,

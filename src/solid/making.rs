@@ -19,7 +19,7 @@ use super::footprint::Footprint;
 use super::solids::shown_level;
 use super::surface::boundary_edges;
 use super::{MOST_LEVELS, Prism, SkinParams, Solids, StoneKind, StoneParams, Surface};
-use super::{TriangleMesh, control, control_mesh, normals, prism};
+use super::{Solid, control, control_mesh, normals, prism};
 use crate::cells::Cell;
 use glam::Vec3;
 
@@ -141,7 +141,7 @@ pub fn step(
         Making::Bevel => bevelled(cell, params)?,
         Making::Loop(level) => {
             let is_last = !steps.contains(&Making::Loop(level + 1));
-            let mesh = refined(solids, cell, &smooth(params), level);
+            let mesh = solids.solid_of_level(cell, &smooth(params), level);
             let surface = if is_last { round } else { faceted }(&mesh);
             let edges = match level {
                 ..=LINED => lines(&mesh),
@@ -151,7 +151,10 @@ pub fn step(
         }
         Making::Noise => {
             let level = shown_level(cell, params)?;
-            (round(&refined(solids, cell, params, level)), Vec::new())
+            (
+                round(&solids.solid_of_level(cell, params, level)),
+                Vec::new(),
+            )
         }
         _ => swept(cell, params, making)?,
     };
@@ -171,14 +174,6 @@ fn smooth(params: &StoneParams) -> StoneParams {
     StoneParams { skin, ..*params }
 }
 
-fn refined(solids: &mut Solids, cell: &Cell, params: &StoneParams, level: u32) -> TriangleMesh {
-    let solid = solids.solid_of_level(cell, params, level);
-    TriangleMesh {
-        vertices: solid.vertices,
-        triangles: solid.triangles.to_vec(),
-    }
-}
-
 /// The prism after one of the steps before the control mesh; for a base, a plate.
 fn swept(cell: &Cell, params: &StoneParams, making: Making) -> Option<(Surface, Vec<[Vec3; 2]>)> {
     let plan = Footprint::new(&cell.ring, cell.centre)?;
@@ -191,9 +186,9 @@ fn swept(cell: &Cell, params: &StoneParams, making: Making) -> Option<(Surface, 
     if making == Making::Base {
         points[n..].iter_mut().for_each(|p| p.z = thick);
     }
-    let mesh = TriangleMesh {
+    let mesh = Solid {
         vertices: points,
-        triangles: prism::triangles(n),
+        triangles: prism::triangles(n).into(),
     };
     let (base, top) = mesh.vertices[..2 * n].split_at(n);
     let mut edges = ring(top);
@@ -257,9 +252,9 @@ fn bevelled(cell: &Cell, params: &StoneParams) -> Option<(Surface, Vec<[Vec3; 2]
             .chain(shoulder.iter().zip(top))
             .map(|(&a, &b)| [a, b]),
     );
-    let mesh = TriangleMesh {
+    let mesh = Solid {
         vertices: [rings.concat().as_slice(), &points[points.len() - 1..]].concat(),
-        triangles: control::triangles_over(BEVEL.len(), n),
+        triangles: control::triangles_over(BEVEL.len(), n).into(),
     };
     Some((faceted(&mesh), edges))
 }
@@ -269,19 +264,19 @@ fn ring(points: &[Vec3]) -> Vec<[Vec3; 2]> {
     points.iter().zip(next).map(|(&a, &b)| [a, b]).collect()
 }
 
-fn lines(mesh: &TriangleMesh) -> Vec<[Vec3; 2]> {
+fn lines(mesh: &Solid) -> Vec<[Vec3; 2]> {
     let edges = Edges::new(mesh.vertices.len(), &mesh.triangles).list;
     let line = |ends: [u32; 2]| ends.map(|k| mesh.vertices[k as usize]);
     edges.iter().map(|edge| line(edge.ends)).collect()
 }
 
 /// A mesh with a closed base, still without normals.
-fn closed(mesh: &TriangleMesh) -> Surface {
+fn closed(mesh: &Solid) -> Surface {
     let mut surface = Surface {
         positions: mesh.vertices.clone(),
         normals: Vec::new(),
         colours: vec![PLAIN; mesh.vertices.len()],
-        triangles: mesh.triangles.clone(),
+        triangles: mesh.triangles.to_vec(),
     };
     surface.cap(&boundary_edges(&mesh.triangles, mesh.vertices.len()));
     // The cap is flat and moves points slightly; this restores the mesh.
@@ -290,14 +285,14 @@ fn closed(mesh: &TriangleMesh) -> Surface {
 }
 
 /// The mesh as a smooth surface: its points, then the centre of the base.
-fn round(mesh: &TriangleMesh) -> Surface {
+fn round(mesh: &Solid) -> Surface {
     let mut surface = closed(mesh);
     surface.normals = normals(&surface.positions, &mesh.triangles);
     surface
 }
 
 /// The mesh as flat triangles with separate corners, without degenerate ones.
-fn faceted(mesh: &TriangleMesh) -> Surface {
+fn faceted(mesh: &Solid) -> Surface {
     let closed = closed(mesh);
     let mut surface = Surface::default();
     for triangle in &closed.triangles {

@@ -31,10 +31,13 @@
 //! assert!(f64::from(highest) < 1.5 * top(&params, cell.size));
 //! ```
 
+mod collapse;
 mod control;
 mod displacement;
 mod edges;
 mod footprint;
+#[cfg(house)]
+mod levels;
 mod making;
 mod orientation;
 mod prism;
@@ -46,7 +49,11 @@ mod stencil_cache;
 mod subdivide;
 mod surface;
 
+#[cfg(house)]
+pub(crate) use collapse::{Collapse, LENGTH};
 pub use footprint::{Footprint, MOST_CORNERS};
+#[cfg(house)]
+pub(crate) use levels::{finest, levels};
 pub use making::{Making, PLAIN, Step, step, steps};
 pub use orientation::oriented;
 #[cfg(house)]
@@ -57,11 +64,14 @@ pub(crate) use quadric::Quadric;
 pub(crate) use simplify::simplify;
 #[cfg(house)]
 pub(crate) use simplify::simplify_between;
-pub use solids::{Solid, Solids, control_mesh};
+pub use solids::{Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
-pub use subdivide::{Stencil, TriangleMesh, beta, loop_subdivide};
+pub use subdivide::{Solid, Stencil, beta, loop_subdivide};
 pub(crate) use surface::boundary_edges;
+pub(crate) use surface::used;
 pub use surface::{Surface, normals};
+
+use crate::random::SEED;
 
 /// The kind of control mesh of a stone.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -132,6 +142,49 @@ pub struct SkinParams {
     pub dimension: f64,
     /// Amplitude of the noise (Af).
     pub amplitude: f64,
+}
+
+impl StoneParams {
+    /// Cobblestones; made into skin, it is [`SkinParams::DEFAULT`].
+    pub const DEFAULT: Self = Self {
+        kind: StoneKind::Cobble,
+        height: 18.0,
+        scale: 1.0,
+        distortion: 0.3,
+        distribution: Distribution::Uniform,
+        bevel_horizontal: 0.2,
+        bevel_vertical: 0.2,
+        skin: SkinParams::DEFAULT,
+        seed: SEED,
+    };
+}
+
+impl Default for StoneParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+impl SkinParams {
+    /// Upright prisms, a little tapered.
+    pub const DEFAULT: Self = Self {
+        sweep: 1.0,
+        skew: 0.0,
+        skew_angle: 0.0,
+        tilt: 0.0,
+        taper: 0.2,
+        flatness: 0.0,
+        keel: 0.0,
+        rings: 0,
+        dimension: 1.1,
+        amplitude: 0.1,
+    };
+}
+
+impl Default for SkinParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
 }
 
 /// The skin size of a hexagon or a square with area 1.

@@ -1,38 +1,23 @@
 //! Simplifies closed surfaces.
 //!
-//! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics: edges are collapsed one by
-//! one, always the one whose end moves least off the planes of the triangles it represents. An end moves to
-//! the other end and nowhere else, so the remaining vertices are a subset with all their attributes. An edge
-//! is collapsed only if the surface stays closed (its ends have two common neighbours: Dey, Edelsbrunner,
-//! Guha, Nekhayev 1999) and no triangle flips.
+//! An end of an edge moves to the other end and nowhere else, so the remaining vertices are a subset with all their
+//! attributes. An edge is collapsed only if the surface stays closed (its ends have two common neighbours: Dey,
+//! Edelsbrunner, Guha, Nekhayev 1999) and no triangle flips.
 
+use super::collapse::{Collapse, LENGTH};
 use super::quadric::Quadric;
-use crate::order::{greater, rank};
+use crate::order::greater;
 use glam::{DVec3, Vec3};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
-/// Cost of an edge's length, as a factor of its square and the area around: on flat parts short edges are
-/// collapsed first, which keeps triangles well-shaped.
-const LENGTH: f64 = 1e-5;
 /// Cosine of the largest turn of a triangle.
 const TURN: f64 = 0.2;
 /// A triangle with a smaller area, in square units, may turn freely.
 const NO_AREA: f64 = 1e-9;
+/// A removed triangle.
+const REMOVED: [u32; 3] = [0; 3];
 
-/// A candidate edge: the rank of its cost, the end that is removed and the one that stays, and how often both
-/// had changed when the cost was computed.
-type Edge = Reverse<(u64, [u32; 2], u32)>;
-
-struct Simplifier<'a> {
-    places: Vec<DVec3>,
-    triangles: &'a mut [[u32; 3]],
-    quadrics: Vec<Quadric>,
-    /// The triangles around each vertex, including removed ones.
-    around: Vec<Vec<u32>>,
-    /// The number of changes of each vertex.
-    changes: Vec<u32>,
-    edges: BinaryHeap<Edge>,
+struct Simplifier {
+    collapse: Collapse,
     /// Upper limit of the mean squared distance to the original planes.
     square: f64,
 }
@@ -60,37 +45,32 @@ pub(crate) fn simplify_between(
     }
     let mut simplifier = Simplifier::new(positions, triangles, far, floor);
     while left > most.max(4) {
-        let Some(Reverse((_, [a, b], changes))) = simplifier.edges.pop() else {
-            return;
+        let Some([a, b]) = simplifier.collapse.pop() else {
+            break;
         };
-        if simplifier.changes_of(a, b) == changes && !stays(a) && simplifier.may_go(a, b) {
-            simplifier.collapse(a, b);
+        if !stays(a) && simplifier.may_go(a, b) {
+            simplifier.merge(a, b);
             left -= 2;
         }
     }
+    triangles.copy_from_slice(&simplifier.collapse.triangles);
 }
 
-impl<'a> Simplifier<'a> {
-    fn new(positions: &[Vec3], triangles: &'a mut [[u32; 3]], far: f64, floor: f32) -> Self {
+impl Simplifier {
+    fn new(positions: &[Vec3], triangles: &[[u32; 3]], far: f64, floor: f32) -> Self {
         // Sums relative to a nearby origin lose fewer digits.
         let origin = positions[0];
-        let count = positions.len();
+        let places = positions.iter().map(|&p| (p - origin).as_dvec3()).collect();
         let mut new = Self {
-            places: positions.iter().map(|&p| (p - origin).as_dvec3()).collect(),
-            quadrics: vec![Quadric::default(); count],
-            around: vec![Vec::new(); count],
-            changes: vec![0; count],
-            edges: BinaryHeap::new(),
+            collapse: Collapse::new(places, triangles.to_vec()),
             square: far * far,
-            triangles,
         };
         let floor = f64::from(floor - origin.z);
-        for k in 0..new.triangles.len() {
+        for k in 0..triangles.len() {
             new.weigh(k, floor);
         }
         // Each edge occurs once in each direction.
-        for k in 0..new.triangles.len() {
-            let [a, b, c] = new.triangles[k];
+        for &[a, b, c] in triangles {
             for [a, b] in [[a, b], [b, c], [c, a]] {
                 new.offer(a, b);
             }
@@ -98,43 +78,32 @@ impl<'a> Simplifier<'a> {
         new
     }
 
+    fn corners(&self, triangle: [u32; 3]) -> [DVec3; 3] {
+        triangle.map(|v| self.collapse.places[v as usize])
+    }
+
     /// Adds a triangle's plane to its corners.
     fn weigh(&mut self, k: usize, floor: f64) {
-        let triangle = self.triangles[k];
-        let [a, b, c] = triangle.map(|v| self.places[v as usize]);
+        let [a, b, c] = self.corners(self.collapse.triangles[k]);
         let normal = (b - a).cross(c - a);
         let area = normal.length();
         let normal = normal.try_normalize().unwrap_or_default();
         let hidden = greater(greater(a.z, b.z), c.z) < floor;
         let weight = if hidden { 0.1 * area } else { area };
-        let quadric = Quadric::of_plane(normal, -normal.dot(a), weight);
-        for v in triangle.map(|v| v as usize) {
-            self.quadrics[v].add(&quadric);
-            self.around[v].push(k as u32);
-        }
-    }
-
-    fn changes_of(&self, a: u32, b: u32) -> u32 {
-        self.changes[a as usize] + self.changes[b as usize]
+        let plane = Quadric::of_plane(normal, -normal.dot(a), weight);
+        self.collapse.weigh(k, &plane);
     }
 
     /// Computes the cost of collapsing `a` to `b` and queues it.
     fn offer(&mut self, a: u32, b: u32) {
-        let [qa, qb] = [a, b].map(|v| &self.quadrics[v as usize]);
-        let [from, to] = [a, b].map(|v| self.places[v as usize]);
+        let [qa, qb] = [a, b].map(|v| &self.collapse.quadrics[v as usize]);
+        let [from, to] = [a, b].map(|v| self.collapse.places[v as usize]);
         let off = greater(qa.at(to) + qb.at(to), 0.0);
         if off > self.square * (qa.weight() + qb.weight()) {
             return;
         }
         let cost = off + LENGTH * qa.weight() * (to - from).length_squared();
-        let edge = (rank(cost), [a, b], self.changes_of(a, b));
-        self.edges.push(Reverse(edge));
-    }
-
-    fn living(&self, v: u32) -> impl Iterator<Item = (usize, [u32; 3])> {
-        let around = self.around[v as usize].iter();
-        let all = around.map(|&k| (k as usize, self.triangles[k as usize]));
-        all.filter(move |(_, triangle)| triangle.contains(&v))
+        self.collapse.offer([a, b], cost);
     }
 
     /// The neighbours of a vertex: in each of its triangles the next one.
@@ -144,7 +113,8 @@ impl<'a> Simplifier<'a> {
             _ if b == v => c,
             _ => a,
         };
-        self.living(v).map(|(_, triangle)| next(triangle)).collect()
+        let around = self.collapse.living(v);
+        around.map(|(_, triangle)| next(triangle)).collect()
     }
 
     fn may_go(&self, a: u32, b: u32) -> bool {
@@ -155,10 +125,10 @@ impl<'a> Simplifier<'a> {
 
     fn keeps_upright(&self, a: u32, b: u32) -> bool {
         let normal = |triangle: [u32; 3]| {
-            let [p, q, r] = triangle.map(|v| self.places[v as usize]);
+            let [p, q, r] = self.corners(triangle);
             (q - p).cross(r - p)
         };
-        let mut others = self.living(a).filter(|(_, t)| !t.contains(&b));
+        let mut others = self.collapse.living(a).filter(|(_, t)| !t.contains(&b));
         others.all(|(_, triangle)| {
             let moved = triangle.map(|v| if v == a { b } else { v });
             let (before, after) = (normal(triangle), normal(moved));
@@ -167,20 +137,8 @@ impl<'a> Simplifier<'a> {
         })
     }
 
-    fn collapse(&mut self, a: u32, b: u32) {
-        for k in std::mem::take(&mut self.around[a as usize]) {
-            let triangle = &mut self.triangles[k as usize];
-            if triangle.contains(&b) {
-                *triangle = [0; 3];
-            } else if let Some(corner) = triangle.iter_mut().find(|v| **v == a) {
-                *corner = b;
-                self.around[b as usize].push(k);
-            }
-        }
-        let quadric = self.quadrics[a as usize];
-        self.quadrics[b as usize].add(&quadric);
-        self.changes[a as usize] += 1;
-        self.changes[b as usize] += 1;
+    fn merge(&mut self, a: u32, b: u32) {
+        self.collapse.merge(a, b, REMOVED);
         for v in self.beside(b) {
             self.offer(v, b);
             self.offer(b, v);
@@ -191,12 +149,11 @@ impl<'a> Simplifier<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solid::loop_subdivide;
-    use crate::solid::subdivide::TriangleMesh;
+    use crate::solid::{Solid, loop_subdivide};
     use std::collections::HashSet;
 
     /// A sphere: an octahedron after some Loop steps.
-    fn ball(steps: u32) -> TriangleMesh {
+    fn ball(steps: u32) -> Solid {
         let axes = [Vec3::X, Vec3::Y, Vec3::Z];
         let vertices = axes.into_iter().chain(axes.map(|v| -v)).map(|v| v * 10.0);
         let triangles = (0..8).map(|k: u32| {
@@ -208,14 +165,14 @@ mod tests {
                 [x, z, y]
             }
         });
-        let mesh = TriangleMesh {
+        let mesh = Solid {
             vertices: vertices.collect(),
             triangles: triangles.collect(),
         };
         (0..steps).fold(mesh, |mesh, _| loop_subdivide(&mesh))
     }
 
-    fn volume(mesh: &TriangleMesh) -> f32 {
+    fn volume(mesh: &Solid) -> f32 {
         let six = mesh.triangles.iter().map(|t| {
             let [a, b, c] = t.map(|k| mesh.vertices[k as usize]);
             a.dot(b.cross(c))
@@ -227,9 +184,13 @@ mod tests {
     fn a_ball_of_fewer_triangles_is_closed_and_nearly_as_large() {
         let whole = ball(4);
         for (most, least) in [(500, 0.97), (100, 0.85), (20, 0.5), (4, 0.0)] {
-            let mut mesh = whole.clone();
-            simplify(&mesh.vertices, &mut mesh.triangles, most, f32::MIN);
-            mesh.triangles.retain(|t| *t != [0; 3]);
+            let mut triangles = whole.triangles.to_vec();
+            simplify(&whole.vertices, &mut triangles, most, f32::MIN);
+            triangles.retain(|t| *t != REMOVED);
+            let mesh = Solid {
+                triangles: triangles.into(),
+                ..whole.clone()
+            };
             assert!(mesh.triangles.len() <= most.max(8), "{most}");
             let sides = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
             let all: HashSet<[u32; 2]> = mesh.triangles.iter().flat_map(|&t| sides(t)).collect();
@@ -242,9 +203,9 @@ mod tests {
 
     #[test]
     fn few_triangles_stay() {
-        let mut mesh = ball(1);
-        let before = mesh.triangles.clone();
-        simplify(&mesh.vertices, &mut mesh.triangles, 32, 0.0);
-        assert_eq!(mesh.triangles, before);
+        let mesh = ball(1);
+        let mut triangles = mesh.triangles.to_vec();
+        simplify(&mesh.vertices, &mut triangles, 32, 0.0);
+        assert_eq!(*mesh.triangles, *triangles);
     }
 }

@@ -2,11 +2,10 @@
 
 use super::footprint::Footprint;
 use super::stencil_cache::{MOST_LEVELS, StencilCache};
-use super::{Prism, StoneKind, StoneParams, TriangleMesh};
+use super::{Prism, Solid, StoneKind, StoneParams};
 use super::{control, displacement, prism};
 use crate::cells::Cell;
 use glam::{DVec2, Vec3};
-use std::rc::Rc;
 
 /// Triangles of a stone for each pixel of its area; nearly half of them are in its walls.
 const STONE_TRIANGLES: f64 = 1.2;
@@ -17,24 +16,6 @@ const STONE_LEVELS: u32 = 5;
 const SKIN_TRIANGLES: f64 = 0.9;
 /// Fewest triangles of the last Loop step shown, and of a large cell's.
 const SHOWN: [f64; 2] = [3000.0, 12_000.0];
-
-/// A stone or a cell of skin: its surface from the base up, open below.
-#[derive(Clone, Debug)]
-pub struct Solid {
-    /// x, y and height above the base level, in picture units.
-    pub vertices: Vec<Vec3>,
-    /// Triangles, clockwise on screen seen from above; shared by all solids with the same connectivity.
-    pub triangles: Rc<[[u32; 3]]>,
-}
-
-impl Solid {
-    fn empty() -> Self {
-        Self {
-            vertices: Vec::new(),
-            triangles: Rc::new([]),
-        }
-    }
-}
 
 /// Makes the solids of cells, and caches the stencils they share.
 #[derive(Debug)]
@@ -118,7 +99,7 @@ impl Solids {
     /// The solid of a cell, or `None` if only a slice of the work on its stencil was done.
     pub fn solid_or_slice(&mut self, cell: &Cell, params: &StoneParams) -> Option<Solid> {
         let Some(plan) = Footprint::new(&cell.ring, cell.centre) else {
-            return Some(Solid::empty());
+            return Some(Solid::default());
         };
         match params.kind {
             StoneKind::Skin => self.skin(&plan, params, cell),
@@ -170,17 +151,17 @@ impl Solids {
 }
 
 /// The control mesh of a cell's solid; `None` if the cell has no appreciable area.
-pub fn control_mesh(cell: &Cell, params: &StoneParams) -> Option<TriangleMesh> {
+pub fn control_mesh(cell: &Cell, params: &StoneParams) -> Option<Solid> {
     let plan = Footprint::new(&cell.ring, cell.centre)?;
     let corners = plan.corners.len();
     Some(match params.kind {
-        StoneKind::Skin => TriangleMesh {
+        StoneKind::Skin => Solid {
             vertices: Prism::over(&plan, cell.axis, params, cell.id).points(),
-            triangles: prism::triangles(corners),
+            triangles: prism::triangles(corners).into(),
         },
-        _ => TriangleMesh {
+        _ => Solid {
             vertices: control::points(&plan, params, cell.id),
-            triangles: control::triangles(corners),
+            triangles: control::triangles(corners).into(),
         },
     })
 }

@@ -9,18 +9,19 @@
 //! sparse matrix, several levels are a product of matrices, and meshes with the same connectivity share it:
 //! see [`Stencil`].
 
-use super::edges::{Edge, Edges, split, starts};
+use super::edges::{Edge, Edges, split};
 use super::sparse::{Matrix, Product};
+use crate::csr::Csr;
 use glam::Vec3;
 use std::rc::Rc;
 
-/// A triangle mesh; triangles index `vertices` and have a consistent orientation seen from outside.
+/// The triangles of a solid: a stone or a cell of skin from the base up, open below, or the control mesh of one.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct TriangleMesh {
-    /// x and y in picture units, z the height.
+pub struct Solid {
+    /// x, y and height above the base level, in picture units.
     pub vertices: Vec<Vec3>,
-    /// Three vertex indices each.
-    pub triangles: Vec<[u32; 3]>,
+    /// Triangles, clockwise on screen seen from above; shared by all solids with the same connectivity.
+    pub triangles: Rc<[[u32; 3]]>,
 }
 
 /// The share of each neighbour in the new place of an inner vertex of valence `n`.
@@ -31,11 +32,11 @@ pub fn beta(n: usize) -> f64 {
 }
 
 /// One Loop step.
-pub fn loop_subdivide(mesh: &TriangleMesh) -> TriangleMesh {
+pub fn loop_subdivide(mesh: &Solid) -> Solid {
     let stencil = Stencil::new(mesh.vertices.len(), &mesh.triangles, 1);
-    TriangleMesh {
+    Solid {
         vertices: stencil.apply(&mesh.vertices),
-        triangles: stencil.triangles.to_vec(),
+        triangles: stencil.triangles,
     }
 }
 
@@ -252,25 +253,16 @@ fn push_vertices(
     share: fn(usize, usize) -> f64,
     rows: &mut Matrix,
 ) {
-    let mut counts = vec![0; vertices];
-    for [a, b] in edges.list.iter().map(|edge| edge.ends) {
-        counts[a as usize] += 1;
-        counts[b as usize] += 1;
-    }
-    let firsts = starts(counts.into_iter());
-    let mut free = firsts.clone();
     // For each vertex its neighbours in rising order, each with whether it is on the boundary.
-    let mut spokes = vec![(0, false); 2 * edges.list.len()];
-    for edge in &edges.list {
-        let [a, b] = edge.ends;
-        for (from, to) in [(a, b), (b, a)] {
-            let at = &mut free[from as usize];
-            spokes[*at as usize] = (to, edge.opposite.is_none());
-            *at += 1;
-        }
-    }
-    for (vertex, span) in (0..).zip(firsts.windows(2)) {
-        let own = &spokes[span[0] as usize..span[1] as usize];
+    let both = |edge: &Edge| {
+        let ([a, b], on_boundary) = (edge.ends, edge.opposite.is_none());
+        [
+            (a as usize, (b, on_boundary)),
+            (b as usize, (a, on_boundary)),
+        ]
+    };
+    let spokes = Csr::from_pairs(vertices, edges.list.iter().flat_map(both));
+    for (vertex, own) in (0..).zip(spokes.rows()) {
         let rim = own.iter().filter(|s| s.1).count();
         let share = share(own.len(), rim);
         let neighbours = own.iter().filter(|s| rim == 0 || s.1);
@@ -284,7 +276,7 @@ mod tests {
     use super::*;
 
     /// A vertex of valence n (index 0) in a closed double pyramid.
-    fn pyramid(n: u32) -> TriangleMesh {
+    fn pyramid(n: u32) -> Solid {
         let mut vertices = vec![Vec3::new(0.1, -0.2, 2.0), Vec3::new(0.3, 0.1, -1.0)];
         let mut triangles = Vec::new();
         for i in 0..n {
@@ -297,13 +289,13 @@ mod tests {
             let (a, b) = (2 + i, 2 + (i + 1) % n);
             triangles.extend([[0, a, b], [1, b, a]]);
         }
-        TriangleMesh {
+        Solid {
             vertices,
-            triangles,
+            triangles: triangles.into(),
         }
     }
 
-    fn repeated(mut mesh: TriangleMesh, levels: u32) -> TriangleMesh {
+    fn repeated(mut mesh: Solid, levels: u32) -> Solid {
         for _ in 0..levels {
             mesh = loop_subdivide(&mesh);
         }
@@ -380,9 +372,9 @@ mod tests {
             Vec3::new(0.0, 8.0, 0.0),
             Vec3::new(4.0, 4.0, 99.0),
         ];
-        let mesh = TriangleMesh {
+        let mesh = Solid {
             vertices,
-            triangles: vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
+            triangles: [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]].into(),
         };
         let fine = loop_subdivide(&mesh);
         assert_eq!(fine.vertices[0], Vec3::new(1.0, 1.0, 0.0));
@@ -391,9 +383,6 @@ mod tests {
 
     #[test]
     fn nothing_stays_nothing() {
-        assert_eq!(
-            loop_subdivide(&TriangleMesh::default()),
-            TriangleMesh::default()
-        );
+        assert_eq!(loop_subdivide(&Solid::default()), Solid::default());
     }
 }

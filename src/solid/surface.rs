@@ -1,6 +1,7 @@
 //! A triangle surface for drawing and export.
 
 use super::simplify;
+use crate::csr::Csr;
 use crate::order::lesser;
 use glam::Vec3;
 
@@ -65,22 +66,33 @@ impl Surface {
 
     /// A surface of some of its triangles (without removed ones), with the vertices that they use.
     pub(crate) fn part(&self, triangles: &[[u32; 3]]) -> Self {
-        let mut places = vec![u32::MAX; self.positions.len()];
-        let mut kept = Self::default();
-        for &triangle in triangles.iter().filter(|t| t[0] != t[1]) {
-            kept.triangles.push(triangle.map(|k| {
-                let at = k as usize;
-                if places[at] == u32::MAX {
-                    places[at] = kept.positions.len() as u32;
-                    kept.positions.push(self.positions[at]);
-                    kept.normals.push(self.normals[at]);
-                    kept.colours.push(self.colours[at]);
-                }
-                places[at]
-            }));
+        let left: Vec<[u32; 3]> = triangles.iter().copied().filter(|t| t[0] != t[1]).collect();
+        let (kept, triangles) = used(&left, self.positions.len());
+        let kept = || kept.iter().map(|&k| k as usize);
+        Self {
+            positions: kept().map(|k| self.positions[k]).collect(),
+            normals: kept().map(|k| self.normals[k]).collect(),
+            colours: kept().map(|k| self.colours[k]).collect(),
+            triangles,
         }
-        kept
     }
+}
+
+/// The vertices that some triangles use, in the order in which they first do, and the triangles by their places among
+/// these.
+pub(crate) fn used(triangles: &[[u32; 3]], vertices: usize) -> (Vec<u32>, Vec<[u32; 3]>) {
+    let mut places = vec![u32::MAX; vertices];
+    let mut kept = Vec::new();
+    let mut place = |v: u32| {
+        let place = &mut places[v as usize];
+        if *place == u32::MAX {
+            *place = kept.len() as u32;
+            kept.push(v);
+        }
+        *place
+    };
+    let triangles = triangles.iter().map(|t| t.map(&mut place)).collect();
+    (kept, triangles)
 }
 
 impl Surface {
@@ -109,32 +121,13 @@ impl Surface {
 
 /// The edges that belong to one triangle only, in its direction.
 pub(crate) fn boundary_edges(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 2]> {
-    let corners = triangles.as_flattened();
-    // Corner k of the list and the next one of its triangle.
-    let side = |k: usize| [corners[k], corners[if k % 3 == 2 { k - 2 } else { k + 1 }]];
-    // The ends of the sides from each vertex; those of vertex k are at starts[k] .. starts[k + 1].
-    let mut starts = vec![0usize; vertices + 1];
-    for &a in corners {
-        starts[a as usize + 1] += 1;
-    }
-    for k in 0..vertices {
-        starts[k + 1] += starts[k];
-    }
-    let mut ends = vec![0; corners.len()];
-    let mut next = starts.clone();
-    for k in 0..corners.len() {
-        let [a, b] = side(k);
-        ends[next[a as usize]] = b;
-        next[a as usize] += 1;
-    }
-    let mut open = Vec::new();
-    for [a, b] in (0..corners.len()).map(side) {
-        let b_to = starts[b as usize]..starts[b as usize + 1];
-        if !ends[b_to].contains(&a) {
-            open.push([a, b]);
-        }
-    }
-    open
+    let sides = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let ends = Csr::from_pairs(vertices, sides.clone().map(|[a, b]| (a as usize, b)));
+    sides
+        .filter(|[a, b]| !ends.row(*b as usize).contains(a))
+        .collect()
 }
 
 /// Area-weighted means of the normals of the triangles around each vertex; downwards if there are none.

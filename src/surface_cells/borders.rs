@@ -1,12 +1,11 @@
 //! The borders of the domain, and the points where cells meet on them.
 
+use crate::cells::CORNER;
 use crate::order::lesser;
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::{NONE, SurfacePoint, TriMesh};
 use glam::DVec3;
 
-/// The border has a corner, which is kept, where it turns by more than this (cosine of 30 degrees).
-const CORNER: f64 = 0.866;
 /// The tolerance of the polyline for a cell's part of the border, in sizes of the cell.
 const NEAR: f64 = 0.02;
 /// Cells that would meet within this distance of a corner, in sizes, meet at the corner.

@@ -5,13 +5,11 @@
 
 use super::nodes::SurfaceNodes;
 use crate::mesh::Nodes;
-use crate::mesh::triangles::{Triangles, wants_flip};
+use crate::mesh::triangles::{MOST_FLIPS, Triangles, wants_flip};
 use crate::trimesh::NONE;
 
 /// Sides to look at in a slice.
 const SIDES: usize = 8000;
-/// The most flips, for each triangle.
-const MOST_FLIPS: usize = 4;
 /// The fewest sides that an inner node keeps.
 const FEWEST: u32 = 3;
 

@@ -9,10 +9,11 @@ use super::flood::Flood;
 use super::junctions::Junctions;
 use super::nodes::SurfaceNodes;
 use super::rings::{Links, Ring};
-use super::smooth::{Smoothing, settle};
+use super::smooth::settle;
 use super::straighten::{Straightening, Table};
+use crate::mesh::Smoothing;
 use crate::mesh::quads::{Faces, Pairing, is_lone};
-use crate::mesh::requad::{Goal, On, Search};
+use crate::mesh::requad::{Goal, On, STANDARDS, Search};
 use crate::mesh::triangles::Triangles;
 use crate::order;
 use crate::surface_packing::SurfaceParticle;
@@ -38,8 +39,8 @@ const FEWEST: u32 = 3;
 const FEW_TRIANGLES: f64 = 0.02;
 /// ... plus a number for the singular points of a ball.
 const SINGULAR: f64 = 8.0;
-/// The least scores of quadrilaterals that replace lone triangles, one for each search.
-const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
+/// Nodes that are tried in one slice of a smoothing.
+const TRIED: usize = 600;
 /// Nodes to move in a slice.
 const WALKS: usize = 5000;
 
@@ -217,7 +218,7 @@ impl SurfaceMeshing {
                 Step::Smooth(number, Smoothing::new(&self.faces.faces, self.free()))
             }
             Step::Smooth(number, mut smoothing) => {
-                if !smoothing.advance(&mut self.nodes, &self.faces.faces) {
+                if !smoothing.advance(&mut self.nodes, &self.faces.faces, TRIED) {
                     return Step::Smooth(number, smoothing);
                 }
                 self.join(number + 1)

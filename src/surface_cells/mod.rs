@@ -16,7 +16,8 @@ mod flips;
 mod flood;
 mod junctions;
 mod meshing;
-pub mod metrics;
+#[cfg(test)]
+pub(crate) mod metrics;
 mod middles;
 mod nodes;
 mod rings;

@@ -5,23 +5,16 @@
 
 use super::borders::{Border, Crossing};
 use super::rings::Ring;
-use crate::cells::rectangle;
+use crate::cells::{CORNER, PACE, ROOM, ROUNDS, rectangle};
+use crate::csr::Csr;
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::frame::{rotated, way_in};
-use crate::trimesh::{Frame, NONE, SurfacePoint, TriMesh};
+use crate::trimesh::{Frame, SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
-/// Rounds of measuring and moving.
-const ROUNDS: u32 = 12;
-/// The share of the wanted move that a corner makes in a round.
-const PACE: f64 = 0.6;
-/// A corner slides by at most this share of the way to the next one on the border.
-const ROOM: f64 = 0.4;
 /// A cell is folded over a rim at a corner if the cosine between their normals is less than this. Such a cell wants
 /// nothing, and the corner stays.
 const FOLDED: f64 = 0.3;
-/// A corner of the border counts as one if it turns by more than this (cosine of 30 degrees).
-const CORNER: f64 = 0.866;
 
 /// The straightening of cells, in rounds.
 pub(super) struct Straightening {
@@ -32,8 +25,7 @@ pub(super) struct Straightening {
     /// The current places of corners, on or beside the surface.
     points: Vec<DVec3>,
     /// For each corner the cells that have it: (cell, index in its ring).
-    uses: Vec<(u32, u32)>,
-    start: Vec<u32>,
+    uses: Csr<(u32, u32)>,
     /// For each crossing the bounds of its way along the border, from where it was.
     room: Vec<[f64; 2]>,
     /// The area of all cells over the area that their sizes want.
@@ -73,29 +65,15 @@ impl Table<'_> {
 
 impl Straightening {
     pub fn new(table: &Table) -> Self {
-        let mut start = vec![0; table.corners.len() + 1];
-        let rings = table.rings.iter().flatten();
-        for &corner in rings.flat_map(|r| &r.corners) {
-            start[corner as usize + 1] += 1;
-        }
-        for k in 1..start.len() {
-            start[k] += start[k - 1];
-        }
-        let mut uses = vec![(NONE, 0); start[start.len() - 1] as usize];
-        let mut at = start.clone();
-        for cell in 0..table.cells.len() as u32 {
-            for (place, &corner) in table.ring(cell).iter().enumerate() {
-                let at = &mut at[corner as usize];
-                uses[*at as usize] = (cell, place as u32);
-                *at += 1;
-            }
-        }
+        let uses = (0..table.cells.len() as u32).flat_map(|cell| {
+            let ring = table.ring(cell).iter().zip(0..);
+            ring.map(move |(&corner, place)| (corner as usize, (cell, place)))
+        });
         let mut made = Self {
             frames: table.cells.iter().map(frame_of).collect(),
             quads: Vec::new(),
             points: table.corners.iter().map(|c| c.at).collect(),
-            uses,
-            start,
+            uses: Csr::from_pairs(table.corners.len(), uses),
             room: Vec::new(),
             share: 1.0,
             round: 0,
@@ -226,7 +204,7 @@ impl Straightening {
 
     /// The cells of a corner, with its index in their rings.
     fn uses_of(&self, corner: usize) -> &[(u32, u32)] {
-        &self.uses[self.start[corner] as usize..self.start[corner + 1] as usize]
+        self.uses.row(corner)
     }
 
     /// Whether the corner, moved from `old`, turns no ring inside out, seen in its tangent plane.

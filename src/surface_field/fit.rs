@@ -2,7 +2,8 @@
 
 use crate::notice::{Code, Notice};
 use crate::surface_field::SurfaceFields;
-use crate::trimesh::{Projector, SurfacePoint, TriMesh};
+use crate::trimesh::search::nearest_in;
+use crate::trimesh::{Search, SurfacePoint, TriMesh};
 use glam::DVec3;
 
 /// The most cells on a surface.
@@ -84,18 +85,13 @@ impl Fitting {
     }
 
     /// Measures one more slice of a surface; returns the shares when it is done.
-    pub fn advance(
-        &mut self,
-        mesh: &TriMesh,
-        projector: &Projector,
-        local: &impl Local,
-    ) -> Option<Fit> {
+    pub fn advance(&mut self, mesh: &TriMesh, search: &Search, local: &impl Local) -> Option<Fit> {
         let count = mesh.triangles().len();
         let end = count.min(self.at + SLICE * SAMPLED);
         // If there are few triangles, all are measured.
         let step = if count > 64 * SAMPLED { SAMPLED } else { 1 };
         for t in (self.at..end).step_by(step) {
-            self.measure(mesh, projector, local, t as u32);
+            self.measure(mesh, search, local, t as u32);
         }
         self.at = end;
         let share = |sum: f64| sum / self.area;
@@ -106,7 +102,7 @@ impl Fitting {
         })
     }
 
-    fn measure(&mut self, mesh: &TriMesh, projector: &Projector, local: &impl Local, t: u32) {
+    fn measure(&mut self, mesh: &TriMesh, search: &Search, local: &impl Local, t: u32) {
         let point = SurfacePoint::new(mesh, t, DVec3::splat(1.0 / 3.0));
         let area = mesh.area_of(t);
         let size = local.size(&point);
@@ -121,11 +117,7 @@ impl Fitting {
         if most * size > limit {
             self.sums.too_tight += area;
         }
-        let mut is_thin = false;
-        projector.within(point.at, size, |other| {
-            is_thin = is_thin || is_below(mesh, &point, other, size);
-        });
-        if is_thin {
+        if search.any_within(point.at, size, |other| is_below(mesh, &point, other, size)) {
             self.sums.thin += area;
         }
     }
@@ -136,7 +128,7 @@ fn is_below(mesh: &TriMesh, point: &SurfacePoint, other: u32, size: f64) -> bool
     if mesh.face_normal(other).dot(point.normal) >= BACK {
         return false;
     }
-    let near = Projector::on_triangle(mesh, other, point.at);
+    let near = nearest_in(mesh.corners(other), point.at);
     let to = near - point.at;
     let far = to.length();
     far < size && -to.dot(point.normal) > BELOW * far
@@ -186,10 +178,10 @@ mod tests {
     }
 
     fn fit(mesh: &TriMesh, size: f64, curvatures: [f64; 2]) -> Fit {
-        let projector = Projector::build(mesh);
+        let search = Search::new(mesh);
         let mut fitting = Fitting::new();
         let local = Even { size, curvatures };
-        std::iter::from_fn(|| Some(fitting.advance(mesh, &projector, &local)))
+        std::iter::from_fn(|| Some(fitting.advance(mesh, &search, &local)))
             .find_map(|fit| fit)
             .unwrap()
     }

@@ -58,18 +58,13 @@ pub use shares::{Bent, Thickness};
 pub use singular::SurfaceSingularity;
 pub use stroke::Stroke;
 
-use crate::field::Kind;
 use crate::field::symmetry::{direction_of, representation};
+use crate::field::{ASPECT_RANGE, Kind};
 use crate::trimesh::curvature::{self, Curvature};
 use crate::trimesh::links::carried;
 use crate::trimesh::{Frame, SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
-
-/// Bounds of the size, as multiples of the mean one.
-const SIZE_RANGE: (f64, f64) = (0.2, 3.0);
-/// Bounds of the aspect ratio.
-const ASPECT_RANGE: (f64, f64) = (1.0, 5.0);
 
 /// The number of turns of a cell in a full circle that look alike. On a surface circles have directions of symmetry
 /// 6.

@@ -1,9 +1,10 @@
 //! Sizes and aspect ratios of cells.
 
+use super::SurfaceFieldParams;
 use super::bones::BoneSource;
 use super::params::{Along, Amount, SurfaceSpot, Taper};
-use super::{ASPECT_RANGE, SIZE_RANGE, SurfaceFieldParams};
 use crate::field::Kind;
+use crate::field::{ASPECT_RANGE, SIZE_RANGE};
 use crate::order;
 use crate::trimesh::TriMesh;
 use crate::trimesh::curvature::Curvature;

@@ -1,11 +1,10 @@
 //! A spatial hash: boxes of points in space, to find neighbours in constant time.
 
+use crate::packing::chains::Chains;
 use crate::packing::ground::Buckets;
 use crate::trimesh::SurfacePoint;
 use glam::DVec3;
 use std::ops::Range;
-
-const NONE: u32 = u32::MAX;
 
 /// The most boxes: more would cost more than they save.
 const MOST: f64 = 1_048_576.0;
@@ -16,8 +15,7 @@ pub(crate) struct Boxes {
     origin: DVec3,
     step: f64,
     counts: [usize; 3],
-    head: Vec<u32>,
-    next: Vec<u32>,
+    points: Chains,
 }
 
 impl Boxes {
@@ -34,8 +32,7 @@ impl Boxes {
             origin: lo,
             step,
             counts,
-            head: vec![NONE; counts[0] * counts[1] * counts[2]],
-            next: Vec::new(),
+            points: Chains::new(counts[0] * counts[1] * counts[2]),
         }
     }
 
@@ -52,8 +49,7 @@ impl Boxes {
     /// Adds the next point; points are numbered from 0 in the order of adding.
     pub fn push_at(&mut self, p: DVec3) {
         let own = self.number(self.place(p));
-        self.next.push(self.head[own]);
-        self.head[own] = (self.next.len() - 1) as u32;
+        self.points.push(own);
     }
 
     /// Runs of boxes along x that may hold points within `radius` of `p`.
@@ -71,18 +67,8 @@ impl Boxes {
     /// Calls `visit` with the number of every point that may lie within `radius` of `p`, until it returns true;
     /// returns whether it did.
     pub fn any_near(&self, p: DVec3, radius: f64, mut visit: impl FnMut(usize) -> bool) -> bool {
-        self.runs(p, radius).any(|run| {
-            self.head[run].iter().any(|&first| {
-                let mut k = first;
-                while k != NONE {
-                    if visit(k as usize) {
-                        return true;
-                    }
-                    k = self.next[k as usize];
-                }
-                false
-            })
-        })
+        let mut runs = self.runs(p, radius);
+        runs.any(|run| self.points.any(run, &mut visit))
     }
 }
 
@@ -92,7 +78,7 @@ impl Buckets<SurfacePoint> for Boxes {
     }
 
     fn buckets(&self) -> usize {
-        self.head.len()
+        self.points.buckets()
     }
 
     fn runs_near(&self, p: SurfacePoint, radius: f64) -> impl Iterator<Item = Range<usize>> {

@@ -2,6 +2,7 @@
 
 use super::site::Site;
 use super::walls::{SurfaceFoot, SurfaceWalls};
+use crate::packing::clearance::{INSIDE_CLEARANCE, NARROW, NARROWEST};
 use crate::packing::ground::{Asks, Foot, Ground, Sees, Walled};
 use crate::packing::shape::Shape;
 use crate::packing::wall::CLOSEST;
@@ -13,12 +14,6 @@ use glam::DVec2;
 /// On closed surfaces some cells beside singular points never rest; after this many steps fewer than one new cell in
 /// a thousand comes.
 const SETTLED: u32 = 50;
-/// The least distance from a border, in sizes, at which a cell is placed inside.
-const INSIDE_CLEARANCE: f64 = 0.35;
-/// If the middle of a strip is closer than this to its borders, in sizes, cells go into the middle ...
-const NARROW: f64 = 0.4;
-/// ... but not if it is closer than this.
-const NARROWEST: f64 = 0.25;
 /// Two borders are the sides of a strip if the cosine between their directions is less than this.
 const OPPOSITE: f64 = -0.5;
 /// A part with less than this share of a cell's area stays empty.
@@ -139,18 +134,6 @@ impl<'a, F: Asks<Place = SurfacePoint>> Ground for OnSurface<'a, F> {
 
     fn has_parts(self) -> bool {
         self.site.parts() > 1
-    }
-
-    fn hearts(self) -> Vec<SurfacePoint> {
-        Vec::new()
-    }
-
-    fn honeycombs(self) -> Vec<DVec2> {
-        Vec::new()
-    }
-
-    fn honeycomb(self, _: SurfacePoint) -> Option<usize> {
-        None
     }
 
     fn anywhere(self, random: &mut Random) -> SurfacePoint {

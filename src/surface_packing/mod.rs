@@ -6,6 +6,8 @@
 
 mod border;
 pub(crate) mod buckets;
+#[cfg(test)]
+pub(crate) mod fixture;
 mod ground;
 mod site;
 #[cfg(test)]

@@ -1,51 +1,10 @@
+use super::fixture::Along;
 use super::*;
 use crate::field::Kind;
-use crate::packing::{BoundaryCondition, Integrator, Population, Start};
+use crate::packing::Integrator;
 use crate::trimesh::TriMesh;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
-
-const PARAMS: PackingParams = PackingParams {
-    boundary: BoundaryCondition::Wall,
-    start: Start::Stream,
-    integrator: Integrator::SemiImplicit,
-    population: Population::Slots,
-    variance: 0.0,
-    seed: 1,
-};
-
-/// Cells of one size, with their axes along an axis of space.
-#[derive(Clone, Copy)]
-struct Along {
-    kind: Kind,
-    size: f64,
-    axis: DVec3,
-    aspect: f64,
-}
-
-impl Asks for Along {
-    type Place = SurfacePoint;
-
-    fn kind(self, _: SurfacePoint) -> Kind {
-        self.kind
-    }
-
-    fn size(self, _: SurfacePoint) -> f64 {
-        self.size
-    }
-
-    fn aspect(self, _: SurfacePoint) -> f64 {
-        self.aspect
-    }
-
-    fn direction(self, p: SurfacePoint) -> DVec2 {
-        p.frame().within(self.axis).normalize_or_zero()
-    }
-
-    fn mean_size(self) -> f64 {
-        self.size
-    }
-}
 
 /// A grid of `n` by `m` squares, closed in the given directions.
 fn sheet([n, m]: [usize; 2], closed: [bool; 2], at: impl Fn(f64, f64) -> DVec3) -> TriMesh {
@@ -70,7 +29,7 @@ fn sheet([n, m]: [usize; 2], closed: [bool; 2], at: impl Fn(f64, f64) -> DVec3) 
 
 fn run(mesh: TriMesh, fields: Along) -> (Site, SurfacePacking) {
     let site = Site::new(mesh, fields.size * fields.aspect.sqrt());
-    let mut placing = SurfacePlacing::new(&site, fields, PARAMS);
+    let mut placing = SurfacePlacing::new(&site, fields, PackingParams::DEFAULT);
     while !placing.advance(&site, fields) {}
     let mut packing = placing.finish(&site, fields);
     while !packing.advance(&site, fields) {}
@@ -101,7 +60,7 @@ fn steps_are_the_same_in_whatever_portions() {
         let site = Site::new(mesh.clone(), fields.size);
         let params = PackingParams {
             integrator,
-            ..PARAMS
+            ..PackingParams::DEFAULT
         };
         let packed = |portion: usize| {
             let mut placing = SurfacePlacing::new(&site, fields, params);

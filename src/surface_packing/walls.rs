@@ -2,13 +2,13 @@
 //! minimum.
 
 use super::buckets::Boxes;
+use crate::csr::Csr;
+use crate::domain::SAME_WALL;
 use crate::order;
 use crate::packing::ground::{Foot, Walled};
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
-/// Feet are on one wall if the cosine between their directions is greater (30 degrees).
-const SAME_WALL: f64 = 0.866;
 /// A place sees a wall if the dot product of its normal and that of the wall's triangle is at least this ...
 const SEES: f64 = -0.2;
 /// ... and if it lies on the paved side: at least this share of the vector from the wall to it points across the
@@ -59,9 +59,8 @@ impl Foot for SurfaceFoot {
 pub(crate) struct SurfaceWalls {
     segments: Vec<Segment>,
     part: Vec<u32>,
-    /// The walls near triangle t are `near[start[t]..start[t + 1]]`; empty if there are no walls.
-    start: Vec<u32>,
-    near: Vec<u32>,
+    /// Those near each triangle; no rows where there are no walls.
+    near: Csr<u32>,
     reach: f64,
 }
 
@@ -69,8 +68,7 @@ impl SurfaceWalls {
     pub fn new(mesh: &TriMesh, part: &[u32], reach: f64) -> Self {
         let segments = segments(mesh, part);
         let mut walls = Self {
-            start: Vec::new(),
-            near: Vec::new(),
+            near: Csr::default(),
             part: part.to_vec(),
             reach,
             segments,
@@ -91,7 +89,7 @@ impl SurfaceWalls {
         for segment in &self.segments {
             boxes.push_at(segment.ends[0].midpoint(segment.ends[1]));
         }
-        self.start.push(0);
+        let mut near = Vec::new();
         for t in 0..mesh.triangles().len() as u32 {
             let corners = mesh.corners(t);
             let middle = corners.iter().sum::<DVec3>() / 3.0;
@@ -100,24 +98,24 @@ impl SurfaceWalls {
                 .into_iter()
                 .fold(0.0, f64::max);
             let reach = self.reach + radius;
-            let from = self.near.len();
+            near.clear();
             boxes.any_near(middle, reach + longest, |k| {
                 let segment = &self.segments[k];
                 let at = segment.ends[0].lerp(segment.ends[1], segment.nearest(middle));
                 if segment.part == self.part[t as usize] && at.distance(middle) <= reach {
-                    self.near.push(k as u32);
+                    near.push(k as u32);
                 }
                 false
             });
-            self.near[from..].sort_unstable();
-            self.start.push(self.near.len() as u32);
+            near.sort_unstable();
+            self.near.push(near.iter().copied());
         }
     }
 
     fn near(&self, p: &SurfacePoint) -> &[u32] {
-        match self.start.get(p.triangle as usize..p.triangle as usize + 2) {
-            Some(&[from, to]) => &self.near[from as usize..to as usize],
-            _ => &[],
+        match self.segments.is_empty() {
+            true => &[],
+            false => self.near.row(p.triangle as usize),
         }
     }
 

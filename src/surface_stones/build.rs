@@ -8,13 +8,11 @@ use crate::heightfield::GROUND;
 use crate::material::GROUND_ROW;
 use crate::order::{greater, lesser};
 use crate::scene::{Body, Detail, Instance, Place, Scene, Surfel};
-use crate::solid::Surface;
+use crate::solid::{Surface, finest};
 use crate::surface_cells::SurfaceCell;
 use crate::trimesh::TriMesh;
 use glam::{DVec3, Vec3};
 
-/// About how many triangles all stones have at their finest level of detail.
-const ALL: usize = 700_000;
 /// The least and the most triangles of a stone at its finest level.
 const EACH: [usize; 2] = [70, 1000];
 /// Rows of the bed in a slice.
@@ -74,7 +72,7 @@ impl Stones {
     /// Starts with cells whose axes agree already ([`super::make_one_sense`]). The mesh may be another one than that
     /// of the packing; a coarser one is as good.
     pub fn new(params: StonesParams, mesh: &TriMesh, cells: &[SurfaceCell]) -> Self {
-        let most = (ALL / cells.len().max(1)).clamp(EACH[0], EACH[1]);
+        let most = finest(cells.len(), EACH);
         let (fit, size) = (Fit::new(mesh), mean_size(cells));
         let deep = params.texture.depth() / params.unit;
         Self {

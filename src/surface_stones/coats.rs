@@ -5,7 +5,7 @@
 //! front: x to the right and y down.
 
 use crate::material::{
-    Coat, ColourParams, NoiseTile, Pattern, Reaction, belly_at, spread_evenly, triangle,
+    Coat, ColourParams, Marking, Pattern, Reaction, WAVELENGTH, belly_at, near, turned,
 };
 use crate::order::{self, greater, lesser};
 use crate::random::{Purpose, Random};
@@ -13,12 +13,8 @@ use crate::surface_cells::SurfaceCell;
 use crate::trimesh::Frame;
 use glam::DVec3;
 use std::collections::BinaryHeap;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
-/// The amplitude by which noise bends bands, in units of the scale.
-const WAVE: f64 = 0.2;
-/// Noise values along one wave.
-const WAVELENGTH: f64 = 16.0;
 /// The least distance between spots, in units of the scale; it gives about one spot for each square of the scale.
 const APART: f64 = 0.83;
 /// The relative variation of the sizes of spots.
@@ -28,12 +24,10 @@ const FACES: f64 = 0.6;
 
 /// The coats of all cells, while they are made.
 pub struct SurfaceCoats {
-    colour: ColourParams,
+    marking: Marking,
     seed: u64,
     /// The scale of patterns, in the model's units.
     scale: f64,
-    phase: f64,
-    noise: NoiseTile,
     middle: DVec3,
     /// Half of the longest side of the bounding box of all cells.
     half: f64,
@@ -41,8 +35,6 @@ pub struct SurfaceCoats {
     spots: Vec<(DVec3, DVec3, f64)>,
     /// For each cell its distance to the border, in the model's units.
     inside: Vec<f64>,
-    values: Vec<f64>,
-    reaction: Option<Reaction>,
 }
 
 impl SurfaceCoats {
@@ -60,17 +52,13 @@ impl SurfaceCoats {
             (low, high) = (low.min(cell.centre.at), high.max(cell.centre.at));
         }
         let mut coats = Self {
-            colour,
+            marking: Marking::new(colour, seed),
             seed,
             scale: colour.scale / unit,
-            phase: Random::new(seed, Purpose::Pattern, u64::MAX).unit(),
-            noise: NoiseTile::new(seed, 21, 6, 4, 1.2),
             middle: (low + high) * 0.5,
             half: greater((high - low).max_element() * 0.5, f64::MIN_POSITIVE),
             spots: Vec::new(),
             inside: Vec::new(),
-            values: Vec::new(),
-            reaction: None,
         };
         match colour.pattern {
             Pattern::Spots | Pattern::Rosettes => coats.scatter(cells),
@@ -82,7 +70,7 @@ impl SurfaceCoats {
                 let scale = (coats.scale, 1.0 / unit);
                 let links = links.to_vec();
                 let reaction = Reaction::new(ids, links, square, scale, colour.share, seed);
-                coats.reaction = Some(reaction);
+                coats.marking.take(reaction);
             }
             _ => {}
         }
@@ -91,56 +79,37 @@ impl SurfaceCoats {
 
     /// Does the work for about `count` cells; true when all coats are ready. The cells must be the same each time.
     pub fn advance(&mut self, cells: &[SurfaceCell], count: usize) -> bool {
-        if let Some(reaction) = &mut self.reaction {
-            return reaction.advance(count);
+        if let Some(done) = self.marking.advance(count) {
+            return done;
         }
-        if self.colour.pattern == Pattern::Plain {
-            return true;
+        let due = self.marking.due(cells.len(), count);
+        for k in due.clone() {
+            let value = self.value(k, &cells[k]);
+            self.marking.push(value);
         }
-        let first = self.values.len();
-        let end = cells.len().min(first.saturating_add(count));
-        for (k, cell) in cells.iter().enumerate().take(end).skip(first) {
-            let value = self.value(k, cell);
-            self.values.push(value);
-        }
-        end == cells.len()
+        due.end == cells.len()
     }
 
     /// The coats, one for each cell.
-    pub fn finish(mut self, cells: &[SurfaceCell]) -> Vec<Coat> {
-        if let Some(reaction) = self.reaction.take() {
-            self.values = reaction.finish();
-        }
-        if matches!(
-            self.colour.pattern,
-            Pattern::Turing | Pattern::Size | Pattern::Blotches
-        ) {
-            spread_evenly(&mut self.values);
-        }
-        let coat = |(k, cell): (usize, &SurfaceCell)| Coat {
-            mark: self.values.get(k).map_or(0.0, |&v| self.colour.weight(v)) as f32,
-            belly: self.belly(cell) as f32,
-        };
-        cells.iter().enumerate().map(coat).collect()
+    pub fn finish(self, cells: &[SurfaceCell]) -> Vec<Coat> {
+        let bellies: Vec<f64> = cells.iter().map(|cell| self.belly(cell)).collect();
+        self.marking.finish(bellies.into_iter())
     }
 
     fn value(&self, k: usize, cell: &SurfaceCell) -> f64 {
         let p = (cell.centre.at - self.middle) / self.scale;
-        match self.colour.pattern {
-            Pattern::Bands => {
-                let along = p.dot(front(self.colour.angle)) + self.phase;
-                triangle(along + WAVE * self.noise(p))
-            }
+        let ColourParams { pattern, angle, .. } = self.marking.colour;
+        match pattern {
+            Pattern::Bands => self.marking.band(p.dot(front(angle)), self.noise(p)),
             Pattern::Spots | Pattern::Rosettes => self.spot(cell),
             Pattern::Blotches => self.noise(p) + 0.5 * self.noise(p * 2.3),
             Pattern::Size => area(&cell.ring),
-            Pattern::Boundary => greater(1.0 - self.inside[k] / (2.0 * self.scale), 0.0),
+            Pattern::Boundary => near(self.inside[k], self.scale),
             Pattern::Direction => {
                 let frame = Frame::of(cell.centre.normal);
-                let wanted = frame.within(front(self.colour.angle));
-                let full = TAU / f64::from(cell.kind.symmetry());
+                let wanted = frame.within(front(angle));
                 let turn = libm::atan2(wanted.perp_dot(cell.axis), wanted.dot(cell.axis));
-                triangle(turn / full)
+                turned(turn, cell.kind)
             }
             Pattern::Plain | Pattern::Turing | Pattern::Lines => 0.0,
         }
@@ -149,7 +118,7 @@ impl SurfaceCoats {
     /// Noise of deviation about 1: the sum of noise in three planes at right angles.
     fn noise(&self, p: DVec3) -> f64 {
         let at = p * WAVELENGTH;
-        let plane = |x: f64, y: f64| f64::from(self.noise.between(x as f32, y as f32));
+        let plane = |x: f64, y: f64| self.marking.noise(x, y);
         let sum = plane(at.x, at.y) + plane(at.y + 19.0, at.z + 7.0) + plane(at.z + 41.0, at.x);
         sum / 3f64.sqrt()
     }
@@ -196,7 +165,7 @@ impl SurfaceCoats {
     fn belly(&self, cell: &SurfaceCell) -> f64 {
         let ColourParams {
             belly, belly_angle, ..
-        } = self.colour;
+        } = self.marking.colour;
         if belly <= 0.0 {
             return 0.0;
         }

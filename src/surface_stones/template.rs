@@ -7,13 +7,13 @@
 
 use super::Bend;
 use crate::cells::Cell;
-use crate::solid::{Footprint, Solid, Solids, StoneParams, Surface, boundary_edges, simplify};
+use crate::solid::{
+    Footprint, Solid, Solids, StoneParams, Surface, boundary_edges, levels, simplify, used,
+};
 use glam::{DVec2, Vec3};
 use std::f64::consts::TAU;
 use std::rc::Rc;
 
-/// The ratio of triangles between one level and the next.
-const FINER: usize = 4;
 /// A stone has at least this many triangles.
 const LEAST: usize = 16;
 /// Triangles of the solid over those of the finest level, which is simplified from it.
@@ -126,37 +126,17 @@ impl Templates {
         };
         surface.cap(&boundary);
         let positions: Vec<Vec3> = surface.positions.iter().map(bent).collect();
-        let mut levels = Vec::new();
         let mut triangles = surface.triangles;
-        let mut most = self.most;
-        loop {
+        let level = |most: usize| {
             simplify(&positions, &mut triangles, most, self.floor);
             triangles.retain(|t| t[0] != t[1]);
-            levels.push(Level::new(&triangles, positions.len()));
-            most /= FINER;
-            if most < LEAST {
-                break;
-            }
-        }
-        Template { boundary, levels }
-    }
-}
-
-impl Level {
-    fn new(triangles: &[[u32; 3]], vertices: usize) -> Self {
-        let mut places = vec![u32::MAX; vertices];
-        let mut kept = Vec::new();
-        let place = |v: u32| {
-            let place = &mut places[v as usize];
-            if *place == u32::MAX {
-                *place = kept.len() as u32;
-                kept.push(v);
-            }
-            *place
+            let (kept, triangles) = used(&triangles, positions.len());
+            Level { kept, triangles }
         };
-        let mut place = place;
-        let triangles = triangles.iter().map(|t| t.map(&mut place)).collect();
-        Self { kept, triangles }
+        Template {
+            boundary,
+            levels: levels(self.most, LEAST).map(level).collect(),
+        }
     }
 }
 

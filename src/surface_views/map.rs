@@ -8,7 +8,7 @@ use super::ground::push;
 use super::paint::tint;
 use super::spread::Spread;
 use super::{Ground, MAP, standing};
-use crate::draw::size::{LARGE, MIDDLE, SMALL};
+use crate::draw::size::{CONTOURS, contour, heat};
 use crate::draw::{Colour, SHEET, blend};
 use crate::order::{self, greater, lesser};
 use crate::scene::{Detail, Scene, Surfel};
@@ -47,9 +47,7 @@ const CURVES: [Colour; 5] = [
     [0.94, 0.62, 0.27, 1.0],
     [0.62, 0.22, 0.05, 1.0],
 ];
-/// Contours between the middle and an end of the scale, their width in pixels, and their darkness.
-const CONTOURS: f32 = 5.0;
-const WIDTH: f32 = 1.1;
+/// The ink of contours.
 const INK: f32 = 0.42;
 /// The scale of curvatures covers this share of the surface.
 const WITHIN: f64 = 0.96;
@@ -295,10 +293,9 @@ fn colour_of(quantity: Quantity, share: f32) -> [f32; 3] {
     let share = share.clamp(-1.0, 1.0);
     let [r, g, b, _] = match quantity {
         Quantity::Size => {
-            let end = if share < 0.0 { SMALL } else { LARGE };
-            let [heat, paper] = [blend(MIDDLE, end, share.abs()), SHEET.bed];
+            let [r, g, b, alpha] = heat(share);
             // Blended as over paper.
-            blend(paper, [heat[0], heat[1], heat[2], 1.0], 0.14 + heat[3])
+            blend(SHEET.bed, [r, g, b, 1.0], 0.14 + alpha)
         }
         _ => {
             let at = 2.0 * (share + 1.0);
@@ -326,13 +323,10 @@ impl Detail for Scale {
         if self.quantity != Quantity::Size {
             return;
         }
-        // No contour in the middle, where all values may be equal.
-        let lines = CONTOURS * share;
         let pixel = CONTOURS * slope * spread;
-        let off = (lines - lines.floor() - 0.5).abs() / greater(pixel, 1e-6);
-        let dark = (0.5 * WIDTH + 0.5 - off).clamp(0.0, 1.0);
-        // Contours that would run into each other fade out.
-        let dark = INK * dark * (1.5 - 3.0 * pixel).clamp(0.0, 1.0);
+        // Where they would run into each other there are none.
+        let clear = (1.5 - 3.0 * pixel).clamp(0.0, 1.0);
+        let dark = INK * contour(share, greater(pixel, 1e-6)) * clear;
         surfel.colour = surfel.colour.map(|v| v * (1.0 - dark));
     }
 }

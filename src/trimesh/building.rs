@@ -1,6 +1,7 @@
 //! Builds a [`TriMesh`] from vertices and triangles, in slices.
 
-use super::mesh::{MeshFault, NONE, TriMesh};
+use super::mesh::{MeshFault, TriMesh};
+use crate::csr::NONE;
 use crate::order;
 use glam::DVec3;
 

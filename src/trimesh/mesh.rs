@@ -1,9 +1,7 @@
 //! An oriented triangle mesh: each edge joins two triangles or lies on the border.
 
+use crate::csr::NONE;
 use glam::DVec3;
-
-/// No triangle: the entry beyond an edge of the border.
-pub const NONE: u32 = u32::MAX;
 
 /// Why triangles do not make a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,25 +7,28 @@
 //! The triangles of a file ([`Soup`]) become a mesh in steps, each of them in slices. [`repair::Mending`] makes a
 //! surface of them. [`repair::Filling`] closes openings that are small beside a cell. [`refine::Refining`] makes
 //! edges short enough to tell cells apart. [`repair::Cutting`], an option, cuts along creases. [`Simplifying`] makes
-//! a simpler surface to pack on, and [`Projector`] carries points of it to the full one.
+//! a simpler surface to pack on, and a [`Search`] brings points of it to the full one.
 //!
 //! Space is right-handed with y up. Triangles run counter-clockwise seen from outside. A tangent vector at a point is
 //! a [`glam::DVec2`] in the [`Frame`] of the point's normal: its x axis, its y axis and the normal are right-handed,
 //! so a positive turn is counter-clockwise seen from outside.
 
+/// Beyond an edge of the border: no triangle.
+pub(crate) use crate::csr::NONE;
+
 mod building;
+mod closed;
 pub mod curvature;
 pub(crate) mod frame;
 pub(crate) mod links;
 mod mesh;
 mod point;
 pub(crate) mod polygon;
-mod projector;
 pub mod refine;
 pub mod repair;
 #[cfg(test)]
 pub(crate) mod samples;
-mod search;
+pub(crate) mod search;
 mod simplify;
 mod sorting;
 mod soup;
@@ -34,10 +37,10 @@ pub(crate) mod testing;
 mod walk;
 
 pub use building::MeshBuilding;
+pub use closed::Closed;
 pub use frame::{Frame, Turn, Way, way};
-pub use mesh::{MeshFault, NONE, TriMesh};
+pub use mesh::{MeshFault, TriMesh};
 pub use point::SurfacePoint;
-pub use projector::Projector;
 pub use search::{Hit, Search};
 pub use simplify::Simplifying;
 pub use soup::{MOST_TRIANGLES, Soup};

@@ -3,7 +3,8 @@
 //! The search tree is a hierarchy of boxes over the triangles in the order of a Morton curve (Lauterbach et al. 2009,
 //! Fast BVH Construction on GPUs). A radix sort makes that order, so all the work is loops that can be cut anywhere.
 
-use super::{SurfacePoint, TriMesh};
+use super::sorting::Sorting;
+use super::{NONE, SurfacePoint, TriMesh};
 use glam::DVec3;
 
 /// Triangles in a leaf.
@@ -11,9 +12,11 @@ const LEAF: usize = 8;
 /// Steps of the curve along each axis, as a power of two. The bits of the three axes fill the three rounds of the
 /// sort.
 const BITS: u32 = 10;
-const ROUND: usize = 1 << BITS;
 /// Rounding may make the distance to a box too large by less than this factor.
 const SLACK: f64 = 1.0 + 1e-12;
+
+/// A point is not moved to the back of a thin sheet while its front is at most this many times as far away.
+const BACK: f64 = 4.0;
 
 /// The hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,18 +27,52 @@ pub struct Hit {
     pub along: f64,
 }
 
+/// The nearest place so far.
+#[derive(Clone, Copy)]
+struct Found {
+    square: f64,
+    /// [`NONE`] where nothing is found.
+    triangle: u32,
+    weights: DVec3,
+}
+
+impl Found {
+    const NONE: Self = Self {
+        square: f64::INFINITY,
+        triangle: NONE,
+        weights: DVec3::X,
+    };
+
+    fn point(&self, mesh: &TriMesh) -> SurfacePoint {
+        let triangle = if self.triangle == NONE {
+            0
+        } else {
+            self.triangle
+        };
+        SurfacePoint::new(mesh, triangle, self.weights)
+    }
+}
+
 /// The search tree of one mesh.
 #[derive(Clone, Debug)]
 pub struct Search {
     triangles: Vec<u32>,
     /// The tree as a heap: the box of node k holds those of nodes 2k and 2k + 1. The last half are the leaves.
     boxes: Vec<(DVec3, DVec3)>,
-    /// Codes along the curve with their triangles, while they are sorted.
-    keys: Vec<(u32, u32)>,
-    other: Vec<(u32, u32)>,
-    counts: Vec<u32>,
-    stage: u32,
+    stage: TreeStage,
     at: usize,
+}
+
+/// The progress of a tree.
+#[derive(Clone, Debug)]
+enum TreeStage {
+    /// Places along the curve and triangles.
+    Codes(Vec<(u64, u32)>),
+    Sort(Sorting),
+    Leaves,
+    /// The boxes of the tree, upwards.
+    Up,
+    Done,
 }
 
 const NOTHING: (DVec3, DVec3) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
@@ -55,89 +92,57 @@ impl Search {
         Self {
             triangles: Vec::with_capacity(count),
             boxes: vec![NOTHING; 2 * leaves],
-            keys: Vec::with_capacity(count),
-            other: vec![(0, 0); count],
-            counts: vec![0; ROUND],
-            stage: 0,
+            stage: TreeStage::Codes(Vec::with_capacity(count)),
             at: 0,
         }
     }
 
     /// Works on at most `amount` triangles; true when the tree is complete.
     pub fn advance(&mut self, mesh: &TriMesh, amount: usize) -> bool {
-        let count = mesh.triangles().len();
         let leaves = self.boxes.len() / 2;
         // Stages: codes; three rounds of counting and placing; leaves; the boxes from the leaves to the root.
         let all = match self.stage {
-            8 => leaves - 1,
-            7 => leaves,
-            _ => count,
+            TreeStage::Codes(_) => mesh.triangles().len(),
+            TreeStage::Leaves => leaves,
+            TreeStage::Up => leaves - 1,
+            TreeStage::Sort(_) | TreeStage::Done => 0,
         };
         let end = all.min(self.at.saturating_add(amount.max(1)));
-        match self.stage {
-            0 => self.codes(mesh, end),
-            1 | 3 | 5 => self.count(end),
-            2 | 4 | 6 => self.place(end),
-            7 => self.leaves(mesh, end),
-            8 => self.up(end),
-            _ => return true,
-        }
-        self.at = end;
-        if end == all {
-            self.at = 0;
-            self.stage += 1;
-            match self.stage {
-                2 | 4 | 6 => {
-                    let mut sum = 0;
-                    for count in &mut self.counts {
-                        (sum, *count) = (sum + *count, sum);
-                    }
+        self.stage = match std::mem::replace(&mut self.stage, TreeStage::Done) {
+            TreeStage::Codes(mut codes) => {
+                push_codes(mesh, end, &mut codes);
+                match end == all {
+                    true => TreeStage::Sort(Sorting::new(codes)),
+                    false => TreeStage::Codes(codes),
                 }
-                3 | 5 | 7 => {
-                    std::mem::swap(&mut self.keys, &mut self.other);
-                    self.counts.fill(0);
+            }
+            TreeStage::Sort(mut sorting) => match sorting.advance() {
+                Some(sorted) => {
+                    self.triangles.extend(sorted.iter().map(|&(_, t)| t));
+                    TreeStage::Leaves
                 }
-                _ => {}
+                None => TreeStage::Sort(sorting),
+            },
+            TreeStage::Leaves => {
+                self.leaves(mesh, end);
+                if end == all {
+                    TreeStage::Up
+                } else {
+                    TreeStage::Leaves
+                }
             }
-            if self.stage == 7 {
-                self.triangles.extend(self.keys.iter().map(|&(_, t)| t));
-                (self.keys, self.other) = Default::default();
+            TreeStage::Up => {
+                self.up(end);
+                if end == all {
+                    TreeStage::Done
+                } else {
+                    TreeStage::Up
+                }
             }
-        }
-        self.stage > 8
-    }
-
-    fn codes(&mut self, mesh: &TriMesh, end: usize) {
-        let (lo, hi) = mesh.bounds();
-        let side = (hi - lo).max_element().max(f64::MIN_POSITIVE);
-        let most = (ROUND - 1) as f64;
-        for t in self.at..end {
-            let [a, b, c] = mesh.corners(t as u32);
-            let place = ((a + b + c) / 3.0 - lo) / side * most;
-            let [x, y, z] = place.to_array().map(|x| spread(x as u32));
-            self.keys.push((x | y << 1 | z << 2, t as u32));
-        }
-    }
-
-    fn digit(&self, code: u32) -> usize {
-        let round = (self.stage - 1) / 2;
-        (code >> (BITS * round)) as usize & (ROUND - 1)
-    }
-
-    fn count(&mut self, end: usize) {
-        for k in self.at..end {
-            let digit = self.digit(self.keys[k].0);
-            self.counts[digit] += 1;
-        }
-    }
-
-    fn place(&mut self, end: usize) {
-        for k in self.at..end {
-            let key = self.keys[k];
-            let digit = self.digit(key.0);
-            self.other[self.counts[digit] as usize] = key;
-            self.counts[digit] += 1;
-        }
+            TreeStage::Done => TreeStage::Done,
+        };
+        self.at = if end == all { 0 } else { end };
+        matches!(self.stage, TreeStage::Done)
     }
 
     fn leaves(&mut self, mesh: &TriMesh, end: usize) {
@@ -169,11 +174,38 @@ impl Search {
 
     /// The point of the mesh nearest to `p`. Among equally near ones, that of the triangle with the least number.
     pub fn closest(&self, mesh: &TriMesh, p: DVec3) -> SurfacePoint {
-        let mut best = (f64::INFINITY, u32::MAX, DVec3::X);
+        self.nearest(mesh, p, Found::NONE, |_| true).point(mesh)
+    }
+
+    /// The same, but triangles that show their back to a `normal` are passed over, unless all others are much farther
+    /// away: so a place stays on its side of a thin sheet. A zero normal passes over none.
+    pub fn closest_facing(&self, mesh: &TriMesh, p: DVec3, normal: DVec3) -> SurfacePoint {
+        let faces = |t: u32| mesh.face_normal(t).dot(normal) >= 0.0;
+        let any = self.nearest(mesh, p, Found::NONE, |_| true);
+        if any.triangle == NONE || faces(any.triangle) {
+            return any.point(mesh);
+        }
+        let limit = Found {
+            square: any.square * (BACK * BACK * SLACK),
+            ..Found::NONE
+        };
+        let front = self.nearest(mesh, p, limit, faces);
+        let is_far = front.triangle == NONE || any.square.sqrt() * BACK < front.square.sqrt();
+        if is_far { any } else { front }.point(mesh)
+    }
+
+    /// The nearest place on the triangles that are wanted, if it is nearer than `best`.
+    fn nearest(
+        &self,
+        mesh: &TriMesh,
+        p: DVec3,
+        mut best: Found,
+        wanted: impl Fn(u32) -> bool,
+    ) -> Found {
         let mut open = vec![(0.0, 1)];
         let leaves = self.boxes.len() / 2;
         while let Some((near, node)) = open.pop() {
-            if near > best.0 * SLACK {
+            if near > best.square * SLACK {
                 continue;
             }
             if node < leaves {
@@ -183,18 +215,38 @@ impl Search {
                 open.extend([far, near].into_iter().filter(|n| n.0 < f64::INFINITY));
                 continue;
             }
-            for &t in self.leaf(node - leaves) {
+            for &t in self.leaf(node - leaves).iter().filter(|&&t| wanted(t)) {
                 let corners = mesh.corners(t);
-                let w = nearest_weights(corners, p);
-                let at = corners[0] * w.x + corners[1] * w.y + corners[2] * w.z;
+                let weights = nearest_weights(corners, p);
+                let at = corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z;
                 let square = at.distance_squared(p);
-                if square < best.0 || (square == best.0 && t < best.1) {
-                    best = (square, t, w);
+                if square < best.square || (square == best.square && t < best.triangle) {
+                    best = Found {
+                        square,
+                        triangle: t,
+                        weights,
+                    };
                 }
             }
         }
-        let triangle = if best.1 == u32::MAX { 0 } else { best.1 };
-        SurfacePoint::new(mesh, triangle, best.2)
+        best
+    }
+
+    /// Whether a test holds for a triangle that may be nearer to a point than a radius.
+    pub fn any_within(&self, p: DVec3, radius: f64, mut test: impl FnMut(u32) -> bool) -> bool {
+        let mut open = vec![1];
+        let leaves = self.boxes.len() / 2;
+        while let Some(node) = open.pop() {
+            if self.square(node, p) > radius * radius * SLACK {
+                continue;
+            }
+            if node < leaves {
+                open.extend([2 * node, 2 * node + 1]);
+            } else if self.leaf(node - leaves).iter().any(|&t| test(t)) {
+                return true;
+            }
+        }
+        false
     }
 
     fn square(&self, node: usize, p: DVec3) -> f64 {
@@ -214,7 +266,7 @@ impl Search {
         wanted: impl Fn(u32) -> bool,
     ) -> Option<Hit> {
         let inverse = along.recip();
-        let mut best = (f64::INFINITY, u32::MAX, DVec3::ZERO);
+        let mut best = (f64::INFINITY, NONE, DVec3::ZERO);
         let mut open = vec![(0.0, 1)];
         let leaves = self.boxes.len() / 2;
         while let Some((near, node)) = open.pop() {
@@ -236,7 +288,7 @@ impl Search {
                 }
             }
         }
-        (best.1 != u32::MAX).then(|| Hit {
+        (best.1 != NONE).then(|| Hit {
             point: SurfacePoint::new(mesh, best.1, best.2),
             along: best.0,
         })
@@ -262,6 +314,19 @@ impl Search {
     }
 }
 
+/// Adds the places of triangles along the curve, up to a number of them.
+fn push_codes(mesh: &TriMesh, end: usize, codes: &mut Vec<(u64, u32)>) {
+    let (lo, hi) = mesh.bounds();
+    let side = (hi - lo).max_element().max(f64::MIN_POSITIVE);
+    let most = ((1 << BITS) - 1) as f64;
+    for t in codes.len() as u32..end as u32 {
+        let [a, b, c] = mesh.corners(t);
+        let place = ((a + b + c) / 3.0 - lo) / side * most;
+        let [x, y, z] = place.to_array().map(|x| spread(x as u32));
+        codes.push((u64::from(x | y << 1 | z << 2), t));
+    }
+}
+
 /// Puts two zero bits between each two bits.
 fn spread(x: u32) -> u32 {
     let mut spread = 0;
@@ -269,6 +334,12 @@ fn spread(x: u32) -> u32 {
         spread |= (x >> bit & 1) << (3 * bit);
     }
     spread
+}
+
+/// The place in a triangle nearest to a point.
+pub(crate) fn nearest_in(corners: [DVec3; 3], p: DVec3) -> DVec3 {
+    let weights = nearest_weights(corners, p);
+    corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z
 }
 
 /// The weights of the place in a triangle nearest to a point (Ericson 2005, Real-Time Collision Detection, 5.1.5).
@@ -329,7 +400,8 @@ fn meets([a, b, c]: [DVec3; 3], from: DVec3, along: DVec3) -> Option<(f64, DVec3
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples;
+    use super::super::testing::{self, mesh};
+    use super::super::{Simplifying, samples, way};
     use super::*;
 
     fn probes() -> impl Iterator<Item = DVec3> {
@@ -390,5 +462,55 @@ mod tests {
             mesh.face_normal(t).y < 0.0
         });
         assert!((down.unwrap().along - 2.4).abs() < 0.02);
+    }
+
+    #[test]
+    fn a_point_stays_on_its_side_of_a_thin_sheet() {
+        // A plate with a hundredth of its side's thickness.
+        let (positions, triangles) = testing::cube(20);
+        let flat = positions.iter().map(|p| DVec3::new(p.x, 0.01 * p.y, p.z));
+        let plate = mesh((flat.collect(), triangles));
+        let search = Search::new(&plate);
+        let p = DVec3::new(0.52, 0.004, 0.47);
+        for up in [1.0, -1.0] {
+            let found = search.closest_facing(&plate, p, DVec3::Y * up);
+            assert!(found.normal.y * up > 0.9 && (found.at.x - p.x).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn points_of_a_simple_surface_are_carried_to_the_full_one() {
+        let full = mesh(testing::blob(5));
+        let simple = Simplifying::new(full.clone(), 600, f64::INFINITY).finish();
+        let search = Search::new(&full);
+        let mut chance = testing::chance(3);
+        for t in 0..simple.triangles().len() as u32 {
+            let (u, v) = (chance.unit(), 0.5 * chance.unit());
+            let weights = DVec3::new(u * (1.0 - v), (1.0 - u) * (1.0 - v), v);
+            let point = SurfacePoint::new(&simple, t, weights);
+            let on = search.closest_facing(&full, point.at, point.normal);
+            assert!((on.at - point.at).length() < 0.03);
+            assert!(on.normal.dot(point.normal) > 0.8);
+            assert!(on.weights(&full).min_element() > -1e-9 && way(&on, &on).is_some());
+        }
+    }
+
+    #[test]
+    fn all_triangles_within_a_radius_are_found() {
+        let mesh = samples::blob(3);
+        let search = Search::new(&mesh);
+        for p in probes() {
+            let mut seen = vec![false; mesh.triangles().len()];
+            let stopped = search.any_within(p, 0.4, |t| {
+                seen[t as usize] = true;
+                false
+            });
+            assert!(!stopped);
+            for (t, seen) in (0..).zip(seen) {
+                let near = nearest_in(mesh.corners(t), p).distance(p) < 0.4;
+                assert!(seen || !near, "{p} {t}");
+                assert!(!near || search.any_within(p, 0.4, |other| other == t));
+            }
+        }
     }
 }

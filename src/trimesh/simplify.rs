@@ -1,4 +1,4 @@
-//! Simplifies a surface. Cells are packed on the simpler one, and carried to the full one by a [`super::Projector`]
+//! Simplifies a surface. Cells are packed on the simpler one, and brought to the full one by a [`super::Search`]
 //! (Itoh, Miyata, Shimada 2003, section 5).
 //!
 //! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics: edges collapse to a vertex one after
@@ -7,15 +7,9 @@
 //! triangle turns over. Borders stay borders and keep their shape. Edges of equal cost go by number.
 
 use super::{MeshBuilding, NONE, TriMesh};
-use crate::order::rank;
-use crate::solid::Quadric;
+use crate::solid::{Collapse, LENGTH, Quadric};
 use glam::DVec3;
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
-/// Weight of an edge's squared length in its cost, times the weights around it: on flat parts short edges collapse
-/// first, and triangles stay alike.
-const LENGTH: f64 = 1e-5;
 /// Weight of the planes that stand on the border, in squares of the edge.
 const BORDER: f64 = 10.0;
 /// The pull of a new vertex towards the middle of its edge, as parts of the weights; the second one is tried if the
@@ -29,22 +23,12 @@ const LEAST_QUALITY: f64 = 0.15;
 const SLICE: usize = 1 << 14;
 const EDGES: usize = 1 << 10;
 
-/// A candidate: the rank of its cost, its ends, and how often these had changed when the cost was computed.
-type Edge = Reverse<(u64, [u32; 2], u32)>;
-
 /// A surface that is being simplified.
 pub struct Simplifying {
     /// Coordinates are relative to the first vertex: sums about a near place lose fewer digits.
     origin: DVec3,
-    places: Vec<DVec3>,
-    triangles: Vec<[u32; 3]>,
-    quadrics: Vec<Quadric>,
-    /// The triangles around each vertex, and some that are gone.
-    around: Vec<Vec<u32>>,
+    collapse: Collapse,
     is_border: Vec<bool>,
-    /// How often each vertex has changed.
-    changes: Vec<u32>,
-    edges: BinaryHeap<Edge>,
     stage: Stage,
     at: usize,
     left: usize,
@@ -71,16 +55,11 @@ impl Simplifying {
     /// more than about `error`, in its units. `error` may be infinite.
     pub fn new(mesh: TriMesh, most: usize, error: f64) -> Self {
         let origin = mesh.positions().first().copied().unwrap_or_default();
-        let count = mesh.positions().len();
+        let places = mesh.positions().iter().map(|&p| p - origin);
         Self {
             origin,
-            places: mesh.positions().iter().map(|&p| p - origin).collect(),
-            triangles: mesh.triangles().to_vec(),
-            quadrics: vec![Quadric::default(); count],
-            around: vec![Vec::new(); count],
-            is_border: vec![false; count],
-            changes: vec![0; count],
-            edges: BinaryHeap::new(),
+            collapse: Collapse::new(places.collect(), mesh.triangles().to_vec()),
+            is_border: vec![false; mesh.positions().len()],
             stage: Stage::Weigh,
             at: 0,
             left: mesh.triangles().len(),
@@ -93,7 +72,7 @@ impl Simplifying {
 
     /// Does one more slice; returns the new surface when it is done.
     pub fn advance(&mut self) -> Option<TriMesh> {
-        let count = self.triangles.len();
+        let count = self.collapse.triangles.len();
         let range = self.at..count.min(self.at + SLICE);
         match self.stage {
             Stage::Weigh => {
@@ -135,15 +114,12 @@ impl Simplifying {
 
     /// Adds the plane of a triangle to its corners, and upright planes along the border.
     fn weigh(&mut self, t: usize) {
-        let triangle = self.triangles[t];
-        let [a, b, c] = triangle.map(|v| self.places[v as usize]);
+        let triangle = self.collapse.triangles[t];
+        let [a, b, c] = self.corners(triangle);
         let normal = self.mesh.face_normal(t as u32);
         let area = 0.5 * (b - a).cross(c - a).length();
         let quadric = Quadric::of_plane(normal, -normal.dot(a), area);
-        for v in triangle.map(|v| v as usize) {
-            self.quadrics[v].add(&quadric);
-            self.around[v].push(t as u32);
-        }
+        self.collapse.weigh(t, &quadric);
         for (k, (from, to)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
             if self.mesh.across(t as u32, k).is_some() {
                 continue;
@@ -152,14 +128,14 @@ impl Simplifying {
             let weight = BORDER * (to - from).length_squared();
             let quadric = Quadric::of_plane(across, -across.dot(from), weight);
             for v in [triangle[k], triangle[(k + 1) % 3]] {
-                self.quadrics[v as usize].add(&quadric);
+                self.collapse.quadrics[v as usize].add(&quadric);
                 self.is_border[v as usize] = true;
             }
         }
     }
 
     fn offer_edges(&mut self, t: usize) {
-        let [a, b, c] = self.triangles[t];
+        let [a, b, c] = self.collapse.triangles[t];
         for (k, [from, to]) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
             // Offer an inner edge once, not from both of its triangles.
             if from < to || self.mesh.across(t as u32, k).is_none() {
@@ -172,25 +148,25 @@ impl Simplifying {
         let ends = [a.min(b), a.max(b)];
         let place = self.place(ends);
         let sum = self.sum(ends);
-        let [p, q] = ends.map(|v| self.places[v as usize]);
+        let [p, q] = self.corners(ends);
         let cost = sum.at(place).max(0.0) + LENGTH * sum.weight() * (p - q).length_squared();
-        self.edges
-            .push(Reverse((rank(cost), ends, self.changed(ends))));
+        self.collapse.offer(ends, cost);
     }
 
-    fn changed(&self, ends: [u32; 2]) -> u32 {
-        self.changes[ends[0] as usize] + self.changes[ends[1] as usize]
+    fn corners<const N: usize>(&self, which: [u32; N]) -> [DVec3; N] {
+        which.map(|v| self.collapse.places[v as usize])
     }
 
     fn sum(&self, ends: [u32; 2]) -> Quadric {
-        let mut sum = self.quadrics[ends[0] as usize];
-        sum.add(&self.quadrics[ends[1] as usize]);
+        let quadrics = &self.collapse.quadrics;
+        let mut sum = quadrics[ends[0] as usize];
+        sum.add(&quadrics[ends[1] as usize]);
         sum
     }
 
     /// The place of the vertex that an edge becomes. If one end lies on the border, it is that end.
     fn place(&self, ends: [u32; 2]) -> DVec3 {
-        let [p, q] = ends.map(|v| self.places[v as usize]);
+        let [p, q] = self.corners(ends);
         match ends.map(|v| self.is_border[v as usize]) {
             [true, false] => return p,
             [false, true] => return q,
@@ -210,10 +186,10 @@ impl Simplifying {
         if self.left <= self.most.max(4) {
             return false;
         }
-        let Some(Reverse((_, ends, changes))) = self.edges.pop() else {
+        let Some(ends) = self.collapse.pop() else {
             return false;
         };
-        if self.changed(ends) != changes || self.living(ends[0]).next().is_none() {
+        if self.collapse.living(ends[0]).next().is_none() {
             return true;
         }
         let place = self.place(ends);
@@ -222,21 +198,15 @@ impl Simplifying {
             return true;
         }
         if self.keeps_the_surface(ends) && self.keeps_upright(ends, place) {
-            self.collapse(ends, place);
+            self.merge(ends, place);
         }
         true
-    }
-
-    fn living(&self, v: u32) -> impl Iterator<Item = (usize, [u32; 3])> {
-        let around = self.around[v as usize].iter();
-        let all = around.map(|&t| (t as usize, self.triangles[t as usize]));
-        all.filter(move |(_, triangle)| triangle.contains(&v))
     }
 
     /// The neighbours of a vertex.
     fn beside(&self, v: u32) -> Vec<u32> {
         let mut all: Vec<u32> = Vec::with_capacity(12);
-        for (_, triangle) in self.living(v) {
+        for (_, triangle) in self.collapse.living(v) {
             for w in triangle {
                 if w != v && !all.contains(&w) {
                     all.push(w);
@@ -247,7 +217,11 @@ impl Simplifying {
     }
 
     fn keeps_the_surface(&self, [a, b]: [u32; 2]) -> bool {
-        let shared = self.living(a).filter(|(_, t)| t.contains(&b)).count();
+        let shared = self
+            .collapse
+            .living(a)
+            .filter(|(_, t)| t.contains(&b))
+            .count();
         let is_border = [a, b].map(|v| self.is_border[v as usize]);
         // The edge joins two borders, or two places of one border.
         if shared == 0 || (is_border == [true, true] && shared == 2) {
@@ -259,23 +233,21 @@ impl Simplifying {
         // The collapse takes a triangle from each of these.
         let has_enough = |&v: &u32| {
             let least = if self.is_border[v as usize] { 2 } else { 4 };
-            self.living(v).nth(least - 1).is_some()
+            self.collapse.living(v).nth(least - 1).is_some()
         };
         common.len() == shared && common.iter().all(has_enough)
     }
 
     fn keeps_upright(&self, [a, b]: [u32; 2], place: DVec3) -> bool {
         let fits = |v: u32, other: u32| {
-            let mut rest = self.living(v).filter(|(_, t)| !t.contains(&other));
+            let mut rest = self.collapse.living(v).filter(|(_, t)| !t.contains(&other));
             rest.all(|(_, triangle)| {
-                let old = triangle.map(|w| self.places[w as usize]);
-                let new = triangle.map(|w| {
+                let (old, mut new) = (self.corners(triangle), self.corners(triangle));
+                for (corner, w) in new.iter_mut().zip(triangle) {
                     if w == v {
-                        place
-                    } else {
-                        self.places[w as usize]
+                        *corner = place;
                     }
-                });
+                }
                 let [before, after] = [old, new].map(|[p, q, r]| (q - p).cross(r - p));
                 let upright = before.dot(after) > TURN * before.length() * after.length();
                 let quality = quality(new, after);
@@ -285,48 +257,30 @@ impl Simplifying {
         fits(a, b) && fits(b, a)
     }
 
-    fn collapse(&mut self, [a, b]: [u32; 2], place: DVec3) {
-        for t in std::mem::take(&mut self.around[b as usize]) {
-            let triangle = &mut self.triangles[t as usize];
-            if !triangle.contains(&b) {
-                continue;
-            }
-            if triangle.contains(&a) {
-                *triangle = GONE;
-                self.left -= 1;
-            } else if let Some(corner) = triangle.iter_mut().find(|v| **v == b) {
-                *corner = a;
-                self.around[a as usize].push(t);
-            }
-        }
-        let mut around = std::mem::take(&mut self.around[a as usize]);
-        around.retain(|&t| self.triangles[t as usize].contains(&a));
-        self.around[a as usize] = around;
-        self.places[a as usize] = place;
-        self.quadrics[a as usize] = self.sum([a, b]);
+    fn merge(&mut self, [a, b]: [u32; 2], place: DVec3) {
+        self.left -= self.collapse.merge(b, a, GONE);
+        self.collapse.places[a as usize] = place;
         self.is_border[a as usize] |= self.is_border[b as usize];
-        self.changes[a as usize] += 1;
-        self.changes[b as usize] += 1;
         for v in self.beside(a) {
             self.offer(v, a);
         }
     }
 
     fn build(&mut self) {
-        self.edges = BinaryHeap::new();
-        self.triangles.retain(|t| *t != GONE);
-        let mut number = vec![NONE; self.places.len()];
-        for &v in self.triangles.iter().flatten() {
+        let done = std::mem::replace(&mut self.collapse, Collapse::new(Vec::new(), Vec::new()));
+        let (places, mut triangles) = (done.places, done.triangles);
+        triangles.retain(|t| *t != GONE);
+        let mut number = vec![NONE; places.len()];
+        for &v in triangles.iter().flatten() {
             number[v as usize] = 0;
         }
         let mut positions = Vec::new();
-        for (v, number) in number.iter_mut().enumerate() {
+        for (place, number) in places.into_iter().zip(&mut number) {
             if *number != NONE {
                 *number = positions.len() as u32;
-                positions.push(self.places[v] + self.origin);
+                positions.push(place + self.origin);
             }
         }
-        let triangles = std::mem::take(&mut self.triangles);
         let triangles = triangles.iter().map(|t| t.map(|v| number[v as usize]));
         self.building = Some(MeshBuilding::new(positions, triangles.collect()));
     }

@@ -5,8 +5,9 @@ const SLICE: usize = 1 << 18;
 /// Bits of a digit.
 const BITS: u32 = 11;
 
-/// Sorts pairs of a key and a number by their keys, with a radix sort that begins with the lowest digit. Entries with
-/// equal keys keep their order.
+/// A list of keys with numbers, sorted by the keys; where these are equal, entries keep their order (a radix sort, the
+/// lowest digits first).
+#[derive(Clone, Debug)]
 pub(super) struct Sorting {
     entries: Vec<(u64, u32)>,
     sorted: Vec<(u64, u32)>,

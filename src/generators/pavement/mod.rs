@@ -4,7 +4,6 @@
 //! Directionality via Packing Rectangular and Elliptical Cells).
 
 mod absence;
-mod defaults;
 mod draft;
 mod engine;
 mod files;

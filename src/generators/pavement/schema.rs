@@ -2,10 +2,16 @@
 //! all read it: a new parameter is one row, its use, and its words.
 
 use crate::domain::MAX_POINTS;
+use crate::field::FieldParams;
+use crate::packing::PackingParams;
 use crate::recipe::parameter::{choice, int, number, text};
 use crate::recipe::schema::{choices, rows};
 use crate::recipe::stones::{self, SKIN};
 use crate::recipe::{Choice, Item, SideLimits, common};
+use crate::solid::SkinParams;
+
+/// The library's defaults, which are the rows'.
+const FIELDS: &FieldParams = &FieldParams::DEFAULT;
 
 /// The word for an outline that is given by its points.
 pub const POLYGON: &str = "polygon";
@@ -53,29 +59,29 @@ rows! {
     parts PARTS: "Kinds of the parts that lines cut the outline into." =>
         text("Kinds of parts", Item::Seed(keys::KIND)).group("Cells").only_with(keys::LINES);
     ca CA: "Length of a cell along the direction over its width." =>
-        number("Ca", "Aspect ratio").range(1.0, 5.0, 0.05, 2.0).group("Cells").main()
+        number("Ca", "Aspect ratio").range(1.0, 5.0, 0.05, FIELDS.aspect).group("Cells").main()
             .only_for(keys::KIND, STRETCHED);
     cb CB: "Factor of the aspect ratio on the boundary; inwards it goes over to the plain one." =>
-        number("", "Aspect at the boundary").range(0.2, 5.0, 0.05, 1.0).group("Cells")
+        number("", "Aspect at the boundary").range(0.2, 5.0, 0.05, FIELDS.aspect_grading.factor).group("Cells")
             .only_for(keys::KIND, STRETCHED);
     cd CD: "How far from the boundary the aspect ratio changes, in picture sides." =>
-        number("", "Aspect reach").range(0.02, 1.0, 0.01, 0.25).group("Cells").steady()
+        number("", "Aspect reach").range(0.02, 1.0, 0.01, FIELDS.aspect_grading.reach / FIELDS.side).group("Cells").steady()
             .only_with(keys::CB);
     stretch STRETCH: "Soft spots with an aspect ratio of their own." =>
         text("Aspect spots", Item::Spot(1.0, 5.0)).group("Cells").only_for(keys::KIND, STRETCHED);
     cs CS: "Average side of a cell." =>
-        number("Cs", "Cell size").range(2.0, 256.0, 1.0, 23.0).per_side(CELL_LIMITS).unit("px")
+        number("Cs", "Cell size").range(2.0, 256.0, 1.0, FIELDS.size).per_side(CELL_LIMITS).unit("px")
             .group("Size").main();
     gx GX: "Makes cells grow from left to right (or shrink, below 0); on a tile a wave." =>
-        number("", "Size gradient x").range(-0.8, 0.8, 0.05, 0.0).group("Size");
+        number("", "Size gradient x").range(-0.8, 0.8, 0.05, FIELDS.linear.x).group("Size");
     gy GY: "Makes cells grow from top to bottom (or shrink, below 0); on a tile a wave." =>
-        number("", "Size gradient y").range(-0.8, 0.8, 0.05, 0.0).group("Size");
+        number("", "Size gradient y").range(-0.8, 0.8, 0.05, FIELDS.linear.y).group("Size");
     gr GR: "Makes cells grow from the picture's centre outwards (or shrink, below 0)." =>
-        number("", "Size gradient radial").range(-0.8, 0.8, 0.05, 0.0).group("Size");
+        number("", "Size gradient radial").range(-0.8, 0.8, 0.05, FIELDS.radial).group("Size");
     gb GB: "Factor of the size on the boundary; inwards it goes over to the plain one." =>
-        number("", "Size at the boundary").range(0.2, 3.0, 0.05, 1.0).group("Size");
+        number("", "Size at the boundary").range(0.2, 3.0, 0.05, FIELDS.size_grading.factor).group("Size");
     gd GD: "How far from the boundary the size changes, in picture sides." =>
-        number("", "Size reach").range(0.02, 1.0, 0.01, 0.25).group("Size")
+        number("", "Size reach").range(0.02, 1.0, 0.01, FIELDS.size_grading.reach / FIELDS.side).group("Size")
             .only_with(keys::GB);
     spots SPOTS: "Soft spots of larger or smaller cells." =>
         text("Size spots", Item::Spot(0.2, 3.0)).group("Size");
@@ -85,27 +91,27 @@ rows! {
             radial: "Radial", circular: "Circular", spiral: "Spiral", strokes: "Strokes only",
         ]).group("Direction");
     angle ANGLE: "Direction of the rows, clockwise from the x axis." =>
-        number("θ", "Angle").range(-90.0, 90.0, 1.0, 0.0).unit("°").group("Direction")
+        number("θ", "Angle").range(-90.0, 90.0, 1.0, FIELDS.angle.to_degrees()).unit("°").group("Direction")
             .only_for(keys::DIR, &["constant", "strokes"]);
     fx FX: "The point that rows turn about, from left to right, in picture sides." =>
-        number("", "Centre x").range(-1.0, 2.0, 0.01, 0.5).group("Direction")
+        number("", "Centre x").range(-1.0, 2.0, 0.01, FIELDS.centre.x / FIELDS.side).group("Direction")
             .only_for(keys::DIR, ABOUT);
     fy FY: "The point that rows turn about, from top to bottom, in picture sides." =>
-        number("", "Centre y").range(-1.0, 2.0, 0.01, 0.5).group("Direction")
+        number("", "Centre y").range(-1.0, 2.0, 0.01, FIELDS.centre.y / FIELDS.side).group("Direction")
             .only_for(keys::DIR, ABOUT);
     fa FA: "Angle of the spiral to the rays from its point: 0 radial, 90 circular." =>
         number("", "Spiral angle").range(-90.0, 90.0, 1.0, 45.0).unit("°")
             .group("Direction").only_for(keys::DIR, &["spiral"]);
     dp DP: "Power of the distance in the direction's weights: the higher, the nearer a wall must be." =>
-        int("", "Distance power").range(2.0, 4.0, 1.0, 4.0).group("Direction").steady()
+        int("", "Distance power").range(2.0, 4.0, 1.0, FIELDS.power as f64).group("Direction").steady()
             .only_for(keys::DIR, &["boundary", "strokes"]);
     ends ENDS: "Weight of the outline's short ends in the direction of cells that are not square." =>
-        number("", "Weight of ends").range(0.0, 1.0, 0.05, 0.0).group("Direction").steady()
+        number("", "Weight of ends").range(0.0, 1.0, 0.05, FIELDS.ends).group("Direction").steady()
             .only_for(keys::KIND, &["rectangle", "circle", "ellipse"]);
     strokes STROKES: "Painted lines that the rows follow." =>
         text("Strokes", Item::Line).group("Direction");
     reach REACH: "Up to where a stroke counts more than one angle or the point, in picture sides." =>
-        number("", "Reach of strokes").range(0.02, 1.0, 0.01, 0.15).group("Direction").steady()
+        number("", "Reach of strokes").range(0.02, 1.0, 0.01, FIELDS.reach / FIELDS.side).group("Direction").steady()
             .only_with(keys::STROKES);
 
     edge EDGE: "What lies on the boundary: the edges of the outermost cells, or their fixed centres." =>
@@ -122,7 +128,7 @@ rows! {
             slots: "Empty slots", smallest: "Smallest distance", off: "Off",
         ]).group("Packing").steady();
     vs VS: "Random variance of the cells' size." =>
-        number("Vs", "Size variance").range(0.0, 0.5, 0.01, 0.0).group("Packing").main();
+        number("Vs", "Size variance").range(0.0, 0.5, 0.01, PackingParams::DEFAULT.variance).group("Packing").main();
     seed SEED: "Names the random numbers: another seed, another pavement." =>
         common::SEED.group("Packing");
 
@@ -150,8 +156,8 @@ rows! {
     bh BH => stones::BH;
     bv BV => stones::BV;
 
-    fd FD => common::FD.default_while(keys::STONE, SKIN, 1.1);
-    af AF => common::AF.default_while(keys::STONE, SKIN, 0.1);
+    fd FD => common::FD.default_while(keys::STONE, SKIN, SkinParams::DEFAULT.dimension);
+    af AF => common::AF.default_while(keys::STONE, SKIN, SkinParams::DEFAULT.amplitude);
     palette PALETTE => common::PALETTE;
     vary VARY => common::VARY;
     ground GROUND => common::GROUND;

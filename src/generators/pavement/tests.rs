@@ -1,14 +1,19 @@
 //! Exactly the stages that differ run, and bigger pictures show no joints of their bands.
 
-use super::params::Params;
+use super::params::{self, Params};
 use super::schema::keys;
 use super::{Pavement, SCHEMA, Stage};
 use crate::export::{Map, MapKind};
-use crate::generators::ALL;
+use crate::field::FieldParams;
 use crate::generators::bigger::Bigger;
 use crate::generators::height_field::Bodies;
+use crate::generators::{ALL, common};
+use crate::heightfield::TextureParams;
+use crate::light::ShadeParams;
+use crate::packing::PackingParams;
 use crate::random::{Purpose, Random};
 use crate::recipe::{Key, Kind, Recipe};
+use crate::solid::{SkinParams, StoneParams};
 use crate::studio::Studio;
 
 /// Sample values for each of the lists.
@@ -55,6 +60,27 @@ fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
         let _ = changed.set("cs", "12");
     }
     changed
+}
+
+#[test]
+fn the_libraries_defaults_are_those_of_a_recipe() {
+    let mut recipe = Recipe::new(&SCHEMA);
+    let stone = |recipe: &Recipe| common::stone(recipe, 1.0);
+    assert_eq!(params::fields(&recipe), FieldParams::default());
+    assert_eq!(params::packing(&recipe), PackingParams::default());
+    assert_eq!(common::shading(&recipe), ShadeParams::default());
+    // A stone's numbers of skin are others until it is skin.
+    let skin = SkinParams::default();
+    let texture = TextureParams {
+        stone: StoneParams {
+            skin,
+            ..stone(&recipe)
+        },
+        ..params::texture(&recipe)
+    };
+    assert_eq!(texture, TextureParams::default());
+    assert_eq!(recipe.set("stone", "skin"), Ok(vec![]));
+    assert_eq!(stone(&recipe).skin, skin);
 }
 
 /// The stages that must run to go from one recipe to another: those whose parameters differ, and those that read

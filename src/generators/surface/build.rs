@@ -11,7 +11,7 @@ use crate::surface_field::{
 };
 use crate::trimesh::refine::{Refining, SHARE};
 use crate::trimesh::repair::{Cutting, Filling};
-use crate::trimesh::{MeshBuilding, Projector, Search, Simplifying, TriMesh};
+use crate::trimesh::{MeshBuilding, Search, Simplifying, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ pub(super) struct Built {
     /// The mesh on which stones stand: not cut, and as fine as given.
     pub whole: Arc<TriMesh>,
     /// Brings cells from the first to the second, if they differ.
-    pub projector: Option<Projector>,
+    pub search: Option<Search>,
     pub bones: Vec<Bone>,
     /// The main direction from head to tail, if there are no bones.
     pub main: DVec3,
@@ -45,7 +45,7 @@ pub(super) struct Building {
     size: f64,
     /// The mesh for stones, if it differs from the current one.
     whole: Option<Arc<TriMesh>>,
-    projector: Option<Projector>,
+    search: Option<Search>,
     notices: Vec<Notice>,
 }
 
@@ -56,7 +56,7 @@ enum Step {
     Shape(Box<ShapeMaking>),
     ShapeMesh(Box<MeshBuilding>),
     Simplify(Box<Simplifying>),
-    Project(Box<(TriMesh, Projector)>),
+    Project(Box<(TriMesh, Search)>),
     Fill(Box<Filling>),
     Refine(Box<Refining>),
     Size(TriMesh),
@@ -96,7 +96,7 @@ impl Building {
             step: Step::None,
             size: 0.0,
             whole: None,
-            projector: None,
+            search: None,
             notices: loaded.notices.clone(),
         };
         let count = params.sizes.count;
@@ -145,22 +145,21 @@ impl Building {
                 None => Step::Simplify(simplifying),
                 Some(mesh) => {
                     let whole = self.whole.as_deref().unwrap_or(&mesh);
-                    let projector = Projector::new(whole);
-                    Step::Project(Box::new((mesh, projector)))
+                    let search = Search::begin(whole);
+                    Step::Project(Box::new((mesh, search)))
                 }
             },
             Step::Project(mut pair) => {
-                let (mesh, projector) = &mut *pair;
+                let search = &mut pair.1;
                 let done = self
                     .whole
                     .as_deref()
-                    .is_none_or(|whole| projector.advance(whole));
+                    .is_none_or(|whole| search.advance(whole, SEARCHED));
                 if done {
-                    let (mesh, projector) = *pair;
-                    self.projector = Some(projector);
+                    let (mesh, search) = *pair;
+                    self.search = Some(search);
                     Step::Fill(Box::new(Filling::new(mesh, self.size)))
                 } else {
-                    let _ = mesh;
                     Step::Project(pair)
                 }
             }
@@ -287,7 +286,7 @@ impl Building {
         Some(Built {
             mesh,
             whole: self.whole.take().unwrap_or(uncut),
-            projector: self.projector.take(),
+            search: self.search.take(),
             bones,
             main,
             notices: std::mem::take(&mut self.notices),

@@ -9,7 +9,7 @@ use crate::surface_field::{
     AspectParams, DirectionParams, FlowParams, Stroke, SurfaceFieldBuilder, SurfaceFieldParams,
     SurfaceFields,
 };
-use crate::trimesh::{Projector, Search};
+use crate::trimesh::Search;
 
 /// Triangles in a slice of a search tree.
 const SEARCHED: usize = 1 << 14;
@@ -32,8 +32,8 @@ enum Step {
     /// Finds the places of painted items.
     Search(Box<Search>),
     Fields(Box<SurfaceFieldBuilder>),
-    Grid(Box<(SurfaceFields, Projector)>),
-    Fit(Box<(SurfaceFields, Projector, Fitting)>),
+    Grid(Box<(SurfaceFields, Search)>),
+    Fit(Box<(SurfaceFields, Search, Fitting)>),
 }
 
 impl Fielding {
@@ -69,20 +69,20 @@ impl Fielding {
                 true => {
                     let fields = builder.finish();
                     check_count(fields.about_cells())?;
-                    Step::Grid(Box::new((fields, Projector::new(mesh))))
+                    Step::Grid(Box::new((fields, Search::begin(mesh))))
                 }
                 false => Step::Fields(builder),
             },
-            Step::Grid(mut pair) => match pair.1.advance(mesh) {
+            Step::Grid(mut pair) => match pair.1.advance(mesh, SEARCHED) {
                 true => {
-                    let (fields, projector) = *pair;
-                    Step::Fit(Box::new((fields, projector, Fitting::new())))
+                    let (fields, search) = *pair;
+                    Step::Fit(Box::new((fields, search, Fitting::new())))
                 }
                 false => Step::Grid(pair),
             },
             Step::Fit(mut three) => {
-                let (fields, projector, fitting) = &mut *three;
-                if let Some(fit) = fitting.advance(mesh, projector, fields) {
+                let (fields, search, fitting) = &mut *three;
+                if let Some(fit) = fitting.advance(mesh, search, fields) {
                     let (notices, (fields, ..)) = (fit.notices()?, *three);
                     return Ok(Some(Fielded {
                         fields,

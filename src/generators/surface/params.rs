@@ -7,7 +7,7 @@ use crate::generators::lighting::LightParams;
 use crate::generators::scene_picture::AskedFile;
 use crate::heightfield::TextureParams;
 use crate::material::{ColourParams, WeatherParams};
-use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
+use crate::packing::PackingParams;
 use crate::recipe::Recipe;
 use crate::recipe::common::keys as shared;
 use crate::shapes::Shape;
@@ -262,12 +262,9 @@ fn fields(recipe: &Recipe, sizes: Sizes) -> FieldParams {
 
 fn packing(recipe: &Recipe) -> PackingParams {
     PackingParams {
-        boundary: BoundaryCondition::Wall,
-        start: Start::Stream,
-        integrator: Integrator::SemiImplicit,
-        population: Population::Slots,
         variance: recipe.number(keys::VS),
         seed: common::seed(recipe),
+        ..PackingParams::DEFAULT
     }
 }
 

@@ -7,7 +7,7 @@ use crate::surface_cells::SurfaceCell;
 use crate::surface_cells::SurfaceMesh;
 use crate::surface_field::SurfaceFields;
 use crate::surface_stones::{Paving, SurfaceCoats, links, make_one_sense};
-use crate::trimesh::{Projector, SurfacePoint};
+use crate::trimesh::{Search, SurfacePoint};
 
 /// Cells in a slice of coats.
 const CELLS: usize = 500;
@@ -66,12 +66,12 @@ impl Paves {
                 make_one_sense(&mut paved.cells, &paved.links, &flow);
                 Paves::Carry(paved, 0)
             }
-            Some(Paves::Carry(mut paved, first)) => match &from.built.projector {
+            Some(Paves::Carry(mut paved, first)) => match &from.built.search {
                 None => coating(params, paved, from.built),
-                Some(projector) => {
+                Some(search) => {
                     let end = paved.cells.len().min(first + CARRIED);
                     for cell in &mut paved.cells[first..end] {
-                        carry(cell, from.built, projector);
+                        carry(cell, from.built, search);
                     }
                     match end == paved.cells.len() {
                         true => coating(params, paved, from.built),
@@ -109,12 +109,12 @@ fn unit(cells: &[SurfaceCell]) -> f64 {
 }
 
 /// Carries a cell to the surface of the stones.
-fn carry(cell: &mut SurfaceCell, built: &Built, projector: &Projector) {
+fn carry(cell: &mut SurfaceCell, built: &Built, search: &Search) {
     let along = cell.centre.frame().out(cell.axis);
-    cell.centre = projector.carry(&built.whole, &cell.centre);
+    cell.centre = search.closest_facing(&built.whole, cell.centre.at, cell.centre.normal);
     cell.axis = cell.centre.frame().within(along).normalize_or_zero();
     for (corner, normal) in cell.ring.iter_mut().zip(&mut cell.normals) {
-        let on = projector.closest(&built.whole, *corner, *normal);
+        let on = search.closest_facing(&built.whole, *corner, *normal);
         (*corner, *normal) = (on.at, on.normal);
     }
 }

@@ -4,8 +4,8 @@ use super::super::*;
 use super::shapes::{cell, check, nearest, patch};
 use crate::domain::{Domain, Outline};
 use crate::field::{FieldBuilder, FieldParams, Kind};
-use crate::packing::ground::Asks;
 use crate::packing::{Packing, PackingParams};
+use crate::surface_packing::fixture::Along;
 use crate::surface_packing::{Site, SurfacePlacing};
 use crate::trimesh::TriMesh;
 use crate::trimesh::refine::Refining;
@@ -125,35 +125,13 @@ fn in_plane(domain: &Domain, particles: &[crate::packing::Particle]) -> (f64, f6
     (quads as f64 / mesh.faces.len() as f64, deviation / mean)
 }
 
-/// Cells of one size, with their axes along an axis of space.
-#[derive(Clone, Copy)]
-struct Along {
-    kind: Kind,
-    size: f64,
-    aspect: f64,
-}
-
-impl Asks for Along {
-    type Place = SurfacePoint;
-
-    fn kind(self, _: SurfacePoint) -> Kind {
-        self.kind
-    }
-
-    fn size(self, _: SurfacePoint) -> f64 {
-        self.size
-    }
-
-    fn aspect(self, _: SurfacePoint) -> f64 {
-        self.aspect
-    }
-
-    fn direction(self, p: SurfacePoint) -> DVec2 {
-        p.frame().within(DVec3::Y).normalize_or_zero()
-    }
-
-    fn mean_size(self) -> f64 {
-        self.size
+/// Cells of one size, along the upright axis.
+fn along(kind: Kind, size: f64, aspect: f64) -> Along {
+    Along {
+        kind,
+        size,
+        axis: DVec3::Y,
+        aspect,
     }
 }
 
@@ -216,7 +194,7 @@ fn packed_cells_on_surfaces_make_good_meshes() {
         ("wall", wall(0.1), Kind::Square, 1.0, 0.2),
         ("wall", wall(0.05), Kind::Square, 1.0, 0.2),
     ] {
-        let (site, particles) = packed_on(soup, Along { kind, size, aspect });
+        let (site, particles) = packed_on(soup, along(kind, size, aspect));
         for (word, polish) in [("plain", PLAIN), ("straight", Polish::default())] {
             let made = SurfaceMesh::build(site.mesh(), particles.clone(), polish);
             let figures = check(
@@ -242,11 +220,7 @@ fn packed_cells_on_surfaces_make_good_meshes() {
 
 #[test]
 fn the_order_of_cells_and_a_turn_of_the_mesh_change_nothing() {
-    let fields = Along {
-        kind: Kind::Rectangle,
-        size: 0.2,
-        aspect: 1.5,
-    };
+    let fields = along(Kind::Rectangle, 0.2, 1.5);
     let (site, particles) = packed_on(testing::blob(5), fields);
     let made = SurfaceMesh::build(site.mesh(), particles.clone(), Polish::default());
     let mut others = particles.clone();

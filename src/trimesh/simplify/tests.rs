@@ -1,15 +1,15 @@
 use super::super::testing::{self, mesh};
-use super::super::{Projector, TriMesh};
+use super::super::{Search, TriMesh};
 use super::*;
 
 /// The greatest distance of corners and triangle middles of one surface from another, over its diagonal.
 fn farthest(from: &TriMesh, to: &TriMesh) -> f64 {
-    let projector = Projector::build(to);
+    let search = Search::new(to);
     let mut most = 0.0f64;
     for t in 0..from.triangles().len() as u32 {
         let [a, b, c] = from.corners(t);
         for p in [a, (a + b + c) / 3.0] {
-            let near = projector.closest(to, p, DVec3::ZERO);
+            let near = search.closest(to, p);
             most = most.max((near.at - p).length());
         }
     }

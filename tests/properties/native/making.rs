@@ -91,7 +91,7 @@ fn the_control_step_is_the_control_mesh() {
         let shown = corners(&step.surface);
         let wanted = Surface {
             positions: mesh.vertices.clone(),
-            triangles: mesh.triangles.clone(),
+            triangles: mesh.triangles.to_vec(),
             ..Surface::default()
         };
         assert_eq!(

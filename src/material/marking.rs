@@ -1,0 +1,141 @@
+//! The common part of coats in the plane and on surfaces.
+
+use super::noise::NoiseTile;
+use super::pattern::{Coat, ColourParams, Pattern};
+use super::reaction::Reaction;
+use super::smoothstep::smoothstep;
+use crate::field::Kind;
+use crate::order::{self, greater};
+use crate::random::{Purpose, Random};
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+/// Amplitude of the bends of bands, in pattern scales.
+pub(crate) const WAVE: f64 = 0.2;
+/// Values of the noise along one of its waves.
+pub(crate) const WAVELENGTH: f64 = 16.0;
+/// The sharpest border of marks is this share of the cells wide; the softest covers all.
+const SHARPEST: f64 = 0.03;
+
+/// The values of all cells under a pattern, in progress.
+pub(crate) struct Marking {
+    pub colour: ColourParams,
+    phase: f64,
+    noise: NoiseTile,
+    values: Vec<f64>,
+    reaction: Option<Reaction>,
+}
+
+impl Marking {
+    /// Without values yet.
+    pub fn new(colour: ColourParams, seed: u64) -> Self {
+        Self {
+            colour,
+            phase: Random::new(seed, Purpose::Pattern, u64::MAX).unit(),
+            noise: NoiseTile::new(seed, 21, 6, 4, 1.2),
+            values: Vec::new(),
+            reaction: None,
+        }
+    }
+
+    /// Takes the values from a reaction.
+    pub fn take(&mut self, reaction: Reaction) {
+        self.reaction = Some(reaction);
+    }
+
+    /// Whether all is done, after the work of about `count` cells; `None` if the cells are due one by one.
+    pub fn advance(&mut self, count: usize) -> Option<bool> {
+        match &mut self.reaction {
+            Some(reaction) => Some(reaction.advance(count)),
+            None => (self.colour.pattern == Pattern::Plain).then_some(true),
+        }
+    }
+
+    /// The next cells, at most `count`; each gets its value by [`Self::push`].
+    pub fn due(&self, cells: usize, count: usize) -> Range<usize> {
+        let first = self.values.len();
+        first..cells.min(first.saturating_add(count))
+    }
+
+    /// Adds the value of the next cell.
+    pub fn push(&mut self, value: f64) {
+        self.values.push(value);
+    }
+
+    /// One coat for each share of the belly.
+    pub fn finish(mut self, bellies: impl Iterator<Item = f64>) -> Vec<Coat> {
+        if let Some(reaction) = self.reaction.take() {
+            self.values = reaction.finish();
+        }
+        if matches!(
+            self.colour.pattern,
+            Pattern::Turing | Pattern::Size | Pattern::Blotches
+        ) {
+            spread_evenly(&mut self.values);
+        }
+        let mark = |k: usize| self.values.get(k).map_or(0.0, |&v| self.colour.weight(v));
+        let coat = |(k, belly): (usize, f64)| Coat {
+            mark: mark(k) as f32,
+            belly: belly as f32,
+        };
+        bellies.enumerate().map(coat).collect()
+    }
+
+    /// The noise at a place of its tile.
+    pub fn noise(&self, x: f64, y: f64) -> f64 {
+        f64::from(self.noise.between(x as f32, y as f32))
+    }
+
+    /// The value of a place this many bands along, with the noise there.
+    pub fn band(&self, along: f64, noise: f64) -> f64 {
+        triangle(along + self.phase + WAVE * noise)
+    }
+}
+
+/// The value of a cell at a distance from what is marked.
+pub(crate) fn near(distance: f64, scale: f64) -> f64 {
+    greater(1.0 - distance / (2.0 * scale), 0.0)
+}
+
+/// The value of a cell turned this far from the marked direction. Turns that leave the cell unchanged do not count.
+pub(crate) fn turned(turn: f64, kind: Kind) -> f64 {
+    let full = TAU / f64::from(kind.symmetry());
+    triangle(turn / full)
+}
+
+/// The share of the belly, from one side (0) to the other (1).
+pub(crate) fn belly_at(down: f64) -> f64 {
+    smoothstep((down - 0.3) / 0.5)
+}
+
+impl ColourParams {
+    /// The share of the mark in a cell, from its value.
+    fn weight(&self, value: f64) -> f64 {
+        let c = self;
+        let width = 1.0 - (1.0 - SHARPEST) * c.sharpness;
+        let weight = smoothstep((value - (1.0 - c.share)) / width + 0.5);
+        let pale = match c.pattern {
+            Pattern::Rosettes => {
+                let out = ((1.0 - value) / greater(c.share, 1e-3)).sqrt();
+                0.75 * smoothstep((0.7 - out) / 0.3)
+            }
+            _ => 0.0,
+        };
+        c.amount * weight * (1.0 - pale)
+    }
+}
+
+/// A triangle wave: 1 at integers, 0 at half-integers.
+fn triangle(turns: f64) -> f64 {
+    2.0 * (turns - turns.floor() - 0.5).abs()
+}
+
+/// Replaces values by their ranks, over 0..1.
+fn spread_evenly(values: &mut [f64]) {
+    let last = values.len().max(2) - 1;
+    let mut ranks: Vec<(f64, u32)> = values.iter().copied().zip(0..).collect();
+    order::sort(&mut ranks, |&(value, k)| (order::rank(value), k.into()));
+    for (rank, &(_, k)) in ranks.iter().enumerate() {
+        values[k as usize] = rank as f64 / last as f64;
+    }
+}

@@ -1,0 +1,39 @@
+//! Fields for tests.
+
+use crate::field::Kind;
+use crate::packing::ground::Asks;
+use crate::trimesh::SurfacePoint;
+use glam::{DVec2, DVec3};
+
+/// Cells of one size, along an axis of space.
+#[derive(Clone, Copy)]
+pub(crate) struct Along {
+    pub kind: Kind,
+    pub size: f64,
+    pub axis: DVec3,
+    pub aspect: f64,
+}
+
+impl Asks for Along {
+    type Place = SurfacePoint;
+
+    fn kind(self, _: SurfacePoint) -> Kind {
+        self.kind
+    }
+
+    fn size(self, _: SurfacePoint) -> f64 {
+        self.size
+    }
+
+    fn aspect(self, _: SurfacePoint) -> f64 {
+        self.aspect
+    }
+
+    fn direction(self, p: SurfacePoint) -> DVec2 {
+        p.frame().within(self.axis).normalize_or_zero()
+    }
+
+    fn mean_size(self) -> f64 {
+        self.size
+    }
+}
