@@ -1,16 +1,15 @@
-//! What an engine is to those who run it: stages that work in slices, views, and files.
+//! What every engine is to those who run it: stages that work in slices, a picture, views. What only some engines can
+//! do besides, they offer as
+//! traits of their own, from [`Engine::drafts`] on.
 
-use super::budget::Clock;
+use super::Clock;
 #[cfg(house)]
-use super::given::{GivenFile, MissingFile};
-#[cfg(house)]
-use super::turntable::{FrameSlice, SeenBody, TurnOrder};
-use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
-use crate::notice::{Code, Notice};
+use super::in_space::{Files, Frames};
+use super::inspection::Products;
+use super::offers::{Drafts, Inspect, Maps, Meshes, Outlines};
+use crate::export::Report;
+use crate::notice::Notice;
 use crate::recipe::Recipe;
-#[cfg(house)]
-use crate::scene::Frame;
-use std::any::Any;
 
 /// How far the work has come.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,35 +30,9 @@ pub struct Progress {
     pub stones: usize,
 }
 
-/// What one slice of work has made of a mesh file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshSlice {
-    /// A new file begins with these parts; those of calls before belong to another one.
-    pub begun: bool,
-    /// The next parts of the file, one after the other.
-    pub parts: Vec<Vec<u8>>,
-    /// The file ends with them.
-    pub done: bool,
-}
-
-/// What one slice of work has made of a bigger picture, or of its maps.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PictureSlice {
-    /// A new picture begins with these rows; those of calls before belong to another one.
-    pub begun: bool,
-    /// How much of the work is done, 0..1, by a rough estimate.
-    pub progress: f64,
-    /// The next rows of each map that was asked for, or of the picture, from the top; none in most slices.
-    pub rows: Vec<Map>,
-    /// The lowest and the highest value of its bump plane, in picture units, once that is finished.
-    pub heights: (f32, f32),
-    /// The picture ends with them.
-    pub done: bool,
-}
-
 /// Makes pictures of one generator's recipes, slice by slice. A stage is named by its place in
 /// [`super::Generator::stages`].
-pub trait Engine: Any {
+pub trait Engine {
     /// Gives it the latest recipe. The work goes on by the one before until [`Engine::take_up`].
     fn ask(&mut self, recipe: &Recipe);
 
@@ -81,14 +54,9 @@ pub trait Engine: Any {
     /// Why the work cannot go on; `None` while it can.
     fn failure(&self) -> Option<&Notice>;
 
-    /// What is to be said of what was made so far: what was mended, or does not fit well.
+    /// Notices about what was made so far: about repairs, and about what does not fit well.
     fn remarks(&self) -> Vec<Notice> {
         Vec::new()
-    }
-
-    /// The stage that the next slice works on; `None` where all is done or the work cannot go on.
-    fn at_work(&self) -> Option<usize> {
-        self.at().filter(|_| self.failure().is_none())
     }
 
     /// Does one slice of the work, on the first stage that is not fresh.
@@ -99,16 +67,13 @@ pub trait Engine: Any {
         false
     }
 
-    /// The stage that goes in steps, such as the packing.
-    fn stepping(&self) -> Option<usize> {
-        None
-    }
-
-    /// The first stage of the finisher: from there on a short pass is let finish.
-    fn finisher(&self) -> usize;
-
     /// Do other cells or bodies form than those of the picture that is there?
     fn is_forming(&self) -> bool;
+
+    /// Is a draft at work, and not the stages?
+    fn is_drafting(&self) -> bool {
+        false
+    }
 
     /// How often each stage has finished.
     fn runs(&self) -> Vec<u64>;
@@ -122,28 +87,6 @@ pub trait Engine: Any {
         0.0
     }
 
-    /// While live, a recipe may be shown by a draft that goes on from what is there, instead of the
-    /// stages.
-    fn set_live(&mut self, _on: bool) {}
-
-    /// Is a draft at work, and not the stages?
-    fn is_drafting(&self) -> bool {
-        false
-    }
-
-    /// Is a draft to be seen?
-    fn shows_draft(&self) -> bool {
-        false
-    }
-
-    /// Works on the draft for about `budget` milliseconds; true when it may look different.
-    fn advance_draft(&mut self, _clock: Clock, _budget: f64) -> bool {
-        false
-    }
-
-    /// Drops the draft: in any case (`all`), or only where the stages have something to show instead.
-    fn drop_draft(&mut self, _all: bool) {}
-
     /// The picture of a view, by its words: opaque RGBA, row after row from the top. While a stage has
     /// nothing to show yet, what was there before.
     fn view(&mut self, words: &str) -> &[u8];
@@ -152,123 +95,58 @@ pub trait Engine: Any {
     /// piece. True when [`Engine::view`] has nothing left to do that takes long.
     fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool;
 
-    /// The words of a view that show nothing, each with the word of the reason.
-    fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)>;
-
     /// The picture last finished, in the form of [`Engine::view`]; empty before there is one.
     fn picture(&self) -> &[u8];
 
     /// Digest of what was made last, 16 hexadecimal digits: equal for equal planes.
     fn digest(&self) -> String;
 
-    /// A map of the finished picture.
-    ///
-    /// # Errors
-    /// A notice where the picture is not finished, or there is no such map.
-    fn map(&self, kind: MapKind) -> Result<Map, Notice>;
-
-    /// Works for about `budget` milliseconds, or until there are some megabytes of rows, on these maps of the finished picture with `scale` times as many pixels
-    /// along its side, or where there are none on the picture itself. Begins anew where the order or the picture
-    /// is another one than the last time, or the last one was done.
-    ///
-    /// # Errors
-    /// A notice where the picture is not finished, or would be too large.
-    fn picture_file(
-        &mut self,
-        order: (usize, &[MapKind]),
-        clock: Clock,
-        budget: f64,
-    ) -> Result<PictureSlice, Notice>;
-
-    /// Works for about `budget` milliseconds on a mesh file. Begins anew where the picture or the order is
-    /// another one than the last time.
-    ///
-    /// # Errors
-    /// A notice where the picture is not finished, or there is no such file.
-    fn mesh_file(
-        &mut self,
-        _order: &MeshOrder,
-        _clock: Clock,
-        _budget: f64,
-    ) -> Result<MeshSlice, Notice> {
-        Err(Code::NoSuchFile.into())
-    }
-
-    /// How large such a file is; nothing where there is none.
-    fn mesh_size(&self, _order: &MeshOrder) -> Option<MeshSize> {
-        None
-    }
-
-    /// Works for about `budget` milliseconds on a frame of the bodies, seen from a slant. Begins anew where it is
-    /// another one than the last time, or was done.
-    ///
-    /// # Errors
-    /// A notice where the picture is not finished, or there are no bodies.
-    #[cfg(house)]
-    fn turn(
-        &mut self,
-        _order: &TurnOrder,
-        _clock: Clock,
-        _budget: f64,
-    ) -> Result<FrameSlice, Notice> {
-        Err(Code::NoSuchFile.into())
-    }
-
-    /// The frame last finished by [`Engine::turn`], until the next one begins.
-    #[cfg(house)]
-    fn frame(&self) -> Option<&Frame> {
-        None
-    }
-
-    /// The body at a pixel of that frame.
-    #[cfg(house)]
-    fn body_at(&self, _x: usize, _y: usize) -> Option<SeenBody> {
-        None
-    }
-
-    /// The words of the steps in which a body is made, of its id.
-    #[cfg(house)]
-    fn making(&self, _id: u32) -> Vec<String> {
-        Vec::new()
-    }
-
-    /// What is to be read beside a view, once it is shown: what its colours stand for, or what it counts.
-    #[cfg(house)]
-    fn caption(&self, _words: &str) -> Option<Notice> {
-        None
-    }
-
-    /// The place of the model at a pixel of that frame, as rows of strokes and spots on it have it; nothing beside it.
-    #[cfg(house)]
-    fn place_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
-        None
-    }
-
-    /// Where such a place is in that frame, in pixels; nothing where it is not seen there.
-    #[cfg(house)]
-    fn pixel_of(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
-        None
-    }
-
-    /// Takes a file that recipes may ask for, in any role; false where this generator has no use for files.
-    #[cfg(house)]
-    fn give(&mut self, _file: GivenFile) -> bool {
-        false
-    }
-
-    /// The files that the work waits for.
-    #[cfg(house)]
-    fn missing(&self) -> Vec<MissingFile> {
-        Vec::new()
-    }
-
-    /// Lets go of files in the making, and of what was kept of a bigger picture for its maps.
-    fn stop_file(&mut self);
-
     /// Adds the figures that only this generator has to a report.
     fn report(&mut self, report: &mut Report);
 
-    /// Files of what was made, as text, for whoever measures: names and contents.
+    /// Texts of what was made, for whoever measures: names of files and contents.
     #[cfg(not(target_arch = "wasm32"))]
     fn data(&self) -> Vec<(&'static str, String)>;
+
+    /// Drafts of recipes that change while they are looked at.
+    fn drafts(&mut self) -> Option<&mut dyn Drafts> {
+        None
+    }
+
+    /// Maps of the finished picture, and larger pictures.
+    fn maps(&mut self) -> Option<&mut dyn Maps> {
+        None
+    }
+
+    /// Mesh files of the bodies.
+    fn meshes(&mut self) -> Option<&mut dyn Meshes> {
+        None
+    }
+
+    /// Questions about cells in a plane.
+    fn inspect(&mut self) -> Option<&mut dyn Inspect> {
+        None
+    }
+
+    /// The results of the stages of a picture in a plane, for whoever measures.
+    fn products(&self) -> Option<Products<'_>> {
+        None
+    }
+
+    /// The outline that is filled with cells.
+    fn outlines(&mut self) -> Option<&mut dyn Outlines> {
+        None
+    }
+
+    /// Frames of the bodies in space.
+    #[cfg(house)]
+    fn frames(&mut self) -> Option<&mut dyn Frames> {
+        None
+    }
+
+    /// The files that recipes name.
+    #[cfg(house)]
+    fn files(&mut self) -> Option<&mut dyn Files> {
+        None
+    }
 }

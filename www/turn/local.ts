@@ -52,7 +52,7 @@ export class LocalFrames implements FrameSource, Painter {
     const { engine } = this.place;
     const { sides } = this.maker;
     const body = sides && engine.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1]));
-    return Promise.resolve(body && { id: body.id, probe: undefined, steps: engine.making(body.id) });
+    return Promise.resolve(body && { id: body.id, figures: body.figures, steps: engine.making(body.id) });
   }
 
   /** The place on the model at a place of the last frame, in fractions of its sides; undefined beside the model. */

@@ -11,7 +11,7 @@ import { keepModules, loadWhole } from '../module/load';
 import type { SceneStudio } from '../module/scene';
 import { generatorOf, making } from '../module/run';
 import { progressOf, type Course } from '../module/stages';
-import type { Notice, Probe } from '../module/types';
+import type { Notice } from '../module/types';
 import { FrameMaker, type Made } from './maker';
 import type { Plane } from './planes';
 
@@ -37,10 +37,10 @@ export interface Question {
   y: number;
 }
 
-/** A body: its number, the facts about its cell, and the words of the steps in its making. */
+/** A body: its number, its figures by the words of its generator, and the words of the steps in its making. */
 export interface Told {
   id: number;
-  probe: Probe | undefined;
+  figures: Record<string, number>;
   steps: string[];
 }
 
@@ -116,7 +116,7 @@ class Turner {
   told(x: number, y: number): Told | undefined {
     const { sides } = this.maker;
     const body = sides && this.studio.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1]));
-    return body && { id: body.id, probe: this.studio.probe(body.x, body.y), steps: this.studio.making(body.id) };
+    return body && { id: body.id, figures: body.figures, steps: this.studio.making(body.id) };
   }
 
   /** Runs the request's recipe; false if a newer request came, or there is no picture. */
