@@ -2,7 +2,7 @@
 
 use super::{Clock, Timing, shortest};
 use bubblestone::generators::ALL;
-use bubblestone::generators::pavement::{self, Pavement};
+use bubblestone::generators::pavement;
 use bubblestone::heightfield::{Cutout, GROUND, TextureParams};
 use bubblestone::light::ShadeParams;
 use bubblestone::material::{Gloss, Material, material_table};
@@ -59,11 +59,11 @@ impl Hide {
     pub fn new() -> Option<Self> {
         let mut studio = Studio::new(ALL, pavement::recipe(HIDE).0);
         studio.finish(&mut || 0.0).ok()?;
-        let pavement = studio.engine_as::<Pavement>()?;
-        let (cells, planes) = (pavement.scales(), pavement.planes()?);
+        let made = studio.engine().products()?;
+        let (cells, planes) = (made.scales, made.planes?);
         let texture = TextureParams {
             side: planes.side,
-            stone: pavement.stone_params(),
+            stone: made.stones,
             ..TextureParams::default()
         };
         let cut_out = || {

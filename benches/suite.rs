@@ -169,8 +169,8 @@ pub fn whole_way(
         };
         let mut studio = Studio::with_engine(ALL, recipe.clone(), Box::new(engine));
         let has_cells = |studio: &Studio| {
-            let pavement = studio.engine_as::<Pavement>();
-            pavement.is_some_and(|pavement| !pavement.cells().is_empty())
+            let made = studio.engine().products();
+            made.is_some_and(|made| !made.cells.is_empty())
         };
         let start = clock();
         while !has_cells(&studio) && studio.problem().is_none() {
@@ -251,10 +251,10 @@ pub fn skin_mesh() -> (Solid, u32, usize) {
     // If the recipe fails, there are no cells to count.
     let _ = studio.finish(&mut || 0.0);
     let mut solids = Solids::new();
-    let Some(pavement) = studio.engine_as::<Pavement>() else {
+    let Some(made) = studio.engine().products() else {
         return Default::default();
     };
-    let (params, cells) = (pavement.stone_params(), pavement.scales());
+    let (params, cells) = (made.stones, made.scales);
     let triangles: usize = cells
         .iter()
         .map(|cell| solids.solid(cell, &params).triangles.len())

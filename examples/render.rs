@@ -90,7 +90,7 @@ fn run() -> Result<(), String> {
         native::write_maps(&mut studio, out)?;
     }
     if let Some(program) = &wish.maps_for {
-        native::write_maps_for(&studio, program, out)?;
+        native::write_maps_for(&mut studio, program, out)?;
     }
     if wish.mesh {
         let detail = native::detail_of(wish.detail.as_deref().unwrap_or("middle"))?;
@@ -109,7 +109,7 @@ fn run() -> Result<(), String> {
         native::write_bigger(&mut studio, scale, wish.maps, out)?;
     }
     if wish.svg {
-        native::write_svg(&studio, out)?;
+        native::write_svg(&mut studio, out)?;
     }
     Ok(())
 }

@@ -54,9 +54,9 @@ fn main() {
                     size: [side; 2],
                     how: how.to_owned(),
                 };
-                let engine = studio.engine_mut();
                 let mut turn = || {
-                    let slice = engine.turn(&order, &mut || 0.0, 0.0);
+                    let frames = studio.frames();
+                    let slice = frames.and_then(|frames| frames.turn(&order, &mut || 0.0, 0.0));
                     slice.is_ok_and(|slice| !slice.done)
                 };
                 while timed(stage, &mut turn) {}

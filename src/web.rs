@@ -17,8 +17,7 @@ mod turn;
 pub use catalogue::{generators, presets, schema};
 
 use crate::domain::Outline;
-use crate::generators::ALL;
-use crate::generators::pavement::{self, Pavement, PavementRecipe};
+use crate::generators::{ALL, Inspect, Outlines};
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 use crate::studio::Studio;
@@ -107,12 +106,12 @@ impl Bubblestone {
         self.take(recipe, said)
     }
 
-    fn pavement(&self) -> Option<&Pavement> {
-        self.studio.engine_as()
+    fn inspect(&mut self) -> Option<&mut dyn Inspect> {
+        self.studio.engine_mut().inspect()
     }
 
-    fn pavement_mut(&mut self) -> Option<&mut Pavement> {
-        self.studio.engine_as_mut()
+    fn outlines(&mut self) -> Option<&mut dyn Outlines> {
+        self.studio.engine_mut().outlines()
     }
 
     /// Takes a recipe, unless the change was refused.
@@ -195,7 +194,9 @@ impl Bubblestone {
     /// The parts of a view that show nothing, with the reason: each as its word, ':' and 'not_yet', 'at_rest',
     /// 'no_point', 'no_mesh', 'one_size' or 'all_even'.
     pub fn absences(&mut self, view: &str) -> Vec<String> {
-        let found = self.studio.engine_mut().absences(view);
+        let found = self
+            .inspect()
+            .map_or(Vec::new(), |cells| cells.absences(view));
         let told = found.iter().map(|&(word, why)| [word, why].join(":"));
         told.collect()
     }
@@ -203,31 +204,30 @@ impl Bubblestone {
     /// The difference in height between black and white in the view 'height', in picture units; 0 before there
     /// are planes.
     #[wasm_bindgen(js_name = heightRange)]
-    pub fn height_range(&self) -> f64 {
-        self.pavement().map_or(0.0, Pavement::height_range)
+    pub fn height_range(&mut self) -> f64 {
+        self.inspect().map_or(0.0, |cells| cells.height_range())
     }
 
     /// The cell at a place in picture units.
     #[wasm_bindgen(unchecked_return_type = "Probe | undefined")]
     pub fn probe(&mut self, x: f64, y: f64) -> JsValue {
-        let probe = self
-            .pavement_mut()
-            .and_then(|pavement| pavement.probe(x, y));
+        let cells = self.inspect();
+        let probe = cells.and_then(|cells| cells.probe(DVec2::new(x, y)));
         probe.map_or(JsValue::UNDEFINED, |probe| objects::probe(&probe).into())
     }
 
     /// The progress of the packing so far.
     #[wasm_bindgen(unchecked_return_type = "Series")]
-    pub fn series(&self) -> Object {
-        objects::series(self.pavement().map_or(&[], Pavement::samples))
+    pub fn series(&mut self) -> Object {
+        objects::series(self.inspect().map_or(&[], |cells| cells.samples()))
     }
 
     /// Histograms of the cells: sizes relative to the wanted ones, and angles to the direction field in
     /// degrees.
     #[wasm_bindgen(unchecked_return_type = "Histograms")]
     pub fn histograms(&mut self) -> Object {
-        let pavement = self.pavement_mut();
-        objects::histograms(&pavement.map(Pavement::histograms).unwrap_or_default())
+        let cells = self.inspect();
+        objects::histograms(&cells.map(|cells| cells.histograms()).unwrap_or_default())
     }
 
     /// The default of a number in the present recipe.
@@ -248,19 +248,20 @@ impl Bubblestone {
     #[wasm_bindgen(js_name = setOutline, unchecked_return_type = "Answer")]
     pub fn set_outline(&mut self, points: &[f64], ring_lengths: &[u32]) -> Object {
         let mut recipe = self.studio.recipe().clone();
-        let outline = rings_of(points, ring_lengths);
-        let said = match recipe.is_of(&pavement::SCHEMA) {
-            true => outline.and_then(|outline| recipe.set_polygon(&outline)),
-            false => Err(Code::NoOutline.into()),
+        let said = match self.outlines() {
+            Some(drawn) => {
+                rings_of(points, ring_lengths).and_then(|outline| drawn.draw(&mut recipe, &outline))
+            }
+            None => Err(Code::NoOutline.into()),
         };
         self.take(recipe, said)
     }
 
     /// The present outline.
     #[wasm_bindgen(unchecked_return_type = "Rings")]
-    pub fn outline(&self) -> Object {
+    pub fn outline(&mut self) -> Object {
         let numbers = |ring: &&[DVec2]| ring.iter().flat_map(|p| [p.x, p.y]).collect();
-        let rings = self.pavement().map_or(Vec::new(), Pavement::rings);
+        let rings = self.outlines().map_or(Vec::new(), |drawn| drawn.rings());
         let rings: Vec<Vec<f64>> = rings.iter().map(numbers).collect();
         objects::rows(&rings, 2, ["points", "rings"])
     }
@@ -275,13 +276,10 @@ impl Bubblestone {
     }
 
     /// The index of the part that contains this point, if lines divide the outline; -1 outside.
-    pub fn part(&self, x: f64, y: f64) -> i32 {
-        let p = DVec2::new(x, y);
-        let domain = self
-            .pavement()
-            .and_then(Pavement::domain)
-            .filter(|domain| domain.contains(p));
-        domain.map_or(-1, |domain| domain.part(p) as i32)
+    pub fn part(&mut self, x: f64, y: f64) -> i32 {
+        let drawn = self.outlines();
+        let part = drawn.and_then(|drawn| drawn.part(DVec2::new(x, y)));
+        part.map_or(-1, |part| part as i32)
     }
 
     /// Pixels along the picture's side.

@@ -38,13 +38,13 @@ impl Made {
     fn of(preset: &'static Preset) -> Self {
         let studio = finished(preset.link);
         let made = studio.pavement();
-        let planes = made.planes().expect("planes");
+        let planes = made.planes.expect("planes");
         let stones = planes.id.iter().filter(|&&id| id != GROUND).count();
         let skin = || stones as f64 / planes.id.len() as f64;
         Self {
             name: preset.name,
             digest: studio.digest(),
-            converged: made.packing().expect("a packing").report().converged,
+            converged: made.packing.expect("a packing").report().converged,
             contrast: contrast(studio.picture().expect("a picture")),
             finite: planes.bump.iter().all(|h| h.is_finite()),
             cracks: cracks(planes),

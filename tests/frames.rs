@@ -37,12 +37,12 @@ fn in_slices(studio: &mut Studio, order: &TurnOrder) -> String {
     };
     let mut slices = 0;
     loop {
-        let slice = studio.engine_mut().turn(order, &mut clock, 0.5);
+        let slice = studio.frames().unwrap().turn(order, &mut clock, 0.5);
         let slice = slice.expect("a slice");
         slices += 1;
         if slice.done {
             assert!(slices > 5, "{slices} slices");
-            return studio.engine().frame().expect("a frame").hash();
+            return studio.frames().unwrap().frame().expect("a frame").hash();
         }
     }
 }
@@ -115,15 +115,15 @@ fn steps_are_frames_of_their_own() {
     for (form, least) in [("cobble", 8), ("flag", 9), ("skin", 10)] {
         let mut studio = finished(&format!("size=128&cs=26&outline=square&stone={form}"));
         let cells = studio.progress().cells as u32;
-        let steps = studio.engine().making(cells / 2);
+        let steps = studio.frames().unwrap().making(cells / 2);
         assert!(steps.len() >= least, "{form}: {steps:?}");
-        assert_eq!(studio.engine().making(0).len(), 0);
+        assert_eq!(studio.frames().unwrap().making(0).len(), 0);
         let mut hashes = Vec::new();
         for (step, word) in steps.iter().enumerate() {
             let mut order = still(&studio, "80,30,4.4,35");
             order.subject = format!("{}:{step}", cells / 2);
             hashes.push(at_once(&mut studio, &order));
-            let frame = studio.engine().frame().expect("a frame");
+            let frame = studio.frames().unwrap().frame().expect("a frame");
             let seen = frame.ids().iter().filter(|&&id| id > 0).count();
             assert!(seen > 500, "{form}, {word}: {seen} pixels");
         }
@@ -142,7 +142,7 @@ fn what_is_no_frame_gets_a_sentence() {
     let mut refused = |change: &dyn Fn(&mut TurnOrder)| {
         let mut order = order.clone();
         change(&mut order);
-        let slice = studio.engine_mut().turn(&order, &mut || 0.0, 1.0);
+        let slice = studio.frames().unwrap().turn(&order, &mut || 0.0, 1.0);
         let why = slice.expect_err("a sentence").to_string();
         studio.finish(&mut || 0.0).expect("a picture");
         why
@@ -166,5 +166,5 @@ fn what_is_no_frame_gets_a_sentence() {
     let first = at_once(&mut studio, &order);
     order.how = "still+nonsense++".into();
     assert_eq!(at_once(&mut studio, &order), first);
-    assert_eq!(studio.engine().body_at(5000, 5000), None);
+    assert_eq!(studio.frames().unwrap().body_at(5000, 5000), None);
 }

@@ -157,7 +157,7 @@ fn assert_whole(cells: &[Cell]) {
 /// Asserts that everything in a finished pavement is finite and valid.
 fn sound(studio: &mut Studio) {
     assert!(studio.engine_mut().energy().is_finite());
-    let report = studio.pavement().packing().unwrap().report();
+    let report = studio.pavement().packing.unwrap().report();
     assert!(report.step <= 200, "{report:?}");
     assert!(
         report.largest_move.is_finite() && report.largest_force.is_finite(),
@@ -169,17 +169,14 @@ fn sound(studio: &mut Studio) {
 
 /// Asserts that mesh and cells are valid.
 fn sound_cells(studio: &Studio) {
-    assert!(!studio.pavement().cells().is_empty());
+    assert!(!studio.pavement().cells.is_empty());
     if studio.recipe().choice(keys::CELLS) != "packed" {
-        assert_fills(
-            studio.pavement().domain().unwrap(),
-            studio.pavement().cells(),
-        );
+        assert_fills(studio.pavement().domain.unwrap(), studio.pavement().cells);
     }
-    for face in &studio.pavement().mesh().unwrap().faces {
+    for face in &studio.pavement().mesh.unwrap().faces {
         let nodes = face.nodes().iter();
         let corners: Vec<DVec2> = nodes
-            .map(|&k| studio.pavement().mesh().unwrap().vertices[k as usize])
+            .map(|&k| studio.pavement().mesh.unwrap().vertices[k as usize])
             .collect();
         // On a tile, the mesh may differ from the true places by less than a thousandth.
         let least = if studio.recipe().is_tile() {
@@ -190,17 +187,17 @@ fn sound_cells(studio: &Studio) {
         let area = signed_area(&corners);
         assert!(area > least, "{face:?} is inverted: {area}");
     }
-    assert_whole(studio.pavement().cells());
+    assert_whole(studio.pavement().cells);
 }
 
 /// Asserts that planes and views are valid.
 fn sound_picture(studio: &mut Studio) {
-    let planes = studio.pavement().planes().unwrap();
+    let planes = studio.pavement().planes.unwrap();
     assert!(
         planes.bump.iter().all(|h| h.is_finite()),
         "a height is not finite"
     );
-    let count = studio.pavement().cells().len() as u32;
+    let count = studio.pavement().cells.len() as u32;
     assert!(planes.id.iter().all(|&id| id <= count));
     assert!(studio.picture().unwrap().chunks(4).all(|p| p[3] == 255));
     for word in every_view() {
@@ -280,7 +277,7 @@ fn fills_at_once(recipe: Recipe) -> bool {
         studio.tick(&mut || 0.0, 0.0, 0);
     }
     (0..=steps).for_each(|_| studio.step(&mut || 0.0));
-    let (Some(domain), Some(packing)) = (studio.pavement().domain(), studio.pavement().packing())
+    let (Some(domain), Some(packing)) = (studio.pavement().domain, studio.pavement().packing)
     else {
         return false;
     };

@@ -70,7 +70,7 @@ fn assert_sentence(notice: &Notice) {
 /// Works slice by slice up to the end. Returns a description of the end.
 fn ends_well(mut studio: Studio) -> String {
     let mut slices = 0;
-    while studio.engine().at_work().is_some() {
+    while studio.at_work().is_some() {
         studio.tick(&mut || 0.0, 0.0, u32::MAX);
         slices += 1;
         assert!(slices < MOST_SLICES, "no end: {}", studio.stage());

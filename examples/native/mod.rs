@@ -9,7 +9,6 @@ use bubblestone::domain::Outline;
 use bubblestone::export::{
     DETAILS, Map, MapKind, MeshFormat, MeshOrder, Slab, SlabFile, exr, maps_for, metrics_json,
 };
-use bubblestone::generators::pavement::Pavement;
 use bubblestone::notice::Notice;
 use bubblestone::studio::Studio;
 use serde_json::Value;
@@ -156,7 +155,7 @@ fn write_report(
     let mut report = studio.report();
     (report.notices, report.frame) = (notices, frame);
     report.notices.extend(studio.engine().remarks());
-    let metrics = studio.engine_as().and_then(Pavement::metrics);
+    let metrics = studio.engine().products().and_then(|made| made.metrics());
     report.metrics = metrics.map(|metrics| metrics_json(&metrics));
     write(dir, "report.json", report.json().as_bytes())
 }
@@ -198,11 +197,11 @@ pub fn write_bigger(
     maps: bool,
     dir: &Path,
 ) -> Result<(), String> {
-    let engine = studio.engine_mut();
+    let bigger = studio.maps()?;
     let mut made = |kinds: &[MapKind]| -> Result<Vec<Map>, Notice> {
         let mut maps: Vec<Map> = Vec::new();
         loop {
-            let slice = engine.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY)?;
+            let slice = bigger.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY)?;
             if slice.begun {
                 maps = slice.rows;
             } else {
@@ -223,7 +222,7 @@ pub fn write_bigger(
             write_png(dir, &format!("{word}-{scale}x.png"), map)?;
         }
     }
-    studio.engine_mut().stop_file();
+    bigger.stop_picture();
     Ok(())
 }
 
@@ -231,18 +230,18 @@ fn write_map(studio: &mut Studio, kind: MapKind, dir: &Path) -> Result<(), Strin
     write_png(
         dir,
         &format!("{}.png", kind.word()),
-        &studio.engine().map(kind)?,
+        &studio.maps()?.map(kind)?,
     )
 }
 
 /// Writes the maps that a program expects, under the names that it expects.
-pub fn write_maps_for(studio: &Studio, program: &str, dir: &Path) -> Result<(), String> {
+pub fn write_maps_for(studio: &mut Studio, program: &str, dir: &Path) -> Result<(), String> {
     let maps: Vec<_> = maps_for(program).collect();
     if maps.is_empty() {
         return Err("--maps-for takes blender, godot, unity or unreal.".into());
     }
     for (kind, name) in maps {
-        let map = studio.engine().map(kind)?;
+        let map = studio.maps()?.map(kind)?;
         let mask = name.contains("Mask").then(|| map.mask());
         write_png(dir, name, &mask.unwrap_or(map))?;
     }
@@ -295,7 +294,7 @@ pub fn write_meshes(studio: &mut Studio, detail: usize, dir: &Path) -> Result<()
     let kinds = [MapKind::Albedo, MapKind::NormalOpengl, MapKind::Orm];
     let mut images = Vec::new();
     for kind in kinds {
-        images.push(png_of(&studio.engine().map(kind)?)?);
+        images.push(png_of(&studio.maps()?.map(kind)?)?);
     }
     let order = MeshOrder {
         format: MeshFormat::Glb,
@@ -312,7 +311,7 @@ pub fn write_meshes(studio: &mut Studio, detail: usize, dir: &Path) -> Result<()
 
 /// Writes the height field as slab.stl.
 pub fn write_slab(studio: &Studio, slab: Slab, dir: &Path) -> Result<(), String> {
-    let planes = studio.engine_as().and_then(Pavement::planes);
+    let planes = studio.engine().products().and_then(|made| made.planes);
     let planes = planes.ok_or("--stl is for pavements only.")?;
     let mut file = SlabFile::new(slab, planes);
     let parts: Vec<_> = std::iter::from_fn(|| file.next(planes)).collect();
@@ -320,8 +319,8 @@ pub fn write_slab(studio: &Studio, slab: Slab, dir: &Path) -> Result<(), String>
 }
 
 fn mesh(studio: &mut Studio, order: MeshOrder) -> Result<Vec<u8>, String> {
-    let engine = studio.engine_mut();
-    let file = engine.mesh_file(&order, &mut || 0.0, f64::INFINITY)?;
+    let meshes = studio.meshes()?;
+    let file = meshes.mesh_file(&order, &mut || 0.0, f64::INFINITY)?;
     Ok(file.parts.concat())
 }
 
@@ -344,7 +343,7 @@ pub fn write_views(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     for &word in views.overlays {
         words.extend([word.into(), format!("picture+{word}")]);
     }
-    if studio.engine_as::<Pavement>().is_some() {
+    if studio.generator().views.bases.contains(&"paper") {
         words.extend(MIXED.map(String::from));
     }
     for word in words {
@@ -361,10 +360,10 @@ pub fn write_view(studio: &mut Studio, words: &str, dir: &Path) -> Result<(), St
 }
 
 /// Writes the cells as cells.svg.
-pub fn write_svg(studio: &Studio, dir: &Path) -> Result<(), String> {
-    let svg = studio.engine_as().map(Pavement::svg);
-    let svg = svg.ok_or("--svg is for pavements only.")?;
-    write(dir, "cells.svg", svg.as_bytes())
+pub fn write_svg(studio: &mut Studio, dir: &Path) -> Result<(), String> {
+    let cells = studio.engine_mut().inspect();
+    let cells = cells.ok_or("--svg is for pavements only.")?;
+    write(dir, "cells.svg", cells.svg().as_bytes())
 }
 
 fn write(dir: &Path, name: &str, bytes: &[u8]) -> Result<(), String> {

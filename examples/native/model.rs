@@ -26,7 +26,8 @@ pub fn open_model(studio: &mut Studio, text: &str) -> Result<Vec<Notice>, String
     let name = Path::new(path).file_name().unwrap_or_default();
     let file = GivenFile::whole(&name.to_string_lossy(), bytes);
     let digest = file.named().digest_text();
-    let missing = studio.engine().missing().into_iter();
+    let missing = studio.files().map_or(Vec::new(), |files| files.missing());
+    let missing = missing.into_iter();
     let wanted = missing.filter(|one| role.is_none_or(|role| one.role == role));
     let wanted: Vec<MissingFile> = wanted.collect();
     let Some(first) = wanted.first() else {
@@ -38,6 +39,6 @@ pub fn open_model(studio: &mut Studio, text: &str) -> Result<Vec<Notice>, String
             first.name, first.digest
         ));
     }
-    studio.engine_mut().give(file);
+    studio.files()?.give(file);
     Ok(Vec::new())
 }

@@ -1,16 +1,15 @@
-//! The interface of an engine: stages that work in slices, views, and files.
+//! What every engine is to those who run it: stages that work in slices, a picture, views. What only some engines can
+//! do besides, they offer as
+//! traits of their own, from [`Engine::drafts`] on.
 
-use super::budget::Clock;
+use super::Clock;
 #[cfg(house)]
-use super::given::{GivenFile, MissingFile};
-#[cfg(house)]
-use super::turntable::{FrameSlice, SeenBody, TurnOrder};
-use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
-use crate::notice::{Code, Notice};
+use super::in_space::{Files, Frames};
+use super::inspection::Products;
+use super::offers::{Drafts, Inspect, Maps, Meshes, Outlines};
+use crate::export::Report;
+use crate::notice::Notice;
 use crate::recipe::Recipe;
-#[cfg(house)]
-use crate::scene::Frame;
-use std::any::Any;
 
 /// The progress of the work.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,35 +30,9 @@ pub struct Progress {
     pub stones: usize,
 }
 
-/// The result of one slice of work on a mesh file.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MeshSlice {
-    /// Whether a new file begins with these parts; those of earlier calls belong to another one.
-    pub begun: bool,
-    /// The next parts of the file, in order.
-    pub parts: Vec<Vec<u8>>,
-    /// Whether the file ends with them.
-    pub done: bool,
-}
-
-/// The result of one slice of work on a bigger picture, or on its maps.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PictureSlice {
-    /// Whether a new picture begins with these rows; those of earlier calls belong to another one.
-    pub begun: bool,
-    /// The share of the work that is done, 0..1, a rough estimate.
-    pub progress: f64,
-    /// The next rows of each requested map, or of the picture, from the top; empty in most slices.
-    pub rows: Vec<Map>,
-    /// The lowest and the highest value of its bump plane, in picture units, once that is finished.
-    pub heights: (f32, f32),
-    /// Whether the picture ends with them.
-    pub done: bool,
-}
-
 /// Makes pictures of one generator's recipes, slice by slice. A stage is given by its index in
 /// [`super::Generator::stages`].
-pub trait Engine: Any {
+pub trait Engine {
     /// Sets the latest recipe. The work continues with the present one until [`Engine::take_up`].
     fn ask(&mut self, recipe: &Recipe);
 
@@ -81,14 +54,9 @@ pub trait Engine: Any {
     /// Why the work cannot go on; `None` while it can.
     fn failure(&self) -> Option<&Notice>;
 
-    /// Remarks on the result so far: what was mended, or does not fit well.
+    /// Notices about what was made so far: about repairs, and about what does not fit well.
     fn remarks(&self) -> Vec<Notice> {
         Vec::new()
-    }
-
-    /// The stage of the next slice; `None` if all is done or the work cannot go on.
-    fn at_work(&self) -> Option<usize> {
-        self.at().filter(|_| self.failure().is_none())
     }
 
     /// Does one slice of work, on the first stage that is not fresh.
@@ -99,16 +67,13 @@ pub trait Engine: Any {
         false
     }
 
-    /// The stage that proceeds in steps, such as the packing.
-    fn stepping(&self) -> Option<usize> {
-        None
-    }
-
-    /// The first stage of the finisher: from there on a short pass is finished before a newer recipe begins.
-    fn finisher(&self) -> usize;
-
     /// Whether the cells or bodies that form differ from those of the present picture.
     fn is_forming(&self) -> bool;
+
+    /// Is a draft at work, and not the stages?
+    fn is_drafting(&self) -> bool {
+        false
+    }
 
     /// How often each stage has finished.
     fn runs(&self) -> Vec<u64>;
@@ -121,27 +86,6 @@ pub trait Engine: Any {
         0.0
     }
 
-    /// While live, a draft may show a recipe: it continues from the present state instead of running the stages.
-    fn set_live(&mut self, _on: bool) {}
-
-    /// Whether a draft is active instead of the stages.
-    fn is_drafting(&self) -> bool {
-        false
-    }
-
-    /// Whether a draft is shown.
-    fn shows_draft(&self) -> bool {
-        false
-    }
-
-    /// Works on the draft for about `budget` milliseconds; true when it may look different.
-    fn advance_draft(&mut self, _clock: Clock, _budget: f64) -> bool {
-        false
-    }
-
-    /// Drops the draft: always (`all`), or only if the stages have something to show instead.
-    fn drop_draft(&mut self, _all: bool) {}
-
     /// The picture of a view, by its words: opaque RGBA, row after row from the top. While a stage has nothing to
     /// show yet, the last one stays.
     fn view(&mut self, words: &str) -> &[u8];
@@ -150,123 +94,58 @@ pub trait Engine: Any {
     /// [`Engine::view`] has no long work left.
     fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool;
 
-    /// The words of a view that show nothing, each with the word of the reason.
-    fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)>;
-
     /// The last finished picture, in the form of [`Engine::view`]; empty before there is one.
     fn picture(&self) -> &[u8];
 
     /// Digest of the last result, 16 hexadecimal digits: equal for equal planes.
     fn digest(&self) -> String;
 
-    /// A map of the finished picture.
-    ///
-    /// # Errors
-    /// A notice if the picture is not finished, or there is no such map.
-    fn map(&self, kind: MapKind) -> Result<Map, Notice>;
-
-    /// Works for about `budget` milliseconds, or until there are some megabytes of rows, on these maps of the
-    /// finished picture with `scale` times as many pixels along its side; without maps, on the picture itself. Starts
-    /// again if the order or the picture has changed, or the last file was done.
-    ///
-    /// # Errors
-    /// A notice if the picture is not finished, or would be too large.
-    fn picture_file(
-        &mut self,
-        order: (usize, &[MapKind]),
-        clock: Clock,
-        budget: f64,
-    ) -> Result<PictureSlice, Notice>;
-
-    /// Works for about `budget` milliseconds on a mesh file. Starts again if the picture or the order has changed.
-    ///
-    /// # Errors
-    /// A notice if the picture is not finished, or there is no such file.
-    fn mesh_file(
-        &mut self,
-        _order: &MeshOrder,
-        _clock: Clock,
-        _budget: f64,
-    ) -> Result<MeshSlice, Notice> {
-        Err(Code::NoSuchFile.into())
-    }
-
-    /// The size of such a file; `None` if there is none.
-    fn mesh_size(&self, _order: &MeshOrder) -> Option<MeshSize> {
-        None
-    }
-
-    /// Works for about `budget` milliseconds on a frame of the bodies, seen from a slant. Starts again if the order
-    /// has changed, or the last frame was done.
-    ///
-    /// # Errors
-    /// A notice if the picture is not finished, or there are no bodies.
-    #[cfg(house)]
-    fn turn(
-        &mut self,
-        _order: &TurnOrder,
-        _clock: Clock,
-        _budget: f64,
-    ) -> Result<FrameSlice, Notice> {
-        Err(Code::NoSuchFile.into())
-    }
-
-    /// The frame last finished by [`Engine::turn`], until the next one begins.
-    #[cfg(house)]
-    fn frame(&self) -> Option<&Frame> {
-        None
-    }
-
-    /// The body at a pixel of that frame.
-    #[cfg(house)]
-    fn body_at(&self, _x: usize, _y: usize) -> Option<SeenBody> {
-        None
-    }
-
-    /// The words of the steps in the making of a body, by its id.
-    #[cfg(house)]
-    fn making(&self, _id: u32) -> Vec<String> {
-        Vec::new()
-    }
-
-    /// The caption of a view that is shown: the meaning of its colours, or its counts.
-    #[cfg(house)]
-    fn caption(&self, _words: &str) -> Option<Notice> {
-        None
-    }
-
-    /// The place of the model at a pixel of that frame, as rows of strokes and spots hold it; `None` beside the
-    /// model.
-    #[cfg(house)]
-    fn place_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
-        None
-    }
-
-    /// Where such a place is in that frame, in pixels; `None` if it is not visible there.
-    #[cfg(house)]
-    fn pixel_of(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
-        None
-    }
-
-    /// Takes a file for recipes that name it, in any role; false if this generator takes no files.
-    #[cfg(house)]
-    fn give(&mut self, _file: GivenFile) -> bool {
-        false
-    }
-
-    /// The files that the work waits for.
-    #[cfg(house)]
-    fn missing(&self) -> Vec<MissingFile> {
-        Vec::new()
-    }
-
-    /// Drops unfinished files, and the parts of a bigger picture that are kept for its maps.
-    fn stop_file(&mut self);
-
-    /// Adds the figures of this generator to a report.
+    /// Adds the figures that only this generator has to a report.
     fn report(&mut self, report: &mut Report);
 
-    /// The results as text files, for measurements: names and contents.
+    /// Texts of what was made, for whoever measures: names of files and contents.
     #[cfg(not(target_arch = "wasm32"))]
     fn data(&self) -> Vec<(&'static str, String)>;
+
+    /// Drafts of recipes that change while they are looked at.
+    fn drafts(&mut self) -> Option<&mut dyn Drafts> {
+        None
+    }
+
+    /// Maps of the finished picture, and larger pictures.
+    fn maps(&mut self) -> Option<&mut dyn Maps> {
+        None
+    }
+
+    /// Mesh files of the bodies.
+    fn meshes(&mut self) -> Option<&mut dyn Meshes> {
+        None
+    }
+
+    /// Questions about cells in a plane.
+    fn inspect(&mut self) -> Option<&mut dyn Inspect> {
+        None
+    }
+
+    /// The results of the stages of a picture in a plane, for whoever measures.
+    fn products(&self) -> Option<Products<'_>> {
+        None
+    }
+
+    /// The outline that is filled with cells.
+    fn outlines(&mut self) -> Option<&mut dyn Outlines> {
+        None
+    }
+
+    /// Frames of the bodies in space.
+    #[cfg(house)]
+    fn frames(&mut self) -> Option<&mut dyn Frames> {
+        None
+    }
+
+    /// The files that recipes name.
+    #[cfg(house)]
+    fn files(&mut self) -> Option<&mut dyn Files> {
+        None
+    }
 }

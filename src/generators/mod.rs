@@ -9,7 +9,11 @@ mod engine;
 #[cfg(house)]
 mod given;
 mod height_field;
+#[cfg(house)]
+mod in_space;
+mod inspection;
 mod lighting;
+mod offers;
 mod packs;
 pub mod pavement;
 mod preset;
@@ -23,9 +27,13 @@ mod turntable;
 pub use bigger::MOST_PIXELS;
 pub use budget::Clock;
 pub(crate) use budget::{Budget, until};
-pub use engine::{Engine, MeshSlice, PictureSlice, Progress};
+pub use engine::{Engine, Progress};
 #[cfg(house)]
 pub use given::{FileDigest, GivenFile, MissingFile};
+#[cfg(house)]
+pub use in_space::{Files, Frames};
+pub use inspection::{Histogram, Polygon, Probe, Products};
+pub use offers::{Drafts, Inspect, Maps, MeshSlice, Meshes, Outlines, PictureSlice};
 pub use preset::{Part, Preset, Timing};
 #[cfg(house)]
 pub use turntable::{FrameSlice, SeenBody, TurnOrder};
@@ -70,10 +78,12 @@ pub struct Generator {
 pub struct Course {
     /// Where each stage begins, as a share of the time of common recipes.
     pub begins: &'static [f64],
-    /// The stage that proceeds in steps.
+    /// The stage that goes in steps, such as the packing.
     pub stepping: &'static str,
     /// The stage that makes one body after the other.
     pub placing: &'static str,
+    /// The first stage of the finisher: from there on a short pass is let finish before a newer recipe begins.
+    pub finisher: &'static str,
     /// The first stage that leaves the bodies as they are.
     pub settled: &'static str,
     /// The view in which the forming shows each stage; empty for the bodies.
@@ -86,6 +96,7 @@ impl Course {
         begins: &[],
         stepping: "",
         placing: "",
+        finisher: "",
         settled: "",
         seen: &[],
     };
@@ -141,5 +152,47 @@ impl Registry {
     /// The generator of this word (`make=` of a link), if there is one.
     pub fn named(self, word: &str) -> Option<&'static Generator> {
         self.iter().find(|generator| generator.schema.word == word)
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::recipe::{Item, Parameter};
+
+    /// A generator offers the page what its engine has, and nothing else.
+    #[test]
+    fn offers_follow_from_the_engine() {
+        for generator in ALL.iter() {
+            let mut engine = (generator.engine)(&Recipe::new(generator.schema));
+            let is_plane = engine.inspect().is_some();
+            let has_frames = engine.frames().is_some();
+            let is_painted = |row: &Parameter| {
+                let item = row.item;
+                item.is_some_and(|item| matches!(item, Item::Trace | Item::Patch(..)))
+            };
+            let offered = [
+                ("outline", engine.outlines().is_some()),
+                ("probe", is_plane),
+                ("plots", is_plane),
+                ("svg", is_plane),
+                ("maps", engine.maps().is_some()),
+                ("mesh", engine.meshes().is_some()),
+                ("turn", has_frames && is_plane),
+                ("frames", has_frames && !is_plane),
+                ("paint", generator.schema.rows.iter().any(is_painted)),
+                ("forming", !generator.course.stepping.is_empty()),
+            ];
+            for (word, is_offered) in offered {
+                let told = generator.offers.contains(&word);
+                assert_eq!(told, is_offered, "{}: {word}", generator.schema.word);
+            }
+            for stage in [generator.course.stepping, generator.course.finisher] {
+                assert!(
+                    stage.is_empty() || generator.stages.contains(&stage),
+                    "{stage}"
+                );
+            }
+        }
     }
 }

@@ -73,14 +73,14 @@ pub struct FrameSlice {
 }
 
 /// A visible body.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SeenBody {
     /// Its id; ids count from 1.
     pub id: u32,
-    /// The middle of its cell, in picture units.
-    pub cell: [f64; 2],
     /// The middle of the body, in the scene.
     pub middle: [f64; 3],
+    /// The figures that its generator knows of it, by their words.
+    pub figures: Vec<(&'static str, f64)>,
 }
 
 /// The key of a frame.

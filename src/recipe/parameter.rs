@@ -4,6 +4,18 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key(pub &'static str);
 
+impl Key {
+    /// Whether two keys are equal, for constants.
+    pub(super) const fn is(self, other: Key) -> bool {
+        let (one, two) = (self.0.as_bytes(), other.0.as_bytes());
+        let mut same = 0;
+        while same < one.len() && same < two.len() && one[same] == two[same] {
+            same += 1;
+        }
+        same == one.len() && same == two.len()
+    }
+}
+
 /// The kind of value of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {

@@ -49,21 +49,65 @@ impl Schema {
     }
 }
 
-/// Defines a constant for each row's key, in a module `keys`, and `ROWS`, the list of all rows. A row of its
-/// own is `word CONSTANT: "Help." => row;`, a shared one `word CONSTANT => row;`, or with a help text of its
-/// own like the others.
+/// More rows than any generator has.
+const MOST_ROWS: usize = 256;
+
+/// Lists of rows, one after the other.
+pub(crate) struct Joined {
+    rows: [Parameter; MOST_ROWS],
+    pub count: usize,
+}
+
+impl Joined {
+    /// A row whose key was there before takes the place of that row.
+    pub const fn of(lists: &[&[Parameter]]) -> Self {
+        let (mut rows, mut count) = ([lists[0][0]; MOST_ROWS], 0);
+        let mut list = 0;
+        while list < lists.len() {
+            let mut at = 0;
+            while at < lists[list].len() {
+                let row = lists[list][at];
+                let mut place = 0;
+                while place < count && !rows[place].key.is(row.key) {
+                    place += 1;
+                }
+                rows[place] = row;
+                if place == count {
+                    count += 1;
+                }
+                at += 1;
+            }
+            list += 1;
+        }
+        Self { rows, count }
+    }
+
+    /// The rows in an array of their own.
+    pub const fn rows<const COUNT: usize>(&self) -> [Parameter; COUNT] {
+        *self.rows.first_chunk().expect("fewer rows")
+    }
+}
+
+/// Defines a constant for each row's key, in a module `keys`, and `ROWS`, the list of all rows. An entry is a row,
+/// `word CONSTANT: "Help." => row;` or with the help text of a shared row `word CONSTANT => row;`, or a list of shared
+/// rows, `..[list];`. A row after the list that has it takes its place there.
 macro_rules! rows {
-    ($($word:ident $name:ident $(: $help:literal)? => $row:expr;)*) => {
+    ($($(..[$list:expr])? $($word:ident $name:ident $(: $help:literal)? => $row:expr)?;)*) => {
         /// The keys of the rows.
         pub mod keys {
+            pub use crate::recipe::common::keys::*;
+            pub use crate::recipe::stones::keys::*;
             use crate::recipe::Key;
-            $(#[doc = concat!("`", stringify!($word), "`", $(". ", $help)?)]
-            pub const $name: Key = Key(stringify!($word));)*
+            $($(#[doc = concat!("`", stringify!($word), "`", $(". ", $help)?)]
+            pub const $name: Key = Key(stringify!($word));)?)*
         }
 
+        const JOINED: $crate::recipe::schema::Joined = $crate::recipe::schema::Joined::of(
+            &[$($($list)? $(&[$row$(.named(keys::$name, $help))?])?),*],
+        );
+
         /// The rows, in the order in which links are written.
-        pub const ROWS: &[$crate::recipe::Parameter] =
-            &[$($row$(.named(keys::$name, $help))?),*];
+        pub const ROWS: &[$crate::recipe::Parameter] = &JOINED.rows::<{ JOINED.count }>();
     };
 }
 

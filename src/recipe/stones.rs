@@ -23,78 +23,85 @@ const HARD: &[&str] = &["cobble", "flag"];
 const FLAG: &[&str] = &["flag"];
 
 common! {
-    stone STONE: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper." =>
-        choice("Form", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
-            .group("Relief").main();
-    sv SV: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more." =>
-        number("Sv", "Base scale").range(0.5, 3.0, 0.01, STONES.scale).group("Relief").main();
-    hs HS: "Height of the stones: low ones lie flat, high ones have round heads and deep joints." =>
-        number("Hs", "Height").range(1.0, 128.0, 1.0, STONES.height).group("Relief").main()
-            .only_for(keys::STONE, HARD);
-    sr SR: "Height of skin, in skin sizes: the mean distance of a cell's corners from its middle." =>
-        number("Sr", "Sweep").range(0.05, 4.0, 0.05, STONES.skin.sweep).group("Relief").main()
-            .only_for(keys::STONE, SKINS);
-    sc SC: "How far the top leans along the flow, in skin sizes: scales overlap where it is large." =>
-        number("Sc", "Skew").range(0.0, 4.0, 0.05, STONES.skin.skew).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    tilt TILT: "How much the top rises along the flow: scales lie like tiles on a roof." =>
-        number("", "Tilt").range(0.0, 1.0, 0.01, STONES.skin.tilt).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    sa SA: "Where the top leans and rises to, clockwise from the direction of the cells." =>
-        number("", "Flow angle").range(-180.0, 180.0, 1.0, STONES.skin.skew_angle.to_degrees()).unit("°")
-            .group("Relief").only_for(keys::STONE, SKINS);
-    tc TC: "How far the top is drawn to the middle: 0 a block, 1 a thorn." =>
-        number("Tc", "Taper").range(0.0, 1.0, 0.01, STONES.skin.taper).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    flat FLAT: "How much is kept of the prism under the smooth surface: 0 a dome, 1 a plate with edges." =>
-        number("", "Flatness").range(0.0, 1.0, 0.01, STONES.skin.flatness).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    keel KEEL: "Height of a ridge along the flow over the middle of each cell, in cell heights." =>
-        number("", "Keel").range(0.0, 1.0, 0.01, STONES.skin.keel).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    rings RINGS: "Growth rings on each cell." =>
-        int("", "Growth rings").range(0.0, 12.0, 1.0, STONES.skin.rings as f64).group("Relief")
-            .only_for(keys::STONE, SKINS);
-    dr DR: "Random distortion of the top corners; 0 makes all stones alike." =>
-        number("Dr", "Distortion").range(0.0, 1.0, 0.01, STONES.distortion).group("Relief").main();
-    rand RAND: "Distribution of the distortion: uniform (2000) or normal (2001)." =>
-        choice("Random numbers", choices![uniform: "Uniform", normal: "Normal"])
-            .group("Relief").steady();
-    bh BH: "How far from a corner the horizontal bevel begins." =>
-        number("Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, STONES.bevel_horizontal).group("Relief")
-            .only_for(keys::STONE, FLAG);
-    bv BV: "How far below the top the vertical bevel begins." =>
-        number("Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, STONES.bevel_vertical).group("Relief").steady()
-            .only_for(keys::STONE, FLAG);
+    LEAN: "Rows of the form, the height and the lean of stones and scales." {
+        stone STONE: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper." =>
+            choice("Form", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])
+                .group("Relief").main();
+        sv SV: "Scale of the base in its cell; below 1 the joints get wider. Smoothing draws skin together, so it needs more." =>
+            number("Sv", "Base scale").range(0.5, 3.0, 0.01, STONES.scale).group("Relief").main();
+        hs HS: "Height of the stones: low ones lie flat, high ones have round heads and deep joints." =>
+            number("Hs", "Height").range(1.0, 128.0, 1.0, STONES.height).group("Relief").main()
+                .only_for(keys::STONE, HARD);
+        sr SR: "Height of skin, in skin sizes: the mean distance of a cell's corners from its middle." =>
+            number("Sr", "Sweep").range(0.05, 4.0, 0.05, STONES.skin.sweep).group("Relief").main()
+                .only_for(keys::STONE, SKINS);
+        sc SC: "How far the top leans along the flow, in skin sizes: scales overlap where it is large." =>
+            number("Sc", "Skew").range(0.0, 4.0, 0.05, STONES.skin.skew).group("Relief")
+                .only_for(keys::STONE, SKINS);
+        tilt TILT: "How much the top rises along the flow: scales lie like tiles on a roof." =>
+            number("", "Tilt").range(0.0, 1.0, 0.01, STONES.skin.tilt).group("Relief")
+                .only_for(keys::STONE, SKINS);
+        sa SA: "Where the top leans and rises to, clockwise from the direction of the cells." =>
+            number("", "Flow angle").range(-180.0, 180.0, 1.0, STONES.skin.skew_angle.to_degrees()).unit("°")
+                .group("Relief").only_for(keys::STONE, SKINS);
+    }
 
-    pattern PATTERN: "The rule by which cells have the palette's mark colour." =>
-        choice("Pattern", choices![
-            none: "None", bands: "Bands", spots: "Spots", rosettes: "Rosettes",
-            blotches: "Blotches", turing: "Reaction-diffusion", size: "By size",
-            boundary: "Near the boundary", direction: "By direction",
-        ]).group("Colour");
-    pn PN: "From one mark to the next, or how far marks reach, in picture sides." =>
-        number("", "Pattern scale").range(0.02, 1.0, 0.01, COLOURS.scale / SIDE).group("Colour")
-            .only_for(keys::PATTERN, SCALED);
-    pa PA: "Across bands, or where marked cells point, clockwise from the x axis." =>
-        number("", "Pattern angle").range(-180.0, 180.0, 1.0, COLOURS.angle.to_degrees()).unit("°")
-            .group("Colour").only_for(keys::PATTERN, &["bands", "direction"]);
-    ps PS: "Of the border between marked cells and others: 0 soft, 1 sharp." =>
-        number("", "Pattern sharpness").range(0.0, 1.0, 0.05, COLOURS.sharpness).group("Colour")
-            .only_for(keys::PATTERN, PATTERNS);
-    pc PC: "Share of the cells that are marked." =>
-        number("", "Pattern share").range(0.05, 0.95, 0.01, COLOURS.share).group("Colour")
-            .only_for(keys::PATTERN, PATTERNS);
-    pm PM: "How much of the mark's colour marked cells have." =>
-        number("", "Pattern strength").range(0.0, 1.0, 0.05, COLOURS.amount).group("Colour")
-            .only_for(keys::PATTERN, PATTERNS);
-    rim RIM: "Darkens the rim of each cell; below 0 its middle." =>
-        number("", "Dark rims").range(-1.0, 1.0, 0.05, COLOURS.rim).group("Colour");
-    belly BELLY: "How much of the palette's belly colour there is on one side of the picture." =>
-        number("", "Belly").range(0.0, 1.0, 0.05, COLOURS.belly).group("Colour");
-    ba BA: "Where the belly is, clockwise from the x axis." =>
-        number("", "Belly angle").range(-180.0, 180.0, 1.0, COLOURS.belly_angle.to_degrees()).unit("°")
-            .group("Colour").only_with(keys::BELLY);
+    TOP: "Rows of the top of stones and scales." {
+        tc TC: "How far the top is drawn to the middle: 0 a block, 1 a thorn." =>
+            number("Tc", "Taper").range(0.0, 1.0, 0.01, 0.2).group("Relief")
+                .only_for(keys::STONE, SKINS);
+        flat FLAT: "How much is kept of the prism under the smooth surface: 0 a dome, 1 a plate with edges." =>
+            number("", "Flatness").range(0.0, 1.0, 0.01, 0.0).group("Relief")
+                .only_for(keys::STONE, SKINS);
+        keel KEEL: "Height of a ridge along the flow over the middle of each cell, in cell heights." =>
+            number("", "Keel").range(0.0, 1.0, 0.01, 0.0).group("Relief")
+                .only_for(keys::STONE, SKINS);
+        rings RINGS: "Growth rings on each cell." =>
+            int("", "Growth rings").range(0.0, 12.0, 1.0, 0.0).group("Relief")
+                .only_for(keys::STONE, SKINS);
+        dr DR: "Random distortion of the top corners; 0 makes all stones alike." =>
+            number("Dr", "Distortion").range(0.0, 1.0, 0.01, 0.3).group("Relief").main();
+        rand RAND: "Distribution of the distortion: uniform (2000) or normal (2001)." =>
+            choice("Random numbers", choices![uniform: "Uniform", normal: "Normal"])
+                .group("Relief").steady();
+        bh BH: "How far from a corner the horizontal bevel begins." =>
+            number("Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, 0.2).group("Relief")
+                .only_for(keys::STONE, FLAG);
+        bv BV: "How far below the top the vertical bevel begins." =>
+            number("Bv", "Bevel, vertical").range(0.0, 1.0, 0.01, 0.2).group("Relief").steady()
+                .only_for(keys::STONE, FLAG);
+    }
+
+    MARKS: "Rows of the marking of cells." {
+        pattern PATTERN: "The rule by which cells have the palette's mark colour." =>
+            choice("Pattern", choices![
+                none: "None", bands: "Bands", spots: "Spots", rosettes: "Rosettes",
+                blotches: "Blotches", turing: "Reaction-diffusion", size: "By size",
+                boundary: "Near the boundary", direction: "By direction",
+            ]).group("Colour");
+        pn PN: "From one mark to the next, or how far marks reach, in picture sides." =>
+            number("", "Pattern scale").range(0.02, 1.0, 0.01, COLOURS.scale / SIDE).group("Colour")
+                .only_for(keys::PATTERN, SCALED);
+        pa PA: "Across bands, or where marked cells point, clockwise from the x axis." =>
+            number("", "Pattern angle").range(-180.0, 180.0, 1.0, COLOURS.angle.to_degrees()).unit("°")
+                .group("Colour").only_for(keys::PATTERN, &["bands", "direction"]);
+        ps PS: "Of the border between marked cells and others: 0 soft, 1 sharp." =>
+            number("", "Pattern sharpness").range(0.0, 1.0, 0.05, COLOURS.sharpness).group("Colour")
+                .only_for(keys::PATTERN, PATTERNS);
+        pc PC: "Share of the cells that are marked." =>
+            number("", "Pattern share").range(0.05, 0.95, 0.01, COLOURS.share).group("Colour")
+                .only_for(keys::PATTERN, PATTERNS);
+        pm PM: "How much of the mark's colour marked cells have." =>
+            number("", "Pattern strength").range(0.0, 1.0, 0.05, COLOURS.amount).group("Colour")
+                .only_for(keys::PATTERN, PATTERNS);
+        rim RIM: "Darkens the rim of each cell; below 0 its middle." =>
+            number("", "Dark rims").range(-1.0, 1.0, 0.05, COLOURS.rim).group("Colour");
+        belly BELLY: "How much of the palette's belly colour there is on one side of the picture." =>
+            number("", "Belly").range(0.0, 1.0, 0.05, COLOURS.belly).group("Colour");
+        ba BA: "Where the belly is, clockwise from the x axis." =>
+            number("", "Belly angle").range(-180.0, 180.0, 1.0, COLOURS.belly_angle.to_degrees()).unit("°")
+                .group("Colour").only_with(keys::BELLY);
+    }
 }
 
 /// The patterns, and those with a scale.

@@ -8,17 +8,15 @@
 //! stone), never by time. `cargo run --release --example slices` prints the longest slice of each stage.
 
 use crate::export::{Report, StageTime};
-use crate::generators::{Budget, Clock, Engine, Generator, Progress, Registry};
-use crate::notice::Notice;
+use crate::generators::{Budget, Clock, Engine, Generator, Maps, Meshes, Progress, Registry};
+use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 #[cfg(house)]
 use crate::{
-    generators::{GivenFile, TurnOrder},
-    notice::Code,
+    generators::{Files, Frames, GivenFile, TurnOrder},
     recipe::{Item, Parameter},
     scene::Frame,
 };
-use std::any::Any;
 
 /// A pass over the finisher shorter than this many milliseconds may finish before a newer recipe begins, so
 /// that the picture follows a slider while it is dragged.
@@ -82,21 +80,43 @@ impl Studio {
         &*self.engine
     }
 
-    /// The present engine, to draw views and to make files.
+    /// The engine at work, to draw views and to ask for what it offers.
     pub fn engine_mut(&mut self) -> &mut dyn Engine {
         &mut *self.engine
     }
 
-    /// The engine at work, if it is of this type.
-    pub fn engine_as<E: Engine>(&self) -> Option<&E> {
-        let engine: &dyn Any = &*self.engine;
-        engine.downcast_ref()
+    /// The maps of the picture.
+    ///
+    /// # Errors
+    /// Where the generator has none.
+    pub fn maps(&mut self) -> Result<&mut dyn Maps, Notice> {
+        self.engine.maps().ok_or(Code::NoSuchFile.into())
     }
 
-    /// The same, mutable, for queries whose results the engine keeps.
-    pub fn engine_as_mut<E: Engine>(&mut self) -> Option<&mut E> {
-        let engine: &mut dyn Any = &mut *self.engine;
-        engine.downcast_mut()
+    /// The mesh files of the bodies.
+    ///
+    /// # Errors
+    /// Where the generator has none.
+    pub fn meshes(&mut self) -> Result<&mut dyn Meshes, Notice> {
+        self.engine.meshes().ok_or(Code::NoSuchFile.into())
+    }
+
+    /// The frames of the bodies.
+    ///
+    /// # Errors
+    /// Where the generator has none.
+    #[cfg(house)]
+    pub fn frames(&mut self) -> Result<&mut dyn Frames, Notice> {
+        self.engine.frames().ok_or(Code::NoSuchFile.into())
+    }
+
+    /// The files that recipes name.
+    ///
+    /// # Errors
+    /// Where the generator has no use for files.
+    #[cfg(house)]
+    pub fn files(&mut self) -> Result<&mut dyn Files, Notice> {
+        self.engine.files().ok_or(Code::NoSuchFile.into())
     }
 
     /// The latest recipe.
@@ -112,13 +132,24 @@ impl Studio {
     /// The word of the stage at work, or "done", or "error" if no picture can be made of the recipe
     /// ([`Studio::problem`] has the reason).
     pub fn stage(&self) -> &'static str {
-        let word = |at: usize| self.generator.stages[at];
-        match (self.engine.at(), self.engine.stepping()) {
-            (_, Some(stepping)) if self.engine.is_drafting() => word(stepping),
+        match self.engine.at() {
+            _ if self.engine.is_drafting() => self.generator.course.stepping,
             _ if self.engine.failure().is_some() => "error",
-            (Some(at), _) => word(at),
-            (None, _) => "done",
+            Some(at) => self.generator.stages[at],
+            None => "done",
         }
+    }
+
+    /// The stage that the next slice works on; `None` where all is done or the work cannot go on.
+    pub fn at_work(&self) -> Option<usize> {
+        let at = self.engine.at();
+        at.filter(|_| self.engine.failure().is_none())
+    }
+
+    /// The place of a stage among those of the generator.
+    fn place_of(&self, stage: &str) -> Option<usize> {
+        let mut stages = self.generator.stages.iter();
+        stages.position(|word| *word == stage)
     }
 
     /// Whether the picture is finished.
@@ -164,9 +195,17 @@ impl Studio {
 
     /// The report of the run so far.
     pub fn report(&mut self) -> Report {
+        let last = self.progress();
         let mut report = Report {
             link: self.recipe.link(),
             size: self.side(),
+            cells: last.cells,
+            steps: last.steps,
+            converged: last.converged,
+            largest_move: last.largest_move,
+            added: last.added,
+            removed: last.removed,
+            energy: self.engine.energy(),
             milliseconds: self.milliseconds(),
             hash: self.digest(),
             ..Report::default()
@@ -209,9 +248,7 @@ impl Studio {
         };
         let row = schema.rows.iter().find(has_role).ok_or(Code::NoSuchFile)?;
         let named = file.named().row();
-        if !self.engine.give(file) {
-            return Err(Code::NoSuchFile.into());
-        }
+        self.files()?.give(file);
         let mut recipe = self.recipe.clone();
         let said = schema.rules.draw(&mut recipe, row.key, Some(vec![named]))?;
         self.set_recipe(recipe);
@@ -220,7 +257,7 @@ impl Studio {
 
     /// Runs all stages again, from the same recipe.
     pub fn restart(&mut self) {
-        self.engine.drop_draft(true);
+        self.drop_draft(true);
         self.take_up();
         self.engine.forget();
         self.begin(0);
@@ -233,12 +270,14 @@ impl Studio {
     pub fn set_live(&mut self, on: bool) {
         let ends = self.is_live && !on;
         self.is_live = on;
-        self.engine.set_live(on);
+        if let Some(drafts) = self.engine.drafts() {
+            drafts.set_live(on);
+        }
         if ends {
             if !self.lets_finish() {
                 self.take_up();
             }
-            self.engine.drop_draft(false);
+            self.drop_draft(false);
         }
     }
 
@@ -250,19 +289,20 @@ impl Studio {
     /// The result that replaces the draft is made at full speed, or shown from its start with 0 steps.
     pub fn tick(&mut self, clock: Clock, budget: f64, max_steps: u32) -> bool {
         if self.engine.is_drafting() {
-            return self.engine.advance_draft(clock, budget);
+            let drafts = self.engine.drafts();
+            return drafts.is_some_and(|drafts| drafts.advance_draft(clock, budget));
         }
         if max_steps == 0 {
-            self.engine.drop_draft(true);
+            self.drop_draft(true);
         }
-        let max_steps = match self.engine.shows_draft() {
-            true => u32::MAX,
-            false => max_steps,
+        let max_steps = match self.engine.drafts() {
+            Some(drafts) if drafts.shows_draft() => u32::MAX,
+            _ => max_steps,
         };
         let mut now = clock();
         let budget = Budget::from(now, budget);
         let (mut steps, mut worked) = (0, false);
-        while let Some(stage) = self.engine.at_work() {
+        while let Some(stage) = self.at_work() {
             if self.engine.is_step() {
                 if steps >= max_steps {
                     break;
@@ -275,13 +315,19 @@ impl Studio {
                 break;
             }
         }
-        self.engine.drop_draft(false);
+        self.drop_draft(false);
         worked
+    }
+
+    fn drop_draft(&mut self, all: bool) {
+        if let Some(drafts) = self.engine.drafts() {
+            drafts.drop_draft(all);
+        }
     }
 
     /// Whether a finished picture is being shaded again, and that fits into a frame.
     fn shades_in_one(&self) -> bool {
-        let shades = self.engine.at_work() == Some(self.last_stage());
+        let shades = self.at_work() == Some(self.last_stage());
         shades && !self.engine.is_forming() && self.last_shading <= ONE_FRAME
     }
 
@@ -295,11 +341,12 @@ impl Studio {
         if self.engine.is_drafting() {
             return;
         }
-        self.engine.drop_draft(true);
+        self.drop_draft(true);
+        let stepping = self.place_of(self.generator.course.stepping);
         let mut begun = false;
-        while let Some(stage) = self.engine.at_work() {
+        while let Some(stage) = self.at_work() {
             // A step may take several slices: it is complete where the next one would begin.
-            if Some(stage) > self.engine.stepping() || (begun && self.engine.is_step()) {
+            if Some(stage) > stepping || (begun && self.engine.is_step()) {
                 return;
             }
             begun |= self.engine.is_step();
@@ -315,7 +362,7 @@ impl Studio {
     /// The reason why it cannot be made.
     pub fn finish(&mut self, clock: Clock) -> Result<(), Notice> {
         self.set_live(false);
-        while self.engine.at_work().is_some() {
+        while self.at_work().is_some() {
             self.tick(clock, f64::INFINITY, u32::MAX);
         }
         let failure = self.engine.failure();
@@ -330,8 +377,9 @@ impl Studio {
     #[cfg(house)]
     pub fn finish_frame(&mut self, order: &TurnOrder, clock: Clock) -> Result<&Frame, Notice> {
         self.finish(clock)?;
-        while !self.engine.turn(order, clock, f64::INFINITY)?.done {}
-        self.engine.frame().ok_or(Code::NotYet.into())
+        let frames = self.frames()?;
+        while !frames.turn(order, clock, f64::INFINITY)?.done {}
+        frames.frame().ok_or(Code::NotYet.into())
     }
 
     /// Runs one slice of a stage, begun at `before`. Returns the time after it.
@@ -354,10 +402,12 @@ impl Studio {
     /// Whether the work is so near its end that it should finish before the new recipe begins. If the new
     /// recipe changes only later stages, it can begin at once, because nothing is dropped.
     fn lets_finish(&self) -> bool {
-        let (Some(at), Some(stale)) = (self.engine.at_work(), self.engine.stale()) else {
+        let finisher = self.place_of(self.generator.course.finisher);
+        let (Some(at), Some(stale), Some(finisher)) =
+            (self.at_work(), self.engine.stale(), finisher)
+        else {
             return false;
         };
-        let finisher = self.engine.finisher();
         let late = at >= stale && stale >= finisher;
         late && (at == self.last_stage() || self.pass(finisher) < SHORT_PASS)
     }

@@ -100,6 +100,7 @@ fn generator_object(generator: &'static Generator) -> Object {
         placing,
         settled,
         seen,
+        ..
     } = generator.course;
     let begins: Array = begins.iter().map(|&share| JsValue::from(share)).collect();
     object(&[

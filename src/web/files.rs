@@ -3,7 +3,6 @@
 use super::said::or_why;
 use super::{Bubblestone, objects};
 use crate::export::{DETAILS, MapKind, MeshFormat, MeshOrder};
-use crate::generators::pavement::Pavement;
 use crate::notice::Code;
 use js_sys::Object;
 use wasm_bindgen::prelude::*;
@@ -11,16 +10,16 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 impl Bubblestone {
     /// The cells as a standalone SVG file; '' before there are any.
-    pub fn svg(&self) -> String {
-        self.pavement().map_or(String::new(), Pavement::svg)
+    pub fn svg(&mut self) -> String {
+        self.inspect().map_or(String::new(), |cells| cells.svg())
     }
 
     /// A map of the finished picture ('height', 'normal-opengl', 'normal-directx', 'albedo', 'roughness', 'ao',
     /// 'id', 'orm', 'height-float'), or a notice with the reason why there is none.
     #[wasm_bindgen(unchecked_return_type = "PixelMap | Notice")]
-    pub fn map(&self, word: &str) -> Object {
+    pub fn map(&mut self, word: &str) -> Object {
         let kind = MapKind::of_word(word).ok_or(Code::NoSuchFile.into());
-        let made = kind.and_then(|kind| self.studio.engine().map(kind));
+        let made = kind.and_then(|kind| self.studio.maps()?.map(kind));
         or_why(made.map(|map| objects::map(&map)))
     }
 
@@ -32,8 +31,8 @@ impl Bubblestone {
         let clock = &self.clock;
         let order = order(ending, detail, images).ok_or(Code::NoSuchFile.into());
         let made = order.and_then(|order| {
-            let engine = self.studio.engine_mut();
-            let slice = engine.mesh_file(&order, &mut || clock.now(), budget);
+            let meshes = self.studio.meshes()?;
+            let slice = meshes.mesh_file(&order, &mut || clock.now(), budget);
             slice.map(|slice| objects::mesh_slice(&slice))
         });
         or_why(made)
@@ -41,9 +40,9 @@ impl Bubblestone {
 
     /// The approximate triangles and bytes of a `meshFile`; empty if there is no such file.
     #[wasm_bindgen(js_name = meshSize)]
-    pub fn mesh_size(&self, ending: &str, detail: &str, images: &[u32]) -> Vec<f64> {
+    pub fn mesh_size(&mut self, ending: &str, detail: &str, images: &[u32]) -> Vec<f64> {
         let order = order(ending, detail, images);
-        let size = order.and_then(|order| self.studio.engine().mesh_size(&order));
+        let size = order.and_then(|order| self.studio.meshes().ok()?.mesh_size(&order));
         size.map_or(Vec::new(), |size| vec![size.triangles as f64, size.bytes])
     }
 
@@ -57,8 +56,9 @@ impl Bubblestone {
         let kinds: Option<Vec<MapKind>> = words.map(MapKind::of_word).collect();
         let made = kinds.ok_or(Code::NoSuchFile.into()).and_then(|kinds| {
             let order = (scale as usize, &kinds[..]);
-            let engine = self.studio.engine_mut();
-            engine.picture_file(order, &mut || clock.now(), budget)
+            self.studio
+                .maps()?
+                .picture_file(order, &mut || clock.now(), budget)
         });
         or_why(made.map(|slice| objects::picture_slice(&slice)))
     }
@@ -66,7 +66,12 @@ impl Bubblestone {
     /// Stops `meshFile` or `pictureFile` and frees their memory, for visitors who do not want to wait.
     #[wasm_bindgen(js_name = stopFile)]
     pub fn stop_file(&mut self) {
-        self.studio.engine_mut().stop_file();
+        if let Ok(meshes) = self.studio.meshes() {
+            meshes.stop_mesh();
+        }
+        if let Ok(maps) = self.studio.maps() {
+            maps.stop_picture();
+        }
     }
 
     /// The fields of the native program's report.json, as text.

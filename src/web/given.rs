@@ -44,10 +44,8 @@ impl Bubblestone {
             return String::new();
         };
         let digest = file.named().digest_text();
-        match self.studio.engine_mut().give(file) {
-            true => digest,
-            false => String::new(),
-        }
+        let given = self.studio.files().map(|files| files.give(file));
+        given.map_or(String::new(), |()| digest)
     }
 
     /// Adds the received file to the recipe in a role; '' is the first role. Returns notices.
@@ -61,8 +59,9 @@ impl Bubblestone {
 
     /// The files that the work waits for. Digest and name are empty if the recipe names no file yet.
     #[wasm_bindgen(js_name = missingFiles, unchecked_return_type = "RecipeFile[]")]
-    pub fn missing_files(&self) -> Array {
-        let missing = self.studio.engine().missing();
+    pub fn missing_files(&mut self) -> Array {
+        let files = self.studio.files();
+        let missing = files.map_or(Vec::new(), |files| files.missing());
         let missing = missing.iter();
         missing
             .map(|one| recipe_file(one.role, &one.digest, &one.name))

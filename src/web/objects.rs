@@ -2,8 +2,7 @@
 
 use super::object;
 use crate::export::{Map, StageTime};
-use crate::generators::pavement::{Histogram, Probe};
-use crate::generators::{MeshSlice, PictureSlice, Progress};
+use crate::generators::{Histogram, MeshSlice, PictureSlice, Probe, Progress};
 use crate::packing::Sample;
 use js_sys::{Array, Float64Array, Object, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;

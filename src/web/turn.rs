@@ -3,7 +3,7 @@
 use super::said::{all, notice, or_why};
 use super::{Bubblestone, object, objects};
 use crate::export::{FramePlane, frame_map};
-use crate::generators::{ALL, FrameSlice, TurnOrder};
+use crate::generators::{ALL, FrameSlice, Frames, TurnOrder};
 use crate::notice::{Code, Notice};
 use crate::scene::Camera;
 use crate::studio::Studio;
@@ -27,11 +27,10 @@ export interface FrameSlice {
 export interface SeenBody {
   /** Ids count from 1. */
   id: number;
-  /** The middle of its cell, in picture units. */
-  x: number;
-  y: number;
   /** The middle of the body, in the scene. */
   centre: [x: number, y: number, z: number];
+  /** The figures that its generator knows of it, by their words; lengths in picture units, angles in degrees. */
+  figures: Record<string, number>;
 }
 ";
 
@@ -55,24 +54,33 @@ impl Bubblestone {
         let clock = &self.clock;
         let home = self.studio.generator().camera();
         let order = order(home, subject, camera, [width, height], how);
-        let engine = self.studio.engine_mut();
-        let made = engine.turn(&order, &mut || clock.now(), budget);
-        let made = made.map(|slice| frame_slice(slice, self.studio.engine().frame()));
+        let made = self.studio.frames().and_then(|frames| {
+            let slice = frames.turn(&order, &mut || clock.now(), budget)?;
+            Ok(frame_slice(slice, frames.frame()))
+        });
         or_why(made)
+    }
+
+    fn frames(&mut self) -> Option<&mut dyn Frames> {
+        self.studio.engine_mut().frames()
     }
 
     /// The body at a pixel of the last finished frame.
     #[wasm_bindgen(js_name = bodyAt, unchecked_return_type = "SeenBody | undefined")]
-    pub fn body_at(&self, x: u32, y: u32) -> JsValue {
-        let body = self.studio.engine().body_at(x as usize, y as usize);
+    pub fn body_at(&mut self, x: u32, y: u32) -> JsValue {
+        let frames = self.frames();
+        let body = frames.and_then(|frames| frames.body_at(x as usize, y as usize));
         body.map_or(JsValue::UNDEFINED, |body| {
-            let [x, y] = body.cell;
             let middle: Array = body.middle.iter().map(|&v| JsValue::from(v)).collect();
+            let figures = body
+                .figures
+                .iter()
+                .map(|&(word, value)| (word, value.into()));
+            let figures: Vec<(&str, JsValue)> = figures.collect();
             object(&[
                 ("id", body.id.into()),
-                ("x", x.into()),
-                ("y", y.into()),
                 ("centre", middle.into()),
+                ("figures", object(&figures).into()),
             ])
             .into()
         })
@@ -80,40 +88,40 @@ impl Bubblestone {
 
     /// A plane of the last finished frame: 'depth', 'normal' or 'id'. Its side is the frame's width.
     #[wasm_bindgen(js_name = frameMap, unchecked_return_type = "PixelMap | Notice")]
-    pub fn frame_plane(&self, word: &str) -> Object {
+    pub fn frame_plane(&mut self, word: &str) -> Object {
         let plane = FramePlane::of_word(word).ok_or(Notice::from(Code::NoSuchFile));
         let map = plane.and_then(|plane| {
-            let frame = self.studio.engine().frame();
+            let frame = self.frames().and_then(|frames| frames.frame());
             Ok(frame_map(frame.ok_or(Code::NotYet)?, plane))
         });
         or_why(map.map(|map| objects::map(&map)))
     }
 
     /// The words of the steps in the making of a body. The subject 'ID:STEP' shows a step.
-    pub fn making(&self, id: u32) -> Vec<String> {
-        self.studio.engine().making(id)
+    pub fn making(&mut self, id: u32) -> Vec<String> {
+        self.frames().map_or(Vec::new(), |frames| frames.making(id))
     }
 
     /// The place on the model at a pixel of the frame last finished, in the units of painted rows; undefined
     /// beside the model.
     #[wasm_bindgen(js_name = placeAt)]
-    pub fn place_at(&self, x: u32, y: u32) -> Option<Vec<i32>> {
-        let place = self.studio.engine().place_at(x as usize, y as usize)?;
+    pub fn place_at(&mut self, x: u32, y: u32) -> Option<Vec<i32>> {
+        let place = self.frames()?.place_at(x as usize, y as usize)?;
         Some(place.map(|n| n as i32).to_vec())
     }
 
     /// The caption of a view.
     #[wasm_bindgen(unchecked_return_type = "Notice | undefined")]
-    pub fn caption(&self, words: &str) -> JsValue {
-        let caption = self.studio.engine().caption(words);
+    pub fn caption(&mut self, words: &str) -> JsValue {
+        let caption = self.frames().and_then(|frames| frames.caption(words));
         caption.map_or(JsValue::UNDEFINED, |caption| notice(&caption).into())
     }
 
     /// The pixel of such a place in that frame; undefined if it is hidden there.
     #[wasm_bindgen(js_name = pixelOf)]
-    pub fn pixel_of(&self, x: i32, y: i32, z: i32) -> Option<Vec<f64>> {
+    pub fn pixel_of(&mut self, x: i32, y: i32, z: i32) -> Option<Vec<f64>> {
         let place = [x, y, z].map(i64::from);
-        Some(self.studio.engine().pixel_of(place)?.to_vec())
+        Some(self.frames()?.pixel_of(place)?.to_vec())
     }
 
     /// Remarks on the result: repairs, and parts that do not fit well.
@@ -124,8 +132,8 @@ impl Bubblestone {
 
     /// 16 hex digits that change with any bit of the last finished frame; '' before there is one.
     #[wasm_bindgen(js_name = frameHash)]
-    pub fn frame_hash(&self) -> String {
-        let frame = self.studio.engine().frame();
+    pub fn frame_hash(&mut self) -> String {
+        let frame = self.frames().and_then(|frames| frames.frame());
         frame.map_or(String::new(), crate::scene::Frame::hash)
     }
 }

@@ -1,8 +1,8 @@
 //! Access to the pavement inside a studio, for tests.
 #![allow(dead_code)] // Each test file uses a part of it.
 
-use bubblestone::generators::ALL;
-use bubblestone::generators::pavement::{self, Pavement};
+use bubblestone::generators::pavement;
+use bubblestone::generators::{ALL, Inspect, Products};
 use bubblestone::recipe::{Key, Parameter};
 use bubblestone::studio::Studio;
 
@@ -18,18 +18,18 @@ pub fn row(key: Key) -> &'static Parameter {
 
 /// The engine of a studio, as a pavement.
 pub trait OfPavement {
-    /// The pavement at work.
-    fn pavement(&self) -> &Pavement;
-    /// The same, mutable, for results that are computed on request.
-    fn pavement_mut(&mut self) -> &mut Pavement;
+    /// The results of the stages of the pavement at work.
+    fn pavement(&self) -> Products<'_>;
+    /// The cells of the pavement at work, to ask about them.
+    fn inspect(&mut self) -> &mut dyn Inspect;
 }
 
 impl OfPavement for Studio {
-    fn pavement(&self) -> &Pavement {
-        self.engine_as().expect("a pavement")
+    fn pavement(&self) -> Products<'_> {
+        self.engine().products().expect("a pavement")
     }
 
-    fn pavement_mut(&mut self) -> &mut Pavement {
-        self.engine_as_mut().expect("a pavement")
+    fn inspect(&mut self) -> &mut dyn Inspect {
+        self.engine_mut().inspect().expect("a pavement")
     }
 }

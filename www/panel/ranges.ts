@@ -11,6 +11,30 @@ const BODIES = ['leg', 'tail', 'fish', 'horn'];
 const GROUNDS = ['terrain', 'slope', 'stairs'];
 const STONE_PALETTES: Words = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
 
+/** Rows for both generators. Rows of their own come first. */
+const BOTH: Table = {
+  Relief: [
+    ['bh', range(0.1, 0.2, 0.01)],
+  ],
+  Surface: [
+    ['palette', STONE_PALETTES],
+    ['gloss', { own: 5, glossy: 1 }, SKIN],
+    ['gloss', { own: 1 }],
+  ],
+  Colour: [
+    ['pa', { '0': 1, '90': 2, '45': 1 }],
+    ['ps', range(0.7, 0.9, 0.05)],
+    ['pc', range(0.35, 0.55, 0.01)],
+    ['pm', range(0.8, 1, 0.05), SKIN],
+    ['pm', range(0.5, 0.8, 0.05)],
+    ['belly', { '0': 1 }],
+  ],
+  Light: [
+    ['shin', { '1': 1 }],
+    ['shadow', { '1': 1 }],
+  ],
+};
+
 const PLANE: Table = {
   Outline: [
     ['tile', { '0': 2, '1': 1 }, SKIN],
@@ -32,7 +56,7 @@ const PLANE: Table = {
     ['kind', { circle: 1 }, { stone: ['skin'], tile: ['0'], outline: ['star'] }],
     ['kind', { circle: 3, ellipse: 4 }, { stone: ['skin'], tile: ['0'], outline: ['square', 'plaza', 'annulus'] }],
     ['kind', { circle: 3, ellipse: 4, rectangle: 2 }, SKIN],
-    ['kind', { square: 4, rectangle: 4, circle: 1 }, { stone: ['flag'] }],
+    ['kind', { square: 4, rectangle: 4, circle: 1 }, FLAG],
     ['kind', { square: 6, rectangle: 2, circle: 2, ellipse: 2 }],
     ['parts', ''],
     ['ca', range(1.2, 1.5, 0.05), SKIN],
@@ -72,9 +96,9 @@ const PLANE: Table = {
   Relief: [
     ['sv', range(1.25, 1.45, 0.01), { stone: ['skin'], kind: ['circle', 'square'] }],
     ['sv', range(1.35, 1.65, 0.01), SKIN],
-    ['sv', range(0.95, 0.98, 0.01), { stone: ['flag'] }],
+    ['sv', range(0.95, 0.98, 0.01), FLAG],
     ['sv', range(0.96, 1.02, 0.01)],
-    ['hs', range(0.35, 0.5, 1, { per: 'cs' }), { stone: ['flag'] }],
+    ['hs', range(0.35, 0.5, 1, { per: 'cs' }), FLAG],
     ['hs', range(0.55, 0.85, 1, { per: 'cs' })],
     ['sr', range(0.4, 0.9, 0.05)],
     ['sc', range(0, 0.4, 0.05), { kind: ['circle', 'square'] }],
@@ -86,9 +110,8 @@ const PLANE: Table = {
     ['keel', rarely(0.45, 0.3, 0.8)],
     ['rings', rarely(0.12, 4, 7, 1)],
     ['dr', range(0.02, 0.12, 0.01), SKIN],
-    ['dr', range(0.08, 0.18, 0.01), { stone: ['flag'] }],
+    ['dr', range(0.08, 0.18, 0.01), FLAG],
     ['dr', range(0.15, 0.4, 0.01)],
-    ['bh', range(0.1, 0.2, 0.01)],
   ],
   Surface: [
     ['fd', range(1.1, 1.4, 0.01), SKIN],
@@ -100,14 +123,11 @@ const PLANE: Table = {
       { crocodile: 1, lizard: 2, snake: 1, coral: 1, fish: 1, koi: 1, tortoise: 1, armadillo: 1, pangolin: 1, desert: 1, cone: 1, dragon: 2 },
       SKIN,
     ],
-    ['palette', STONE_PALETTES],
     ['vary', range(0.5, 1.2, 0.05), SKIN],
     ['vary', range(0.8, 1.3, 0.05)],
     ['ground', { hide: 1 }, SKIN],
-    ['ground', { mortar: 3, soil: 1, dark: 1, sand: 1 }, { stone: ['flag'] }],
+    ['ground', { mortar: 3, soil: 1, dark: 1, sand: 1 }, FLAG],
     ['ground', { sand: 2, soil: 3, dark: 2, moss: 1, gravel: 2, mortar: 1 }],
-    ['gloss', { own: 5, glossy: 1 }, SKIN],
-    ['gloss', { own: 1 }],
   ],
   Colour: [
     ['pattern', { none: 3, bands: 1, spots: 1, rosettes: 2, blotches: 2, turing: 2 }, SKIN],
@@ -115,14 +135,8 @@ const PLANE: Table = {
     ['pn', range(0.15, 0.2, 0.01), { pattern: ['turing'] }],
     ['pn', range(0.2, 0.3, 0.01), { pattern: ['rosettes', 'spots'] }],
     ['pn', range(0.15, 0.45, 0.01)],
-    ['pa', { '0': 1, '90': 2, '45': 1 }],
-    ['ps', range(0.7, 0.9, 0.05)],
-    ['pc', range(0.35, 0.55, 0.01)],
-    ['pm', range(0.8, 1, 0.05), SKIN],
-    ['pm', range(0.5, 0.8, 0.05)],
     ['rim', rarely(0.4, 0.1, 0.4)],
     ['belly', rarely(0.35, 0.4, 0.7), SKIN],
-    ['belly', { '0': 1 }],
     ['ba', { '90': 3, '0': 1, '45': 1 }],
   ],
   Weather: [
@@ -146,8 +160,6 @@ const PLANE: Table = {
     ['diff', range(1.1, 1.5, 0.05), { light: ['point'] }],
     ['diff', range(1, 1.3, 0.05)],
     ['spec', range(0.9, 1.4, 0.05)],
-    ['shin', { '1': 1 }],
-    ['shadow', { '1': 1 }],
     ['occl', range(0.7, 1, 0.05)],
   ],
 };
@@ -237,7 +249,9 @@ const SURFACE: Table = {
     ['flow', { bones: 1 }],
     ['flip', { '0': 1 }],
   ],
-  Packing: [['vs', rarely(0.3, 0.05, 0.15, 0.01)]],
+  Packing: [
+    ['vs', rarely(0.3, 0.05, 0.15, 0.01)],
+  ],
   Relief: [
     ['sv', range(1.2, 1.4, 0.01), SKIN],
     ['sv', range(0.93, 0.97, 0.01), FLAG],
@@ -256,7 +270,6 @@ const SURFACE: Table = {
     ['dr', range(0.02, 0.08, 0.01), SKIN],
     ['dr', range(0.08, 0.18, 0.01), FLAG],
     ['dr', range(0.18, 0.36, 0.01)],
-    ['bh', range(0.1, 0.2, 0.01)],
   ],
   Surface: [
     ['fd', range(1.1, 1.3, 0.01), SKIN],
@@ -267,14 +280,11 @@ const SURFACE: Table = {
     ['palette', { tortoise: 3, armadillo: 1, dragon: 1 }, { stone: ['skin'], form: ['turtle'] }],
     ['palette', { cone: 2, pangolin: 2, dragon: 2 }, { stone: ['skin'], form: ['egg'] }],
     ['palette', { crocodile: 2, lizard: 2, snake: 1, coral: 1, pangolin: 2, desert: 1, dragon: 2 }, SKIN],
-    ['palette', STONE_PALETTES],
     ['vary', range(0.5, 1.1, 0.05), SKIN],
     ['vary', range(0.7, 1.2, 0.05)],
     ['ground', { hide: 1 }, SKIN],
     ['ground', { mortar: 3, sand: 2, dark: 1 }, FLAG],
     ['ground', { sand: 2, soil: 3, dark: 2, mortar: 2 }],
-    ['gloss', { own: 5, glossy: 1 }, SKIN],
-    ['gloss', { own: 1 }],
   ],
   Colour: [
     ['pattern', { blotches: 3, rosettes: 1 }, { palette: ['koi'] }],
@@ -282,14 +292,8 @@ const SURFACE: Table = {
     ['pattern', { none: 9, blotches: 1 }],
     ['pn', range(0.16, 0.26, 0.01), { palette: ['koi'] }],
     ['pn', range(0.1, 0.18, 0.01)],
-    ['pa', { '0': 1, '90': 2, '45': 1 }],
-    ['ps', range(0.7, 0.9, 0.05)],
-    ['pc', range(0.35, 0.55, 0.01)],
-    ['pm', range(0.8, 1, 0.05), SKIN],
-    ['pm', range(0.5, 0.8, 0.05)],
     ['rim', rarely(0.3, 0.1, 0.3)],
     ['belly', rarely(0.4, 0.4, 0.7), { stone: ['skin'], form: BODIES }],
-    ['belly', { '0': 1 }],
     ['ba', { '90': 1 }],
   ],
   Weather: [
@@ -310,11 +314,14 @@ const SURFACE: Table = {
     ['amb', range(0.95, 1.15, 0.05)],
     ['diff', range(1, 1.15, 0.05)],
     ['spec', range(0.9, 1.2, 0.05)],
-    ['shin', { '1': 1 }],
-    ['shadow', { '1': 1 }],
     ['occl', range(0.8, 1, 0.05)],
   ],
 };
 
+/** Adds the rows for both behind a table's own rows. */
+function withBoth(own: Table): Table {
+  return Object.fromEntries(Object.entries(own).map(([group, rows]) => [group, [...rows, ...(BOTH[group] ?? [])]]));
+}
+
 /** The tables, by the word that a generator gives. */
-export const CHANCES: Record<string, Table> = { plane: PLANE, surface: SURFACE };
+export const CHANCES: Record<string, Table> = { plane: withBoth(PLANE), surface: withBoth(SURFACE) };

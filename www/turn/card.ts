@@ -28,8 +28,7 @@ export class Card {
     const { element } = this;
     this.picked = picked ? body : undefined;
     element.toggleAttribute('data-picked', picked);
-    const rows = body.probe ? cellRows(body.probe) : [];
-    element.replaceChildren(make('strong', {}, called(body, skin)), ...rows);
+    element.replaceChildren(make('strong', {}, called(body, skin)), ...cellRows(body.figures));
     if (picked && body.steps.length) {
       const button = make('button', { type: 'button', class: 'key wordy', id: 'turn-how' }, t('how'));
       button.addEventListener('click', () => this.how(body));
@@ -53,7 +52,7 @@ export class Card {
 
 /** The card's text as a sentence. */
 export function sentence(body: Told, skin: boolean): string {
-  const numbers = body.probe ? cellNumbers(body.probe).map((row) => row.join(' ')) : [];
+  const numbers = cellNumbers(body.figures).map((row) => row.join(' '));
   return [[called(body, skin), ...numbers].join(', '), ...(body.steps.length ? [t('how_key')] : [])].join('. ');
 }
 

@@ -91,7 +91,7 @@ class Turner {
   told(x: number, y: number): Told | undefined {
     const { sides } = this.maker;
     const body = sides && this.studio.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1]));
-    return body && { id: body.id, probe: this.studio.probe(body.x, body.y), steps: this.studio.making(body.id) };
+    return body && { id: body.id, figures: body.figures, steps: this.studio.making(body.id) };
   }
 
   /** Runs the request's recipe; false if a newer request came, or there is no picture. */

@@ -3,7 +3,6 @@
 use super::{Base, Overlay, Pavement, Stage, View};
 use crate::domain::Domain;
 use crate::draw;
-use crate::heightfield::Planes;
 use glam::DVec2;
 
 /// Why a view or an overlay shows nothing.
@@ -58,12 +57,6 @@ impl Pavement {
             }
         }
         found
-    }
-
-    /// The range of the shown bump plane, in picture units; 0 before there is one.
-    pub fn height_range(&self) -> f64 {
-        let range = self.planes_to_show().map(Planes::height_range);
-        range.map_or(0.0, |(low, high)| f64::from(high - low))
     }
 
     fn base_absence(&mut self, base: Base) -> Option<Absence> {

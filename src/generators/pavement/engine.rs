@@ -2,17 +2,19 @@
 
 use super::look::View;
 use super::params::Params;
-use super::{Pavement, Stage};
-use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
-use crate::generators::{Clock, Engine, MeshSlice, PictureSlice, Progress};
+use super::{Pavement, PavementRecipe, Stage};
+use crate::domain::Outline;
+use crate::export::Report;
 #[cfg(house)]
-use crate::generators::{FrameSlice, SeenBody, TurnOrder};
+use crate::generators::Frames;
+use crate::generators::{
+    Clock, Drafts, Engine, Inspect, Maps, Meshes, Outlines, Products, Progress,
+};
 use crate::graph::Wiring;
 use crate::heightfield::Planes;
 use crate::notice::Notice;
 use crate::recipe::Recipe;
-#[cfg(house)]
-use crate::scene::Frame;
+use glam::DVec2;
 
 impl Engine for Pavement {
     fn ask(&mut self, recipe: &Recipe) {
@@ -58,16 +60,14 @@ impl Engine for Pavement {
         self.made.at() == Some(Stage::Packing) && self.made.is_packing()
     }
 
-    fn stepping(&self) -> Option<usize> {
-        Some(Stage::Packing as usize)
-    }
-
-    fn finisher(&self) -> usize {
-        Stage::Planes as usize
-    }
-
     fn is_forming(&self) -> bool {
         self.made.is_forming()
+    }
+
+    fn is_drafting(&self) -> bool {
+        let stale = self.made.stale();
+        let is_stale = stale.is_some_and(|stage| stage <= Stage::Packing);
+        self.is_live && is_stale && self.keeps_side()
     }
 
     fn runs(&self) -> Vec<u64> {
@@ -97,16 +97,82 @@ impl Engine for Pavement {
         packing.map_or(0.0, |(packing, domain)| packing.energy(domain))
     }
 
-    fn set_live(&mut self, on: bool) {
-        self.is_live = on;
+    fn view(&mut self, words: &str) -> &[u8] {
+        self.look_at(View::of_words(words))
     }
 
-    fn is_drafting(&self) -> bool {
-        let is_stale = self
-            .made
-            .stale()
-            .is_some_and(|stage| stage <= Stage::Packing);
-        self.is_live && is_stale && self.keeps_side()
+    fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
+        self.draw_beforehand(View::of_words(words), clock, budget)
+    }
+
+    fn picture(&self) -> &[u8] {
+        self.made.picture()
+    }
+
+    fn digest(&self) -> String {
+        self.made.planes().map_or(String::new(), Planes::digest)
+    }
+
+    fn report(&mut self, report: &mut Report) {
+        report.cells = self.made.cells().len();
+        let range = self.planes().map(Planes::height_range);
+        report.height_range = range.unwrap_or_default();
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn data(&self) -> Vec<(&'static str, String)> {
+        use crate::export::{cells_json, mesh_json};
+        let mesh = self.mesh().map(|mesh| ("mesh.json", mesh_json(mesh)));
+        let cells = ("cells.json", cells_json(self.cells()));
+        std::iter::once(cells).chain(mesh).collect()
+    }
+
+    fn drafts(&mut self) -> Option<&mut dyn Drafts> {
+        Some(self)
+    }
+
+    fn maps(&mut self) -> Option<&mut dyn Maps> {
+        Some(self)
+    }
+
+    fn meshes(&mut self) -> Option<&mut dyn Meshes> {
+        Some(self)
+    }
+
+    fn inspect(&mut self) -> Option<&mut dyn Inspect> {
+        Some(self)
+    }
+
+    fn outlines(&mut self) -> Option<&mut dyn Outlines> {
+        Some(self)
+    }
+
+    #[cfg(house)]
+    fn frames(&mut self) -> Option<&mut dyn Frames> {
+        Some(self)
+    }
+
+    fn products(&self) -> Option<Products<'_>> {
+        let (shown, flowing) = (self.shown(), self.flowing());
+        Some(Products {
+            domain: shown.domain,
+            fields: shown.fields,
+            packing: match flowing {
+                Some(draft) => Some(&draft.packing),
+                None => self.made.shown_packing(),
+            },
+            mesh: self.mesh(),
+            cells: self.cells(),
+            scales: self.scales(),
+            stones: self.stone_params(),
+            planes: self.planes(),
+        })
+    }
+}
+
+impl Drafts for Pavement {
+    fn set_live(&mut self, on: bool) {
+        self.is_live = on;
     }
 
     fn shows_draft(&self) -> bool {
@@ -122,97 +188,19 @@ impl Engine for Pavement {
             self.draft = None;
         }
     }
+}
 
-    fn view(&mut self, words: &str) -> &[u8] {
-        self.look_at(View::of_words(words))
+impl Outlines for Pavement {
+    fn rings(&self) -> Vec<&[DVec2]> {
+        self.shown().rings
     }
 
-    fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
-        self.draw_beforehand(View::of_words(words), clock, budget)
+    fn part(&self, place: DVec2) -> Option<usize> {
+        let domain = self.shown().domain?;
+        domain.contains(place).then(|| domain.part(place))
     }
 
-    fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)> {
-        let found = self.missing(View::of_words(words)).into_iter();
-        found.map(|(word, why)| (word, why.word())).collect()
-    }
-
-    fn picture(&self) -> &[u8] {
-        self.made.picture()
-    }
-
-    fn digest(&self) -> String {
-        self.made.planes().map_or(String::new(), Planes::digest)
-    }
-
-    fn map(&self, kind: MapKind) -> Result<Map, Notice> {
-        self.map_of_planes(kind)
-    }
-
-    fn picture_file(
-        &mut self,
-        order: (usize, &[MapKind]),
-        clock: Clock,
-        budget: f64,
-    ) -> Result<PictureSlice, Notice> {
-        self.bigger_slice(order, clock, budget)
-    }
-
-    fn mesh_file(
-        &mut self,
-        order: &MeshOrder,
-        clock: Clock,
-        budget: f64,
-    ) -> Result<MeshSlice, Notice> {
-        self.mesh_slice(order, clock, budget)
-    }
-
-    fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
-        Some(order.size(self.scales().len(), self.side()))
-    }
-
-    #[cfg(house)]
-    fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
-        self.turn_slice(order, clock, budget)
-    }
-
-    #[cfg(house)]
-    fn frame(&self) -> Option<&Frame> {
-        self.slant.frame()
-    }
-
-    #[cfg(house)]
-    fn body_at(&self, x: usize, y: usize) -> Option<SeenBody> {
-        self.seen_at(x, y)
-    }
-
-    #[cfg(house)]
-    fn making(&self, id: u32) -> Vec<String> {
-        self.steps_of(id)
-    }
-
-    fn stop_file(&mut self) {
-        self.saving = None;
-        self.bigger = None;
-    }
-
-    fn report(&mut self, report: &mut Report) {
-        let last = self.step_report();
-        report.cells = self.made.cells().len();
-        report.steps = last.step;
-        report.converged = last.converged;
-        report.added = last.added;
-        report.removed = last.removed;
-        report.largest_move = last.largest_move;
-        report.energy = self.energy();
-        let range = self.planes().map(Planes::height_range);
-        report.height_range = range.unwrap_or_default();
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    fn data(&self) -> Vec<(&'static str, String)> {
-        use crate::export::{cells_json, mesh_json};
-        let mesh = self.mesh().map(|mesh| ("mesh.json", mesh_json(mesh)));
-        let cells = ("cells.json", cells_json(self.cells()));
-        std::iter::once(cells).chain(mesh).collect()
+    fn draw(&self, recipe: &mut Recipe, outline: &Outline) -> Result<Vec<Notice>, Notice> {
+        recipe.set_polygon(outline)
     }
 }

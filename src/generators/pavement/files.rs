@@ -1,11 +1,11 @@
 //! Files of a finished pavement: maps, and the mesh of all cells.
 
 use super::Pavement;
-use crate::export::{self, Map, MapKind, MeshFile, MeshOrder, maps};
+use crate::export::{Map, MapKind, MeshFile, MeshOrder, MeshSize, maps};
 use crate::generators::bigger::{Bigger, Picture};
 use crate::generators::height_field::Bodies;
 use crate::generators::lighting::LightParams;
-use crate::generators::{Clock, Engine, MeshSlice, PictureSlice, until};
+use crate::generators::{Clock, Engine, Maps, MeshSlice, Meshes, PictureSlice, until};
 use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};
 use crate::solid::Solids;
@@ -19,8 +19,8 @@ pub(super) struct Saving {
     revision: u64,
 }
 
-impl Pavement {
-    pub(super) fn map_of_planes(&self, kind: MapKind) -> Result<Map, Notice> {
+impl Maps for Pavement {
+    fn map(&self, kind: MapKind) -> Result<Map, Notice> {
         let planes = self.made.planes().filter(|_| self.is_done());
         let planes = planes.ok_or(Code::NotYet)?;
         let light = self.light();
@@ -32,7 +32,7 @@ impl Pavement {
         ))
     }
 
-    pub(super) fn bigger_slice(
+    fn picture_file(
         &mut self,
         order: (usize, &[MapKind]),
         clock: Clock,
@@ -55,22 +55,13 @@ impl Pavement {
         slice
     }
 
-    /// The last finished cells as a standalone SVG file of the picture's size; '' before there are any.
-    pub fn svg(&self) -> String {
-        let made = &self.made;
-        match made.domain.made() {
-            Some(domain) if !made.cells().is_empty() => export::svg(
-                self.side(),
-                domain,
-                &self.rings(),
-                made.cells(),
-                &self.tones(),
-            ),
-            _ => String::new(),
-        }
+    fn stop_picture(&mut self) {
+        self.bigger = None;
     }
+}
 
-    pub(super) fn mesh_slice(
+impl Meshes for Pavement {
+    fn mesh_file(
         &mut self,
         order: &MeshOrder,
         clock: Clock,
@@ -94,6 +85,16 @@ impl Pavement {
         Ok(MeshSlice { begun, parts, done })
     }
 
+    fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
+        Some(order.size(self.scales().len(), self.side()))
+    }
+
+    fn stop_mesh(&mut self) {
+        self.saving = None;
+    }
+}
+
+impl Pavement {
     fn begin(&self, order: &MeshOrder, revision: u64) -> Saving {
         let (texture, materials) = (*self.texture(), &self.light().materials);
         let file = MeshFile::new(order, texture, materials, self.scales().len());

@@ -27,7 +27,6 @@ mod view;
 pub use absence::Absence;
 pub use look::{Base, Overlay, View};
 pub use outline::PavementRecipe;
-pub use probe::{Histogram, Polygon, Probe};
 pub use schema::keys;
 pub use stage::Stage;
 
@@ -35,12 +34,10 @@ use super::bigger::Bigger;
 use super::lighting::LightParams;
 use super::{Course, Engine, Generator, Views};
 use crate::cells::Cell;
-use crate::domain::{Domain, Outline};
-use crate::field::Fields;
+use crate::domain::Outline;
 use crate::graph::Wiring;
 use crate::heightfield::{Planes, TextureParams};
 use crate::mesh::Mesh;
-use crate::metrics::Metrics;
 use crate::notice::Notice;
 use crate::packing::{Packing, StepReport};
 use crate::recipe::{Recipe, Schema};
@@ -68,6 +65,7 @@ pub static PAVEMENT: Generator = Generator {
         begins: &[0.0, 0.02, 0.1, 0.6, 0.62, 0.66, 0.92, 0.95],
         stepping: "packing",
         placing: "planes",
+        finisher: "planes",
         ..Course::UNKNOWN
     },
     views: Views {
@@ -161,27 +159,6 @@ impl Pavement {
         self.made.at().is_none() && !self.is_drafting()
     }
 
-    /// The present outline, checked and mended: the outer ring first, then the holes.
-    pub fn rings(&self) -> Vec<&[glam::DVec2]> {
-        self.shown().rings
-    }
-
-    /// The domain, once it exists.
-    pub fn domain(&self) -> Option<&Domain> {
-        self.shown().domain
-    }
-
-    /// The fields, once they exist.
-    pub fn fields(&self) -> Option<&Fields> {
-        self.shown().fields
-    }
-
-    /// The packing in progress, or the last one; while live, the one that flows.
-    pub fn packing(&self) -> Option<&Packing> {
-        let flowing = self.flowing().map(|draft| &draft.packing);
-        flowing.or(self.made.shown_packing())
-    }
-
     /// The report of the packing in progress; empty before its first cells are placed.
     fn step_report(&self) -> StepReport {
         if let Some(draft) = self.flowing() {
@@ -192,22 +169,22 @@ impl Pavement {
     }
 
     /// The mesh of the last packing that ended.
-    pub fn mesh(&self) -> Option<&Mesh> {
+    fn mesh(&self) -> Option<&Mesh> {
         self.made.mesh()
     }
 
     /// The cells of the last packing that ended.
-    pub fn cells(&self) -> &[Cell] {
+    fn cells(&self) -> &[Cell] {
         self.made.cells()
     }
 
     /// The cells of the stones: for skin, those whose axes agree.
-    pub fn scales(&self) -> &[Cell] {
+    fn scales(&self) -> &[Cell] {
         self.made.scales()
     }
 
     /// The parameters of the stones at work.
-    pub fn stone_params(&self) -> StoneParams {
+    fn stone_params(&self) -> StoneParams {
         self.texture().stone
     }
 
@@ -222,16 +199,7 @@ impl Pavement {
     }
 
     /// The last finished planes.
-    pub fn planes(&self) -> Option<&Planes> {
+    fn planes(&self) -> Option<&Planes> {
         self.made.planes()
-    }
-
-    /// The quality of the mesh and the cells of the last packing that ended, once they exist.
-    pub fn metrics(&self) -> Option<Metrics> {
-        let made = &self.made;
-        let particles = made.packing.made()?.particles();
-        let (domain, fields) = made.ground()?;
-        let mesh = made.mesh().filter(|_| !made.cells().is_empty())?;
-        Some(Metrics::new(domain, fields, &particles, mesh, made.cells()))
     }
 }

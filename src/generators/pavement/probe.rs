@@ -3,65 +3,19 @@
 //! Once cells have polygons, these are measured. During the packing the particles are measured: their size and angle
 //! follow from their neighbours.
 
+use super::look::View;
 use super::{Pavement, Stage};
 use crate::cells::Cell;
 use crate::domain::{Domain, ring_contains};
+use crate::export;
 use crate::field::Kind;
+use crate::generators::{Engine, Histogram, Inspect, Outlines, Polygon, Probe};
 use crate::graph::Wiring;
+use crate::heightfield::Planes;
 use crate::metrics::{Figure, symmetry_angle};
 use crate::packing::Sample;
 use glam::DVec2;
 
-/// A cell at a place. Lengths are in picture units, angles in degrees from +x, y down.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Probe {
-    /// Its index in the list of cells; during the packing, in that of the particles by rising ids.
-    pub cell: usize,
-    /// Its middle.
-    pub centre: DVec2,
-    /// Its kind.
-    pub kind: Kind,
-    /// Its size: that of a cell of its kind with its area.
-    pub size: f64,
-    /// The size in the field there.
-    pub wanted: f64,
-    /// Length over width, at least 1.
-    pub aspect: f64,
-    /// Its direction: 0..90 for squares, 0..180 for rectangles and ellipses. `None` for circles, and without a
-    /// direction.
-    pub angle: Option<f64>,
-    /// The angle between that and the direction field: 0..45 for squares, else 0..90.
-    pub off: Option<f64>,
-    /// Its outline, not closed; for a packed cell its shape.
-    pub outline: Vec<DVec2>,
-    /// Measures of its polygon, if it has one.
-    pub polygon: Option<Polygon>,
-}
-
-/// Measures of a cell's polygon.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Polygon {
-    /// Its area.
-    pub area: f64,
-    /// Corners that turn by more than 10 degrees.
-    pub sides: usize,
-    /// The number of cells on the other side of its sides; cells that only meet it in a corner do not count.
-    pub neighbours: usize,
-}
-
-/// Counts of values in equal classes; values beyond count in the outermost ones.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Histogram {
-    /// Where the first class begins.
-    pub from: f64,
-    /// Where the last one ends.
-    pub to: f64,
-    /// Counts by class; empty if there is nothing to count.
-    pub counts: Vec<u32>,
-}
-
-/// Classes of a histogram.
-const CLASSES: usize = 30;
 /// The range of sizes over wanted sizes.
 const SIZES: (f64, f64) = (0.55, 1.45);
 
@@ -78,20 +32,95 @@ pub(super) struct Boxes {
     boxes: Vec<[DVec2; 2]>,
 }
 
+/// Cells are found among the polygons once they are there, before that in the packing.
+impl Inspect for Pavement {
+    fn probe(&mut self, place: DVec2) -> Option<Probe> {
+        match self.is_past(Stage::Cells) {
+            true => self.polygon_at(place),
+            false => self.packed_at(place),
+        }
+    }
+
+    fn samples(&self) -> &[Sample] {
+        let packing = self.made.shown_packing();
+        let begun = packing.filter(|_| self.made.is_packing());
+        begun.map_or(&[], |packing| packing.samples())
+    }
+
+    // The sizes of all cells over the wanted ones, and their angles to the direction field in degrees
+    // (0..45 where all with an angle are squares or stand in a packing of cells with corners, else
+    // 0..90; circles have none). While they are packed, sizes are told by the neighbours' distances
+    // and angles by the rows that they stand in.
+    fn histograms(&mut self) -> [Histogram; 2] {
+        let past = self.is_past(Stage::Cells);
+        let stands = match past || !self.made.is_packing() {
+            true => Vec::new(),
+            false => {
+                let packing = self.made.shown_packing_mut();
+                packing.map_or(Vec::new(), |(packing, domain)| packing.alignments(domain))
+            }
+        };
+        let Some(fields) = self.made.fields.made() else {
+            return Default::default();
+        };
+        let mut found: Vec<(f64, Option<f64>)> = Vec::new();
+        let mut widest = 0.0;
+        if past {
+            for cell in self.made.cells() {
+                let figure = Figure::new(cell);
+                let off = figure.misalignment(cell.kind, fields.direction(cell.centre));
+                found.push((figure.size / fields.size(cell.centre), off));
+                if cell.kind != Kind::Circle {
+                    widest = symmetry_angle(cell.kind).max(widest);
+                }
+            }
+        }
+        for (particle, stand) in stands {
+            let size = particle.size * stand.spacing;
+            found.push((size / fields.size(particle.centre), stand.angle));
+            widest = match particle.kind {
+                Kind::Circle => widest,
+                Kind::Ellipse => 180.0,
+                Kind::Square | Kind::Rectangle => widest.max(90.0),
+            };
+        }
+        let sizes = found.iter().map(|&(size, _)| size);
+        let angles = found.iter().filter_map(|&(_, off)| off);
+        [
+            Histogram::new(SIZES, &mut { sizes }),
+            Histogram::new((0.0, widest / 2.0), &mut { angles }),
+        ]
+    }
+
+    fn height_range(&self) -> f64 {
+        let range = self.planes_to_show().map(Planes::height_range);
+        range.map_or(0.0, |(low, high)| f64::from(high - low))
+    }
+
+    fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)> {
+        let found = self.missing(View::of_words(words)).into_iter();
+        found.map(|(word, why)| (word, why.word())).collect()
+    }
+
+    fn svg(&self) -> String {
+        let made = &self.made;
+        match made.domain.made() {
+            Some(domain) if !made.cells().is_empty() => export::svg(
+                self.side(),
+                domain,
+                &self.rings(),
+                made.cells(),
+                &self.tones(),
+            ),
+            _ => String::new(),
+        }
+    }
+}
+
 impl Pavement {
     /// Whether the results of this stage belong to the current pass.
     pub(super) fn is_past(&self, stage: Stage) -> bool {
         self.made.at().is_none_or(|at| at > stage)
-    }
-
-    /// The cell at a place of the picture, by its polygon; while polygons are not made yet, by the packing.
-    pub fn probe(&mut self, x: f64, y: f64) -> Option<Probe> {
-        let p = DVec2::new(x, y);
-        if self.is_past(Stage::Cells) {
-            self.polygon_at(p)
-        } else {
-            self.packed_at(p)
-        }
     }
 
     fn packed_at(&self, p: DVec2) -> Option<Probe> {
@@ -145,70 +174,6 @@ impl Pavement {
                 neighbours,
             }),
         })
-    }
-
-    /// The record of the packing in progress, or of the last one, by rising steps.
-    pub fn samples(&self) -> &[Sample] {
-        let packing = self.made.shown_packing();
-        let begun = packing.filter(|_| self.made.is_packing());
-        begun.map_or(&[], |packing| packing.samples())
-    }
-
-    /// The sizes of all cells over the wanted ones, and their angles to the direction field in degrees. Angles are
-    /// 0..45 if all cells with an angle are squares or are in a packing of cells with corners, else 0..90; circles
-    /// have none. During the packing, sizes follow from the neighbours' distances, and angles from the rows that
-    /// cells stand in.
-    pub fn histograms(&mut self) -> [Histogram; 2] {
-        let past = self.is_past(Stage::Cells);
-        let stands = match past || !self.made.is_packing() {
-            true => Vec::new(),
-            false => {
-                let packing = self.made.shown_packing_mut();
-                packing.map_or(Vec::new(), |(packing, domain)| packing.alignments(domain))
-            }
-        };
-        let Some(fields) = self.made.fields.made() else {
-            return Default::default();
-        };
-        let mut found: Vec<(f64, Option<f64>)> = Vec::new();
-        let mut widest = 0.0;
-        if past {
-            for cell in self.made.cells() {
-                let figure = Figure::new(cell);
-                let off = figure.misalignment(cell.kind, fields.direction(cell.centre));
-                found.push((figure.size / fields.size(cell.centre), off));
-                if cell.kind != Kind::Circle {
-                    widest = symmetry_angle(cell.kind).max(widest);
-                }
-            }
-        }
-        for (particle, stand) in stands {
-            let size = particle.size * stand.spacing;
-            found.push((size / fields.size(particle.centre), stand.angle));
-            widest = match particle.kind {
-                Kind::Circle => widest,
-                Kind::Ellipse => 180.0,
-                Kind::Square | Kind::Rectangle => widest.max(90.0),
-            };
-        }
-        let sizes = found.iter().map(|&(size, _)| size);
-        let angles = found.iter().filter_map(|&(_, off)| off);
-        [
-            Histogram::new(SIZES, &mut { sizes }),
-            Histogram::new((0.0, widest / 2.0), &mut { angles }),
-        ]
-    }
-}
-
-impl Histogram {
-    fn new((from, to): (f64, f64), values: &mut dyn Iterator<Item = f64>) -> Self {
-        let mut counts = Vec::new();
-        for value in values {
-            counts.resize(CLASSES, 0);
-            let class = (value - from) / (to - from) * CLASSES as f64;
-            counts[(class.max(0.0) as usize).min(CLASSES - 1)] += 1;
-        }
-        Self { from, to, counts }
     }
 }
 

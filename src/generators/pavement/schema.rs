@@ -137,32 +137,20 @@ rows! {
             fitted: "Fitted", packed: "As packed", voronoi: "Voronoi", lloyd: "Lloyd",
         ]).group("Packing");
 
-    stone STONE => stones::STONE;
+    ..[stones::LEAN];
     sv SV => stones::SV.default_while(keys::STONE, SKIN, 1.4);
     hs HS => stones::HS.unit("px");
-    sr SR => stones::SR;
-    sc SC => stones::SC;
-    tilt TILT => stones::TILT;
-    sa SA => stones::SA;
     flow FLOW: "Which way scales lean as a whole: as their axes happen to point, along the painted strokes, or against them." =>
         choice("Flow", choices![own: "As it comes", strokes: "Along strokes", against: "Against strokes"])
             .group("Relief").steady().only_for(keys::STONE, &[SKIN]);
-    tc TC => stones::TC;
-    flat FLAT => stones::FLAT;
-    keel KEEL => stones::KEEL;
-    rings RINGS => stones::RINGS;
+    ..[stones::TOP];
     dr DR => stones::DR.default_while(keys::STONE, SKIN, 0.05);
-    rand RAND => stones::RAND;
-    bh BH => stones::BH;
-    bv BV => stones::BV;
 
+    ..[common::FACES];
     fd FD => common::FD.default_while(keys::STONE, SKIN, SkinParams::DEFAULT.dimension);
     af AF => common::AF.default_while(keys::STONE, SKIN, SkinParams::DEFAULT.amplitude);
-    palette PALETTE => common::PALETTE;
-    vary VARY => common::VARY;
-    ground GROUND => common::GROUND;
-    gloss GLOSS => common::GLOSS;
 
+    ..[stones::MARKS];
     pattern PATTERN: "The rule by which cells have the palette's mark colour." =>
         choice("Pattern", choices![
             none: "None", bands: "Bands", spots: "Spots", rosettes: "Rosettes",
@@ -170,31 +158,12 @@ rows! {
             boundary: "Near the boundary", lines: "Near lines", direction: "By direction",
         ]).group("Colour");
     pn PN => stones::PN.only_for(keys::PATTERN, SCALED);
-    pa PA => stones::PA;
     ps PS => stones::PS.only_for(keys::PATTERN, PATTERNS);
     pc PC => stones::PC.only_for(keys::PATTERN, PATTERNS);
     pm PM => stones::PM.only_for(keys::PATTERN, PATTERNS);
-    rim RIM => stones::RIM;
-    belly BELLY => stones::BELLY;
-    ba BA => stones::BA;
 
-    wear WEAR => common::WEAR;
-    moss MOSS => common::MOSS;
-    dirt DIRT => common::DIRT;
-    wet WET => common::WET;
-
-    light LIGHT => common::LIGHT;
-    az AZ => common::AZ;
-    el EL => common::EL;
-    lx LX => common::LX;
-    ly LY => common::LY;
-    lz LZ => common::LZ;
-    amb AMB => common::AMB;
-    diff DIFF => common::DIFF;
-    spec SPEC => common::SPEC;
-    shin SHIN => common::SHIN;
-    shadow SHADOW => common::SHADOW;
-    occl OCCL => common::OCCL;
+    ..[common::WEATHERING];
+    ..[common::LIGHTING];
 }
 
 /// The kinds with an aspect ratio.

@@ -4,7 +4,7 @@ use super::Pavement;
 use crate::cells::Cell;
 use crate::generators::lighting::LightParams;
 use crate::generators::turntable::{Stand, Turntable};
-use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
+use crate::generators::{Budget, Clock, FrameSlice, Frames, Inspect, SeenBody, TurnOrder};
 use crate::heightfield::{Cutout, Surfaces};
 use crate::light::Light;
 use crate::notice::{Code, Notice};
@@ -34,20 +34,8 @@ struct Shown {
     scene: Scene,
 }
 
-impl Slant {
-    /// The last finished frame.
-    pub fn frame(&self) -> Option<&Frame> {
-        self.table.frame()
-    }
-}
-
-impl Pavement {
-    pub(super) fn turn_slice(
-        &mut self,
-        order: &TurnOrder,
-        clock: Clock,
-        budget: f64,
-    ) -> Result<FrameSlice, Notice> {
+impl Frames for Pavement {
+    fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
         if !self.is_done() {
             return Err(Code::NotYet.into());
         }
@@ -61,6 +49,34 @@ impl Pavement {
         made
     }
 
+    fn frame(&self) -> Option<&Frame> {
+        self.slant.table.frame()
+    }
+
+    fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody> {
+        let scene = self.slant.scene.as_ref()?;
+        let place = self.frame()?.instance_at(x, y)?;
+        let instance = &scene.instances[place];
+        let cell = self.scales().get((instance.id as usize).checked_sub(1)?)?;
+        let (middle, _) = scene.ball_of(instance);
+        let (id, centre) = (instance.id, cell.centre);
+        Some(SeenBody {
+            id,
+            middle: middle.as_dvec3().to_array(),
+            figures: self.probe(centre).map_or(Vec::new(), |cell| cell.figures()),
+        })
+    }
+
+    fn making(&self, id: u32) -> Vec<String> {
+        let cell = (id as usize)
+            .checked_sub(1)
+            .and_then(|k| self.scales().get(k));
+        let steps = cell.map_or(Vec::new(), |cell| self.surfaces().making(cell));
+        steps.iter().map(|step| step.word().to_owned()).collect()
+    }
+}
+
+impl Pavement {
     /// Makes the bodies; `None` if they exist.
     fn build(&self, slant: &mut Slant, clock: Clock, budget: Budget) -> Option<FrameSlice> {
         let revision = self.made.finish.weather.revision();
@@ -127,29 +143,6 @@ impl Pavement {
             progress: 0.5 + 0.5 * slice.progress,
             ..slice
         })
-    }
-
-    /// The stone at a pixel of the last finished frame.
-    pub(super) fn seen_at(&self, x: usize, y: usize) -> Option<SeenBody> {
-        let scene = self.slant.scene.as_ref()?;
-        let place = self.slant.frame()?.instance_at(x, y)?;
-        let instance = &scene.instances[place];
-        let cell = self.scales().get((instance.id as usize).checked_sub(1)?)?;
-        let (middle, _) = scene.ball_of(instance);
-        Some(SeenBody {
-            id: instance.id,
-            cell: cell.centre.to_array(),
-            middle: middle.as_dvec3().to_array(),
-        })
-    }
-
-    /// The words of the steps in the making of a stone.
-    pub(super) fn steps_of(&self, id: u32) -> Vec<String> {
-        let cell = (id as usize)
-            .checked_sub(1)
-            .and_then(|k| self.scales().get(k));
-        let steps = cell.map_or(Vec::new(), |cell| self.surfaces().making(cell));
-        steps.iter().map(|step| step.word().to_owned()).collect()
     }
 
     fn surfaces(&self) -> Surfaces {

@@ -198,8 +198,8 @@ impl<S: SceneSource> ScenePicture<S> {
         let [mx, mz] = clockwise([middle.x, middle.z].map(f64::from), yaw);
         Some(SeenBody {
             id: instance.id,
-            cell: [0.0; 2],
             middle: [mx, middle.y.into(), mz],
+            figures: Vec::new(),
         })
     }
 

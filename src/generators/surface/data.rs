@@ -6,8 +6,8 @@ use crate::mesh::Face;
 use glam::DVec3;
 
 impl Surface {
-    /// The results as text files: names and contents.
-    pub(super) fn files(&self) -> Vec<(&'static str, String)> {
+    /// Texts of what was made: names of files and contents.
+    pub(super) fn texts(&self) -> Vec<(&'static str, String)> {
         let cells = self
             .made
             .paved()

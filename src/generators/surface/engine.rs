@@ -2,15 +2,15 @@
 
 use super::Surface;
 use super::params::Params;
-use super::stages::{PACKING, STONES};
-use crate::export::{Map, MapKind, MeshOrder, MeshSize, Report};
+use super::stages::STONES;
+use crate::export::{MeshOrder, MeshSize, Report};
 use crate::generators::scene_picture;
 use crate::generators::{
-    Clock, Engine, FrameSlice, GivenFile, MeshSlice, MissingFile, PictureSlice, Progress, SeenBody,
-    TurnOrder,
+    Clock, Engine, Files, FrameSlice, Frames, GivenFile, MeshSlice, Meshes, MissingFile, Progress,
+    SeenBody, TurnOrder,
 };
 use crate::graph::Wiring;
-use crate::notice::{Code, Notice};
+use crate::notice::Notice;
 use crate::recipe::Recipe;
 use crate::scene::Frame;
 
@@ -55,14 +55,6 @@ impl Engine for Surface {
         self.made.is_moving()
     }
 
-    fn stepping(&self) -> Option<usize> {
-        Some(PACKING)
-    }
-
-    fn finisher(&self) -> usize {
-        STONES
-    }
-
     fn is_forming(&self) -> bool {
         self.made.at().is_some_and(|at| at < STONES)
     }
@@ -97,10 +89,6 @@ impl Engine for Surface {
         scene_picture::prepare(self, words, clock, budget)
     }
 
-    fn absences(&mut self, _: &str) -> Vec<(&'static str, &'static str)> {
-        Vec::new()
-    }
-
     fn picture(&self) -> &[u8] {
         self.made.picture()
     }
@@ -109,19 +97,29 @@ impl Engine for Surface {
         self.made.digest()
     }
 
-    fn map(&self, _: MapKind) -> Result<Map, Notice> {
-        Err(Code::NoSuchFile.into())
+    fn report(&mut self, report: &mut Report) {
+        report.cells = self.made.paved().map_or(0, |paved| paved.cells.len());
     }
 
-    fn picture_file(
-        &mut self,
-        _: (usize, &[MapKind]),
-        _: Clock,
-        _: f64,
-    ) -> Result<PictureSlice, Notice> {
-        Err(Code::NoSuchFile.into())
+    #[cfg(not(target_arch = "wasm32"))]
+    fn data(&self) -> Vec<(&'static str, String)> {
+        self.texts()
     }
 
+    fn meshes(&mut self) -> Option<&mut dyn Meshes> {
+        Some(self)
+    }
+
+    fn frames(&mut self) -> Option<&mut dyn Frames> {
+        Some(self)
+    }
+
+    fn files(&mut self) -> Option<&mut dyn Files> {
+        Some(self)
+    }
+}
+
+impl Meshes for Surface {
     fn mesh_file(
         &mut self,
         order: &MeshOrder,
@@ -137,6 +135,12 @@ impl Engine for Surface {
         Some(order.model_size(paved.cells.len(), ground))
     }
 
+    fn stop_mesh(&mut self) {
+        self.saving = None;
+    }
+}
+
+impl Frames for Surface {
     fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
         scene_picture::turn(self, order, clock, budget)
     }
@@ -145,7 +149,7 @@ impl Engine for Surface {
         self.picture.frame()
     }
 
-    fn body_at(&self, x: usize, y: usize) -> Option<SeenBody> {
+    fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody> {
         self.picture.body_at(self.made.still.params().yaw, x, y)
     }
 
@@ -160,33 +164,14 @@ impl Engine for Surface {
     fn pixel_of(&self, place: [i64; 3]) -> Option<[f64; 2]> {
         self.pixel_of_place(place)
     }
+}
 
-    fn give(&mut self, file: GivenFile) -> bool {
+impl Files for Surface {
+    fn give(&mut self, file: GivenFile) {
         self.made.give(file.digest(), file.into_bytes());
-        true
     }
 
     fn missing(&self) -> Vec<MissingFile> {
         self.made.missing()
-    }
-
-    fn stop_file(&mut self) {
-        self.saving = None;
-    }
-
-    fn report(&mut self, report: &mut Report) {
-        let last = self.made.report();
-        report.cells = self.made.paved().map_or(0, |paved| paved.cells.len());
-        report.steps = last.step;
-        report.converged = last.converged;
-        report.added = last.added;
-        report.removed = last.removed;
-        report.largest_move = last.largest_move;
-        report.energy = self.energy();
-    }
-
-    #[cfg(not(target_arch = "wasm32"))]
-    fn data(&self) -> Vec<(&'static str, String)> {
-        self.files()
     }
 }

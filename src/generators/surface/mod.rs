@@ -52,6 +52,7 @@ pub static SURFACE: Generator = Generator {
         begins: &[0.0, 0.02, 0.1, 0.6, 0.62, 0.66, 0.85],
         stepping: "packing",
         placing: "stones",
+        finisher: "stones",
         settled: "light",
         seen: &["surface", "surface", "packed", "mesh", "cells", "", ""],
     },

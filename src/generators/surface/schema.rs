@@ -170,58 +170,35 @@ rows! {
         number("Vs", "Size variance").range(0.0, 0.5, 0.01, 0.0).group("Packing");
     seed SEED: "Names the random numbers: another seed, other stones." => common::SEED.group("Packing");
 
-    stone STONE => stones::STONE;
+    ..[stones::LEAN];
     sv SV => stones::SV.range(0.5, 3.0, 0.01, 0.97).default_while(keys::STONE, SKIN, 1.3);
     hs HS: "Height of the stones, in cell sizes." => stones::HS.range(0.05, 2.0, 0.01, 0.4);
     sr SR => stones::SR.range(0.05, 4.0, 0.05, 0.45);
     sc SC => stones::SC.range(0.0, 4.0, 0.05, 0.9);
     tilt TILT => stones::TILT.range(0.0, 1.0, 0.01, 0.28);
     sa SA: "Where the top leans and rises to, from the flow, counter-clockwise seen from outside." => stones::SA;
+    ..[stones::TOP];
     tc TC => stones::TC.range(0.0, 1.0, 0.01, 0.25).called("Taper of the top");
-    flat FLAT => stones::FLAT;
     keel KEEL => stones::KEEL.range(0.0, 1.0, 0.01, 0.4);
-    rings RINGS => stones::RINGS;
     dr DR => stones::DR.default_while(keys::STONE, SKIN, 0.03);
-    rand RAND => stones::RAND;
-    bh BH => stones::BH;
-    bv BV => stones::BV;
 
+    ..[common::FACES];
     fd FD => common::FD.default_while(keys::STONE, SKIN, 1.1);
     af AF => common::AF.default_while(keys::STONE, SKIN, 0.03);
-    palette PALETTE => common::PALETTE;
-    vary VARY => common::VARY;
-    ground GROUND => common::GROUND;
-    gloss GLOSS => common::GLOSS;
 
-    pattern PATTERN => stones::PATTERN;
+    ..[stones::MARKS];
     pn PN: "From one mark to the next, or how far marks reach, in sides of the box around the model." =>
         stones::PN;
     pa PA: "Across bands, or where marked cells point, clockwise from the x axis, seen from the front." =>
         stones::PA;
-    ps PS => stones::PS;
-    pc PC => stones::PC;
-    pm PM => stones::PM;
-    rim RIM => stones::RIM;
     belly BELLY: "How much of the palette's belly colour there is on one side of the body." => stones::BELLY;
     ba BA: "Where the belly is, clockwise from the x axis, seen from the front." => stones::BA;
 
-    wear WEAR => common::WEAR;
+    ..[common::WEATHERING];
     moss MOSS: "Lets moss grow, in the joints, in hollows and on what faces up." => common::MOSS;
-    dirt DIRT => common::DIRT;
-    wet WET => common::WET;
 
-    light LIGHT => common::LIGHT;
+    ..[common::LIGHTING];
     az AZ => common::AZ.range(0.0, 360.0, 1.0, 130.0);
-    el EL => common::EL;
-    lx LX => common::LX;
-    ly LY => common::LY;
-    lz LZ => common::LZ;
-    amb AMB => common::AMB;
-    diff DIFF => common::DIFF;
-    spec SPEC => common::SPEC;
-    shin SHIN => common::SHIN;
-    shadow SHADOW => common::SHADOW;
-    occl OCCL => common::OCCL;
 }
 
 /// The kinds with an aspect ratio.

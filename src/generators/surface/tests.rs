@@ -153,7 +153,7 @@ fn a_file_is_asked_for() {
         .expect_err("there is no such file");
     assert_eq!(failure.code, Code::ModelMissing);
     assert!(failure.to_string().contains("a.obj"), "{failure}");
-    let missing = studio.engine().missing();
+    let missing = studio.files().expect("files").missing();
     assert_eq!(
         missing,
         [MissingFile {

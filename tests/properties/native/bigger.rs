@@ -9,8 +9,8 @@ use bubblestone::studio::Studio;
 /// A whole enlarged picture, or its maps, in as few slices as possible.
 fn made(studio: &mut Studio, scale: usize, kinds: &[MapKind]) -> PictureSlice {
     let mut slice = || {
-        let engine = studio.engine_mut();
-        let made = engine.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY);
+        let maps = studio.maps().unwrap();
+        let made = maps.picture_file((scale, kinds), &mut || 0.0, f64::INFINITY);
         made.expect("a picture that can be saved")
     };
     let mut whole = slice();
@@ -31,8 +31,8 @@ fn bigger(studio: &mut Studio, scale: usize) -> Map {
 
 /// The smallest slice of one: a slice with no time.
 fn slice(studio: &mut Studio, scale: usize) -> Result<PictureSlice, Notice> {
-    let engine = studio.engine_mut();
-    engine.picture_file((scale, &[]), &mut || 0.0, 0.0)
+    let maps = studio.maps().unwrap();
+    maps.picture_file((scale, &[]), &mut || 0.0, 0.0)
 }
 
 /// The mean colour difference between a picture and an enlarged one, whose pixels are averaged over blocks. A
@@ -135,7 +135,7 @@ fn another_picture_begins_anew() {
     assert!(slice(&mut studio, 3).unwrap().begun);
     assert!(made(&mut studio, 3, &[MapKind::Id]).begun);
     assert!(slice(&mut studio, 3).unwrap().begun);
-    studio.engine_mut().stop_file();
+    studio.maps().unwrap().stop_picture();
     assert!(slice(&mut studio, 3).unwrap().begun);
     let mut recipe = studio.recipe().clone();
     assert_eq!(recipe.set("az", "10"), Ok(vec![]));
@@ -164,7 +164,7 @@ fn its_maps_are_those_of_the_picture() {
     let kinds = MapKind::ALL.map(|(kind, _)| kind);
     for link in ["size=160&tile=1&cs=14", "size=160&cs=14&moss=0.5&wear=0.5"] {
         let mut studio = finished(link);
-        let own = kinds.map(|kind| studio.engine().map(kind).unwrap());
+        let own = kinds.map(|kind| studio.maps().unwrap().map(kind).unwrap());
         assert!(made(&mut studio, 1, &kinds).rows == own, "{link}");
         let bigger = made(&mut studio, 2, &kinds);
         assert!(bigger.heights.1 > bigger.heights.0);

@@ -58,8 +58,8 @@ fn mean(values: impl Iterator<Item = f32>) -> f64 {
 #[test]
 fn weights_are_shares_whatever_the_rule_and_however_it_is_sliced() {
     let ring = finished("size=240&cs=14&lines=0.1,0.5,0.9,0.5");
-    let domain = ring.pavement().domain().expect("a domain");
-    let cells = ring.pavement().cells();
+    let domain = ring.pavement().domain.expect("a domain");
+    let cells = ring.pavement().cells;
     for (pattern, word) in Pattern::ALL {
         assert_eq!(Pattern::of_word(word), pattern);
         for sharpness in [0.0, 1.0] {
@@ -206,8 +206,8 @@ fn reactions_make_marks_of_the_scale() {
 #[test]
 fn boundary_lines_size_and_direction_are_told_apart() {
     let studio = finished("size=240&outline=square&cs=12&lines=0.1,0.5,0.9,0.5&gx=0.5");
-    let domain = studio.pavement().domain().expect("a domain");
-    let cells = studio.pavement().cells();
+    let domain = studio.pavement().domain.expect("a domain");
+    let cells = studio.pavement().cells;
     let of = |colour: ColourParams, is: &dyn Fn(&Cell) -> bool| {
         let found = coats(domain, cells, colour, 999);
         let of = |wanted: bool| {
@@ -257,14 +257,14 @@ fn boundary_lines_size_and_direction_are_told_apart() {
 #[test]
 fn the_belly_lies_where_it_is_said() {
     let studio = finished("size=240&outline=square&cs=16");
-    let domain = studio.pavement().domain().expect("a domain");
+    let domain = studio.pavement().domain.expect("a domain");
     let colour = ColourParams {
         belly: 0.8,
         belly_angle: 0.0,
         ..ColourParams::default()
     };
-    let found = coats(domain, studio.pavement().cells(), colour, 999);
-    for (cell, coat) in studio.pavement().cells().iter().zip(found) {
+    let found = coats(domain, studio.pavement().cells, colour, 999);
+    for (cell, coat) in studio.pavement().cells.iter().zip(found) {
         if cell.centre.x < 0.25 * SIDE {
             assert_eq!(coat.belly, 0.0);
         }
@@ -309,9 +309,9 @@ fn rims_are_darker_than_middles_and_the_other_way_round() {
         let studio = finished(&format!(
             "size=200&outline=square&cs=40&stone=flag&dr=0&rim={rim}"
         ));
-        let planes = studio.pavement().planes().expect("planes");
+        let planes = studio.pavement().planes.expect("planes");
         let sum = |place: &dyn Fn(&Cell) -> Vec<DVec2>| {
-            let places = studio.pavement().cells().iter().flat_map(place);
+            let places = studio.pavement().cells.iter().flat_map(place);
             let at = places.map(|p| planes.colour[p.y as usize * 200 + p.x as usize]);
             mean(at.map(|c| c.iter().map(|&v| f32::from(v)).sum()))
         };

@@ -31,7 +31,8 @@ pub(super) fn order(format: MeshFormat, detail: usize) -> MeshOrder {
 
 pub(super) fn file_of(studio: &mut Studio, order: &MeshOrder) -> Vec<u8> {
     let made = studio
-        .engine_mut()
+        .meshes()
+        .unwrap()
         .mesh_file(order, &mut || 0.0, f64::INFINITY);
     made.expect("a finished picture").parts.concat()
 }
@@ -157,10 +158,10 @@ fn read_as_obj(mut studio: Studio) {
         Err(tobj::LoadError::GenericFailure)
     })
     .expect("an OBJ file");
-    let cells = studio.pavement().cells().len();
+    let cells = studio.pavement().cells.len();
     assert_eq!(models.len(), cells + 1);
     assert_eq!(models[cells].name, "ground");
-    let planes = studio.pavement().planes().unwrap();
+    let planes = studio.pavement().planes.unwrap();
     let side = planes.side as f32;
     let mut seen = 0;
     for (k, model) in models[..cells].iter().enumerate() {
@@ -184,7 +185,7 @@ fn read_as_obj(mut studio: Studio) {
             let same = |c: usize| (colour[c] * 255.0 - f32::from(planes.colour[at][c])).abs() < 0.6;
             seen += i32::from(planes.id[at] == k as u32 + 1 && (0..3).all(same));
         }
-        let cell = &studio.pavement().cells()[k];
+        let cell = &studio.pavement().cells[k];
         let mean = places.iter().sum::<Vec3>() / places.len() as f32 + 0.5;
         let (x, z) = (cell.centre.x as f32 / side, cell.centre.y as f32 / side);
         assert!((mean.x - x).abs() < 0.1 && (mean.z - z).abs() < 0.1, "{k}");
@@ -325,7 +326,8 @@ fn slices_do_not_matter_and_changes_begin_anew() {
     for (format, word) in MeshFormat::ALL {
         let order = order(format, 100);
         let whole = file_of(&mut studio, &order);
-        let slice = |studio: &mut Studio| studio.engine_mut().mesh_file(&order, &mut || 0.0, 0.0);
+        let slice =
+            |studio: &mut Studio| studio.meshes().unwrap().mesh_file(&order, &mut || 0.0, 0.0);
         let (mut cut, mut slices, mut done) = (Vec::new(), 0, false);
         while !done {
             let next = slice(&mut studio).unwrap();
@@ -348,7 +350,9 @@ fn slices_do_not_matter_and_changes_begin_anew() {
             assert_eq!(other == whole, is_as_rough, "{word}: {change}");
             studio.set_recipe(before.clone());
             let why = slice(&mut studio).unwrap_err();
-            assert!(why.code == Code::NotYet && studio.engine().map(MapKind::Id) == Err(why));
+            assert!(
+                why.code == Code::NotYet && studio.maps().unwrap().map(MapKind::Id) == Err(why)
+            );
             studio.finish(&mut || 0.0).unwrap();
             assert_eq!(file_of(&mut studio, &order), whole, "{word}");
         }

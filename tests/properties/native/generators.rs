@@ -68,12 +68,12 @@ fn the_native_program_writes_files_of_each() {
     let mut pavement = finished(PAVEMENT);
     native::write_views(&mut pavement, &flat).unwrap();
     native::write_bigger(&mut pavement, 2, true, &flat).unwrap();
-    native::write_svg(&pavement, &flat).unwrap();
+    native::write_svg(&mut pavement, &flat).unwrap();
     for name in ["picture", "view-albedo", "picture-2x", "ao-2x", "id"] {
         assert!(flat.join(format!("{name}.png")).is_file(), "{name}");
     }
     let mut ball = finished(BALL);
-    assert!(native::write_svg(&ball, &round).is_err());
+    assert!(native::write_svg(&mut ball, &round).is_err());
     assert!(native::write_bigger(&mut ball, 2, true, &round).is_err());
     std::fs::remove_dir_all(&out).unwrap();
 }

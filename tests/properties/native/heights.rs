@@ -51,7 +51,7 @@ fn pictures_tell_low_stones_from_high_ones() {
 
 /// The mean height of stones minus that of joints, and the mean occlusion of joints.
 fn joints(studio: &Studio) -> [f64; 2] {
-    let planes = studio.pavement().planes().unwrap();
+    let planes = studio.pavement().planes.unwrap();
     // Joint pixels lie near stones: at least on two opposite sides.
     let side = planes.side;
     let near = |i: usize| {
@@ -123,8 +123,8 @@ fn the_ground_swallows_no_stone_however_low() {
         // The number of pixels of each stone, for low stones and for high ones.
         let [low, high] = [1, 20].map(|hs| {
             let studio = finished(&format!("size=256&cs=40&hs={hs}{more}"));
-            let mut seen = vec![0usize; studio.pavement().cells().len()];
-            for &id in &studio.pavement().planes().unwrap().id {
+            let mut seen = vec![0usize; studio.pavement().cells.len()];
+            for &id in &studio.pavement().planes.unwrap().id {
                 if id != GROUND {
                     seen[id as usize - 1] += 1;
                 }

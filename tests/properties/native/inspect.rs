@@ -2,8 +2,8 @@
 
 use crate::paving::OfPavement;
 use bubblestone::generators::ALL;
+use bubblestone::generators::Histogram;
 use bubblestone::generators::pavement;
-use bubblestone::generators::pavement::Histogram;
 use bubblestone::studio::Studio;
 use glam::DVec2;
 
@@ -49,7 +49,7 @@ fn the_cell_at_its_centre_is_found() {
         "tile=1",
     ] {
         let mut studio = finished(link);
-        let cells = studio.pavement().cells().to_vec();
+        let cells = studio.pavement().cells.to_vec();
         let (mut found, side) = (0, 192.0);
         for (index, cell) in cells.iter().enumerate() {
             if !contains(&cell.ring, cell.centre) {
@@ -63,8 +63,8 @@ fn the_cell_at_its_centre_is_found() {
                 cell.centre
             };
             let probe = studio
-                .pavement_mut()
-                .probe(p.x, p.y)
+                .inspect()
+                .probe(DVec2::new(p.x, p.y))
                 .expect("a cell is there");
             assert_eq!(probe.cell, index, "{link}");
             assert!((probe.centre - p).length() < 1e-9, "{link}");
@@ -88,12 +88,12 @@ fn the_cell_at_its_centre_is_found() {
 fn there_is_no_cell_outside() {
     let mut studio = finished("outline=annulus");
     for (x, y) in [(96.0, 96.0), (1.0, 1.0), (-50.0, 1e9), (f64::NAN, 0.0)] {
-        assert_eq!(studio.pavement_mut().probe(x, y), None);
+        assert_eq!(studio.inspect().probe(DVec2::new(x, y)), None);
     }
     assert_eq!(
         Studio::new(ALL, pavement::recipe("").0)
-            .pavement_mut()
-            .probe(96.0, 96.0),
+            .inspect()
+            .probe(DVec2::new(96.0, 96.0)),
         None
     );
 }
@@ -102,8 +102,8 @@ fn there_is_no_cell_outside() {
 fn rows_of_squares_are_as_wanted() {
     for (angle, turn) in [("0", 0.0), ("30", 30.0)] {
         let mut studio = finished(&format!("tile=1&dir=constant&angle={angle}"));
-        let wanted = studio.pavement().fields().unwrap().params().clone();
-        let probe = studio.pavement_mut().probe(96.0, 96.0).unwrap();
+        let wanted = studio.pavement().fields.unwrap().params().clone();
+        let probe = studio.inspect().probe(DVec2::new(96.0, 96.0)).unwrap();
         let polygon = probe.polygon.unwrap();
         assert_eq!((polygon.sides, polygon.neighbours), (4, 4));
         assert!((probe.size / wanted.size - 1.0).abs() < 0.02, "{probe:?}");
@@ -125,8 +125,8 @@ fn honeycombs_have_six_neighbours() {
             10.0 + 18.0 * f64::from(k / 10),
         );
         let polygon = studio
-            .pavement_mut()
-            .probe(p.0, p.1)
+            .inspect()
+            .probe(DVec2::new(p.0, p.1))
             .unwrap()
             .polygon
             .unwrap();
@@ -139,12 +139,12 @@ fn honeycombs_have_six_neighbours() {
 fn cells_on_their_way_can_be_asked_too() {
     for link in ["outline=star", "kind=circle", "tile=1&kind=rectangle"] {
         let mut studio = packing(link, 4);
-        let particles = studio.pavement().packing().unwrap().particles();
+        let particles = studio.pavement().packing.unwrap().particles();
         let mut own = 0;
         for (index, particle) in particles.iter().enumerate() {
             let probe = studio
-                .pavement_mut()
-                .probe(particle.centre.x, particle.centre.y)
+                .inspect()
+                .probe(DVec2::new(particle.centre.x, particle.centre.y))
                 .unwrap();
             own += usize::from(probe.cell == index);
             assert_eq!(probe.polygon, None);
@@ -168,11 +168,11 @@ fn histograms_count_all_cells() {
         ("tile=1", 45.0),
     ] {
         let mut done = finished(link);
-        let cells = done.pavement().cells().len();
+        let cells = done.pavement().cells.len();
         let mut early = packing(link, 3);
         let placed = early.progress().cells;
         for (studio, cells) in [(&mut done, cells), (&mut early, placed)] {
-            let [size, angle] = studio.pavement_mut().histograms();
+            let [size, angle] = studio.inspect().histograms();
             assert_eq!(count(&size), cells, "{link}");
             assert!(size.from < 1.0 && size.to > 1.0);
             if widest == 0.0 {
@@ -181,7 +181,7 @@ fn histograms_count_all_cells() {
                 assert!(count(&angle) > 9 * cells / 10, "{link}");
             }
         }
-        let [size, angle] = done.pavement_mut().histograms();
+        let [size, angle] = done.inspect().histograms();
         assert_eq!(angle.to, widest, "{link}");
         // Most cells have about the wanted size, and stand as the field does.
         let within = |h: &Histogram, classes: std::ops::Range<usize>| -> usize {
@@ -196,7 +196,7 @@ fn histograms_count_all_cells() {
     }
     let mut none = Studio::new(ALL, pavement::recipe("").0);
     assert_eq!(
-        none.pavement_mut().histograms(),
+        none.inspect().histograms(),
         [Histogram::default(), Histogram::default()]
     );
 }
@@ -204,7 +204,7 @@ fn histograms_count_all_cells() {
 #[test]
 fn packings_are_recorded_step_by_step() {
     let mut whole = finished("outline=star&kind=circle");
-    let rows = whole.pavement().samples().to_vec();
+    let rows = whole.inspect().samples().to_vec();
     assert!(rows.windows(2).all(|w| w[0].step < w[1].step));
     let last = whole.progress();
     let end = rows.last().unwrap();
@@ -217,10 +217,10 @@ fn packings_are_recorded_step_by_step() {
     while !watched.done() {
         watched.tick(&mut || 0.0, 0.0, 1);
         watched.engine_mut().view("auto+forces+energy");
-        watched.pavement_mut().histograms();
-        watched.pavement_mut().probe(96.0, 60.0);
+        watched.inspect().histograms();
+        watched.inspect().probe(DVec2::new(96.0, 60.0));
     }
-    assert_eq!(watched.pavement().samples(), rows);
+    assert_eq!(watched.inspect().samples(), rows);
     assert_eq!(watched.digest(), whole.digest());
 }
 
@@ -232,7 +232,7 @@ fn records_of_large_packings_are_thinned() {
     }
     let last = studio.progress();
     assert!(last.cells > 2000);
-    let rows = studio.pavement().samples();
+    let rows = studio.inspect().samples();
     assert!(
         rows.iter()
             .all(|row| row.step % 4 == 0 || row.step == last.steps)
@@ -244,8 +244,8 @@ fn records_of_large_packings_are_thinned() {
 fn the_net_force_is_what_the_energy_asks_for() {
     // Forces are much smaller at rest than at the start, and the energies of the particles add up to the total.
     let greatest = |studio: &Studio| {
-        let mut packing = studio.pavement().packing().unwrap().clone();
-        let loads = packing.net_forces(studio.pavement().domain().unwrap());
+        let mut packing = studio.pavement().packing.unwrap().clone();
+        let loads = packing.net_forces(studio.pavement().domain.unwrap());
         let forces = loads.iter().filter(|(p, _)| !p.fixed);
         forces
             .map(|(_, load)| load.force.length())
@@ -253,11 +253,11 @@ fn the_net_force_is_what_the_energy_asks_for() {
     };
     let (early, done) = (packing("outline=star", 2), finished("outline=star"));
     assert!(greatest(&done) < 0.5 * greatest(&early));
-    let mut packing = done.pavement().packing().unwrap().clone();
-    let loads = packing.net_forces(done.pavement().domain().unwrap());
+    let mut packing = done.pavement().packing.unwrap().clone();
+    let loads = packing.net_forces(done.pavement().domain.unwrap());
     let sum: f64 = loads.iter().map(|(p, l)| l.energy * p.size * p.size).sum();
     let mean = loads.iter().map(|(p, _)| p.size * p.size).sum::<f64>() / loads.len() as f64;
-    let energy = packing.energy(done.pavement().domain().unwrap());
+    let energy = packing.energy(done.pavement().domain.unwrap());
     assert!(
         (sum / mean - energy).abs() < 1e-6 * energy.abs(),
         "{sum} {energy}"
@@ -287,8 +287,8 @@ fn the_svg_has_every_cell() {
         "tile=1&lines=0.2,0.2,0.8,0.7",
         "cells=packed",
     ] {
-        let studio = finished(link);
-        let text = studio.pavement().svg();
+        let mut studio = finished(link);
+        let text = studio.inspect().svg();
         let svg = roxmltree::Document::parse(&text).expect("an SVG file is XML");
         let root = svg.root_element();
         assert!(root.has_tag_name(("http://www.w3.org/2000/svg", "svg")));
@@ -296,7 +296,7 @@ fn the_svg_has_every_cell() {
         assert_eq!(root.attribute("width"), Some("192"));
         let named = |id: &str| root.descendants().find(|n| n.attribute("id") == Some(id));
         let (mut sum, mut whole) = (0.0, 0.0);
-        for (index, cell) in studio.pavement().cells().iter().enumerate() {
+        for (index, cell) in studio.pavement().cells.iter().enumerate() {
             let node = named(&format!("cell-{index}")).expect("each cell has its path");
             let ring = points(node.attribute("d").unwrap());
             assert_eq!(ring.len(), cell.ring.len());
@@ -308,7 +308,7 @@ fn the_svg_has_every_cell() {
         assert!((sum / whole - 1.0).abs() < 1e-3, "{sum} {whole}");
         let paths = named("cells").unwrap().children();
         let paths = paths.filter(|n| n.has_tag_name("path")).count();
-        assert_eq!(paths, studio.pavement().cells().len());
+        assert_eq!(paths, studio.pavement().cells.len());
         assert_eq!(named("outline").is_some(), !link.contains("tile"));
         let lines = named("lines").map_or(0, |group| {
             group.children().filter(|n| n.is_element()).count()
@@ -318,8 +318,5 @@ fn the_svg_has_every_cell() {
         let copies = root.descendants().filter(|n| n.has_tag_name("use"));
         assert_eq!(copies.count() > 0, link.contains("tile"));
     }
-    assert_eq!(
-        Studio::new(ALL, pavement::recipe("").0).pavement().svg(),
-        ""
-    );
+    assert_eq!(Studio::new(ALL, pavement::recipe("").0).inspect().svg(), "");
 }

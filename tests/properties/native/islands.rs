@@ -98,12 +98,12 @@ fn by_island(domain: &Domain, cells: &[Cell]) -> Vec<Vec<Cell>> {
 }
 
 fn assert_fills(studio: &Studio, what: &str) {
-    let domain = studio.pavement().domain().unwrap();
-    let cells = studio.pavement().cells();
+    let domain = studio.pavement().domain.unwrap();
+    let cells = studio.pavement().cells;
     assert!(cells.windows(2).all(|w| w[0].id < w[1].id), "{what}");
     for (island, own) in domain.islands().iter().zip(by_island(domain, cells)) {
         assert!(!own.is_empty(), "{what}: an island is empty");
-        let cover = CellMetrics::new(island, studio.pavement().fields().unwrap(), &own).cover;
+        let cover = CellMetrics::new(island, studio.pavement().fields.unwrap(), &own).cover;
         assert!((cover.coverage - 1.0).abs() < 1e-6, "{what}: {cover:?}");
         assert!(
             cover.overlap < 1e-6 && cover.outside < 1e-6,
@@ -131,8 +131,8 @@ fn packed_cells_stay_on_their_island() {
     for (name, rings) in [("beside", beside()), ("target", target()), ("word", word())] {
         for kind in KINDS {
             let studio = with_cells(&format!("size=256&cs=13&cells=packed&kind={kind}"), &rings);
-            let domain = studio.pavement().domain().unwrap();
-            let own = by_island(domain, studio.pavement().cells());
+            let domain = studio.pavement().domain.unwrap();
+            let own = by_island(domain, studio.pavement().cells);
             for (island, cells) in domain.islands().iter().zip(own) {
                 assert!(!cells.is_empty(), "{name} {kind}");
                 assert!(
@@ -141,7 +141,7 @@ fn packed_cells_stay_on_their_island() {
                 );
                 if island.area() > 3000.0 {
                     let cover =
-                        CellMetrics::new(island, studio.pavement().fields().unwrap(), &cells).cover;
+                        CellMetrics::new(island, studio.pavement().fields.unwrap(), &cells).cover;
                     assert!(cover.coverage > 0.65, "{name} {kind}: {cover:?}");
                 }
             }
@@ -155,11 +155,11 @@ fn each_island_is_packed_as_if_it_were_alone() {
     for kind in KINDS {
         let link = format!("size=256&cs=12&kind={kind}");
         let both = with_cells(&link, &rings);
-        let own = by_island(both.pavement().domain().unwrap(), both.pavement().cells());
+        let own = by_island(both.pavement().domain.unwrap(), both.pavement().cells);
         for (ring, own) in rings.iter().zip(own) {
             let alone = with_cells(&link, std::slice::from_ref(ring))
                 .pavement()
-                .cells()
+                .cells
                 .len() as f64;
             let count = own.len() as f64;
             assert!(
@@ -176,8 +176,8 @@ fn islands_smaller_than_a_cell_are_one() {
         for (edge, cells) in [("wall", "fitted"), ("wall", "packed"), ("on", "fitted")] {
             let link = format!("size=256&cs=40&kind={kind}&edge={edge}&cells={cells}");
             let studio = with_cells(&link, &target());
-            let domain = studio.pavement().domain().unwrap();
-            let own = by_island(domain, studio.pavement().cells());
+            let domain = studio.pavement().domain.unwrap();
+            let own = by_island(domain, studio.pavement().cells);
             let specks = domain.islands().iter().zip(&own);
             let speck: Vec<_> = specks.filter(|(island, _)| island.area() < 40.0).collect();
             assert_eq!(speck.len(), 1);
@@ -202,14 +202,14 @@ fn nothing_joins_two_islands() {
         "size=256&cs=13&kind=circle",
     ] {
         let studio = with_cells(link, &beside());
-        let domain = studio.pavement().domain().unwrap();
-        let cells = studio.pavement().cells();
+        let domain = studio.pavement().domain.unwrap();
+        let cells = studio.pavement().cells;
         for (cell, beside) in cells.iter().zip(graph(domain, cells)) {
             let island = domain.island(cell.centre);
             let other = |k: u32| domain.island(cells[k as usize].centre);
             assert!(beside.into_iter().all(|k| other(k) == island), "{link}");
         }
-        let mesh = studio.pavement().mesh().unwrap();
+        let mesh = studio.pavement().mesh.unwrap();
         assert!(!mesh.faces.is_empty());
         for face in &mesh.faces {
             let at = face.nodes().iter().map(|&k| mesh.vertices[k as usize]);
@@ -225,13 +225,13 @@ fn nothing_joins_two_islands() {
 fn islands_with_lines_and_kinds() {
     let link = "size=256&cs=13&lines=0,0.45,1,0.5&parts=0.2,0.2,2;0.7,0.7,3";
     let studio = with_cells(link, &beside());
-    let domain = studio.pavement().domain().unwrap();
+    let domain = studio.pavement().domain.unwrap();
     assert_eq!(domain.parts(), 4);
     assert_fills(&studio, link);
     let kind = |part: usize| {
         let own = studio
             .pavement()
-            .cells()
+            .cells
             .iter()
             .filter(|c| domain.part(c.centre) == part);
         own.map(|c| c.kind).next().unwrap()
@@ -242,10 +242,10 @@ fn islands_with_lines_and_kinds() {
     assert_eq!(kinds, [Circle, Square, Square, Ellipse]);
     // Without lines every island is a part.
     let studio = with_cells("size=256&cs=13&parts=0.7,0.5,1", &beside());
-    let domain = studio.pavement().domain().unwrap();
+    let domain = studio.pavement().domain.unwrap();
     assert_eq!(domain.parts(), 2);
     assert_fills(&studio, "parts");
-    for cell in studio.pavement().cells() {
+    for cell in studio.pavement().cells {
         let right = cell.centre.x > 120.0;
         assert_eq!(cell.kind.is_stretched(), right);
     }

@@ -114,7 +114,7 @@ fn flowing_cells_fill_what_is_dragged() {
         }
         while studio.tick(&mut clock, 8.0, 1) {}
         let fresh = finished_recipe(studio.recipe());
-        let [warm, cold] = [&studio, &fresh].map(|s| s.pavement().packing().unwrap().particles());
+        let [warm, cold] = [&studio, &fresh].map(|s| s.pavement().packing.unwrap().particles());
         let more = warm.len() as f64 / cold.len() as f64;
         assert!(
             (0.75..1.25).contains(&more),
@@ -122,7 +122,7 @@ fn flowing_cells_fill_what_is_dragged() {
             warm.len(),
             cold.len()
         );
-        let domain = fresh.pavement().domain().unwrap();
+        let domain = fresh.pavement().domain.unwrap();
         for (k, cell) in warm.iter().enumerate() {
             let depth = domain.nearest(cell.centre).distance;
             assert!(depth > -1e-6, "{link}: {cell:?}");
@@ -207,7 +207,7 @@ fn cells_that_lie_elsewhere_start_anew() {
     studio.set_live(true);
     studio.set_recipe(away.clone());
     studio.tick(&mut clock(), 8.0, 1);
-    let cells = studio.pavement().packing().unwrap().particles();
+    let cells = studio.pavement().packing.unwrap().particles();
     assert!(!cells.is_empty());
     let inside = |p: DVec2| p.x > 2.0 && p.x < 30.0 && p.y > 2.0 && p.y < 12.0;
     assert!(cells.iter().all(|cell| inside(cell.centre)));

@@ -21,11 +21,11 @@ fn pictures() -> Vec<(Vec<Cell>, TextureParams, Planes)> {
     let picture = |link| {
         let studio = finished(link);
         let pavement = studio.pavement();
-        let cells = pavement.scales().to_vec();
+        let cells = pavement.scales.to_vec();
         let params = TextureParams {
             side: 128,
             size: 24.0,
-            stone: pavement.stone_params(),
+            stone: pavement.stones,
             amplitude: 2.0,
             ..TextureParams::default()
         };

@@ -20,7 +20,7 @@ fn details_are_kept_over_presets() {
         let (word, detail) = DETAILS[k % 3];
         let mut studio = finished(link);
         let order = order(MeshFormat::Glb, detail);
-        let told = studio.engine().mesh_size(&order).unwrap();
+        let told = studio.meshes().unwrap().mesh_size(&order).unwrap();
         let file = file_of(&mut studio, &order);
         let nodes = nodes(&file);
         let (ground, stones) = nodes.split_last().unwrap();
@@ -41,7 +41,7 @@ fn the_text_file_is_as_long_as_told() {
     let mut studio = finished(LINK);
     for (_, detail) in DETAILS {
         let order = order(MeshFormat::Obj, detail);
-        let told = studio.engine().mesh_size(&order).unwrap().bytes;
+        let told = studio.meshes().unwrap().mesh_size(&order).unwrap().bytes;
         let off = file_of(&mut studio, &order).len() as f64 / told;
         assert!((0.85..1.15).contains(&off), "{off}");
     }

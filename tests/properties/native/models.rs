@@ -37,14 +37,14 @@ fn failure(studio: &mut Studio) -> String {
 
 #[test]
 fn a_link_without_a_file_says_so_and_keeps_a_surface_by_rule() {
-    let (studio, notices) = studio(&format!("{LINK}&form=file"));
+    let (mut studio, notices) = studio(&format!("{LINK}&form=file"));
     let said: Vec<String> = notices.iter().map(Notice::to_string).collect();
     assert!(
         matches!(&said[..], [one] if one.contains("From a file")),
         "{said:?}"
     );
     assert_eq!(studio.recipe().link(), LINK);
-    assert_eq!(studio.engine().missing(), []);
+    assert_eq!(studio.files().unwrap().missing(), []);
 }
 
 #[test]
@@ -72,13 +72,13 @@ fn a_file_becomes_stones_and_a_link_that_finds_it_again() {
         digest,
         name: "cube.obj".to_owned(),
     }];
-    assert_eq!(other.engine().missing(), missing);
+    assert_eq!(other.files().unwrap().missing(), missing);
     assert!(failure(&mut other).contains("needs the file \"cube.obj\""));
-    assert_eq!(other.engine().missing(), missing);
-    other.engine_mut().give(file("another.obj", &cube(1.0)));
-    assert_eq!(other.engine().missing(), missing);
-    other.engine_mut().give(file("renamed.obj", &cube(2.0)));
-    assert_eq!(other.engine().missing(), []);
+    assert_eq!(other.files().unwrap().missing(), missing);
+    other.files().unwrap().give(file("another.obj", &cube(1.0)));
+    assert_eq!(other.files().unwrap().missing(), missing);
+    other.files().unwrap().give(file("renamed.obj", &cube(2.0)));
+    assert_eq!(other.files().unwrap().missing(), []);
     other.finish(&mut || 0.0).expect("a picture");
     assert_eq!(other.digest(), first.digest());
     assert_eq!(other.recipe().link(), link);
@@ -141,7 +141,7 @@ fn files_that_are_none_say_why() {
         let said = failure(&mut studio);
         assert!(said.contains(words), "{name}: {said}");
         // The file is not missing: it is broken.
-        assert_eq!(studio.engine().missing(), [], "{name}");
+        assert_eq!(studio.files().unwrap().missing(), [], "{name}");
     }
 }
 
@@ -171,5 +171,5 @@ fn a_generator_without_models_takes_no_file() {
     let (mut studio, _) = studio("v=1&size=128");
     let said = studio.open_file(None, file("cube.obj", &cube(1.0)));
     assert!(said.is_err());
-    assert_eq!(studio.engine().missing(), []);
+    assert_eq!(studio.files().unwrap().missing(), []);
 }

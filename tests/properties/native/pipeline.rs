@@ -65,7 +65,7 @@ fn steps_are_made_one_by_one() {
     for wanted in 1..=3 {
         studio.step(&mut clock);
         assert_eq!(
-            studio.pavement().packing().map(|p| p.report().step),
+            studio.pavement().packing.map(|p| p.report().step),
             Some(wanted)
         );
     }
@@ -73,9 +73,9 @@ fn steps_are_made_one_by_one() {
     assert!(!studio.tick(&mut clock, f64::INFINITY, 0));
     assert_eq!(studio.stage(), "packing");
     run_on(&mut studio);
-    let steps = studio.pavement().packing().map(|p| p.report().step);
+    let steps = studio.pavement().packing.map(|p| p.report().step);
     studio.step(&mut clock);
-    assert_eq!(studio.pavement().packing().map(|p| p.report().step), steps);
+    assert_eq!(studio.pavement().packing.map(|p| p.report().step), steps);
     assert_eq!(studio.digest(), finished(LINK).digest());
 }
 
@@ -99,10 +99,10 @@ fn only_stale_stages_run_again() {
         ("ow", "0.8", "domain"),
     ] {
         let mut studio = finished_recipe(&base);
-        let steps = studio.pavement().packing().map(|p| p.particles());
+        let steps = studio.pavement().packing.map(|p| p.particles());
         let (cells, planes) = (
-            studio.pavement().cells().to_vec(),
-            studio.pavement().planes().cloned(),
+            studio.pavement().cells.to_vec(),
+            studio.pavement().planes.cloned(),
         );
         let before = studio.runs();
         let changed = with(&base, key, text);
@@ -112,11 +112,11 @@ fn only_stale_stages_run_again() {
         run_on(&mut studio);
         let kept = |same: bool, from: &str| assert_eq!(same, rank(stage) > rank(from), "{key}");
         kept(
-            studio.pavement().packing().map(|p| p.particles()) == steps,
+            studio.pavement().packing.map(|p| p.particles()) == steps,
             "packing",
         );
-        kept(studio.pavement().cells() == cells, "cells");
-        kept(studio.pavement().planes() == planes.as_ref(), "weather");
+        kept(studio.pavement().cells == cells, "cells");
+        kept(studio.pavement().planes == planes.as_ref(), "weather");
         for ((word, runs), (_, old)) in studio.runs().into_iter().zip(before) {
             // The mesh depends on the packing, not on the choice of cells.
             let is_due = rank(word) >= rank(stage) && (word, stage) != ("mesh", "cells");
@@ -302,7 +302,8 @@ fn an_exact_outline_is_used_as_it_is() {
     assert!(notices.is_empty());
     let mut studio = Studio::with_engine(ALL, recipe, Box::new(engine));
     run_on(&mut studio);
-    assert_eq!(studio.pavement().rings(), [&outline.rings[0][..]]);
+    let drawn = studio.engine_mut().outlines().unwrap();
+    assert_eq!(drawn.rings(), [&outline.rings[0][..]]);
 }
 
 #[test]
@@ -336,7 +337,7 @@ fn coarse_cells_in_small_outlines_do_no_harm() {
             };
             let mut studio = Studio::with_engine(ALL, recipe, Box::new(engine));
             match studio.finish(&mut || 0.0) {
-                Ok(()) => assert!(!studio.pavement().cells().is_empty()),
+                Ok(()) => assert!(!studio.pavement().cells.is_empty()),
                 Err(why) => {
                     assert!(why.to_string().ends_with('.'), "{why}");
                     assert_eq!((studio.stage(), studio.problem()), ("error", Some(&why)));
@@ -355,11 +356,11 @@ fn a_held_packing_begins_anew_with_its_first_cells() {
     let mut studio = Studio::new(ALL, recipe(LINK));
     let mut clock = counting_clock();
     (0..3).for_each(|_| studio.step(&mut clock));
-    let before = studio.pavement().packing().map(|p| p.particles());
+    let before = studio.pavement().packing.map(|p| p.particles());
     studio.set_recipe(with(&recipe(LINK), "kind", "circle"));
     while studio.tick(&mut clock, 0.0, 0) {}
     assert_eq!((studio.stage(), studio.progress().steps), ("packing", 0));
-    let now = studio.pavement().packing().map(|p| p.particles()).unwrap();
+    let now = studio.pavement().packing.map(|p| p.particles()).unwrap();
     assert!(now.iter().all(|p| p.kind == Kind::Circle));
     assert_ne!(Some(now), before);
 }

@@ -32,10 +32,10 @@ fn they_fill_every_outline() {
                     "{link}: {cover:?}"
                 );
                 // Large pieces that the outline cuts off become separate cells.
-                let packed = studio.pavement().packing().unwrap().report().cells;
+                let packed = studio.pavement().packing.unwrap().report().cells;
                 let of_points = studio
                     .pavement()
-                    .cells()
+                    .cells
                     .iter()
                     .filter(|c| (c.id as usize) < packed);
                 assert_eq!(of_points.count(), packed, "{link}");
@@ -48,7 +48,7 @@ fn they_fill_every_outline() {
 fn every_place_belongs_to_the_nearest_point() {
     for cells in ["voronoi", "lloyd"] {
         let studio = finished(&format!("size=256&outline=square&cs=11&cells={cells}"));
-        let cells: &[Cell] = studio.pavement().cells();
+        let cells: &[Cell] = studio.pavement().cells;
         for cell in cells {
             let nearest = |p: DVec2| {
                 let distances = cells.iter().map(|c| c.centre.distance(p));
@@ -74,7 +74,7 @@ fn lloyds_relaxation_evens_them_out() {
         assert!(variation(&even) < 0.15, "{outline}: {}", variation(&even));
         // Cells cut by the outline are included.
         let mut farthest = 0.0_f64;
-        for cell in even.pavement().cells() {
+        for cell in even.pavement().cells {
             farthest = farthest.max(cell.centre.distance(centroid(&cell.ring)));
         }
         assert!(farthest < 0.2 * 9.0, "{outline}: {farthest}");
@@ -84,8 +84,8 @@ fn lloyds_relaxation_evens_them_out() {
 #[test]
 fn they_are_drawn_by_the_seed() {
     let with = |seed| finished(&format!("size=128&cs=12&cells=voronoi&seed={seed}"));
-    assert_eq!(with(1).pavement().cells(), with(1).pavement().cells());
-    assert_ne!(with(1).pavement().cells(), with(2).pavement().cells());
+    assert_eq!(with(1).pavement().cells, with(1).pavement().cells);
+    assert_ne!(with(1).pavement().cells, with(2).pavement().cells);
 }
 
 #[test]

@@ -335,8 +335,8 @@ fn triangles_are_fine_and_finer_ones_are_not_seen() {
         let studio = finished(&link);
         let (mut triangles, mut area) = (0, 0.0);
         let mut solids = Solids::new();
-        for cell in studio.pavement().scales() {
-            let solid = solids.solid(cell, &studio.pavement().stone_params());
+        for cell in studio.pavement().scales {
+            let solid = solids.solid(cell, &studio.pavement().stones);
             triangles += solid.triangles.len();
             for t in solid.triangles.iter() {
                 let [a, b, c] = t.map(|i| solid.vertices[i as usize]);
@@ -370,7 +370,7 @@ fn triangles_are_fine_and_finer_ones_are_not_seen() {
 #[test]
 fn scales_on_a_tile_repeat_without_a_seam() {
     let studio = finished("tile=1&size=256&kind=ellipse&stone=skin&sr=1.5&sc=2&tc=.5");
-    let planes = studio.pavement().planes().expect("planes");
+    let planes = studio.pavement().planes.expect("planes");
     let side = planes.side;
     let step = |a: usize, b: usize| {
         let rise = |y: usize| (planes.bump[y * side + a] - planes.bump[y * side + b]).abs();

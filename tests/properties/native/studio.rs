@@ -1,9 +1,9 @@
 //! The studio's own rules, with an engine whose slices take a known time.
 
 use crate::common::recipe;
-use bubblestone::export::{Map, MapKind, Report};
-use bubblestone::generators::{ALL, Clock, Engine, PictureSlice, Progress};
-use bubblestone::notice::{Code, Notice};
+use bubblestone::export::Report;
+use bubblestone::generators::{ALL, Clock, Engine, Progress};
+use bubblestone::notice::Notice;
 use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
 use std::cell::Cell;
@@ -78,14 +78,6 @@ impl Engine for Toy {
         self.at == PACKING
     }
 
-    fn stepping(&self) -> Option<usize> {
-        Some(PACKING)
-    }
-
-    fn finisher(&self) -> usize {
-        PLANES
-    }
-
     fn is_forming(&self) -> bool {
         self.at < PLANES
     }
@@ -106,10 +98,6 @@ impl Engine for Toy {
         true
     }
 
-    fn absences(&mut self, _: &str) -> Vec<(&'static str, &'static str)> {
-        Vec::new()
-    }
-
     fn picture(&self) -> &[u8] {
         &[]
     }
@@ -117,21 +105,6 @@ impl Engine for Toy {
     fn digest(&self) -> String {
         self.working.concat()
     }
-
-    fn map(&self, _: MapKind) -> Result<Map, Notice> {
-        Err(Code::NotYet.into())
-    }
-
-    fn picture_file(
-        &mut self,
-        _: (usize, &[MapKind]),
-        _: Clock,
-        _: f64,
-    ) -> Result<PictureSlice, Notice> {
-        Err(Code::NotYet.into())
-    }
-
-    fn stop_file(&mut self) {}
 
     fn report(&mut self, _: &mut Report) {}
 

@@ -69,9 +69,9 @@ fn meshes_close_over_the_seams() {
     for link in &LINKS[..4] {
         let studio = finished(link);
         let made = (
-            studio.pavement().domain(),
-            studio.pavement().mesh(),
-            studio.pavement().packing(),
+            studio.pavement().domain,
+            studio.pavement().mesh,
+            studio.pavement().packing,
         );
         let (Some(domain), Some(mesh), Some(packing)) = made else {
             panic!("{link}");
@@ -79,8 +79,8 @@ fn meshes_close_over_the_seams() {
         let particles = packing.particles();
         assert_eq!(mesh.vertices.len() - mesh.images.len(), particles.len());
         assert_closed(domain, mesh, link);
-        let fields = studio.pavement().fields().unwrap();
-        let figures = Metrics::new(domain, fields, &particles, mesh, studio.pavement().cells());
+        let fields = studio.pavement().fields.unwrap();
+        let figures = Metrics::new(domain, fields, &particles, mesh, studio.pavement().cells);
         for cover in [figures.mesh.cover, figures.cells.cover] {
             assert!((cover.coverage - 1.0).abs() < 1e-5, "{link}: {cover:?}");
             assert!(cover.overlap + cover.outside < 1e-5, "{link}: {cover:?}");
@@ -95,7 +95,7 @@ fn meshes_close_over_the_seams() {
 fn meshes_of_few_cells_close_over_the_seams() {
     let domain = Domain::torus(SIDE as f64, &[]);
     let studio = finished(LINKS[0]);
-    let model = studio.pavement().packing().unwrap().particles()[0];
+    let model = studio.pavement().packing.unwrap().particles()[0];
     let mut random = Random::new(8, Purpose::Noise, 0);
     for count in 1..30 {
         let particles: Vec<_> = (0..count)
@@ -142,7 +142,7 @@ fn moved<T: Copy>(plane: &[T], by: [usize; 2]) -> Vec<T> {
 #[test]
 fn shading_of_a_tile_has_no_edges() {
     let studio = finished("kind=square&dir=constant&vs=0.2&hs=30");
-    let planes = studio.pavement().planes().unwrap();
+    let planes = studio.pavement().planes.unwrap();
     assert!(planes.tile);
     for by in [[96, 96], [1, 0], [0, 1], [37, 150]] {
         let mut other = planes.clone();
@@ -193,7 +193,7 @@ fn steps(step: impl Fn(usize, usize) -> f64) -> Vec<f64> {
 fn planes_and_pictures_run_on_over_the_seams() {
     for link in LINKS {
         let mut studio = finished(link);
-        let planes = studio.pavement().planes().unwrap().clone();
+        let planes = studio.pavement().planes.unwrap().clone();
         let picture = studio.engine_mut().view("picture").to_vec();
         let down = |k: usize| k % SIDE * SIDE + k / SIDE;
         for upright in [true, false] {

@@ -177,7 +177,7 @@ pub(super) fn finished(link: &str) -> Studio {
 
 /// The parts of a view that show nothing.
 fn absent(studio: &mut Studio, words: &str) -> Vec<(&'static str, &'static str)> {
-    studio.engine_mut().absences(words)
+    studio.inspect().absences(words)
 }
 
 #[test]
@@ -214,10 +214,10 @@ fn what_is_still_to_come_is_missed_until_then() {
     let words: Vec<&str> = coming.iter().map(|(word, _)| *word).collect();
     assert_eq!(words, ["ids", "cells", "mesh"]);
     assert!(coming.iter().all(|(_, why)| *why == Absence::NotYet.word()));
-    assert_eq!(studio.pavement().height_range(), 0.0);
+    assert_eq!(studio.inspect().height_range(), 0.0);
     assert_eq!(studio.finish(&mut || 0.0), Ok(()));
     assert_eq!(absent(&mut studio, "ids+cells+mesh"), []);
-    assert!(studio.pavement().height_range() > 5.0);
+    assert!(studio.inspect().height_range() > 5.0);
 }
 
 #[test]
@@ -258,7 +258,7 @@ fn planes_have_views_of_their_own() {
             assert!(differing(view, other) > SIDE * SIDE / 4, "{}", words[k]);
         }
     }
-    let planes = studio.pavement().planes().unwrap();
+    let planes = studio.pavement().planes.unwrap();
     let at = SIDE * SIDE / 2 + SIDE / 2;
     assert_eq!(views[3][4 * at..][..3], planes.colour[at]);
     assert_eq!(views[5][4 * at..][..3], [planes.occlusion[at]; 3]);

@@ -14,7 +14,7 @@ fn finished(more: &str) -> Studio {
 }
 
 fn planes(more: &str) -> Planes {
-    finished(more).pavement().planes().expect("planes").clone()
+    finished(more).pavement().planes.expect("planes").clone()
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> f64 {
@@ -81,11 +81,11 @@ fn more_moss_covers_more() {
 #[test]
 fn wear_lowers_and_smooths_the_middle_of_the_way_and_spares_its_rim() {
     let studio = finished("&wear=1");
-    let (worn, plain) = (studio.pavement().planes().expect("planes"), planes(""));
-    let domain = studio.pavement().domain().expect("a domain");
+    let (worn, plain) = (studio.pavement().planes.expect("planes"), planes(""));
+    let domain = studio.pavement().domain.expect("a domain");
     let farthest = studio
         .pavement()
-        .cells()
+        .cells
         .iter()
         .map(|c| domain.nearest(c.centre).distance)
         .fold(0.0, f64::max);
@@ -156,7 +156,7 @@ fn gloss_changes_the_light_and_not_the_planes() {
 #[test]
 fn weather_on_tiles_has_no_seam() {
     let studio = finished("&tile=1&wear=0.8&moss=0.5&dirt=0.5&wet=0.6");
-    let planes = studio.pavement().planes().expect("planes");
+    let planes = studio.pavement().planes.expect("planes");
     let step = |x: usize| {
         let next = (x + 1) % SIDE;
         mean((0..SIDE).map(|y| {

@@ -1,5 +1,5 @@
 /** The types that a viewer of frames and their maker share: requests, and the frames that come back. */
-import type { Notice, Probe } from '../../module/types';
+import type { Notice } from '../../module/types';
 
 /** The content of a frame. Depth, normals and numbers are the module's maps; `alpha` is the coverage of a picture without a background. */
 export type Plane = 'light' | 'depth' | 'normal' | 'id' | 'alpha';
@@ -20,10 +20,10 @@ export interface Wished {
   readonly moving: boolean;
 }
 
-/** A body: its number, the facts about its cell, and the words of the steps in its making. */
+/** A body: its number, its figures by the words of its generator, and the words of the steps in its making. */
 export interface Told {
   readonly id: number;
-  readonly probe: Probe | undefined;
+  readonly figures: Record<string, number>;
   readonly steps: string[];
 }
 

@@ -1,0 +1,54 @@
+//! What engines of the whole house offer: frames of bodies in space, and files that recipes name. The module of a first
+//! visit goes without these.
+
+use super::Clock;
+use super::given::{GivenFile, MissingFile};
+use super::turntable::{FrameSlice, SeenBody, TurnOrder};
+use crate::notice::Notice;
+use crate::scene::Frame;
+
+/// Frames of the bodies in space.
+pub trait Frames {
+    /// Works for about `budget` milliseconds on a frame of the bodies. Begins anew where it is another one than
+    /// the last time, or was done.
+    ///
+    /// # Errors
+    /// A notice where the picture is not finished, or there is no such body.
+    fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice>;
+
+    /// The frame last finished by [`Frames::turn`], until the next one begins.
+    fn frame(&self) -> Option<&Frame>;
+
+    /// The body at a pixel of that frame.
+    fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody>;
+
+    /// The words of the steps in which the body of an id is made.
+    fn making(&self, _id: u32) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// The caption of a view that is shown: the meaning of its colours, or its counts.
+    fn caption(&self, _words: &str) -> Option<Notice> {
+        None
+    }
+
+    /// The place of the model at a pixel of that frame, as rows of strokes and spots on it have it; `None` beside
+    /// the model.
+    fn place_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
+        None
+    }
+
+    /// The pixel of such a place in that frame; `None` where the place is not seen.
+    fn pixel_of(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
+        None
+    }
+}
+
+/// The files that recipes name.
+pub trait Files {
+    /// Takes a file that recipes may name, in any role.
+    fn give(&mut self, file: GivenFile);
+
+    /// The files that the work waits for.
+    fn missing(&self) -> Vec<MissingFile>;
+}
