@@ -5,6 +5,7 @@ import { language, t } from '../words/words';
 import { byId, byIdAs, frame, say, wantsStill } from '../base/dom';
 import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
+import { mark } from '../base/marks';
 import { alertOf, clear, notice, passing } from '../base/messages';
 import { isFirstVisit } from '../base/storage';
 import { Engine } from '../state/engine';
@@ -351,6 +352,10 @@ export class App {
     if (changed && !this.engine.offers('frames') && this.shownAt(stage) !== undefined) this.view.draw();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
+    if (!this.engine.offers('frames')) {
+      if (this.begun) mark('cells');
+      if (changed && stage === 'done') mark('picture');
+    }
     this.forming.follow(stage, this.begun);
     this.status.show(stage, status, this.loop.watch !== undefined);
     const remarks = this.view.remarks(stage);
@@ -365,7 +370,9 @@ export class App {
     const stage = this.forming.ahead?.stage ?? this.engine.stage();
     const { dataset } = document.documentElement;
     if (dataset['stage'] !== stage) dataset['stage'] = stage;
-    if (stage === 'done') this.face.done();
+    if (stage !== 'done') return;
+    mark('made');
+    this.face.done();
   }
 
   /** This recipe gives no picture; another one may. */

@@ -2,7 +2,9 @@
 import { t } from '../words/turn';
 import { t as common } from '../words/words';
 import { byId, make } from '../base/dom';
+import { mark } from '../base/marks';
 import { alertOf, clear } from '../base/messages';
+import { isSettled } from '../module/stages';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
 import type { View } from '../picture/view';
@@ -97,9 +99,17 @@ export class PageTurntable {
     const { store, engine } = this.work;
     return new Turntable({
       ...this.place(),
-      framed: () => this.framed?.(),
+      framed: (whole) => this.seen(whole),
       frames: (heard) => (this.frames = new LocalFrames({ engine, loop, view: () => store.state.view }, heard)),
     });
+  }
+
+  /** Marks the first frames of the engine at work. */
+  private seen(whole: boolean): void {
+    const { engine } = this.work;
+    mark('frame');
+    if (whole && isSettled(engine.generator, engine.stage())) mark('picture');
+    this.framed?.();
   }
 
   /**
