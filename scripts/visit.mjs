@@ -14,7 +14,7 @@ import { root, say, start, Stop } from './lib/run.mjs';
 /** Rounds; each goes through all visits, so that what else the machine does meets all of them. */
 const ROUNDS = 5;
 
-/** Bits in a second, milliseconds to the host and back, and by what the processor is slowed. */
+/** Each has a connection (bits in a second, milliseconds to the host and back) and a processor slowed by a factor. */
 const machines = {
   '9 Mbit/s, 100 ms': { bits: 9e6, latency: 100, slower: 4 },
   '1.6 Mbit/s, 150 ms': { bits: 1.6e6, latency: 150, slower: 4 },
@@ -23,9 +23,9 @@ const machines = {
 const VASE = '#v=1&make=surface&form=vase&cn=900&stone=flag';
 
 /** The links that are opened, and the last mark that each waits for. */
-const links = { 'the page': { link: '', last: 'made' }, 'a vase of 900 tiles': { link: VASE, last: 'picture' } };
+const links = { 'the page': { link: '', last: 'made' }, 'a pavement': { link: '#v=1&seed=2', last: 'picture' }, 'a vase of 900 tiles': { link: VASE, last: 'picture' } };
 
-/** What the page marks. */
+/** The marks of the page, in their order. */
 const marks = /** @type {const} */ (['cells', 'frame', 'made', 'picture']);
 
 /** @typedef {Partial<Record<typeof marks[number] | 'kB', number>>} Times */

@@ -7,16 +7,12 @@ import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 
 /** Where the page's module is that knows pavements alone. */
 export const pageModule = join(root, 'pkg');
-/** As it is sent. */
-export const packedModule = join(pageModule, 'bubblestone.lzma');
 export const nodeModule = join(targetDir, 'pkg-node');
 
-/** Where the module is that makes all there is: a feature of Cargo.toml, `house`, adds what a first visit does without. */
+/** The folder of the module that makes everything. */
 export const wholeModule = join(root, 'pkg-house');
-/** As it is sent. */
-export const packedWhole = join(wholeModule, 'house.lzma');
 
-/** All builds: where they are put, for whom, and the cargo features of each. */
+/** All builds: the folder, the target, and the cargo features. The feature `house` has everything that a first visit does not need. */
 const BUILDS = {
   /** What a first visit gets. */
   web: { folder: pageModule, target: 'web', features: [] },
@@ -27,7 +23,7 @@ const BUILDS = {
 };
 
 // What decides the module beside the code that cargo compiled.
-const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs', 'scripts/lib/trim.mjs'];
+const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs'];
 
 /** Builds what the site is made of. @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly */
 export async function buildModules(env) {
@@ -54,22 +50,10 @@ export async function buildWasm(kind, env) {
   const extra = features.length ? ['--', ...features] : [];
   run('wasm-pack', ['build', '--mode', 'no-install', '--profiling', '--target', target, '--out-dir', folder, ...extra], { env });
   const module = join(folder, 'bubblestone_bg.wasm');
-  // Only here: this file is read before the npm packages are installed.
-  const { trim } = await import('./trim.mjs');
-  trim(module);
   run('wasm-opt', [module, '-o', module, ...optimizing()], { env });
-  if (target === 'web') {
-    await pack(folder, module, kind === 'web' ? 'bubblestone' : 'house');
-    releasable(folder);
-  }
+  if (target === 'web') releasable(folder);
   writeFileSync(stamp, source);
   return folder;
-}
-
-/** What the page loads: see www/module/lzma.ts. @param {string} folder @param {string} module @param {string} name */
-async function pack(folder, module, name) {
-  const { default: lzma } = await import('lzma');
-  writeFileSync(join(folder, `${name}.lzma`), Uint8Array.from(lzma.compress(readFileSync(module), 9)));
 }
 
 /** Lets the page go of a module with all its memory: scripts that were imported stay for ever, and hold their instance. @param {string} folder */

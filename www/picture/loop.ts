@@ -13,6 +13,9 @@ import type { Watch } from './watch';
 /** Milliseconds of work in a frame; the rest of the frame belongs to the browser. */
 const BUDGET = 12;
 
+/** The same if the screen does not follow each frame: before the first cells, and if a painter shows the work. */
+const UNSEEN = 40;
+
 /**
  * If drawing takes longer than DRAWN_ALWAYS milliseconds, only some frames draw, so that drawing takes this share of
  * the time.
@@ -26,8 +29,9 @@ const BARE = 250;
 /** If work and drawing would take longer than this, a frame only works, and the next one only draws. */
 const LONG = 32;
 
-/** Milliseconds of a frame for a drawing that is made in pieces. */
+/** Milliseconds of a frame for a drawing that is made in pieces; a painter gets more. */
 const PIECE = 16;
+const PAINTED = 32;
 
 /** Decides how the work advances in a frame, when two pictures form together. */
 interface Pair {
@@ -167,7 +171,7 @@ export class Loop {
     const view = this.view(stage);
     if (view === undefined) return true;
     const begin = performance.now();
-    const ready = this.painter ? this.painter.advance(PIECE) : this.engine.prepare(view, PIECE);
+    const ready = this.painter ? this.painter.advance(PAINTED) : this.engine.prepare(view, PIECE);
     this.pieces += performance.now() - begin;
     return ready;
   }
@@ -208,7 +212,7 @@ export class Loop {
     const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === stepping));
-    const isLong = working && now - begin + (this.painter ? PIECE : this.drawing) > LONG;
+    const isLong = working && now - begin + (this.painter ? PAINTED : this.drawing) > LONG;
     // A painter may request another frame, which comes next.
     if (this.painter) this.dirty = false;
     this.owed = draw && (isLong || !this.prepared(stage));
@@ -229,12 +233,15 @@ export class Loop {
   /** Does a slice of the work in a frame that began at `begin`; true if the picture may have changed. */
   private work(begin: number): boolean {
     const { engine, watch } = this;
+    const { stages, stepping } = engine.generator;
+    const isSeen = !this.painter && stages.indexOf(engine.stage()) >= stages.indexOf(stepping);
+    const budget = isSeen ? BUDGET : UNSEEN;
     // The other picture uses the other half of the time.
-    if (this.pair && !this.until) return this.pair.tick(engine, BUDGET / 2, this.held ? 0 : this.stepsNow());
-    if (this.held) return engine.tick(BUDGET, 0);
-    if (this.until) return this.until.tick(engine, BUDGET, this.stepsNow());
-    if (!watch) return engine.tick(BUDGET, this.stepsNow());
+    if (this.pair && !this.until) return this.pair.tick(engine, budget / 2, this.held ? 0 : this.stepsNow());
+    if (this.held) return engine.tick(budget, 0);
+    if (this.until) return this.until.tick(engine, budget, this.stepsNow());
+    if (!watch) return engine.tick(budget, this.stepsNow());
     // If the visitor asked for slow steps, they stay slow.
-    return watch.tick(engine, begin, BUDGET, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
+    return watch.tick(engine, begin, budget, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
   }
 }

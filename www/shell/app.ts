@@ -1,5 +1,4 @@
 /** The wiring of the page: which changes cause which work, and which parts show the result. */
-import { keepModules } from '../module/load';
 import { isEnd, isUpToSteps } from '../module/stages';
 import { language, t } from '../words/words';
 import { byId, byIdAs, frame, say, wantsStill } from '../base/dom';
@@ -395,8 +394,6 @@ export class App {
     clearTimeout(this.telling);
     say(byId('live'), '');
     if (stage !== 'done') return;
-    // There is time for this now. Without a storage, the next visit unpacks the module again.
-    keepModules().catch(() => undefined);
     this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
   }
 
