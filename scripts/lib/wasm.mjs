@@ -12,14 +12,14 @@ export const nodeModule = join(targetDir, 'pkg-node');
 /** The folder of the module that makes everything. */
 export const wholeModule = join(root, 'pkg-house');
 
-/** All builds: the folder, the target, and the cargo features. The feature `house` has everything that a first visit does not need. */
+/** All builds: the folder, the target, and cargo's options. The cargo feature `house` has everything that a first visit does not need. */
 const BUILDS = {
   /** What a first visit gets. */
-  web: { folder: pageModule, target: 'web', features: [] },
-  house: { folder: wholeModule, target: 'web', features: ['house'] },
-  nodejs: { folder: nodeModule, target: 'nodejs', features: ['house'] },
+  web: { folder: pageModule, target: 'web', options: ['--no-default-features'] },
+  house: { folder: wholeModule, target: 'web', options: [] },
+  nodejs: { folder: nodeModule, target: 'nodejs', options: [] },
   /** With the measurements. */
-  bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', features: ['bench', 'house'] },
+  bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', options: ['--features', 'bench'] },
 };
 
 // What decides the module beside the code that cargo compiled.
@@ -37,17 +37,16 @@ export async function buildModules(env) {
  * @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly
  */
 export async function buildWasm(kind, env) {
-  const { folder, target, features: wanted } = BUILDS[kind];
-  const features = wanted.length ? ['--features', wanted.join()] : [];
+  const { folder, target, options } = BUILDS[kind];
   const stamp = join(folder, '.built-from');
   say(`Building the WebAssembly module (${kind})`);
   // The very build that wasm-pack asks for, so that nothing is compiled twice.
-  run('cargo', ['build', '--lib', '--release', '--target', wasmTarget, ...features], { env });
+  run('cargo', ['build', '--lib', '--release', '--target', wasmTarget, ...options], { env });
   const compiled = join(wasmTargetDir, wasmTarget, 'release', 'bubblestone.wasm');
   const source = digest([compiled, ...recipe.map((file) => join(root, file))]);
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === source) return folder;
   rmSync(folder, { recursive: true, force: true });
-  const extra = features.length ? ['--', ...features] : [];
+  const extra = options.length ? ['--', ...options] : [];
   run('wasm-pack', ['build', '--mode', 'no-install', '--profiling', '--target', target, '--out-dir', folder, ...extra], { env });
   const module = join(folder, 'bubblestone_bg.wasm');
   run('wasm-opt', [module, '-o', module, ...optimizing()], { env });
