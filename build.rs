@@ -5,26 +5,17 @@ use std::fmt::Write;
 use std::{env, fs, path::Path};
 
 const TABLE: &str = "src/notice/words.txt";
-/// The line of the table after which no entry is needed by a first visit.
-const LATE: &str = "# From here on:";
 
 fn main() {
-    // Only the module of a first visit is built without it: see the feature `house`.
     println!("cargo::rustc-check-cfg=cfg(house)");
-    let in_browser = env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "wasm32");
-    let is_whole = !in_browser || env::var_os("CARGO_FEATURE_HOUSE").is_some();
-    if is_whole {
+    if env::var_os("CARGO_FEATURE_HOUSE").is_some() {
         println!("cargo::rustc-cfg=house");
     }
     println!("cargo::rerun-if-changed={TABLE}");
     let table = fs::read_to_string(TABLE).expect("the table of words");
-    let told = match table.find(LATE).filter(|_| !is_whole) {
-        Some(end) => &table[..end],
-        None => &table,
-    };
     let (mut codes, mut words, mut english) = (String::new(), String::new(), String::new());
     let mut code = String::new();
-    for line in told.lines().filter(|line| !line.starts_with('#')) {
+    for line in table.lines().filter(|line| !line.starts_with('#')) {
         if let Some(text) = line.strip_prefix("  en ") {
             writeln!(codes, "/// {text}\n{code},").expect("a string");
             writeln!(english, "Code::{code} => {text:?},").expect("a string");

@@ -1,6 +1,8 @@
+import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
+import { basename } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { defineConfig } from 'vite';
+import { defineConfig, minify } from 'vite';
 import { buildIcons } from './scripts/lib/icons.mjs';
 import { licences, packages } from './scripts/lib/licences.mjs';
 import { offline } from './scripts/lib/offline.mjs';
@@ -89,10 +91,37 @@ const made = {
   load: async (id) => {
     if (id === '\0virtual:generators') return `export default ${JSON.stringify(await generatorsOf([here('pkg'), house]))}`;
     if (id !== '\0virtual:house') return undefined;
-    const [script, packed] = ['bubblestone.js', 'house.lzma'].map((name) => JSON.stringify(`${house}/${name}?url`));
-    return `import packed from ${packed}; import script from ${script}; export default { packed, script }`;
+    const [script, file] = ['bubblestone.js', 'bubblestone_bg.wasm'].map((name) => JSON.stringify(`${house}/${name}?url`));
+    return `import file from ${file}; import script from ${script}; export default { file, script }`;
   },
 };
+
+/**
+ * The first script stands in the page itself, with the addresses of the modules: that of the first visit, and that of each
+ * generator which another one makes. The page's policy names its digest.
+ */
+const begin = {
+  name: 'begin',
+  transformIndexHtml: {
+    order: /** @type {const} */ ('post'),
+    /** @param {string} html @param {import('vite').IndexHtmlTransformContext} context */
+    handler: async (html, { bundle = {} }) => {
+      const { code } = await minify('start.js', readFileSync(here('www/start.js'), 'utf8'));
+      const [first, later] = [here('pkg'), house].map((folder) => addressOf(bundle, `${basename(folder)}/bubblestone_bg.wasm`));
+      const others = (await generatorsOf([here('pkg'), house])).filter(({ module }) => module > 0);
+      const files = [`data-first="${first}"`, ...others.map(({ word }) => `data-${word}="${later}"`)];
+      const digest = createHash('sha256').update(code).digest('base64');
+      return html.replace('<!-- www/start.js -->', `<script ${files.join(' ')}>${code}</script>`).replace("script-src 'self'", `$& 'sha256-${digest}'`);
+    },
+  },
+};
+
+/** The address of a file of the site. @param {import('vite').Rolldown.OutputBundle} bundle @param {string} source the end of its path before the build */
+function addressOf(bundle, source) {
+  const found = Object.values(bundle).find((file) => file.type === 'asset' && file.originalFileNames.some((name) => name.endsWith(source)));
+  if (!found) throw new Error(`The site has no file of ${source}.`);
+  return `./${found.fileName}`;
+}
 
 /** The small pictures of the second module's presets; workers need none. */
 const thumbs = {
@@ -109,12 +138,9 @@ const thumbs = {
 await buildThumbs();
 await buildIcons();
 
-/**
- * The page gives the compressed module to the glue code itself (www/module/load.ts): the plain file is not part of
- * the site.
- */
-const packed = {
-  name: 'packed',
+/** The page gives the module to the glue itself (www/module/load.ts), which need not know its place. */
+const given = {
+  name: 'given',
   /** @param {string} code @param {string} id */
   transform: (code, id) => (/\/pkg(-\w+)?\/bubblestone\.js$/.test(id) ? code.replace("new URL('bubblestone_bg.wasm', import.meta.url)", 'undefined') : undefined),
 };
@@ -123,7 +149,7 @@ export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
-  plugins: [words, notices, whole, packed, made, thumbs, packages, licences, offline],
+  plugins: [words, notices, whole, given, made, begin, thumbs, packages, licences, offline],
   json: { namedExports: true },
   build: {
     outDir: here('dist'),
@@ -148,5 +174,5 @@ export default defineConfig({
       },
     },
   },
-  worker: { format: 'es', plugins: () => [packed, made, packages] },
+  worker: { format: 'es', plugins: () => [given, made, packages] },
 });

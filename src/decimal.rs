@@ -1,5 +1,5 @@
 //! Reads and writes decimal numbers, rounded like the standard library. The standard library is faster but
-//! takes a twentieth of the WebAssembly module (docs/size.md), and numbers in links, sentences and reports
+//! takes a twentieth of the WebAssembly module (docs/times.md), and numbers in links, sentences and reports
 //! are few.
 
 use std::cmp::Ordering;

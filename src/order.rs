@@ -6,7 +6,7 @@ pub(crate) type Key = (u64, u64);
 /// Sorts by a key, the smallest first; the sort is stable.
 ///
 /// It sorts the keys together with the items' indices, so all lists share one sort. A separate sort for each
-/// type of item would add copies of the standard library's sort to the WebAssembly module (docs/size.md).
+/// type of item would add copies of the standard library's sort to the WebAssembly module (docs/times.md).
 pub(crate) fn sort<T>(items: &mut [T], key: impl Fn(&T) -> Key) {
     items.sort_by_cached_key(key);
 }

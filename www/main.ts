@@ -9,6 +9,7 @@ import { isHere, load } from './state/arrivals';
 import { askedFor, openedFirst } from './state/first';
 import { fragment, isEmbedded } from './state/link';
 import { lastWork } from './state/memory';
+import { isOffered } from './module/generators';
 import { App } from './shell/app';
 import { hearMakes } from './shell/makes';
 
@@ -18,8 +19,7 @@ async function start(): Promise<void> {
     document.documentElement.toggleAttribute('data-embed', embedded);
     if (!embedded) hearMakes();
     const link = embedded ? fragment : firstLink;
-    // Load the code for the link's view in parallel. A failure shows up later, where the code is used.
-    if (!embedded && askedFor(lastWork()).words) void import('./look/linked').catch(() => undefined);
+    if (!embedded) early(link());
     const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(link()), takeLanguage()]);
     // The address may have changed while the module was loading.
     while (!isHere(link())) await load(link());
@@ -29,6 +29,15 @@ async function start(): Promise<void> {
     document.documentElement.dataset['stage'] = 'error';
     alertOf('trouble', reasonOf(error));
   }
+}
+
+/** Loads the code for the link's view in parallel with the module. A failure shows up later, where the code is used. */
+function early(link: string): void {
+  const parts: (() => Promise<unknown>)[] = [];
+  if (askedFor(lastWork()).words) parts.push(() => import('./look/linked'));
+  if (isOffered(link, 'frames')) parts.push(() => import('./turn/page'));
+  if (isOffered(link, 'paint')) parts.push(() => import('./space/space'));
+  for (const load of parts) load().catch(() => undefined);
 }
 
 function firstLink(): string {

@@ -3,6 +3,7 @@
 import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
+import { gzipSync } from 'node:zlib';
 
 const contentTypes = {
   '.avif': 'image/avif',
@@ -17,6 +18,9 @@ const contentTypes = {
   '.webmanifest': 'application/manifest+json',
 };
 
+/** Hosts compress these files on the way. */
+const compressed = ['.css', '.html', '.js', '.json', '.svg', '.txt', '.wasm', '.webmanifest'];
+
 /**
  * Serves a folder to this machine only.
  * @param {string} files the folder
@@ -24,8 +28,11 @@ const contentTypes = {
  * @param {number} [options.port] the first port to try; if it is taken, the next ones are tried; 0 is any port
  * @param {string} [options.under] the path that the folder is served under
  * @param {(path: string) => void} [options.asked] gets the path inside the folder of each request
+ * @param {boolean} [options.gzip] compresses what other hosts compress
  */
-export async function host(files, { port = 0, under = '/', asked } = {}) {
+export async function host(files, { port = 0, under = '/', asked, gzip = false } = {}) {
+  /** Compressed bodies by path: a host has them ready. @type {Map<string, Buffer>} */
+  const packed = new Map();
   const server = createServer(async (request, response) => {
     // The path is cut, not parsed, so that no malformed request can end the host.
     const pathname = (request.url ?? '/').replace(/[?#].*$/, '');
@@ -34,8 +41,14 @@ export async function host(files, { port = 0, under = '/', asked } = {}) {
     asked?.(inside);
     try {
       if (inside.startsWith('..')) throw new Error('outside');
-      const body = await readFile(join(files, inside));
-      response.writeHead(200, { 'content-type': contentTypes[extname(inside)] ?? 'application/octet-stream' });
+      const isPacked = gzip && compressed.includes(extname(inside));
+      const body = packed.get(inside) ?? bodyOf(await readFile(join(files, inside)), isPacked);
+      if (isPacked) packed.set(inside, body);
+      response.writeHead(200, {
+        'content-type': contentTypes[extname(inside)] ?? 'application/octet-stream',
+        'content-length': body.length,
+        ...(isPacked && { 'content-encoding': 'gzip' }),
+      });
       response.end(body);
     } catch {
       response.writeHead(404).end();
@@ -50,6 +63,11 @@ export async function host(files, { port = 0, under = '/', asked } = {}) {
       server.close();
     },
   };
+}
+
+/** @param {Buffer} plain @param {boolean} isPacked @returns {Buffer} */
+function bodyOf(plain, isPacked) {
+  return isPacked ? gzipSync(plain, { level: 6 }) : plain;
 }
 
 /**

@@ -15,10 +15,11 @@ export function filesOf(site) {
     .sort();
 }
 
-/** The files that the page needs at its start: those named in its HTML, and the first WebAssembly module. @param {string} site */
+/** The files that the page needs at its start: those named in its HTML, without the modules of other generators. @param {string} site */
 export function firstOf(site) {
   const html = readFileSync(join(site, 'index.html'), 'utf8');
-  return filesOf(site).filter((path) => path === 'index.html' || /\bbubblestone-.*\.lzma$/.test(path) || html.includes(`="./${path}"`));
+  const named = [...html.matchAll(/<(?:link|script|img)\b[^>]* (?:href|src|data-first)="(?:\.\/)?([^"]+)"/g)].map(([, path]) => path);
+  return filesOf(site).filter((path) => path === 'index.html' || named.includes(path));
 }
 
 /** The value of SITE in www/service/sw.ts. @param {string} site */

@@ -18,7 +18,7 @@ import { buildModules } from './wasm.mjs';
 /** @type {Record<string, () => unknown>} */
 export const steps = {
   'cargo fmt': () => run('cargo', ['fmt', '--check'], { env: nativeEnv(), otherwise: 'Run `cargo fmt`.' }),
-  'clippy, native': () => clippy(['--all-targets'], nativeEnv()),
+  'clippy, native': clippyNative,
   'cargo test': cargoTest,
   'cargo doc': () => run('cargo', ['doc', '--no-deps'], { env: { ...nativeEnv(), RUSTDOCFLAGS: '-D warnings' } }),
   dependencies,
@@ -38,6 +38,12 @@ function forWasm() {
   const env = wasmEnv();
   if (!env) throw new Stop('There is no Rust for WebAssembly: `npm run setup` brings it.');
   return env;
+}
+
+function clippyNative() {
+  clippy(['--all-targets'], nativeEnv());
+  // The configuration of a first visit's module.
+  clippy(['--lib', '--no-default-features'], nativeEnv());
 }
 
 /** @param {string[]} what @param {NodeJS.ProcessEnv} env */
@@ -61,7 +67,7 @@ async function cargoTest() {
 /** @param {NodeJS.ProcessEnv} env */
 function wasmLint(env) {
   // Include the benchmarks, which no other step builds.
-  const what = ['--lib', '--tests', '--features', 'bench', '--target', wasmTarget];
+  const what = ['--lib', '--tests', '--no-default-features', '--features', 'bench', '--target', wasmTarget];
   if (clippyMatches(env)) return clippy(what, env);
   console.log('The Rust for WebAssembly has no clippy here: its code is compiled with warnings denied instead.');
   const deny = `target.${wasmTarget}.rustflags=["-D", "warnings"]`;

@@ -24,15 +24,15 @@ const CARRIED = ['Weather', 'Light'];
  * @param {string[]} folders
  */
 export async function generatorsOf(folders) {
-  /** @type {{ word: string, title: string, module: number, preset: string, carried: string[] }[]} */
+  /** @type {{ word: string, title: string, module: number, preset: string, carried: string[], offers: string[] }[]} */
   const all = [];
   for (const [place, folder] of folders.entries()) {
     const { generators, presets, schema } = await moduleIn(folder);
-    for (const { word, title } of generators()) {
+    for (const { word, title, offers } of generators()) {
       if (all.some((one) => one.word === word)) continue;
       const rows = /** @type {{ key: string, group: string }[]} */ (schema(word));
       const carried = rows.filter(({ key, group }) => key === 'seed' || CARRIED.includes(group)).map(({ key }) => key);
-      all.push({ word, title, module: place, preset: presets(word)[0]?.name ?? '', carried });
+      all.push({ word, title, module: place, preset: presets(word)[0]?.name ?? '', carried, offers });
     }
   }
   return all;

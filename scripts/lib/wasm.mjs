@@ -7,30 +7,24 @@ import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 
 /** The folder of the page's module, which knows pavements alone. */
 export const pageModule = join(root, 'pkg');
-/** The module as it is shipped. */
-export const packedModule = join(pageModule, 'bubblestone.lzma');
+
 export const nodeModule = join(targetDir, 'pkg-node');
 
-/**
- * The folder of the module that makes everything: the feature `house` of Cargo.toml adds the parts that a first
- * visit does without.
- */
+/** The folder of the module that makes everything. */
 export const wholeModule = join(root, 'pkg-house');
-/** As it is sent. */
-export const packedWhole = join(wholeModule, 'house.lzma');
 
-/** All builds: their folders, targets, and cargo features. */
+/** All builds: the folder, the target, and cargo's options. The cargo feature `house` has everything that a first visit does not need. */
 const BUILDS = {
   /** The module of a first visit. */
-  web: { folder: pageModule, target: 'web', features: [] },
-  house: { folder: wholeModule, target: 'web', features: ['house'] },
-  nodejs: { folder: nodeModule, target: 'nodejs', features: ['house'] },
+  web: { folder: pageModule, target: 'web', options: ['--no-default-features'] },
+  house: { folder: wholeModule, target: 'web', options: [] },
+  nodejs: { folder: nodeModule, target: 'nodejs', options: [] },
   /** With the measurements. */
-  bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', features: ['bench', 'house'] },
+  bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', options: ['--features', 'bench'] },
 };
 
 // Files that decide the module, besides the code that cargo compiles.
-const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs', 'scripts/lib/trim.mjs'];
+const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs'];
 
 /**
  * Builds the modules of the site.
@@ -46,38 +40,22 @@ export async function buildModules(env) {
  * @param {keyof typeof BUILDS} kind @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly
  */
 export async function buildWasm(kind, env) {
-  const { folder, target, features: wanted } = BUILDS[kind];
-  const features = wanted.length ? ['--features', wanted.join()] : [];
+  const { folder, target, options } = BUILDS[kind];
   const stamp = join(folder, '.built-from');
   say(`Building the WebAssembly module (${kind})`);
   // The very build that wasm-pack asks for, so that nothing is compiled twice.
-  run('cargo', ['build', '--lib', '--release', '--target', wasmTarget, ...features], { env });
+  run('cargo', ['build', '--lib', '--release', '--target', wasmTarget, ...options], { env });
   const compiled = join(wasmTargetDir, wasmTarget, 'release', 'bubblestone.wasm');
   const source = digest([compiled, ...recipe.map((file) => join(root, file))]);
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === source) return folder;
   rmSync(folder, { recursive: true, force: true });
-  const extra = features.length ? ['--', ...features] : [];
+  const extra = options.length ? ['--', ...options] : [];
   run('wasm-pack', ['build', '--mode', 'no-install', '--profiling', '--target', target, '--out-dir', folder, ...extra], { env });
   const module = join(folder, 'bubblestone_bg.wasm');
-  // Only here: this file is read before the npm packages are installed.
-  const { trim } = await import('./trim.mjs');
-  trim(module);
   run('wasm-opt', [module, '-o', module, ...optimizing()], { env });
-  if (target === 'web') {
-    await pack(folder, module, kind === 'web' ? 'bubblestone' : 'house');
-    releasable(folder);
-  }
+  if (target === 'web') releasable(folder);
   writeFileSync(stamp, source);
   return folder;
-}
-
-/**
- * Compresses a module as the page loads it: see www/module/lzma.ts.
- * @param {string} folder @param {string} module @param {string} name
- */
-async function pack(folder, module, name) {
-  const { default: lzma } = await import('lzma');
-  writeFileSync(join(folder, `${name}.lzma`), Uint8Array.from(lzma.compress(readFileSync(module), 9)));
 }
 
 /**

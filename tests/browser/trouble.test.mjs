@@ -107,7 +107,7 @@ test('a module that does not arrive gets a sentence', sameEverywhere, async () =
   const { page, close } = await site.newPage(SMALL, {
     before: async (fresh) => {
       await fresh.setRequestInterception(true);
-      fresh.on('request', (request) => (request.url().endsWith('.lzma') ? request.abort() : request.continue()));
+      fresh.on('request', (request) => (request.url().endsWith('.wasm') ? request.abort() : request.continue()));
     },
   });
   await message(page, 'alert', /could not be loaded/);

@@ -1,6 +1,4 @@
-// The page's module as it is shipped: without the functions that never run (scripts/lib/trim.mjs), optimised and
-// packed. Other tests use the module as cargo builds it. A function that was removed wrongly stops the module when it
-// is called, so these tests call everything: every parameter, view, file and notice that the module lists.
+// The modules as they are shipped: built for WebAssembly, linked as one and optimised.
 //
 // `npm test -- 'wasm build' 'modules as sent'`.
 import assert from 'node:assert/strict';
@@ -8,21 +6,17 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
-import lzma from 'lzma';
 import { all, Canvas, moduleIn } from '../../scripts/lib/headless.mjs';
 import { digests, frames, surfaces, varied } from '../common/golden.mjs';
-import { packedModule, packedWhole, pageModule, wholeModule } from '../../scripts/lib/wasm.mjs';
+import { pageModule, wholeModule } from '../../scripts/lib/wasm.mjs';
 
 /** @type {any} */
 let module;
 /** @type {Uint8Array} */
 let bytes;
 
-/** @param {string} file */
-const unpacked = (file) => Uint8Array.from(/** @type {number[]} */ (lzma.decompress(readFileSync(file))));
-
 before(async () => {
-  bytes = unpacked(packedModule);
+  bytes = readFileSync(join(pageModule, 'bubblestone_bg.wasm'));
   module = await moduleIn(pageModule, bytes);
 });
 
@@ -89,26 +83,6 @@ function lookAt(studio) {
   for (const ask of ['status', 'series', 'histograms', 'heightRange', 'outline', 'svg', 'report', 'notices', 'problem']) studio[ask]();
 }
 
-/** The rows of parameters. @returns {any[]} */
-const rows = () => module.schema('pavement');
-
-/** Some texts for a parameter, from one end of its range to the other. @param {any} row @returns {string[]} */
-function textsFor({ kind, min, max, choices, key }) {
-  if (kind === 'choice') return choices.map((/** @type {{ word: string }} */ { word }) => word);
-  if (kind === 'text') return LISTS[key] ?? [];
-  return [min, min + (max - min) * 0.37, max].map(String);
-}
-
-/** Lists for the parameters that take them. @type {Record<string, string[]>} */
-const LISTS = {
-  poly: ['0.1,0.1,0.9,0.2,0.7,0.9,0.2,0.8'],
-  lines: ['0,0.4,1,0.6', '0.1,0.1,0.9,0.9;0.1,0.9,0.9,0.1'],
-  strokes: ['0.2,0.3,0.8,0.6,0.9,0.1'],
-  spots: ['0.5,0.5,0.3,0.5;0.2,0.2,0.2,2'],
-  stretch: ['0.5,0.5,0.3,4'],
-  parts: ['0.5,0.5,1;0.2,0.7,3'],
-};
-
 test('every preset has the planes that it has natively', () => {
   const links = new Map(module.presets('pavement').map((/** @type {{ name: string, link: string }} */ { name, link }) => [name, link]));
   for (const [name, digest] of digests) assert.equal(module.digest_of_link(links.get(name)), digest, name);
@@ -116,7 +90,7 @@ test('every preset has the planes that it has natively', () => {
 });
 
 test('the module that makes all has the same planes, bodies and frames', async () => {
-  const all = await moduleIn(wholeModule, unpacked(packedWhole));
+  const all = await moduleIn(wholeModule);
   const presets = all.presets('pavement');
   const chosen = varied(presets);
   const golden = new Map(digests);
@@ -203,51 +177,6 @@ function bytesOf(slice) {
   }
 }
 
-/**
- * The context in which a parameter has an effect: another parameter's word, or a value other than its default.
- * @param {any} row
- * @returns {string} as in a link
- */
-function besideWhat({ key, shownFor }) {
-  // The polygon sets the outline itself.
-  if (!shownFor || key === 'poly') return '';
-  const other = rows().find((row) => row.key === shownFor.key);
-  const value = shownFor.words[0] ?? textsFor(other).find((text) => text !== other.default);
-  return `&${shownFor.key}=${value}`;
-}
-
-test('every value of every parameter gives planes or a sentence', () => {
-  for (const row of rows()) {
-    const { key } = row;
-    const beside = besideWhat(row);
-    for (const value of textsFor(row)) {
-      const studio = open(`${SMALL}${beside}`);
-      assert.deepEqual(studio.notices(), [], beside);
-      assert.equal(studio.set(key, value).refused, false, `${key}=${value}`);
-      if (key === 'size' || key === 'cs') studio.set('cs', '60');
-      finished(studio);
-      assert.match(studio.digest() || studio.problem().text, /^[0-9a-f]{16}$|\.$/, studio.link());
-      assert.ok(studio.get(key) && [studio.defaultOf(key), studio.list(key)], key);
-      studio.free();
-    }
-  }
-});
-
-test('recipes by dice give planes or a sentence', () => {
-  let state = module.random_seed() && 7;
-  const below = (/** @type {number} */ n) => (state = (state * 16807) % 2147483647) % n;
-  for (let round = 0; round < 150; round += 1) {
-    const studio = open(SMALL);
-    for (const row of rows()) {
-      const texts = textsFor(row);
-      if (below(3) || !texts.length || ['size', 'cs'].includes(row.key)) continue;
-      studio.set(row.key, texts[below(texts.length)]);
-    }
-    assert.match(module.digest_of_link(studio.link()), /^[0-9a-f]{16}$|\.$/, studio.link());
-    studio.free();
-  }
-});
-
 test('cells flow while an outline is held, step by step, and begin again', () => {
   const studio = finished(open(`${SMALL}&outline=square`));
   const digest = studio.digest();
@@ -268,7 +197,7 @@ test('cells flow while an outline is held, step by step, and begin again', () =>
 });
 
 test('bodies are turned, told and made step by step, and each step has its words', async () => {
-  const all = await moduleIn(wholeModule, unpacked(packedWhole));
+  const all = await moduleIn(wholeModule);
   const words = JSON.parse(text('../www/strings/turn.json'));
   for (const form of ['cobble', 'flag', 'skin']) {
     const studio = finished(new all.Bubblestone(`${SMALL}&outline=square&stone=${form}`));
@@ -463,7 +392,7 @@ const WRONG_SPACE = [
 ];
 
 test('notices of surfaces are said', async () => {
-  const whole = await moduleIn(wholeModule, unpacked(packedWhole), 'space');
+  const whole = await moduleIn(wholeModule, undefined, 'space');
   const space = 'make=surface&size=128';
   for (const link of WRONG_SPACE) {
     const studio = new whole.Bubblestone(`${space}&${link}`);

@@ -1,4 +1,4 @@
-/** The storage of this browser. No other file touches it, except public/theme.js, which reads it. */
+/** The storage of this browser. No other file touches it, except www/start.js, which reads it. */
 
 const PREFIX = 'bubblestone.';
 

@@ -1,5 +1,5 @@
 /**
- * The light and the dark theme. It follows the system until the visitor chooses the other one. public/theme.js sets
+ * The light and the dark theme. It follows the system until the visitor chooses the other one. www/start.js sets
  * it before the first paint.
  */
 import { byId } from './dom';

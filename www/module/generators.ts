@@ -14,8 +14,17 @@ export function makeOf(link: string): string {
 
 /** The index of the first module that has the generator of a link. */
 export function placeOf(link: string): number {
+  return named(link)?.module ?? 0;
+}
+
+/** Whether the generator of a link offers a part of the page, told before its module is here. */
+export function isOffered(link: string, part: string): boolean {
+  return named(link)?.offers.includes(part) === true;
+}
+
+function named(link: string): (typeof generators)[number] | undefined {
   const word = makeOf(link);
-  return generators.find((one) => one.word === word)?.module ?? 0;
+  return generators.find((one) => one.word === word);
 }
 
 function decoded(word: string): string {

@@ -12,12 +12,14 @@ declare module 'virtual:generators' {
     preset: string;
     /** Parameters that are kept when the visitor changes the generator: seed, light and weather. */
     carried: string[];
+    /** The parts of the page that serve it. */
+    offers: string[];
   }[];
   export default made;
 }
 
 /** The second module, which can make everything. */
 declare module 'virtual:house' {
-  const house: { packed: string; script: string };
+  const house: { file: string; script: string };
   export default house;
 }

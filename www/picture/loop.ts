@@ -35,8 +35,12 @@ interface Pair {
 export interface Rhythm {
   /** Milliseconds of work in a slice. */
   readonly budget: number;
+  /** The same if the screen does not follow each slice: before the first cells, and if a painter shows the work. */
+  readonly unseen: number;
   /** Milliseconds of a slice for a drawing that is made in pieces. */
   readonly piece: number;
+  /** The same for a painter. */
+  readonly painted: number;
   /** The least time between two drawings of work in progress, in milliseconds. */
   readonly apart: number;
   /** Requests the next slice. */
@@ -44,10 +48,10 @@ export interface Rhythm {
 }
 
 /** The frames of the browser. The rest of each frame belongs to the browser. */
-export const FRAMES: Rhythm = { budget: 12, piece: 16, apart: 0, next: (slice) => requestAnimationFrame(slice) };
+export const FRAMES: Rhythm = { budget: 12, unseen: 40, piece: 16, painted: 32, apart: 0, next: (slice) => requestAnimationFrame(slice) };
 
 /** Idle moments, for work that is not the page's own picture. */
-export const IDLE: Rhythm = { budget: 6, piece: 6, apart: 150, next: (slice) => void idle(50).then(() => slice(performance.now())) };
+export const IDLE: Rhythm = { budget: 6, unseen: 6, piece: 6, painted: 6, apart: 150, next: (slice) => void idle(50).then(() => slice(performance.now())) };
 
 export class Loop {
   rhythm = FRAMES;
@@ -177,9 +181,9 @@ export class Loop {
   private prepared(stage: string): boolean {
     const view = this.view(stage);
     if (view === undefined) return true;
-    const { piece } = this.rhythm;
+    const { piece, painted } = this.rhythm;
     const begin = performance.now();
-    const ready = this.painter ? this.painter.advance(piece) : this.engine.prepare(view, piece);
+    const ready = this.painter ? this.painter.advance(painted) : this.engine.prepare(view, piece);
     this.pieces += performance.now() - begin;
     return ready;
   }
@@ -222,7 +226,7 @@ export class Loop {
     const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
     const draw = this.owed || this.dirty || due || isEnd(stage) || (stage !== before && (this.held || stage === stepping));
-    const isLong = working && now - begin + (this.painter ? this.rhythm.piece : this.drawing) > LONG;
+    const isLong = working && now - begin + (this.painter ? this.rhythm.painted : this.drawing) > LONG;
     // A painter may request another frame, which comes next.
     if (this.painter) this.dirty = false;
     this.owed = draw && (isLong || !this.prepared(stage));
@@ -242,7 +246,10 @@ export class Loop {
 
   /** Does a slice of the work in a frame that began at `begin`; true if the picture may have changed. */
   private work(begin: number): boolean {
-    const { engine, watch, rhythm: { budget } } = this;
+    const { engine, watch } = this;
+    const { stages, stepping } = engine.generator;
+    const isSeen = !this.painter && stages.indexOf(engine.stage()) >= stages.indexOf(stepping);
+    const budget = isSeen ? this.rhythm.budget : this.rhythm.unseen;
     // The other picture uses the other half of the time.
     if (this.pair && !this.until) return this.pair.tick(engine, budget / 2, this.held ? 0 : this.stepsNow());
     if (this.held) return engine.tick(budget, 0);

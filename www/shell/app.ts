@@ -1,8 +1,8 @@
 /** The wiring of the page: which changes cause which work, and which parts show the result. */
-import { keepModules } from '../module/load';
 import { isEnd, isUpToSteps } from '../module/stages';
 import { t } from '../words/words';
 import { byId, byIdAs, frame, say } from '../base/dom';
+import { mark } from '../base/marks';
 import { alertOf, clear, notice, passing } from '../base/messages';
 import { isFirstVisit } from '../base/storage';
 import type { Engine } from '../state/engine';
@@ -241,6 +241,10 @@ export class App {
     if (drawn) this.view.redrawn();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
+    if (!this.engine.offers('frames')) {
+      if (this.begun) mark('cells');
+      if (changed && stage === 'done') mark('picture');
+    }
     this.forming.follow(stage, this.begun);
     this.status.show(stage, status, this.host.loop.watch !== undefined);
     const remarks = this.view.remarks(stage);
@@ -255,7 +259,9 @@ export class App {
     const stage = this.forming.ahead?.stage ?? this.engine.stage();
     const { dataset } = document.documentElement;
     if (dataset['stage'] !== stage) dataset['stage'] = stage;
-    if (stage === 'done') this.face.done();
+    if (stage !== 'done') return;
+    mark('made');
+    this.face.done();
   }
 
   /** This recipe gives no picture; another one may. */
@@ -278,8 +284,6 @@ export class App {
     clearTimeout(this.telling);
     say(byId('live'), '');
     if (stage !== 'done') return;
-    // There is time for this now. Without a storage, the next visit unpacks the module again.
-    keepModules().catch(() => undefined);
     this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
   }
 

@@ -2,7 +2,9 @@
 import { t } from '../words/turn';
 import { t as common } from '../words/words';
 import { byId, make } from '../base/dom';
+import { mark } from '../base/marks';
 import { alertOf, clear } from '../base/messages';
+import { isSettled } from '../module/stages';
 import type { Work } from '../state/work';
 import type { PictureHost } from '../picture/host';
 import type { View } from '../picture/view';
@@ -66,9 +68,19 @@ export class PageTurntable {
       camera: () => store.state.camera,
       take: (camera) => store.update({ camera }),
       only: (subject, camera) => store.update({ body: subject === '' ? undefined : { subject, camera } }),
-      framed: () => engine.offers('frames') && this.framed?.(),
+      framed: (whole) => {
+        if (engine.offers('frames')) this.seen(whole);
+      },
       ended: (how, why) => this.ended(how, why),
     };
+  }
+
+  /** Marks the first frames of the engine at work. */
+  private seen(whole: boolean): void {
+    const { engine } = this.work;
+    mark('frame');
+    if (whole && isSettled(engine.generator, engine.stage())) mark('picture');
+    this.framed?.();
   }
 
   /**

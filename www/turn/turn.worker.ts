@@ -7,7 +7,7 @@
  */
 import { reasonOf } from '../base/errors';
 import { studioFor, supply } from '../module/given';
-import { keepModules, loadWhole } from '../module/load';
+import { loadWhole } from '../module/load';
 import type { SceneStudio } from '../module/scene';
 import { generatorOf, making } from '../module/run';
 import { progressOf, type Course } from '../module/stages';
@@ -64,7 +64,6 @@ class Turner {
   private readonly course: Course;
   private link: string;
   private readonly maker: FrameMaker<Wish>;
-  private kept = false;
 
   constructor(studio: SceneStudio, course: Course, link: string) {
     this.studio = studio;
@@ -123,9 +122,6 @@ class Turner {
     const frame = await createImageBitmap(new ImageData(pixels, width, height));
     const bodies: Bodies = { count: this.studio.status().stones, skin: this.studio.get('stone') === 'skin' };
     say({ frame, n: wish.n, quality, bodies }, [frame]);
-    // There is time for this now. Without a storage, the next visit unpacks the module again.
-    if (quality === 'fine' && !this.kept) keepModules().catch(() => undefined);
-    this.kept ||= quality === 'fine';
   }
 }
 

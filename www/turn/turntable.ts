@@ -40,8 +40,8 @@ export interface Place {
   leave?: () => void;
   /** Whether it is embedded in another page. */
   alone?: boolean;
-  /** Called after each new frame. */
-  framed?: () => void;
+  /** Called after each new frame; `whole` tells whether it has all pixels. */
+  framed?: (whole: boolean) => void;
   /** Called when there are no more frames. */
   ended(how: 'lost' | 'broken', why: string): void;
 }
@@ -226,7 +226,7 @@ export class Turntable {
     [canvas.width, canvas.height] = [frame.width, frame.height];
     canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(frame);
     this.root.toggleAttribute('data-shown', true);
-    this.place.framed?.();
+    this.place.framed?.(quality !== 'moving');
     if (!latest) return;
     this.shown = this.place.link();
     this.state(quality);

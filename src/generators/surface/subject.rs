@@ -73,6 +73,8 @@ impl SceneSource for Surface {
         };
         let revision = match view {
             View::Picture => made.scene().map(|(_, revision)| revision),
+            // The bare surface is seen until there is a packing.
+            View::Packed | View::Auto if made.packing().is_none() => made.last_built().map(|_| 0),
             View::Packed | View::Auto => is_packed.then(|| made.changes()),
             View::Cells => made.paved().map(|_| revision.cells),
             View::Mesh => made.mesh().map(|_| revision.mesh),
@@ -125,8 +127,10 @@ impl SceneSource for Surface {
             let last = last.take();
             *making = match of.view {
                 View::Packed | View::Auto | View::Picture => {
+                    let (Some(packing), Some(site)) = (made.live_packing(), made.site()) else {
+                        return Some(Subject::Other(ground.scene()));
+                    };
                     let mut view = last.unwrap_or_else(|| Box::new(Particles::new(ground)));
-                    let (packing, site) = (made.live_packing()?, made.site()?);
                     view.update(site, &packing.particles(), &tones());
                     return Some(Subject::Particles(view));
                 }

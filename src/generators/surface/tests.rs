@@ -3,9 +3,10 @@
 use super::params::Params;
 use super::schema::ROWS;
 use super::{SCHEMA, SURFACE, keys};
-use crate::generators::{ALL, MissingFile};
+use crate::generators::{ALL, MissingFile, TurnOrder};
 use crate::notice::Code;
 use crate::recipe::{MAX_NAME, NamedFile, Recipe};
+use crate::scene::Camera;
 use crate::shapes::Shape;
 use crate::studio::Studio;
 
@@ -162,4 +163,39 @@ fn a_file_is_asked_for() {
             name: "a.obj".to_owned(),
         }]
     );
+}
+
+/// The largest id of a body in a frame of the work as it is, and whether the frame shows anything.
+fn seen(studio: &mut Studio) -> Option<(u32, bool)> {
+    let order = TurnOrder {
+        subject: String::new(),
+        camera: Camera::default(),
+        size: [48, 32],
+        how: "moving+nothing".to_owned(),
+    };
+    let engine = studio.engine_mut();
+    while !engine.turn(&order, &mut || 0.0, 0.0).ok()?.done {}
+    let frame = engine.frame()?;
+    let is_empty = frame.depths().iter().all(|depth| *depth == 0.0);
+    Some((frame.ids().iter().copied().max()?, !is_empty))
+}
+
+#[test]
+fn the_bare_surface_is_seen_until_there_are_cells() {
+    let mut studio = studio(&format!("{SMALL}egg"));
+    let mut told = Vec::new();
+    while studio.stage() != "mesh" {
+        let stage = studio.stage();
+        if told.last().is_none_or(|(last, _)| *last != stage) {
+            told.push((stage, seen(&mut studio)));
+        }
+        studio.tick(&mut || 0.0, 0.0, 1);
+    }
+    let [surface, fields, packing] = told[..] else {
+        panic!("{told:?}");
+    };
+    assert_eq!(surface, ("surface", None));
+    assert_eq!(fields, ("fields", Some((0, true))));
+    assert_eq!(packing, ("packing", Some((0, true))));
+    assert!(seen(&mut studio).is_some_and(|(id, _)| id > 0));
 }
