@@ -31,7 +31,7 @@ mod island;
 mod meshing;
 mod metric;
 mod nodes;
-mod patch;
+pub(crate) mod patch;
 pub(crate) mod quads;
 pub(crate) mod requad;
 pub(crate) mod seams;

@@ -1,8 +1,8 @@
-//! Patches of elements: growing them, the gain of dividing them anew, and replacing their elements.
+//! The state of the search for patches that gain, and its steps: growing patches of elements, the gain of dividing
+//! them anew, and replacing their elements.
 
-use super::division::{MOST, TRIANGLE};
-use super::quads::score;
-use super::requad::{On, Search};
+use super::division::{Division, MOST, TRIANGLE};
+use super::quads::{Faces, score};
 use super::triangles::NONE;
 use super::{Face, Nodes};
 
@@ -21,6 +21,58 @@ pub(super) struct Patch {
     pub members: Vec<u32>,
     /// The cost of its elements.
     pub cost: f64,
+}
+
+/// Context of the search: the nodes and the sides to keep.
+pub(crate) struct On<'a, N: ?Sized, K> {
+    pub nodes: &'a N,
+    /// Predicate of sides that must not be dissolved.
+    pub keep: K,
+}
+
+/// The goal of the search.
+#[derive(Clone, Copy)]
+pub(crate) struct Goal {
+    /// Least score of quadrilaterals.
+    pub worst: f64,
+    /// The search ends with at most this many triangles.
+    pub few: usize,
+    /// Fewest sides at each inner node.
+    pub least: i32,
+}
+
+impl Goal {
+    pub fn new(worst: f64, few: usize) -> Self {
+        Self {
+            worst,
+            few,
+            least: 0,
+        }
+    }
+}
+
+/// The search for patches that gain.
+pub(crate) struct Search {
+    pub(super) faces: Faces,
+    pub(super) goal: Goal,
+    /// The number of lone triangles.
+    pub(super) triangles: usize,
+    /// The number of sides at each node.
+    pub(super) valence: Vec<i32>,
+    /// Whether each node is on the border of the mesh.
+    pub(super) border: Vec<bool>,
+    /// Elements whose surroundings have changed since they were tried.
+    pub(super) fresh: Vec<bool>,
+    /// Distance from the first one in elements, for those in `reached`.
+    pub(super) depth: Vec<u8>,
+    pub(super) reached: Vec<u32>,
+    pub(super) division: Box<Division>,
+    /// Work done: squared numbers of corners of the patches tried.
+    pub(super) work: usize,
+    /// The round, the next element in it, and whether one has gained in it.
+    pub(super) round: usize,
+    pub(super) next: usize,
+    pub(super) again: bool,
 }
 
 impl Search {

@@ -10,7 +10,7 @@
 //! nodes near faults leave the packed centres.
 
 use super::division::{Division, MOST};
-use super::patch::Patch;
+use super::patch::{Goal, On, Patch, Search};
 use super::quads::{Faces, is_lone};
 use super::triangles::NONE;
 use super::{Face, Nodes};
@@ -39,58 +39,6 @@ pub(super) fn requadrangulate<N: Nodes + ?Sized>(
     let mut search = Search::new(&on, std::mem::take(faces), Goal::new(worst, few));
     while !search.advance(&on, usize::MAX) {}
     *faces = search.finish();
-}
-
-/// Context of the search: the nodes and the sides to keep.
-pub(crate) struct On<'a, N: ?Sized, K> {
-    pub nodes: &'a N,
-    /// Predicate of sides that must not be dissolved.
-    pub keep: K,
-}
-
-/// The goal of the search.
-#[derive(Clone, Copy)]
-pub(crate) struct Goal {
-    /// Least score of quadrilaterals.
-    pub worst: f64,
-    /// The search ends with at most this many triangles.
-    pub few: usize,
-    /// Fewest sides at each inner node.
-    pub least: i32,
-}
-
-impl Goal {
-    pub fn new(worst: f64, few: usize) -> Self {
-        Self {
-            worst,
-            few,
-            least: 0,
-        }
-    }
-}
-
-/// The search for patches that gain.
-pub(crate) struct Search {
-    pub(super) faces: Faces,
-    pub(super) goal: Goal,
-    /// The number of lone triangles.
-    pub(super) triangles: usize,
-    /// The number of sides at each node.
-    pub(super) valence: Vec<i32>,
-    /// Whether each node is on the border of the mesh.
-    pub(super) border: Vec<bool>,
-    /// Elements whose surroundings have changed since they were tried.
-    pub(super) fresh: Vec<bool>,
-    /// Distance from the first one in elements, for those in `reached`.
-    pub(super) depth: Vec<u8>,
-    pub(super) reached: Vec<u32>,
-    pub(super) division: Box<Division>,
-    /// Work done: squared numbers of corners of the patches tried.
-    pub(super) work: usize,
-    /// The round, the next element in it, and whether one has gained in it.
-    pub(super) round: usize,
-    pub(super) next: usize,
-    pub(super) again: bool,
 }
 
 impl Search {

@@ -3,8 +3,8 @@
 use super::clearance::is_clear;
 use super::grid::Grid;
 use super::placed::Placed;
-use super::plane::Surroundings;
 use super::shape::Shape;
+use super::surroundings::Surroundings;
 use crate::field::Fields;
 use glam::DVec2;
 

@@ -2,8 +2,8 @@
 
 use super::BoundaryCondition;
 use super::placed::FRONT_GAP;
-use super::plane::Surroundings;
 use super::shape::Shape;
+use super::surroundings::Surroundings;
 use crate::domain::{Domain, Nearest};
 use crate::field::Fields;
 use glam::DVec2;

@@ -5,9 +5,8 @@
 //! pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
 
 use super::Particle;
-use super::ground::Carry;
-use super::plane::InPlane;
 use super::shape::{CUT, Shape};
+use super::transport::{Carry, InPlane};
 use crate::field::Kind;
 use crate::order::{greater, lesser};
 use glam::DVec2;

@@ -1,6 +1,7 @@
 //! Fills the inside with a front of cells that grows.
 
-use super::ground::{Asks, GridOf, Ground, Sees};
+use super::cell_fields::Asks;
+use super::ground::{GridOf, Ground, Sees};
 use super::placed::{FRONT_GAP, Placed};
 use super::shape::Shape;
 use crate::field::Kind;

@@ -6,21 +6,14 @@
 //! abstraction costs nothing there and changes no bit.
 
 use super::BoundaryCondition;
+use super::cell_fields::Asks;
 use super::params::{TUNING, Tuning};
 use super::shape::Shape;
-use crate::field::Kind;
+use super::transport::Carry;
 use crate::random::Random;
 use glam::DVec2;
 use std::fmt::Debug;
 use std::ops::Range;
-
-/// Parallel transport: rotates vectors from the frame of one place into that of another.
-pub(crate) trait Carry: Copy {
-    /// Maps a vector of the first frame into the second.
-    fn apply(self, v: DVec2) -> DVec2;
-    /// Maps a vector of the second frame into the first.
-    fn undo(self, v: DVec2) -> DVec2;
-}
 
 /// The closest point of a wall to a cell.
 pub(crate) trait Foot {
@@ -40,20 +33,6 @@ pub(crate) trait Buckets<P> {
     fn runs_near(&self, p: P, radius: f64) -> impl Iterator<Item = Range<usize>>;
     /// Adds the next place; places are numbered from 0 in order of insertion.
     fn push(&mut self, p: P);
-}
-
-/// The fields of the cells: size, kind, direction and aspect ratio at a place.
-pub(crate) trait Asks: Copy {
-    /// A location of a cell.
-    type Place: Copy + Debug;
-
-    fn kind(self, p: Self::Place) -> Kind;
-    fn size(self, p: Self::Place) -> f64;
-    fn aspect(self, p: Self::Place) -> f64;
-    /// Unit vector along a side, in the frame of the place; zero where the field vanishes.
-    fn direction(self, p: Self::Place) -> DVec2;
-    /// The mean size.
-    fn mean_size(self) -> f64;
 }
 
 /// The metric between places. Vectors are in the frame of the first place.

@@ -2,10 +2,11 @@
 //!
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
+use super::body::Body;
 use super::force::{Pair, force_between};
-use super::ground::{Buckets, Carry, Ground, Sees};
-use super::run::Body;
+use super::ground::{Buckets, Ground, Sees};
 use super::shape::{SQUARE_REACH, Shape};
+use super::transport::Carry;
 use super::wall::{stays_clear, wall_force};
 use super::{Integrator, Particle};
 use crate::csr::Csr;

@@ -4,12 +4,14 @@
 //! The record has the energy and the largest move of every step, or of every fourth step with more than 2,000
 //! cells. It is kept whether or not anybody displays it.
 
+use super::body::Body;
 use super::force::{force_between, potential_between};
-use super::ground::{Carry, Sees, Walled};
-use super::run::{Body, Run};
+use super::ground::{Sees, Walled};
+use super::run::Run;
 use super::shape::Shape;
+use super::transport::Carry;
 use super::wall::wall_force;
-use super::{Packing, Particle};
+use super::{Packing, Particle, Sample};
 use crate::domain::Domain;
 use glam::DVec2;
 
@@ -32,17 +34,6 @@ pub struct Alignment {
     /// rows and columns, 0..45; for ellipses that of the long axis of the neighbours' places, 0..90. `None`
     /// for circles, and without a neighbour or an axis.
     pub angle: Option<f64>,
-}
-
-/// One row of a run's record.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sample {
-    /// Steps made.
-    pub step: u32,
-    /// See [`Packing::energy`].
-    pub energy: f64,
-    /// The largest move of a cell in this step, in its size.
-    pub largest_move: f64,
 }
 
 /// With more cells than this ...

@@ -32,7 +32,9 @@
 //! assert_eq!(packing.particles().len(), 64);
 //! ```
 
+mod body;
 mod boundary_cells;
+pub(crate) mod cell_fields;
 pub(crate) mod chains;
 pub(crate) mod clearance;
 pub mod force;
@@ -47,16 +49,20 @@ mod placement;
 mod plane;
 pub(crate) mod population;
 mod quadtree;
+mod report;
 pub(crate) mod run;
 pub(crate) mod shape;
 mod stress;
+mod surroundings;
+pub(crate) mod transport;
 pub(crate) mod wall;
 mod warm_start;
 
 pub(crate) use grid::Grid;
-pub use measures::{Alignment, NetForce, Sample};
+pub use measures::{Alignment, NetForce};
 pub use params::{BoundaryCondition, Integrator, PackingParams, Population, Start};
 pub use placement::Placing;
+pub use report::{Sample, StepReport};
 #[cfg(house)]
 pub(crate) use stress::{BEYOND, stress_on};
 pub use stress::{Stress, stress};
@@ -64,14 +70,14 @@ pub use stress::{Stress, stress};
 use crate::domain::{Domain, Walls};
 use crate::field::{Fields, Kind};
 use crate::notice::Notice;
+use cell_fields::Asks;
 use glam::DVec2;
-use ground::Asks;
 pub(crate) use params::TUNING;
 #[cfg(house)]
 pub(crate) use params::Tuning;
-use plane::Surroundings;
 use run::Run;
 use shape::Shape;
+use surroundings::Surroundings;
 
 /// A packed cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,27 +112,6 @@ impl<P: Copy> Particle<P> {
             fixed,
         }
     }
-}
-
-/// The result of the last step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StepReport {
-    /// Steps made so far.
-    pub step: u32,
-    /// The number of cells.
-    pub cells: usize,
-    /// The largest move of a cell, in its size.
-    pub largest_move: f64,
-    /// The largest force on a cell, in its size.
-    pub largest_force: f64,
-    /// Cells added so far after the first placement.
-    pub added: u32,
-    /// Cells removed so far.
-    pub removed: u32,
-    /// Whether the run has ended.
-    pub done: bool,
-    /// Whether it ended because forces and moves were small.
-    pub converged: bool,
 }
 
 /// A packing in progress.

@@ -1,6 +1,7 @@
 //! The cells placed so far, before any motion.
 
-use super::ground::{Asks, Buckets, Ground, Sees};
+use super::cell_fields::Asks;
+use super::ground::{Buckets, Ground, Sees};
 use super::shape::Shape;
 use glam::DVec2;
 

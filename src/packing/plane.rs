@@ -1,41 +1,19 @@
 //! The plane within an outline, as a domain for packing.
 
 use super::BoundaryCondition;
+use super::cell_fields::Asks;
 use super::clearance::{has_room, middle_of_narrow};
 use super::grid::Grid;
-use super::ground::{Asks, Buckets, Carry, Foot, Ground, Sees, Walled};
+use super::ground::{Buckets, Foot, Ground, Sees, Walled};
 use super::shape::Shape;
+use super::surroundings::Surroundings;
+use super::transport::InPlane;
 use super::wall::CLOSEST;
 use crate::domain::{Domain, Projection, Walls};
 use crate::field::{Fields, Kind};
 use crate::random::Random;
 use glam::DVec2;
 use std::ops::Range;
-
-/// An outline, with the fields and the walls in it.
-#[derive(Clone, Copy)]
-pub(super) struct Surroundings<'a> {
-    pub domain: &'a Domain,
-    pub fields: &'a Fields,
-    pub walls: &'a Walls,
-    pub boundary: BoundaryCondition,
-}
-
-/// Parallel transport in the plane, the identity.
-#[derive(Clone, Copy)]
-pub(crate) struct InPlane;
-
-impl Carry for InPlane {
-    #[inline(always)]
-    fn apply(self, v: DVec2) -> DVec2 {
-        v
-    }
-
-    #[inline(always)]
-    fn undo(self, v: DVec2) -> DVec2 {
-        v
-    }
-}
 
 impl Foot for Projection {
     fn distance(&self) -> f64 {

@@ -6,10 +6,11 @@
 //! Rows and columns hold a whole number of cells. The remaining length may be spread over several gaps, none
 //! as wide as a cell, so rows are also measured over several cells.
 
+use super::body::Body;
 use super::front::{is_taken, slots};
-use super::ground::{Buckets, Carry, Foot, FootOf, GridOf, Ground, Sees, TurnOf, Walled};
-use super::run::Body;
+use super::ground::{Buckets, Foot, FootOf, GridOf, Ground, Sees, TurnOf, Walled};
 use super::shape::Shape;
+use super::transport::Carry;
 use super::{BoundaryCondition, PackingParams, Population};
 use crate::field::Kind;
 use crate::order;

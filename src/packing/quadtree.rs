@@ -3,7 +3,7 @@
 use super::clearance::has_room;
 use super::grid::Grid;
 use super::placed::Placed;
-use super::plane::Surroundings;
+use super::surroundings::Surroundings;
 use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;

@@ -1,34 +1,14 @@
 //! The run of a packing on any domain: motion, population control, and the end.
 
-use super::ground::{Asks, GridOf, Ground};
+use super::body::Body;
+use super::cell_fields::Asks;
+use super::ground::{GridOf, Ground};
 use super::integrate::Motion;
 use super::population::{Change, Survey};
 use super::{PackingParams, Particle, Population, Sample, StepReport};
 use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
-
-/// A cell in motion.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Body<P> {
-    pub particle: Particle<P>,
-    /// Velocity, in the frame of its place.
-    pub velocity: DVec2,
-    /// Factor of this cell's size over the size field.
-    pub factor: f64,
-    /// Whether it moved in the last step, or is new.
-    pub has_moved: bool,
-}
-
-impl<P: Copy> Body<P> {
-    /// Moves it; its direction and size follow the fields.
-    pub fn place<A: Asks<Place = P>>(&mut self, centre: P, asked: A) {
-        self.particle.centre = centre;
-        self.particle.axis = asked.direction(centre);
-        self.particle.size = self.factor * asked.size(centre);
-        self.particle.aspect = asked.aspect(centre);
-    }
-}
 
 /// A packing in progress, without its domain.
 #[derive(Clone, Debug)]

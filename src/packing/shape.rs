@@ -5,7 +5,8 @@
 //! (`integrate`) and the thresholds of the population depend on the kind itself.
 
 use super::Particle;
-use super::ground::{Asks, Carry};
+use super::cell_fields::Asks;
+use super::transport::Carry;
 use crate::field::Kind;
 use glam::DVec2;
 

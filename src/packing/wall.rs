@@ -1,8 +1,8 @@
 //! The soft wall, which keeps the cells' edges on the boundary.
 
+use super::body::Body;
 use super::force::bubble_force;
 use super::ground::{Foot, Walled};
-use super::run::Body;
 use super::shape::{CUT, Shape};
 use glam::DVec2;
 

@@ -1,10 +1,10 @@
 //! Starts a packing from the cells of another one, in another outline or other fields. While a point is
 //! dragged, the cells flow after it. Finished pictures never use it.
 
+use super::body::Body;
 use super::placement::on_boundary;
-use super::plane::Surroundings;
-use super::run::Body;
 use super::shape::Shape;
+use super::surroundings::Surroundings;
 use super::wall::{CLOSEST, reach};
 use super::{
     BoundaryCondition, Packing, PackingParams, Particle, Population, TUNING, greatest_length,

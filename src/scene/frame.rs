@@ -2,7 +2,7 @@
 
 use super::shade::{Ground, Shading, Studio, far_floor, find_floor};
 use super::sight::{FLOOR, Sight};
-use super::{Backdrop, Camera, Cut, Lighting, Scene, lines};
+use super::{Backdrop, Lighting, Order, Scene, lines};
 use crate::hash::Hash;
 use crate::order::lesser;
 use glam::Vec3;
@@ -12,23 +12,6 @@ use std::ops::Range;
 const PIXEL_WORK: usize = 1;
 /// Offsets of a pixel's samples from its centre.
 const SAMPLES: [[f32; 2]; 4] = [[-0.25, -0.25], [0.25, -0.25], [-0.25, 0.25], [0.25, 0.25]];
-
-/// The frame to be made.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Order {
-    /// The camera.
-    pub camera: Camera,
-    /// Width and height in pixels, 1 to 8192.
-    pub size: [usize; 2],
-    /// Whether each pixel is the mean of two by two samples instead of one.
-    pub is_fine: bool,
-    /// Whether something moves: bodies are then one level coarser, without occlusion.
-    pub is_moving: bool,
-    /// The background.
-    pub backdrop: Backdrop,
-    /// The plane that cuts away bodies, if any. The light must be cut by the same one ([`Lighting::cut_by`]).
-    pub cut: Option<Cut>,
-}
 
 /// A frame in progress.
 pub struct Frame {

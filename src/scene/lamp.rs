@@ -1,8 +1,8 @@
 //! The light of a scene: a recipe's lamp in space, its shadows, and Phong's shading of a point.
 
 use super::shadow::{Shadows, Spot};
-use super::{Cut, Order, Scene};
-use crate::light::{Finish, GAP, LAMP, Light, SHINE, SKY, STEEP, ShadeParams, Tone, lamp_from};
+use super::{Cut, Lamp, Order, Scene};
+use crate::light::{Finish, GAP, LAMP, SHINE, SKY, STEEP, ShadeParams, Tone};
 use crate::material::Material;
 use crate::order::{greater, lesser};
 use glam::Vec3;
@@ -14,55 +14,6 @@ const BELOW: f32 = 0.45;
 
 /// Cosine below which a triangle's own normal is ignored in favour of its corners' normals.
 const TURNED: f32 = 0.05;
-
-/// The source of light.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Lamp {
-    /// At infinity: the unit vector to it.
-    Sun(Vec3),
-    /// At a place.
-    Bulb {
-        /// Its position.
-        at: Vec3,
-        /// How high it is over the ground at `at.y - height`, greater than 0.
-        height: f32,
-    },
-}
-
-impl Lamp {
-    /// The lamp of a picture, for a scene in which the picture's side is 1, its centre the origin and its y
-    /// the scene's z; `ground` is the height of the ground.
-    pub fn over_picture(light: Light, ground: f32) -> Self {
-        match light {
-            Light::Parallel { azimuth, elevation } => {
-                let flat = libm::cos(elevation);
-                let (x, z) = (libm::cos(azimuth) * flat, libm::sin(azimuth) * flat);
-                let to = glam::DVec3::new(x, libm::sin(elevation), z);
-                Self::Sun(to.normalize_or(glam::DVec3::Y).as_vec3())
-            }
-            Light::Point { x, y, z } => {
-                let height = greater(z as f32, 1e-3);
-                Self::Bulb {
-                    at: Vec3::new(x as f32 - 0.5, ground + height, y as f32 - 0.5),
-                    height,
-                }
-            }
-        }
-    }
-
-    /// The unit vector from a point to it, and its strength there.
-    #[inline(always)]
-    fn from(&self, p: Vec3) -> (Vec3, f32) {
-        match *self {
-            Lamp::Sun(to) => (to, 1.0),
-            Lamp::Bulb { at, height } => {
-                let ground = at.y - height;
-                let (to, strength) = lamp_from([p.x, p.z, p.y - ground], [at.x, at.z, height]);
-                (Vec3::new(to[0], to[2], to[1]), strength)
-            }
-        }
-    }
-}
 
 /// Resolution of shadows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

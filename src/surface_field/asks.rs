@@ -2,7 +2,7 @@
 
 use super::SurfaceFields;
 use crate::field::Kind;
-use crate::packing::ground::Asks;
+use crate::packing::cell_fields::Asks;
 use crate::trimesh::SurfacePoint;
 use glam::DVec2;
 

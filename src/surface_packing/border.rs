@@ -3,7 +3,8 @@
 use super::buckets::Boxes;
 use super::ground::OnSurface;
 use super::site::Site;
-use crate::packing::ground::{Asks, Foot, Sees};
+use crate::packing::cell_fields::Asks;
+use crate::packing::ground::{Foot, Sees};
 use crate::packing::placed::Placed;
 use crate::packing::shape::Shape;
 use crate::trimesh::{SurfacePoint, TriMesh};

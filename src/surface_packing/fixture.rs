@@ -1,7 +1,7 @@
 //! Fields for tests.
 
 use crate::field::Kind;
-use crate::packing::ground::Asks;
+use crate::packing::cell_fields::Asks;
 use crate::trimesh::SurfacePoint;
 use glam::{DVec2, DVec3};
 

@@ -2,8 +2,9 @@
 
 use super::site::Site;
 use super::walls::{SurfaceFoot, SurfaceWalls};
+use crate::packing::cell_fields::Asks;
 use crate::packing::clearance::{INSIDE_CLEARANCE, NARROW, NARROWEST};
-use crate::packing::ground::{Asks, Foot, Ground, Sees, Walled};
+use crate::packing::ground::{Foot, Ground, Sees, Walled};
 use crate::packing::shape::Shape;
 use crate::packing::wall::CLOSEST;
 use crate::packing::{BoundaryCondition, TUNING, Tuning};

@@ -16,7 +16,7 @@ mod walls;
 
 pub use site::Site;
 
-use crate::packing::ground::Asks;
+use crate::packing::cell_fields::Asks;
 use crate::packing::placed::Placed;
 use crate::packing::population::Survey;
 use crate::packing::{PackingParams, Particle, Sample, StepReport, front::Front, run::Run};

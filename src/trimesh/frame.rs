@@ -1,7 +1,7 @@
 //! Tangent frames, and the logarithmic map between two points of a surface.
 
 use super::SurfacePoint;
-use crate::packing::ground::Carry;
+use crate::packing::transport::Carry;
 use glam::{DVec2, DVec3};
 
 /// A right-handed orthonormal frame: two axes in the tangent plane, and its normal.

@@ -1,0 +1,14 @@
+//! The outline that cells are packed into, for all that packs in the plane.
+
+use super::BoundaryCondition;
+use crate::domain::{Domain, Walls};
+use crate::field::Fields;
+
+/// An outline, with the fields and the walls in it.
+#[derive(Clone, Copy)]
+pub(super) struct Surroundings<'a> {
+    pub domain: &'a Domain,
+    pub fields: &'a Fields,
+    pub walls: &'a Walls,
+    pub boundary: BoundaryCondition,
+}
