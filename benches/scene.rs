@@ -3,7 +3,7 @@
 use super::{Clock, Timing, shortest};
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement;
-use bubblestone::heightfield::{Cutout, GROUND, TextureParams};
+use bubblestone::heightfield::{GROUND, HeightFieldScene, TextureParams};
 use bubblestone::light::ShadeParams;
 use bubblestone::material::{Gloss, Material, material_table};
 use bubblestone::scene::{
@@ -67,7 +67,7 @@ impl Hide {
             ..TextureParams::default()
         };
         let cut_out = || {
-            let mut cutout = Cutout::new(texture, cells.len(), planes);
+            let mut cutout = HeightFieldScene::new(texture, cells.len(), planes);
             while !cutout.advance(cells, planes) {}
             cutout.finish()
         };

@@ -7,7 +7,7 @@ use bubblestone::surface_cells::{Polish, SurfaceMesh};
 use bubblestone::surface_field::{
     Amount, Bone, DirectionParams, SizeParams, SurfaceFieldBuilder, SurfaceFieldParams,
 };
-use bubblestone::surface_packing::{Site, SurfacePacking};
+use bubblestone::surface_packing::{PackingMesh, SurfacePacking};
 use bubblestone::trimesh::TriMesh;
 use bubblestone::trimesh::refine::{Refining, SHARE};
 use std::sync::Arc;
@@ -49,7 +49,7 @@ pub fn whole_way(cells: u32, clock: Clock, timings: &mut Vec<Timing>) {
         let start = clock();
         let fields = SurfaceFieldBuilder::build(mesh.clone(), params.clone());
         let directed = clock();
-        let site = Site::new(mesh.clone(), fields.size_range().1);
+        let site = PackingMesh::new(mesh.clone(), fields.size_range().1);
         let packing = SurfacePacking::build(&site, &fields, PackingParams::default());
         let packed = clock();
         let made = SurfaceMesh::build(&mesh, packing.particles(), Polish::default());

@@ -21,7 +21,7 @@ mod figures {
     use super::native;
     use super::native::sheet::Sheet;
     use bubblestone::export::Report;
-    use bubblestone::generators::{ALL, Generator, Part, Preset};
+    use bubblestone::generators::{ALL, Generator, MeasuredPart, Preset};
     use bubblestone::studio::Studio;
     use std::path::Path;
 
@@ -67,7 +67,7 @@ mod figures {
         let Report { cells, steps, .. } = report;
         let whole = seconds(report, |_| true);
         print!("{:<18}{cells:>7}{steps:>7}{whole:>9.3}", preset.name);
-        for Part {
+        for MeasuredPart {
             name,
             stages,
             seconds: paper,

@@ -1,13 +1,13 @@
 //! Comparing and sorting numbers, the same way everywhere and cheaply in WebAssembly.
 
 /// A sort key: the first number, then the second.
-pub(crate) type Key = (u64, u64);
+pub(crate) type SortKey = (u64, u64);
 
 /// Sorts by a key, the smallest first; the sort is stable.
 ///
 /// It sorts the keys together with the items' indices, so all lists share one sort. A separate sort for each
 /// type of item would add copies of the standard library's sort to the WebAssembly module (docs/times.md).
-pub(crate) fn sort<T>(items: &mut [T], key: impl Fn(&T) -> Key) {
+pub(crate) fn sort<T>(items: &mut [T], key: impl Fn(&T) -> SortKey) {
     items.sort_by_cached_key(key);
 }
 

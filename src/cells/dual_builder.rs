@@ -21,11 +21,11 @@ pub(super) struct DualBuilder {
     is_voronoi: bool,
     /// The number of attempts begun.
     begun: usize,
-    at_work: Option<(Attempt, Step)>,
+    at_work: Option<(Attempt, AttemptPhase)>,
 }
 
 /// The progress of an attempt.
-enum Step {
+enum AttemptPhase {
     Delaunay(IncrementalDelaunay),
     Mesh(Mesh),
 }
@@ -68,12 +68,12 @@ impl DualBuilder {
         let within = matches!(what, Attempt::Within(..));
         let least = if within { CORNERS } else { 0 };
         let mesh = match step {
-            Step::Mesh(mesh) => mesh,
-            Step::Delaunay(mut delaunay) => {
+            AttemptPhase::Mesh(mesh) => mesh,
+            AttemptPhase::Delaunay(mut delaunay) => {
                 let next = if delaunay.advance() {
-                    Step::Mesh(Mesh::whole(delaunay, |_| is_voronoi, least))
+                    AttemptPhase::Mesh(Mesh::whole(delaunay, |_| is_voronoi, least))
                 } else {
-                    Step::Delaunay(delaunay)
+                    AttemptPhase::Delaunay(delaunay)
                 };
                 self.at_work = Some((what, next));
                 return None;
@@ -94,14 +94,14 @@ impl DualBuilder {
         }
     }
 
-    fn begin(&mut self, domain: &Domain) -> (Attempt, Step) {
+    fn begin(&mut self, domain: &Domain) -> (Attempt, AttemptPhase) {
         let particles = &self.particles;
         // In the plane ghosts end the mesh at the walls. A torus has no walls but must close over the seams.
         let Some(side) = domain.space().period() else {
             let (nodes, cells, fixed) = Dual::nodes(domain, particles.clone(), self.is_voronoi);
             return (
                 Attempt::Within(cells, fixed),
-                Step::Delaunay(IncrementalDelaunay::new(nodes)),
+                AttemptPhase::Delaunay(IncrementalDelaunay::new(nodes)),
             );
         };
         let lined = !self.is_voronoi && !domain.lines().is_empty();
@@ -111,13 +111,16 @@ impl DualBuilder {
             let (lined, nodes) = Lined::new(side, particles, STRATEGIES[number]);
             return (
                 Attempt::Lines(lined),
-                Step::Delaunay(IncrementalDelaunay::new(nodes)),
+                AttemptPhase::Delaunay(IncrementalDelaunay::new(nodes)),
             );
         }
         let number = number - if lined { STRATEGIES.len() } else { 0 };
         let strategy = STRATEGIES[number.min(STRATEGIES.len() - 1)];
         let (nodes, sizes) = tiling::nodes(side, particles, strategy, self.is_voronoi);
         let what = Attempt::Seams(strategy, sizes);
-        (what, Step::Delaunay(IncrementalDelaunay::new(nodes)))
+        (
+            what,
+            AttemptPhase::Delaunay(IncrementalDelaunay::new(nodes)),
+        )
     }
 }

@@ -32,11 +32,11 @@ pub struct Fitting {
     largest: u32,
     /// The number of cells that are not images of others.
     count: usize,
-    next: Next,
+    next: FittingPhase,
 }
 
 /// The next slice of the work.
-enum Next {
+enum FittingPhase {
     Islands(Vec<Particle>),
     Build(usize, DualBuilder),
     Band(usize, Dual),
@@ -65,24 +65,24 @@ impl Fitting {
             is_voronoi,
             largest: particles.iter().map(|p| p.id).max().unwrap_or(0),
             count: 0,
-            next: Next::Islands(particles),
+            next: FittingPhase::Islands(particles),
         }
     }
 
     /// Begins the next island.
-    fn next_island(&mut self, domain: &Domain) -> Next {
+    fn next_island(&mut self, domain: &Domain) -> FittingPhase {
         let Some((number, particles)) = self.left.pop() else {
             if domain.islands().len() > 1 {
                 self.join_islands();
             }
             return if self.is_voronoi {
-                Next::Nothing
+                FittingPhase::Nothing
             } else {
-                Next::Corners
+                FittingPhase::Corners
             };
         };
         let island = &domain.islands()[number];
-        Next::Build(number, DualBuilder::new(island, particles, self.is_voronoi))
+        FittingPhase::Build(number, DualBuilder::new(island, particles, self.is_voronoi))
     }
 
     /// The cells of all islands in the order of their ids. Cells without a particle get new ids, because each
@@ -98,9 +98,9 @@ impl Fitting {
 
     /// Does one slice of the work; true when finished.
     pub fn advance(&mut self, domain: &Domain) -> bool {
-        self.next = match std::mem::replace(&mut self.next, Next::Nothing) {
-            Next::Islands(particles) if particles.is_empty() => Next::Nothing,
-            Next::Islands(particles) => {
+        self.next = match std::mem::replace(&mut self.next, FittingPhase::Nothing) {
+            FittingPhase::Islands(particles) if particles.is_empty() => FittingPhase::Nothing,
+            FittingPhase::Islands(particles) => {
                 let mut own = vec![Vec::new(); domain.islands().len()];
                 for p in particles {
                     own[domain.island(p.centre)].push(p);
@@ -109,35 +109,37 @@ impl Fitting {
                 self.left.retain(|(_, particles)| !particles.is_empty());
                 self.next_island(domain)
             }
-            Next::Build(number, mut builder) => match builder.advance(&domain.islands()[number]) {
-                Some(Built::Cells(cells)) => {
-                    self.cells = cells;
-                    Next::Corners
+            FittingPhase::Build(number, mut builder) => {
+                match builder.advance(&domain.islands()[number]) {
+                    Some(Built::Cells(cells)) => {
+                        self.cells = cells;
+                        FittingPhase::Corners
+                    }
+                    Some(Built::Dual(dual)) => FittingPhase::Band(number, dual),
+                    None => FittingPhase::Build(number, builder),
                 }
-                Some(Built::Dual(dual)) => Next::Band(number, dual),
-                None => Next::Build(number, builder),
-            },
-            Next::Band(number, dual) => {
+            }
+            FittingPhase::Band(number, dual) => {
                 self.cells.extend(dual.cells(&domain.islands()[number]));
                 self.next_island(domain)
             }
-            Next::Corners => {
+            FittingPhase::Corners => {
                 self.count = self.cells.len();
                 self.cells.extend(images::images(domain, &self.cells));
-                Next::Straighten(Straightening::new(domain, &self.cells))
+                FittingPhase::Straighten(Straightening::new(domain, &self.cells))
             }
-            Next::Straighten(mut straightening) => {
+            FittingPhase::Straighten(mut straightening) => {
                 if straightening.advance(domain, &self.cells) {
                     straightening.finish(&mut self.cells);
                     self.cells.truncate(self.count);
-                    Next::Nothing
+                    FittingPhase::Nothing
                 } else {
-                    Next::Straighten(straightening)
+                    FittingPhase::Straighten(straightening)
                 }
             }
-            Next::Nothing => Next::Nothing,
+            FittingPhase::Nothing => FittingPhase::Nothing,
         };
-        matches!(self.next, Next::Nothing)
+        matches!(self.next, FittingPhase::Nothing)
     }
 
     /// The cells in the order of their ids.

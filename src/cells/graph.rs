@@ -156,18 +156,18 @@ fn particle(cell: &Cell) -> Particle {
 mod tests {
     use super::*;
     use crate::domain::Outline;
-    use crate::field::Kind;
+    use crate::field::CellKind;
     use glam::DVec2;
 
     /// Cells of a kind in rows: squares in a grid, circles in a honeycomb.
-    fn rows(kind: Kind, aspect: f64, side: f64, count: usize) -> Vec<Cell> {
+    fn rows(kind: CellKind, aspect: f64, side: f64, count: usize) -> Vec<Cell> {
         let pitch = side / count as f64;
         let root = aspect.sqrt();
         let mut cells = Vec::new();
         for k in 0..count * count {
             let (x, y) = ((k % count) as f64, (k / count) as f64);
             let (shift, fall) = match kind {
-                Kind::Circle => (0.5 * (y % 2.0), 0.75f64.sqrt()),
+                CellKind::Circle => (0.5 * (y % 2.0), 0.75f64.sqrt()),
                 _ => (0.0, 1.0),
             };
             cells.push(Cell {
@@ -205,15 +205,15 @@ mod tests {
     fn squares_have_eight_neighbours_and_circles_six() {
         let domain = square(400.0, Vec::new());
         for (kind, aspect, inner) in [
-            (Kind::Square, 1.0, 8),
-            (Kind::Rectangle, 3.0, 8),
-            (Kind::Circle, 1.0, 6),
+            (CellKind::Square, 1.0, 8),
+            (CellKind::Rectangle, 3.0, 8),
+            (CellKind::Circle, 1.0, 6),
         ] {
             let cells = rows(kind, aspect, 200.0, 9);
             let graph = graph(&domain, &cells);
             assert_symmetric(&graph);
             assert_eq!(graph[4 * 9 + 4].len(), inner, "{kind:?}");
-            if kind != Kind::Circle {
+            if kind != CellKind::Circle {
                 assert_eq!(graph[0].len(), 3);
             }
         }
@@ -223,7 +223,7 @@ mod tests {
     fn tiles_have_neighbours_over_the_seam() {
         for count in [1, 2, 3, 8] {
             let domain = Domain::torus(100.0, &[]);
-            let graph = graph(&domain, &rows(Kind::Square, 1.0, 100.0, count));
+            let graph = graph(&domain, &rows(CellKind::Square, 1.0, 100.0, count));
             assert_symmetric(&graph);
             let most = (count * count - 1).min(8);
             assert!(graph.iter().all(|list| list.len() == most), "{count}");
@@ -233,7 +233,7 @@ mod tests {
     #[test]
     fn neither_lines_nor_gaps_are_seen_over() {
         let line = vec![DVec2::new(50.0, 0.0), DVec2::new(50.0, 100.0)];
-        let cells = rows(Kind::Square, 1.0, 100.0, 10);
+        let cells = rows(CellKind::Square, 1.0, 100.0, 10);
         let graph = graph(&square(100.0, vec![line]), &cells);
         let left = |k: usize| k % 10 < 5;
         for (k, list) in graph.iter().enumerate() {
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn lone_cells_find_somebody() {
-        let mut cells = rows(Kind::Square, 1.0, 100.0, 4);
+        let mut cells = rows(CellKind::Square, 1.0, 100.0, 4);
         cells.push(Cell {
             centre: DVec2::new(160.0, 100.0),
             id: 99,

@@ -51,7 +51,7 @@ pub(crate) use straighten::{PACE, ROOM, ROUNDS, rectangle};
 pub(crate) use vertices::CORNER;
 pub use voronoi::{Scatter, ScatterParams};
 
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::packing::Particle;
 use glam::DVec2;
 
@@ -63,7 +63,7 @@ pub struct Cell {
     /// The packed particle's centre; inside the ring for any sensible cell.
     pub centre: DVec2,
     /// The packed particle's kind.
-    pub kind: Kind,
+    pub kind: CellKind,
     /// The size from the size field (the side of its square), in picture units.
     pub size: f64,
     /// Length over width from the field; 1 for squares and circles.

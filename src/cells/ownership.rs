@@ -11,7 +11,7 @@ use super::Cell;
 use super::arrangement::{Arrangement, Between};
 use super::rings::rings;
 use crate::domain::{Domain, signed_area};
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::order;
 use crate::packing::Particle;
 use glam::DVec2;
@@ -351,7 +351,7 @@ impl Ownership {
                 cells.push(Cell {
                     id: nameless,
                     centre,
-                    kind: Kind::default(),
+                    kind: CellKind::default(),
                     size: self.regions[region].size,
                     aspect: 1.0,
                     axis: DVec2::ZERO,

@@ -31,11 +31,11 @@ pub(super) struct Straightening {
     rings: Rings,
     /// The mean of the cells' areas over their squared sizes.
     share: f64,
-    next: Next,
+    next: StraighteningPhase,
 }
 
 /// The next slice of the work.
-enum Next {
+enum StraighteningPhase {
     Freedom,
     Corners,
     Round(u32),
@@ -51,30 +51,30 @@ impl Straightening {
         Self {
             rings: Rings::new(domain, cells),
             share: area / asked,
-            next: Next::Freedom,
+            next: StraighteningPhase::Freedom,
         }
     }
 
     /// Does one slice of the work, always with the same cells; true with the last one.
     pub fn advance(&mut self, domain: &Domain, cells: &[Cell]) -> bool {
         self.next = match self.next {
-            Next::Freedom => {
+            StraighteningPhase::Freedom => {
                 self.rings.find_free(domain);
-                Next::Corners
+                StraighteningPhase::Corners
             }
-            Next::Corners => {
+            StraighteningPhase::Corners => {
                 self.rings.find_corners();
-                Next::Round(1)
+                StraighteningPhase::Round(1)
             }
-            Next::Round(number) => {
+            StraighteningPhase::Round(number) => {
                 self.rings.round(cells, self.share);
                 if number == ROUNDS {
                     self.rings.settle(domain);
                 }
-                Next::Round(number + 1)
+                StraighteningPhase::Round(number + 1)
             }
         };
-        matches!(self.next, Next::Round(number) if number > ROUNDS)
+        matches!(self.next, StraighteningPhase::Round(number) if number > ROUNDS)
     }
 
     /// Gives the cells their straightened rings.

@@ -35,13 +35,13 @@ struct Cutter<'a> {
 }
 
 /// A segment of a line with the places where it is cut.
-struct Piece {
+struct CutSegment {
     ends: [DVec2; 2],
     line: usize,
     cuts: Vec<DVec2>,
 }
 
-impl Piece {
+impl CutSegment {
     fn cut(&mut self, p: DVec2) {
         if !self.ends.contains(&p) {
             self.cuts.push(p);
@@ -95,9 +95,9 @@ impl<'a> Cutter<'a> {
     }
 
     fn cut(mut self) -> (Vec<Vec<DVec2>>, Vec<(usize, DVec2)>) {
-        let mut pieces: Vec<Piece> = Vec::new();
+        let mut pieces: Vec<CutSegment> = Vec::new();
         for (line, points) in self.lines.iter().enumerate() {
-            pieces.extend(points.windows(2).map(|w| Piece {
+            pieces.extend(points.windows(2).map(|w| CutSegment {
                 ends: [w[0], w[1]],
                 line,
                 cuts: Vec::new(),
@@ -126,7 +126,7 @@ impl<'a> Cutter<'a> {
     }
 
     /// Cuts a piece and an image of another piece where they meet.
-    fn cut_pair(&mut self, pieces: &mut [Piece], k: usize, j: usize, shift: DVec2) {
+    fn cut_pair(&mut self, pieces: &mut [CutSegment], k: usize, j: usize, shift: DVec2) {
         let [a, b] = pieces[k].ends;
         let [c, d] = pieces[j].ends.map(|p| p + shift);
         let near = DVec2::splat(self.near);
@@ -162,7 +162,7 @@ impl<'a> Cutter<'a> {
     }
 
     /// Joins the pieces inside to lines again.
-    fn chains(&self, pieces: &mut [Piece]) -> Vec<Vec<DVec2>> {
+    fn chains(&self, pieces: &mut [CutSegment]) -> Vec<Vec<DVec2>> {
         let mut chains: Vec<Vec<DVec2>> = Vec::new();
         let mut known: Vec<[DVec2; 2]> = Vec::new();
         let mut last = None;

@@ -16,7 +16,7 @@ pub enum Contact {
 
 /// One side of a ring.
 #[derive(Clone, Copy)]
-struct Segment {
+struct RingSide {
     a: DVec2,
     b: DVec2,
     ring: usize,
@@ -24,7 +24,7 @@ struct Segment {
     neighbours: [usize; 2],
 }
 
-impl Segment {
+impl RingSide {
     fn low(&self) -> DVec2 {
         self.a.min(self.b)
     }
@@ -38,7 +38,7 @@ impl Segment {
 /// each other.
 pub fn first_contact(rings: &[Vec<DVec2>]) -> Option<Contact> {
     let segments = segments(rings);
-    let mut grid = Grid::new(&segments);
+    let mut grid = SegmentBins::new(&segments);
     // Segments enter the grid one by one, so each is tested against the earlier ones only.
     for (index, segment) in segments.iter().enumerate() {
         let mut found = None;
@@ -63,11 +63,11 @@ pub fn first_contact(rings: &[Vec<DVec2>]) -> Option<Contact> {
     None
 }
 
-fn segments(rings: &[Vec<DVec2>]) -> Vec<Segment> {
+fn segments(rings: &[Vec<DVec2>]) -> Vec<RingSide> {
     let mut segments = Vec::new();
     for (index, ring) in rings.iter().enumerate() {
         let (first, n) = (segments.len(), ring.len());
-        segments.extend((0..n).map(|k| Segment {
+        segments.extend((0..n).map(|k| RingSide {
             a: ring[k],
             b: ring[(k + 1) % n],
             ring: index,
@@ -78,15 +78,15 @@ fn segments(rings: &[Vec<DVec2>]) -> Vec<Segment> {
 }
 
 /// Squares with the numbers of the segments that pass through them.
-struct Grid {
+struct SegmentBins {
     origin: DVec2,
     step: f64,
     columns: usize,
     squares: Vec<Vec<u32>>,
 }
 
-impl Grid {
-    fn new(segments: &[Segment]) -> Self {
+impl SegmentBins {
+    fn new(segments: &[RingSide]) -> Self {
         let ends: Vec<DVec2> = segments.iter().map(|s| s.a).collect();
         let (low, high) = bounds(&ends);
         // About one square for each segment: short segments then share a square with few others.
@@ -107,7 +107,7 @@ impl Grid {
     }
 
     /// Visits the squares that the segment passes, row by row, and a few more where rounding leaves doubt.
-    fn each_square(&mut self, segment: &Segment, mut visit: impl FnMut(&mut Vec<u32>)) {
+    fn each_square(&mut self, segment: &RingSide, mut visit: impl FnMut(&mut Vec<u32>)) {
         let (low, high) = (segment.low() - self.origin, segment.high() - self.origin);
         let (a, along) = (segment.a - self.origin, segment.b - segment.a);
         let rows = self.squares.len() / self.columns;
@@ -133,7 +133,7 @@ impl Grid {
 }
 
 /// A common point of two segments, if any. Its existence is exact, its place rounded.
-fn meet(s: &Segment, t: &Segment) -> Option<DVec2> {
+fn meet(s: &RingSide, t: &RingSide) -> Option<DVec2> {
     if s.low().cmpgt(t.high()).any() || t.low().cmpgt(s.high()).any() {
         return None;
     }
@@ -146,7 +146,7 @@ fn meet(s: &Segment, t: &Segment) -> Option<DVec2> {
     if sa == 0.0 && sb == 0.0 {
         // The segments are collinear and their boxes overlap, so an end of one lies on the other.
         let on_both = |p: &DVec2| {
-            let within = |s: &Segment| p.cmpge(s.low()).all() && p.cmple(s.high()).all();
+            let within = |s: &RingSide| p.cmpge(s.low()).all() && p.cmple(s.high()).all();
             within(s) && within(t)
         };
         return [s.a, s.b, t.a, t.b].into_iter().find(on_both);

@@ -204,7 +204,7 @@ fn paint(colour: Colour) -> Paint<'static> {
 mod tests {
     use super::*;
     use crate::draw::shapes::round;
-    use crate::draw::{Paper, Shape};
+    use crate::draw::{DrawnPath, Paper};
 
     const PAPER: Paper = Paper {
         surround: [0.2, 0.4, 0.6, 1.0],
@@ -220,7 +220,7 @@ mod tests {
     }
 
     fn edges(rings: Vec<Vec<DVec2>>, colour: Colour, width: f64, round: f64) -> Layer {
-        Layer::shapes(vec![Shape::bare(rings)]).edged(colour, width, round)
+        Layer::shapes(vec![DrawnPath::bare(rings)]).edged(colour, width, round)
     }
 
     fn line(points: [(f64, f64); 2], colour: Colour, width: f64) -> Layer {

@@ -2,9 +2,9 @@
 
 use super::shapes::{closed, round};
 use super::stages::{INK, lines};
-use super::{Colour, Layer, SHEET, Shape};
+use super::{Colour, DrawnPath, Layer, SHEET};
 use crate::domain::Domain;
-use crate::field::{Fields, Singularity, Spot};
+use crate::field::{Fields, Singularity, SoftSpot};
 use glam::DVec2;
 
 pub(crate) const CROSS: Colour = [0.54, 0.29, 0.16, 1.0];
@@ -77,7 +77,7 @@ pub fn singularities(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> 
     layers
 }
 
-fn spots(layers: &mut Vec<Layer>, spots: &[Spot], colour: Colour, width: f64) {
+fn spots(layers: &mut Vec<Layer>, spots: &[SoftSpot], colour: Colour, width: f64) {
     for spot in spots {
         // Circles at full weight, at half, and at zero.
         for share in [0.05, 0.54, 1.0] {
@@ -101,7 +101,7 @@ fn crosses(domain: &Domain, fields: &Fields, side: f64, step: f64) -> (Vec<Vec<D
         }
         let axis = fields.direction(p);
         if axis == DVec2::ZERO {
-            dots.push(Shape::dot(p, step / 8.0, NO_DIRECTION));
+            dots.push(DrawnPath::dot(p, step / 8.0, NO_DIRECTION));
             continue;
         }
         // The whole cross stays inside the outline.
@@ -122,16 +122,16 @@ fn crosses(domain: &Domain, fields: &Fields, side: f64, step: f64) -> (Vec<Vec<D
 const LABEL: f64 = 14.0;
 
 /// A disc for a positive index, a square on its tip for a negative one.
-fn mark(point: &Singularity, unit: f64) -> [Shape; 2] {
+fn mark(point: &Singularity, unit: f64) -> [DrawnPath; 2] {
     let (p, turns_with) = (point.point, point.index > 0.0);
     let colour = if turns_with { WITH } else { AGAINST };
     [(2.1 * unit, SHEET.bed), (1.6 * unit, colour)].map(|(radius, colour)| {
         if turns_with {
-            return Shape::dot(p, radius, colour);
+            return DrawnPath::dot(p, radius, colour);
         }
         let tip = |c: DVec2| p + 1.2 * radius * c;
         let tips = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y].map(tip);
-        Shape::fill(vec![tips.to_vec()], colour, 0.0)
+        DrawnPath::fill(vec![tips.to_vec()], colour, 0.0)
     })
 }
 

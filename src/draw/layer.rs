@@ -15,14 +15,14 @@ pub struct Layer {
     /// Prefix of its shapes' ids in files, followed by their index. Empty if the layer is one object.
     pub item: &'static str,
     /// Its shapes.
-    pub shapes: Vec<Shape>,
+    pub shapes: Vec<DrawnPath>,
     /// The pen for their lines.
     pub pen: Option<Pen>,
 }
 
 /// Rings or lines that belong together.
 #[derive(Clone, Debug, Default)]
-pub struct Shape {
+pub struct DrawnPath {
     /// Rings, or with an open pen lines through these points.
     pub paths: Vec<Vec<DVec2>>,
     /// Fills the area inside the rings by the non-zero rule: an overlap of two rings with the same
@@ -52,7 +52,7 @@ const RIM: Colour = [0.06, 0.04, 0.07, 0.82];
 
 impl Layer {
     /// Filled shapes.
-    pub fn shapes(shapes: Vec<Shape>) -> Self {
+    pub fn shapes(shapes: Vec<DrawnPath>) -> Self {
         Self {
             shapes,
             ..Self::default()
@@ -61,18 +61,18 @@ impl Layer {
 
     /// The area inside rings.
     pub fn fill(rings: Vec<Vec<DVec2>>, colour: Colour, round: f64) -> Self {
-        Self::shapes(vec![Shape::fill(rings, colour, round)])
+        Self::shapes(vec![DrawnPath::fill(rings, colour, round)])
     }
 
     /// Lines through points.
     pub fn lines(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> Self {
-        let shape = Shape::bare(lines);
+        let shape = DrawnPath::bare(lines);
         Self::shapes(vec![shape]).drawn(colour, width)
     }
 
     /// The lines of rings.
     pub fn edges(rings: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> Self {
-        let shape = Shape::bare(rings);
+        let shape = DrawnPath::bare(rings);
         Self::shapes(vec![shape]).edged(colour, width, 0.0)
     }
 
@@ -124,7 +124,7 @@ impl Layer {
     }
 }
 
-impl Shape {
+impl DrawnPath {
     /// Paths only, for a pen.
     pub fn bare(paths: Vec<Vec<DVec2>>) -> Self {
         Self {

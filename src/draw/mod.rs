@@ -21,7 +21,7 @@ mod tones;
 
 pub use board::Board;
 pub use colour::{Colour, Paper, blend, lit};
-pub use layer::{Layer, Pen, Shape};
+pub use layer::{DrawnPath, Layer, Pen};
 pub use shapes::copies;
 pub use sketch::Sketch;
 pub use tones::{SHEET, Tones};

@@ -3,7 +3,7 @@
 
 use super::shapes::closed;
 use super::stages::{elements, line_width, mean, mean_size, mesh_width};
-use super::{Colour, Layer, Shape, blend};
+use super::{Colour, DrawnPath, Layer, blend};
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
@@ -33,7 +33,7 @@ pub(super) fn fill_by_scale(rings: &[Vec<DVec2>], shares: &[f32], scale: &[Colou
         let here = |share: f32| (share.clamp(0.0, 1.0) * top as f32 + 0.5) as usize == step;
         let some = rings.iter().zip(shares).filter(|&(_, &share)| here(share));
         let some = some.map(|(ring, _)| ring.clone()).collect();
-        Shape::fill(some, colour, 0.0)
+        DrawnPath::fill(some, colour, 0.0)
     };
     Layer::shapes(scale.iter().enumerate().map(shape).collect())
 }

@@ -5,8 +5,8 @@
 //! for six.
 
 use super::stages::INK;
-use super::{Board, Colour, Layer, SHEET, Shape, blend};
-use crate::field::Kind;
+use super::{Board, Colour, DrawnPath, Layer, SHEET, blend};
+use crate::field::CellKind;
 use crate::packing::{Particle, force::Pair};
 use glam::DVec2;
 
@@ -27,7 +27,7 @@ const RAYS: usize = 120;
 const EVEN: f64 = 0.02;
 
 /// Draws the potential of a cell of this kind and aspect ratio, with a horizontal axis.
-pub fn potential(board: &mut Board, kind: Kind, aspect: f64, side: f64) {
+pub fn potential(board: &mut Board, kind: CellKind, aspect: f64, side: f64) {
     let root = if kind.is_stretched() {
         aspect.sqrt()
     } else {
@@ -69,7 +69,8 @@ fn figures(cell: &Particle, wells: Vec<DVec2>, thin: f64) -> Vec<Layer> {
     let own = Layer::fill(vec![cell.ring(1.0, 64)], OWN, 0.0);
     layers.push(own.edged(INK, 1.8 * thin, 0.0));
     let dot = |&place: &DVec2| {
-        [(4.2, LIGHT), (2.6, WELL)].map(|(radius, colour)| Shape::dot(place, radius * thin, colour))
+        [(4.2, LIGHT), (2.6, WELL)]
+            .map(|(radius, colour)| DrawnPath::dot(place, radius * thin, colour))
     };
     layers.push(Layer::shapes(places.iter().flat_map(dot).collect()));
     layers

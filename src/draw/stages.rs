@@ -1,6 +1,6 @@
 //! Drawings of the stages on paper: the outline, packed cells, cells, the mesh, constraint lines.
 
-use super::{Colour, Layer, Paper, Shape, Tones, blend, lit};
+use super::{Colour, DrawnPath, Layer, Paper, Tones, blend, lit};
 use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
@@ -41,7 +41,7 @@ pub fn packed(domain: &Domain, particles: &[Particle], tones: &Tones) -> Layer {
         let own = lit(own, if particle.fixed { FIXED } else { 1.0 });
         let inside = stressed(own, stress);
         let ring = particle.ring(1.0, 16);
-        Shape::fill(vec![ring], inside, ROUND * particle.size)
+        DrawnPath::fill(vec![ring], inside, ROUND * particle.size)
     });
     let size = mean(particles.iter().map(|p| p.size));
     Layer::shapes(cells.collect()).edged(CELL_EDGE, line_width(size), ROUND * size)
@@ -72,7 +72,7 @@ pub fn mean_size(cells: &[Cell]) -> f64 {
 pub fn cells(cells: &[Cell], tones: &Tones) -> Layer {
     let filled = cells.iter().map(|cell| {
         let round = 0.5 * ROUND * cell.size;
-        Shape::fill(vec![cell.ring.clone()], tones.stone(cell.id), round)
+        DrawnPath::fill(vec![cell.ring.clone()], tones.stone(cell.id), round)
     });
     let size = mean_size(cells);
     let joint = lit(tones.paper.bed, 0.86);
@@ -105,7 +105,7 @@ pub fn mesh(mesh: &Mesh, fields: &Fields) -> Layer {
     let width = mesh_width(&elements);
     let filled = elements.into_iter().map(|(ring, is_lone)| {
         let colour = if is_lone { LONE } else { FACE };
-        Shape::fill(vec![ring], colour, 0.0)
+        DrawnPath::fill(vec![ring], colour, 0.0)
     });
     Layer::shapes(filled.collect()).edged(INK, width, 0.0)
 }
@@ -113,7 +113,9 @@ pub fn mesh(mesh: &Mesh, fields: &Fields) -> Layer {
 /// The constraint lines, over the cells along them.
 pub fn lines(domain: &Domain, side: f64) -> Layer {
     let lines = domain.lines().iter();
-    let lines = lines.map(|line| Shape::bare(vec![line.clone()])).collect();
+    let lines = lines
+        .map(|line| DrawnPath::bare(vec![line.clone()]))
+        .collect();
     let lines = Layer::shapes(lines);
     lines
         .drawn(INK, (side / 300.0).max(1.2))

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 /// The axes and units of a surface.
-pub(super) enum Frame {
+pub(super) enum ExportSpace {
     /// x, y down and height, in picture units; `unit` is the file's unit for one of them.
     Picture { unit: f32 },
     /// Those of a model, as in files.
@@ -11,7 +11,7 @@ pub(super) enum Frame {
     Model,
 }
 
-impl Frame {
+impl ExportSpace {
     pub fn place(&self, p: Vec3) -> [f32; 3] {
         match *self {
             Self::Picture { unit } => [p.x * unit - 0.5, p.z * unit, p.y * unit - 0.5],

@@ -13,7 +13,7 @@
 //! Places in maps begin at the upper left corner of the picture.
 
 use super::bytes::{put, put_floats};
-use super::frame::Frame;
+use super::frame::ExportSpace;
 #[cfg(house)]
 use super::json::text;
 use super::maps::id_colour;
@@ -217,14 +217,14 @@ impl Glb {
     }
 
     /// Adds the surface of the stone with this id, or of the ground for 0.
-    pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
+    pub fn add(&mut self, frame: &ExportSpace, surface: &Surface, id: u32) {
         let surface = self.add_surface(frame, surface);
         let mesh = self.add_mesh(surface, 0);
         self.add_stone(mesh, id);
     }
 
     /// Adds a surface, for meshes to use; returns its number.
-    pub(super) fn add_surface(&mut self, frame: &Frame, surface: &Surface) -> usize {
+    pub(super) fn add_surface(&mut self, frame: &ExportSpace, surface: &Surface) -> usize {
         let first = self.vertices.len();
         let (mut low, mut high) = ([f32::MAX; 3], [f32::MIN; 3]);
         for (k, &p) in surface.positions.iter().enumerate() {
@@ -270,7 +270,7 @@ impl Glb {
         }
     }
 
-    fn index(&mut self, frame: &Frame, triangles: &[[u32; 3]], vertices: usize) {
+    fn index(&mut self, frame: &ExportSpace, triangles: &[[u32; 3]], vertices: usize) {
         let (kind, bytes) = if vertices < 65_535 {
             (5123.0, 2)
         } else {
@@ -452,7 +452,7 @@ mod tests {
             ..Surface::default()
         };
         let mut glb = Glb::new(0.5, Some([5, 8, 1]), true);
-        glb.add(&Frame::Picture { unit: 1.0 }, &square, 7);
+        glb.add(&ExportSpace::Picture { unit: 1.0 }, &square, 7);
         let glb = glb.finish().concat();
         let told = u32::from_le_bytes([glb[8], glb[9], glb[10], glb[11]]);
         assert_eq!(told as usize, glb.len() + 8 + 8 + 4);

@@ -118,7 +118,7 @@ pub fn text(s: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::Kind;
+    use crate::field::CellKind;
 
     #[test]
     fn numbers_read_back_as_the_same_bits() {
@@ -143,7 +143,7 @@ mod tests {
         };
         let cell = SurfaceCell {
             id: 3,
-            kind: Kind::Square,
+            kind: CellKind::Square,
             centre: at,
             axis: DVec2::X,
             size: 0.25,
@@ -169,7 +169,7 @@ mod tests {
         let cell = Cell {
             id: 3,
             centre: DVec2::ZERO,
-            kind: Kind::Square,
+            kind: CellKind::Square,
             size: 1.0,
             aspect: 1.0,
             axis: DVec2::X,

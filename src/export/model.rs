@@ -1,6 +1,6 @@
 //! The stones on a surface in one file, cell by cell, and then the ground in parts, in the model's axes and units.
 
-use super::frame::Frame;
+use super::frame::ExportSpace;
 use super::glb::Glb;
 use super::obj::Obj;
 use super::order::{MeshFormat, MeshOrder};
@@ -29,7 +29,7 @@ impl ModelFile {
         Self {
             pieces: Pieces::new(params, cells, order.of_each(cells.len())),
             writer: match order.format {
-                MeshFormat::Obj => Writer::Obj(Obj::new(&Frame::Model)),
+                MeshFormat::Obj => Writer::Obj(Obj::new(&ExportSpace::Model)),
                 MeshFormat::Glb => Writer::Glb(Box::new(glb())),
             },
         }
@@ -46,7 +46,7 @@ impl ModelFile {
         match self.pieces.next(mesh, paving) {
             Piece::None => false,
             Piece::Surface(id, surface) => {
-                self.writer.add(&Frame::Model, &surface, id);
+                self.writer.add(&ExportSpace::Model, &surface, id);
                 false
             }
             Piece::End => true,

@@ -1,7 +1,7 @@
 //! Surfaces as an OBJ file: text, one object for each cell and one for the ground.
 
 use super::fixed::{push, push_whole};
-use super::frame::Frame;
+use super::frame::ExportSpace;
 use crate::solid::Surface;
 
 /// The bytes of a part; then another one begins.
@@ -23,11 +23,11 @@ pub(super) struct Obj {
 }
 
 impl Obj {
-    pub fn new(frame: &Frame) -> Self {
+    pub fn new(frame: &ExportSpace) -> Self {
         let head = match frame {
-            Frame::Picture { .. } => HEAD,
+            ExportSpace::Picture { .. } => HEAD,
             #[cfg(house)]
-            Frame::Model => MODEL_HEAD,
+            ExportSpace::Model => MODEL_HEAD,
         };
         Self {
             parts: Vec::new(),
@@ -37,7 +37,7 @@ impl Obj {
     }
 
     /// Adds the surface of the stone with this id, or of the ground for 0.
-    pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
+    pub fn add(&mut self, frame: &ExportSpace, surface: &Surface, id: u32) {
         let name = match id.checked_sub(1) {
             None => "ground".to_owned(),
             Some(index) => format!("cell_{index}"),
@@ -46,7 +46,7 @@ impl Obj {
     }
 
     /// Adds an object with this name, which must be one word.
-    pub(super) fn add_named(&mut self, frame: &Frame, surface: &Surface, name: &str) {
+    pub(super) fn add_named(&mut self, frame: &ExportSpace, surface: &Surface, name: &str) {
         let out = &mut self.part;
         out.extend_from_slice(b"o ");
         out.extend_from_slice(name.as_bytes());

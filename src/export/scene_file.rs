@@ -1,7 +1,7 @@
 //! The bodies of a scene in one file. Bodies of one kind share a mesh in GLB; OBJ, which has no instances, gets an
 //! object for each body.
 
-use super::frame::Frame;
+use super::frame::ExportSpace;
 use super::glb::Glb;
 use super::maps::roughness;
 use super::obj::Obj;
@@ -51,7 +51,7 @@ impl SceneFile {
         };
         Self {
             writer: match order.format {
-                MeshFormat::Obj => SceneWriter::Obj(Obj::new(&Frame::Model)),
+                MeshFormat::Obj => SceneWriter::Obj(Obj::new(&ExportSpace::Model)),
                 MeshFormat::Glb => SceneWriter::Glb(Box::new(glb())),
             },
             most: order.of_each(scene.instances.len()),
@@ -74,7 +74,7 @@ impl SceneFile {
         match &mut self.writer {
             SceneWriter::Obj(obj) => {
                 let name = name(instance).replace(char::is_whitespace, "_");
-                obj.add_named(&Frame::Model, &placed(surface, instance), &name);
+                obj.add_named(&ExportSpace::Model, &placed(surface, instance), &name);
             }
             SceneWriter::Glb(glb) => glb.add(surface, instance, &name(instance)),
         }
@@ -104,7 +104,7 @@ impl SharedMeshes {
         let kind = (instance.body, instance.paint);
         let mesh = *self.meshes.entry(kind).or_insert_with(|| {
             let shared = self.surfaces.entry(instance.body);
-            let shared = *shared.or_insert_with(|| glb.add_surface(&Frame::Model, surface));
+            let shared = *shared.or_insert_with(|| glb.add_surface(&ExportSpace::Model, surface));
             let material = instance.paint.map_or(0, |paint| {
                 let rough = self.roughness.get(usize::from(paint.material));
                 let new = || glb.add_material(paint.tint, rough.copied().unwrap_or(1.0));

@@ -7,7 +7,7 @@
 //! The picture's axes with the height pointing out of it are left-handed, since its y goes down. So the files
 //! exchange height and y, and reverse each triangle.
 
-use super::frame::Frame;
+use super::frame::ExportSpace;
 use super::glb::Glb;
 use super::maps::roughness;
 use super::obj::Obj;
@@ -24,7 +24,7 @@ pub(super) enum Writer {
 
 impl Writer {
     /// Adds the surface of the stone with this id, or of the ground for 0.
-    pub fn add(&mut self, frame: &Frame, surface: &Surface, id: u32) {
+    pub fn add(&mut self, frame: &ExportSpace, surface: &Surface, id: u32) {
         match self {
             Self::Obj(obj) => obj.add(frame, surface, id),
             Self::Glb(glb) => glb.add(frame, surface, id),
@@ -51,7 +51,7 @@ impl Writer {
 /// A mesh file that is being made.
 pub struct MeshFile {
     surfaces: Surfaces,
-    frame: Frame,
+    frame: ExportSpace,
     writer: Writer,
     /// About how many triangles each stone has.
     each: usize,
@@ -71,7 +71,7 @@ impl MeshFile {
         let each = order.of_each(stones);
         let glb = || Glb::new(mean_roughness(materials), order.images, params.tile);
         let unit = 1.0 / params.side as f32;
-        let frame = Frame::Picture { unit };
+        let frame = ExportSpace::Picture { unit };
         Self {
             surfaces: Surfaces::new(params, each),
             writer: match order.format {

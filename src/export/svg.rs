@@ -3,7 +3,7 @@
 use super::fixed::{push, push_whole};
 use crate::cells::Cell;
 use crate::domain::Domain;
-use crate::draw::{Colour, Layer, Pen, Shape, Tones, copies, lit, stages};
+use crate::draw::{Colour, DrawnPath, Layer, Pen, Tones, copies, lit, stages};
 use glam::DVec2;
 
 /// Decimals of coordinates.
@@ -102,7 +102,7 @@ impl File {
         self.put("</g>\n");
     }
 
-    fn fill(&mut self, shape: &Shape) {
+    fn fill(&mut self, shape: &DrawnPath) {
         if let Some(colour) = shape.fill {
             self.colour(" fill=", colour);
         }
@@ -122,7 +122,7 @@ impl File {
     }
 
     /// Writes a shape's rings or lines, and ends its path.
-    fn paths(&mut self, shape: &Shape, pen: Option<Pen>) {
+    fn paths(&mut self, shape: &DrawnPath, pen: Option<Pen>) {
         self.put(" d=\"");
         for points in &shape.paths {
             for (k, p) in points.iter().enumerate() {

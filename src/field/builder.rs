@@ -6,12 +6,12 @@
 
 use super::follow::{layers, ray};
 use super::formulas;
-use super::grid::{COARSE, Grid};
+use super::grid::{COARSE, SampleGrid};
 use super::lattice::{Lattice, fitted};
 use super::scalar::Gradient;
 use super::sources::{Sources, Sum, line_weight, printed_vector};
 use super::symmetry::representation;
-use super::{ASPECT_RANGE, Direction, FieldParams, Fields, Kind, Layer, SIZE_RANGE};
+use super::{ASPECT_RANGE, CellKind, Direction, FieldParams, Fields, Layer, SIZE_RANGE};
 use crate::domain::Domain;
 use crate::planar::Space;
 use glam::DVec2;
@@ -52,12 +52,12 @@ impl FieldBuilder {
     pub fn new(domain: &Domain, mut params: FieldParams) -> Self {
         let space = domain.space();
         let step = (params.size / 2.0).clamp(params.side / 128.0, params.side / 64.0);
-        let grid = Grid::new(space, domain.bounds(), step);
+        let grid = SampleGrid::new(space, domain.bounds(), step);
         let kinds = params.kinds(domain);
-        let has = |of: &dyn Fn(Kind) -> bool| of(params.kind) || kinds.iter().copied().any(of);
+        let has = |of: &dyn Fn(CellKind) -> bool| of(params.kind) || kinds.iter().copied().any(of);
         let symmetries =
             [4, 2].map(|symmetry| has(&|kind| kind.symmetry() == symmetry).then_some(symmetry));
-        let aspects = has(&Kind::is_stretched) && params.varies_aspect();
+        let aspects = has(&CellKind::is_stretched) && params.varies_aspect();
         let (layers, sources) = layers(domain, &params, symmetries);
         let sampled = !layers.is_empty();
         let mut along = DVec2::new(libm::cos(params.angle), libm::sin(params.angle));
@@ -288,7 +288,7 @@ impl FieldBuilder {
 }
 
 /// The neighbours from the pass before: two on a line, or four around the node.
-fn parents(grid: &Grid, column: usize, row: usize, stride: usize) -> ([usize; 4], usize) {
+fn parents(grid: &SampleGrid, column: usize, row: usize, stride: usize) -> ([usize; 4], usize) {
     let at = row * grid.columns + column;
     let (across, down) = (stride, stride * grid.columns);
     match (
@@ -311,7 +311,7 @@ fn parents(grid: &Grid, column: usize, row: usize, stride: usize) -> ([usize; 4]
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Kind, follow::sources, symmetry::direction_of};
+    use super::super::{CellKind, follow::sources, symmetry::direction_of};
     use super::*;
     use crate::generators::pavement::{self, PavementRecipe};
 
@@ -350,7 +350,11 @@ mod tests {
     #[test]
     fn sampling_costs_little_accuracy() {
         for outline in ["annulus", "road_s", "plaza", "y_fork", "road_notch"] {
-            for (kind, power) in [(Kind::Square, 4), (Kind::Square, 2), (Kind::Ellipse, 4)] {
+            for (kind, power) in [
+                (CellKind::Square, 4),
+                (CellKind::Square, 2),
+                (CellKind::Ellipse, 4),
+            ] {
                 for size in [23.0, 8.0] {
                     let recipe = pavement::recipe(&format!("outline={outline}")).0;
                     let domain = Domain::from_checked(&recipe.outline());

@@ -1,6 +1,6 @@
 //! The sources of the direction field.
 
-use super::sources::{Source, Sources};
+use super::sources::{SourceSegment, Sources};
 use super::{Direction, FieldParams, ends};
 use crate::domain::Domain;
 use crate::planar::Space;
@@ -47,12 +47,12 @@ pub(super) fn layers(
 }
 
 /// All sources of the direction.
-pub(super) fn sources(domain: &Domain, params: &FieldParams, symmetry: u32) -> Vec<Source> {
+pub(super) fn sources(domain: &Domain, params: &FieldParams, symmetry: u32) -> Vec<SourceSegment> {
     let mut list = Vec::new();
     let mut add = |segment, strength| {
         // A source that is left out must not hide a farther one.
         if strength > FAINT {
-            list.extend(Source::new(segment, strength, symmetry));
+            list.extend(SourceSegment::new(segment, strength, symmetry));
         }
     };
     if params.direction == Direction::Boundary {

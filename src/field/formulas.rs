@@ -1,6 +1,6 @@
 //! The formulas of size and aspect ratio that are sampled on the grid.
 
-use super::{FieldParams, Grading, Spot};
+use super::{FieldParams, Grading, SoftSpot};
 use crate::domain::Domain;
 use glam::DVec2;
 
@@ -23,7 +23,7 @@ pub(super) fn aspect(params: &FieldParams, domain: &Domain, p: DVec2) -> f64 {
 }
 
 /// Calls `each` with share and value of the spots that reach a point.
-fn shares(spots: &[Spot], domain: &Domain, p: DVec2, mut each: impl FnMut(f64, f64)) {
+fn shares(spots: &[SoftSpot], domain: &Domain, p: DVec2, mut each: impl FnMut(f64, f64)) {
     for spot in spots {
         let share = spot.share(domain.space().shortest(p - spot.centre));
         if share > 0.0 {

@@ -9,7 +9,7 @@ pub(super) const COARSE: usize = 4;
 
 /// Evenly spaced nodes, row by row from the top.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Grid {
+pub(super) struct SampleGrid {
     pub origin: DVec2,
     pub step: f64,
     pub columns: usize,
@@ -17,7 +17,7 @@ pub(super) struct Grid {
     space: Space,
 }
 
-impl Grid {
+impl SampleGrid {
     /// A grid over a box with about this step. In the plane it extends two squares beyond. On a torus a whole
     /// number of squares goes round, and the last column and row repeat the first.
     pub fn new(space: Space, (lo, hi): (DVec2, DVec2), step: f64) -> Self {

@@ -6,7 +6,7 @@
 /// Itoh, Miyata, Shimada (2003), section 5.1: circles as in the bubble mesh, ellipses by effective distances,
 /// squares by four more potentials at the corners, rectangles by both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum CellKind {
     /// Four corners, equal sides.
     #[default]
     Square,
@@ -18,16 +18,16 @@ pub enum Kind {
     Ellipse,
 }
 
-impl Kind {
+impl CellKind {
     /// Squares and rectangles. They stand edge to edge in rows and columns, and their mesh is of
     /// quadrilaterals. Other kinds stand in the gaps of the neighbouring rows, six around each.
     pub const fn has_corners(self) -> bool {
-        matches!(self, Kind::Square | Kind::Rectangle)
+        matches!(self, CellKind::Square | CellKind::Rectangle)
     }
 
     /// Rectangles and ellipses: longer along the direction field.
     pub const fn is_stretched(self) -> bool {
-        matches!(self, Kind::Rectangle | Kind::Ellipse)
+        matches!(self, CellKind::Rectangle | CellKind::Ellipse)
     }
 
     /// Symmetry of the direction field: how many turns in a full circle leave a cell unchanged. It is 4 for
@@ -35,7 +35,7 @@ impl Kind {
     /// rows follow the field as those of ellipses do.
     pub const fn symmetry(self) -> u32 {
         match self {
-            Kind::Square => 4,
+            CellKind::Square => 4,
             _ => 2,
         }
     }
@@ -43,17 +43,22 @@ impl Kind {
     /// The kind's word in links.
     pub const fn word(self) -> &'static str {
         match self {
-            Kind::Square => "square",
-            Kind::Rectangle => "rectangle",
-            Kind::Circle => "circle",
-            Kind::Ellipse => "ellipse",
+            CellKind::Square => "square",
+            CellKind::Rectangle => "rectangle",
+            CellKind::Circle => "circle",
+            CellKind::Ellipse => "ellipse",
         }
     }
 
     /// The kind with this word in links.
     pub fn from_word(word: &str) -> Option<Self> {
-        [Kind::Square, Kind::Rectangle, Kind::Circle, Kind::Ellipse]
-            .into_iter()
-            .find(|kind| kind.word() == word)
+        [
+            CellKind::Square,
+            CellKind::Rectangle,
+            CellKind::Circle,
+            CellKind::Ellipse,
+        ]
+        .into_iter()
+        .find(|kind| kind.word() == word)
     }
 }

@@ -4,7 +4,7 @@
 //! The sides of the picture are lattice vectors only for some angles and sizes; the nearest of these is
 //! taken. In the plane every lattice fits.
 
-use super::Kind;
+use super::CellKind;
 use crate::planar::Space;
 use glam::DVec2;
 
@@ -20,10 +20,10 @@ pub(super) struct Lattice {
 }
 
 /// The nearest lattice that repeats with the space; `None` in the plane, where nothing repeats.
-pub(super) fn fitted(space: Space, kind: Kind, asked: Lattice) -> Option<Lattice> {
+pub(super) fn fitted(space: Space, kind: CellKind, asked: Lattice) -> Option<Lattice> {
     let side = space.period()?;
     Some(match kind {
-        Kind::Square => squares(asked, side),
+        CellKind::Square => squares(asked, side),
         _ => rows(kind, asked, side),
     })
 }
@@ -45,7 +45,7 @@ fn squares(asked: Lattice, side: f64) -> Lattice {
 
 /// Cells in rows. The unit is one cell's length and one row's distance. Hexagonal rows are shifted by half a
 /// cell, so they use half a length and need an even sum of steps.
-fn rows(kind: Kind, asked: Lattice, side: f64) -> Lattice {
+fn rows(kind: CellKind, asked: Lattice, side: f64) -> Lattice {
     let root = asked.aspect.sqrt();
     let even = !kind.has_corners();
     let (length, width) = (asked.size * root, asked.size / root);
@@ -132,7 +132,7 @@ mod tests {
     use super::*;
 
     /// Whether (x, y) is an integer combination of the lattice's two vectors.
-    fn repeats(kind: Kind, lattice: Lattice, p: DVec2) -> bool {
+    fn repeats(kind: CellKind, lattice: Lattice, p: DVec2) -> bool {
         let root = lattice.aspect.sqrt();
         let (length, width) = (lattice.size * root, lattice.size / root);
         let (u, v) = (
@@ -150,7 +150,7 @@ mod tests {
     #[test]
     fn the_sides_are_sums_of_steps_and_little_changes() {
         let side = 512.0;
-        for kind in [Kind::Square, Kind::Rectangle, Kind::Ellipse] {
+        for kind in [CellKind::Square, CellKind::Rectangle, CellKind::Ellipse] {
             for size in [8.0, 23.0, 37.0] {
                 for degrees in [-88.0, -45.0, -10.0, 0.0, 17.0, 45.0, 63.0, 90.0_f64] {
                     let angle = degrees.to_radians();
@@ -181,7 +181,7 @@ mod tests {
                 libm::sin(degrees.to_radians()),
             ),
         };
-        let got = |degrees| fitted(Space::torus(512.0), Kind::Square, asked(degrees)).unwrap();
+        let got = |degrees| fitted(Space::torus(512.0), CellKind::Square, asked(degrees)).unwrap();
         assert_eq!(got(0.0).size, 512.0 / 22.0);
         assert_eq!(got(18.0).along, DVec2::new(21.0, 7.0).normalize());
     }

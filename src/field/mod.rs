@@ -42,14 +42,14 @@ mod sources;
 pub(crate) mod symmetry;
 
 pub use builder::FieldBuilder;
-pub use kind::Kind;
+pub use kind::CellKind;
 pub use params::{Direction, FieldParams};
-pub use scalar::{Grading, Spot};
+pub use scalar::{Grading, SoftSpot};
 pub use singular::Singularity;
 
 use crate::domain::Domain;
 use glam::DVec2;
-use grid::Grid;
+use grid::SampleGrid;
 use scalar::Gradient;
 
 /// The sampled fields, defined at every point.
@@ -58,7 +58,7 @@ pub struct Fields {
     params: FieldParams,
     /// The direction if it is constant.
     along: DVec2,
-    grid: Grid,
+    grid: SampleGrid,
     /// Sampled directions: none if the direction is constant, two if parts have kinds with different
     /// symmetry.
     layers: Vec<Layer>,
@@ -69,7 +69,7 @@ pub struct Fields {
     /// Sampled aspect ratios of stretched cells; empty if constant.
     aspects: Vec<f64>,
     /// For parts with their own kinds: a domain that finds the part of a point, and the kinds by part.
-    parts: Option<(Domain, Vec<Kind>)>,
+    parts: Option<(Domain, Vec<CellKind>)>,
 }
 
 /// Representation vectors of directions with one symmetry at the nodes.
@@ -130,7 +130,7 @@ impl Fields {
     }
 
     /// The kind of a cell at this point.
-    pub fn kind(&self, p: DVec2) -> Kind {
+    pub fn kind(&self, p: DVec2) -> CellKind {
         let own = self.parts.as_ref();
         let own = own.and_then(|(domain, kinds)| kinds.get(domain.part(p)));
         *own.unwrap_or(&self.params.kind)

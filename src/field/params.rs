@@ -1,6 +1,6 @@
 //! Parameters of the fields.
 
-use super::{Grading, Kind, Spot};
+use super::{CellKind, Grading, SoftSpot};
 use crate::domain::Domain;
 use glam::DVec2;
 
@@ -45,16 +45,16 @@ pub struct FieldParams {
     /// background.
     pub reach: f64,
     /// Kind of the cells.
-    pub kind: Kind,
+    pub kind: CellKind,
     /// Kinds of the parts made by constraint lines, each with a place in its part. Later entries override
     /// earlier ones; other parts have `kind`.
-    pub part_kinds: Vec<(DVec2, Kind)>,
+    pub part_kinds: Vec<(DVec2, CellKind)>,
     /// Aspect ratio of stretched cells (Ca), 1..5: length along the direction over width.
     pub aspect: f64,
     /// Change of the aspect ratio towards the boundary.
     pub aspect_grading: Grading,
     /// Spots with their own aspect ratio; later ones override earlier ones.
-    pub aspect_spots: Vec<Spot>,
+    pub aspect_spots: Vec<SoftSpot>,
     /// Mean size of a cell (Cs): its side, or the side of the square with its area.
     pub size: f64,
     /// Relative change of the size from the picture's centre to its right and lower edge, -0.8..0.8. On the
@@ -65,7 +65,7 @@ pub struct FieldParams {
     /// Change of the size towards the boundary.
     pub size_grading: Grading,
     /// Spots with a factor of the size; where they overlap, factors are multiplied.
-    pub size_spots: Vec<Spot>,
+    pub size_spots: Vec<SoftSpot>,
     /// Side of the square picture.
     pub side: f64,
 }
@@ -92,7 +92,7 @@ impl FieldParams {
         ends: 0.0,
         strokes: Vec::new(),
         reach: 76.8,
-        kind: Kind::Square,
+        kind: CellKind::Square,
         part_kinds: Vec::new(),
         aspect: 2.0,
         aspect_grading: EVEN,
@@ -106,7 +106,7 @@ impl FieldParams {
     };
 
     /// The kinds by the index of the domain's part; empty if all are the same.
-    pub(super) fn kinds(&self, domain: &Domain) -> Vec<Kind> {
+    pub(super) fn kinds(&self, domain: &Domain) -> Vec<CellKind> {
         let mut kinds = vec![self.kind; domain.parts()];
         for &(place, own) in &self.part_kinds {
             if domain.contains(place)

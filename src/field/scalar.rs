@@ -25,7 +25,7 @@ impl Grading {
 
 /// A soft spot: full strength at the centre, falling smoothly to zero at the radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spot {
+pub struct SoftSpot {
     /// The middle, picture units.
     pub centre: DVec2,
     /// Where the influence ends, picture units.
@@ -34,7 +34,7 @@ pub struct Spot {
     pub value: f64,
 }
 
-impl Spot {
+impl SoftSpot {
     /// Weight at an offset `from` the centre: 1 there, 0 from the radius on.
     pub(super) fn share(&self, from: DVec2) -> f64 {
         let rest = 1.0 - from.length_squared() / (self.radius * self.radius);
@@ -97,7 +97,7 @@ mod tests {
         assert!((libm::exp(grading.log_factor(0.0)) - 0.25).abs() < 1e-12);
         assert_eq!(grading.log_factor(80.0), 0.0);
         assert!((libm::exp(grading.log_factor(40.0)) - 0.5).abs() < 1e-12);
-        let spot = Spot {
+        let spot = SoftSpot {
             centre: DVec2::ZERO,
             radius: 10.0,
             value: 2.0,

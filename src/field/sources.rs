@@ -28,7 +28,7 @@ const LEAF: usize = 3;
 
 /// A segment with its precomputed values.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Source {
+pub(super) struct SourceSegment {
     start: DVec2,
     middle: DVec2,
     along: DVec2,
@@ -38,7 +38,7 @@ pub(super) struct Source {
     representation: DVec2,
 }
 
-impl Source {
+impl SourceSegment {
     /// `None` for a segment of zero length.
     pub fn new([a, b]: [DVec2; 2], strength: f64, symmetry: u32) -> Option<Self> {
         let length = a.distance(b);
@@ -112,7 +112,7 @@ impl Sum {
 /// Sources in a tree, so that far ones are summed together up to second moments (Barnes, Hut 1986).
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sources {
-    list: Vec<Source>,
+    list: Vec<SourceSegment>,
     /// Depth-first: each branch stands before its two halves.
     branches: Vec<Branch>,
 }
@@ -133,7 +133,7 @@ struct Branch {
 
 impl Sources {
     /// Consecutive sources should be neighbours in space.
-    pub fn new(list: Vec<Source>) -> Self {
+    pub fn new(list: Vec<SourceSegment>) -> Self {
         let mut sources = Self {
             list,
             branches: Vec::new(),
@@ -146,7 +146,7 @@ impl Sources {
 
     fn grow(&mut self, first: usize, end: usize) {
         let list = &self.list[first..end];
-        let ends = |s: &Source| [s.start, s.start + s.length * s.along];
+        let ends = |s: &SourceSegment| [s.start, s.start + s.length * s.along];
         let mut corners = (list[0].start, list[0].start);
         for p in list.iter().flat_map(ends) {
             corners = (corners.0.min(p), corners.1.max(p));
@@ -291,7 +291,7 @@ mod tests {
                     .map(|square| inverse_power(square, power))
                     .sum();
                 let expected = sum * a.distance(b) / f64::from(n);
-                let source = Source::new([a, b], 1.0, 4).unwrap();
+                let source = SourceSegment::new([a, b], 1.0, 4).unwrap();
                 let weight = source.weight(p, power);
                 assert!((weight / expected - 1.0).abs() < 1e-4, "{p} {power}");
             }
@@ -308,9 +308,9 @@ mod tests {
         };
         let segments = (0..400).map(|k| [at(k), at((k + 1) % 400)]);
         for symmetry in [2, 4] {
-            let list: Vec<Source> = segments
+            let list: Vec<SourceSegment> = segments
                 .clone()
-                .filter_map(|s| Source::new(s, 1.0, symmetry))
+                .filter_map(|s| SourceSegment::new(s, 1.0, symmetry))
                 .collect();
             let tree = Sources::new(list.clone());
             let (mut error, mut points) = (0.0, 0.0);

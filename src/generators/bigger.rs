@@ -39,7 +39,7 @@ pub(super) struct Bigger {
     revision: u64,
     side: usize,
     light: LightParams,
-    work: Work,
+    work: BiggerPhase,
     /// Slices of the current stage.
     slices: usize,
     /// Rows of the picture whose stones are all painted.
@@ -50,7 +50,7 @@ pub(super) struct Bigger {
 }
 
 /// The current stage and its result.
-enum Work {
+enum BiggerPhase {
     Painting(Painting, Solids, WeatherParams),
     Weathering(Weathering),
     Shading(Planes, Shader),
@@ -143,7 +143,7 @@ impl Bigger {
             revision,
             side,
             light: params.light,
-            work: Work::Painting(painting, solids(&params.planes), params.weather),
+            work: BiggerPhase::Painting(painting, solids(&params.planes), params.weather),
             slices: 0,
             painted: 0,
             heights: (0.0, 0.0),
@@ -153,48 +153,50 @@ impl Bigger {
 
     /// Whether all rows are made.
     pub fn is_done(&self) -> bool {
-        matches!(self.work, Work::Done)
+        matches!(self.work, BiggerPhase::Done)
     }
 
     /// Does one slice of the work.
     pub fn add(&mut self, bodies: Bodies) {
         self.slices += 1;
-        self.work = match std::mem::replace(&mut self.work, Work::Done) {
-            Work::Painting(mut painting, mut solids, weather) => {
+        self.work = match std::mem::replace(&mut self.work, BiggerPhase::Done) {
+            BiggerPhase::Painting(mut painting, mut solids, weather) => {
                 match painting.advance(&mut solids, bodies.cells) && !self.next_band(&mut painting)
                 {
-                    false => Work::Painting(painting, solids, weather),
+                    false => BiggerPhase::Painting(painting, solids, weather),
                     true => {
                         self.slices = 0;
                         // The next stage uses the memory of painting.
                         drop(solids);
-                        Work::Weathering(Weathering::new(weather, painting.finish()))
+                        BiggerPhase::Weathering(Weathering::new(weather, painting.finish()))
                     }
                 }
             }
-            Work::Weathering(mut weathering) => match weathering.advance(bodies.domain, ROWS) {
-                false => Work::Weathering(weathering),
-                true => self.finishing(weathering.finish()),
-            },
-            Work::Shading(planes, mut shader) => {
+            BiggerPhase::Weathering(mut weathering) => {
+                match weathering.advance(bodies.domain, ROWS) {
+                    false => BiggerPhase::Weathering(weathering),
+                    true => self.finishing(weathering.finish()),
+                }
+            }
+            BiggerPhase::Shading(planes, mut shader) => {
                 let done = shader.advance(&planes, &self.light.materials, ROWS);
                 let pixels = shader.finished().chunks_exact(4);
                 let rgb = pixels.flat_map(|p| [p[0], p[1], p[2]]);
                 self.rows[0].bytes.extend(rgb);
                 match done {
-                    false => Work::Shading(planes, shader),
-                    true => Work::Done,
+                    false => BiggerPhase::Shading(planes, shader),
+                    true => BiggerPhase::Done,
                 }
             }
-            Work::Mapping(planes, scale, from) => {
+            BiggerPhase::Mapping(planes, scale, from) => {
                 let end = self.side.min(from + ROWS);
                 self.map(&planes, &scale, from..end);
                 match end == self.side {
-                    false => Work::Mapping(planes, scale, end),
-                    true => Work::Done,
+                    false => BiggerPhase::Mapping(planes, scale, end),
+                    true => BiggerPhase::Done,
                 }
             }
-            Work::Done => Work::Done,
+            BiggerPhase::Done => BiggerPhase::Done,
         };
     }
 
@@ -211,16 +213,16 @@ impl Bigger {
     }
 
     /// The stage after the weather.
-    fn finishing(&mut self, planes: Planes) -> Work {
+    fn finishing(&mut self, planes: Planes) -> BiggerPhase {
         self.slices = 0;
         let shade = &self.light.shade;
         if self.kinds.is_empty() {
             let shader = Shader::banded(shade, [planes.side, planes.pixel_scale], ROWS);
-            return Work::Shading(planes, shader);
+            return BiggerPhase::Shading(planes, shader);
         }
         let scale = maps::Scale::new(&planes, &self.light.materials, shade.shininess);
         self.heights = scale.heights;
-        Work::Mapping(planes, scale, 0)
+        BiggerPhase::Mapping(planes, scale, 0)
     }
 
     /// Hands out these rows of all maps except ids.
@@ -237,16 +239,16 @@ impl Bigger {
         let slices = self.slices as f64;
         let rows = self.side.div_ceil(ROWS) as f64;
         let (from, to, part) = match &self.work {
-            Work::Painting(painting, ..) => {
+            BiggerPhase::Painting(painting, ..) => {
                 let band = painting.ids().len() as f64 / (self.side * self.side) as f64;
                 let stones = painting.stones() as f64 / cells.max(1) as f64;
                 let done = self.painted as f64 / self.side as f64;
                 (0.0, 0.7, done + band * stones)
             }
-            Work::Weathering(_) => (0.7, 0.85, slices / (2.2 * rows)),
-            Work::Shading(..) => (0.85, 1.0, slices / (2.0 * rows)),
-            Work::Mapping(..) => (0.85, 1.0, slices / rows),
-            Work::Done => (1.0, 1.0, 0.0),
+            BiggerPhase::Weathering(_) => (0.7, 0.85, slices / (2.2 * rows)),
+            BiggerPhase::Shading(..) => (0.85, 1.0, slices / (2.0 * rows)),
+            BiggerPhase::Mapping(..) => (0.85, 1.0, slices / rows),
+            BiggerPhase::Done => (1.0, 1.0, 0.0),
         };
         from + (to - from) * part.min(1.0)
     }

@@ -2,7 +2,7 @@
 
 use crate::cells::Cell;
 use crate::domain::Domain;
-use crate::field::{Fields, Kind};
+use crate::field::{CellKind, Fields};
 use crate::heightfield::Planes;
 use crate::mesh::Mesh;
 use crate::metrics::Metrics;
@@ -21,7 +21,7 @@ pub struct Probe {
     /// Its middle.
     pub centre: DVec2,
     /// Its kind.
-    pub kind: Kind,
+    pub kind: CellKind,
     /// Its size: that of its kind which has its area.
     pub size: f64,
     /// The size that the field asks for there.

@@ -34,7 +34,7 @@ pub use given::{FileDigest, GivenFile, MissingFile};
 pub use in_space::{Files, Frames};
 pub use inspection::{Histogram, Polygon, Probe, Products};
 pub use offers::{Drafts, Inspect, Maps, MeshSlice, Meshes, Outlines, PictureSlice};
-pub use preset::{Part, Preset, Timing};
+pub use preset::{MeasuredPart, Preset, Timing};
 #[cfg(house)]
 pub use turntable::{FrameSlice, SeenBody, TurnOrder};
 

@@ -7,10 +7,10 @@ use crate::packing::{Packing, PackingParams, Placing};
 #[cfg(house)]
 use crate::surface_field::SurfaceFields;
 #[cfg(house)]
-use crate::surface_packing::{Site, SurfacePacking, SurfacePlacing};
+use crate::surface_packing::{PackingMesh, SurfacePacking, SurfacePlacing};
 
 /// A packing while it is made: first `L` places the cells, then `M` moves them.
-pub(super) enum Packs<L, M> {
+pub(super) enum PackingProgress<L, M> {
     Placing(Box<L>),
     Moving(Box<M>),
 }
@@ -38,7 +38,7 @@ pub(super) trait PackingGround: Copy {
     fn advance(self, packing: &mut Self::Packing) -> bool;
 }
 
-impl<L, M> Packs<L, M> {
+impl<L, M> PackingProgress<L, M> {
     /// Does one slice of the work; returns the packing when it is at rest.
     ///
     /// # Errors
@@ -115,7 +115,7 @@ impl PackingGround for (&Domain, &Fields) {
 }
 
 #[cfg(house)]
-impl PackingGround for (&Site, &SurfaceFields) {
+impl PackingGround for (&PackingMesh, &SurfaceFields) {
     type Placing = SurfacePlacing;
     type Packing = SurfacePacking;
 

@@ -25,12 +25,12 @@ pub struct Timing {
     /// The machine on which the paper's authors measured.
     pub machine: &'static str,
     /// The two parts into which the paper divides the work.
-    pub parts: [Part; 2],
+    pub parts: [MeasuredPart; 2],
 }
 
 /// A part of the work, with the paper's time for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
+pub struct MeasuredPart {
     /// The name, in a word.
     pub name: &'static str,
     /// The words of our stages that do the same work.

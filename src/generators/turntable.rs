@@ -85,7 +85,7 @@ pub struct SeenBody {
 
 /// The key of a frame.
 #[derive(Clone, PartialEq)]
-struct Key {
+struct FrameKey {
     scene: u64,
     light: LightParams,
     order: Order,
@@ -97,11 +97,11 @@ pub(super) struct Turntable {
     /// Fine and coarse lighting, each with the scene and the light that it is for.
     lights: [Option<(u64, LightParams, Lighting)>; 2],
     frame: Option<Frame>,
-    key: Option<Key>,
+    key: Option<FrameKey>,
 }
 
 /// A scene with its light, and a number that no other scene has.
-pub(super) struct Stand<'a> {
+pub(super) struct ViewSetup<'a> {
     pub scene: &'a Scene,
     pub number: u64,
     pub light: &'a LightParams,
@@ -109,7 +109,7 @@ pub(super) struct Stand<'a> {
     pub ground: f32,
 }
 
-impl Stand<'_> {
+impl ViewSetup<'_> {
     /// Its lighting, with the work on it still to be done.
     pub fn lighting(&self, sharpness: Sharpness, cut: Option<Cut>) -> Lighting {
         let lamp = Lamp::over_picture(self.light.shade.light, self.ground);
@@ -122,12 +122,12 @@ impl Turntable {
     /// Works for about `budget` milliseconds on a frame. Starts again if the order differs from the last one.
     pub fn advance(
         &mut self,
-        stand: &Stand,
+        stand: &ViewSetup,
         order: Order,
         clock: Clock,
         budget: f64,
     ) -> Result<FrameSlice, Notice> {
-        let key = Key {
+        let key = FrameKey {
             scene: stand.number,
             light: stand.light.clone(),
             order,
@@ -183,7 +183,7 @@ fn check_room([width, height]: [usize; 2]) -> Result<(), Notice> {
 /// While something moves, any fine lighting that exists will do; without one, the coarse one is made sooner.
 fn light_for<'a>(
     [fine, coarse]: &'a mut [Option<(u64, LightParams, Lighting)>; 2],
-    stand: &Stand,
+    stand: &ViewSetup,
     (wanted, cut): (Sharpness, Option<Cut>),
 ) -> &'a mut Lighting {
     let is_of = |(number, params, light): &(u64, LightParams, Lighting)| {

@@ -3,7 +3,7 @@
 //! Each stone is the closed surface that exported files have, at several levels of detail, with the planes as
 //! its finish. The ground is a block with the picture's top, cut off straight at its edges.
 
-use super::relief::Relief;
+use super::bump_map::BumpMap;
 use super::sheet::GroundSheet;
 use super::{GROUND, Planes, Surfaces, TextureParams};
 use crate::cells::Cell;
@@ -29,7 +29,7 @@ const CUT: [f32; 2] = [1.0, 0.75];
 const REACH: f64 = 0.5;
 
 /// A scene in progress.
-pub struct Cutout {
+pub struct HeightFieldScene {
     params: TextureParams,
     solids: Solids,
     surfaces: Surfaces,
@@ -42,10 +42,10 @@ pub struct Cutout {
     /// The finished levels of the ground and the current one.
     ground: Vec<Surface>,
     sheet: Option<GroundSheet>,
-    relief: Option<Relief>,
+    relief: Option<BumpMap>,
 }
 
-impl Cutout {
+impl HeightFieldScene {
     /// Takes the parameters that the planes were made with, and the number of cells.
     pub fn new(params: TextureParams, cells: usize, planes: &Planes) -> Self {
         let mut is_seen = vec![false; cells];
@@ -95,7 +95,7 @@ impl Cutout {
             self.advance_ground(planes, squares.min(planes.side));
             return false;
         }
-        let relief = self.relief.get_or_insert_with(|| Relief::new(planes));
+        let relief = self.relief.get_or_insert_with(|| BumpMap::new(planes));
         let is_there = relief.add(planes, PIXELS);
         if is_there && let Some(relief) = self.relief.take() {
             self.scene.detail = Some(Box::new(relief));

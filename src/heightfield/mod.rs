@@ -51,6 +51,8 @@
 
 mod box_filter;
 #[cfg(house)]
+mod bump_map;
+#[cfg(house)]
 mod cutout;
 mod ground;
 mod lit;
@@ -60,8 +62,6 @@ mod painter;
 mod params;
 mod pixel_scale;
 mod planes;
-#[cfg(house)]
-mod relief;
 mod samples;
 mod scan;
 mod sheet;
@@ -70,15 +70,15 @@ mod surface;
 mod weather;
 
 #[cfg(house)]
-pub use cutout::Cutout;
+pub use bump_map::BumpMap;
+#[cfg(house)]
+pub use cutout::HeightFieldScene;
 #[cfg(house)]
 pub(crate) use ground::Bed;
 pub use lit::Shader;
 pub use painter::Painter;
 pub use params::TextureParams;
 pub use planes::{GROUND, Planes};
-#[cfg(house)]
-pub use relief::Relief;
 pub use sheet::{ground, means};
 pub(crate) use slopes::{beside, row_slopes};
 pub use surface::Surfaces;

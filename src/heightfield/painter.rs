@@ -12,7 +12,7 @@ use super::scan::Raster;
 use super::weather::Painted;
 use super::{GROUND, Planes, TextureParams};
 use crate::cells::Cell;
-use crate::material::{Coat, Face, FaceNoise, Palette, palette};
+use crate::material::{Coat, Palette, StoneTexture, TextureNoise, palette};
 use crate::order::{greater, lesser};
 use crate::solid::{Solid, Solids, StoneKind};
 use glam::{DVec2, Vec3};
@@ -27,7 +27,7 @@ pub struct Painter {
     palette: &'static Palette,
     planes: Planes,
     bed: Bed,
-    noise: FaceNoise,
+    noise: TextureNoise,
     coats: Vec<Coat>,
     raster: Raster,
     pixel_scale: PixelScale,
@@ -44,12 +44,12 @@ pub struct Painter {
     /// First and last row of each stone that was painted in an earlier band, in picture units.
     spans: Vec<Option<[f32; 2]>>,
     /// The stone in progress.
-    work: Option<Work>,
+    work: Option<PartialStone>,
 }
 
 /// A stone that is partly in the planes.
-struct Work {
-    face: Face,
+struct PartialStone {
+    face: StoneTexture,
     solid: Solid,
     /// A stack of offsets of the images still to be painted.
     images: Vec<[i32; 2]>,
@@ -59,7 +59,7 @@ struct Work {
     rows: Option<usize>,
 }
 
-impl Work {
+impl PartialStone {
     /// Continues with the next image; false if there is none.
     fn next_image(&mut self) -> bool {
         let Some(to) = self.images.pop() else {
@@ -107,7 +107,7 @@ impl Painter {
                 ..planes
             },
             bed,
-            noise: FaceNoise::new(params.seed, params.size, params.dimension, doublings),
+            noise: TextureNoise::new(params.seed, params.size, params.dimension, doublings),
             coats: Vec::new(),
             raster: Raster::default(),
             pixel_scale,
@@ -197,7 +197,7 @@ impl Painter {
         done
     }
 
-    fn begin(&mut self, solid: Solid, cell: &Cell, index: usize) -> Work {
+    fn begin(&mut self, solid: Solid, cell: &Cell, index: usize) -> PartialStone {
         let coat = self.coats.get(index).copied().unwrap_or_default();
         let mut images = match self.params.tile {
             true => images(&solid.vertices, self.params.side as i32),
@@ -211,7 +211,7 @@ impl Painter {
         self.spans[index] = Some(span);
         let (window, pixel_scale) = (self.window(), self.params.pixel_scale as f32);
         self.raster.begin(&solid, window, pixel_scale);
-        Work {
+        PartialStone {
             face: self.params.face(cell, coat),
             solid,
             images,
@@ -257,7 +257,7 @@ impl Painter {
 
     /// Paints a stone and its images, which are shifted by whole pixels and look alike, with work for about
     /// `left` triangles; true when finished.
-    fn place(&mut self, work: &mut Work, index: usize, mut left: usize) -> bool {
+    fn place(&mut self, work: &mut PartialStone, index: usize, mut left: usize) -> bool {
         let mut raster = std::mem::take(&mut self.raster);
         let floor = self.level - 0.5 * self.depth - 2.0 * self.relief;
         let done = loop {
@@ -292,7 +292,7 @@ impl Painter {
     }
 
     /// Paints a row of pixels of a stone's image.
-    fn place_row(&mut self, work: &Work, raster: &Raster, row: usize, id: u32) {
+    fn place_row(&mut self, work: &PartialStone, raster: &Raster, row: usize, id: u32) {
         let moved = work.offset.map(|v| v * self.pixel_scale.per_unit());
         for x in 0..raster.extent[0] {
             if let Some(heights) = raster.pixel(x, row) {
@@ -329,7 +329,7 @@ impl Painter {
 
     fn pixel(
         &mut self,
-        face: &Face,
+        face: &StoneTexture,
         [x, y]: [i32; 2],
         moved: [i32; 2],
         heights: [f32; PER_PIXEL],

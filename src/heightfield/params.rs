@@ -3,7 +3,7 @@
 use super::ground::Bed;
 use super::pixel_scale::PixelScale;
 use crate::cells::Cell;
-use crate::material::{Coat, ColourParams, Face, ground, palette};
+use crate::material::{Coat, ColourParams, StoneTexture, ground, palette};
 use crate::random::SEED;
 use crate::solid::{StoneKind, StoneParams, joint_depth, lean, top};
 
@@ -118,8 +118,8 @@ impl TextureParams {
     }
 
     /// The surface texture of a cell's stone.
-    pub(crate) fn face(&self, cell: &Cell, coat: Coat) -> Face {
-        Face::new(
+    pub(crate) fn face(&self, cell: &Cell, coat: Coat) -> StoneTexture {
+        StoneTexture::new(
             palette(self.palette),
             cell,
             self.seed,

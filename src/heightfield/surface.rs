@@ -10,7 +10,7 @@
 
 use super::{Planes, TextureParams};
 use crate::cells::Cell;
-use crate::material::{Coat, Face, FaceNoise, floor};
+use crate::material::{Coat, StoneTexture, TextureNoise, floor};
 use crate::order::{greater, lesser};
 use crate::solid::{Solid, Surface, boundary_edges, normals, simplify};
 use glam::Vec3;
@@ -21,7 +21,7 @@ const FOOT: f32 = 0.125;
 /// Makes surfaces, and keeps the data shared by all cells.
 pub struct Surfaces {
     pub(super) params: TextureParams,
-    noise: FaceNoise,
+    noise: TextureNoise,
     /// Standard deviation of the relief, in picture units.
     deviation: f32,
     /// About the number of triangles of each surface.
@@ -34,7 +34,7 @@ impl Surfaces {
     pub fn new(params: TextureParams, most: usize) -> Self {
         Self {
             most,
-            noise: FaceNoise::new(params.seed, params.size, params.dimension, 0),
+            noise: TextureNoise::new(params.seed, params.size, params.dimension, 0),
             deviation: params.relief(),
             params,
         }
@@ -65,12 +65,12 @@ impl Surfaces {
 
     /// The noise shared by all stones.
     #[cfg(house)]
-    pub(crate) fn noise(&self) -> &FaceNoise {
+    pub(crate) fn noise(&self) -> &TextureNoise {
         &self.noise
     }
 
     /// Adds the painter's relief to positions on a stone.
-    pub(crate) fn roughen(&self, face: &Face, positions: &mut [Vec3]) {
+    pub(crate) fn roughen(&self, face: &StoneTexture, positions: &mut [Vec3]) {
         let top = positions.iter().fold(0.0, |top, p| greater(top, p.z));
         let foot = greater(FOOT * top, f32::MIN_POSITIVE);
         for p in positions {
@@ -80,18 +80,18 @@ impl Surfaces {
     }
 
     /// The painter's relief at a place, interpolated between the centres of pixels.
-    fn raise(&self, face: &Face, x: f32, y: f32) -> f32 {
+    fn raise(&self, face: &StoneTexture, x: f32, y: f32) -> f32 {
         between(x, y, |[x, y]| {
             self.relief_at(face, [x, y]) + face.lift([x as f32, y as f32])
         })
     }
 
     /// The relief at a place without the rest, interpolated in the same way.
-    pub(super) fn relief(&self, face: &Face, x: f32, y: f32) -> f32 {
+    pub(super) fn relief(&self, face: &StoneTexture, x: f32, y: f32) -> f32 {
         between(x, y, |pixel| self.relief_at(face, pixel))
     }
 
-    fn relief_at(&self, face: &Face, pixel: [i32; 2]) -> f32 {
+    fn relief_at(&self, face: &StoneTexture, pixel: [i32; 2]) -> f32 {
         self.deviation * face.relief(&self.noise, pixel)
     }
 }

@@ -13,7 +13,7 @@ use glam::DVec2;
 
 /// Noise shared by all stones of a seed; each stone reads it at an offset of its own.
 #[derive(Clone, Debug)]
-pub struct FaceNoise {
+pub struct TextureNoise {
     /// The relief of the surface, with the requested fractal dimension.
     pub relief: NoiseTile,
     broad: NoiseTile,
@@ -22,7 +22,7 @@ pub struct FaceNoise {
     doublings: u32,
 }
 
-impl FaceNoise {
+impl TextureNoise {
     /// Noise for stones of about `size` picture units, with `2^doublings` values for each unit.
     pub fn new(seed: u64, size: f64, dimension: f64, doublings: u32) -> Self {
         let mut levels = 2;
@@ -58,7 +58,7 @@ const BAND_STRETCH: f32 = 0.16;
 
 /// The attributes of one stone.
 #[derive(Clone, Debug)]
-pub struct Face {
+pub struct StoneTexture {
     base: [f32; 3],
     centre: [f32; 2],
     axis: [f32; 2],
@@ -76,7 +76,7 @@ pub struct Face {
     pub material: u8,
 }
 
-impl Face {
+impl StoneTexture {
     /// Draws the attributes of a cell's stone. `vary` scales differences in tone, `uneven` (0..1) those in
     /// height and tilt. `rim` darkens the rim or, if negative, the centre of a top that is offset from the
     /// base by `lean`.
@@ -128,7 +128,7 @@ impl Face {
 
     /// The fractal relief at a place on the noise's grid, with standard deviation about 1. It is turned and
     /// mirrored, never interpolated, so that its roughness is kept.
-    pub fn relief(&self, noise: &FaceNoise, [x, y]: [i32; 2]) -> f32 {
+    pub fn relief(&self, noise: &TextureNoise, [x, y]: [i32; 2]) -> f32 {
         let (x, y) = if self.turn & 1 == 0 { (x, y) } else { (y, x) };
         let x = if self.turn & 2 == 0 { x } else { -x };
         let y = if self.turn & 4 == 0 { y } else { -y };
@@ -141,7 +141,7 @@ impl Face {
     pub fn colour(
         &self,
         palette: &Palette,
-        noise: &FaceNoise,
+        noise: &TextureNoise,
         [x, y]: [f32; 2],
         relief: f32,
         (height, dust): (f32, [f32; 3]),
@@ -185,7 +185,13 @@ impl Face {
     }
 
     /// Share of the palette's second colour: veins are the zero lines of a noise, patches its peaks.
-    fn second_share(&self, palette: &Palette, noise: &FaceNoise, at: (f32, f32), rim: f32) -> f32 {
+    fn second_share(
+        &self,
+        palette: &Palette,
+        noise: &TextureNoise,
+        at: (f32, f32),
+        rim: f32,
+    ) -> f32 {
         let (u, v) = at;
         let mut share = 0.0;
         if palette.veins > 0.0 {

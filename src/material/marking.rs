@@ -4,7 +4,7 @@ use super::noise::NoiseTile;
 use super::pattern::{Coat, ColourParams, Pattern};
 use super::reaction::Reaction;
 use super::smoothstep::smoothstep;
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::order::{self, greater};
 use crate::random::{Purpose, Random};
 use std::f64::consts::TAU;
@@ -98,7 +98,7 @@ pub(crate) fn near(distance: f64, scale: f64) -> f64 {
 }
 
 /// The value of a cell turned this far from the marked direction. Turns that leave the cell unchanged do not count.
-pub(crate) fn turned(turn: f64, kind: Kind) -> f64 {
+pub(crate) fn turned(turn: f64, kind: CellKind) -> f64 {
     let full = TAU / f64::from(kind.symmetry());
     triangle(turn / full)
 }

@@ -20,7 +20,7 @@ pub use coat::Coats;
 pub use effects::WeatherParams;
 pub(crate) use effects::{Effects, LEVEL, Place, Sample};
 pub use face::stone_colour;
-pub(crate) use face::{Face, FaceNoise};
+pub(crate) use face::{StoneTexture, TextureNoise};
 pub use grounds::GROUNDS;
 #[cfg(house)]
 pub(crate) use marking::{Marking, WAVELENGTH, belly_at, near, turned};

@@ -33,7 +33,7 @@ const COARSE: f64 = 8.0;
 const FEWEST: usize = 60;
 
 /// One graph of the hierarchy.
-struct Level {
+struct GraphLevel {
     /// The start of each node's neighbours in `to`, and the end of the last one's.
     starts: Vec<u32>,
     to: Vec<u32>,
@@ -45,7 +45,7 @@ struct Level {
 
 /// The system in progress.
 pub(crate) struct Reaction {
-    levels: Vec<Level>,
+    levels: Vec<GraphLevel>,
     feed: f64,
     u: Vec<f64>,
     v: Vec<f64>,
@@ -78,7 +78,7 @@ impl Reaction {
             } else {
                 (Vec::new(), Vec::new())
             };
-            levels.push(Level::new(&links, parents, wave));
+            levels.push(GraphLevel::new(&links, parents, wave));
             if kept.is_empty() || kept.len() == places.len() {
                 break;
             }
@@ -161,7 +161,7 @@ impl Reaction {
     }
 }
 
-impl Level {
+impl GraphLevel {
     fn new(links: &[Vec<u32>], parents: Vec<u32>, wave: f64) -> Self {
         let mut starts = vec![0];
         let mut to: Vec<u32> = Vec::new();

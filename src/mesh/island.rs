@@ -31,11 +31,11 @@ pub(super) struct IslandMeshing {
     names: Vec<usize>,
     /// The meshes of the islands so far; the vertices keep the order of the centres.
     whole: Mesh,
-    step: Option<Step>,
+    step: Option<IslandPhase>,
 }
 
 /// The progress on the current island.
-enum Step {
+enum IslandPhase {
     Delaunay(IncrementalDelaunay),
     Triangles(Vec<Node>, Triangles),
     Faces(Vec<Node>, Faces),
@@ -62,23 +62,23 @@ impl IslandMeshing {
     pub fn advance(&mut self, domain: &Domain) -> Option<Mesh> {
         let step = match self.step.take() {
             Some(step) => step,
-            None => Step::Delaunay(IncrementalDelaunay::new(self.nodes(domain))),
+            None => IslandPhase::Delaunay(IncrementalDelaunay::new(self.nodes(domain))),
         };
         let island = domain.islands().get(self.island).unwrap_or(domain);
         let next = match step {
-            Step::Delaunay(mut delaunay) => {
+            IslandPhase::Delaunay(mut delaunay) => {
                 if delaunay.advance() {
                     let (nodes, triangles) = self.triangles(island, delaunay);
-                    Step::Triangles(nodes, triangles)
+                    IslandPhase::Triangles(nodes, triangles)
                 } else {
-                    Step::Delaunay(delaunay)
+                    IslandPhase::Delaunay(delaunay)
                 }
             }
-            Step::Triangles(mut nodes, triangles) => {
+            IslandPhase::Triangles(mut nodes, triangles) => {
                 let faces = self.faces(island, &mut nodes, &triangles);
-                Step::Faces(nodes, faces)
+                IslandPhase::Faces(nodes, faces)
             }
-            Step::Faces(nodes, faces) => {
+            IslandPhase::Faces(nodes, faces) => {
                 self.put(island, &nodes, faces);
                 self.island += 1;
                 let done = self.island == domain.islands().len();

@@ -24,7 +24,7 @@ pub(super) struct Patch {
 }
 
 /// Context of the search: the nodes and the sides to keep.
-pub(crate) struct On<'a, N: ?Sized, K> {
+pub(crate) struct SearchInputs<'a, N: ?Sized, K> {
     pub nodes: &'a N,
     /// Predicate of sides that must not be dissolved.
     pub keep: K,
@@ -52,7 +52,7 @@ impl Goal {
 }
 
 /// The search for patches that gain.
-pub(crate) struct Search {
+pub(crate) struct PatchSearch {
     pub(super) faces: Faces,
     pub(super) goal: Goal,
     /// The number of lone triangles.
@@ -75,8 +75,8 @@ pub(crate) struct Search {
     pub(super) again: bool,
 }
 
-impl Search {
-    pub(super) fn cost<N: Nodes + ?Sized, K>(&self, on: &On<N, K>, face: &Face) -> f64 {
+impl PatchSearch {
+    pub(super) fn cost<N: Nodes + ?Sized, K>(&self, on: &SearchInputs<N, K>, face: &Face) -> f64 {
         match *face.nodes() {
             [a, b, c, d] => 1.0 - score(on.nodes, [a, b, c, d]),
             _ => TRIANGLE,
@@ -87,7 +87,7 @@ impl Search {
     /// the side between them must be kept.
     pub(super) fn grow<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &self,
-        on: &On<N, K>,
+        on: &SearchInputs<N, K>,
         patch: &Patch,
         next: u32,
     ) -> Option<Patch> {
@@ -136,7 +136,11 @@ impl Search {
     }
 
     /// The cost saved by dividing a patch anew.
-    pub(super) fn gain<N: Nodes + ?Sized, K>(&mut self, on: &On<N, K>, patch: &Patch) -> f64 {
+    pub(super) fn gain<N: Nodes + ?Sized, K>(
+        &mut self,
+        on: &SearchInputs<N, K>,
+        patch: &Patch,
+    ) -> f64 {
         let n = patch.corners.len();
         self.work += n * n;
         let cost = self.division.of(on.nodes, &patch.corners, self.goal.worst);

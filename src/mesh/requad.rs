@@ -10,7 +10,7 @@
 //! nodes near faults leave the packed centres.
 
 use super::division::{Division, MOST};
-use super::patch::{Goal, On, Patch, Search};
+use super::patch::{Goal, Patch, PatchSearch, SearchInputs};
 use super::quads::{Faces, is_lone};
 use super::triangles::NONE;
 use super::{Face, Nodes};
@@ -35,14 +35,14 @@ pub(super) fn requadrangulate<N: Nodes + ?Sized>(
     few: usize,
     keep: impl Fn([u32; 2]) -> bool,
 ) {
-    let on = On { nodes, keep };
-    let mut search = Search::new(&on, std::mem::take(faces), Goal::new(worst, few));
+    let on = SearchInputs { nodes, keep };
+    let mut search = PatchSearch::new(&on, std::mem::take(faces), Goal::new(worst, few));
     while !search.advance(&on, usize::MAX) {}
     *faces = search.finish();
 }
 
-impl Search {
-    pub fn new<N: Nodes + ?Sized, K>(on: &On<N, K>, faces: Faces, goal: Goal) -> Self {
+impl PatchSearch {
+    pub fn new<N: Nodes + ?Sized, K>(on: &SearchInputs<N, K>, faces: Faces, goal: Goal) -> Self {
         let mut valence = vec![0; on.nodes.count()];
         let mut border = vec![false; on.nodes.count()];
         for (face, adjacent) in faces.faces.iter().zip(&faces.adjacent) {
@@ -80,7 +80,7 @@ impl Search {
     /// Tries elements until about `count` divisions were sought; true when the search has ended.
     pub fn advance<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &mut self,
-        on: &On<N, K>,
+        on: &SearchInputs<N, K>,
         count: usize,
     ) -> bool {
         let until = self.work.saturating_add(count);
@@ -111,7 +111,7 @@ impl Search {
     /// Tries the patches that begin with this element and applies the one with the largest gain.
     fn try_from<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &mut self,
-        on: &On<N, K>,
+        on: &SearchInputs<N, K>,
         first: u32,
     ) -> bool {
         let face = self.faces.faces[first as usize];
@@ -146,7 +146,7 @@ impl Search {
     }
 
     /// Whether this is a good quadrilateral among regular nodes.
-    fn is_fine<N: Nodes + ?Sized, K>(&self, on: &On<N, K>, face: &Face) -> bool {
+    fn is_fine<N: Nodes + ?Sized, K>(&self, on: &SearchInputs<N, K>, face: &Face) -> bool {
         let regular = |&k: &u32| self.border[k as usize] || self.valence[k as usize] == 4;
         face.nodes().iter().all(regular) && self.cost(on, face) < FINE
     }
@@ -160,7 +160,7 @@ impl Search {
 
     fn consider<N: Nodes + ?Sized, K>(
         &mut self,
-        on: &On<N, K>,
+        on: &SearchInputs<N, K>,
         patch: Option<Patch>,
         gain: &mut f64,
         best: &mut Option<Patch>,
@@ -177,7 +177,7 @@ impl Search {
     /// Considers the shortest paths to other triangles nearby.
     fn paths<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &mut self,
-        on: &On<N, K>,
+        on: &SearchInputs<N, K>,
         start: &Patch,
         gain: &mut f64,
         best: &mut Option<Patch>,
@@ -219,7 +219,7 @@ impl Search {
     /// Follows a path from its far end back to the first element.
     fn trace<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &mut self,
-        on: &On<N, K>,
+        on: &SearchInputs<N, K>,
         path: &mut Vec<u32>,
         start: &Patch,
         gain: &mut f64,

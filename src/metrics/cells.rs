@@ -4,7 +4,7 @@ use super::cover::cover;
 use super::{Cover, Histogram, MOST_SIDES, Tally, angle, median, ring_edges};
 use crate::cells::Cell;
 use crate::domain::{Domain, signed_area};
-use crate::field::{Fields, Kind};
+use crate::field::{CellKind, Fields};
 use glam::DVec2;
 
 /// A corner turns by more than this, in degrees. So the pieces of a curved boundary do not count as sides.
@@ -90,7 +90,7 @@ fn asked_area(cell: &Cell) -> f64 {
 }
 
 /// The area requested by a cell of size 1.
-pub(super) fn share(kind: Kind) -> f64 {
+pub(super) fn share(kind: CellKind) -> f64 {
     if kind.has_corners() {
         1.0
     } else {

@@ -4,7 +4,7 @@ use super::cells::{corners, principal_axis, share};
 use super::{angle, ring_edges};
 use crate::cells::Cell;
 use crate::domain::signed_area;
-use crate::field::Kind;
+use crate::field::CellKind;
 use glam::DVec2;
 
 /// Measures of a cell by its polygon.
@@ -29,9 +29,9 @@ impl Figure {
         let area = signed_area(ring).abs();
         let moments = principal_axis(ring);
         let axis = match cell.kind {
-            Kind::Square => square_axis(ring),
-            Kind::Circle => None,
-            Kind::Rectangle | Kind::Ellipse => moments.map(|(_, axis)| axis),
+            CellKind::Square => square_axis(ring),
+            CellKind::Circle => None,
+            CellKind::Rectangle | CellKind::Ellipse => moments.map(|(_, axis)| axis),
         };
         Self {
             area,
@@ -44,14 +44,14 @@ impl Figure {
 
     /// The angle between its axis and a direction in degrees, 0..45 for squares, otherwise 0..90; `None` if
     /// one of them is missing.
-    pub fn misalignment(&self, kind: Kind, direction: DVec2) -> Option<f64> {
+    pub fn misalignment(&self, kind: CellKind, direction: DVec2) -> Option<f64> {
         let axis = self.axis.filter(|_| direction != DVec2::ZERO)?;
         Some(angle(axis, direction, symmetry_angle(kind)))
     }
 }
 
 /// The smallest turn, in degrees, that leaves a cell of a kind unchanged.
-pub(crate) fn symmetry_angle(kind: Kind) -> f64 {
+pub(crate) fn symmetry_angle(kind: CellKind) -> f64 {
     360.0 / f64::from(kind.symmetry())
 }
 

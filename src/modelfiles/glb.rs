@@ -1,7 +1,7 @@
 //! GLB: glTF 2.0 in one file, with a JSON head and binary numbers.
 
 use super::json::Json;
-use super::scene::{Draw, Kind, Mode, Scene, View, broken};
+use super::scene::{BufferView, ComponentType, Draw, Mode, ModelScene, broken};
 use super::{Reader, SLICE, add_strip, ends, too_large};
 use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup};
@@ -76,7 +76,7 @@ impl Glb {
             at = end.next_multiple_of(4);
         }
         self.start = numbers.start;
-        let draws = Scene::draws(&json.ok_or_else(bad)?, numbers.len())?;
+        let draws = ModelScene::draws(&json.ok_or_else(bad)?, numbers.len())?;
         let count = |draw: &Draw| draw.corners.unwrap_or(draw.places).count;
         let triangles = |draw: &Draw| match draw.mode {
             Mode::Triangles => count(draw) / 3,
@@ -153,7 +153,7 @@ impl Glb {
     }
 
     /// One component of a group. Views have been checked to lie within the binary chunk.
-    fn number(&self, bytes: &[u8], view: &View, group: usize, component: usize) -> f64 {
+    fn number(&self, bytes: &[u8], view: &BufferView, group: usize, component: usize) -> f64 {
         let size = view.kind.bytes();
         let at = self.start + view.start + view.stride * group + size * component;
         let bytes = bytes.get(at..at + size).unwrap_or(&[]);
@@ -162,12 +162,12 @@ impl Glb {
             .rev()
             .fold(0u32, |bits, &b| bits << 8 | u32::from(b));
         let (x, most) = match view.kind {
-            Kind::F32 => return f32::from_bits(bits).into(),
-            Kind::U32 => return bits.into(),
-            Kind::I8 => (f64::from(bits as u8 as i8), 127.0),
-            Kind::U8 => (f64::from(bits), 255.0),
-            Kind::I16 => (f64::from(bits as u16 as i16), 32767.0),
-            Kind::U16 => (f64::from(bits), 65535.0),
+            ComponentType::F32 => return f32::from_bits(bits).into(),
+            ComponentType::U32 => return bits.into(),
+            ComponentType::I8 => (f64::from(bits as u8 as i8), 127.0),
+            ComponentType::U8 => (f64::from(bits), 255.0),
+            ComponentType::I16 => (f64::from(bits as u16 as i16), 32767.0),
+            ComponentType::U16 => (f64::from(bits), 65535.0),
         };
         if view.is_normalized {
             (x / most).max(-1.0)

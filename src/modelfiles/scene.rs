@@ -6,8 +6,8 @@ use glam::DVec3;
 
 /// Triangles to draw: views of the file's numbers, and where they are placed.
 pub(super) struct Draw {
-    pub places: View,
-    pub corners: Option<View>,
+    pub places: BufferView,
+    pub corners: Option<BufferView>,
     pub mode: Mode,
     pub frame: Affine,
 }
@@ -21,16 +21,16 @@ pub(super) enum Mode {
 
 /// A view of numbers: `count` groups, one every `stride` bytes.
 #[derive(Clone, Copy)]
-pub(super) struct View {
+pub(super) struct BufferView {
     pub start: usize,
     pub stride: usize,
     pub count: usize,
-    pub kind: Kind,
+    pub kind: ComponentType,
     pub is_normalized: bool,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum ComponentType {
     I8,
     U8,
     I16,
@@ -39,24 +39,24 @@ pub(super) enum Kind {
     F32,
 }
 
-impl Kind {
+impl ComponentType {
     fn of(number: usize) -> Option<Self> {
         Some(match number {
-            5120 => Kind::I8,
-            5121 => Kind::U8,
-            5122 => Kind::I16,
-            5123 => Kind::U16,
-            5125 => Kind::U32,
-            5126 => Kind::F32,
+            5120 => ComponentType::I8,
+            5121 => ComponentType::U8,
+            5122 => ComponentType::I16,
+            5123 => ComponentType::U16,
+            5125 => ComponentType::U32,
+            5126 => ComponentType::F32,
             _ => return None,
         })
     }
 
     pub fn bytes(self) -> usize {
         match self {
-            Kind::I8 | Kind::U8 => 1,
-            Kind::I16 | Kind::U16 => 2,
-            Kind::U32 | Kind::F32 => 4,
+            ComponentType::I8 | ComponentType::U8 => 1,
+            ComponentType::I16 | ComponentType::U16 => 2,
+            ComponentType::U32 | ComponentType::F32 => 4,
         }
     }
 }
@@ -156,14 +156,14 @@ const MOST_DRAWS: usize = 100_000;
 const DEPTH: usize = 128;
 
 /// Collects all draws of a file's scene. `bytes` is the length of the binary chunk.
-pub(super) struct Scene<'a> {
+pub(super) struct ModelScene<'a> {
     json: &'a Json,
     bytes: usize,
     draws: Vec<Draw>,
     visits: usize,
 }
 
-impl<'a> Scene<'a> {
+impl<'a> ModelScene<'a> {
     pub fn draws(json: &'a Json, bytes: usize) -> Result<Vec<Draw>, Notice> {
         for needed in json.list_of("extensionsRequired") {
             let name = needed.text().unwrap_or("?");
@@ -259,8 +259,13 @@ impl<'a> Scene<'a> {
             Some(number) => Some(self.view(number.index().unwrap_or(usize::MAX), 1)?),
         };
         let places = self.view(places, 3)?;
-        if places.kind == Kind::U32
-            || corners.is_some_and(|view| !matches!(view.kind, Kind::U8 | Kind::U16 | Kind::U32))
+        if places.kind == ComponentType::U32
+            || corners.is_some_and(|view| {
+                !matches!(
+                    view.kind,
+                    ComponentType::U8 | ComponentType::U16 | ComponentType::U32
+                )
+            })
         {
             return Err(broken("primitive", self.draws.len()));
         }
@@ -277,7 +282,7 @@ impl<'a> Scene<'a> {
     }
 
     /// The view of an accessor with `group` components.
-    fn view(&self, number: usize, group: usize) -> Result<View, Notice> {
+    fn view(&self, number: usize, group: usize) -> Result<BufferView, Notice> {
         let bad = || broken("accessor", number);
         let accessor = self.json.list_of("accessors").get(number).ok_or_else(bad)?;
         if accessor.get("sparse").is_some() {
@@ -290,7 +295,7 @@ impl<'a> Scene<'a> {
         }
         let kind = accessor
             .index_of("componentType")
-            .and_then(Kind::of)
+            .and_then(ComponentType::of)
             .ok_or_else(bad)?;
         let count = accessor.index_of("count").ok_or_else(bad)?;
         let at = accessor.index_of("bufferView").ok_or_else(bad)?;
@@ -326,7 +331,7 @@ impl<'a> Scene<'a> {
         if end > length as u64 || start as u64 + length as u64 > self.bytes as u64 {
             return Err(bad());
         }
-        Ok(View {
+        Ok(BufferView {
             start: start + inner,
             stride,
             count,

@@ -1,6 +1,6 @@
 use super::samples::{files, glb, glb_of, model, obj, ply, stl, stl_text};
 use super::*;
-use crate::trimesh::repair::Mending;
+use crate::trimesh::repair::MeshRepair;
 use crate::trimesh::testing;
 use glam::DVec3;
 
@@ -28,7 +28,7 @@ fn files_of_all_kinds_hold_the_same_model() {
                 (&positions, &triangles)
             };
             assert!((&soup.positions, &soup.triangles) == wanted, "{name}");
-            assert_eq!(Mending::mend(soup).unwrap().mesh.euler(), 2);
+            assert_eq!(MeshRepair::mend(soup).unwrap().mesh.euler(), 2);
         }
     }
 }
@@ -95,7 +95,7 @@ fn broken_files_are_a_sentence_or_a_model() {
 /// A broken file may give any result but a panic.
 fn try_all(name: &str, bytes: Vec<u8>) {
     if let Ok(soup) = Reading::read(name, bytes) {
-        let _ = Mending::mend(soup);
+        let _ = MeshRepair::mend(soup);
     }
 }
 
@@ -110,7 +110,7 @@ fn what_an_obj_may_have_is_read() {
     assert_eq!(soup.triangles[2..], [[0, 1, 2], [0, 1, 2]]);
     // A concave polygon is triangulated within its outline.
     let text = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 0.5 1 0\nf 1 2 3 4\n";
-    let mesh = Mending::mend(read("a.obj", text)).unwrap().mesh;
+    let mesh = MeshRepair::mend(read("a.obj", text)).unwrap().mesh;
     assert!((mesh.area() - 1.5).abs() < 1e-12 && mesh.face_normal(0) == DVec3::Z);
 }
 
@@ -133,9 +133,9 @@ fn bad_lines_are_told_by_their_numbers() {
     }
     // A corner may name a vertex that comes later: corners are checked at the end.
     let soup = read("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\nv 0 1 0\n");
-    assert!(Mending::mend(soup).is_ok());
+    assert!(MeshRepair::mend(soup).is_ok());
     let soup = read("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n");
-    assert_eq!(Mending::mend(soup).unwrap_err().code, Code::ModelCorner);
+    assert_eq!(MeshRepair::mend(soup).unwrap_err().code, Code::ModelCorner);
 }
 
 #[test]
@@ -161,7 +161,7 @@ fn what_is_no_model_is_told_so() {
     // The name promises a kind that the content is not.
     for name in ["a.obj", "a.ply", "a.stl", "a.glb"] {
         let soup = Reading::read(name, b"nothing of the sort".to_vec());
-        let code = soup.and_then(Mending::mend).unwrap_err().code;
+        let code = soup.and_then(MeshRepair::mend).unwrap_err().code;
         assert!(
             matches!(code, Code::FileUnknown | Code::ModelEmpty),
             "{code:?}"

@@ -1,12 +1,12 @@
 //! A cell in motion.
 
 use super::Particle;
-use super::cell_fields::Asks;
+use super::cell_fields::CellFields;
 use glam::DVec2;
 
 /// A particle with its velocity.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Body<P> {
+pub(crate) struct MovingParticle<P> {
     pub particle: Particle<P>,
     /// Velocity, in the frame of its place.
     pub velocity: DVec2,
@@ -16,9 +16,9 @@ pub(crate) struct Body<P> {
     pub has_moved: bool,
 }
 
-impl<P: Copy> Body<P> {
+impl<P: Copy> MovingParticle<P> {
     /// Moves it; its direction and size follow the fields.
-    pub fn place<A: Asks<Place = P>>(&mut self, centre: P, asked: A) {
+    pub fn place<A: CellFields<Place = P>>(&mut self, centre: P, asked: A) {
         self.particle.centre = centre;
         self.particle.axis = asked.direction(centre);
         self.particle.size = self.factor * asked.size(centre);

@@ -3,8 +3,8 @@
 use super::clearance::is_clear;
 use super::grid::Grid;
 use super::placed::Placed;
-use super::shape::Shape;
-use super::surroundings::Surroundings;
+use super::shape::CellShape;
+use super::surroundings::PlaneDomain;
 use crate::field::Fields;
 use glam::DVec2;
 
@@ -19,7 +19,7 @@ const BOUNDARY_CLEARANCE: f64 = 0.8;
 const DEPTHS: [f64; 4] = [0.5, 0.4, 0.3, 0.22];
 
 /// A piece of a ring between corners, as a polyline; a smooth ring is one closed piece.
-pub(super) struct Piece {
+pub(super) struct RingPiece {
     points: Vec<DVec2>,
     /// The directions of the neighbouring pieces where they meet its ends.
     before: Option<DVec2>,
@@ -27,7 +27,7 @@ pub(super) struct Piece {
 }
 
 /// The pieces of a ring, or of an open line.
-pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<Piece> {
+pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<RingPiece> {
     let n = points.len();
     let along = |k: usize| (points[(k + 1) % n] - points[k % n]).normalize();
     let turns = |k: usize| along(k + n - 1).dot(along(k)) < CORNER;
@@ -41,7 +41,7 @@ pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<Piece> {
     if corners.is_empty() {
         let mut points = points.to_vec();
         points.push(points[0]);
-        return vec![Piece {
+        return vec![RingPiece {
             points,
             before: None,
             after: None,
@@ -59,7 +59,7 @@ pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<Piece> {
             from + n - 1
         };
         let last = if !closed && to == n - 1 { to - 1 } else { to };
-        Piece {
+        RingPiece {
             points: (from..=to).map(|k| points[k % n]).collect(),
             before: Some(along(first)),
             after: Some(along(last)),
@@ -70,7 +70,7 @@ pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<Piece> {
 
 /// The pieces of a constraint line: there and back, for a row along each side; or there only, for cells that
 /// stand on it.
-pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<Piece> {
+pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<RingPiece> {
     let closed = line.first() == line.last();
     let mut points = line.to_vec();
     if closed {
@@ -87,11 +87,11 @@ pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<Piece> {
 /// Evenly spaced cells along a piece: on it, or half a cell inside with mitred ends.
 pub(super) fn boundary_cells(
     placed: &mut Placed<DVec2, Grid>,
-    piece: &Piece,
-    around: Surroundings,
+    piece: &RingPiece,
+    around: PlaneDomain,
     fixed: bool,
 ) {
-    let Surroundings { domain, fields, .. } = around;
+    let PlaneDomain { domain, fields, .. } = around;
     // The inset fits if most of the row is clear of the opposite side.
     let is_wide = |depth: &&f64| {
         let line = offset_line(piece, fields, **depth);
@@ -119,11 +119,11 @@ pub(super) fn boundary_cells(
 }
 
 /// Where the outline is narrower than the cells: places them on its centre line, following the wall.
-fn narrow_cells(placed: &mut Placed<DVec2, Grid>, piece: &Piece, around: Surroundings) {
-    let Surroundings { domain, fields, .. } = around;
+fn narrow_cells(placed: &mut Placed<DVec2, Grid>, piece: &RingPiece, around: PlaneDomain) {
+    let PlaneDomain { domain, fields, .. } = around;
     for (p, along) in spaced(&piece.points, fields, 0.5) {
         let inward = along.perp();
-        let most = DEPTHS[0] * Shape::metric_at(fields, p).extent(inward);
+        let most = DEPTHS[0] * CellShape::metric_at(fields, p).extent(inward);
         let p = p + inward * domain.medial_depth(p, inward, most);
         if domain.contains(p) && placed.is_free(around, p, BOUNDARY_GAP) {
             placed.push(fields, p);
@@ -137,7 +137,7 @@ fn spaced(line: &[DVec2], fields: &Fields, from: f64) -> Vec<(DVec2, DVec2)> {
     // Lengths in cells: steps are shorter where cells are smaller.
     let mut reached = vec![0.0];
     for w in line.windows(2) {
-        let cells = Shape::metric_at(fields, w[0].midpoint(w[1])).cells_along(w[1] - w[0]);
+        let cells = CellShape::metric_at(fields, w[0].midpoint(w[1])).cells_along(w[1] - w[0]);
         reached.push(reached[reached.len() - 1] + cells);
     }
     let total = reached[reached.len() - 1];
@@ -162,7 +162,7 @@ fn spaced(line: &[DVec2], fields: &Fields, from: f64) -> Vec<(DVec2, DVec2)> {
 }
 
 /// The piece moved inwards by `depth` cells. At its ends it meets the neighbouring pieces' offset lines.
-fn offset_line(piece: &Piece, fields: &Fields, depth: f64) -> Vec<DVec2> {
+fn offset_line(piece: &RingPiece, fields: &Fields, depth: f64) -> Vec<DVec2> {
     let points = &piece.points;
     let last = points.len() - 1;
     let along = |k: usize| (points[k + 1] - points[k]).normalize();
@@ -180,7 +180,7 @@ fn offset_line(piece: &Piece, fields: &Fields, depth: f64) -> Vec<DVec2> {
                 _ => along(k.min(last - 1)),
             };
             let mitre = mitre(earlier, later);
-            let shape = Shape::metric_at(fields, points[k]);
+            let shape = CellShape::metric_at(fields, points[k]);
             points[k] + mitre * depth * shape.extent(mitre.normalize())
         })
         .collect()

@@ -2,8 +2,8 @@
 
 use super::BoundaryCondition;
 use super::placed::FRONT_GAP;
-use super::shape::Shape;
-use super::surroundings::Surroundings;
+use super::shape::CellShape;
+use super::surroundings::PlaneDomain;
 use crate::domain::{Domain, Nearest};
 use crate::field::Fields;
 use glam::DVec2;
@@ -19,8 +19,8 @@ pub(crate) const NARROWEST: f64 = 0.25;
 
 /// The point on the centre line at a place too narrow for a cell. `None` if there is room, or so little that
 /// a cell would be a sliver.
-pub(super) fn middle_of_narrow(p: DVec2, around: Surroundings) -> Option<DVec2> {
-    let Surroundings {
+pub(super) fn middle_of_narrow(p: DVec2, around: PlaneDomain) -> Option<DVec2> {
+    let PlaneDomain {
         domain,
         fields,
         walls,
@@ -30,15 +30,15 @@ pub(super) fn middle_of_narrow(p: DVec2, around: Surroundings) -> Option<DVec2> 
         return None;
     }
     let near = domain.nearest(p);
-    let extent = Shape::metric_at(fields, p).extent(near.inward);
+    let extent = CellShape::metric_at(fields, p).extent(near.inward);
     let depth = domain.medial_depth(near.point, near.inward, NARROW * extent);
     let is_narrow = depth >= NARROWEST * extent && depth < NARROW * extent;
     is_narrow.then(|| near.point + near.inward * depth)
 }
 
 /// Whether the walls leave room for a cell at this place.
-pub(super) fn has_room(p: DVec2, around: Surroundings) -> bool {
-    let Surroundings {
+pub(super) fn has_room(p: DVec2, around: PlaneDomain) -> bool {
+    let PlaneDomain {
         domain,
         fields,
         walls,
@@ -61,7 +61,7 @@ pub(super) fn has_room(p: DVec2, around: Surroundings) -> bool {
 /// Whether a place is inside, and at least this share of a cell's extent away from the boundary and from
 /// lines.
 pub(super) fn is_clear(p: DVec2, clearance: f64, fields: &Fields, domain: &Domain) -> bool {
-    let shape = Shape::metric_at(fields, p);
+    let shape = CellShape::metric_at(fields, p);
     let clear = |near: Nearest| near.distance >= clearance * shape.extent(near.inward);
     clear(domain.nearest(p)) && domain.nearest_line(p).is_none_or(clear)
 }

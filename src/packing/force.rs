@@ -5,9 +5,9 @@
 //! pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
 
 use super::Particle;
-use super::shape::{CUT, Shape};
-use super::transport::{Carry, InPlane};
-use crate::field::Kind;
+use super::shape::{CUT, CellShape};
+use super::transport::{IdentityTransport, ParallelTransport};
+use crate::field::CellKind;
 use crate::order::{greater, lesser};
 use glam::DVec2;
 
@@ -51,7 +51,7 @@ pub struct Pair {
 
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
-    shapes: (Shape, Shape),
+    shapes: (CellShape, CellShape),
     /// The root of the mean aspect ratio.
     root: f64,
 }
@@ -60,19 +60,19 @@ impl Pair {
     /// The frame of two cells: the mean of the first one's axis and the second one's, turned by symmetry to
     /// be nearest. Forces are then reciprocal.
     pub fn new(a: &Particle, b: &Particle) -> Self {
-        Self::seen(a, b, InPlane)
+        Self::seen(a, b, IdentityTransport)
     }
 
     /// The same on any domain, in the first one's frame.
     #[inline(always)]
-    pub(crate) fn seen<P>(a: &Particle<P>, b: &Particle<P>, turn: impl Carry) -> Self {
+    pub(crate) fn seen<P>(a: &Particle<P>, b: &Particle<P>, turn: impl ParallelTransport) -> Self {
         let sizes = (a.size, b.size);
         let axes = (a.axis, turn.apply(b.axis));
-        if a.kind == Kind::Square && b.kind == Kind::Square {
+        if a.kind == CellKind::Square && b.kind == CellKind::Square {
             return Self::squares(axes, sizes);
         }
         let stretch = (a.kind.is_stretched() || b.kind.is_stretched()).then(|| Stretch {
-            shapes: (Shape::of(a), Shape::of(b).seen(turn)),
+            shapes: (CellShape::of(a), CellShape::of(b).seen(turn)),
             root: (0.5 * (a.aspect + b.aspect)).sqrt(),
         });
         let corners = (a.kind.has_corners(), b.kind.has_corners());
@@ -260,7 +260,7 @@ impl Pair {
 pub(super) fn force_between<P>(
     a: &Particle<P>,
     b: &Particle<P>,
-    (r, turn): (DVec2, impl Carry),
+    (r, turn): (DVec2, impl ParallelTransport),
 ) -> DVec2 {
     Pair::seen(a, b, turn).force(r)
 }
@@ -269,9 +269,9 @@ pub(super) fn force_between<P>(
 pub(super) fn potential_between<P>(
     a: &Particle<P>,
     b: &Particle<P>,
-    (r, turn): (DVec2, impl Carry),
+    (r, turn): (DVec2, impl ParallelTransport),
 ) -> f64 {
-    if !Shape::of(a).may_touch(&Shape::of(b).seen(turn), r, 0.0) {
+    if !CellShape::of(a).may_touch(&CellShape::of(b).seen(turn), r, 0.0) {
         return 0.0;
     }
     Pair::seen(a, b, turn).potential(r)

@@ -1,10 +1,10 @@
 //! Fills the inside with a front of cells that grows.
 
-use super::cell_fields::Asks;
-use super::ground::{GridOf, Ground, Sees};
+use super::cell_fields::CellFields;
+use super::packing_domain::{HashOf, MetricSpace, PackingDomain};
 use super::placed::{FRONT_GAP, Placed};
-use super::shape::Shape;
-use crate::field::Kind;
+use super::shape::CellShape;
+use crate::field::CellKind;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 use std::collections::VecDeque;
@@ -28,7 +28,11 @@ pub(crate) struct Front {
 }
 
 impl Front {
-    pub fn new<G: Ground>(placed: &mut Placed<G::Place, GridOf<G>>, ground: G, seed: u64) -> Self {
+    pub fn new<G: PackingDomain>(
+        placed: &mut Placed<G::Place, HashOf<G>>,
+        ground: G,
+        seed: u64,
+    ) -> Self {
         if ground.has_parts() {
             // Random places would seldom hit a small part.
             placed.fill_empty_parts(ground);
@@ -39,8 +43,8 @@ impl Front {
         // than rows along the boundary that meet each other. Each island has its own.
         let honeycombs = ground.honeycombs();
         let first = placed.cells.len();
-        for p in ground.hearts() {
-            if ground.fields().kind(p) == Kind::Circle && placed.is_free(ground, p, FRONT_GAP) {
+        for p in ground.seeds() {
+            if ground.fields().kind(p) == CellKind::Circle && placed.is_free(ground, p, FRONT_GAP) {
                 placed.push(ground.fields(), p);
             }
         }
@@ -54,12 +58,16 @@ impl Front {
             rows,
             honeycombs,
             random: Random::new(seed, Purpose::Placement, 0),
-            tries: 40 + (4.0 * ground.sight().area() / (size * size)) as u32,
+            tries: 40 + (4.0 * ground.metric().area() / (size * size)) as u32,
         }
     }
 
     /// Grows around the next cell, or looks for a new place to start from; true when finished.
-    pub fn grow<G: Ground>(&mut self, placed: &mut Placed<G::Place, GridOf<G>>, ground: G) -> bool {
+    pub fn grow<G: PackingDomain>(
+        &mut self,
+        placed: &mut Placed<G::Place, HashOf<G>>,
+        ground: G,
+    ) -> bool {
         if self.queue.is_empty() {
             std::mem::swap(&mut self.rows, &mut self.queue);
         }
@@ -71,28 +79,28 @@ impl Front {
         false
     }
 
-    fn grow_around<G: Ground>(
+    fn grow_around<G: PackingDomain>(
         &mut self,
         k: usize,
-        placed: &mut Placed<G::Place, GridOf<G>>,
+        placed: &mut Placed<G::Place, HashOf<G>>,
         ground: G,
     ) {
         let centre = placed.cells[k];
-        let mut shape = Shape::at(ground.fields(), centre);
-        if shape.kind() == Kind::Circle
+        let mut shape = CellShape::at(ground.fields(), centre);
+        if shape.kind() == CellKind::Circle
             && let Some(own) = ground.honeycomb(centre)
         {
             shape.turn(self.honeycombs[own]);
         }
-        let beside = match G::Sight::WALKS {
+        let beside = match G::Metric::WALKS {
             true => placed.beside(ground, centre, &shape, 1.0 + TAKEN),
             false => Vec::new(),
         };
         for p in slots(centre, shape, ground, |to| !is_taken(&shape, to, &beside)) {
-            let p = ground.sight().home(p);
+            let p = ground.metric().wrap(p);
             if placed.is_free(ground, p, FRONT_GAP)
                 && ground.has_room(p)
-                && !ground.sight().is_gap_between(centre, p)
+                && !ground.metric().is_gap_between(centre, p)
             {
                 self.queue.push_back(placed.cells.len());
                 placed.push(ground.fields(), p);
@@ -100,7 +108,11 @@ impl Front {
         }
     }
 
-    fn try_anywhere<G: Ground>(&mut self, placed: &mut Placed<G::Place, GridOf<G>>, ground: G) {
+    fn try_anywhere<G: PackingDomain>(
+        &mut self,
+        placed: &mut Placed<G::Place, HashOf<G>>,
+        ground: G,
+    ) {
         self.tries -= 1;
         let p = ground.anywhere(&mut self.random);
         if placed.is_free(ground, p, SEED_GAP) && ground.has_room(p) {
@@ -111,26 +123,26 @@ impl Front {
 }
 
 /// Whether one of some cells, given by offset and shape, stands where a neighbour would touch.
-pub(super) fn is_taken(shape: &Shape, to: DVec2, beside: &[(DVec2, Shape)]) -> bool {
+pub(super) fn is_taken(shape: &CellShape, to: DVec2, beside: &[(DVec2, CellShape)]) -> bool {
     let slot = shape.size * to;
     let mut each = beside.iter();
     each.any(|(r, other)| shape.normalised_distance(other, *r - slot) < TAKEN)
 }
 
 /// The wanted places of neighbours that touch a cell.
-pub(super) fn slots<G: Ground>(
+pub(super) fn slots<G: PackingDomain>(
     centre: G::Place,
-    shape: Shape,
+    shape: CellShape,
     ground: G,
     is_wanted: impl Fn(DVec2) -> bool,
 ) -> impl Iterator<Item = G::Place> {
     let wanted = shape.places().filter(move |&to| is_wanted(to));
     wanted.map(move |to| {
-        let (there, _) = ground.sight().beyond(centre, shape.size * to);
+        let (there, _) = ground.metric().exp(centre, shape.size * to);
         let far = 0.5 * (shape.size + ground.fields().size(there));
         if far == shape.size {
             return there;
         }
-        ground.sight().beyond(centre, far * to).0
+        ground.metric().exp(centre, far * to).0
     })
 }

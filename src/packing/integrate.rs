@@ -2,23 +2,23 @@
 //!
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
-use super::body::Body;
+use super::body::MovingParticle;
 use super::force::{Pair, force_between};
-use super::ground::{Buckets, Ground, Sees};
-use super::shape::{SQUARE_REACH, Shape};
-use super::transport::Carry;
+use super::packing_domain::{MetricSpace, PackingDomain, SpatialHash};
+use super::shape::{CellShape, SQUARE_REACH};
+use super::transport::ParallelTransport;
 use super::wall::{stays_clear, wall_force};
 use super::{Integrator, Particle};
 use crate::csr::Csr;
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::order::greater;
 use glam::DVec2;
 use std::ops::Range;
 
 /// Viscous damping c. A honeycomb of circles has more faults to heal than rows and columns, so circles are
 /// damped less and keep moving for longer.
-const fn damping(kind: Kind) -> f64 {
-    if matches!(kind, Kind::Circle) {
+const fn damping(kind: CellKind) -> f64 {
+    if matches!(kind, CellKind::Circle) {
         0.2
     } else {
         2.0
@@ -36,8 +36,8 @@ const VERLET_MARGIN: f64 = 0.25;
 
 /// Moves below this share of a cell's size are not made: a cell rests while neither it nor any of its
 /// neighbours moves. The remaining force is far below the limit at which a run ends.
-const fn least_move(kind: Kind) -> f64 {
-    if matches!(kind, Kind::Circle) {
+const fn least_move(kind: CellKind) -> f64 {
+    if matches!(kind, CellKind::Circle) {
         0.0
     } else {
         REST
@@ -134,7 +134,7 @@ impl<P: Copy> PairData<P> {
             } else {
                 SQUARE_REACH * 0.5 * particle.size
             },
-            is_square: particle.kind == Kind::Square,
+            is_square: particle.kind == CellKind::Square,
         }
     }
 }
@@ -151,22 +151,26 @@ impl<P: Copy> Motion<P> {
     }
 
     /// Whether the neighbour list is still valid.
-    fn is_fresh<S: Sees<Place = P>>(&self, bodies: &[Body<P>], sight: S) -> bool {
+    fn is_fresh<S: MetricSpace<Place = P>>(&self, bodies: &[MovingParticle<P>], metric: S) -> bool {
         let limit = 0.25 * self.margin * self.margin;
         let mut each = bodies.iter().zip(&self.made_at);
         self.made_at.len() == bodies.len()
-            && each.all(|(body, &at)| !sight.has_left(at, body.particle.centre, limit))
+            && each.all(|(body, &at)| !metric.has_left(at, body.particle.centre, limit))
     }
 
     /// Renews the neighbour list if it may be outdated; true if it was renewed. The bodies are first sorted
     /// by the grid's buckets, so that neighbours are close in memory, too.
-    pub fn refresh<S: Sees<Place = P>>(&mut self, bodies: &mut [Body<P>], sight: S) -> bool {
-        if bodies.is_empty() || self.is_fresh(bodies, sight) {
+    pub fn refresh<S: MetricSpace<Place = P>>(
+        &mut self,
+        bodies: &mut [MovingParticle<P>],
+        metric: S,
+    ) -> bool {
+        if bodies.is_empty() || self.is_fresh(bodies, metric) {
             return false;
         }
         let (mut largest, mut longest, mut root) = (0.0_f64, 0.0_f64, 1.0_f64);
         for body in bodies.iter() {
-            let shape = Shape::of(&body.particle);
+            let shape = CellShape::of(&body.particle);
             largest = largest.max(shape.size);
             longest = longest.max(shape.length());
             root = root.max(shape.root);
@@ -175,41 +179,41 @@ impl<P: Copy> Motion<P> {
         // A move counts for more across a stretched cell than along it.
         self.margin = margin / root;
         let reach = SQUARE_REACH * longest + margin;
-        let grid = sight.grid_around(bodies.iter().map(|b| b.particle.centre), reach / 2.0);
+        let grid = metric.grid_around(bodies.iter().map(|b| b.particle.centre), reach / 2.0);
         let firsts = sort_by_bucket(bodies, &grid);
         self.made_at = bodies.iter().map(|b| b.particle.centre).collect();
         self.forces.resize(bodies.len(), DVec2::ZERO);
         self.clear.resize(bodies.len(), 0.0);
-        self.collect_pairs(bodies, sight, (&grid, &firsts), (reach, margin));
+        self.collect_pairs(bodies, metric, (&grid, &firsts), (reach, margin));
         true
     }
 
     /// The bodies are sorted by bucket, so a range of buckets is a range of bodies. Only bodies after the
     /// body itself are looked at.
-    fn collect_pairs<S: Sees<Place = P>>(
+    fn collect_pairs<S: MetricSpace<Place = P>>(
         &mut self,
-        bodies: &[Body<P>],
-        sight: S,
-        (grid, firsts): (&S::Grid, &[u32]),
+        bodies: &[MovingParticle<P>],
+        metric: S,
+        (grid, firsts): (&S::Hash, &[u32]),
         (reach, margin): (f64, f64),
     ) {
         self.near.clear();
         let mut near = Vec::new();
         for (i, body) in bodies.iter().enumerate() {
             let centre = body.particle.centre;
-            let shape = Shape::of(&body.particle);
-            for image in sight.images(centre, reach) {
+            let shape = CellShape::of(&body.particle);
+            for image in metric.images(centre, reach) {
                 for run in grid.runs_near(image, reach) {
                     let end = firsts[run.end] as usize;
                     let first = (firsts[run.start] as usize).max(i + 1).min(end);
                     for (other, j) in bodies[first..end].iter().zip(first as u32..) {
-                        let Some((r, turn)) = sight.way_from(image, other.particle.centre, reach)
+                        let Some((r, turn)) = metric.log_from(image, other.particle.centre, reach)
                         else {
                             continue;
                         };
-                        let seen = Shape::of(&other.particle).seen(turn);
+                        let seen = CellShape::of(&other.particle).seen(turn);
                         if shape.may_touch(&seen, r, margin)
-                            && !is_walled_off(body, other, r, sight)
+                            && !is_walled_off(body, other, r, metric)
                         {
                             near.push(j);
                         }
@@ -221,7 +225,10 @@ impl<P: Copy> Motion<P> {
     }
 
     /// The pairs that may touch, each once.
-    pub fn pairs<'a>(&'a self, bodies: &'a [Body<P>]) -> impl Iterator<Item = (usize, usize)> + 'a {
+    pub fn pairs<'a>(
+        &'a self,
+        bodies: &'a [MovingParticle<P>],
+    ) -> impl Iterator<Item = (usize, usize)> + 'a {
         (0..bodies.len()).flat_map(|i| {
             let near = self.near.row(i).iter();
             near.map(move |&j| (i, j as usize))
@@ -229,7 +236,7 @@ impl<P: Copy> Motion<P> {
     }
 
     /// Wakes the bodies that have moved, and their neighbours.
-    fn wake(&mut self, bodies: &[Body<P>]) {
+    fn wake(&mut self, bodies: &[MovingParticle<P>]) {
         self.awake.clear();
         self.awake.extend(bodies.iter().map(|b| b.has_moved));
         for (i, body) in bodies.iter().enumerate() {
@@ -244,7 +251,7 @@ impl<P: Copy> Motion<P> {
     }
 
     /// Resets the forces before the first body.
-    fn begin_forces(&mut self, bodies: &[Body<P>]) {
+    fn begin_forces(&mut self, bodies: &[MovingParticle<P>]) {
         self.forces.fill(DVec2::ZERO);
         self.pair_data.clear();
         self.pair_data
@@ -252,9 +259,9 @@ impl<P: Copy> Motion<P> {
     }
 
     /// Adds the forces on the awake bodies of a range, and their reactions on later bodies.
-    fn evaluate<G: Ground<Place = P>>(
+    fn evaluate<G: PackingDomain<Place = P>>(
         &mut self,
-        bodies: &[Body<P>],
+        bodies: &[MovingParticle<P>],
         these: Range<usize>,
         ground: G,
         first: bool,
@@ -270,7 +277,7 @@ impl<P: Copy> Motion<P> {
                     continue;
                 }
                 let reach = a.reach + b.reach;
-                let way = ground.sight().way_within(a.centre, b.centre, reach);
+                let way = ground.metric().log_within(a.centre, b.centre, reach);
                 let Some((r, turn)) = way else {
                     continue;
                 };
@@ -298,9 +305,9 @@ impl<P: Copy> Motion<P> {
 
     /// Continues a step with at most this many bodies. When the step is complete: the largest move and the
     /// largest force on a free cell, in its size.
-    pub fn advance<G: Ground<Place = P>>(
+    pub fn advance<G: PackingDomain<Place = P>>(
         &mut self,
-        bodies: &mut [Body<P>],
+        bodies: &mut [MovingParticle<P>],
         ground: G,
         (integrator, pace): (Integrator, f64),
         portion: usize,
@@ -314,7 +321,7 @@ impl<P: Copy> Motion<P> {
         loop {
             match std::mem::take(&mut self.doing) {
                 Doing::Neighbours => {
-                    let renewed = self.refresh(bodies, ground.sight());
+                    let renewed = self.refresh(bodies, ground.metric());
                     self.doing = Doing::Waking;
                     if renewed && bodies.len() > portion {
                         return None;
@@ -361,7 +368,7 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    fn largest_force(&self, bodies: &[Body<P>]) -> f64 {
+    fn largest_force(&self, bodies: &[MovingParticle<P>]) -> f64 {
         let mut largest = 0.0_f64;
         for (i, body) in bodies.iter().enumerate() {
             if self.awake[i] {
@@ -372,9 +379,9 @@ impl<P: Copy> Motion<P> {
     }
 
     /// Moves a range of bodies; keeps the largest move.
-    fn make_moves<G: Ground<Place = P>>(
+    fn make_moves<G: PackingDomain<Place = P>>(
         &mut self,
-        bodies: &mut [Body<P>],
+        bodies: &mut [MovingParticle<P>],
         these: Range<usize>,
         ground: G,
         moves: &[DVec2],
@@ -387,19 +394,19 @@ impl<P: Copy> Motion<P> {
                 continue;
             }
             let before = body.particle.centre;
-            let shape = Shape::of(&body.particle);
+            let shape = CellShape::of(&body.particle);
             let by = moves[i].clamp_length_max(LONGEST_MOVE * body.particle.size);
             let is_clear = stays_clear(self.clear[i], by.length(), shape.length());
             let (centre, turn) = ground.moved(before, by, shape, is_clear);
             body.place(centre, ground.fields());
             body.velocity = turn.apply(body.velocity);
-            let moved = ground.sight().distance(before, centre) / shape.size;
+            let moved = ground.metric().distance(before, centre) / shape.size;
             body.has_moved = moved > least_move(body.particle.kind);
             self.largest.0 = greater(self.largest.0, moved);
         }
     }
 
-    fn semi_implicit(&self, bodies: &mut [Body<P>], pace: f64) -> Vec<DVec2> {
+    fn semi_implicit(&self, bodies: &mut [MovingParticle<P>], pace: f64) -> Vec<DVec2> {
         let h = SEMI_IMPLICIT_STEP;
         let each = bodies.iter_mut().zip(&self.forces);
         each.map(|(body, &force)| {
@@ -410,9 +417,9 @@ impl<P: Copy> Motion<P> {
     }
 
     /// Prepares the next evaluation, or the moves after the last one.
-    fn runge_kutta<G: Ground<Place = P>>(
+    fn runge_kutta<G: PackingDomain<Place = P>>(
         &mut self,
-        bodies: &mut [Body<P>],
+        bodies: &mut [MovingParticle<P>],
         ground: G,
         pace: f64,
         mut scheme: RungeKutta<P>,
@@ -427,7 +434,7 @@ impl<P: Copy> Motion<P> {
             let (start, velocity) = scheme.start[i];
             let mut force = self.forces[i];
             if stage > 0 {
-                force = ground.sight().beyond(start, scheme.ahead[i]).1.undo(force);
+                force = ground.metric().exp(start, scheme.ahead[i]).1.undo(force);
             }
             let slope = scheme.velocity[i];
             let pull = force - damping(body.particle.kind) * slope;
@@ -435,7 +442,7 @@ impl<P: Copy> Motion<P> {
             scheme.sums[i].1 += weight / 6.0 * pull;
             if stage < 3 {
                 scheme.ahead[i] = further * slope;
-                let (there, _) = ground.sight().beyond(start, scheme.ahead[i]);
+                let (there, _) = ground.metric().exp(start, scheme.ahead[i]);
                 body.place(there, ground.fields());
                 scheme.velocity[i] = velocity + further * pull;
             }
@@ -457,7 +464,7 @@ impl<P: Copy> Motion<P> {
 
 impl<P: Copy> RungeKutta<P> {
     /// Starts from bodies whose first evaluation is done.
-    fn new(bodies: &[Body<P>]) -> Self {
+    fn new(bodies: &[MovingParticle<P>]) -> Self {
         let start = bodies.iter().map(|b| (b.particle.centre, b.velocity));
         Self {
             stage: 0,
@@ -470,19 +477,22 @@ impl<P: Copy> RungeKutta<P> {
 }
 
 /// Whether a wall separates two cells at offset `r`. Cells fixed on a constraint line see both its sides.
-fn is_walled_off<S: Sees>(
-    body: &Body<S::Place>,
-    other: &Body<S::Place>,
+fn is_walled_off<S: MetricSpace>(
+    body: &MovingParticle<S::Place>,
+    other: &MovingParticle<S::Place>,
     r: DVec2,
-    sight: S,
+    metric: S,
 ) -> bool {
     let (a, b) = (&body.particle, &other.particle);
     let sees_over = a.fixed || b.fixed;
-    sight.is_gap_between(a.centre, b.centre) || (!sees_over && sight.crosses_line(a.centre, r))
+    metric.is_gap_between(a.centre, b.centre) || (!sees_over && metric.crosses_line(a.centre, r))
 }
 
 /// Sorts bodies by bucket, and within a bucket by id. Gives the start of each bucket.
-fn sort_by_bucket<P: Copy>(bodies: &mut [Body<P>], grid: &impl Buckets<P>) -> Vec<u32> {
+fn sort_by_bucket<P: Copy>(
+    bodies: &mut [MovingParticle<P>],
+    grid: &impl SpatialHash<P>,
+) -> Vec<u32> {
     let pairs = bodies.iter().map(|b| (grid.bucket(b.particle.centre), *b));
     let mut sorted = Csr::from_pairs(grid.buckets(), pairs);
     for bucket in 0..grid.buckets() {

@@ -4,12 +4,12 @@
 //! The record has the energy and the largest move of every step, or of every fourth step with more than 2,000
 //! cells. It is kept whether or not anybody displays it.
 
-use super::body::Body;
+use super::body::MovingParticle;
 use super::force::{force_between, potential_between};
-use super::ground::{Sees, Walled};
+use super::packing_domain::{Boundary, MetricSpace};
 use super::run::Run;
-use super::shape::Shape;
-use super::transport::Carry;
+use super::shape::CellShape;
+use super::transport::ParallelTransport;
 use super::wall::wall_force;
 use super::{Packing, Particle, Sample};
 use crate::domain::Domain;
@@ -47,18 +47,18 @@ const NEAR: f64 = 1.25;
 impl<P: Copy> Run<P> {
     /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of the mean
     /// cell's k0, from the last row of the record; computed if there is none.
-    pub fn energy<S: Sees<Place = P>>(&mut self, sight: S) -> f64 {
+    pub fn energy<S: MetricSpace<Place = P>>(&mut self, metric: S) -> f64 {
         match self.samples.last() {
             Some(last) => last.energy,
-            None => self.sum_energy(sight),
+            None => self.sum_energy(metric),
         }
     }
 
     /// Adds a row to the record if it is due. The record depends on nothing but the run.
-    pub(super) fn sample<S: Sees<Place = P>>(&mut self, sight: S) {
+    pub(super) fn sample<S: MetricSpace<Place = P>>(&mut self, metric: S) {
         let report = self.report;
         if report.cells <= MANY || report.step.is_multiple_of(STRIDE) || report.done {
-            let energy = self.sum_energy(sight);
+            let energy = self.sum_energy(metric);
             self.samples.push(Sample {
                 step: report.step,
                 energy,
@@ -67,9 +67,9 @@ impl<P: Copy> Run<P> {
         }
     }
 
-    fn sum_energy<S: Sees<Place = P>>(&mut self, sight: S) -> f64 {
+    fn sum_energy<S: MetricSpace<Place = P>>(&mut self, metric: S) -> f64 {
         let mut sum = 0.0;
-        self.each_pair(sight, |a, b, way, _| {
+        self.each_pair(metric, |a, b, way, _| {
             sum += potential_between(&a.particle, &b.particle, way);
         });
         let count = self.bodies.len().max(1) as f64;
@@ -80,30 +80,35 @@ impl<P: Copy> Run<P> {
 
     /// Calls `visit` with both bodies of each pair that may touch, the offset from the first to the second,
     /// and their indices in `bodies`.
-    fn each_pair<S: Sees<Place = P>>(
+    fn each_pair<S: MetricSpace<Place = P>>(
         &mut self,
-        sight: S,
-        mut visit: impl FnMut(&Body<P>, &Body<P>, (DVec2, S::Turn), (usize, usize)),
+        metric: S,
+        mut visit: impl FnMut(
+            &MovingParticle<P>,
+            &MovingParticle<P>,
+            (DVec2, S::Transport),
+            (usize, usize),
+        ),
     ) {
         if !self.motion.is_in_a_step() {
-            self.motion.refresh(&mut self.bodies, sight);
+            self.motion.refresh(&mut self.bodies, metric);
         }
         for (i, j) in self.motion.pairs(&self.bodies) {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
-            if let Some(way) = sight.way(a.particle.centre, b.particle.centre) {
+            if let Some(way) = metric.log(a.particle.centre, b.particle.centre) {
                 visit(a, b, way, (i, j));
             }
         }
     }
 
     /// The cells, in no special order, with the net force on each at its present place.
-    pub fn net_forces<S: Sees<Place = P>, W: Walled<Place = P>>(
+    pub fn net_forces<S: MetricSpace<Place = P>, W: Boundary<Place = P>>(
         &mut self,
-        sight: S,
+        metric: S,
         walls: W,
     ) -> Vec<(Particle<P>, NetForce)> {
         let mut all = vec![NetForce::default(); self.bodies.len()];
-        self.each_pair(sight, |a, b, (r, turn), (i, j)| {
+        self.each_pair(metric, |a, b, (r, turn), (i, j)| {
             let force = force_between(&a.particle, &b.particle, (r, turn));
             let energy = 0.5 * potential_between(&a.particle, &b.particle, (r, turn));
             all[i].force -= force;
@@ -122,19 +127,23 @@ impl<P: Copy> Run<P> {
     }
 
     /// The cells, in no special order, each with its alignment.
-    pub fn alignments<S: Sees<Place = P>>(&mut self, sight: S) -> Vec<(Particle<P>, Alignment)> {
+    pub fn alignments<S: MetricSpace<Place = P>>(
+        &mut self,
+        metric: S,
+    ) -> Vec<(Particle<P>, Alignment)> {
         let mut around = vec![Around::default(); self.bodies.len()];
-        self.each_pair(sight, |a, b, (r, turn), (i, j)| {
-            let other = Shape::of(&b.particle).seen(turn);
-            let far = Shape::of(&a.particle).normalised_distance(&other, r);
+        self.each_pair(metric, |a, b, (r, turn), (i, j)| {
+            let other = CellShape::of(&b.particle).seen(turn);
+            let far = CellShape::of(&a.particle).normalised_distance(&other, r);
             if far < NEAR {
                 around[i].add(&a.particle, r, far);
                 around[j].add(&b.particle, -turn.undo(r), far);
             }
         });
         let bodies = self.bodies.iter().zip(around);
-        let aligned =
-            |(body, around): (&Body<P>, Around)| (body.particle, around.aligned(&body.particle));
+        let aligned = |(body, around): (&MovingParticle<P>, Around)| {
+            (body.particle, around.aligned(&body.particle))
+        };
         bodies.map(aligned).collect()
     }
 }
@@ -197,7 +206,7 @@ impl Around {
         let local = DVec2::new(axis.dot(r), axis.perp_dot(r));
         let squared = |v: DVec2| v.rotate(v);
         self.turn += if particle.kind.has_corners() {
-            let root = Shape::of(particle).root;
+            let root = CellShape::of(particle).root;
             let framed = local * DVec2::new(1.0, root * root);
             squared(squared(framed.normalize_or_zero()))
         } else {
@@ -217,7 +226,8 @@ impl Around {
         } else {
             2.0
         };
-        let has_axis = particle.kind != crate::field::Kind::Circle && particle.axis != DVec2::ZERO;
+        let has_axis =
+            particle.kind != crate::field::CellKind::Circle && particle.axis != DVec2::ZERO;
         let turn = libm::atan2(self.turn.y, self.turn.x).to_degrees().abs() / fold;
         Alignment {
             spacing: self.far / self.count,

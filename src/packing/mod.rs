@@ -40,9 +40,9 @@ pub(crate) mod clearance;
 pub mod force;
 pub(crate) mod front;
 mod grid;
-pub(crate) mod ground;
 mod integrate;
 mod measures;
+pub(crate) mod packing_domain;
 mod params;
 pub(crate) mod placed;
 mod placement;
@@ -68,16 +68,16 @@ pub(crate) use stress::{BEYOND, stress_on};
 pub use stress::{Stress, stress};
 
 use crate::domain::{Domain, Walls};
-use crate::field::{Fields, Kind};
+use crate::field::{CellKind, Fields};
 use crate::notice::Notice;
-use cell_fields::Asks;
+use cell_fields::CellFields;
 use glam::DVec2;
 pub(crate) use params::TUNING;
 #[cfg(house)]
 pub(crate) use params::Tuning;
 use run::Run;
-use shape::Shape;
-use surroundings::Surroundings;
+use shape::CellShape;
+use surroundings::PlaneDomain;
 
 /// A packed cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,7 +87,7 @@ pub struct Particle<P = DVec2> {
     /// Its centre; in the plane, in picture units.
     pub centre: P,
     /// Its shape.
-    pub kind: Kind,
+    pub kind: CellKind,
     /// The side of its square or the diameter of its circle. A stretched cell has the half axes `size / 2`
     /// times and divided by the root of `aspect`.
     pub size: f64,
@@ -101,7 +101,7 @@ pub struct Particle<P = DVec2> {
 
 impl<P: Copy> Particle<P> {
     /// A cell with the fields' values at its place.
-    pub(crate) fn new<A: Asks<Place = P>>(id: u32, centre: P, fixed: bool, asked: A) -> Self {
+    pub(crate) fn new<A: CellFields<Place = P>>(id: u32, centre: P, fixed: bool, asked: A) -> Self {
         Self {
             id,
             centre,
@@ -149,7 +149,7 @@ impl Packing {
 
     /// Makes one step of the equation of motion, with population control when it is due.
     pub fn step(&mut self, domain: &Domain, fields: &Fields) -> StepReport {
-        let around = Surroundings {
+        let around = PlaneDomain {
             domain,
             fields,
             walls: &self.walls,
@@ -166,7 +166,7 @@ fn greatest_length(domain: &Domain, fields: &Fields, params: &PackingParams) -> 
     for row in 0..=16 {
         for column in 0..=16 {
             let t = DVec2::new(f64::from(column), f64::from(row)) / 16.0;
-            largest = largest.max(Shape::at(fields, lo + (hi - lo) * t).length());
+            largest = largest.max(CellShape::at(fields, lo + (hi - lo) * t).length());
         }
     }
     largest * (1.0 + params.variance * 3.0_f64.sqrt())

@@ -1,8 +1,8 @@
 //! The cells placed so far, before any motion.
 
-use super::cell_fields::Asks;
-use super::ground::{Buckets, Ground, Sees};
-use super::shape::Shape;
+use super::cell_fields::CellFields;
+use super::packing_domain::{MetricSpace, PackingDomain, SpatialHash};
+use super::shape::CellShape;
 use glam::DVec2;
 
 /// The front takes a place if its nearest cell is at least this far, in stable distances.
@@ -11,23 +11,23 @@ pub(crate) const FRONT_GAP: f64 = 0.75;
 /// The cells, with the grid that finds them.
 pub(crate) struct Placed<P, B> {
     pub cells: Vec<P>,
-    shapes: Vec<Shape>,
+    shapes: Vec<CellShape>,
     grid: B,
     longest: f64,
 }
 
-impl<P: Copy, B: Buckets<P>> Placed<P, B> {
-    pub fn new<G: Ground<Place = P, Sight: Sees<Grid = B>>>(ground: G) -> Self {
+impl<P: Copy, B: SpatialHash<P>> Placed<P, B> {
+    pub fn new<G: PackingDomain<Place = P, Metric: MetricSpace<Hash = B>>>(ground: G) -> Self {
         Self {
             cells: Vec::new(),
             shapes: Vec::new(),
-            grid: ground.sight().grid(ground.fields().mean_size()),
+            grid: ground.metric().grid(ground.fields().mean_size()),
             longest: 0.0,
         }
     }
 
-    pub fn push<A: Asks<Place = P>>(&mut self, asked: A, p: P) {
-        let shape = Shape::metric_at(asked, p);
+    pub fn push<A: CellFields<Place = P>>(&mut self, asked: A, p: P) {
+        let shape = CellShape::metric_at(asked, p);
         self.cells.push(p);
         self.shapes.push(shape);
         self.grid.push(p);
@@ -35,24 +35,27 @@ impl<P: Copy, B: Buckets<P>> Placed<P, B> {
     }
 
     /// Puts a cell at the centre of each part that has none.
-    pub fn fill_empty_parts<G: Ground<Place = P, Sight: Sees<Grid = B>>>(&mut self, ground: G) {
+    pub fn fill_empty_parts<G: PackingDomain<Place = P, Metric: MetricSpace<Hash = B>>>(
+        &mut self,
+        ground: G,
+    ) {
         for p in ground.empty_parts(&self.cells) {
             self.push(ground.fields(), p);
         }
     }
 
     /// The cells nearer than a number of stable distances, as offsets and shapes seen from a place.
-    pub fn beside<G: Ground<Place = P, Sight: Sees<Grid = B>>>(
+    pub fn beside<G: PackingDomain<Place = P, Metric: MetricSpace<Hash = B>>>(
         &self,
         ground: G,
         p: P,
-        shape: &Shape,
+        shape: &CellShape,
         far: f64,
-    ) -> Vec<(DVec2, Shape)> {
+    ) -> Vec<(DVec2, CellShape)> {
         let reach = far * 0.5 * (shape.length() + self.longest);
         let mut beside = Vec::with_capacity(8);
-        ground.sight().any_near(&self.grid, p, reach, |k| {
-            if let Some((r, turn)) = ground.sight().way_within(p, self.cells[k], reach) {
+        ground.metric().any_near(&self.grid, p, reach, |k| {
+            if let Some((r, turn)) = ground.metric().log_within(p, self.cells[k], reach) {
                 beside.push((r, self.shapes[k].seen(turn)));
             }
             false
@@ -61,19 +64,19 @@ impl<P: Copy, B: Buckets<P>> Placed<P, B> {
     }
 
     /// Whether every cell is at least `gap` stable distances away from this place.
-    pub fn is_free<G: Ground<Place = P, Sight: Sees<Grid = B>>>(
+    pub fn is_free<G: PackingDomain<Place = P, Metric: MetricSpace<Hash = B>>>(
         &self,
         ground: G,
         p: P,
         gap: f64,
     ) -> bool {
-        let shape = Shape::metric_at(ground.fields(), p);
+        let shape = CellShape::metric_at(ground.fields(), p);
         let reach = gap * 0.5 * (shape.length() + self.longest);
-        !ground.sight().any_near(&self.grid, p, reach, |k| {
-            let Some((r, turn)) = ground.sight().way_within(p, self.cells[k], reach) else {
+        !ground.metric().any_near(&self.grid, p, reach, |k| {
+            let Some((r, turn)) = ground.metric().log_within(p, self.cells[k], reach) else {
                 return false;
             };
-            shape.is_closer(&self.shapes[k].seen(turn), r, gap) && !ground.sight().is_parted(p, r)
+            shape.is_closer(&self.shapes[k].seen(turn), r, gap) && !ground.metric().is_parted(p, r)
         })
     }
 }

@@ -6,7 +6,7 @@ use super::grid::Grid;
 use super::placed::Placed;
 use super::quadtree::Quadtree;
 use super::run::Run;
-use super::surroundings::Surroundings;
+use super::surroundings::PlaneDomain;
 use super::wall::reach;
 use super::{BoundaryCondition, Packing, PackingParams, Start, TUNING, greatest_length};
 use crate::decimal;
@@ -48,7 +48,7 @@ impl Placing {
             return Err(notice.with("most", decimal::text(TUNING.most_cells)));
         }
         let walls = Walls::new(domain, reach(greatest_length(domain, fields, &params)));
-        let around = Surroundings {
+        let around = PlaneDomain {
             domain,
             fields,
             walls: &walls,
@@ -71,7 +71,7 @@ impl Placing {
 
     /// Does one slice of the work; true when all places are filled.
     pub fn advance(&mut self, domain: &Domain, fields: &Fields) -> bool {
-        let around = Surroundings {
+        let around = PlaneDomain {
             domain,
             fields,
             walls: &self.walls,
@@ -86,7 +86,7 @@ impl Placing {
 
     /// Makes the packing from the cells so far.
     pub fn finish(mut self, domain: &Domain, fields: &Fields) -> Packing {
-        let around = Surroundings {
+        let around = PlaneDomain {
             domain,
             fields,
             walls: &self.walls,
@@ -104,12 +104,12 @@ impl Placing {
 }
 
 /// The cells along the rings and the constraint lines.
-fn along_boundary(around: Surroundings) -> Placed<DVec2, Grid> {
+fn along_boundary(around: PlaneDomain) -> Placed<DVec2, Grid> {
     let fixed = around.boundary == BoundaryCondition::On;
     let mut placed = Placed::new(around);
     let islands = || around.domain.islands().iter();
     // Each island separately.
-    let within = |domain| Surroundings { domain, ..around };
+    let within = |domain| PlaneDomain { domain, ..around };
     for island in islands() {
         for piece in island.rings().iter().flat_map(|ring| pieces(ring, true)) {
             boundary_cells(&mut placed, &piece, within(island), fixed);
@@ -125,6 +125,6 @@ fn along_boundary(around: Surroundings) -> Placed<DVec2, Grid> {
 }
 
 /// The centres of the cells that are fixed on the boundary.
-pub(super) fn on_boundary(around: Surroundings) -> Vec<DVec2> {
+pub(super) fn on_boundary(around: PlaneDomain) -> Vec<DVec2> {
     along_boundary(around).cells
 }

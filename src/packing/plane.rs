@@ -1,21 +1,21 @@
 //! The plane within an outline, as a domain for packing.
 
 use super::BoundaryCondition;
-use super::cell_fields::Asks;
+use super::cell_fields::CellFields;
 use super::clearance::{has_room, middle_of_narrow};
 use super::grid::Grid;
-use super::ground::{Buckets, Foot, Ground, Sees, Walled};
-use super::shape::Shape;
-use super::surroundings::Surroundings;
-use super::transport::InPlane;
+use super::packing_domain::{Boundary, ClosestPoint, MetricSpace, PackingDomain, SpatialHash};
+use super::shape::CellShape;
+use super::surroundings::PlaneDomain;
+use super::transport::IdentityTransport;
 use super::wall::CLOSEST;
 use crate::domain::{Domain, Projection, Walls};
-use crate::field::{Fields, Kind};
+use crate::field::{CellKind, Fields};
 use crate::random::Random;
 use glam::DVec2;
 use std::ops::Range;
 
-impl Foot for Projection {
+impl ClosestPoint for Projection {
     fn distance(&self) -> f64 {
         self.distance
     }
@@ -25,10 +25,10 @@ impl Foot for Projection {
     }
 }
 
-impl Asks for &Fields {
+impl CellFields for &Fields {
     type Place = DVec2;
 
-    fn kind(self, p: DVec2) -> Kind {
+    fn kind(self, p: DVec2) -> CellKind {
         Fields::kind(self, p)
     }
 
@@ -49,7 +49,7 @@ impl Asks for &Fields {
     }
 }
 
-impl Buckets<DVec2> for Grid {
+impl SpatialHash<DVec2> for Grid {
     fn bucket(&self, p: DVec2) -> usize {
         Grid::bucket(self, p)
     }
@@ -67,10 +67,10 @@ impl Buckets<DVec2> for Grid {
     }
 }
 
-impl Sees for &Domain {
+impl MetricSpace for &Domain {
     type Place = DVec2;
-    type Turn = InPlane;
-    type Grid = Grid;
+    type Transport = IdentityTransport;
+    type Hash = Grid;
     const WALKS: bool = false;
 
     fn area(self) -> f64 {
@@ -78,8 +78,8 @@ impl Sees for &Domain {
     }
 
     #[inline(always)]
-    fn way(self, from: DVec2, to: DVec2) -> Option<(DVec2, InPlane)> {
-        Some((self.space().shortest(to - from), InPlane))
+    fn log(self, from: DVec2, to: DVec2) -> Option<(DVec2, IdentityTransport)> {
+        Some((self.space().shortest(to - from), IdentityTransport))
     }
 
     fn images(self, p: DVec2, reach: f64) -> impl Iterator<Item = DVec2> {
@@ -87,21 +87,23 @@ impl Sees for &Domain {
     }
 
     #[inline(always)]
-    fn way_from(self, image: DVec2, to: DVec2, _: f64) -> Option<(DVec2, InPlane)> {
+    fn log_from(self, image: DVec2, to: DVec2, _: f64) -> Option<(DVec2, IdentityTransport)> {
         let r = to - image;
-        self.space().is_shortest(r).then_some((r, InPlane))
+        self.space()
+            .is_shortest(r)
+            .then_some((r, IdentityTransport))
     }
 
     #[inline(always)]
-    fn way_within(self, from: DVec2, to: DVec2, _: f64) -> Option<(DVec2, InPlane)> {
-        self.way(from, to)
+    fn log_within(self, from: DVec2, to: DVec2, _: f64) -> Option<(DVec2, IdentityTransport)> {
+        self.log(from, to)
     }
 
-    fn beyond(self, from: DVec2, by: DVec2) -> (DVec2, InPlane) {
-        (from + by, InPlane)
+    fn exp(self, from: DVec2, by: DVec2) -> (DVec2, IdentityTransport) {
+        (from + by, IdentityTransport)
     }
 
-    fn home(self, p: DVec2) -> DVec2 {
+    fn wrap(self, p: DVec2) -> DVec2 {
         self.space().wrap(p)
     }
 
@@ -147,9 +149,9 @@ impl Sees for &Domain {
     }
 }
 
-impl Walled for &Walls {
+impl Boundary for &Walls {
     type Place = DVec2;
-    type Foot = Projection;
+    type ClosestPoint = Projection;
 
     fn is_near(self, p: DVec2) -> bool {
         Walls::is_near(self, p)
@@ -159,22 +161,22 @@ impl Walled for &Walls {
         Walls::reach(self)
     }
 
-    fn feet(self, p: DVec2, reach: f64, feet: &mut Vec<Projection>) {
+    fn closest_points(self, p: DVec2, reach: f64, feet: &mut Vec<Projection>) {
         self.project(p, reach, feet);
     }
 }
 
-impl<'a> Ground for Surroundings<'a> {
+impl<'a> PackingDomain for PlaneDomain<'a> {
     type Place = DVec2;
     type Fields = &'a Fields;
-    type Sight = &'a Domain;
+    type Metric = &'a Domain;
     type Walls = &'a Walls;
 
     fn fields(self) -> &'a Fields {
         self.fields
     }
 
-    fn sight(self) -> &'a Domain {
+    fn metric(self) -> &'a Domain {
         self.domain
     }
 
@@ -186,13 +188,19 @@ impl<'a> Ground for Surroundings<'a> {
         self.boundary
     }
 
-    fn moved(self, from: DVec2, by: DVec2, shape: Shape, is_clear: bool) -> (DVec2, InPlane) {
+    fn moved(
+        self,
+        from: DVec2,
+        by: DVec2,
+        shape: CellShape,
+        is_clear: bool,
+    ) -> (DVec2, IdentityTransport) {
         let has_lines = !self.domain.lines().is_empty();
         let to = match is_clear && !has_lines {
             true => self.domain.space().wrap(from + by),
             false => keep_inside(from, from + by, shape, self),
         };
-        (to, InPlane)
+        (to, IdentityTransport)
     }
 
     fn has_room(self, p: DVec2) -> bool {
@@ -211,7 +219,7 @@ impl<'a> Ground for Surroundings<'a> {
         self.domain.islands().len() > 1
     }
 
-    fn hearts(self) -> Vec<DVec2> {
+    fn seeds(self) -> Vec<DVec2> {
         let islands = self.domain.islands().iter();
         islands.filter_map(Domain::deepest).collect()
     }
@@ -233,7 +241,7 @@ impl<'a> Ground for Surroundings<'a> {
 
 /// Moves a centre that has come too near to the boundary or a constraint line, or crossed it, back to its own
 /// side; on a torus, back into the picture.
-pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: Shape, around: Surroundings) -> DVec2 {
+pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: CellShape, around: PlaneDomain) -> DVec2 {
     let domain = around.domain;
     // After a move shorter than the reach of the walls, a cell that crossed them is still near them.
     let is_short = from.distance(to) < around.walls.reach();

@@ -6,20 +6,23 @@
 //! Rows and columns hold a whole number of cells. The remaining length may be spread over several gaps, none
 //! as wide as a cell, so rows are also measured over several cells.
 
-use super::body::Body;
+use super::body::MovingParticle;
 use super::front::{is_taken, slots};
-use super::ground::{Buckets, Foot, FootOf, GridOf, Ground, Sees, TurnOf, Walled};
-use super::shape::Shape;
-use super::transport::Carry;
+use super::packing_domain::{
+    Boundary, ClosestPoint, ClosestPointOf, HashOf, MetricSpace, PackingDomain, SpatialHash,
+    TransportOf,
+};
+use super::shape::CellShape;
+use super::transport::ParallelTransport;
 use super::{BoundaryCondition, PackingParams, Population};
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::order;
 use glam::DVec2;
 
 /// Two limits in stable distances: a cell is removed if its nearest neighbour is nearer than the first, and
 /// one is added if the nearest is at least as far as the second. Round cells have six neighbours that share a
 /// gap: they accept a smaller gap, because all six make room.
-const fn limits(kind: Kind) -> (f64, f64) {
+const fn limits(kind: CellKind) -> (f64, f64) {
     if kind.has_corners() {
         (0.66, 0.72)
     } else {
@@ -52,16 +55,16 @@ pub(crate) struct Change<P> {
 }
 
 /// A candidate place for a new cell.
-struct Site<P> {
+struct CandidatePlace<P> {
     place: P,
     /// The shape of a cell at that place.
-    shape: Shape,
+    shape: CellShape,
     /// The least distance to all cells, in stable distances.
     room: f64,
 }
 
-impl<P> Site<P> {
-    fn new(place: P, shape: Shape) -> Self {
+impl<P> CandidatePlace<P> {
+    fn new(place: P, shape: CellShape) -> Self {
         let room = limits(shape.kind()).1;
         Self { place, shape, room }
     }
@@ -69,8 +72,8 @@ impl<P> Site<P> {
 
 /// A population scan in progress.
 #[derive(Clone, Debug)]
-pub(crate) struct Survey<P, B> {
-    shapes: Vec<Shape>,
+pub(crate) struct PopulationScan<P, B> {
+    shapes: Vec<CellShape>,
     grid: B,
     longest: f64,
     nearest: Vec<f64>,
@@ -82,24 +85,24 @@ pub(crate) struct Survey<P, B> {
     change: Change<P>,
 }
 
-struct Census<'a, G: Ground> {
+struct ScanInputs<'a, G: PackingDomain> {
     ground: G,
-    bodies: &'a [Body<G::Place>],
-    shapes: &'a [Shape],
-    grid: &'a GridOf<G>,
+    bodies: &'a [MovingParticle<G::Place>],
+    shapes: &'a [CellShape],
+    grid: &'a HashOf<G>,
     longest: f64,
 }
 
-impl<P: Copy, B: Buckets<P>> Survey<P, B> {
+impl<P: Copy, B: SpatialHash<P>> PopulationScan<P, B> {
     /// Starts a scan.
-    pub fn new<G>(ground: G, bodies: &[Body<P>]) -> Self
+    pub fn new<G>(ground: G, bodies: &[MovingParticle<P>]) -> Self
     where
-        G: Ground<Place = P>,
-        G::Sight: Sees<Place = P, Grid = B>,
+        G: PackingDomain<Place = P>,
+        G::Metric: MetricSpace<Place = P, Hash = B>,
     {
-        let shapes: Vec<Shape> = bodies.iter().map(|b| Shape::of(&b.particle)).collect();
+        let shapes: Vec<CellShape> = bodies.iter().map(|b| CellShape::of(&b.particle)).collect();
         let longest = shapes.iter().fold(0.0_f64, |m, s| m.max(s.length()));
-        let mut grid = ground.sight().grid(longest);
+        let mut grid = ground.metric().grid(longest);
         for body in bodies {
             grid.push(body.particle.centre);
         }
@@ -125,15 +128,15 @@ impl<P: Copy, B: Buckets<P>> Survey<P, B> {
     pub fn advance<G>(
         &mut self,
         ground: G,
-        bodies: &[Body<P>],
+        bodies: &[MovingParticle<P>],
         params: &PackingParams,
         portion: usize,
     ) -> Option<Change<P>>
     where
-        G: Ground<Place = P>,
-        G::Sight: Sees<Place = P, Grid = B>,
+        G: PackingDomain<Place = P>,
+        G::Metric: MetricSpace<Place = P, Hash = B>,
     {
-        let census = Census {
+        let census = ScanInputs {
             ground,
             bodies,
             shapes: &self.shapes,
@@ -174,19 +177,22 @@ impl<P: Copy, B: Buckets<P>> Survey<P, B> {
 }
 
 /// Whether a new cell has room between the walls: false between two walls that are closer than the size of a cell.
-fn clear_of_walls<G: Ground>(place: G::Place, shape: &Shape, ground: G) -> bool {
+fn clear_of_walls<G: PackingDomain>(place: G::Place, shape: &CellShape, ground: G) -> bool {
     let mut near = Vec::new();
-    ground.walls().feet(place, shape.length(), &mut near);
+    ground
+        .walls()
+        .closest_points(place, shape.length(), &mut near);
     let least = match ground.boundary() {
         BoundaryCondition::Wall => 0.4,
         BoundaryCondition::On => 0.7,
     };
-    let is_clear = |wall: &FootOf<G>| wall.distance() >= least * shape.extent(wall.inward());
+    let is_clear =
+        |wall: &ClosestPointOf<G>| wall.distance() >= least * shape.extent(wall.inward());
     near.iter().all(is_clear)
 }
 
 /// The next body of a row.
-struct Next {
+struct NextInRow {
     body: usize,
     /// The offset to it, and the same offset continued from it.
     way: DVec2,
@@ -195,15 +201,15 @@ struct Next {
     far: f64,
 }
 
-impl<G: Ground> Census<'_, G> {
+impl<G: PackingDomain> ScanInputs<'_, G> {
     /// The candidate places beside a body.
-    fn sites(&self, i: usize) -> Vec<Site<G::Place>> {
+    fn sites(&self, i: usize) -> Vec<CandidatePlace<G::Place>> {
         let centre = self.bodies[i].particle.centre;
         let at = |p: G::Place| {
-            let place = self.ground.sight().home(p);
-            Site::new(place, Shape::metric_at(self.ground.fields(), place))
+            let place = self.ground.metric().wrap(p);
+            CandidatePlace::new(place, CellShape::metric_at(self.ground.fields(), place))
         };
-        let beside = match G::Sight::WALKS {
+        let beside = match G::Metric::WALKS {
             true => self.beside(i),
             false => Vec::new(),
         };
@@ -214,7 +220,7 @@ impl<G: Ground> Census<'_, G> {
             let has_corners = site.shape.kind().has_corners();
             sites.push(site);
             if has_corners && let Some(middle) = self.in_loose_row(i, place) {
-                sites.push(Site {
+                sites.push(CandidatePlace {
                     room: SQUEEZED,
                     ..at(middle)
                 });
@@ -224,7 +230,7 @@ impl<G: Ground> Census<'_, G> {
     }
 
     /// The bodies that touch one, as seen from it.
-    fn beside(&self, i: usize) -> Vec<(DVec2, Shape)> {
+    fn beside(&self, i: usize) -> Vec<(DVec2, CellShape)> {
         let mut beside = Vec::with_capacity(8);
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         self.any_near(at, shape, TOUCHING, |k, r, turn| {
@@ -241,13 +247,13 @@ impl<G: Ground> Census<'_, G> {
     /// line.
     fn fitting(
         &self,
-        Site { place, shape, room }: Site<G::Place>,
+        CandidatePlace { place, shape, room }: CandidatePlace<G::Place>,
         add: &[G::Place],
     ) -> Option<G::Place> {
         let ground = self.ground;
-        let is_free = |place: G::Place, shape: &Shape| {
+        let is_free = |place: G::Place, shape: &CellShape| {
             let is_near = |&other: &G::Place| {
-                let way = ground.sight().way(place, other);
+                let way = ground.metric().log(place, other);
                 way.is_some_and(|(r, _)| shape.is_closer(shape, r, room))
             };
             self.is_free(place, shape, room) && !add.iter().any(is_near)
@@ -260,7 +266,7 @@ impl<G: Ground> Census<'_, G> {
         }
         ground
             .middle_of_narrow(place)
-            .filter(|&middle| is_free(middle, &Shape::metric_at(ground.fields(), middle)))
+            .filter(|&middle| is_free(middle, &CellShape::metric_at(ground.fields(), middle)))
     }
 
     /// The midpoint of the gap between a body and the next one of its row at `to`, if the row is loose there
@@ -269,7 +275,7 @@ impl<G: Ground> Census<'_, G> {
         if !self.shapes[i].kind().has_corners() {
             return None;
         }
-        let Next {
+        let NextInRow {
             body: next,
             way,
             onwards,
@@ -284,8 +290,8 @@ impl<G: Ground> Census<'_, G> {
                 let touching = along / self.shapes[at].cells_along(along);
                 let (to, _) = self
                     .ground
-                    .sight()
-                    .beyond(self.bodies[at].particle.centre, touching);
+                    .metric()
+                    .exp(self.bodies[at].particle.centre, touching);
                 let Some(next) = self.next(at, to) else {
                     break;
                 };
@@ -298,20 +304,20 @@ impl<G: Ground> Census<'_, G> {
         }
         let middle = || {
             self.ground
-                .sight()
-                .beyond(self.bodies[i].particle.centre, 0.5 * way)
+                .metric()
+                .exp(self.bodies[i].particle.centre, 0.5 * way)
         };
         (slack > LOOSE).then(|| middle().0)
     }
 
     /// The next body of a row: the one at the place where it would touch this one.
-    fn next(&self, i: usize, to: G::Place) -> Option<Next> {
+    fn next(&self, i: usize, to: G::Place) -> Option<NextInRow> {
         let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut best = None;
         let mut least = ROW;
         self.any_near(to, shape, ROW, |k, r, turn| {
             let far = shape.normalised_distance(&self.shapes[k].seen(turn), r);
-            if k != i && far < least && !self.ground.sight().is_parted(to, r) {
+            if k != i && far < least && !self.ground.metric().is_parted(to, r) {
                 (least, best) = (far, Some(k));
             }
             false
@@ -319,9 +325,9 @@ impl<G: Ground> Census<'_, G> {
         let body = best?;
         let (way, turn) = self
             .ground
-            .sight()
-            .way(centre, self.bodies[body].particle.centre)?;
-        Some(Next {
+            .metric()
+            .log(centre, self.bodies[body].particle.centre)?;
+        Some(NextInRow {
             body,
             way,
             onwards: turn.undo(way),
@@ -335,7 +341,7 @@ impl<G: Ground> Census<'_, G> {
         let mut least = 2.0_f64;
         self.any_near(at, shape, 1.0, |k, r, turn| {
             let far = shape.normalised_distance(&self.shapes[k].seen(turn), r);
-            if k != i && far < least && !self.ground.sight().is_parted(at, r) {
+            if k != i && far < least && !self.ground.metric().is_parted(at, r) {
                 least = far;
             }
             false
@@ -344,10 +350,10 @@ impl<G: Ground> Census<'_, G> {
     }
 
     /// Whether every body is at least `room` stable distances away from this place.
-    fn is_free(&self, at: G::Place, shape: &Shape, room: f64) -> bool {
+    fn is_free(&self, at: G::Place, shape: &CellShape, room: f64) -> bool {
         !self.any_near(at, shape, room, |k, r, turn| {
             shape.is_closer(&self.shapes[k].seen(turn), r, room)
-                && !self.ground.sight().is_parted(at, r)
+                && !self.ground.metric().is_parted(at, r)
         })
     }
 
@@ -356,14 +362,14 @@ impl<G: Ground> Census<'_, G> {
     fn any_near(
         &self,
         at: G::Place,
-        shape: &Shape,
+        shape: &CellShape,
         w: f64,
-        mut test: impl FnMut(usize, DVec2, TurnOf<G>) -> bool,
+        mut test: impl FnMut(usize, DVec2, TransportOf<G>) -> bool,
     ) -> bool {
         let reach = w * 0.5 * (shape.length() + self.longest);
-        self.ground.sight().any_near(self.grid, at, reach, |k| {
+        self.ground.metric().any_near(self.grid, at, reach, |k| {
             let other = self.bodies[k].particle.centre;
-            let way = self.ground.sight().way_within(at, other, reach);
+            let way = self.ground.metric().log_within(at, other, reach);
             way.is_some_and(|(r, turn)| test(k, r, turn))
         })
     }
@@ -383,14 +389,17 @@ impl<G: Ground> Census<'_, G> {
         for i in tight {
             let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
             let reach = 1.5 * self.longest;
-            let beside = self.ground.sight().any_near(self.grid, centre, reach, |k| {
-                let way = || {
-                    self.ground
-                        .sight()
-                        .way(centre, self.bodies[k].particle.centre)
-                };
-                remove[k] && way().is_some_and(|(r, _)| shape.is_closer(shape, r, 1.5))
-            });
+            let beside = self
+                .ground
+                .metric()
+                .any_near(self.grid, centre, reach, |k| {
+                    let way = || {
+                        self.ground
+                            .metric()
+                            .log(centre, self.bodies[k].particle.centre)
+                    };
+                    remove[k] && way().is_some_and(|(r, _)| shape.is_closer(shape, r, 1.5))
+                });
             if !beside && count < most {
                 remove[i] = true;
                 count += 1;

@@ -3,7 +3,7 @@
 use super::clearance::has_room;
 use super::grid::Grid;
 use super::placed::Placed;
-use super::surroundings::Surroundings;
+use super::surroundings::PlaneDomain;
 use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;
@@ -32,7 +32,7 @@ impl Quadtree {
     }
 
     /// Visits the next square; true when none is left.
-    pub fn grow(&mut self, placed: &mut Placed<DVec2, Grid>, around: Surroundings) -> bool {
+    pub fn grow(&mut self, placed: &mut Placed<DVec2, Grid>, around: PlaneDomain) -> bool {
         let fields = around.fields;
         let Some((corner, side)) = self.open.pop() else {
             return true;

@@ -1,10 +1,10 @@
 //! The run of a packing on any domain: motion, population control, and the end.
 
-use super::body::Body;
-use super::cell_fields::Asks;
-use super::ground::{GridOf, Ground};
+use super::body::MovingParticle;
+use super::cell_fields::CellFields;
 use super::integrate::Motion;
-use super::population::{Change, Survey};
+use super::packing_domain::{HashOf, PackingDomain};
+use super::population::{Change, PopulationScan};
 use super::{PackingParams, Particle, Population, Sample, StepReport};
 use crate::order;
 use crate::random::{Purpose, Random};
@@ -14,7 +14,7 @@ use glam::DVec2;
 #[derive(Clone, Debug)]
 pub(crate) struct Run<P> {
     pub params: PackingParams,
-    pub bodies: Vec<Body<P>>,
+    pub bodies: Vec<MovingParticle<P>>,
     pub(super) motion: Motion<P>,
     pub next_id: u32,
     pub report: StepReport,
@@ -26,7 +26,7 @@ pub(crate) struct Run<P> {
 
 impl<P: Copy> Run<P> {
     /// Starts with these centres, each with whether it is fixed.
-    pub fn of<A: Asks<Place = P>>(
+    pub fn of<A: CellFields<Place = P>>(
         cells: impl Iterator<Item = (P, bool)>,
         asked: A,
         params: PackingParams,
@@ -50,10 +50,10 @@ impl<P: Copy> Run<P> {
         run
     }
 
-    pub fn add<A: Asks<Place = P>>(&mut self, asked: A, centre: P, fixed: bool) {
+    pub fn add<A: CellFields<Place = P>>(&mut self, asked: A, centre: P, fixed: bool) {
         let particle = Particle::new(self.next_id, centre, fixed, asked);
         self.next_id += 1;
-        self.bodies.push(Body {
+        self.bodies.push(MovingParticle {
             particle,
             velocity: DVec2::ZERO,
             factor: 1.0,
@@ -63,7 +63,7 @@ impl<P: Copy> Run<P> {
 
     /// Gives each cell its own size, by the variance Vs. Cells are placed with equal sizes first, because
     /// drawn sizes would make the filling leave out large cells.
-    pub fn assign_sizes<A: Asks<Place = P>>(&mut self, asked: A) {
+    pub fn assign_sizes<A: CellFields<Place = P>>(&mut self, asked: A) {
         let variance = self.params.variance;
         if variance == 0.0 {
             return;
@@ -89,17 +89,17 @@ impl<P: Copy> Run<P> {
     }
 
     /// Makes one step of the equation of motion, with population control when it is due.
-    pub fn step<G: Ground<Place = P>>(&mut self, ground: G) -> StepReport {
+    pub fn step<G: PackingDomain<Place = P>>(&mut self, ground: G) -> StepReport {
         while !self.advance(ground, &mut None, usize::MAX) {}
         self.report
     }
 
     /// Continues a step with about this many bodies; true when it is complete. `survey` keeps the population
     /// scan between calls. The result does not depend on the portions.
-    pub fn advance<G: Ground<Place = P>>(
+    pub fn advance<G: PackingDomain<Place = P>>(
         &mut self,
         ground: G,
-        survey: &mut Option<Survey<P, GridOf<G>>>,
+        survey: &mut Option<PopulationScan<P, HashOf<G>>>,
         portion: usize,
     ) -> bool {
         if self.report.done {
@@ -116,7 +116,7 @@ impl<P: Copy> Run<P> {
             self.report.largest_force = largest_force;
             if self.is_survey_due::<G>() {
                 self.controlled = self.report.step;
-                *survey = Some(Survey::new(ground, &self.bodies));
+                *survey = Some(PopulationScan::new(ground, &self.bodies));
                 if self.bodies.len() > portion {
                     return false;
                 }
@@ -134,23 +134,23 @@ impl<P: Copy> Run<P> {
         self.report.cells = self.bodies.len();
         self.report.converged = self.is_small::<G>() && !changed;
         self.report.done = self.report.converged || self.report.step >= G::TUNING.most_steps;
-        self.sample(ground.sight());
+        self.sample(ground.metric());
         true
     }
 
     /// Cooling steps that have passed at a step.
-    fn late<G: Ground<Place = P>>(step: u32) -> u32 {
+    fn late<G: PackingDomain<Place = P>>(step: u32) -> u32 {
         step.saturating_sub(G::TUNING.cooling_from)
     }
 
     /// Pace of the coming step.
-    fn pace<G: Ground<Place = P>>(&self) -> f64 {
+    fn pace<G: PackingDomain<Place = P>>(&self) -> f64 {
         let late = Self::late::<G>(self.report.step + 1);
         (0..late).fold(1.0, |pace, _| pace * G::TUNING.cooling)
     }
 
     /// Whether the last step was small enough to end the run.
-    fn is_small<G: Ground<Place = P>>(&self) -> bool {
+    fn is_small<G: PackingDomain<Place = P>>(&self) -> bool {
         let last = &self.report;
         last.step >= G::TUNING.least_steps
             && last.largest_move < G::TUNING.move_end
@@ -158,7 +158,7 @@ impl<P: Copy> Run<P> {
     }
 
     /// Whether population control is due.
-    fn is_survey_due<G: Ground<Place = P>>(&self) -> bool {
+    fn is_survey_due<G: PackingDomain<Place = P>>(&self) -> bool {
         let step = self.report.step;
         let due = step - self.controlled >= G::TUNING.population_every;
         self.params.population != Population::Off
@@ -167,7 +167,7 @@ impl<P: Copy> Run<P> {
     }
 
     /// Adds and removes cells; true if there were any.
-    fn change<G: Ground<Place = P>>(&mut self, ground: G, change: Change<P>) -> bool {
+    fn change<G: PackingDomain<Place = P>>(&mut self, ground: G, change: Change<P>) -> bool {
         let mut index = 0;
         self.bodies.retain(|_| {
             index += 1;

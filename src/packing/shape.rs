@@ -5,9 +5,9 @@
 //! (`integrate`) and the thresholds of the population depend on the kind itself.
 
 use super::Particle;
-use super::cell_fields::Asks;
-use super::transport::Carry;
-use crate::field::Kind;
+use super::cell_fields::CellFields;
+use super::transport::ParallelTransport;
+use crate::field::CellKind;
 use glam::DVec2;
 
 /// End of the bubble force, in stable distances.
@@ -19,8 +19,8 @@ pub(super) const SQUARE_REACH: f64 = std::f64::consts::FRAC_1_SQRT_2 * (1.0 + CU
 
 /// A cell's kind, direction, size and aspect ratio, without its place.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Shape {
-    kind: Kind,
+pub(crate) struct CellShape {
+    kind: CellKind,
     axis: DVec2,
     pub size: f64,
     /// The root of the aspect ratio; 1 if the direction field vanishes, so that there is nothing to stretch
@@ -77,18 +77,18 @@ impl Particle {
 
     /// Its longer side.
     pub(crate) fn length(&self) -> f64 {
-        Shape::of(self).length()
+        CellShape::of(self).length()
     }
 
     /// The distance to another cell at an offset, in stable distances of the two.
     pub(crate) fn normalised_distance(&self, other: &Particle, way: DVec2) -> f64 {
-        Shape::of(self).normalised_distance(&Shape::of(other), way)
+        CellShape::of(self).normalised_distance(&CellShape::of(other), way)
     }
 
     /// Offsets at which neighbours of the same kind and size touch it: at its four edges, or six around.
     pub(crate) fn places(&self) -> impl Iterator<Item = DVec2> {
         let (centre, size) = (self.centre, self.size);
-        Shape::of(self)
+        CellShape::of(self)
             .places()
             .map(move |place| centre + size * place)
     }
@@ -97,21 +97,21 @@ impl Particle {
 impl<P> Particle<P> {
     /// Half its sides, along its axis and across.
     pub(crate) fn half_axes(&self) -> (DVec2, DVec2) {
-        let root = Shape::of(self).root;
+        let root = CellShape::of(self).root;
         let e = self.axis.normalize_or(DVec2::X) * (0.5 * self.size);
         (e * root, e.perp() / root)
     }
 }
 
-impl Shape {
+impl CellShape {
     /// The shape of a cell at this place, by the fields.
-    pub fn at<A: Asks>(asked: A, p: A::Place) -> Self {
+    pub fn at<A: CellFields>(asked: A, p: A::Place) -> Self {
         let kind = asked.kind(p);
         Self::new(kind, asked.direction(p), asked.size(p), asked.aspect(p))
     }
 
     /// The metric only: omits the axis of unstretched cells, which is quicker.
-    pub fn metric_at<A: Asks>(asked: A, p: A::Place) -> Self {
+    pub fn metric_at<A: CellFields>(asked: A, p: A::Place) -> Self {
         let kind = asked.kind(p);
         if kind.is_stretched() {
             Self::at(asked, p)
@@ -122,14 +122,14 @@ impl Shape {
 
     /// The shape in the frame of another place.
     #[inline(always)]
-    pub fn seen(self, turn: impl Carry) -> Self {
+    pub fn seen(self, turn: impl ParallelTransport) -> Self {
         Self {
             axis: turn.apply(self.axis),
             ..self
         }
     }
 
-    fn new(kind: Kind, axis: DVec2, size: f64, aspect: f64) -> Self {
+    fn new(kind: CellKind, axis: DVec2, size: f64, aspect: f64) -> Self {
         let is_stretched = kind.is_stretched() && axis != DVec2::ZERO;
         Self {
             kind,
@@ -150,7 +150,7 @@ impl Shape {
         Self::new(kind, axis, size, aspect)
     }
 
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> CellKind {
         self.kind
     }
 
@@ -208,7 +208,7 @@ impl Shape {
     }
 
     /// Whether the forces of two cells could reach each other after they approach by `margin`.
-    pub fn may_touch(&self, other: &Shape, r: DVec2, margin: f64) -> bool {
+    pub fn may_touch(&self, other: &CellShape, r: DVec2, margin: f64) -> bool {
         let reach = if self.kind.has_corners() || other.kind.has_corners() {
             SQUARE_REACH
         } else {
@@ -224,7 +224,7 @@ impl Shape {
     }
 
     /// Whether their distance is below `w` stable distances.
-    pub fn is_closer(&self, other: &Shape, r: DVec2, w: f64) -> bool {
+    pub fn is_closer(&self, other: &CellShape, r: DVec2, w: f64) -> bool {
         if self.root == 1.0 && other.root == 1.0 {
             let reach = w * (0.5 * (self.size + other.size));
             return r.length_squared() < reach * reach;
@@ -235,7 +235,7 @@ impl Shape {
     /// The distance of two cells over their stable distance: w of eq. (2), by effective distances (Itoh,
     /// Miyata, Shimada 2003, section 5.1). The stable distance is the sum of the two lengths that the cells'
     /// ellipses cut out of the line between the centres.
-    pub fn normalised_distance(&self, other: &Shape, r: DVec2) -> f64 {
+    pub fn normalised_distance(&self, other: &CellShape, r: DVec2) -> f64 {
         if self.root == 1.0 && other.root == 1.0 {
             return r.length() / (0.5 * (self.size + other.size));
         }
@@ -261,10 +261,10 @@ mod tests {
             fixed: false,
         };
         for (kind, aspect, area) in [
-            (Kind::Square, 1.0, 100.0),
-            (Kind::Rectangle, 3.0, 100.0),
-            (Kind::Circle, 1.0, 78.54),
-            (Kind::Ellipse, 3.0, 78.54),
+            (CellKind::Square, 1.0, 100.0),
+            (CellKind::Rectangle, 3.0, 100.0),
+            (CellKind::Circle, 1.0, 78.54),
+            (CellKind::Ellipse, 3.0, 78.54),
         ] {
             let cell = particle(kind, aspect);
             let ring = cell.ring(1.0, 256);

@@ -2,7 +2,7 @@
 
 use super::Particle;
 use super::force::Pair;
-use super::ground::{Buckets, Sees};
+use super::packing_domain::{MetricSpace, SpatialHash};
 use crate::domain::Domain;
 use glam::DVec2;
 
@@ -45,7 +45,7 @@ pub(crate) const BEYOND: f64 = 1.7;
 
 /// The same on any domain. `may_meet` is false for two particles farther apart than [`BEYOND`], and `goes_on`
 /// tells whether the whole path from a place stays on the domain.
-pub(crate) fn stress_on<S: Sees>(
+pub(crate) fn stress_on<S: MetricSpace>(
     ground: S,
     particles: &[Particle<S::Place>],
     may_meet: impl Fn(usize, usize) -> bool,
@@ -63,10 +63,10 @@ pub(crate) fn stress_on<S: Sees>(
 }
 
 /// The surroundings of one particle after another.
-struct Surroundings<'a, S: Sees> {
+struct Surroundings<'a, S: MetricSpace> {
     ground: S,
     particles: &'a [Particle<S::Place>],
-    grid: S::Grid,
+    grid: S::Hash,
     reach: f64,
     /// See [`FAR`], in units of the size.
     far: f64,
@@ -74,7 +74,7 @@ struct Surroundings<'a, S: Sees> {
     around: Vec<DVec2>,
 }
 
-impl<'a, S: Sees> Surroundings<'a, S> {
+impl<'a, S: MetricSpace> Surroundings<'a, S> {
     fn new(ground: S, particles: &'a [Particle<S::Place>]) -> Self {
         let most =
             |value: fn(&Particle<S::Place>) -> f64| particles.iter().map(value).fold(1.0, f64::max);
@@ -103,7 +103,7 @@ impl<'a, S: Sees> Surroundings<'a, S> {
         let mut meet = |k: usize| {
             let other = &self.particles[k];
             let far = self.far * 0.5 * (particle.size + other.size);
-            let way = || ground.way_within(centre, other.centre, far);
+            let way = || ground.log_within(centre, other.centre, far);
             let Some((r, turn)) = (k != own && may_meet(own, k)).then(way).flatten() else {
                 return false;
             };
@@ -147,10 +147,10 @@ mod tests {
     use crate::domain::Outline;
 
     fn row(places: &[(f64, f64)]) -> Vec<Stress> {
-        lots(crate::field::Kind::Square, places)
+        lots(crate::field::CellKind::Square, places)
     }
 
-    fn lots(kind: crate::field::Kind, places: &[(f64, f64)]) -> Vec<Stress> {
+    fn lots(kind: crate::field::CellKind, places: &[(f64, f64)]) -> Vec<Stress> {
         let ring = [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)];
         let domain = Domain::from_checked(&Outline {
             rings: vec![ring.map(DVec2::from).to_vec()],
@@ -159,7 +159,7 @@ mod tests {
         stress(&domain, &particles(kind, places))
     }
 
-    fn particles(kind: crate::field::Kind, places: &[(f64, f64)]) -> Vec<Particle> {
+    fn particles(kind: crate::field::CellKind, places: &[(f64, f64)]) -> Vec<Particle> {
         (0..)
             .zip(places)
             .map(|(id, &(x, y))| Particle {
@@ -179,7 +179,7 @@ mod tests {
         let places = [(1.0, 20.0), (96.0, 20.0), (52.0, 80.0), (47.0, 80.0)];
         let line = [(50.0, 5.0), (50.0, 95.0)].map(DVec2::from).to_vec();
         let torus = Domain::torus(100.0, &[line]);
-        let lots = stress(&torus, &particles(crate::field::Kind::Square, &places));
+        let lots = stress(&torus, &particles(crate::field::CellKind::Square, &places));
         assert_eq!((lots[0].pressed, lots[1].pressed), (1.0, 1.0));
         assert_eq!((lots[2].pressed, lots[3].pressed), (0.0, 0.0));
     }
@@ -187,7 +187,7 @@ mod tests {
     #[test]
     fn one_large_cell_changes_nothing_for_small_ones_far_away() {
         let mut cells = particles(
-            crate::field::Kind::Square,
+            crate::field::CellKind::Square,
             &[(20.0, 20.0), (25.0, 20.0), (80.0, 80.0)],
         );
         let torus = Domain::torus(100.0, &[]);
@@ -240,10 +240,10 @@ mod tests {
             };
             let mut places = vec![(50.0, 50.0)];
             places.extend((0..6).map(around));
-            let six = lots(crate::field::Kind::Circle, &places);
+            let six = lots(crate::field::CellKind::Circle, &places);
             assert_eq!(six[0], Stress::default(), "{turn}");
             assert!(six[1].alone > 0.3);
-            let five = lots(crate::field::Kind::Circle, &places[..6]);
+            let five = lots(crate::field::CellKind::Circle, &places[..6]);
             assert!(five[0].alone > 0.0 && five[0].alone < 0.2, "{turn}");
         }
     }

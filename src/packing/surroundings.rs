@@ -6,7 +6,7 @@ use crate::field::Fields;
 
 /// An outline, with the fields and the walls in it.
 #[derive(Clone, Copy)]
-pub(super) struct Surroundings<'a> {
+pub(super) struct PlaneDomain<'a> {
     pub domain: &'a Domain,
     pub fields: &'a Fields,
     pub walls: &'a Walls,

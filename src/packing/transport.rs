@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 /// Parallel transport: rotates vectors from the frame of one place into that of another.
-pub(crate) trait Carry: Copy {
+pub(crate) trait ParallelTransport: Copy {
     /// Maps a vector of the first frame into the second.
     fn apply(self, v: DVec2) -> DVec2;
     /// Maps a vector of the second frame into the first.
@@ -12,9 +12,9 @@ pub(crate) trait Carry: Copy {
 
 /// Parallel transport in the plane, the identity.
 #[derive(Clone, Copy)]
-pub(crate) struct InPlane;
+pub(crate) struct IdentityTransport;
 
-impl Carry for InPlane {
+impl ParallelTransport for IdentityTransport {
     #[inline(always)]
     fn apply(self, v: DVec2) -> DVec2 {
         v

@@ -1,9 +1,9 @@
 //! The soft wall, which keeps the cells' edges on the boundary.
 
-use super::body::Body;
+use super::body::MovingParticle;
 use super::force::bubble_force;
-use super::ground::{Foot, Walled};
-use super::shape::{CUT, Shape};
+use super::packing_domain::{Boundary, ClosestPoint};
+use super::shape::{CUT, CellShape};
 use glam::DVec2;
 
 /// Strength of a wall relative to a neighbour.
@@ -19,25 +19,25 @@ pub(crate) fn reach(length: f64) -> f64 {
 }
 
 /// The force of all walls on a cell, and a lower bound of their distance; `near` is scratch space.
-pub(super) fn wall_force<W: Walled>(
-    body: &Body<W::Place>,
+pub(super) fn wall_force<W: Boundary>(
+    body: &MovingParticle<W::Place>,
     walls: W,
-    near: &mut Vec<W::Foot>,
+    near: &mut Vec<W::ClosestPoint>,
 ) -> (DVec2, f64) {
     let centre = body.particle.centre;
-    let shape = Shape::of(&body.particle);
+    let shape = CellShape::of(&body.particle);
     let reach = reach(shape.length()).min(walls.reach());
     if !walls.is_near(centre) {
         return (DVec2::ZERO, reach);
     }
-    walls.feet(centre, reach, near);
+    walls.closest_points(centre, reach, near);
     let mut force = DVec2::ZERO;
     for wall in near.iter() {
         let half = shape.half_extent(wall.inward());
         force += wall.inward() * (STIFFNESS * 2.0 * half * bubble_force(wall.distance() / half));
     }
     // No force if it stands on the boundary.
-    (force, near.first().map_or(0.0, Foot::distance))
+    (force, near.first().map_or(0.0, ClosestPoint::distance))
 }
 
 /// Whether a cell of this length, at least `distance` from all walls, stays clear of them when it moves by

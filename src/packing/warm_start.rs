@@ -1,10 +1,10 @@
 //! Starts a packing from the cells of another one, in another outline or other fields. While a point is
 //! dragged, the cells flow after it. Finished pictures never use it.
 
-use super::body::Body;
+use super::body::MovingParticle;
 use super::placement::on_boundary;
-use super::shape::Shape;
-use super::surroundings::Surroundings;
+use super::shape::CellShape;
+use super::surroundings::PlaneDomain;
 use super::wall::{CLOSEST, reach};
 use super::{
     BoundaryCondition, Packing, PackingParams, Particle, Population, TUNING, greatest_length,
@@ -29,7 +29,7 @@ impl Packing {
         self.walls = Walls::new(domain, reach(greatest_length(domain, fields, &params)));
         let run = &mut self.run;
         run.params = params;
-        let (mut held, mut free): (Vec<Body<DVec2>>, Vec<Body<DVec2>>) =
+        let (mut held, mut free): (Vec<MovingParticle<DVec2>>, Vec<MovingParticle<DVec2>>) =
             run.bodies.iter().partition(|body| body.particle.fixed);
         order::sort(&mut held, |body| (body.particle.id.into(), 0));
         free.retain_mut(|body| move_in(body, domain, fields));
@@ -37,7 +37,7 @@ impl Packing {
         if params.boundary == BoundaryCondition::On {
             // Earlier cells keep their ids, and so their colours.
             let mut names = held.iter().map(|body| body.particle.id);
-            let around = Surroundings {
+            let around = PlaneDomain {
                 domain,
                 fields,
                 walls: &self.walls,
@@ -69,14 +69,14 @@ impl Packing {
 }
 
 /// Moves a free cell inside; false if it is too far away.
-fn move_in(body: &mut Body<DVec2>, domain: &Domain, fields: &Fields) -> bool {
+fn move_in(body: &mut MovingParticle<DVec2>, domain: &Domain, fields: &Fields) -> bool {
     let mut centre = domain.space().wrap(body.particle.centre);
     let near = domain.nearest(centre);
     if near.distance < -FAR * body.particle.size {
         return false;
     }
     if near.distance <= 0.0 {
-        let least = CLOSEST * Shape::metric_at(fields, centre).extent(near.inward);
+        let least = CLOSEST * CellShape::metric_at(fields, centre).extent(near.inward);
         let depth = domain.medial_depth(near.point, near.inward, least);
         centre = near.point + near.inward * depth;
     }

@@ -12,7 +12,7 @@ const MOST: usize = 8;
 
 /// A convex polygon of at most `N` corners; only the first `count` are valid.
 #[derive(Clone, Copy)]
-pub(super) struct Polygon<const N: usize> {
+pub(super) struct ConvexPolygon<const N: usize> {
     pub corners: [Vec3; N],
     pub count: usize,
 }
@@ -20,7 +20,7 @@ pub(super) struct Polygon<const N: usize> {
 /// A corner with its distance inside a plane.
 type CornerAt = (Vec3, f32);
 
-impl<const N: usize> Polygon<N> {
+impl<const N: usize> ConvexPolygon<N> {
     pub fn triangle([a, b, c]: [Vec3; 3]) -> Self {
         let mut corners = [Vec3::ZERO; N];
         corners[..3].copy_from_slice(&[a, b, c]);
@@ -67,14 +67,14 @@ pub(super) fn between((p, here): CornerAt, (q, there): CornerAt) -> Vec3 {
 
 /// The clipping planes: `distance` of a point in the view is not negative inside.
 #[derive(Clone, Copy)]
-pub(super) struct Planes {
+pub(super) struct ClipPlanes {
     near: f32,
     /// Lateral extent for a unit of depth.
     across: f32,
     down: f32,
 }
 
-impl Planes {
+impl ClipPlanes {
     pub fn new(view: &View) -> Self {
         let [width, height] = view.size.map(|n| n as f32);
         let larger = if width > height { width } else { height };
@@ -108,8 +108,8 @@ impl Planes {
     }
 
     /// The part of a triangle inside these planes.
-    pub fn cut(&self, triangle: [Vec3; 3], planes: u32) -> Polygon<MOST> {
-        let mut polygon = Polygon::triangle(triangle);
+    pub fn cut(&self, triangle: [Vec3; 3], planes: u32) -> ConvexPolygon<MOST> {
+        let mut polygon = ConvexPolygon::triangle(triangle);
         for plane in (0..5).filter(|plane| planes >> plane & 1 == 1) {
             let crossing = |p, q| self.crossing(plane, p, q);
             polygon = polygon.cut(|p| self.distance(plane, p), crossing);

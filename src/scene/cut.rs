@@ -1,6 +1,6 @@
 //! A plane that cuts away bodies, so that a view shows the bodies behind it.
 
-use super::clip::{Polygon, between};
+use super::clip::{ConvexPolygon, between};
 use crate::decimal;
 use glam::{DVec3, Vec3};
 
@@ -67,8 +67,8 @@ impl Cut {
     }
 
     /// The part of a triangle that is left.
-    pub(super) fn rest_of(&self, triangle: [Vec3; 3]) -> Polygon<4> {
-        Polygon::triangle(triangle).cut(|p| -self.beyond(p), between)
+    pub(super) fn rest_of(&self, triangle: [Vec3; 3]) -> ConvexPolygon<4> {
+        ConvexPolygon::triangle(triangle).cut(|p| -self.beyond(p), between)
     }
 
     /// The depth at which a ray from the eye, of depth 1, meets the plane.

@@ -1,9 +1,9 @@
 //! Rasterises the triangles of a view, from world coordinates to pixels.
 
 use super::View;
-use super::clip::Planes;
-use super::four::Four;
-use super::raster::{Corner, Grid};
+use super::clip::ClipPlanes;
+use super::four_pixels::FourPixels;
+use super::raster::{Corner, PixelGrid};
 use glam::Vec3;
 
 /// Pixels that cost about as much as one triangle.
@@ -32,12 +32,12 @@ impl Vertex {
 #[derive(Clone, Copy)]
 pub(super) struct Fill {
     pub view: View,
-    planes: Planes,
+    planes: ClipPlanes,
 }
 
 impl Fill {
     pub fn new(view: View) -> Self {
-        let planes = Planes::new(&view);
+        let planes = ClipPlanes::new(&view);
         Self { view, planes }
     }
 
@@ -58,12 +58,12 @@ impl Fill {
 
     /// Draws a triangle (see [`Grid::triangle`]); gives the work done.
     #[inline(always)]
-    pub fn triangle(&self, [a, b, c]: [Vertex; 3], mut put: impl FnMut(Four)) -> usize {
+    pub fn triangle(&self, [a, b, c]: [Vertex; 3], mut put: impl FnMut(FourPixels)) -> usize {
         if a.beyond & b.beyond & c.beyond != 0 {
             return 1;
         }
         let [width, height] = self.view.size;
-        let grid = Grid { width, height };
+        let grid = PixelGrid { width, height };
         let beyond = a.beyond | b.beyond | c.beyond;
         if beyond == 0 {
             return 1 + grid.triangle([a.screen, b.screen, c.screen], &mut put) / PIXELS;

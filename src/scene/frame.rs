@@ -1,7 +1,7 @@
 //! One picture of a scene, in slices: visibility, ambient occlusion, and light.
 
-use super::shade::{Ground, Shading, Studio, far_floor, find_floor};
-use super::sight::{FLOOR, Sight};
+use super::shade::{FloorPlane, Shading, ShadingInputs, far_floor, find_floor};
+use super::visibility::{FLOOR, VisibilityBuffer};
 use super::{Backdrop, Lighting, Order, Scene, lines};
 use crate::hash::Hash;
 use crate::order::lesser;
@@ -16,21 +16,21 @@ const SAMPLES: [[f32; 2]; 4] = [[-0.25, -0.25], [0.25, -0.25], [-0.25, 0.25], [0
 /// A frame in progress.
 pub struct Frame {
     order: Order,
-    sight: Sight,
+    sight: VisibilityBuffer,
     shading: Shading,
-    phase: Phase,
+    phase: FramePhase,
     sample: usize,
     /// Sums over samples of red, green, blue and alpha.
     sums: Vec<[u16; 4]>,
     rgba: Vec<u8>,
     /// The surface normal at each pixel; zero where there is no body.
     normals: Vec<Vec3>,
-    ground: Ground,
+    ground: FloorPlane,
 }
 
 /// The next phase, with the number of instances, rows or lines done.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Phase {
+enum FramePhase {
     Ground(usize),
     Room(usize),
     Sight,
@@ -50,14 +50,14 @@ impl Frame {
     pub fn new(order: Order) -> Self {
         let view = order.camera.view(order.size[0], order.size[1]);
         let mut frame = Self {
-            sight: Sight::new(view),
+            sight: VisibilityBuffer::new(view),
             shading: Shading::new(),
-            phase: Phase::Ground(0),
+            phase: FramePhase::Ground(0),
             sample: 0,
             sums: Vec::new(),
             rgba: Vec::new(),
             normals: Vec::new(),
-            ground: Ground::default(),
+            ground: FloorPlane::default(),
             order,
         };
         frame.begin(order);
@@ -67,9 +67,9 @@ impl Frame {
     /// Starts another frame in the same memory.
     pub fn begin(&mut self, order: Order) {
         self.order = order;
-        self.phase = Phase::Ground(0);
+        self.phase = FramePhase::Ground(0);
         self.sample = 0;
-        self.ground = Ground::default();
+        self.ground = FloorPlane::default();
         let pixels = order.size[0] * order.size[1];
         self.sums.clear();
         self.sums
@@ -85,19 +85,19 @@ impl Frame {
 
     /// Whether it is finished.
     pub fn is_done(&self) -> bool {
-        self.phase == Phase::Done
+        self.phase == FramePhase::Done
     }
 
     /// The progress, 0..1, a rough estimate.
     pub fn progress(&self) -> f64 {
         let rows = self.order.size[1] as f64;
         let part = match self.phase {
-            Phase::Ground(_) | Phase::Room(_) => 0.0,
-            Phase::Sight => 0.3 * self.sight.progress(),
-            Phase::Floor(_) => 0.3,
-            Phase::Shade(row) => 0.3 + 0.65 * row as f64 / rows,
-            Phase::Lines(_) | Phase::Sum(_) | Phase::Planes(_) => 0.95,
-            Phase::Done => return 1.0,
+            FramePhase::Ground(_) | FramePhase::Room(_) => 0.0,
+            FramePhase::Sight => 0.3 * self.sight.progress(),
+            FramePhase::Floor(_) => 0.3,
+            FramePhase::Shade(row) => 0.3 + 0.65 * row as f64 / rows,
+            FramePhase::Lines(_) | FramePhase::Sum(_) | FramePhase::Planes(_) => 0.95,
+            FramePhase::Done => return 1.0,
         };
         (self.sample as f64 + part) / self.samples() as f64
     }
@@ -117,54 +117,54 @@ impl Frame {
         let [width, height] = self.order.size;
         let rows = (amount / (PIXEL_WORK * width)).clamp(1, height);
         self.phase = match self.phase {
-            Phase::Ground(place) => self.find_ground(scene, place, amount),
-            Phase::Room(row) => self.make_room(height.min(row.saturating_add(8 * rows))),
-            Phase::Sight => match self.sight.advance(scene, amount) {
-                true if self.order.backdrop == Backdrop::Floor => Phase::Floor(0),
-                true => Phase::Shade(0),
-                false => Phase::Sight,
+            FramePhase::Ground(place) => self.find_ground(scene, place, amount),
+            FramePhase::Room(row) => self.make_room(height.min(row.saturating_add(8 * rows))),
+            FramePhase::Sight => match self.sight.advance(scene, amount) {
+                true if self.order.backdrop == Backdrop::Floor => FramePhase::Floor(0),
+                true => FramePhase::Shade(0),
+                false => FramePhase::Sight,
             },
-            Phase::Floor(row) => {
+            FramePhase::Floor(row) => {
                 let end = height.min(row.saturating_add(4 * rows));
                 (row..end).for_each(|y| find_floor(&mut self.sight, self.ground, y));
                 match end == height {
-                    true => Phase::Shade(0),
-                    false => Phase::Floor(end),
+                    true => FramePhase::Shade(0),
+                    false => FramePhase::Floor(end),
                 }
             }
-            Phase::Shade(row) => match self.shade(scene, light, row, rows) {
-                end if end == height => Phase::Lines(0),
-                end => Phase::Shade(end),
+            FramePhase::Shade(row) => match self.shade(scene, light, row, rows) {
+                end if end == height => FramePhase::Lines(0),
+                end => FramePhase::Shade(end),
             },
-            Phase::Lines(line) => {
+            FramePhase::Lines(line) => {
                 let (sight, rgba) = (&self.sight, &mut self.rgba);
                 match lines::draw(sight, &scene.lines, line, amount, rgba) {
-                    next if next < scene.lines.len() => Phase::Lines(next),
-                    _ if self.order.is_fine => Phase::Sum(0),
-                    _ => Phase::Planes(0),
+                    next if next < scene.lines.len() => FramePhase::Lines(next),
+                    _ if self.order.is_fine => FramePhase::Sum(0),
+                    _ => FramePhase::Planes(0),
                 }
             }
-            Phase::Sum(row) => self.sum(row, height.min(row.saturating_add(4 * rows))),
-            Phase::Planes(row) => {
+            FramePhase::Sum(row) => self.sum(row, height.min(row.saturating_add(4 * rows))),
+            FramePhase::Planes(row) => {
                 let end = height.min(row.saturating_add(4 * rows));
                 self.make_planes(scene, row * width..end * width);
                 match end == height {
-                    true => Phase::Done,
-                    false => Phase::Planes(end),
+                    true => FramePhase::Done,
+                    false => FramePhase::Planes(end),
                 }
             }
-            Phase::Done => Phase::Done,
+            FramePhase::Done => FramePhase::Done,
         };
         self.is_done()
     }
 
     /// Finds the lowest point of the bodies before the first sample.
-    fn find_ground(&mut self, scene: &Scene, from: usize, amount: usize) -> Phase {
+    fn find_ground(&mut self, scene: &Scene, from: usize, amount: usize) -> FramePhase {
         if self.order.backdrop == Backdrop::Floor {
             if from == 0 {
                 let (middle, radius) = scene.ball();
                 let height = f32::MAX;
-                self.ground = Ground {
+                self.ground = FloorPlane {
                     middle,
                     radius,
                     height,
@@ -177,14 +177,14 @@ impl Frame {
                 (at, work) = (at + 1, work + 1 + points / 8);
             }
             if at < scene.instances.len() {
-                return Phase::Ground(at);
+                return FramePhase::Ground(at);
             }
             if at == 0 {
                 self.ground.height = 0.0;
             }
         }
         self.begin_sample();
-        Phase::Room(0)
+        FramePhase::Room(0)
     }
 
     fn begin_sample(&mut self) {
@@ -202,7 +202,7 @@ impl Frame {
     }
 
     /// Allocates rows.
-    fn make_room(&mut self, to: usize) -> Phase {
+    fn make_room(&mut self, to: usize) -> FramePhase {
         let [width, height] = self.order.size;
         let pixels = to * width;
         self.sight.make_room(pixels);
@@ -215,14 +215,14 @@ impl Frame {
             }
         }
         match to == height {
-            true => Phase::Sight,
-            false => Phase::Room(to),
+            true => FramePhase::Sight,
+            false => FramePhase::Room(to),
         }
     }
 
     /// Shades about this many rows; gives the next one.
     fn shade(&mut self, scene: &Scene, light: &Lighting, from: usize, rows: usize) -> usize {
-        let studio = Studio {
+        let studio = ShadingInputs {
             scene,
             light,
             sight: &self.sight,
@@ -236,7 +236,7 @@ impl Frame {
     }
 
     /// Adds rows of this sample to the sums; after the last one, gives the next phase.
-    fn sum(&mut self, from: usize, to: usize) -> Phase {
+    fn sum(&mut self, from: usize, to: usize) -> FramePhase {
         let [width, height] = self.order.size;
         let last = self.sample + 1 == SAMPLES.len();
         let span = from * width..to * width;
@@ -257,20 +257,20 @@ impl Frame {
             }
         }
         if to < height {
-            return Phase::Sum(to);
+            return FramePhase::Sum(to);
         }
         if last {
-            return Phase::Planes(0);
+            return FramePhase::Planes(0);
         }
         self.sample += 1;
         self.begin_sample();
-        Phase::Room(0)
+        FramePhase::Room(0)
     }
 
     /// Turns the last visibility buffer into the planes, in the same memory: inverse depths become depths,
     /// triangles become ids.
     fn make_planes(&mut self, scene: &Scene, pixels: Range<usize>) {
-        let Sight {
+        let VisibilityBuffer {
             owner,
             inverse,
             triangle,

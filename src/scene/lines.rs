@@ -1,6 +1,6 @@
 //! Lines over the surfaces, hidden where surfaces are nearer.
 
-use super::sight::Sight;
+use super::visibility::VisibilityBuffer;
 use glam::Vec3;
 
 /// Colour of a line.
@@ -11,7 +11,7 @@ const BEHIND: f32 = 0.004;
 /// Draws lines, a pixel wide, into a picture, from an index on, for about this much work. Gives the next
 /// index.
 pub(super) fn draw(
-    sight: &Sight,
+    sight: &VisibilityBuffer,
     lines: &[[Vec3; 2]],
     from: usize,
     amount: usize,
@@ -31,7 +31,7 @@ pub(super) fn draw(
 }
 
 /// Gives the number of steps.
-fn stroke(sight: &Sight, a: [f32; 3], b: [f32; 3], rgba: &mut [u8]) -> usize {
+fn stroke(sight: &VisibilityBuffer, a: [f32; 3], b: [f32; 3], rgba: &mut [u8]) -> usize {
     let [width, height] = sight.view().size;
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let longest = if dx.abs() > dy.abs() {

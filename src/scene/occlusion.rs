@@ -5,7 +5,7 @@
 //! rotated from one such pixel to the next. Each pixel gets the mean of the computed ones beside it, as far as they
 //! lie on the same surface. All rotations have the same weight in the mean, so no pattern shows.
 
-use super::sight::Sight;
+use super::visibility::VisibilityBuffer;
 use crate::order::{greater, lesser};
 use glam::Vec3;
 use std::f64::consts::TAU;
@@ -77,7 +77,13 @@ impl Occlusion {
 
     /// Computes the occlusion along a row, if it is one of the computed rows. `normal` gives the normal of the
     /// surface at a column; `reach` is the distance, in the world, within which surfaces count.
-    pub fn look(&mut self, sight: &Sight, normal: impl Fn(usize) -> Vec3, reach: f32, y: usize) {
+    pub fn look(
+        &mut self,
+        sight: &VisibilityBuffer,
+        normal: impl Fn(usize) -> Vec3,
+        reach: f32,
+        y: usize,
+    ) {
         if !y.is_multiple_of(STEP) {
             return;
         }
@@ -137,7 +143,7 @@ impl Occlusion {
     }
 
     /// Averages a row, after the computed rows around it, up to [`STEP`] rows below.
-    pub fn average(&mut self, sight: &Sight, y: usize) {
+    pub fn average(&mut self, sight: &VisibilityBuffer, y: usize) {
         let [width, height] = sight.view().size;
         // Beyond the frame the last one counts again.
         let three = |v: usize, size: usize| {

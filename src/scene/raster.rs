@@ -7,7 +7,7 @@
 //! Pixels are processed four at a time. Integers are kept in i32; those of the few large triangles in f64, which
 //! holds them exactly, too.
 
-use super::four::{Four, LANES};
+use super::four_pixels::{FourPixels, LANES};
 use crate::order::{greater, lesser};
 use std::array::from_fn;
 use std::ops::Range;
@@ -43,17 +43,17 @@ impl Corner {
 }
 
 /// The pixels into which triangles are drawn.
-pub(super) struct Grid {
+pub(super) struct PixelGrid {
     pub width: usize,
     pub height: usize,
 }
 
-impl Grid {
+impl PixelGrid {
     /// Draws a triangle: calls `put` with groups of pixels, of which it may cover some. Triangles whose corners do
     /// not run counter-clockwise on the screen (seen with y up) are skipped. Returns the number of pixels that were
     /// examined.
     #[inline(always)]
-    pub fn triangle(&self, corners: [Corner; 3], put: impl FnMut(Four)) -> usize {
+    pub fn triangle(&self, corners: [Corner; 3], put: impl FnMut(FourPixels)) -> usize {
         let [a, b, c] = corners.map(|corner| corner.at.map(i64::from));
         let area = (c[0] - a[0]) * (b[1] - a[1]) - (b[0] - a[0]) * (c[1] - a[1]);
         if area <= 0 {
@@ -89,7 +89,7 @@ impl Grid {
         corners: [Corner; 3],
         area: i64,
         [columns, rows]: [Range<i32>; 2],
-        mut put: impl FnMut(Four),
+        mut put: impl FnMut(FourPixels),
     ) {
         let depth = Parts::new(&corners, area as f32);
         let [a, b, c] = corners.map(|corner| corner.at);
@@ -114,7 +114,7 @@ impl Grid {
             let mut at = starts;
             for x in columns.clone().step_by(LANES) {
                 let [a, b, c] = at;
-                let four = Four {
+                let four = FourPixels {
                     at: row + x as usize,
                     covered: !(a | b | c).simd_lt(i32x4::ZERO),
                     near: depth.at(a.round_float(), c.round_float()),
@@ -132,15 +132,15 @@ impl Grid {
         corners: [Corner; 3],
         area: i64,
         [columns, rows]: [Range<i32>; 2],
-        mut put: impl FnMut(Four),
+        mut put: impl FnMut(FourPixels),
     ) {
         let area = area as f64;
         let fixed = corners.map(|corner| corner.at.map(f64::from));
         let [a, b, c] = fixed;
         let edges = [
-            Edge::new(a, b, 0.0),
-            Edge::new(b, c, area),
-            Edge::new(c, a, 0.0),
+            EdgeFunction::new(a, b, 0.0),
+            EdgeFunction::new(b, c, area),
+            EdgeFunction::new(c, a, 0.0),
         ];
         let depth = Depth::new(fixed, corners.map(|corner| corner.near), area);
         let from = |axis: usize, pixel: i32| f64::from(pixel) + 0.5 - a[axis] / SUB;
@@ -154,7 +154,7 @@ impl Grid {
             for x in columns.clone().step_by(LANES) {
                 let at: [[f64; LANES]; 3] =
                     from_fn(|e| from_fn(|k| starts[e] + across[k] * edges[e].right));
-                let four = Four {
+                let four = FourPixels {
                     at: row + x as usize,
                     covered: i32x4::new(from_fn(|k| {
                         let least = lesser(at[0][k], lesser(at[1][k], at[2][k]));
@@ -172,13 +172,13 @@ impl Grid {
 /// An edge function, not negative inside: its value at the first corner, and its steps for a pixel to the right and
 /// down.
 #[derive(Clone, Copy)]
-struct Edge {
+struct EdgeFunction {
     start: f64,
     right: f64,
     down: f64,
 }
 
-impl Edge {
+impl EdgeFunction {
     /// The function of the edge from one corner to the next, counter-clockwise with y up. `start` is its value at the
     /// triangle's first corner.
     #[inline(always)]
@@ -276,7 +276,7 @@ mod tests {
     use super::*;
 
     fn counts(triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
-        let grid = Grid {
+        let grid = PixelGrid {
             width: 40,
             height: 30,
         };
@@ -319,7 +319,7 @@ mod tests {
 
     #[test]
     fn depth_changes_evenly() {
-        let grid = Grid {
+        let grid = PixelGrid {
             width: 8,
             height: 8,
         };

@@ -1,19 +1,19 @@
 //! Shades visible surfaces.
 
 use super::backdrop::{FLOOR_COLOUR, behind, end_of_floor, floor_part};
-use super::lamp::Arriving;
-use super::met::{Facets, Met};
+use super::hit::{Facets, PixelHit};
+use super::lighting::Arriving;
 use super::occlusion::Occlusion;
-use super::shadow::Spot;
-use super::sight::{FLOOR, NOTHING, Sight};
-use super::square::{BAND, NO_VECTORS, SQUARE, Square, get, set, units};
+use super::shadow::ShadowSample;
+use super::tile::{BAND, NO_VECTORS, SQUARE, Tile, get, set, units};
+use super::visibility::{FLOOR, NOTHING, VisibilityBuffer};
 use super::{Backdrop, Lighting, Scene, Surfel, View};
 use crate::order::lesser;
 use glam::Vec3;
 
 /// Where the floor is and where it fades: it lies under all bodies, around the middle of their bounding ball.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Ground {
+pub(super) struct FloorPlane {
     pub middle: Vec3,
     pub radius: f32,
     pub height: f32,
@@ -21,12 +21,12 @@ pub(super) struct Ground {
 
 /// The inputs of shading.
 #[derive(Clone, Copy)]
-pub(super) struct Studio<'a> {
+pub(super) struct ShadingInputs<'a> {
     pub scene: &'a Scene,
     pub light: &'a Lighting,
-    pub sight: &'a Sight,
+    pub sight: &'a VisibilityBuffer,
     pub backdrop: Backdrop,
-    pub ground: Ground,
+    pub ground: FloorPlane,
     /// The colour on the screen of the floor where it fades.
     pub far: [f32; 3],
 }
@@ -69,7 +69,7 @@ impl Shading {
     /// with each pixel that shows a body, and its normal.
     pub fn advance(
         &mut self,
-        studio: Studio,
+        studio: ShadingInputs,
         from: usize,
         rows: usize,
         rgba: &mut [u8],
@@ -88,7 +88,7 @@ impl Shading {
                 }
                 let width = studio.sight.view().size[0];
                 for from in (0..width).step_by(BAND) {
-                    self.shade_square(studio, Square([from, row]), rgba);
+                    self.shade_square(studio, Tile([from, row]), rgba);
                 }
                 row = end;
             }
@@ -98,11 +98,11 @@ impl Shading {
     }
 
     /// Finds the surfaces of the next rows.
-    fn find(&mut self, studio: Studio, keep: &mut impl FnMut(usize, Vec3)) {
+    fn find(&mut self, studio: ShadingInputs, keep: &mut impl FnMut(usize, Vec3)) {
         let [width, height] = studio.sight.view().size;
         let rows = self.found_rows..height.min(self.found_rows + BAND);
         for from in (0..width).step_by(BAND) {
-            self.find_square(studio, Square([from, rows.start]), keep);
+            self.find_square(studio, Tile([from, rows.start]), keep);
         }
         self.found_rows = rows.end;
         if self.has_occlusion {
@@ -115,8 +115,13 @@ impl Shading {
     }
 
     /// Loops that read memory are apart from those that compute, so that the latter never wait.
-    fn find_square(&mut self, studio: Studio, square: Square, keep: &mut impl FnMut(usize, Vec3)) {
-        let Studio {
+    fn find_square(
+        &mut self,
+        studio: ShadingInputs,
+        square: Tile,
+        keep: &mut impl FnMut(usize, Vec3),
+    ) {
+        let ShadingInputs {
             scene,
             sight,
             light,
@@ -134,14 +139,14 @@ impl Shading {
                     Some(normal) => Facets::cap(scene, owner, normal),
                     None => self.facets.met(scene, owner, &rays, k),
                 },
-                _ => Met::FLOOR,
+                _ => PixelHit::FLOOR,
             };
             self.found[slot(width, x, y)].colour = met.colour;
             set(&mut normals, k, met.normal);
             set(&mut flats, k, met.flat);
         }
         let normals = units(&normals, &flats);
-        let mut spots = [Spot::BESIDE; SQUARE];
+        let mut spots = [ShadowSample::BESIDE; SQUARE];
         for (k, [x, y, at]) in square.pixels(view) {
             let (owner, normal) = (sight.owner[at], get(&normals, k));
             let is_body = owner < FLOOR;
@@ -163,7 +168,7 @@ impl Shading {
         }
     }
 
-    fn shade_square(&self, studio: Studio, square: Square, rgba: &mut [u8]) {
+    fn shade_square(&self, studio: ShadingInputs, square: Tile, rgba: &mut [u8]) {
         let (sight, view) = (studio.sight, studio.sight.view());
         let rays = square.rays(view);
         let points = square.points(sight, &rays);
@@ -216,7 +221,7 @@ fn slot(width: usize, x: usize, y: usize) -> usize {
     y % (2 * BAND) * width + x
 }
 
-impl Studio<'_> {
+impl ShadingInputs<'_> {
     /// The surface element at a pixel, before light.
     #[inline(always)]
     fn surfel(&self, at: usize, position: Vec3, found: &Found) -> Surfel {
@@ -269,7 +274,7 @@ impl Studio<'_> {
 }
 
 /// The colour on the screen of the floor where it fades, straight ahead, as the lamp lights it there.
-pub(super) fn far_floor(light: &Lighting, view: &View, ground: &Ground) -> [f32; 3] {
+pub(super) fn far_floor(light: &Lighting, view: &View, ground: &FloorPlane) -> [f32; 3] {
     let flat = |v: Vec3, y: f32| Vec3::new(v.x, y, v.z);
     let away = flat(view.ahead, 0.0).normalize_or(Vec3::NEG_Z);
     let position = flat(ground.middle, ground.height) + away * end_of_floor(ground.radius);
@@ -279,7 +284,7 @@ pub(super) fn far_floor(light: &Lighting, view: &View, ground: &Ground) -> [f32;
 }
 
 /// Marks the pixels of a row that show the floor.
-pub(super) fn find_floor(sight: &mut Sight, ground: Ground, y: usize) {
+pub(super) fn find_floor(sight: &mut VisibilityBuffer, ground: FloorPlane, y: usize) {
     let view = *sight.view();
     for x in 0..view.size[0] {
         let at = y * view.size[0] + x;

@@ -6,9 +6,9 @@
 
 use super::cut::{Cut, Left};
 use super::fill::{Fill, Vertex, some_of};
-use super::four::{LANES, four_of};
+use super::four_pixels::{LANES, four_of};
 use super::raster::Corner;
-use super::sight::level_of;
+use super::visibility::level_of;
 use super::{Camera, Instance, Lamp, Scene};
 use crate::order::greater;
 use crate::solid::Surface;
@@ -30,9 +30,9 @@ const SIDE_LENS: f64 = 91.0;
 const ROOM: usize = 64;
 
 /// One square map.
-struct Map {
+struct ShadowMap {
     side: usize,
-    way: Way,
+    way: ShadowProjection,
     /// For each texel how near the first surface is; greater is nearer to the lamp. The lowest number where there is
     /// none.
     near: Vec<f32>,
@@ -40,7 +40,7 @@ struct Map {
 
 /// The projection of a map.
 #[derive(Clone, Copy)]
-enum Way {
+enum ShadowProjection {
     /// Parallel: the middle of the map, unit vectors across, up and to the lamp, and texels for each unit.
     Along {
         middle: Vec3,
@@ -54,8 +54,8 @@ enum Way {
 }
 
 /// The shadow maps of a scene; complete when [`Shadows::advance`] has returned true.
-pub(super) struct Shadows {
-    maps: Vec<Map>,
+pub(super) struct ShadowMaps {
+    maps: Vec<ShadowMap>,
     is_coarse: bool,
     /// The plane that cuts away bodies.
     pub cut: Option<Cut>,
@@ -65,13 +65,16 @@ pub(super) struct Shadows {
     corners: Vec<Vertex>,
 }
 
-impl Shadows {
+impl ShadowMaps {
     /// Maps with `side` texels along a side. Coarse ones also show coarser bodies.
     pub fn new(scene: &Scene, lamp: Lamp, side: usize, is_coarse: bool) -> Self {
         let ball = scene.ball();
         let maps = ways(ball, lamp, side);
         Self {
-            maps: maps.into_iter().map(|way| Map::new(way, side)).collect(),
+            maps: maps
+                .into_iter()
+                .map(|way| ShadowMap::new(way, side))
+                .collect(),
             is_coarse,
             cut: None,
             at: [0; 3],
@@ -124,15 +127,15 @@ impl Shadows {
     /// The place in the maps that tells how much of the lamp is visible from a point. `normal` is that of the
     /// surface, which must face the lamp. `spread` is the tolerance in the world for surfaces drawn there, in
     /// addition to that of the map.
-    pub fn spot(&self, point: Vec3, normal: Vec3, spread: f32) -> Spot {
+    pub fn spot(&self, point: Vec3, normal: Vec3, spread: f32) -> ShadowSample {
         let mut maps = self.maps.iter().enumerate();
         let Some((number, map)) = maps.find(|(_, map)| map.is_towards(point)) else {
-            return Spot::BESIDE;
+            return ShadowSample::BESIDE;
         };
         let levels = if self.is_coarse { 2.0 } else { 1.0 };
         let off = OFF * (levels * map.texel(point) + spread);
         let spot = map.spot(point + normal * off, normal);
-        spot.map_or(Spot::BESIDE, |spot| Spot {
+        spot.map_or(ShadowSample::BESIDE, |spot| ShadowSample {
             map: number,
             ..spot
         })
@@ -140,7 +143,7 @@ impl Shadows {
 
     /// The visible share of the lamp at a place, 0..1.
     #[inline(always)]
-    pub fn visible(&self, spot: &Spot) -> f32 {
+    pub fn visible(&self, spot: &ShadowSample) -> f32 {
         let map = self.maps.get(spot.map);
         map.map_or(1.0, |map| map.visible(spot))
     }
@@ -148,7 +151,7 @@ impl Shadows {
 
 /// A place on a map.
 #[derive(Clone, Copy)]
-pub(super) struct Spot {
+pub(super) struct ShadowSample {
     /// The number of the map; if there is none, all of the lamp is visible.
     map: usize,
     /// The first of four by four texels.
@@ -160,7 +163,7 @@ pub(super) struct Spot {
     slopes: [f32; 2],
 }
 
-impl Spot {
+impl ShadowSample {
     /// A place on no map.
     pub const BESIDE: Self = Self {
         map: usize::MAX,
@@ -172,11 +175,11 @@ impl Spot {
 }
 
 /// The projections that a lamp needs to light a ball.
-fn ways((middle, radius): (Vec3, f32), lamp: Lamp, side: usize) -> Vec<Way> {
+fn ways((middle, radius): (Vec3, f32), lamp: Lamp, side: usize) -> Vec<ShadowProjection> {
     match lamp {
         Lamp::Sun(to) => {
             let across = to.any_orthonormal_vector();
-            vec![Way::Along {
+            vec![ShadowProjection::Along {
                 middle,
                 axes: [across, to.cross(across), to],
                 scale: 0.5 * side as f32 / (radius * MARGIN).max(f32::MIN_POSITIVE),
@@ -205,13 +208,14 @@ fn ways((middle, radius): (Vec3, f32), lamp: Lamp, side: usize) -> Vec<Way> {
                 view
             });
             let seen = views.filter(|view| view.may_see(view.of(middle), radius));
-            seen.map(|view| Way::From(Fill::new(view))).collect()
+            seen.map(|view| ShadowProjection::From(Fill::new(view)))
+                .collect()
         }
     }
 }
 
-impl Map {
-    fn new(way: Way, side: usize) -> Self {
+impl ShadowMap {
+    fn new(way: ShadowProjection, side: usize) -> Self {
         Self {
             side,
             way,
@@ -236,8 +240,8 @@ impl Map {
     /// The size of a texel at a point, in the world.
     fn texel(&self, point: Vec3) -> f32 {
         match &self.way {
-            Way::Along { scale, .. } => 1.0 / scale,
-            Way::From(fill) => {
+            ShadowProjection::Along { scale, .. } => 1.0 / scale,
+            ShadowProjection::From(fill) => {
                 let view = &fill.view;
                 greater(view.of(point).z, view.near) * view.slope
             }
@@ -247,8 +251,8 @@ impl Map {
     /// Whether a point lies on the side of the cube that this map shows.
     fn is_towards(&self, point: Vec3) -> bool {
         match &self.way {
-            Way::Along { .. } => true,
-            Way::From(fill) => {
+            ShadowProjection::Along { .. } => true,
+            ShadowProjection::From(fill) => {
                 let seen = fill.view.of(point);
                 seen.z > fill.view.near && seen.x.abs() <= seen.z && seen.y.abs() <= seen.z
             }
@@ -259,7 +263,7 @@ impl Map {
     #[inline(always)]
     fn on_map(&self, p: Vec3) -> [f32; 3] {
         match &self.way {
-            Way::Along {
+            ShadowProjection::Along {
                 middle,
                 axes,
                 scale,
@@ -273,19 +277,19 @@ impl Map {
                     d.dot(axes[2]),
                 ]
             }
-            Way::From(fill) => fill.view.on_screen(fill.view.of(p)),
+            ShadowProjection::From(fill) => fill.view.on_screen(fill.view.of(p)),
         }
     }
 
     /// For the plane through a point: how much nearer to the lamp it comes for each texel to the right and down.
     fn slopes(&self, p: Vec3, normal: Vec3) -> [f32; 2] {
         match &self.way {
-            Way::Along { axes, scale, .. } => {
+            ShadowProjection::Along { axes, scale, .. } => {
                 let [x, y, facing] = axes.map(|axis| normal.dot(axis));
                 let part = 1.0 / (scale * greater(facing, GRAZING));
                 [-x * part, y * part]
             }
-            Way::From(fill) => {
+            ShadowProjection::From(fill) => {
                 // The inverse depth is linear over a plane, too. With a ray r of depth 1, the normal n and the vector q
                 // from the lamp to any point of the plane, it is (n . r) / (n . q).
                 let view = &fill.view;
@@ -299,7 +303,7 @@ impl Map {
 
     /// The place of a point on this map; `None` beyond its edges.
     #[inline(always)]
-    fn spot(&self, p: Vec3, normal: Vec3) -> Option<Spot> {
+    fn spot(&self, p: Vec3, normal: Vec3) -> Option<ShadowSample> {
         let [u, v, near] = self.on_map(p);
         // A box filter of three by three texels; texels at its edges count by their covered part.
         let (u, v) = (u - 1.5, v - 1.5);
@@ -308,7 +312,7 @@ impl Map {
             return None;
         }
         let (i, j) = (u as i32, v as i32);
-        Some(Spot {
+        Some(ShadowSample {
             map: 0,
             texel: j as usize * self.side + i as usize,
             part: [u - i as f32, v - j as f32],
@@ -318,7 +322,7 @@ impl Map {
     }
 
     #[inline(always)]
-    fn visible(&self, spot: &Spot) -> f32 {
+    fn visible(&self, spot: &ShadowSample) -> f32 {
         let [tu, tv] = spot.part;
         let across = f32x4::new([1.0 - tu, 1.0, 1.0, tu]);
         let down = [1.0 - tv, 1.0, 1.0, tv];
@@ -349,8 +353,8 @@ impl Map {
         let body = &scene.bodies[instance.body as usize];
         let (middle, radius) = scene.ball_of(instance);
         let diameter = match &self.way {
-            Way::Along { scale, .. } => 2.0 * radius * scale,
-            Way::From(fill) => {
+            ShadowProjection::Along { scale, .. } => 2.0 * radius * scale,
+            ShadowProjection::From(fill) => {
                 let seen = fill.view.of(middle);
                 if !fill.view.may_see(seen, radius) {
                     return None;
@@ -377,13 +381,13 @@ impl Map {
             return (1, None);
         };
         let mut near = std::mem::take(&mut self.near);
-        let (Way::Along { fill, .. } | Way::From(fill)) = &self.way;
+        let (ShadowProjection::Along { fill, .. } | ShadowProjection::From(fill)) = &self.way;
         let (end, drawn) = some_of(&surface.triangles, next, most, |_, triangle| {
             let corners = triangle.map(|v| instance.place.of(surface.positions[v as usize]));
             let rest = cut.rest_of(corners);
             let corners = rest.corners.map(|p| match &self.way {
-                Way::Along { .. } => Vertex::on_screen(Corner::new(self.on_map(p))),
-                Way::From(fill) => fill.vertex(p),
+                ShadowProjection::Along { .. } => Vertex::on_screen(Corner::new(self.on_map(p))),
+                ShadowProjection::From(fill) => fill.vertex(p),
             });
             let mut work = 1;
             for k in 2..rest.count {
@@ -420,14 +424,14 @@ impl Map {
             let points = surface.positions.iter().map(|&p| instance.place.of(p));
             corners.clear();
             match &self.way {
-                Way::Along { .. } => {
+                ShadowProjection::Along { .. } => {
                     corners.extend(points.map(|p| Vertex::on_screen(Corner::new(self.on_map(p)))));
                 }
-                Way::From(fill) => corners.extend(points.map(|p| fill.vertex(p))),
+                ShadowProjection::From(fill) => corners.extend(points.map(|p| fill.vertex(p))),
             }
             work = surface.positions.len() / 4;
         }
-        let (Way::Along { fill, .. } | Way::From(fill)) = &self.way;
+        let (ShadowProjection::Along { fill, .. } | ShadowProjection::From(fill)) = &self.way;
         let near = &mut self.near[..];
         let most = most.saturating_sub(work).max(1);
         let (end, drawn) = some_of(&surface.triangles, next, most, |_, triangle| {

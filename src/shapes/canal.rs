@@ -1,7 +1,7 @@
 //! Canal surfaces: the hulls of balls whose middles and radii change along a curve.
 
 use super::bone::Bone;
-use super::jet::{Jet, Spot};
+use super::jet::{Jet, JetPoint};
 use glam::DVec3;
 
 /// A curve with a radius at each of its points, as samples with cubic pieces between them.
@@ -29,7 +29,7 @@ const RETURNS: f64 = 2.2;
 const BEND: f64 = 0.8;
 
 /// The foot of a point: the ball of a canal that is nearest to it.
-pub(super) struct Foot {
+pub(super) struct CanalBall {
     /// Its place along the curve, in samples.
     pub along: f64,
     pub middle: DVec3,
@@ -90,7 +90,7 @@ impl Canal {
     }
 
     /// The ball in which a point lies deepest, or which is nearest to it.
-    pub fn foot(&self, p: DVec3) -> Foot {
+    pub fn foot(&self, p: DVec3) -> CanalBall {
         let far = |i: usize| (p - self.points[i]).length() - self.radii[i];
         let rough = || (0..self.points.len()).step_by(STRIDE).map(|i| (far(i), i));
         let first = rough().fold(
@@ -138,7 +138,7 @@ impl Canal {
     }
 
     /// Newton steps from a sample to the least distance.
-    fn refine(&self, p: DVec3, start: f64) -> Foot {
+    fn refine(&self, p: DVec3, start: f64) -> CanalBall {
         let n = self.points.len() as f64;
         let (mut least, mut most) = (start - 1.0, start + 1.0);
         if !self.closed {
@@ -175,7 +175,7 @@ impl Canal {
         }
         let along = within(t);
         let (c, r) = self.piece(along);
-        Foot {
+        CanalBall {
             along,
             middle: c.0,
             radius: r.0,
@@ -184,7 +184,7 @@ impl Canal {
 
     /// The distance to the surface, negative inside. At the foot the distance is stationary, so the gradient needs
     /// only the distance to a fixed ball.
-    pub fn at(&self, p: &Spot) -> Jet {
+    pub fn at(&self, p: &JetPoint) -> Jet {
         let foot = self.foot(p.place());
         p.distance(foot.middle) - foot.radius
     }
@@ -275,7 +275,7 @@ impl Canal {
     }
 
     /// Joins another form smoothly with this canal, where the canal is near enough to change it.
-    pub fn join_to(&self, other: Jet, p: &Spot, k: f64) -> Jet {
+    pub fn join_to(&self, other: Jet, p: &JetPoint, k: f64) -> Jet {
         if self.far(p.place()) >= other.value + k {
             return other;
         }

@@ -3,7 +3,7 @@
 use super::bone::Bone;
 use super::canal::Canal;
 use super::form::Form;
-use super::jet::{Jet, Spot};
+use super::jet::{Jet, JetPoint};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
@@ -82,8 +82,8 @@ fn box_of(canal: &Canal, closed: bool) -> (DVec3, DVec3) {
 }
 
 impl Form for Curled {
-    fn at(&self, p: Spot) -> Jet {
-        let p = Spot {
+    fn at(&self, p: JetPoint) -> Jet {
+        let p = JetPoint {
             y: p.y * (1.0 / self.stretch),
             ..p
         };

@@ -18,7 +18,7 @@ const SAMPLES: usize = 256;
 /// The distance between rings, in edges, for equilateral triangles.
 const ROW: f64 = 0.866_025_403_784_438_6;
 
-struct Ring {
+struct DrumRing {
     first: usize,
     count: usize,
     /// The angle of the first vertex.
@@ -118,7 +118,7 @@ impl Drum {
 struct Sewing {
     step: f64,
     made: Soup,
-    rings: Vec<Ring>,
+    rings: Vec<DrumRing>,
 }
 
 impl Sewing {
@@ -144,7 +144,7 @@ impl Sewing {
             }
             turn = last.turn + 0.5 * TAU / last.count.max(count) as f64;
         }
-        let ring = Ring {
+        let ring = DrumRing {
             first: self.made.positions.len(),
             count,
             turn,
@@ -164,10 +164,10 @@ impl Sewing {
     }
 
     /// Goes round both rings, each time on to the vertex with the shorter edge.
-    fn sew(&mut self, last: usize, upper: &Ring) {
+    fn sew(&mut self, last: usize, upper: &DrumRing) {
         let lower = &self.rings[last];
-        let name = |ring: &Ring, k: usize| (ring.first + k % ring.count) as u32;
-        let steps = |ring: &Ring| if ring.count > 1 { ring.count } else { 0 };
+        let name = |ring: &DrumRing, k: usize| (ring.first + k % ring.count) as u32;
+        let steps = |ring: &DrumRing| if ring.count > 1 { ring.count } else { 0 };
         let (mut i, mut j) = (0, 0);
         while i < steps(lower) || j < steps(upper) {
             let (a, b) = (name(lower, i), name(upper, j));

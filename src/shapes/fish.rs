@@ -3,7 +3,7 @@
 use super::bone::Bone;
 use super::canal::Canal;
 use super::form::Form;
-use super::jet::{Jet, Spot};
+use super::jet::{Jet, JetPoint};
 use glam::DVec3;
 
 pub(super) struct Fish {
@@ -155,10 +155,10 @@ impl Fish {
         DVec3::new(p.x, p.y - self.low, p.z + aside)
     }
 
-    fn body(&self, p: &Spot) -> Jet {
+    fn body(&self, p: &JetPoint) -> Jet {
         let round = p.z.soft_abs(EDGE) - EDGE;
         let z = round * self.narrow + self.radius(p.x) * LENS;
-        self.body.at(&Spot { z, ..*p })
+        self.body.at(&JetPoint { z, ..*p })
     }
 
     /// The radius of the body at x.
@@ -180,7 +180,7 @@ impl Fish {
         let (mut inside, mut outside) = (0.0, self.half);
         for _ in 0..40 {
             let z = 0.5 * (inside + outside);
-            match self.body(&Spot::new(DVec3::new(x, y, z))).value < 0.0 {
+            match self.body(&JetPoint::new(DVec3::new(x, y, z))).value < 0.0 {
                 true => inside = z,
                 false => outside = z,
             }
@@ -190,24 +190,24 @@ impl Fish {
 }
 
 impl Form for Fish {
-    fn at(&self, p: Spot) -> Jet {
-        let p = Spot {
+    fn at(&self, p: JetPoint) -> Jet {
+        let p = JetPoint {
             y: p.y + self.low,
             z: p.z - self.aside(p.x),
             ..p
         };
         let mut fish = self.body(&p);
-        let thin = Spot { z: p.z * THIN, ..p };
+        let thin = JetPoint { z: p.z * THIN, ..p };
         for (fin, k) in &self.fins {
             fish = fin.join_to(fish, &thin, *k);
         }
         let beside = p.z.abs();
-        let flap = Spot {
+        let flap = JetPoint {
             z: (beside - self.side.start().0.z) * SIDE_THIN + self.side.start().0.z,
             ..p
         };
         fish = self.side.join_to(fish, &flap, 0.02);
-        let eye = Spot { z: beside, ..p }.distance(self.eye.0) - self.eye.1;
+        let eye = JetPoint { z: beside, ..p }.distance(self.eye.0) - self.eye.1;
         fish.join(eye, 0.012)
     }
 

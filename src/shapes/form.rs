@@ -1,13 +1,13 @@
 //! Implicit solids: functions on space that are negative inside.
 
 use super::bone::Bone;
-use super::jet::{Jet, Spot};
+use super::jet::{Jet, JetPoint};
 use glam::DVec3;
 
 /// A solid whose surface is the zero set of a function.
 pub(super) trait Form {
     /// The function: negative inside, and about the distance to the surface near it.
-    fn at(&self, p: Spot) -> Jet;
+    fn at(&self, p: JetPoint) -> Jet;
 
     /// A bounding box, as tight as is known.
     fn bounds(&self) -> (DVec3, DVec3);
@@ -49,7 +49,7 @@ pub(super) fn near(form: &dyn Form, p: DVec3, most: f64) -> DVec3 {
 }
 
 fn step(form: &dyn Form, at: DVec3, most: f64) -> Option<DVec3> {
-    let jet = form.at(Spot::new(at));
+    let jet = form.at(JetPoint::new(at));
     let length = jet.slope.length();
     let normal = jet.slope / length;
     (length > 1e-6).then(|| normal * (-jet.value / length).clamp(-most, most))

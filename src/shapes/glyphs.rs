@@ -4,7 +4,7 @@ use glam::DVec2;
 
 /// A part of a stroke.
 #[derive(Clone, Copy)]
-enum Part {
+enum StrokePart {
     /// Starts the stroke at a point, or continues it straight to one.
     To(f64, f64),
     /// Continues along an arc of an ellipse: middle, half axes, and the angles at its ends in degrees,
@@ -12,9 +12,9 @@ enum Part {
     Arc([f64; 2], [f64; 2], [f64; 2]),
 }
 
-use Part::{Arc, To};
+use StrokePart::{Arc, To};
 
-type Glyph = &'static [&'static [Part]];
+type Glyph = &'static [&'static [StrokePart]];
 
 /// Straight pieces in a whole turn.
 const PIECES: f64 = 96.0;
@@ -191,7 +191,7 @@ const GLYPHS: [Glyph; 26] = [
 
 /// The strokes of a letter (A is 0) as polylines with gentle bends.
 pub(super) fn strokes(letter: usize) -> Vec<Vec<DVec2>> {
-    let line = |parts: &&[Part]| {
+    let line = |parts: &&[StrokePart]| {
         let mut line: Vec<DVec2> = Vec::new();
         for part in *parts {
             match *part {

@@ -142,13 +142,13 @@ impl Neg for Jet {
 
 /// A point whose coordinates may be functions of the point with respect to which gradients are taken.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Spot {
+pub(super) struct JetPoint {
     pub x: Jet,
     pub y: Jet,
     pub z: Jet,
 }
 
-impl Spot {
+impl JetPoint {
     pub fn new(p: DVec3) -> Self {
         Self {
             x: Jet::new(p.x, DVec3::X),

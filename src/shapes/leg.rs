@@ -3,7 +3,7 @@
 use super::bone::Bone;
 use super::canal::Canal;
 use super::form::Form;
-use super::jet::{Jet, Spot};
+use super::jet::{Jet, JetPoint};
 use glam::DVec3;
 
 pub(super) struct Leg {
@@ -95,7 +95,7 @@ impl Leg {
         }
     }
 
-    fn knee(&self, p: &Spot) -> Jet {
+    fn knee(&self, p: &JetPoint) -> Jet {
         p.distance(self.knee.0) - self.knee.1
     }
 }
@@ -129,7 +129,7 @@ fn toe(ball: DVec3, angle: f64, aside: f64, reach: f64, girth: f64) -> Toe {
 }
 
 impl Toe {
-    fn at(&self, p: &Spot) -> Jet {
+    fn at(&self, p: &JetPoint) -> Jet {
         let mut toe = self.canal.at(p);
         for &(middle, radius) in &self.knuckles {
             toe = toe.join(p.distance(middle) - radius, KNUCKLE);
@@ -144,9 +144,9 @@ impl Toe {
 }
 
 impl Form for Leg {
-    fn at(&self, p: Spot) -> Jet {
+    fn at(&self, p: JetPoint) -> Jet {
         let place = p.place();
-        let slim = Spot {
+        let slim = JetPoint {
             x: p.x * DEEPER,
             ..p
         };

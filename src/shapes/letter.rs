@@ -3,7 +3,7 @@
 use super::bone::Bone;
 use super::form::Form;
 use super::glyphs::strokes;
-use super::jet::{Jet, Spot, length};
+use super::jet::{Jet, JetPoint, length};
 use glam::{DVec2, DVec3};
 
 pub(super) struct Letter {
@@ -71,7 +71,7 @@ fn distance(line: &[DVec2], x: Jet, y: Jet) -> Jet {
 }
 
 impl Form for Letter {
-    fn at(&self, p: Spot) -> Jet {
+    fn at(&self, p: JetPoint) -> Jet {
         let up = 1.0 / self.scale;
         let (y, z) = (p.y * up, p.z * up);
         let x = p.x * up - (y - 0.5) * self.lean;

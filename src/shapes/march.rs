@@ -5,7 +5,7 @@
 //! close.
 
 use super::form::Form;
-use super::jet::Spot;
+use super::jet::JetPoint;
 use crate::trimesh::NONE;
 use glam::DVec3;
 
@@ -30,7 +30,7 @@ const ROOM: f64 = 0.02;
 
 /// The steps of the work on a layer.
 #[derive(Clone, Copy)]
-enum Part {
+enum MarchPhase {
     /// Marks the blocks that may contain the surface.
     Open,
     /// Computes the function at the nodes below and above.
@@ -47,7 +47,7 @@ pub(super) struct March {
     cubes: [usize; 3],
     layer: usize,
     /// The next step in the layer.
-    part: Part,
+    part: MarchPhase,
     /// Whether all blocks are computed, without any test.
     whole: bool,
     /// The function at two layers of nodes. In blocks that are not computed, nodes hold the value of their block.
@@ -73,7 +73,7 @@ impl March {
             step,
             cubes,
             layer: 0,
-            part: Part::Open,
+            part: MarchPhase::Open,
             whole,
             values: std::array::from_fn(|_| vec![1.0; nodes]),
             edges: std::array::from_fn(|_| vec![NONE; 7 * nodes]),
@@ -91,26 +91,26 @@ impl March {
     pub fn advance(&mut self, form: &dyn Form) -> bool {
         let is_first = self.layer.is_multiple_of(BLOCK);
         self.part = match self.part {
-            Part::Open => {
+            MarchPhase::Open => {
                 if is_first {
                     self.open_blocks(form);
                 }
-                Part::Below
+                MarchPhase::Below
             }
-            Part::Below => {
+            MarchPhase::Below => {
                 if is_first {
                     // Also nodes that the layer of blocks before did not need.
                     self.fill(form, 0, self.layer);
                 }
-                Part::Above
+                MarchPhase::Above
             }
-            Part::Above => {
+            MarchPhase::Above => {
                 self.fill(form, 1, self.layer + 1);
-                Part::Cubes
+                MarchPhase::Cubes
             }
-            Part::Cubes => {
+            MarchPhase::Cubes => {
                 self.cubes();
-                Part::Open
+                MarchPhase::Open
             }
         };
         self.layer == self.cubes[2]
@@ -154,7 +154,7 @@ impl March {
                 let corner = self.node(x * BLOCK, y * BLOCK, self.layer);
                 let middle = corner + DVec3::splat(half * self.step);
                 self.open
-                    .push(self.whole || form.at(Spot::new(middle)).value.abs() <= reach);
+                    .push(self.whole || form.at(JetPoint::new(middle)).value.abs() <= reach);
             }
         }
     }
@@ -176,7 +176,7 @@ impl March {
                 };
                 let wanted = near(y, by).any(|j| near(x, bx).any(|i| self.open[i + j * bx]));
                 if wanted {
-                    let value = form.at(Spot::new(self.node(x, y, z))).value;
+                    let value = form.at(JetPoint::new(self.node(x, y, z))).value;
                     self.values[side][x + y * (nx + 1)] = value;
                 }
             }

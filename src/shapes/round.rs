@@ -2,7 +2,7 @@
 
 use super::bone::Bone;
 use super::form::Form;
-use super::jet::{Jet, Spot, length};
+use super::jet::{Jet, JetPoint, length};
 use glam::DVec3;
 
 /// An ellipsoid, or a rounded box.
@@ -23,7 +23,7 @@ impl Ball {
 }
 
 impl Form for Ball {
-    fn at(&self, p: Spot) -> Jet {
+    fn at(&self, p: JetPoint) -> Jet {
         let scaled = [
             p.x * (1.0 / self.half.x),
             (p.y - self.half.y) * (1.0 / self.half.y),
@@ -92,7 +92,7 @@ impl Egg {
 }
 
 impl Form for Egg {
-    fn at(&self, p: Spot) -> Jet {
+    fn at(&self, p: JetPoint) -> Jet {
         let y = p.y - (self.half - self.base);
         // Wider below the middle, narrower above.
         let narrower = (y * (self.point / self.half)).max(-0.9) + 1.0;

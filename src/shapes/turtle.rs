@@ -2,7 +2,7 @@
 
 use super::bone::Bone;
 use super::form::Form;
-use super::jet::{Jet, Spot, length};
+use super::jet::{Jet, JetPoint, length};
 use glam::DVec3;
 
 pub(super) struct Turtle {
@@ -40,7 +40,7 @@ fn ellipsoid(over: Jet, over_square: Jet) -> Jet {
 }
 
 impl Form for Turtle {
-    fn at(&self, p: Spot) -> Jet {
+    fn at(&self, p: JetPoint) -> Jet {
         let y = p.y - self.belly;
         // Narrower at the head.
         let along = p.x * (1.0 / self.half);

@@ -3,7 +3,7 @@
 use super::bone::Bone;
 use super::canal::hermite;
 use super::form::Form;
-use super::jet::{Jet, Spot, length};
+use super::jet::{Jet, JetPoint, length};
 use glam::{DVec2, DVec3};
 
 pub(super) struct Vase {
@@ -109,7 +109,7 @@ impl Vase {
 }
 
 impl Form for Vase {
-    fn at(&self, p: Spot) -> Jet {
+    fn at(&self, p: JetPoint) -> Jet {
         let side = self.side(length(p.x, p.z), p.y);
         let k = 0.9 * self.wall;
         let solid = side.cut(-p.y, 0.05).cut(p.y - self.height, k);

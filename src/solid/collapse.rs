@@ -15,7 +15,7 @@ use std::collections::BinaryHeap;
 pub(crate) const LENGTH: f64 = 1e-5;
 
 /// A candidate edge: the rank of its cost, its ends, and how often both had changed when the cost was computed.
-type Edge = Reverse<(u64, [u32; 2], u32)>;
+type EdgeCandidate = Reverse<(u64, [u32; 2], u32)>;
 
 /// Triangles whose edges collapse.
 pub(crate) struct Collapse {
@@ -26,7 +26,7 @@ pub(crate) struct Collapse {
     around: Vec<Vec<u32>>,
     /// The number of changes of each vertex.
     changes: Vec<u32>,
-    edges: BinaryHeap<Edge>,
+    edges: BinaryHeap<EdgeCandidate>,
 }
 
 impl Collapse {

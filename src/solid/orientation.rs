@@ -175,9 +175,9 @@ impl Groups {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::field::Kind;
+    use crate::field::CellKind;
 
-    fn ring(kind: Kind, count: usize) -> (Vec<Cell>, Vec<Vec<u32>>) {
+    fn ring(kind: CellKind, count: usize) -> (Vec<Cell>, Vec<Vec<u32>>) {
         let cell = |k: usize| {
             let angle = k as f64 / count as f64 * std::f64::consts::TAU;
             let out = DVec2::new(libm::cos(angle), libm::sin(angle));
@@ -189,7 +189,7 @@ mod tests {
                 aspect: 1.0,
                 axis: quarters(
                     out.perp(),
-                    (k * k % 7) as u8 * if kind == Kind::Square { 1 } else { 2 },
+                    (k * k % 7) as u8 * if kind == CellKind::Square { 1 } else { 2 },
                 ),
                 ring: Vec::new(),
             }
@@ -207,7 +207,7 @@ mod tests {
 
     #[test]
     fn flow_goes_round_a_ring() {
-        for kind in [Kind::Square, Kind::Ellipse] {
+        for kind in [CellKind::Square, CellKind::Ellipse] {
             let (cells, links) = ring(kind, 40);
             let flow = oriented(&cells, &links, |cell| cell.axis);
             for k in 0..40 {
@@ -221,7 +221,7 @@ mod tests {
 
     #[test]
     fn what_agrees_stays_as_it_is() {
-        let (mut cells, links) = ring(Kind::Rectangle, 12);
+        let (mut cells, links) = ring(CellKind::Rectangle, 12);
         cells.iter_mut().for_each(|c| c.axis = DVec2::new(0.6, 0.8));
         assert_eq!(oriented(&cells, &links, |cell| cell.axis), cells);
         // With the reversed flow all are reversed.
@@ -232,13 +232,13 @@ mod tests {
 
     #[test]
     fn squares_beside_ellipses_give_way() {
-        let (mut cells, links) = ring(Kind::Square, 12);
+        let (mut cells, links) = ring(CellKind::Square, 12);
         for cell in &mut cells {
             cell.axis = if cell.id < 6 { DVec2::X } else { DVec2::Y };
             cell.kind = if cell.id < 6 {
-                Kind::Square
+                CellKind::Square
             } else {
-                Kind::Ellipse
+                CellKind::Ellipse
             };
         }
         let flow = oriented(&cells, &links, |cell| cell.axis);

@@ -1,6 +1,6 @@
 //! A cell on a surface.
 
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::trimesh::SurfacePoint;
 use glam::{DVec2, DVec3};
 
@@ -10,7 +10,7 @@ pub struct SurfaceCell {
     /// The particle it belongs to.
     pub id: u32,
     /// Its shape.
-    pub kind: Kind,
+    pub kind: CellKind,
     /// Its particle's centre.
     pub centre: SurfacePoint,
     /// Unit vector along a side, in the frame of the centre; zero where the direction field vanishes.

@@ -30,11 +30,11 @@ pub(super) struct Divided {
     /// The neighbours of all vertices, one list after the other.
     start: Vec<u32>,
     near: Vec<u32>,
-    next: Next,
+    next: DividedPhase,
 }
 
 /// The next slice of work.
-enum Next {
+enum DividedPhase {
     Copy,
     Put,
     Count,
@@ -59,14 +59,14 @@ impl Divided {
             pieces: Vec::new(),
             start: Vec::new(),
             near: Vec::new(),
-            next: Next::Copy,
+            next: DividedPhase::Copy,
         }
     }
 
     /// Does one more slice; true when done.
     pub fn advance(&mut self, mesh: &TriMesh, cells: &[SurfaceParticle]) -> bool {
         self.next = match self.next {
-            Next::Copy => {
+            DividedPhase::Copy => {
                 let all = mesh.triangles();
                 let from = self.triangles.len();
                 let to = all.len().min(from + TRIANGLES);
@@ -74,41 +74,41 @@ impl Divided {
                 let across = |t: usize| [0, 1, 2].map(|k| beyond(mesh, t as u32, k));
                 self.across.extend((from..to).map(across));
                 if to < all.len() {
-                    Next::Copy
+                    DividedPhase::Copy
                 } else {
-                    Next::Put
+                    DividedPhase::Put
                 }
             }
-            Next::Put => {
+            DividedPhase::Put => {
                 let end = self.order.len().min(self.put + CELLS);
                 while self.put < end {
                     self.put_next(mesh, cells);
                 }
                 if end < self.order.len() {
-                    Next::Put
+                    DividedPhase::Put
                 } else {
-                    Next::Count
+                    DividedPhase::Count
                 }
             }
-            Next::Count => {
+            DividedPhase::Count => {
                 self.count(self.vertices + cells.len());
-                Next::Fill(0)
+                DividedPhase::Fill(0)
             }
-            Next::Fill(from) => {
+            DividedPhase::Fill(from) => {
                 let to = self.triangles.len().min(from + TRIANGLES);
                 self.fill(from, to);
                 if to < self.triangles.len() {
-                    Next::Fill(to)
+                    DividedPhase::Fill(to)
                 } else {
                     // Filling has moved each start to its end: move them back by one place.
                     self.start.rotate_right(1);
                     self.start[0] = 0;
-                    Next::Nothing
+                    DividedPhase::Nothing
                 }
             }
-            Next::Nothing => Next::Nothing,
+            DividedPhase::Nothing => DividedPhase::Nothing,
         };
-        matches!(self.next, Next::Nothing)
+        matches!(self.next, DividedPhase::Nothing)
     }
 
     /// The vertices joined with this one by an edge.

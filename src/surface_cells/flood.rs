@@ -7,8 +7,8 @@
 use super::divided::Divided;
 use crate::order;
 use crate::surface_packing::SurfaceParticle;
-use crate::trimesh::frame::{apart, way_in};
-use crate::trimesh::{Frame, NONE, TriMesh};
+use crate::trimesh::frame::{apart, log_in};
+use crate::trimesh::{NONE, TangentFrame, TriMesh};
 use glam::DVec3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -17,8 +17,8 @@ use std::collections::BinaryHeap;
 const ASKED: usize = 10_000;
 
 /// A cell with its metric.
-struct Source {
-    frame: Frame,
+struct FloodSource {
+    frame: TangentFrame,
     at: DVec3,
     /// Weights of the squares along the frame's two axes: stretch over squared size.
     along: f64,
@@ -26,14 +26,14 @@ struct Source {
     size: f64,
 }
 
-impl Source {
+impl FloodSource {
     fn new(cell: &SurfaceParticle) -> Self {
         let frame = cell.centre.frame();
         let x = frame.out(cell.axis).normalize_or(frame.x);
         let (size, normal) = (cell.size, frame.normal);
         let y = normal.cross(x);
         Self {
-            frame: Frame { x, y, normal },
+            frame: TangentFrame { x, y, normal },
             at: cell.centre.at,
             along: 1.0 / (cell.aspect * size * size),
             across: cell.aspect / (size * size),
@@ -47,7 +47,7 @@ impl Source {
         if self.along == self.across {
             return Some(apart(self.at, self.frame.normal, at, normal)? * self.along);
         }
-        let to = way_in(&self.frame, self.at, at, normal)?;
+        let to = log_in(&self.frame, self.at, at, normal)?;
         Some(to.x * to.x * self.along + to.y * to.y * self.across)
     }
 }
@@ -56,7 +56,7 @@ impl Source {
 pub(super) struct Flood {
     /// For each vertex the cell that it belongs to.
     pub label: Vec<u32>,
-    sources: Vec<Source>,
+    sources: Vec<FloodSource>,
     /// Candidates, the nearest first: squared distance, cell and vertex.
     open: BinaryHeap<Reverse<(u64, u64)>>,
     /// For each vertex the last two cells that are candidates for it.
@@ -69,7 +69,7 @@ impl Flood {
         let count = divided.vertices + cells.len();
         let mut flood = Self {
             label: vec![NONE; count],
-            sources: cells.iter().map(Source::new).collect(),
+            sources: cells.iter().map(FloodSource::new).collect(),
             open: BinaryHeap::with_capacity(count),
             askers: vec![[NONE; 2]; count],
         };

@@ -8,11 +8,11 @@ use super::flips::Flips;
 use super::flood::Flood;
 use super::junctions::Junctions;
 use super::nodes::SurfaceNodes;
-use super::rings::{Links, Ring};
+use super::rings::{CornerRing, RingInputs};
 use super::smooth::settle;
 use super::straighten::{Straightening, Table};
 use crate::mesh::Smoothing;
-use crate::mesh::patch::{Goal, On, Search};
+use crate::mesh::patch::{Goal, PatchSearch, SearchInputs};
 use crate::mesh::quads::{Faces, Pairing, is_lone};
 use crate::mesh::requad::STANDARDS;
 use crate::mesh::triangles::Triangles;
@@ -82,12 +82,12 @@ pub struct SurfaceMeshing {
     bends: Bends,
     borders: Vec<Border>,
     crossings: Vec<Crossing>,
-    rings: Vec<Option<Ring>>,
-    step: Option<Step>,
+    rings: Vec<Option<CornerRing>>,
+    step: Option<MeshingPhase>,
 }
 
 /// The step of the work.
-enum Step {
+enum MeshingPhase {
     Begin,
     Divide(Divided),
     Flood(Divided, Flood),
@@ -103,7 +103,7 @@ enum Step {
     Straighten(Straightening),
     /// Steps for the mesh.
     Mesh(Pairing),
-    Join(usize, Search),
+    Join(usize, PatchSearch),
     Smooth(usize, Smoothing),
     Settle(usize),
     Finish,
@@ -128,7 +128,7 @@ impl SurfaceMeshing {
             borders: Vec::new(),
             crossings: Vec::new(),
             rings: Vec::new(),
-            step: Some(Step::Begin),
+            step: Some(MeshingPhase::Begin),
         }
     }
 
@@ -136,7 +136,7 @@ impl SurfaceMeshing {
     pub fn advance(&mut self, mesh: &TriMesh) -> Option<SurfaceMesh> {
         let step = self.step.take()?;
         let next = self.work(mesh, step);
-        if matches!(next, Step::Finish) {
+        if matches!(next, MeshingPhase::Finish) {
             self.finish();
             return Some(std::mem::take(&mut self.made));
         }
@@ -144,121 +144,121 @@ impl SurfaceMeshing {
         None
     }
 
-    fn work(&mut self, mesh: &TriMesh, step: Step) -> Step {
+    fn work(&mut self, mesh: &TriMesh, step: MeshingPhase) -> MeshingPhase {
         let nodes = &self.nodes;
         let cells = &self.made.cells;
         match step {
-            Step::Begin => {
+            MeshingPhase::Begin => {
                 self.nodes = SurfaceNodes::new(cells);
-                Step::Divide(Divided::new(mesh, cells))
+                MeshingPhase::Divide(Divided::new(mesh, cells))
             }
-            Step::Divide(mut divided) => {
+            MeshingPhase::Divide(mut divided) => {
                 if !divided.advance(mesh, cells) {
-                    return Step::Divide(divided);
+                    return MeshingPhase::Divide(divided);
                 }
                 let flood = Flood::new(&divided, cells);
-                Step::Flood(divided, flood)
+                MeshingPhase::Flood(divided, flood)
             }
-            Step::Flood(divided, mut flood) => {
+            MeshingPhase::Flood(divided, mut flood) => {
                 if !flood.advance(mesh, &divided) {
-                    return Step::Flood(divided, flood);
+                    return MeshingPhase::Flood(divided, flood);
                 }
                 self.label = flood.label;
-                Step::Junctions(divided, Junctions::default())
+                MeshingPhase::Junctions(divided, Junctions::default())
             }
-            Step::Junctions(divided, mut junctions) => {
+            MeshingPhase::Junctions(divided, mut junctions) => {
                 let Some(triangles) = junctions.advance(&divided, &self.label) else {
-                    return Step::Junctions(divided, junctions);
+                    return MeshingPhase::Junctions(divided, junctions);
                 };
                 self.triangles = triangles;
-                Step::Places(divided, junctions.places)
+                MeshingPhase::Places(divided, junctions.places)
             }
-            Step::Places(divided, triangles) => {
+            MeshingPhase::Places(divided, triangles) => {
                 let from = self.places.len();
                 let to = triangles.len().min(from + PLACES);
                 let places = triangles[from..to].iter();
                 let places = places.map(|&t| divided.middle(mesh, cells, t));
                 self.places.extend(places);
                 if to < triangles.len() {
-                    return Step::Places(divided, triangles);
+                    return MeshingPhase::Places(divided, triangles);
                 }
                 self.nodes.meetings.add(&self.triangles, &self.places);
-                Step::Flips(Flips::new(&self.nodes, &self.triangles))
+                MeshingPhase::Flips(Flips::new(&self.nodes, &self.triangles))
             }
-            Step::Flips(mut flips) => {
+            MeshingPhase::Flips(mut flips) => {
                 if !flips.advance(nodes, &mut self.triangles) {
-                    return Step::Flips(flips);
+                    return MeshingPhase::Flips(flips);
                 }
                 // After a flip both triangles are about where they were.
                 self.nodes.meetings.add(&self.triangles, &self.places);
-                Step::Pairs(Pairing::default())
+                MeshingPhase::Pairs(Pairing::default())
             }
-            Step::Pairs(mut pairing) => {
+            MeshingPhase::Pairs(mut pairing) => {
                 if !pairing.advance(nodes, &self.triangles, |_| false, PAIRS) {
-                    return Step::Pairs(pairing);
+                    return MeshingPhase::Pairs(pairing);
                 }
                 self.faces = pairing.finish(self.nodes.points.len(), &self.triangles, corners);
-                Step::Middles
+                MeshingPhase::Middles
             }
-            Step::Mesh(mut pairing) => {
+            MeshingPhase::Mesh(mut pairing) => {
                 if !pairing.advance(nodes, &self.triangles, |_| false, PAIRS) {
-                    return Step::Mesh(pairing);
+                    return MeshingPhase::Mesh(pairing);
                 }
                 self.faces = pairing.finish(self.nodes.points.len(), &self.triangles, |_| FEWEST);
                 self.join(0)
             }
-            Step::Join(number, mut search) => {
-                let on = On {
+            MeshingPhase::Join(number, mut search) => {
+                let on = SearchInputs {
                     nodes,
                     keep: |_| false,
                 };
                 if !search.advance(&on, WORK) {
-                    return Step::Join(number, search);
+                    return MeshingPhase::Join(number, search);
                 }
                 self.faces = search.finish();
-                Step::Smooth(number, Smoothing::new(&self.faces.faces, self.free()))
+                MeshingPhase::Smooth(number, Smoothing::new(&self.faces.faces, self.free()))
             }
-            Step::Smooth(number, mut smoothing) => {
+            MeshingPhase::Smooth(number, mut smoothing) => {
                 if !smoothing.advance(&mut self.nodes, &self.faces.faces, TRIED) {
-                    return Step::Smooth(number, smoothing);
+                    return MeshingPhase::Smooth(number, smoothing);
                 }
                 self.join(number + 1)
             }
-            Step::Settle(from) => {
+            MeshingPhase::Settle(from) => {
                 let to = cells.len().min(from + WALKS);
                 settle(mesh, &mut self.nodes, from, to, |k| cells[k].centre);
                 if to < cells.len() {
-                    Step::Settle(to)
+                    MeshingPhase::Settle(to)
                 } else {
-                    Step::Finish
+                    MeshingPhase::Finish
                 }
             }
-            Step::Middles => self.middles(mesh),
-            Step::Borders => {
+            MeshingPhase::Middles => self.middles(mesh),
+            MeshingPhase::Borders => {
                 self.bends = Bends::new(mesh, cells, &self.faces, &mut self.made.corners);
                 self.made.inner = self.made.corners.len();
                 self.borders = Border::all(mesh);
                 self.crossings = crossings(&self.borders, &self.label, cells);
                 let point = |c: &Crossing| self.borders[c.border as usize].point(mesh, c.at);
                 self.made.corners.extend(self.crossings.iter().map(point));
-                Step::Rings(0)
+                MeshingPhase::Rings(0)
             }
-            Step::Rings(from) => self.rings(mesh, from),
-            Step::Shapes => Step::Straighten(Straightening::new(&self.table())),
-            Step::Straighten(mut straightening) => {
+            MeshingPhase::Rings(from) => self.rings(mesh, from),
+            MeshingPhase::Shapes => MeshingPhase::Straighten(Straightening::new(&self.table())),
+            MeshingPhase::Straighten(mut straightening) => {
                 let table = self.table();
                 if !straightening.advance(&table) {
-                    return Step::Straighten(straightening);
+                    return MeshingPhase::Straighten(straightening);
                 }
                 self.made.corners = straightening.finish(mesh, &table);
                 self.mesh()
             }
-            Step::Finish => Step::Finish,
+            MeshingPhase::Finish => MeshingPhase::Finish,
         }
     }
 
     /// Begins the next search that joins lone triangles, unless there are few enough.
-    fn join(&mut self, number: usize) -> Step {
+    fn join(&mut self, number: usize) -> MeshingPhase {
         let lone = self.faces.faces.iter();
         let lone = lone.filter(|f| is_lone(&self.nodes, f)).count();
         let few = (FEW_TRIANGLES * self.faces.faces.len() as f64 + SINGULAR) as usize;
@@ -269,14 +269,14 @@ impl SurfaceMeshing {
                     few,
                     least: FEWEST as i32,
                 };
-                let on = On {
+                let on = SearchInputs {
                     nodes: &self.nodes,
                     keep: (),
                 };
                 let faces = std::mem::take(&mut self.faces);
-                Step::Join(number, Search::new(&on, faces, goal))
+                MeshingPhase::Join(number, PatchSearch::new(&on, faces, goal))
             }
-            _ => Step::Settle(0),
+            _ => MeshingPhase::Settle(0),
         }
     }
 
@@ -294,15 +294,15 @@ impl SurfaceMeshing {
     }
 
     /// The step after the cells: the mesh, if it is wanted.
-    fn mesh(&self) -> Step {
+    fn mesh(&self) -> MeshingPhase {
         if self.polish.join {
-            Step::Mesh(Pairing::default())
+            MeshingPhase::Mesh(Pairing::default())
         } else {
-            Step::Finish
+            MeshingPhase::Finish
         }
     }
 
-    fn middles(&mut self, mesh: &TriMesh) -> Step {
+    fn middles(&mut self, mesh: &TriMesh) -> MeshingPhase {
         let from = self.made.corners.len();
         let to = self.faces.faces.len().min(from + MIDDLES);
         for face in &self.faces.faces[from..to] {
@@ -310,16 +310,16 @@ impl SurfaceMeshing {
             self.made.corners.push(place);
         }
         if to < self.faces.faces.len() {
-            Step::Middles
+            MeshingPhase::Middles
         } else {
-            Step::Borders
+            MeshingPhase::Borders
         }
     }
 
-    fn rings(&mut self, mesh: &TriMesh, from: usize) -> Step {
+    fn rings(&mut self, mesh: &TriMesh, from: usize) -> MeshingPhase {
         let first = self.made.inner as u32;
         let lines = (&self.borders[..], &self.crossings[..]);
-        let links = Links::new(
+        let links = RingInputs::new(
             mesh,
             &self.made.cells,
             &self.faces,
@@ -333,7 +333,7 @@ impl SurfaceMeshing {
             self.rings.push(ring);
         }
         if to < self.made.cells.len() {
-            return Step::Rings(to);
+            return MeshingPhase::Rings(to);
         }
         for border in &self.borders {
             if let Some(cell) = border.only(&self.label)
@@ -346,7 +346,7 @@ impl SurfaceMeshing {
         if !self.polish.straighten {
             return self.mesh();
         }
-        Step::Shapes
+        MeshingPhase::Shapes
     }
 
     fn table(&self) -> Table<'_> {

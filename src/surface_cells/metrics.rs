@@ -4,8 +4,8 @@
 
 use crate::order;
 use crate::surface_cells::SurfaceMesh;
-use crate::trimesh::frame::way_in;
-use crate::trimesh::{Frame, SurfacePoint, TriMesh};
+use crate::trimesh::frame::log_in;
+use crate::trimesh::{SurfacePoint, TangentFrame, TriMesh};
 use glam::{DVec2, DVec3};
 
 /// Samples for each cell.
@@ -105,7 +105,7 @@ fn flattened(made: &SurfaceMesh, centre: &SurfacePoint, ring: &[u32]) -> Option<
     let frame = centre.frame();
     let seen = |&k: &u32| {
         let corner = &made.corners[k as usize];
-        way_in(&frame, centre.at, corner.at, corner.normal)
+        log_in(&frame, centre.at, corner.at, corner.normal)
     };
     let flat: Vec<DVec2> = ring.iter().map(seen).collect::<Option<_>>()?;
     (flat.len() >= 3).then_some(flat)
@@ -212,12 +212,12 @@ fn samples(mesh: &TriMesh, count: f64) -> Vec<SurfacePoint> {
 fn cover(mesh: &TriMesh, made: &SurfaceMesh) -> (f64, f64) {
     let samples = samples(mesh, SAMPLES * made.cells.len() as f64);
     let beside = beside(made);
-    let polygons: Vec<Polygon> = made
+    let polygons: Vec<SurfacePolygon> = made
         .cells
         .iter()
         .zip(&made.rings)
         .filter(|(_, ring)| !ring.is_empty())
-        .map(|(cell, ring)| Polygon::new(made, cell.centre, ring, &beside))
+        .map(|(cell, ring)| SurfacePolygon::new(made, cell.centre, ring, &beside))
         .collect();
     let sum: f64 = polygons.iter().map(|p| p.radius).sum();
     let step = (sum / polygons.len().max(1) as f64).max(1e-9 * mesh.diagonal());
@@ -271,16 +271,16 @@ fn beside(made: &SurfaceMesh) -> Vec<(u64, u32)> {
 /// The test for the side of a line projects along a normal: the mean of those at its ends, of the cells beside it,
 /// and of the point. It is the same for both cells. (The normal of a rim alone is never quite upright: projected
 /// along it, a point far down one side of the sheet would lie beyond the rim.)
-struct Polygon {
+struct SurfacePolygon {
     centre: SurfacePoint,
-    frame: Frame,
+    frame: TangentFrame,
     radius: f64,
     /// For each corner: its place, the normal along which its spoke is projected, and that for the side to the next
     /// corner.
     ring: Vec<[DVec3; 3]>,
 }
 
-impl Polygon {
+impl SurfacePolygon {
     fn new(made: &SurfaceMesh, centre: SurfacePoint, ring: &[u32], beside: &[(u64, u32)]) -> Self {
         let n = ring.len();
         let corner = |k: usize| {
@@ -310,7 +310,7 @@ impl Polygon {
         let centre = self.centre.at;
         let n = self.ring.len();
         if p.at.distance(centre) > self.radius
-            || way_in(&self.frame, centre, p.at, p.normal).is_none()
+            || log_in(&self.frame, centre, p.at, p.normal).is_none()
         {
             return false;
         }

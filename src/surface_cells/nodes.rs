@@ -4,7 +4,7 @@ use super::middles::{Meetings, outward};
 use crate::mesh::{Metric, Node, Nodes};
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::frame::{arc_over_chord, rotated};
-use crate::trimesh::{Frame, SurfacePoint};
+use crate::trimesh::{SurfacePoint, TangentFrame};
 use glam::{DVec2, DVec3};
 
 /// A node is on the other side of a sheet if the cosine between its normal and that of others is less.
@@ -56,7 +56,7 @@ impl Nodes for SurfaceNodes {
 impl SurfaceNodes {
     /// Lays nodes that are near each other into one plane. Returns its frame and the nodes, or nothing if the normals
     /// have no common direction.
-    pub fn plane<const N: usize>(&self, which: [u32; N]) -> Option<(Frame, [Node; N])> {
+    pub fn plane<const N: usize>(&self, which: [u32; N]) -> Option<(TangentFrame, [Node; N])> {
         // Sum in one order, so that the plane has the same bits.
         let mut sorted = which;
         sorted.sort_unstable();
@@ -85,7 +85,7 @@ impl SurfaceNodes {
                 }
             }
         };
-        let frame = Frame::of(normal);
+        let frame = TangentFrame::of(normal);
         let nodes = which.map(|node| {
             let k = node as usize;
             let point = &self.points[k];
@@ -138,8 +138,8 @@ struct Beyond {
 
 impl Beyond {
     /// Its place in the plane of the others: as far beyond the rim as along the surface.
-    fn laid(&self, frame: &Frame, middle: DVec3, own: &SurfacePoint) -> DVec2 {
-        let rim = Frame::of(self.rim.normal);
+    fn laid(&self, frame: &TangentFrame, middle: DVec3, own: &SurfacePoint) -> DVec2 {
+        let rim = TangentFrame::of(self.rim.normal);
         let on = rim.out(laid(&rim, self.rim.at, own));
         let on = frame.within(rotated(on, rim.normal, frame.normal));
         laid(frame, middle, &self.rim) + on
@@ -148,7 +148,7 @@ impl Beyond {
 
 /// Lays a point into a plane. Its direction is that after the surface there is turned into the plane; its distance
 /// from the middle is that along the surface.
-fn laid(frame: &Frame, middle: DVec3, p: &SurfacePoint) -> DVec2 {
+fn laid(frame: &TangentFrame, middle: DVec3, p: &SurfacePoint) -> DVec2 {
     let r = p.at - middle;
     let flat = frame.within(rotated(r, p.normal, frame.normal));
     let along = flat.length();

@@ -12,7 +12,7 @@ use crate::trimesh::{NONE, SurfacePoint, TriMesh};
 const MOST_LINKS: usize = 100_000;
 
 /// The inputs of rings.
-pub(super) struct Links<'a> {
+pub(super) struct RingInputs<'a> {
     pub mesh: &'a TriMesh,
     pub cells: &'a [SurfaceParticle],
     pub faces: &'a Faces,
@@ -33,7 +33,7 @@ pub(super) struct Links<'a> {
 
 /// A ring as indices into the table of corners, and whether it runs along the border.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Ring {
+pub(super) struct CornerRing {
     pub corners: Vec<u32>,
     pub on_border: bool,
 }
@@ -47,7 +47,7 @@ enum At {
     Crossing(u32),
 }
 
-impl<'a> Links<'a> {
+impl<'a> RingInputs<'a> {
     pub fn new(
         mesh: &'a TriMesh,
         cells: &'a [SurfaceParticle],
@@ -93,8 +93,8 @@ impl<'a> Links<'a> {
 
     /// The ring of a cell. Nothing if there is no closed chain of at least three corners. Corners of the border
     /// within this cell are appended to the table.
-    pub fn ring(&self, cell: u32, table: &mut Vec<SurfacePoint>) -> Option<Ring> {
-        let mut ring = Ring::default();
+    pub fn ring(&self, cell: u32, table: &mut Vec<SurfacePoint>) -> Option<CornerRing> {
+        let mut ring = CornerRing::default();
         let start = match (self.element[cell as usize], self.crossing[cell as usize]) {
             (NONE, NONE) => return None,
             (NONE, x) => At::Crossing(x),
@@ -129,7 +129,12 @@ impl<'a> Links<'a> {
     }
 
     /// The ring of a cell that has a whole border to itself.
-    pub fn whole(&self, border: &Border, cell: u32, table: &mut Vec<SurfacePoint>) -> Option<Ring> {
+    pub fn whole(
+        &self,
+        border: &Border,
+        cell: u32,
+        table: &mut Vec<SurfacePoint>,
+    ) -> Option<CornerRing> {
         let corners = border.between(0.0, 0.0, self.cells[cell as usize].size);
         let first = table.len() as u32;
         if corners.len() < 2 {
@@ -143,7 +148,7 @@ impl<'a> Links<'a> {
                 .map(|k| border.corner(self.mesh, k)),
         );
         let corners: Vec<u32> = (first..table.len() as u32).collect();
-        (corners.len() >= 3).then_some(Ring {
+        (corners.len() >= 3).then_some(CornerRing {
             corners,
             on_border: true,
         })

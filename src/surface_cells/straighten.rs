@@ -4,12 +4,12 @@
 //! want, in its own tangent plane or along the border. Corners walk over the surface only at the end.
 
 use super::borders::{Border, Crossing};
-use super::rings::Ring;
+use super::rings::CornerRing;
 use crate::cells::{CORNER, PACE, ROOM, ROUNDS, rectangle};
 use crate::csr::Csr;
 use crate::surface_packing::SurfaceParticle;
-use crate::trimesh::frame::{rotated, way_in};
-use crate::trimesh::{Frame, SurfacePoint, TriMesh};
+use crate::trimesh::frame::{log_in, rotated};
+use crate::trimesh::{SurfacePoint, TangentFrame, TriMesh};
 use glam::{DVec2, DVec3};
 
 /// A cell is folded over a rim at a corner if the cosine between their normals is less than this. Such a cell wants
@@ -19,7 +19,7 @@ const FOLDED: f64 = 0.3;
 /// The straightening of cells, in rounds.
 pub(super) struct Straightening {
     /// The frames of the cells, with their axes along x.
-    frames: Vec<Frame>,
+    frames: Vec<TangentFrame>,
     /// The four corners of each cell that has exactly four.
     quads: Vec<Option<[u32; 4]>>,
     /// The current places of corners, on or beside the surface.
@@ -42,7 +42,7 @@ const ASKING: usize = 2000;
 /// The inputs of straightening.
 pub(super) struct Table<'a> {
     pub cells: &'a [SurfaceParticle],
-    pub rings: &'a [Option<Ring>],
+    pub rings: &'a [Option<CornerRing>],
     pub corners: &'a [SurfacePoint],
     pub borders: &'a [Border],
     pub crossings: &'a [Crossing],
@@ -165,7 +165,7 @@ impl Straightening {
     fn seen(&self, table: &Table, cell: usize, corner: u32) -> Option<DVec2> {
         let corner = corner as usize;
         let normal = table.corners[corner].normal;
-        way_in(
+        log_in(
             &self.frames[cell],
             table.cells[cell].centre.at,
             self.points[corner],
@@ -296,10 +296,10 @@ impl Straightening {
 }
 
 /// The frame of a cell, with its axis along x.
-fn frame_of(cell: &SurfaceParticle) -> Frame {
+fn frame_of(cell: &SurfaceParticle) -> TangentFrame {
     let frame = cell.centre.frame();
     let x = frame.out(cell.axis).normalize_or(frame.x);
-    Frame {
+    TangentFrame {
         x,
         y: frame.normal.cross(x),
         normal: frame.normal,

@@ -4,7 +4,7 @@ mod packed;
 mod shapes;
 
 use super::*;
-use crate::field::Kind;
+use crate::field::CellKind;
 use glam::DVec3;
 use shapes::{ball, boxed, build, cells, check, on_ball, on_torus, patch, torus};
 
@@ -18,7 +18,7 @@ fn squares_on_a_flat_square_are_the_squares() {
         (DVec3::new(i + 0.5, j + 0.5, 0.0), DVec3::X)
     };
     let places: Vec<_> = (0..100).map(at).collect();
-    let made = build(&mesh, cells(&mesh, &places, Kind::Square, 1.0, 1.0));
+    let made = build(&mesh, cells(&mesh, &places, CellKind::Square, 1.0, 1.0));
     let figures = check("flat", &mesh, &made);
     assert_eq!(
         (figures.rings, figures.quads, made.elements.len()),
@@ -38,7 +38,7 @@ fn a_row_of_cells_and_a_lone_one_are_covered() {
         });
         let at = |k: u32| (DVec3::new(f64::from(k) + 0.5, 0.5 * width, 0.0), DVec3::X);
         let places: Vec<_> = (0..count).map(at).collect();
-        let made = build(&mesh, cells(&mesh, &places, Kind::Square, 1.0, 1.0));
+        let made = build(&mesh, cells(&mesh, &places, CellKind::Square, 1.0, 1.0));
         let figures = check("row", &mesh, &made);
         assert_eq!(figures.rings, count as usize);
         assert!(made.elements.is_empty());
@@ -57,7 +57,7 @@ fn rows_on_a_torus_close() {
             places.push((on_torus(u, v), on_torus(u + 1e-3, v) - on_torus(u, v)));
         }
     }
-    let made = build(&mesh, cells(&mesh, &places, Kind::Square, 0.314, 1.0));
+    let made = build(&mesh, cells(&mesh, &places, CellKind::Square, 0.314, 1.0));
     let figures = check("torus", &mesh, &made);
     assert_eq!((figures.euler, figures.rings), (0, 1200));
     assert_eq!(figures.quads, 1.0);
@@ -68,13 +68,13 @@ fn rows_on_a_torus_close() {
 fn meshes_on_a_ball_are_balls() {
     let mesh = ball(40);
     for (count, kind) in [
-        (1000, Kind::Circle),
-        (1000, Kind::Square),
-        (200, Kind::Square),
-        (40, Kind::Circle),
-        (12, Kind::Square),
-        (6, Kind::Square),
-        (4, Kind::Circle),
+        (1000, CellKind::Circle),
+        (1000, CellKind::Square),
+        (200, CellKind::Square),
+        (40, CellKind::Circle),
+        (12, CellKind::Square),
+        (6, CellKind::Square),
+        (4, CellKind::Circle),
     ] {
         let size = (4.0 * std::f64::consts::PI / f64::from(count)).sqrt();
         let places = on_ball(count, 0.1 * size);
@@ -93,7 +93,7 @@ fn meshes_on_a_ball_are_balls() {
 fn stretched_cells_need_few_flips_and_close() {
     let mesh = ball(40);
     let size = (4.0 * std::f64::consts::PI / 800.0).sqrt();
-    for kind in [Kind::Rectangle, Kind::Ellipse] {
+    for kind in [CellKind::Rectangle, CellKind::Ellipse] {
         let made = build(&mesh, cells(&mesh, &on_ball(800, 0.1), kind, size, 2.0));
         let figures = check("stretched", &mesh, &made);
         assert_eq!(figures.euler, 2);
@@ -110,7 +110,7 @@ fn cells_on_a_thin_plate_stay_on_their_side() {
             places.push((DVec3::new(i + 0.5, j + 0.5, z), DVec3::X));
         }
     }
-    let made = build(&mesh, cells(&mesh, &places, Kind::Square, 1.0, 1.0));
+    let made = build(&mesh, cells(&mesh, &places, CellKind::Square, 1.0, 1.0));
     let figures = check("plate", &mesh, &made);
     assert_eq!((figures.euler, figures.rings), (2, 32));
     assert!(
@@ -136,7 +136,7 @@ fn a_cube_is_covered_over_its_edges() {
             }
         }
     }
-    let square = cells(&mesh, &places, Kind::Square, 1.0, 1.0);
+    let square = cells(&mesh, &places, CellKind::Square, 1.0, 1.0);
     for (join, straighten) in [(false, false), (false, true), (true, false)] {
         let polish = Polish { join, straighten };
         check(

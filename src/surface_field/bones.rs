@@ -20,7 +20,7 @@ const FADE: f64 = 4.0;
 
 /// The constraint of all bones at a place, but for the direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct BoneWord {
+pub(super) struct BoneConstraint {
     /// How near the nearest bone is: 1 within its radius, falling to 0 beyond it.
     pub near: f64,
     /// How far along the bones the place is, from head (0) to tail (1): the mean over all bones by their weights.
@@ -28,7 +28,7 @@ pub(super) struct BoneWord {
 }
 
 #[derive(Clone, Debug)]
-struct Segment {
+struct BoneSegment {
     from: DVec3,
     by: DVec3,
     /// One over the squared length.
@@ -41,14 +41,14 @@ struct Segment {
 /// All bones of a body, prepared for queries.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bones {
-    bones: Vec<Vec<Segment>>,
+    bones: Vec<Vec<BoneSegment>>,
     /// For each bone, bounding balls around its groups of segments: centre and radius.
     balls: Vec<Vec<(DVec3, f64)>>,
 }
 
 /// The closest point of a bone.
 #[derive(Clone, Copy, Debug)]
-struct Foot {
+struct ClosestBonePoint {
     square: f64,
     segment: usize,
     t: f64,
@@ -95,8 +95,8 @@ impl Bones {
         best.1
     }
 
-    fn foot(&self, bone: usize, p: DVec3) -> Foot {
-        let mut best = Foot {
+    fn foot(&self, bone: usize, p: DVec3) -> ClosestBonePoint {
+        let mut best = ClosestBonePoint {
             square: f64::INFINITY,
             segment: 0,
             t: 0.0,
@@ -111,7 +111,7 @@ impl Bones {
                 let t = ((p - s.from).dot(s.by) * s.inverse).clamp(0.0, 1.0);
                 let square = p.distance_squared(s.from + t * s.by);
                 if square < best.square {
-                    best = Foot {
+                    best = ClosestBonePoint {
                         square,
                         segment: g * GROUP + k,
                         t,
@@ -125,7 +125,7 @@ impl Bones {
 
     /// Queries the bones at a place. `said` gets each bone's weight, in sum 1, and its unit direction. A weight is
     /// proportional to exp(-(d / radius)^2), so directions blend smoothly from one bone to the next.
-    pub fn ask(&self, p: DVec3, mut said: impl FnMut(f64, DVec3)) -> BoneWord {
+    pub fn ask(&self, p: DVec3, mut said: impl FnMut(f64, DVec3)) -> BoneConstraint {
         let mut feet = [(f64::INFINITY, 0, 0.0); MOST];
         let mut least = f64::INFINITY;
         for (k, foot_of) in feet.iter_mut().enumerate().take(self.bones.len()) {
@@ -152,7 +152,7 @@ impl Bones {
             }
         }
         let beyond = (least - 1.0).max(0.0) / FADE;
-        BoneWord {
+        BoneConstraint {
             near: libm::exp(-beyond),
             along,
         }
@@ -170,7 +170,7 @@ fn mixed([a, b]: [f64; 2], t: f64) -> f64 {
     a + (b - a) * t
 }
 
-fn segments(bone: &Bone, start: f64, plain: f64) -> Vec<Segment> {
+fn segments(bone: &Bone, start: f64, plain: f64) -> Vec<BoneSegment> {
     let mut points: Vec<(DVec3, f64)> = Vec::new();
     for (k, &p) in bone.points.iter().enumerate() {
         let radius = bone.radii.get(k).or(bone.radii.last()).copied();
@@ -194,7 +194,7 @@ fn segments(bone: &Bone, start: f64, plain: f64) -> Vec<Segment> {
         let ((from, r), (to, s)) = (points[k], points[k + 1]);
         let by = to - from;
         let next = along + by.length();
-        segments.push(Segment {
+        segments.push(BoneSegment {
             from,
             by,
             inverse: 1.0 / by.length_squared(),
@@ -207,7 +207,7 @@ fn segments(bone: &Bone, start: f64, plain: f64) -> Vec<Segment> {
     segments
 }
 
-fn ball(segments: &[Segment]) -> (DVec3, f64) {
+fn ball(segments: &[BoneSegment]) -> (DVec3, f64) {
     let ends = || segments.iter().flat_map(|s| [s.from, s.from + s.by]);
     let middle = ends().sum::<DVec3>() / (2 * segments.len()) as f64;
     let radius = ends().map(|p| p.distance(middle)).fold(0.0, f64::max);

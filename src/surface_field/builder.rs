@@ -1,15 +1,15 @@
 //! Builds the fields of a surface in slices.
 
 use super::bones::{BoneSource, Bones};
-use super::sizes::{self, Ground, Sizes};
+use super::sizes::{self, SizeInputs, Sizes};
 use super::smoothing::Smoothing;
 use super::sources::{self, NO_SOURCE, Sources, bone_source};
 use super::system::System;
 use super::{Along, SurfaceFieldParams, SurfaceFields, symmetry_of};
 use crate::field::symmetry::direction_of;
 use crate::trimesh::TriMesh;
+use crate::trimesh::adjacency::{Adjacency, AdjacencyBuilder};
 use crate::trimesh::curvature::Curvatures;
-use crate::trimesh::links::{Links, LinksBuilder};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
@@ -22,8 +22,8 @@ pub struct SurfaceFieldBuilder {
     mesh: Arc<TriMesh>,
     params: SurfaceFieldParams,
     symmetry: u32,
-    stage: Stage,
-    links: Links,
+    stage: FieldsPhase,
+    links: Adjacency,
     bones: Bones,
     heard: Vec<BoneSource>,
     fields: SurfaceFields,
@@ -37,8 +37,8 @@ pub struct SurfaceFieldBuilder {
 }
 
 #[derive(Clone, Debug)]
-enum Stage {
-    Links(LinksBuilder),
+enum FieldsPhase {
+    Links(AdjacencyBuilder),
     /// Vertices whose neighbours still have to get their part's number.
     Parts(Vec<u32>),
     Curvature(Curvatures),
@@ -60,8 +60,8 @@ impl SurfaceFieldBuilder {
         let bones = Bones::new(&params.bones, mesh.diagonal());
         Self {
             symmetry: symmetry_of(params.kind),
-            stage: Stage::Links(LinksBuilder::new(&mesh)),
-            links: Links::default(),
+            stage: FieldsPhase::Links(AdjacencyBuilder::new(&mesh)),
+            links: Adjacency::default(),
             bones,
             heard: Vec::new(),
             fields: SurfaceFields::empty(mesh.clone(), &params),
@@ -83,11 +83,11 @@ impl SurfaceFieldBuilder {
     pub fn is_sized(&self) -> bool {
         !matches!(
             self.stage,
-            Stage::Links(_)
-                | Stage::Parts(_)
-                | Stage::Curvature(_)
-                | Stage::Bones
-                | Stage::Sizes(_)
+            FieldsPhase::Links(_)
+                | FieldsPhase::Parts(_)
+                | FieldsPhase::Curvature(_)
+                | FieldsPhase::Bones
+                | FieldsPhase::Sizes(_)
         )
     }
 
@@ -104,79 +104,79 @@ impl SurfaceFieldBuilder {
     }
 
     pub(super) fn advance_by(&mut self, amount: usize) -> bool {
-        let stage = std::mem::replace(&mut self.stage, Stage::Done);
+        let stage = std::mem::replace(&mut self.stage, FieldsPhase::Done);
         self.stage = match stage {
-            Stage::Links(mut work) => {
+            FieldsPhase::Links(mut work) => {
                 if work.advance(&self.mesh, amount) {
                     self.links = work.links;
                     self.parts = vec![u32::MAX; self.links.len()];
-                    Stage::Parts(Vec::new())
+                    FieldsPhase::Parts(Vec::new())
                 } else {
-                    Stage::Links(work)
+                    FieldsPhase::Links(work)
                 }
             }
-            Stage::Parts(open) => self.find_parts(open, amount),
-            Stage::Curvature(mut work) => {
+            FieldsPhase::Parts(open) => self.find_parts(open, amount),
+            FieldsPhase::Curvature(mut work) => {
                 if work.advance(&self.mesh, &self.links, amount) {
                     self.fields.curvature_reach = work.rounds;
                     self.fields.curvature = work.values;
-                    Stage::Bones
+                    FieldsPhase::Bones
                 } else {
-                    Stage::Curvature(work)
+                    FieldsPhase::Curvature(work)
                 }
             }
-            Stage::Bones => {
+            FieldsPhase::Bones => {
                 if self.hear_bones(amount) {
-                    Stage::Sizes(Box::new(Sizes::begin(self.ground())))
+                    FieldsPhase::Sizes(Box::new(Sizes::begin(self.ground())))
                 } else {
-                    Stage::Bones
+                    FieldsPhase::Bones
                 }
             }
-            Stage::Sizes(mut work) => {
+            FieldsPhase::Sizes(mut work) => {
                 if work.advance(self.ground(), amount) {
                     (self.fields.size, self.fields.sizes) = (work.size, work.values);
                     self.fields.aspects = work.aspects;
                     self.begin_sources(false)
                 } else {
-                    Stage::Sizes(work)
+                    FieldsPhase::Sizes(work)
                 }
             }
-            Stage::Rims(is_flow, mut sources) => {
+            FieldsPhase::Rims(is_flow, mut sources) => {
                 let direction = &self.params.direction;
                 if sources.find_rims(direction, &self.mesh, &self.links, amount) {
                     self.most = vec![0.0; self.part_count];
                     let system = System::new(&self.links, self.parts.clone());
-                    Stage::Rows(is_flow, Box::new((*sources, system)))
+                    FieldsPhase::Rows(is_flow, Box::new((*sources, system)))
                 } else {
-                    Stage::Rims(is_flow, sources)
+                    FieldsPhase::Rims(is_flow, sources)
                 }
             }
-            Stage::Rows(is_flow, mut rows) => {
+            FieldsPhase::Rows(is_flow, mut rows) => {
                 if !self.add_rows(is_flow, &mut rows, amount) {
-                    Stage::Rows(is_flow, rows)
+                    FieldsPhase::Rows(is_flow, rows)
                 } else if is_flow && !self.most.iter().any(|&m| m > NO_SOURCE) {
-                    Stage::Done
+                    FieldsPhase::Done
                 } else {
-                    Stage::Hints(is_flow, rows, 0)
+                    FieldsPhase::Hints(is_flow, rows, 0)
                 }
             }
-            Stage::Hints(is_flow, rows, at) => self.hint(is_flow, rows, at, amount),
-            Stage::Smooth(is_flow, mut work) => {
+            FieldsPhase::Hints(is_flow, rows, at) => self.hint(is_flow, rows, at, amount),
+            FieldsPhase::Smooth(is_flow, mut work) => {
                 if work.advance(amount) {
                     self.fields.iterations += work.iterations;
-                    Stage::Vectors(is_flow, work.finish())
+                    FieldsPhase::Vectors(is_flow, work.finish())
                 } else {
-                    Stage::Smooth(is_flow, work)
+                    FieldsPhase::Smooth(is_flow, work)
                 }
             }
-            Stage::Vectors(is_flow, found) => self.vectors(is_flow, found, amount),
-            Stage::Done => return true,
+            FieldsPhase::Vectors(is_flow, found) => self.vectors(is_flow, found, amount),
+            FieldsPhase::Done => return true,
         };
-        matches!(self.stage, Stage::Done)
+        matches!(self.stage, FieldsPhase::Done)
     }
 
     /// Gives up to `amount` more vertices the number of their part.
-    fn find_parts(&mut self, mut open: Vec<u32>, amount: usize) -> Stage {
+    fn find_parts(&mut self, mut open: Vec<u32>, amount: usize) -> FieldsPhase {
         for _ in 0..amount.max(1) {
             if let Some(v) = open.pop() {
                 for &other in &self.links.to[self.links.of(v as usize)] {
@@ -197,14 +197,14 @@ impl SurfaceFieldBuilder {
                 self.looked_at += 1;
             } else {
                 let size = sizes::mean_size(&self.params, &self.mesh);
-                return Stage::Curvature(Curvatures::begin(&self.mesh, &self.links, size));
+                return FieldsPhase::Curvature(Curvatures::begin(&self.mesh, &self.links, size));
             }
         }
-        Stage::Parts(open)
+        FieldsPhase::Parts(open)
     }
 
-    fn ground(&self) -> Ground<'_> {
-        Ground {
+    fn ground(&self) -> SizeInputs<'_> {
+        SizeInputs {
             params: &self.params,
             mesh: &self.mesh,
             links: &self.links,
@@ -225,18 +225,18 @@ impl SurfaceFieldBuilder {
         end == self.links.len()
     }
 
-    fn begin_sources(&mut self, is_flow: bool) -> Stage {
+    fn begin_sources(&mut self, is_flow: bool) -> FieldsPhase {
         let (mesh, links) = (&self.mesh, &self.links);
         let sources = if is_flow {
             let Some(flow) = &self.params.flow else {
-                return Stage::Done;
+                return FieldsPhase::Done;
             };
             Sources::of_flow(flow, mesh, links)
         } else {
             let size = |v: usize| self.fields.size_of(v);
             Sources::of_direction(&self.params.direction, self.symmetry, mesh, links, size)
         };
-        Stage::Rims(is_flow, Box::new(sources))
+        FieldsPhase::Rims(is_flow, Box::new(sources))
     }
 
     fn add_rows(
@@ -271,7 +271,7 @@ impl SurfaceFieldBuilder {
         mut rows: Box<(Sources, System)>,
         at: usize,
         amount: usize,
-    ) -> Stage {
+    ) -> FieldsPhase {
         let (sources, system) = &mut *rows;
         let is_held = self.most.iter().all(|&m| m > NO_SOURCE);
         let all = if is_held { 0 } else { system.len() };
@@ -289,10 +289,10 @@ impl SurfaceFieldBuilder {
             };
         }
         if end < all {
-            return Stage::Hints(is_flow, rows, end);
+            return FieldsPhase::Hints(is_flow, rows, end);
         }
         let sourced = self.most.iter().map(|&m| is_flow || m > NO_SOURCE);
-        Stage::Smooth(
+        FieldsPhase::Smooth(
             is_flow,
             Box::new(Smoothing::begin(
                 rows.1,
@@ -303,7 +303,7 @@ impl SurfaceFieldBuilder {
     }
 
     /// Unit vectors in space from the representation vectors at the vertices.
-    fn vectors(&mut self, is_flow: bool, found: Vec<DVec2>, amount: usize) -> Stage {
+    fn vectors(&mut self, is_flow: bool, found: Vec<DVec2>, amount: usize) -> FieldsPhase {
         let (symmetry, turn) = if is_flow {
             let flip = self.params.flow.as_ref().is_some_and(|flow| flow.flip);
             (1, if flip { DVec2::NEG_X } else { DVec2::X })
@@ -333,9 +333,9 @@ impl SurfaceFieldBuilder {
             });
         }
         match (end < found.len(), is_flow) {
-            (true, _) => Stage::Vectors(is_flow, found),
+            (true, _) => FieldsPhase::Vectors(is_flow, found),
             (false, false) => self.begin_sources(true),
-            (false, true) => Stage::Done,
+            (false, true) => FieldsPhase::Done,
         }
     }
 }

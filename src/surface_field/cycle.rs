@@ -1,6 +1,6 @@
 //! A multigrid cycle over all coarser systems, as a preconditioner.
 
-use super::system::{Holding, Level, seen};
+use super::system::{Holding, SystemLevel, seen};
 use glam::DVec2;
 
 /// Sweeps in each direction on the coarsest system.
@@ -16,12 +16,12 @@ pub(super) struct Cycle {
     diagonal: Vec<Vec<f64>>,
     inverse: Vec<Vec<f64>>,
     level: usize,
-    step: Step,
+    step: CyclePhase,
     at: usize,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-enum Step {
+enum CyclePhase {
     #[default]
     Forward,
     /// Restricts the residual to the next coarser level.
@@ -34,7 +34,12 @@ enum Step {
 
 impl Cycle {
     /// Reserves room for these levels, at most `amount` rows; true when all have room.
-    pub fn prepare(&mut self, levels: &[Level], holding: &Holding, amount: &mut usize) -> bool {
+    pub fn prepare(
+        &mut self,
+        levels: &[SystemLevel],
+        holding: &Holding,
+        amount: &mut usize,
+    ) -> bool {
         while *amount > 0 && self.level < levels.len() {
             let (l, system) = (self.level, &levels[self.level].system);
             if self.at == 0 {
@@ -76,14 +81,14 @@ impl Cycle {
     }
 
     /// Works on at most `amount` rows and subtracts those it has used; true when the answer is complete.
-    pub fn advance(&mut self, levels: &[Level], right: &[DVec2], amount: &mut usize) -> bool {
+    pub fn advance(&mut self, levels: &[SystemLevel], right: &[DVec2], amount: &mut usize) -> bool {
         while *amount > 0 {
             let l = self.level;
             let count = levels[l].system.len();
             if l + 1 == levels.len() {
-                self.step = Step::Coarsest;
+                self.step = CyclePhase::Coarsest;
             }
-            let all = if self.step == Step::Coarsest {
+            let all = if self.step == CyclePhase::Coarsest {
                 2 * SWEEPS * count
             } else {
                 count
@@ -92,15 +97,15 @@ impl Cycle {
             *amount -= end - self.at;
             let right = if l == 0 { right } else { &[] };
             match self.step {
-                Step::Forward => self.forward(&levels[l], right, end),
-                Step::Restrict => self.restrict(&levels[l], right, end),
-                Step::Correct => self.correct(&levels[l], end),
-                Step::Backward => {
+                CyclePhase::Forward => self.forward(&levels[l], right, end),
+                CyclePhase::Restrict => self.restrict(&levels[l], right, end),
+                CyclePhase::Correct => self.correct(&levels[l], end),
+                CyclePhase::Backward => {
                     for v in self.at..end {
                         self.relax(&levels[l], right, count - 1 - v);
                     }
                 }
-                Step::Coarsest => self.coarsest(&levels[l], right, end),
+                CyclePhase::Coarsest => self.coarsest(&levels[l], right, end),
             }
             self.at = end;
             if end == all {
@@ -115,15 +120,15 @@ impl Cycle {
 
     fn next(&mut self) -> bool {
         match self.step {
-            Step::Forward => self.step = Step::Restrict,
-            Step::Restrict => (self.level, self.step) = (self.level + 1, Step::Forward),
-            Step::Correct => self.step = Step::Backward,
-            Step::Backward | Step::Coarsest => {
+            CyclePhase::Forward => self.step = CyclePhase::Restrict,
+            CyclePhase::Restrict => (self.level, self.step) = (self.level + 1, CyclePhase::Forward),
+            CyclePhase::Correct => self.step = CyclePhase::Backward,
+            CyclePhase::Backward | CyclePhase::Coarsest => {
                 if self.level == 0 {
-                    self.step = Step::Forward;
+                    self.step = CyclePhase::Forward;
                     return true;
                 }
-                (self.level, self.step) = (self.level - 1, Step::Correct);
+                (self.level, self.step) = (self.level - 1, CyclePhase::Correct);
             }
         }
         false
@@ -139,14 +144,14 @@ impl Cycle {
     }
 
     #[inline(always)]
-    fn relax(&mut self, level: &Level, right: &[DVec2], v: usize) {
+    fn relax(&mut self, level: &SystemLevel, right: &[DVec2], v: usize) {
         let around = level.system.around(v, &self.answer[self.level]);
         let right = self.right_of(right, v);
         self.answer[self.level][v] = self.inverse[self.level][v] * (right - around);
     }
 
     /// Sweeps from an answer of 0. Rows from `end` on are still 0.
-    fn forward(&mut self, level: &Level, right: &[DVec2], end: usize) {
+    fn forward(&mut self, level: &SystemLevel, right: &[DVec2], end: usize) {
         if self.at == 0 {
             self.answer[self.level].fill(DVec2::ZERO);
         }
@@ -155,7 +160,7 @@ impl Cycle {
         }
     }
 
-    fn restrict(&mut self, level: &Level, right: &[DVec2], end: usize) {
+    fn restrict(&mut self, level: &SystemLevel, right: &[DVec2], end: usize) {
         let l = self.level;
         if self.at == 0 {
             self.right[l + 1].fill(DVec2::ZERO);
@@ -167,7 +172,7 @@ impl Cycle {
         }
     }
 
-    fn correct(&mut self, level: &Level, end: usize) {
+    fn correct(&mut self, level: &SystemLevel, end: usize) {
         let (fine, coarse) = self.answer.split_at_mut(self.level + 1);
         let (fine, coarse) = (&mut fine[self.level], &coarse[0]);
         for v in self.at..end {
@@ -175,7 +180,7 @@ impl Cycle {
         }
     }
 
-    fn coarsest(&mut self, level: &Level, right: &[DVec2], end: usize) {
+    fn coarsest(&mut self, level: &SystemLevel, right: &[DVec2], end: usize) {
         let count = level.system.len();
         if self.at == 0 {
             self.answer[self.level].fill(DVec2::ZERO);

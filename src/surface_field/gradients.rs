@@ -1,7 +1,7 @@
 //! Conjugate gradients, in slices.
 
 use super::cycle::Cycle;
-use super::system::{Holding, Level, System};
+use super::system::{Holding, System, SystemLevel};
 use glam::DVec2;
 
 /// Solves (A + D) x = b for the matrix A of a system and a diagonal D (Hestenes, Stiefel 1952), preconditioned with a
@@ -25,12 +25,12 @@ pub(super) struct Gradients {
     product: f64,
     sum: f64,
     share: f64,
-    phase: Phase,
+    phase: GradientsPhase,
     at: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Phase {
+enum GradientsPhase {
     Prepare,
     Begin,
     Cycle,
@@ -60,25 +60,25 @@ impl Gradients {
             product: 0.0,
             sum: 0.0,
             share: 0.0,
-            phase: Phase::Prepare,
+            phase: GradientsPhase::Prepare,
             at: 0,
         }
     }
 
     /// Works on at most `amount` rows, of the first of these levels or of coarser ones; true when done.
-    pub fn advance(&mut self, levels: &[Level], amount: usize) -> bool {
+    pub fn advance(&mut self, levels: &[SystemLevel], amount: usize) -> bool {
         let mut amount = amount.max(1);
         let system = &levels[0].system;
-        while amount > 0 && self.phase != Phase::Done {
-            if self.phase == Phase::Prepare {
+        while amount > 0 && self.phase != GradientsPhase::Done {
+            if self.phase == GradientsPhase::Prepare {
                 if self.cycle.prepare(levels, &self.holding, &mut amount) {
-                    self.phase = Phase::Begin;
+                    self.phase = GradientsPhase::Begin;
                 }
                 continue;
             }
-            if self.phase == Phase::Cycle {
+            if self.phase == GradientsPhase::Cycle {
                 if self.cycle.advance(levels, &self.residual, &mut amount) {
-                    self.phase = Phase::Product;
+                    self.phase = GradientsPhase::Product;
                 }
                 continue;
             }
@@ -91,7 +91,7 @@ impl Gradients {
                 self.next();
             }
         }
-        self.phase == Phase::Done
+        self.phase == GradientsPhase::Done
     }
 
     fn rows(&mut self, system: &System, end: usize) {
@@ -99,7 +99,7 @@ impl Gradients {
         let (diagonal, inverse) = self.cycle.diagonal();
         let down = self.cycle.answer();
         match self.phase {
-            Phase::Begin => {
+            GradientsPhase::Begin => {
                 for v in rows {
                     let b = self.holding.right(system, v, self.x[v]);
                     self.goal += inverse[v] * b.length_squared();
@@ -110,65 +110,65 @@ impl Gradients {
                     self.sum += inverse[v] * rest.length_squared();
                 }
             }
-            Phase::Product => {
+            GradientsPhase::Product => {
                 for v in rows {
                     self.sum += self.residual[v].dot(down[v]);
                 }
             }
-            Phase::Turn => {
+            GradientsPhase::Turn => {
                 for v in rows {
                     self.step[v] = down[v] + self.share * self.step[v];
                 }
             }
-            Phase::Image => {
+            GradientsPhase::Image => {
                 for v in rows {
                     self.image[v] = diagonal[v] * self.step[v] + system.around(v, &self.step);
                     self.sum += self.step[v].dot(self.image[v]);
                 }
             }
-            Phase::Move => {
+            GradientsPhase::Move => {
                 for v in rows {
                     self.x[v] += self.share * self.step[v];
                     self.residual[v] -= self.share * self.image[v];
                     self.sum += inverse[v] * self.residual[v].length_squared();
                 }
             }
-            Phase::Prepare | Phase::Cycle | Phase::Done => {}
+            GradientsPhase::Prepare | GradientsPhase::Cycle | GradientsPhase::Done => {}
         }
     }
 
     fn next(&mut self) {
         let sum = std::mem::take(&mut self.sum);
         match self.phase {
-            Phase::Begin => {
+            GradientsPhase::Begin => {
                 self.left = sum;
                 self.goal *= self.tolerance * self.tolerance;
-                self.phase = Phase::Cycle;
+                self.phase = GradientsPhase::Cycle;
             }
-            Phase::Product => {
+            GradientsPhase::Product => {
                 self.share = if self.product > 0.0 {
                     sum / self.product
                 } else {
                     0.0
                 };
                 self.product = sum;
-                self.phase = Phase::Turn;
+                self.phase = GradientsPhase::Turn;
             }
-            Phase::Turn => self.phase = Phase::Image,
-            Phase::Image => {
+            GradientsPhase::Turn => self.phase = GradientsPhase::Image,
+            GradientsPhase::Image => {
                 self.share = if sum > 0.0 { self.product / sum } else { 0.0 };
-                self.phase = Phase::Move;
+                self.phase = GradientsPhase::Move;
             }
-            Phase::Move => {
+            GradientsPhase::Move => {
                 self.left = sum;
                 self.iterations += 1;
-                self.phase = Phase::Cycle;
+                self.phase = GradientsPhase::Cycle;
             }
-            Phase::Prepare | Phase::Cycle | Phase::Done => {}
+            GradientsPhase::Prepare | GradientsPhase::Cycle | GradientsPhase::Done => {}
         }
-        let is_between = self.phase == Phase::Cycle;
+        let is_between = self.phase == GradientsPhase::Cycle;
         if is_between && (self.left <= self.goal || self.iterations >= self.most) {
-            self.phase = Phase::Done;
+            self.phase = GradientsPhase::Done;
         }
     }
 }
@@ -177,13 +177,13 @@ impl Gradients {
 mod tests {
     use super::super::system::Coarsening;
     use super::*;
-    use crate::trimesh::links::Links;
+    use crate::trimesh::adjacency::Adjacency;
     use crate::trimesh::samples;
 
     #[test]
     fn it_solves_the_same_however_it_is_cut() {
         let mesh = samples::blob(3);
-        let links = Links::build(&mesh);
+        let links = Adjacency::build(&mesh);
         let mut system = System::new(&links, vec![0; links.len()]);
         for v in 0..links.len() {
             let source = DVec2::new(libm::sin(v as f64), 0.3);
@@ -195,13 +195,13 @@ mod tests {
             while !work.advance(&system, 100) {}
             let (group, carry) = (work.group, work.carry);
             let coarse = std::mem::replace(&mut system, work.coarse);
-            levels.push(Level {
+            levels.push(SystemLevel {
                 system: coarse,
                 group,
                 carry,
             });
         }
-        let solved = |amount: usize, levels: &[Level]| {
+        let solved = |amount: usize, levels: &[SystemLevel]| {
             let system = &levels[0].system;
             let zero = vec![DVec2::ZERO; system.len()];
             let holding = Holding {
@@ -215,7 +215,7 @@ mod tests {
         };
         let all = solved(usize::MAX, &levels);
         assert_eq!(all.x, solved(17, &levels).x);
-        let plain = [Level {
+        let plain = [SystemLevel {
             group: Vec::new(),
             ..levels[0].clone()
         }];

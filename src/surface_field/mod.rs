@@ -30,9 +30,9 @@
 //! assert_eq!(fields.singular_points().iter().map(|s| s.turns).sum::<i32>(), 8);
 //! ```
 
-mod asks;
 mod bones;
 mod builder;
+mod cell_fields;
 mod cycle;
 pub mod fit;
 mod gradients;
@@ -59,18 +59,18 @@ pub use singular::SurfaceSingularity;
 pub use stroke::Stroke;
 
 use crate::field::symmetry::{direction_of, representation};
-use crate::field::{ASPECT_RANGE, Kind};
+use crate::field::{ASPECT_RANGE, CellKind};
+use crate::trimesh::adjacency::carried;
 use crate::trimesh::curvature::{self, Curvature};
-use crate::trimesh::links::carried;
-use crate::trimesh::{Frame, SurfacePoint, TriMesh};
+use crate::trimesh::{SurfacePoint, TangentFrame, TriMesh};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
 /// The number of turns of a cell in a full circle that look alike. On a surface circles have directions of symmetry
 /// 6.
-fn symmetry_of(kind: Kind) -> u32 {
+fn symmetry_of(kind: CellKind) -> u32 {
     match kind {
-        Kind::Circle => 6,
+        CellKind::Circle => 6,
         other => other.symmetry(),
     }
 }
@@ -79,7 +79,7 @@ fn symmetry_of(kind: Kind) -> u32 {
 #[derive(Clone, Debug)]
 pub struct SurfaceFields {
     mesh: Arc<TriMesh>,
-    kind: Kind,
+    kind: CellKind,
     size: f64,
     aspect: f64,
     /// Values at the vertices. Sizes and aspect ratios are empty if they are the same everywhere; the flow is empty
@@ -130,7 +130,7 @@ impl SurfaceFields {
     }
 
     /// The mean size for which about `count` cells of a kind cover the area.
-    pub fn size_for(kind: Kind, count: f64, area: f64) -> f64 {
+    pub fn size_for(kind: CellKind, count: f64, area: f64) -> f64 {
         (area / (count.max(1.0) * sizes::cell_area(kind))).sqrt()
     }
 
@@ -147,7 +147,7 @@ impl SurfaceFields {
     }
 
     /// The kind of the cells.
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> CellKind {
         self.kind
     }
 
@@ -282,7 +282,7 @@ impl SurfaceFields {
         if vectors.is_empty() {
             return DVec2::ZERO;
         }
-        let frame = Frame::of(p.normal);
+        let frame = TangentFrame::of(p.normal);
         let mut sum = DVec2::ZERO;
         let corners = self.mesh.triangles()[p.triangle as usize];
         // Among equivalent directions take the one nearest to an edge, so that the choice turns with the mesh.

@@ -3,7 +3,7 @@
 use super::Stroke;
 use super::stroke::distance;
 use crate::field::symmetry::representation;
-use crate::trimesh::links::Links;
+use crate::trimesh::adjacency::Adjacency;
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 use std::collections::{BTreeMap, BTreeSet};
@@ -24,7 +24,7 @@ pub(super) fn add(
     stroke: &Stroke,
     symmetry: u32,
     mesh: &TriMesh,
-    links: &Links,
+    links: &Adjacency,
     least: f64,
 ) {
     let width = if stroke.width.is_finite() {
@@ -67,7 +67,7 @@ fn piece(
     width: f64,
     symmetry: u32,
     mesh: &TriMesh,
-    links: &Links,
+    links: &Adjacency,
 ) {
     let by = to.at - from.at;
     let normal = from.normal + to.normal;
@@ -100,7 +100,7 @@ fn hear(
     d: f64,
     by: DVec3,
     symmetry: u32,
-    links: &Links,
+    links: &Adjacency,
 ) {
     let share = libm::exp(-d * d);
     let along = links.frames[v as usize].within(by).normalize_or_zero();

@@ -1,7 +1,7 @@
 //! Parameters of the fields of a surface.
 
 use super::{Bone, Stroke};
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::trimesh::SurfacePoint;
 use glam::DVec3;
 
@@ -9,7 +9,7 @@ use glam::DVec3;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SurfaceFieldParams {
     /// Kind of the cells.
-    pub kind: Kind,
+    pub kind: CellKind,
     /// Their size.
     pub size: SizeParams,
     /// The aspect ratio of stretched ones.

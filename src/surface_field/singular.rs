@@ -2,8 +2,8 @@
 
 use super::SurfaceFields;
 use crate::field::symmetry::representation;
-use crate::trimesh::links::carried;
-use crate::trimesh::{Frame, SurfacePoint};
+use crate::trimesh::adjacency::carried;
+use crate::trimesh::{SurfacePoint, TangentFrame};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -101,7 +101,7 @@ impl SurfaceFields {
 
     fn angle(&self, from: DVec3, a: u32, to: DVec3, b: u32, symmetry: u32) -> f64 {
         let [n, m] = [a, b].map(|v| self.mesh.normals()[v as usize]);
-        let frame = Frame::of(m);
+        let frame = TangentFrame::of(m);
         let told = |v: DVec3| -> DVec2 {
             let unit = frame.within(v).normalize_or_zero();
             representation(unit, symmetry)

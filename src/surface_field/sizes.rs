@@ -3,12 +3,12 @@
 use super::SurfaceFieldParams;
 use super::bones::BoneSource;
 use super::params::{Along, Amount, SurfaceSpot, Taper};
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::field::{ASPECT_RANGE, SIZE_RANGE};
 use crate::order;
 use crate::trimesh::TriMesh;
+use crate::trimesh::adjacency::Adjacency;
 use crate::trimesh::curvature::Curvature;
-use crate::trimesh::links::Links;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -26,7 +26,7 @@ pub(super) struct Sizes {
     pub aspects: Vec<f64>,
     /// Factors that do not depend on the mean size.
     factors: Vec<f64>,
-    step: Step,
+    step: SizesPhase,
     at: usize,
     round: usize,
     sum: f64,
@@ -36,7 +36,7 @@ pub(super) struct Sizes {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Step {
+enum SizesPhase {
     Aspects,
     Factors,
     Count,
@@ -50,17 +50,17 @@ enum Step {
 
 /// The inputs of sizes.
 #[derive(Clone, Copy)]
-pub(super) struct Ground<'a> {
+pub(super) struct SizeInputs<'a> {
     pub params: &'a SurfaceFieldParams,
     pub mesh: &'a TriMesh,
-    pub links: &'a Links,
+    pub links: &'a Adjacency,
     pub curvature: &'a [Curvature],
     /// The constraint of the bones at each vertex; empty if nothing depends on them.
     pub heard: &'a [BoneSource],
 }
 
 /// The area of a cell of size 1 in a dense packing.
-pub(super) fn cell_area(kind: Kind) -> f64 {
+pub(super) fn cell_area(kind: CellKind) -> f64 {
     if kind.has_corners() {
         1.0
     } else {
@@ -85,14 +85,14 @@ pub(super) fn mean_size(params: &SurfaceFieldParams, mesh: &TriMesh) -> f64 {
 
 impl Sizes {
     /// Starts with no work done.
-    pub fn begin(ground: Ground) -> Self {
-        let Ground { params, mesh, .. } = ground;
+    pub fn begin(ground: SizeInputs) -> Self {
+        let SizeInputs { params, mesh, .. } = ground;
         Self {
             size: mean_size(params, mesh),
             values: Vec::new(),
             aspects: Vec::new(),
             factors: Vec::new(),
-            step: Step::Aspects,
+            step: SizesPhase::Aspects,
             at: 0,
             round: 0,
             sum: 0.0,
@@ -102,12 +102,12 @@ impl Sizes {
     }
 
     /// Works on at most `amount` vertices; true when done.
-    pub fn advance(&mut self, ground: Ground, amount: usize) -> bool {
+    pub fn advance(&mut self, ground: SizeInputs, amount: usize) -> bool {
         match self.step {
-            Step::Aspects if !varies_aspect(ground.params) => self.step = Step::Factors,
-            Step::Factors if !varies_size(ground.params) => self.step = Step::Done,
-            Step::Limit => self.limit(ground, amount),
-            Step::Done => {}
+            SizesPhase::Aspects if !varies_aspect(ground.params) => self.step = SizesPhase::Factors,
+            SizesPhase::Factors if !varies_size(ground.params) => self.step = SizesPhase::Done,
+            SizesPhase::Limit => self.limit(ground, amount),
+            SizesPhase::Done => {}
             _ => {
                 let end = ground
                     .links
@@ -123,40 +123,42 @@ impl Sizes {
                 }
             }
         }
-        self.step == Step::Done
+        self.step == SizesPhase::Done
     }
 
-    fn vertex(&mut self, ground: Ground, v: usize) {
+    fn vertex(&mut self, ground: SizeInputs, v: usize) {
         let params = &ground.params.size;
         match self.step {
-            Step::Aspects => {
+            SizesPhase::Aspects => {
                 let aspect = aspect(ground, &self.spans[1], v);
                 self.aspects.push(aspect);
             }
-            Step::Factors => {
+            SizesPhase::Factors => {
                 let mut log = self.spans[0].log(ground, v);
                 for spot in &params.spots {
                     log += libm::log(positive(spot.value)) * share(spot, ground.mesh, v);
                 }
                 self.factors.push(libm::exp(log));
             }
-            Step::Count => {
+            SizesPhase::Count => {
                 let size = self.wanted(ground, v);
                 self.sum += ground.links.mass[v] / (size * size);
             }
-            Step::Values => {
+            SizesPhase::Values => {
                 let size = self.wanted(ground, v);
                 self.values.push(size);
             }
-            Step::Open => {
+            SizesPhase::Open => {
                 if self.holds_down(v, ground) {
                     let rank = order::rank(self.values[v]);
                     self.open.push(Reverse((rank, v as u32)));
                 }
             }
-            Step::Recount => self.sum += ground.links.mass[v] / (self.values[v] * self.values[v]),
-            Step::Rescale => self.values[v] *= self.sum,
-            Step::Limit | Step::Done => {}
+            SizesPhase::Recount => {
+                self.sum += ground.links.mass[v] / (self.values[v] * self.values[v])
+            }
+            SizesPhase::Rescale => self.values[v] *= self.sum,
+            SizesPhase::Limit | SizesPhase::Done => {}
         }
     }
 
@@ -166,35 +168,39 @@ impl Sizes {
             Amount::Size(_) => None,
         };
         self.step = match (self.step, asked) {
-            (Step::Aspects, _) => Step::Factors,
-            (Step::Factors, Some(_)) => Step::Count,
-            (Step::Factors, None) => Step::Values,
-            (Step::Count, Some(asked)) => {
+            (SizesPhase::Aspects, _) => SizesPhase::Factors,
+            (SizesPhase::Factors, Some(_)) => SizesPhase::Count,
+            (SizesPhase::Factors, None) => SizesPhase::Values,
+            (SizesPhase::Count, Some(asked)) => {
                 let ratio = (std::mem::take(&mut self.sum) / asked).sqrt();
                 self.size *= ratio;
                 self.round += 1;
                 let close = (ratio - 1.0).abs() < 1e-3 || self.round == ROUNDS;
-                if close { Step::Values } else { Step::Count }
+                if close {
+                    SizesPhase::Values
+                } else {
+                    SizesPhase::Count
+                }
             }
-            (Step::Values, _)
+            (SizesPhase::Values, _)
                 if params.size.curvature.is_none() && params.size.spots.is_empty() =>
             {
-                Step::Done
+                SizesPhase::Done
             }
-            (Step::Values, _) => Step::Open,
-            (Step::Open, _) => Step::Limit,
-            (Step::Recount, Some(asked)) => {
+            (SizesPhase::Values, _) => SizesPhase::Open,
+            (SizesPhase::Open, _) => SizesPhase::Limit,
+            (SizesPhase::Recount, Some(asked)) => {
                 // The limit of the slope has made cells smaller: scale all up again, to get the wanted number.
                 self.sum = (self.sum / asked).sqrt();
                 self.size *= self.sum;
-                Step::Rescale
+                SizesPhase::Rescale
             }
-            _ => Step::Done,
+            _ => SizesPhase::Done,
         };
     }
 
     /// The size at a vertex before the slope is limited.
-    fn wanted(&self, ground: Ground, v: usize) -> f64 {
+    fn wanted(&self, ground: SizeInputs, v: usize) -> f64 {
         let bent = ground.params.size.curvature.map_or(1.0, |by| {
             let angle = ground.curvature[v].most() * self.size;
             (by.angle / angle.max(1e-300)).clamp(by.factors.0, by.factors.1.max(by.factors.0))
@@ -202,7 +208,7 @@ impl Sizes {
         self.size * (self.factors[v] * bent).clamp(SIZE_RANGE.0, SIZE_RANGE.1)
     }
 
-    fn holds_down(&self, v: usize, ground: Ground) -> bool {
+    fn holds_down(&self, v: usize, ground: SizeInputs) -> bool {
         let (at, slope) = (ground.mesh.positions(), ground.params.size.slope);
         ground.links.to[ground.links.of(v)].iter().any(|&j| {
             let far = at[v].distance(at[j as usize]);
@@ -212,12 +218,16 @@ impl Sizes {
 
     /// Limits the slope at up to `amount` vertices, from the smallest size up: each is at most a slope above its
     /// neighbours (Persson 2006, Mesh Size Functions for Implicit Geometries and PDE-Based Gradient Limiting).
-    fn limit(&mut self, ground: Ground, amount: usize) {
+    fn limit(&mut self, ground: SizeInputs, amount: usize) {
         let (at, slope) = (ground.mesh.positions(), ground.params.size.slope);
         for _ in 0..amount.max(1) {
             let Some(Reverse((rank, v))) = self.open.pop() else {
                 let counted = matches!(ground.params.size.amount, Amount::Count(_));
-                self.step = if counted { Step::Recount } else { Step::Done };
+                self.step = if counted {
+                    SizesPhase::Recount
+                } else {
+                    SizesPhase::Done
+                };
                 return;
             };
             let (v, own) = (v as usize, self.values[v as usize]);
@@ -282,7 +292,7 @@ impl Span {
     }
 
     /// The logarithm of the factor at a vertex.
-    fn log(&self, ground: Ground, v: usize) -> f64 {
+    fn log(&self, ground: SizeInputs, v: usize) -> f64 {
         let Some(taper) = self.taper else {
             return 0.0;
         };
@@ -313,7 +323,7 @@ fn share(spot: &SurfaceSpot, mesh: &TriMesh, v: usize) -> f64 {
 }
 
 /// The aspect ratio at a vertex.
-fn aspect(ground: Ground, span: &Span, v: usize) -> f64 {
+fn aspect(ground: SizeInputs, span: &Span, v: usize) -> f64 {
     let asked = &ground.params.aspect;
     let base = asked.aspect.clamp(ASPECT_RANGE.0, ASPECT_RANGE.1);
     let mut log = libm::log(base) + span.log(ground, v);

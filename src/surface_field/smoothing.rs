@@ -10,7 +10,7 @@
 //! far in each round.
 
 use super::gradients::Gradients;
-use super::system::{Coarsening, Holding, Level, System};
+use super::system::{Coarsening, Holding, System, SystemLevel};
 use glam::DVec2;
 
 /// The most rows of the coarsest system.
@@ -31,8 +31,8 @@ const SPREAD: f64 = 20.0;
 /// Solves a [`System`] in slices.
 #[derive(Clone, Debug)]
 pub(super) struct Smoothing {
-    levels: Vec<Level>,
-    work: Work,
+    levels: Vec<SystemLevel>,
+    work: SmoothingPhase,
     /// Vectors at the rows of the current level, of length 1 in parts without constraints.
     now: Vec<DVec2>,
     holding: Holding,
@@ -45,7 +45,7 @@ pub(super) struct Smoothing {
 }
 
 #[derive(Clone, Debug)]
-enum Work {
+enum SmoothingPhase {
     Coarsen(Box<Coarsening>),
     Solve(Box<Gradients>),
     /// Makes unit vectors of the solution.
@@ -60,10 +60,10 @@ impl Smoothing {
     /// `size` is about that of a cell.
     pub fn begin(system: System, sourced: Vec<bool>, size: f64) -> Self {
         Self {
-            work: Work::Coarsen(Box::new(Coarsening::begin(&system))),
-            levels: vec![Level {
+            work: SmoothingPhase::Coarsen(Box::new(Coarsening::begin(&system))),
+            levels: vec![SystemLevel {
                 system,
-                ..Level::default()
+                ..SystemLevel::default()
             }],
             now: Vec::new(),
             holding: Holding {
@@ -79,24 +79,24 @@ impl Smoothing {
 
     /// Works on at most `amount` rows; true when done.
     pub fn advance(&mut self, amount: usize) -> bool {
-        self.work = match std::mem::replace(&mut self.work, Work::Done) {
-            Work::Coarsen(work) => self.coarsen(work, amount),
-            Work::Solve(mut work) => {
+        self.work = match std::mem::replace(&mut self.work, SmoothingPhase::Done) {
+            SmoothingPhase::Coarsen(work) => self.coarsen(work, amount),
+            SmoothingPhase::Solve(mut work) => {
                 if work.advance(&self.levels[self.level..], amount) {
                     if self.level == 0 {
                         self.iterations += work.iterations;
                     }
                     self.now = Vec::with_capacity(work.x.len());
-                    Work::Unit(work.x)
+                    SmoothingPhase::Unit(work.x)
                 } else {
-                    Work::Solve(work)
+                    SmoothingPhase::Solve(work)
                 }
             }
-            Work::Unit(x) => self.unit(x, amount),
-            Work::Carry(coarse) => self.carry(coarse, amount),
-            Work::Done => Work::Done,
+            SmoothingPhase::Unit(x) => self.unit(x, amount),
+            SmoothingPhase::Carry(coarse) => self.carry(coarse, amount),
+            SmoothingPhase::Done => SmoothingPhase::Done,
         };
-        matches!(self.work, Work::Done)
+        matches!(self.work, SmoothingPhase::Done)
     }
 
     /// Unit vectors at the vertices. Where constraints cancel each other the direction is arbitrary, but never zero,
@@ -105,21 +105,21 @@ impl Smoothing {
         self.now
     }
 
-    fn coarsen(&mut self, mut work: Box<Coarsening>, amount: usize) -> Work {
+    fn coarsen(&mut self, mut work: Box<Coarsening>, amount: usize) -> SmoothingPhase {
         let last = self.levels.last_mut().expect("a level");
         let fine = &last.system;
         if fine.len() > COARSEST {
             if !work.advance(fine, amount) {
-                return Work::Coarsen(work);
+                return SmoothingPhase::Coarsen(work);
             }
             if 3 * work.coarse.len() < 2 * fine.len() {
                 (last.group, last.carry) = (work.group, work.carry);
                 let next = Coarsening::begin(&work.coarse);
-                self.levels.push(Level {
+                self.levels.push(SystemLevel {
                     system: work.coarse,
-                    ..Level::default()
+                    ..SystemLevel::default()
                 });
-                return Work::Coarsen(Box::new(next));
+                return SmoothingPhase::Coarsen(Box::new(next));
             }
         }
         self.now = fine.load.iter().map(|z| z.normalize_or(DVec2::X)).collect();
@@ -132,7 +132,7 @@ impl Smoothing {
     }
 
     /// Starts the solver from the current vectors.
-    fn solve(&mut self) -> Work {
+    fn solve(&mut self) -> SmoothingPhase {
         let system = &self.levels[self.level].system;
         if self.has_free() && self.round == 0 {
             let (mut area, mut rows) = (0.0, 0.0);
@@ -154,10 +154,10 @@ impl Smoothing {
             _ => ROUGH,
         };
         let now = std::mem::take(&mut self.now);
-        Work::Solve(Box::new(Gradients::begin(now, self.holding.clone(), how)))
+        SmoothingPhase::Solve(Box::new(Gradients::begin(now, self.holding.clone(), how)))
     }
 
-    fn unit(&mut self, x: Vec<DVec2>, amount: usize) -> Work {
+    fn unit(&mut self, x: Vec<DVec2>, amount: usize) -> SmoothingPhase {
         let system = &self.levels[self.level].system;
         let begin = self.now.len();
         let end = x.len().min(begin.saturating_add(amount.max(1)));
@@ -169,7 +169,7 @@ impl Smoothing {
                 .push(if is_held { z } else { z.normalize_or(DVec2::X) });
         }
         if end < x.len() {
-            return Work::Unit(x);
+            return SmoothingPhase::Unit(x);
         }
         self.round += 1;
         let coarsest = self.level + 1 == self.levels.len();
@@ -184,22 +184,22 @@ impl Smoothing {
         }
         self.round = 0;
         if self.level == 0 {
-            return Work::Done;
+            return SmoothingPhase::Done;
         }
         self.level -= 1;
         let count = self.levels[self.level].system.len();
-        Work::Carry(std::mem::replace(&mut self.now, Vec::with_capacity(count)))
+        SmoothingPhase::Carry(std::mem::replace(&mut self.now, Vec::with_capacity(count)))
     }
 
-    fn carry(&mut self, coarse: Vec<DVec2>, amount: usize) -> Work {
-        let Level { group, carry, .. } = &self.levels[self.level];
+    fn carry(&mut self, coarse: Vec<DVec2>, amount: usize) -> SmoothingPhase {
+        let SystemLevel { group, carry, .. } = &self.levels[self.level];
         let begin = self.now.len();
         let end = group.len().min(begin.saturating_add(amount.max(1)));
         let rows = group[begin..end].iter().zip(&carry[begin..end]);
         self.now
             .extend(rows.map(|(&g, c)| c.rotate(coarse[g as usize])));
         if end < group.len() {
-            return Work::Carry(coarse);
+            return SmoothingPhase::Carry(coarse);
         }
         self.solve()
     }

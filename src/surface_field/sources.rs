@@ -6,8 +6,8 @@ use super::sizes::one_way;
 use super::{DirectionParams, FlowParams};
 use crate::field::symmetry::representation;
 use crate::trimesh::TriMesh;
+use crate::trimesh::adjacency::Adjacency;
 use crate::trimesh::curvature::Curvature;
-use crate::trimesh::links::Links;
 use glam::{DVec2, DVec3};
 
 /// The weight of strokes and lines, against 1 for a border.
@@ -20,7 +20,7 @@ const HEED: f64 = 0.4;
 pub(super) const NO_SOURCE: f64 = 1e-3;
 
 /// The constraint at a vertex: its weight, and the weight times the representation vector.
-pub(super) type Held = (f64, DVec2);
+pub(super) type SoftConstraint = (f64, DVec2);
 
 /// All constraints of one field of directions.
 #[derive(Clone, Debug, Default)]
@@ -43,7 +43,7 @@ impl Sources {
         params: &DirectionParams,
         symmetry: u32,
         mesh: &TriMesh,
-        links: &Links,
+        links: &Adjacency,
         size: impl Fn(usize) -> f64,
     ) -> Self {
         let mut sources = Self {
@@ -71,7 +71,7 @@ impl Sources {
     }
 
     /// Constraints of the flow.
-    pub fn of_flow(params: &FlowParams, mesh: &TriMesh, links: &Links) -> Self {
+    pub fn of_flow(params: &FlowParams, mesh: &TriMesh, links: &Adjacency) -> Self {
         let mut sources = Self {
             symmetry: 1,
             axis: axis(params.axis, params.towards),
@@ -93,7 +93,7 @@ impl Sources {
         &mut self,
         params: &DirectionParams,
         mesh: &TriMesh,
-        links: &Links,
+        links: &Adjacency,
         amount: usize,
     ) -> bool {
         let all = mesh.triangles().len();
@@ -139,11 +139,11 @@ impl Sources {
     pub fn at(
         &self,
         v: usize,
-        links: &Links,
+        links: &Adjacency,
         curvature: &Curvature,
         size: f64,
         bone: &BoneSource,
-    ) -> Held {
+    ) -> SoftConstraint {
         let (mut held, mut load) = (0.0, DVec2::ZERO);
         let mut add = |weight: f64, said: DVec2| {
             held += weight;
@@ -190,7 +190,7 @@ impl Sources {
 
     /// The initial guess in a part without constraints: a direction in space that is no symmetry of common models,
     /// projected.
-    pub fn hint(&self, v: usize, links: &Links) -> DVec2 {
+    pub fn hint(&self, v: usize, links: &Adjacency) -> DVec2 {
         let along = links.frames[v].within(DVec3::new(0.36, 0.48, 0.8));
         along.length_squared() * representation(along.normalize_or_zero(), self.symmetry)
     }
@@ -219,7 +219,7 @@ pub(super) fn bone_source(
     bones: &Bones,
     symmetry: u32,
     mesh: &TriMesh,
-    links: &Links,
+    links: &Adjacency,
     v: usize,
 ) -> BoneSource {
     let frame = &links.frames[v];

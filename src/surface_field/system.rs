@@ -1,6 +1,6 @@
 //! Equations between the representation vectors of neighbours, on finer and coarser meshes.
 
-use crate::trimesh::links::Links;
+use crate::trimesh::adjacency::Adjacency;
 use glam::DVec2;
 use std::ops::Range;
 
@@ -30,7 +30,7 @@ pub(super) struct System {
 
 impl System {
     /// The system of a mesh, without rows yet: see [`System::row`].
-    pub fn new(links: &Links, part: Vec<u32>) -> Self {
+    pub fn new(links: &Adjacency, part: Vec<u32>) -> Self {
         let mut system = Self {
             mass: links.mass.clone(),
             part,
@@ -43,7 +43,7 @@ impl System {
     }
 
     /// Adds the next row from the mesh's links, for directions of symmetry N, with its constraint.
-    pub fn row(&mut self, links: &Links, symmetry: u32, (held, load): (f64, DVec2)) {
+    pub fn row(&mut self, links: &Adjacency, symmetry: u32, (held, load): (f64, DVec2)) {
         let v = self.diagonal.len();
         let mut diagonal = 0.0;
         for e in links.of(v) {
@@ -118,7 +118,7 @@ impl Holding {
 
 /// A system, with the maps that carry vectors of the next coarser one to its rows. The coarsest system has none.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Level {
+pub(super) struct SystemLevel {
     pub system: System,
     /// For each row its group, which is a row of the coarser system ...
     pub group: Vec<u32>,
@@ -319,7 +319,7 @@ mod tests {
     #[test]
     fn a_coarse_vector_has_the_energy_of_the_fine_one_it_stands_for() {
         for mesh in [samples::blob(3), samples::hill(20)] {
-            let links = Links::build(&mesh);
+            let links = Adjacency::build(&mesh);
             let mut fine = System::new(&links, vec![0; links.len()]);
             for _ in 0..links.len() {
                 fine.row(&links, 4, (0.1, DVec2::new(0.0, 0.1)));

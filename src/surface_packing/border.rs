@@ -1,12 +1,12 @@
 //! Places the first cells along the borders of a surface.
 
-use super::buckets::Boxes;
-use super::ground::OnSurface;
-use super::site::Site;
-use crate::packing::cell_fields::Asks;
-use crate::packing::ground::{Foot, Sees};
+use super::ground::SurfaceDomain;
+use super::packing_mesh::PackingMesh;
+use super::spatial_hash::SurfaceHash;
+use crate::packing::cell_fields::CellFields;
+use crate::packing::packing_domain::{ClosestPoint, MetricSpace};
 use crate::packing::placed::Placed;
-use crate::packing::shape::Shape;
+use crate::packing::shape::CellShape;
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
@@ -34,7 +34,7 @@ pub(super) struct Border {
 }
 
 impl Border {
-    pub fn new(site: &Site) -> Self {
+    pub fn new(site: &PackingMesh) -> Self {
         let mesh = site.mesh();
         let rings = mesh.borders();
         let mut at_edge = vec![(0, 0); mesh.positions().len()];
@@ -53,10 +53,10 @@ impl Border {
     }
 
     /// Places the cells along the next piece; true when none is left.
-    pub fn grow<F: Asks<Place = SurfacePoint>>(
+    pub fn grow<F: CellFields<Place = SurfacePoint>>(
         &mut self,
-        placed: &mut Placed<SurfacePoint, Boxes>,
-        ground: OnSurface<F>,
+        placed: &mut Placed<SurfacePoint, SurfaceHash>,
+        ground: SurfaceDomain<F>,
     ) -> bool {
         let Some((posts, closed)) = self.pieces.get(self.next) else {
             return true;
@@ -65,7 +65,7 @@ impl Border {
         // Lengths in cells: a step is shorter where cells are smaller.
         let mut reached = vec![0.0];
         for post in posts {
-            let shape = Shape::metric_at(ground.fields, post.at);
+            let shape = CellShape::metric_at(ground.fields, post.at);
             let cells = shape.cells_along(post.along * post.length);
             reached.push(reached[reached.len() - 1] + cells);
         }
@@ -86,19 +86,17 @@ impl Border {
 }
 
 /// Places a cell half its extent inside of the border, or in the middle of a narrow strip.
-fn put<F: Asks<Place = SurfacePoint>>(
+fn put<F: CellFields<Place = SurfacePoint>>(
     post: &Post,
     share: f64,
-    placed: &mut Placed<SurfacePoint, Boxes>,
-    ground: OnSurface<F>,
+    placed: &mut Placed<SurfacePoint, SurfaceHash>,
+    ground: SurfaceDomain<F>,
 ) {
-    let (at, turn) = ground
-        .site
-        .beyond(post.at, post.along * (share * post.length));
+    let (at, turn) = ground.site.exp(post.at, post.along * (share * post.length));
     let inward = turn.apply(post.inward);
-    let half = 0.5 * Shape::metric_at(ground.fields, at).extent(inward);
-    let (mut place, _) = ground.site.beyond(at, inward * half);
-    let shape = Shape::metric_at(ground.fields, place);
+    let half = 0.5 * CellShape::metric_at(ground.fields, at).extent(inward);
+    let (mut place, _) = ground.site.exp(at, inward * half);
+    let shape = CellShape::metric_at(ground.fields, place);
     if let Some((foot, middle)) = ground.strip(place, shape.length())
         && foot.distance() < CLEARANCE * 0.5 * shape.extent(foot.inward())
     {

@@ -1,23 +1,23 @@
 //! Fields for tests.
 
-use crate::field::Kind;
-use crate::packing::cell_fields::Asks;
+use crate::field::CellKind;
+use crate::packing::cell_fields::CellFields;
 use crate::trimesh::SurfacePoint;
 use glam::{DVec2, DVec3};
 
 /// Cells of one size, along an axis of space.
 #[derive(Clone, Copy)]
 pub(crate) struct Along {
-    pub kind: Kind,
+    pub kind: CellKind,
     pub size: f64,
     pub axis: DVec3,
     pub aspect: f64,
 }
 
-impl Asks for Along {
+impl CellFields for Along {
     type Place = SurfacePoint;
 
-    fn kind(self, _: SurfacePoint) -> Kind {
+    fn kind(self, _: SurfacePoint) -> CellKind {
         self.kind
     }
 

@@ -1,15 +1,15 @@
 //! A surface as the domain of a packing.
 
-use super::site::Site;
-use super::walls::{SurfaceFoot, SurfaceWalls};
-use crate::packing::cell_fields::Asks;
+use super::packing_mesh::PackingMesh;
+use super::walls::{SurfaceClosestPoint, SurfaceWalls};
+use crate::packing::cell_fields::CellFields;
 use crate::packing::clearance::{INSIDE_CLEARANCE, NARROW, NARROWEST};
-use crate::packing::ground::{Foot, Ground, Sees, Walled};
-use crate::packing::shape::Shape;
+use crate::packing::packing_domain::{Boundary, ClosestPoint, MetricSpace, PackingDomain};
+use crate::packing::shape::CellShape;
 use crate::packing::wall::CLOSEST;
 use crate::packing::{BoundaryCondition, TUNING, Tuning};
 use crate::random::Random;
-use crate::trimesh::{SurfacePoint, Turn};
+use crate::trimesh::{SurfacePoint, Transport};
 use glam::DVec2;
 
 /// On closed surfaces some cells beside singular points never rest; after this many steps fewer than one new cell in
@@ -22,19 +22,19 @@ const BARE: f64 = 0.25;
 
 /// A mesh with the fields of the cells on it.
 #[derive(Clone, Copy)]
-pub(crate) struct OnSurface<'a, F> {
-    pub site: &'a Site,
+pub(crate) struct SurfaceDomain<'a, F> {
+    pub site: &'a PackingMesh,
     pub fields: F,
 }
 
-impl<F: Asks<Place = SurfacePoint>> OnSurface<'_, F> {
+impl<F: CellFields<Place = SurfacePoint>> SurfaceDomain<'_, F> {
     /// The nearest foot within reach, and half the width of the strip through it if there is an opposite border.
-    pub fn strip(self, p: SurfacePoint, reach: f64) -> Option<(SurfaceFoot, f64)> {
+    pub fn strip(self, p: SurfacePoint, reach: f64) -> Option<(SurfaceClosestPoint, f64)> {
         if !self.walls().is_near(p) {
             return None;
         }
         let mut feet = Vec::new();
-        self.walls().feet(p, reach, &mut feet);
+        self.walls().closest_points(p, reach, &mut feet);
         let nearest = *feet.first()?;
         let opposite = feet[1..]
             .iter()
@@ -46,15 +46,20 @@ impl<F: Asks<Place = SurfacePoint>> OnSurface<'_, F> {
     }
 
     /// The place `by` farther from a border.
-    pub fn pushed(self, p: SurfacePoint, foot: &SurfaceFoot, by: f64) -> (SurfacePoint, Turn) {
-        self.site.beyond(p, foot.inward() * by)
+    pub fn pushed(
+        self,
+        p: SurfacePoint,
+        foot: &SurfaceClosestPoint,
+        by: f64,
+    ) -> (SurfacePoint, Transport) {
+        self.site.exp(p, foot.inward() * by)
     }
 }
 
-impl<'a, F: Asks<Place = SurfacePoint>> Ground for OnSurface<'a, F> {
+impl<'a, F: CellFields<Place = SurfacePoint>> PackingDomain for SurfaceDomain<'a, F> {
     type Place = SurfacePoint;
     type Fields = F;
-    type Sight = &'a Site;
+    type Metric = &'a PackingMesh;
     type Walls = &'a SurfaceWalls;
     const TUNING: Tuning = Tuning {
         population_until: SETTLED,
@@ -66,7 +71,7 @@ impl<'a, F: Asks<Place = SurfacePoint>> Ground for OnSurface<'a, F> {
         self.fields
     }
 
-    fn sight(self) -> &'a Site {
+    fn metric(self) -> &'a PackingMesh {
         self.site
     }
 
@@ -82,10 +87,10 @@ impl<'a, F: Asks<Place = SurfacePoint>> Ground for OnSurface<'a, F> {
         self,
         from: SurfacePoint,
         by: DVec2,
-        shape: Shape,
+        shape: CellShape,
         is_clear: bool,
-    ) -> (SurfacePoint, Turn) {
-        let (to, turn) = self.site.beyond(from, by);
+    ) -> (SurfacePoint, Transport) {
+        let (to, turn) = self.site.exp(from, by);
         if is_clear {
             return (to, turn);
         }
@@ -102,7 +107,7 @@ impl<'a, F: Asks<Place = SurfacePoint>> Ground for OnSurface<'a, F> {
     }
 
     fn has_room(self, p: SurfacePoint) -> bool {
-        let shape = Shape::metric_at(self.fields, p);
+        let shape = CellShape::metric_at(self.fields, p);
         let nearest = self.strip(p, INSIDE_CLEARANCE * shape.length());
         nearest.is_none_or(|(foot, _)| {
             foot.distance() >= INSIDE_CLEARANCE * shape.extent(foot.inward())
@@ -110,7 +115,7 @@ impl<'a, F: Asks<Place = SurfacePoint>> Ground for OnSurface<'a, F> {
     }
 
     fn middle_of_narrow(self, p: SurfacePoint) -> Option<SurfacePoint> {
-        let shape = Shape::metric_at(self.fields, p);
+        let shape = CellShape::metric_at(self.fields, p);
         let (foot, half) = self.strip(p, shape.length())?;
         let extent = shape.extent(foot.inward());
         let is_narrow = half >= NARROWEST * extent && half < NARROW * extent;

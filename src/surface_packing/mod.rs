@@ -5,25 +5,25 @@
 //! motion and population control are those of [`crate::packing`], compiled for this domain.
 
 mod border;
-pub(crate) mod buckets;
 #[cfg(test)]
 pub(crate) mod fixture;
 mod ground;
-mod site;
+mod packing_mesh;
+pub(crate) mod spatial_hash;
 #[cfg(test)]
 mod tests;
 mod walls;
 
-pub use site::Site;
+pub use packing_mesh::PackingMesh;
 
-use crate::packing::cell_fields::Asks;
+use crate::packing::cell_fields::CellFields;
 use crate::packing::placed::Placed;
-use crate::packing::population::Survey;
+use crate::packing::population::PopulationScan;
 use crate::packing::{PackingParams, Particle, Sample, StepReport, front::Front, run::Run};
 use crate::surface_field::SurfaceFields;
 use crate::trimesh::SurfacePoint;
-use buckets::Boxes;
-use ground::OnSurface;
+use ground::SurfaceDomain;
+use spatial_hash::SurfaceHash;
 
 /// A packed cell of a surface: its centre is a point of the mesh, its axis lies in the frame there.
 pub type SurfaceParticle = Particle<SurfacePoint>;
@@ -37,33 +37,33 @@ const PORTION: usize = 2000;
 /// Places the first cells of a packing, in slices.
 pub struct SurfacePlacing {
     params: PackingParams,
-    placed: Placed<SurfacePoint, Boxes>,
+    placed: Placed<SurfacePoint, SurfaceHash>,
     border: border::Border,
     front: Option<Front>,
 }
 
 impl SurfacePlacing {
     /// Starts with nothing placed.
-    pub(crate) fn new<F: Asks<Place = SurfacePoint>>(
-        site: &Site,
+    pub(crate) fn new<F: CellFields<Place = SurfacePoint>>(
+        site: &PackingMesh,
         fields: F,
         params: PackingParams,
     ) -> Self {
         Self {
             params,
-            placed: Placed::new(OnSurface { site, fields }),
+            placed: Placed::new(SurfaceDomain { site, fields }),
             border: border::Border::new(site),
             front: None,
         }
     }
 
     /// Does one more slice; true when all places are filled.
-    pub(crate) fn advance<F: Asks<Place = SurfacePoint>>(
+    pub(crate) fn advance<F: CellFields<Place = SurfacePoint>>(
         &mut self,
-        site: &Site,
+        site: &PackingMesh,
         fields: F,
     ) -> bool {
-        let ground = OnSurface { site, fields };
+        let ground = SurfaceDomain { site, fields };
         let placed = &mut self.placed;
         (0..PLACES).any(|_| {
             if let Some(front) = &mut self.front {
@@ -77,12 +77,12 @@ impl SurfacePlacing {
     }
 
     /// Starts the packing with the cells placed so far.
-    pub(crate) fn finish<F: Asks<Place = SurfacePoint>>(
+    pub(crate) fn finish<F: CellFields<Place = SurfacePoint>>(
         mut self,
-        site: &Site,
+        site: &PackingMesh,
         fields: F,
     ) -> SurfacePacking {
-        self.placed.fill_empty_parts(OnSurface { site, fields });
+        self.placed.fill_empty_parts(SurfaceDomain { site, fields });
         let cells = self.placed.cells.iter().map(|&centre| (centre, false));
         SurfacePacking {
             run: Run::of(cells, fields, self.params),
@@ -96,13 +96,13 @@ impl SurfacePlacing {
 #[derive(Clone, Debug)]
 pub struct SurfacePacking {
     run: Run<SurfacePoint>,
-    survey: Option<Survey<SurfacePoint, Boxes>>,
+    survey: Option<PopulationScan<SurfacePoint, SurfaceHash>>,
     in_a_step: bool,
 }
 
 impl SurfacePacking {
     /// Does all the work at once, until the cells are at rest; see [`SurfacePlacing`].
-    pub fn build(site: &Site, fields: &SurfaceFields, params: PackingParams) -> Self {
+    pub fn build(site: &PackingMesh, fields: &SurfaceFields, params: PackingParams) -> Self {
         let mut placing = SurfacePlacing::new(site, fields, params);
         while !placing.advance(site, fields) {}
         let mut packing = placing.finish(site, fields);
@@ -126,27 +126,27 @@ impl SurfacePacking {
     }
 
     /// The potential energy between the cells, in units of the mean cell's k0.
-    pub fn energy(&mut self, site: &Site) -> f64 {
+    pub fn energy(&mut self, site: &PackingMesh) -> f64 {
         self.run.energy(site)
     }
 
     /// Does one more slice of a step, of the equation of motion or, now and then, of population control; true when
     /// the packing has ended.
-    pub(crate) fn advance<F: Asks<Place = SurfacePoint>>(
+    pub(crate) fn advance<F: CellFields<Place = SurfacePoint>>(
         &mut self,
-        site: &Site,
+        site: &PackingMesh,
         fields: F,
     ) -> bool {
         self.advance_by(site, fields, PORTION)
     }
 
-    fn advance_by<F: Asks<Place = SurfacePoint>>(
+    fn advance_by<F: CellFields<Place = SurfacePoint>>(
         &mut self,
-        site: &Site,
+        site: &PackingMesh,
         fields: F,
         portion: usize,
     ) -> bool {
-        let ground = OnSurface { site, fields };
+        let ground = SurfaceDomain { site, fields };
         self.in_a_step = !self.run.advance(ground, &mut self.survey, portion);
         self.run.report().done
     }

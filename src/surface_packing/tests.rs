@@ -1,6 +1,6 @@
 use super::fixture::Along;
 use super::*;
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::packing::Integrator;
 use crate::trimesh::TriMesh;
 use glam::{DVec2, DVec3};
@@ -27,8 +27,8 @@ fn sheet([n, m]: [usize; 2], closed: [bool; 2], at: impl Fn(f64, f64) -> DVec3) 
     TriMesh::new(positions, triangles).unwrap()
 }
 
-fn run(mesh: TriMesh, fields: Along) -> (Site, SurfacePacking) {
-    let site = Site::new(mesh, fields.size * fields.aspect.sqrt());
+fn run(mesh: TriMesh, fields: Along) -> (PackingMesh, SurfacePacking) {
+    let site = PackingMesh::new(mesh, fields.size * fields.aspect.sqrt());
     let mut placing = SurfacePlacing::new(&site, fields, PackingParams::DEFAULT);
     while !placing.advance(&site, fields) {}
     let mut packing = placing.finish(&site, fields);
@@ -48,8 +48,8 @@ fn steps_are_the_same_in_whatever_portions() {
         DVec3::new(100.0 * u, 8.0 * libm::sin(6.0 * u), -80.0 * v)
     });
     for (kind, integrator) in [
-        (Kind::Square, Integrator::SemiImplicit),
-        (Kind::Circle, Integrator::RungeKutta),
+        (CellKind::Square, Integrator::SemiImplicit),
+        (CellKind::Circle, Integrator::RungeKutta),
     ] {
         let fields = Along {
             kind,
@@ -57,7 +57,7 @@ fn steps_are_the_same_in_whatever_portions() {
             axis: DVec3::X,
             aspect: 1.0,
         };
-        let site = Site::new(mesh.clone(), fields.size);
+        let site = PackingMesh::new(mesh.clone(), fields.size);
         let params = PackingParams {
             integrator,
             ..PackingParams::DEFAULT
@@ -94,7 +94,7 @@ fn steps_are_the_same_in_whatever_portions() {
 #[test]
 fn a_flat_square_takes_rows_and_columns() {
     let fields = Along {
-        kind: Kind::Square,
+        kind: CellKind::Square,
         size: 10.0,
         axis: DVec3::X,
         aspect: 1.0,
@@ -118,7 +118,7 @@ fn a_torus_is_filled_with_as_many_cells_as_fit() {
             DVec3::new(r * libm::cos(u), libm::sin(v), r * libm::sin(u))
         })
     };
-    for kind in [Kind::Square, Kind::Circle] {
+    for kind in [CellKind::Square, CellKind::Circle] {
         let size = 0.3;
         let fields = Along {
             kind,
@@ -128,7 +128,7 @@ fn a_torus_is_filled_with_as_many_cells_as_fit() {
         };
         let (site, packing) = run(torus(), fields);
         assert!(packing.report().converged);
-        let each = if kind == Kind::Square { 1.0 } else { 0.866 };
+        let each = if kind == CellKind::Square { 1.0 } else { 0.866 };
         let wanted = site.mesh().area() / (each * size * size);
         let found = packing.particles().len() as f64;
         assert!(
@@ -144,7 +144,7 @@ fn a_strip_narrower_than_a_cell_has_one_row() {
         DVec3::new(60.0 * u, 0.0, -6.0 * v)
     });
     let fields = Along {
-        kind: Kind::Square,
+        kind: CellKind::Square,
         size: 10.0,
         axis: DVec3::X,
         aspect: 1.0,

@@ -1,11 +1,11 @@
 //! The borders of a surface as walls. A cell has a foot on a wall where its distance to the border has a local
 //! minimum.
 
-use super::buckets::Boxes;
+use super::spatial_hash::SurfaceHash;
 use crate::csr::Csr;
 use crate::domain::SAME_WALL;
 use crate::order;
-use crate::packing::ground::{Foot, Walled};
+use crate::packing::packing_domain::{Boundary, ClosestPoint};
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 
@@ -17,7 +17,7 @@ const ACROSS: f64 = 0.1;
 
 /// An edge of the border.
 #[derive(Clone, Copy, Debug)]
-struct Segment {
+struct BorderEdge {
     ends: [DVec3; 2],
     /// Unit vector across the edge, along the surface, into the paved side.
     inward: DVec3,
@@ -28,7 +28,7 @@ struct Segment {
     beside: [u32; 2],
 }
 
-impl Segment {
+impl BorderEdge {
     /// The place on it nearest to `p`, as a share of its length, 0..1.
     fn nearest(&self, p: DVec3) -> f64 {
         let along = self.ends[1] - self.ends[0];
@@ -39,12 +39,12 @@ impl Segment {
 
 /// The closest point of a wall.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SurfaceFoot {
+pub(crate) struct SurfaceClosestPoint {
     distance: f64,
     inward: DVec2,
 }
 
-impl Foot for SurfaceFoot {
+impl ClosestPoint for SurfaceClosestPoint {
     fn distance(&self) -> f64 {
         self.distance
     }
@@ -57,7 +57,7 @@ impl Foot for SurfaceFoot {
 /// The walls of a mesh, by the triangles within reach of them.
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceWalls {
-    segments: Vec<Segment>,
+    segments: Vec<BorderEdge>,
     part: Vec<u32>,
     /// Those near each triangle; no rows where there are no walls.
     near: Csr<u32>,
@@ -80,9 +80,9 @@ impl SurfaceWalls {
     }
 
     fn sort_in(&mut self, mesh: &TriMesh) {
-        let half = |s: &Segment| 0.5 * s.ends[0].distance(s.ends[1]);
+        let half = |s: &BorderEdge| 0.5 * s.ends[0].distance(s.ends[1]);
         let longest = self.segments.iter().map(half).fold(0.0, f64::max);
-        let mut boxes = Boxes::new(
+        let mut boxes = SurfaceHash::new(
             mesh.bounds(),
             (self.reach + longest).max(1e-3 * mesh.diagonal()),
         );
@@ -120,7 +120,7 @@ impl SurfaceWalls {
     }
 
     /// The foot of a place on a segment, if the distance has a local minimum there.
-    fn foot(&self, index: u32, p: &SurfacePoint) -> Option<SurfaceFoot> {
+    fn foot(&self, index: u32, p: &SurfacePoint) -> Option<SurfaceClosestPoint> {
         let segment = &self.segments[index as usize];
         if segment.normal.dot(p.normal) < SEES {
             return None;
@@ -148,14 +148,14 @@ impl SurfaceWalls {
             return None;
         }
         let along = p.frame().within(if stands { inward } else { way });
-        Some(SurfaceFoot {
+        Some(SurfaceClosestPoint {
             distance,
             inward: along.try_normalize()?,
         })
     }
 }
 
-fn segments(mesh: &TriMesh, part: &[u32]) -> Vec<Segment> {
+fn segments(mesh: &TriMesh, part: &[u32]) -> Vec<BorderEdge> {
     let mut segments = Vec::new();
     // For each border vertex, the triangle of the border edge that begins there.
     let mut triangle = vec![0; mesh.positions().len()];
@@ -173,7 +173,7 @@ fn segments(mesh: &TriMesh, part: &[u32]) -> Vec<Segment> {
             let own = triangle[ring[k] as usize];
             let normal = mesh.face_normal(own);
             let beside = [(k + count - 1) % count, (k + 1) % count].map(|k| first + k as u32);
-            segments.push(Segment {
+            segments.push(BorderEdge {
                 ends,
                 inward: normal.cross(ends[1] - ends[0]).normalize_or_zero(),
                 normal,
@@ -185,9 +185,9 @@ fn segments(mesh: &TriMesh, part: &[u32]) -> Vec<Segment> {
     segments
 }
 
-impl Walled for &SurfaceWalls {
+impl Boundary for &SurfaceWalls {
     type Place = SurfacePoint;
-    type Foot = SurfaceFoot;
+    type ClosestPoint = SurfaceClosestPoint;
 
     fn is_near(self, p: SurfacePoint) -> bool {
         !self.near(&p).is_empty()
@@ -197,7 +197,7 @@ impl Walled for &SurfaceWalls {
         self.reach
     }
 
-    fn feet(self, p: SurfacePoint, reach: f64, feet: &mut Vec<SurfaceFoot>) {
+    fn closest_points(self, p: SurfacePoint, reach: f64, feet: &mut Vec<SurfaceClosestPoint>) {
         feet.clear();
         let near = self.near(&p).iter();
         feet.extend(

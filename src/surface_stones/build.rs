@@ -1,6 +1,6 @@
 //! A scene of stones on a surface, in slices.
 
-use super::ground::{Bed, Ground, Step};
+use super::ground::{Bed, GroundMaking, GroundSlice};
 use super::look::{Look, Own};
 use super::maker::Maker;
 use super::{Paving, StonesParams, mean_size};
@@ -33,7 +33,7 @@ pub struct Stones {
     owns: Vec<Option<Own>>,
     cell: usize,
     size: f64,
-    ground: Option<Ground>,
+    ground: Option<GroundMaking>,
     fit: Fit,
 }
 
@@ -93,7 +93,7 @@ impl Stones {
     /// The share of the work that is done, 0 to 1.
     pub fn progress(&self, cells: &[SurfaceCell]) -> f64 {
         let stones = self.cell as f64 / cells.len().max(1) as f64;
-        let ground = self.ground.as_ref().map_or(0.0, Ground::progress);
+        let ground = self.ground.as_ref().map_or(0.0, GroundMaking::progress);
         0.85 * stones + 0.15 * ground
     }
 
@@ -110,11 +110,11 @@ impl Stones {
         }
         let colour = self.maker.look.ground_colour();
         let bed = || Bed::new(&self.params, mesh, self.size, colour);
-        let ground = self.ground.get_or_insert_with(Ground::default);
+        let ground = self.ground.get_or_insert_with(GroundMaking::default);
         let levels = match ground.next(mesh, bed) {
-            Step::More => return false,
-            Step::Part(levels) => levels,
-            Step::End => return true,
+            GroundSlice::More => return false,
+            GroundSlice::Part(levels) => levels,
+            GroundSlice::End => return true,
         };
         let levels = levels.iter().map(|level| self.on_stand(level)).collect();
         self.push(Body::new(levels, GROUND_ROW), Vec3::ZERO, GROUND);
@@ -123,7 +123,7 @@ impl Stones {
 
     /// The finished scene.
     pub fn finish(self) -> Scene {
-        let finish = Finish {
+        let finish = StoneDetail {
             look: self.maker.look,
             owns: self.owns,
             fit: self.fit,
@@ -172,14 +172,14 @@ impl Stones {
 }
 
 /// Colour, material and relief of stones and ground at a pixel.
-struct Finish {
+struct StoneDetail {
     look: Look,
     owns: Vec<Option<Own>>,
     fit: Fit,
     unit: f64,
 }
 
-impl Detail for Finish {
+impl Detail for StoneDetail {
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
         // Picture units in a unit of the scene, and model units in it.
         let (unit, model) = (self.unit / self.fit.scale, 1.0 / self.fit.scale);

@@ -10,7 +10,7 @@ use crate::material::{
 use crate::order::{self, greater, lesser};
 use crate::random::{Purpose, Random};
 use crate::surface_cells::SurfaceCell;
-use crate::trimesh::Frame;
+use crate::trimesh::TangentFrame;
 use glam::DVec3;
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
@@ -106,7 +106,7 @@ impl SurfaceCoats {
             Pattern::Size => area(&cell.ring),
             Pattern::Boundary => near(self.inside[k], self.scale),
             Pattern::Direction => {
-                let frame = Frame::of(cell.centre.normal);
+                let frame = TangentFrame::of(cell.centre.normal);
                 let wanted = frame.within(front(angle));
                 let turn = libm::atan2(wanted.perp_dot(cell.axis), wanted.dot(cell.axis));
                 turned(turn, cell.kind)

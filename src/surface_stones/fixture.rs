@@ -1,8 +1,8 @@
 //! For tests: rows of cells on surfaces that are functions of two numbers.
 
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::surface_cells::SurfaceCell;
-use crate::trimesh::{Frame, SurfacePoint, TriMesh};
+use crate::trimesh::{SurfacePoint, TangentFrame, TriMesh};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ pub struct Rows {
     pub closes: [bool; 2],
     /// Edges of the mesh to a side of a cell.
     pub finer: usize,
-    pub kind: Kind,
+    pub kind: CellKind,
 }
 
 /// Squares in rows that are not staggered.
@@ -28,7 +28,7 @@ pub fn rows(count: [usize; 2], closes: [bool; 2]) -> Rows {
         is_staggered: false,
         closes,
         finer: 2,
-        kind: Kind::Square,
+        kind: CellKind::Square,
     }
 }
 
@@ -84,7 +84,9 @@ impl Rows {
                         at: patch(middle),
                         normal: normal_there,
                     },
-                    axis: Frame::of(normal_there).within(along).normalize_or_zero(),
+                    axis: TangentFrame::of(normal_there)
+                        .within(along)
+                        .normalize_or_zero(),
                     size: (width * height).sqrt(),
                     aspect: width / height,
                     ring: ring.iter().map(|&p| patch(p)).collect(),

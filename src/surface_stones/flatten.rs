@@ -1,14 +1,14 @@
 //! Lays a cell into its tangent plane, where stones are made, and maps stones back.
 
-use super::Bend;
+use super::QuadricPatch;
 use crate::cells::Cell;
 use crate::surface_cells::SurfaceCell;
-use crate::trimesh::{Frame, SurfacePoint, way};
+use crate::trimesh::{SurfacePoint, TangentFrame, log};
 use glam::{DVec2, DVec3};
 
 /// A cell in its tangent plane, and the map back onto the surface.
 #[derive(Clone, Debug)]
-pub struct Flat {
+pub struct UnfoldedCell {
     /// The cell in picture units, with its centre at 0 and its axis along x. As in all pictures, y points down and
     /// rings run clockwise on screen.
     pub cell: Cell,
@@ -21,15 +21,15 @@ pub struct Flat {
     /// Picture units in a unit of the model.
     pub unit: f64,
     /// The curvature of the surface against the plane.
-    pub bend: Bend,
+    pub bend: QuadricPatch,
 }
 
-impl Flat {
+impl UnfoldedCell {
     /// Lays the corners of a cell into its plane by the logarithmic map about its centre. `unit` is the number of
     /// picture units in a unit of the model.
     pub fn new(cell: &SurfaceCell, unit: f64) -> Self {
         let normal = cell.centre.normal;
-        let frame = Frame::of(normal);
+        let frame = TangentFrame::of(normal);
         let along = cell.axis.normalize_or_zero();
         let right = match along == DVec2::ZERO {
             true => frame.x,
@@ -44,7 +44,7 @@ impl Flat {
                 normal,
             };
             // A corner on the other side of a fold is projected straight down.
-            let to = way(&cell.centre, &corner).map(|way| frame.out(way.to));
+            let to = log(&cell.centre, &corner).map(|way| frame.out(way.to));
             flat(to.unwrap_or(at - cell.centre.at))
         };
         let corners = || cell.ring.iter().zip(&cell.normals);
@@ -56,7 +56,7 @@ impl Flat {
             .iter()
             .map(|&p| local(p - cell.centre.at) * unit)
             .collect();
-        let bend = Bend::new(&places, &normals, &truly);
+        let bend = QuadricPatch::new(&places, &normals, &truly);
         Self {
             cell: Cell {
                 id: cell.id,

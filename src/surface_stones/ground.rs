@@ -31,7 +31,7 @@ const RIM: f32 = 0.85;
 
 /// The ground, while it is made.
 #[derive(Debug, Default)]
-pub(super) struct Ground {
+pub(super) struct GroundMaking {
     curvatures: Vec<[f64; 2]>,
     surface: Surface,
     /// Pairs of a part and a triangle, sorted by parts.
@@ -47,7 +47,7 @@ pub(super) struct Ground {
 }
 
 /// The result of a slice of work.
-pub(super) enum Step {
+pub(super) enum GroundSlice {
     /// There is more to do.
     More,
     /// A part at all its levels of detail, in the model's units.
@@ -89,9 +89,9 @@ impl Bed {
     }
 }
 
-impl Ground {
+impl GroundMaking {
     /// Does one more slice, on the same mesh each time.
-    pub fn next(&mut self, mesh: &TriMesh, bed: impl Fn() -> Bed) -> Step {
+    pub fn next(&mut self, mesh: &TriMesh, bed: impl Fn() -> Bed) -> GroundSlice {
         if self.curvatures.is_empty() {
             self.curvatures = curvatures(mesh);
         } else if self.surface.positions.is_empty() {
@@ -107,7 +107,7 @@ impl Ground {
         } else {
             return self.part();
         }
-        Step::More
+        GroundSlice::More
     }
 
     /// For each vertex, whether several parts use it.
@@ -123,9 +123,9 @@ impl Ground {
         is_shared
     }
 
-    fn part(&mut self) -> Step {
+    fn part(&mut self) -> GroundSlice {
         let Some(&(part, _)) = self.order.get(self.next) else {
-            return Step::End;
+            return GroundSlice::End;
         };
         let mut fine = Surface::default();
         // Marks vertices that lie on a border of the part or of the surface.
@@ -169,7 +169,7 @@ impl Ground {
         if self.has_fine {
             levels.insert(0, fine);
         }
-        Step::Part(levels)
+        GroundSlice::Part(levels)
     }
 
     /// The share of the work that is done, 0 to 1.

@@ -4,12 +4,12 @@
 //! the surface is bent back into these. So there are no seams, and no pattern is stretched. The ground shows the bed
 //! of pavements from three sides, weighted by the directions in which the surface faces.
 
-use super::Flat;
+use super::UnfoldedCell;
 use crate::cells::Cell;
 use crate::heightfield::{Bed, Surfaces, TextureParams, between};
 use crate::material::{
-    Coat, Effects, Face, GROUND_ROW, LEVEL, Palette, Place, Sample, WeatherParams, floor, palette,
-    smoothstep_f32,
+    Coat, Effects, GROUND_ROW, LEVEL, Palette, Place, Sample, StoneTexture, WeatherParams, floor,
+    palette, smoothstep_f32,
 };
 use crate::order::{greater, lesser};
 use crate::solid::StoneKind;
@@ -51,7 +51,7 @@ pub(super) struct Look {
 /// The properties of one stone: its face, and the map back into its plane.
 #[derive(Clone, Debug)]
 pub(super) struct Own {
-    pub face: Face,
+    pub face: StoneTexture,
     /// Its centre, in the model.
     pub at: Vec3,
     axes: [Vec3; 3],
@@ -65,7 +65,7 @@ pub(super) struct Own {
 }
 
 impl Own {
-    pub fn new(flat: &Flat, face: Face) -> Self {
+    pub fn new(flat: &UnfoldedCell, face: StoneTexture) -> Self {
         let bend = &flat.bend;
         let curved = (bend.shape[0] + bend.shape[2]) * 0.5 * flat.cell.size;
         Self {
@@ -151,7 +151,7 @@ impl Look {
     }
 
     /// The face of the stone of a flat cell.
-    pub fn face(&self, cell: &Cell, coat: Coat) -> Face {
+    pub fn face(&self, cell: &Cell, coat: Coat) -> StoneTexture {
         self.texture.face(cell, coat)
     }
 

@@ -2,13 +2,13 @@
 
 use super::look::{Look, Own, bytes};
 use super::template::Templates;
-use super::{Flat, StonesParams, mean_size};
+use super::{StonesParams, UnfoldedCell, mean_size};
 use crate::heightfield::{Surfaces, TextureParams};
 use crate::material::Coat;
 use crate::order::{greater, lesser};
 use crate::solid::{StoneKind, StoneParams, Surface, normals, top};
 use crate::surface_cells::SurfaceCell;
-use crate::trimesh::Frame;
+use crate::trimesh::TangentFrame;
 use glam::{DVec3, Vec3};
 
 /// Makes stones on a surface.
@@ -43,7 +43,7 @@ impl Maker {
     /// Makes the stone of a cell with a coat. `leans_out` tells whether a scale would stand out over a border, see
     /// [`leans_out`]. Nothing if the cell has next to no area. [`Look::advance`] has to be finished before.
     pub fn stone(&mut self, cell: &SurfaceCell, coat: Coat, leans_out: bool) -> Option<Made> {
-        let mut flat = Flat::new(cell, self.unit);
+        let mut flat = UnfoldedCell::new(cell, self.unit);
         let texture = self.look.texture;
         let params = own_params(&texture.stone, leans_out);
         let is_hollow = flat.bend.shape[0] + flat.bend.shape[2] < 0.0;
@@ -89,7 +89,7 @@ impl Maker {
         // bend those of the walls.
         let turned: Vec<[u32; 3]> = solid.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect();
         let normals = normals(&bent, &turned);
-        let level = |level: &super::template::Level| {
+        let level = |level: &super::template::StoneLevel| {
             let kept = level.kept.iter().map(|&v| v as usize);
             Surface {
                 positions: kept.clone().map(|v| bent[v]).collect(),
@@ -137,7 +137,7 @@ pub(super) fn sunk(texture: &TextureParams) -> f64 {
 pub(super) fn leans_out(cell: &SurfaceCell, neighbours: &[u32], cells: &[SurfaceCell]) -> bool {
     let towards = |&k: &u32| (cells[k as usize].centre.at - cell.centre.at).normalize_or_zero();
     let inwards: DVec3 = neighbours.iter().map(towards).sum();
-    let inwards = Frame::of(cell.centre.normal).within(inwards);
+    let inwards = TangentFrame::of(cell.centre.normal).within(inwards);
     cell.on_border && cell.axis.dot(inwards) <= 0.3 * inwards.length()
 }
 

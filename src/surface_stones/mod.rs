@@ -1,11 +1,10 @@
 //! Stones and scales on a surface: from its cells to bodies in a scene.
 //!
-//! A cell is laid into its tangent plane ([`Flat`]). Its stone is made there as in any picture, and bent back onto
-//! the surface ([`Bend`]). So the shapes of stones, their lean, taper, keels and noise are those of the plane. Before
-//! that, axes are made to agree ([`make_one_sense`]). [`Stones`] makes a [`crate::scene::Scene`] of all stones on
-//! their ground.
+//! A cell is laid into its tangent plane ([`UnfoldedCell`]). Its stone is made there as in any picture, and bent back
+//! onto the surface ([`QuadricPatch`]). So the shapes of stones, their lean, taper, keels and noise are those of the
+//! plane. Before that, axes are made to agree ([`make_one_sense`]). [`Stones`] makes a [`crate::scene::Scene`] of all
+//! stones on their ground.
 
-mod bend;
 mod build;
 mod coats;
 #[cfg(test)]
@@ -16,18 +15,19 @@ mod links;
 mod look;
 mod maker;
 mod pieces;
+mod quadric_patch;
 mod sense;
 mod template;
 #[cfg(test)]
 mod tests;
 
-pub use bend::Bend;
 pub use build::{Fit, Stones};
 pub use coats::SurfaceCoats;
-pub use flatten::Flat;
+pub use flatten::UnfoldedCell;
 pub(crate) use ground::parts;
 pub use links::links;
 pub(crate) use pieces::{Piece, Pieces};
+pub use quadric_patch::QuadricPatch;
 pub use sense::{Flow, make_one_sense};
 
 use crate::heightfield::TextureParams;

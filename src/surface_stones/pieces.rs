@@ -1,6 +1,6 @@
 //! Makes stones and ground one after the other, at one level of detail, for files.
 
-use super::ground::{Bed, Ground, Step};
+use super::ground::{Bed, GroundMaking, GroundSlice};
 use super::maker::Maker;
 use super::{Paving, StonesParams, mean_size};
 use crate::heightfield::GROUND;
@@ -17,7 +17,7 @@ pub(crate) struct Pieces {
     maker: Maker,
     size: f64,
     cell: usize,
-    ground: Option<Ground>,
+    ground: Option<GroundMaking>,
 }
 
 /// The result of a slice of work.
@@ -45,7 +45,7 @@ impl Pieces {
     /// The share of the work that is done, 0 to 1.
     pub fn progress(&self, cells: &[SurfaceCell]) -> f64 {
         let stones = self.cell as f64 / cells.len().max(1) as f64;
-        let ground = self.ground.as_ref().map_or(0.0, Ground::progress);
+        let ground = self.ground.as_ref().map_or(0.0, GroundMaking::progress);
         0.9 * stones + 0.1 * ground
     }
 
@@ -69,14 +69,14 @@ impl Pieces {
         }
         let colour = self.maker.look.ground_colour();
         let bed = || Bed::new(&self.params, mesh, self.size, colour);
-        let ground = self.ground.get_or_insert_with(Ground::default);
+        let ground = self.ground.get_or_insert_with(GroundMaking::default);
         match ground.next(mesh, bed) {
-            Step::More => Piece::None,
-            Step::Part(levels) => match levels.into_iter().next() {
+            GroundSlice::More => Piece::None,
+            GroundSlice::Part(levels) => match levels.into_iter().next() {
                 Some(surface) => Piece::Surface(GROUND, surface),
                 None => Piece::None,
             },
-            Step::End => Piece::End,
+            GroundSlice::End => Piece::End,
         }
     }
 }

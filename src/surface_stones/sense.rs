@@ -7,7 +7,7 @@
 use super::links::spread;
 use crate::solid::{Axis, best_turn, quarters, turns_to_agree};
 use crate::surface_cells::SurfaceCell;
-use crate::trimesh::{Frame, SurfacePoint, way};
+use crate::trimesh::{SurfacePoint, TangentFrame, log};
 use glam::DVec2;
 use std::cell::RefCell;
 
@@ -61,10 +61,10 @@ fn turns(cells: &[SurfaceCell], axes: &[Axis], links: &[Vec<u32>], flow: Flow) -
 
 /// Carries a vector from the frame of one cell to that of another.
 fn carried(to: &SurfaceCell, from: &SurfaceCell, v: DVec2) -> DVec2 {
-    match way(&to.centre, &from.centre) {
+    match log(&to.centre, &from.centre) {
         Some(way) => way.turn.apply(v),
         None => {
-            let [own, other] = [to, from].map(|cell| Frame::of(cell.centre.normal));
+            let [own, other] = [to, from].map(|cell| TangentFrame::of(cell.centre.normal));
             own.turn_from(&other).apply(v)
         }
     }
@@ -91,7 +91,7 @@ mod tests {
         assert!(links.iter().all(|list| list.len() == 8));
         let around = |p: &SurfacePoint| {
             let along = DVec3::new(p.at.z, 0.0, -p.at.x);
-            Some(Frame::of(p.normal).within(along))
+            Some(TangentFrame::of(p.normal).within(along))
         };
         let half = |p: &SurfacePoint| around(p).filter(|_| p.at.x > 0.9);
         let nowhere = |_: &SurfacePoint| None;

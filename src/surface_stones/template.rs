@@ -5,7 +5,7 @@
 //! the surface. There are two such templates, for humps and for hollows: in a hollow the coarse triangles of a hump
 //! would cover fine ones. A stone uses its own vertices, and takes normals and colours from the finest mesh.
 
-use super::Bend;
+use super::QuadricPatch;
 use crate::cells::Cell;
 use crate::solid::{
     Footprint, Solid, Solids, StoneParams, Surface, boundary_edges, levels, simplify, used,
@@ -21,15 +21,15 @@ const BEFORE: f64 = 1.3;
 
 /// The levels of stones with one number of corners.
 #[derive(Debug)]
-pub(super) struct Template {
+pub(super) struct SharedLevels {
     /// Edges of the open base.
     pub boundary: Vec<[u32; 2]>,
-    pub levels: Vec<Level>,
+    pub levels: Vec<StoneLevel>,
 }
 
 /// A level of detail.
 #[derive(Debug)]
-pub(super) struct Level {
+pub(super) struct StoneLevel {
     /// The vertices that it keeps, as indices into the solid's.
     pub kept: Vec<u32>,
     /// Its triangles, as indices into `kept`.
@@ -48,7 +48,7 @@ pub(super) struct Templates {
     /// The lowest height that is visible.
     floor: f32,
     /// Templates at index twice the number of corners, plus one for hollows.
-    made: Vec<Option<Rc<Template>>>,
+    made: Vec<Option<Rc<SharedLevels>>>,
 }
 
 impl Templates {
@@ -69,7 +69,7 @@ impl Templates {
         cell: &Cell,
         stone: &StoneParams,
         is_hollow: bool,
-    ) -> Option<(Solid, Rc<Template>)> {
+    ) -> Option<(Solid, Rc<SharedLevels>)> {
         let corners = Footprint::new(&cell.ring, cell.centre)?.corners.len();
         let coarse = match stone.kind {
             crate::solid::StoneKind::Skin => 3 * corners,
@@ -105,7 +105,7 @@ impl Templates {
         (corners, own): (usize, &Solid),
         level: u32,
         curvature: f64,
-    ) -> Template {
+    ) -> SharedLevels {
         let mut stone = self.stone;
         (stone.distortion, stone.skin.amplitude) = (0.0, 0.0);
         let regular = regular(cell, corners);
@@ -115,7 +115,7 @@ impl Templates {
             false => own,
         };
         let boundary = boundary_edges(&solid.triangles, solid.vertices.len());
-        let mut bend = Bend::new(&[], &[], &[]);
+        let mut bend = QuadricPatch::new(&[], &[], &[]);
         bend.shape = [curvature, 0.0, curvature];
         let bent = |p: &Vec3| bend.bent(p.as_dvec3()).as_vec3();
         let mut surface = Surface {
@@ -131,9 +131,9 @@ impl Templates {
             simplify(&positions, &mut triangles, most, self.floor);
             triangles.retain(|t| t[0] != t[1]);
             let (kept, triangles) = used(&triangles, positions.len());
-            Level { kept, triangles }
+            StoneLevel { kept, triangles }
         };
-        Template {
+        SharedLevels {
             boundary,
             levels: levels(self.most, LEAST).map(level).collect(),
         }

@@ -5,7 +5,7 @@ use super::*;
 use crate::heightfield::GROUND;
 use crate::scene::Scene;
 use crate::solid::{SkinParams, Solids, StoneKind, StoneParams};
-use crate::trimesh::{Frame, TriMesh};
+use crate::trimesh::{TangentFrame, TriMesh};
 use glam::{DVec2, DVec3, Vec3};
 
 const NO_WEATHER: WeatherParams = WeatherParams {
@@ -69,7 +69,7 @@ fn a_flat_stone_stays_as_it_is_and_nothing_is_mirrored() {
         let cells = rows([5, 5], [false, false]).cells(&flat);
         let cell = &cells[12];
         let unit = 24.0 / cell.size;
-        let mut laid = Flat::new(cell, unit);
+        let mut laid = UnfoldedCell::new(cell, unit);
         let solid = Solids::new().solid_of_level(&laid.cell, &stone, 2);
         laid.bend.stand(0.0, [0.0, 40.0]);
         for v in &solid.vertices {
@@ -89,11 +89,11 @@ fn an_asymmetric_ring_is_laid_flat_as_it_is_seen() {
     let mut cell = rows([5, 5], [false, false]).cells(&flat).swap_remove(12);
     // A cell drawn out along z.
     let (at, axis) = (cell.centre.at, DVec3::Z);
-    cell.axis = Frame::of(cell.centre.normal).within(axis);
+    cell.axis = TangentFrame::of(cell.centre.normal).within(axis);
     cell.ring = [(-1.0, -1.0), (-1.0, 2.0), (1.5, 1.0), (1.0, -1.0)]
         .map(|(x, z)| at + DVec3::new(x, 0.0, z) * 0.1)
         .to_vec();
-    let laid = Flat::new(&cell, 10.0);
+    let laid = UnfoldedCell::new(&cell, 10.0);
     // Seen from above, with x to the right, z points down: the axis points down, and the picture's y to the left.
     let mut seen: Vec<[i64; 2]> = laid
         .cell
@@ -113,9 +113,9 @@ fn bent_corners_are_shared_and_the_ring_is_nearly_bent_so_without_help() {
         let unit = 24.0 / mean_size(&cells);
         let (mut off, mut worst, mut count) = (0.0, 0.0f64, 0.0);
         for cell in &cells {
-            let laid = Flat::new(cell, unit);
+            let laid = UnfoldedCell::new(cell, unit);
             let n = cell.ring.len();
-            let mut bare = Bend::new(&[], &[], &[]);
+            let mut bare = QuadricPatch::new(&[], &[], &[]);
             bare.shape = laid.bend.shape;
             for (k, &corner) in cell.ring.iter().enumerate() {
                 let flat = laid.cell.ring[n - 1 - k].extend(0.0);
@@ -149,14 +149,14 @@ fn tops_stay_apart() {
             }
             for high in [0.2, 0.5] {
                 let [left, right] = [a, b].map(|cell| {
-                    let mut laid = Flat::new(cell, unit);
+                    let mut laid = UnfoldedCell::new(cell, unit);
                     let [least, most] = laid.bend.curvatures();
                     let radius = 1.0 / least.abs().max(most.abs());
                     laid.bend.stand(0.0, [0.0, high * radius]);
                     (laid, high * radius)
                 });
                 // The middles of the walls that face each other, a tenth inside.
-                let wall = |(laid, high): &(Flat, f64), side: f64, cell: &SurfaceCell| {
+                let wall = |(laid, high): &(UnfoldedCell, f64), side: f64, cell: &SurfaceCell| {
                     let half = 0.5 * cell.size * cell.aspect.sqrt() * unit;
                     let p = DVec3::new(side * 0.9 * half, 0.0, *high);
                     cell.centre.at + laid.placed(p)
@@ -227,7 +227,7 @@ fn nothing_turns_inside_out() {
 
 #[test]
 fn stones_over_a_hollow_are_lower() {
-    let mut bend = Bend::new(&[], &[], &[]);
+    let mut bend = QuadricPatch::new(&[], &[], &[]);
     bend.shape = [-0.05, 0.0, 0.01];
     bend.stand(4.0, [0.0, 24.0]);
     assert!((bend.rise * 20.0 - 10.0).abs() < 1e-12);
@@ -279,7 +279,7 @@ fn scales_lean_along_their_axes() {
         let heights = level.positions.iter().map(|p| p.dot(out));
         let highest = heights.fold(0.0, f32::max);
         let lean = mean(&|h| h > 0.5 * highest) - mean(&|h| h < 0.0);
-        let lean = Frame::of(cell.centre.normal)
+        let lean = TangentFrame::of(cell.centre.normal)
             .within(lean.as_dvec3())
             .normalize();
         // The angle is clockwise seen from outside.

@@ -2,7 +2,7 @@
 
 use super::ground::push;
 use super::paint::Edged;
-use super::{BARE, Ground, MAP};
+use super::{BARE, BareSurface, MAP};
 use crate::draw::{Tones, planes::id_colour};
 use crate::scene::{Body, Scene};
 use crate::solid::Surface;
@@ -44,7 +44,7 @@ impl CellsView {
 
     /// Does one more slice; true when done. Ground and cells must be the same each time. The id of a cell in frames
     /// is its index plus 1.
-    pub fn advance(&mut self, ground: &Ground, cells: &[SurfaceCell]) -> bool {
+    pub fn advance(&mut self, ground: &BareSurface, cells: &[SurfaceCell]) -> bool {
         let fit = ground.fit();
         if self.next < cells.len() {
             let to = cells.len().min(self.next + CELLS);
@@ -64,7 +64,7 @@ impl CellsView {
     }
 
     /// Does all the work at once.
-    pub fn build(ground: &Ground, cells: &[SurfaceCell], tones: Option<&Tones>) -> Scene {
+    pub fn build(ground: &BareSurface, cells: &[SurfaceCell], tones: Option<&Tones>) -> Scene {
         let mut view = Self::new(tones);
         while !view.advance(ground, cells) {}
         view.finish()

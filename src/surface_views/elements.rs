@@ -3,7 +3,7 @@
 use super::domes::ball;
 use super::ground::push;
 use super::paint::Edged;
-use super::{Ground, INSIDE, MAP, SATIN, bytes, standing};
+use super::{BareSurface, INSIDE, MAP, SATIN, bytes, standing};
 use crate::draw::field::{AGAINST, WITH};
 use crate::draw::stages::{FACE, INK, LONE};
 use crate::draw::{Colour, blend};
@@ -46,7 +46,7 @@ impl MeshView {
     }
 
     /// Does one more slice; true when done. Ground and mesh must be the same each time.
-    pub fn advance(&mut self, ground: &Ground, mesh: &SurfaceMesh) -> bool {
+    pub fn advance(&mut self, ground: &BareSurface, mesh: &SurfaceMesh) -> bool {
         let fit = ground.fit();
         if self.next < mesh.elements.len() {
             self.has_inside = ground.has_inside();
@@ -63,7 +63,7 @@ impl MeshView {
     }
 
     /// Does all the work at once.
-    pub fn build(ground: &Ground, mesh: &SurfaceMesh) -> Scene {
+    pub fn build(ground: &BareSurface, mesh: &SurfaceMesh) -> Scene {
         let mut view = Self::new();
         while !view.advance(ground, mesh) {}
         view.finish()

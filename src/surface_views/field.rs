@@ -5,7 +5,7 @@ use super::domes::ball;
 use super::ground::push;
 use super::paint::Tints;
 use super::spread::Spread;
-use super::{BARE, CALM, Ground, SATIN, Tally, standing};
+use super::{BARE, BareSurface, CALM, SATIN, Tally, standing};
 use crate::draw::field::{AGAINST, CROSS, STROKE, WITH};
 use crate::draw::size::{LARGE, SMALL};
 use crate::draw::{Colour, blend};
@@ -57,7 +57,7 @@ impl FieldView {
     }
 
     /// Does one more slice; true when done. Ground and fields must be the same each time.
-    pub fn advance(&mut self, ground: &Ground, fields: &SurfaceFields) -> bool {
+    pub fn advance(&mut self, ground: &BareSurface, fields: &SurfaceFields) -> bool {
         let mesh = fields.mesh().as_ref();
         let count = mesh.triangles().len();
         let gap = |p: &SurfacePoint| self.factor * fields.size(p);
@@ -80,7 +80,7 @@ impl FieldView {
     }
 
     /// Does all the work at once.
-    pub fn build(ground: &Ground, fields: &SurfaceFields, strokes: &[Stroke]) -> Self {
+    pub fn build(ground: &BareSurface, fields: &SurfaceFields, strokes: &[Stroke]) -> Self {
         let mut view = Self::new(fields, strokes);
         while !view.advance(ground, fields) {}
         view

@@ -21,7 +21,7 @@ const PLACED: usize = 20_000;
 ///
 /// A surface with a border has an inside, too: a second copy of all vertices, with reversed normals, after the first.
 #[derive(Clone, Debug)]
-pub struct Ground {
+pub struct BareSurface {
     fit: Fit,
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
@@ -34,17 +34,17 @@ pub struct Ground {
     /// For each vertex its index in the current part.
     places: Vec<u32>,
     next: usize,
-    parts: Vec<Vec<Level>>,
+    parts: Vec<Vec<SurfaceLevel>>,
 }
 
 /// A part at one level of detail.
 #[derive(Clone, Debug)]
-struct Level {
+struct SurfaceLevel {
     vertices: Vec<u32>,
     triangles: Vec<[u32; 3]>,
 }
 
-impl Ground {
+impl BareSurface {
     /// Starts with a mesh; [`Ground::advance`] does the work.
     pub fn new(mesh: &TriMesh, fit: Fit) -> Self {
         let count = mesh.positions().len();
@@ -160,7 +160,7 @@ impl Ground {
             stays[v as usize] = true;
         }
         let count = triangles.len();
-        let mut levels: Vec<Level> = Vec::with_capacity(DEGREES.len());
+        let mut levels: Vec<SurfaceLevel> = Vec::with_capacity(DEGREES.len());
         let degrees = if count < SMALL {
             &DEGREES[..1]
         } else {
@@ -174,7 +174,7 @@ impl Ground {
                 });
                 triangles.retain(|t| t[0] != t[1]);
             }
-            levels.push(Level::of(&vertices, &triangles));
+            levels.push(SurfaceLevel::of(&vertices, &triangles));
         }
         self.parts.push(levels);
     }
@@ -203,7 +203,7 @@ impl Ground {
         colour: impl Fn(u32, bool) -> [u8; 3],
     ) -> Body {
         let outer = self.outer as u32;
-        let surface = |level: &Level| {
+        let surface = |level: &SurfaceLevel| {
             let each = || level.vertices.iter().copied();
             let place = |v: u32| {
                 let out = self.normals[(v % outer) as usize];
@@ -252,7 +252,7 @@ pub(super) fn push(scene: &mut Scene, body: Body, id: u32) {
     scene.bodies.push(body);
 }
 
-impl Level {
+impl SurfaceLevel {
     fn of(vertices: &[u32], triangles: &[[u32; 3]]) -> Self {
         let mut places = vec![NONE; vertices.len()];
         let mut kept = Vec::new();

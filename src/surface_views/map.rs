@@ -7,7 +7,7 @@ use super::bars::star;
 use super::ground::push;
 use super::paint::tint;
 use super::spread::Spread;
-use super::{Ground, MAP, standing};
+use super::{BareSurface, MAP, standing};
 use crate::draw::size::{CONTOURS, contour, heat};
 use crate::draw::{Colour, SHEET, blend};
 use crate::order::{self, greater, lesser};
@@ -90,7 +90,7 @@ impl MapView {
     }
 
     /// Does one more slice; true when done. Ground and fields must be the same each time, and belong to one mesh.
-    pub fn advance(&mut self, ground: &Ground, fields: &SurfaceFields) -> bool {
+    pub fn advance(&mut self, ground: &BareSurface, fields: &SurfaceFields) -> bool {
         let mesh = fields.mesh().as_ref();
         let count = mesh.positions().len();
         if self.values.len() < count {
@@ -123,7 +123,7 @@ impl MapView {
 
     /// Does all the work at once.
     pub fn build(
-        ground: &Ground,
+        ground: &BareSurface,
         fields: &SurfaceFields,
         quantity: Quantity,
         has_bars: bool,
@@ -207,7 +207,7 @@ impl MapView {
             .is_none_or(|bars| bars.advance(mesh, |_| gap))
     }
 
-    fn fill(&mut self, ground: &Ground, fields: &SurfaceFields) {
+    fn fill(&mut self, ground: &BareSurface, fields: &SurfaceFields) {
         let (fit, scene) = (ground.fit(), &mut self.scene);
         let gap = (fields.mesh().area() / BARS).sqrt().max(fields.mean_size());
         let mut tints = Vec::new();

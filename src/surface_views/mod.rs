@@ -7,7 +7,7 @@
 //! - [`MapView`]: the surface in the colours of its curvature, or of the wanted size.
 //!
 //! All use the same [`Fit`](crate::surface_stones::Fit), so a change of view moves nothing. They share the bare
-//! surface, which is made once, in parts at several levels of detail: [`Ground`]. Bodies of one shape are stored
+//! surface, which is made once, in parts at several levels of detail: [`BareSurface`]. Bodies of one shape are stored
 //! once. Differences between them, and lines within a face, are not geometry but a [`Detail`](crate::scene::Detail):
 //! it is computed for visible pixels only, and sharp at any distance.
 
@@ -28,7 +28,7 @@ mod tests;
 pub use cells::CellsView;
 pub use elements::MeshView;
 pub use field::FieldView;
-pub use ground::Ground;
+pub use ground::BareSurface;
 pub use map::{Legend, MapView, Quantity};
 pub use particles::{Particles, particles};
 pub use tally::Tally;

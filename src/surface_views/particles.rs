@@ -2,13 +2,13 @@
 
 use super::domes::Dome;
 use super::paint::Tints;
-use super::{BARE, GLOSS, Ground, standing};
+use super::{BARE, BareSurface, GLOSS, standing};
 use crate::draw::stages::stressed;
 use crate::draw::{Colour, Tones, blend, lit};
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::packing::{BEYOND, Stress, stress_on};
 use crate::scene::{Body, Scene};
-use crate::surface_packing::{Site, SurfaceParticle};
+use crate::surface_packing::{PackingMesh, SurfaceParticle};
 use crate::surface_stones::Fit;
 use glam::{DVec2, DVec3};
 
@@ -34,7 +34,12 @@ const DARK: f64 = 0.66;
 const FIXED: f32 = 0.82;
 
 /// All kinds, in the order of their bodies.
-const KINDS: [Kind; 4] = [Kind::Square, Kind::Rectangle, Kind::Circle, Kind::Ellipse];
+const KINDS: [CellKind; 4] = [
+    CellKind::Square,
+    CellKind::Rectangle,
+    CellKind::Circle,
+    CellKind::Ellipse,
+];
 
 /// A scene of packed cells that is updated as they move: bodies stay, and only their places change.
 pub struct Particles {
@@ -47,7 +52,12 @@ pub struct Particles {
 }
 
 /// The scene of cells at one time, in the tones of the stones to come.
-pub fn particles(ground: &Ground, site: &Site, cells: &[SurfaceParticle], tones: &Tones) -> Scene {
+pub fn particles(
+    ground: &BareSurface,
+    site: &PackingMesh,
+    cells: &[SurfaceParticle],
+    tones: &Tones,
+) -> Scene {
     let mut view = Particles::new(ground);
     view.update(site, cells, tones);
     view.finish()
@@ -55,7 +65,7 @@ pub fn particles(ground: &Ground, site: &Site, cells: &[SurfaceParticle], tones:
 
 impl Particles {
     /// Starts with the ground alone.
-    pub fn new(ground: &Ground) -> Self {
+    pub fn new(ground: &BareSurface) -> Self {
         let mut scene = Scene::default();
         ground.add_to(&mut scene, BARE, 0.0, UNDER);
         Self {
@@ -68,7 +78,7 @@ impl Particles {
 
     /// Shows these cells, which lie on `site`: in their shapes, warm where they are pressed, cool where they have
     /// room. The id of a cell in frames is its index plus 1.
-    pub fn update(&mut self, site: &Site, cells: &[SurfaceParticle], tones: &Tones) {
+    pub fn update(&mut self, site: &PackingMesh, cells: &[SurfaceParticle], tones: &Tones) {
         self.make_bodies(cells);
         let scene = &mut self.scene;
         scene.instances.truncate(self.ground);
@@ -124,7 +134,7 @@ impl Particles {
 }
 
 /// The stress on each cell.
-pub(super) fn stress(site: &Site, cells: &[SurfaceParticle]) -> Vec<Stress> {
+pub(super) fn stress(site: &PackingMesh, cells: &[SurfaceParticle]) -> Vec<Stress> {
     // For each cell the two axes that measure how far off a place is, in sizes along the cell's half axes.
     let axes = |cell: &SurfaceParticle| {
         let (frame, (e, f)) = (cell.centre.frame(), cell.half_axes());
@@ -145,7 +155,7 @@ pub(super) fn stress(site: &Site, cells: &[SurfaceParticle]) -> Vec<Stress> {
     stress_on(site, cells, may_meet, |p, by| !mesh.walk(&p, by).slid)
 }
 
-fn place_of(kind: Kind) -> usize {
+fn place_of(kind: CellKind) -> usize {
     KINDS.iter().position(|&k| k == kind).unwrap_or_default()
 }
 
@@ -159,7 +169,7 @@ fn step_of(cell: &SurfaceParticle) -> u32 {
 }
 
 /// The body of a cell of size 1.
-fn bubble(kind: Kind, step: u32) -> Body {
+fn bubble(kind: CellKind, step: u32) -> Body {
     let root = libm::pow(LONGEST, 0.5 * f64::from(step) / f64::from(STEPS));
     let half = DVec2::new(0.5 * root, 0.5 / root);
     let dome = Dome {

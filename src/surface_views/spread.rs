@@ -5,8 +5,8 @@
 
 use crate::order::lesser;
 use crate::random::{Purpose, Random};
-use crate::surface_packing::buckets::Boxes;
-use crate::trimesh::{SurfacePoint, TriMesh, way};
+use crate::surface_packing::spatial_hash::SurfaceHash;
+use crate::trimesh::{SurfacePoint, TriMesh, log};
 use glam::{DVec2, DVec3};
 
 /// Darts for each place for which there is room.
@@ -32,7 +32,7 @@ pub(super) struct Spread {
     gaps: Vec<f64>,
     /// Running sums over the triangles of the places for which they have room.
     rooms: Vec<f64>,
-    boxes: Option<Boxes>,
+    boxes: Option<SurfaceHash>,
     widest: f64,
     dart: usize,
     round: usize,
@@ -60,7 +60,7 @@ impl Spread {
             self.weigh(mesh, gap);
         } else if self.boxes.is_none() {
             let step = REACH * self.widest;
-            self.boxes = Some(Boxes::new(mesh.bounds(), step));
+            self.boxes = Some(SurfaceHash::new(mesh.bounds(), step));
         } else if self.dart < self.darts() {
             self.throw(mesh, gap);
         } else if self.round < ROUNDS {
@@ -132,7 +132,7 @@ impl Spread {
                 let reach = REACH * 0.5 * (wide + self.gaps[j]);
                 let other = &self.places[j];
                 if j != k && other.at.distance_squared(own.at) < reach * reach {
-                    let way = way(&own, other).map_or(DVec2::ZERO, |way| way.to);
+                    let way = log(&own, other).map_or(DVec2::ZERO, |way| way.to);
                     let part = 1.0 - lesser(way.length() / reach, 1.0);
                     by -= way.normalize_or_zero() * (part * part * PUSH * wide);
                 }
@@ -146,7 +146,7 @@ impl Spread {
         }
         self.places = std::mem::take(&mut self.moved);
         self.gaps = self.places.iter().map(gap).collect();
-        let mut boxes = Boxes::new(mesh.bounds(), REACH * self.widest);
+        let mut boxes = SurfaceHash::new(mesh.bounds(), REACH * self.widest);
         self.places.iter().for_each(|p| boxes.push_at(p.at));
         self.boxes = Some(boxes);
         self.round += 1;

@@ -13,7 +13,7 @@ const MANY: usize = 24;
 /// A mesh that is being built.
 pub struct MeshBuilding {
     mesh: TriMesh,
-    stage: Stage,
+    stage: BuildingPhase,
     /// How many triangles or vertices the current stage has done.
     at: usize,
     /// Where the edges of each vertex begin in `edges`. An edge belongs to its end with the lesser number.
@@ -22,7 +22,7 @@ pub struct MeshBuilding {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Stage {
+enum BuildingPhase {
     Check,
     Count,
     Sort,
@@ -44,7 +44,7 @@ impl MeshBuilding {
                 positions,
                 triangles,
             },
-            stage: Stage::Check,
+            stage: BuildingPhase::Check,
             at: 0,
             starts: Vec::new(),
             edges: Vec::new(),
@@ -54,30 +54,30 @@ impl MeshBuilding {
     /// Does one more slice. Returns the mesh when it is done, or the fault of the triangles.
     pub fn advance(&mut self) -> Option<Result<TriMesh, MeshFault>> {
         let count = match self.stage {
-            Stage::Link | Stage::Normals => self.mesh.positions.len(),
+            BuildingPhase::Link | BuildingPhase::Normals => self.mesh.positions.len(),
             _ => self.mesh.triangles.len(),
         };
         let end = count.min(self.at + SLICE);
         let range = self.at..end;
         self.at = end;
         let worked = match self.stage {
-            Stage::Check => self.check(range),
-            Stage::Count => {
+            BuildingPhase::Check => self.check(range),
+            BuildingPhase::Count => {
                 self.count(range);
                 Ok(())
             }
-            Stage::Sort => {
+            BuildingPhase::Sort => {
                 self.sort(range);
                 Ok(())
             }
-            Stage::Link => range
+            BuildingPhase::Link => range
                 .into_iter()
                 .try_for_each(|v| link(&mut self.mesh, &mut self.edges[span(&self.starts, v)])),
-            Stage::Faces => {
+            BuildingPhase::Faces => {
                 range.for_each(|t| self.mesh.weigh(t));
                 Ok(())
             }
-            Stage::Normals => {
+            BuildingPhase::Normals => {
                 for normal in &mut self.mesh.normals[range] {
                     *normal = normal.normalize_or(DVec3::Y);
                 }
@@ -97,28 +97,28 @@ impl MeshBuilding {
     fn is_last(&mut self) -> bool {
         self.at = 0;
         self.stage = match self.stage {
-            Stage::Check => {
+            BuildingPhase::Check => {
                 self.starts = vec![0; self.mesh.positions.len() + 2];
-                Stage::Count
+                BuildingPhase::Count
             }
-            Stage::Count => {
+            BuildingPhase::Count => {
                 for v in 1..self.starts.len() {
                     self.starts[v] += self.starts[v - 1];
                 }
                 self.edges = vec![0; 3 * self.mesh.triangles.len()];
-                Stage::Sort
+                BuildingPhase::Sort
             }
-            Stage::Sort => {
+            BuildingPhase::Sort => {
                 self.mesh.across = vec![[NONE; 3]; self.mesh.triangles.len()];
-                Stage::Link
+                BuildingPhase::Link
             }
-            Stage::Link => {
+            BuildingPhase::Link => {
                 (self.starts, self.edges) = (Vec::new(), Vec::new());
                 self.mesh.faces.reserve_exact(self.mesh.triangles.len());
-                Stage::Faces
+                BuildingPhase::Faces
             }
-            Stage::Faces => Stage::Normals,
-            Stage::Normals => return true,
+            BuildingPhase::Faces => BuildingPhase::Normals,
+            BuildingPhase::Normals => return true,
         };
         false
     }

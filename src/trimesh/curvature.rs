@@ -1,7 +1,7 @@
 //! Curvature of a triangle mesh.
 
-use super::links::{Links, carried};
-use super::{Frame, SurfacePoint, TriMesh};
+use super::adjacency::{Adjacency, carried};
+use super::{SurfacePoint, TangentFrame, TriMesh};
 use crate::field::symmetry::direction_of;
 use glam::DVec2;
 
@@ -63,7 +63,7 @@ pub(crate) struct Curvatures {
 
 impl Curvatures {
     /// Starts the work; values will be averaged over about a cell of this size.
-    pub fn begin(mesh: &TriMesh, links: &Links, size: f64) -> Self {
+    pub fn begin(mesh: &TriMesh, links: &Adjacency, size: f64) -> Self {
         // In one round half of each value goes to the neighbours, which spreads it by a quarter of their squared
         // distance along each axis.
         let rounds = REACH * REACH * size * size / (0.25 * links.mean_square(mesh));
@@ -77,7 +77,7 @@ impl Curvatures {
     }
 
     /// Works on at most `amount` vertices; true when all are done.
-    pub fn advance(&mut self, mesh: &TriMesh, links: &Links, amount: usize) -> bool {
+    pub fn advance(&mut self, mesh: &TriMesh, links: &Adjacency, amount: usize) -> bool {
         if self.values.len() < links.len() {
             let end = links
                 .len()
@@ -105,7 +105,7 @@ impl Curvatures {
         self.round == self.rounds
     }
 
-    fn averaged(&self, links: &Links, v: usize) -> Curvature {
+    fn averaged(&self, links: &Adjacency, v: usize) -> Curvature {
         let own = self.values[v];
         let (mut mean, mut bend, mut weight) = (0.0, DVec2::ZERO, 0.0);
         for e in links.of(v) {
@@ -126,7 +126,7 @@ impl Curvatures {
 }
 
 /// Fits S at a vertex to the differences between its normal and those of its neighbours.
-fn fitted(mesh: &TriMesh, links: &Links, v: usize) -> Curvature {
+fn fitted(mesh: &TriMesh, links: &Adjacency, v: usize) -> Curvature {
     let frame = &links.frames[v];
     let (at, normals) = (mesh.positions(), mesh.normals());
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
@@ -174,7 +174,10 @@ pub(crate) fn interpolated(values: &[Curvature], mesh: &TriMesh, p: &SurfacePoin
     let corners = mesh.triangles()[p.triangle as usize];
     let mut sum = Curvature::default();
     for (v, weight) in corners.into_iter().zip(weights) {
-        let (value, from) = (values[v as usize], Frame::of(mesh.normals()[v as usize]));
+        let (value, from) = (
+            values[v as usize],
+            TangentFrame::of(mesh.normals()[v as usize]),
+        );
         let turn = frame.within(carried(from.x, from.normal, frame.normal));
         let turn = turn.normalize_or(DVec2::X);
         sum.mean += weight * value.mean;
@@ -190,7 +193,7 @@ mod tests {
     use glam::DVec3;
 
     fn curvatures(mesh: &TriMesh, size: f64) -> Vec<Curvature> {
-        let links = Links::build(mesh);
+        let links = Adjacency::build(mesh);
         let mut work = Curvatures::begin(mesh, &links, size);
         while !work.advance(mesh, &links, 100) {}
         work.values
@@ -222,7 +225,7 @@ mod tests {
             let [(most, _), (least, direction)] = c.principal();
             assert!((most - 2.5).abs() < 0.05, "{most}");
             assert!((least - around).abs() < 0.05, "{least} {around}");
-            let frame = Frame::of(mesh.normals()[v]);
+            let frame = TangentFrame::of(mesh.normals()[v]);
             let along = DVec3::new(-p.z, 0.0, p.x) / r;
             assert!(frame.out(direction).dot(along).abs() > 0.999);
             let step = c.along(direction) - least * direction;

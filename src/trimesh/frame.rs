@@ -1,12 +1,12 @@
 //! Tangent frames, and the logarithmic map between two points of a surface.
 
 use super::SurfacePoint;
-use crate::packing::transport::Carry;
+use crate::packing::transport::ParallelTransport;
 use glam::{DVec2, DVec3};
 
 /// A right-handed orthonormal frame: two axes in the tangent plane, and its normal.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
+pub struct TangentFrame {
     /// The x axis, in the tangent plane.
     pub x: DVec3,
     /// The y axis, in the tangent plane.
@@ -15,7 +15,7 @@ pub struct Frame {
     pub normal: DVec3,
 }
 
-impl Frame {
+impl TangentFrame {
     /// The frame of a unit normal; equal normals get equal frames (Duff et al. 2017, Building an Orthonormal Basis,
     /// Revisited).
     pub fn of(normal: DVec3) -> Self {
@@ -42,8 +42,8 @@ impl Frame {
 
     /// The turn that carries vectors of another frame into this one, by the smallest rotation between the two
     /// normals. If the normals are opposite, the turn is arbitrary.
-    pub fn turn_from(&self, other: &Frame) -> Turn {
-        Turn(self.within(rotated(other.x, other.normal, self.normal)))
+    pub fn turn_from(&self, other: &TangentFrame) -> Transport {
+        Transport(self.within(rotated(other.x, other.normal, self.normal)))
     }
 }
 
@@ -56,9 +56,9 @@ pub(crate) fn rotated(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
 
 /// A rotation of the plane that takes coordinates of one frame to those of another: the image of the x axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn(pub DVec2);
+pub struct Transport(pub DVec2);
 
-impl Turn {
+impl Transport {
     /// The identity.
     pub const NONE: Self = Self(DVec2::X);
 
@@ -80,31 +80,31 @@ impl Turn {
     }
 }
 
-impl Carry for Turn {
+impl ParallelTransport for Transport {
     #[inline(always)]
     fn apply(self, v: DVec2) -> DVec2 {
-        Turn::apply(self, v)
+        Transport::apply(self, v)
     }
 
     #[inline(always)]
     fn undo(self, v: DVec2) -> DVec2 {
-        Turn::undo(self, v)
+        Transport::undo(self, v)
     }
 }
 
 /// The logarithmic map of one point at another, with the turn between their frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Way {
+pub struct LogMap {
     /// Direction and distance to the other point, in the frame of the first one.
     pub to: DVec2,
     /// Carries vectors of the other point's frame into that of the first one.
-    pub turn: Turn,
+    pub turn: Transport,
 }
 
 impl SurfacePoint {
     /// The frame of the normal at this point.
-    pub fn frame(&self) -> Frame {
-        Frame::of(self.normal)
+    pub fn frame(&self) -> TangentFrame {
+        TangentFrame::of(self.normal)
     }
 }
 
@@ -116,20 +116,20 @@ const LIES: f64 = 0.3;
 /// The logarithmic map from one point to another. The direction lies in the plane of the mean of the two normals; the
 /// length is that of the circular arc that has these normals at its ends. The map from `b` to `a` is the reverse.
 /// Nothing if the points lie on different sides of a thin sheet. Points at one place see each other, at distance 0.
-pub fn way(a: &SurfacePoint, b: &SurfacePoint) -> Option<Way> {
+pub fn log(a: &SurfacePoint, b: &SurfacePoint) -> Option<LogMap> {
     let to = seen(a.at, a.normal, b.at, b.normal)?;
-    let own = Frame::of(a.normal);
-    let turn = own.turn_from(&Frame::of(b.normal));
+    let own = TangentFrame::of(a.normal);
+    let turn = own.turn_from(&TangentFrame::of(b.normal));
     let to = if to == DVec3::ZERO {
         DVec2::ZERO
     } else {
         own.within(to)
     };
-    Some(Way { to, turn })
+    Some(LogMap { to, turn })
 }
 
 /// [`Way::to`] in any frame of the first point's normal.
-pub(crate) fn way_in(own: &Frame, from: DVec3, at: DVec3, normal: DVec3) -> Option<DVec2> {
+pub(crate) fn log_in(own: &TangentFrame, from: DVec3, at: DVec3, normal: DVec3) -> Option<DVec2> {
     Some(own.within(seen(from, own.normal, at, normal)?))
 }
 
@@ -220,7 +220,7 @@ mod tests {
     #[test]
     fn frames_are_right_handed_and_orthonormal() {
         for n in normals().chain([DVec3::Z, DVec3::NEG_Z]) {
-            let frame = Frame::of(n);
+            let frame = TangentFrame::of(n);
             assert!((frame.x.cross(frame.y) - n).length() < 1e-12, "{n}");
             assert!((frame.x.length() - 1.0).abs() < 1e-12 && frame.x.dot(n).abs() < 1e-12);
         }
@@ -236,7 +236,7 @@ mod tests {
                     at: n,
                     normal: n,
                 });
-                let (Some(there), Some(back)) = (way(&p, &q), way(&q, &p)) else {
+                let (Some(there), Some(back)) = (log(&p, &q), log(&q, &p)) else {
                     assert!(a.dot(b) < SEES + 0.1);
                     continue;
                 };
@@ -255,6 +255,6 @@ mod tests {
             at: DVec3::ONE,
             normal: DVec3::X,
         };
-        assert_eq!(way(&p, &p).unwrap().to, DVec2::ZERO);
+        assert_eq!(log(&p, &p).unwrap().to, DVec2::ZERO);
     }
 }

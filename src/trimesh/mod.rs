@@ -9,18 +9,18 @@
 //! edges short enough to tell cells apart. [`repair::Cutting`], an option, cuts along creases. [`Simplifying`] makes
 //! a simpler surface to pack on, and a [`Search`] brings points of it to the full one.
 //!
-//! Space is right-handed with y up. Triangles run counter-clockwise seen from outside. A tangent vector at a point is
-//! a [`glam::DVec2`] in the [`Frame`] of the point's normal: its x axis, its y axis and the normal are right-handed,
-//! so a positive turn is counter-clockwise seen from outside.
+//! Space is right-handed with y up. Triangles run counter-clockwise seen from outside. A tangent vector at a point is a
+//! [`glam::DVec2`] in the [`TangentFrame`] of the point's normal: its x axis, its y axis and the normal are
+//! right-handed, so a positive turn is counter-clockwise seen from outside.
 
 /// Beyond an edge of the border: no triangle.
 pub(crate) use crate::csr::NONE;
 
+pub(crate) mod adjacency;
 mod building;
 mod closed;
 pub mod curvature;
 pub(crate) mod frame;
-pub(crate) mod links;
 mod mesh;
 mod point;
 pub(crate) mod polygon;
@@ -38,7 +38,7 @@ mod walk;
 
 pub use building::MeshBuilding;
 pub use closed::Closed;
-pub use frame::{Frame, Turn, Way, way};
+pub use frame::{LogMap, TangentFrame, Transport, log};
 pub use mesh::{MeshFault, TriMesh};
 pub use point::SurfacePoint;
 pub use search::{Hit, Search};

@@ -38,7 +38,7 @@ pub struct Refining {
     targets: Vec<f64>,
     parents: Vec<[u32; 2]>,
     origin: Vec<u32>,
-    stage: Stage,
+    stage: RefiningPhase,
     at: usize,
     /// The greatest square of an edge's length over its allowed one.
     excess: f64,
@@ -56,7 +56,7 @@ pub struct Refining {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Stage {
+enum RefiningPhase {
     Measure,
     Mark,
     Split,
@@ -71,7 +71,7 @@ impl Refining {
             targets,
             mesh,
             parents: Vec::new(),
-            stage: Stage::Measure,
+            stage: RefiningPhase::Measure,
             at: 0,
             excess: 0.0,
             is_even: false,
@@ -98,7 +98,7 @@ impl Refining {
         &mut self,
         target: &dyn Fn(DVec3, f64) -> f64,
     ) -> Option<Result<Refined, Notice>> {
-        if let Stage::Join = self.stage {
+        if let RefiningPhase::Join = self.stage {
             let positions = &mut self.positions;
             let triangles = &mut self.triangles;
             let building = self.building.get_or_insert_with(|| {
@@ -107,15 +107,15 @@ impl Refining {
             let mesh = building.advance()?;
             // Splitting keeps a mesh valid, so there is no fault.
             self.mesh = mesh.ok()?;
-            (self.stage, self.building) = (Stage::Measure, None);
+            (self.stage, self.building) = (RefiningPhase::Measure, None);
             return None;
         }
         let count = self.mesh.triangles().len();
         let end = count.min(self.at + SLICE);
         for t in self.at..end {
             match self.stage {
-                Stage::Measure => self.measure(t),
-                Stage::Mark => self.mark(t, target),
+                RefiningPhase::Measure => self.measure(t),
+                RefiningPhase::Mark => self.mark(t, target),
                 _ => self.split(t),
             }
         }
@@ -129,23 +129,23 @@ impl Refining {
         }
         self.at = 0;
         match self.stage {
-            Stage::Measure if self.excess <= 1.0 => return Some(Ok(self.finish())),
-            Stage::Measure => {
+            RefiningPhase::Measure if self.excess <= 1.0 => return Some(Ok(self.finish())),
+            RefiningPhase::Measure => {
                 self.middles = vec![[NONE; 3]; count];
                 // The old vertices come first.
                 self.positions = std::mem::take(&mut self.mesh.positions);
-                self.stage = Stage::Mark;
+                self.stage = RefiningPhase::Mark;
             }
-            Stage::Mark => {
+            RefiningPhase::Mark => {
                 self.triangles = Vec::with_capacity(2 * count);
                 self.origins = Vec::with_capacity(2 * count);
-                self.stage = Stage::Split;
+                self.stage = RefiningPhase::Split;
             }
             _ => {
                 self.origin = std::mem::take(&mut self.origins);
                 (self.mesh, self.middles) = (TriMesh::none(), Vec::new());
                 (self.excess, self.least) = (0.0, 0.0);
-                self.stage = Stage::Join;
+                self.stage = RefiningPhase::Join;
             }
         }
         None
@@ -177,7 +177,7 @@ impl Refining {
     fn ratio(&self, t: usize, k: usize) -> f64 {
         let [a, b] = self.ends(t, k).map(|v| v as usize);
         let positions = match self.stage {
-            Stage::Measure => self.mesh.positions(),
+            RefiningPhase::Measure => self.mesh.positions(),
             _ => &self.positions,
         };
         let target = self.targets[a].min(self.targets[b]);

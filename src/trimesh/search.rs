@@ -401,7 +401,7 @@ fn meets([a, b, c]: [DVec3; 3], from: DVec3, along: DVec3) -> Option<(f64, DVec3
 #[cfg(test)]
 mod tests {
     use super::super::testing::{self, mesh};
-    use super::super::{Simplifying, samples, way};
+    use super::super::{Simplifying, log, samples};
     use super::*;
 
     fn probes() -> impl Iterator<Item = DVec3> {
@@ -491,7 +491,7 @@ mod tests {
             let on = search.closest_facing(&full, point.at, point.normal);
             assert!((on.at - point.at).length() < 0.03);
             assert!(on.normal.dot(point.normal) > 0.8);
-            assert!(on.weights(&full).min_element() > -1e-9 && way(&on, &on).is_some());
+            assert!(on.weights(&full).min_element() > -1e-9 && log(&on, &on).is_some());
         }
     }
 

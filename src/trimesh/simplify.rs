@@ -29,7 +29,7 @@ pub struct Simplifying {
     origin: DVec3,
     collapse: Collapse,
     is_border: Vec<bool>,
-    stage: Stage,
+    stage: SimplifyingPhase,
     at: usize,
     left: usize,
     most: usize,
@@ -40,7 +40,7 @@ pub struct Simplifying {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Stage {
+enum SimplifyingPhase {
     Weigh,
     Offer,
     Collapse,
@@ -60,7 +60,7 @@ impl Simplifying {
             origin,
             collapse: Collapse::new(places.collect(), mesh.triangles().to_vec()),
             is_border: vec![false; mesh.positions().len()],
-            stage: Stage::Weigh,
+            stage: SimplifyingPhase::Weigh,
             at: 0,
             left: mesh.triangles().len(),
             most,
@@ -75,30 +75,30 @@ impl Simplifying {
         let count = self.collapse.triangles.len();
         let range = self.at..count.min(self.at + SLICE);
         match self.stage {
-            Stage::Weigh => {
+            SimplifyingPhase::Weigh => {
                 self.at = range.end;
                 range.for_each(|t| self.weigh(t));
                 if self.at == count {
-                    (self.stage, self.at) = (Stage::Offer, 0);
+                    (self.stage, self.at) = (SimplifyingPhase::Offer, 0);
                 }
             }
-            Stage::Offer => {
+            SimplifyingPhase::Offer => {
                 self.at = range.end;
                 range.for_each(|t| self.offer_edges(t));
                 if self.at == count {
                     self.mesh = TriMesh::none();
-                    self.stage = Stage::Collapse;
+                    self.stage = SimplifyingPhase::Collapse;
                 }
             }
-            Stage::Collapse => {
+            SimplifyingPhase::Collapse => {
                 let goes_on = (0..EDGES).all(|_| self.next());
                 if !goes_on {
                     self.build();
-                    self.stage = Stage::Build;
+                    self.stage = SimplifyingPhase::Build;
                 }
             }
             // Collapses keep a mesh valid, so there is no fault.
-            Stage::Build => return self.building.as_mut()?.advance()?.ok(),
+            SimplifyingPhase::Build => return self.building.as_mut()?.advance()?.ok(),
         }
         None
     }

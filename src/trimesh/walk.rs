@@ -1,7 +1,7 @@
 //! Straightest paths over a surface.
 
 use super::frame::rotated;
-use super::{SurfacePoint, TriMesh, Turn};
+use super::{SurfacePoint, Transport, TriMesh};
 use glam::{DVec2, DVec3};
 
 /// The result of a walk.
@@ -10,7 +10,7 @@ pub struct Walked {
     /// Its end.
     pub to: SurfacePoint,
     /// Carries vectors of the frame at the start into the frame at the end, along the path.
-    pub turn: Turn,
+    pub turn: Transport,
     /// Whether it met the border and went on along it.
     pub slid: bool,
 }
@@ -32,7 +32,7 @@ impl TriMesh {
         if !(length > 0.0 && length.is_finite()) {
             return Walked {
                 to: *from,
-                turn: Turn::NONE,
+                turn: Transport::NONE,
                 slid: false,
             };
         }
@@ -48,7 +48,7 @@ impl TriMesh {
         let turn = DVec2::new(ahead.dot(end), ahead.perp_dot(end));
         Walked {
             to,
-            turn: Turn(turn.normalize_or(DVec2::X)),
+            turn: Transport(turn.normalize_or(DVec2::X)),
             slid,
         }
     }

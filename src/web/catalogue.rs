@@ -2,7 +2,7 @@
 
 use super::object;
 use crate::decimal;
-use crate::generators::{ALL, Course, Generator, Part, Preset, Timing};
+use crate::generators::{ALL, Course, Generator, MeasuredPart, Preset, Timing};
 use crate::recipe::{Item, Kind, Parameter};
 use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -192,7 +192,7 @@ fn preset_object(p: &Preset) -> Object {
 }
 
 fn timing_object(timing: &Timing) -> Object {
-    let part = |part: &Part| {
+    let part = |part: &MeasuredPart| {
         object(&[
             ("name", part.name.into()),
             ("stages", words(part.stages)),

@@ -1,6 +1,6 @@
 //! Why a view or an overlay shows nothing.
 
-use super::{Base, Overlay, Pavement, Stage, View};
+use super::{Base, Overlay, Pavement, PavementView, Stage};
 use crate::domain::Domain;
 use crate::draw;
 use glam::DVec2;
@@ -44,7 +44,7 @@ const SAME: f64 = 0.01;
 impl Pavement {
     /// The parts of a view that show nothing, by their words, with the reasons: first the base, then the overlays in
     /// their order.
-    pub(super) fn missing(&mut self, view: View) -> Vec<(&'static str, Absence)> {
+    pub(super) fn missing(&mut self, view: PavementView) -> Vec<(&'static str, Absence)> {
         let mut found = Vec::new();
         if let Some(why) = self.base_absence(view.base) {
             let word = Base::ALL.iter().find(|(base, _)| *base == view.base);

@@ -95,13 +95,13 @@ impl Pavement {
     }
 
     /// The outline, domain, fields and packing to show: those of the draft while it is shown.
-    pub(super) fn shown(&self) -> Shown<'_> {
+    pub(super) fn shown(&self) -> DraftView<'_> {
         let (stages, packing) = match self.draft() {
             Some(draft) => (&draft.stages, Some(&draft.packing)),
             None => (&self.made, self.made.shown_packing()),
         };
         let rings = stages.rings().iter();
-        Shown {
+        DraftView {
             rings: rings.map(Vec::as_slice).collect(),
             domain: stages.domain.made(),
             fields: stages.fields.made(),
@@ -126,7 +126,7 @@ impl Draft {
 }
 
 /// The shown results of the stages that a draft replaces.
-pub(super) struct Shown<'a> {
+pub(super) struct DraftView<'a> {
     pub rings: Vec<&'a [DVec2]>,
     pub domain: Option<&'a Domain>,
     pub fields: Option<&'a Fields>,

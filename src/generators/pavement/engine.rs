@@ -1,6 +1,6 @@
 //! The engine of pavements, for the studio.
 
-use super::look::View;
+use super::look::PavementView;
 use super::params::Params;
 use super::{Pavement, PavementRecipe, Stage};
 use crate::domain::Outline;
@@ -98,11 +98,11 @@ impl Engine for Pavement {
     }
 
     fn view(&mut self, words: &str) -> &[u8] {
-        self.look_at(View::of_words(words))
+        self.look_at(PavementView::of_words(words))
     }
 
     fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
-        self.draw_beforehand(View::of_words(words), clock, budget)
+        self.draw_beforehand(PavementView::of_words(words), clock, budget)
     }
 
     fn picture(&self) -> &[u8] {

@@ -61,7 +61,7 @@ pub enum Overlay {
 
 /// A view: a base with overlays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct View {
+pub struct PavementView {
     /// The base.
     pub base: Base,
     /// The overlays, a bit for each, by their indices in [`Overlay::ALL`].
@@ -143,17 +143,17 @@ impl Overlay {
     };
 }
 
-impl From<Base> for View {
+impl From<Base> for PavementView {
     fn from(base: Base) -> Self {
         Self { base, over: 0 }
     }
 }
 
-impl View {
+impl PavementView {
     /// The view of words joined by '+': at most one base, and overlays. Unknown words and further bases are ignored.
     /// Overlays without a base are drawn on paper, the first of them (in drawing order) in full colours if it is the
     /// packing, the cells, the mesh or the direction. Without any known word it is [`Base::Auto`].
-    pub fn of_words(words: &str) -> View {
+    pub fn of_words(words: &str) -> PavementView {
         let (mut base, mut over) = (None, 0);
         for word in words.split('+') {
             if let Some((overlay, _)) = Overlay::ALL.iter().find(|(_, w)| *w == word) {
@@ -163,7 +163,7 @@ impl View {
                 base = found.map(|&(base, _)| base);
             }
         }
-        let view = |base: Base, over: u16| View { base, over };
+        let view = |base: Base, over: u16| PavementView { base, over };
         match base {
             // The potential is that of one cell: nothing of the picture lies over it.
             Some(Base::Potential) => Base::Potential.into(),

@@ -6,7 +6,7 @@ use crate::cells::Cell;
 use crate::domain::Domain;
 use crate::field::Fields;
 use crate::generators::height_field::Painting;
-use crate::generators::packs::Packs;
+use crate::generators::packs::PackingProgress;
 use crate::graph::Wiring;
 use crate::heightfield::Planes;
 use crate::material::Coat;
@@ -22,7 +22,7 @@ impl Stages {
 
     /// The packing in progress, or the last one.
     pub fn shown_packing(&self) -> Option<&Packing> {
-        let moving = self.packing.work().and_then(Packs::moving);
+        let moving = self.packing.work().and_then(PackingProgress::moving);
         moving.or(self.packing.made())
     }
 
@@ -31,7 +31,7 @@ impl Stages {
     pub fn shown_packing_mut(&mut self) -> Option<(&mut Packing, &Domain)> {
         let domain = self.domain.made()?;
         let (work, made) = self.packing.both_mut();
-        let packing = work.and_then(Packs::moving_mut).or(made);
+        let packing = work.and_then(PackingProgress::moving_mut).or(made);
         Some((packing?, domain))
     }
 

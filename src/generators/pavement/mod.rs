@@ -25,7 +25,7 @@ mod tests;
 mod view;
 
 pub use absence::Absence;
-pub use look::{Base, Overlay, View};
+pub use look::{Base, Overlay, PavementView};
 pub use outline::PavementRecipe;
 pub use schema::keys;
 pub use stage::Stage;
@@ -107,7 +107,7 @@ pub struct Pavement {
     bigger: Option<Bigger>,
     boxes: probe::Boxes,
     #[cfg(house)]
-    slant: slant::Slant,
+    slant: slant::TurntableScene,
 }
 
 impl Pavement {
@@ -144,7 +144,7 @@ impl Pavement {
             bigger: None,
             boxes: probe::Boxes::default(),
             #[cfg(house)]
-            slant: slant::Slant::default(),
+            slant: slant::TurntableScene::default(),
         }
     }
 

@@ -1,13 +1,13 @@
 //! Overlays, which are drawn over a base.
 
-use super::{Overlay, Pavement, Stage, View};
+use super::{Overlay, Pavement, PavementView, Stage};
 use crate::draw::{self, Board, size::HeatMap};
 use crate::generators::Engine;
 use crate::packing::{Packing, stress};
 
 impl Pavement {
     /// Draws the overlays of a view. Each one appears as soon as the present pavement has something to show in it.
-    pub(super) fn draw_over(&mut self, view: View, board: &mut Board, heat: &mut HeatMap) {
+    pub(super) fn draw_over(&mut self, view: PavementView, board: &mut Board, heat: &mut HeatMap) {
         let side = self.side();
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
         let packs = self.made.is_packing();

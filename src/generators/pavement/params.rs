@@ -4,7 +4,7 @@ use super::outline::PavementRecipe;
 use super::schema::keys;
 use crate::cells::Cell;
 use crate::domain::Outline;
-use crate::field::{Direction, FieldParams, Grading, Kind, Spot};
+use crate::field::{CellKind, Direction, FieldParams, Grading, SoftSpot};
 use crate::generators::common;
 use crate::generators::height_field::{HeightFieldParams, PlaneParams};
 use crate::heightfield::TextureParams;
@@ -137,8 +137,8 @@ fn outline(recipe: &Recipe, exact: Option<&Outline>) -> Outline {
 /// The aspect ratio with which cells of a kind are packed for the wanted one `ca`. The cells of ellipses are
 /// hexagons. By their second moments they are as long as the ellipses, by their bounding boxes 0.87 times as long;
 /// this is a value between.
-fn drawn(kind: Kind, ca: f64) -> f64 {
-    if kind == Kind::Ellipse {
+fn drawn(kind: CellKind, ca: f64) -> f64 {
+    if kind == CellKind::Ellipse {
         1.0 + 1.06 * (ca - 1.0)
     } else {
         ca
@@ -146,8 +146,8 @@ fn drawn(kind: Kind, ca: f64) -> f64 {
 }
 
 /// The kind of the cells and their aspect ratio.
-pub(super) fn kind(recipe: &Recipe) -> (Kind, f64) {
-    let kind = Kind::from_word(recipe.choice(keys::KIND)).unwrap_or_default();
+pub(super) fn kind(recipe: &Recipe) -> (CellKind, f64) {
+    let kind = CellKind::from_word(recipe.choice(keys::KIND)).unwrap_or_default();
     let ca = recipe.number(keys::CA);
     (kind, drawn(kind, ca))
 }
@@ -169,7 +169,7 @@ pub(super) fn fields(recipe: &Recipe) -> FieldParams {
         reach: side * number(reach),
     };
     let spots = |spots: Vec<[f64; 4]>| {
-        let spot = |[x, y, radius, value]: [f64; 4]| Spot {
+        let spot = |[x, y, radius, value]: [f64; 4]| SoftSpot {
             centre: DVec2::new(x, y),
             radius,
             value,
@@ -203,9 +203,9 @@ pub(super) fn fields(recipe: &Recipe) -> FieldParams {
     }
 }
 
-fn part_kinds(recipe: &Recipe, kind: Kind) -> Vec<(DVec2, Kind)> {
+fn part_kinds(recipe: &Recipe, kind: CellKind) -> Vec<(DVec2, CellKind)> {
     let seeds = recipe.seeds(keys::PARTS).into_iter();
-    let own = |word| Kind::from_word(word).unwrap_or(kind);
+    let own = |word| CellKind::from_word(word).unwrap_or(kind);
     seeds.map(|(place, word)| (place, own(word))).collect()
 }
 

@@ -3,12 +3,12 @@
 //! Once cells have polygons, these are measured. During the packing the particles are measured: their size and angle
 //! follow from their neighbours.
 
-use super::look::View;
+use super::look::PavementView;
 use super::{Pavement, Stage};
 use crate::cells::Cell;
 use crate::domain::{Domain, ring_contains};
 use crate::export;
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::generators::{Engine, Histogram, Inspect, Outlines, Polygon, Probe};
 use crate::graph::Wiring;
 use crate::heightfield::Planes;
@@ -70,7 +70,7 @@ impl Inspect for Pavement {
                 let figure = Figure::new(cell);
                 let off = figure.misalignment(cell.kind, fields.direction(cell.centre));
                 found.push((figure.size / fields.size(cell.centre), off));
-                if cell.kind != Kind::Circle {
+                if cell.kind != CellKind::Circle {
                     widest = symmetry_angle(cell.kind).max(widest);
                 }
             }
@@ -79,9 +79,9 @@ impl Inspect for Pavement {
             let size = particle.size * stand.spacing;
             found.push((size / fields.size(particle.centre), stand.angle));
             widest = match particle.kind {
-                Kind::Circle => widest,
-                Kind::Ellipse => 180.0,
-                Kind::Square | Kind::Rectangle => widest.max(90.0),
+                CellKind::Circle => widest,
+                CellKind::Ellipse => 180.0,
+                CellKind::Square | CellKind::Rectangle => widest.max(90.0),
             };
         }
         let sizes = found.iter().map(|&(size, _)| size);
@@ -98,7 +98,7 @@ impl Inspect for Pavement {
     }
 
     fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)> {
-        let found = self.missing(View::of_words(words)).into_iter();
+        let found = self.missing(PavementView::of_words(words)).into_iter();
         found.map(|(word, why)| (word, why.word())).collect()
     }
 
@@ -129,7 +129,7 @@ impl Pavement {
         let (domain, fields) = made.ground()?;
         let (cell, particle) = packing.at(domain, p)?;
         let shift = domain.space().shortest(particle.centre - p) + p - particle.centre;
-        let has_axis = particle.kind != Kind::Circle && particle.axis != DVec2::ZERO;
+        let has_axis = particle.kind != CellKind::Circle && particle.axis != DVec2::ZERO;
         let outline = particle.ring(1.0, 24).iter().map(|q| *q + shift).collect();
         Some(Probe {
             cell,
@@ -234,7 +234,7 @@ fn bounds(cell: &Cell) -> [DVec2; 2] {
 }
 
 /// The angle of a cell's axis.
-fn degrees(axis: DVec2, kind: Kind) -> f64 {
+fn degrees(axis: DVec2, kind: CellKind) -> f64 {
     let degrees = libm::atan2(axis.y, axis.x).to_degrees();
     let period = symmetry_angle(kind);
     degrees - period * (degrees / period).floor()

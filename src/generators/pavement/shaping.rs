@@ -8,7 +8,7 @@ use crate::notice::{Code, Notice};
 use crate::packing::Packing;
 
 /// Cells while they are made.
-pub(super) enum Shaping {
+pub(super) enum CellsProgress {
     /// Points are scattered; later they are the centres of Voronoi cells.
     Scatter(Box<Scatter>),
     /// Cells are fitted to their neighbours.
@@ -23,21 +23,21 @@ pub(super) struct Packed<'a> {
     pub packing: &'a Packing,
 }
 
-impl Shaping {
+impl CellsProgress {
     /// Does one slice of the work; returns the cells when all are made.
     ///
     /// # Errors
     /// A notice if there are no cells.
     pub fn advance(
         params: &CellParams,
-        work: &mut Option<Shaping>,
+        work: &mut Option<CellsProgress>,
         from: Packed,
     ) -> Result<Option<Vec<Cell>>, Notice> {
         if *params == CellParams::Packed {
             return some(cells::packed(&from.packing.particles()));
         }
         let Some(begun) = work.take() else {
-            *work = Some(Shaping::new(params, from));
+            *work = Some(CellsProgress::new(params, from));
             return Ok(None);
         };
         match begun.slice(from) {
@@ -51,7 +51,7 @@ impl Shaping {
 
     fn new(params: &CellParams, from: Packed) -> Self {
         let &CellParams::Scattered { rounds, seed } = params else {
-            return Shaping::fit(Fitting::new(from.packing.particles()));
+            return CellsProgress::fit(Fitting::new(from.packing.particles()));
         };
         let count = from.packing.report().cells;
         let params = ScatterParams {
@@ -59,23 +59,23 @@ impl Shaping {
             rounds,
             seed,
         };
-        Shaping::Scatter(Box::new(Scatter::new(from.domain, params)))
+        CellsProgress::Scatter(Box::new(Scatter::new(from.domain, params)))
     }
 
     fn fit(fitting: Fitting) -> Self {
-        Shaping::Fitting(Box::new(fitting))
+        CellsProgress::Fitting(Box::new(fitting))
     }
 
     /// The cells, or the remaining work.
     fn slice(self, from: Packed) -> Result<Vec<Cell>, Self> {
         match self {
-            Shaping::Fitting(mut fitting) => match fitting.advance(from.domain) {
+            CellsProgress::Fitting(mut fitting) => match fitting.advance(from.domain) {
                 true => Ok(fitting.finish()),
-                false => Err(Shaping::Fitting(fitting)),
+                false => Err(CellsProgress::Fitting(fitting)),
             },
-            Shaping::Scatter(mut scatter) => Err(match scatter.advance(from.domain) {
-                true => Shaping::fit(Fitting::voronoi(scatter.particles(from.fields))),
-                false => Shaping::Scatter(scatter),
+            CellsProgress::Scatter(mut scatter) => Err(match scatter.advance(from.domain) {
+                true => CellsProgress::fit(Fitting::voronoi(scatter.particles(from.fields))),
+                false => CellsProgress::Scatter(scatter),
             }),
         }
     }

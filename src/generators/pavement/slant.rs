@@ -3,9 +3,9 @@
 use super::Pavement;
 use crate::cells::Cell;
 use crate::generators::lighting::LightParams;
-use crate::generators::turntable::{Stand, Turntable};
+use crate::generators::turntable::{Turntable, ViewSetup};
 use crate::generators::{Budget, Clock, FrameSlice, Frames, Inspect, SeenBody, TurnOrder};
-use crate::heightfield::{Cutout, Surfaces};
+use crate::heightfield::{HeightFieldScene, Surfaces};
 use crate::light::Light;
 use crate::notice::{Code, Notice};
 use crate::scene::{Body, Frame, Instance, Place, Scene};
@@ -14,12 +14,12 @@ use glam::Vec3;
 
 /// The state of the turntable.
 #[derive(Default)]
-pub(super) struct Slant {
+pub(super) struct TurntableScene {
     /// The revision of the planes from which the bodies are made.
     revision: u64,
-    making: Option<Cutout>,
+    making: Option<HeightFieldScene>,
     scene: Option<Scene>,
-    step: Option<Shown>,
+    step: Option<ShownStep>,
     /// The number of the scene, and the count of all scenes so far.
     number: u64,
     count: u64,
@@ -27,7 +27,7 @@ pub(super) struct Slant {
 }
 
 /// The step in the making of a stone that was requested last.
-struct Shown {
+struct ShownStep {
     /// The revision of its planes, the stone, and the step.
     of: (u64, (u32, usize)),
     number: u64,
@@ -78,7 +78,12 @@ impl Frames for Pavement {
 
 impl Pavement {
     /// Makes the bodies; `None` if they exist.
-    fn build(&self, slant: &mut Slant, clock: Clock, budget: Budget) -> Option<FrameSlice> {
+    fn build(
+        &self,
+        slant: &mut TurntableScene,
+        clock: Clock,
+        budget: Budget,
+    ) -> Option<FrameSlice> {
         let revision = self.made.finish.weather.revision();
         let is_new = slant.revision != revision;
         if is_new {
@@ -88,7 +93,7 @@ impl Pavement {
         }
         let (cells, planes) = (self.scales(), self.planes()?);
         let texture = *self.texture();
-        let new = || Cutout::new(texture, cells.len(), planes);
+        let new = || HeightFieldScene::new(texture, cells.len(), planes);
         let mut making = slant.making.take().unwrap_or_else(new);
         if !budget.until(clock, || making.advance(cells, planes)) {
             let progress = 0.5 * making.progress(cells);
@@ -107,7 +112,7 @@ impl Pavement {
 
     fn frame_slice(
         &self,
-        slant: &mut Slant,
+        slant: &mut TurntableScene,
         order: &TurnOrder,
         clock: Clock,
         budget: Budget,
@@ -115,7 +120,7 @@ impl Pavement {
         let (Some(scene), Some(planes)) = (&slant.scene, self.planes()) else {
             return Err(Code::NotYet.into());
         };
-        let mut stand = Stand {
+        let mut stand = ViewSetup {
             scene,
             number: slant.number,
             light: self.light(),
@@ -129,10 +134,10 @@ impl Pavement {
                 let scene = scene.ok_or_else(|| order.no_such_body())?;
                 slant.count += 1;
                 let number = slant.count;
-                slant.step = Some(Shown { of, number, scene });
+                slant.step = Some(ShownStep { of, number, scene });
             }
             beside = self.light_of(step.0);
-            if let Some(Shown { number, scene, .. }) = &slant.step {
+            if let Some(ShownStep { number, scene, .. }) = &slant.step {
                 (stand.scene, stand.number, stand.light) = (scene, *number, &beside);
             }
         }

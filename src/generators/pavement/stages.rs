@@ -1,13 +1,13 @@
 //! The stages of a pavement, as a table of tasks.
 
 use super::params::{CellParams, CoatParams, DomainParams, FlowParams, Params};
-use super::shaping::{Packed, Shaping};
+use super::shaping::{CellsProgress, Packed};
 use super::stage::Stage;
 use crate::cells::{Cell, Graph};
 use crate::domain::Domain;
 use crate::field::{FieldBuilder, FieldParams, Fields};
 use crate::generators::height_field::{Bodies, HeightField, HeightFieldParams};
-use crate::generators::packs::Packs;
+use crate::generators::packs::PackingProgress;
 use crate::graph::{Node, Task, Wiring, task};
 use crate::material::{Coat, Coats};
 use crate::mesh::{Mesh, Meshing};
@@ -22,9 +22,9 @@ const CELLS: usize = 500;
 pub(super) struct Stages {
     pub(super) domain: Node<DomainParams, (), Domain>,
     pub(super) fields: Node<FieldParams, FieldBuilder, Fields>,
-    pub(super) packing: Node<PackingParams, Packs<Placing, Packing>, Packing>,
+    pub(super) packing: Node<PackingParams, PackingProgress<Placing, Packing>, Packing>,
     pub(super) mesh: Node<(), Meshing, Mesh>,
-    pub(super) cells: Node<CellParams, Shaping, Vec<Cell>>,
+    pub(super) cells: Node<CellParams, CellsProgress, Vec<Cell>>,
     /// The cells of skin with axes of one sense; empty for stones.
     pub(super) flow: Node<Option<FlowParams>, Graph, Vec<Cell>>,
     pub(super) coats: Node<CoatParams, Coats, Vec<Coat>>,
@@ -158,7 +158,7 @@ impl Stages {
     fn make_packing(&mut self) -> Option<()> {
         let ground = (self.domain.made()?, self.fields.made()?);
         self.packing
-            .advance(|params, work| Packs::advance(params, work, ground))
+            .advance(|params, work| PackingProgress::advance(params, work, ground))
     }
 
     fn make_mesh(&mut self) -> Option<()> {
@@ -176,7 +176,7 @@ impl Stages {
             packing: self.packing.made()?,
         };
         self.cells
-            .advance(|params, work| Shaping::advance(params, work, from))
+            .advance(|params, work| CellsProgress::advance(params, work, from))
     }
 
     fn make_flow(&mut self) -> Option<()> {

@@ -1,7 +1,7 @@
 //! Views as pictures of the recipe's size.
 
 use super::files::map_of;
-use super::look::{Base, View};
+use super::look::{Base, PavementView};
 use super::{Pavement, Stage};
 use crate::cells::Cell;
 use crate::draw::{self, Board, Layer, Paper, SHEET, Sketch, Tones};
@@ -18,11 +18,11 @@ pub(super) struct Gallery {
     frame: Option<Board>,
     drawn: Option<(Base, u64)>,
     /// The unfinished drawing of the next frame, with its key.
-    begun: Option<((Base, u64, Way), Sketch)>,
+    begun: Option<((Base, u64, ProgressView), Sketch)>,
     preview: Preview,
     /// The frame with overlays.
     over: Option<Board>,
-    drawn_over: Option<(View, u64)>,
+    drawn_over: Option<(PavementView, u64)>,
     heat: draw::size::HeatMap,
 }
 
@@ -37,7 +37,7 @@ struct Preview {
 
 /// The content of the view between the packing and the picture.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Way {
+enum ProgressView {
     /// Only the outline so far.
     Bare,
     Packed,
@@ -53,7 +53,7 @@ enum Way {
 impl Pavement {
     /// The picture of a view. While a stage has nothing to show yet, the last one stays, or the bare outline is
     /// shown.
-    pub(super) fn look_at(&mut self, view: View) -> &[u8] {
+    pub(super) fn look_at(&mut self, view: PavementView) -> &[u8] {
         let stamp = self.stamp();
         let mut gallery = std::mem::take(&mut self.gallery);
         let side = self.side();
@@ -80,7 +80,12 @@ impl Pavement {
     }
 
     /// Draws a piece of the frame in advance. Work on the recipe in between makes it start again.
-    pub(super) fn draw_beforehand(&mut self, view: View, clock: Clock, budget: f64) -> bool {
+    pub(super) fn draw_beforehand(
+        &mut self,
+        view: PavementView,
+        clock: Clock,
+        budget: f64,
+    ) -> bool {
         let budget = Budget::new(clock, budget);
         let mut gallery = std::mem::take(&mut self.gallery);
         let key = (view.base, self.stamp(), self.way(view.base, &gallery));
@@ -115,15 +120,15 @@ impl Pavement {
         let made = &self.made;
         Some(match base {
             Base::Auto | Base::Picture => match self.way(base, gallery) {
-                Way::Bare => self.bare(),
-                Way::Packed => self.packed(),
-                Way::Cells => {
+                ProgressView::Bare => self.bare(),
+                ProgressView::Packed => self.packed(),
+                ProgressView::Cells => {
                     let tones = self.tones();
                     let cells = draw::stages::cells(made.cells(), &tones);
                     self.on_paper(&tones.paper, vec![cells])
                 }
-                Way::Stones if !self.goes_on(&gallery.preview) => self.bedded()?,
-                Way::Stones | Way::Stays | Way::Picture => return None,
+                ProgressView::Stones if !self.goes_on(&gallery.preview) => self.bedded()?,
+                ProgressView::Stones | ProgressView::Stays | ProgressView::Picture => return None,
             },
             Base::Paper => self.on_paper(&SHEET, Vec::new()),
             Base::Packed => self.packed(),
@@ -159,10 +164,10 @@ impl Pavement {
         let sketched = sketch.map(Sketch::finish);
         gallery.frame = match base {
             Base::Auto | Base::Picture => match self.way(base, gallery) {
-                Way::Picture => Some(self.picture_on(gallery.frame.take())),
-                Way::Stones => self.stones_coming(&mut gallery.preview, sketched),
-                Way::Stays => return,
-                Way::Bare | Way::Packed | Way::Cells => sketched,
+                ProgressView::Picture => Some(self.picture_on(gallery.frame.take())),
+                ProgressView::Stones => self.stones_coming(&mut gallery.preview, sketched),
+                ProgressView::Stays => return,
+                ProgressView::Bare | ProgressView::Packed | ProgressView::Cells => sketched,
             },
             Base::Paper | Base::Packed | Base::Cells | Base::Mesh => sketched,
             Base::Direction => {
@@ -218,24 +223,24 @@ impl Pavement {
     }
 
     /// The content of the view between the packing and the picture.
-    fn way(&self, base: Base, gallery: &Gallery) -> Way {
+    fn way(&self, base: Base, gallery: &Gallery) -> ProgressView {
         let made = &self.made;
         if base == Base::Auto && self.draft().is_some() {
-            return Way::Packed;
+            return ProgressView::Packed;
         }
         let picture = made.picture().len() == 4 * self.side() * self.side();
         let settled = !made.is_forming() || made.failure().is_some();
         if picture && (settled || base == Base::Picture) {
-            return Way::Picture;
+            return ProgressView::Picture;
         }
         match self.made.at().filter(|_| made.failure().is_none()) {
             Some(stage) if stage >= Stage::Planes => match self.ground_shown() {
-                Some(_) => Way::Stones,
-                None => Way::Cells,
+                Some(_) => ProgressView::Stones,
+                None => ProgressView::Cells,
             },
-            _ if made.is_packing() => Way::Packed,
-            _ if gallery.frame.is_some() => Way::Stays,
-            _ => Way::Bare,
+            _ if made.is_packing() => ProgressView::Packed,
+            _ if gallery.frame.is_some() => ProgressView::Stays,
+            _ => ProgressView::Bare,
         }
     }
 

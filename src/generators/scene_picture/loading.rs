@@ -4,7 +4,7 @@ use super::given_files::{AskedFile, GivenFiles};
 use crate::modelfiles::Reading;
 use crate::notice::{Code, Notice, quote};
 use crate::trimesh::TriMesh;
-use crate::trimesh::repair::Mending;
+use crate::trimesh::repair::MeshRepair;
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub(crate) struct Loading {
 /// The surface that is being loaded.
 enum LoadingFile {
     Reading(Box<Reading>),
-    Mending(Box<Mending>),
+    Mending(Box<MeshRepair>),
 }
 
 impl Loading {
@@ -63,7 +63,7 @@ impl Loading {
                             *p = DVec3::new(p.x, p.z, -p.y);
                         }
                     }
-                    self.file = Some(LoadingFile::Mending(Box::new(Mending::new(soup))));
+                    self.file = Some(LoadingFile::Mending(Box::new(MeshRepair::new(soup))));
                 }
             }
             Some(LoadingFile::Mending(mending)) => {

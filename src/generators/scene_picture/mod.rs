@@ -16,5 +16,5 @@ pub(crate) use files::Saving;
 pub(crate) use given_files::{AskedFile, GivenFiles};
 pub(crate) use loading::{Loaded, Loading};
 pub(crate) use picture::{ScenePicture, SceneSource, turn};
-pub(crate) use still::{Still, StillParams};
+pub(crate) use still::{StillParams, StillRender};
 pub(crate) use view::{prepare, view};

@@ -2,7 +2,7 @@
 
 use super::still::StillParams;
 use super::yaw::{clockwise, seen_by, turned, turned_cut};
-use crate::generators::turntable::{Stand, Turntable};
+use crate::generators::turntable::{Turntable, ViewSetup};
 use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::material::Material;
 use crate::notice::{Code, Notice};
@@ -179,7 +179,7 @@ impl<S: SceneSource> ScenePicture<S> {
             ..order
         };
         let scene = subject.as_ref();
-        let stand = Stand {
+        let stand = ViewSetup {
             scene,
             number: self.number,
             light: &light,

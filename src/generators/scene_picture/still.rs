@@ -2,7 +2,7 @@
 
 use super::yaw::{seen_by, turned};
 use crate::generators::lighting::LightParams;
-use crate::generators::turntable::Stand;
+use crate::generators::turntable::ViewSetup;
 use crate::notice::Notice;
 use crate::scene::{Backdrop, Camera, Frame, Lighting, Order, Scene, Sharpness};
 use std::rc::Rc;
@@ -23,13 +23,13 @@ pub(crate) struct StillParams {
 }
 
 /// An unfinished picture.
-pub(crate) struct Still {
+pub(crate) struct StillRender {
     scene: Rc<Scene>,
     light: Lighting,
     frame: Frame,
 }
 
-impl Still {
+impl StillRender {
     /// A picture without anything drawn yet.
     pub fn new(params: &StillParams, scene: Rc<Scene>) -> Self {
         let order = Order {
@@ -41,7 +41,7 @@ impl Still {
             cut: None,
         };
         let light = seen_by(&params.light, params.yaw);
-        let stand = Stand {
+        let stand = ViewSetup {
             scene: &scene,
             number: 0,
             light: &light,

@@ -153,7 +153,7 @@ fn bodies_of_one_mesh_differ_in_colour() {
 fn a_view_is_the_still_and_a_frame_from_its_camera() {
     let mut source = boxes([Some(RED), None]);
     let picture = view(&mut source, "auto").to_vec();
-    let mut still = Still::new(&source.still(), source.scene.clone());
+    let mut still = StillRender::new(&source.still(), source.scene.clone());
     let made = std::iter::from_fn(|| Some(still.advance().unwrap())).find_map(|done| done);
     let fine = source.frame("fine").rgba().to_vec();
     assert_eq!(made.unwrap(), fine);

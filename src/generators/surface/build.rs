@@ -1,6 +1,6 @@
 //! The first stage: a surface fit for cells of the wanted sizes.
 
-use super::params::{On, Sizes, Source, SurfaceParams};
+use super::params::{MeshSource, PackingTarget, Sizes, SurfaceParams};
 use super::tracing;
 use crate::generators::scene_picture::Loaded;
 use crate::notice::{Code, Notice};
@@ -10,7 +10,7 @@ use crate::surface_field::{
     Amount, Bone, SizeParams, SurfaceFieldBuilder, SurfaceFieldParams, SurfaceFields,
 };
 use crate::trimesh::refine::{Refining, SHARE};
-use crate::trimesh::repair::{Cutting, Filling};
+use crate::trimesh::repair::{CreaseCutting, HoleFilling};
 use crate::trimesh::{MeshBuilding, Search, Simplifying, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
@@ -40,7 +40,7 @@ pub(super) struct Built {
 
 /// A surface in progress.
 pub(super) struct Building {
-    step: Step,
+    step: BuildPhase,
     /// The mean size of cells.
     size: f64,
     /// The mesh for stones, if it differs from the current one.
@@ -49,7 +49,7 @@ pub(super) struct Building {
     notices: Vec<Notice>,
 }
 
-enum Step {
+enum BuildPhase {
     /// A coarse version, to find its area.
     Sketch(Box<ShapeMaking>),
     SketchMesh(Box<MeshBuilding>),
@@ -57,13 +57,13 @@ enum Step {
     ShapeMesh(Box<MeshBuilding>),
     Simplify(Box<Simplifying>),
     Project(Box<(TriMesh, Search)>),
-    Fill(Box<Filling>),
+    Fill(Box<HoleFilling>),
     Refine(Box<Refining>),
     Size(TriMesh),
     Search(Box<(Arc<TriMesh>, Search)>),
     Sizes(Arc<TriMesh>, Box<SurfaceFieldBuilder>),
     Divide(Box<Refining>),
-    Cut(Box<Cutting>, Arc<TriMesh>),
+    Cut(Box<CreaseCutting>, Arc<TriMesh>),
     End(TriMesh, Arc<TriMesh>),
     None,
 }
@@ -86,14 +86,14 @@ impl Building {
             *work = Some(Self::begin(params, loaded)?);
             return Ok(None);
         };
-        let step = std::mem::replace(&mut building.step, Step::None);
+        let step = std::mem::replace(&mut building.step, BuildPhase::None);
         building.step = building.next(params, step)?;
         Ok(building.finish(params))
     }
 
     fn begin(params: &SurfaceParams, loaded: &Loaded) -> Result<Self, Notice> {
         let mut new = Self {
-            step: Step::None,
+            step: BuildPhase::None,
             size: 0.0,
             whole: None,
             search: None,
@@ -101,55 +101,57 @@ impl Building {
         };
         let count = params.sizes.count;
         new.step = match (&params.source, loaded.meshes.first()) {
-            (Source::Shape(shape, numbers), _) => {
+            (MeshSource::Shape(shape, numbers), _) => {
                 let edge = shape.coarsest(numbers);
-                Step::Sketch(Box::new(shape.making(numbers, edge)))
+                BuildPhase::Sketch(Box::new(shape.making(numbers, edge)))
             }
-            (Source::Model(..), None) => return Err(Code::ModelFirst.into()),
-            (Source::Model(..), Some(mesh)) => {
+            (MeshSource::Model(..), None) => return Err(Code::ModelFirst.into()),
+            (MeshSource::Model(..), Some(mesh)) => {
                 new.size = size_for(&params.sizes, mesh.area());
                 let is_fine = mesh.triangles().len() as f64 > PLENTY * count;
-                if params.on == On::Simple || (params.on == On::Fit && is_fine) {
+                if params.on == PackingTarget::Simple
+                    || (params.on == PackingTarget::Fit && is_fine)
+                {
                     new.whole = Some(mesh.clone());
                     let most = (SIMPLE * count) as usize;
                     let simplifying = Simplifying::new(mesh.as_ref().clone(), most, OFF * new.size);
-                    Step::Simplify(Box::new(simplifying))
+                    BuildPhase::Simplify(Box::new(simplifying))
                 } else {
-                    Step::Fill(Box::new(Filling::new(mesh.as_ref().clone(), new.size)))
+                    BuildPhase::Fill(Box::new(HoleFilling::new(mesh.as_ref().clone(), new.size)))
                 }
             }
         };
         Ok(new)
     }
 
-    fn next(&mut self, params: &SurfaceParams, step: Step) -> Result<Step, Notice> {
+    fn next(&mut self, params: &SurfaceParams, step: BuildPhase) -> Result<BuildPhase, Notice> {
         let built = |mesh: Result<TriMesh, _>| mesh.map_err(|_| Notice::from(Code::ModelNoArea));
         Ok(match step {
-            Step::Sketch(mut making) => match making.advance() {
-                true => Step::SketchMesh(Box::new(meshing(*making))),
-                false => Step::Sketch(making),
+            BuildPhase::Sketch(mut making) => match making.advance() {
+                true => BuildPhase::SketchMesh(Box::new(meshing(*making))),
+                false => BuildPhase::Sketch(making),
             },
-            Step::SketchMesh(mut building) => match building.advance() {
-                None => Step::SketchMesh(building),
+            BuildPhase::SketchMesh(mut building) => match building.advance() {
+                None => BuildPhase::SketchMesh(building),
                 Some(mesh) => self.shaped(params, built(mesh)?),
             },
-            Step::Shape(mut making) => match making.advance() {
-                true => Step::ShapeMesh(Box::new(meshing(*making))),
-                false => Step::Shape(making),
+            BuildPhase::Shape(mut making) => match making.advance() {
+                true => BuildPhase::ShapeMesh(Box::new(meshing(*making))),
+                false => BuildPhase::Shape(making),
             },
-            Step::ShapeMesh(mut building) => match building.advance() {
-                None => Step::ShapeMesh(building),
-                Some(mesh) => Step::Refine(Box::new(self.refining(built(mesh)?))),
+            BuildPhase::ShapeMesh(mut building) => match building.advance() {
+                None => BuildPhase::ShapeMesh(building),
+                Some(mesh) => BuildPhase::Refine(Box::new(self.refining(built(mesh)?))),
             },
-            Step::Simplify(mut simplifying) => match simplifying.advance() {
-                None => Step::Simplify(simplifying),
+            BuildPhase::Simplify(mut simplifying) => match simplifying.advance() {
+                None => BuildPhase::Simplify(simplifying),
                 Some(mesh) => {
                     let whole = self.whole.as_deref().unwrap_or(&mesh);
                     let search = Search::begin(whole);
-                    Step::Project(Box::new((mesh, search)))
+                    BuildPhase::Project(Box::new((mesh, search)))
                 }
             },
-            Step::Project(mut pair) => {
+            BuildPhase::Project(mut pair) => {
                 let search = &mut pair.1;
                 let done = self
                     .whole
@@ -158,63 +160,63 @@ impl Building {
                 if done {
                     let (mesh, search) = *pair;
                     self.search = Some(search);
-                    Step::Fill(Box::new(Filling::new(mesh, self.size)))
+                    BuildPhase::Fill(Box::new(HoleFilling::new(mesh, self.size)))
                 } else {
-                    Step::Project(pair)
+                    BuildPhase::Project(pair)
                 }
             }
-            Step::Fill(mut filling) => match filling.advance() {
-                None => Step::Fill(filling),
+            BuildPhase::Fill(mut filling) => match filling.advance() {
+                None => BuildPhase::Fill(filling),
                 Some(filled) => {
                     let filled = filled?;
                     self.notices.extend(filled.notices);
                     let mesh = without(filled.mesh, &filled.bare);
-                    Step::Refine(Box::new(self.refining(mesh)))
+                    BuildPhase::Refine(Box::new(self.refining(mesh)))
                 }
             },
-            Step::Refine(mut refining) => match refining.advance(&|_, mean| mean) {
-                None => Step::Refine(refining),
-                Some(refined) => Step::Size(refined?.mesh),
+            BuildPhase::Refine(mut refining) => match refining.advance(&|_, mean| mean) {
+                None => BuildPhase::Refine(refining),
+                Some(refined) => BuildPhase::Size(refined?.mesh),
             },
-            Step::Size(mesh) => self.sized(params, mesh),
-            Step::Search(mut pair) => {
+            BuildPhase::Size(mesh) => self.sized(params, mesh),
+            BuildPhase::Search(mut pair) => {
                 let (mesh, search) = &mut *pair;
                 if search.advance(mesh, SEARCHED) {
                     let (mesh, search) = *pair;
                     let size = size_params(&params.sizes, &mesh, Some(&search));
                     sizing(params, mesh, size)
                 } else {
-                    Step::Search(pair)
+                    BuildPhase::Search(pair)
                 }
             }
-            Step::Sizes(mesh, mut builder) => {
+            BuildPhase::Sizes(mesh, mut builder) => {
                 builder.advance();
                 if builder.is_sized() {
                     self.divided(params, mesh, &builder.finish())
                 } else {
-                    Step::Sizes(mesh, builder)
+                    BuildPhase::Sizes(mesh, builder)
                 }
             }
-            Step::Divide(mut refining) => match refining.advance(&|_, mean| mean) {
-                None => Step::Divide(refining),
+            BuildPhase::Divide(mut refining) => match refining.advance(&|_, mean| mean) {
+                None => BuildPhase::Divide(refining),
                 Some(refined) => self.cutting(params, refined?.mesh),
             },
-            Step::Cut(mut cutting, whole) => match cutting.advance() {
-                None => Step::Cut(cutting, whole),
-                Some(cut) => Step::End(cut.mesh, whole),
+            BuildPhase::Cut(mut cutting, whole) => match cutting.advance() {
+                None => BuildPhase::Cut(cutting, whole),
+                Some(cut) => BuildPhase::End(cut.mesh, whole),
             },
             end => end,
         })
     }
 
     /// The sketch of a shape gives its area, and so the mean size and the wanted length of edges.
-    fn shaped(&mut self, params: &SurfaceParams, sketch: TriMesh) -> Step {
+    fn shaped(&mut self, params: &SurfaceParams, sketch: TriMesh) -> BuildPhase {
         self.size = size_for(&params.sizes, sketch.area());
-        let Source::Shape(shape, numbers) = &params.source else {
-            return Step::Size(sketch);
+        let MeshSource::Shape(shape, numbers) = &params.source else {
+            return BuildPhase::Size(sketch);
         };
         let edge = SHARE * self.size / sketch.diagonal();
-        Step::Shape(Box::new(shape.making(numbers, edge)))
+        BuildPhase::Shape(Box::new(shape.making(numbers, edge)))
     }
 
     fn refining(&self, mesh: TriMesh) -> Refining {
@@ -222,7 +224,7 @@ impl Building {
     }
 
     /// If sizes differ much, edges become as short as the smallest cells need.
-    fn sized(&mut self, params: &SurfaceParams, mesh: TriMesh) -> Step {
+    fn sized(&mut self, params: &SurfaceParams, mesh: TriMesh) -> BuildPhase {
         let sizes = &params.sizes;
         if sizes.taper.is_none() && sizes.curvature.is_none() && sizes.spots.is_empty() {
             return self.cutting(params, mesh);
@@ -233,7 +235,7 @@ impl Building {
             return sizing(params, mesh, size);
         }
         let search = Search::begin(&mesh);
-        Step::Search(Box::new((mesh, search)))
+        BuildPhase::Search(Box::new((mesh, search)))
     }
 
     fn divided(
@@ -241,7 +243,7 @@ impl Building {
         params: &SurfaceParams,
         mesh: Arc<TriMesh>,
         fields: &SurfaceFields,
-    ) -> Step {
+    ) -> BuildPhase {
         let owned =
             |mesh: Arc<TriMesh>| Arc::try_unwrap(mesh).unwrap_or_else(|mesh| (*mesh).clone());
         if fields.size_range().0 > VARIES * self.size {
@@ -251,33 +253,34 @@ impl Building {
             .sizes()
             .into_iter()
             .map(|size| SHARE * size.min(self.size));
-        Step::Divide(Box::new(Refining::new(owned(mesh), targets.collect())))
+        BuildPhase::Divide(Box::new(Refining::new(owned(mesh), targets.collect())))
     }
 
-    fn cutting(&mut self, params: &SurfaceParams, mesh: TriMesh) -> Step {
+    fn cutting(&mut self, params: &SurfaceParams, mesh: TriMesh) -> BuildPhase {
         match params.cut {
             Some(angle) => {
                 let whole = Arc::new(mesh.clone());
-                Step::Cut(Box::new(Cutting::new(mesh, angle)), whole)
+                BuildPhase::Cut(Box::new(CreaseCutting::new(mesh, angle)), whole)
             }
             None => {
                 let whole = Arc::new(mesh.clone());
-                Step::End(mesh, whole)
+                BuildPhase::End(mesh, whole)
             }
         }
     }
 
     /// The surface, when all steps are done.
     fn finish(&mut self, params: &SurfaceParams) -> Option<Built> {
-        let Step::End(..) = self.step else {
+        let BuildPhase::End(..) = self.step else {
             return None;
         };
-        let Step::End(mesh, uncut) = std::mem::replace(&mut self.step, Step::None) else {
+        let BuildPhase::End(mesh, uncut) = std::mem::replace(&mut self.step, BuildPhase::None)
+        else {
             return None;
         };
         let (bones, main) = match &params.source {
-            Source::Shape(shape, numbers) => (bones(*shape, numbers), shape.main()),
-            Source::Model(..) => (Vec::new(), DVec3::Y),
+            MeshSource::Shape(shape, numbers) => (bones(*shape, numbers), shape.main()),
+            MeshSource::Model(..) => (Vec::new(), DVec3::Y),
         };
         let mesh = match params.cut {
             Some(_) => Arc::new(mesh),
@@ -303,10 +306,10 @@ fn size_for(sizes: &Sizes, area: f64) -> f64 {
     SurfaceFields::size_for(sizes.kind, sizes.count, area)
 }
 
-fn sizing(params: &SurfaceParams, mesh: Arc<TriMesh>, size: SizeParams) -> Step {
+fn sizing(params: &SurfaceParams, mesh: Arc<TriMesh>, size: SizeParams) -> BuildPhase {
     let bones = match &params.source {
-        Source::Shape(shape, numbers) => bones(*shape, numbers),
-        Source::Model(..) => Vec::new(),
+        MeshSource::Shape(shape, numbers) => bones(*shape, numbers),
+        MeshSource::Model(..) => Vec::new(),
     };
     let params = SurfaceFieldParams {
         kind: params.sizes.kind,
@@ -315,7 +318,7 @@ fn sizing(params: &SurfaceParams, mesh: Arc<TriMesh>, size: SizeParams) -> Step 
         ..SurfaceFieldParams::default()
     };
     let builder = SurfaceFieldBuilder::new(mesh.clone(), params);
-    Step::Sizes(mesh, Box::new(builder))
+    BuildPhase::Sizes(mesh, Box::new(builder))
 }
 
 /// The parameters of sizes on a mesh; spots need a search.

@@ -1,11 +1,11 @@
 //! The results as text, for measurements.
 
-use super::Surface;
+use super::SurfaceEngine;
 use crate::export::{model_obj, surface_cells_json, surface_mesh_json};
 use crate::mesh::Face;
 use glam::DVec3;
 
-impl Surface {
+impl SurfaceEngine {
     /// Texts of what was made: names of files and contents.
     pub(super) fn texts(&self) -> Vec<(&'static str, String)> {
         let cells = self

@@ -1,6 +1,6 @@
 //! The engine of surfaces, for the studio.
 
-use super::Surface;
+use super::SurfaceEngine;
 use super::params::Params;
 use super::stages::STONES;
 use crate::export::{MeshOrder, MeshSize, Report};
@@ -14,7 +14,7 @@ use crate::notice::Notice;
 use crate::recipe::Recipe;
 use crate::scene::Frame;
 
-impl Engine for Surface {
+impl Engine for SurfaceEngine {
     fn ask(&mut self, recipe: &Recipe) {
         self.made.ask(Params::new(recipe));
     }
@@ -119,7 +119,7 @@ impl Engine for Surface {
     }
 }
 
-impl Meshes for Surface {
+impl Meshes for SurfaceEngine {
     fn mesh_file(
         &mut self,
         order: &MeshOrder,
@@ -140,7 +140,7 @@ impl Meshes for Surface {
     }
 }
 
-impl Frames for Surface {
+impl Frames for SurfaceEngine {
     fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
         scene_picture::turn(self, order, clock, budget)
     }
@@ -166,7 +166,7 @@ impl Frames for Surface {
     }
 }
 
-impl Files for Surface {
+impl Files for SurfaceEngine {
     fn give(&mut self, file: GivenFile) {
         self.made.give(file.digest(), file.into_bytes());
     }

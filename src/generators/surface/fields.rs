@@ -15,7 +15,7 @@ use crate::trimesh::Search;
 const SEARCHED: usize = 1 << 14;
 
 /// The fields, with notices about them.
-pub(super) struct Fielded {
+pub(super) struct FieldsWithRemarks {
     pub fields: SurfaceFields,
     /// The painted strokes.
     pub strokes: Vec<Stroke>,
@@ -25,10 +25,10 @@ pub(super) struct Fielded {
 /// Fields in progress.
 pub(super) struct Fielding {
     strokes: Vec<Stroke>,
-    step: Step,
+    step: FieldingPhase,
 }
 
-enum Step {
+enum FieldingPhase {
     /// Finds the places of painted items.
     Search(Box<Search>),
     Fields(Box<SurfaceFieldBuilder>),
@@ -45,52 +45,52 @@ impl Fielding {
         params: &FieldParams,
         work: &mut Option<Fielding>,
         built: &Built,
-    ) -> Result<Option<Fielded>, Notice> {
+    ) -> Result<Option<FieldsWithRemarks>, Notice> {
         let mesh = &built.mesh;
         let Some(Fielding { strokes, step }) = work.take() else {
             *work = Some(match is_drawn(params) {
                 true => Self {
                     strokes: Vec::new(),
-                    step: Step::Search(Box::new(Search::begin(mesh))),
+                    step: FieldingPhase::Search(Box::new(Search::begin(mesh))),
                 },
                 false => Self::begin(params, built, None),
             });
             return Ok(None);
         };
         let step = match step {
-            Step::Search(mut search) => match search.advance(mesh, SEARCHED) {
+            FieldingPhase::Search(mut search) => match search.advance(mesh, SEARCHED) {
                 true => {
                     *work = Some(Self::begin(params, built, Some(&search)));
                     return Ok(None);
                 }
-                false => Step::Search(search),
+                false => FieldingPhase::Search(search),
             },
-            Step::Fields(mut builder) => match builder.advance() {
+            FieldingPhase::Fields(mut builder) => match builder.advance() {
                 true => {
                     let fields = builder.finish();
                     check_count(fields.about_cells())?;
-                    Step::Grid(Box::new((fields, Search::begin(mesh))))
+                    FieldingPhase::Grid(Box::new((fields, Search::begin(mesh))))
                 }
-                false => Step::Fields(builder),
+                false => FieldingPhase::Fields(builder),
             },
-            Step::Grid(mut pair) => match pair.1.advance(mesh, SEARCHED) {
+            FieldingPhase::Grid(mut pair) => match pair.1.advance(mesh, SEARCHED) {
                 true => {
                     let (fields, search) = *pair;
-                    Step::Fit(Box::new((fields, search, Fitting::new())))
+                    FieldingPhase::Fit(Box::new((fields, search, Fitting::new())))
                 }
-                false => Step::Grid(pair),
+                false => FieldingPhase::Grid(pair),
             },
-            Step::Fit(mut three) => {
+            FieldingPhase::Fit(mut three) => {
                 let (fields, search, fitting) = &mut *three;
                 if let Some(fit) = fitting.advance(mesh, search, fields) {
                     let (notices, (fields, ..)) = (fit.notices()?, *three);
-                    return Ok(Some(Fielded {
+                    return Ok(Some(FieldsWithRemarks {
                         fields,
                         strokes,
                         notices,
                     }));
                 }
-                Step::Fit(three)
+                FieldingPhase::Fit(three)
             }
         };
         *work = Some(Fielding { strokes, step });
@@ -108,7 +108,7 @@ impl Fielding {
         let builder = SurfaceFieldBuilder::new(built.mesh.clone(), params);
         Self {
             strokes: [strokes, lines].concat(),
-            step: Step::Fields(Box::new(builder)),
+            step: FieldingPhase::Fields(Box::new(builder)),
         }
     }
 }

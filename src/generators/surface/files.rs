@@ -1,13 +1,13 @@
 //! Files of a finished surface.
 
-use super::Surface;
+use super::SurfaceEngine;
 use super::stages::stones_params;
 use crate::export::{MeshOrder, ModelFile};
 use crate::generators::scene_picture::Saving;
 use crate::generators::{Clock, Engine, MeshSlice};
 use crate::notice::{Code, Notice};
 
-impl Surface {
+impl SurfaceEngine {
     pub(super) fn mesh_slice(
         &mut self,
         order: &MeshOrder,

@@ -1,15 +1,15 @@
 //! The results of the stages so far, finished or not.
 
 use super::build::Built;
-use super::fields::Fielded;
-use super::paving::Paved;
+use super::fields::FieldsWithRemarks;
+use super::paving::PavedCells;
 use super::stages::{PACKING, STONES, Stages};
-use crate::generators::packs::Packs;
+use crate::generators::packs::PackingProgress;
 use crate::graph::Wiring;
 use crate::packing::StepReport;
 use crate::scene::Scene;
 use crate::surface_cells::SurfaceMesh;
-use crate::surface_packing::{Site, SurfacePacking};
+use crate::surface_packing::{PackingMesh, SurfacePacking};
 use std::rc::Rc;
 
 /// Revisions of some results.
@@ -32,12 +32,12 @@ impl Stages {
     }
 
     /// The last site.
-    pub fn site(&self) -> Option<&Site> {
+    pub fn site(&self) -> Option<&PackingMesh> {
         self.site.made()
     }
 
     /// The fields of the present surface.
-    pub fn fresh_fields(&self) -> Option<&Fielded> {
+    pub fn fresh_fields(&self) -> Option<&FieldsWithRemarks> {
         self.current(&self.fields)
     }
 
@@ -61,19 +61,22 @@ impl Stages {
 
     /// The packing in progress, or the last one.
     pub fn packing(&self) -> Option<&SurfacePacking> {
-        let moving = self.packing.work().and_then(Packs::moving);
+        let moving = self.packing.work().and_then(PackingProgress::moving);
         moving.or(self.packing.made())
     }
 
     /// The packing in progress, and its site. The packing is mutable because it caches measures such as its energy.
-    pub fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &Site)> {
-        let moving = self.packing.work_mut().and_then(Packs::moving_mut);
+    pub fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &PackingMesh)> {
+        let moving = self
+            .packing
+            .work_mut()
+            .and_then(PackingProgress::moving_mut);
         moving.zip(self.site.made())
     }
 
     /// Whether cells are moving.
     pub fn is_moving(&self) -> bool {
-        let moving = self.begun(&self.packing).and_then(Packs::moving);
+        let moving = self.begun(&self.packing).and_then(PackingProgress::moving);
         self.at() == Some(PACKING) && moving.is_some_and(|packing| !packing.is_in_a_step())
     }
 
@@ -90,7 +93,7 @@ impl Stages {
     }
 
     /// The last cells.
-    pub fn paved(&self) -> Option<&Paved> {
+    pub fn paved(&self) -> Option<&PavedCells> {
         self.paved.made()
     }
 

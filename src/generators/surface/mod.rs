@@ -30,7 +30,7 @@ use super::scene_picture::{Saving, ScenePicture};
 use super::{Course, Generator, Views};
 use crate::export::ModelFile;
 use crate::recipe::{Recipe, Schema};
-use crate::surface_views::Ground;
+use crate::surface_views::BareSurface;
 use params::Params;
 use stages::Stages;
 
@@ -65,20 +65,20 @@ pub static SURFACE: Generator = Generator {
     chance: "surface",
     home: "330,20,2.75,28",
     lowest: -85.0,
-    engine: |recipe| Box::new(Surface::new(recipe)),
+    engine: |recipe| Box::new(SurfaceEngine::new(recipe)),
 };
 
 /// The engine: its stages, and what is looked at.
-pub struct Surface {
+pub struct SurfaceEngine {
     made: Stages,
-    picture: ScenePicture<Surface>,
+    picture: ScenePicture<SurfaceEngine>,
     /// The bare surface that views share, and its revision.
-    ground: Option<(u64, Ground)>,
+    ground: Option<(u64, BareSurface)>,
     /// The unfinished mesh file.
     saving: Option<Saving<ModelFile>>,
 }
 
-impl Surface {
+impl SurfaceEngine {
     /// Starts with all its work to be done.
     pub fn new(recipe: &Recipe) -> Self {
         Self {

@@ -1,7 +1,7 @@
 //! Turns a recipe into the parameters of each stage.
 
 use super::schema::{FILE, ROWS, keys};
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
 use crate::generators::scene_picture::AskedFile;
@@ -35,7 +35,7 @@ pub(super) struct Params {
 
 /// The mesh on which cells are packed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum On {
+pub(super) enum PackingTarget {
     /// The surface itself, or a simpler one if the surface is far finer than cells need.
     Fit,
     /// The surface itself.
@@ -46,7 +46,7 @@ pub(super) enum On {
 
 /// The source of a surface.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Source {
+pub(super) enum MeshSource {
     /// A shape by rule, with its numbers.
     Shape(Shape, Vec<f64>),
     /// From a file.
@@ -56,9 +56,9 @@ pub(super) enum Source {
 /// The parameters of the surface.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SurfaceParams {
-    pub source: Source,
+    pub source: MeshSource,
     /// The mesh on which cells are packed.
-    pub on: On,
+    pub on: PackingTarget,
     /// The angle from which on creases are cut.
     pub cut: Option<f64>,
     pub sizes: Sizes,
@@ -67,7 +67,7 @@ pub(super) struct SurfaceParams {
 /// The sizes of cells.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sizes {
-    pub kind: Kind,
+    pub kind: CellKind,
     /// About how many cells there are.
     pub count: f64,
     pub taper: Option<Taper>,
@@ -166,17 +166,17 @@ fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
     let is_file = recipe.choice(keys::FORM) == FILE;
     SurfaceParams {
         source: match shape(recipe).filter(|_| !is_file) {
-            Some(shape) => Source::Shape(shape, numbers(recipe, shape)),
-            None => Source::Model(AskedFile {
+            Some(shape) => MeshSource::Shape(shape, numbers(recipe, shape)),
+            None => MeshSource::Model(AskedFile {
                 role: keys::MODEL.0,
                 file: recipe.files(keys::MODEL).pop(),
                 is_z_up: recipe.choice(keys::UP) == "z",
             }),
         },
         on: match recipe.choice(keys::ON) {
-            "simple" if is_file => On::Simple,
-            "fit" if is_file => On::Fit,
-            _ => On::Whole,
+            "simple" if is_file => PackingTarget::Simple,
+            "fit" if is_file => PackingTarget::Fit,
+            _ => PackingTarget::Whole,
         },
         cut: (recipe.choice(keys::CREASE) == "cut").then(|| recipe.number(keys::FOLD).to_radians()),
         sizes: sizes.clone(),
@@ -204,7 +204,7 @@ fn towards(word: &str) -> DVec3 {
 fn sizes(recipe: &Recipe) -> Sizes {
     let (taper, angle) = (recipe.number(keys::TAPER), recipe.number(keys::CC));
     Sizes {
-        kind: Kind::from_word(recipe.choice(keys::KIND)).unwrap_or_default(),
+        kind: CellKind::from_word(recipe.choice(keys::KIND)).unwrap_or_default(),
         count: recipe.number(keys::CN),
         taper: (taper != 1.0).then(|| Taper {
             along: match recipe.choice(keys::ALONG) {

@@ -16,13 +16,13 @@ const CARRIED: usize = 200;
 
 /// Cells with everything that stones need.
 #[derive(Clone, Default)]
-pub(super) struct Paved {
+pub(super) struct PavedCells {
     pub cells: Vec<SurfaceCell>,
     pub links: Vec<Vec<u32>>,
     pub coats: Vec<Coat>,
 }
 
-impl Paved {
+impl PavedCells {
     pub fn paving(&self) -> Paving<'_> {
         Paving {
             cells: &self.cells,
@@ -34,39 +34,43 @@ impl Paved {
 
 /// The inputs of paving.
 #[derive(Clone, Copy)]
-pub(super) struct Meshed<'a> {
+pub(super) struct PavingInputs<'a> {
     pub mesh: &'a SurfaceMesh,
     pub built: &'a Built,
     pub fields: &'a SurfaceFields,
 }
 
 /// Cells in progress.
-pub(super) enum Paves {
+pub(super) enum PavingProgress {
     /// Finds the neighbours of each cell.
     Link(Vec<SurfaceCell>),
-    Turn(Paved),
+    Turn(PavedCells),
     /// Carries cells to the surface of the stones; the number is the next cell.
-    Carry(Paved, usize),
-    Coat(Paved, Box<SurfaceCoats>),
+    Carry(PavedCells, usize),
+    Coat(PavedCells, Box<SurfaceCoats>),
 }
 
-impl Paves {
+impl PavingProgress {
     /// Does one slice; returns the cells when all is done.
-    pub fn advance(params: &CellParams, work: &mut Option<Paves>, from: Meshed) -> Option<Paved> {
+    pub fn advance(
+        params: &CellParams,
+        work: &mut Option<PavingProgress>,
+        from: PavingInputs,
+    ) -> Option<PavedCells> {
         let next = match work.take() {
-            None => Paves::Link(from.mesh.surface_cells()),
-            Some(Paves::Link(cells)) => Paves::Turn(Paved {
+            None => PavingProgress::Link(from.mesh.surface_cells()),
+            Some(PavingProgress::Link(cells)) => PavingProgress::Turn(PavedCells {
                 links: links(&cells),
                 coats: Vec::new(),
                 cells,
             }),
-            Some(Paves::Turn(mut paved)) => {
+            Some(PavingProgress::Turn(mut paved)) => {
                 let sense = if params.flip { -1.0 } else { 1.0 };
                 let flow = |p: &SurfacePoint| Some(sense * from.fields.flow(p));
                 make_one_sense(&mut paved.cells, &paved.links, &flow);
-                Paves::Carry(paved, 0)
+                PavingProgress::Carry(paved, 0)
             }
-            Some(Paves::Carry(mut paved, first)) => match &from.built.search {
+            Some(PavingProgress::Carry(mut paved, first)) => match &from.built.search {
                 None => coating(params, paved, from.built),
                 Some(search) => {
                     let end = paved.cells.len().min(first + CARRIED);
@@ -75,30 +79,32 @@ impl Paves {
                     }
                     match end == paved.cells.len() {
                         true => coating(params, paved, from.built),
-                        false => Paves::Carry(paved, end),
+                        false => PavingProgress::Carry(paved, end),
                     }
                 }
             },
-            Some(Paves::Coat(mut paved, mut coats)) => match coats.advance(&paved.cells, CELLS) {
-                true => {
-                    paved.coats = coats.finish(&paved.cells);
-                    return Some(paved);
+            Some(PavingProgress::Coat(mut paved, mut coats)) => {
+                match coats.advance(&paved.cells, CELLS) {
+                    true => {
+                        paved.coats = coats.finish(&paved.cells);
+                        return Some(paved);
+                    }
+                    false => PavingProgress::Coat(paved, coats),
                 }
-                false => Paves::Coat(paved, coats),
-            },
+            }
         };
         *work = Some(next);
         None
     }
 }
 
-fn coating(params: &CellParams, paved: Paved, built: &Built) -> Paves {
+fn coating(params: &CellParams, paved: PavedCells, built: &Built) -> PavingProgress {
     let unit = unit(&paved.cells);
     let (low, high) = built.whole.bounds();
     let mut colour = params.colour;
     colour.scale *= (high - low).max_element() * unit;
     let coats = SurfaceCoats::new(colour, params.seed, unit, &paved.cells, &paved.links);
-    Paves::Coat(paved, Box::new(coats))
+    PavingProgress::Coat(paved, Box::new(coats))
 }
 
 /// Picture units in a unit of the model.

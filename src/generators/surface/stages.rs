@@ -2,13 +2,13 @@
 
 use super::SURFACE;
 use super::build::{Building, Built};
-use super::fields::{Fielded, Fielding};
-use super::params::{CellParams, FieldParams, Params, Source, StoneLook, SurfaceParams};
-use super::paving::{Meshed, Paved, Paves};
+use super::fields::{Fielding, FieldsWithRemarks};
+use super::params::{CellParams, FieldParams, MeshSource, Params, StoneLook, SurfaceParams};
+use super::paving::{PavedCells, PavingInputs, PavingProgress};
 use crate::generators::MissingFile;
-use crate::generators::packs::Packs;
+use crate::generators::packs::PackingProgress;
 use crate::generators::scene_picture::{
-    AskedFile, GivenFiles, Loaded, Loading, Still, StillParams,
+    AskedFile, GivenFiles, Loaded, Loading, StillParams, StillRender,
 };
 use crate::graph::{Inputs, Node, Task, Wiring, inputs, task};
 use crate::notice::Notice;
@@ -16,7 +16,7 @@ use crate::packing::PackingParams;
 use crate::scene::Scene;
 use crate::surface_cells::SurfaceCell;
 use crate::surface_cells::{Polish, SurfaceMesh, SurfaceMeshing};
-use crate::surface_packing::{Site, SurfacePacking, SurfacePlacing};
+use crate::surface_packing::{PackingMesh, SurfacePacking, SurfacePlacing};
 use crate::surface_stones::{Stones, StonesParams};
 use std::rc::Rc;
 
@@ -44,13 +44,14 @@ pub(super) struct Stages {
     pub files: GivenFiles,
     pub(super) loaded: Node<Vec<AskedFile>, Loading, Loaded>,
     pub(super) built: Node<SurfaceParams, Building, Built>,
-    pub(super) fields: Node<FieldParams, Fielding, Fielded>,
-    pub(super) site: Node<(), (), Site>,
-    pub(super) packing: Node<PackingParams, Packs<SurfacePlacing, SurfacePacking>, SurfacePacking>,
+    pub(super) fields: Node<FieldParams, Fielding, FieldsWithRemarks>,
+    pub(super) site: Node<(), (), PackingMesh>,
+    pub(super) packing:
+        Node<PackingParams, PackingProgress<SurfacePlacing, SurfacePacking>, SurfacePacking>,
     pub(super) mesh: Node<(), SurfaceMeshing, SurfaceMesh>,
-    pub(super) paved: Node<CellParams, Paves, Paved>,
+    pub(super) paved: Node<CellParams, PavingProgress, PavedCells>,
     pub(super) stones: Node<StoneLook, Stones, Bodies>,
-    pub(super) still: Node<StillParams, Still, Vec<u8>>,
+    pub(super) still: Node<StillParams, StillRender, Vec<u8>>,
 }
 
 impl Wiring for Stages {
@@ -72,8 +73,8 @@ impl Wiring for Stages {
 /// The files that a surface needs.
 fn asked(params: &SurfaceParams) -> Vec<AskedFile> {
     match &params.source {
-        Source::Shape(..) => Vec::new(),
-        Source::Model(file) => vec![file.clone()],
+        MeshSource::Shape(..) => Vec::new(),
+        MeshSource::Model(file) => vec![file.clone()],
     }
 }
 
@@ -167,17 +168,17 @@ impl Stages {
     }
 
     fn make_site(&mut self) -> Option<()> {
-        let Fielded { fields, .. } = self.fields.made()?;
+        let FieldsWithRemarks { fields, .. } = self.fields.made()?;
         self.site.advance(|(), _| {
             let longest = fields.size_range().1 * fields.aspect_range().1.sqrt();
-            Ok(Some(Site::new(fields.mesh().clone(), longest)))
+            Ok(Some(PackingMesh::new(fields.mesh().clone(), longest)))
         })
     }
 
     fn make_packing(&mut self) -> Option<()> {
         let ground = (self.site.made()?, &self.fields.made()?.fields);
         self.packing
-            .advance(|params, work| Packs::advance(params, work, ground))
+            .advance(|params, work| PackingProgress::advance(params, work, ground))
     }
 
     fn make_mesh(&mut self) -> Option<()> {
@@ -189,13 +190,13 @@ impl Stages {
     }
 
     fn make_cells(&mut self) -> Option<()> {
-        let from = Meshed {
+        let from = PavingInputs {
             mesh: self.mesh.made()?,
             built: self.built.made()?,
             fields: &self.fields.made()?.fields,
         };
         self.paved
-            .advance(|params, work| Ok(Paves::advance(params, work, from)))
+            .advance(|params, work| Ok(PavingProgress::advance(params, work, from)))
     }
 
     fn make_stones(&mut self) -> Option<()> {
@@ -224,7 +225,7 @@ impl Stages {
     fn make_still(&mut self) -> Option<()> {
         let scene = &self.stones.made()?.scene;
         self.still.advance(|params, work| {
-            work.get_or_insert_with(|| Still::new(params, scene.clone()))
+            work.get_or_insert_with(|| StillRender::new(params, scene.clone()))
                 .advance()
         })
     }

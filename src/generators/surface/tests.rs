@@ -173,9 +173,9 @@ fn seen(studio: &mut Studio) -> Option<(u32, bool)> {
         size: [48, 32],
         how: "moving+nothing".to_owned(),
     };
-    let engine = studio.engine_mut();
-    while !engine.turn(&order, &mut || 0.0, 0.0).ok()?.done {}
-    let frame = engine.frame()?;
+    let frames = studio.engine_mut().frames()?;
+    while !frames.turn(&order, &mut || 0.0, 0.0).ok()?.done {}
+    let frame = frames.frame()?;
     let is_empty = frame.depths().iter().all(|depth| *depth == 0.0);
     Some((frame.ids().iter().copied().max()?, !is_empty))
 }

@@ -1,6 +1,6 @@
 //! Painted items: turns rows of a recipe into strokes and spots, and a place into its numbers.
 
-use super::Surface;
+use super::SurfaceEngine;
 use crate::recipe::BOX_STEPS;
 use crate::surface_field::{Stroke, SurfaceSpot};
 use crate::surface_stones::Fit;
@@ -54,7 +54,7 @@ fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
         .map(|x| x as i64)
 }
 
-impl Surface {
+impl SurfaceEngine {
     /// The place of the model at a pixel of the last finished frame, as in rows of strokes and spots; `None` beside
     /// the model.
     pub(super) fn place_seen_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {

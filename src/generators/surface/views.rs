@@ -14,7 +14,7 @@ pub(super) const WORDS: [&str; 8] = [
 
 /// The content of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum View {
+pub(crate) enum SurfaceView {
     /// The packing as it forms, then the stones.
     Auto,
     /// The stones.
@@ -33,24 +33,24 @@ pub(crate) enum View {
     Curvature,
 }
 
-const ALL: [View; 8] = [
-    View::Auto,
-    View::Picture,
-    View::Packed,
-    View::Cells,
-    View::Mesh,
-    View::Direction,
-    View::Size,
-    View::Curvature,
+const ALL: [SurfaceView; 8] = [
+    SurfaceView::Auto,
+    SurfaceView::Picture,
+    SurfaceView::Packed,
+    SurfaceView::Cells,
+    SurfaceView::Mesh,
+    SurfaceView::Direction,
+    SurfaceView::Size,
+    SurfaceView::Curvature,
 ];
 
-impl View {
+impl SurfaceView {
     /// The view of the first known word among words joined by '+'; else [`View::Auto`].
     pub fn of_words(words: &str) -> Self {
         let place = |word: &str| WORDS.iter().position(|own| *own == word);
         words
             .split('+')
             .find_map(place)
-            .map_or(View::Auto, |place| ALL[place])
+            .map_or(SurfaceView::Auto, |place| ALL[place])
     }
 }

@@ -3,10 +3,10 @@
 use super::super::*;
 use super::shapes::{cell, check, nearest, patch};
 use crate::domain::{Domain, Outline};
-use crate::field::{FieldBuilder, FieldParams, Kind};
+use crate::field::{CellKind, FieldBuilder, FieldParams};
 use crate::packing::{Packing, PackingParams};
 use crate::surface_packing::fixture::Along;
-use crate::surface_packing::{Site, SurfacePlacing};
+use crate::surface_packing::{PackingMesh, SurfacePlacing};
 use crate::trimesh::TriMesh;
 use crate::trimesh::refine::Refining;
 use crate::trimesh::testing;
@@ -51,11 +51,11 @@ fn disc(p: DVec2) -> DVec2 {
 #[test]
 fn packed_cells_on_a_dome_are_as_those_in_the_plane() {
     for (kind, aspect, size, high) in [
-        (Kind::Square, 1.0, 14.0, 0.0),
-        (Kind::Rectangle, 2.0, 14.0, 0.0),
-        (Kind::Circle, 1.0, 14.0, 0.0),
-        (Kind::Square, 1.0, 9.0, 0.0),
-        (Kind::Square, 1.0, 14.0, 60.0),
+        (CellKind::Square, 1.0, 14.0, 0.0),
+        (CellKind::Rectangle, 2.0, 14.0, 0.0),
+        (CellKind::Circle, 1.0, 14.0, 0.0),
+        (CellKind::Square, 1.0, 9.0, 0.0),
+        (CellKind::Square, 1.0, 14.0, 60.0),
     ] {
         let n = (500.0 / (0.35 * size)) as u32;
         let lift = |p: DVec2| {
@@ -126,7 +126,7 @@ fn in_plane(domain: &Domain, particles: &[crate::packing::Particle]) -> (f64, f6
 }
 
 /// Cells of one size, along the upright axis.
-fn along(kind: Kind, size: f64, aspect: f64) -> Along {
+fn along(kind: CellKind, size: f64, aspect: f64) -> Along {
     Along {
         kind,
         size,
@@ -160,13 +160,13 @@ fn wall(thick: f64) -> testing::Soup {
 }
 
 /// Cells at rest.
-fn packed_on(soup: testing::Soup, fields: Along) -> (Site, Vec<SurfaceParticle>) {
+fn packed_on(soup: testing::Soup, fields: Along) -> (PackingMesh, Vec<SurfaceParticle>) {
     let mesh = testing::mesh(soup);
     let mesh = Refining::evenly(mesh, 0.4 * fields.size)
         .finish_all()
         .unwrap()
         .mesh;
-    let site = Site::new(mesh, fields.size * fields.aspect.sqrt());
+    let site = PackingMesh::new(mesh, fields.size * fields.aspect.sqrt());
     let params = PackingParams::default();
     let mut placing = SurfacePlacing::new(&site, fields, params);
     while !placing.advance(&site, fields) {}
@@ -178,21 +178,21 @@ fn packed_on(soup: testing::Soup, fields: Along) -> (Site, Vec<SurfaceParticle>)
 #[test]
 fn packed_cells_on_surfaces_make_good_meshes() {
     for (name, soup, kind, aspect, size) in [
-        ("ball", testing::ball(5), Kind::Square, 1.0, 0.11),
+        ("ball", testing::ball(5), CellKind::Square, 1.0, 0.11),
         (
             "torus",
             testing::torus(96, 40, 0.35),
-            Kind::Square,
+            CellKind::Square,
             1.0,
             0.11,
         ),
-        ("blob", testing::blob(5), Kind::Square, 1.0, 0.11),
-        ("blob", testing::blob(5), Kind::Rectangle, 2.0, 0.11),
-        ("blob", testing::blob(5), Kind::Circle, 1.0, 0.11),
-        ("blob", testing::blob(5), Kind::Ellipse, 2.0, 0.11),
-        ("tube", testing::tube(40, 40), Kind::Rectangle, 2.0, 0.2),
-        ("wall", wall(0.1), Kind::Square, 1.0, 0.2),
-        ("wall", wall(0.05), Kind::Square, 1.0, 0.2),
+        ("blob", testing::blob(5), CellKind::Square, 1.0, 0.11),
+        ("blob", testing::blob(5), CellKind::Rectangle, 2.0, 0.11),
+        ("blob", testing::blob(5), CellKind::Circle, 1.0, 0.11),
+        ("blob", testing::blob(5), CellKind::Ellipse, 2.0, 0.11),
+        ("tube", testing::tube(40, 40), CellKind::Rectangle, 2.0, 0.2),
+        ("wall", wall(0.1), CellKind::Square, 1.0, 0.2),
+        ("wall", wall(0.05), CellKind::Square, 1.0, 0.2),
     ] {
         let (site, particles) = packed_on(soup, along(kind, size, aspect));
         for (word, polish) in [("plain", PLAIN), ("straight", Polish::default())] {
@@ -220,7 +220,7 @@ fn packed_cells_on_surfaces_make_good_meshes() {
 
 #[test]
 fn the_order_of_cells_and_a_turn_of_the_mesh_change_nothing() {
-    let fields = along(Kind::Rectangle, 0.2, 1.5);
+    let fields = along(CellKind::Rectangle, 0.2, 1.5);
     let (site, particles) = packed_on(testing::blob(5), fields);
     let made = SurfaceMesh::build(site.mesh(), particles.clone(), Polish::default());
     let mut others = particles.clone();

@@ -1,10 +1,10 @@
 //! Meshes, places on them, and properties that hold for any cells.
 
 use super::super::*;
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::random::{Purpose, Random};
 use crate::surface_cells::metrics::SurfaceMetrics;
-use crate::trimesh::{Frame, TriMesh};
+use crate::trimesh::{TangentFrame, TriMesh};
 use glam::DVec3;
 
 /// A patch of `nu` by `nv` squares, each of two triangles, closed in either direction or both.
@@ -111,7 +111,7 @@ pub fn cell(
     id: u32,
     centre: SurfacePoint,
     along: DVec3,
-    kind: Kind,
+    kind: CellKind,
     size: f64,
     aspect: f64,
 ) -> SurfaceParticle {
@@ -121,7 +121,9 @@ pub fn cell(
         kind,
         size,
         aspect,
-        axis: Frame::of(centre.normal).within(along).normalize_or_zero(),
+        axis: TangentFrame::of(centre.normal)
+            .within(along)
+            .normalize_or_zero(),
         centre,
     }
 }
@@ -130,7 +132,7 @@ pub fn cell(
 pub fn cells(
     mesh: &TriMesh,
     places: &[(DVec3, DVec3)],
-    kind: Kind,
+    kind: CellKind,
     size: f64,
     aspect: f64,
 ) -> Vec<SurfaceParticle> {

@@ -23,7 +23,7 @@ fn rows_follow_an_axis_and_the_least_curvature() {
             &mesh,
             SurfaceFieldParams {
                 direction,
-                ..of_size(Kind::Rectangle, 0.05)
+                ..of_size(CellKind::Rectangle, 0.05)
             },
         );
         for p in middles(&mesh) {
@@ -42,7 +42,7 @@ fn rows_follow_an_axis_and_the_least_curvature() {
         &mesh,
         SurfaceFieldParams {
             direction: turned,
-            ..of_size(Kind::Rectangle, 0.05)
+            ..of_size(CellKind::Rectangle, 0.05)
         },
     );
     for p in middles(&mesh) {
@@ -64,7 +64,7 @@ fn a_mesh_of_other_triangles_has_the_same_direction() {
     };
     let params = SurfaceFieldParams {
         direction,
-        ..of_size(Kind::Rectangle, 0.15)
+        ..of_size(CellKind::Rectangle, 0.15)
     };
     let (coarse, fine) = (samples::blob(4), samples::blob(5));
     let (a, b) = (build(&coarse, params.clone()), build(&fine, params));
@@ -99,7 +99,7 @@ fn a_turned_mesh_has_its_direction_turned() {
             };
             SurfaceFieldParams {
                 direction,
-                ..of_size(Kind::Square, size)
+                ..of_size(CellKind::Square, size)
             }
         };
         let (a, b) = (
@@ -161,7 +161,7 @@ fn a_leg_turns_into_its_toes() {
     let mut params = SurfaceFieldParams {
         direction,
         bones,
-        ..of_size(Kind::Rectangle, 0.1)
+        ..of_size(CellKind::Rectangle, 0.1)
     };
     params.flow = Some(FlowParams::default());
     params.size.taper = Some(Taper {
@@ -211,7 +211,7 @@ fn strokes_lead_and_give_the_sense() {
         )
     };
     let stroke = Stroke::through(&mesh, &[place(0.0, 0.5), place(1.2, 1.4)], 0.1);
-    let mut params = of_size(Kind::Square, 0.1);
+    let mut params = of_size(CellKind::Square, 0.1);
     params.direction.axis = 1.0;
     params.direction.strokes = vec![stroke.clone()];
     params.flow = Some(FlowParams {
@@ -244,7 +244,11 @@ fn strokes_lead_and_give_the_sense() {
 #[test]
 fn poles_of_an_axis_are_as_few_singular_places_as_can_be() {
     let mesh = samples::ball(6);
-    for (kind, count) in [(Kind::Square, 8), (Kind::Rectangle, 4), (Kind::Circle, 12)] {
+    for (kind, count) in [
+        (CellKind::Square, 8),
+        (CellKind::Rectangle, 4),
+        (CellKind::Circle, 12),
+    ] {
         let direction = DirectionParams {
             axis: 1.0,
             towards: DVec3::new(0.2, 1.0, 0.1),
@@ -270,7 +274,7 @@ fn where_sources_say_little_there_are_no_singular_places_by_chance() {
     };
     let params = SurfaceFieldParams {
         direction,
-        ..of_size(Kind::Rectangle, size)
+        ..of_size(CellKind::Rectangle, size)
     };
     let fields = build(&mesh, params);
     assert_eq!(fields.index_sum(), -2.0);

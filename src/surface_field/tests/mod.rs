@@ -10,7 +10,7 @@ fn build(mesh: &TriMesh, params: SurfaceFieldParams) -> SurfaceFields {
     SurfaceFieldBuilder::build(Arc::new(mesh.clone()), params)
 }
 
-fn of_size(kind: Kind, size: f64) -> SurfaceFieldParams {
+fn of_size(kind: CellKind, size: f64) -> SurfaceFieldParams {
     SurfaceFieldParams {
         kind,
         size: SizeParams {
@@ -60,7 +60,7 @@ fn indices_sum_to_the_euler_characteristic() {
         ("cylinder", samples::cylinder(30, 16)),
     ];
     for (name, mesh) in &meshes {
-        for kind in [Kind::Square, Kind::Rectangle, Kind::Circle] {
+        for kind in [CellKind::Square, CellKind::Rectangle, CellKind::Circle] {
             for (k, direction) in directions().into_iter().enumerate() {
                 let params = SurfaceFieldParams {
                     direction,
@@ -80,9 +80,9 @@ fn indices_sum_to_the_euler_characteristic() {
 #[test]
 fn without_sources_singular_places_keep_away_from_each_other() {
     for (kind, count, apart) in [
-        (Kind::Square, 8, 0.9),
-        (Kind::Rectangle, 4, 1.2),
-        (Kind::Circle, 12, 0.7),
+        (CellKind::Square, 8, 0.9),
+        (CellKind::Rectangle, 4, 1.2),
+        (CellKind::Circle, 12, 0.7),
     ] {
         let fields = build(&samples::ball(5), of_size(kind, 0.1));
         let points = fields.singular_points();
@@ -126,7 +126,7 @@ fn it_is_the_same_however_it_is_cut() {
     };
     let mut params = SurfaceFieldParams {
         direction,
-        ..of_size(Kind::Ellipse, 0.2)
+        ..of_size(CellKind::Ellipse, 0.2)
     };
     params.aspect.by_curvature = true;
     params.aspect.aspect = 2.0;
@@ -152,7 +152,7 @@ fn it_is_the_same_however_it_is_cut() {
 #[test]
 fn no_flow_where_nothing_tells_one() {
     let mesh = samples::torus(30, 12);
-    let mut params = of_size(Kind::Square, 0.2);
+    let mut params = of_size(CellKind::Square, 0.2);
     params.flow = Some(FlowParams::default());
     let fields = build(&mesh, params);
     let p = middles(&mesh).next().unwrap();
@@ -173,7 +173,7 @@ fn each_part_has_its_own_direction() {
     let mesh = TriMesh::new(positions, triangles).unwrap();
     let search = Search::new(&mesh);
     let places = [DVec3::X, DVec3::Y].map(|p| search.closest(&mesh, p));
-    let mut params = of_size(Kind::Square, 0.2);
+    let mut params = of_size(CellKind::Square, 0.2);
     params.direction.strokes = vec![Stroke::through(&mesh, &places, 0.2)];
     let fields = build(&mesh, params);
     let half = |s: &SurfaceSingularity| s.at.triangle >= ball.triangles().len() as u32;

@@ -10,7 +10,7 @@ fn sizes_are_those_asked_for() {
         radius: 0.5,
         value: 0.5,
     };
-    let of = |kind: Kind, size: SizeParams| {
+    let of = |kind: CellKind, size: SizeParams| {
         build(
             &mesh,
             SurfaceFieldParams {
@@ -51,7 +51,7 @@ fn sizes_are_those_asked_for() {
         },
     ];
     for (k, size) in sizes.into_iter().enumerate() {
-        for kind in [Kind::Square, Kind::Circle] {
+        for kind in [CellKind::Square, CellKind::Circle] {
             let fields = of(kind, size.clone());
             assert!(
                 (fields.about_cells() / 1500.0 - 1.0).abs() < 0.01,
@@ -73,7 +73,7 @@ fn sizes_are_those_asked_for() {
         }
     }
     let fields = of(
-        Kind::Square,
+        CellKind::Square,
         SizeParams {
             amount: Amount::Size(0.1),
             spots: vec![spot],
@@ -87,7 +87,7 @@ fn sizes_are_those_asked_for() {
 #[test]
 fn curvature_makes_cells_smaller() {
     let mesh = samples::torus(120, 48);
-    let mut params = of_size(Kind::Ellipse, 0.1);
+    let mut params = of_size(CellKind::Ellipse, 0.1);
     // The greatest curvature is 2.5 everywhere but where the ring is tighter than the tube.
     params.size.curvature = Some(ByCurvature {
         angle: 0.2,
@@ -121,18 +121,18 @@ fn curvature_makes_cells_smaller() {
 fn large_cells_and_thin_sheets_are_told() {
     let ball = samples::ball(4);
     for (size, large, balls) in [(0.3, 0.0, 0.0), (0.7, 1.0, 0.0), (1.1, 1.0, 1.0)] {
-        let bent = build(&ball, of_size(Kind::Square, size)).bent();
+        let bent = build(&ball, of_size(CellKind::Square, size)).bent();
         let off = (bent.large - large).abs() + (bent.balls - balls).abs() + bent.tubes;
         assert!(off < 1e-6, "{size} {bent:?}");
     }
     let tube = samples::cylinder(60, 40);
-    let bent = build(&tube, of_size(Kind::Square, 0.45)).bent();
+    let bent = build(&tube, of_size(CellKind::Square, 0.45)).bent();
     assert!(bent.tubes > 0.9 && bent.balls < 0.05, "{bent:?}");
     // Sharp edges do not count: the sides between them are flat.
     let rings = samples::double_ring(4);
-    assert!(build(&rings, of_size(Kind::Square, 0.3)).bent().large < 0.01);
+    assert!(build(&rings, of_size(CellKind::Square, 0.3)).bent().large < 0.01);
     for (size, least, most) in [(0.9, 0.0, 0.0), (1.1, 0.6, 1.0)] {
-        let fields = build(&rings, of_size(Kind::Square, size));
+        let fields = build(&rings, of_size(CellKind::Square, size));
         let mut work = Thickness::begin(&fields);
         let search = Search::new(fields.mesh());
         while !work.advance(&fields, &search) {}

@@ -5,7 +5,7 @@ use super::*;
 #[test]
 fn bars_lie_along_the_field_and_evenly() {
     let mesh = Arc::new(samples::torus(96, 40));
-    for kind in [Kind::Square, Kind::Rectangle, Kind::Circle] {
+    for kind in [CellKind::Square, CellKind::Rectangle, CellKind::Circle] {
         let fields = fields(&mesh, kind, tapered(0.12));
         let ground = grounded(&mesh);
         let view = FieldView::build(&ground, &fields, &[]);
@@ -55,7 +55,7 @@ fn bars_lie_along_the_field_and_evenly() {
 #[test]
 fn many_cells_have_fewer_bars() {
     let mesh = Arc::new(samples::ball(4));
-    let fields = fields(&mesh, Kind::Square, even(0.02));
+    let fields = fields(&mesh, CellKind::Square, even(0.02));
     let scene = FieldView::build(&grounded(&mesh), &fields, &[]).finish();
     let bars = scene.instances.iter().filter(|i| i.id > 0).count();
     assert!((2_300..3_400).contains(&bars), "{bars}");
@@ -74,7 +74,7 @@ fn indices_sum_to_what_the_surface_says() {
     for mesh in surfaces {
         let mesh = Arc::new(mesh);
         let size = 0.05 * mesh.diagonal();
-        for kind in [Kind::Square, Kind::Rectangle, Kind::Circle] {
+        for kind in [CellKind::Square, CellKind::Rectangle, CellKind::Circle] {
             let fields = fields(&mesh, kind, even(size));
             let view = FieldView::build(&grounded(&mesh), &fields, &[]);
             let tally = view.tally();
@@ -93,7 +93,7 @@ fn indices_sum_to_what_the_surface_says() {
 #[test]
 fn strokes_are_tubes_on_the_surface() {
     let mesh = Arc::new(samples::torus(60, 24));
-    let fields = fields(&mesh, Kind::Square, even(0.1));
+    let fields = fields(&mesh, CellKind::Square, even(0.1));
     let places = [0, 30].map(|v| mesh.vertex_point(v).unwrap());
     let stroke = Stroke::through(&mesh, &places, 0.1);
     let length: f64 = stroke

@@ -3,7 +3,7 @@
 use super::*;
 
 /// Cells scattered over a torus, of all sizes and directions.
-fn scattered(mesh: &TriMesh, kind: Kind, count: u32) -> Vec<SurfaceParticle> {
+fn scattered(mesh: &TriMesh, kind: CellKind, count: u32) -> Vec<SurfaceParticle> {
     let search = Search::new(mesh);
     let cell = |id: u32| {
         let [a, b] = [2.399 * f64::from(id), 0.37 * f64::from(id * id % 101)];
@@ -54,8 +54,13 @@ fn the_ground_is_all_of_the_surface() {
 #[test]
 fn each_cell_is_a_bubble_on_its_place() {
     let mesh = samples::torus(60, 24);
-    let (ground, site) = (grounded(&mesh), Site::new(mesh.clone(), 0.5));
-    for kind in [Kind::Square, Kind::Rectangle, Kind::Circle, Kind::Ellipse] {
+    let (ground, site) = (grounded(&mesh), PackingMesh::new(mesh.clone(), 0.5));
+    for kind in [
+        CellKind::Square,
+        CellKind::Rectangle,
+        CellKind::Circle,
+        CellKind::Ellipse,
+    ] {
         let cells = scattered(&mesh, kind, 150);
         let scene = particles(&ground, &site, &cells, &tones());
         assert!(scene.fault().is_none());
@@ -81,7 +86,8 @@ fn each_cell_is_a_bubble_on_its_place() {
         // An updated view is the same as a new one, whatever it showed before.
         let mut view = Particles::new(&ground);
         for count in [150, 20] {
-            let others = [Kind::Circle, Kind::Rectangle].map(|k| scattered(&mesh, k, count));
+            let others =
+                [CellKind::Circle, CellKind::Rectangle].map(|k| scattered(&mesh, k, count));
             view.update(&site, &others.concat(), &tones());
         }
         view.update(&site, &cells, &tones());
@@ -92,14 +98,19 @@ fn each_cell_is_a_bubble_on_its_place() {
 #[test]
 fn bubbles_are_closed_above_and_look_outwards() {
     for (kind, aspect) in [
-        (Kind::Square, 1.0),
-        (Kind::Rectangle, 4.0),
-        (Kind::Ellipse, 2.0),
+        (CellKind::Square, 1.0),
+        (CellKind::Rectangle, 4.0),
+        (CellKind::Ellipse, 2.0),
     ] {
         let mesh = samples::torus(24, 12);
         let mut cells = scattered(&mesh, kind, 1);
         cells[0].aspect = aspect;
-        let scene = particles(&grounded(&mesh), &Site::new(mesh, 0.5), &cells, &tones());
+        let scene = particles(
+            &grounded(&mesh),
+            &PackingMesh::new(mesh, 0.5),
+            &cells,
+            &tones(),
+        );
         let body = &scene.bodies[scene.instances.last().expect("a bubble").body as usize];
         for surface in &body.levels {
             let below = Vec3::new(0.0, body.lowest, 0.0);
@@ -122,13 +133,18 @@ fn bubbles_are_closed_above_and_look_outwards() {
 #[test]
 fn pressed_cells_are_warm_and_lone_ones_cool() {
     let mesh = samples::torus(60, 24);
-    let mut cells = scattered(&mesh, Kind::Circle, 3);
+    let mut cells = scattered(&mesh, CellKind::Circle, 3);
     for (cell, step) in cells.iter_mut().zip([0.0, 0.08, 1.2]) {
         (cell.id, cell.size) = (7, 0.2);
         let along = DVec2::new(0.0, step);
         cell.centre = mesh.walk(&mesh.vertex_point(5).unwrap(), along).to;
     }
-    let scene = particles(&grounded(&mesh), &Site::new(mesh, 0.3), &cells, &tones());
+    let scene = particles(
+        &grounded(&mesh),
+        &PackingMesh::new(mesh, 0.3),
+        &cells,
+        &tones(),
+    );
     let warmth = |id: u32| {
         let [r, _, b] = tint(&scene, id);
         r - b
@@ -146,8 +162,8 @@ fn pressed_cells_are_warm_and_lone_ones_cool() {
 #[test]
 fn no_neighbour_is_overlooked() {
     let mesh = samples::torus(60, 24);
-    let site = Site::new(mesh.clone(), 0.6);
-    for kind in [Kind::Square, Kind::Rectangle, Kind::Ellipse] {
+    let site = PackingMesh::new(mesh.clone(), 0.6);
+    for kind in [CellKind::Square, CellKind::Rectangle, CellKind::Ellipse] {
         let mut cells = scattered(&mesh, kind, 220);
         for (k, cell) in cells.iter_mut().enumerate() {
             // Directions of neighbours are similar.
@@ -169,7 +185,7 @@ fn no_neighbour_is_overlooked() {
 #[test]
 fn frames_of_a_direction_are_right_handed() {
     let normal = DVec3::new(0.3, 0.5, -0.4).normalize();
-    let frame = Frame::of(normal);
+    let frame = TangentFrame::of(normal);
     let place = standing(0, 1, Vec3::ZERO, [frame.x, normal], 2.0).place;
     let [x, y, z] = place.axes;
     assert!((x.cross(y) - 2.0 * z).length() < 1e-5 && (place.scale() - 2.0).abs() < 1e-5);

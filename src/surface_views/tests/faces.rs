@@ -3,7 +3,7 @@
 use super::*;
 
 /// A cube on the unit ball, as a mesh of six quadrilaterals.
-fn cube(mesh: &TriMesh, kind: Kind) -> SurfaceMesh {
+fn cube(mesh: &TriMesh, kind: CellKind) -> SurfaceMesh {
     let search = Search::new(mesh);
     let node = |k: u32| {
         let signs = [1, 2, 4].map(|bit| if k & bit > 0 { 1.0 } else { -1.0 });
@@ -39,7 +39,7 @@ fn cube(mesh: &TriMesh, kind: Kind) -> SurfaceMesh {
 fn elements_have_lines_and_irregular_nodes_balls() {
     let mesh = samples::ball(4);
     let ground = grounded(&mesh);
-    for (kind, less) in [(Kind::Square, -1), (Kind::Circle, -3)] {
+    for (kind, less) in [(CellKind::Square, -1), (CellKind::Circle, -3)] {
         let mut made = cube(&mesh, kind);
         let found = crate::surface_views::elements::irregular(&made);
         assert_eq!(found, (0..8).map(|k| (k, less)).collect::<Vec<_>>());
@@ -84,7 +84,7 @@ fn cap(corners: u32, away: f64) -> SurfaceCell {
     let ring: Vec<DVec3> = (0..corners).map(at).collect();
     SurfaceCell {
         id: 4,
-        kind: Kind::Circle,
+        kind: CellKind::Circle,
         centre: SurfacePoint {
             triangle: 0,
             at: DVec3::Y,

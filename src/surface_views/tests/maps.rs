@@ -5,7 +5,7 @@ use super::*;
 #[test]
 fn curvature_goes_from_blue_over_pale_to_orange() {
     let mesh = Arc::new(samples::torus(96, 40));
-    let fields = fields(&mesh, Kind::Square, even(0.1));
+    let fields = fields(&mesh, CellKind::Square, even(0.1));
     let ground = grounded(&mesh);
     let view = MapView::build(&ground, &fields, Quantity::Gaussian, true);
     let legend = view.legend();
@@ -55,7 +55,7 @@ fn sizes_that_are_all_the_same_have_one_colour() {
     let mesh = Arc::new(samples::ball(3));
     let ground = grounded(&mesh);
     for (size, is_even) in [(even(0.2), true), (tapered(0.2), false)] {
-        let fields = fields(&mesh, Kind::Square, size);
+        let fields = fields(&mesh, CellKind::Square, size);
         let view = MapView::build(&ground, &fields, Quantity::Size, true);
         let [low, high] = view.legend().ends;
         let range = fields.size_range();

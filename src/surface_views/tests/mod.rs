@@ -7,7 +7,7 @@ mod maps;
 
 use super::*;
 use crate::draw::Tones;
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::heightfield::TextureParams;
 use crate::mesh::Face;
 use crate::packing::stress_on;
@@ -18,17 +18,17 @@ use crate::surface_field::{
     Along, Amount, DirectionParams, SizeParams, Stroke, SurfaceFieldBuilder, SurfaceFieldParams,
     SurfaceFields, Taper,
 };
-use crate::surface_packing::{Site, SurfaceParticle};
+use crate::surface_packing::{PackingMesh, SurfaceParticle};
 use crate::surface_stones::Fit;
-use crate::trimesh::{Frame, Search, SurfacePoint, TriMesh, samples};
+use crate::trimesh::{Search, SurfacePoint, TangentFrame, TriMesh, samples};
 use glam::DVec2;
 use std::sync::Arc;
 
-fn grounded(mesh: &TriMesh) -> Ground {
-    Ground::build(mesh, Fit::new(mesh))
+fn grounded(mesh: &TriMesh) -> BareSurface {
+    BareSurface::build(mesh, Fit::new(mesh))
 }
 
-fn fields(mesh: &Arc<TriMesh>, kind: Kind, size: SizeParams) -> SurfaceFields {
+fn fields(mesh: &Arc<TriMesh>, kind: CellKind, size: SizeParams) -> SurfaceFields {
     let direction = DirectionParams {
         curvature: 1.0,
         ..DirectionParams::default()

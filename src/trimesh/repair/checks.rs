@@ -1,7 +1,7 @@
 //! Refuses numbers of which no surface can be made.
 
 use super::super::MOST_TRIANGLES;
-use super::{NONE, Step, Work, slice};
+use super::{MeshInRepair, NONE, RepairStep, slice};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
@@ -17,8 +17,8 @@ pub(super) struct Checking {
     checked: bool,
 }
 
-impl Step for Checking {
-    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+impl RepairStep for Checking {
+    fn advance(&mut self, work: &mut MeshInRepair) -> Result<bool, Notice> {
         let count = work.triangles.len();
         if self.number.is_empty() {
             check_counts(work)?;
@@ -45,7 +45,7 @@ impl Step for Checking {
 }
 
 impl Checking {
-    fn check(&mut self, work: &mut Work, t: usize) -> Result<(), Notice> {
+    fn check(&mut self, work: &mut MeshInRepair, t: usize) -> Result<(), Notice> {
         for v in work.triangles[t] {
             let Some(&p) = work.positions.get(v as usize) else {
                 return Err(Notice::new(Code::ModelCorner).with("n", t + 1));
@@ -60,7 +60,7 @@ impl Checking {
     }
 
     /// True if there is a vertex that no triangle uses.
-    fn leave_out(&mut self, work: &mut Work) -> bool {
+    fn leave_out(&mut self, work: &mut MeshInRepair) -> bool {
         if !self.number.contains(&NONE) {
             return false;
         }
@@ -77,7 +77,7 @@ impl Checking {
     }
 }
 
-fn check_extent(work: &Work) -> Result<(), Notice> {
+fn check_extent(work: &MeshInRepair) -> Result<(), Notice> {
     let most = work.low.abs().max(work.high.abs()).max_element();
     let diagonal = (work.high - work.low).length();
     if diagonal == 0.0 {
@@ -93,7 +93,7 @@ fn check_extent(work: &Work) -> Result<(), Notice> {
     Ok(())
 }
 
-fn check_counts(work: &Work) -> Result<(), Notice> {
+fn check_counts(work: &MeshInRepair) -> Result<(), Notice> {
     let (vertices, triangles) = (work.positions.len(), work.triangles.len());
     if triangles == 0 {
         return Err(Code::ModelEmpty.into());

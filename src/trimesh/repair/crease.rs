@@ -7,7 +7,7 @@ use glam::DVec3;
 
 /// A surface with borders along its creases.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Cut {
+pub struct CreaseCut {
     /// The surface, with a vertex for each side of a crease.
     pub mesh: TriMesh,
     /// For each vertex, the one that it was before. Vertices with the same origin stay at the same place.
@@ -18,7 +18,7 @@ pub struct Cut {
 
 /// Cuts all edges where the surface turns by more than an angle. Best after refining: then the faces between creases
 /// come apart even where two creases do not meet at a vertex of the file.
-pub struct Cutting {
+pub struct CreaseCutting {
     at: usize,
     cos: f64,
     normals: Vec<DVec3>,
@@ -30,7 +30,7 @@ pub struct Cutting {
     building: Option<MeshBuilding>,
 }
 
-impl Cutting {
+impl CreaseCutting {
     /// Cuts along creases sharper than `angle`, in radians from 0 to pi.
     pub fn new(mesh: TriMesh, angle: f64) -> Self {
         Self {
@@ -47,7 +47,7 @@ impl Cutting {
     }
 
     /// Does one more slice; returns the surface when it is done.
-    pub fn advance(&mut self) -> Option<Cut> {
+    pub fn advance(&mut self) -> Option<CreaseCut> {
         if let Some(building) = &mut self.building {
             // Cutting keeps a mesh valid, so there is no fault.
             let mesh = building.advance()?.ok()?;
@@ -56,7 +56,7 @@ impl Cutting {
             let old = all.end as usize - splitter.origin.len();
             let origin = all.take(old).chain(splitter.origin).collect();
             let count = self.count;
-            return Some(Cut {
+            return Some(CreaseCut {
                 mesh,
                 origin,
                 count,
@@ -97,7 +97,7 @@ impl Cutting {
     }
 
     /// Does all the work at once.
-    pub fn finish(mut self) -> Cut {
+    pub fn finish(mut self) -> CreaseCut {
         loop {
             if let Some(cut) = self.advance() {
                 return cut;

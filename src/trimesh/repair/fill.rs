@@ -25,10 +25,10 @@ pub struct Filled {
 }
 
 /// Closes holes of a surface.
-pub struct Filling {
+pub struct HoleFilling {
     mesh: TriMesh,
     size: f64,
-    stage: Stage,
+    stage: FillingPhase,
     at: usize,
     loops: Vec<Loop>,
     /// Pairs of vertices to merge.
@@ -42,7 +42,7 @@ pub struct Filling {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Stage {
+enum FillingPhase {
     Parts,
     Areas,
     Rings,
@@ -50,13 +50,13 @@ enum Stage {
     Build,
 }
 
-impl Filling {
+impl HoleFilling {
     /// Starts with a surface and the side of a cell of mean size.
     pub fn new(mesh: TriMesh, size: f64) -> Self {
         Self {
             mesh,
             size,
-            stage: Stage::Parts,
+            stage: FillingPhase::Parts,
             at: 0,
             loops: Vec::new(),
             welds: Vec::new(),
@@ -72,26 +72,26 @@ impl Filling {
     /// Does one more slice. Returns the surface when it is done, or a notice if it is smaller than a cell.
     pub fn advance(&mut self) -> Option<Result<Filled, Notice>> {
         match self.stage {
-            Stage::Parts => {
+            FillingPhase::Parts => {
                 let (part, count) = self.mesh.parts();
                 (self.part, self.areas) = (part, vec![0.0; count]);
-                self.stage = Stage::Areas;
+                self.stage = FillingPhase::Areas;
             }
-            Stage::Areas => {
+            FillingPhase::Areas => {
                 let count = self.part.len();
                 for t in slice(&mut self.at, count) {
                     self.areas[self.part[t] as usize] += self.mesh.area_of(t as u32);
                 }
                 if self.at == count {
-                    (self.stage, self.at) = (Stage::Rings, 0);
+                    (self.stage, self.at) = (FillingPhase::Rings, 0);
                 }
             }
-            Stage::Rings => {
+            FillingPhase::Rings => {
                 let rings = self.mesh.borders();
                 self.loops = rings.iter().flat_map(|r| loops(&self.mesh, r)).collect();
-                self.stage = Stage::Fill;
+                self.stage = FillingPhase::Fill;
             }
-            Stage::Fill => {
+            FillingPhase::Fill => {
                 let mut corners = 0;
                 while self.at < self.loops.len() && corners < CORNERS {
                     let ring = std::mem::take(&mut self.loops[self.at]);
@@ -106,7 +106,7 @@ impl Filling {
                     self.begin_to_build();
                 }
             }
-            Stage::Build => {
+            FillingPhase::Build => {
                 let mesh = self.building.as_mut()?.advance()?;
                 // No edge was added where one exists, so this is a mesh.
                 match mesh {
@@ -185,7 +185,7 @@ impl Filling {
             }
         }
         self.building = Some(MeshBuilding::new(positions, triangles));
-        self.stage = Stage::Build;
+        self.stage = FillingPhase::Build;
     }
 
     fn finish(&mut self) -> Result<Filled, Notice> {
@@ -293,7 +293,7 @@ fn are_joined(mesh: &TriMesh, a: u32, b: u32) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Mending;
+    use super::super::MeshRepair;
     use super::*;
     use crate::trimesh::{Soup, testing};
 
@@ -322,8 +322,8 @@ mod tests {
                 positions: positions.clone(),
                 triangles: kept.map(|t| triangles[t]).collect(),
             };
-            let mended = Mending::mend(soup).expect("a surface").mesh;
-            let filled = Filling::fill_all(mended, 0.2).expect("a surface").mesh;
+            let mended = MeshRepair::mend(soup).expect("a surface").mesh;
+            let filled = HoleFilling::fill_all(mended, 0.2).expect("a surface").mesh;
             assert_eq!((filled.euler(), filled.borders().len()), (1, 1));
             assert!((filled.area() - 1.0).abs() < 1e-12);
             for t in 0..filled.triangles().len() as u32 {

@@ -1,14 +1,14 @@
 //! Finds the triangles that share edges.
 
 use super::super::sorting::Sorting;
-use super::{NONE, Step, Work, slice};
+use super::{MeshInRepair, NONE, RepairStep, slice};
 use crate::notice::{Code, Notice};
 use crate::order::{self, pair};
 
 /// Drops duplicate triangles, and joins the triangles at each edge in pairs.
 #[derive(Default)]
 pub(super) struct Linking {
-    stage: Stage,
+    stage: LinkingPhase,
     at: usize,
     edges: Vec<(u64, u32)>,
     sorting: Option<Sorting>,
@@ -21,7 +21,7 @@ pub(super) struct Linking {
 }
 
 #[derive(Clone, Copy, Default)]
-enum Stage {
+enum LinkingPhase {
     #[default]
     List,
     Sort,
@@ -30,58 +30,58 @@ enum Stage {
     Drop,
 }
 
-impl Step for Linking {
-    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+impl RepairStep for Linking {
+    fn advance(&mut self, work: &mut MeshInRepair) -> Result<bool, Notice> {
         let triangles = work.triangles.len();
         let count = match self.stage {
-            Stage::List | Stage::Drop => triangles,
-            Stage::Sort => 0,
+            LinkingPhase::List | LinkingPhase::Drop => triangles,
+            LinkingPhase::Sort => 0,
             _ => self.edges.len(),
         };
         let range = slice(&mut self.at, count);
         match self.stage {
-            Stage::List => range.for_each(|t| self.list(work, t)),
-            Stage::Sort => match self.sorting.as_mut().map(Sorting::advance) {
+            LinkingPhase::List => range.for_each(|t| self.list(work, t)),
+            LinkingPhase::Sort => match self.sorting.as_mut().map(Sorting::advance) {
                 Some(None) => return Ok(false),
                 sorted => self.edges = sorted.flatten().unwrap_or_default(),
             },
-            Stage::Doubled | Stage::Link => {
+            LinkingPhase::Doubled | LinkingPhase::Link => {
                 let mut at = range.start;
                 while at < range.end {
                     at = self.group(work, at);
                 }
                 self.at = at;
             }
-            Stage::Drop => range.for_each(|t| self.keep(work, t)),
+            LinkingPhase::Drop => range.for_each(|t| self.keep(work, t)),
         }
         if self.at < count {
             return Ok(false);
         }
         self.at = 0;
         self.stage = match self.stage {
-            Stage::List => {
+            LinkingPhase::List => {
                 self.sorting = Some(Sorting::new(std::mem::take(&mut self.edges)));
-                Stage::Sort
+                LinkingPhase::Sort
             }
-            Stage::Sort => {
+            LinkingPhase::Sort => {
                 self.sorting = None;
                 self.doubled = vec![false; triangles];
-                Stage::Doubled
+                LinkingPhase::Doubled
             }
-            Stage::Doubled => Stage::Drop,
+            LinkingPhase::Doubled => LinkingPhase::Drop,
             // Without them the edges have other numbers: start again.
-            Stage::Drop if self.kept < triangles => {
+            LinkingPhase::Drop if self.kept < triangles => {
                 work.tell(Code::MendedDoubled, triangles - self.kept);
                 work.triangles.truncate(self.kept);
                 self.edges.clear();
                 self.kept = 0;
-                Stage::List
+                LinkingPhase::List
             }
-            Stage::Drop => {
+            LinkingPhase::Drop => {
                 work.across = vec![[NONE; 3]; triangles];
-                Stage::Link
+                LinkingPhase::Link
             }
-            Stage::Link => {
+            LinkingPhase::Link => {
                 work.tell(Code::MendedEdges, self.crowded);
                 return Ok(true);
             }
@@ -91,12 +91,12 @@ impl Step for Linking {
 }
 
 /// The corner opposite an edge.
-fn opposite(work: &Work, edge: u32) -> u32 {
+fn opposite(work: &MeshInRepair, edge: u32) -> u32 {
     work.triangles[edge as usize / 3][(edge as usize + 2) % 3]
 }
 
 impl Linking {
-    fn list(&mut self, work: &Work, t: usize) {
+    fn list(&mut self, work: &MeshInRepair, t: usize) {
         let [a, b, c] = work.triangles[t];
         for (k, [a, b]) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
             let key = pair(a.min(b), a.max(b));
@@ -105,12 +105,12 @@ impl Linking {
     }
 
     /// Handles the edges from `at` on that have the same ends; returns where the next group begins.
-    fn group(&mut self, work: &mut Work, at: usize) -> usize {
+    fn group(&mut self, work: &mut MeshInRepair, at: usize) -> usize {
         let key = self.edges[at].0;
         let same = self.edges[at..].iter().take_while(|e| e.0 == key).count();
         let edges = at..at + same;
         match self.stage {
-            Stage::Doubled => self.find_doubled(work, edges),
+            LinkingPhase::Doubled => self.find_doubled(work, edges),
             _ => {
                 if let [(_, a), (_, b)] = self.edges[edges] {
                     work.across[a as usize / 3][a as usize % 3] = b;
@@ -123,7 +123,7 @@ impl Linking {
         at + same
     }
 
-    fn find_doubled(&mut self, work: &Work, edges: std::ops::Range<usize>) {
+    fn find_doubled(&mut self, work: &MeshInRepair, edges: std::ops::Range<usize>) {
         if edges.len() < 2 {
             return;
         }
@@ -139,7 +139,7 @@ impl Linking {
         }
     }
 
-    fn keep(&mut self, work: &mut Work, t: usize) {
+    fn keep(&mut self, work: &mut MeshInRepair, t: usize) {
         if !self.doubled[t] {
             work.triangles[self.kept] = work.triangles[t];
             self.kept += 1;

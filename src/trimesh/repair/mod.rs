@@ -1,10 +1,10 @@
 //! Makes a surface that cells can be packed on from the triangles of a file.
 //!
-//! [`Mending`] checks, welds and orients the triangles, mends them where that is safe, and reports each kind of
-//! change. [`Filling`] closes holes that are small beside cells, and reports parts that are smaller than one.
-//! [`Cutting`] cuts a surface along its creases, once its edges are short enough (see [`super::refine`]). All work is
-//! cut into slices by amount. Results do not depend on scale or position: a distance counts as zero below a millionth
-//! of the model's diagonal.
+//! [`MeshRepair`] checks, welds and orients the triangles, mends them where that is safe, and reports each kind of
+//! change. [`HoleFilling`] closes holes that are small beside cells, and reports parts that are smaller than one.
+//! [`CreaseCutting`] cuts a surface along its creases, once its edges are short enough (see [`super::refine`]). All
+//! work is cut into slices by amount. Results do not depend on scale or position: a distance counts as zero below a
+//! millionth of the model's diagonal.
 
 mod checks;
 mod crease;
@@ -18,8 +18,8 @@ mod weld;
 #[cfg(test)]
 mod tests;
 
-pub use crease::{Cut, Cutting};
-pub use fill::{Filled, Filling};
+pub use crease::{CreaseCut, CreaseCutting};
+pub use fill::{Filled, HoleFilling};
 
 use super::{MeshBuilding, NONE, Soup, TriMesh};
 use crate::notice::{Code, Notice};
@@ -40,7 +40,7 @@ pub struct Mended {
 }
 
 /// The data that the steps change in turn.
-struct Work {
+struct MeshInRepair {
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     /// For each edge, the same one in the triangle beyond it, as `3 * triangle + edge`, once that is known.
@@ -51,7 +51,7 @@ struct Work {
     notices: Vec<Notice>,
 }
 
-impl Work {
+impl MeshInRepair {
     /// Vertices closer than this are at one place, in the model's units.
     fn near(&self) -> f64 {
         NEAR * (self.high - self.low).length()
@@ -70,15 +70,15 @@ impl Work {
 }
 
 /// A step of the work, done in slices.
-trait Step {
+trait RepairStep {
     /// Does one more slice; true when the step is done.
-    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice>;
+    fn advance(&mut self, work: &mut MeshInRepair) -> Result<bool, Notice>;
 }
 
 /// A surface that is being mended.
-pub struct Mending {
-    work: Work,
-    step: Box<dyn Step>,
+pub struct MeshRepair {
+    work: MeshInRepair,
+    step: Box<dyn RepairStep>,
     /// How many steps are done.
     done: usize,
     building: Option<MeshBuilding>,
@@ -87,10 +87,10 @@ pub struct Mending {
 /// How many steps come before the mesh is built.
 const STEPS: usize = 6;
 
-impl Mending {
+impl MeshRepair {
     /// Starts with the triangles of a file.
     pub fn new(soup: Soup) -> Self {
-        let work = Work {
+        let work = MeshInRepair {
             positions: soup.positions,
             triangles: soup.triangles,
             across: Vec::new(),
@@ -151,7 +151,7 @@ impl Mending {
     }
 }
 
-fn step(number: usize) -> Box<dyn Step> {
+fn step(number: usize) -> Box<dyn RepairStep> {
     match number {
         0 => Box::<checks::Checking>::default(),
         1 => Box::<weld::Welding>::default(),

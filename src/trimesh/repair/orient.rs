@@ -1,6 +1,6 @@
 //! Makes all triangles of a part run the same way round, seen from outside.
 
-use super::{NONE, SLICE, Step, Work, slice};
+use super::{MeshInRepair, NONE, RepairStep, SLICE, slice};
 use crate::notice::{Code, Notice};
 
 /// A part has no outside if its volume is less than this share of its area to the power of 3/2.
@@ -10,19 +10,19 @@ const NO_VOLUME: f64 = 1e-9;
 /// Closed parts are then turned outwards; in open ones the smaller set of triangles is turned.
 #[derive(Default)]
 pub(super) struct Orienting {
-    stage: Stage,
+    stage: OrientingPhase,
     at: usize,
     /// For each triangle the number of its part.
     part: Vec<u32>,
     /// For each triangle, whether its direction differs from that of the first one of its part.
     turned: Vec<bool>,
     open: Vec<u32>,
-    parts: Vec<Part>,
+    parts: Vec<OrientedPart>,
     count: usize,
 }
 
 #[derive(Clone, Copy, Default)]
-enum Stage {
+enum OrientingPhase {
     #[default]
     Spread,
     Measure,
@@ -30,7 +30,7 @@ enum Stage {
 }
 
 #[derive(Default)]
-struct Part {
+struct OrientedPart {
     /// A vertex of the part; volumes are summed about it.
     about: glam::DVec3,
     is_open: bool,
@@ -41,7 +41,7 @@ struct Part {
     area: f64,
 }
 
-impl Part {
+impl OrientedPart {
     fn is_inside_out(&self) -> bool {
         let least = NO_VOLUME * self.area * self.area.sqrt();
         if self.is_open || self.volume.abs() < least {
@@ -52,29 +52,29 @@ impl Part {
     }
 }
 
-impl Step for Orienting {
-    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+impl RepairStep for Orienting {
+    fn advance(&mut self, work: &mut MeshInRepair) -> Result<bool, Notice> {
         let count = work.triangles.len();
         match self.stage {
-            Stage::Spread => {
+            OrientingPhase::Spread => {
                 if self.part.is_empty() {
                     self.part = vec![NONE; count];
                     self.turned = vec![false; count];
                 }
                 if self.spread(work)? {
-                    (self.stage, self.at) = (Stage::Measure, 0);
+                    (self.stage, self.at) = (OrientingPhase::Measure, 0);
                 }
                 Ok(false)
             }
-            Stage::Measure => {
+            OrientingPhase::Measure => {
                 let range = slice(&mut self.at, count);
                 range.for_each(|t| self.measure(work, t));
                 if self.at == count {
-                    (self.stage, self.at) = (Stage::Turn, 0);
+                    (self.stage, self.at) = (OrientingPhase::Turn, 0);
                 }
                 Ok(false)
             }
-            Stage::Turn => {
+            OrientingPhase::Turn => {
                 let range = slice(&mut self.at, count);
                 range.for_each(|t| self.turn(work, t));
                 if self.at < count {
@@ -89,7 +89,7 @@ impl Step for Orienting {
 
 impl Orienting {
     /// Visits one more slice of triangles; true when all have been visited.
-    fn spread(&mut self, work: &Work) -> Result<bool, Notice> {
+    fn spread(&mut self, work: &MeshInRepair) -> Result<bool, Notice> {
         for _ in 0..SLICE {
             let Some(t) = self.open.pop() else {
                 let Some(next) = self.part[self.at..].iter().position(|&p| p == NONE) else {
@@ -98,9 +98,9 @@ impl Orienting {
                 self.at += next;
                 self.part[self.at] = self.parts.len() as u32;
                 self.open.push(self.at as u32);
-                self.parts.push(Part {
+                self.parts.push(OrientedPart {
                     about: work.corners(self.at)[0],
-                    ..Part::default()
+                    ..OrientedPart::default()
                 });
                 continue;
             };
@@ -109,7 +109,7 @@ impl Orienting {
         Ok(false)
     }
 
-    fn neighbours(&mut self, work: &Work, t: usize) -> Result<(), Notice> {
+    fn neighbours(&mut self, work: &MeshInRepair, t: usize) -> Result<(), Notice> {
         for (k, &edge) in work.across[t].iter().enumerate() {
             if edge == NONE {
                 self.parts[self.part[t] as usize].is_open = true;
@@ -129,7 +129,7 @@ impl Orienting {
         Ok(())
     }
 
-    fn measure(&mut self, work: &Work, t: usize) {
+    fn measure(&mut self, work: &MeshInRepair, t: usize) {
         let part = &mut self.parts[self.part[t] as usize];
         let [a, b, c] = work.corners(t).map(|p| p - part.about);
         let sign = if self.turned[t] { -1.0 } else { 1.0 };
@@ -139,7 +139,7 @@ impl Orienting {
         part.area += (b - a).cross(c - a).length();
     }
 
-    fn turn(&mut self, work: &mut Work, t: usize) {
+    fn turn(&mut self, work: &mut MeshInRepair, t: usize) {
         let is_turned =
             |t: usize| self.turned[t] != self.parts[self.part[t] as usize].is_inside_out();
         let across = work.across[t].map(|edge| match edge {

@@ -1,6 +1,6 @@
 //! Gives each connected fan of corners a vertex of its own.
 
-use super::{NONE, Step, Work, slice};
+use super::{MeshInRepair, NONE, RepairStep, slice};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
@@ -83,8 +83,8 @@ pub(super) struct Splitting {
     splitter: Option<Splitter>,
 }
 
-impl Step for Splitting {
-    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+impl RepairStep for Splitting {
+    fn advance(&mut self, work: &mut MeshInRepair) -> Result<bool, Notice> {
         let (vertices, triangles) = (work.positions.len(), work.triangles.len());
         let splitter = self
             .splitter

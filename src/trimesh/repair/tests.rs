@@ -10,11 +10,11 @@ fn soup((positions, triangles): testing::Soup) -> Soup {
 }
 
 fn mend(raw: testing::Soup) -> Mended {
-    Mending::mend(soup(raw)).expect("a surface")
+    MeshRepair::mend(soup(raw)).expect("a surface")
 }
 
 fn refused(raw: testing::Soup) -> Code {
-    Mending::mend(soup(raw)).expect_err("no surface").code
+    MeshRepair::mend(soup(raw)).expect_err("no surface").code
 }
 
 /// The codes and counts of notices.
@@ -303,7 +303,7 @@ fn small_holes_are_closed_and_large_ones_stay() {
     triangles.retain(|t| !t.contains(&star) && !t.iter().all(cap) && !alone.contains(t));
     let mesh = mend((positions, triangles)).mesh;
     assert_eq!(mesh.borders().len(), 5);
-    let filled = Filling::fill_all(mesh.clone(), 0.3).unwrap();
+    let filled = HoleFilling::fill_all(mesh.clone(), 0.3).unwrap();
     assert_eq!(said(&filled.notices), [(Code::MendedHoles, 4)]);
     assert_eq!((filled.mesh.borders().len(), filled.mesh.euler()), (1, 1));
     assert_eq!(filled.bare.len(), filled.mesh.triangles().len());
@@ -313,7 +313,7 @@ fn small_holes_are_closed_and_large_ones_stay() {
         let middle: DVec3 = filled.mesh.corners(t).into_iter().sum();
         assert!(filled.mesh.face_normal(t).dot(middle.normalize()) > 0.8);
     }
-    let same = Filling::fill_all(mesh.clone(), 0.001).unwrap();
+    let same = HoleFilling::fill_all(mesh.clone(), 0.001).unwrap();
     assert!((same.mesh, same.notices) == (mesh, vec![]));
 }
 
@@ -327,7 +327,7 @@ fn a_ragged_hole_of_many_corners_is_closed() {
         "{:?}",
         mesh.borders().iter().map(Vec::len).collect::<Vec<_>>()
     );
-    let filled = Filling::fill_all(mesh, 0.6).unwrap();
+    let filled = HoleFilling::fill_all(mesh, 0.6).unwrap();
     assert_eq!(said(&filled.notices), [(Code::MendedHoles, 1)]);
     assert_eq!((filled.mesh.euler(), filled.mesh.borders().len()), (1, 1));
     let area = filled.mesh.area();
@@ -344,10 +344,10 @@ fn parts_smaller_than_a_cell_stay_bare() {
         t.extend(triangles.iter().map(|t| t.map(|v| v + first)));
     }
     let mesh = mend((p, t)).mesh;
-    let filled = Filling::fill_all(mesh.clone(), 0.2).unwrap();
+    let filled = HoleFilling::fill_all(mesh.clone(), 0.2).unwrap();
     assert_eq!(said(&filled.notices), [(Code::ModelBare, 2)]);
     assert_eq!(filled.bare.iter().filter(|&&bare| bare).count(), 256);
-    let none = Filling::fill_all(mesh, 9.0).unwrap_err();
+    let none = HoleFilling::fill_all(mesh, 9.0).unwrap_err();
     assert_eq!(none.code, Code::ModelTooSmall);
 }
 
@@ -355,14 +355,14 @@ fn parts_smaller_than_a_cell_stay_bare() {
 fn a_patch_that_is_itself_small_is_not_closed() {
     let (p, t) = testing::flat(3);
     let mesh = mend((p, t)).mesh;
-    let filled = Filling::fill_all(mesh, 0.99).unwrap();
+    let filled = HoleFilling::fill_all(mesh, 0.99).unwrap();
     assert_eq!((filled.notices, filled.mesh.borders().len()), (vec![], 1));
 }
 
 #[test]
 fn creases_are_cut_and_remembered() {
     let cube = mend(testing::cube(4)).mesh;
-    let cut = Cutting::new(cube.clone(), 25f64.to_radians()).finish();
+    let cut = CreaseCutting::new(cube.clone(), 25f64.to_radians()).finish();
     assert_eq!(
         (cut.mesh.parts().1, cut.mesh.borders().len(), cut.count),
         (6, 6, 48)
@@ -377,6 +377,6 @@ fn creases_are_cut_and_remembered() {
         assert_eq!(point.normal, cut.mesh.face_normal(t));
     }
     let blob = mend(testing::blob(4)).mesh;
-    let cut = Cutting::new(blob.clone(), 60f64.to_radians()).finish();
+    let cut = CreaseCutting::new(blob.clone(), 60f64.to_radians()).finish();
     assert!((cut.mesh, cut.count) == (blob, 0));
 }

@@ -3,7 +3,7 @@
 //! To drop such a triangle would open a gap. Its longest edge is flipped instead: it and its neighbour over that edge
 //! become two triangles that share the neighbour's area. Without a neighbour there, the triangle is dropped.
 
-use super::{NONE, Step, Work, slice};
+use super::{MeshInRepair, NONE, RepairStep, slice};
 use crate::notice::{Code, Notice};
 
 /// The most rounds: a flip may leave another triangle without an area.
@@ -22,8 +22,8 @@ pub(super) struct Thinning {
     number: Vec<u32>,
 }
 
-impl Step for Thinning {
-    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+impl RepairStep for Thinning {
+    fn advance(&mut self, work: &mut MeshInRepair) -> Result<bool, Notice> {
         let count = work.triangles.len();
         let range = slice(&mut self.at, count);
         if self.last {
@@ -54,7 +54,7 @@ impl Step for Thinning {
 const GONE: [u32; 3] = [NONE; 3];
 
 /// The height of a triangle over its longest edge, and the number of that edge.
-fn height(work: &Work, corners: [u32; 3]) -> (f64, usize) {
+fn height(work: &MeshInRepair, corners: [u32; 3]) -> (f64, usize) {
     let p = corners.map(|v| work.positions[v as usize]);
     let length = |k: usize| (p[(k + 1) % 3] - p[k]).length();
     let mut longest = (length(0), 0);
@@ -68,7 +68,7 @@ fn height(work: &Work, corners: [u32; 3]) -> (f64, usize) {
 }
 
 impl Thinning {
-    fn mend(&mut self, work: &mut Work, t: usize) {
+    fn mend(&mut self, work: &mut MeshInRepair, t: usize) {
         let corners = work.triangles[t];
         if corners == GONE {
             return;
@@ -101,7 +101,7 @@ impl Thinning {
         }
     }
 
-    fn keep(&mut self, work: &mut Work, t: usize) {
+    fn keep(&mut self, work: &mut MeshInRepair, t: usize) {
         self.number.push(self.kept as u32);
         if work.triangles[t] != GONE {
             work.triangles[self.kept] = work.triangles[t];
@@ -110,7 +110,7 @@ impl Thinning {
         }
     }
 
-    fn finish(&mut self, work: &mut Work) {
+    fn finish(&mut self, work: &mut MeshInRepair) {
         work.triangles.truncate(self.kept);
         work.across.truncate(self.kept);
         for edge in work.across.iter_mut().flatten() {
@@ -123,7 +123,7 @@ impl Thinning {
 }
 
 /// Whether an edge joins a corner of a triangle to a vertex, as far as the fan around the corner reaches.
-fn are_joined(work: &Work, t: usize, corner: usize, vertex: u32) -> bool {
+fn are_joined(work: &MeshInRepair, t: usize, corner: usize, vertex: u32) -> bool {
     let first = (t, corner);
     for step in [2, 0] {
         let (mut t, mut corner) = first;
@@ -149,7 +149,12 @@ fn are_joined(work: &Work, t: usize, corner: usize, vertex: u32) -> bool {
 
 /// Flips an edge: edge `k` of `t`, which is edge `j` of `other`, goes from a to b. The new one joins d, the corner of
 /// `other` opposite it, to c, the corner of `t` opposite it.
-fn turn(work: &mut Work, (t, k): (usize, usize), (other, j): (usize, usize), new: [[u32; 3]; 2]) {
+fn turn(
+    work: &mut MeshInRepair,
+    (t, k): (usize, usize),
+    (other, j): (usize, usize),
+    new: [[u32; 3]; 2],
+) {
     // The neighbours over a–d, d–b, b–c and c–a.
     let ad = work.across[other][(j + 1) % 3];
     let db = work.across[other][(j + 2) % 3];

@@ -4,7 +4,7 @@
 //! vertices in neighbouring cubes. Cubes are sorted by row, so one pass over each of the neighbouring rows is enough.
 
 use super::super::sorting::Sorting;
-use super::{NONE, Step, Work, slice};
+use super::{MeshInRepair, NONE, RepairStep, slice};
 use crate::notice::{Code, Notice};
 use crate::order::rank;
 use glam::DVec3;
@@ -32,7 +32,7 @@ const ROWS: [[i64; 2]; 13] = [
 
 #[derive(Default)]
 pub(super) struct Welding {
-    stage: Stage,
+    stage: WeldingPhase,
     at: usize,
     keys: Vec<(u64, u32)>,
     sorting: Option<Sorting>,
@@ -52,7 +52,7 @@ pub(super) struct Welding {
 }
 
 #[derive(Clone, Copy, Default)]
-enum Stage {
+enum WeldingPhase {
     #[default]
     Keys,
     Sort,
@@ -63,57 +63,57 @@ enum Stage {
     Rename,
 }
 
-impl Step for Welding {
-    fn advance(&mut self, work: &mut Work) -> Result<bool, Notice> {
+impl RepairStep for Welding {
+    fn advance(&mut self, work: &mut MeshInRepair) -> Result<bool, Notice> {
         let vertices = work.positions.len();
         let count = match self.stage {
-            Stage::Keys | Stage::Cubes | Stage::Number => vertices,
-            Stage::Join | Stage::Choose => self.cubes.len(),
-            Stage::Sort => 0,
-            Stage::Rename => work.triangles.len(),
+            WeldingPhase::Keys | WeldingPhase::Cubes | WeldingPhase::Number => vertices,
+            WeldingPhase::Join | WeldingPhase::Choose => self.cubes.len(),
+            WeldingPhase::Sort => 0,
+            WeldingPhase::Rename => work.triangles.len(),
         };
         let range = slice(&mut self.at, count);
         match self.stage {
-            Stage::Keys => self.keys.extend(range.map(|v| (key(work, v), v as u32))),
-            Stage::Sort => {
+            WeldingPhase::Keys => self.keys.extend(range.map(|v| (key(work, v), v as u32))),
+            WeldingPhase::Sort => {
                 let sorting = self.sorting.as_mut().map(Sorting::advance);
                 match sorting {
                     Some(None) => return Ok(false),
                     sorted => self.keys = sorted.flatten().unwrap_or_default(),
                 }
             }
-            Stage::Cubes => range.for_each(|k| self.cube(work, k)),
-            Stage::Join => range.for_each(|cube| self.join(work, cube)),
-            Stage::Choose => range.for_each(|cube| self.choose(work, cube)),
-            Stage::Number => range.for_each(|v| self.count(work, v)),
-            Stage::Rename => range.for_each(|t| self.rename(work, t)),
+            WeldingPhase::Cubes => range.for_each(|k| self.cube(work, k)),
+            WeldingPhase::Join => range.for_each(|cube| self.join(work, cube)),
+            WeldingPhase::Choose => range.for_each(|cube| self.choose(work, cube)),
+            WeldingPhase::Number => range.for_each(|v| self.count(work, v)),
+            WeldingPhase::Rename => range.for_each(|t| self.rename(work, t)),
         }
         if self.at < count {
             return Ok(false);
         }
         self.at = 0;
         self.stage = match self.stage {
-            Stage::Keys => {
+            WeldingPhase::Keys => {
                 self.sorting = Some(Sorting::new(std::mem::take(&mut self.keys)));
-                Stage::Sort
+                WeldingPhase::Sort
             }
-            Stage::Sort => {
+            WeldingPhase::Sort => {
                 self.sorting = None;
                 self.cube_of = vec![0; vertices];
-                Stage::Cubes
+                WeldingPhase::Cubes
             }
-            Stage::Cubes => {
+            WeldingPhase::Cubes => {
                 self.keys = Vec::new();
                 self.joined = (0..self.cubes.len() as u32).collect();
-                Stage::Join
+                WeldingPhase::Join
             }
-            Stage::Join => Stage::Choose,
-            Stage::Choose => {
+            WeldingPhase::Join => WeldingPhase::Choose,
+            WeldingPhase::Choose => {
                 self.number = vec![NONE; self.cubes.len()];
-                Stage::Number
+                WeldingPhase::Number
             }
-            Stage::Number => Stage::Rename,
-            Stage::Rename => {
+            WeldingPhase::Number => WeldingPhase::Rename,
+            WeldingPhase::Rename => {
                 self.finish(work);
                 return Ok(true);
             }
@@ -123,7 +123,7 @@ impl Step for Welding {
 }
 
 /// The key of the cube that a vertex is in; cubes of a row along x have consecutive keys.
-fn key(work: &Work, v: usize) -> u64 {
+fn key(work: &MeshInRepair, v: usize) -> u64 {
     let side = work.near() / 3f64.sqrt();
     let [x, y, z] = ((work.positions[v] - work.low) / side)
         .to_array()
@@ -132,7 +132,7 @@ fn key(work: &Work, v: usize) -> u64 {
 }
 
 impl Welding {
-    fn cube(&mut self, work: &Work, k: usize) {
+    fn cube(&mut self, work: &MeshInRepair, k: usize) {
         let (key, v) = self.keys[k];
         let place = |v: u32| work.positions[v as usize].to_array().map(rank);
         match self.cubes.last_mut() {
@@ -155,7 +155,7 @@ impl Welding {
         cube
     }
 
-    fn join(&mut self, work: &Work, cube: usize) {
+    fn join(&mut self, work: &MeshInRepair, cube: usize) {
         let (key, first) = self.cubes[cube];
         let (p, near) = (work.positions[first as usize], work.near());
         for (row, [z, y]) in ROWS.into_iter().enumerate() {
@@ -183,7 +183,7 @@ impl Welding {
     }
 
     /// Keeps the least vertex of all cubes at a place.
-    fn choose(&mut self, work: &Work, cube: usize) {
+    fn choose(&mut self, work: &MeshInRepair, cube: usize) {
         let root = self.root(cube as u32) as usize;
         let place = |v: u32| work.positions[v as usize].to_array().map(rank);
         let (own, kept) = (self.cubes[cube].1, self.cubes[root].1);
@@ -193,7 +193,7 @@ impl Welding {
     }
 
     /// Numbers the places in the order of the vertices.
-    fn count(&mut self, work: &Work, v: usize) {
+    fn count(&mut self, work: &MeshInRepair, v: usize) {
         let root = self.root(self.cube_of[v]) as usize;
         if self.number[root] == NONE {
             self.number[root] = self.kept.len() as u32;
@@ -203,7 +203,7 @@ impl Welding {
     }
 
     /// Renumbers the corners of a triangle; the triangle is kept if they differ.
-    fn rename(&mut self, work: &mut Work, t: usize) {
+    fn rename(&mut self, work: &mut MeshInRepair, t: usize) {
         let [a, b, c] = work.triangles[t].map(|v| self.cube_of[v as usize]);
         if a != b && b != c && c != a {
             work.triangles[self.triangles] = [a, b, c];
@@ -211,7 +211,7 @@ impl Welding {
         }
     }
 
-    fn finish(&mut self, work: &mut Work) {
+    fn finish(&mut self, work: &mut MeshInRepair) {
         let (vertices, triangles) = (work.positions.len(), work.triangles.len());
         work.positions = std::mem::take(&mut self.kept);
         work.triangles.truncate(self.triangles);

@@ -219,7 +219,7 @@ fn the_way_to_the_end_of_a_walk_is_the_walk() {
         let start = SurfacePoint::new(&mesh, triangle, MIDDLE);
         let by = 0.05 * DVec2::new(chance.signed(), chance.signed());
         let walked = mesh.walk(&start, by);
-        let way = way(&start, &walked.to).unwrap();
+        let way = log(&start, &walked.to).unwrap();
         assert!(
             (way.to - by).length() < 0.03 * by.length(),
             "{} {by}",
@@ -236,7 +236,7 @@ fn steps_that_are_none_lead_nowhere() {
     let start = SurfacePoint::new(&mesh, 3, MIDDLE);
     for by in [DVec2::ZERO, DVec2::NAN, DVec2::new(f64::INFINITY, 0.0)] {
         let walked = mesh.walk(&start, by);
-        assert_eq!((walked.to, walked.turn), (start, Turn::NONE));
+        assert_eq!((walked.to, walked.turn), (start, Transport::NONE));
     }
     // The longest walks end, too.
     assert!(mesh.walk(&start, DVec2::splat(1e9)).to.at.is_finite());

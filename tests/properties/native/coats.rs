@@ -4,7 +4,7 @@ use crate::common::finished;
 use crate::paving::OfPavement;
 use bubblestone::cells::Cell;
 use bubblestone::domain::Domain;
-use bubblestone::field::Kind;
+use bubblestone::field::CellKind;
 use bubblestone::material::{Coat, Coats, ColourParams, Pattern};
 use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -20,7 +20,7 @@ fn rows(count: usize) -> Vec<Cell> {
         Cell {
             id: k as u32,
             centre,
-            kind: Kind::Square,
+            kind: CellKind::Square,
             size: pitch,
             aspect: 1.0,
             axis: DVec2::X,

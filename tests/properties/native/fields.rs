@@ -2,7 +2,9 @@
 
 use crate::paving::row;
 use bubblestone::domain::{Domain, Outline};
-use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Grading, Kind, Spot};
+use bubblestone::field::{
+    CellKind, Direction, FieldBuilder, FieldParams, Fields, Grading, SoftSpot,
+};
 use bubblestone::generators::pavement::{self, PavementRecipe, keys};
 use glam::DVec2;
 
@@ -35,7 +37,7 @@ fn picture() -> Domain {
     domain(vec![at(a, a), at(b, a), at(b, b), at(a, b)], vec![], vec![])
 }
 
-fn params(direction: Direction, kind: Kind) -> FieldParams {
+fn params(direction: Direction, kind: CellKind) -> FieldParams {
     FieldParams {
         direction,
         kind,
@@ -57,7 +59,7 @@ fn off(fields: &Fields, p: DVec2, wanted: DVec2) -> f64 {
 #[test]
 fn an_annulus_is_followed_round() {
     let annulus = domain(ring(128, 232.0, 1.0), vec![ring(96, 104.0, -1.0)], vec![]);
-    for kind in [Kind::Square, Kind::Ellipse] {
+    for kind in [CellKind::Square, CellKind::Ellipse] {
         let fields = FieldBuilder::build(&annulus, params(Direction::Boundary, kind));
         for k in 0..200 {
             let radial = unit(f64::from(k) * 0.37);
@@ -79,7 +81,7 @@ fn the_direction_does_not_depend_on_how_a_side_is_cut() {
     }
     let build = |outer| {
         let domain = domain(outer, vec![], vec![]);
-        FieldBuilder::build(&domain, params(Direction::Boundary, Kind::Square))
+        FieldBuilder::build(&domain, params(Direction::Boundary, CellKind::Square))
     };
     let (a, b) = (build(corners.to_vec()), build(fine));
     for k in 0..100 {
@@ -92,10 +94,10 @@ fn the_direction_does_not_depend_on_how_a_side_is_cut() {
 #[test]
 fn rows_turn_about_a_point() {
     for (angle, kind) in [
-        (0.0, Kind::Square),
-        (0.0, Kind::Ellipse),
-        (0.6, Kind::Ellipse),
-        (std::f64::consts::FRAC_PI_2, Kind::Rectangle),
+        (0.0, CellKind::Square),
+        (0.0, CellKind::Ellipse),
+        (0.6, CellKind::Ellipse),
+        (std::f64::consts::FRAC_PI_2, CellKind::Rectangle),
     ] {
         let centre = at(200.0, 300.0);
         let mut params = params(Direction::Spiral, kind);
@@ -118,7 +120,7 @@ fn rows_turn_about_a_point() {
 
 #[test]
 fn strokes_are_followed_near_them_and_the_base_far_from_them() {
-    let mut params = params(Direction::Constant, Kind::Rectangle);
+    let mut params = params(Direction::Constant, CellKind::Rectangle);
     params.strokes = vec![vec![at(100., 100.), at(300., 300.)]];
     params.reach = 50.0;
     let fields = FieldBuilder::build(&picture(), params.clone());
@@ -141,7 +143,7 @@ fn constraint_lines_count_as_the_boundary_does() {
     let along = (line[1] - line[0]).normalize();
     let outline = picture().rings()[0].clone();
     let with_line = domain(outline, vec![], vec![line]);
-    let fields = FieldBuilder::build(&with_line, params(Direction::Boundary, Kind::Square));
+    let fields = FieldBuilder::build(&with_line, params(Direction::Boundary, CellKind::Square));
     for p in [at(245., 250.), at(200., 200.), at(270., 280.)] {
         let off = off(&fields, p, along);
         assert!(off < 0.02, "{p}: {off}");
@@ -155,7 +157,7 @@ fn the_ends_of_a_road_do_not_turn_stretched_cells() {
         vec![],
         vec![],
     );
-    let mut params = params(Direction::Boundary, Kind::Ellipse);
+    let mut params = params(Direction::Boundary, CellKind::Ellipse);
     let fields = FieldBuilder::build(&road, params.clone());
     let end = at(30., 250.);
     for p in [end, at(20.5, 250.), at(489., 200.), at(489.5, 319.)] {
@@ -169,7 +171,7 @@ fn the_ends_of_a_road_do_not_turn_stretched_cells() {
 #[test]
 fn singular_points_of_a_disc_and_a_triangle() {
     let disc = domain(ring(200, 230.0, 1.0), vec![], vec![]);
-    for kind in [Kind::Square, Kind::Ellipse] {
+    for kind in [CellKind::Square, CellKind::Ellipse] {
         let fields = FieldBuilder::build(&disc, params(Direction::Boundary, kind));
         let points = fields.singularities(&disc);
         // The polygon's symmetry may cause several singular points, but their indices add up to one.
@@ -178,14 +180,14 @@ fn singular_points_of_a_disc_and_a_triangle() {
     }
     // Squares in a triangle: each of the three corners of 60 degrees counts as a quarter turn.
     let triangle = domain(ring(3, 240.0, 1.0), vec![], vec![]);
-    let fields = FieldBuilder::build(&triangle, params(Direction::Boundary, Kind::Square));
+    let fields = FieldBuilder::build(&triangle, params(Direction::Boundary, CellKind::Square));
     let points = fields.singularities(&triangle);
     assert_eq!(points.len(), 1, "{points:?}");
     assert_eq!(points[0].index, 0.25);
     assert!(points[0].point.distance(DVec2::splat(256.0)) < 8.0);
     // A square has no singular points.
     let square = picture();
-    for kind in [Kind::Square, Kind::Ellipse] {
+    for kind in [CellKind::Square, CellKind::Ellipse] {
         let fields = FieldBuilder::build(&square, params(Direction::Boundary, kind));
         let points = fields.singularities(&square);
         assert!(points.is_empty(), "{kind:?} {points:?}");
@@ -194,12 +196,12 @@ fn singular_points_of_a_disc_and_a_triangle() {
 
 #[test]
 fn sizes_grow_from_the_boundary_and_in_spots() {
-    let mut params = params(Direction::Constant, Kind::Ellipse);
+    let mut params = params(Direction::Constant, CellKind::Ellipse);
     params.size_grading = Grading {
         factor: 0.25,
         reach: 200.0,
     };
-    params.size_spots = vec![Spot {
+    params.size_spots = vec![SoftSpot {
         centre: at(256., 256.),
         radius: 50.0,
         value: 2.0,
@@ -208,7 +210,7 @@ fn sizes_grow_from_the_boundary_and_in_spots() {
         factor: 2.0,
         reach: 100.0,
     };
-    params.aspect_spots = vec![Spot {
+    params.aspect_spots = vec![SoftSpot {
         centre: at(256., 256.),
         radius: 50.0,
         value: 1.0,
@@ -235,17 +237,17 @@ fn parts_have_kinds_and_directions_of_their_own() {
     let outline = picture().rings()[0].clone();
     let cut = domain(outline, vec![], vec![vec![at(0., 200.), at(512., 300.)]]);
     assert_eq!(cut.parts(), 2);
-    let mut params = params(Direction::Boundary, Kind::Square);
+    let mut params = params(Direction::Boundary, CellKind::Square);
     params.aspect = 2.0;
     // If two places are in one part, the later one counts. A place outside the outline belongs to no part.
     params.part_kinds = vec![
-        (at(300., 400.), Kind::Circle),
-        (at(250., 400.), Kind::Ellipse),
-        (at(250., -9.), Kind::Rectangle),
+        (at(300., 400.), CellKind::Circle),
+        (at(250., 400.), CellKind::Ellipse),
+        (at(250., -9.), CellKind::Rectangle),
     ];
     let fields = FieldBuilder::build(&cut, params);
-    assert_eq!(fields.kind(at(250., 100.)), Kind::Square);
-    assert_eq!(fields.kind(at(250., 400.)), Kind::Ellipse);
+    assert_eq!(fields.kind(at(250., 100.)), CellKind::Square);
+    assert_eq!(fields.kind(at(250., 400.)), CellKind::Ellipse);
     assert_eq!(fields.aspect(at(250., 100.)), 1.0);
     assert_eq!(fields.aspect(at(250., 400.)), 2.0);
     // Squares stand alike at both walls, which meet at right angles; ellipses follow the nearest wall.
@@ -263,16 +265,16 @@ fn a_torus_has_no_seam() {
         (Direction::Printed, vec![]),
     ] {
         let torus = Domain::torus(SIDE, &lines);
-        let mut params = params(direction, Kind::Ellipse);
+        let mut params = params(direction, CellKind::Ellipse);
         params.strokes = vec![vec![at(480., 300.), at(500., 350.)]];
         params.linear = at(0.4, -0.3);
         params.radial = 0.2;
-        params.size_spots = vec![Spot {
+        params.size_spots = vec![SoftSpot {
             centre: at(500., 20.),
             radius: 90.0,
             value: 0.4,
         }];
-        params.aspect_spots = vec![Spot {
+        params.aspect_spots = vec![SoftSpot {
             centre: at(10., 200.),
             radius: 80.0,
             value: 4.0,
@@ -301,7 +303,7 @@ fn a_torus_has_no_seam() {
 #[test]
 fn sizes_on_a_torus_fit_a_whole_number_of_times() {
     let torus = Domain::torus(SIDE, &[]);
-    let mut params = params(Direction::Constant, Kind::Square);
+    let mut params = params(Direction::Constant, CellKind::Square);
     params.size = 23.0;
     let fields = FieldBuilder::build(&torus, params.clone());
     assert_eq!(fields.size(at(3., 7.)), SIDE / 22.0);
@@ -316,7 +318,7 @@ fn every_built_in_outline_has_directions_throughout() {
     for choice in row(keys::OUTLINE).choices {
         let recipe = pavement::recipe(&format!("outline={}", choice.word)).0;
         let domain = Domain::from_checked(&recipe.outline());
-        for kind in [Kind::Square, Kind::Ellipse] {
+        for kind in [CellKind::Square, CellKind::Ellipse] {
             let fields = FieldBuilder::build(&domain, params(Direction::Boundary, kind));
             let mut without = 0;
             for k in 0..10_000 {

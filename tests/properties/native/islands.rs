@@ -238,7 +238,7 @@ fn islands_with_lines_and_kinds() {
     };
     let parts = [(60., 60.), (60., 200.), (200., 60.), (200., 180.)];
     let kinds = parts.map(|(x, y)| kind(domain.part(DVec2::new(x, y))));
-    use bubblestone::field::Kind::{Circle, Ellipse, Square};
+    use bubblestone::field::CellKind::{Circle, Ellipse, Square};
     assert_eq!(kinds, [Circle, Square, Square, Ellipse]);
     // Without lines every island is a part.
     let studio = with_cells("size=256&cs=13&parts=0.7,0.5,1", &beside());

@@ -2,7 +2,7 @@
 
 use bubblestone::cells::{Cell, fitted};
 use bubblestone::domain::{Domain, Outline, cross, signed_area};
-use bubblestone::field::{Direction, FieldBuilder, FieldParams, Kind};
+use bubblestone::field::{CellKind, Direction, FieldBuilder, FieldParams};
 use bubblestone::packing::{
     BoundaryCondition, Integrator, Packing, PackingParams, Particle, Population, Start,
 };
@@ -165,7 +165,7 @@ fn each_side_of_a_line_has_its_own_cells() {
             particles.push(Particle {
                 id: particles.len() as u32,
                 centre: p((f64::from(k) + 0.5) * size, y),
-                kind: bubblestone::field::Kind::default(),
+                kind: bubblestone::field::CellKind::default(),
                 size,
                 aspect: 1.0,
                 axis: DVec2::X,
@@ -227,7 +227,7 @@ fn cells_of_a_torus_meet_over_the_seams() {
                     p(f64::from(id % across), f64::from(id / across)) * size
                         + disorder * p(random.signed(), random.signed()),
                 ),
-                kind: Kind::default(),
+                kind: CellKind::default(),
                 size,
                 aspect: 1.0,
                 axis: DVec2::X,

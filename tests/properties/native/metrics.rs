@@ -4,7 +4,7 @@ use crate::common::{finished, recipe};
 use crate::paving::OfPavement;
 use bubblestone::cells::Cell;
 use bubblestone::domain::{Domain, Outline};
-use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, Kind};
+use bubblestone::field::{CellKind, Direction, FieldBuilder, FieldParams, Fields};
 use bubblestone::mesh::{Face, Mesh};
 use bubblestone::metrics::{CellMetrics, MeshMetrics};
 use bubblestone::packing::Particle;
@@ -43,7 +43,7 @@ fn fields(domain: &Domain, degrees: f64) -> Fields {
     FieldBuilder::build(domain, params)
 }
 
-fn cell(kind: Kind, size: f64, aspect: f64, ring: Vec<DVec2>) -> Cell {
+fn cell(kind: CellKind, size: f64, aspect: f64, ring: Vec<DVec2>) -> Cell {
     Cell {
         id: 0,
         centre: ring.iter().sum::<DVec2>() / ring.len() as f64,
@@ -60,7 +60,7 @@ fn checkers(size: f64) -> Vec<Cell> {
     (0..16)
         .map(|k| {
             cell(
-                Kind::Square,
+                CellKind::Square,
                 size,
                 1.0,
                 rectangle(at(k).x, at(k).y, 10.0, 10.0),
@@ -152,7 +152,7 @@ fn on_a_torus_cells_go_on_at_the_other_side() {
         faces,
         ..Mesh::default()
     };
-    let figures = MeshMetrics::new(&torus, &particles(&mesh.vertices, Kind::Square), &mesh);
+    let figures = MeshMetrics::new(&torus, &particles(&mesh.vertices, CellKind::Square), &mesh);
     near(figures.cover.coverage, 1.0);
     near(figures.cover.overlap, 0.0);
     assert_eq!(figures.valence[4], 16);
@@ -162,7 +162,7 @@ fn on_a_torus_cells_go_on_at_the_other_side() {
 #[test]
 fn edges_that_cross_are_measured_well() {
     let diamond = |x: f64| vec![p(x, 10.0), p(x + 10.0, 20.0), p(x, 30.0), p(x - 10.0, 20.0)];
-    let cells = [13.0, 23.0, 35.0].map(|x| cell(Kind::Square, 14.0, 1.0, diamond(x)));
+    let cells = [13.0, 23.0, 35.0].map(|x| cell(CellKind::Square, 14.0, 1.0, diamond(x)));
     let cover = measured(&cells, 0.0).cover;
     // Diamonds with a width and height of 10 and 8 are covered twice; one corner sticks out by 5.
     let (overlap, outside) = (50.0 + 32.0, 25.0);
@@ -189,16 +189,16 @@ fn hexagon(width: f64, aspect: f64) -> Vec<DVec2> {
 
 #[test]
 fn round_cells_are_measured_as_honeycombs() {
-    for (kind, aspect) in [(Kind::Circle, 1.0), (Kind::Ellipse, 2.0)] {
+    for (kind, aspect) in [(CellKind::Circle, 1.0), (CellKind::Ellipse, 2.0)] {
         let cells = [cell(kind, 12.0, aspect, hexagon(12.0, aspect))];
         let along = measured(&cells, 0.0);
         near(along.size_error, 0.0);
         near(along.edge_angle.unwrap(), 0.0);
         near(along.aspect.unwrap(), aspect);
         assert_eq!(along.sides[6], 1);
-        assert_eq!(along.axis_angle.is_some(), kind == Kind::Ellipse);
+        assert_eq!(along.axis_angle.is_some(), kind == CellKind::Ellipse);
     }
-    let cells = [cell(Kind::Circle, 12.0, 1.0, hexagon(12.0, 1.0))];
+    let cells = [cell(CellKind::Circle, 12.0, 1.0, hexagon(12.0, 1.0))];
     near(measured(&cells, 30.0).edge_angle.unwrap(), 30.0);
     near(measured(&cells, 70.0).edge_angle.unwrap(), 10.0);
 }
@@ -206,7 +206,7 @@ fn round_cells_are_measured_as_honeycombs() {
 #[test]
 fn long_cells_have_an_axis() {
     let ring = rectangle(10.0, 15.0, 20.0, 8.0);
-    let cells = [cell(Kind::Rectangle, 160.0_f64.sqrt(), 2.5, ring)];
+    let cells = [cell(CellKind::Rectangle, 160.0_f64.sqrt(), 2.5, ring)];
     let figures = measured(&cells, 75.0);
     near(figures.size_error, 0.0);
     near(figures.aspect.unwrap(), 2.5);
@@ -219,18 +219,18 @@ fn flat_corners_are_no_corners() {
     let mut ring = rectangle(10.0, 10.0, 20.0, 20.0);
     ring.insert(1, p(20.0, 9.0));
     assert_eq!(
-        measured(&[cell(Kind::Square, 20.0, 1.0, ring.clone())], 0.0).sides[5],
+        measured(&[cell(CellKind::Square, 20.0, 1.0, ring.clone())], 0.0).sides[5],
         1
     );
     // The side now bends by only 9.1 degrees.
     ring[1].y = 9.2;
     assert_eq!(
-        measured(&[cell(Kind::Square, 20.0, 1.0, ring)], 0.0).sides[4],
+        measured(&[cell(CellKind::Square, 20.0, 1.0, ring)], 0.0).sides[4],
         1
     );
 }
 
-fn particles(vertices: &[DVec2], kind: Kind) -> Vec<Particle> {
+fn particles(vertices: &[DVec2], kind: CellKind) -> Vec<Particle> {
     let particle = |(&centre, id)| Particle {
         id,
         centre,
@@ -260,7 +260,7 @@ fn a_mesh_of_squares_one_of_them_dented() {
         ..Mesh::default()
     };
     let domain = square();
-    let figures = MeshMetrics::new(&domain, &particles(&mesh.vertices, Kind::Square), &mesh);
+    let figures = MeshMetrics::new(&domain, &particles(&mesh.vertices, CellKind::Square), &mesh);
     assert_eq!((figures.faces, figures.quads), (16, 1.0));
     let jacobian = figures.jacobian.unwrap();
     // The two sides at the tip of the dent are the vectors (6, -4) and (-4, 6).
@@ -274,7 +274,7 @@ fn a_mesh_of_squares_one_of_them_dented() {
     assert_eq!(figures.ideal_valence, Some(1.0));
     near(figures.quads_to_boundary.unwrap(), 0.0);
     assert!(figures.triangles.is_none() && figures.triangles_to_boundary.is_none());
-    let round = MeshMetrics::new(&domain, &particles(&mesh.vertices, Kind::Circle), &mesh);
+    let round = MeshMetrics::new(&domain, &particles(&mesh.vertices, CellKind::Circle), &mesh);
     assert_eq!(round.ideal_valence, Some(0.0));
 }
 
@@ -294,7 +294,11 @@ fn a_wheel_of_triangles_with_a_square_at_its_rim() {
         faces,
         ..Mesh::default()
     };
-    let figures = MeshMetrics::new(&square(), &particles(&mesh.vertices, Kind::Circle), &mesh);
+    let figures = MeshMetrics::new(
+        &square(),
+        &particles(&mesh.vertices, CellKind::Circle),
+        &mesh,
+    );
     near(figures.quads, 1.0 / 7.0);
     near(figures.jacobian.unwrap().min, 1.0);
     let quality = figures.triangles.unwrap();

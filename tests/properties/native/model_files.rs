@@ -1,12 +1,12 @@
 //! Files of stones on a surface, as other programs read them.
 
 use bubblestone::export::{MeshFormat, MeshOrder, ModelFile, PartFile};
-use bubblestone::field::Kind;
+use bubblestone::field::CellKind;
 use bubblestone::heightfield::TextureParams;
 use bubblestone::material::{Gloss, WeatherParams, material_table};
 use bubblestone::surface_cells::SurfaceCell;
 use bubblestone::surface_stones::{Paving, StonesParams, links};
-use bubblestone::trimesh::{Frame, SurfacePoint, TriMesh};
+use bubblestone::trimesh::{SurfacePoint, TangentFrame, TriMesh};
 use glam::{DVec2, DVec3};
 
 const SIDE: usize = 6;
@@ -35,13 +35,13 @@ fn hill() -> (TriMesh, Vec<SurfaceCell>) {
         let n = normal(middle);
         cells.push(SurfaceCell {
             id: k as u32,
-            kind: Kind::Square,
+            kind: CellKind::Square,
             centre: SurfacePoint {
                 triangle: 0,
                 at: middle,
                 normal: n,
             },
-            axis: Frame::of(n).within(DVec3::X).normalize_or(DVec2::X),
+            axis: TangentFrame::of(n).within(DVec3::X).normalize_or(DVec2::X),
             size: 1.0,
             aspect: 1.0,
             normals: ring.iter().map(|&p| normal(p)).collect(),
@@ -112,7 +112,7 @@ fn an_obj_has_each_stone_where_its_cell_is() {
             DVec3::from([0, 1, 2].map(|axis| f64::from(mesh.positions[3 * *k as usize + axis])))
         };
         for p in mesh.indices.iter().map(corner) {
-            let off = Frame::of(cell.centre.normal).within(p - cell.centre.at);
+            let off = TangentFrame::of(cell.centre.normal).within(p - cell.centre.at);
             assert!(off.abs().max_element() < 0.62, "{off}");
         }
         let six: f64 = mesh

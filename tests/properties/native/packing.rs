@@ -2,7 +2,7 @@
 
 use bubblestone::cells::{Cell, fitted, packed};
 use bubblestone::domain::{Domain, Outline, signed_area};
-use bubblestone::field::{FieldBuilder, FieldParams, Fields, Kind};
+use bubblestone::field::{CellKind, FieldBuilder, FieldParams, Fields};
 use bubblestone::mesh::Mesh;
 use bubblestone::packing::{
     BoundaryCondition, Integrator, Packing, PackingParams, Particle, Population, Start, StepReport,
@@ -369,7 +369,7 @@ fn cells_keep_apart_over_the_edges_of_a_tile_with_a_line() {
     ] {
         let line = [from, to].map(DVec2::from).to_vec();
         let torus = Domain::torus(300.0, &[line]);
-        for kind in [Kind::Square, Kind::Circle] {
+        for kind in [CellKind::Square, CellKind::Circle] {
             let params = FieldParams {
                 size: 20.0,
                 kind,

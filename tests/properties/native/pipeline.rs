@@ -3,7 +3,7 @@
 use crate::common::{finished, finished_recipe, recipe};
 use crate::paving::OfPavement;
 use bubblestone::domain::Outline;
-use bubblestone::field::Kind;
+use bubblestone::field::CellKind;
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement::Pavement;
 use bubblestone::generators::pavement::{Base, Overlay};
@@ -361,6 +361,6 @@ fn a_held_packing_begins_anew_with_its_first_cells() {
     while studio.tick(&mut clock, 0.0, 0) {}
     assert_eq!((studio.stage(), studio.progress().steps), ("packing", 0));
     let now = studio.pavement().packing.map(|p| p.particles()).unwrap();
-    assert!(now.iter().all(|p| p.kind == Kind::Circle));
+    assert!(now.iter().all(|p| p.kind == CellKind::Circle));
     assert_ne!(Some(now), before);
 }

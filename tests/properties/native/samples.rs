@@ -2,7 +2,7 @@
 
 use bubblestone::cells::Cell;
 use bubblestone::domain::{Domain, signed_area};
-use bubblestone::field::Kind;
+use bubblestone::field::CellKind;
 use bubblestone::heightfield::{Painter, Planes, TextureParams, Weathering};
 use bubblestone::material::WeatherParams;
 use bubblestone::random::{Purpose, Random};
@@ -19,7 +19,7 @@ pub fn cell(id: u32, ring: Vec<DVec2>) -> Cell {
     Cell {
         id,
         centre,
-        kind: Kind::Square,
+        kind: CellKind::Square,
         size: signed_area(&ring).abs().sqrt(),
         aspect: 1.0,
         axis: DVec2::X,

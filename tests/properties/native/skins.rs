@@ -4,7 +4,7 @@ use super::samples::in_fair_weather;
 use crate::common::{finished, refined};
 use crate::paving::OfPavement;
 use bubblestone::cells::Cell;
-use bubblestone::field::Kind;
+use bubblestone::field::CellKind;
 use bubblestone::heightfield::{GROUND, Painter, Planes, TextureParams};
 use bubblestone::solid::{Prism, SkinParams, Solids, StoneKind, StoneParams};
 use glam::{DVec2, DVec3};
@@ -23,7 +23,7 @@ fn cell(ring: Vec<DVec2>, id: u32) -> Cell {
     Cell {
         id,
         centre,
-        kind: Kind::Circle,
+        kind: CellKind::Circle,
         size: 20.0,
         aspect: 1.0,
         axis: DVec2::X,

@@ -2,7 +2,7 @@
 
 use super::samples::{SIDE, cell, painted, pavement, small, star};
 use bubblestone::cells::Cell;
-use bubblestone::field::Kind;
+use bubblestone::field::CellKind;
 use bubblestone::heightfield::{GROUND, TextureParams};
 use bubblestone::material::{GROUNDS, Gloss, PALETTES, material_table};
 use bubblestone::solid::{Distribution, Solid, Solids, StoneKind, StoneParams, joint_depth};
@@ -170,7 +170,7 @@ fn degenerate_cells_do_no_harm() {
         .map(|(id, ring)| Cell {
             id,
             centre: p(5., 5.),
-            kind: Kind::Square,
+            kind: CellKind::Square,
             size: 4.0,
             aspect: 1.0,
             axis: DVec2::ZERO,

@@ -3,7 +3,7 @@
 use crate::paving::OfPavement;
 use bubblestone::generators::ALL;
 use bubblestone::generators::pavement;
-use bubblestone::generators::pavement::{Absence, Base, Overlay, View};
+use bubblestone::generators::pavement::{Absence, Base, Overlay, PavementView};
 use bubblestone::studio::Studio;
 
 pub(super) const SIDE: usize = 160;
@@ -232,11 +232,17 @@ fn words_that_name_nothing_are_passed_over() {
         ("mesh+mesh", "mesh"),
         ("potential+mesh", "potential"),
     ] {
-        assert_eq!(View::of_words(words), View::of_words(same), "{words}");
+        assert_eq!(
+            PavementView::of_words(words),
+            PavementView::of_words(same),
+            "{words}"
+        );
     }
-    assert_eq!(View::of_words("packed"), Base::Packed.into());
-    assert_ne!(View::of_words("paper+packed"), Base::Packed.into());
-    let overlays: Vec<Overlay> = View::of_words("auto+forces+size").overlays().collect();
+    assert_eq!(PavementView::of_words("packed"), Base::Packed.into());
+    assert_ne!(PavementView::of_words("paper+packed"), Base::Packed.into());
+    let overlays: Vec<Overlay> = PavementView::of_words("auto+forces+size")
+        .overlays()
+        .collect();
     assert_eq!(overlays, [Overlay::Size, Overlay::Forces]);
 }
 

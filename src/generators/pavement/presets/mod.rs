@@ -11,7 +11,7 @@ mod showpieces;
 mod skins;
 mod textures;
 
-use crate::generators::{Part, Preset, Timing};
+use crate::generators::{MeasuredPart, Preset, Timing};
 
 /// A preset without a figure.
 const fn free(

@@ -6,7 +6,7 @@
 //! text of 2000 and the table of 2001 give them. The papers print no coordinates, so the outlines
 //! are ours, in the spirit of the figures.
 
-use super::{Part, Preset, Timing};
+use super::{MeasuredPart, Preset, Timing};
 use crate::generators::pavement::stage;
 
 /// The times Ts and Tt of the 2001 paper.
@@ -15,12 +15,12 @@ const fn timing(packing: f64, texture: f64) -> Option<Timing> {
     Some(Timing {
         machine: "Pentium II, 300 MHz",
         parts: [
-            Part {
+            MeasuredPart {
                 name: "packing",
                 stages: first,
                 seconds: packing,
             },
-            Part {
+            MeasuredPart {
                 name: "texture",
                 stages: second,
                 seconds: texture,

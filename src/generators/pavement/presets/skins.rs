@@ -4,7 +4,7 @@
 //! The seconds are those of Table 2, which has six of the thirteen. The paper prints no coordinates
 //! and no colours, so outlines, lines and palettes are ours, in the spirit of the figures.
 
-use super::{Part, Preset, Timing};
+use super::{MeasuredPart, Preset, Timing};
 use crate::generators::pavement::stage;
 
 /// The seconds of Table 2.
@@ -13,12 +13,12 @@ const fn timing(tessellation: f64, skin: f64) -> Option<Timing> {
     Some(Timing {
         machine: "Pentium III, 933 MHz",
         parts: [
-            Part {
+            MeasuredPart {
                 name: "tessellation",
                 stages: first,
                 seconds: tessellation,
             },
-            Part {
+            MeasuredPart {
                 name: "skin",
                 stages: rest.split_at(2).0,
                 seconds: skin,

@@ -1,6 +1,6 @@
 //! The stages of a surface up to its cells' mesh, run by a recipe.
 
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::generators::GivenFile;
 use crate::generators::surface::params::Params;
 use crate::generators::surface::stages::Stages;
@@ -27,7 +27,7 @@ pub struct Body {
 /// The parameters of the cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
-    pub kind: Kind,
+    pub kind: CellKind,
     pub aspect: f64,
     pub cells: f64,
 }

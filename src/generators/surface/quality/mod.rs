@@ -3,7 +3,7 @@
 mod chain;
 mod files;
 
-use crate::field::Kind;
+use crate::field::CellKind;
 use crate::shapes::Shape;
 use chain::{Asked, Body, Whole, by_rule};
 
@@ -17,12 +17,12 @@ struct Bounds {
     quads: f64,
 }
 
-fn bounds(kind: Kind) -> Bounds {
+fn bounds(kind: CellKind) -> Bounds {
     let (size, spread, quads) = match kind {
-        Kind::Square => ([0.955, 1.01], 0.08, 0.95),
-        Kind::Rectangle => ([0.93, 1.005], 0.11, 0.945),
-        Kind::Circle => ([0.91, 0.965], 0.083, 0.0),
-        Kind::Ellipse => ([0.905, 1.015], 0.105, 0.0),
+        CellKind::Square => ([0.955, 1.01], 0.08, 0.95),
+        CellKind::Rectangle => ([0.93, 1.005], 0.11, 0.945),
+        CellKind::Circle => ([0.91, 0.965], 0.083, 0.0),
+        CellKind::Ellipse => ([0.905, 1.015], 0.105, 0.0),
     };
     Bounds {
         size,
@@ -75,7 +75,7 @@ fn check(body: &Body, asked: Asked) -> Whole {
     whole
 }
 
-fn all(kind: Kind, aspect: f64, cells: f64) {
+fn all(kind: CellKind, aspect: f64, cells: f64) {
     let asked = Asked {
         kind,
         aspect,
@@ -91,28 +91,28 @@ fn all(kind: Kind, aspect: f64, cells: f64) {
 
 #[test]
 fn squares_lie_well_on_all_surfaces() {
-    all(Kind::Square, 1.0, 900.0);
+    all(CellKind::Square, 1.0, 900.0);
 }
 
 #[test]
 fn rectangles_lie_well_on_all_surfaces() {
-    all(Kind::Rectangle, 2.0, 500.0);
+    all(CellKind::Rectangle, 2.0, 500.0);
 }
 
 #[test]
 fn circles_lie_well_on_all_surfaces() {
-    all(Kind::Circle, 1.0, 500.0);
+    all(CellKind::Circle, 1.0, 500.0);
 }
 
 #[test]
 fn ellipses_lie_well_on_all_surfaces() {
-    all(Kind::Ellipse, 2.0, 500.0);
+    all(CellKind::Ellipse, 2.0, 500.0);
 }
 
 #[test]
 fn squares_on_a_flat_square_are_all_alike() {
     let asked = Asked {
-        kind: Kind::Square,
+        kind: CellKind::Square,
         aspect: 1.0,
         cells: 900.0,
     };
@@ -125,7 +125,7 @@ fn squares_on_a_flat_square_are_all_alike() {
 #[test]
 fn a_turn_and_another_scale_change_few_cells() {
     let asked = Asked {
-        kind: Kind::Square,
+        kind: CellKind::Square,
         aspect: 1.0,
         cells: 600.0,
     };
@@ -144,11 +144,11 @@ fn a_turn_and_another_scale_change_few_cells() {
 #[test]
 fn walls_thinner_than_a_cell_have_few_holes() {
     for (kind, cells, share, most) in [
-        (Kind::Square, 800.0, 0.1, 0.01),
-        (Kind::Square, 800.0, 0.25, 0.015),
-        (Kind::Square, 250.0, 0.25, 0.01),
-        (Kind::Circle, 800.0, 0.25, 0.01),
-        (Kind::Rectangle, 800.0, 0.5, 0.01),
+        (CellKind::Square, 800.0, 0.1, 0.01),
+        (CellKind::Square, 800.0, 0.25, 0.015),
+        (CellKind::Square, 250.0, 0.25, 0.01),
+        (CellKind::Circle, 800.0, 0.25, 0.01),
+        (CellKind::Rectangle, 800.0, 0.5, 0.01),
     ] {
         let asked = Asked {
             kind,

@@ -1,15 +1,15 @@
 //! A mesh prepared for packing.
 
-use super::buckets::Boxes;
+use super::spatial_hash::SurfaceHash;
 use super::walls::SurfaceWalls;
-use crate::packing::ground::Sees;
-use crate::trimesh::{SurfacePoint, TriMesh, Turn, way};
+use crate::packing::packing_domain::MetricSpace;
+use crate::trimesh::{SurfacePoint, Transport, TriMesh, log};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
 /// A mesh with its parts, areas and walls.
 #[derive(Clone, Debug)]
-pub struct Site {
+pub struct PackingMesh {
     mesh: Arc<TriMesh>,
     /// For each triangle the part that it belongs to.
     part: Vec<u32>,
@@ -20,7 +20,7 @@ pub struct Site {
     pub(super) walls: SurfaceWalls,
 }
 
-impl Site {
+impl PackingMesh {
     /// Prepares a mesh on which no cell is longer than `longest`.
     pub fn new(mesh: impl Into<Arc<TriMesh>>, longest: f64) -> Self {
         let mesh = mesh.into();
@@ -89,10 +89,10 @@ impl Site {
     }
 }
 
-impl Sees for &Site {
+impl MetricSpace for &PackingMesh {
     type Place = SurfacePoint;
-    type Turn = Turn;
-    type Grid = Boxes;
+    type Transport = Transport;
+    type Hash = SurfaceHash;
     const WALKS: bool = true;
 
     fn area(self) -> f64 {
@@ -100,31 +100,41 @@ impl Sees for &Site {
     }
 
     #[inline]
-    fn way(self, from: SurfacePoint, to: SurfacePoint) -> Option<(DVec2, Turn)> {
-        way(&from, &to).map(|way| (way.to, way.turn))
+    fn log(self, from: SurfacePoint, to: SurfacePoint) -> Option<(DVec2, Transport)> {
+        log(&from, &to).map(|way| (way.to, way.turn))
     }
 
     fn images(self, p: SurfacePoint, _: f64) -> impl Iterator<Item = SurfacePoint> {
         std::iter::once(p)
     }
 
-    fn way_from(self, image: SurfacePoint, to: SurfacePoint, reach: f64) -> Option<(DVec2, Turn)> {
-        self.way_within(image, to, reach)
+    fn log_from(
+        self,
+        image: SurfacePoint,
+        to: SurfacePoint,
+        reach: f64,
+    ) -> Option<(DVec2, Transport)> {
+        self.log_within(image, to, reach)
     }
 
     #[inline]
-    fn way_within(self, from: SurfacePoint, to: SurfacePoint, reach: f64) -> Option<(DVec2, Turn)> {
+    fn log_within(
+        self,
+        from: SurfacePoint,
+        to: SurfacePoint,
+        reach: f64,
+    ) -> Option<(DVec2, Transport)> {
         // The path along the surface is never shorter than the straight line.
         let is_near = from.at.distance_squared(to.at) <= reach * reach;
-        if is_near { self.way(from, to) } else { None }
+        if is_near { self.log(from, to) } else { None }
     }
 
-    fn beyond(self, from: SurfacePoint, by: DVec2) -> (SurfacePoint, Turn) {
+    fn exp(self, from: SurfacePoint, by: DVec2) -> (SurfacePoint, Transport) {
         let walked = self.mesh.walk(&from, by);
         (walked.to, walked.turn)
     }
 
-    fn home(self, p: SurfacePoint) -> SurfacePoint {
+    fn wrap(self, p: SurfacePoint) -> SurfacePoint {
         p
     }
 
@@ -148,20 +158,20 @@ impl Sees for &Site {
         self.part(&p) != self.part(&q)
     }
 
-    fn grid(self, step: f64) -> Boxes {
-        Boxes::new(self.bounds, step)
+    fn grid(self, step: f64) -> SurfaceHash {
+        SurfaceHash::new(self.bounds, step)
     }
 
-    fn grid_around(self, mut places: impl Iterator<Item = SurfacePoint>, step: f64) -> Boxes {
+    fn grid_around(self, mut places: impl Iterator<Item = SurfacePoint>, step: f64) -> SurfaceHash {
         let first = places.next().map_or(DVec3::ZERO, |p| p.at);
         let bounds = places.fold((first, first), |(lo, hi), p| (lo.min(p.at), hi.max(p.at)));
         // In space, fewer and larger boxes are faster than in the plane.
-        Boxes::new(bounds, 2.0 * step)
+        SurfaceHash::new(bounds, 2.0 * step)
     }
 
     fn any_near(
         self,
-        grid: &Boxes,
+        grid: &SurfaceHash,
         p: SurfacePoint,
         radius: f64,
         visit: impl FnMut(usize) -> bool,

@@ -6,17 +6,17 @@
 //! abstraction costs nothing there and changes no bit.
 
 use super::BoundaryCondition;
-use super::cell_fields::Asks;
+use super::cell_fields::CellFields;
 use super::params::{TUNING, Tuning};
-use super::shape::Shape;
-use super::transport::Carry;
+use super::shape::CellShape;
+use super::transport::ParallelTransport;
 use crate::random::Random;
 use glam::DVec2;
 use std::fmt::Debug;
 use std::ops::Range;
 
 /// The closest point of a wall to a cell.
-pub(crate) trait Foot {
+pub(crate) trait ClosestPoint {
     /// The distance, positive.
     fn distance(&self) -> f64;
     /// Unit vector away from the wall, in the cell's frame.
@@ -24,7 +24,7 @@ pub(crate) trait Foot {
 }
 
 /// A spatial hash of places.
-pub(crate) trait Buckets<P> {
+pub(crate) trait SpatialHash<P> {
     /// The number of a place's bucket.
     fn bucket(&self, p: P) -> usize;
     /// The number of buckets.
@@ -36,38 +36,38 @@ pub(crate) trait Buckets<P> {
 }
 
 /// The metric between places. Vectors are in the frame of the first place.
-pub(crate) trait Sees: Copy {
+pub(crate) trait MetricSpace: Copy {
     type Place: Copy + Debug;
-    type Turn: Carry;
-    type Grid: Buckets<Self::Place>;
+    type Transport: ParallelTransport;
+    type Hash: SpatialHash<Self::Place>;
     /// Whether tracing a path from place to place is expensive.
     const WALKS: bool;
 
     /// The area to be packed.
     fn area(self) -> f64;
     /// The offset to another place, and the parallel transport from there; `None` if a wall separates them.
-    fn way(self, from: Self::Place, to: Self::Place) -> Option<(DVec2, Self::Turn)>;
+    fn log(self, from: Self::Place, to: Self::Place) -> Option<(DVec2, Self::Transport)>;
     /// The images of a place that may be within reach of places in the domain.
     fn images(self, p: Self::Place, reach: f64) -> impl Iterator<Item = Self::Place>;
     /// The offset from an image, if no other image is nearer; `None` if it is certainly longer than `reach`.
-    fn way_from(
+    fn log_from(
         self,
         image: Self::Place,
         to: Self::Place,
         reach: f64,
-    ) -> Option<(DVec2, Self::Turn)>;
+    ) -> Option<(DVec2, Self::Transport)>;
     /// The same from a place itself, to the nearest image.
-    fn way_within(
+    fn log_within(
         self,
         from: Self::Place,
         to: Self::Place,
         reach: f64,
-    ) -> Option<(DVec2, Self::Turn)>;
+    ) -> Option<(DVec2, Self::Transport)>;
     /// The place at the end of a straight path that ignores walls, and the parallel transport to it (the
     /// exponential map).
-    fn beyond(self, from: Self::Place, by: DVec2) -> (Self::Place, Self::Turn);
+    fn exp(self, from: Self::Place, by: DVec2) -> (Self::Place, Self::Transport);
     /// The representative of a place, if places repeat.
-    fn home(self, p: Self::Place) -> Self::Place;
+    fn wrap(self, p: Self::Place) -> Self::Place;
     /// The distance a cell has moved.
     fn distance(self, from: Self::Place, to: Self::Place) -> f64;
     /// Whether a cell has moved at least this far; `square` is the squared distance.
@@ -81,14 +81,14 @@ pub(crate) trait Sees: Copy {
     fn is_gap_between(self, p: Self::Place, q: Self::Place) -> bool;
 
     /// A spatial hash over the whole domain.
-    fn grid(self, step: f64) -> Self::Grid;
+    fn grid(self, step: f64) -> Self::Hash;
     /// A spatial hash over these places.
-    fn grid_around(self, places: impl Iterator<Item = Self::Place>, step: f64) -> Self::Grid;
+    fn grid_around(self, places: impl Iterator<Item = Self::Place>, step: f64) -> Self::Hash;
     /// Calls `visit` with the number of every place that may lie within `radius`, until it returns true; then
     /// true.
     fn any_near(
         self,
-        grid: &Self::Grid,
+        grid: &Self::Hash,
         p: Self::Place,
         radius: f64,
         visit: impl FnMut(usize) -> bool,
@@ -96,29 +96,29 @@ pub(crate) trait Sees: Copy {
 }
 
 /// The walls, and their closest points to a place.
-pub(crate) trait Walled: Copy {
+pub(crate) trait Boundary: Copy {
     type Place: Copy;
-    type Foot: Foot;
+    type ClosestPoint: ClosestPoint;
 
     /// Whether walls may be within reach of a place.
     fn is_near(self, p: Self::Place) -> bool;
     /// The reach of the walls.
     fn reach(self) -> f64;
     /// The closest points of the walls within reach of a place, nearest first; overwrites `feet`.
-    fn feet(self, p: Self::Place, reach: f64, feet: &mut Vec<Self::Foot>);
+    fn closest_points(self, p: Self::Place, reach: f64, feet: &mut Vec<Self::ClosestPoint>);
 }
 
 /// A domain with fields and walls; see the head of this file.
-pub(crate) trait Ground: Copy {
+pub(crate) trait PackingDomain: Copy {
     type Place: Copy + Debug;
-    type Fields: Asks<Place = Self::Place>;
-    type Sight: Sees<Place = Self::Place>;
-    type Walls: Walled<Place = Self::Place>;
+    type Fields: CellFields<Place = Self::Place>;
+    type Metric: MetricSpace<Place = Self::Place>;
+    type Walls: Boundary<Place = Self::Place>;
     /// The constants of the run.
     const TUNING: Tuning = TUNING;
 
     fn fields(self) -> Self::Fields;
-    fn sight(self) -> Self::Sight;
+    fn metric(self) -> Self::Metric;
     fn walls(self) -> Self::Walls;
     /// Whether cells have their centres or their edges on the boundary.
     fn boundary(self) -> BoundaryCondition;
@@ -129,9 +129,9 @@ pub(crate) trait Ground: Copy {
         self,
         from: Self::Place,
         by: DVec2,
-        shape: Shape,
+        shape: CellShape,
         is_clear: bool,
-    ) -> (Self::Place, TurnOf<Self>);
+    ) -> (Self::Place, TransportOf<Self>);
     /// Whether the walls leave room for a cell at this place.
     fn has_room(self, p: Self::Place) -> bool;
     /// If a place is too narrow for a cell, the point midway between the walls.
@@ -142,7 +142,7 @@ pub(crate) trait Ground: Copy {
     /// Whether there are several parts.
     fn has_parts(self) -> bool;
     /// Seeds from which round cells grow, instead of growing from the walls.
-    fn hearts(self) -> Vec<Self::Place> {
+    fn seeds(self) -> Vec<Self::Place> {
         Vec::new()
     }
     /// The row direction of each honeycomb.
@@ -157,6 +157,6 @@ pub(crate) trait Ground: Copy {
     fn anywhere(self, random: &mut Random) -> Self::Place;
 }
 
-pub(crate) type TurnOf<G> = <<G as Ground>::Sight as Sees>::Turn;
-pub(crate) type GridOf<G> = <<G as Ground>::Sight as Sees>::Grid;
-pub(crate) type FootOf<G> = <<G as Ground>::Walls as Walled>::Foot;
+pub(crate) type TransportOf<G> = <<G as PackingDomain>::Metric as MetricSpace>::Transport;
+pub(crate) type HashOf<G> = <<G as PackingDomain>::Metric as MetricSpace>::Hash;
+pub(crate) type ClosestPointOf<G> = <<G as PackingDomain>::Walls as Boundary>::ClosestPoint;

@@ -6,7 +6,7 @@
 
 use super::cut::{Cut, Left};
 use super::fill::{Fill, Vertex, some_of};
-use super::four::{Four, LANES, four_of};
+use super::four_pixels::{FourPixels, LANES, four_of};
 use super::{Instance, Scene, View};
 use crate::order::{self, pair};
 use crate::solid::Surface;
@@ -45,7 +45,7 @@ pub(super) fn level_of(diameter: f32, levels: usize, coarse: bool) -> usize {
 }
 
 /// The visibility buffer, while it is drawn.
-pub(super) struct Sight {
+pub(super) struct VisibilityBuffer {
     fill: Fill,
     is_coarse: bool,
     cut: Option<Cut>,
@@ -69,7 +69,7 @@ pub(super) struct Sight {
     next: usize,
 }
 
-impl Sight {
+impl VisibilityBuffer {
     pub fn new(view: View) -> Self {
         let mut sight = Self {
             fill: Fill::new(view),
@@ -349,7 +349,7 @@ impl Sight {
 /// Stores an instance and its triangle at pixels where they are the nearest.
 #[inline(always)]
 fn put(
-    four: Four,
+    four: FourPixels,
     [owner, triangles]: [&mut [u32]; 2],
     inverse: &mut [f32],
     [place, number]: [u32; 2],

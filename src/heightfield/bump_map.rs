@@ -19,7 +19,7 @@ const FADES: [f32; 2] = [1.5, 5.0];
 const STEEPEST: f32 = 1.6;
 
 /// The planes of a picture, in the coordinates of [`crate::scene`]: the side is 1.
-pub struct Relief {
+pub struct BumpMap {
     side: i32,
     tile: bool,
     pixels: Vec<Pixel>,
@@ -36,7 +36,7 @@ struct Pixel {
     material: u8,
 }
 
-impl Relief {
+impl BumpMap {
     /// Starts empty for these planes.
     pub fn new(planes: &Planes) -> Self {
         Self {
@@ -87,7 +87,7 @@ const NOTHING: Pixel = Pixel {
     material: 0,
 };
 
-impl Detail for Relief {
+impl Detail for BumpMap {
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
         let upright = (surfel.normal.y - SLOPES[0]) / (SLOPES[1] - SLOPES[0]);
         if upright <= 0.0 {

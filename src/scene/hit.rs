@@ -2,15 +2,15 @@
 
 use super::Scene;
 use super::backdrop::FLOOR_COLOUR;
-use super::sight::{AS_DOT, FLOOR, NOTHING, Sight, has_no_triangle};
-use super::square::{BAND, SQUARE, Square, Vectors, get};
+use super::tile::{BAND, SQUARE, Tile, Vectors, get};
+use super::visibility::{AS_DOT, FLOOR, NOTHING, VisibilityBuffer, has_no_triangle};
 use crate::order::greater;
 use crate::solid::Surface;
 use glam::Vec3;
 
 /// A hit: a point of a surface with its interpolated attributes.
 #[derive(Clone, Copy)]
-pub(super) struct Met {
+pub(super) struct PixelHit {
     /// Interpolated outward normal, of any length, possibly zero.
     pub normal: Vec3,
     /// The triangle's unit normal.
@@ -19,7 +19,7 @@ pub(super) struct Met {
     pub colour: [f32; 3],
 }
 
-impl Met {
+impl PixelHit {
     /// A hit on the floor.
     pub const FLOOR: Self = Self {
         normal: Vec3::Y,
@@ -55,7 +55,7 @@ impl Facets {
 
     /// Looks up the visible triangles of a tile. It first reads everything from memory, then computes: so the
     /// processor can load the next triangles while it waits, which takes most of the time here.
-    pub fn look_up(&mut self, scene: &Scene, sight: &Sight, square: Square) {
+    pub fn look_up(&mut self, scene: &Scene, sight: &VisibilityBuffer, square: Tile) {
         self.raw.clear();
         self.corners.clear();
         self.of = [None; SQUARE];
@@ -80,9 +80,9 @@ impl Facets {
     }
 
     /// A hit on the cap of a body that is cut.
-    pub fn cap(scene: &Scene, owner: u32, normal: Vec3) -> Met {
+    pub fn cap(scene: &Scene, owner: u32, normal: Vec3) -> PixelHit {
         let body = scene.instances[owner as usize].body;
-        Met {
+        PixelHit {
             normal,
             flat: normal,
             colour: scene.bodies[body as usize].colour.map(f32::from),
@@ -91,12 +91,12 @@ impl Facets {
 
     /// The intersection of a pixel's ray with the body visible there.
     #[inline(always)]
-    pub fn met(&self, scene: &Scene, owner: u32, rays: &Vectors, k: usize) -> Met {
+    pub fn met(&self, scene: &Scene, owner: u32, rays: &Vectors, k: usize) -> PixelHit {
         let ray = get(rays, k);
         let Some(corners) = self.of[k].map(|place| &self.corners[usize::from(place)]) else {
             let normal = -ray.normalize_or(Vec3::NEG_Y);
             let body = scene.instances[owner as usize].body;
-            return Met {
+            return PixelHit {
                 normal,
                 flat: normal,
                 colour: scene.bodies[body as usize].colour.map(f32::from),
@@ -111,7 +111,7 @@ impl Facets {
                 *sum += weight * part;
             }
         }
-        Met {
+        PixelHit {
             normal,
             flat: corners.flat,
             colour,
@@ -121,7 +121,7 @@ impl Facets {
 
 impl Raw {
     #[inline(always)]
-    fn new(scene: &Scene, sight: &Sight, (instance, triangle): (u32, u32)) -> Self {
+    fn new(scene: &Scene, sight: &VisibilityBuffer, (instance, triangle): (u32, u32)) -> Self {
         let body = &scene.bodies[scene.instances[instance as usize].body as usize];
         let level = usize::from(sight.levels[instance as usize]);
         let surface: &Surface = &body.levels[level];

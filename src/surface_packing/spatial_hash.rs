@@ -1,7 +1,7 @@
 //! A spatial hash: boxes of points in space, to find neighbours in constant time.
 
 use crate::packing::chains::Chains;
-use crate::packing::ground::Buckets;
+use crate::packing::packing_domain::SpatialHash;
 use crate::trimesh::SurfacePoint;
 use glam::DVec3;
 use std::ops::Range;
@@ -11,14 +11,14 @@ const MOST: f64 = 1_048_576.0;
 
 /// A uniform grid of linked lists; points outside go to the nearest box.
 #[derive(Clone, Debug)]
-pub(crate) struct Boxes {
+pub(crate) struct SurfaceHash {
     origin: DVec3,
     step: f64,
     counts: [usize; 3],
     points: Chains,
 }
 
-impl Boxes {
+impl SurfaceHash {
     /// Empty boxes over `lo`..`hi`, with sides of at least `step`.
     pub fn new((lo, hi): (DVec3, DVec3), mut step: f64) -> Self {
         let span = hi - lo;
@@ -72,7 +72,7 @@ impl Boxes {
     }
 }
 
-impl Buckets<SurfacePoint> for Boxes {
+impl SpatialHash<SurfacePoint> for SurfaceHash {
     fn bucket(&self, p: SurfacePoint) -> usize {
         self.number(self.place(p.at))
     }

@@ -18,7 +18,7 @@ const SMALL: f64 = 1e-4;
 
 /// The curvature of a cell's surface, in picture units and in the plane's axes.
 #[derive(Clone, Debug)]
-pub struct Bend {
+pub struct QuadricPatch {
     /// The shape operator: xx, xy, yy. It is positive where the surface falls away from the plane.
     pub shape: [f64; 3],
     /// The height of the stone that lies on the surface.
@@ -29,7 +29,7 @@ pub struct Bend {
     rest: Vec<(DVec2, DVec3)>,
 }
 
-impl Bend {
+impl QuadricPatch {
     /// Fits the shape operator to the normals at the corners of a ring (least squares). `truly` are the true places
     /// of the corners.
     pub fn new(places: &[DVec2], normals: &[DVec3], truly: &[DVec3]) -> Self {

@@ -1,15 +1,15 @@
 //! Packing reads the sizes and directions of its cells from the fields of a surface.
 
 use super::SurfaceFields;
-use crate::field::Kind;
-use crate::packing::cell_fields::Asks;
+use crate::field::CellKind;
+use crate::packing::cell_fields::CellFields;
 use crate::trimesh::SurfacePoint;
 use glam::DVec2;
 
-impl Asks for &SurfaceFields {
+impl CellFields for &SurfaceFields {
     type Place = SurfacePoint;
 
-    fn kind(self, _: SurfacePoint) -> Kind {
+    fn kind(self, _: SurfacePoint) -> CellKind {
         self.kind
     }
 

@@ -8,13 +8,13 @@ pub(super) const LANES: usize = 4;
 
 /// Adjacent pixels: the index of the first in the grid, a mask of the covered ones (all bits set), and the
 /// inverse depths.
-pub(super) struct Four {
+pub(super) struct FourPixels {
     pub at: usize,
     pub covered: i32x4,
     pub near: f32x4,
 }
 
-impl Four {
+impl FourPixels {
     /// Removes pixels beyond the row's end, `room` pixels on, from the mask.
     #[inline(always)]
     pub fn within(self, room: i32) -> Self {

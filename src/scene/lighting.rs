@@ -1,6 +1,6 @@
 //! The light of a scene: a recipe's lamp in space, its shadows, and Phong's shading of a point.
 
-use super::shadow::{Shadows, Spot};
+use super::shadow::{ShadowMaps, ShadowSample};
 use super::{Cut, Lamp, Order, Scene};
 use crate::light::{Finish, GAP, LAMP, SHINE, SKY, STEEP, ShadeParams, Tone};
 use crate::material::Material;
@@ -55,7 +55,7 @@ pub struct Lighting {
     params: ShadeParams,
     finishes: Vec<Finish>,
     tone: Tone,
-    shadows: Shadows,
+    shadows: ShadowMaps,
     sharpness: Sharpness,
     is_ready: bool,
 }
@@ -91,7 +91,7 @@ impl Lighting {
             params: *params,
             finishes: materials.iter().map(finish).collect(),
             tone: Tone::new(),
-            shadows: Shadows::new(scene, lamp, side, is_coarse),
+            shadows: ShadowMaps::new(scene, lamp, side, is_coarse),
             sharpness,
             is_ready: params.shadow <= 0.0,
         }
@@ -139,7 +139,7 @@ impl Lighting {
         position: Vec3,
         [normal, flat]: [Vec3; 2],
         spread: f32,
-    ) -> Option<Spot> {
+    ) -> Option<ShadowSample> {
         let (to, _) = self.lamp.from(position);
         // A triangle turned away from the lamp may be part of a round surface that faces it.
         let is_flat = flat.dot(to) > TURNED;
@@ -150,16 +150,16 @@ impl Lighting {
 
     /// The same for a surface that faces the lamp, with a tolerance.
     #[inline(always)]
-    fn spot_of(&self, point: Vec3, normal: Vec3, spread: f32) -> Spot {
+    fn spot_of(&self, point: Vec3, normal: Vec3, spread: f32) -> ShadowSample {
         match self.params.shadow <= 0.0 {
-            true => Spot::BESIDE,
+            true => ShadowSample::BESIDE,
             false => self.shadows.spot(point, normal, spread),
         }
     }
 
     /// The visible share of the lamp there, 0..1.
     #[inline(always)]
-    pub(super) fn seen(&self, spot: &Spot) -> f32 {
+    pub(super) fn seen(&self, spot: &ShadowSample) -> f32 {
         self.shadows.visible(spot)
     }
 

@@ -2,7 +2,7 @@
 //! together in memory, and compilers make loops over numbers do four at a time.
 
 use super::View;
-use super::sight::Sight;
+use super::visibility::VisibilityBuffer;
 use glam::Vec3;
 
 /// Rows and columns of a tile.
@@ -12,7 +12,7 @@ pub(super) const SQUARE: usize = BAND * BAND;
 
 /// A tile of eight by eight pixels, fewer at the end of a frame: its first column and row.
 #[derive(Clone, Copy)]
-pub(super) struct Square(pub [usize; 2]);
+pub(super) struct Tile(pub [usize; 2]);
 
 /// A number for each pixel of a tile, row after row.
 pub(super) type Each = [f32; SQUARE];
@@ -22,7 +22,7 @@ pub(super) type Vectors = [Each; 3];
 /// Vectors to be overwritten.
 pub(super) const NO_VECTORS: Vectors = [[0.0; SQUARE]; 3];
 
-impl Square {
+impl Tile {
     /// The tile's pixels: index in the tile, and column, row and index in the frame.
     #[inline(always)]
     pub fn pixels(self, view: &View) -> impl Iterator<Item = (usize, [usize; 3])> + use<> {
@@ -47,7 +47,7 @@ impl Square {
 
     /// The points where rays meet visible surfaces.
     #[inline(always)]
-    pub fn points(self, sight: &Sight, rays: &Vectors) -> Vectors {
+    pub fn points(self, sight: &VisibilityBuffer, rays: &Vectors) -> Vectors {
         let view = sight.view();
         let (mut inverse, mut points) = ([1.0; SQUARE], NO_VECTORS);
         for (k, [_, _, at]) in self.pixels(view) {

@@ -1,6 +1,6 @@
 //! Neighbours of the vertices of a mesh, with weights and parallel transport.
 
-use super::{Frame, TriMesh};
+use super::{TangentFrame, TriMesh};
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ const WEIGHTS: (f64, f64) = (0.05, 4.0);
 /// The neighbours of each vertex, counter-clockwise, with the weights of the edges to them and the turns that carry
 /// vectors of their frames into the vertex' own.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Links {
+pub(crate) struct Adjacency {
     start: Vec<u32>,
     pub to: Vec<u32>,
     /// Half the sum of the cotangents of the angles opposite an edge, clamped to [`WEIGHTS`].
@@ -25,12 +25,12 @@ pub(crate) struct Links {
     pub turn: Vec<DVec2>,
     /// A third of the area of the triangles around each vertex.
     pub mass: Vec<f64>,
-    pub frames: Vec<Frame>,
+    pub frames: Vec<TangentFrame>,
     /// The sum of the squared edge lengths of all triangles.
     squares: f64,
 }
 
-impl Links {
+impl Adjacency {
     /// The range of a vertex' entries.
     #[inline(always)]
     pub fn of(&self, vertex: usize) -> Range<usize> {
@@ -50,16 +50,16 @@ impl Links {
     /// Does all the work at once.
     #[cfg(test)]
     pub fn build(mesh: &TriMesh) -> Self {
-        let mut builder = LinksBuilder::new(mesh);
+        let mut builder = AdjacencyBuilder::new(mesh);
         while !builder.advance(mesh, usize::MAX) {}
         builder.links
     }
 }
 
-/// Makes [`Links`] in slices: first by triangles, then by vertices.
+/// Makes [`Adjacency`] in slices: first by triangles, then by vertices.
 #[derive(Clone, Debug)]
-pub(crate) struct LinksBuilder {
-    pub links: Links,
+pub(crate) struct AdjacencyBuilder {
+    pub links: Adjacency,
     /// Cotangents of the angles at each triangle's corners.
     cots: Vec<[f64; 3]>,
     /// How many edges lie on the border.
@@ -67,12 +67,12 @@ pub(crate) struct LinksBuilder {
     at: usize,
 }
 
-impl LinksBuilder {
+impl AdjacencyBuilder {
     pub fn new(mesh: &TriMesh) -> Self {
         let count = mesh.positions().len();
-        let mut links = Links {
+        let mut links = Adjacency {
             mass: vec![0.0; count],
-            ..Links::default()
+            ..Adjacency::default()
         };
         links.start.reserve(count + 1);
         links.start.push(0);
@@ -101,7 +101,7 @@ impl LinksBuilder {
             let end = end.min(vertices);
             let normals = &mesh.normals()[self.at..end];
             let frames = &mut self.links.frames;
-            frames.extend(normals.iter().map(|&n| Frame::of(n)));
+            frames.extend(normals.iter().map(|&n| TangentFrame::of(n)));
             self.at = if end == vertices { 0 } else { end };
             return false;
         }
@@ -188,7 +188,7 @@ mod tests {
     #[test]
     fn links_are_the_same_from_both_ends() {
         for mesh in [samples::torus(24, 10), samples::hill(12)] {
-            let links = Links::build(&mesh);
+            let links = Adjacency::build(&mesh);
             for i in 0..links.len() {
                 for e in links.of(i) {
                     let j = links.to[e] as usize;
