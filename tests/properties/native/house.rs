@@ -1,5 +1,6 @@
 //! The drawing of the house (docs/house.svg) agrees with the code. Each use between folders has arrows, each
-//! arrow stands for a use, and no arrows form a circle. No files use each other in a circle either.
+//! arrow stands for a use, and no arrows form a circle. No files use each other in a circle either. No name of a type
+//! is defined in more than two files.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -205,6 +206,19 @@ fn paths_in_code(code: &str) -> Vec<Path> {
     paths.filter(|path| path.len() > 1).collect()
 }
 
+/// The name of the type that a line defines. Types named in traits and in their implementations do not count: such
+/// lines are indented.
+fn defined_type(line: &str) -> Option<&str> {
+    let mut words = line.split_whitespace().peekable();
+    words.next_if(|word| word.starts_with("pub"));
+    let is_type = match words.next()? {
+        "struct" | "enum" | "trait" | "union" => true,
+        word => word == "type" && !line.starts_with(' '),
+    };
+    let name = words.next().filter(|_| is_type)?;
+    name.split(|c: char| !c.is_alphanumeric()).next()
+}
+
 /// Uses between the folders of `src`.
 fn uses_of_src() -> Uses {
     let modules = Modules::read();
@@ -315,4 +329,18 @@ fn no_files_use_each_other_in_a_circle() {
         }
     }
     assert!(left.is_empty(), "{left:#?}");
+}
+
+#[test]
+fn a_name_of_a_type_is_defined_in_two_files_at_most() {
+    let modules = Modules::read();
+    let mut files: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
+    for (module, code) in &modules.code {
+        for name in code.lines().filter_map(defined_type) {
+            files.entry(name).or_default().insert(module.join("::"));
+        }
+    }
+    assert!(files.len() > 500, "{}", files.len());
+    files.retain(|_, files| files.len() > 2);
+    assert!(files.is_empty(), "{files:#?}");
 }
