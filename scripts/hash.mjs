@@ -1,6 +1,5 @@
 // `npm run hash -- '<link>'`: the digest of a link's planes, from the WebAssembly module under Node.
-import { createRequire } from 'node:module';
-import { join } from 'node:path';
+import { moduleIn } from './lib/headless.mjs';
 import { keepOutputForAnswer, start, Stop } from './lib/run.mjs';
 import * as setup from './lib/setup.mjs';
 import { buildWasm } from './lib/wasm.mjs';
@@ -13,8 +12,7 @@ await start(async () => {
   setup.npmPackages();
   const env = setup.wasmRust();
   setup.wasmTools();
-  const folder = await buildWasm('nodejs', env);
-  const { digest_of_link: digestOfLink } = createRequire(import.meta.url)(join(folder, 'bubblestone.js'));
+  const { digest_of_link: digestOfLink } = await moduleIn(await buildWasm('house', env));
   if (!digestOfLink) throw new Stop('The module exports no digest_of_link: see src/web.rs.');
   console.log(digestOfLink(link));
 });

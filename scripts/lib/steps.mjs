@@ -15,6 +15,9 @@ import { clippyMatches } from './setup.mjs';
 import { buildSite } from './site.mjs';
 import { buildModules } from './wasm.mjs';
 
+/** The only native tests that run in WebAssembly, too. */
+const testsInWasm = ['--test', 'properties', '--test', 'hostile'];
+
 /** @type {Record<string, () => unknown>} */
 export const steps = {
   'cargo fmt': () => run('cargo', ['fmt', '--check'], { env: nativeEnv(), otherwise: 'Run `cargo fmt`.' }),
@@ -53,21 +56,28 @@ function clippy(what, env) {
 
 /** Runs the native tests and notes how long each test program took: cargo prints its name, and the program its time. */
 async function cargoTest() {
-  const child = spawn('cargo', ['test'], { env: nativeEnv(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
+  // Clippy has compiled the examples.
+  const costs = [...(await cargoTests('--tests')), ...(await cargoTests('--doc'))];
+  await tellCosts(costs);
+}
+
+/** @param {string} which */
+async function cargoTests(which) {
+  const child = spawn('cargo', ['test', which], { env: nativeEnv(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
   const text = { said: '', told: '' };
   child.stdout.on('data', (piece) => (process.stdout.write(piece), (text.said += piece)));
   child.stderr.on('data', (piece) => (process.stderr.write(piece), (text.told += piece)));
   const [code] = await once(child, 'close');
   const seconds = [...text.said.matchAll(/^test result: .*finished in ([\d.]+)s$/gm)].map(([, time]) => Number(time));
   const names = [...text.told.matchAll(/^ *(?:Running (.+) \(.+\)|(Doc-tests .+))$/gm)].map(([, program, docs]) => program ?? docs ?? '');
-  await tellCosts(names.map((name, at) => ({ name, seconds: seconds[at] ?? 0 })));
-  if (code !== 0) throw new Stop(`\`cargo test\` failed: exit code ${code}.`);
+  if (code !== 0) throw new Stop(`\`cargo test ${which}\` failed: exit code ${code}.`);
+  return names.map((name, at) => ({ name, seconds: seconds[at] ?? 0 }));
 }
 
 /** @param {NodeJS.ProcessEnv} env */
 function wasmLint(env) {
   // Include the benchmarks, which no other step builds.
-  const what = ['--lib', '--tests', '--no-default-features', '--features', 'bench', '--target', wasmTarget];
+  const what = ['--lib', ...testsInWasm, '--no-default-features', '--features', 'bench', '--target', wasmTarget];
   if (clippyMatches(env)) return clippy(what, env);
   console.log('The Rust for WebAssembly has no clippy here: its code is compiled with warnings denied instead.');
   const deny = `target.${wasmTarget}.rustflags=["-D", "warnings"]`;
@@ -82,7 +92,7 @@ function wasmTest(env) {
     env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
   }
   // Tests for WebAssembly alone: the interface to JavaScript, and `usize` of 32 bits, whose overflow is checked here.
-  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', '--test', 'properties', '--test', 'hostile', '--features', 'house'], { env });
+  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', ...testsInWasm], { env });
 }
 
 /** Checks licences, sources and duplicates of dependencies, and that none needs a newer Rust than Cargo.toml does. */
@@ -130,12 +140,13 @@ async function browserTests(kind) {
     writeFileSync(file, names.map((name) => `import '${pathToFileURL(join(folder, name)).href}';\n`).join(''));
     return file;
   });
-  await nodeTests(files, browsers[kind].title);
+  // Two cores are busy with three files, as each waits now and then.
+  await nodeTests(files, browsers[kind].title, 3);
 }
 
-/** @param {string[]} files @param {string} where */
-async function nodeTests(files, where) {
-  const events = test({ files, concurrency: 2, timeout: 1_500_000 });
+/** @param {string[]} files @param {string} where @param {number} [concurrency] files at a time */
+async function nodeTests(files, where, concurrency = 2) {
+  const events = test({ files, concurrency, timeout: 1_500_000 });
   let failed = 0;
   events.on('test:fail', () => (failed += 1));
   /** @type {import('./costs.mjs').Cost[]} */

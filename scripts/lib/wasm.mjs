@@ -8,8 +8,6 @@ import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 /** The folder of the page's module, which knows pavements alone. */
 export const pageModule = join(root, 'pkg');
 
-export const nodeModule = join(targetDir, 'pkg-node');
-
 /** The folder of the module that makes everything. */
 export const wholeModule = join(root, 'pkg-house');
 
@@ -18,7 +16,6 @@ const BUILDS = {
   /** The module of a first visit. */
   web: { folder: pageModule, target: 'web', options: ['--no-default-features'] },
   house: { folder: wholeModule, target: 'web', options: [] },
-  nodejs: { folder: nodeModule, target: 'nodejs', options: [] },
   /** With the measurements. */
   bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', options: ['--features', 'bench'] },
 };
