@@ -1,6 +1,5 @@
-//! What every engine is to those who run it: stages that work in slices, a picture, views. What only some engines can
-//! do besides, they offer as
-//! traits of their own, from [`Engine::drafts`] on.
+//! The engine that every generator has: stages that work in slices, a picture, views. The other abilities of some
+//! engines are traits of their own, which [`Engine::drafts`] and the methods after it return.
 
 use super::Clock;
 #[cfg(house)]
@@ -81,7 +80,8 @@ pub trait Engine {
     /// The progress of the work.
     fn progress(&self) -> Progress;
 
-    /// The potential energy of moving cells, in units of the mean cell's spring constant k0; 0 if nothing moves.
+    /// The potential energy of the bodies that move, in units of the mean cell's spring constant k0; 0 where nothing
+    /// moves.
     fn energy(&mut self) -> f64 {
         0.0
     }
@@ -97,13 +97,13 @@ pub trait Engine {
     /// The last finished picture, in the form of [`Engine::view`]; empty before there is one.
     fn picture(&self) -> &[u8];
 
-    /// Digest of the last result, 16 hexadecimal digits: equal for equal planes.
+    /// Digest of the planes or bodies made last, 16 hexadecimal digits: equal for equal ones.
     fn digest(&self) -> String;
 
     /// Adds the figures that only this generator has to a report.
     fn report(&mut self, report: &mut Report);
 
-    /// Texts of what was made, for whoever measures: names of files and contents.
+    /// The stages' results as text files, for whoever measures: names and contents.
     #[cfg(not(target_arch = "wasm32"))]
     fn data(&self) -> Vec<(&'static str, String)>;
 

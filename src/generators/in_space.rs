@@ -1,5 +1,4 @@
-//! What engines of the whole house offer: frames of bodies in space, and files that recipes name. The module of a first
-//! visit goes without these.
+//! Abilities that the module of a first visit goes without: frames of bodies in space, and files that recipes name.
 
 use super::Clock;
 use super::given::{GivenFile, MissingFile};

@@ -1,4 +1,4 @@
-//! What engines offer beside their picture. Each trait is a capability; an engine that has it returns itself from the
+//! Abilities that engines may offer beside their picture. Each trait is a capability; an engine that has it returns itself from the
 //! method of [`super::Engine`] by which it is asked for.
 
 use super::Clock;
@@ -10,7 +10,7 @@ use crate::packing::Sample;
 use crate::recipe::Recipe;
 use glam::DVec2;
 
-/// What one slice of work has made of a mesh file.
+/// The part of a mesh file that one slice of work has made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshSlice {
     /// A new file begins with these parts; those of calls before belong to another one.
@@ -21,7 +21,7 @@ pub struct MeshSlice {
     pub done: bool,
 }
 
-/// What one slice of work has made of a bigger picture, or of its maps.
+/// The part of a bigger picture, or of its maps, that one slice of work has made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureSlice {
     /// A new picture begins with these rows; those of calls before belong to another one.
@@ -60,9 +60,9 @@ pub trait Maps {
     /// A notice where the picture is not finished, or there is no such map.
     fn map(&self, kind: MapKind) -> Result<Map, Notice>;
 
-    /// Works for about `budget` milliseconds, or until there are some megabytes of rows, on these maps of the finished picture with `scale` times as many pixels
-    /// along its side, or where there are none on the picture itself. Begins anew where the order or the picture
-    /// is another one than the last time, or the last one was done.
+    /// Works for about `budget` milliseconds, or until there are some megabytes of rows. It makes these maps of the
+    /// finished picture with `scale` times as many pixels along its side; without maps in the order it makes the
+    /// picture itself. Begins anew where the order or the picture differs from the last time, or the last one was done.
     ///
     /// # Errors
     /// A notice where the picture is not finished, or would be too large.
@@ -73,14 +73,14 @@ pub trait Maps {
         budget: f64,
     ) -> Result<PictureSlice, Notice>;
 
-    /// Lets go of a bigger picture in the making, and of what was kept of it for its maps.
+    /// Drops a bigger picture in the making, and the data that it keeps for its maps.
     fn stop_picture(&mut self);
 }
 
 /// Mesh files of the bodies.
 pub trait Meshes {
-    /// Works for about `budget` milliseconds on a mesh file. Begins anew where the picture or the order is
-    /// another one than the last time.
+    /// Works for about `budget` milliseconds on a mesh file. Begins anew where the picture or the order differs from
+    /// the last time.
     ///
     /// # Errors
     /// A notice where the picture is not finished.
@@ -94,7 +94,7 @@ pub trait Meshes {
     /// How large such a file is; `None` before there are bodies.
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize>;
 
-    /// Lets go of a mesh file in the making.
+    /// Drops a mesh file in the making.
     fn stop_mesh(&mut self);
 }
 

@@ -47,10 +47,9 @@ impl Inspect for Pavement {
         begun.map_or(&[], |packing| packing.samples())
     }
 
-    // The sizes of all cells over the wanted ones, and their angles to the direction field in degrees
-    // (0..45 where all with an angle are squares or stand in a packing of cells with corners, else
-    // 0..90; circles have none). While they are packed, sizes are told by the neighbours' distances
-    // and angles by the rows that they stand in.
+    // Angles are 0..45 where all cells with an angle are squares or stand in a packing of cells with corners, else
+    // 0..90; circles have none. While cells are packed, the distances of neighbours give the sizes, and their rows
+    // give the angles.
     fn histograms(&mut self) -> [Histogram; 2] {
         let past = self.is_past(Stage::Cells);
         let stands = match past || !self.made.is_packing() {
