@@ -75,8 +75,9 @@ export class Beside implements Partner, Way {
     const { canvas, grip, pane } = this;
     const { engine, loop } = (this.host = host);
     [this.title, this.link] = [title, engine.link()];
-    canvas.ariaHidden = null;
+    canvas.removeAttribute('aria-hidden');
     canvas.setAttribute('role', 'img');
+    canvas.setAttribute('aria-labelledby', 'beside-name');
     if (engine.offers('frames')) pane.after(canvas, grip);
     else pane.append(canvas);
     grip.hidden = !engine.offers('frames');

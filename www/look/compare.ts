@@ -167,6 +167,7 @@ export class Compare {
       const host = (this.host ??= this.hostOf(base));
       const said = host.open(base);
       if (variant) host.engine.set(variant[0], variant[1]);
+      host.changed();
       if (value === 'link') notice('link', ...said);
       this.chosen.take(host, this.titleOf(value, host.engine));
     });

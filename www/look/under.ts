@@ -37,8 +37,8 @@ export class Under implements Way {
   take(host: PictureHost): void {
     const { canvas, line } = this;
     const { engine, loop } = (this.host = host);
-    canvas.removeAttribute('role');
-    canvas.ariaHidden = 'true';
+    canvas.setAttribute('aria-hidden', 'true');
+    for (const name of ['role', 'aria-labelledby']) canvas.removeAttribute(name);
     // Frames lie over those of the page; a picture is zoomed with the page's own.
     if (engine.offers('frames')) line.before(canvas);
     else byId('cells').before(canvas);
