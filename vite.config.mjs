@@ -97,8 +97,8 @@ const made = {
 };
 
 /**
- * The first script stands in the page itself, with the addresses of the modules: that of the first visit, and that of each
- * generator which another one makes. The page's policy names its digest.
+ * The first script stands in the page itself, with the addresses of what a generator needs: of the first visit's module,
+ * and of the module and its script for each generator of the other one. The page's policy names its digest.
  */
 const begin = {
   name: 'begin',
@@ -107,7 +107,8 @@ const begin = {
     /** @param {string} html @param {import('vite').IndexHtmlTransformContext} context */
     handler: async (html, { bundle = {} }) => {
       const { code } = await minify('start.js', readFileSync(here('www/start.js'), 'utf8'));
-      const [first, later] = [here('pkg'), house].map((folder) => addressOf(bundle, `${basename(folder)}/bubblestone_bg.wasm`));
+      const first = addressOf(bundle, `${basename(here('pkg'))}/bubblestone_bg.wasm`);
+      const later = ['bubblestone_bg.wasm', 'bubblestone.js'].map((file) => addressOf(bundle, `${basename(house)}/${file}`)).join(' ');
       const others = (await generatorsOf([here('pkg'), house])).filter(({ module }) => module > 0);
       const files = [`data-first="${first}"`, ...others.map(({ word }) => `data-${word}="${later}"`)];
       const digest = createHash('sha256').update(code).digest('base64');

@@ -22,10 +22,12 @@
   // Light or dark, as it was chosen here or else as the system is. www/base/theme.ts goes on from here.
   document.documentElement.dataset.theme = kept('theme') || (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
 
-  // The largest file: www/module/load.ts takes it when the page's scripts are here.
+  // The largest files: www/module/load.ts takes them when the page's scripts are here.
   const files = document.currentScript.dataset;
   const [, make = ''] = /\bmake=(\w+)/.exec(link()) ?? [];
-  const module = document.createElement('link');
-  Object.assign(module, { rel: 'preload', as: 'fetch', crossOrigin: 'anonymous', href: files[make] ?? files.first });
-  document.head.append(module);
+  for (const href of (files[make] ?? files.first).split(' ')) {
+    const early = document.createElement('link');
+    const how = href.endsWith('.js') ? { rel: 'modulepreload' } : { rel: 'preload', as: 'fetch', crossOrigin: 'anonymous' };
+    document.head.append(Object.assign(early, how, { href }));
+  }
 }

@@ -28,7 +28,7 @@ const compressed = ['.css', '.html', '.js', '.json', '.svg', '.txt', '.wasm', '.
  * @param {number} [options.port] the first port to try; if it is taken, the next ones are tried; 0 is any port
  * @param {string} [options.under] the path that the folder is served under
  * @param {(path: string) => void} [options.asked] gets the path inside the folder of each request
- * @param {boolean} [options.gzip] compresses what other hosts compress
+ * @param {boolean} [options.gzip] compresses what other hosts compress, and lets browsers keep files for some minutes
  */
 export async function host(files, { port = 0, under = '/', asked, gzip = false } = {}) {
   /** Compressed bodies by path: a host has them ready. @type {Map<string, Buffer>} */
@@ -47,6 +47,7 @@ export async function host(files, { port = 0, under = '/', asked, gzip = false }
       response.writeHead(200, {
         'content-type': contentTypes[extname(inside)] ?? 'application/octet-stream',
         'content-length': body.length,
+        ...(gzip && { 'cache-control': 'max-age=600' }),
         ...(isPacked && { 'content-encoding': 'gzip' }),
       });
       response.end(body);

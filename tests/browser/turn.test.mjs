@@ -281,7 +281,7 @@ test('in another page it opens from its link, and lets go of the wheel', sameEve
 test('where the module does not come, a sentence says so, and the picture stays', sameEverywhere, async () => {
   const folder = mkdtempSync(join(tmpdir(), 'bubblestone-site-'));
   cpSync(fileURLToPath(new URL('../../dist/', import.meta.url)), folder, { recursive: true });
-  const [, file = ''] = /data-surface="([^"]+)"/.exec(readFileSync(join(folder, 'index.html'), 'utf8')) ?? [];
+  const [, file = ''] = /data-surface="([^" ]+)/.exec(readFileSync(join(folder, 'index.html'), 'utf8')) ?? [];
   rmSync(join(folder, file));
   const cut = await open({ files: folder });
   const { page, close } = await cut.newPage(SMALL);

@@ -24,7 +24,7 @@ interface Place {
 }
 
 export class LocalFrames implements FrameSource, Painter {
-  readonly share = 0.6;
+  readonly share = 0.3;
   private readonly place: Place;
   private readonly heard: Heard;
   private readonly maker: FrameMaker;
