@@ -12,6 +12,8 @@ mod node;
 mod tests;
 mod wiring;
 
-pub use node::{Inputs, Node};
+#[cfg(house)]
+pub use node::Inputs;
+pub use node::Node;
 pub(crate) use wiring::task;
 pub use wiring::{Task, Wiring, inputs};

@@ -196,11 +196,6 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.work.as_ref()
     }
 
-    /// The same work, mutable.
-    pub fn work_mut(&mut self) -> Option<&mut W> {
-        self.work.as_mut()
-    }
-
     /// The work in progress on these inputs.
     pub(super) fn work_of(&self, inputs: Inputs) -> Option<&W> {
         self.work().filter(|_| self.status.begun_of == inputs)
@@ -223,6 +218,7 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
     }
 
     /// Increases with every slice of work, and whenever work is dropped.
+    #[cfg(house)]
     pub fn slices(&self) -> u64 {
         self.status.slices
     }

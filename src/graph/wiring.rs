@@ -119,6 +119,7 @@ pub trait Wiring: Sized + 'static {
     }
 
     /// Whether a node's value was made with the present parameters from the present inputs.
+    #[cfg(house)]
     fn is_fresh(&self, node: &dyn AnyNode) -> bool {
         node.status().state(self.inputs_of(node)) == State::Fresh
     }

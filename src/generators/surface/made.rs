@@ -67,10 +67,8 @@ impl Stages {
 
     /// The packing in progress, and its site. The packing is mutable because it caches measures such as its energy.
     pub fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &PackingMesh)> {
-        let moving = self
-            .packing
-            .work_mut()
-            .and_then(PackingProgress::moving_mut);
+        let (work, _) = self.packing.both_mut();
+        let moving = work.and_then(PackingProgress::moving_mut);
         moving.zip(self.site.made())
     }
 
