@@ -97,8 +97,8 @@ const made = {
 };
 
 /**
- * The first script stands in the page itself, with the addresses of what a generator needs: of the first visit's module,
- * and of the module and its script for each generator of the other one. The page's policy names its digest.
+ * Puts the first script into the page itself. The script has the addresses of the first visit's module, and of the second
+ * module and its script, for each generator. The page's policy names the digest of the script.
  */
 const begin = {
   name: 'begin',

@@ -1,11 +1,11 @@
 //! Turns the rows that generators share into parameters of stones, their colours, weather and light.
 
 use super::lighting::LightParams;
+use crate::generators::rows::shared::keys;
+use crate::generators::rows::stones::{SKIN, keys as stones};
 use crate::light::{Light, ShadeParams};
 use crate::material::{ColourParams, Gloss, Pattern, WeatherParams, material_table};
 use crate::recipe::Recipe;
-use crate::recipe::common::keys;
-use crate::recipe::stones::{SKIN, keys as stones};
 use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 
 /// Pixels along the picture's side.

@@ -104,6 +104,8 @@ pub struct Products<'a> {
     pub fields: Option<&'a Fields>,
     /// The packing at work, or the last one; while live, the one that flows.
     pub packing: Option<&'a Packing>,
+    /// The last packing that ended, with the domain and the fields of the stages.
+    pub ended: Option<(&'a Domain, &'a Fields, &'a Packing)>,
     /// The mesh of the last packing that ended.
     pub mesh: Option<&'a Mesh>,
     /// The cells of the last packing that ended.
@@ -119,14 +121,9 @@ pub struct Products<'a> {
 impl Products<'_> {
     /// The quality of the mesh and the cells; `None` before both are there.
     pub fn metrics(&self) -> Option<Metrics> {
-        let particles = self.packing?.particles();
+        let (domain, fields, packing) = self.ended?;
         let mesh = self.mesh.filter(|_| !self.cells.is_empty())?;
-        Some(Metrics::new(
-            self.domain?,
-            self.fields?,
-            &particles,
-            mesh,
-            self.cells,
-        ))
+        let particles = packing.particles();
+        Some(Metrics::new(domain, fields, &particles, mesh, self.cells))
     }
 }

@@ -17,6 +17,7 @@ mod offers;
 mod packs;
 pub mod pavement;
 mod preset;
+pub(crate) mod rows;
 #[cfg(house)]
 mod scene_picture;
 #[cfg(house)]

@@ -3,7 +3,7 @@
 //! with a notice.
 
 use super::value::chosen;
-use super::{Kind, Parameter, Recipe, Schema, common};
+use super::{Kind, Parameter, Recipe, SIZE, Schema};
 use crate::notice::{Arg, Code, Notice, quote};
 
 /// The version that links are written in.
@@ -150,7 +150,7 @@ impl Recipe {
 /// Whether limits or defaults of other parameters depend on this one.
 fn is_early(schema: &Schema, key: &str) -> bool {
     let hangs = |row: &Parameter| row.default_while.is_some_and(|(k, ..)| k.0 == key);
-    key == common::keys::SIZE.0 || schema.rows.iter().any(hangs)
+    key == SIZE.0 || schema.rows.iter().any(hangs)
 }
 
 /// The part of an address with the recipe: after `#`, or after `?` if there is no `#`.

@@ -3,14 +3,12 @@
 //! All outside input passes here: a [`Recipe`] only ever holds values that fit its generator's [`Schema`].
 //! Notices report everything that did not fit. The codec knows no generator: it receives the schemas.
 
-pub mod common;
 mod link;
 mod lists;
 mod named_file;
 pub mod parameter;
 mod rows;
 pub mod schema;
-pub mod stones;
 mod value;
 
 pub use link::{VERSION, VIEW};
@@ -19,6 +17,9 @@ pub use named_file::NamedFile;
 pub use parameter::{Choice, Item, Key, Kind, Parameter, SideLimits};
 pub use rows::{BOX_STEPS, Rows, STEPS};
 pub use schema::{Rules, Schema};
+
+/// The key of the picture's side in pixels, a row of every schema.
+const SIZE: Key = Key("size");
 
 /// A value for every parameter of a schema.
 #[derive(Clone)]
@@ -99,7 +100,7 @@ impl Recipe {
 
     /// The picture's side in pixels, which are the picture units.
     pub fn side(&self) -> f64 {
-        self.number(common::keys::SIZE)
+        self.number(SIZE)
     }
 
     /// The limits of a number in this recipe: those of its row, or those that depend on the picture's side.

@@ -88,29 +88,6 @@ impl Joined {
     }
 }
 
-/// Defines a constant for each row's key, in a module `keys`, and `ROWS`, the list of all rows. An entry is a row,
-/// `word CONSTANT: "Help." => row;` or with the help text of a shared row `word CONSTANT => row;`, or a list of shared
-/// rows, `..[list];`. A row after the list that has it takes its place there.
-macro_rules! rows {
-    ($($(..[$list:expr])? $($word:ident $name:ident $(: $help:literal)? => $row:expr)?;)*) => {
-        /// The keys of the rows.
-        pub mod keys {
-            pub use crate::recipe::common::keys::*;
-            pub use crate::recipe::stones::keys::*;
-            use crate::recipe::Key;
-            $($(#[doc = concat!("`", stringify!($word), "`", $(". ", $help)?)]
-            pub const $name: Key = Key(stringify!($word));)?)*
-        }
-
-        const JOINED: $crate::recipe::schema::Joined = $crate::recipe::schema::Joined::of(
-            &[$($($list)? $(&[$row$(.named(keys::$name, $help))?])?),*],
-        );
-
-        /// The rows, in the order in which links are written.
-        pub const ROWS: &[$crate::recipe::Parameter] = &JOINED.rows::<{ JOINED.count }>();
-    };
-}
-
 /// Defines choices from `word: "Label"`.
 macro_rules! choices {
     ($($word:ident: $label:literal),* $(,)?) => {
@@ -118,4 +95,4 @@ macro_rules! choices {
     };
 }
 
-pub(crate) use {choices, rows};
+pub(crate) use choices;

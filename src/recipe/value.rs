@@ -1,6 +1,6 @@
 //! Values as text: reading one parameter, with a notice if it does not fit, and writing it.
 
-use super::{Key, Kind, Parameter, Recipe, common};
+use super::{Key, Kind, Parameter, Recipe, SIZE};
 use crate::decimal;
 use crate::notice::{Arg, Code, Notice, quote};
 
@@ -99,7 +99,7 @@ impl Recipe {
         let clamped = (value != given).then(|| self.must_be(row, quote(text), kept));
         let mut notices = Vec::from_iter(clamped);
         self.put(row.key, value);
-        if row.key == common::keys::SIZE {
+        if row.key == SIZE {
             notices.extend(self.settle());
         }
         Ok(notices)

@@ -154,6 +154,7 @@ impl Engine for Pavement {
 
     fn products(&self) -> Option<Products<'_>> {
         let (shown, flowing) = (self.shown(), self.flowing());
+        let ended = self.made.ground().zip(self.made.packing.made());
         Some(Products {
             domain: shown.domain,
             fields: shown.fields,
@@ -161,6 +162,7 @@ impl Engine for Pavement {
                 Some(draft) => Some(&draft.packing),
                 None => self.made.shown_packing(),
             },
+            ended: ended.map(|((domain, fields), packing)| (domain, fields, packing)),
             mesh: self.mesh(),
             cells: self.cells(),
             scales: self.scales(),

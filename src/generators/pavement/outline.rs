@@ -3,8 +3,8 @@
 use super::schema::{POLYGON, keys};
 use crate::domain::Outline;
 use crate::domain::shape::{ShapeParams, built_in};
+use crate::generators::rows::stones::SKIN;
 use crate::notice::{Code, Notice};
-use crate::recipe::stones::SKIN;
 use crate::recipe::{Key, Recipe, Rows, Rules, STEPS, points, row};
 use glam::DVec2;
 

@@ -7,11 +7,11 @@ use crate::domain::Outline;
 use crate::field::{CellKind, Direction, FieldParams, Grading, SoftSpot};
 use crate::generators::common;
 use crate::generators::height_field::{HeightFieldParams, PlaneParams};
+use crate::generators::rows::shared::keys as shared;
 use crate::heightfield::TextureParams;
 use crate::material::ColourParams;
 use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
 use crate::recipe::Recipe;
-use crate::recipe::common::keys as shared;
 use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: further ones improve little.

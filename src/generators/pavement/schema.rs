@@ -3,11 +3,13 @@
 
 use crate::domain::MAX_POINTS;
 use crate::field::FieldParams;
+use crate::generators::rows::rows;
+use crate::generators::rows::shared as common;
+use crate::generators::rows::stones::{self, SKIN};
 use crate::packing::PackingParams;
 use crate::recipe::parameter::{choice, int, number, text};
-use crate::recipe::schema::{choices, rows};
-use crate::recipe::stones::{self, SKIN};
-use crate::recipe::{Choice, Item, SideLimits, common};
+use crate::recipe::schema::choices;
+use crate::recipe::{Choice, Item, SideLimits};
 use crate::solid::SkinParams;
 
 /// The library's defaults, which are the rows'.

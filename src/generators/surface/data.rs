@@ -6,7 +6,7 @@ use crate::mesh::Face;
 use glam::DVec3;
 
 impl SurfaceEngine {
-    /// Texts of what was made: names of files and contents.
+    /// The results as texts: names of files, and their contents.
     pub(super) fn texts(&self) -> Vec<(&'static str, String)> {
         let cells = self
             .made

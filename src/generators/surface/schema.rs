@@ -1,9 +1,11 @@
 //! The one table of a surface's parameters; see [`crate::recipe::Schema`].
 
+use crate::generators::rows::rows;
+use crate::generators::rows::shared as common;
+use crate::generators::rows::stones::{self, SKIN};
 use crate::recipe::parameter::{Parameter, choice, int, number, text};
-use crate::recipe::schema::{choices, rows};
-use crate::recipe::stones::{self, SKIN};
-use crate::recipe::{Choice, Item, Key, common};
+use crate::recipe::schema::choices;
+use crate::recipe::{Choice, Item, Key};
 use crate::shapes::{ShapeNumber, numbers};
 
 /// The word for the surface that a file gives.

@@ -1,10 +1,10 @@
 //! Rows shared by generators of stones and scales: the shape of a cell's stone, and the marking of cells.
 
-use super::common::common;
-use super::parameter::{Parameter, choice, int, number};
-use super::schema::choices;
+use super::lists::lists;
 use crate::heightfield::TextureParams;
 use crate::material::ColourParams;
+use crate::recipe::parameter::{Parameter, choice, int, number};
+use crate::recipe::schema::choices;
 use crate::solid::StoneParams;
 
 /// The libraries' defaults, which are the rows'.
@@ -22,7 +22,7 @@ const SKINS: &[&str] = &[SKIN];
 const HARD: &[&str] = &["cobble", "flag"];
 const FLAG: &[&str] = &["flag"];
 
-common! {
+lists! {
     LEAN: "Rows of the form, the height and the lean of stones and scales." {
         stone STONE: "What a cell becomes: a round stone, a flat one with bevelled edges, or a cell of skin, a prism that may lean and taper." =>
             choice("Form", choices![cobble: "Cobblestone", flag: "Flagstone", skin: "Skin"])

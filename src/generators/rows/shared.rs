@@ -1,35 +1,18 @@
 //! Rows shared by generators. A generator takes whole lists of them among its own rows, and single ones with another
 //! help text, range or group.
 
-use super::parameter::{Parameter, choice, int, number};
-use super::schema::choices;
+use super::lists::lists;
 use crate::heightfield::TextureParams;
 use crate::light::{Light, ShadeParams};
 use crate::random::SEED as SEED_BY_DEFAULT;
+use crate::recipe::parameter::{Parameter, choice, int, number};
+use crate::recipe::schema::choices;
 
 /// The libraries' defaults, which are the rows'.
 const TEXTURE: TextureParams = TextureParams::DEFAULT;
 const SHADE: ShadeParams = ShadeParams::DEFAULT;
 
-/// Defines lists of rows that belong to no single generator.
-macro_rules! common {
-    ($($list:ident: $about:literal {
-        $($word:ident $name:ident: $help:literal => $row:expr;)*
-    })*) => {
-        /// The keys of the common rows.
-        pub mod keys {
-            use crate::recipe::Key;
-            $($(#[doc = $help] pub const $name: Key = Key(stringify!($word));)*)*
-        }
-
-        $($(#[doc = $help] pub const $name: Parameter = $row.named(keys::$name, $help);)*)*
-
-        $(#[doc = $about] pub const $list: &[Parameter] = &[$($name),*];)*
-    };
-}
-pub(super) use common;
-
-common! {
+lists! {
     PICTURE: "Rows of the picture as a whole." {
         size SIZE: "Side of the square picture." =>
             int("", "Picture side").range(128.0, 2048.0, 64.0, TEXTURE.side as f64).unit("px")

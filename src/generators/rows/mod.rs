@@ -1,0 +1,8 @@
+//! Tables of parameters, and the rows that several generators share.
+
+mod lists;
+pub mod shared;
+pub mod stones;
+mod table;
+
+pub(crate) use table::rows;
