@@ -91,9 +91,9 @@ test('a figure of a surface is seen by frames in the same canvas, and a picture 
 });
 
 test('a recipe that gives no picture gives a sentence', sameEverywhere, async () => {
-  const { page, problems, close } = await site.newPage('#make=surface&form=file&size=128&cn=60');
-  await page.waitForFunction(() => window.host?.loop.rests);
-  assert.match(await page.$eval('p', (line) => line.textContent), /file/);
+  const { page, problems, close } = await site.newPage('#make=surface&form=file&size=128&cn=60&model=qi3BmipB4jiDoi2BwGiG4GsG8C-GkG0G');
+  await says(page, 'needs the file "half.obj"');
+  assert.equal(await page.evaluate(() => window.host.engine.stage()), 'error');
   assert.deepEqual(problems, []);
   await close();
 });
