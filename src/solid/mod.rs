@@ -58,7 +58,7 @@ pub use making::{Making, PLAIN, Step, step, steps};
 pub use orientation::oriented;
 #[cfg(house)]
 pub(crate) use orientation::{Axis, best_turn, quarters, turns_to_agree};
-pub use prism::{Prism, lean};
+pub use prism::{Prism, SkinParams, lean};
 #[cfg(house)]
 pub(crate) use quadric::Quadric;
 pub(crate) use simplify::simplify;
@@ -118,32 +118,6 @@ pub struct StoneParams {
     pub seed: u64,
 }
 
-/// The shape of a cell of skin. Lengths are relative to the skin size: the mean distance of the cell's
-/// corners from its centre (Itoh, Miyata, Shimada 2003, section 6.1).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SkinParams {
-    /// Height of the swept prism (Sr).
-    pub sweep: f64,
-    /// Displacement of the top along the flow (Sc).
-    pub skew: f64,
-    /// Angle from the flow to the displacement of the top, clockwise, in radians.
-    pub skew_angle: f64,
-    /// Rise of the top along the flow, for each unit of length.
-    pub tilt: f64,
-    /// Displacement of the top corners towards the centre, 0..1 (Tc).
-    pub taper: f64,
-    /// From the rounded faces after subdivision (0) to the flat faces of the prism (1).
-    pub flatness: f64,
-    /// Height of the ridge along the flow, relative to the prism's height, 0..1.
-    pub keel: f64,
-    /// Number of growth rings.
-    pub rings: u32,
-    /// Fractal dimension of the noise, 1..2 (Fd); that of stones is added to the planes.
-    pub dimension: f64,
-    /// Amplitude of the noise (Af).
-    pub amplitude: f64,
-}
-
 impl StoneParams {
     /// Cobblestones; made into skin, it is [`SkinParams::DEFAULT`].
     pub const DEFAULT: Self = Self {
@@ -160,28 +134,6 @@ impl StoneParams {
 }
 
 impl Default for StoneParams {
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}
-
-impl SkinParams {
-    /// Upright prisms, a little tapered.
-    pub const DEFAULT: Self = Self {
-        sweep: 1.0,
-        skew: 0.0,
-        skew_angle: 0.0,
-        tilt: 0.0,
-        taper: 0.2,
-        flatness: 0.0,
-        keel: 0.0,
-        rings: 0,
-        dimension: 1.1,
-        amplitude: 0.1,
-    };
-}
-
-impl Default for SkinParams {
     fn default() -> Self {
         Self::DEFAULT
     }

@@ -25,6 +25,54 @@ const MOST_NORMAL: f64 = 2.5;
 /// Largest distance of a corner from the centre, relative to the mean.
 const FARTHEST: f64 = 2.0;
 
+/// The shape of a cell of skin. Lengths are relative to the skin size: the mean distance of the cell's
+/// corners from its centre (Itoh, Miyata, Shimada 2003, section 6.1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SkinParams {
+    /// Height of the swept prism (Sr).
+    pub sweep: f64,
+    /// Displacement of the top along the flow (Sc).
+    pub skew: f64,
+    /// Angle from the flow to the displacement of the top, clockwise, in radians.
+    pub skew_angle: f64,
+    /// Rise of the top along the flow, for each unit of length.
+    pub tilt: f64,
+    /// Displacement of the top corners towards the centre, 0..1 (Tc).
+    pub taper: f64,
+    /// From the rounded faces after subdivision (0) to the flat faces of the prism (1).
+    pub flatness: f64,
+    /// Height of the ridge along the flow, relative to the prism's height, 0..1.
+    pub keel: f64,
+    /// Number of growth rings.
+    pub rings: u32,
+    /// Fractal dimension of the noise, 1..2 (Fd); that of stones is added to the planes.
+    pub dimension: f64,
+    /// Amplitude of the noise (Af).
+    pub amplitude: f64,
+}
+
+impl SkinParams {
+    /// Upright prisms, a little tapered.
+    pub const DEFAULT: Self = Self {
+        sweep: 1.0,
+        skew: 0.0,
+        skew_angle: 0.0,
+        tilt: 0.0,
+        taper: 0.2,
+        flatness: 0.0,
+        keel: 0.0,
+        rings: 0,
+        dimension: 1.1,
+        amplitude: 0.1,
+    };
+}
+
+impl Default for SkinParams {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
 /// A prism in picture units, y down, z up from the base level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prism {

@@ -37,14 +37,12 @@ fn skin() -> StoneParams {
         skin: SkinParams {
             sweep: 0.45,
             skew: 0.9,
-            skew_angle: 0.0,
             tilt: 0.28,
             taper: 0.25,
-            flatness: 0.0,
             keel: 0.4,
-            rings: 0,
             dimension: 1.2,
             amplitude: 0.0,
+            ..SkinParams::DEFAULT
         },
         ..StoneParams::default()
     }
