@@ -28,7 +28,7 @@ export class Beside implements Partner, Way {
   private readonly frame = byId('frame');
   private readonly canvas: HTMLCanvasElement;
   private readonly pane = make('div', { class: 'pane' });
-  /** Lies over frames and takes the gestures that turn them. */
+  /** Lies over the frames, and receives the gestures that turn them. */
   private readonly grip = make('div', { class: 'beside-grip' });
   private readonly names = [make('p', { class: 'beside-name', id: 'beside-name' }), make('p', { class: 'beside-name own' })] as const;
   private host: PictureHost | undefined;
@@ -70,7 +70,10 @@ export class Beside implements Partner, Way {
     this.store.update({ other: 'done' });
   }
 
-  /** Shows this host beside the page's own picture. Both begin again; if less motion is preferred, only the other one works. */
+  /**
+   * Shows this host beside the page's own picture. Both begin again, except for visitors who prefer less motion: then
+   * only the other one works.
+   */
   take(host: PictureHost, title: string): void {
     const { canvas, grip, pane } = this;
     const { engine, loop } = (this.host = host);

@@ -30,9 +30,9 @@ const NOT_HERE = 'dialog, select, [type=text], #layers, #layers-button, .light-l
 /** A way to show the second picture. */
 export interface Way {
   show(on: boolean): void;
-  /** The host shows another recipe from now on. */
+  /** Shows this host, which has another recipe. */
   take(host: PictureHost, title: string): void;
-  /** The second picture was worked on, up to this stage. */
+  /** To be called after work on the second picture up to this stage. */
   worked(stage: string): void;
 }
 

@@ -39,7 +39,8 @@ export class Under implements Way {
     const { engine, loop } = (this.host = host);
     canvas.setAttribute('aria-hidden', 'true');
     for (const name of ['role', 'aria-labelledby']) canvas.removeAttribute(name);
-    // Frames lie over those of the page; a picture is zoomed with the page's own.
+    // Frames lie over the page's frames. A picture is put into the layer of the page's picture, which is zoomed as a
+    // whole.
     if (engine.offers('frames')) line.before(canvas);
     else byId('cells').before(canvas);
     loop.rhythm = IDLE;

@@ -7,9 +7,9 @@
  *     host.drive({ paused: false, pace: 0.5 });
  *     host.changed();
  *
- * shows how the mesh of a recipe forms, one step in two frames. `host.step()` takes one step, `host.open(link)` shows
- * another recipe, `host.engine.problem()` is the sentence why there is no picture. `host.free()` frees all. Style sheets
- * give the canvas its size on the screen.
+ * This shows how the mesh of a recipe forms, one step in two frames. `host.step()` takes one step, `host.open(link)`
+ * shows another recipe, `host.engine.problem()` returns the reason if there is no picture, and `host.free()` frees
+ * everything. Style sheets set the size of the canvas on the screen.
  */
 import { wantsStill } from '../base/dom';
 import { isEnd } from '../module/stages';
@@ -18,34 +18,34 @@ import type { Camera } from '../state/viewing';
 import type { FrameCanvas } from './frames/canvas';
 import { Loop } from './loop';
 
-/** The canvas, the view, and who learns of the work. */
+/** The canvas, the view, and the functions to call. */
 interface Showing {
   readonly canvas: HTMLCanvasElement;
   /** The words of the view, joined by '+'. */
   readonly view: () => string;
   /**
-   * Where the viewer stands, undefined for the usual place: frames of a generator that is seen by these are drawn into the
-   * canvas. Without it somebody else shows frames.
+   * The camera of frames, undefined for the usual one. If this function is given, the frames of generators that have
+   * `frames` are drawn into the canvas; else another part of the page shows them.
    */
   readonly camera?: () => Camera | undefined;
-  /** Something is being dragged: frames come fast rather than fine. */
+  /** Whether something is being dragged; then frames are fast rather than fine. */
   readonly held?: () => boolean;
-  /** Work was done, up to this stage: `changed` says that the picture may have changed, `drawn` that it was drawn. */
+  /** Called after work up to this stage. `changed` is true if the picture may have changed, `drawn` if it was drawn. */
   readonly worked: (stage: string, changed: boolean, drawn: boolean) => void;
-  /** The program failed at this link, and nothing goes on. It may be called before the host is made. */
+  /** Called when the program has failed at this link; no work follows. The call may come before the host exists. */
   readonly crashed: (error: unknown, link: string) => void;
 }
 
 export class PictureHost {
   readonly engine: Engine;
   readonly loop: Loop;
-  /** Only what is finished or paused is drawn, for visitors who prefer less motion. */
+  /** Whether only finished and paused pictures are drawn, for visitors who prefer less motion. */
   still = wantsStill();
   private readonly showing: Showing;
   private readonly context: CanvasRenderingContext2D;
   private frames: FrameCanvas | undefined;
 
-  /** The module of the link has to be there. Nothing is worked on before `changed`. */
+  /** The link's module must be loaded. The work starts with the first call of `changed`. */
   constructor(link: string, showing: Showing) {
     const context = showing.canvas.getContext('2d');
     if (!context) throw new Error('This browser gives no canvas to draw on.');
@@ -61,7 +61,7 @@ export class PictureHost {
     return this.showing.view();
   }
 
-  /** Opens another link, whose module has to be there. Returns what of it was mended. */
+  /** Opens another link, whose module must be loaded. Returns the notices about corrections. */
   open(link: string): string[] {
     const sentences = this.engine.open(link);
     void this.bringFrames();
@@ -69,18 +69,18 @@ export class PictureHost {
     return sentences;
   }
 
-  /** The recipe was changed: works and draws again. */
+  /** To be called after a change of the recipe: works and draws again. */
   changed(): void {
     this.loop.changed();
     this.frames?.follow();
   }
 
-  /** The viewer of frames has moved, or holds something. */
+  /** To be called when the camera of frames has moved, or when something is dragged or released. */
   moved(): void {
     this.frames?.moved();
   }
 
-  /** Pauses or goes on, with this many steps in each frame. */
+  /** Pauses or continues, with `pace` steps in each frame. */
   drive({ paused, pace }: { paused: boolean; pace: number }): void {
     if (this.loop.paused !== paused) this.loop.paused = paused;
     this.loop.stepsPerFrame = pace;
@@ -122,7 +122,7 @@ export class PictureHost {
     this.engine.draw(this.context, this.showing.view());
   }
 
-  /** Brings the maker of frames, once a generator is seen by these. */
+  /** Loads the maker of frames, if the generator has frames. */
   private async bringFrames(): Promise<void> {
     const { engine, loop, context, showing } = this;
     if (!showing.camera) return;

@@ -31,7 +31,7 @@ interface Pair {
   tick(engine: Engine, budget: number, steps: number): boolean;
 }
 
-/** When slices of the work come, and how long each is. */
+/** The times of the slices of the work. */
 export interface Rhythm {
   /** Milliseconds of work in a slice. */
   readonly budget: number;
@@ -47,15 +47,15 @@ export interface Rhythm {
   next(slice: (begin: number) => void): void;
 }
 
-/** The frames of the browser. The rest of each frame belongs to the browser. */
+/** A slice in each animation frame, whose other milliseconds are left to the browser. */
 export const FRAMES: Rhythm = { budget: 12, unseen: 40, piece: 16, painted: 32, apart: 0, next: (slice) => requestAnimationFrame(slice) };
 
-/** Idle moments, for work that is not the page's own picture. */
+/** Slices in idle moments, for work other than the page's own picture. */
 export const IDLE: Rhythm = { budget: 6, unseen: 6, piece: 6, painted: 6, apart: 150, next: (slice) => void idle(50).then(() => slice(performance.now())) };
 
 export class Loop {
   rhythm = FRAMES;
-  /** Whether unfinished work goes on now. Where it does not, call `wake` once it does. */
+  /** Whether unfinished work may continue now. If it may not, `wake` must be called as soon as it may. */
   may: (() => boolean) | undefined;
   /** The most packing steps of a frame; below 1, several frames share one. */
   stepsPerFrame = 1;

@@ -13,7 +13,7 @@ export class View {
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly followers: (() => void)[] = [];
-  /** Returns the note of a view that is seen by frames. */
+  /** Returns the note of a view that is shown as frames. */
   noted: ((view: string) => string) | undefined;
 
   constructor(engine: Engine, store: Store) {
@@ -64,7 +64,7 @@ export class View {
     return stage === 'done' || stages.indexOf(stage) >= stages.indexOf(stepping) ? this.engine.remarks().map(said) : [];
   }
 
-  /** The canvas was drawn anew. */
+  /** To be called after each drawing of the canvas. */
   redrawn(): void {
     for (const follow of this.followers) follow();
   }

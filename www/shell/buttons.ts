@@ -12,7 +12,7 @@ import type { View } from '../picture/view';
 import { copyLink } from './copy';
 import type { Parts } from './parts';
 
-/** The buttons act on these. */
+/** The objects that the buttons act on. */
 interface House {
   readonly host: PictureHost;
   readonly work: Work;

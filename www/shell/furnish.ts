@@ -1,4 +1,4 @@
-/** The controls of the generator at work: panel, dice, presets and the tools of the editor. */
+/** The controls of the present generator: panel, dice, presets and the tools of the editor. */
 import { frame } from '../base/dom';
 import { withValues } from '../state/link';
 import { isLocked } from '../state/locks';
@@ -13,7 +13,7 @@ import { SEED } from '../panel/seed';
 import { EditTools } from './edit-tools';
 import type { Parts } from './parts';
 
-/** The controls act on these. */
+/** The objects that the controls act on. */
 interface House {
   readonly host: PictureHost;
   readonly work: Work;
@@ -23,7 +23,7 @@ interface House {
   push(): void;
 }
 
-/** Builds the controls, and again whenever another generator is at work. */
+/** Builds the controls, and builds them again for each other generator. */
 export async function furnish(house: House): Promise<void> {
   const { host, work, parts, scaling } = house;
   const { engine, store } = work;
@@ -75,7 +75,7 @@ function panelOf(house: House): Panel {
   return panel;
 }
 
-/** A control was moved. */
+/** Handles a moved control. */
 function change(house: House, key: string, text: string, done: boolean): void {
   const { work, parts, scaling } = house;
   if (key === 'outline' && text === 'polygon') parts.editor.ask((editor) => editor.free());

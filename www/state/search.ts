@@ -1,9 +1,9 @@
-/** The search for the files that a recipe asks for. */
+/** The search for the files that a recipe names. */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
 import type { RecipeFile } from '../../pkg-house/bubblestone.js';
 
 export class FileSearch {
-  /** Files are being searched for; the work pauses meanwhile. */
+  /** Whether files are being searched for; the work pauses meanwhile. */
   on = false;
   /** The digests of the files that are being searched for, or were not found; '' if the recipe needs none. */
   private sought = '';

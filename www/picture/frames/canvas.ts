@@ -15,9 +15,9 @@ const MOST = 1200;
 interface Sight {
   /** The words of the view. */
   readonly view: () => string;
-  /** Undefined for the usual camera. */
+  /** The camera; undefined for the usual one. */
   readonly camera?: () => Camera | undefined;
-  /** Something is being dragged. */
+  /** Whether something is being dragged. */
   readonly held?: () => boolean;
 }
 
@@ -44,7 +44,7 @@ export class FrameCanvas {
     this.painter.end();
   }
 
-  /** The camera has moved. */
+  /** To be called when the camera has moved. */
   moved(): void {
     clearTimeout(this.stopping);
     this.stopping = window.setTimeout(() => {

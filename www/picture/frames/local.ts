@@ -9,7 +9,7 @@ import type { Engine } from '../../state/engine';
 import { FrameMaker, type Made } from './maker';
 import type { Beat, FrameSource, Heard, Painter, Told, Wished } from './source';
 
-/** The answer where there is nothing to be seen. */
+/** The answer if there is nothing to see yet. */
 const NOT_YET: Notice = { code: 'not_yet', args: {}, text: '' };
 
 /** A place in a frame, in fractions of its sides. */

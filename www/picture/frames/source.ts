@@ -1,7 +1,10 @@
 /** The types that a viewer of frames and their maker share: requests, and the frames that come back. */
 import type { Notice } from '../../module/types';
 
-/** The content of a frame. Depth, normals and numbers are the module's maps; `alpha` is the coverage of a picture without a background. */
+/**
+ * The content of a frame. Depth, normals and numbers are the module's maps; `alpha` is the coverage of a picture without
+ * a background.
+ */
 export type Plane = 'light' | 'depth' | 'normal' | 'id' | 'alpha';
 
 /** The quality of a frame. */
@@ -16,7 +19,7 @@ export interface Wished {
   readonly width: number;
   readonly height: number;
   readonly plane: Plane;
-  /** The next request will come soon. */
+  /** Whether the next request will come soon. */
   readonly moving: boolean;
 }
 
@@ -50,7 +53,7 @@ export interface FrameSource {
   want(wish: Wished): boolean;
   /** The body at a place of the last frame, in fractions of its sides. */
   bodyAt(x: number, y: number): Promise<Told | undefined>;
-  /** No more frames are requested. */
+  /** Ends the source: no more frames are requested. */
   end(): void;
 }
 
@@ -66,8 +69,8 @@ export interface Painter {
 
 /** The loop that calls a painter. */
 export interface Beat {
-  /** There is more to be painted. */
+  /** Requests a frame, because there is more to paint. */
   look(): void;
-  /** No work is left but what a pause holds. */
+  /** Whether no work is left, except the work that a pause holds. */
   readonly stands: boolean;
 }
