@@ -10,8 +10,8 @@ import * as setup from './lib/setup.mjs';
 /** A step, the step that it waits for, and the build folder that cargo locks for it. @typedef {{ name: string, after?: string, folder?: string }} Step */
 
 /**
- * The steps in the order in which they begin. Two run side by side, as much of a build uses only one core. The long ones come
- * first, so that both sides end together.
+ * The steps in the order in which they begin. Two run side by side, because most of a build uses only one core. Long steps
+ * come first, so that both sides end at about the same time.
  * @type {Step[]}
  */
 const builds = [
@@ -30,7 +30,7 @@ const builds = [
   { name: 'dependencies' },
 ];
 
-/** They come last, one kind at a time, as each keeps two cores busy. */
+/** The steps that come last. They run one after the other, because each uses two cores. */
 const browsers = ['tests in Chromium', 'tests in Firefox'];
 
 /** @typedef {import('./lib/costs.mjs').Cost} Cost */
@@ -103,7 +103,7 @@ async function timed(name, work) {
   }
 }
 
-/** Runs steps, two at a time, each as soon as it can. @param {Step[]} steps */
+/** Runs steps, two at a time, each as early as possible. @param {Step[]} steps */
 async function sideBySide(steps) {
   const waiting = [...steps];
   /** @type {Map<Step, Promise<void>>} */

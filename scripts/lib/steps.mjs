@@ -122,7 +122,10 @@ function tool(name, program, args) {
 // The longest tests start first, so that none of them runs alone at the end.
 const long = ['import', 'axe', 'turn', 'controls', 'surface', 'tools', 'share', 'layout', 'models', 'offline', 'film'].map((name) => `${name}.test.mjs`);
 
-/** As many processes share the files of a browser's tests, each with browsers of its own: Firefox takes five seconds to start. */
+/**
+ * The number of processes that share the test files of a browser. Each process starts its own browsers; Firefox has fewer
+ * processes, because it takes five seconds to start.
+ */
 const PROCESSES = { chromium: 12, firefox: 6 };
 
 /** @param {import('./browser.mjs').Kind} kind */

@@ -24,7 +24,7 @@ const desk = { width: 1280, height: 800 };
 const LIGHT = { name: 'desk-light', viewport: desk, dark: false };
 const DARK = { name: 'phone-dark', viewport: phone, dark: true };
 
-// The picture itself on both, the other states by turns: each takes seconds.
+// The finished picture is checked on both screens, the other states in turn on one of them: each check takes seconds.
 const screensOf = (/** @type {string} */ state, /** @type {number} */ turn) => (state === 'done' ? [LIGHT, DARK] : [turn % 2 ? DARK : LIGHT]);
 
 before(async () => {

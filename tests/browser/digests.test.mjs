@@ -1,4 +1,5 @@
-// The page's digests in this browser. All presets are compared natively and, once, with the module as it is sent under Node.
+// The page's digests in this browser. The digests of all presets are compared natively and, with the shipped module, under
+// Node.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { digests, frames, varied } from '../common/golden.mjs';

@@ -14,12 +14,15 @@ const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 // A folder below the root, as the site must work from any folder.
 const folder = '/any/folder/';
 
-/** The browsers of all sites that are open: one Chromium, and a Firefox for each system. @type {Map<string, ReturnType<typeof launch>>} */
+/**
+ * The browsers that all open sites share: one Chromium, and one Firefox for each setting of the system.
+ * @type {Map<string, ReturnType<typeof launch>>}
+ */
 const launched = new Map();
 let sites = 0;
 
 /**
- * Serves dist/. A browser with an empty profile starts with the first page, and ends with the last site.
+ * Serves dist/. A browser with an empty profile is started for the first page, and closed with the last site.
  * @param {object} [options]
  * @param {string} [options.files] another folder than dist/
  * @param {(asked: (path: string) => void) => ReturnType<typeof host>} [options.serve] another host

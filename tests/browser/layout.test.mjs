@@ -14,7 +14,7 @@ const tablet = { ...phone, width: 820, height: 1180 };
 const lying = { ...phone, width: 844, height: 390 };
 const desk = { width: 1280, height: 800 };
 
-// Screens of one kind follow each other on one page.
+// Screens of one kind are shown one after the other on the same page.
 const TOUCHED = { 'smallest phone': { ...phone, width: 320, height: 568 }, 'small phone': small, phone, 'upright tablet': tablet, 'tablet on its side': { ...tablet, width: 1180, height: 820 }, 'phone on its side': lying };
 const KINDS = { touched: TOUCHED, clicked: { desk } };
 
@@ -29,7 +29,7 @@ const speaking = (language) => (/** @type {Page} */ fresh) =>
   fresh.evaluateOnNewDocument((code) => localStorage.setItem('bubblestone.language', code), language);
 
 /**
- * Opens a link in each language, and looks at it on one screen after the other.
+ * Opens a link in each language, and calls `look` on one screen after the other.
  * @param {string} fragment
  * @param {Record<string, import('puppeteer-core').Viewport>} screens
  * @param {(page: Page, where: string) => Promise<void>} look

@@ -13,7 +13,7 @@ import { handed } from './saved.mjs';
 
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
-// Each test has its own host, whose requests it counts. A site that stays open keeps the browser for all.
+// Each test has its own host, whose requests it counts. One more site stays open, so that all tests share a browser.
 /** @type {Awaited<ReturnType<typeof open>>} */
 let kept;
 

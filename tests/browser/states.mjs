@@ -1,4 +1,4 @@
-// The states of the page that differ in what stands on it, each thing once, and how to reach them. Tests check all of them.
+// States of the page that together show each of its parts once, and the steps to reach them. Tests check all of them.
 // Their pictures are in target/page-pictures/.
 import { all, BALL, digest, frames, message, SMALL, SQUARE } from './page.mjs';
 
