@@ -1,9 +1,9 @@
 //! Many short lists in one vector: compressed rows, as of a sparse matrix (CSR).
 
-/// No row, vertex, cell or triangle where the number of one could stand.
+/// Stands for a missing row, vertex, cell or triangle in place of its index.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// A list of values for each of some rows, numbered from 0.
+/// A list of values for each row; rows are numbered from 0.
 #[derive(Clone, Debug)]
 pub(crate) struct Csr<T> {
     /// Row k holds the values `starts[k]..starts[k + 1]`.
@@ -27,7 +27,7 @@ impl<T> Csr<T> {
         &self.values[self.starts[row] as usize..self.starts[row + 1] as usize]
     }
 
-    /// The same, to be changed.
+    /// The values of a row, mutable.
     pub fn row_mut(&mut self, row: usize) -> &mut [T] {
         &mut self.values[self.starts[row] as usize..self.starts[row + 1] as usize]
     }
@@ -43,13 +43,13 @@ impl<T> Csr<T> {
         self.starts.push(self.values.len() as u32);
     }
 
-    /// Takes all rows away and keeps the memory.
+    /// Removes all rows, but keeps the memory.
     pub fn clear(&mut self) {
         self.starts.truncate(1);
         self.values.clear();
     }
 
-    /// The place of each row's first value, the end of the last row, and all values.
+    /// The index of each row's first value, followed by the end of the last row; and all values.
     pub fn into_parts(self) -> (Vec<u32>, Vec<T>) {
         (self.starts, self.values)
     }

@@ -6,7 +6,7 @@
 
 use std::f64::consts::TAU;
 
-/// The seed where none is given.
+/// The default seed.
 pub const SEED: u64 = 1;
 
 /// The purpose of a stream; each has its own numbers for the same seed and item.

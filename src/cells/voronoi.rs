@@ -119,7 +119,7 @@ impl Scatter {
         let mut clip = Clip::default();
         for (site, &p) in self.points.iter().enumerate() {
             if domain.nearest(p).distance < reach[site] {
-                // The last one first.
+                // The neighbours with the highest numbers come first.
                 let neighbours = links.row(site).iter().rev();
                 let neighbours = neighbours.map(|&k| vertices[k as usize]);
                 let island = &domain.islands()[domain.island(p)];

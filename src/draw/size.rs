@@ -25,8 +25,8 @@ pub(crate) fn heat(v: f32) -> Colour {
     blend(MIDDLE, if v < 0.0 { SMALL } else { LARGE }, v.abs())
 }
 
-/// How much of a contour there is at a place on the scale, 0..1, where a pixel covers `pixel` contours. There is none
-/// in the middle, because the size may be constant.
+/// The strength of contours at a place on the scale, 0..1, if a pixel covers `pixel` contours. There is no contour in
+/// the middle, because the size may be constant.
 pub(crate) fn contour(v: f32, pixel: f32) -> f32 {
     let lines = CONTOURS * v;
     let off = (lines - lines.floor() - 0.5).abs() / pixel;

@@ -83,7 +83,7 @@ const EVEN: Grading = Grading {
 };
 
 impl FieldParams {
-    /// Squares along the boundary, in a picture of 512 units.
+    /// Squares along the boundary, for a picture of 512 units.
     pub const DEFAULT: Self = Self {
         direction: Direction::Boundary,
         angle: 0.0,

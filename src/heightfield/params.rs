@@ -56,7 +56,7 @@ const MOST_SWELL: f64 = 0.33;
 const UNEVEN: f64 = 0.2;
 
 impl TextureParams {
-    /// Granite in sand, in a picture of 512 units.
+    /// Granite in sand, for a picture of 512 units.
     pub const DEFAULT: Self = Self {
         side: 512,
         pixel_scale: 1,

@@ -64,14 +64,14 @@ pub struct ShadeParams {
 }
 
 impl Light {
-    /// Where parallel light comes from by default, in degrees: from the upper left, ...
+    /// The default azimuth of parallel light, in degrees: from the upper left.
     pub const AZIMUTH: f64 = 225.0;
-    /// ... at this height above the horizon.
+    /// The default elevation of parallel light, in degrees above the horizon.
     pub const ELEVATION: f64 = 42.0;
 }
 
 impl ShadeParams {
-    /// Parallel light, and materials as they are.
+    /// Parallel light, and factors of 1 for materials.
     pub const DEFAULT: Self = Self {
         light: Light::Parallel {
             azimuth: Light::AZIMUTH.to_radians(),

@@ -1,4 +1,4 @@
-//! The common part of coats in the plane and on surfaces.
+//! The marking of cells: the part of coats that is the same in the plane and on surfaces.
 
 use super::noise::NoiseTile;
 use super::pattern::{Coat, ColourParams, Pattern};
@@ -12,9 +12,9 @@ use std::ops::Range;
 
 /// Amplitude of the bends of bands, in pattern scales.
 pub(crate) const WAVE: f64 = 0.2;
-/// Values of the noise along one of its waves.
+/// The number of noise values along one wave.
 pub(crate) const WAVELENGTH: f64 = 16.0;
-/// The sharpest border of marks is this share of the cells wide; the softest covers all.
+/// The width of the sharpest border of marks, as a share of the cells; the softest border covers all cells.
 const SHARPEST: f64 = 0.03;
 
 /// The values of all cells under a pattern, in progress.
@@ -27,7 +27,7 @@ pub(crate) struct Marking {
 }
 
 impl Marking {
-    /// Without values yet.
+    /// A marking without values yet.
     pub fn new(colour: ColourParams, seed: u64) -> Self {
         Self {
             colour,
@@ -38,12 +38,13 @@ impl Marking {
         }
     }
 
-    /// Takes the values from a reaction.
+    /// Uses the values of a reaction.
     pub fn take(&mut self, reaction: Reaction) {
         self.reaction = Some(reaction);
     }
 
-    /// Whether all is done, after the work of about `count` cells; `None` if the cells are due one by one.
+    /// Works on about `count` cells of the reaction; true when finished. `None` if there is no reaction, so that each
+    /// cell needs a value by [`Self::push`].
     pub fn advance(&mut self, count: usize) -> Option<bool> {
         match &mut self.reaction {
             Some(reaction) => Some(reaction.advance(count)),
@@ -62,7 +63,7 @@ impl Marking {
         self.values.push(value);
     }
 
-    /// One coat for each share of the belly.
+    /// The coats of all cells; `bellies` has the share of the belly for each cell.
     pub fn finish(mut self, bellies: impl Iterator<Item = f64>) -> Vec<Coat> {
         if let Some(reaction) = self.reaction.take() {
             self.values = reaction.finish();
@@ -86,7 +87,7 @@ impl Marking {
         f64::from(self.noise.between(x as f32, y as f32))
     }
 
-    /// The value of a place this many bands along, with the noise there.
+    /// The value at a place `along` bands from the start, where the noise is `noise`.
     pub fn band(&self, along: f64, noise: f64) -> f64 {
         triangle(along + self.phase + WAVE * noise)
     }

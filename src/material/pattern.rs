@@ -1,4 +1,4 @@
-//! The rules by which cells are marked, and what they make of a cell.
+//! The rules by which cells are marked, and their result for a cell.
 
 /// The rule by which cells are marked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -171,8 +171,8 @@ impl Mesh {
         }
     }
 
-    /// For every vertex the elements around it in order, clockwise on screen, if they close a full turn; empty for
-    /// vertices on the border.
+    /// For each vertex, the elements around it in clockwise order on screen; empty if they do not close a full turn,
+    /// as at the border.
     pub(crate) fn fans(&self) -> Csr<u32> {
         // (vertex, next vertex in the element, previous vertex, element)
         let mut corners: Vec<[u32; 4]> = Vec::new();
@@ -206,7 +206,7 @@ pub(crate) fn triangulate(points: &[DVec2]) -> Vec<[u32; 3]> {
     IncrementalDelaunay::new(nodes).finish().1.nodes
 }
 
-/// Walks from element to element over shared edges; empty if that does not close a full turn.
+/// The elements around a vertex, found by walking over shared edges; empty if they do not close a full turn.
 fn closed_fan(corners: &[[u32; 4]]) -> Vec<u32> {
     let Some(&[_, start, mut edge, face]) = corners.first() else {
         return Vec::new();

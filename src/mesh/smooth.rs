@@ -24,7 +24,7 @@ pub(crate) trait Movable: Nodes {
     /// The place of a node.
     fn place(&self, node: u32) -> DVec3;
 
-    /// Puts a node at a place.
+    /// Moves a node to a place.
     fn put(&mut self, node: u32, place: DVec3);
 
     /// The proposal of a quadrilateral for its first corner, and the length of its diagonal there.

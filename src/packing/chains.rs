@@ -3,17 +3,17 @@
 use crate::csr::NONE;
 use std::ops::Range;
 
-/// A list of points for each bucket, the last one first.
+/// A list of points for each bucket, in reverse order of insertion.
 #[derive(Clone, Debug)]
 pub(crate) struct Chains {
     /// The last point of each bucket.
     head: Vec<u32>,
-    /// For each point the one before it in its bucket.
+    /// For each point, the previous point in its bucket.
     next: Vec<u32>,
 }
 
 impl Chains {
-    /// Empty buckets.
+    /// Lists without points.
     pub fn new(buckets: usize) -> Self {
         Self {
             head: vec![NONE; buckets],
@@ -32,7 +32,7 @@ impl Chains {
         self.head[bucket] = (self.next.len() - 1) as u32;
     }
 
-    /// Calls `visit` with the number of every point in some buckets, until it returns true; then true.
+    /// Calls `visit` for every point in these buckets, until it returns true. Returns whether it did.
     #[inline]
     pub fn any(&self, buckets: Range<usize>, mut visit: impl FnMut(usize) -> bool) -> bool {
         for &first in &self.head[buckets] {

@@ -82,7 +82,7 @@ pub(super) struct Motion<P> {
     doing: Doing<P>,
     /// The largest move and the largest force of the step so far.
     largest: (f64, f64),
-    /// The neighbours of each body that have higher numbers.
+    /// For each body, its neighbours with higher numbers.
     near: Csr<u32>,
     /// Bodies that are not at rest.
     awake: Vec<bool>,

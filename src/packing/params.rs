@@ -58,7 +58,7 @@ pub struct PackingParams {
 }
 
 impl PackingParams {
-    /// Edges on the boundary, filled and moved as we found best.
+    /// Cells with their edges on the boundary, and our own choices for placement, motion and population.
     pub const DEFAULT: Self = Self {
         boundary: BoundaryCondition::Wall,
         start: Start::Stream,

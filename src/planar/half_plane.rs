@@ -1,7 +1,8 @@
 //! Cuts polygons by half-planes, or by half-spaces (Sutherland, Hodgman 1974, Reentrant polygon clipping).
 
-/// The part of a polygon where `distance` is not negative: a convex polygon stays one. `keep` gets its corners in
-/// order; where a side enters or leaves, `crossing` makes one from the side's ends and their distances.
+/// The part of a polygon where `distance` is not negative. A convex polygon stays one polygon. `keep` gets the
+/// corners in order. Where a side enters or leaves the part, `crossing` makes a corner from the side's ends and their
+/// distances.
 #[inline(always)]
 pub(crate) fn cut_polygon<P: Copy, D: Copy + Default + PartialOrd>(
     polygon: &[P],

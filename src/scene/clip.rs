@@ -17,7 +17,7 @@ pub(super) struct ConvexPolygon<const N: usize> {
     pub count: usize,
 }
 
-/// A corner with its distance inside a plane.
+/// A corner with its distance from a plane, positive inside.
 type CornerAt = (Vec3, f32);
 
 impl<const N: usize> ConvexPolygon<N> {
@@ -27,7 +27,7 @@ impl<const N: usize> ConvexPolygon<N> {
         Self { corners, count: 3 }
     }
 
-    /// The part where the distance is not negative.
+    /// The part of the polygon where the distance is not negative.
     #[inline(always)]
     pub fn cut(
         &self,
@@ -45,7 +45,7 @@ impl<const N: usize> ConvexPolygon<N> {
                 cut.count += 1;
             }
         });
-        // The first corner stays the first: a crossing of the last side with the plane comes behind all others.
+        // The first corner stays first: a crossing on the last side is moved to the end.
         if let [first, .., last] = corners
             && (distance(*first) >= 0.0) != (distance(*last) >= 0.0)
         {
@@ -55,8 +55,8 @@ impl<const N: usize> ConvexPolygon<N> {
     }
 }
 
-/// The place of distance zero between two corners. It is computed from the inner one: two triangles with a common edge
-/// are cut at the same place of it, bit for bit.
+/// The place of distance zero between two corners. It is computed from the inner one, so that two triangles with a
+/// common edge are cut at exactly the same place of it, bit for bit.
 #[inline(always)]
 pub(super) fn between((p, here): CornerAt, (q, there): CornerAt) -> Vec3 {
     match here >= 0.0 {

@@ -41,7 +41,8 @@ impl ShapeNumber {
     }
 }
 
-/// The tables of shapes: a row is a word, a label, a unit, the default, and the least, the most and the step.
+/// The tables of shapes. A row has a word, a label, a unit, the default, the least and the greatest value, and the
+/// step.
 macro_rules! numbers {
     ($($shape:ident { $($word:ident: $label:literal, $unit:literal, $default:expr, $range:expr;)* })*) => {
         $(pub(crate) const $shape: &[ShapeNumber] = &[$(ShapeNumber {

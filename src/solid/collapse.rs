@@ -1,8 +1,9 @@
-//! Collapses of edges, one by one, by their costs.
+//! Collapses edges one by one, in the order of their costs.
 //!
-//! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics: each vertex has the planes of the
-//! triangles that it stands for, and the edge goes first whose one new vertex is least off all these planes. Where that
-//! vertex lies, what it costs, and which edges may go, is for the caller to say. Equal costs go by number.
+//! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics: each vertex keeps the planes of the
+//! triangles that it stands for. The next edge is the one whose new vertex is least far from all these planes. The
+//! caller decides the place of that vertex, its cost, and which edges may collapse. Edges of equal cost collapse in
+//! the order of their numbers.
 
 use super::quadric::Quadric;
 use crate::order::rank;
@@ -10,8 +11,8 @@ use glam::DVec3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Cost of an edge's length, as a factor of its square and the weights around: on flat parts short edges go first, which
-/// keeps triangles well-shaped.
+/// Weight of an edge's squared length in its cost, times the weights around it: on flat parts short edges collapse
+/// first, so triangles keep good shapes.
 pub(crate) const LENGTH: f64 = 1e-5;
 
 /// A candidate edge: the rank of its cost, its ends, and how often both had changed when the cost was computed.
@@ -30,7 +31,7 @@ pub(crate) struct Collapse {
 }
 
 impl Collapse {
-    /// Vertices without planes, and no candidates yet.
+    /// Triangles whose vertices have no planes yet, without candidates.
     pub fn new(places: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Self {
         let count = places.len();
         Self {
@@ -57,7 +58,7 @@ impl Collapse {
         self.edges.push(Reverse(edge));
     }
 
-    /// The candidate of the least cost whose ends have not changed since.
+    /// Takes the candidate with the least cost. Candidates whose ends have changed since are dropped.
     pub fn pop(&mut self) -> Option<[u32; 2]> {
         loop {
             let Reverse((_, ends, changes)) = self.edges.pop()?;
@@ -78,7 +79,7 @@ impl Collapse {
         all.filter(move |(_, triangle)| triangle.contains(&v))
     }
 
-    /// Puts one vertex in place of two. Triangles between both become `removed`; gives their number.
+    /// Replaces the vertex `gone` by `kept`. Triangles with both become `removed`. Returns the number of these.
     pub fn merge(&mut self, gone: u32, kept: u32, removed: [u32; 3]) -> usize {
         let mut count = 0;
         for t in std::mem::take(&mut self.around[gone as usize]) {

@@ -1,16 +1,16 @@
-//! How many triangles stones have at each level of detail.
+//! The numbers of triangles of stones at each level of detail.
 
-/// About how many triangles all stones have at the finest level.
+/// The approximate number of triangles of all stones together at the finest level.
 const ALL: usize = 700_000;
-/// Each level has this many times the triangles of the next one.
+/// The ratio of triangles between one level and the next.
 const FINER: usize = 4;
 
-/// Triangles of each of some stones at the finest level, between the fewest and the most that one may have.
+/// The number of triangles of each of `stones` stones at the finest level, between `fewest` and `most`.
 pub(crate) fn finest(stones: usize, [fewest, most]: [usize; 2]) -> usize {
     (ALL / stones.max(1)).clamp(fewest, most)
 }
 
-/// Triangles of a stone at each level, the finest first; coarser ones have at least `least`.
+/// The number of triangles of a stone at each level, the finest first. Levels with fewer than `least` are left out.
 pub(crate) fn levels(finest: usize, least: usize) -> impl Iterator<Item = usize> {
     let next = move |&count: &usize| Some(count / FINER).filter(|&count| count >= least);
     std::iter::successors(Some(finest), next)

@@ -119,7 +119,7 @@ pub struct StoneParams {
 }
 
 impl StoneParams {
-    /// Cobblestones; made into skin, it is [`SkinParams::DEFAULT`].
+    /// Cobblestones. The numbers of skin are [`SkinParams::DEFAULT`].
     pub const DEFAULT: Self = Self {
         kind: StoneKind::Cobble,
         height: 18.0,

@@ -1,8 +1,8 @@
 //! Simplifies closed surfaces.
 //!
-//! An end of an edge moves to the other end and nowhere else, so the remaining vertices are a subset with all their
-//! attributes. An edge is collapsed only if the surface stays closed (its ends have two common neighbours: Dey,
-//! Edelsbrunner, Guha, Nekhayev 1999) and no triangle flips.
+//! A collapse moves one end of an edge to the other end. So the remaining vertices are a subset of the old ones, and
+//! keep all their attributes. An edge is collapsed only if the surface stays closed (its ends have two common
+//! neighbours: Dey, Edelsbrunner, Guha, Nekhayev 1999) and no triangle flips.
 
 use super::collapse::{Collapse, LENGTH};
 use super::quadric::Quadric;

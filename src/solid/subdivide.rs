@@ -15,7 +15,7 @@ use crate::csr::Csr;
 use glam::Vec3;
 use std::rc::Rc;
 
-/// The triangles of a solid: a stone or a cell of skin from the base up, open below, or the control mesh of one.
+/// The triangles of a solid, or of its control mesh: a stone or a cell of skin from the base up, open below.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Solid {
     /// x, y and height above the base level, in picture units.

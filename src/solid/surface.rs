@@ -78,8 +78,7 @@ impl Surface {
     }
 }
 
-/// The vertices that some triangles use, in the order in which they first do, and the triangles by their places among
-/// these.
+/// The vertices of these triangles in the order of their first use, and the triangles as indices into this list.
 pub(crate) fn used(triangles: &[[u32; 3]], vertices: usize) -> (Vec<u32>, Vec<[u32; 3]>) {
     let mut places = vec![u32::MAX; vertices];
     let mut kept = Vec::new();

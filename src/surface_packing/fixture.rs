@@ -5,7 +5,7 @@ use crate::packing::cell_fields::CellFields;
 use crate::trimesh::SurfacePoint;
 use glam::{DVec2, DVec3};
 
-/// Cells of one size, along an axis of space.
+/// Fields of cells with one size and aspect ratio, along an axis in space.
 #[derive(Clone, Copy)]
 pub(crate) struct Along {
     pub kind: CellKind,

@@ -59,7 +59,7 @@ impl ClosestPoint for SurfaceClosestPoint {
 pub(crate) struct SurfaceWalls {
     segments: Vec<BorderEdge>,
     part: Vec<u32>,
-    /// Those near each triangle; no rows where there are no walls.
+    /// The segments near each triangle; without rows if there are no walls.
     near: Csr<u32>,
     reach: f64,
 }

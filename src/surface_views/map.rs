@@ -324,7 +324,7 @@ impl Detail for Scale {
             return;
         }
         let pixel = CONTOURS * slope * spread;
-        // Where they would run into each other there are none.
+        // Contours that would touch each other are not drawn.
         let clear = (1.5 - 3.0 * pixel).clamp(0.0, 1.0);
         let dark = INK * contour(share, greater(pixel, 1e-6)) * clear;
         surfel.colour = surfel.colour.map(|v| v * (1.0 - dark));

@@ -1,4 +1,4 @@
-//! Meshes without border: they have an inside.
+//! Meshes without a border, which have an inside.
 
 use super::{NONE, TriMesh};
 use glam::DVec3;
@@ -30,7 +30,7 @@ impl Closed<'_> {
         six.sum::<f64>() / 6.0
     }
 
-    /// The centre of mass of the body, filled evenly; not finite if the volume is zero.
+    /// The centre of mass of the body with uniform density; not finite if the volume is zero.
     pub fn centroid(&self) -> DVec3 {
         let origin = self.mesh.positions[0];
         let (mut sum, mut six) = (DVec3::ZERO, 0.0);
@@ -43,9 +43,9 @@ impl Closed<'_> {
         origin + sum / (4.0 * six)
     }
 
-    /// How often the surface goes around a point: 1 inside, 0 outside, 2 where two parts overlap. On the surface itself it
-    /// is one of these or between them. It is the sum of the solid angles of all triangles (van Oosterom, Strackee 1983, The Solid Angle
-    /// of a Plane Triangle), so it takes time in proportion to their number.
+    /// How often the surface encloses a point: 1 inside, 0 outside, 2 where two parts overlap. On the surface itself
+    /// the value is one of these or between them. It is the sum of the solid angles of all triangles (van Oosterom,
+    /// Strackee 1983, The Solid Angle of a Plane Triangle), so its time is proportional to their number.
     pub fn winding_number(&self, p: DVec3) -> f64 {
         let half = self.corners().map(|corners| {
             let [a, b, c] = corners.map(|q| q - p);
@@ -115,7 +115,7 @@ mod tests {
         for _ in 0..400 {
             let p = DVec3::from([0; 3].map(|_| 1.5 * chance.signed()));
             let to_ring = DVec3::new(DVec3::new(p.x, 0.0, p.z).length() - 1.0, p.y, 0.0).length();
-            // The facets lie a little within the torus.
+            // Near the surface the facets differ from the exact torus.
             if (to_ring - 0.4).abs() < 0.02 {
                 continue;
             }

@@ -13,7 +13,7 @@
 //! [`glam::DVec2`] in the [`TangentFrame`] of the point's normal: its x axis, its y axis and the normal are
 //! right-handed, so a positive turn is counter-clockwise seen from outside.
 
-/// Beyond an edge of the border: no triangle.
+/// Stands for the missing triangle beyond an edge of the border.
 pub(crate) use crate::csr::NONE;
 
 pub(crate) mod adjacency;

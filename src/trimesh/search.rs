@@ -31,7 +31,7 @@ pub struct Hit {
 #[derive(Clone, Copy)]
 struct Found {
     square: f64,
-    /// [`NONE`] where nothing is found.
+    /// The index of the triangle; [`NONE`] if nothing is found.
     triangle: u32,
     weights: DVec3,
 }
@@ -63,14 +63,14 @@ pub struct Search {
     at: usize,
 }
 
-/// The progress of a tree.
+/// A search tree in progress.
 #[derive(Clone, Debug)]
 enum TreeStage {
-    /// Places along the curve and triangles.
+    /// The codes of the triangles along the curve, with their indices.
     Codes(Vec<(u64, u32)>),
     Sort(Sorting),
     Leaves,
-    /// The boxes of the tree, upwards.
+    /// The boxes of the tree are made, from the leaves up.
     Up,
     Done,
 }
@@ -177,8 +177,8 @@ impl Search {
         self.nearest(mesh, p, Found::NONE, |_| true).point(mesh)
     }
 
-    /// The same, but triangles that show their back to a `normal` are passed over, unless all others are much farther
-    /// away: so a place stays on its side of a thin sheet. A zero normal passes over none.
+    /// The same, but only among triangles that face the same side as `normal`, unless all of them are much farther
+    /// away. So a point stays on its side of a thin sheet. A zero normal allows all triangles.
     pub fn closest_facing(&self, mesh: &TriMesh, p: DVec3, normal: DVec3) -> SurfacePoint {
         let faces = |t: u32| mesh.face_normal(t).dot(normal) >= 0.0;
         let any = self.nearest(mesh, p, Found::NONE, |_| true);
@@ -194,7 +194,7 @@ impl Search {
         if is_far { any } else { front }.point(mesh)
     }
 
-    /// The nearest place on the triangles that are wanted, if it is nearer than `best`.
+    /// The nearest place on the triangles for which `wanted` is true, if it is nearer than `best`; else `best`.
     fn nearest(
         &self,
         mesh: &TriMesh,
@@ -232,7 +232,8 @@ impl Search {
         best
     }
 
-    /// Whether a test holds for a triangle that may be nearer to a point than a radius.
+    /// Whether `test` is true for a triangle near `p`. It is called at least for all triangles that are at most
+    /// `radius` away.
     pub fn any_within(&self, p: DVec3, radius: f64, mut test: impl FnMut(u32) -> bool) -> bool {
         let mut open = vec![1];
         let leaves = self.boxes.len() / 2;
@@ -314,7 +315,7 @@ impl Search {
     }
 }
 
-/// Adds the places of triangles along the curve, up to a number of them.
+/// Adds the codes of triangles along the curve, up to the triangle `end`.
 fn push_codes(mesh: &TriMesh, end: usize, codes: &mut Vec<(u64, u32)>) {
     let (lo, hi) = mesh.bounds();
     let side = (hi - lo).max_element().max(f64::MIN_POSITIVE);
@@ -466,7 +467,7 @@ mod tests {
 
     #[test]
     fn a_point_stays_on_its_side_of_a_thin_sheet() {
-        // A plate with a hundredth of its side's thickness.
+        // A plate whose thickness is a hundredth of its side.
         let (positions, triangles) = testing::cube(20);
         let flat = positions.iter().map(|p| DVec3::new(p.x, 0.01 * p.y, p.z));
         let plate = mesh((flat.collect(), triangles));

@@ -5,13 +5,13 @@ const SLICE: usize = 1 << 18;
 /// Bits of a digit.
 const BITS: u32 = 11;
 
-/// A list of keys with numbers, sorted by the keys; where these are equal, entries keep their order (a radix sort, the
-/// lowest digits first).
+/// Sorts a list of keys with numbers by its keys; entries with equal keys keep their order (a radix sort, lowest
+/// digits first).
 #[derive(Clone, Debug)]
 pub(super) struct Sorting {
     entries: Vec<(u64, u32)>,
     sorted: Vec<(u64, u32)>,
-    /// For each value of a digit, how many entries have it; then where the next of them goes.
+    /// The number of entries with each value of a digit; later the place of the next such entry.
     places: Vec<u32>,
     shift: u32,
     at: usize,

@@ -12,7 +12,7 @@ use crate::recipe::schema::choices;
 use crate::recipe::{Choice, Item, SideLimits};
 use crate::solid::SkinParams;
 
-/// The library's defaults, which are the rows'.
+/// The defaults of the library, which the rows use.
 const FIELDS: &FieldParams = &FieldParams::DEFAULT;
 
 /// The word for an outline that is given by its points.

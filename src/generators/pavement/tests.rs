@@ -69,7 +69,7 @@ fn the_libraries_defaults_are_those_of_a_recipe() {
     assert_eq!(params::fields(&recipe), FieldParams::default());
     assert_eq!(params::packing(&recipe), PackingParams::default());
     assert_eq!(common::shading(&recipe), ShadeParams::default());
-    // A stone's numbers of skin are others until it is skin.
+    // The skin parameters of a recipe have other defaults while its stones are not skin.
     let skin = SkinParams::default();
     let texture = TextureParams {
         stone: StoneParams {

@@ -8,7 +8,7 @@ use crate::random::SEED as SEED_BY_DEFAULT;
 use crate::recipe::parameter::{Parameter, choice, int, number};
 use crate::recipe::schema::choices;
 
-/// The libraries' defaults, which are the rows'.
+/// The defaults of the libraries, which the rows use.
 const TEXTURE: TextureParams = TextureParams::DEFAULT;
 const SHADE: ShadeParams = ShadeParams::DEFAULT;
 

@@ -7,7 +7,7 @@ use crate::recipe::parameter::{Parameter, choice, int, number};
 use crate::recipe::schema::choices;
 use crate::solid::StoneParams;
 
-/// The libraries' defaults, which are the rows'.
+/// The defaults of the libraries, which the rows use.
 const STONES: StoneParams = StoneParams::DEFAULT;
 const COLOURS: ColourParams = ColourParams::DEFAULT;
 const SIDE: f64 = TextureParams::DEFAULT.side as f64;

@@ -125,7 +125,7 @@ fn in_plane(domain: &Domain, particles: &[crate::packing::Particle]) -> (f64, f6
     (quads as f64 / mesh.faces.len() as f64, deviation / mean)
 }
 
-/// Cells of one size, along the upright axis.
+/// Fields of cells with one size, along the upright axis.
 fn along(kind: CellKind, size: f64, aspect: f64) -> Along {
     Along {
         kind,
