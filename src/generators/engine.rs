@@ -1,5 +1,5 @@
-//! The engine that every generator has: stages that work in slices, a picture, views. The other abilities of some
-//! engines are traits of their own, which [`Engine::drafts`] and the methods after it return.
+//! The interface of every engine: stages that work in slices, a picture, and views. Further capabilities, which only
+//! some engines have, are traits of their own; the methods from [`Engine::drafts`] on return them.
 
 use super::Clock;
 #[cfg(house)]
@@ -53,7 +53,7 @@ pub trait Engine {
     /// Why the work cannot go on; `None` while it can.
     fn failure(&self) -> Option<&Notice>;
 
-    /// Notices about what was made so far: about repairs, and about what does not fit well.
+    /// Remarks on the result so far: repairs, and parts that do not fit well.
     fn remarks(&self) -> Vec<Notice> {
         Vec::new()
     }
@@ -69,7 +69,7 @@ pub trait Engine {
     /// Whether the cells or bodies that form differ from those of the present picture.
     fn is_forming(&self) -> bool;
 
-    /// Is a draft at work, and not the stages?
+    /// Whether a draft is active instead of the stages.
     fn is_drafting(&self) -> bool {
         false
     }
@@ -100,14 +100,14 @@ pub trait Engine {
     /// Digest of the planes or bodies made last, 16 hexadecimal digits: equal for equal ones.
     fn digest(&self) -> String;
 
-    /// Adds the figures that only this generator has to a report.
+    /// Adds the figures of this generator to a report.
     fn report(&mut self, report: &mut Report);
 
-    /// The stages' results as text files, for whoever measures: names and contents.
+    /// The results as text files, for measurements: names and contents.
     #[cfg(not(target_arch = "wasm32"))]
     fn data(&self) -> Vec<(&'static str, String)>;
 
-    /// Drafts of recipes that change while they are looked at.
+    /// Drafts, which show a recipe while it is being changed.
     fn drafts(&mut self) -> Option<&mut dyn Drafts> {
         None
     }
@@ -122,12 +122,12 @@ pub trait Engine {
         None
     }
 
-    /// Questions about cells in a plane.
+    /// Measures of cells in a plane.
     fn inspect(&mut self) -> Option<&mut dyn Inspect> {
         None
     }
 
-    /// The results of the stages of a picture in a plane, for whoever measures.
+    /// The results of the stages of a picture in a plane, for measurements.
     fn products(&self) -> Option<Products<'_>> {
         None
     }

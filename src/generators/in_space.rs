@@ -1,4 +1,5 @@
-//! Abilities that the module of a first visit goes without: frames of bodies in space, and files that recipes name.
+//! Capabilities of engines in the full module: frames of bodies in space, and files that recipes name. The module of
+//! a first visit does not contain them.
 
 use super::Clock;
 use super::given::{GivenFile, MissingFile};
@@ -8,20 +9,20 @@ use crate::scene::Frame;
 
 /// Frames of the bodies in space.
 pub trait Frames {
-    /// Works for about `budget` milliseconds on a frame of the bodies. Begins anew where it is another one than
-    /// the last time, or was done.
+    /// Works for about `budget` milliseconds on a frame of the bodies. Starts again if the order has changed, or the
+    /// last frame was done.
     ///
     /// # Errors
-    /// A notice where the picture is not finished, or there is no such body.
+    /// A notice if the picture is not finished, or there is no such body.
     fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice>;
 
-    /// The frame last finished by [`Frames::turn`], until the next one begins.
+    /// The last frame finished by [`Frames::turn`], until the next one begins.
     fn frame(&self) -> Option<&Frame>;
 
     /// The body at a pixel of that frame.
     fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody>;
 
-    /// The words of the steps in which the body of an id is made.
+    /// The words of the steps in the making of a body, by its id.
     fn making(&self, _id: u32) -> Vec<String> {
         Vec::new()
     }
@@ -31,13 +32,12 @@ pub trait Frames {
         None
     }
 
-    /// The place of the model at a pixel of that frame, as rows of strokes and spots on it have it; `None` beside
-    /// the model.
+    /// The place of the model at a pixel of that frame, as in rows of strokes and spots; `None` beside the model.
     fn place_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
         None
     }
 
-    /// The pixel of such a place in that frame; `None` where the place is not seen.
+    /// The pixel of such a place in that frame; `None` if the place is not visible.
     fn pixel_of(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
         None
     }
@@ -45,7 +45,7 @@ pub trait Frames {
 
 /// The files that recipes name.
 pub trait Files {
-    /// Takes a file that recipes may name, in any role.
+    /// Takes a file for recipes that name it, in any role.
     fn give(&mut self, file: GivenFile);
 
     /// The files that the work waits for.

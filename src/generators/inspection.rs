@@ -1,4 +1,4 @@
-//! Figures of cells in a plane and the results of their stages, for whoever inspects them.
+//! Measures of cells in a plane, and the results of their stages, for inspection.
 
 use crate::cells::Cell;
 use crate::domain::Domain;
@@ -13,56 +13,56 @@ use glam::DVec2;
 /// Classes of a histogram.
 const CLASSES: usize = 30;
 
-/// A cell as it is found at a place. Lengths are picture units, angles degrees from +x, y down.
+/// A cell at a place. Lengths are in picture units, angles in degrees from +x, y down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
-    /// Its place in the list of cells; while they are packed, in that of the packing by rising ids.
+    /// Its index in the list of cells; during the packing, in that of the particles by rising ids.
     pub cell: usize,
     /// Its middle.
     pub centre: DVec2,
     /// Its kind.
     pub kind: CellKind,
-    /// Its size: that of its kind which has its area.
+    /// Its size: that of a cell of its kind with its area.
     pub size: f64,
-    /// The size that the field asks for there.
+    /// The size in the field there.
     pub wanted: f64,
     /// Length over width, at least 1.
     pub aspect: f64,
-    /// Where it points to: 0..90 of squares, 0..180 of rectangles and ellipses. None of circles, and
-    /// where there is no direction.
+    /// Its direction: 0..90 for squares, 0..180 for rectangles and ellipses. `None` for circles, and without a
+    /// direction.
     pub angle: Option<f64>,
-    /// How far that is from the direction field: 0..45 of squares, else 0..90.
+    /// The angle between that and the direction field: 0..45 for squares, else 0..90.
     pub off: Option<f64>,
-    /// Its outline, not closed; of a packed cell its shape.
+    /// Its outline, not closed; for a packed cell its shape.
     pub outline: Vec<DVec2>,
-    /// The figures that only a cell with a polygon has.
+    /// Measures of its polygon, if it has one.
     pub polygon: Option<Polygon>,
 }
 
-/// The figures of a cell's polygon.
+/// Measures of a cell's polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polygon {
     /// Its area.
     pub area: f64,
     /// Corners that turn by more than 10 degrees.
     pub sides: usize,
-    /// Cells on the other side of its sides; those that meet it in a corner only do not count.
+    /// The number of cells on the other side of its sides; cells that only meet it in a corner do not count.
     pub neighbours: usize,
 }
 
-/// How many values fall into each of equal classes; what lies beyond counts in the outermost.
+/// Counts of values in equal classes; values beyond count in the outermost ones.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Histogram {
     /// Where the first class begins.
     pub from: f64,
     /// Where the last one ends.
     pub to: f64,
-    /// By class; none where there is nothing to count.
+    /// Counts by class; empty if there is nothing to count.
     pub counts: Vec<u32>,
 }
 
 impl Histogram {
-    /// Counts these values.
+    /// Counts these values in classes between `from` and `to`.
     pub(super) fn new((from, to): (f64, f64), values: &mut dyn Iterator<Item = f64>) -> Self {
         let mut counts = Vec::new();
         for value in values {
@@ -76,7 +76,7 @@ impl Histogram {
 
 #[cfg(house)]
 impl Probe {
-    /// The figures of the cell by their words, without those that it has not.
+    /// The available measures of the cell, by their words.
     pub(super) fn figures(&self) -> Vec<(&'static str, f64)> {
         let polygon = self.polygon;
         let all = [
@@ -96,13 +96,13 @@ impl Probe {
     }
 }
 
-/// The results of the stages of a picture in a plane, each `None` before it is there.
+/// The results of the stages of a picture in a plane; each is `None` until it exists.
 pub struct Products<'a> {
-    /// The domain in use.
+    /// The present domain.
     pub domain: Option<&'a Domain>,
-    /// The fields in use.
+    /// The present fields.
     pub fields: Option<&'a Fields>,
-    /// The packing at work, or the last one; while live, the one that flows.
+    /// The packing in progress, or the last one; while live, the one that flows.
     pub packing: Option<&'a Packing>,
     /// The last packing that ended, with the domain and the fields of the stages.
     pub ended: Option<(&'a Domain, &'a Fields, &'a Packing)>,
@@ -110,16 +110,16 @@ pub struct Products<'a> {
     pub mesh: Option<&'a Mesh>,
     /// The cells of the last packing that ended.
     pub cells: &'a [Cell],
-    /// The cells that stones are made of: of skin, those in which the axes have one sense.
+    /// The cells of the stones: for skin, those whose axes agree.
     pub scales: &'a [Cell],
     /// The parameters of the stones.
     pub stones: StoneParams,
-    /// The planes last finished.
+    /// The last finished planes.
     pub planes: Option<&'a Planes>,
 }
 
 impl Products<'_> {
-    /// The quality of the mesh and the cells; `None` before both are there.
+    /// The quality of the mesh and the cells; `None` until both exist.
     pub fn metrics(&self) -> Option<Metrics> {
         let (domain, fields, packing) = self.ended?;
         let mesh = self.mesh.filter(|_| !self.cells.is_empty())?;

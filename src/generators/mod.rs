@@ -79,11 +79,11 @@ pub struct Generator {
 pub struct Course {
     /// Where each stage begins, as a share of the time of common recipes.
     pub begins: &'static [f64],
-    /// The stage that goes in steps, such as the packing.
+    /// The stage that proceeds in steps, such as the packing.
     pub stepping: &'static str,
     /// The stage that makes one body after the other.
     pub placing: &'static str,
-    /// The first stage of the finisher: from there on a short pass is let finish before a newer recipe begins.
+    /// The first stage of the finisher: from there on a short pass is finished before a newer recipe begins.
     pub finisher: &'static str,
     /// The first stage that leaves the bodies as they are.
     pub settled: &'static str,
@@ -161,7 +161,7 @@ mod tests {
     use super::*;
     use crate::recipe::{Item, Parameter};
 
-    /// A generator offers the page what its engine has, and nothing else.
+    /// A generator offers exactly the parts for which its engine has the capabilities.
     #[test]
     fn offers_follow_from_the_engine() {
         for generator in ALL.iter() {

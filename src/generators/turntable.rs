@@ -79,7 +79,7 @@ pub struct SeenBody {
     pub id: u32,
     /// The middle of the body, in the scene.
     pub middle: [f64; 3],
-    /// The figures that its generator knows of it, by their words.
+    /// The generator's measures of it, by their words.
     pub figures: Vec<(&'static str, f64)>,
 }
 

@@ -49,17 +49,17 @@ impl Schema {
     }
 }
 
-/// More rows than any generator has.
+/// A limit of the number of rows, larger than any generator needs.
 const MOST_ROWS: usize = 256;
 
-/// Lists of rows, one after the other.
+/// Lists of rows, which are joined in order.
 pub(crate) struct Joined {
     rows: [Parameter; MOST_ROWS],
     pub count: usize,
 }
 
 impl Joined {
-    /// A row whose key was there before takes the place of that row.
+    /// Joins lists. A row replaces an earlier row with the same key, at the place of that row.
     pub const fn of(lists: &[&[Parameter]]) -> Self {
         let (mut rows, mut count) = ([lists[0][0]; MOST_ROWS], 0);
         let mut list = 0;
@@ -82,7 +82,7 @@ impl Joined {
         Self { rows, count }
     }
 
-    /// The rows in an array of their own.
+    /// The rows as an array of their own.
     pub const fn rows<const COUNT: usize>(&self) -> [Parameter; COUNT] {
         *self.rows.first_chunk().expect("fewer rows")
     }

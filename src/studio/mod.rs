@@ -80,7 +80,7 @@ impl Studio {
         &*self.engine
     }
 
-    /// The engine at work, to draw views and to ask for what it offers.
+    /// The present engine, to draw views and for its capabilities.
     pub fn engine_mut(&mut self) -> &mut dyn Engine {
         &mut *self.engine
     }
@@ -88,7 +88,7 @@ impl Studio {
     /// The maps of the picture.
     ///
     /// # Errors
-    /// Where the generator has none.
+    /// If the generator has none.
     pub fn maps(&mut self) -> Result<&mut dyn Maps, Notice> {
         self.engine.maps().ok_or(Code::NoSuchFile.into())
     }
@@ -96,7 +96,7 @@ impl Studio {
     /// The mesh files of the bodies.
     ///
     /// # Errors
-    /// Where the generator has none.
+    /// If the generator has none.
     pub fn meshes(&mut self) -> Result<&mut dyn Meshes, Notice> {
         self.engine.meshes().ok_or(Code::NoSuchFile.into())
     }
@@ -104,7 +104,7 @@ impl Studio {
     /// The frames of the bodies.
     ///
     /// # Errors
-    /// Where the generator has none.
+    /// If the generator has none.
     #[cfg(house)]
     pub fn frames(&mut self) -> Result<&mut dyn Frames, Notice> {
         self.engine.frames().ok_or(Code::NoSuchFile.into())
@@ -113,7 +113,7 @@ impl Studio {
     /// The files that recipes name.
     ///
     /// # Errors
-    /// Where the generator has no use for files.
+    /// If the generator uses no files.
     #[cfg(house)]
     pub fn files(&mut self) -> Result<&mut dyn Files, Notice> {
         self.engine.files().ok_or(Code::NoSuchFile.into())
@@ -140,13 +140,13 @@ impl Studio {
         }
     }
 
-    /// The stage that the next slice works on; `None` where all is done or the work cannot go on.
+    /// The stage of the next slice; `None` if all is done or the work cannot go on.
     pub fn at_work(&self) -> Option<usize> {
         let at = self.engine.at();
         at.filter(|_| self.engine.failure().is_none())
     }
 
-    /// The place of a stage among those of the generator.
+    /// The index of a stage among those of the generator.
     fn place_of(&self, stage: &str) -> Option<usize> {
         let mut stages = self.generator.stages.iter();
         stages.position(|word| *word == stage)

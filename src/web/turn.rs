@@ -29,7 +29,7 @@ export interface SeenBody {
   id: number;
   /** The middle of the body, in the scene. */
   centre: [x: number, y: number, z: number];
-  /** The figures that its generator knows of it, by their words; lengths in picture units, angles in degrees. */
+  /** The generator's measures of it, by their words; lengths in picture units, angles in degrees. */
   figures: Record<string, number>;
 }
 ";

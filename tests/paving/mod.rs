@@ -18,9 +18,9 @@ pub fn row(key: Key) -> &'static Parameter {
 
 /// The engine of a studio, as a pavement.
 pub trait OfPavement {
-    /// The results of the stages of the pavement at work.
+    /// The results of the stages of the present pavement.
     fn pavement(&self) -> Products<'_>;
-    /// The cells of the pavement at work, to ask about them.
+    /// The capability to measure cells of the present pavement.
     fn inspect(&mut self) -> &mut dyn Inspect;
 }
 

@@ -2,7 +2,7 @@
 import { t } from '../words/look';
 import { make } from '../base/dom';
 
-/** The figures of a cell by the words of its generator, as far as they are known. */
+/** The measures of a cell by the words of its generator, as far as they are known. */
 export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' | 'sides' | 'neighbours' | 'area']?: number | null | undefined };
 
 export function cellNumbers({ size, wanted, aspect, angle, off, sides, neighbours, area }: Figures): [name: string, value: string][] {

@@ -11,7 +11,7 @@ const BODIES = ['leg', 'tail', 'fish', 'horn'];
 const GROUNDS = ['terrain', 'slope', 'stairs'];
 const STONE_PALETTES: Words = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
 
-/** Rows for both generators. Rows of their own come first. */
+/** Rows for both generators. A table's own rows have priority. */
 const BOTH: Table = {
   Relief: [
     ['bh', range(0.1, 0.2, 0.01)],
@@ -318,7 +318,7 @@ const SURFACE: Table = {
   ],
 };
 
-/** Adds the rows for both behind a table's own rows. */
+/** Adds the shared rows to a table's own rows. */
 function withBoth(own: Table): Table {
   return Object.fromEntries(Object.entries(own).map(([group, rows]) => [group, [...rows, ...(BOTH[group] ?? [])]]));
 }

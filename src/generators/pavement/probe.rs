@@ -32,7 +32,7 @@ pub(super) struct Boxes {
     boxes: Vec<[DVec2; 2]>,
 }
 
-/// Cells are found among the polygons once they are there, before that in the packing.
+/// A cell is found by its polygon if there are polygons, before that by its particle.
 impl Inspect for Pavement {
     fn probe(&mut self, place: DVec2) -> Option<Probe> {
         match self.is_past(Stage::Cells) {
@@ -47,9 +47,10 @@ impl Inspect for Pavement {
         begun.map_or(&[], |packing| packing.samples())
     }
 
-    // Angles are 0..45 where all cells with an angle are squares or stand in a packing of cells with corners, else
-    // 0..90; circles have none. While cells are packed, the distances of neighbours give the sizes, and their rows
-    // give the angles.
+    // The sizes of all cells over the wanted ones, and their angles to the direction field in degrees. Angles are
+    // 0..45 if all cells with an angle are squares or are in a packing of cells with corners, else 0..90; circles
+    // have none. During the packing, sizes follow from the neighbours' distances, and angles from the rows that cells
+    // stand in.
     fn histograms(&mut self) -> [Histogram; 2] {
         let past = self.is_past(Stage::Cells);
         let stands = match past || !self.made.is_packing() {

@@ -1,5 +1,5 @@
-//! Rows shared by generators. A generator takes whole lists of them among its own rows, and single ones with another
-//! help text, range or group.
+//! Rows shared by generators. A generator's table may contain whole lists of them, and single ones with another help
+//! text, range or group.
 
 use super::lists::lists;
 use crate::heightfield::TextureParams;

@@ -6,7 +6,7 @@ use crate::mesh::Face;
 use glam::DVec3;
 
 impl SurfaceEngine {
-    /// The results as texts: names of files, and their contents.
+    /// The results as text files: names and contents.
     pub(super) fn texts(&self) -> Vec<(&'static str, String)> {
         let cells = self
             .made
