@@ -97,8 +97,9 @@ const made = {
 };
 
 /**
- * Puts the first script into the page itself. The script has the addresses of the first visit's module, and of the second
- * module and its script, for each generator. The page's policy names the digest of the script.
+ * Writes the first script into the page itself, with the addresses of files that generators need: the first visit's
+ * module, and for each generator of the second module this module and its script. The page's policy names the script's
+ * digest.
  */
 const begin = {
   name: 'begin',
@@ -139,7 +140,7 @@ const thumbs = {
 await buildThumbs();
 await buildIcons();
 
-/** The page gives the module to the glue itself (www/module/load.ts), which need not know its place. */
+/** The page passes the module to the glue code (www/module/load.ts), so the glue code contains no address of it. */
 const given = {
   name: 'given',
   /** @param {string} code @param {string} id */

@@ -1,8 +1,7 @@
-// `npm run visit`: how long a visitor waits who comes for the first time, in Chromium with a processor four times
-// slower than this one, by a usual connection and by a slow one. The page marks what it has reached (www/base/marks.ts);
-// docs/times.md has what was measured so.
+// `npm run visit`: the time that a first visitor waits, in Chromium with a processor four times slower than this one, with
+// a usual connection and with a slow one. The page marks its progress (www/base/marks.ts). docs/times.md has results.
 //
-// It needs a site in dist/: `npm run build`. Folders of other builds may be named, which are visited in turns with it.
+// It needs a site in dist/: `npm run build`. If folders of other builds are named, it visits all sites in turn.
 import { existsSync, mkdtempSync } from 'node:fs';
 import { rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -11,10 +10,10 @@ import { findBrowser } from './lib/browser.mjs';
 import { host } from './lib/host.mjs';
 import { root, say, start, Stop } from './lib/run.mjs';
 
-/** Rounds; each goes through all visits, so that what else the machine does meets all of them. */
+/** Rounds; each goes through all visits, so that other work of the machine slows all of them alike. */
 const ROUNDS = 5;
 
-/** Each has a connection (bits in a second, milliseconds to the host and back) and a processor slowed by a factor. */
+/** The machines: a connection (bits per second, milliseconds to the host and back) and the factor of a slower processor. */
 const machines = {
   '9 Mbit/s, 100 ms': { bits: 9e6, latency: 100, slower: 4 },
   '1.6 Mbit/s, 150 ms': { bits: 1.6e6, latency: 150, slower: 4 },
@@ -22,7 +21,7 @@ const machines = {
 
 const VASE = '#v=1&make=surface&form=vase&cn=900&stone=flag';
 
-/** The links that are opened, and the last mark that each waits for. */
+/** The links, each with the mark that ends its visit. */
 const links = { 'the page': { link: '', last: 'made' }, 'a pavement': { link: '#v=1&seed=2', last: 'picture' }, 'a vase of 900 tiles': { link: VASE, last: 'picture' } };
 
 /** The marks of the page, in their order. */
@@ -48,7 +47,7 @@ await start(async () => {
 });
 
 /**
- * Opens all links on all machines once, each in a browser without any past.
+ * Opens all links on all machines once, each in a browser with an empty profile.
  * @param {string} program
  * @param {string} site
  * @param {(name: string, times: Times) => void} tell
@@ -71,7 +70,7 @@ async function visits(program, site, tell) {
  * @param {string} address
  * @param {string} last the mark that ends the visit
  * @param {{ bits: number, latency: number, slower: number }} speeds
- * @returns {Promise<Times>} milliseconds since the visitor asked for the page, and what was transferred until the last mark
+ * @returns {Promise<Times>} milliseconds since the page was requested, and kB transferred until the last mark
  */
 async function visit(executablePath, address, last, { bits, latency, slower }) {
   const { default: puppeteer } = await import('puppeteer-core');
@@ -96,7 +95,7 @@ async function visit(executablePath, address, last, { bits, latency, slower }) {
 }
 
 /**
- * Runs in the page: the marks, once the last one is there.
+ * Runs in the page. Returns the times of the marks, once the last one exists.
  * @param {string} last
  * @param {string[]} names
  * @returns {Promise<Record<string, number>>}
@@ -112,7 +111,7 @@ function markedUntil(last, names) {
   });
 }
 
-/** Prints medians, and from where to where the rounds went. @param {Map<string, Times[]>} all */
+/** Prints the median, the least and the greatest value of the rounds. @param {Map<string, Times[]>} all */
 function print(all) {
   for (const [name, rounds] of all) {
     console.log(`\n${name}`);

@@ -1,4 +1,4 @@
-// Runs first, within the page (vite.config.mjs): it waits for no other file, and nothing is painted before it.
+// The first script, inside the page (vite.config.mjs): it waits for no other file, and runs before anything is painted.
 {
   const kept = (name) => {
     try {
@@ -8,7 +8,7 @@
     }
   };
 
-  /** The link that the page will open: www/state/first.ts finds it exactly. A wrong guess costs time only. */
+  /** A guess of the link that the page will open; www/state/first.ts finds it exactly. A wrong guess only costs time. */
   const link = () => {
     const asked = location.hash.slice(1);
     try {
@@ -19,10 +19,10 @@
     }
   };
 
-  // Light or dark, as it was chosen here or else as the system is. www/base/theme.ts goes on from here.
+  // The theme that was chosen in this browser, else the system's. www/base/theme.ts handles later changes.
   document.documentElement.dataset.theme = kept('theme') || (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
 
-  // The largest files: www/module/load.ts takes them when the page's scripts are here.
+  // The largest files. www/module/load.ts uses them once the page's scripts are loaded.
   const files = document.currentScript.dataset;
   const [, make = ''] = /\bmake=(\w+)/.exec(link()) ?? [];
   for (const href of (files[make] ?? files.first).split(' ')) {

@@ -18,7 +18,7 @@ const contentTypes = {
   '.webmanifest': 'application/manifest+json',
 };
 
-/** Hosts compress these files on the way. */
+/** The files that hosts compress when they send them. */
 const compressed = ['.css', '.html', '.js', '.json', '.svg', '.txt', '.wasm', '.webmanifest'];
 
 /**
@@ -31,7 +31,7 @@ const compressed = ['.css', '.html', '.js', '.json', '.svg', '.txt', '.wasm', '.
  * @param {boolean} [options.gzip] compresses what other hosts compress, and lets browsers keep files for some minutes
  */
 export async function host(files, { port = 0, under = '/', asked, gzip = false } = {}) {
-  /** Compressed bodies by path: a host has them ready. @type {Map<string, Buffer>} */
+  /** Compressed bodies by path, so that each file is compressed only once. @type {Map<string, Buffer>} */
   const packed = new Map();
   const server = createServer(async (request, response) => {
     // The path is cut, not parsed, so that no malformed request can end the host.

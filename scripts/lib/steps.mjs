@@ -56,7 +56,7 @@ function clippy(what, env) {
 
 /** Runs the native tests and notes how long each test program took: cargo prints its name, and the program its time. */
 async function cargoTest() {
-  // Clippy has compiled the examples.
+  // The step of clippy compiles the examples.
   const costs = [...(await cargoTests('--tests')), ...(await cargoTests('--doc'))];
   await tellCosts(costs);
 }
@@ -143,7 +143,7 @@ async function browserTests(kind) {
     writeFileSync(file, names.map((name) => `import '${pathToFileURL(join(folder, name)).href}';\n`).join(''));
     return file;
   });
-  // Two cores are busy with three files, as each waits now and then.
+  // Three files at a time keep two cores busy, because each of them waits now and then.
   await nodeTests(files, browsers[kind].title, 3);
 }
 

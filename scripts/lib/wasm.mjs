@@ -5,18 +5,21 @@ import { digest } from './digest.mjs';
 import { root, run, say, Stop } from './run.mjs';
 import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
 
-/** The folder of the page's module, which knows pavements alone. */
+/** The folder of the page's first module, which makes only pavements. */
 export const pageModule = join(root, 'pkg');
 
 /** The folder of the module that makes everything. */
 export const wholeModule = join(root, 'pkg-house');
 
-/** All builds: the folder, the target, and cargo's options. The cargo feature `house` has everything that a first visit does not need. */
+/**
+ * All builds: the folder, the target, and cargo's options. The cargo feature `house` has everything that a first visit does
+ * not need.
+ */
 const BUILDS = {
   /** The module of a first visit. */
   web: { folder: pageModule, target: 'web', options: ['--no-default-features'] },
   house: { folder: wholeModule, target: 'web', options: [] },
-  /** With the measurements. */
+  /** The module with measurements. */
   bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', options: ['--features', 'bench'] },
 };
 
@@ -40,7 +43,7 @@ export async function buildWasm(kind, env) {
   const { folder, target, options } = BUILDS[kind];
   const stamp = join(folder, '.built-from');
   say(`Building the WebAssembly module (${kind})`);
-  // The very build that wasm-pack asks for, so that nothing is compiled twice.
+  // The same build as that of wasm-pack, so that nothing is compiled twice.
   run('cargo', ['build', '--lib', '--release', '--target', wasmTarget, ...options], { env });
   const compiled = join(wasmTargetDir, wasmTarget, 'release', 'bubblestone.wasm');
   const source = digest([compiled, ...recipe.map((file) => join(root, file))]);

@@ -1,17 +1,17 @@
 /**
- * Marks in the browser's own timeline: when what a visitor waits for was there for the first time. `npm run visit` and
- * the browser's tools read them; see docs/times.md.
+ * Marks in the browser's own timeline: the first times of events that a visitor waits for. `npm run visit` and the
+ * browser's tools read them; see docs/times.md.
  */
 
 /**
  * `cells`: the first drawing of cells, which move from then on. `frame`: the first frame of bodies, which may be coarse.
- * `made`: the picture is worked out. `picture`: it stands on the screen in full.
+ * `made`: the picture is computed. `picture`: the finished picture is on the screen.
  */
 type Mark = 'cells' | 'frame' | 'made' | 'picture';
 
 const made = new Set<Mark>();
 
-/** Marks the first time only. */
+/** Sets a mark, the first time only. */
 export function mark(name: Mark): void {
   if (made.has(name)) return;
   made.add(name);

@@ -1,7 +1,7 @@
 /**
  * The WebAssembly modules. The first one makes pavements and loads on a first visit. The second one makes everything,
- * including bodies in light, and loads when it is first needed. Browsers compile a module
- * while it is downloaded. The page's first script (www/start.js) starts the download that the address needs.
+ * including bodies in light, and loads when it is first needed. Browsers compile a module while they download it. The
+ * page's first script (www/start.js) starts the download of the module that the address needs.
  */
 import house from 'virtual:house';
 import * as pavements from '../../pkg/bubblestone.js';
@@ -84,7 +84,7 @@ async function script(address: string): Promise<Module> {
   return (await import(/* @vite-ignore */ address)) as Module;
 }
 
-/** Downloads script and file at the same time. */
+/** Downloads the script and the file at the same time. */
 async function opened({ file, bring }: Source): Promise<Module> {
   const [module, answer] = await Promise.all([bring(), answerFrom(file)]);
   await module.default({ module_or_path: answer });

@@ -35,7 +35,7 @@ interface Pair {
 export interface Rhythm {
   /** Milliseconds of work in a slice. */
   readonly budget: number;
-  /** The same if the screen does not follow each slice: before the first cells, and if a painter shows the work. */
+  /** The same if the screen does not show each slice: before the first cells, and if a painter draws. */
   readonly unseen: number;
   /** Milliseconds of a slice for a drawing that is made in pieces. */
   readonly piece: number;
