@@ -68,7 +68,7 @@ export class Gestures {
   private readonly alone: boolean;
   private readonly down = new Map<number, Point>();
   private begun: Begun | undefined;
-  /** The last moves of a turn: times, and degrees. */
+  /** The last moves of a turn: their times, and their angles in degrees. */
   private trail: { at: number; round: number; up: number }[] = [];
   private flying = 0;
   private stopping = 0;
