@@ -112,7 +112,7 @@ impl Fields {
     }
 
     /// Unit vector along one side of a cell at this point, or zero where the field vanishes. It is defined up
-    /// to turns that leave the cell's kind unchanged ([`Kind::symmetry`]).
+    /// to turns that leave the cell's kind unchanged ([`CellKind::symmetry`]).
     pub fn direction(&self, p: DVec2) -> DVec2 {
         let layer = match self.layers.as_slice() {
             [] => return self.along,

@@ -42,7 +42,7 @@ impl FloodSource {
     }
 
     /// The squared distance to a place in the cell's metric. Nothing if the place cannot be seen from the cell, see
-    /// [`crate::trimesh::way`].
+    /// [`crate::trimesh::log`].
     fn far(&self, at: DVec3, normal: DVec3) -> Option<f64> {
         if self.along == self.across {
             return Some(apart(self.at, self.frame.normal, at, normal)? * self.along);

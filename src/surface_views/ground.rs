@@ -45,7 +45,7 @@ struct SurfaceLevel {
 }
 
 impl BareSurface {
-    /// Starts with a mesh; [`Ground::advance`] does the work.
+    /// Starts with a mesh; [`BareSurface::advance`] does the work.
     pub fn new(mesh: &TriMesh, fit: Fit) -> Self {
         let count = mesh.positions().len();
         Self {
