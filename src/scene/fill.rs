@@ -56,7 +56,7 @@ impl Fill {
         self.planes.part_of_line(line.map(|p| self.view.of(p)))
     }
 
-    /// Draws a triangle (see [`Grid::triangle`]); gives the work done.
+    /// Draws a triangle (see [`super::raster::PixelGrid::triangle`]); gives the work done.
     #[inline(always)]
     pub fn triangle(&self, [a, b, c]: [Vertex; 3], mut put: impl FnMut(FourPixels)) -> usize {
         if a.beyond & b.beyond & c.beyond != 0 {

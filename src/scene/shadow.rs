@@ -53,7 +53,7 @@ enum ShadowProjection {
     From(Fill),
 }
 
-/// The shadow maps of a scene; complete when [`Shadows::advance`] has returned true.
+/// The shadow maps of a scene; complete when [`ShadowMaps::advance`] has returned true.
 pub(super) struct ShadowMaps {
     maps: Vec<ShadowMap>,
     is_coarse: bool,
@@ -366,7 +366,7 @@ impl ShadowMap {
             .get(level_of(diameter, body.levels.len(), is_coarse))
     }
 
-    /// The same as [`Map::draw`] for an instance that is cut: draws the part of each triangle that is left. Both
+    /// The same as [`ShadowMap::draw`] for an instance that is cut: draws the part of each triangle that is left. Both
     /// sides of it cast a shadow, as light falls on the inside.
     fn draw_cut(
         &mut self,

@@ -21,14 +21,14 @@ const DOT: f32 = 1.0;
 /// test.
 const MAY_HIDE: [f32; 2] = [4.0, 400.0];
 
-/// In [`Sight::owner`]: nothing is there.
+/// In [`VisibilityBuffer::owner`]: nothing is there.
 pub(super) const NOTHING: u32 = u32::MAX;
-/// In [`Sight::owner`]: the floor.
+/// In [`VisibilityBuffer::owner`]: the floor.
 pub(super) const FLOOR: u32 = u32::MAX - 1;
-/// In [`Sight::triangle`]: a body that is a dot.
+/// In [`VisibilityBuffer::triangle`]: a body that is a dot.
 pub(super) const AS_DOT: u32 = u32::MAX;
 
-/// In [`Sight::triangle`]: this bit marks the inside of a body that is cut; the others are the number of the
+/// In [`VisibilityBuffer::triangle`]: this bit marks the inside of a body that is cut; the others are the number of the
 /// triangle. Its pixels show the cap in the plane of the cut.
 const CAP: u32 = 1 << 31;
 
@@ -107,7 +107,7 @@ impl VisibilityBuffer {
         (self.planned, self.is_sorted, self.drawn, self.next) = (0, false, 0, 0);
     }
 
-    /// Makes room for pixels up to `pixels`. All are needed before [`Sight::advance`].
+    /// Makes room for pixels up to `pixels`. All are needed before [`VisibilityBuffer::advance`].
     pub fn make_room(&mut self, pixels: usize) {
         let pixels = pixels + LANES - 1;
         self.owner.resize(pixels, NOTHING);

@@ -128,12 +128,12 @@ pub fn log(a: &SurfacePoint, b: &SurfacePoint) -> Option<LogMap> {
     Some(LogMap { to, turn })
 }
 
-/// [`Way::to`] in any frame of the first point's normal.
+/// [`LogMap::to`] in any frame of the first point's normal.
 pub(crate) fn log_in(own: &TangentFrame, from: DVec3, at: DVec3, normal: DVec3) -> Option<DVec2> {
     Some(own.within(seen(from, own.normal, at, normal)?))
 }
 
-/// The squared length of [`Way::to`].
+/// The squared length of [`LogMap::to`].
 #[inline(always)]
 pub(crate) fn apart(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<f64> {
     let cos = own.dot(normal);
@@ -150,7 +150,7 @@ pub(crate) fn apart(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option
     Some(length * arc * arc)
 }
 
-/// [`Way::to`] as a vector in space.
+/// [`LogMap::to`] as a vector in space.
 #[inline(always)]
 fn seen(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<DVec3> {
     let cos = own.dot(normal);

@@ -45,7 +45,7 @@ const ALL: [SurfaceView; 8] = [
 ];
 
 impl SurfaceView {
-    /// The view of the first known word among words joined by '+'; else [`View::Auto`].
+    /// The view of the first known word among words joined by '+'; else [`SurfaceView::Auto`].
     pub fn of_words(words: &str) -> Self {
         let place = |word: &str| WORDS.iter().position(|own| *own == word);
         words
