@@ -60,7 +60,7 @@ impl Bubblestone {
     /// that did not fit.
     #[wasm_bindgen(constructor)]
     pub fn new(link: &str) -> Bubblestone {
-        // The page's own module has no panic messages: see scripts/lib/trim.mjs.
+        // A release ends at a panic without a message: the hook would add its words to the download.
         #[cfg(debug_assertions)]
         console_error_panic_hook::set_once();
         let (recipe, notices) = ALL.recipe(link);
