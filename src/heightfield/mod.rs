@@ -4,7 +4,7 @@
 //! ```
 //! use bubblestone::cells::Cell;
 //! use bubblestone::domain::{Domain, Outline};
-//! use bubblestone::field::Kind;
+//! use bubblestone::field::CellKind;
 //! use bubblestone::heightfield::{GROUND, Painter, Shader, TextureParams, Weathering};
 //! use bubblestone::light::ShadeParams;
 //! use bubblestone::material::{Gloss, WeatherParams, material_table};
@@ -16,7 +16,7 @@
 //! # let cell = Cell {
 //! #     id: 1,
 //! #     centre: DVec2::splat(32.0),
-//! #     kind: Kind::Square,
+//! #     kind: CellKind::Square,
 //! #     size: 48.0,
 //! #     aspect: 1.0,
 //! #     axis: DVec2::X,

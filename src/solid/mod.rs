@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use bubblestone::cells::Cell;
-//! use bubblestone::field::Kind;
+//! use bubblestone::field::CellKind;
 //! use bubblestone::solid::{Solids, StoneKind, StoneParams, top};
 //! use glam::DVec2;
 //!
@@ -14,7 +14,7 @@
 //! # let cell = Cell {
 //! #     id: 1,
 //! #     centre: DVec2::splat(32.0),
-//! #     kind: Kind::Square,
+//! #     kind: CellKind::Square,
 //! #     size: 48.0,
 //! #     aspect: 1.0,
 //! #     axis: DVec2::X,
