@@ -27,6 +27,11 @@ impl<T> Csr<T> {
         &self.values[self.starts[row] as usize..self.starts[row + 1] as usize]
     }
 
+    /// The number of values in all rows.
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
     /// The values of a row, mutable.
     pub fn row_mut(&mut self, row: usize) -> &mut [T] {
         &mut self.values[self.starts[row] as usize..self.starts[row + 1] as usize]

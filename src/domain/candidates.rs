@@ -1,6 +1,6 @@
 //! Finds the segment nearest to a point, with a grid of candidates.
 
-use crate::order::lesser;
+use crate::order::{greater, lesser};
 use crate::planar::closest_on_segment;
 use glam::DVec2;
 
@@ -20,8 +20,6 @@ pub(super) struct CandidateGrid {
 
 /// Squares along the longer side of the outline's bounding box.
 const SQUARES: f64 = 64.0;
-/// Squares along the side of a block, whose candidates are chosen first; a power of two.
-const BLOCK: usize = 8;
 /// Lists this short are not narrowed any further.
 const FEW: usize = 4;
 
@@ -59,20 +57,20 @@ impl CandidateGrid {
         grid
     }
 
-    /// Works on blocks of squares first, so that each square tries few segments.
+    /// Works on the whole grid first, then on its quarters, so that each square tries few segments.
     fn fill(&mut self, segments: &[[DVec2; 2]]) {
         self.spans = vec![(0, 0); self.columns * self.rows];
-        for top in (0..self.rows).step_by(BLOCK) {
-            for left in (0..self.columns).step_by(BLOCK) {
-                self.divide(segments, (left, top), BLOCK, &self.all.clone());
-            }
-        }
+        let rulers: Vec<Ruler> = segments.iter().map(Ruler::new).collect();
+        let side = self.columns.max(self.rows).next_power_of_two();
+        let all = std::mem::take(&mut self.all);
+        self.divide(&rulers, (0, 0), side, &all);
+        self.all = all;
     }
 
     /// Narrows the candidates for a block of squares, then for its quarters.
     fn divide(
         &mut self,
-        segments: &[[DVec2; 2]],
+        rulers: &[Ruler],
         (left, top): (usize, usize),
         side: usize,
         among: &[u32],
@@ -82,7 +80,7 @@ impl CandidateGrid {
         }
         let corner = DVec2::new(left as f64, top as f64);
         let middle = self.origin + self.step * (corner + DVec2::splat(side as f64 / 2.0));
-        let near = nearest_to(segments, among, middle, side as f64 * self.step);
+        let near = nearest_to(rulers, among, middle, side as f64 * self.step);
         if side == 1 || near.len() <= FEW {
             let first = self.list.len() as u32;
             self.list.extend(near);
@@ -95,7 +93,7 @@ impl CandidateGrid {
         }
         let half = side / 2;
         for (x, y) in [(0, 0), (half, 0), (0, half), (half, half)] {
-            self.divide(segments, (left + x, top + y), half, &near);
+            self.divide(rulers, (left + x, top + y), half, &near);
         }
     }
 
@@ -124,23 +122,43 @@ impl CandidateGrid {
     }
 }
 
+/// Measures the distance to a segment quickly, with rounding errors that the choice of candidates allows.
+struct Ruler {
+    start: DVec2,
+    along: DVec2,
+    /// 1 over its squared length; 0 for a point.
+    per_square: f64,
+}
+
+impl Ruler {
+    fn new(&[a, b]: &[DVec2; 2]) -> Self {
+        let along = b - a;
+        let square = along.length_squared();
+        Self {
+            start: a,
+            along,
+            per_square: if square > 0.0 { 1.0 / square } else { 0.0 },
+        }
+    }
+
+    /// The squared distance of a place.
+    #[inline]
+    fn square_to(&self, p: DVec2) -> f64 {
+        let way = p - self.start;
+        let share = lesser(greater(way.dot(self.along) * self.per_square, 0.0), 1.0);
+        way.distance_squared(self.along * share)
+    }
+}
+
 /// The segments in `among` that can be nearest to a point of a square with this centre and side.
-fn nearest_to(segments: &[[DVec2; 2]], among: &[u32], middle: DVec2, side: f64) -> Vec<u32> {
-    let mut least = f64::INFINITY;
-    let squares: Vec<f64> = among
-        .iter()
-        .map(|&i| {
-            let [a, b] = segments[i as usize];
-            let square = closest_on_segment(middle, a, b).distance_squared(middle);
-            least = lesser(least, square);
-            square
-        })
-        .collect();
+fn nearest_to(rulers: &[Ruler], among: &[u32], middle: DVec2, side: f64) -> Vec<u32> {
+    let square_to = |&i: &u32| rulers[i as usize].square_to(middle);
+    let squares: Vec<f64> = among.iter().map(square_to).collect();
+    let least = squares.iter().fold(f64::INFINITY, |m, &d| lesser(m, d));
     // From the middle to a corner and back is a diagonal.
     let reach = least.sqrt() + 1.415 * side;
-    let near = among
-        .iter()
-        .zip(squares)
-        .filter(|&(_, d)| d <= reach * reach);
-    near.map(|(&i, _)| i).collect()
+    let near = among.iter().zip(squares);
+    near.filter(|&(_, d)| d <= reach * reach)
+        .map(|(&i, _)| i)
+        .collect()
 }

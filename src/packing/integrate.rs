@@ -3,6 +3,7 @@
 //! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
 
 use super::body::MovingParticle;
+use super::energy::PairEnergies;
 use super::force::{Pair, force_between};
 use super::packing_domain::{MetricSpace, PackingDomain, SpatialHash};
 use super::shape::{CellShape, SQUARE_REACH};
@@ -93,6 +94,7 @@ pub(super) struct Motion<P> {
     made_at: Vec<P>,
     margin: f64,
     pair_data: Vec<PairData<P>>,
+    energies: PairEnergies,
 }
 
 impl<P> Default for Motion<P> {
@@ -107,6 +109,7 @@ impl<P> Default for Motion<P> {
             made_at: Vec::new(),
             margin: 0.0,
             pair_data: Vec::new(),
+            energies: PairEnergies::default(),
         }
     }
 }
@@ -198,6 +201,7 @@ impl<P: Copy> Motion<P> {
         (reach, margin): (f64, f64),
     ) {
         self.near.clear();
+        self.energies.forget();
         let mut near = Vec::new();
         for (i, body) in bodies.iter().enumerate() {
             let centre = body.particle.centre;
@@ -233,6 +237,15 @@ impl<P: Copy> Motion<P> {
             let near = self.near.row(i).iter();
             near.map(move |&j| (i, j as usize))
         })
+    }
+
+    /// The sum of the potentials of all pairs.
+    pub fn sum_energy<S: MetricSpace<Place = P>>(
+        &mut self,
+        bodies: &[MovingParticle<P>],
+        metric: S,
+    ) -> f64 {
+        self.energies.sum(&self.near, bodies, metric)
     }
 
     /// Wakes the bodies that have moved, and their neighbours.
@@ -400,6 +413,7 @@ impl<P: Copy> Motion<P> {
             let (centre, turn) = ground.moved(before, by, shape, is_clear);
             body.place(centre, ground.fields());
             body.velocity = turn.apply(body.velocity);
+            self.energies.has_moved(i);
             let moved = ground.metric().distance(before, centre) / shape.size;
             body.has_moved = moved > least_move(body.particle.kind);
             self.largest.0 = greater(self.largest.0, moved);

@@ -68,14 +68,19 @@ impl<P: Copy> Run<P> {
     }
 
     fn sum_energy<S: MetricSpace<Place = P>>(&mut self, metric: S) -> f64 {
-        let mut sum = 0.0;
-        self.each_pair(metric, |a, b, way, _| {
-            sum += potential_between(&a.particle, &b.particle, way);
-        });
+        self.refresh_pairs(metric);
+        let sum = self.motion.sum_energy(&self.bodies, metric);
         let count = self.bodies.len().max(1) as f64;
         let sizes = self.bodies.iter().map(|b| b.particle.size);
         let stiffness: f64 = sizes.map(|size| size * size / count).sum();
         sum / stiffness.max(f64::MIN_POSITIVE)
+    }
+
+    /// Renews the list of pairs, unless a step is in progress, whose bodies must keep their order.
+    fn refresh_pairs<S: MetricSpace<Place = P>>(&mut self, metric: S) {
+        if !self.motion.is_in_a_step() {
+            self.motion.refresh(&mut self.bodies, metric);
+        }
     }
 
     /// Calls `visit` with both bodies of each pair that may touch, the offset from the first to the second,
@@ -90,9 +95,7 @@ impl<P: Copy> Run<P> {
             (usize, usize),
         ),
     ) {
-        if !self.motion.is_in_a_step() {
-            self.motion.refresh(&mut self.bodies, metric);
-        }
+        self.refresh_pairs(metric);
         for (i, j) in self.motion.pairs(&self.bodies) {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
             if let Some(way) = metric.log(a.particle.centre, b.particle.centre) {

@@ -37,6 +37,7 @@ mod boundary_cells;
 pub(crate) mod cell_fields;
 pub(crate) mod chains;
 pub(crate) mod clearance;
+mod energy;
 pub mod force;
 pub(crate) mod front;
 mod grid;

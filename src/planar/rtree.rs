@@ -3,6 +3,7 @@
 
 use crate::order;
 use glam::DVec2;
+use std::ops::Range;
 
 /// Children of a box.
 const BRANCHES: usize = 4;
@@ -39,8 +40,17 @@ impl RTree {
     pub fn near(&self, lo: DVec2, hi: DVec2, found: &mut Vec<u32>) {
         found.clear();
         let top = self.levels.len() - 1;
-        let mut open: Vec<(usize, usize)> = (0..self.levels[top].len()).map(|k| (top, k)).collect();
-        while let Some((level, k)) = open.pop() {
+        self.search((top, 0..self.levels[top].len()), [lo, hi], found);
+    }
+
+    /// Searches these boxes of a level, the last one first.
+    fn search(
+        &self,
+        (level, these): (usize, Range<usize>),
+        [lo, hi]: Corners,
+        found: &mut Vec<u32>,
+    ) {
+        for k in these.rev() {
             let [low, high] = self.levels[level][k];
             if low.cmpgt(hi).any() || high.cmplt(lo).any() {
                 continue;
@@ -49,7 +59,7 @@ impl RTree {
                 found.push(self.order[k]);
             } else {
                 let end = self.levels[level - 1].len().min((k + 1) * BRANCHES);
-                open.extend((k * BRANCHES..end).map(|below| (level - 1, below)));
+                self.search((level - 1, k * BRANCHES..end), [lo, hi], found);
             }
         }
     }
