@@ -25,6 +25,13 @@ const BARE = 250;
 /** If work and drawing would take longer than this, a frame only works, and the next one only draws. */
 const LONG = 32;
 
+/**
+ * Milliseconds between the frames of a usual screen, and the most of them that one frame makes up for. A packing then
+ * takes the same time where frames are slow, and no frame makes many steps at once.
+ */
+const FRAME = 1000 / 60;
+const MOST_FRAMES = 4;
+
 /** Decides how the work advances in a frame, when two pictures form together. */
 interface Pair {
   /** Works for about `budget` milliseconds and makes at most `steps` steps; true if the picture may have changed. */
@@ -69,6 +76,8 @@ export class Loop {
   painter: Painter | undefined;
   private readonly ending = new AbortController();
   private credit = 0;
+  /** The time of the last frame that worked; 0 before the first one and after a rest. */
+  private worked = 0;
   private readonly engine: Engine;
   private readonly view: (stage: string) => string | undefined;
   private readonly drawn: (stage: string, changed: boolean) => void;
@@ -165,13 +174,16 @@ export class Loop {
   /** Requests a slice, if none is requested yet. */
   wake(): void {
     if (this.waiting || document.hidden) return;
+    if (this.stands) this.worked = 0;
     this.waiting = true;
     this.rhythm.next((begin) => this.run(begin));
   }
 
-  /** Whole steps for this frame; the remainder is kept for the next one. */
-  private stepsNow(): number {
-    this.credit += this.stepsPerFrame;
+  /** Whole steps for a frame that began at `begin`; the remainder is kept for the next one. Slow steps are made one by one. */
+  private stepsNow(begin: number): number {
+    const frames = this.worked && this.stepsPerFrame >= 1 ? Math.round((begin - this.worked) / FRAME) : 1;
+    this.worked = begin;
+    this.credit += this.stepsPerFrame * Math.min(Math.max(frames, 1), MOST_FRAMES);
     const steps = Math.floor(this.credit);
     this.credit -= steps;
     return steps;
@@ -251,11 +263,11 @@ export class Loop {
     const isSeen = !this.painter && stages.indexOf(engine.stage()) >= stages.indexOf(stepping);
     const budget = isSeen ? this.rhythm.budget : this.rhythm.unseen;
     // The other picture uses the other half of the time.
-    if (this.pair && !this.until) return this.pair.tick(engine, budget / 2, this.held ? 0 : this.stepsNow());
+    if (this.pair && !this.until) return this.pair.tick(engine, budget / 2, this.held ? 0 : this.stepsNow(begin));
     if (this.held) return engine.tick(budget, 0);
-    if (this.until) return this.until.tick(engine, budget, this.stepsNow());
-    if (!watch) return engine.tick(budget, this.stepsNow());
+    if (this.until) return this.until.tick(engine, budget, this.stepsNow(begin));
+    if (!watch) return engine.tick(budget, this.stepsNow(begin));
     // If the visitor asked for slow steps, they stay slow.
-    return watch.tick(engine, begin, budget, this.stepsPerFrame < 1 ? this.stepsNow() : undefined);
+    return watch.tick(engine, begin, budget, this.stepsPerFrame < 1 ? this.stepsNow(begin) : undefined);
   }
 }
