@@ -126,9 +126,11 @@ fn reader(ending: &str, bytes: &[u8]) -> Result<(Box<dyn Reader>, usize), Notice
     Ok((reader, start))
 }
 
-fn too_large(triangles: usize) -> Notice {
+fn too_large(triangles: impl ToString) -> Notice {
     let too_large = Notice::new(Code::ModelTooLarge);
-    too_large.with("n", triangles).with("most", MOST_TRIANGLES)
+    too_large
+        .with("n", triangles.to_string())
+        .with("most", MOST_TRIANGLES)
 }
 
 /// The notice that a file ends too early.

@@ -412,3 +412,57 @@ fn a_line_without_an_end_is_refused() {
     let why = Reading::read("a.obj", text.into_bytes()).unwrap_err();
     assert!(why.to_string().starts_with("Line 2 of the OBJ"), "{why}");
 }
+
+/// A GLB file with `visits` nodes that draw nothing, and more text at the end of its head and of its first node.
+fn visited(visits: usize, in_root: &str, in_node: &str) -> Vec<u8> {
+    let children = "1,".repeat(visits - 1);
+    let json = format!(
+        r#"{{"scenes":[{{"nodes":[0]}}],"nodes":[{{"children":[{children}1]}},{{"a":0{in_node}}}]{in_root}}}"#
+    );
+    glb_of(&json, &[])
+}
+
+#[test]
+fn a_head_of_a_glb_is_read_in_short_slices() {
+    let matrix = format!(r#","matrix":[{}0]"#, "0,".repeat(1_000_000));
+    let junk: String = (0..60_000).map(|k| format!(r#","k{k}":{k}"#)).collect();
+    let deep = format!(r#","extras":{}{}"#, "[".repeat(5000), "]".repeat(5000));
+    for (bytes, least) in [
+        (visited(90_000, "", &matrix), 25),
+        (visited(90_000, &junk, ""), 25),
+        (visited(10, &deep, &deep), 3),
+        (visited(99_999, "", r#","children":[]"#), 20),
+    ] {
+        let mut reading = Reading::new("a.glb", bytes).unwrap();
+        let mut slices = 1;
+        while reading.advance().map(|soup| soup.unwrap()).is_none() {
+            slices += 1;
+        }
+        assert!(slices >= least, "{slices}");
+    }
+    assert_eq!(refused("a.glb", visited(100_001, "", "")), Code::FileBroken);
+    // Lines are looked at, too, though they draw nothing.
+    let lines = r#"{"mode":1},"#.repeat(1000);
+    let json = format!(
+        r#"{{"nodes":[{}{{"mesh":0}}],"meshes":[{{"primitives":[{lines}{{}}]}}]}}"#,
+        r#"{"mesh":0},"#.repeat(2000)
+    );
+    assert_eq!(refused("a.glb", glb_of(&json, &[])), Code::FileBroken);
+}
+
+#[test]
+fn what_a_glb_says_of_itself_is_told_alike_on_all_machines() {
+    let sentence = |json: &str| {
+        let why = Reading::read("a.glb", glb_of(json, &[])).expect_err("no model");
+        why.to_string()
+    };
+    let primitive = |text: &str| {
+        format!(r#"{{"nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{{text}}}]}}]}}"#)
+    };
+    let said = sentence(&primitive(r#""attributes":{"POSITION":0},"indices":-1"#));
+    assert!(said.contains("its accessor is not"), "{said}");
+    let said = sentence(r#"{"nodes":[{}],"scenes":[{"nodes":[1.5]}]}"#);
+    assert!(said.contains("its node is not"), "{said}");
+    let said = sentence(r#"{"extensionsRequired":["KHR_draco_mesh_compression"]}"#);
+    assert!(said.contains("\"KHR_draco_mesh_compression\""), "{said}");
+}
