@@ -1,22 +1,31 @@
 //! GLB: glTF 2.0 in one file, with a JSON head and binary numbers.
 
-use super::json::Json;
+use super::json::Parser;
 use super::scene::{BufferView, ComponentType, Draw, Mode, ModelScene, broken};
 use super::{Reader, SLICE, add_strip, ends, too_large};
 use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup};
 use glam::DVec3;
+use std::ops::Range;
 
 /// The types of chunks.
 const JSON: &[u8] = b"JSON";
 const BIN: &[u8] = b"BIN\0";
 
+/// The most chunks: those after the first two are of no known kind.
+const MOST_CHUNKS: usize = 1 << 16;
+/// Bytes of the head, and steps through its scene, in a slice.
+const HEAD: usize = 1 << 18;
+const STEPS: usize = 1 << 12;
+
 #[derive(Default)]
 pub(super) struct Glb {
-    /// The draws; none before the head has been read.
-    draws: Option<Vec<Draw>>,
-    /// Where the binary chunk begins.
+    head: Head,
+    /// Where the head lies, and where the binary chunk begins.
+    text: Range<usize>,
     start: usize,
+    /// The length of the binary chunk.
+    length: usize,
     /// The current draw, and how many of its numbers have been read: first positions, then corners.
     draw: usize,
     at: usize,
@@ -25,25 +34,67 @@ pub(super) struct Glb {
     corners: Vec<u32>,
 }
 
+/// How far the head has been read.
+#[derive(Default)]
+enum Head {
+    #[default]
+    Chunks,
+    Text(Parser),
+    Scene(Box<ModelScene>),
+    Read(Vec<Draw>),
+}
+
 impl Reader for Glb {
     fn advance(&mut self, bytes: &[u8], soup: &mut Soup) -> Result<bool, Notice> {
-        let Some(draws) = self.draws.take() else {
-            self.draws = Some(self.read_head(bytes)?);
-            return Ok(false);
+        self.head = match std::mem::take(&mut self.head) {
+            Head::Chunks => self.find_chunks(bytes)?,
+            Head::Text(mut parser) => match parser.advance(&bytes[self.text.clone()], HEAD) {
+                None => Head::Text(parser),
+                Some(json) => {
+                    let json = json.map_err(|_| bad_head())?;
+                    Head::Scene(Box::new(ModelScene::new(json, self.length)?))
+                }
+            },
+            Head::Scene(mut scene) => match scene.advance(STEPS) {
+                None => Head::Scene(scene),
+                Some(draws) => Head::Read(checked(draws?)?),
+            },
+            Head::Read(draws) => {
+                let mut left = SLICE / 4;
+                while left > 0 && self.draw < draws.len() {
+                    left -= self.read(&draws[self.draw], bytes, left, soup)?;
+                }
+                Head::Read(draws)
+            }
         };
-        let mut left = SLICE / 4;
-        while left > 0 && self.draw < draws.len() {
-            left -= self.read(&draws[self.draw], bytes, left, soup)?;
-        }
-        let done = self.draw == draws.len();
-        self.draws = Some(draws);
-        Ok(done)
+        Ok(matches!(&self.head, Head::Read(draws) if self.draw == draws.len()))
     }
 
     fn progress(&self, _: &[u8]) -> f64 {
-        let draws = self.draws.as_ref().map_or(1, Vec::len).max(1);
-        self.draw as f64 / draws as f64
+        match &self.head {
+            Head::Read(draws) => self.draw as f64 / draws.len().max(1) as f64,
+            _ => 0.0,
+        }
     }
+}
+
+fn bad_head() -> Notice {
+    Notice::new(Code::FileHead).with("kind", "GLB".to_owned())
+}
+
+/// Checks how much is drawn. A file may draw the same numbers many times, so the sums count.
+fn checked(draws: Vec<Draw>) -> Result<Vec<Draw>, Notice> {
+    let count = |draw: &Draw| draw.corners.unwrap_or(draw.places).count as u64;
+    let triangles = |draw: &Draw| match draw.mode {
+        Mode::Triangles => count(draw) / 3,
+        _ => count(draw).saturating_sub(2),
+    };
+    let all: u64 = draws.iter().map(triangles).sum();
+    let vertices: u64 = draws.iter().map(|draw| draw.places.count as u64).sum();
+    if all > MOST_TRIANGLES as u64 || vertices > 9 * MOST_TRIANGLES as u64 {
+        return Err(too_large(all.max(vertices / 3)));
+    }
+    Ok(draws)
 }
 
 fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
@@ -52,44 +103,38 @@ fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
 }
 
 impl Glb {
-    fn read_head(&mut self, bytes: &[u8]) -> Result<Vec<Draw>, Notice> {
-        let bad = || Notice::new(Code::FileHead).with("kind", "GLB".to_owned());
+    /// Finds the first chunk of text and the first one of numbers.
+    fn find_chunks(&mut self, bytes: &[u8]) -> Result<Head, Notice> {
         let version = u32_at(bytes, 4).ok_or_else(|| ends("GLB"))?;
         let length = u32_at(bytes, 8).ok_or_else(|| ends("GLB"))? as usize;
         if version != 2 {
-            return Err(bad());
+            return Err(bad_head());
         }
         if length > bytes.len() {
             return Err(ends("GLB"));
         }
-        let (mut json, mut numbers) = (None, 0..0);
-        let mut at = 12;
+        let (mut text, mut numbers) = (None, 0..0);
+        let (mut at, mut chunks) = (12, 0);
         while let (Some(count), Some(kind)) = (u32_at(bytes, at), bytes.get(at + 4..at + 8)) {
             let start = at + 8;
             let end = start.saturating_add(count as usize);
-            let chunk = bytes.get(start..end).ok_or_else(|| ends("GLB"))?;
-            if kind == JSON && json.is_none() {
-                json = Some(Json::parse(chunk).ok_or_else(bad)?);
+            if end > bytes.len() {
+                return Err(ends("GLB"));
+            }
+            if kind == JSON && text.is_none() {
+                text = Some(start..end);
             } else if kind == BIN && numbers.is_empty() {
                 numbers = start..end;
             }
+            chunks += 1;
+            if chunks > MOST_CHUNKS {
+                return Err(bad_head());
+            }
             at = end.next_multiple_of(4);
         }
-        self.start = numbers.start;
-        let draws = ModelScene::draws(&json.ok_or_else(bad)?, numbers.len())?;
-        let count = |draw: &Draw| draw.corners.unwrap_or(draw.places).count;
-        let triangles = |draw: &Draw| match draw.mode {
-            Mode::Triangles => count(draw) / 3,
-            _ => count(draw).saturating_sub(2),
-        };
-        // A file may draw the same numbers many times, so check the sum.
-        let add = |sum: usize, n: usize| sum.saturating_add(n);
-        let all = draws.iter().map(triangles).fold(0, add);
-        let vertices = draws.iter().map(|draw| draw.places.count).fold(0, add);
-        if all > MOST_TRIANGLES || vertices > 9 * MOST_TRIANGLES {
-            return Err(too_large(all.max(vertices / 3)));
-        }
-        Ok(draws)
+        (self.start, self.length) = (numbers.start, numbers.len());
+        self.text = text.ok_or_else(bad_head)?;
+        Ok(Head::Text(Parser::new()))
     }
 
     /// Reads some numbers of a draw; returns how many.

@@ -38,6 +38,8 @@ trait Reader {
 /// A file that is being read.
 pub struct Reading {
     bytes: Arc<Vec<u8>>,
+    /// Where the file begins, behind a byte order mark.
+    start: usize,
     soup: Soup,
     reader: Box<dyn Reader>,
 }
@@ -51,25 +53,10 @@ impl Reading {
     pub fn new(name: &str, bytes: impl Into<Arc<Vec<u8>>>) -> Result<Self, Notice> {
         let bytes = bytes.into();
         let ending = name.rsplit('.').next().unwrap_or("").to_ascii_lowercase();
-        let start = text::trimmed(&bytes);
-        let reader: Box<dyn Reader> = if bytes.starts_with(b"glTF") {
-            Box::<glb::Glb>::default()
-        } else if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
-            Box::<ply::Ply>::default()
-        } else if start.starts_with(b"{") {
-            return Err(match ending.as_str() {
-                "gltf" | "glb" => Code::FileInParts.into(),
-                _ => Code::FileUnknown.into(),
-            });
-        } else if let Some(reader) = stl::of(&bytes, ending == "stl") {
-            reader
-        } else if ending == "obj" || obj::is_one(start) {
-            Box::<obj::Obj>::default()
-        } else {
-            return Err(Code::FileUnknown.into());
-        };
+        let (reader, start) = reader(&ending, &bytes)?;
         Ok(Self {
             bytes,
+            start,
             reader,
             soup: Soup::default(),
         })
@@ -77,7 +64,10 @@ impl Reading {
 
     /// Reads the next slice. Returns the triangles at the end of the file, or a notice of its fault.
     pub fn advance(&mut self) -> Option<Result<Soup, Notice>> {
-        let done = match self.reader.advance(&self.bytes, &mut self.soup) {
+        let done = match self
+            .reader
+            .advance(&self.bytes[self.start..], &mut self.soup)
+        {
             Ok(done) => done,
             Err(why) => return Some(Err(why)),
         };
@@ -90,7 +80,7 @@ impl Reading {
 
     /// The share of the file that has been read, 0 to 1.
     pub fn progress(&self) -> f64 {
-        self.reader.progress(&self.bytes)
+        self.reader.progress(&self.bytes[self.start..])
     }
 
     /// Reads a whole file.
@@ -107,9 +97,40 @@ impl Reading {
     }
 }
 
-fn too_large(triangles: usize) -> Notice {
+/// The reader for a file, and where the file begins.
+fn reader(ending: &str, bytes: &[u8]) -> Result<(Box<dyn Reader>, usize), Notice> {
+    let start = text::mark(bytes);
+    let file = &bytes[start..];
+    let text = file.trim_ascii_start();
+    let reader: Box<dyn Reader> = if file.starts_with(b"glTF") {
+        Box::<glb::Glb>::default()
+    } else if ply::is_one(file) {
+        Box::<ply::Ply>::default()
+    } else if text.starts_with(b"{") {
+        return Err(match ending {
+            "gltf" | "glb" => Code::FileInParts.into(),
+            _ => Code::FileUnknown.into(),
+        });
+    } else if stl::has_numbers(bytes) {
+        // The head may begin with any bytes.
+        return Ok((Box::<stl::Numbers>::default(), 0));
+    } else if stl::is_text(text) {
+        Box::<stl::Text>::default()
+    } else if ending == "stl" && stl::has_head(bytes) {
+        return Ok((Box::<stl::Numbers>::default(), 0));
+    } else if ending == "obj" || obj::is_one(text) {
+        Box::<obj::Obj>::default()
+    } else {
+        return Err(Code::FileUnknown.into());
+    };
+    Ok((reader, start))
+}
+
+fn too_large(triangles: impl ToString) -> Notice {
     let too_large = Notice::new(Code::ModelTooLarge);
-    too_large.with("n", triangles).with("most", MOST_TRIANGLES)
+    too_large
+        .with("n", triangles.to_string())
+        .with("most", MOST_TRIANGLES)
 }
 
 /// The notice that a file ends too early.

@@ -1,6 +1,6 @@
 //! Wavefront OBJ: lines of text.
 
-use super::text::{number, words};
+use super::text::{next_line, number, words};
 use super::{Reader, SLICE, bad_line, too_large};
 use crate::notice::Notice;
 use crate::trimesh::{MOST_TRIANGLES, Soup, polygon};
@@ -12,15 +12,19 @@ const WORDS: [&[u8]; 14] = [
     b"#v",
 ];
 
+/// The longest line that is read, in bytes: a face of half a million corners has about as many.
+const LONGEST: usize = 1 << 22;
+
 /// Whether text looks like such a file.
 pub(super) fn is_one(start: &[u8]) -> bool {
-    let start = &start[..start.len().min(1 << 16)];
-    let has = |word: &[u8]| {
-        let mut lines = start.split(|&b| b == b'\n');
-        lines.any(|line| words(line).next() == Some(word))
-    };
-    let first = words(start).next().unwrap_or(b"");
-    (WORDS.contains(&first) || first.starts_with(b"#")) && has(b"v")
+    let start = start[..start.len().min(1 << 16)].to_ascii_lowercase();
+    let (mut at, mut has_vertex) = (0, false);
+    while at < start.len() && !has_vertex {
+        let line = next_line(&start, &mut at, usize::MAX).unwrap_or_default();
+        has_vertex = words(line).next() == Some(b"v");
+    }
+    let first = words(&start).next().unwrap_or(b"");
+    has_vertex && (WORDS.contains(&first) || first.starts_with(b"#"))
 }
 
 #[derive(Default)]
@@ -34,31 +38,14 @@ impl Reader for Obj {
     fn advance(&mut self, bytes: &[u8], soup: &mut Soup) -> Result<bool, Notice> {
         let end = bytes.len().min(self.at + SLICE);
         while self.at < end {
-            let rest = &bytes[self.at..];
-            let length = rest.iter().position(|&b| b == b'\n').unwrap_or(rest.len());
-            self.at += length + 1;
             self.line += 1;
-            let line = &rest[..length];
+            let line = self.next(bytes)?;
             let Some(first) = continued(line) else {
                 self.read(line, soup)?;
                 continue;
             };
             let number = self.line;
-            let mut whole = first.to_vec();
-            while self.at < bytes.len() {
-                let rest = &bytes[self.at..];
-                let length = rest.iter().position(|&b| b == b'\n').unwrap_or(rest.len());
-                self.at += length + 1;
-                self.line += 1;
-                whole.push(b' ');
-                match continued(&rest[..length]) {
-                    Some(part) => whole.extend_from_slice(part),
-                    None => {
-                        whole.extend_from_slice(&rest[..length]);
-                        break;
-                    }
-                }
-            }
+            let whole = self.joined(bytes, first)?;
             let last = std::mem::replace(&mut self.line, number);
             self.read(&whole, soup)?;
             self.line = last;
@@ -73,15 +60,40 @@ impl Reader for Obj {
 
 /// The line without its final backslash, if it continues in the next one.
 fn continued(line: &[u8]) -> Option<&[u8]> {
-    line.strip_suffix(b"\r").unwrap_or(line).strip_suffix(b"\\")
+    line.strip_suffix(b"\\")
 }
 
 impl Obj {
+    fn next<'a>(&mut self, bytes: &'a [u8]) -> Result<&'a [u8], Notice> {
+        let start = self.at;
+        let line = next_line(bytes, &mut self.at, LONGEST);
+        line.ok_or_else(|| bad_line("OBJ", self.line, &bytes[start..]))
+    }
+
+    /// A line with those that continue it.
+    fn joined(&mut self, bytes: &[u8], first: &[u8]) -> Result<Vec<u8>, Notice> {
+        let mut whole = first.to_vec();
+        while self.at < bytes.len() {
+            self.line += 1;
+            let line = self.next(bytes)?;
+            whole.push(b' ');
+            let part = continued(line);
+            whole.extend_from_slice(part.unwrap_or(line));
+            if whole.len() > LONGEST {
+                return Err(bad_line("OBJ", self.line, line));
+            }
+            if part.is_none() {
+                break;
+            }
+        }
+        Ok(whole)
+    }
+
     fn read(&mut self, line: &[u8], soup: &mut Soup) -> Result<(), Notice> {
         let bad = || bad_line("OBJ", self.line, line);
         let mut words = words(line);
         match words.next() {
-            Some(b"v") => {
+            Some(b"v" | b"V") => {
                 let mut next = || words.next().and_then(number).ok_or_else(bad);
                 let place = DVec3::new(next()?, next()?, next()?);
                 soup.positions.push(place);
@@ -89,7 +101,7 @@ impl Obj {
                     return Err(too_large(soup.positions.len() / 3));
                 }
             }
-            Some(b"f") => {
+            Some(b"f" | b"F") => {
                 self.corners.clear();
                 for word in words {
                     // The rest of the line is a comment.

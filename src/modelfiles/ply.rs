@@ -1,6 +1,6 @@
 //! PLY: text, and binary of either byte order.
 
-use super::text::{next_word, number, whole, words};
+use super::text::{LineCount, next_word, number, whole, words};
 use super::{Reader, add_strip, bad_line, ends, too_large};
 use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup, polygon};
@@ -10,6 +10,14 @@ use glam::DVec3;
 const NUMBERS: usize = 1 << 17;
 /// The longest head that is read.
 const HEAD: usize = 1 << 16;
+
+/// Whether a file is of this kind.
+pub(super) fn is_one(bytes: &[u8]) -> bool {
+    let [a, b, c, end, ..] = *bytes else {
+        return false;
+    };
+    [a, b, c].eq_ignore_ascii_case(b"ply") && end.is_ascii_whitespace()
+}
 
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
@@ -56,8 +64,13 @@ pub(super) struct Ply {
     element: usize,
     /// How many items of the element have been read.
     item: u64,
+    /// How many properties of the item have been read, and what is left of a list.
+    property: usize,
+    left: Option<usize>,
+    place: [f64; 3],
     list: Vec<u32>,
     spent: usize,
+    lines: LineCount,
     has_faces: bool,
 }
 
@@ -84,8 +97,12 @@ impl Reader for Ply {
                 (self.element, self.item) = (self.element + 1, 0);
                 continue;
             }
-            self.read_item(bytes, head.format, element, soup)?;
-            self.item += 1;
+            if self.read_item(bytes, head.format, element, soup)? {
+                self.item += 1;
+            }
+        }
+        if head.format == Format::Text {
+            self.lines.reach(bytes, self.at);
         }
         self.head = Some(head);
         Ok(false)
@@ -118,9 +135,14 @@ impl Ply {
     fn read_head(&mut self, bytes: &[u8]) -> Result<Head, Notice> {
         let mut format = None;
         let mut elements: Vec<Element> = Vec::new();
+        // The numbers of a binary file begin right after the head, so the end of a line must be known exactly.
+        let ends_with_cr = bytes
+            .get(3..5)
+            .is_some_and(|end| end[0] == b'\r' && end[1] != b'\n');
+        let end = if ends_with_cr { b'\r' } else { b'\n' };
         loop {
             let rest = bytes.get(self.at..).unwrap_or(&[]);
-            let length = rest.iter().take(HEAD).position(|&b| b == b'\n');
+            let length = rest.iter().take(HEAD).position(|&b| b == end);
             let Some(length) = length.filter(|_| self.at < HEAD) else {
                 return Err(if rest.len() < HEAD {
                     ends("PLY")
@@ -129,7 +151,8 @@ impl Ply {
                 });
             };
             self.at += length + 1;
-            let line: Vec<&[u8]> = words(&rest[..length]).collect();
+            let line = rest[..length].to_ascii_lowercase();
+            let line: Vec<&[u8]> = words(&line).collect();
             match line[..] {
                 [b"format", kind, ..] => {
                     format = Some(match kind {
@@ -189,46 +212,73 @@ impl Ply {
         Ok(head)
     }
 
+    /// Reads an item, or a part of it if it is long; true at its end.
     fn read_item(
         &mut self,
         bytes: &[u8],
         format: Format,
         element: &Element,
         soup: &mut Soup,
-    ) -> Result<(), Notice> {
-        let mut place = [0.0; 3];
-        for property in &element.properties {
-            let Some(count) = property.count else {
+    ) -> Result<bool, Notice> {
+        while let Some(property) = element.properties.get(self.property) {
+            if let Some(count) = property.count {
+                if !self.read_list(bytes, format, (count, property), soup)? {
+                    return Ok(false);
+                }
+            } else {
                 let x = self.read(bytes, format, property.item)?;
                 if let Role::Place(axis) = property.role {
-                    place[axis] = x;
-                }
-                continue;
-            };
-            let count = self.read(bytes, format, count)?;
-            // Each item has at least one byte.
-            if !(count >= 0.0 && count <= (bytes.len() - self.at) as f64) {
-                return Err(ends("PLY"));
-            }
-            self.list.clear();
-            for _ in 0..count as usize {
-                let x = self.read(bytes, format, property.item)?;
-                let fits = x >= -1.0 && x < f64::from(u32::MAX) && x as i64 as f64 == x;
-                // An index that no vertex can have is reported later.
-                let corner = if fits { x as i64 as u32 } else { u32::MAX };
-                if property.role != Role::None {
-                    self.list.push(corner);
+                    self.place[axis] = x;
                 }
             }
-            self.add(property.role, soup)?;
+            self.property += 1;
         }
+        self.property = 0;
         if element.is_vertex {
-            soup.positions.push(DVec3::from(place));
+            soup.positions.push(DVec3::from(self.place));
             if soup.positions.len() > 9 * MOST_TRIANGLES {
                 return Err(too_large(soup.positions.len() / 3));
             }
         }
-        Ok(())
+        Ok(true)
+    }
+
+    /// Reads a list, or a part of it; true at its end.
+    fn read_list(
+        &mut self,
+        bytes: &[u8],
+        format: Format,
+        (count, property): (Scalar, &Property),
+        soup: &mut Soup,
+    ) -> Result<bool, Notice> {
+        let mut left = match self.left.take() {
+            Some(left) => left,
+            None => {
+                let count = self.read(bytes, format, count)?;
+                // Each item has at least one byte.
+                if !(count >= 0.0 && count <= (bytes.len() - self.at) as f64) {
+                    return Err(ends("PLY"));
+                }
+                self.list.clear();
+                count as usize
+            }
+        };
+        while left > 0 {
+            if self.spent >= NUMBERS {
+                self.left = Some(left);
+                return Ok(false);
+            }
+            left -= 1;
+            let x = self.read(bytes, format, property.item)?;
+            let fits = x >= -1.0 && x < f64::from(u32::MAX) && x as i64 as f64 == x;
+            // An index that no vertex can have is reported later.
+            let corner = if fits { x as i64 as u32 } else { u32::MAX };
+            if property.role != Role::None {
+                self.list.push(corner);
+            }
+        }
+        self.add(property.role, soup)?;
+        Ok(true)
     }
 
     fn add(&mut self, role: Role, soup: &mut Soup) -> Result<(), Notice> {
@@ -253,7 +303,7 @@ impl Ply {
         self.spent += 1;
         if format == Format::Text {
             let word = next_word(bytes, &mut self.at).ok_or_else(|| ends("PLY"))?;
-            let line = || 1 + bytes[..self.at].iter().filter(|&&b| b == b'\n').count();
+            let mut line = || self.lines.reach(bytes, self.at);
             // Some programs write values that are not numbers; the check of the model reports them.
             let is_none = |word: &[u8]| {
                 [&b"nan"[..], b"-nan", b"inf", b"-inf"]

@@ -135,11 +135,22 @@ fn turned(x: f64, y: f64, z: f64, w: f64) -> [DVec3; 3] {
     ]
 }
 
-/// The notice that something in the file is invalid.
-pub(super) fn broken(what: &str, number: usize) -> Notice {
+/// The notice that something in the file is invalid. Its number is not known if the file names it wrongly.
+pub(super) fn broken(what: &str, number: impl Into<Option<usize>>) -> Notice {
+    let what = match number.into() {
+        Some(number) => format!("{what} {number}"),
+        None => what.to_owned(),
+    };
     Notice::new(Code::FileBroken)
         .with("kind", "GLB".to_owned())
-        .with("what", format!("{what} {number}"))
+        .with("what", what)
+}
+
+/// The notice that a file needs what cannot be read, whose name a visitor will search for.
+fn needs(code: Code, name: &str) -> Notice {
+    Notice::new(code)
+        .with("kind", "GLB".to_owned())
+        .with("name", crate::notice::quote_long(name))
 }
 
 /// Extensions without which a file cannot be read, and those that can be ignored.
@@ -150,21 +161,44 @@ const HARMLESS: [&str; 4] = [
     "KHR_texture_basisu",
     "EXT_texture_webp",
 ];
-/// The most draws: a hostile file may draw the same things over and over.
+/// The most draws and visited nodes: a hostile file may draw the same things over and over.
 const MOST_DRAWS: usize = 100_000;
+/// The most primitives, with those that draw no triangles.
+const MOST_PRIMITIVES: usize = 10 * MOST_DRAWS;
 /// The deepest nesting of nodes.
 const DEPTH: usize = 128;
 
-/// Collects all draws of a file's scene. `bytes` is the length of the binary chunk.
-pub(super) struct ModelScene<'a> {
-    json: &'a Json,
+/// Collects all draws of a file's scene, in slices.
+pub(super) struct ModelScene {
+    json: Json,
+    /// The length of the binary chunk.
     bytes: usize,
     draws: Vec<Draw>,
+    /// How many nodes and primitives have been visited.
     visits: usize,
+    primitives: usize,
+    /// The root nodes, and how many of them have been visited.
+    roots: Vec<Option<usize>>,
+    root: usize,
+    /// The current node, after those that contain it.
+    path: Vec<Visit>,
 }
 
-impl<'a> ModelScene<'a> {
-    pub fn draws(json: &'a Json, bytes: usize) -> Result<Vec<Draw>, Notice> {
+/// A node that is being visited.
+struct Visit {
+    node: usize,
+    frame: Affine,
+    /// The next primitive of its mesh, and its next child.
+    primitive: usize,
+    child: usize,
+}
+
+impl ModelScene {
+    /// Starts with the head of a file, and the length of its binary chunk.
+    ///
+    /// # Errors
+    /// If the file needs an extension that cannot be read.
+    pub fn new(json: Json, bytes: usize) -> Result<Self, Notice> {
         for needed in json.list_of("extensionsRequired") {
             let name = needed.text().unwrap_or("?");
             let code = match name {
@@ -172,91 +206,116 @@ impl<'a> ModelScene<'a> {
                 name if HARMLESS.contains(&name) || name.starts_with("KHR_materials") => continue,
                 _ => Code::FileNeeds,
             };
-            let quoted = crate::notice::quote(name);
-            return Err(Notice::new(code)
-                .with("kind", "GLB".to_owned())
-                .with("name", quoted));
+            return Err(needs(code, name));
         }
-        let mut scene = Self {
+        let roots = roots(&json);
+        Ok(Self {
             json,
             bytes,
             draws: Vec::new(),
             visits: 0,
-        };
-        for root in scene.roots() {
-            scene.visit(root, &Affine::NONE, DEPTH)?;
-        }
-        Ok(scene.draws)
+            primitives: 0,
+            roots,
+            root: 0,
+            path: Vec::new(),
+        })
     }
 
-    /// The root nodes of the default scene; without a scene, the nodes that are no other's child.
-    fn roots(&self) -> Vec<usize> {
-        let number = self.json.index_of("scene").unwrap_or(0);
-        if let Some(scene) = self.json.list_of("scenes").get(number) {
-            let nodes = scene.list_of("nodes").iter();
-            return nodes.map(|n| n.index().unwrap_or(usize::MAX)).collect();
-        }
-        let nodes = self.json.list_of("nodes");
-        let mut is_root = vec![true; nodes.len()];
-        for child in nodes.iter().flat_map(|node| node.list_of("children")) {
-            if let Some(root) = child.index().and_then(|n| is_root.get_mut(n)) {
-                *root = false;
+    /// Does up to `amount` steps; returns the draws at the end.
+    pub fn advance(&mut self, amount: usize) -> Option<Result<Vec<Draw>, Notice>> {
+        for _ in 0..amount {
+            match self.step() {
+                Ok(true) => {}
+                Ok(false) => return Some(Ok(std::mem::take(&mut self.draws))),
+                Err(why) => return Some(Err(why)),
             }
         }
-        (0..nodes.len()).filter(|&n| is_root[n]).collect()
+        None
     }
 
-    fn visit(&mut self, number: usize, outer: &Affine, depth: usize) -> Result<(), Notice> {
-        let json = self.json;
-        let node = json.list_of("nodes").get(number);
+    /// Looks at the next primitive, or goes to the next node; false if there is none.
+    fn step(&mut self) -> Result<bool, Notice> {
+        let Some(visit) = self.path.last_mut() else {
+            let Some(root) = self.roots.get(self.root) else {
+                return Ok(false);
+            };
+            self.root += 1;
+            self.enter(*root, Affine::NONE)?;
+            return Ok(true);
+        };
+        let node = &self.json.list_of("nodes")[visit.node];
+        if let Some(mesh) = node.index_of("mesh") {
+            let meshes = self.json.list_of("meshes");
+            let mesh = meshes.get(mesh).ok_or_else(|| broken("mesh", mesh))?;
+            if let Some(primitive) = mesh.list_of("primitives").get(visit.primitive) {
+                visit.primitive += 1;
+                self.primitives += 1;
+                if self.primitives > MOST_PRIMITIVES {
+                    return Err(broken("primitive", self.draws.len()));
+                }
+                let frame = visit.frame;
+                let draw = self.draw(primitive, frame)?;
+                self.draws.extend(draw);
+                return Ok(true);
+            }
+        }
+        if let Some(child) = node.list_of("children").get(visit.child) {
+            visit.child += 1;
+            let child = child.index().ok_or_else(|| broken("node", visit.node))?;
+            let frame = visit.frame;
+            self.enter(Some(child), frame)?;
+        } else {
+            self.path.pop();
+        }
+        Ok(true)
+    }
+
+    fn enter(&mut self, number: Option<usize>, outer: Affine) -> Result<(), Notice> {
+        let nodes = self.json.list_of("nodes");
+        let node = number.and_then(|number| nodes.get(number));
         self.visits += 1;
         // In a broken file nodes may contain each other.
-        let (Some(node), 1..) = (node, depth) else {
-            return Err(broken("node", number));
-        };
-        if self.visits > MOST_DRAWS {
-            return Err(broken("node", number));
-        }
-        let frame = outer.then(&Affine::of(node));
-        if let Some(mesh) = node.index_of("mesh") {
-            let meshes = json.list_of("meshes");
-            let mesh = meshes.get(mesh).ok_or_else(|| broken("mesh", mesh))?;
-            for primitive in mesh.list_of("primitives") {
-                self.primitive(primitive, frame)?;
-            }
-        }
-        for child in node.list_of("children") {
-            let child = child.index().ok_or_else(|| broken("node", number))?;
-            self.visit(child, &frame, depth - 1)?;
+        let is_inside = self.path.len() < DEPTH && self.visits <= MOST_DRAWS;
+        match (number, node.filter(|_| is_inside)) {
+            (Some(number), Some(node)) => self.path.push(Visit {
+                frame: outer.then(&Affine::of(node)),
+                node: number,
+                primitive: 0,
+                child: 0,
+            }),
+            _ => return Err(broken("node", number)),
         }
         Ok(())
     }
 
-    fn primitive(&mut self, primitive: &Json, frame: Affine) -> Result<(), Notice> {
+    /// The draw of a primitive, if it has triangles.
+    fn draw(&self, primitive: &Json, frame: Affine) -> Result<Option<Draw>, Notice> {
         let mode = match primitive.get("mode").map(|mode| mode.index()) {
             None | Some(Some(4)) => Mode::Triangles,
             Some(Some(5)) => Mode::Strip,
             Some(Some(6)) => Mode::Fan,
             // Points and lines are skipped.
-            _ => return Ok(()),
+            _ => return Ok(None),
         };
         let extensions = primitive.get("extensions");
         if let Some(name) = COMPRESSED
             .iter()
             .find(|name| extensions.and_then(|e| e.get(name)).is_some())
         {
-            let compressed = Notice::new(Code::FileCompressed).with("kind", "GLB".to_owned());
-            return Err(compressed.with("name", crate::notice::quote(name)));
+            return Err(needs(Code::FileCompressed, name));
         }
         let Some(places) = primitive
             .get("attributes")
             .and_then(|all| all.index_of("POSITION"))
         else {
-            return Ok(());
+            return Ok(None);
         };
         let corners = match primitive.get("indices") {
             None => None,
-            Some(number) => Some(self.view(number.index().unwrap_or(usize::MAX), 1)?),
+            Some(number) => {
+                let number = number.index().ok_or_else(|| broken("accessor", None))?;
+                Some(self.view(number, 1)?)
+            }
         };
         let places = self.view(places, 3)?;
         if places.kind == ComponentType::U32
@@ -272,13 +331,12 @@ impl<'a> ModelScene<'a> {
         if self.draws.len() == MOST_DRAWS {
             return Err(broken("primitive", self.draws.len()));
         }
-        self.draws.push(Draw {
+        Ok(Some(Draw {
             places,
             corners,
             mode,
             frame,
-        });
-        Ok(())
+        }))
     }
 
     /// The view of an accessor with `group` components.
@@ -286,8 +344,7 @@ impl<'a> ModelScene<'a> {
         let bad = || broken("accessor", number);
         let accessor = self.json.list_of("accessors").get(number).ok_or_else(bad)?;
         if accessor.get("sparse").is_some() {
-            let needs = Notice::new(Code::FileNeeds).with("kind", "GLB".to_owned());
-            return Err(needs.with("name", "\"sparse\"".to_owned()));
+            return Err(needs(Code::FileNeeds, "sparse"));
         }
         let wanted = if group == 3 { "VEC3" } else { "SCALAR" };
         if accessor.get("type").and_then(Json::text) != Some(wanted) {
@@ -339,4 +396,21 @@ impl<'a> ModelScene<'a> {
             is_normalized: accessor.get("normalized") == Some(&Json::Yes),
         })
     }
+}
+
+/// The root nodes of the default scene; without a scene, the nodes that are no other's child.
+fn roots(json: &Json) -> Vec<Option<usize>> {
+    let number = json.index_of("scene").unwrap_or(0);
+    if let Some(scene) = json.list_of("scenes").get(number) {
+        return scene.list_of("nodes").iter().map(Json::index).collect();
+    }
+    let nodes = json.list_of("nodes");
+    let mut is_root = vec![true; nodes.len()];
+    for child in nodes.iter().flat_map(|node| node.list_of("children")) {
+        if let Some(root) = child.index().and_then(|n| is_root.get_mut(n)) {
+            *root = false;
+        }
+    }
+    let roots = (0..nodes.len()).filter(|&n| is_root[n]);
+    roots.map(Some).collect()
 }

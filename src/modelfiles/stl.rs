@@ -1,29 +1,31 @@
 //! STL: text and binary.
 
-use super::text::{next_word, number, trimmed};
+use super::text::{LineCount, next_word, number};
 use super::{Reader, SLICE, bad_line, ends, too_large};
 use crate::notice::Notice;
-use crate::trimesh::{MOST_TRIANGLES, Soup};
+use crate::trimesh::{MOST_TRIANGLES, Soup, polygon};
 use glam::DVec3;
 
 /// Bytes of the head with the count of triangles, and of a triangle.
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
-/// The reader, if this is such a file. Both kinds may begin with `solid`; a binary file has exactly the length that
-/// its head gives.
-pub(super) fn of(bytes: &[u8], is_named_so: bool) -> Option<Box<dyn Reader>> {
+/// Whether a file is binary: it has exactly the length that its head gives. Such a file may begin with `solid`, too.
+pub(super) fn has_numbers(bytes: &[u8]) -> bool {
     let length = count(bytes).map(|n| HEAD as u64 + TRIANGLE as u64 * u64::from(n));
-    if length == Some(bytes.len() as u64) {
-        return Some(Box::<Numbers>::default());
-    }
-    let start = trimmed(bytes);
-    let start = &start[..start.len().min(4096)];
+    length == Some(bytes.len() as u64)
+}
+
+/// Whether a file is long enough for the head of a binary one.
+pub(super) fn has_head(bytes: &[u8]) -> bool {
+    count(bytes).is_some()
+}
+
+/// Whether text looks like such a file. Some programs write its words in capitals.
+pub(super) fn is_text(start: &[u8]) -> bool {
+    let start = start[..start.len().min(4096)].to_ascii_lowercase();
     let has = |word: &[u8]| start.windows(word.len()).any(|w| w == word);
-    if start.starts_with(b"solid") && (has(b"facet") || has(b"endsolid")) {
-        return Some(Box::<Text>::default());
-    }
-    (is_named_so && length.is_some()).then(|| Box::<Numbers>::default() as Box<dyn Reader>)
+    start.starts_with(b"solid") && (has(b"facet") || has(b"endsolid"))
 }
 
 /// The count of triangles in the head of a binary file.
@@ -32,8 +34,9 @@ fn count(bytes: &[u8]) -> Option<u32> {
     Some(u32::from_le_bytes(count.try_into().ok()?))
 }
 
+/// Reads a binary file.
 #[derive(Default)]
-struct Numbers {
+pub(super) struct Numbers {
     at: usize,
 }
 
@@ -75,9 +78,13 @@ impl Reader for Numbers {
     }
 }
 
+/// Reads a text.
 #[derive(Default)]
-struct Text {
+pub(super) struct Text {
     at: usize,
+    lines: LineCount,
+    /// The corners of the current facet.
+    facet: Vec<u32>,
 }
 
 impl Reader for Text {
@@ -88,17 +95,22 @@ impl Reader for Text {
                 self.at = bytes.len();
                 break;
             };
-            if word.eq_ignore_ascii_case(b"vertex") {
+            let is = |other: &[u8]| word.eq_ignore_ascii_case(other);
+            if is(b"vertex") {
                 self.vertex(bytes, soup)?;
+            } else if is(b"loop") || is(b"endloop") || is(b"facet") || is(b"endfacet") {
+                self.end_facet(soup);
             }
         }
+        self.lines.reach(bytes, self.at);
         if self.at < bytes.len() {
             return Ok(false);
         }
-        match soup.positions.len() % 3 {
-            0 => Ok(true),
-            _ => Err(ends("STL")),
+        if matches!(self.facet.len(), 1 | 2) {
+            return Err(ends("STL"));
         }
+        self.end_facet(soup);
+        Ok(true)
     }
 
     fn progress(&self, bytes: &[u8]) -> f64 {
@@ -113,17 +125,21 @@ impl Text {
             let Some(word) = next_word(bytes, &mut self.at) else {
                 return Err(ends("STL"));
             };
-            let line = || 1 + bytes[..self.at].iter().filter(|&&b| b == b'\n').count();
+            let mut line = || self.lines.reach(bytes, self.at);
             *x = number(word).ok_or_else(|| bad_line("STL", line(), word))?;
         }
-        soup.positions.push(place.into());
         let n = soup.positions.len();
-        if n.is_multiple_of(3) {
-            soup.triangles.push([n - 3, n - 2, n - 1].map(|v| v as u32));
-        }
-        if n > 3 * MOST_TRIANGLES + 3 {
+        if n > 3 * MOST_TRIANGLES {
             return Err(too_large(n / 3));
         }
+        self.facet.push(n as u32);
+        soup.positions.push(place.into());
         Ok(())
+    }
+
+    /// Adds the triangles of the current facet. A few programs write facets of more than three vertices.
+    fn end_facet(&mut self, soup: &mut Soup) {
+        polygon::add(&soup.positions, &self.facet, &mut soup.triangles);
+        self.facet.clear();
     }
 }

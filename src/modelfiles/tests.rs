@@ -326,3 +326,143 @@ fn our_own_files_are_read() {
     assert_eq!(soup.positions, mesh.positions());
     assert_eq!(soup.triangles, mesh.triangles());
 }
+
+/// A file's text in other spellings that programs use: a byte order mark, other ends of lines, capitals, tabs, and no
+/// end of the last line.
+fn spelled(text: &str) -> Vec<Vec<u8>> {
+    let text = text.replace("\r\n", "\n");
+    [
+        format!("\u{FEFF}{text}"),
+        text.replace('\n', "\r\n"),
+        text.replace('\n', "\r"),
+        text.to_ascii_uppercase(),
+        text.replace(' ', "\t"),
+        text.trim_end().to_owned(),
+        format!(
+            "\u{FEFF}{}",
+            text.to_ascii_uppercase().replace('\n', "\r").trim_end()
+        ),
+    ]
+    .map(String::into_bytes)
+    .into()
+}
+
+#[test]
+fn text_is_read_in_every_spelling() {
+    let model = model();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    for (name, text) in [
+        ("a.obj", obj(&model)),
+        ("a.ply", text(ply(&model, "ascii"))),
+        ("a.stl", stl_text(&model)),
+    ] {
+        let wanted = read(name, text.clone());
+        assert_eq!(wanted.triangles.len(), model.1.len());
+        for (k, bytes) in spelled(&text).into_iter().enumerate() {
+            for named in [name, "model"] {
+                assert!(read(named, bytes.clone()) == wanted, "{name}, spelling {k}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lines_of_text_may_end_with_a_return() {
+    let text = "\u{FEFF}v 0 0 0\rv 1 0 0\rv 1 0 -1\rf 1 2 3\rv one\r";
+    let why = Reading::read("a.obj", text.into()).unwrap_err();
+    assert!(why.to_string().starts_with("Line 5 of the OBJ"), "{why}");
+    let text = "solid a\r\nfacet\r\nouter loop\r\nvertex 0 0 zero";
+    let why = Reading::read("a.stl", text.into()).unwrap_err();
+    assert!(why.to_string().starts_with("Line 4 of the STL"), "{why}");
+    // The numbers of a binary PLY follow its head, whatever ends the head's lines.
+    let binary = ply(&model(), "binary_little_endian");
+    let head = binary
+        .windows(11)
+        .position(|w| w == b"end_header\n")
+        .unwrap()
+        + 11;
+    let wanted = read("a.ply", binary.clone());
+    for end in ["\r", "\r\n"] {
+        let text = String::from_utf8(binary[..head].to_vec())
+            .unwrap()
+            .replace('\n', end);
+        let other = [text.as_bytes(), &binary[head..]].concat();
+        assert!(read("a.ply", other) == wanted, "{end:?}");
+    }
+}
+
+#[test]
+fn facets_of_an_stl_may_have_more_corners() {
+    let square = "facet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    let next = square.replace("vertex 0", "vertex 2");
+    let soup = read(
+        "a.stl",
+        format!("solid\n{square}{next}facet\nouter loop\nendloop\nendsolid"),
+    );
+    assert_eq!(soup.positions.len(), 8);
+    let mesh = MeshRepair::mend(soup).unwrap().mesh;
+    assert!((mesh.area() - 2.0).abs() < 1e-12);
+    let cut = square.replace("vertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n", "");
+    assert_eq!(refused("a.stl", format!("solid\n{cut}")), Code::FileEnds);
+}
+
+#[test]
+fn a_line_without_an_end_is_refused() {
+    let text = format!("v 0 0 0\nf{}", " 1".repeat(3_000_000));
+    let why = Reading::read("a.obj", text.into_bytes()).unwrap_err();
+    assert!(why.to_string().starts_with("Line 2 of the OBJ"), "{why}");
+}
+
+/// A GLB file with `visits` nodes that draw nothing, and more text at the end of its head and of its first node.
+fn visited(visits: usize, in_root: &str, in_node: &str) -> Vec<u8> {
+    let children = "1,".repeat(visits - 1);
+    let json = format!(
+        r#"{{"scenes":[{{"nodes":[0]}}],"nodes":[{{"children":[{children}1]}},{{"a":0{in_node}}}]{in_root}}}"#
+    );
+    glb_of(&json, &[])
+}
+
+#[test]
+fn a_head_of_a_glb_is_read_in_short_slices() {
+    let matrix = format!(r#","matrix":[{}0]"#, "0,".repeat(1_000_000));
+    let junk: String = (0..60_000).map(|k| format!(r#","k{k}":{k}"#)).collect();
+    let deep = format!(r#","extras":{}{}"#, "[".repeat(5000), "]".repeat(5000));
+    for (bytes, least) in [
+        (visited(90_000, "", &matrix), 25),
+        (visited(90_000, &junk, ""), 25),
+        (visited(10, &deep, &deep), 3),
+        (visited(99_999, "", r#","children":[]"#), 20),
+    ] {
+        let mut reading = Reading::new("a.glb", bytes).unwrap();
+        let mut slices = 1;
+        while reading.advance().map(|soup| soup.unwrap()).is_none() {
+            slices += 1;
+        }
+        assert!(slices >= least, "{slices}");
+    }
+    assert_eq!(refused("a.glb", visited(100_001, "", "")), Code::FileBroken);
+    // Lines are looked at, too, though they draw nothing.
+    let lines = r#"{"mode":1},"#.repeat(1000);
+    let json = format!(
+        r#"{{"nodes":[{}{{"mesh":0}}],"meshes":[{{"primitives":[{lines}{{}}]}}]}}"#,
+        r#"{"mesh":0},"#.repeat(2000)
+    );
+    assert_eq!(refused("a.glb", glb_of(&json, &[])), Code::FileBroken);
+}
+
+#[test]
+fn what_a_glb_says_of_itself_is_told_alike_on_all_machines() {
+    let sentence = |json: &str| {
+        let why = Reading::read("a.glb", glb_of(json, &[])).expect_err("no model");
+        why.to_string()
+    };
+    let primitive = |text: &str| {
+        format!(r#"{{"nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{{text}}}]}}]}}"#)
+    };
+    let said = sentence(&primitive(r#""attributes":{"POSITION":0},"indices":-1"#));
+    assert!(said.contains("its accessor is not"), "{said}");
+    let said = sentence(r#"{"nodes":[{}],"scenes":[{"nodes":[1.5]}]}"#);
+    assert!(said.contains("its node is not"), "{said}");
+    let said = sentence(r#"{"extensionsRequired":["KHR_draco_mesh_compression"]}"#);
+    assert!(said.contains("\"KHR_draco_mesh_compression\""), "{said}");
+}

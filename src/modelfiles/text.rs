@@ -2,13 +2,49 @@
 
 use crate::decimal;
 
-/// The text without white space at its start.
-pub(super) fn trimmed(bytes: &[u8]) -> &[u8] {
-    // Some programs put a byte order mark first.
-    bytes
-        .strip_prefix(b"\xEF\xBB\xBF")
-        .unwrap_or(bytes)
-        .trim_ascii_start()
+/// The length of the byte order mark that some programs put first.
+pub(super) fn mark(bytes: &[u8]) -> usize {
+    if bytes.starts_with(b"\xEF\xBB\xBF") {
+        3
+    } else {
+        0
+    }
+}
+
+/// The line that begins at `at`, without its end; moves `at` to the next one. Lines end with LF, CR LF or CR. Nothing
+/// if the line has more than `most` bytes.
+pub(super) fn next_line<'a>(bytes: &'a [u8], at: &mut usize, most: usize) -> Option<&'a [u8]> {
+    let rest = &bytes[*at..];
+    let near = &rest[..rest.len().min(most)];
+    let length = near.iter().position(|b| b"\r\n".contains(b));
+    let length = match length {
+        Some(length) => length,
+        None if near.len() == rest.len() => rest.len(),
+        None => return None,
+    };
+    let (line, end) = rest.split_at(length);
+    *at += length + if end.starts_with(b"\r\n") { 2 } else { 1 }.min(end.len());
+    Some(line)
+}
+
+/// Counts lines as a reader goes on, so that a notice need not count from the start.
+#[derive(Default)]
+pub(super) struct LineCount {
+    at: usize,
+    ends: usize,
+}
+
+impl LineCount {
+    /// Goes on to a place; returns the number of its line, from 1.
+    pub fn reach(&mut self, bytes: &[u8], place: usize) -> usize {
+        let is_end = |k: &usize| match bytes[*k] {
+            b'\r' => bytes.get(k + 1) != Some(&b'\n'),
+            byte => byte == b'\n',
+        };
+        self.ends += (self.at..place).filter(is_end).count();
+        self.at = self.at.max(place);
+        1 + self.ends
+    }
 }
 
 /// The words of a line.
@@ -17,16 +53,27 @@ pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
         .filter(|word| !word.is_empty())
 }
 
-/// The next word from `at` on; moves `at` behind it.
+/// The longest run of letters or of white space that is taken at a time, in bytes.
+const RUN: usize = 1 << 20;
+
+/// The next word from `at` on; moves `at` behind it. A longer word than [`RUN`] comes in parts, and so much white space
+/// is an empty word.
 pub(super) fn next_word<'a>(bytes: &'a [u8], at: &mut usize) -> Option<&'a [u8]> {
     let rest = bytes.get(*at..)?;
-    let start = rest.iter().position(|b| !b.is_ascii_whitespace())?;
-    let word = &rest[start..];
+    let near = &rest[..rest.len().min(RUN)];
+    let Some(start) = near.iter().position(|b| !b.is_ascii_whitespace()) else {
+        *at += near.len();
+        return (near.len() < rest.len()).then_some(&[]);
+    };
+    let word = &rest[start..rest.len().min(start + RUN)];
     let length = word.iter().position(u8::is_ascii_whitespace);
     let length = length.unwrap_or(word.len());
     *at += start + length;
     Some(&word[..length])
 }
+
+/// The longest text of a number, in bytes.
+const LONGEST: usize = 1000;
 
 /// Powers of ten that are exact as doubles.
 const TENS: [f64; 23] = [
@@ -37,6 +84,9 @@ const TENS: [f64; 23] = [
 /// The double nearest to a decimal number. Numbers of few digits, which are the most, need no long division (Clinger
 /// 1990, How to Read Floating Point Numbers Accurately).
 pub(super) fn number(word: &[u8]) -> Option<f64> {
+    if word.len() > LONGEST {
+        return None;
+    }
     let (is_negative, plain) = match word {
         [b'-', rest @ ..] => (true, rest),
         [b'+', rest @ ..] => (false, rest),
@@ -177,6 +227,28 @@ mod tests {
         ] {
             same(word);
         }
+    }
+
+    #[test]
+    fn lines_end_in_three_ways() {
+        let text = b"a\nb\r\nc\rd\n\n\re";
+        let (mut at, mut lines, mut count) = (0, Vec::new(), LineCount::default());
+        while at < text.len() {
+            assert_eq!(count.reach(text, at), lines.len() + 1);
+            lines.push(next_line(text, &mut at, 9).unwrap());
+        }
+        assert_eq!(lines, [&b"a"[..], b"b", b"c", b"d", b"", b"", b"e"]);
+        assert_eq!(next_line(text, &mut 0, 1), None);
+        assert_eq!(next_line(&text[..1], &mut 0, 1), Some(&b"a"[..]));
+    }
+
+    #[test]
+    fn long_runs_come_in_parts() {
+        let text = [vec![b' '; RUN + 1], vec![b'a'; RUN + 1]].concat();
+        let mut at = 0;
+        let words = std::iter::from_fn(|| next_word(&text, &mut at).map(<[u8]>::len));
+        assert_eq!(words.collect::<Vec<_>>(), [0, RUN, 1]);
+        assert_eq!(number(&[b'1'; LONGEST + 1]), None);
     }
 
     #[test]

@@ -89,14 +89,26 @@ impl From<Notice> for String {
 /// Most characters of foreign text quoted in a sentence.
 const QUOTED: usize = 24;
 
+/// The same for names that a reader will search for.
+const QUOTED_LONG: usize = 80;
+
 /// Makes foreign text fit for a sentence: short and without control characters.
 pub fn quote(text: &str) -> String {
+    quote_up_to(text, QUOTED)
+}
+
+/// The same for a name that a reader will search for, such as that of an extension.
+pub fn quote_long(text: &str) -> String {
+    quote_up_to(text, QUOTED_LONG)
+}
+
+fn quote_up_to(text: &str, most: usize) -> String {
     let mut short: String = text
         .chars()
-        .take(QUOTED)
+        .take(most)
         .map(|c| if c.is_control() { ' ' } else { c })
         .collect();
-    if text.chars().nth(QUOTED).is_some() {
+    if text.chars().nth(most).is_some() {
         short.push('…');
     }
     format!("\"{short}\"")

@@ -75,11 +75,11 @@ impl PixelGrid {
         }
         let looked_at = columns.len() * rows.len();
         let columns = columns.start - columns.start % LANES as i32..columns.end;
-        match is_narrow & is_low {
-            true => self.small(corners, area, [columns, rows], put),
-            false => self.large(corners, area, [columns, rows], put),
+        if is_narrow & is_low {
+            self.small(corners, area, [columns, rows], put);
+            return looked_at;
         }
-        looked_at
+        self.large(corners, area, [columns, rows], put)
     }
 
     /// Draws a triangle whose edge functions fit into i32.
@@ -126,6 +126,8 @@ impl PixelGrid {
         }
     }
 
+    /// Draws a triangle of any size; returns the number of pixels that were examined. Most of a sliver's box is
+    /// outside of it, so each row is examined only between the edges.
     #[inline(never)]
     fn large(
         &self,
@@ -133,7 +135,7 @@ impl PixelGrid {
         area: i64,
         [columns, rows]: [Range<i32>; 2],
         mut put: impl FnMut(FourPixels),
-    ) {
+    ) -> usize {
         let area = area as f64;
         let fixed = corners.map(|corner| corner.at.map(f64::from));
         let [a, b, c] = fixed;
@@ -144,14 +146,22 @@ impl PixelGrid {
         ];
         let depth = Depth::new(fixed, corners.map(|corner| corner.near), area);
         let from = |axis: usize, pixel: i32| f64::from(pixel) + 0.5 - a[axis] / SUB;
-        let first: [f64; LANES] = from_fn(|k| from(0, columns.start + k as i32));
+        let mut looked_at = 0;
         for y in rows {
             let down = from(1, y);
             let starts = edges.map(|edge| edge.start + down * edge.down);
             let deep = down * depth.down;
             let row = y as usize * self.width;
-            let mut across = first;
-            for x in columns.clone().step_by(LANES) {
+            let begin = from(0, columns.start);
+            let near = starts
+                .iter()
+                .zip(&edges)
+                .fold(columns.clone(), |near, (&start, edge)| {
+                    edge.narrow(near, columns.start, start + begin * edge.right)
+                });
+            looked_at += LANES + near.len();
+            let mut across: [f64; LANES] = from_fn(|k| from(0, near.start + k as i32));
+            for x in near.step_by(LANES) {
                 let at: [[f64; LANES]; 3] =
                     from_fn(|e| from_fn(|k| starts[e] + across[k] * edges[e].right));
                 let four = FourPixels {
@@ -166,6 +176,7 @@ impl PixelGrid {
                 across = across.map(|across| across + LANES as f64);
             }
         }
+        looked_at
     }
 }
 
@@ -188,6 +199,25 @@ impl EdgeFunction {
             start: start - f64::from(less(dx, dy)),
             right: dy * SUB,
             down: -dx * SUB,
+        }
+    }
+
+    /// The columns of a row that can be inside of the edge, with one more at each end against rounding; they begin
+    /// with a whole group. `value` is the function at the column `first`.
+    #[inline(always)]
+    fn narrow(&self, columns: Range<i32>, first: i32, value: f64) -> Range<i32> {
+        if self.right == 0.0 {
+            return if value < 0.0 { first..first } else { columns };
+        }
+        // Where the edge crosses the row; the conversion saturates.
+        let cross = (-value / self.right) as i32;
+        if self.right > 0.0 {
+            let start = first.saturating_add(cross).saturating_sub(1);
+            let start = start.max(columns.start);
+            start - start % LANES as i32..columns.end
+        } else {
+            let end = first.saturating_add(cross).saturating_add(2);
+            columns.start..columns.end.min(end)
         }
     }
 }

@@ -17,9 +17,11 @@ const BOTH: f64 = 0.5;
 /// Shares of the area from which on a notice is given, and from which on cells are refused.
 const TOLD: f64 = 0.005;
 const MOST: f64 = 0.5;
-/// One triangle in this many is measured, and this many triangles pass in a slice.
+/// One triangle in this many is measured, or fewer if each has very many within the side of a cell. In a slice this many
+/// triangles are looked at, and in all.
 const SAMPLED: usize = 8;
-const SLICE: usize = 1 << 9;
+const SLICE: f64 = 1e5;
+const ALL: f64 = 5e7;
 /// Two triangles face away from each other if the dot product of their normals is less.
 const BACK: f64 = -0.2;
 /// A triangle lies below a point if it is within 60 degrees of straight down (cosine).
@@ -41,6 +43,8 @@ pub fn check_count(cells: f64) -> Result<(), Notice> {
 
 /// The properties of a surface on which the fit of cells depends.
 pub trait Local {
+    /// The mean side of cells.
+    fn mean_size(&self) -> f64;
     /// The side of cells at a point.
     fn size(&self, point: &SurfacePoint) -> f64;
     /// The two principal curvatures at a point, one over a length.
@@ -48,6 +52,10 @@ pub trait Local {
 }
 
 impl Local for SurfaceFields {
+    fn mean_size(&self) -> f64 {
+        SurfaceFields::mean_size(self)
+    }
+
     fn size(&self, point: &SurfacePoint) -> f64 {
         SurfaceFields::size(self, point)
     }
@@ -87,9 +95,15 @@ impl Fitting {
     /// Measures one more slice of a surface; returns the shares when it is done.
     pub fn advance(&mut self, mesh: &TriMesh, search: &Search, local: &impl Local) -> Option<Fit> {
         let count = mesh.triangles().len();
-        let end = count.min(self.at + SLICE * SAMPLED);
+        // About how many triangles lie within the side of a cell.
+        let size = local.mean_size();
+        let near = 1.0 + count as f64 * std::f64::consts::PI * size * size / mesh.area();
         // If there are few triangles, all are measured.
-        let step = if count > 64 * SAMPLED { SAMPLED } else { 1 };
+        let step = match count > 64 * SAMPLED {
+            true => SAMPLED.max((count as f64 * near / ALL) as usize),
+            false => 1,
+        };
+        let end = count.min(self.at + step * (SLICE / near).max(1.0) as usize);
         for t in (self.at..end).step_by(step) {
             self.measure(mesh, search, local, t as u32);
         }
@@ -168,6 +182,10 @@ mod tests {
     }
 
     impl Local for Even {
+        fn mean_size(&self) -> f64 {
+            self.size
+        }
+
         fn size(&self, _: &SurfacePoint) -> f64 {
             self.size
         }

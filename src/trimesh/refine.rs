@@ -17,6 +17,13 @@ pub const SHARE: f64 = 0.4;
 pub const MOST_REFINED: usize = 1_500_000;
 /// A round splits edges with at least this share of the greatest excess.
 const NEARLY: f64 = 0.6;
+/// A mesh with slivers has more triangles than this, this many times more than it began with, and this many times more
+/// than its area needs.
+const SLIVERS: usize = 1 << 17;
+const GROWN: usize = 4;
+const NEEDLESS: f64 = 16.0;
+/// The area of an equilateral triangle, in squares of its side.
+const EQUILATERAL: f64 = 0.4330127018922193;
 /// Triangles in a slice.
 const SLICE: usize = 1 << 14;
 
@@ -44,6 +51,8 @@ pub struct Refining {
     excess: f64,
     /// Whether the allowed length is the same everywhere; then the count of triangles can be foretold.
     is_even: bool,
+    /// How many triangles there were at first.
+    began: usize,
     /// A lower bound of the triangles at the end.
     least: f64,
     /// For each edge of each triangle its new vertex, or [`NONE`].
@@ -68,6 +77,7 @@ impl Refining {
     pub fn new(mesh: TriMesh, targets: Vec<f64>) -> Self {
         Self {
             origin: (0..mesh.triangles().len() as u32).collect(),
+            began: mesh.triangles().len(),
             targets,
             mesh,
             parents: Vec::new(),
@@ -151,6 +161,23 @@ impl Refining {
         None
     }
 
+    /// Whether slivers are being split again and again. A split of both long edges gives three triangles of half the
+    /// length, where two would do, and nearly all triangles of a needle come from that. Only for even lengths.
+    pub fn has_slivers(&self) -> bool {
+        let count = self.mesh.triangles().len();
+        let is_between = self.stage == RefiningPhase::Measure && self.at == 0;
+        if !is_between || !self.is_even || count < SLIVERS.max(GROWN * self.began) {
+            return false;
+        }
+        let most = EQUILATERAL * self.targets[0] * self.targets[0];
+        count as f64 * most > NEEDLESS * self.mesh.area()
+    }
+
+    /// The mesh between two rounds, as far as it is refined.
+    pub fn into_mesh(self) -> TriMesh {
+        self.mesh
+    }
+
     /// Splits to the end; a new vertex gets the mean length of its two parents.
     ///
     /// # Errors
@@ -195,7 +222,7 @@ impl Refining {
         }
         if self.is_even {
             // The equilateral triangle has the greatest area of all.
-            let most = 0.4330127018922193 * self.targets[0] * self.targets[0];
+            let most = EQUILATERAL * self.targets[0] * self.targets[0];
             self.least += (self.mesh.area_of(t as u32) / most).max(1.0);
         }
     }

@@ -40,6 +40,23 @@ export async function keepFile(digest: string, name: string, file: Blob): Promis
   }
 }
 
+/**
+ * Stores a file that came with someone's recipe. It replaces no file, and none is deleted for it. False if it is lost
+ * with this page.
+ */
+export async function addFile(digest: string, name: string, file: Blob): Promise<boolean> {
+  const kept = { digest, name, used: Date.now(), file };
+  if (!here.has(digest)) here.set(digest, kept);
+  answer();
+  try {
+    if (sizeOf(await everyFile()) + file.size > MOST) return false;
+    await within('readwrite', (store) => store.add(kept));
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 /** A file with this digest from any source; undefined if it is not available. */
 export async function findFile(digest: string): Promise<Blob | undefined> {
   const { file } = here.get(digest) ?? (await stored(digest)) ?? {};
@@ -64,12 +81,19 @@ async function stored(digest: string): Promise<Kept | undefined> {
   }
 }
 
+async function everyFile(): Promise<Kept[]> {
+  return within<Kept[]>('readonly', (store) => store.getAll() as IDBRequest<Kept[]>);
+}
+
+function sizeOf(kept: Kept[]): number {
+  return kept.reduce((sum, { file }) => sum + file.size, 0);
+}
+
 /** Deletes old files; the newest stays, however large it is. */
 async function makeRoom(newest: string): Promise<void> {
-  const all = (await within('readonly', (store) => store.getAll())) as Kept[];
-  const size = (kept: Kept[]): number => kept.reduce((sum, { file }) => sum + file.size, 0);
+  const all = await everyFile();
   const others = all.filter(({ digest }) => digest !== newest).sort((a, b) => a.used - b.used);
-  for (let left = size(all); left > MOST; ) {
+  for (let left = sizeOf(all); left > MOST; ) {
     const oldest = others.shift();
     if (!oldest) return;
     await within('readwrite', (store) => store.delete(oldest.digest));

@@ -1,8 +1,10 @@
 /**
  * The model files inside a recipe's file: their bytes, compressed, as base64 at its end. Writing and reading go piece
- * by piece.
+ * by piece. Such a file may come from anyone, so a model is kept only if it is the one that the recipe names.
  */
-import { findFile, keepFile } from '../module/shelf';
+import { addFile, findFile } from '../module/shelf';
+import { loadWhole } from '../module/load';
+import type { Whole } from '../module/scene';
 import { piecesOf } from '../module/given';
 import { t } from '../words/take';
 import type { Task } from '../late/task';
@@ -15,6 +17,12 @@ const BYTES = '"gzip": "';
 /** Bytes of a piece, and characters of its base64. */
 const PIECE = 3 << 16;
 const TEXT = 4 << 16;
+
+/** Compressed bytes that are unpacked at a time: they become at most a thousand times as many. */
+const PACKED = 1 << 13;
+
+/** The most bytes of a model, as when it is opened by itself. */
+const LARGEST = 400_000_000;
 
 /** The next model's bytes begin within this many bytes after the end of one. */
 const HEAD = 4096;
@@ -64,19 +72,78 @@ export function headOf(bytes: Uint8Array): { text: string; at: number | undefine
   return { text: `${text}"}${text.includes('"files": [') ? ']' : ''}}`, at: begin };
 }
 
-/** Stores the models of a recipe's file, so that the recipe finds them. The engine checks their digests. */
-export async function keepFiles(file: Blob, at: number, first: object): Promise<void> {
+/** A model as a recipe's file describes it. */
+interface Described {
+  digest: string;
+  name: string;
+  size: number;
+}
+
+/** What became of the models in a file: the names of those that are not what the file says, and of those for which there was no room. */
+export interface Unpacked {
+  wrong: string[];
+  unkept: string[];
+}
+
+/**
+ * Stores the models of a recipe's file that the recipe names and that are not here yet. A model takes no other one's
+ * place. Throws an error when the task is stopped, or if the module does not load.
+ */
+export async function keepFiles(file: Blob, at: number, first: object, recipe: string, task: Task): Promise<Unpacked> {
+  const module = await loadWhole();
+  const asked = namedBy(module, recipe);
+  const became: Unpacked = { wrong: [], unkept: [] };
   let next: { head: object; at: number } | undefined = { head: first, at };
   while (next) {
-    await keepOne(file, next.at, next.head);
+    const model = describedBy(next.head);
+    if (model && asked.delete(model.digest) && !(await findFile(model.digest))) {
+      const unpacked = await checked(module, bytesFrom(file, next.at), model, task);
+      if (!unpacked) became.wrong.push(model.name);
+      else if (!(await addFile(model.digest, model.name, unpacked))) became.unkept.push(model.name);
+    }
     next = await following(file, next.at);
+  }
+  return became;
+}
+
+/** The digests of the files that a recipe names. */
+function namedBy(module: Whole, recipe: string): Set<string> {
+  const studio = new module.Bubblestone(recipe);
+  try {
+    return new Set(studio.recipeFiles().map(({ digest }) => digest));
+  } finally {
+    studio.free();
   }
 }
 
-async function keepOne(file: Blob, at: number, { digest, name }: { digest?: unknown; name?: unknown }): Promise<void> {
-  if (typeof digest !== 'string' || typeof name !== 'string') return;
-  const unpacked = from(bytesFrom(file, at)).pipeThrough(new DecompressionStream('gzip'));
-  await keepFile(digest, name, await new Response(unpacked).blob());
+function describedBy({ digest, name, size }: Partial<Record<keyof Described, unknown>>): Described | undefined {
+  return typeof digest === 'string' && typeof name === 'string' && typeof size === 'number' ? { digest, name, size } : undefined;
+}
+
+/** Unpacks a model; undefined if its size or its digest is not the one described. No more than its size is unpacked. */
+async function checked(module: Whole, packed: AsyncGenerator<Uint8Array<ArrayBuffer>>, { digest, size }: Described, task: Task): Promise<Blob | undefined> {
+  if (!Number.isInteger(size) || size < 0 || size > LARGEST) return undefined;
+  const own = new module.FileDigest(size);
+  const parts = new Parts();
+  const reader = from(packed).pipeThrough(new DecompressionStream('gzip')).getReader();
+  try {
+    for (let read = 0; ; ) {
+      const { done, value } = await reader.read();
+      task.signal.throwIfAborted();
+      if (done) return read === size && own.text() === digest ? parts.file('') : undefined;
+      read += value.length;
+      if (read > size) return undefined;
+      own.add(value);
+      parts.add(value);
+      task.progress(read / size);
+    }
+  } catch {
+    task.signal.throwIfAborted();
+    return undefined;
+  } finally {
+    own.free();
+    void reader.cancel().catch(() => undefined);
+  }
 }
 
 /** The model after the one whose bytes begin at `begin`; undefined after the last one. */
@@ -91,9 +158,18 @@ async function following(file: Blob, begin: number): Promise<{ head: object; at:
     if (found < 0) return undefined;
     const length = found + BYTES.length;
     const head = new TextDecoder().decode(bytes.subarray(0, length)).replace(/^\}\s*,\s*/, '');
-    return { head: JSON.parse(`${head}"}`) as object, at: behind + length };
+    return { head: parsed(`${head}"}`), at: behind + length };
   }
   return undefined;
+}
+
+/** The object that a text describes; an empty one if it describes none. */
+function parsed(text: string): object {
+  try {
+    return Object(JSON.parse(text)) as object;
+  } catch {
+    return {};
+  }
 }
 
 /** The bytes that a base64 text in a file encodes, up to its closing quote. */
@@ -101,7 +177,8 @@ async function* bytesFrom(file: Blob, begin: number): AsyncGenerator<Uint8Array<
   for (let at = begin; at < file.size; at += TEXT) {
     const text = new TextDecoder('latin1').decode(await file.slice(at, at + TEXT).arrayBuffer());
     const end = text.indexOf('"');
-    yield Uint8Array.from(atob(end < 0 ? text : text.slice(0, end)), (letter) => letter.charCodeAt(0));
+    const bytes = Uint8Array.from(atob(end < 0 ? text : text.slice(0, end)), (letter) => letter.charCodeAt(0));
+    for (let from = 0; from < bytes.length; from += PACKED) yield bytes.subarray(from, from + PACKED);
     if (end >= 0) return;
   }
 }

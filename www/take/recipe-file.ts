@@ -6,13 +6,13 @@
 import { version } from '../../package.json';
 import type { Parameter } from '../module/types';
 import { t } from '../words/take';
-import { passing } from '../base/messages';
-import type { Task } from '../late/task';
+import { notice, passing } from '../base/messages';
+import { stoppable, type Task } from '../late/task';
 import type { Engine } from '../state/engine';
 import { pageAddress } from '../state/link';
 import type { Work } from '../state/work';
 import { originIn, PROGRAM } from './origin';
-import { headOf, keepFiles, withFiles } from './packed-file';
+import { headOf, keepFiles, withFiles, type Unpacked } from './packed-file';
 
 /** The most bytes that are read of a file, besides its models. A link of a thousand points has some ten thousand. */
 const LARGEST = 200_000;
@@ -29,6 +29,9 @@ function valueOf({ kind }: Parameter, text: string): string | number {
   return kind === 'number' || kind === 'int' ? Number(text) : text;
 }
 
+/** Stops the file that is being opened. */
+let now: AbortController | undefined;
+
 /** Opens the recipe that a file holds; false if the file is something else. */
 export async function openRecipe(work: Work, file: File): Promise<boolean> {
   const bytes = new Uint8Array(await file.slice(0, LARGEST).arrayBuffer());
@@ -37,11 +40,27 @@ export async function openRecipe(work: Work, file: File): Promise<boolean> {
   const inside = origin === undefined ? recipeIn(text) : { recipe: origin.replace(/^[^#]*#?/, ''), file: undefined };
   if (!inside) return false;
   const { recipe, file: model } = inside;
-  // If the model is missing or broken, the page asks the visitor for it.
-  if (model && at !== undefined) await keepFiles(file, at, model).catch(() => undefined);
+  now?.abort();
+  const stopping = (now = new AbortController());
+  const { name } = file;
+  const found = model && at !== undefined ? unpacked(stopping, name, (task) => keepFiles(file, at, model, recipe, task)) : NOTHING;
+  const { wrong, unkept } = await found;
+  if (stopping.signal.aborted) {
+    if (stopping === now) passing('files', t('not_opened', { name }));
+    return true;
+  }
   work.open(recipe, { own: true });
-  passing('files', t('opened', { name: file.name }));
+  passing('files', t('opened', { name }));
+  const told = [...wrong.map((model) => t('model_wrong', { name, model })), ...unkept.map((model) => t('model_unkept', { model }))];
+  if (told.length) notice('files', ...told);
   return true;
+}
+
+const NOTHING: Unpacked = { wrong: [], unkept: [] };
+
+/** Shows the unpacking of models with its progress. If it fails as a whole, the page asks the visitor for the models. */
+async function unpacked(stopping: AbortController, name: string, work: (task: Task) => Promise<Unpacked>): Promise<Unpacked> {
+  return stoppable({ topic: 'files', sentence: t('opening', { name }), name, stop: t('stop') }, stopping, work).catch(() => NOTHING);
 }
 
 /**

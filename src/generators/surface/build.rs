@@ -43,6 +43,8 @@ pub(super) struct Building {
     step: BuildPhase,
     /// The mean size of cells.
     size: f64,
+    /// The mesh of the file.
+    given: Option<Arc<TriMesh>>,
     /// The mesh for stones, if it differs from the current one.
     whole: Option<Arc<TriMesh>>,
     search: Option<Search>,
@@ -95,6 +97,7 @@ impl Building {
         let mut new = Self {
             step: BuildPhase::None,
             size: 0.0,
+            given: loaded.meshes.first().cloned(),
             whole: None,
             search: None,
             notices: loaded.notices.clone(),
@@ -112,10 +115,7 @@ impl Building {
                 if params.on == PackingTarget::Simple
                     || (params.on == PackingTarget::Fit && is_fine)
                 {
-                    new.whole = Some(mesh.clone());
-                    let most = (SIMPLE * count) as usize;
-                    let simplifying = Simplifying::new(mesh.as_ref().clone(), most, OFF * new.size);
-                    BuildPhase::Simplify(Box::new(simplifying))
+                    new.simplifying(count, mesh.as_ref().clone())
                 } else {
                     BuildPhase::Fill(Box::new(HoleFilling::new(mesh.as_ref().clone(), new.size)))
                 }
@@ -175,6 +175,9 @@ impl Building {
                 }
             },
             BuildPhase::Refine(mut refining) => match refining.advance(&|_, mean| mean) {
+                None if self.whole.is_none() && self.given.is_some() && refining.has_slivers() => {
+                    self.simplifying(params.sizes.count, refining.into_mesh())
+                }
                 None => BuildPhase::Refine(refining),
                 Some(refined) => BuildPhase::Size(refined?.mesh),
             },
@@ -217,6 +220,13 @@ impl Building {
         };
         let edge = SHARE * self.size / sketch.diagonal();
         BuildPhase::Shape(Box::new(shape.making(numbers, edge)))
+    }
+
+    /// Packs on a simpler surface than this one. Stones stand on that of the file.
+    fn simplifying(&mut self, count: f64, mesh: TriMesh) -> BuildPhase {
+        self.whole = self.given.clone();
+        let simplifying = Simplifying::new(mesh, (SIMPLE * count) as usize, OFF * self.size);
+        BuildPhase::Simplify(Box::new(simplifying))
     }
 
     fn refining(&self, mesh: TriMesh) -> Refining {

@@ -3,6 +3,7 @@
 use super::build::Built;
 use super::params::{CellParams, UNIT};
 use crate::material::Coat;
+use crate::notice::{Code, Notice};
 use crate::surface_cells::SurfaceCell;
 use crate::surface_cells::SurfaceMesh;
 use crate::surface_field::SurfaceFields;
@@ -52,13 +53,19 @@ pub(super) enum PavingProgress {
 
 impl PavingProgress {
     /// Does one slice; returns the cells when all is done.
+    ///
+    /// # Errors
+    /// If there is not one cell.
     pub fn advance(
         params: &CellParams,
         work: &mut Option<PavingProgress>,
         from: PavingInputs,
-    ) -> Option<PavedCells> {
+    ) -> Result<Option<PavedCells>, Notice> {
         let next = match work.take() {
-            None => PavingProgress::Link(from.mesh.surface_cells()),
+            None => match from.mesh.surface_cells() {
+                cells if cells.is_empty() => return Err(Code::SurfaceNoCells.into()),
+                cells => PavingProgress::Link(cells),
+            },
             Some(PavingProgress::Link(cells)) => PavingProgress::Turn(PavedCells {
                 links: links(&cells),
                 coats: Vec::new(),
@@ -87,14 +94,14 @@ impl PavingProgress {
                 match coats.advance(&paved.cells, CELLS) {
                     true => {
                         paved.coats = coats.finish(&paved.cells);
-                        return Some(paved);
+                        return Ok(Some(paved));
                     }
                     false => PavingProgress::Coat(paved, coats),
                 }
             }
         };
         *work = Some(next);
-        None
+        Ok(None)
     }
 }
 

@@ -11,7 +11,7 @@ use crate::generators::scene_picture::{
     AskedFile, GivenFiles, Loaded, Loading, StillParams, StillRender,
 };
 use crate::graph::{Inputs, Node, Task, Wiring, inputs, task};
-use crate::notice::Notice;
+use crate::notice::{Code, Notice};
 use crate::packing::PackingParams;
 use crate::scene::Scene;
 use crate::surface_cells::SurfaceCell;
@@ -29,6 +29,9 @@ pub(super) const WORDS: [&str; 7] = [
 pub(super) const PACKING: usize = 2;
 /// The index of the stones, the first stage of the finisher.
 pub(super) const STONES: usize = 5;
+
+/// A surface may have this many times fewer or more cells than the recipe asks for, without a notice.
+const COUNT: f64 = 4.0;
 
 /// The bodies on the surface.
 pub(super) struct Bodies {
@@ -141,7 +144,20 @@ impl Stages {
         let fields = self
             .fresh_fields()
             .map_or(&[][..], |fielded| &fielded.notices);
-        [built, fields].concat()
+        let count = self
+            .current(&self.paved)
+            .and_then(|paved| self.count(paved));
+        built.iter().chain(fields).cloned().chain(count).collect()
+    }
+
+    /// A notice if there are far fewer or more cells than the recipe asks for. Every cell needs a place, also where the
+    /// surface is narrower than a cell.
+    fn count(&self, paved: &PavedCells) -> Option<Notice> {
+        let (n, wanted) = (paved.cells.len(), self.fields.params().sizes.count);
+        let share = n as f64 / wanted;
+        let told = Notice::new(Code::SurfaceCount);
+        let told = told.with("n", n).with("wanted", wanted.round() as usize);
+        (!(1.0 / COUNT..=COUNT).contains(&share)).then_some(told)
     }
 
     /// The number of files that are there, as the input of loading.
@@ -196,7 +212,7 @@ impl Stages {
             fields: &self.fields.made()?.fields,
         };
         self.paved
-            .advance(|params, work| Ok(PavingProgress::advance(params, work, from)))
+            .advance(|params, work| PavingProgress::advance(params, work, from))
     }
 
     fn make_stones(&mut self) -> Option<()> {

@@ -5,8 +5,11 @@ use super::{MeshInRepair, NONE, RepairStep, slice};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
-/// Squares of sizes outside this range overflow or vanish.
-const SIZES: std::ops::Range<f64> = 1e-100..1e100;
+/// Sizes for which no power in the later work overflows or vanishes.
+const SAFE: std::ops::Range<f64> = 1e-20..1e20;
+/// A model outside this range is scaled by this power of two or its inverse, until it is inside. So a model gives the
+/// same cells in any unit, and coordinates keep all their bits.
+const STEP: f64 = (1u128 << 64) as f64;
 
 /// Checks all numbers, and drops vertices that no triangle uses.
 #[derive(Default)]
@@ -38,6 +41,7 @@ impl RepairStep for Checking {
         if self.checked {
             return Ok(true);
         }
+        scale(work);
         check_extent(work)?;
         (self.at, self.checked) = (0, true);
         Ok(!self.leave_out(work))
@@ -77,14 +81,30 @@ impl Checking {
     }
 }
 
+/// The greatest coordinate.
+fn most(work: &MeshInRepair) -> f64 {
+    work.low.abs().max(work.high.abs()).max_element()
+}
+
+/// Brings the coordinates into the safe range.
+fn scale(work: &mut MeshInRepair) {
+    while most(work) > 0.0 && !SAFE.contains(&most(work)) {
+        let factor = if most(work) < SAFE.start {
+            STEP
+        } else {
+            1.0 / STEP
+        };
+        work.positions.iter_mut().for_each(|p| *p *= factor);
+        work.low *= factor;
+        work.high *= factor;
+    }
+}
+
 fn check_extent(work: &MeshInRepair) -> Result<(), Notice> {
-    let most = work.low.abs().max(work.high.abs()).max_element();
+    let most = most(work);
     let diagonal = (work.high - work.low).length();
     if diagonal == 0.0 {
         return Err(Code::ModelNoArea.into());
-    }
-    if !(most < SIZES.end && diagonal > SIZES.start) {
-        return Err(Code::ModelExtent.into());
     }
     // The rounding of such numbers is as large as the model's details.
     if most > 1e9 * diagonal {
