@@ -18,6 +18,11 @@ const FADES: [f32; 2] = [1.5, 5.0];
 /// Limit of slopes: the rims of stones are higher than any relief.
 const STEEPEST: f32 = 1.6;
 
+/// The square of the difference to the mesh's slope from which a pixel belongs to a wall.
+const WALL: f32 = 1.5;
+/// The inverse share of own pixels from which they count fully.
+const RIM: f32 = 2.0;
+
 /// The planes of a picture, in the coordinates of [`crate::scene`]: the side is 1.
 pub struct BumpMap {
     side: i32,
@@ -98,12 +103,17 @@ impl Detail for BumpMap {
         let y = (surfel.position.z + 0.5) * side - 0.5;
         let (fx, fy) = (floor(x), floor(y));
         let (tx, ty) = (x - fx as f32, y - fy as f32);
-        // All four without a branch: pixels of other bodies get zero weight.
+        let mesh = [-surfel.normal.x, -surfel.normal.z].map(|v| v / surfel.normal.y);
+        // All four without a branch: pixels of other bodies get zero weight, and so do those on the walls of this one,
+        // which would cut a round rim to teeth.
         let own: [(f32, &Pixel); 4] = std::array::from_fn(|k| {
             let (right, down) = (k & 1, k >> 1);
             let pixel = self.pixel(fx + right as i32, fy + down as i32);
             let across = if right == 1 { tx } else { 1.0 - tx };
-            let weight = across * if down == 1 { ty } else { 1.0 - ty };
+            let off = [0, 1].map(|k| pixel.slope[k] - mesh[k]);
+            let agrees = WALL - off[0] * off[0] - off[1] * off[1];
+            let agrees = lesser(greater(agrees, 0.0), 1.0);
+            let weight = across * if down == 1 { ty } else { 1.0 - ty } * agrees;
             let is_own = pixel.id == id;
             (if is_own { weight } else { 0.0 }, pixel)
         });
@@ -121,7 +131,7 @@ impl Detail for BumpMap {
         if sum < 0.05 {
             return;
         }
-        let part = lesser(upright, 1.0);
+        let part = lesser(upright, 1.0) * lesser(RIM * (sum - 0.05), 1.0);
         let one = 1.0 / sum;
         let [r, g, b, open] = look.map(|sum| sum * one);
         for (own, plane) in surfel.colour.iter_mut().zip([r, g, b]) {

@@ -15,6 +15,8 @@ pub(super) struct PixelHit {
     pub normal: Vec3,
     /// The triangle's unit normal.
     pub flat: Vec3,
+    /// How far the round surface that the normals belong to rises above the triangle here, in the world.
+    pub lift: f32,
     /// Red, green, blue, 0..255 (sRGB).
     pub colour: [f32; 3],
 }
@@ -24,6 +26,7 @@ impl PixelHit {
     pub const FLOOR: Self = Self {
         normal: Vec3::Y,
         flat: Vec3::Y,
+        lift: 0.0,
         colour: FLOOR_COLOUR,
     };
 }
@@ -85,6 +88,7 @@ impl Facets {
         PixelHit {
             normal,
             flat: normal,
+            lift: 0.0,
             colour: scene.bodies[body as usize].colour.map(f32::from),
         }
     }
@@ -99,6 +103,7 @@ impl Facets {
             return PixelHit {
                 normal,
                 flat: normal,
+                lift: 0.0,
                 colour: scene.bodies[body as usize].colour.map(f32::from),
             };
         };
@@ -114,6 +119,7 @@ impl Facets {
         PixelHit {
             normal,
             flat: corners.flat,
+            lift: corners.lift(weights),
             colour,
         }
     }
@@ -144,6 +150,8 @@ struct Corners {
     colours: [[f32; 3]; 3],
     /// The triangle's normal.
     flat: Vec3,
+    /// How high each corner lies above the tangent planes at the next corner and the one after that, taken negative.
+    below: [[f32; 2]; 3],
 }
 
 impl Corners {
@@ -156,10 +164,18 @@ impl Corners {
         // independent of the ray).
         let (ab, ac, from) = (b - a, c - a, eye - a);
         let whole = ac.cross(ab);
+        let [na, nb, nc] = raw.normals.map(|normal| place.turned(normal));
+        let one = 1.0 / place.scale();
         Self {
             parts: [ac.cross(from), from.cross(ab)],
             whole,
-            normals: raw.normals.map(|normal| place.turned(normal)),
+            normals: [na, nb, nc],
+            below: [
+                [-na.dot(ab), -na.dot(ac)],
+                [-nb.dot(ac - ab), nb.dot(ab)],
+                [nc.dot(ac), nc.dot(ac - ab)],
+            ]
+            .map(|pair| pair.map(|v| v * one)),
             colours: raw.colours.map(|colour| colour.map(f32::from)),
             flat: (-whole).normalize_or(Vec3::Y),
         }
@@ -177,5 +193,16 @@ impl Corners {
         let [a, b, c] = [whole - b - c, b, c].map(|part| greater(part, 0.0));
         let one = 1.0 / (a + b + c);
         [a * one, b * one, c * one]
+    }
+
+    /// How far the tangent planes at the corners lie above the triangle at a place with these weights, each weighted
+    /// by its corner (Hanika 2021, Hacking the Shadow Terminator). It is 0 at corners, and where the surface is
+    /// hollow.
+    #[inline(always)]
+    fn lift(&self, [a, b, c]: [f32; 3]) -> f32 {
+        let above = |[next, last]: [f32; 2], w: [f32; 2]| greater(next * w[0] + last * w[1], 0.0);
+        a * above(self.below[0], [b, c])
+            + b * above(self.below[1], [c, a])
+            + c * above(self.below[2], [a, b])
     }
 }

@@ -22,20 +22,25 @@ pub enum Sharpness {
     Coarse,
     /// For frames whose larger side has at most [`Sharpness::SMALL`] pixels.
     Small,
-    /// For frames with a larger side.
+    /// For frames whose larger side has at most [`Sharpness::LARGE`] pixels.
     Large,
+    /// For frames with a larger side.
+    Huge,
 }
 
 impl Sharpness {
     /// Limit of [`Sharpness::Small`]: a texel is no larger than a pixel if all bodies fill the frame.
     pub const SMALL: usize = 720;
+    /// Limit of [`Sharpness::Large`], in the same way.
+    pub const LARGE: usize = 2 * Self::SMALL;
 
     /// The sharpness that a frame needs.
     pub fn of(order: &Order) -> Self {
         match order.size[0].max(order.size[1]) {
             _ if order.is_moving => Self::Coarse,
-            0..=Self::SMALL => Self::Small,
-            _ => Self::Large,
+            ..=Self::SMALL => Self::Small,
+            ..=Self::LARGE => Self::Large,
+            _ => Self::Huge,
         }
     }
 
@@ -45,6 +50,7 @@ impl Sharpness {
             Self::Coarse => 768,
             Self::Small => 1024,
             Self::Large => 2048,
+            Self::Huge => 4096,
         }
     }
 }
@@ -132,28 +138,28 @@ impl Lighting {
     }
 
     /// The shadow map position for a point; `None` if it faces away from the lamp. `flat` is the normal of
-    /// its triangle, and `spread` the tolerance of the point.
+    /// its triangle, and `slack` how far the body's own surface may lie off the point, in the world.
     #[inline(always)]
     pub(super) fn spot(
         &self,
         position: Vec3,
         [normal, flat]: [Vec3; 2],
-        spread: f32,
+        slack: f32,
     ) -> Option<ShadowSample> {
         let (to, _) = self.lamp.from(position);
         // A triangle turned away from the lamp may be part of a round surface that faces it.
         let is_flat = flat.dot(to) > TURNED;
         let normal = if is_flat { flat } else { normal };
         let faces = normal.dot(to) > 0.0;
-        faces.then(|| self.spot_of(position, normal, spread))
+        faces.then(|| self.spot_of(position, normal, slack))
     }
 
     /// The same for a surface that faces the lamp, with a tolerance.
     #[inline(always)]
-    fn spot_of(&self, point: Vec3, normal: Vec3, spread: f32) -> ShadowSample {
+    fn spot_of(&self, point: Vec3, normal: Vec3, slack: f32) -> ShadowSample {
         match self.params.shadow <= 0.0 {
             true => ShadowSample::BESIDE,
-            false => self.shadows.spot(point, normal, spread),
+            false => self.shadows.spot(point, normal, slack),
         }
     }
 

@@ -132,7 +132,7 @@ impl Shading {
         self.facets.look_up(scene, sight, square);
         let rays = square.rays(view);
         let points = square.points(sight, &rays);
-        let (mut normals, mut flats) = (NO_VECTORS, NO_VECTORS);
+        let (mut normals, mut flats, mut lifts) = (NO_VECTORS, NO_VECTORS, [0.0; SQUARE]);
         for (k, [x, y, at]) in square.pixels(view) {
             let met = match sight.owner[at] {
                 owner if owner < FLOOR => match sight.cap(at) {
@@ -144,6 +144,7 @@ impl Shading {
             self.found[slot(width, x, y)].colour = met.colour;
             set(&mut normals, k, met.normal);
             set(&mut flats, k, met.flat);
+            lifts[k] = met.lift;
         }
         let normals = units(&normals, &flats);
         let mut spots = [ShadowSample::BESIDE; SQUARE];
@@ -156,8 +157,12 @@ impl Shading {
             if owner == NOTHING {
                 continue;
             }
-            let spread = if is_body { sight.spread(at) } else { 0.0 };
-            match light.spot(get(&points, k), [normal, get(&flats, k)], spread) {
+            let slack = if is_body {
+                lifts[k] + sight.slack(at)
+            } else {
+                0.0
+            };
+            match light.spot(get(&points, k), [normal, get(&flats, k)], slack) {
                 Some(there) => spots[k] = there,
                 None => found.seen = 0.0,
             }

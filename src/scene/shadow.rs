@@ -125,15 +125,15 @@ impl ShadowMaps {
     }
 
     /// The place in the maps that tells how much of the lamp is visible from a point. `normal` is that of the
-    /// surface, which must face the lamp. `spread` is the tolerance in the world for surfaces drawn there, in
-    /// addition to that of the map.
-    pub fn spot(&self, point: Vec3, normal: Vec3, spread: f32) -> ShadowSample {
+    /// surface, which must face the lamp. `slack` is how far it may lie off the body's own surface, in the world, in
+    /// addition to the tolerance of the map.
+    pub fn spot(&self, point: Vec3, normal: Vec3, slack: f32) -> ShadowSample {
         let mut maps = self.maps.iter().enumerate();
         let Some((number, map)) = maps.find(|(_, map)| map.is_towards(point)) else {
             return ShadowSample::BESIDE;
         };
         let levels = if self.is_coarse { 2.0 } else { 1.0 };
-        let off = OFF * (levels * map.texel(point) + spread);
+        let off = OFF * levels * map.texel(point) + slack;
         let spot = map.spot(point + normal * off, normal);
         spot.map_or(ShadowSample::BESIDE, |spot| ShadowSample {
             map: number,

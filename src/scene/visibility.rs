@@ -119,10 +119,10 @@ impl VisibilityBuffer {
         &self.fill.view
     }
 
-    /// The tolerance of the surface at a pixel, in the world.
+    /// How far the surface drawn at a pixel may lie off the body's own surface, in the world.
     #[inline(always)]
-    pub fn spread(&self, at: usize) -> f32 {
-        let pixels = if self.is_coarse { 2.0 } else { 1.0 };
+    pub fn slack(&self, at: usize) -> f32 {
+        let pixels = if self.is_coarse { 1.0 } else { 0.5 };
         pixels * self.view().slope / self.inverse[at]
     }
 

@@ -397,3 +397,34 @@ fn occlusion_is_at_the_foot_of_bodies_only() {
         assert!(mean(&far) > 0.985, "{height}: {} far away", mean(&far));
     }
 }
+
+/// A ball whose level in the frame is coarser than that in the shadow map has no false shadow: its triangles lie below
+/// the map's.
+#[test]
+fn a_coarser_level_has_no_shadow_of_a_finer_one() {
+    let levels = vec![ball(48), ball(5), ball(4)];
+    let mut scene = scene(vec![(ball(48), Place::default())]);
+    scene.bodies[0] = Body::new(levels, 0);
+    let lamp = sun(0.9, 0.5, 0.2);
+    let Lamp::Sun(to) = lamp else { panic!() };
+    let bare = ShadeParams {
+        shadow: 0.0,
+        ..PARAMS
+    };
+    let order = order(camera(20.0, 30.0, 10.0, 28.0), [140, 140]);
+    let [with, without] = [&PARAMS, &bare].map(|params| {
+        let mut light = Lighting::new(&scene, lamp, (params, &[MATT]), Sharpness::Small);
+        while !light.advance(&scene, 100_000) {}
+        frame(&scene, &light, order, 100_000)
+    });
+    let pixels = || (0..140 * 140).filter(|&at| with.ids()[at] > 0);
+    assert!(
+        (1800..2900).contains(&pixels().count()),
+        "{}",
+        pixels().count()
+    );
+    for at in pixels().filter(|&at| with.normals()[at].dot(to) > 0.1) {
+        let [dark, bright] = [&with, &without].map(|frame| frame.rgba()[4 * at]);
+        assert!(bright - dark < 4, "{dark} and {bright} at {at}");
+    }
+}
