@@ -14,6 +14,7 @@ mod paving;
 use bubblestone::generators::Preset;
 use bubblestone::generators::pavement::{PAVEMENT, PavementRecipe};
 use bubblestone::heightfield::{GROUND, Planes};
+use bubblestone::notice::Notice;
 use common::finished;
 use paving::OfPavement;
 use std::sync::OnceLock;
@@ -25,6 +26,7 @@ struct Made {
     name: &'static str,
     digest: String,
     converged: bool,
+    remarks: Vec<Notice>,
     /// The difference between a dark and a light tone, at the 5th and 95th percentile.
     contrast: u8,
     /// Whether all heights are finite.
@@ -44,6 +46,7 @@ impl Made {
         Self {
             name: preset.name,
             digest: studio.digest(),
+            remarks: studio.engine().remarks(),
             converged: made.packing.expect("a packing").report().converged,
             contrast: contrast(studio.picture().expect("a picture")),
             finite: planes.bump.iter().all(|h| h.is_finite()),
@@ -121,6 +124,7 @@ fn every_preset_is_rendered() {
     for made in presets() {
         assert!(made.converged, "{}: the packing", made.name);
         assert!(made.contrast > 40, "{}: flat picture", made.name);
+        assert!(made.remarks.is_empty(), "{}: {:?}", made.name, made.remarks);
     }
 }
 

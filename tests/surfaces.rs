@@ -9,6 +9,7 @@
 mod common;
 
 use bubblestone::generators::ALL;
+use bubblestone::generators::surface::SURFACE;
 use common::finished;
 
 const GOLDEN: &str = include_str!("surfaces.txt");
@@ -38,12 +39,23 @@ fn all_that_there_is_stands_in_the_table() {
         .unzip();
     assert!(notices.iter().all(Vec::is_empty), "{notices:?}");
     for key in [
-        "form", "kind", "stone", "dir", "flow", "pattern", "crease", "open",
+        "form", "kind", "stone", "dir", "flow", "pattern", "crease", "open", "ends", "pt",
     ] {
         let row = recipes[0].schema().row(key).expect("a row");
         for choice in row.choices.iter().filter(|choice| choice.word != "file") {
             let has = |recipe: &bubblestone::recipe::Recipe| recipe.choice(row.key) == choice.word;
             assert!(recipes.iter().any(has), "{key}={}", choice.word);
         }
+    }
+}
+
+/// Presets give no notice: neither about their links, nor about the fit of their cells.
+#[test]
+fn no_preset_gives_a_notice() {
+    for preset in SURFACE.presets {
+        let studio = finished(preset.link);
+        assert_eq!(studio.recipe().link(), preset.link, "{}", preset.name);
+        let remarks = studio.engine().remarks();
+        assert!(remarks.is_empty(), "{}: {remarks:?}", preset.name);
     }
 }

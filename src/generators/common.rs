@@ -106,6 +106,7 @@ pub(super) fn colour(recipe: &Recipe, unit: f64) -> ColourParams {
         share: recipe.number(stones::PC),
         amount: recipe.number(stones::PM),
         rim: recipe.number(stones::RIM),
+        soft: recipe.number(stones::SOFT),
         belly: recipe.number(stones::BELLY),
         belly_angle: recipe.number(stones::BA).to_radians(),
     }

@@ -7,7 +7,7 @@
 //! Because values are spread evenly, share and sharpness mean the same for all patterns. Coats use their own
 //! random stream: a stone without its coat looks as before.
 
-use super::marking::{Marking, WAVE, WAVELENGTH, belly_at, near, turned};
+use super::marking::{CLOUDS, CLOUDS_AT, Marking, WAVE, WAVELENGTH, belly_at, near, turned};
 use super::pattern::{Coat, ColourParams, Pattern};
 use super::reaction::Reaction;
 use crate::cells::{Cell, Graph};
@@ -62,11 +62,14 @@ impl Coats {
 
     /// One coat for each cell.
     pub fn finish(self, domain: &Domain, cells: &[Cell]) -> Vec<Coat> {
-        let bellies: Vec<f64> = cells
-            .iter()
-            .map(|cell| self.belly(domain, cell.centre))
-            .collect();
-        self.marking.finish(bellies.into_iter())
+        let place = |cell: &Cell| {
+            [
+                self.belly(domain, cell.centre),
+                self.tone(domain, cell.centre),
+            ]
+        };
+        let places: Vec<[f64; 2]> = cells.iter().map(place).collect();
+        self.marking.finish(places.into_iter())
     }
 
     /// Finds the neighbours of cells, then the first state of their reaction.
@@ -150,6 +153,18 @@ impl Coats {
             nearest = lesser(nearest, to.length_squared());
         }
         greater(1.0 - PI * nearest, 0.0)
+    }
+
+    /// The tone of a place, if tones are soft.
+    fn tone(&self, domain: &Domain, p: DVec2) -> f64 {
+        let ColourParams { soft, scale, .. } = self.marking.colour;
+        match soft > 0.0 {
+            true => {
+                let p = p + DVec2::splat(CLOUDS_AT);
+                self.noise(p, domain.space().period(), scale / (CLOUDS * self.side))
+            }
+            false => 0.0,
+        }
     }
 
     fn belly(&self, domain: &Domain, p: DVec2) -> f64 {

@@ -233,17 +233,38 @@ fn attributes(seed: u64, id: u32) -> Random {
 }
 
 fn draw_colour(palette: &Palette, random: &mut Random, vary: f32, coat: Coat) -> [f32; 3] {
-    let pick = palette.bases[random.below(palette.bases.len())];
-    let tone = 1.0 + palette.tone * vary * spread(random);
+    let pick = palette.bases[random.below(palette.bases.len())].map(f32::from);
+    let chance = spread(random);
+    let (pick, tone) = match coat.soft > 0.0 {
+        true => {
+            let there = shade_at(palette, coat.tone);
+            let mixed = |k: usize| pick[k] + (there[k] - pick[k]) * coat.soft;
+            let tone = chance + (coat.tone.clamp(-2.0, 2.0) - chance) * coat.soft;
+            (std::array::from_fn(mixed), tone)
+        }
+        false => (pick, chance),
+    };
+    let tone = 1.0 + palette.tone * vary * tone;
     let tint = palette.tint * vary * spread(random);
     let warm = [1.0 + tint, 1.0, 1.0 - tint];
     let mean = mean_colour(palette);
     std::array::from_fn(|k| {
-        let mut own = mean[k] + (f32::from(pick[k]) - mean[k]) * vary.min(1.5);
+        let mut own = mean[k] + (pick[k] - mean[k]) * vary.min(1.5);
         own += (f32::from(palette.mark[k]) - own) * coat.mark;
         own += (f32::from(palette.belly[k]) - own) * coat.belly;
         own * tone * warm[k]
     })
+}
+
+/// The palette's colour for a tone: its bases from dark to light, blended, over the tones from -2 to 2.
+fn shade_at(palette: &Palette, tone: f32) -> [f32; 3] {
+    let mut bases = palette.bases.to_vec();
+    bases.sort_by_key(|base| (base.iter().map(|&v| u32::from(v)).sum::<u32>(), *base));
+    let last = bases.len() - 1;
+    let at = (0.25 * tone + 0.5).clamp(0.0, 1.0) * last as f32;
+    let low = (at as usize).min(last);
+    let [a, b] = [bases[low], bases[(low + 1).min(last)]].map(|base| base.map(f32::from));
+    std::array::from_fn(|k| a[k] + (b[k] - a[k]) * (at - low as f32))
 }
 
 /// Roughly normal with standard deviation 1, within -2..2.

@@ -14,6 +14,10 @@ use std::ops::Range;
 pub(crate) const WAVE: f64 = 0.2;
 /// The number of noise values along one wave.
 pub(crate) const WAVELENGTH: f64 = 16.0;
+/// From one cloud of tones to the next, as a part of the side of a picture or of the box around a body, ...
+pub(crate) const CLOUDS: f64 = 0.45;
+/// ... and the place in the noise from which they are read, so that they do not follow the marks.
+pub(crate) const CLOUDS_AT: f64 = 37.0;
 /// The width of the sharpest border of marks, as a share of the cells; the softest border covers all cells.
 const SHARPEST: f64 = 0.03;
 
@@ -63,8 +67,8 @@ impl Marking {
         self.values.push(value);
     }
 
-    /// The coats of all cells; `bellies` has the share of the belly for each cell.
-    pub fn finish(mut self, bellies: impl Iterator<Item = f64>) -> Vec<Coat> {
+    /// The coats of all cells; `places` has for each cell the share of the belly and the tone of its place.
+    pub fn finish(mut self, places: impl Iterator<Item = [f64; 2]>) -> Vec<Coat> {
         if let Some(reaction) = self.reaction.take() {
             self.values = reaction.finish();
         }
@@ -75,11 +79,14 @@ impl Marking {
             spread_evenly(&mut self.values);
         }
         let mark = |k: usize| self.values.get(k).map_or(0.0, |&v| self.colour.weight(v));
-        let coat = |(k, belly): (usize, f64)| Coat {
+        let soft = self.colour.soft as f32;
+        let coat = |(k, [belly, tone]): (usize, [f64; 2])| Coat {
             mark: mark(k) as f32,
             belly: belly as f32,
+            soft,
+            tone: tone as f32,
         };
-        bellies.enumerate().map(coat).collect()
+        places.enumerate().map(coat).collect()
     }
 
     /// The noise at a place of its tile.

@@ -23,7 +23,7 @@ pub use face::stone_colour;
 pub(crate) use face::{StoneTexture, TextureNoise};
 pub use grounds::GROUNDS;
 #[cfg(house)]
-pub(crate) use marking::{Marking, WAVELENGTH, belly_at, near, turned};
+pub(crate) use marking::{CLOUDS, CLOUDS_AT, Marking, WAVELENGTH, belly_at, near, turned};
 pub use noise::NoiseTile;
 pub(crate) use noise::floor;
 pub use palette::{Ground, Palette};

@@ -65,6 +65,8 @@ pub struct ColourParams {
     pub amount: f64,
     /// Darkens the rim of each cell if positive, its centre if negative, -1..1.
     pub rim: f64,
+    /// How much tones change softly over the picture or body instead of from stone to stone, 0..1.
+    pub soft: f64,
     /// Share of the belly's colour on the belly's side, 0..1.
     pub belly: f64,
     /// Direction towards the belly, radians from +x, clockwise on screen.
@@ -81,6 +83,7 @@ impl ColourParams {
         share: 0.5,
         amount: 1.0,
         rim: 0.0,
+        soft: 0.0,
         belly: 0.0,
         belly_angle: std::f64::consts::FRAC_PI_2,
     };
@@ -99,4 +102,8 @@ pub struct Coat {
     pub mark: f32,
     /// Share of the belly's colour, 0..1.
     pub belly: f32,
+    /// How much of the stone's tone comes from its place, 0..1.
+    pub soft: f32,
+    /// The tone of its place: noise with standard deviation about 1.
+    pub tone: f32,
 }

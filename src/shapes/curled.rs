@@ -2,7 +2,7 @@
 
 use super::bone::Bone;
 use super::canal::Canal;
-use super::form::Form;
+use super::form::{Cut, Ends, Form};
 use super::jet::{Jet, JetPoint};
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -26,25 +26,39 @@ struct Root {
     samples: f64,
 }
 
-/// The radius of the root's edge, as a part of the root's own radius.
-const ROUND: f64 = 0.7;
+/// The radius of the root's edge, as a part of the root's own radius: for round ends, and for cuts.
+const ROUND: [f64; 2] = [0.7, 0.12];
+/// A horny tip: places before and beyond the end of the curve, and radii, both in radii of the end.
+const TIP: [[f64; 2]; 6] = [
+    [-1.2, 0.8],
+    [-0.2, 0.86],
+    [0.8, 0.8],
+    [1.9, 0.58],
+    [3.0, 0.3],
+    [3.9, 0.04],
+];
 
 impl Curled {
     /// Scales the canal so that the largest side is 1, and puts it on y = 0 with its middle over the origin.
-    fn new(canal: Canal, stretch: f64, closed: bool) -> Self {
+    fn new(canal: Canal, stretch: f64, end: Option<Ends>) -> Self {
+        let closed = end.is_none();
         let tall = DVec3::new(1.0, stretch, 1.0);
         let (lo, hi) = box_of(&canal, closed);
         let (low, high) = (lo * tall, hi * tall);
         let scale = 1.0 / (high - low).max_element();
         let middle = 0.5 * (lo + hi);
         let canal = canal.placed(DVec3::new(-middle.x, -lo.y, -middle.z), scale);
-        let root = (!closed).then(|| {
+        let root = end.map(|end| {
+            let share = match end {
+                Ends::Round => ROUND[0],
+                Ends::Cut => ROUND[1],
+            };
             let bone = canal.bone();
             let (at, inward) = canal.start();
             Root {
                 at,
                 inward,
-                round: ROUND * bone.radii[0],
+                round: share * bone.radii[0],
                 samples: 1.0 / (bone.points[1] - at).length(),
             }
         });
@@ -120,6 +134,30 @@ impl Form for Curled {
         }
         vec![bone]
     }
+
+    fn cuts(&self) -> Vec<Cut> {
+        let cut = |root: &Root| Cut {
+            at: root.at,
+            out: -root.inward,
+        };
+        self.root.iter().map(cut).collect()
+    }
+
+    fn claws(&self) -> Vec<Bone> {
+        let bone = self.canal.bone();
+        let [.., before, end] = &bone.points[..] else {
+            return Vec::new();
+        };
+        let (Some(radius), Some(_)) = (bone.radii.last(), &self.root) else {
+            return Vec::new();
+        };
+        let out = (*end - *before).normalize_or(DVec3::Y);
+        vec![Bone {
+            points: TIP.map(|[t, _]| *end + out * (t * radius)).to_vec(),
+            radii: TIP.map(|[_, r]| r * radius).to_vec(),
+            closed: false,
+        }]
+    }
 }
 
 /// The torus for the numbers `[tube, height, waves, swell]`.
@@ -140,7 +178,7 @@ pub(super) fn torus(n: &[f64]) -> Curled {
     let canal = Canal::new(points.collect(), vec![1.0; samples], true);
     // The bends of waves may leave less room for the tube.
     let canal = canal.thicker(tube.min(0.95 * canal.room()));
-    Curled::new(canal, height, true)
+    Curled::new(canal, height, None)
 }
 
 /// The knot for the numbers `[turns, lobes, tube, swing, height]`. If turns and lobes have a common divisor, there is
@@ -160,14 +198,14 @@ pub(super) fn knot(n: &[f64]) -> Curled {
     });
     let canal = Canal::new(points.collect(), vec![1.0; samples], true);
     let canal = canal.thicker(tube * canal.room());
-    Curled::new(canal, 1.0, true)
+    Curled::new(canal, 1.0, None)
 }
 
 /// Samples along a curve.
 const SAMPLES: usize = 160;
 
 /// The horn for the numbers `[turns, rise, taper, girth]`: a logarithmic spiral, which looks the same at every size.
-pub(super) fn horn(n: &[f64]) -> Curled {
+pub(super) fn horn(n: &[f64], ends: Ends) -> Curled {
     let (turns, rise, taper, girth) = (n[0], n[1], n[2], n[3]);
     let shrink = -libm::log(taper) / (TAU * turns);
     // A fast-shrinking spiral has to run far inwards, so its curve is long.
@@ -185,11 +223,11 @@ pub(super) fn horn(n: &[f64]) -> Curled {
     let length: f64 = points.windows(2).map(|w| (w[1] - w[0]).length()).sum();
     let canal = Canal::new(points, radii, false);
     let room = canal.room().min(0.3 * length).min(0.62);
-    Curled::new(canal.thicker(girth * room), 1.0, false)
+    Curled::new(canal.thicker(girth * room), 1.0, Some(ends))
 }
 
 /// The tail for the numbers `[curl, taper, girth, lift]`: flat on the ground at first, then more and more curled.
-pub(super) fn tail(n: &[f64]) -> Curled {
+pub(super) fn tail(n: &[f64], ends: Ends) -> Curled {
     let (curl, taper, girth, lift) = (n[0].to_radians(), n[1], n[2], n[3]);
     let mut p = DVec3::ZERO;
     let step = 1.0 / SAMPLES as f64;
@@ -206,5 +244,9 @@ pub(super) fn tail(n: &[f64]) -> Curled {
         p += DVec3::new(flat * libm::cos(angle), flat * libm::sin(angle), out) * step;
     }
     let canal = Canal::new(points, radii, false);
-    Curled::new(canal.thicker((0.8 * canal.room()).min(1.0)), 1.0, false)
+    Curled::new(
+        canal.thicker((0.8 * canal.room()).min(1.0)),
+        1.0,
+        Some(ends),
+    )
 }

@@ -21,6 +21,47 @@ pub(super) trait Form {
     }
 
     fn bones(&self) -> Vec<Bone>;
+
+    /// The plane faces where the body is cut off.
+    fn cuts(&self) -> Vec<Cut> {
+        Vec::new()
+    }
+
+    /// What grows from its ends: claws, or the horny tip of a tail.
+    fn claws(&self) -> Vec<Bone> {
+        Vec::new()
+    }
+}
+
+/// How a body ends where it is cut off, and at toes and tips.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ends {
+    /// Round, and like the rest of the surface.
+    #[default]
+    Round,
+    /// Cut off straight, with claws on toes and a horny tip on a tail.
+    Cut,
+}
+
+/// A plane face where a body is cut off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cut {
+    /// A point of the plane.
+    pub at: DVec3,
+    /// The unit normal, away from the body.
+    pub out: DVec3,
+}
+
+/// A face belongs to a cut if the cosine between their normals is at least this, ...
+const ALIKE: f64 = 0.75;
+/// ... and if it is nearer to the plane than this.
+const CLOSE: f64 = 0.03;
+
+impl Cut {
+    /// Whether a triangle of the surface with this middle and normal is part of the cut.
+    pub fn has(&self, middle: DVec3, normal: DVec3) -> bool {
+        normal.dot(self.out) >= ALIKE && (middle - self.at).dot(self.out).abs() < CLOSE
+    }
 }
 
 /// The most Newton steps onto the surface.

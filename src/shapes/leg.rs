@@ -2,7 +2,7 @@
 
 use super::bone::Bone;
 use super::canal::Canal;
-use super::form::Form;
+use super::form::{Cut, Ends, Form};
 use super::jet::{Jet, JetPoint};
 use glam::DVec3;
 
@@ -13,12 +13,15 @@ pub(super) struct Leg {
     muscles: [Canal; 2],
     knee: (DVec3, f64),
     toes: Vec<Toe>,
+    /// The radius of the edge of the cut above.
+    edge: f64,
 }
 
 struct Toe {
     canal: Canal,
     /// Balls on top of the joints.
     knuckles: Vec<(DVec3, f64)>,
+    claw: Bone,
 }
 
 /// The ratio of the limb's depth to its width.
@@ -27,12 +30,20 @@ const DEEPER: f64 = 1.14;
 const JOIN: f64 = 0.07;
 const WEB: f64 = 0.03;
 const KNUCKLE: f64 = 0.018;
+/// A claw: the place along its toe, its height, and its thickness, from the root to the point.
+const CLAW: [(f64, f64, f64); 5] = [
+    (0.93, 0.034, 0.018),
+    (1.02, 0.038, 0.018),
+    (1.11, 0.035, 0.0135),
+    (1.19, 0.024, 0.008),
+    (1.25, 0.008, 0.0012),
+];
 /// The middle lines of the toes meet this far behind the ball of the foot.
 const BEHIND: f64 = 0.045;
 
 impl Leg {
     /// The leg for the numbers `[toes, spread, bend, girth, reach]`; the toes point to z.
-    pub fn new(n: &[f64]) -> Self {
+    pub fn new(n: &[f64], ends: Ends) -> Self {
         let (count, spread, bend, girth, reach) = (
             n[0] as usize,
             n[1].to_radians(),
@@ -92,6 +103,10 @@ impl Leg {
             muscles: [thick(&haunch), thick(&calf)],
             knee: (knee + DVec3::new(0.0, 0.0, 0.035), 0.068 * girth),
             toes: (0..count).map(toe).collect(),
+            edge: match ends {
+                Ends::Round => 0.07,
+                Ends::Cut => 0.02,
+            },
         }
     }
 
@@ -125,7 +140,12 @@ fn toe(ball: DVec3, angle: f64, aside: f64, reach: f64, girth: f64) -> Toe {
     let knuckles = knuckles
         .map(|(t, y, r)| (start + out * (t * length) + DVec3::Y * y * thick, r * thick))
         .to_vec();
-    Toe { canal, knuckles }
+    let claw = CLAW.map(|(t, y, r)| (start + out * (t * length) + DVec3::Y * y, r * thick));
+    Toe {
+        canal,
+        knuckles,
+        claw: Canal::through(&claw, 3).bone(),
+    }
 }
 
 impl Toe {
@@ -171,7 +191,7 @@ impl Form for Leg {
         if let Some(toes) = toes {
             leg = leg.join(toes, JOIN);
         }
-        leg.cut(-p.y, 0.03).cut(p.y - 1.0, 0.07)
+        leg.cut(-p.y, 0.03).cut(p.y - 1.0, self.edge)
     }
 
     fn bounds(&self) -> (DVec3, DVec3) {
@@ -204,5 +224,16 @@ impl Form for Leg {
         limb.radii.drain(..above);
         let toes = self.toes.iter().map(|toe| toe.canal.bone());
         std::iter::once(limb).chain(toes).collect()
+    }
+
+    fn cuts(&self) -> Vec<Cut> {
+        vec![Cut {
+            at: DVec3::Y,
+            out: DVec3::Y,
+        }]
+    }
+
+    fn claws(&self) -> Vec<Bone> {
+        self.toes.iter().map(|toe| toe.claw.clone()).collect()
     }
 }

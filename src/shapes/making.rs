@@ -4,7 +4,7 @@ use super::form::{Form, onto};
 use super::march::March;
 use super::remesh;
 use super::surgery::Surgery;
-use super::{Shape, plain, solid};
+use super::{Ends, Shape, plain, solid};
 use crate::trimesh::{NONE, Soup};
 
 /// A pass over all edges or vertices.
@@ -51,9 +51,9 @@ pub struct ShapeMaking {
 }
 
 impl ShapeMaking {
-    pub(super) fn new(shape: Shape, numbers: &[f64], edge: f64) -> Self {
+    pub(super) fn new((shape, ends): (Shape, Ends), numbers: &[f64], edge: f64) -> Self {
         let mut making = Self {
-            form: solid(shape, numbers),
+            form: solid((shape, ends), numbers),
             march: None,
             mesh: None,
             passes: Vec::new(),

@@ -32,6 +32,7 @@ mod turtle;
 mod vase;
 
 pub use bone::{Bone, OnBone};
+pub use form::{Cut, Ends};
 pub use making::ShapeMaking;
 pub use numbers::ShapeNumber;
 
@@ -100,14 +101,14 @@ impl Shape {
     /// Starts to make the triangles. `numbers` are those of [`Self::numbers`]; they are clamped to their ranges.
     /// `edge` is the wanted length of edges, as a share of the diagonal of the shape's bounding box. Edges are
     /// shorter where parts of the shape would be lost otherwise ([`Self::coarsest`]).
-    pub fn making(self, numbers: &[f64], edge: f64) -> ShapeMaking {
+    pub fn making(self, numbers: &[f64], edge: f64, ends: Ends) -> ShapeMaking {
         let edge = if edge.is_finite() { edge } else { 1.0 };
-        ShapeMaking::new(self, &self.fitted(numbers), edge.clamp(FINEST, 1.0))
+        ShapeMaking::new((self, ends), &self.fitted(numbers), edge.clamp(FINEST, 1.0))
     }
 
     /// The vertices and triangles, all at once; see [`Self::making`].
     pub fn build(self, numbers: &[f64], edge: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-        let mut making = self.making(numbers, edge);
+        let mut making = self.making(numbers, edge, Ends::Round);
         while !making.advance() {}
         let made = making.finish();
         (made.positions, made.triangles)
@@ -115,7 +116,7 @@ impl Shape {
 
     /// The longest edges that still resolve all parts, as a share of the diagonal.
     pub fn coarsest(self, numbers: &[f64]) -> f64 {
-        match solid(self, &self.fitted(numbers)) {
+        match solid((self, Ends::Round), &self.fitted(numbers)) {
             Some(form) => {
                 let (lo, hi) = form.bounds();
                 form.coarsest() / (hi - lo).length()
@@ -128,12 +129,24 @@ impl Shape {
     /// strokes of the letter, along the lane. Empty if the shape has none, see [`Self::main`].
     pub fn bones(self, numbers: &[f64]) -> Vec<Bone> {
         let numbers = self.fitted(numbers);
-        match (solid(self, &numbers), self) {
+        match (solid((self, Ends::Round), &numbers), self) {
             (Some(form), _) => form.bones(),
             (None, Self::Terrain) => terrain::Terrain::new(&numbers).bones(),
             (None, Self::Cylinder) => drum::Drum::new(&numbers).bones(),
             (None, _) => Vec::new(),
         }
+    }
+
+    /// The faces where a body that ends in cuts is cut off.
+    pub fn cuts(self, numbers: &[f64]) -> Vec<Cut> {
+        let form = solid((self, Ends::Cut), &self.fitted(numbers));
+        form.map_or(Vec::new(), |form| form.cuts())
+    }
+
+    /// The claws and horny tips of a body that ends in cuts, each from its root to its point.
+    pub fn claws(self, numbers: &[f64]) -> Vec<Bone> {
+        let form = solid((self, Ends::Cut), &self.fitted(numbers));
+        form.map_or(Vec::new(), |form| form.claws())
     }
 
     /// Unit vector of the main direction, from head to tail.
@@ -156,16 +169,16 @@ impl Shape {
 const PLAIN_COARSEST: f64 = 0.1;
 
 /// The solid form of a shape, if it has one. `n` has to be within its ranges.
-fn solid(shape: Shape, n: &[f64]) -> Option<Box<dyn Form>> {
+fn solid((shape, ends): (Shape, Ends), n: &[f64]) -> Option<Box<dyn Form>> {
     Some(match shape {
         Shape::Terrain | Shape::Slope | Shape::Stairs | Shape::Cylinder => return None,
         Shape::Sphere => Box::new(round::Ball::new(n)),
         Shape::Egg => Box::new(round::Egg::new(n)),
         Shape::Torus => Box::new(curled::torus(n)),
         Shape::Knot => Box::new(curled::knot(n)),
-        Shape::Horn => Box::new(curled::horn(n)),
-        Shape::Tail => Box::new(curled::tail(n)),
-        Shape::Leg => Box::new(leg::Leg::new(n)),
+        Shape::Horn => Box::new(curled::horn(n, ends)),
+        Shape::Tail => Box::new(curled::tail(n, ends)),
+        Shape::Leg => Box::new(leg::Leg::new(n, ends)),
         Shape::Fish => Box::new(fish::Fish::new(n)),
         Shape::Turtle => Box::new(turtle::Turtle::new(n)),
         Shape::Vase => Box::new(vase::Vase::new(n)),

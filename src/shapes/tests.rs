@@ -1,6 +1,7 @@
 use super::*;
 use crate::random::{Purpose, Random};
-use crate::trimesh::TriMesh;
+use crate::trimesh::{Search, TriMesh};
+use glam::DVec3;
 
 /// The length of edges in these tests, as a share of the diagonal; shorter if the shape needs it.
 const EDGE: f64 = 0.02;
@@ -167,6 +168,43 @@ fn the_table_of_shapes_is_sound() {
         }
     }
     assert_eq!(Shape::of_word("cube"), None);
+}
+
+/// Where a body is cut, there is a plane face with a sharp edge; its claws begin inside the body and end outside.
+#[test]
+fn cut_ends_are_plane_and_have_claws() {
+    for (shape, claws) in [(Shape::Leg, 4), (Shape::Tail, 1), (Shape::Horn, 1)] {
+        let said = shape.word();
+        let build = |ends: Ends| {
+            let mut making = shape.making(&[], 0.02, ends);
+            while !making.advance() {}
+            let made = making.finish();
+            TriMesh::new(made.positions, made.triangles).unwrap()
+        };
+        let cuts = shape.cuts(&[]);
+        let area = |mesh: &TriMesh| -> f64 {
+            let all = 0..mesh.triangles().len() as u32;
+            let middle = |t: u32| mesh.corners(t).iter().sum::<DVec3>() / 3.0;
+            let own = all.filter(|&t| {
+                let normal = mesh.face_normal(t);
+                cuts.iter().any(|cut| cut.has(middle(t), normal))
+            });
+            own.map(|t| mesh.area_of(t)).sum()
+        };
+        let [cut, round] = [Ends::Cut, Ends::Round].map(build);
+        assert!(area(&cut) > 1.1 * area(&round), "{said}");
+        assert_eq!(shape.claws(&[]).len(), claws, "{said}");
+        for claw in shape.claws(&[]) {
+            let far = |p: DVec3| {
+                let search = Search::new(&cut);
+                let on = search.closest(&cut, p);
+                (p - on.at).dot(on.normal)
+            };
+            assert!(far(claw.points[0]) < 0.0, "{said}");
+            assert!(far(*claw.points.last().unwrap()) > 0.0, "{said}");
+        }
+    }
+    assert!(Shape::Egg.cuts(&[]).is_empty() && Shape::Egg.claws(&[]).is_empty());
 }
 
 #[test]

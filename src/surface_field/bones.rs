@@ -44,6 +44,24 @@ pub(super) struct Bones {
     bones: Vec<Vec<BoneSegment>>,
     /// For each bone, bounding balls around its groups of segments: centre and radius.
     balls: Vec<Vec<(DVec3, f64)>>,
+    /// The greatest length along the bones.
+    longest: f64,
+}
+
+/// The length along the bones of a body at each place of it, from head to tail.
+pub struct AlongBones(Bones);
+
+impl AlongBones {
+    /// Prepares the bones of a body whose bounding box has this diagonal; nothing if there are none.
+    pub fn new(bones: &[Bone], diagonal: f64) -> Option<Self> {
+        let bones = Bones::new(bones, diagonal);
+        (!bones.is_empty()).then_some(Self(bones))
+    }
+
+    /// The length so far at a place, in the body's units.
+    pub fn at(&self, p: DVec3) -> f64 {
+        self.0.longest * self.0.ask(p, |_, _| {}).along
+    }
 }
 
 /// The closest point of a bone.
@@ -74,6 +92,7 @@ impl Bones {
         for segment in all.bones.iter_mut().flatten() {
             segment.along = segment.along.map(|a| a / longest.max(f64::MIN_POSITIVE));
         }
+        all.longest = longest;
         all
     }
 

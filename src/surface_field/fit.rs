@@ -9,13 +9,16 @@ use glam::DVec3;
 /// The most cells on a surface.
 pub const MOST_CELLS: usize = 250_000;
 /// Above this ratio of a cell's side to the radius of curvature, cells become uneven ...
-const TIGHT: f64 = 0.5;
+const TIGHT: f64 = 0.8;
 /// ... and above these they cannot follow the surface, where it is curved both ways, and where it is curved one way.
 const TOO_TIGHT: [f64; 2] = [1.0, 1.2];
 /// A surface is curved both ways if the lesser curvature is at least this part of the greater.
 const BOTH: f64 = 0.5;
-/// Shares of the area from which on a notice is given, and from which on cells are refused.
-const TOLD: f64 = 0.005;
+/// A sheet is thin below this part of the side of a cell.
+const THIN: f64 = 0.5;
+/// Shares of the area from which on a notice is given: for large cells, which fold over the edges of fins and rims
+/// without harm, and for thin sheets. And the share from which on cells are refused.
+const TOLD: [f64; 2] = [0.25, 0.1];
 const MOST: f64 = 0.5;
 /// One triangle in this many is measured, or fewer if each has very many within the side of a cell. In a slice this many
 /// triangles are looked at, and in all.
@@ -74,7 +77,7 @@ pub struct Fit {
     pub tight: f64,
     /// Where they are too large to follow the surface.
     pub too_tight: f64,
-    /// Where the other side is closer than the side of a cell.
+    /// Where the other side is closer than half the side of a cell.
     pub thin: f64,
 }
 
@@ -131,7 +134,9 @@ impl Fitting {
         if most * size > limit {
             self.sums.too_tight += area;
         }
-        if search.any_within(point.at, size, |other| is_below(mesh, &point, other, size)) {
+        if search.any_within(point.at, THIN * size, |other| {
+            is_below(mesh, &point, other, THIN * size)
+        }) {
             self.sums.thin += area;
         }
     }
@@ -163,11 +168,11 @@ impl Fit {
             return Err(told(Code::SurfaceTooTight, self.too_tight));
         }
         let shares = [
-            (Code::SurfaceTight, self.tight),
-            (Code::SurfaceThin, self.thin),
+            (Code::SurfaceTight, self.tight, TOLD[0]),
+            (Code::SurfaceThin, self.thin, TOLD[1]),
         ];
-        let large = shares.into_iter().filter(|(_, share)| *share > TOLD);
-        Ok(large.map(|(code, share)| told(code, share)).collect())
+        let large = shares.into_iter().filter(|(_, share, least)| share > least);
+        Ok(large.map(|(code, share, _)| told(code, share)).collect())
     }
 }
 
@@ -209,9 +214,9 @@ mod tests {
     }
 
     #[test]
-    fn sheets_thinner_than_a_cell_are_told() {
+    fn sheets_much_thinner_than_a_cell_are_told() {
         let (positions, triangles) = testing::cube(30);
-        for (thickness, thin) in [(0.05, 1.0), (0.09, 1.0), (0.11, 0.0), (1.0, 0.0)] {
+        for (thickness, thin) in [(0.03, 1.0), (0.045, 1.0), (0.055, 0.0), (1.0, 0.0)] {
             let flat = positions
                 .iter()
                 .map(|p| DVec3::new(p.x, thickness * p.y, p.z));
@@ -237,7 +242,8 @@ mod tests {
         let ball = mesh(testing::ball(3));
         for (size, curvatures, told) in [
             (0.4, [1.0, 1.0], Some(vec![])),
-            (0.7, [1.0, 1.0], Some(vec![Code::SurfaceTight])),
+            (0.7, [1.0, 1.0], Some(vec![])),
+            (0.9, [1.0, 1.0], Some(vec![Code::SurfaceTight])),
             (1.1, [1.0, 1.0], None),
             (1.1, [-1.0, 0.1], Some(vec![Code::SurfaceTight])),
             (1.3, [0.0, 1.0], None),

@@ -48,7 +48,7 @@ mod system;
 #[cfg(test)]
 mod tests;
 
-pub use bones::Bone;
+pub use bones::{AlongBones, Bone};
 pub use builder::SurfaceFieldBuilder;
 pub use params::{
     Along, Amount, AspectParams, ByCurvature, DirectionParams, FlowParams, SizeParams,

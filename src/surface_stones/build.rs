@@ -1,5 +1,6 @@
 //! A scene of stones on a surface, in slices.
 
+use super::claws::{Claw, HORN_ROW};
 use super::ground::{Bed, GroundMaking, GroundSlice};
 use super::look::{Look, Own};
 use super::maker::Maker;
@@ -114,7 +115,10 @@ impl Stones {
         let levels = match ground.next(mesh, bed) {
             GroundSlice::More => return false,
             GroundSlice::Part(levels) => levels,
-            GroundSlice::End => return true,
+            GroundSlice::End => {
+                self.add_claws(paving.claws);
+                return true;
+            }
         };
         let levels = levels.iter().map(|level| self.on_stand(level)).collect();
         self.push(Body::new(levels, GROUND_ROW), Vec3::ZERO, GROUND);
@@ -150,6 +154,13 @@ impl Stones {
         let origin = self.fit.place(cell.centre.at);
         let id = self.cell as u32 + 1;
         self.push(Body::new(levels, made.material), origin, id);
+    }
+
+    fn add_claws(&mut self, claws: &[Claw]) {
+        for claw in claws {
+            let surface = claw.placed(self.maker.look.palette, |p| self.fit.place(p));
+            self.push(Body::new(vec![surface], HORN_ROW), Vec3::ZERO, GROUND);
+        }
     }
 
     fn push(&mut self, body: Body, origin: Vec3, id: u32) {
@@ -189,6 +200,9 @@ impl Detail for StoneDetail {
             return;
         }
         let own = self.owns.get((id as usize).wrapping_sub(1));
+        if id == GROUND && surfel.material == HORN_ROW {
+            return;
+        }
         let (seen, rise, part) = match own.and_then(Option::as_ref) {
             Some(own) => {
                 let at = surfel.position * model as f32 + self.fit.middle.as_vec3() - own.at;

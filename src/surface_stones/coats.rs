@@ -5,7 +5,8 @@
 //! front: x to the right and y down.
 
 use crate::material::{
-    Coat, ColourParams, Marking, Pattern, Reaction, WAVELENGTH, belly_at, near, turned,
+    CLOUDS, CLOUDS_AT, Coat, ColourParams, Marking, Pattern, Reaction, WAVELENGTH, belly_at, near,
+    turned,
 };
 use crate::order::{self, greater, lesser};
 use crate::random::{Purpose, Random};
@@ -19,6 +20,8 @@ use std::f64::consts::PI;
 const APART: f64 = 0.83;
 /// The relative variation of the sizes of spots.
 const UNLIKE: f64 = 0.25;
+/// The noise of bands around a body, of that of others, so that they stay rings.
+const STEADY: f64 = 0.4;
 /// The weight of a cell's normal in its share of the belly; its place has the rest.
 const FACES: f64 = 0.6;
 
@@ -35,6 +38,8 @@ pub struct SurfaceCoats {
     spots: Vec<(DVec3, DVec3, f64)>,
     /// For each cell its distance to the border, in the model's units.
     inside: Vec<f64>,
+    /// For each cell the length along the body up to it, in the model's units; empty if bands run across an angle.
+    along: Vec<f64>,
 }
 
 impl SurfaceCoats {
@@ -59,6 +64,7 @@ impl SurfaceCoats {
             half: greater((high - low).max_element() * 0.5, f64::MIN_POSITIVE),
             spots: Vec::new(),
             inside: Vec::new(),
+            along: Vec::new(),
         };
         match colour.pattern {
             Pattern::Spots | Pattern::Rosettes => coats.scatter(cells),
@@ -77,6 +83,12 @@ impl SurfaceCoats {
         coats
     }
 
+    /// Makes bands run around a body: `along` has the length along it up to each cell, in the model's units.
+    pub fn around(mut self, along: Vec<f64>) -> Self {
+        self.along = along;
+        self
+    }
+
     /// Does the work for about `count` cells; true when all coats are ready. The cells must be the same each time.
     pub fn advance(&mut self, cells: &[SurfaceCell], count: usize) -> bool {
         if let Some(done) = self.marking.advance(count) {
@@ -92,15 +104,21 @@ impl SurfaceCoats {
 
     /// The coats, one for each cell.
     pub fn finish(self, cells: &[SurfaceCell]) -> Vec<Coat> {
-        let bellies: Vec<f64> = cells.iter().map(|cell| self.belly(cell)).collect();
-        self.marking.finish(bellies.into_iter())
+        let place = |cell: &SurfaceCell| [self.belly(cell), self.tone(cell)];
+        let places: Vec<[f64; 2]> = cells.iter().map(place).collect();
+        self.marking.finish(places.into_iter())
     }
 
     fn value(&self, k: usize, cell: &SurfaceCell) -> f64 {
         let p = (cell.centre.at - self.middle) / self.scale;
         let ColourParams { pattern, angle, .. } = self.marking.colour;
         match pattern {
-            Pattern::Bands => self.marking.band(p.dot(front(angle)), self.noise(p)),
+            Pattern::Bands => match self.along.get(k) {
+                Some(along) => self
+                    .marking
+                    .band(along / self.scale, STEADY * self.noise(p)),
+                None => self.marking.band(p.dot(front(angle)), self.noise(p)),
+            },
             Pattern::Spots | Pattern::Rosettes => self.spot(cell),
             Pattern::Blotches => self.noise(p) + 0.5 * self.noise(p * 2.3),
             Pattern::Size => area(&cell.ring),
@@ -160,6 +178,15 @@ impl SurfaceCoats {
             }
         }
         greater(1.0 - PI * nearest, 0.0)
+    }
+
+    /// The tone of a cell's place, if tones are soft.
+    fn tone(&self, cell: &SurfaceCell) -> f64 {
+        let p = (cell.centre.at - self.middle) / (2.0 * CLOUDS * self.half);
+        match self.marking.colour.soft > 0.0 {
+            true => self.noise(p + DVec3::splat(CLOUDS_AT)),
+            false => 0.0,
+        }
     }
 
     fn belly(&self, cell: &SurfaceCell) -> f64 {
@@ -268,6 +295,71 @@ mod tests {
                 });
                 let unlike = unlike.sum::<f64>() / cells.len() as f64;
                 assert!(unlike < 0.3, "{unlike}");
+            }
+        }
+    }
+
+    /// Bands around a body are rings: cells at the same length along it have nearly the same value, wherever they are
+    /// around it.
+    #[test]
+    fn bands_around_a_body_are_rings() {
+        let rows = rows([60, 20], [true, true]);
+        let shape = torus(0.4);
+        let cells = rows.cells(&shape);
+        let links = links(&cells);
+        let colour = ColourParams {
+            pattern: Pattern::Bands,
+            scale: 480.0,
+            sharpness: 0.0,
+            ..ColourParams::default()
+        };
+        let unit = 24.0 / mean_size(&cells);
+        let angle = |cell: &SurfaceCell| libm::atan2(cell.centre.at.z, cell.centre.at.x);
+        let lengths: Vec<f64> = cells.iter().map(angle).collect();
+        let spread = |around: bool| {
+            let mut coats = SurfaceCoats::new(colour, 1, unit, &cells, &links);
+            if around {
+                coats = coats.around(lengths.clone());
+            }
+            while !coats.advance(&cells, 100) {}
+            let coats = coats.finish(&cells);
+            let mut most = 0.0f32;
+            for (a, here) in lengths.iter().zip(&coats) {
+                for (b, there) in lengths.iter().zip(&coats) {
+                    if (a - b).abs() < 1e-6 {
+                        most = most.max((here.mark - there.mark).abs());
+                    }
+                }
+            }
+            most
+        };
+        assert!(
+            spread(true) < 0.5 * spread(false),
+            "{} {}",
+            spread(true),
+            spread(false)
+        );
+    }
+
+    /// Soft tones change little from a cell to its neighbours, and much over the body.
+    #[test]
+    fn soft_tones_follow_the_place() {
+        let rows = rows([60, 20], [true, true]);
+        let cells = rows.cells(&torus(0.4));
+        let links = links(&cells);
+        let colour = ColourParams {
+            soft: 1.0,
+            ..ColourParams::default()
+        };
+        let coats = SurfaceCoats::new(colour, 1, 24.0 / mean_size(&cells), &cells, &links);
+        let tones: Vec<f32> = coats.finish(&cells).iter().map(|coat| coat.tone).collect();
+        let (low, high) = tones
+            .iter()
+            .fold((9.0f32, -9.0f32), |(a, b), &v| (a.min(v), b.max(v)));
+        assert!(high - low > 1.0, "{low} {high}");
+        for (k, near) in links.iter().enumerate() {
+            for &j in near {
+                assert!((tones[k] - tones[j as usize]).abs() < 0.3 * (high - low));
             }
         }
     }

@@ -36,7 +36,7 @@ const STEP: f32 = 0.7;
 pub(super) struct Look {
     pub texture: TextureParams,
     weather: WeatherParams,
-    palette: &'static Palette,
+    pub palette: &'static Palette,
     pub surfaces: Surfaces,
     bed: Bed,
     /// The mean colour of the bed.

@@ -6,6 +6,7 @@
 //! stones on their ground.
 
 mod build;
+mod claws;
 mod coats;
 #[cfg(test)]
 mod fixture;
@@ -22,6 +23,7 @@ mod template;
 mod tests;
 
 pub use build::{Fit, Stones};
+pub use claws::Claw;
 pub use coats::SurfaceCoats;
 pub use flatten::UnfoldedCell;
 pub(crate) use ground::parts;
@@ -44,6 +46,8 @@ pub struct Paving<'a> {
     pub links: &'a [Vec<u32>],
     /// The coats of the cells; cells beyond the end of the list are plain.
     pub coats: &'a [Coat],
+    /// Claws and tips of horn, which carry no cells.
+    pub claws: &'a [Claw],
 }
 
 impl Paving<'_> {

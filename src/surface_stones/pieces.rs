@@ -18,6 +18,7 @@ pub(crate) struct Pieces {
     size: f64,
     cell: usize,
     ground: Option<GroundMaking>,
+    claw: usize,
 }
 
 /// The result of a slice of work.
@@ -38,6 +39,7 @@ impl Pieces {
             size: mean_size(cells),
             cell: 0,
             ground: None,
+            claw: 0,
             params,
         }
     }
@@ -76,7 +78,12 @@ impl Pieces {
                 Some(surface) => Piece::Surface(GROUND, surface),
                 None => Piece::None,
             },
-            GroundSlice::End => Piece::End,
+            GroundSlice::End => {
+                let claw = paving.claws.get(self.claw);
+                self.claw += 1;
+                let surface = claw.map(|claw| claw.surface(self.maker.look.palette));
+                surface.map_or(Piece::End, |surface| Piece::Surface(GROUND, surface))
+            }
         }
     }
 }

@@ -54,6 +54,7 @@ fn build(params: StonesParams, mesh: &TriMesh, cells: &[SurfaceCell]) -> Scene {
         cells,
         links: &links,
         coats: &[],
+        claws: &[],
     };
     let mut stones = Stones::new(params, mesh, cells);
     while !stones.advance(mesh, paving) {}

@@ -96,6 +96,8 @@ lists! {
                 .only_for(keys::PATTERN, PATTERNS);
         rim RIM: "Darkens the rim of each cell; below 0 its middle." =>
             number("", "Dark rims").range(-1.0, 1.0, 0.05, COLOURS.rim).group("Colour");
+        soft SOFT: "How much tones change softly from place to place, as in one bed of stone, instead of from stone to stone." =>
+            number("", "Soft tones").range(0.0, 1.0, 0.05, COLOURS.soft).group("Colour");
         belly BELLY: "How much of the palette's belly colour there is on one side of the picture." =>
             number("", "Belly").range(0.0, 1.0, 0.05, COLOURS.belly).group("Colour");
         ba BA: "Where the belly is, clockwise from the x axis." =>

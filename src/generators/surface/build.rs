@@ -4,11 +4,12 @@ use super::params::{MeshSource, PackingTarget, Sizes, SurfaceParams};
 use super::tracing;
 use crate::generators::scene_picture::Loaded;
 use crate::notice::{Code, Notice};
-use crate::shapes::{Bone as ShapeBone, Shape, ShapeMaking};
+use crate::shapes::{Bone as ShapeBone, Ends, Shape, ShapeMaking};
 use crate::surface_field::fit::check_count;
 use crate::surface_field::{
     Amount, Bone, SizeParams, SurfaceFieldBuilder, SurfaceFieldParams, SurfaceFields,
 };
+use crate::surface_stones::Claw;
 use crate::trimesh::refine::{Refining, SHARE};
 use crate::trimesh::repair::{CreaseCutting, HoleFilling};
 use crate::trimesh::{MeshBuilding, Search, Simplifying, TriMesh};
@@ -33,6 +34,8 @@ pub(super) struct Built {
     /// Brings cells from the first to the second, if they differ.
     pub search: Option<Search>,
     pub bones: Vec<Bone>,
+    /// Claws and tips of horn that stand on it.
+    pub claws: Vec<Claw>,
     /// The main direction from head to tail, if there are no bones.
     pub main: DVec3,
     pub notices: Vec<Notice>,
@@ -104,9 +107,9 @@ impl Building {
         };
         let count = params.sizes.count;
         new.step = match (&params.source, loaded.meshes.first()) {
-            (MeshSource::Shape(shape, numbers), _) => {
+            (MeshSource::Shape(shape, ends, numbers), _) => {
                 let edge = shape.coarsest(numbers);
-                BuildPhase::Sketch(Box::new(shape.making(numbers, edge)))
+                BuildPhase::Sketch(Box::new(shape.making(numbers, edge, *ends)))
             }
             (MeshSource::Model(..), None) => return Err(Code::ModelFirst.into()),
             (MeshSource::Model(..), Some(mesh)) => {
@@ -215,11 +218,11 @@ impl Building {
     /// The sketch of a shape gives its area, and so the mean size and the wanted length of edges.
     fn shaped(&mut self, params: &SurfaceParams, sketch: TriMesh) -> BuildPhase {
         self.size = size_for(&params.sizes, sketch.area());
-        let MeshSource::Shape(shape, numbers) = &params.source else {
+        let MeshSource::Shape(shape, ends, numbers) = &params.source else {
             return BuildPhase::Size(sketch);
         };
         let edge = SHARE * self.size / sketch.diagonal();
-        BuildPhase::Shape(Box::new(shape.making(numbers, edge)))
+        BuildPhase::Shape(Box::new(shape.making(numbers, edge, *ends)))
     }
 
     /// Packs on a simpler surface than this one. Stones stand on that of the file.
@@ -266,16 +269,25 @@ impl Building {
         BuildPhase::Divide(Box::new(Refining::new(owned(mesh), targets.collect())))
     }
 
+    /// Leaves the faces of cuts without cells, and cuts the rest along its creases.
     fn cutting(&mut self, params: &SurfaceParams, mesh: TriMesh) -> BuildPhase {
+        let whole = Arc::new(mesh);
+        let covered = match &params.source {
+            MeshSource::Shape(shape, Ends::Cut, numbers) => {
+                let cuts = shape.cuts(numbers);
+                let is_cut = |t: usize| {
+                    let t = t as u32;
+                    let middle = whole.corners(t).iter().sum::<DVec3>() / 3.0;
+                    cuts.iter().any(|cut| cut.has(middle, whole.face_normal(t)))
+                };
+                let bare: Vec<bool> = (0..whole.triangles().len()).map(is_cut).collect();
+                without(whole.as_ref().clone(), &bare)
+            }
+            _ => whole.as_ref().clone(),
+        };
         match params.cut {
-            Some(angle) => {
-                let whole = Arc::new(mesh.clone());
-                BuildPhase::Cut(Box::new(CreaseCutting::new(mesh, angle)), whole)
-            }
-            None => {
-                let whole = Arc::new(mesh.clone());
-                BuildPhase::End(mesh, whole)
-            }
+            Some(angle) => BuildPhase::Cut(Box::new(CreaseCutting::new(covered, angle)), whole),
+            None => BuildPhase::End(covered, whole),
         }
     }
 
@@ -289,18 +301,28 @@ impl Building {
             return None;
         };
         let (bones, main) = match &params.source {
-            MeshSource::Shape(shape, numbers) => (bones(*shape, numbers), shape.main()),
+            MeshSource::Shape(shape, _, numbers) => (bones(*shape, numbers), shape.main()),
             MeshSource::Model(..) => (Vec::new(), DVec3::Y),
         };
-        let mesh = match params.cut {
-            Some(_) => Arc::new(mesh),
-            None => uncut.clone(),
+        let claws = match &params.source {
+            MeshSource::Shape(shape, Ends::Cut, numbers) => shape.claws(numbers),
+            _ => Vec::new(),
+        };
+        let claw = |bone: ShapeBone| Claw {
+            points: bone.points,
+            radii: bone.radii,
+        };
+        let is_uncut = mesh.triangles().len() == uncut.triangles().len() && params.cut.is_none();
+        let mesh = match is_uncut {
+            true => uncut.clone(),
+            false => Arc::new(mesh),
         };
         Some(Built {
             mesh,
             whole: self.whole.take().unwrap_or(uncut),
             search: self.search.take(),
             bones,
+            claws: claws.into_iter().map(claw).collect(),
             main,
             notices: std::mem::take(&mut self.notices),
         })
@@ -318,7 +340,7 @@ fn size_for(sizes: &Sizes, area: f64) -> f64 {
 
 fn sizing(params: &SurfaceParams, mesh: Arc<TriMesh>, size: SizeParams) -> BuildPhase {
     let bones = match &params.source {
-        MeshSource::Shape(shape, numbers) => bones(*shape, numbers),
+        MeshSource::Shape(shape, _, numbers) => bones(*shape, numbers),
         MeshSource::Model(..) => Vec::new(),
     };
     let params = SurfaceFieldParams {

@@ -10,7 +10,7 @@ use crate::heightfield::TextureParams;
 use crate::material::{ColourParams, WeatherParams};
 use crate::packing::PackingParams;
 use crate::recipe::Recipe;
-use crate::shapes::Shape;
+use crate::shapes::{Ends, Shape};
 use crate::surface_field::{Along, ByCurvature, Taper};
 use crate::surface_stones::Open;
 use glam::DVec3;
@@ -47,8 +47,8 @@ pub(super) enum PackingTarget {
 /// The source of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum MeshSource {
-    /// A shape by rule, with its numbers.
-    Shape(Shape, Vec<f64>),
+    /// A shape by rule, with its ends and its numbers.
+    Shape(Shape, Ends, Vec<f64>),
     /// From a file.
     Model(AskedFile),
 }
@@ -111,6 +111,8 @@ pub(super) struct FieldParams {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CellParams {
     pub colour: ColourParams,
+    /// Bands run around a body with bones, by the length along these; else across the pattern's angle.
+    pub is_around: bool,
     pub seed: u64,
     /// Whether the flow is reversed.
     pub flip: bool,
@@ -133,6 +135,7 @@ impl Params {
             packing: packing(recipe),
             cells: CellParams {
                 colour: common::colour(recipe, 1.0),
+                is_around: recipe.choice(keys::PT) == "body",
                 seed: common::seed(recipe),
                 flip: recipe.choice(keys::FLIP) == "1",
             },
@@ -166,7 +169,7 @@ fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
     let is_file = recipe.choice(keys::FORM) == FILE;
     SurfaceParams {
         source: match shape(recipe).filter(|_| !is_file) {
-            Some(shape) => MeshSource::Shape(shape, numbers(recipe, shape)),
+            Some(shape) => MeshSource::Shape(shape, ends(recipe), numbers(recipe, shape)),
             None => MeshSource::Model(AskedFile {
                 role: keys::MODEL.0,
                 file: recipe.files(keys::MODEL).pop(),
@@ -180,6 +183,13 @@ fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
         },
         cut: (recipe.choice(keys::CREASE) == "cut").then(|| recipe.number(keys::FOLD).to_radians()),
         sizes: sizes.clone(),
+    }
+}
+
+fn ends(recipe: &Recipe) -> Ends {
+    match recipe.choice(keys::ENDS) {
+        "cut" => Ends::Cut,
+        _ => Ends::Round,
     }
 }
 

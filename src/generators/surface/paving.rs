@@ -6,8 +6,8 @@ use crate::material::Coat;
 use crate::notice::{Code, Notice};
 use crate::surface_cells::SurfaceCell;
 use crate::surface_cells::SurfaceMesh;
-use crate::surface_field::SurfaceFields;
-use crate::surface_stones::{Paving, SurfaceCoats, links, make_one_sense};
+use crate::surface_field::{AlongBones, SurfaceFields};
+use crate::surface_stones::{Claw, Paving, SurfaceCoats, links, make_one_sense};
 use crate::trimesh::{Search, SurfacePoint};
 
 /// Cells in a slice of coats.
@@ -21,6 +21,7 @@ pub(super) struct PavedCells {
     pub cells: Vec<SurfaceCell>,
     pub links: Vec<Vec<u32>>,
     pub coats: Vec<Coat>,
+    pub claws: Vec<Claw>,
 }
 
 impl PavedCells {
@@ -29,6 +30,7 @@ impl PavedCells {
             cells: &self.cells,
             links: &self.links,
             coats: &self.coats,
+            claws: &self.claws,
         }
     }
 }
@@ -69,6 +71,7 @@ impl PavingProgress {
             Some(PavingProgress::Link(cells)) => PavingProgress::Turn(PavedCells {
                 links: links(&cells),
                 coats: Vec::new(),
+                claws: from.built.claws.clone(),
                 cells,
             }),
             Some(PavingProgress::Turn(mut paved)) => {
@@ -110,7 +113,12 @@ fn coating(params: &CellParams, paved: PavedCells, built: &Built) -> PavingProgr
     let (low, high) = built.whole.bounds();
     let mut colour = params.colour;
     colour.scale *= (high - low).max_element() * unit;
-    let coats = SurfaceCoats::new(colour, params.seed, unit, &paved.cells, &paved.links);
+    let mut coats = SurfaceCoats::new(colour, params.seed, unit, &paved.cells, &paved.links);
+    let bones = AlongBones::new(&built.bones, built.whole.diagonal());
+    if let Some(bones) = bones.filter(|_| params.is_around) {
+        let along = paved.cells.iter().map(|cell| bones.at(cell.centre.at));
+        coats = coats.around(along.collect());
+    }
     PavingProgress::Coat(paved, Box::new(coats))
 }
 

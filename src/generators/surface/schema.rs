@@ -112,6 +112,9 @@ rows! {
         choice("Openings", choices![
             own: "As the surface has them", shell: "A shell", capped: "A body", block: "Ground",
         ]).group("Shape").steady();
+    ends ENDS: "Where a leg or a tail is cut off, and how its toes and its tip end: all in cells, or with a plain cut, claws and a tip of horn." =>
+        choice("Ends", choices![round: "In cells", cut: "Cut and claws"]).group("Shape")
+            .only_for(keys::FORM, &["leg", "tail", "horn"]);
     yaw YAW: "Turns the model about its upright axis, under the same light." =>
         number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Shape");
     size SIZE: "Side of the square picture." => common::SIZE;
@@ -193,6 +196,9 @@ rows! {
         stones::PN;
     pa PA: "Across bands, or where marked cells point, clockwise from the x axis, seen from the front." =>
         stones::PA;
+    pt PT: "Where bands run: across the pattern's angle, or around the body from head to tail, as rings." =>
+        choice("Bands run", choices![across: "Across the angle", body: "Around the body"])
+            .group("Colour").only_for(keys::PATTERN, &["bands"]);
     belly BELLY: "How much of the palette's belly colour there is on one side of the body." => stones::BELLY;
     ba BA: "Where the belly is, clockwise from the x axis, seen from the front." => stones::BA;
 

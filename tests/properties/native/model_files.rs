@@ -62,6 +62,7 @@ fn file(format: MeshFormat) -> (MeshOrder, Vec<u8>) {
         cells: &cells,
         links: &links,
         coats: &[],
+        claws: &[],
     };
     let texture = TextureParams {
         size: 24.0,
