@@ -42,6 +42,8 @@ interface Pair {
 export interface Rhythm {
   /** Milliseconds of work in a slice. */
   readonly budget: number;
+  /** The same until the first picture is finished, which nobody turns or changes yet. */
+  readonly first: number;
   /** The same if the screen does not show each slice: before the first cells, and if a painter draws. */
   readonly unseen: number;
   /** Milliseconds of a slice for a drawing that is made in pieces. */
@@ -55,10 +57,10 @@ export interface Rhythm {
 }
 
 /** A slice in each animation frame, whose other milliseconds are left to the browser. */
-export const FRAMES: Rhythm = { budget: 12, unseen: 40, piece: 16, painted: 32, apart: 0, next: (slice) => requestAnimationFrame(slice) };
+export const FRAMES: Rhythm = { budget: 12, first: 24, unseen: 40, piece: 16, painted: 32, apart: 0, next: (slice) => requestAnimationFrame(slice) };
 
 /** Slices in idle moments, for work other than the page's own picture. */
-export const IDLE: Rhythm = { budget: 6, unseen: 6, piece: 6, painted: 6, apart: 150, next: (slice) => void idle(50).then(() => slice(performance.now())) };
+export const IDLE: Rhythm = { budget: 6, first: 6, unseen: 6, piece: 6, painted: 6, apart: 150, next: (slice) => void idle(50).then(() => slice(performance.now())) };
 
 export class Loop {
   rhythm = FRAMES;
@@ -84,6 +86,8 @@ export class Loop {
   private held = false;
   /** While held: the work may run up to the packing, or after a finished packing, but makes no packing step. */
   private settling = false;
+  /** Whether a picture has been finished. */
+  private finished = false;
   private dirty = false;
   private waiting = false;
   /**
@@ -234,6 +238,7 @@ export class Loop {
       // Bodies that no longer change are painted in better quality.
       if (this.settling && this.painter) this.dirty = true;
       this.settling = false;
+      this.finished ||= isEnd(stage);
     }
     const now = changed ? performance.now() : begin;
     const due = changed && now >= this.nextDrawing;
@@ -261,7 +266,9 @@ export class Loop {
     const { engine, watch } = this;
     const { stages, stepping } = engine.generator;
     const isSeen = !this.painter && stages.indexOf(engine.stage()) >= stages.indexOf(stepping);
-    const budget = isSeen ? this.rhythm.budget : this.rhythm.unseen;
+    const { rhythm } = this;
+    const seen = this.finished || watch ? rhythm.budget : rhythm.first;
+    const budget = isSeen ? seen : rhythm.unseen;
     // The other picture uses the other half of the time.
     if (this.pair && !this.until) return this.pair.tick(engine, budget / 2, this.held ? 0 : this.stepsNow(begin));
     if (this.held) return engine.tick(budget, 0);
