@@ -259,7 +259,7 @@ fn draw_colour(palette: &Palette, random: &mut Random, vary: f32, coat: Coat) ->
 /// The palette's colour for a tone: its bases from dark to light, blended, over the tones from -2 to 2.
 fn shade_at(palette: &Palette, tone: f32) -> [f32; 3] {
     let mut bases = palette.bases.to_vec();
-    bases.sort_by_key(|base| (base.iter().map(|&v| u32::from(v)).sum::<u32>(), *base));
+    bases.sort_unstable_by_key(|base| (base.iter().map(|&v| u32::from(v)).sum::<u32>(), *base));
     let last = bases.len() - 1;
     let at = (0.25 * tone + 0.5).clamp(0.0, 1.0) * last as f32;
     let low = (at as usize).min(last);
