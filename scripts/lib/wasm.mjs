@@ -1,9 +1,9 @@
 // The WebAssembly module, built by wasm-pack for the page or for Node, and skipped where nothing has changed.
-import { appendFileSync, existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { appendFileSync, existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { digest } from './digest.mjs';
-import { root, run, say, Stop } from './run.mjs';
-import { targetDir, wasmTarget, wasmTargetDir } from './rust.mjs';
+import { ask, root, run, say, Stop } from './run.mjs';
+import { targetDir } from './rust.mjs';
 
 /** The folder of the page's first module, which makes only pavements. */
 export const pageModule = join(root, 'pkg');
@@ -23,8 +23,18 @@ const BUILDS = {
   bench: { folder: join(targetDir, 'pkg-bench'), target: 'nodejs', options: ['--features', 'bench'] },
 };
 
-// Files that decide the module, besides the code that cargo compiles.
-const recipe = ['Cargo.toml', 'Cargo.lock', 'package-lock.json', 'scripts/lib/wasm.mjs'];
+// Files and folders that decide the modules.
+const sources = ['Cargo.toml', 'Cargo.lock', 'build.rs', 'src', 'benches', 'package-lock.json', 'scripts/lib/wasm.mjs'];
+
+/** A digest of all that decides a module. @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly */
+function digestOfSources(env) {
+  const files = sources.flatMap((path) => {
+    const at = join(root, path);
+    if (!statSync(at).isDirectory()) return [at];
+    return readdirSync(at, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile()).map((entry) => join(entry.parentPath, entry.name)).sort();
+  });
+  return `${ask('rustc', ['--version'], env)} ${digest(files)}`;
+}
 
 /**
  * Builds the modules of the site.
@@ -42,12 +52,9 @@ export async function buildModules(env) {
 export async function buildWasm(kind, env) {
   const { folder, target, options } = BUILDS[kind];
   const stamp = join(folder, '.built-from');
-  say(`Building the WebAssembly module (${kind})`);
-  // The same build as that of wasm-pack, so that nothing is compiled twice.
-  run('cargo', ['build', '--lib', '--release', '--target', wasmTarget, ...options], { env });
-  const compiled = join(wasmTargetDir, wasmTarget, 'release', 'bubblestone.wasm');
-  const source = digest([compiled, ...recipe.map((file) => join(root, file))]);
+  const source = digestOfSources(env);
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === source) return folder;
+  say(`Building the WebAssembly module (${kind})`);
   rmSync(folder, { recursive: true, force: true });
   const extra = options.length ? ['--', ...options] : [];
   run('wasm-pack', ['build', '--mode', 'no-install', '--profiling', '--target', target, '--out-dir', folder, ...extra], { env });
