@@ -156,7 +156,11 @@ mod fuzz {
             let (name, how, bytes) = file_of(seed, case, &files);
             let before = clock();
             let end = file_ends_well(&how, name, bytes, &mut clock);
-            tally.add(case, &end, clock() - before);
+            let took = clock() - before;
+            tally.add(case, &end, took);
+            if took > SLOW {
+                keep(seed, case);
+            }
             let mut random = Random::new(seed, Purpose::Placement, case);
             for _ in 0..LINKS {
                 mended(&broken_link(&mut random));

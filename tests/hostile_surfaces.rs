@@ -129,14 +129,14 @@ fn text_of_box(sides: [f64; 3]) -> Vec<u8> {
 
 #[test]
 fn a_model_has_the_same_cells_in_any_unit() {
-    let plain = covered("cn=30", "a.obj", text_of_box([1.0, 2.0, 1.5]));
+    let plain = covered("cn=150", "a.obj", text_of_box([1.0, 2.0, 1.5]));
     assert!(plain.cells.is_some(), "{}", plain.text);
     for exponent in [
         -300, -99, -80, -76, -75, -40, -10, 10, 40, 75, 76, 80, 99, 300,
     ] {
         let unit: f64 = format!("1e{exponent}").parse().unwrap();
         let end = covered(
-            "cn=30",
+            "cn=150",
             "a.obj",
             text_of_box([1.0, 2.0, 1.5].map(|side| side * unit)),
         );
