@@ -43,7 +43,7 @@ fn run() -> Result<(), String> {
     use bubblestone::generators::pavement::{self, Pavement};
     use bubblestone::studio::Studio;
 
-    let wish = Wish::read(std::env::args().skip(1))?;
+    let wish = Wish::read(std::env::args_os().skip(1))?;
     let (mut recipe, mut notices) = ALL.recipe(&wish.link);
     let mut studio = match &wish.outline {
         None => Studio::new(ALL, recipe),
@@ -69,7 +69,7 @@ fn run() -> Result<(), String> {
     }
     let mut clock = native::clock();
     studio.finish(&mut clock)?;
-    let out = wish.out.as_ref();
+    let out = &wish.out;
     native::make(out)?;
     let mut frame = None;
     if let Some(words) = &wish.view {
@@ -114,14 +114,17 @@ fn run() -> Result<(), String> {
     Ok(())
 }
 
+#[cfg(not(target_arch = "wasm32"))]
+use std::{ffi::OsString, path::PathBuf};
+
 /// The options of the command line.
 #[cfg(not(target_arch = "wasm32"))]
 #[derive(Default)]
 struct Wish {
     link: String,
     outline: Option<String>,
-    models: Vec<String>,
-    out: String,
+    models: Vec<OsString>,
+    out: PathBuf,
     views: bool,
     maps: bool,
     maps_for: Option<String>,
@@ -135,7 +138,7 @@ struct Wish {
 
 #[cfg(not(target_arch = "wasm32"))]
 impl Wish {
-    fn read(mut words: impl Iterator<Item = String>) -> Result<Self, String> {
+    fn read(mut words: impl Iterator<Item = OsString>) -> Result<Self, String> {
         const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] [--model [ROLE=]FILE] \
             --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] \
             [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] \
@@ -143,14 +146,17 @@ impl Wish {
         let mut wish = Wish::default();
         let mut link = None;
         while let Some(word) = words.next() {
-            let mut value = |name: &str| {
+            let word = native::text(word)?;
+            // Names of files need not be text.
+            let mut path = |name: &str| {
                 let value = words.next();
                 value.ok_or_else(|| format!("{name} needs a value. {USAGE}"))
             };
+            let mut value = |name: &str| native::text(path(name)?);
             match word.as_str() {
                 "--outline" => wish.outline = Some(value("--outline")?),
-                "--model" => wish.models.push(value("--model")?),
-                "--out" => wish.out = value("--out")?,
+                "--model" => wish.models.push(path("--model")?),
+                "--out" => wish.out = path("--out")?.into(),
                 "--views" => wish.views = true,
                 "--maps" => wish.maps = true,
                 "--maps-for" => wish.maps_for = Some(value("--maps-for")?),
@@ -177,7 +183,7 @@ impl Wish {
             }
         }
         wish.link = link.unwrap_or_default();
-        if wish.out.is_empty() {
+        if wish.out.as_os_str().is_empty() {
             return Err(format!("Say where the files go. {USAGE}"));
         }
         Ok(wish)

@@ -22,6 +22,14 @@ pub fn clock() -> impl FnMut() -> f64 {
     move || start.elapsed().as_secs_f64() * 1e3
 }
 
+/// A word of the command line as text.
+pub fn text(word: std::ffi::OsString) -> Result<String, String> {
+    word.into_string().map_err(|word| {
+        let word = word.to_string_lossy();
+        format!("{word} is not text in UTF-8: give the file another name.")
+    })
+}
+
 /// Prints the sentence of an error and returns exit code 2.
 pub fn end(result: Result<(), String>) -> ExitCode {
     match result {

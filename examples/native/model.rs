@@ -4,6 +4,7 @@ use bubblestone::generators::{GivenFile, MissingFile};
 use bubblestone::notice::Notice;
 use bubblestone::recipe::Item;
 use bubblestone::studio::Studio;
+use std::ffi::OsStr;
 use std::path::Path;
 
 /// Splits `ROLE=FILE`. Without a role of the recipe, the whole text is the file's path.
@@ -20,10 +21,20 @@ fn role_and_path<'a>(studio: &Studio, text: &'a str) -> (Option<&'a str>, &'a st
 
 /// Gives the recipe a file, `ROLE=FILE` or `FILE`. It must have the digest that the link names; if the link
 /// names none, it is added to the link.
-pub fn open_model(studio: &mut Studio, text: &str) -> Result<Vec<Notice>, String> {
-    let (role, path) = role_and_path(studio, text);
-    let bytes = std::fs::read(path).map_err(|e| format!("Cannot read {path}: {e}."))?;
-    let name = Path::new(path).file_name().unwrap_or_default();
+pub fn open_model(studio: &mut Studio, text: &OsStr) -> Result<Vec<Notice>, String> {
+    let (role, file) = match text.to_str() {
+        Some(text) => role_and_path(studio, text),
+        // The name of a file need not be text.
+        None => (None, ""),
+    };
+    let path = Path::new(if file.is_empty() {
+        text
+    } else {
+        OsStr::new(file)
+    });
+    let shown = path.display();
+    let bytes = std::fs::read(path).map_err(|e| format!("Cannot read {shown}: {e}."))?;
+    let name = path.file_name().unwrap_or_default();
     let file = GivenFile::whole(&name.to_string_lossy(), bytes);
     let digest = file.named().digest_text();
     let missing = studio.files().map_or(Vec::new(), |files| files.missing());
@@ -35,7 +46,7 @@ pub fn open_model(studio: &mut Studio, text: &str) -> Result<Vec<Notice>, String
     };
     if wanted.iter().all(|one| one.digest != digest) {
         return Err(format!(
-            "{path} is not the file {} that the link asks for: its digest is {digest}, not {}.",
+            "{shown} is not the file {} that the link asks for: its digest is {digest}, not {}.",
             first.name, first.digest
         ));
     }

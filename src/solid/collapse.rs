@@ -72,6 +72,11 @@ impl Collapse {
         self.changes[a as usize] + self.changes[b as usize]
     }
 
+    /// How many triangles a vertex lists, with some removed ones.
+    pub fn around(&self, v: u32) -> usize {
+        self.around[v as usize].len()
+    }
+
     /// The triangles around a vertex.
     pub fn living(&self, v: u32) -> impl Iterator<Item = (usize, [u32; 3])> {
         let around = self.around[v as usize].iter();

@@ -19,9 +19,11 @@ const HOLDS: [f64; 2] = [1e-8, 1e-2];
 const TURN: f64 = 0.3;
 /// The least quality of a triangle (1 for an equilateral one), unless it was less before.
 const LEAST_QUALITY: f64 = 0.15;
-/// In a slice: triangles of the preparation, and edges to collapse.
-const SLICE: usize = 1 << 14;
-const EDGES: usize = 1 << 10;
+/// In a slice: triangles of the preparation, and triangles to look at while edges collapse.
+const SLICE: usize = 1 << 13;
+const LOOKED_AT: usize = 1 << 15;
+/// A vertex with more triangles than this gets its neighbours by sorting.
+const MANY: usize = 64;
 
 /// A surface that is being simplified.
 pub struct Simplifying {
@@ -91,7 +93,11 @@ impl Simplifying {
                 }
             }
             SimplifyingPhase::Collapse => {
-                let goes_on = (0..EDGES).all(|_| self.next());
+                let mut left = LOOKED_AT as i64;
+                let mut goes_on = true;
+                while goes_on && left > 0 {
+                    goes_on = self.next(&mut left);
+                }
                 if !goes_on {
                     self.build();
                     self.stage = SimplifyingPhase::Build;
@@ -181,14 +187,17 @@ impl Simplifying {
         lowest.into_iter().find(is_near).unwrap_or(middle)
     }
 
-    /// Collapses the next edge, if it may; false when there is nothing more to do.
-    fn next(&mut self) -> bool {
+    /// Collapses the next edge, if it may; false when there is nothing more to do. Takes the triangles that it looks at
+    /// from `left`.
+    fn next(&mut self, left: &mut i64) -> bool {
         if self.left <= self.most.max(4) {
             return false;
         }
         let Some(ends) = self.collapse.pop() else {
             return false;
         };
+        let around = ends.map(|v| self.collapse.around(v));
+        *left -= (24 + around[0] + around[1]) as i64;
         if self.collapse.living(ends[0]).next().is_none() {
             return true;
         }
@@ -205,6 +214,13 @@ impl Simplifying {
 
     /// The neighbours of a vertex.
     fn beside(&self, v: u32) -> Vec<u32> {
+        if self.collapse.around(v) > MANY {
+            let corners = self.collapse.living(v).flat_map(|(_, triangle)| triangle);
+            let mut all: Vec<u32> = corners.filter(|&w| w != v).collect();
+            all.sort_unstable();
+            all.dedup();
+            return all;
+        }
         let mut all: Vec<u32> = Vec::with_capacity(12);
         for (_, triangle) in self.collapse.living(v) {
             for w in triangle {

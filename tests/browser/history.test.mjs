@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, frames, get, link, messages, set, SMALL } from './page.mjs';
+import { click, digest, frames, get, link, messages, reloading, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -159,6 +159,59 @@ test('a link opened over work of one’s own can be taken back', async () => {
   await digest(page);
   assert.equal(await link(page), work);
   assert.doesNotMatch((await messages(page)).join(), /over the work/);
+  await close();
+});
+
+test('two tabs keep their works apart, and a third one finds both', async () => {
+  const { page, problems, close } = await site.newPage(`${SMALL}&seed=5`);
+  await digest(page);
+  await set(page, 'cs', '24');
+  await stored(page);
+  const first = await link(page);
+  const other = await page.browserContext().newPage();
+  await other.goto(`${site.address}${SMALL}&seed=6`);
+  await digest(other);
+  await set(other, 'cs', '28');
+  await stored(other);
+  const second = await link(other);
+  await reloading(page, () => page.goto(site.address));
+  await digest(page);
+  assert.equal(await link(page), first);
+  await set(page, 'cs', '20');
+  await stored(page);
+  const third = await page.browserContext().newPage();
+  await third.goto(site.address);
+  await digest(third);
+  const past = [];
+  for (let k = 0; k < 12 && !past.includes(second); k += 1) {
+    past.push(await link(third));
+    await click(third, '#undo');
+  }
+  assert.ok(past.includes(first) && past.includes(second), past.join(' '));
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('many new entries become few, and the address follows', async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  const pushed = await page.evaluate(async () => {
+    const plain = history.pushState;
+    let count = 0;
+    history.pushState = function (...words) {
+      count += 1;
+      plain.apply(this, words);
+    };
+    for (let k = 0; k < 150; k += 1) {
+      /** @type {HTMLElement} */ (document.querySelector('#dice')).click();
+      await new Promise(requestAnimationFrame);
+    }
+    return count;
+  });
+  assert.ok(pushed > 20 && pushed <= 60, String(pushed));
+  const now = await link(page);
+  await page.waitForFunction((wanted) => location.hash === `#${wanted}`, {}, now);
+  assert.deepEqual(problems, []);
   await close();
 });
 

@@ -1,6 +1,7 @@
 // Surfaces from model files: opened, stored by digest, requested by name, and inside a recipe file. Painting on them.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { click, digest, drop, get, link, message, phone, reloading, set, SMALL } from './page.mjs';
@@ -50,6 +51,9 @@ const seen = (page) => page.waitForSelector('#sheet[data-turn=fine]');
 
 /** The link and the digest of a box with 60 cells, which the first test makes. */
 let box60 = { fragment: '', digest: '' };
+
+/** That box in the file of a recipe. */
+let packed60 = {};
 
 test('a model is opened by the panel, and found again by undo and after a reload', async () => {
   const { page, problems, close } = await site.newPage(EGG);
@@ -121,6 +125,7 @@ test('the file of a recipe holds the models, each with its role, and older files
   assert.deepEqual(files.map(({ role, name }) => [role, name]), [['model', 'box.obj']]);
   await first.close();
   // Files of the older form have one model, without a role.
+  packed60 = files[0];
   const file = { ...files[0], role: undefined };
   const older = new TextEncoder().encode(JSON.stringify({ ...rest, file }, null, 1).replace('"gzip":"', '"gzip": "'));
   for (const recipe of [bytes, older]) {
@@ -133,6 +138,50 @@ test('the file of a recipe holds the models, each with its role, and older files
     assert.deepEqual(problems, []);
     await close();
   }
+});
+
+/** The stored files: for each digest the number of bytes. @param {Page} page @returns {Promise<Record<string, number>>} */
+const shelf = (page) =>
+  page.evaluate(async () => {
+    const asked = (/** @type {IDBRequest<any>} */ request) => new Promise((resolve) => request.addEventListener('success', () => resolve(request.result)));
+    const base = await asked(indexedDB.open('bubblestone files', 1));
+    const all = await asked(base.transaction('files').objectStore('files').getAll());
+    base.close();
+    return Object.fromEntries(all.map((/** @type {{ digest: string, file: Blob }} */ kept) => [kept.digest, kept.file.size]));
+  });
+
+test("the file of a stranger's recipe neither changes nor removes a kept model", async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  await drop(page, 'tower.obj', cube(3), '');
+  await until(page, 'form', 'file');
+  const before = await digest(page);
+  const kept = await shelf(page);
+  const own = { role: 'model', name: 'tower.obj', digest: Object.keys(kept)[0] };
+  const tower = `#${await link(page)}`;
+  const packed = (/** @type {string | Uint8Array} */ bytes) => gzipSync(bytes).toString('base64');
+  const zeros = packed(new Uint8Array(20_000_000));
+  /** @type {[string, object[], string][]} */
+  const cases = [
+    // Another content under the digest of a kept model, and a model that the recipe does not name.
+    [tower, [{ ...own, size: 13, gzip: packed('not the model') }], 'is open'],
+    [tower, [{ ...own, digest: '0123456789abcdef', size: 20_000_000, gzip: zeros }], 'is open'],
+    // A model that is not here, with another content, more bytes than stated, no size, and no archive.
+    ...[{ gzip: packed('x'.repeat(20)), size: 20 }, { gzip: zeros, size: 100 }, { size: -1 }, { gzip: 'AAAA' }].map(
+      (wrong) => /** @type {[string, object[], string]} */ ([box60.fragment, [{ ...packed60, ...wrong }], 'does not hold the model']),
+    ),
+  ];
+  for (const [k, [fragment, files, words]] of cases.entries()) {
+    const text = JSON.stringify({ program: 'Bubblestone', recipe: fragment.slice(1), files }, null, 1);
+    await drop(page, `${k}.json`, text, 'application/json');
+    await message(page, 'status', new RegExp(`${k}\\.json ${words}`));
+    assert.deepEqual(await shelf(page), kept);
+  }
+  await page.goto('about:blank');
+  await page.goto(site.address + tower);
+  assert.equal(await digest(page), before);
+  assert.deepEqual(problems, []);
+  await close();
 });
 
 test('strokes are painted on the surface, one step each, and taken away by a click', sameEverywhere, async () => {

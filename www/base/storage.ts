@@ -21,6 +21,24 @@ export function keep(name: string, text: string): boolean {
   }
 }
 
+/** The text stored under this name for this tab alone; undefined if there is none, or no storage. */
+export function keptInTab(name: string): string | undefined {
+  try {
+    return sessionStorage.getItem(PREFIX + name) ?? undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/** Stores a text for this tab alone, if it can. */
+export function keepInTab(name: string, text: string): void {
+  try {
+    sessionStorage.setItem(PREFIX + name, text);
+  } catch {
+    // The other storage has the text, or the address holds the work.
+  }
+}
+
 /** Whether nothing is stored from an earlier visit. Marks the visit, so that the next one is not the first. */
 export function isFirstVisit(): boolean {
   try {

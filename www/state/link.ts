@@ -1,7 +1,15 @@
 /** The state in the address: the only file that touches `location` and `history`. */
 
-/** Milliseconds between two changes of the address. Browsers limit their rate; Safari allows a hundred in half a minute. */
+/** Milliseconds between two changes of the address. */
 const THROTTLE = 500;
+
+/**
+ * The most changes in a span of milliseconds, with room for another change just before each. Browsers limit their rate:
+ * Safari refuses more than a hundred in half a minute. Beyond the first number a new state replaces the present one,
+ * beyond the second it waits; the page's own history has each step in any case.
+ */
+const SPAN = 30_000;
+const MOST = { pushState: 60, replaceState: 90 };
 
 /** Marks the entries that the page wrote into the browser's history. */
 const OURS = 'ours';
@@ -13,6 +21,8 @@ export class Link {
   private waiting: string | undefined;
   private timer = 0;
   private last = -THROTTLE;
+  /** The times of the last changes. */
+  private times: number[] = [];
 
   /** `open` gets the fragment of an address that the visitor went to; `ours` is true if the page wrote it. */
   constructor(open: (fragment: string, ours: boolean) => void) {
@@ -40,10 +50,15 @@ export class Link {
     if (state === (this.waiting ?? this.written)) return;
     this.waiting = state;
     if (this.timer) return;
-    this.timer = window.setTimeout(() => this.flush(), Math.max(0, this.last + THROTTLE - performance.now()));
+    const soon = this.last + THROTTLE - performance.now();
+    this.timer = window.setTimeout(() => this.flush(), Math.max(0, soon, this.wait('replaceState')));
   }
 
   private push(state: string): void {
+    if (this.wait('pushState') > 0) {
+      this.replace(state);
+      return;
+    }
     this.flush();
     if (state === this.written) return;
     this.enter(state, 'pushState');
@@ -55,6 +70,14 @@ export class Link {
     if (state !== undefined && state !== this.written) this.enter(state, 'replaceState');
   }
 
+  /** Milliseconds until another change of this kind is allowed. */
+  private wait(how: keyof typeof MOST): number {
+    const now = performance.now();
+    this.times = this.times.filter((time) => time > now - SPAN);
+    const oldest = this.times[this.times.length - MOST[how]];
+    return oldest === undefined ? 0 : oldest + SPAN - now;
+  }
+
   private forget(): void {
     clearTimeout(this.timer);
     this.timer = 0;
@@ -64,6 +87,7 @@ export class Link {
   private enter(state: string, how: 'pushState' | 'replaceState'): void {
     this.written = state;
     this.last = performance.now();
+    this.times.push(this.last);
     history[how](OURS, '', address(state));
   }
 }

@@ -12,8 +12,8 @@ use crate::trimesh::{Search, SurfacePoint};
 
 /// Cells in a slice of coats.
 const CELLS: usize = 500;
-/// Cells in a slice of carrying them to another surface.
-const CARRIED: usize = 200;
+/// Cells in a slice of carrying them to another surface. A search may meet very many triangles.
+const CARRIED: usize = 4;
 
 /// Cells with everything that stones need.
 #[derive(Clone, Default)]

@@ -1,0 +1,116 @@
+//! Links with values from anywhere in their ranges, nonsense, and damage.
+
+use crate::common::number;
+use bubblestone::generators::ALL;
+use bubblestone::generators::surface::{SCHEMA, keys};
+use bubblestone::random::Random;
+use bubblestone::recipe::{Item, Kind, Parameter};
+use std::fmt::Write;
+
+/// Texts that are not valid for any parameter, or hardly.
+const NONSENSE: [&str; 16] = [
+    "",
+    "NaN",
+    "-inf",
+    "1e999",
+    "-0",
+    "0x10",
+    "1,,2",
+    ";;;",
+    "%00%ff",
+    "AAAA",
+    "gggBgggB",
+    "!",
+    "0.5,0.5,0.5",
+    "0.5,0.5,0.5,-1,NaN",
+    "9,9,9,9,9",
+    "99999999999999999999",
+];
+
+/// Places in the box around the model, or somewhat outside it.
+fn places(random: &mut Random, count: usize) -> String {
+    let numbers = (0..3 * count).map(|_| (1.2 * random.unit() - 0.1).to_string());
+    numbers.collect::<Vec<_>>().join(",")
+}
+
+/// Rows of a list: a few, the most allowed, or one more.
+fn rows(random: &mut Random, item: Item) -> String {
+    let count = [1, 3, 64, 65][random.below(4)];
+    let rows = (0..count).map(|_| match item {
+        Item::Patch(min, max) => {
+            let radius = number(random, (0.01, 2.0));
+            format!(
+                "{},{radius},{}",
+                places(random, 1),
+                number(random, (min, max))
+            )
+        }
+        Item::File => "1,2,3,4,97".to_owned(),
+        _ => {
+            let points = [1, 2, 4, 30][random.below(4)];
+            places(random, points)
+        }
+    });
+    rows.collect::<Vec<_>>().join(";")
+}
+
+/// A value from anywhere in its range, or nonsense.
+fn text(random: &mut Random, row: &Parameter) -> String {
+    if random.below(12) == 0 {
+        return NONSENSE[random.below(NONSENSE.len())].to_owned();
+    }
+    match (row.kind, row.item) {
+        (Kind::Choice, _) => row.choices[random.below(row.choices.len())].word.to_owned(),
+        (Kind::Text, Some(item)) => rows(random, item),
+        _ => number(random, (row.min, row.max)).to_string(),
+    }
+}
+
+/// A link with some parameters far from their defaults, and few cells, so that it takes little time.
+pub fn wild(random: &mut Random) -> String {
+    let mut link = String::from("make=surface");
+    let share = random.unit();
+    for row in SCHEMA.rows {
+        let is_fixed = [keys::SIZE, keys::CN, keys::MODEL].contains(&row.key);
+        if !is_fixed && (row.key == keys::FORM || random.unit() < share) {
+            write!(link, "&{}={}", row.key.0, text(random, row)).unwrap();
+        }
+    }
+    write!(link, "&size=128&cn={}", number(random, (30.0, 120.0))).unwrap();
+    link
+}
+
+/// A damaged link: that of a preset, or one with values from anywhere, in which letters are changed, taken out, doubled
+/// or put elsewhere.
+pub fn broken_link(random: &mut Random) -> String {
+    let mut link = match random.below(3) {
+        0 => wild(random).into_bytes(),
+        _ => {
+            let presets: Vec<_> = ALL.iter().flat_map(|one| one.presets).collect();
+            let preset = presets[random.below(presets.len())];
+            preset.link.as_bytes().to_vec()
+        }
+    };
+    for _ in 0..1 + random.below(6) {
+        if link.is_empty() {
+            break;
+        }
+        let at = random.below(link.len());
+        let end = (at + 1 + random.below(12)).min(link.len());
+        match random.below(6) {
+            0 => link[at] = random.bits() as u8,
+            1 => link[at] = b"0123456789&=,;.-+e%#AZ"[random.below(22)],
+            2 => drop(link.drain(at..end)),
+            3 => {
+                let piece = link[at..end].repeat([1, 2, 40][random.below(3)]);
+                link.splice(at..at, piece);
+            }
+            4 => link.truncate(at),
+            _ => {
+                let word = NONSENSE[random.below(NONSENSE.len())];
+                link.splice(at..end, word.bytes());
+            }
+        }
+    }
+    String::from_utf8_lossy(&link).into_owned()
+}
