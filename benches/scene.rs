@@ -34,7 +34,8 @@ pub const CAMERA: Camera = Camera {
 const STILL: Order = Order {
     camera: CAMERA,
     size: SIZE,
-    is_fine: false,
+    samples: 1,
+    aperture: 0.0,
     is_moving: false,
     backdrop: Backdrop::Floor,
     cut: None,

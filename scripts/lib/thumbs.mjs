@@ -16,23 +16,19 @@ const side = 144;
 /** About 1.4 kB each. A higher effort than 3 takes ten times as long, and files are no smaller. */
 const coding = { quality: 30, effort: 3 };
 
-/** Groups of parameters that keep their values in a change of generator. The seed does, too. */
-const CARRIED = ['Weather', 'Light'];
-
 /**
  * The generators of these modules, each with the first module that has it and the preset whose picture stands for it.
  * @param {string[]} folders
  */
 export async function generatorsOf(folders) {
-  /** @type {{ word: string, title: string, module: number, preset: string, carried: string[], offers: string[] }[]} */
+  /** @type {{ word: string, title: string, module: number, preset: string, link: string, offers: string[] }[]} */
   const all = [];
   for (const [place, folder] of folders.entries()) {
-    const { generators, presets, schema } = await moduleIn(folder);
+    const { generators, presets } = await moduleIn(folder);
     for (const { word, title, offers } of generators()) {
       if (all.some((one) => one.word === word)) continue;
-      const rows = /** @type {{ key: string, group: string }[]} */ (schema(word));
-      const carried = rows.filter(({ key, group }) => key === 'seed' || CARRIED.includes(group)).map(({ key }) => key);
-      all.push({ word, title, module: place, preset: presets(word)[0]?.name ?? '', carried, offers });
+      const [first] = /** @type {{ name: string, link: string }[]} */ (presets(word));
+      all.push({ word, title, module: place, preset: first?.name ?? '', link: first?.link ?? '', offers });
     }
   }
   return all;

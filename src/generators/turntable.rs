@@ -3,7 +3,10 @@
 use super::lighting::LightParams;
 use super::{Budget, Clock};
 use crate::notice::{Code, Notice, quote};
-use crate::scene::{Backdrop, Camera, Cut, Frame, Lamp, Lighting, Order, Scene, Sharpness};
+use crate::scene::{
+    Backdrop, Camera, Cut, Frame, Lamp, Lighting, MOST_SAMPLES, Order, SAMPLES, Scene, Sharpness,
+    SoftLight, WIDEST,
+};
 
 /// The work of one slice, in triangles drawn or pixels shaded.
 const SLICE: usize = 20_000;
@@ -19,9 +22,10 @@ pub struct TurnOrder {
     pub camera: Camera,
     /// Width and height in pixels.
     pub size: [usize; 2],
-    /// Words joined by '+': 'moving' (coarser, without occlusion), 'still' (one sample for each pixel) or 'fine' (two
-    /// by two); 'floor', 'sky' or 'nothing' as the background; 'whole=X,Y,Z,D' or 'through=X,Y,Z,D' for a plane that
-    /// cuts away bodies ([`Cut::read`]). Other words are ignored.
+    /// Words joined by '+': 'moving' (coarser, without occlusion), 'still' (one sample) or 'fine' (the mean of [`SAMPLES`]
+    /// samples); 'samples=N' for another number of samples, up to [`MOST_SAMPLES`]; 'aperture=A' for blur by depth
+    /// ([`Order::aperture`]); 'floor', 'sky' or 'nothing' as the background; 'whole=X,Y,Z,D' or 'through=X,Y,Z,D' for a
+    /// plane that cuts away bodies ([`Cut::read`]). Other words are ignored.
     pub how: String,
 }
 
@@ -49,11 +53,20 @@ impl TurnOrder {
             return Err(notice.with("height", height).with("most", MOST_PIXELS));
         }
         let has = |word: &str| self.how.split('+').any(|given| given == word);
+        let given = |key: &str| {
+            let mut words = self.how.split('+');
+            let number = |word: &str| word.strip_prefix(key)?.strip_prefix('=')?.parse().ok();
+            words
+                .find_map(number)
+                .filter(|number: &f64| number.is_finite())
+        };
         let backdrop = Backdrop::ALL.iter().find(|(_, word)| has(word));
+        let samples = if has("fine") { SAMPLES } else { 1 };
         Ok(Order {
             camera: self.camera,
             size: self.size,
-            is_fine: has("fine"),
+            samples: (given("samples").unwrap_or(samples as f64) as usize).clamp(1, MOST_SAMPLES),
+            aperture: given("aperture").map_or(0.0, |wide| wide.clamp(0.0, WIDEST)),
             is_moving: has("moving"),
             backdrop: backdrop.map_or(Backdrop::Floor, |&(backdrop, _)| backdrop),
             cut: self.how.split('+').find_map(Cut::read),
@@ -66,6 +79,8 @@ impl TurnOrder {
 pub struct FrameSlice {
     /// Whether a new frame begins: for another order, or the same one again.
     pub begun: bool,
+    /// Whether one more sample is finished, so that the frame shows more than before.
+    pub refined: bool,
     /// Whether it is finished.
     pub done: bool,
     /// The share of the work that is done, 0..1, a rough estimate.
@@ -91,11 +106,14 @@ struct FrameKey {
     order: Order,
 }
 
+/// A light with the scene and the parameters that it is for.
+type KeptLight = (u64, LightParams, SoftLight);
+
 /// Light and frame.
 #[derive(Default)]
 pub(super) struct Turntable {
-    /// Fine and coarse lighting, each with the scene and the light that it is for.
-    lights: [Option<(u64, LightParams, Lighting)>; 2],
+    /// Fine and coarse lighting.
+    lights: [Option<KeptLight>; 2],
     frame: Option<Frame>,
     key: Option<FrameKey>,
 }
@@ -150,12 +168,18 @@ impl Turntable {
         self.key = Some(key);
         let budget = Budget::new(clock, budget);
         let light = light_for(&mut self.lights, stand, wanted);
-        let done = budget.until(clock, || {
-            light.advance(stand.scene, SLICE) && frame.advance(stand.scene, light, SLICE)
+        let before = frame.sample();
+        let refined = budget.until(clock, || {
+            let light = light.of_sample(frame.sample(), stand.scene);
+            if light.advance(stand.scene, SLICE) {
+                frame.advance(stand.scene, light, SLICE);
+            }
+            frame.sample() > before
         });
         Ok(FrameSlice {
             begun: is_new,
-            done,
+            refined,
+            done: frame.is_done(),
             progress: frame.progress(),
         })
     }
@@ -165,9 +189,9 @@ impl Turntable {
         self.frame.as_ref().is_none_or(Frame::is_done)
     }
 
-    /// The last finished frame.
+    /// The last frame, if at least its first sample is finished.
     pub fn frame(&self) -> Option<&Frame> {
-        self.frame.as_ref().filter(|frame| frame.is_done())
+        self.frame.as_ref().filter(|frame| frame.sample() > 0)
     }
 }
 
@@ -182,25 +206,25 @@ fn check_room([width, height]: [usize; 2]) -> Result<(), Notice> {
 
 /// While something moves, any fine lighting that exists will do; without one, the coarse one is made sooner.
 fn light_for<'a>(
-    [fine, coarse]: &'a mut [Option<(u64, LightParams, Lighting)>; 2],
+    [fine, coarse]: &'a mut [Option<KeptLight>; 2],
     stand: &ViewSetup,
     (wanted, cut): (Sharpness, Option<Cut>),
-) -> &'a mut Lighting {
-    let is_of = |(number, params, light): &(u64, LightParams, Lighting)| {
-        *number == stand.number && params == stand.light && light.cut() == cut
+) -> &'a mut SoftLight {
+    let is_of = |(number, params, light): &KeptLight| {
+        *number == stand.number && params == stand.light && light.middle().cut() == cut
     };
     let is_coarse = wanted == Sharpness::Coarse;
     let kept = match is_coarse && !fine.as_ref().is_some_and(is_of) {
         true => coarse,
         false => fine,
     };
-    let does = |light: &Lighting| is_coarse || light.sharpness() == wanted;
+    let does = |light: &SoftLight| is_coarse || light.middle().sharpness() == wanted;
     let fits = kept.take().filter(|kept| is_of(kept) && does(&kept.2));
     let new = || {
         (
             stand.number,
             stand.light.clone(),
-            stand.lighting(wanted, cut),
+            SoftLight::new(stand.lighting(wanted, cut)),
         )
     };
     &mut kept.insert(fits.unwrap_or_else(new)).2

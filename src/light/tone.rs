@@ -8,6 +8,7 @@ const BRIGHTEST: f32 = 2.0;
 const SHOULDER: f64 = 0.55;
 
 /// Conversion of sRGB (IEC 61966-2-1) to linear light and back, the latter with a soft shoulder like film.
+#[derive(Clone)]
 pub struct Tone {
     linear: [f32; 256],
     screen: Vec<u8>,

@@ -222,6 +222,14 @@ impl View {
         lesser(greater(across, down), f32::MAX) <= radius
     }
 
+    /// The same view from a place beside the eye, to the right and up, in units of the scene. What lies at the depth
+    /// `focus` stays where it is in the frame.
+    pub fn beside(self, [right, up]: [f32; 2], focus: f32) -> Self {
+        let shift = self.focal / focus;
+        let eye = self.eye + self.right * right + self.up * up;
+        Self { eye, ..self }.moved([right * shift, -up * shift])
+    }
+
     /// The same view with the frame shifted by a fraction of a pixel.
     pub fn moved(mut self, [x, y]: [f32; 2]) -> Self {
         self.middle = [self.middle[0] + x, self.middle[1] + y];
@@ -257,6 +265,22 @@ mod tests {
             ..Camera::default()
         };
         assert!(left.view(10, 10).ahead.x > 0.999);
+    }
+
+    #[test]
+    fn what_is_in_focus_stays_in_its_place() {
+        let view = Camera::default().view(640, 480);
+        let beside = view.beside([0.1, -0.2], 2.0);
+        let place = |depth: f32| view.eye + view.ray(200.0, 300.0) * depth;
+        let seen = |depth: f32| beside.on_screen(beside.of(place(depth)));
+        let [x, y, _] = seen(2.0);
+        assert!(
+            (x - 200.0).abs() < 0.01 && (y - 300.0).abs() < 0.01,
+            "{x} {y}"
+        );
+        // What is nearer moves against the eye.
+        let [x, y, _] = seen(1.0);
+        assert!(x < 180.0 && y < 260.0, "{x} {y}");
     }
 
     #[test]

@@ -1,17 +1,15 @@
-//! One picture of a scene, in slices: visibility, ambient occlusion, and light.
+//! One picture of a scene, in slices: visibility, ambient occlusion, and light, for each of its samples.
 
+use super::mean::Mean;
 use super::shade::{FloorPlane, Shading, ShadingInputs, far_floor, find_floor};
 use super::visibility::{FLOOR, VisibilityBuffer};
-use super::{Backdrop, Lighting, Order, Scene, lines};
+use super::{Backdrop, Lighting, Order, Scene, lines, samples};
 use crate::hash::Hash;
 use crate::order::lesser;
 use glam::Vec3;
-use std::ops::Range;
 
 /// Shading one pixel costs about as much as drawing this many triangles.
 const PIXEL_WORK: usize = 1;
-/// Offsets of a pixel's samples from its centre.
-const SAMPLES: [[f32; 2]; 4] = [[-0.25, -0.25], [0.25, -0.25], [-0.25, 0.25], [0.25, 0.25]];
 
 /// A frame in progress.
 pub struct Frame {
@@ -19,13 +17,34 @@ pub struct Frame {
     sight: VisibilityBuffer,
     shading: Shading,
     phase: FramePhase,
+    /// The number of finished samples.
     sample: usize,
-    /// Sums over samples of red, green, blue and alpha.
-    sums: Vec<[u16; 4]>,
+    /// The mean of the samples, if there are several.
+    mean: Mean,
     rgba: Vec<u8>,
+    planes: FramePlanes,
     /// The surface normal at each pixel; zero where there is no body.
     normals: Vec<Vec3>,
     ground: FloorPlane,
+    /// The depth in focus.
+    focus: f32,
+}
+
+/// The visibility of the first sample, which later ones do not change.
+#[derive(Default)]
+struct FramePlanes {
+    owner: Vec<u32>,
+    ids: Vec<u32>,
+    depths: Vec<f32>,
+}
+
+impl FramePlanes {
+    /// Exchanges its lists with those of a visibility buffer.
+    fn swap(&mut self, sight: &mut VisibilityBuffer) {
+        std::mem::swap(&mut self.owner, &mut sight.owner);
+        std::mem::swap(&mut self.ids, &mut sight.triangle);
+        std::mem::swap(&mut self.depths, &mut sight.inverse);
+    }
 }
 
 /// The next phase, with the number of instances, rows or lines done.
@@ -54,10 +73,12 @@ impl Frame {
             shading: Shading::new(),
             phase: FramePhase::Ground(0),
             sample: 0,
-            sums: Vec::new(),
+            mean: Mean::new(),
             rgba: Vec::new(),
+            planes: FramePlanes::default(),
             normals: Vec::new(),
             ground: FloorPlane::default(),
+            focus: 0.0,
             order,
         };
         frame.begin(order);
@@ -70,12 +91,13 @@ impl Frame {
         self.phase = FramePhase::Ground(0);
         self.sample = 0;
         self.ground = FloorPlane::default();
+        // A frame of one sample needs only one of both sets of lists.
+        self.planes.swap(&mut self.sight);
         let pixels = order.size[0] * order.size[1];
-        self.sums.clear();
-        self.sums
-            .reserve_exact(if order.is_fine { pixels } else { 0 });
+        self.mean.begin(if self.has_mean() { pixels } else { 0 });
         self.rgba.clear();
         self.rgba.reserve_exact(4 * pixels);
+        self.normals.clear();
     }
 
     /// The order of this frame.
@@ -99,7 +121,14 @@ impl Frame {
             FramePhase::Lines(_) | FramePhase::Sum(_) | FramePhase::Planes(_) => 0.95,
             FramePhase::Done => return 1.0,
         };
-        (self.sample as f64 + part) / self.samples() as f64
+        (self.sample as f64 + part) / self.order.samples.max(1) as f64
+    }
+
+    /// How many samples are finished. Each of them needs the lighting of its number ([`super::SoftLight::of_sample`]).
+    /// Once there is one, the planes are complete. The picture is the mean of the finished samples until the next call
+    /// of [`Frame::advance`].
+    pub fn sample(&self) -> usize {
+        self.sample
     }
 
     /// Pixels of the frame. Lists of visible triangles are a little longer than that.
@@ -107,12 +136,17 @@ impl Frame {
         self.order.size[0] * self.order.size[1]
     }
 
-    fn samples(&self) -> usize {
-        if self.order.is_fine { SAMPLES.len() } else { 1 }
+    fn has_mean(&self) -> bool {
+        self.order.samples > 1
     }
 
-    /// Does the work of about this many triangles, or as many pixels; true when finished. Scene and light
-    /// must not change during a frame, and the light must be ready.
+    /// Normals need much memory, so only frames of one sample have them.
+    fn has_normals(&self) -> bool {
+        !self.has_mean()
+    }
+
+    /// Does the work of about this many triangles, or as many pixels; true when finished. Scene and light must not
+    /// change during a sample, and the light must be ready.
     pub fn advance(&mut self, scene: &Scene, light: &Lighting, amount: usize) -> bool {
         let [width, height] = self.order.size;
         let rows = (amount / (PIXEL_WORK * width)).clamp(1, height);
@@ -140,18 +174,13 @@ impl Frame {
                 let (sight, rgba) = (&self.sight, &mut self.rgba);
                 match lines::draw(sight, &scene.lines, line, amount, rgba) {
                     next if next < scene.lines.len() => FramePhase::Lines(next),
-                    _ if self.order.is_fine => FramePhase::Sum(0),
+                    _ if self.has_mean() => FramePhase::Sum(0),
                     _ => FramePhase::Planes(0),
                 }
             }
             FramePhase::Sum(row) => self.sum(row, height.min(row.saturating_add(4 * rows))),
             FramePhase::Planes(row) => {
-                let end = height.min(row.saturating_add(4 * rows));
-                self.make_planes(scene, row * width..end * width);
-                match end == height {
-                    true => FramePhase::Done,
-                    false => FramePhase::Planes(end),
-                }
+                self.make_planes(scene, row, height.min(row.saturating_add(4 * rows)))
             }
             FramePhase::Done => FramePhase::Done,
         };
@@ -183,22 +212,34 @@ impl Frame {
                 self.ground.height = 0.0;
             }
         }
-        self.begin_sample();
-        FramePhase::Room(0)
+        self.begin_sample()
     }
 
-    fn begin_sample(&mut self) {
+    fn begin_sample(&mut self) -> FramePhase {
         let [width, height] = self.order.size;
         let view = self.order.camera.view(width, height);
-        let view = match self.order.is_fine {
-            true => view.moved(SAMPLES[self.sample]),
-            false => view,
+        let view = match self.sample {
+            0 => view,
+            sample => {
+                let radius = 0.5 * self.order.aperture as f32 * self.focus;
+                let place = samples::on_lens(sample).map(|v| v * radius);
+                let beside = view.beside(place, self.focus);
+                beside.moved(samples::in_pixel(sample))
+            }
         };
         self.sight.begin(view, self.order.is_moving, self.order.cut);
         let has_occlusion = !self.order.is_moving;
         self.shading.begin([width, height], has_occlusion);
-        self.normals.clear();
-        self.normals.reserve_exact(width * height);
+        FramePhase::Room(0)
+    }
+
+    /// Counts a finished sample, and begins the next one.
+    fn end_sample(&mut self) -> FramePhase {
+        self.sample += 1;
+        match self.sample < self.order.samples {
+            true => self.begin_sample(),
+            false => FramePhase::Done,
+        }
     }
 
     /// Allocates rows.
@@ -207,11 +248,13 @@ impl Frame {
         let pixels = to * width;
         self.sight.make_room(pixels);
         self.shading.make_room(width, to);
-        self.normals.resize(pixels, Vec3::ZERO);
         if self.sample == 0 {
             self.rgba.resize(4 * pixels, 0);
-            if self.order.is_fine {
-                self.sums.resize(pixels, [0; 4]);
+            if self.has_mean() {
+                self.mean.make_room(pixels);
+            }
+            if self.has_normals() {
+                self.normals.resize(pixels, Vec3::ZERO);
             }
         }
         match to == height {
@@ -231,60 +274,57 @@ impl Frame {
             far: far_floor(light, self.sight.view(), &self.ground),
         };
         let (rgba, normals) = (&mut self.rgba, &mut self.normals);
-        let keep = |at: usize, normal| normals[at] = normal;
+        let keep = |at: usize, normal| {
+            if let Some(kept) = normals.get_mut(at) {
+                *kept = normal;
+            }
+        };
         self.shading.advance(studio, from, rows, rgba, keep)
     }
 
-    /// Adds rows of this sample to the sums; after the last one, gives the next phase.
+    /// Adds rows of this sample to the mean; after the last one, gives the next phase.
     fn sum(&mut self, from: usize, to: usize) -> FramePhase {
         let [width, height] = self.order.size;
-        let last = self.sample + 1 == SAMPLES.len();
         let span = from * width..to * width;
-        let pixels = self.rgba[4 * span.start..4 * span.end].chunks_exact_mut(4);
-        for (sum, pixel) in self.sums[span].iter_mut().zip(pixels) {
-            // Colours count only if the pixel is covered.
-            let there = u16::from(pixel[3] > 0);
-            for k in 0..3 {
-                sum[k] += there * u16::from(pixel[k]);
-            }
-            sum[3] += there;
-            if last {
-                let count = sum[3].max(1);
-                for k in 0..3 {
-                    pixel[k] = ((sum[k] + count / 2) / count) as u8;
-                }
-                pixel[3] = (sum[3] * 255 / SAMPLES.len() as u16) as u8;
-            }
+        let rgba = &mut self.rgba[4 * span.start..4 * span.end];
+        self.mean.add(span, self.sample, rgba);
+        match (to == height, self.sample) {
+            (false, _) => FramePhase::Sum(to),
+            (true, 0) => FramePhase::Planes(0),
+            (true, _) => self.end_sample(),
         }
-        if to < height {
-            return FramePhase::Sum(to);
-        }
-        if last {
-            return FramePhase::Planes(0);
-        }
-        self.sample += 1;
-        self.begin_sample();
-        FramePhase::Room(0)
     }
 
-    /// Turns the last visibility buffer into the planes, in the same memory: inverse depths become depths,
-    /// triangles become ids.
-    fn make_planes(&mut self, scene: &Scene, pixels: Range<usize>) {
+    /// Turns rows of the visibility buffer into the planes, in the same memory: inverse depths become depths, triangles
+    /// become ids.
+    fn make_planes(&mut self, scene: &Scene, from: usize, to: usize) -> FramePhase {
+        let [width, height] = self.order.size;
         let VisibilityBuffer {
             owner,
             inverse,
             triangle,
             ..
         } = &mut self.sight;
-        for at in pixels {
+        for at in from * width..to * width {
             (inverse[at], triangle[at]) = match scene.instances.get(owner[at] as usize) {
                 Some(instance) => (1.0 / inverse[at], instance.id),
                 None => (0.0, 0),
             };
         }
+        if to < height {
+            return FramePhase::Planes(to);
+        }
+        self.planes.swap(&mut self.sight);
+        let middle = self.planes.depths[height / 2 * width + width / 2];
+        self.focus = match middle > 0.0 {
+            true => middle,
+            false => self.order.camera.distance as f32,
+        };
+        self.end_sample()
     }
 
-    /// The finished picture: red, green, blue and alpha (not premultiplied), row by row from the top.
+    /// The finished picture: red, green, blue and alpha (not premultiplied), row by row from the top. See
+    /// [`Frame::sample`] for unfinished ones.
     pub fn rgba(&self) -> &[u8] {
         &self.rgba
     }
@@ -302,18 +342,19 @@ impl Frame {
         hash.text()
     }
 
-    /// The depth of the body at each pixel, in units of the scene; 0 where there is none. Like the other
-    /// planes it is valid for a finished frame, and has its only sample or the last one.
+    /// The depth of the body at each pixel, in units of the scene; 0 where there is none. Like the other planes it is
+    /// that of the first sample, and valid as soon as that is finished.
     pub fn depths(&self) -> &[f32] {
-        &self.sight.inverse[..self.pixels()]
+        &self.planes.depths[..self.pixels()]
     }
 
     /// The id of the body at each pixel; 0 where there is none.
     pub fn ids(&self) -> &[u32] {
-        &self.sight.triangle[..self.pixels()]
+        &self.planes.ids[..self.pixels()]
     }
 
-    /// The unit normal of the body at each pixel, in the world; zero where there is none.
+    /// The unit normal of the body at each pixel, in the world; zero where there is none. Frames of several samples have
+    /// no normals.
     pub fn normals(&self) -> &[Vec3] {
         &self.normals
     }
@@ -321,7 +362,7 @@ impl Frame {
     /// The index in the scene's list of the instance at a pixel.
     pub fn instance_at(&self, x: usize, y: usize) -> Option<usize> {
         let [width, height] = self.order.size;
-        let owner = *self.sight.owner.get(y * width + x)?;
+        let owner = *self.planes.owner.get(y * width + x)?;
         (x < width && y < height && owner < FLOOR).then_some(owner as usize)
     }
 }

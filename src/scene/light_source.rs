@@ -1,8 +1,11 @@
 //! The lamp of a scene.
 
 use crate::light::{Light, lamp_from};
-use crate::order::greater;
+use crate::order::{greater, lesser};
 use glam::Vec3;
+
+/// The sine of the least elevation of a sun that is moved on its disc.
+const LOWEST: f32 = 0.03;
 
 /// The source of light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +39,25 @@ impl Lamp {
                     height,
                 }
             }
+        }
+    }
+
+    /// The lamp at another place of its disc: `x` and `y` are shares of the radius, and `wide` is the radius over the
+    /// distance. A sun stays above the horizon; a bulb stays as high as it is.
+    pub(super) fn moved(self, [x, y]: [f64; 2], wide: f64) -> Self {
+        let (x, y) = ((x * wide) as f32, (y * wide) as f32);
+        match self {
+            Lamp::Sun(to) => {
+                let across = to.any_orthonormal_vector();
+                let mut moved = to + across * x + to.cross(across) * y;
+                // A sun that is given lower than that stays where it is.
+                moved.y = greater(moved.y, lesser(to.y, LOWEST));
+                Lamp::Sun(moved.normalize_or(to))
+            }
+            Lamp::Bulb { at, height } => Lamp::Bulb {
+                at: at + Vec3::new(x * height, 0.0, y * height),
+                height,
+            },
         }
     }
 

@@ -53,6 +53,15 @@ impl Sharpness {
             Self::Huge => 4096,
         }
     }
+
+    /// Shadow maps that are still to be drawn.
+    fn shadows(self, scene: &Scene, lamp: Lamp) -> ShadowMaps {
+        let side = match lamp {
+            Lamp::Sun(_) => self.texels(),
+            Lamp::Bulb { .. } => self.texels() / LAMP_SIDE,
+        };
+        ShadowMaps::new(scene, lamp, side, self == Self::Coarse)
+    }
 }
 
 /// The lighting of a scene, kept for all frames while the camera moves.
@@ -87,20 +96,34 @@ impl Lighting {
         sharpness: Sharpness,
     ) -> Self {
         let finish = |material| Finish::new(material, params);
-        let is_coarse = sharpness == Sharpness::Coarse;
-        let side = match lamp {
-            Lamp::Sun(_) => sharpness.texels(),
-            Lamp::Bulb { .. } => sharpness.texels() / LAMP_SIDE,
-        };
         Self {
             lamp,
             params: *params,
             finishes: materials.iter().map(finish).collect(),
             tone: Tone::new(),
-            shadows: ShadowMaps::new(scene, lamp, side, is_coarse),
+            shadows: sharpness.shadows(scene, lamp),
             sharpness,
             is_ready: params.shadow <= 0.0,
         }
+    }
+
+    /// The same with the lamp at another place.
+    pub(super) fn with_lamp(&self, scene: &Scene, lamp: Lamp) -> Self {
+        let light = Self {
+            lamp,
+            params: self.params,
+            finishes: self.finishes.clone(),
+            tone: self.tone.clone(),
+            shadows: self.sharpness.shadows(scene, lamp),
+            sharpness: self.sharpness,
+            is_ready: self.params.shadow <= 0.0,
+        };
+        light.cut_by(self.cut())
+    }
+
+    /// Its lamp.
+    pub(super) fn lamp(&self) -> Lamp {
+        self.lamp
     }
 
     /// The same for a scene that is cut by a plane.

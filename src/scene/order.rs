@@ -2,6 +2,9 @@
 
 use super::{Backdrop, Camera, Cut};
 
+/// The widest aperture.
+pub const WIDEST: f64 = 0.5;
+
 /// The frame to be made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order {
@@ -9,8 +12,11 @@ pub struct Order {
     pub camera: Camera,
     /// Width and height in pixels, 1 to 8192.
     pub size: [usize; 2],
-    /// Whether each pixel is the mean of two by two samples instead of one.
-    pub is_fine: bool,
+    /// The number of samples of which the frame is the mean, 1 to [`super::MOST_SAMPLES`].
+    pub samples: usize,
+    /// The diameter of the lens, as a share of the distance in focus, 0 to [`WIDEST`]: what is nearer or farther is blurred.
+    /// At 0 all is sharp. The visible surface in the middle of the frame is in focus, or else the camera's target.
+    pub aperture: f64,
     /// Whether something moves: bodies are then one level coarser, without occlusion.
     pub is_moving: bool,
     /// The background.

@@ -19,7 +19,7 @@ export interface FrameSlice {
   done: boolean;
   /** The approximate progress, 0..1. */
   progress: number;
-  /** The RGBA pixels (alpha is not premultiplied) from the top, when the frame is done. */
+  /** The RGBA pixels (alpha is not premultiplied) from the top, when one more sample is done: the mean so far. */
   pixels?: Uint8Array<ArrayBuffer>;
 }
 
@@ -39,8 +39,9 @@ impl Bubblestone {
     /// Works for about `budget` milliseconds on a frame of the bodies. `subject` is '' for all bodies, or a
     /// body's id and the index of a step in its making, such as '12:3'. `camera` is numbers with commas
     /// between: angle, height, distance, lens, and the target's x, y, z; trailing numbers may be missing. `how`
-    /// is words joined by '+': 'moving', 'still' or 'fine', and the background 'floor', 'sky' or 'nothing'. If
-    /// any of these differs from the last call, a new frame begins.
+    /// is words joined by '+': 'moving', 'still' (one sample) or 'fine' (the mean of several), 'samples=N' for
+    /// another number of samples, 'aperture=A' for blur by depth, and the background 'floor', 'sky' or 'nothing'.
+    /// If any of these differs from the last call, a new frame begins.
     #[wasm_bindgen(unchecked_return_type = "FrameSlice | Notice")]
     pub fn turn(
         &mut self,
@@ -170,7 +171,7 @@ fn frame_slice(slice: FrameSlice, frame: Option<&crate::scene::Frame>) -> Object
         ("done", slice.done.into()),
         ("progress", slice.progress.into()),
     ]);
-    if let Some(frame) = frame.filter(|_| slice.done) {
+    if let Some(frame) = frame.filter(|_| slice.refined) {
         let pixels = Uint8Array::from(frame.rgba());
         // Setting a property of a fresh object cannot fail.
         let _ = js_sys::Reflect::set(&said, &"pixels".into(), &pixels);

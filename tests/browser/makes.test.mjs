@@ -28,23 +28,29 @@ const stored = (page) => page.waitForFunction(() => document.documentElement.dat
 /** @param {Page} page */
 const stages = (page) => page.$$eval('#pipeline li', (items) => items.map((item) => item.dataset['word']));
 
-test('another generator is chosen at the top, and seed, light and weather go along', sameEverywhere, async () => {
+test('another generator is chosen at the top, comes as its small picture promises, and goes without a trace', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&seed=7&az=30&moss=0.5&stone=flag`);
   const pavement = await digest(page);
   assert.deepEqual(await page.$$eval('.make', (buttons) => buttons.map((button) => button.textContent)), ['Pavements and hides', 'Surfaces in space']);
   await click(page, '.make[data-make=surface]');
   await page.waitForSelector('.make[data-make=surface][aria-current]');
-  assert.equal(await page.evaluate(() => window.bubblestone.link()), 'v=1&make=surface&seed=7&moss=0.5&az=30');
+  await page.waitForSelector('[data-preset]');
+  const [preset, picture] = await page.evaluate(() => [document.querySelector('[data-preset]'), document.querySelector('.make[data-make=surface] img')].map((element) => element?.outerHTML ?? ''));
+  const [, shown = ''] = /data-preset="([^"]+)"/.exec(preset ?? '') ?? [];
+  assert.match(picture ?? '', new RegExp(`/${shown}[.-]`));
+  // Its own light and seed, not those of the pavement.
+  assert.deepEqual(await Promise.all(['seed', 'moss', 'az'].map((key) => get(page, key))).then((own) => own.map((value, k) => value === ['7', '0.5', '30'][k])), [false, false, false]);
+  await page.waitForSelector(`[data-preset="${shown}"][aria-current], [data-preset="${shown}"][aria-pressed=true]`);
   assert.deepEqual(await stages(page), ['surface', 'fields', 'packing', 'mesh', 'cells', 'stones', 'light']);
   await page.waitForSelector('#p-cn');
   assert.equal(await page.$('#p-cs'), null);
   assert.equal(await page.$eval('#edit-tools', (tools) => tools.hidden), true);
   assert.deepEqual(await page.$$eval('#view option', (options) => options.slice(0, 3).map((option) => option.value)), ['auto', 'picture', 'packed']);
   assert.equal(await page.$eval('[data-preset]', (button) => button.dataset['preset']), 'dragon-egg');
-  // Back to the first one: as before, except for the values that both share.
+  // Back to the first one: all is as before.
   await click(page, '.make[data-make=pavement]');
   assert.equal(await made(page, 'pavement'), pavement);
-  assert.equal(await get(page, 'stone'), 'flag');
+  assert.deepEqual(await Promise.all(['stone', 'seed', 'az'].map((key) => get(page, key))), ['flag', '7', '30']);
   await page.waitForSelector('#p-cs');
   assert.deepEqual(problems, []);
   await close();

@@ -18,7 +18,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Waits until the wanted frame is shown as smoothly as possible, or in another state. @param {Page} page */
+/** Waits until the wanted frame is refined to the end, or in another state. @param {Page} page */
 const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`, { timeout: 60_000 });
 
 /** A hash of a frame, and its number of colours. @param {Page} page @param {string} [canvas] */

@@ -22,7 +22,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Waits until the wanted frame is shown as smoothly as possible, or in another state. @param {Page} page */
+/** Waits until the wanted frame is refined to the end, or in another state. @param {Page} page */
 const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`);
 
 /** A hash of a frame, and its number of colours. @param {Page} page */
@@ -50,10 +50,10 @@ test('it is turned by keys, tells where it is seen from, and is no step of the r
   assert.ok(first.colours > 100, `${first.colours} colours`);
   const sheet = await box(page, '#sheet');
   assert.deepEqual([first.width, first.height], [Math.round(sheet.width), Math.round(sheet.height)]);
-  assert.match(await told(page), /^\d+ stones, seen from the lower right, 40 degrees above the ground, from near\.$/);
+  assert.match(await told(page), /^\d+ stones, seen from the lower left, 40 degrees above the ground, from near\.$/);
   assert.equal(await page.evaluate(() => document.activeElement?.id), 'turn');
   for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft', 'ArrowUp']) await page.keyboard.press(key);
-  await page.waitForFunction(() => /from the right, 45 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  await page.waitForFunction(() => /from the lower edge, 45 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
   await turned(page);
   const other = await frame(page);
   assert.notEqual(other.hash, first.hash);
@@ -71,6 +71,9 @@ test('it is turned by keys, tells where it is seen from, and is no step of the r
   await page.focus('#turn');
   await page.keyboard.press('Escape');
   assert.deepEqual(await page.evaluate(() => [document.activeElement?.id, document.querySelector('#turn')]), ['turn-button', null]);
+  // The first camera followed the light when the slant opened, and does so again.
+  await page.keyboard.press('g');
+  await page.waitForFunction(() => /from the upper right, 40 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
   assert.deepEqual([problems, external], [[], []]);
   await close();
 });

@@ -10,8 +10,8 @@ declare module 'virtual:generators' {
     module: number;
     /** The preset whose picture represents it on the page. */
     preset: string;
-    /** Parameters that are kept when the visitor changes the generator: seed, light and weather. */
-    carried: string[];
+    /** The link of that preset. */
+    link: string;
     /** The parts of the page that serve it. */
     offers: string[];
   }[];

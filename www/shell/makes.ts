@@ -5,7 +5,6 @@
 import { generators, makeOf } from '../module/generators';
 import { makeIn } from '../words/words';
 import { byId } from '../base/dom';
-import { withValues } from '../state/link';
 import type { Work } from '../state/work';
 
 /** The choice that was pressed before `offerMakes` was called. */
@@ -25,16 +24,16 @@ export function hearMakes(): void {
 
 /** `push` is called before a change that the browser's Back button should undo. */
 export function offerMakes(work: Work, push: () => void): void {
-  const { engine, store } = work;
+  const { store } = work;
   /** The last recipe of each generator, for the way back. */
   const last = new Map<string, string>();
   choose = (word) => {
     const chosen = generators.find((one) => one.word === word);
     if (word === store.state.make) work.stay();
     if (!chosen || word === store.state.make) return;
-    const values = chosen.carried.map((key) => [key, engine.get(key)] as const).filter(([, text]) => text !== '');
     push();
-    work.open(withValues(last.get(word) ?? (chosen === generators[0] ? 'v=1' : `v=1&make=${word}`), values), { then: () => store.update({ paused: false }) });
+    // The first press shows what the small picture promises.
+    work.open(last.get(word) ?? chosen.link, { then: () => store.update({ paused: false }) });
   };
   const buttons = [...byId('makes').querySelectorAll<HTMLButtonElement>('.make')];
   for (const { dataset, lastElementChild } of buttons) {

@@ -38,6 +38,18 @@ export function homeOf({ home }: Pick<Sights, 'home'>): Camera {
   return HOME.map((value, k) => numbers[k] ?? value) as unknown as Camera;
 }
 
+/** Degrees from the lamp to the first camera of a slant. The light then comes from the side, which shows heights best. */
+const ASIDE = 195;
+
+/** The first camera for a recipe's bodies. That of a picture in a plane follows the light. */
+export function firstCamera(generator: Pick<Sights, 'home' | 'offers'>, get: (key: string) => string): Camera {
+  const [angle, ...rest] = homeOf(generator);
+  if (generator.offers.includes('frames')) return [angle, ...rest];
+  const number = (key: string): number => Number(get(key));
+  const lamp = get('light') === 'point' ? (Math.atan2(number('ly') - 0.5, number('lx') - 0.5) * 180) / Math.PI : number('az');
+  return [Number(((lamp + ASIDE + 360) % 360).toFixed(DIGITS[0])), ...rest];
+}
+
 /** Minimum and maximum for each number of a camera. */
 export function cameraLimits({ lowest }: Pick<Sights, 'lowest'>): readonly (readonly [number, number])[] {
   return CAMERA.map(([least, most], k) => [k === 1 ? lowest : least, most] as const);

@@ -6,7 +6,7 @@ import { viewIn } from '../words/words';
 import { make, say, wantsStill } from '../base/dom';
 import type { Engine } from '../state/engine';
 import { address, embedAddress, valuesIn } from '../state/link';
-import { homeOf, written } from '../state/asked-view';
+import { written } from '../state/asked-view';
 import { joined, PACE, WHOLE, type Viewing } from '../state/viewing';
 import type { Store } from '../state/store';
 import { takeDialog } from './dialog';
@@ -63,7 +63,7 @@ function seen(engine: Engine, store: Store): Viewing {
     pace: pace === (wantsStill() ? PACE.still : PACE.usual) ? undefined : pace,
     step: paused && !isEnd(stage) && engine.offers('forming') ? engine.status().steps : undefined,
     zoom,
-    camera: turn && (camera || !engine.offers('frames')) ? (camera ?? homeOf(engine.generator)) : undefined,
+    camera: turn ? camera : undefined,
   };
 }
 

@@ -5,6 +5,8 @@ import { byId, make } from '../base/dom';
 import { mark } from '../base/marks';
 import { alertOf, clear } from '../base/messages';
 import { isSettled } from '../module/stages';
+import { firstCamera } from '../state/asked-view';
+import type { Camera } from '../state/viewing';
 import type { Work } from '../state/work';
 import type { PictureHost } from '../picture/host';
 import type { View } from '../picture/view';
@@ -19,6 +21,8 @@ export class PageTurntable {
   framed: (() => void) | undefined;
   /** The last note, and the key that it belongs to. */
   private told: readonly [of: string, note: string] = ['', ''];
+  /** The first camera of the slant, while the visitor has chosen no other. */
+  private first: Camera | undefined;
 
   constructor(work: Work, host: PictureHost, view: View) {
     this.work = work;
@@ -27,6 +31,7 @@ export class PageTurntable {
     this.both = new Turntables(host, this.place(), { leave: () => store.update({ turn: false }) });
     store.on(['recipe', 'held', 'camera'], () => this.both.shown?.follow());
     store.on(['make'], ({ turn }) => this.show(turn));
+    store.on(['preset'], ({ turn }) => this.face(turn));
     // Editing, comparing and repeating need the picture. The mode chosen last ends the others.
     store.on(['editing', 'compare', 'repeat'], ({ turn, editing, compare, repeat }) => {
       if (turn && !work.engine.offers('frames') && (editing !== undefined || compare || repeat > 1)) store.update({ turn: false });
@@ -38,10 +43,23 @@ export class PageTurntable {
     const focused = this.both.shown?.focused;
     if (on) clear('part');
     else this.work.store.update({ body: undefined });
+    this.face(on);
     const turntable = this.both.show(on);
     // A link that opens the turntable leaves the focus where it is.
     if (on && document.activeElement === button) turntable.focus();
     if (!on && focused) button.focus();
+  }
+
+  /**
+   * Lets the first look at a slant follow the light: when it opens, and with another preset. It does not move with the
+   * light while that is changed. A camera that the visitor chose stays.
+   */
+  private face(on: boolean): void {
+    const { store, engine } = this.work;
+    const { camera } = store.state;
+    if (engine.offers('frames') || (camera && camera.join() !== this.first?.join())) return;
+    this.first = on ? firstCamera(engine.generator, (key) => engine.get(key)) : undefined;
+    store.update({ camera: this.first });
   }
 
   focus(): void {

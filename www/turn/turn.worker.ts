@@ -2,8 +2,8 @@
  * Runs a recipe once more, with the full module, and makes frames of its bodies for the page.
  *
  * Only the latest request counts. While something moves there are coarse frames only, and each is finished: otherwise
- * none ever would be. A view at rest gets a coarse frame, then one with all pixels, then an antialiased one; a newer
- * request ends these.
+ * none ever would be. A view at rest gets a coarse frame, then one with all pixels, which is refined; a newer request ends
+ * these.
  */
 import { reasonOf } from '../base/errors';
 import { studioFor, supply } from '../module/given';

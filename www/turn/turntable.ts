@@ -8,7 +8,7 @@
 import { t } from '../words/turn';
 import { byId, make, say } from '../base/dom';
 import type { Generator } from '../module/types';
-import { cameraLimits, cameraWords, homeOf } from '../state/asked-view';
+import { cameraLimits, cameraWords, firstCamera, homeOf } from '../state/asked-view';
 import type { Camera } from '../state/viewing';
 import type { Bodies, FrameSource, Heard, Plane, Quality, Told } from '../picture/frames/source';
 import { ALL_AROUND, nearer, type Heights } from './camera';
@@ -169,7 +169,7 @@ export class Turntable {
     const fine = Math.min(devicePixelRatio, MOST / Math.max(clientWidth, clientHeight));
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
     const { making, place } = this;
-    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera, this.first), width, height, plane: this.plane, moving: this.moving || place.held() };
+    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera, homeOf(place.generator())), width, height, plane: this.plane, moving: this.moving || place.held() };
     place.only?.(making.subject, this.camera);
     this.state(this.frames.want(wish) ? 'coming' : this.reached);
   }
@@ -189,7 +189,8 @@ export class Turntable {
 
   /** The first camera for all bodies. */
   private get first(): Camera {
-    return homeOf(this.place.generator());
+    const { place } = this;
+    return firstCamera(place.generator(), (key) => place.get(key));
   }
 
   private take(camera: Camera, moving: boolean): void {

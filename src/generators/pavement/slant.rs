@@ -100,6 +100,7 @@ impl Pavement {
             slant.making = Some(making);
             return Some(FrameSlice {
                 begun: is_new,
+                refined: false,
                 done: false,
                 progress,
             });

@@ -152,6 +152,7 @@ impl<S: SceneSource> ScenePicture<S> {
         self.making = Some((key, making));
         Some(FrameSlice {
             begun: is_new,
+            refined: false,
             done: false,
             progress: 0.0,
         })

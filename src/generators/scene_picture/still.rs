@@ -4,7 +4,7 @@ use super::yaw::{seen_by, turned};
 use crate::generators::lighting::LightParams;
 use crate::generators::turntable::ViewSetup;
 use crate::notice::Notice;
-use crate::scene::{Backdrop, Camera, Frame, Lighting, Order, Scene, Sharpness};
+use crate::scene::{Backdrop, Camera, Frame, Order, SAMPLES, Scene, Sharpness, SoftLight};
 use std::rc::Rc;
 
 /// The amount of work in one slice: drawn triangles or shaded pixels.
@@ -25,7 +25,7 @@ pub(crate) struct StillParams {
 /// An unfinished picture.
 pub(crate) struct StillRender {
     scene: Rc<Scene>,
-    light: Lighting,
+    light: SoftLight,
     frame: Frame,
 }
 
@@ -35,7 +35,8 @@ impl StillRender {
         let order = Order {
             camera: turned(params.camera, params.yaw),
             size: [params.side; 2],
-            is_fine: true,
+            samples: SAMPLES,
+            aperture: 0.0,
             is_moving: false,
             backdrop: Backdrop::Floor,
             cut: None,
@@ -48,7 +49,7 @@ impl StillRender {
             ground: scene.lowest(),
         };
         Self {
-            light: stand.lighting(Sharpness::of(&order), None),
+            light: SoftLight::new(stand.lighting(Sharpness::of(&order), None)),
             frame: Frame::new(order),
             scene,
         }
@@ -56,8 +57,9 @@ impl StillRender {
 
     /// Does one slice of the work; returns the picture when it is finished.
     pub fn advance(&mut self) -> Result<Option<Vec<u8>>, Notice> {
-        let lit = self.light.advance(&self.scene, SLICE);
-        let done = lit && self.frame.advance(&self.scene, &self.light, SLICE);
+        let light = self.light.of_sample(self.frame.sample(), &self.scene);
+        let lit = light.advance(&self.scene, SLICE);
+        let done = lit && self.frame.advance(&self.scene, light, SLICE);
         Ok(done.then(|| self.frame.rgba().to_vec()))
     }
 }

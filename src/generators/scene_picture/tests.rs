@@ -4,16 +4,22 @@ use super::*;
 use crate::export::{MeshFormat, MeshOrder, SceneFile};
 use crate::generators::lighting::LightParams;
 use crate::generators::{MeshSlice, TurnOrder};
-use crate::light::ShadeParams;
+use crate::light::{Light, ShadeParams};
 use crate::material::{Gloss, material_table};
 use crate::notice::Code;
 use crate::recipe::NamedFile;
-use crate::scene::{Body, Camera, Frame, Instance, Paint, Place, Scene};
+use crate::scene::{Body, Camera, Frame, Instance, Paint, Place, SAMPLES, Scene};
 use crate::solid::Surface;
 use glam::Vec3;
+use std::ops::Range;
 use std::rc::Rc;
 
 const SIDE: usize = 64;
+const LAMP: Light = Light::Point {
+    x: -0.2,
+    y: 0.4,
+    z: 0.9,
+};
 const RED: Paint = Paint {
     tint: [230, 40, 30],
     material: 1,
@@ -28,6 +34,7 @@ struct Boxes {
     scene: Rc<Scene>,
     picture: ScenePicture<Boxes>,
     yaw: f64,
+    lamp: Light,
 }
 
 /// A box of side 2 around the origin, in one colour.
@@ -73,6 +80,7 @@ fn boxes(paints: [Option<Paint>; 2]) -> Boxes {
         scene: Rc::new(scene(paints)),
         picture: ScenePicture::default(),
         yaw: 0.0,
+        lamp: ShadeParams::default().light,
     }
 }
 
@@ -99,7 +107,10 @@ impl SceneSource for Boxes {
         StillParams {
             camera: Camera::default().read("0,20,2.5,28").0,
             light: LightParams {
-                shade: ShadeParams::default(),
+                shade: ShadeParams {
+                    light: self.lamp,
+                    ..ShadeParams::default()
+                },
                 materials: material_table("granite", "sand", Gloss::default()),
             },
             yaw: self.yaw,
@@ -113,13 +124,17 @@ impl SceneSource for Boxes {
 }
 
 impl Boxes {
-    fn frame(&mut self, how: &str) -> &Frame {
-        let order = TurnOrder {
+    fn order(&self, how: &str) -> TurnOrder {
+        TurnOrder {
             subject: String::new(),
             camera: self.still().camera,
             size: [SIDE; 2],
             how: how.to_owned(),
-        };
+        }
+    }
+
+    fn frame(&mut self, how: &str) -> &Frame {
+        let order = self.order(how);
         while !turn(self, &order, &mut || 0.0, 0.0).unwrap().done {}
         self.picture.frame().unwrap()
     }
@@ -160,6 +175,84 @@ fn a_view_is_the_still_and_a_frame_from_its_camera() {
     assert_eq!(picture, source.frame("auto").rgba());
     source.yaw = 90.0;
     assert_ne!(source.frame("fine").rgba(), fine);
+}
+
+/// The number of pixels of the floor that are neither in light nor in shadow: the borders of shadows.
+fn borders(frame: &Frame) -> usize {
+    let pixels = frame.rgba().chunks(4).zip(frame.ids());
+    let floor = pixels.filter(|(_, id)| **id == 0).map(|(p, _)| p[0]);
+    let floor: Vec<u8> = floor.collect();
+    let (dark, light) = (floor.iter().min().unwrap(), floor.iter().max().unwrap());
+    let quarter = (light - dark) / 4;
+    let between = dark + quarter..light - quarter;
+    floor.iter().filter(|v| between.contains(v)).count()
+}
+
+#[test]
+fn a_frame_is_refined_sample_by_sample() {
+    for lamp in [ShadeParams::default().light, LAMP] {
+        let mut source = boxes([Some(RED), Some(GREEN)]);
+        source.lamp = lamp;
+        let still = source.frame("still");
+        let (first, sharp) = (still.rgba().to_vec(), borders(still));
+        let order = source.order("fine");
+        let mut shown = Vec::new();
+        loop {
+            let slice = turn(&mut source, &order, &mut || 0.0, 0.0).unwrap();
+            let frame = source.picture.frame();
+            // Bodies can be found from the first sample on.
+            assert_eq!(frame.is_some(), slice.refined || !shown.is_empty());
+            if slice.refined {
+                shown.push(frame.unwrap().rgba().to_vec());
+                let found = (0..SIDE).find_map(|x| source.picture.body_at(0.0, x, SIDE / 2));
+                assert_eq!(found.unwrap().id, 1);
+            }
+            if slice.done {
+                break;
+            }
+        }
+        assert_eq!((shown.len(), &shown[0]), (SAMPLES, &first));
+        assert!(shown.windows(2).all(|two| two[0] != two[1]));
+        let soft = borders(source.picture.frame().unwrap());
+        // The light of a lamp at a place differs over the whole floor.
+        assert!(lamp == LAMP || soft > sharp, "{soft} {sharp}");
+        // The division into slices has no effect, and neither has the frame before.
+        source.frame("moving+sky");
+        let turned = turn(&mut source, &order, &mut || 0.0, f64::INFINITY);
+        assert!(turned.unwrap().refined);
+        assert_eq!(source.picture.frame().unwrap().rgba(), first);
+        assert_eq!(source.frame("fine").rgba(), shown[SAMPLES - 1]);
+        assert_eq!(source.frame("still").rgba(), first);
+    }
+}
+
+/// The sum of the differences between pixels beside each other, in an upright strip.
+fn contrast(frame: &Frame, strip: Range<usize>) -> u32 {
+    let at = |x: usize, y: usize| frame.rgba()[4 * (y * SIDE + x)];
+    let rows = (0..SIDE).flat_map(|y| strip.clone().map(move |x| (x, y)));
+    rows.map(|(x, y)| u32::from(at(x, y).abs_diff(at(x + 1, y))))
+        .sum()
+}
+
+#[test]
+fn a_lens_blurs_what_is_not_in_focus() {
+    let mut source = boxes([None, None]);
+    // The left box stays in the middle of the frame, the other one moves away from the eye.
+    let mut apart = scene([None, None]);
+    apart.instances[0].place.origin = Vec3::new(0.0, 0.1, 0.0);
+    apart.instances[1].place.origin = Vec3::new(0.75, 0.1, -1.6);
+    source.scene = Rc::new(apart);
+    let (near, far) = (16..40, 43..SIDE - 1);
+    let mut seen = |how: &str| {
+        let frame = source.frame(how);
+        [&near, &far].map(|strip| contrast(frame, strip.clone()))
+    };
+    let (sharp, blurred) = (seen("samples=32"), seen("samples=32+aperture=0.2"));
+    assert!(blurred[0] * 5 > sharp[0] * 4, "{blurred:?} {sharp:?}");
+    assert!(blurred[1] * 10 < sharp[1] * 9, "{blurred:?} {sharp:?}");
+    // What is no aperture changes nothing.
+    let plain = seen("samples=32+aperture=nan");
+    assert_eq!(plain, sharp);
 }
 
 #[test]

@@ -35,13 +35,13 @@ fn nothing_gives_the_backdrop() {
     let empty = Scene::default();
     assert_eq!(empty.fault(), None);
     for (backdrop, _) in Backdrop::ALL {
-        for is_fine in [false, true] {
+        for samples in [1, 4] {
             let view = order(camera(330.0, 38.0, 2.0, 35.0), [20, 10]);
             let frame = plain(
                 &empty,
                 Order {
                     backdrop,
-                    is_fine,
+                    samples,
                     ..view
                 },
             );
@@ -125,9 +125,9 @@ fn slices_do_not_change_a_frame() {
     for lamp in [sun(0.5, 0.8, -0.3), bulb([0.2, 1.1, 0.4])] {
         let made = [1, 997, 1_000_000_000].map(|amount| {
             let light = lighting(&scene, lamp, &PARAMS, amount);
-            [(false, false), (true, false), (false, true)].map(|(is_fine, is_moving)| {
+            [(1, false), (4, false), (1, true)].map(|(samples, is_moving)| {
                 let order = Order {
-                    is_fine,
+                    samples,
                     is_moving,
                     backdrop: Backdrop::Floor,
                     cut: None,
@@ -154,7 +154,8 @@ fn memory_keeps_nothing_of_the_frame_before() {
     let light = lighting(&scene, sun(0.5, 0.8, -0.3), &PARAMS, 100_000);
     let small = order(camera(330.0, 38.0, 2.2, 45.0), [40, 30]);
     let large = Order {
-        is_fine: true,
+        samples: 4,
+        aperture: 0.1,
         backdrop: Backdrop::Sky,
         cut: None,
         ..order(camera(30.0, 60.0, 3.0, 45.0), [60, 50])

@@ -76,8 +76,7 @@ fn planes_say_where_bodies_are() {
         Sharpness::Large,
     );
     let above = order(camera(0.0, 90.0, 4.0, 35.0), SIZE);
-    let [one, four] =
-        [false, true].map(|is_fine| frame(&ball, &light, Order { is_fine, ..above }, 9_999));
+    let [one, four] = [1, 4].map(|samples| frame(&ball, &light, Order { samples, ..above }, 9_999));
     let darkest = |frame: &Frame| {
         let there = frame.rgba().chunks(4).filter(|pixel| pixel[3] > 0);
         there.map(|pixel| pixel[0]).min().unwrap()

@@ -335,7 +335,8 @@ pub(super) fn order(camera: Camera, size: [usize; 2]) -> Order {
     Order {
         camera,
         size,
-        is_fine: false,
+        samples: 1,
+        aperture: 0.0,
         is_moving: false,
         backdrop: Backdrop::Nothing,
         cut: None,

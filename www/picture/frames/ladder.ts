@@ -1,4 +1,4 @@
-/** The quality of frames. The first frame of a new view is coarse; later ones are smooth. */
+/** The quality of frames. The first frame of a new view is coarse; the next one is refined, sample by sample. */
 import type { Quality, Wished } from './source';
 
 /**
@@ -7,11 +7,9 @@ import type { Quality, Wished } from './source';
  */
 const COARSE = { least: 2, most: 5, slow: 140, quick: 45 };
 
-export const LADDER: readonly Quality[] = ['moving', 'still', 'fine'];
-
-/** Planes of depth, normals and numbers have one sample a pixel. */
+/** The frames of a view at rest, in their order. Planes of depth, normals and numbers have one sample. */
 export function ladderOf({ plane }: Pick<Wished, 'plane'>): readonly Quality[] {
-  return plane === 'light' || plane === 'alpha' ? LADDER : LADDER.slice(0, 2);
+  return ['moving', plane === 'light' || plane === 'alpha' ? 'fine' : 'still'];
 }
 
 /** A key of the view: requests with the same key need the same frames. */

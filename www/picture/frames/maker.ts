@@ -1,7 +1,8 @@
 /**
  * Makes frames of a studio's bodies, for the engine of the page or in a worker. A new view gets a coarse frame first,
- * then one with all pixels, then an antialiased one. While something moves there are coarse frames only, and each is
- * finished: otherwise none ever would be.
+ * then one with all pixels, which is refined: it is the mean of more and more samples, and each mean is shown. A newer
+ * request ends that at once. While something moves there are coarse frames only, and each is finished: otherwise none
+ * ever would be.
  */
 import type { SceneStudio } from '../../module/scene';
 import type { Notice } from '../../module/types';
@@ -19,7 +20,7 @@ interface Order<W> {
   readonly height: number;
 }
 
-/** A finished frame. */
+/** A finished frame, or one that has reached the quality `still` and is refined further. */
 export interface Made<W> extends Order<W> {
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
@@ -37,7 +38,7 @@ export class FrameMaker<W extends Wished = Wished> {
   private spent = 0;
   /** The bodies may differ from the last frame. */
   private stale = true;
-  /** The last frame: its view, the levels of quality that it has reached, its subject, and its sides. */
+  /** The last frame: its view, the frames of its ladder that are finished, its subject, and its sides. */
   private last = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
 
   /** `view` gives the word of the view. */
@@ -99,11 +100,12 @@ export class FrameMaker<W extends Wished = Wished> {
       this.order = undefined;
       return slice.code === 'not_yet' ? undefined : { refused: slice };
     }
-    if (!slice.done) return { working: slice.progress };
-    this.order = undefined;
+    if (!slice.pixels) return { working: slice.progress };
+    if (slice.done) this.order = undefined;
     if (quality === 'moving') this.coarse.suit(this.spent);
-    this.last = { view: this.seen(wish), rungs: ladderOf(wish).indexOf(quality) + 1, subject: wish.subject, width, height };
-    return { made: { ...order, pixels: this.pixels(order, slice.pixels ?? new Uint8Array(4 * width * height)) } };
+    const rungs = ladderOf(wish).indexOf(quality) + (slice.done ? 1 : 0);
+    this.last = { view: this.seen(wish), rungs, subject: wish.subject, width, height };
+    return { made: { ...order, quality: slice.done ? quality : 'still', pixels: this.pixels(order, slice.pixels) } };
   }
 
   private pixels({ wish: { plane } }: Order<W>, pixels: Uint8Array<ArrayBuffer>): Uint8ClampedArray<ArrayBuffer> {

@@ -7,7 +7,7 @@ import type { Notice } from '../../module/types';
  */
 export type Plane = 'light' | 'depth' | 'normal' | 'id' | 'alpha';
 
-/** The quality of a frame. */
+/** The quality of a frame: coarse, with all pixels, or refined to the end. */
 export type Quality = 'moving' | 'still' | 'fine';
 
 /** A request for a frame. */

@@ -1,0 +1,42 @@
+//! The light of a frame's samples. It comes from a lamp of some size: each sample has it at another place of its disc.
+
+use super::{Lighting, Scene, samples};
+
+/// The radius of the lamp's disc, seen from what it lights, in degrees.
+const RADIUS: f64 = 4.0;
+
+/// The lighting with the lamp in its middle, which is kept, and that of a later sample.
+pub struct SoftLight {
+    middle: Lighting,
+    moved: Option<(usize, Lighting)>,
+}
+
+impl SoftLight {
+    /// The light of a lamp whose middle is that of `middle`.
+    pub fn new(middle: Lighting) -> Self {
+        Self {
+            middle,
+            moved: None,
+        }
+    }
+
+    /// The lighting of the first sample.
+    pub fn middle(&self) -> &Lighting {
+        &self.middle
+    }
+
+    /// The lighting of a sample, counted from 0. Its shadows may still have to be drawn ([`Lighting::advance`]).
+    pub fn of_sample(&mut self, sample: usize, scene: &Scene) -> &mut Lighting {
+        if sample == 0 {
+            self.moved = None;
+            return &mut self.middle;
+        }
+        let kept = self.moved.take().filter(|(of, _)| *of == sample);
+        let new = || {
+            let wide = libm::tan(RADIUS.to_radians());
+            let lamp = self.middle.lamp().moved(samples::on_lamp(sample), wide);
+            (sample, self.middle.with_lamp(scene, lamp))
+        };
+        &mut self.moved.insert(kept.unwrap_or_else(new)).1
+    }
+}
