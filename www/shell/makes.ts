@@ -36,7 +36,7 @@ export function offerMakes(work: Work, push: () => void): void {
     push();
     work.open(withValues(last.get(word) ?? (chosen === generators[0] ? 'v=1' : `v=1&make=${word}`), values), { then: () => store.update({ paused: false }) });
   };
-  const buttons = [...byId('makes').querySelectorAll<HTMLButtonElement>('.make')];
+  const buttons = [...byId('makes').querySelectorAll<HTMLButtonElement>('.make[data-make]')];
   for (const { dataset, lastElementChild } of buttons) {
     const made = generators.find(({ word }) => word === dataset['make']);
     if (made && lastElementChild) lastElementChild.textContent = makeIn(made.word, made.title);
