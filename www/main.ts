@@ -3,7 +3,7 @@ import { t } from './words/words';
 import { byId } from './base/dom';
 import { reasonOf } from './base/errors';
 import { takeLanguage } from './base/language';
-import { alertOf, passing } from './base/messages';
+import { alertOf, notice } from './base/messages';
 import { followTheme } from './base/theme';
 import { isHere, load } from './state/arrivals';
 import { askedFor, openedFirst } from './state/first';
@@ -58,7 +58,7 @@ async function storeSite(): Promise<void> {
   // If this fails because the connection or the page is gone, the next visit stores the site.
   const offline = await import('./shell/offline').catch(() => undefined);
   offline?.register((what) => {
-    if (what === 'newer') passing('offline', t('offline_newer'));
+    if (what === 'newer') notice('offline', t('offline_newer'));
     // The text in the page's foot is enough; no message is needed.
     else byId('offline').textContent = t('offline_stored');
   });

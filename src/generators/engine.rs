@@ -80,8 +80,8 @@ pub trait Engine {
     /// The progress of the work.
     fn progress(&self) -> Progress;
 
-    /// The potential energy of the bodies that move, in units of the mean cell's spring constant k0; 0 where nothing
-    /// moves.
+    /// The potential energy of the bodies that move, or have moved last, in units of the mean cell's spring constant k0;
+    /// 0 before that.
     fn energy(&mut self) -> f64 {
         0.0
     }

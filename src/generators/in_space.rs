@@ -43,6 +43,15 @@ pub trait Frames {
     }
 }
 
+/// Measures of a model from a file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelFacts {
+    /// Width, height and depth of its bounding box, in sizes of its cells.
+    pub cells: [f64; 3],
+    /// Whether it has open parts, which have two sides.
+    pub is_open: bool,
+}
+
 /// The files that recipes name.
 pub trait Files {
     /// Takes a file for recipes that name it, in any role.
@@ -50,4 +59,9 @@ pub trait Files {
 
     /// The files that the work waits for.
     fn missing(&self) -> Vec<MissingFile>;
+
+    /// Measures of the model that a file gives, once it is read and mended.
+    fn model(&self) -> Option<ModelFacts> {
+        None
+    }
 }

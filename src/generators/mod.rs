@@ -32,7 +32,7 @@ pub use engine::{Engine, Progress};
 #[cfg(house)]
 pub use given::{FileDigest, GivenFile, MissingFile};
 #[cfg(house)]
-pub use in_space::{Files, Frames};
+pub use in_space::{Files, Frames, ModelFacts};
 pub use inspection::{Histogram, Polygon, Probe, Products};
 pub use offers::{Drafts, Inspect, Maps, MeshSlice, Meshes, Outlines, PictureSlice};
 pub use preset::{MeasuredPart, Preset, Timing};

@@ -5,7 +5,7 @@
 //! the plane, which works with two-dimensional vectors, serves on a surface as well.
 //!
 //! The triangles of a file ([`Soup`]) become a mesh in steps, each of them in slices. [`repair::MeshRepair`] makes a
-//! surface of them. [`repair::HoleFilling`] closes openings that are small beside a cell. [`refine::Refining`] makes
+//! surface of them. [`Siding`] chooses the outside of open parts. [`repair::HoleFilling`] closes openings that are small beside a cell. [`refine::Refining`] makes
 //! edges short enough to tell cells apart. [`repair::CreaseCutting`], an option, cuts along creases. [`Simplifying`] makes
 //! a simpler surface to pack on, and a [`Search`] brings points of it to the full one.
 //!
@@ -29,6 +29,7 @@ pub mod repair;
 #[cfg(test)]
 pub(crate) mod samples;
 pub(crate) mod search;
+mod sides;
 mod simplify;
 mod sorting;
 mod soup;
@@ -42,6 +43,7 @@ pub use frame::{LogMap, TangentFrame, Transport, log};
 pub use mesh::{MeshFault, TriMesh};
 pub use point::SurfacePoint;
 pub use search::{Hit, Search};
+pub use sides::{Sided, Sides, Siding};
 pub use simplify::Simplifying;
 pub use soup::{MOST_TRIANGLES, Soup};
 pub use walk::Walked;

@@ -18,6 +18,14 @@ export interface RecipeFile {
   digest: string;
   name: string;
 }
+
+/** Measures of a model from a file. */
+export interface ModelFacts {
+  /** Width, height and depth, in sizes of its cells. */
+  cells: [width: number, height: number, depth: number];
+  /** Whether it has open parts, which have two sides. */
+  open: boolean;
+}
 ";
 
 #[wasm_bindgen]
@@ -66,6 +74,17 @@ impl Bubblestone {
         missing
             .map(|one| recipe_file(one.role, &one.digest, &one.name))
             .collect()
+    }
+
+    /// Measures of the model that a file gives; undefined before it is read and mended.
+    #[wasm_bindgen(js_name = modelFacts, unchecked_return_type = "ModelFacts | undefined")]
+    pub fn model_facts(&mut self) -> JsValue {
+        let files = self.studio.files().ok();
+        let facts = files.and_then(|files| files.model());
+        facts.map_or(JsValue::UNDEFINED, |facts| {
+            let cells: Array = facts.cells.iter().map(|&n| JsValue::from(n)).collect();
+            object(&[("cells", cells.into()), ("open", facts.is_open.into())]).into()
+        })
     }
 
     /// The files that the recipe names, where they have an effect.

@@ -4,7 +4,7 @@ import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, drop, get, link, message, phone, reloading, set, SMALL } from './page.mjs';
+import { click, digest, drop, get, link, message, messages, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box } from './sheet.mjs';
 
@@ -110,6 +110,54 @@ test('a model dropped anywhere becomes a surface, and one that cannot be read sa
   await message(page, 'status', /mended\.obj is open, and this of it was mended.*left out: 2.*turned: 2/);
   await drop(page, 'half.obj', 'v 0 0 0\nv 1 0 0\nv 1\n', '');
   await message(page, 'alert', /Line 3 of the OBJ file/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+/** An open slope whose faces look down. */
+const SLOPE = `v 0 0 0\nv 1 0 0\nv 1 0.3 1\nv 0 0.3 1\nf 1 2 3 4\n`;
+
+test('the button for models names the open file, opens others, and turns open parts; a refused file changes nothing', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  await chooses(page, 'slope.obj', SLOPE);
+  await click(page, '#your-model');
+  await page.waitForSelector('#model:not([hidden])');
+  await message(page, 'status', /slope\.obj is open.*faced down or inwards were turned.*: 2 triangles/);
+  const [guess, up] = [await digest(page), await link(page)];
+  assert.match(up, /side=guess/);
+  assert.equal(await page.$eval('#model-name', (name) => name.textContent), 'slope.obj');
+  await page.waitForFunction(() => /× .* cells/.test(document.getElementById('model-size')?.textContent ?? ''));
+  await click(page, '#model-side');
+  await page.waitForSelector('#model-side[aria-pressed=true]');
+  assert.notEqual(await digest(page), guess);
+  await click(page, '#model-side');
+  await page.waitForSelector('#model-side[aria-pressed=false]');
+  assert.equal(await digest(page), guess);
+  // Nothing changes with a file that is refused: not the link, the name, the steps back, or the picture.
+  const before = await page.$eval('#caption', (caption) => caption.textContent);
+  await chooses(page, 'bad.obj', 'no model\n');
+  await page.focus('#model-other');
+  await page.keyboard.press('Enter');
+  await message(page, 'alert', /bad\.obj was not opened, and nothing has changed\. There are no triangles/);
+  assert.equal(await link(page), up);
+  assert.equal(await digest(page), guess);
+  assert.deepEqual(await page.$$eval('#model-name, #caption', (both) => both.map((one) => one.textContent)), ['slope.obj', before]);
+  assert.deepEqual((await messages(page)).filter((text) => text?.includes('bad.obj is open')), []);
+  await drop(page, 'scene.fbx', 'Kaydara', '');
+  await message(page, 'alert', /of a kind that cannot be opened here/);
+  // A closed model has only one outside.
+  await chooses(page, 'box.obj', cube(1.5));
+  await click(page, '#model-other');
+  await page.waitForSelector('#model-side:disabled');
+  assert.equal(await page.$eval('#model-name', (name) => name.textContent), 'box.obj');
+  // From a pavement, the button returns to the last model.
+  const box = await link(page);
+  await click(page, '.make[data-make=pavement]');
+  await page.waitForSelector('#model[hidden]', { visible: false });
+  await click(page, '#your-model');
+  await page.waitForSelector('#model:not([hidden])');
+  assert.equal(await link(page), box);
   assert.deepEqual(problems, []);
   await close();
 });

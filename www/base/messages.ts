@@ -1,12 +1,20 @@
-/** Messages over the canvas: notices that may go by themselves, and errors that stay until dismissed. */
+/**
+ * Messages beside the picture. Only the newest notice is shown. It goes after some seconds, unless it is pointed at,
+ * has the focus, or shows that work goes on. Then the one before it is shown. Errors stay until dismissed.
+ */
 import { t } from '../words/words';
 import { byId, make } from './dom';
 
 /** Notices of the same topic replace each other. */
 export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'module' | 'part' | 'language' | 'remarks';
 
-/** Milliseconds that a passing message stays. Longer texts stay until dismissed. */
-const PASSING = 4000;
+/** Milliseconds that a notice is shown. */
+const SHOWN = 6000;
+
+/** The notices that stay until something removes them. */
+const staying = new WeakSet<Element>();
+let timer = 0;
+let watching: MutationObserver | undefined;
 
 /** Shows one or more sentences that need no action. */
 export function notice(topic: Topic, ...sentences: string[]): void {
@@ -21,15 +29,10 @@ export function offerOf(topic: Topic, sentence: string, ...actions: HTMLElement[
 /** Shows that work goes on. The message stays until the work ends or is stopped. */
 export function underWay(topic: Topic, sentence: string, ...actions: HTMLElement[]): HTMLElement | undefined {
   const note = put('notices', topic, [sentence]);
+  if (note) staying.add(note);
   note?.querySelector('.close')?.remove();
   note?.append(make('div', { class: 'actions' }, ...actions));
   return note;
-}
-
-/** Shows a short message that goes by itself. */
-export function passing(topic: Topic, sentence: string): void {
-  const note = put('notices', topic, [sentence]);
-  setTimeout(() => note?.remove(), PASSING);
 }
 
 /** Shows an error, with `actions` below the sentence. */
@@ -53,6 +56,29 @@ function put(place: 'alerts' | 'notices', topic: Topic, sentences: string[]): HT
       : make('div', {}, make('p', {}, t('things', { n: sentences.length })), make('ul', {}, ...sentences.map((sentence) => make('li', {}, sentence))));
   const note = make('div', { class: 'message', 'data-topic': topic }, text, close);
   close.addEventListener('click', () => note.remove());
+  watching ??= watch();
   byId(place).append(note);
   return note;
+}
+
+/** Shows the newest notice alone after each change. */
+function watch(): MutationObserver {
+  const box = byId('notices');
+  const observer = new MutationObserver(() => showNewest(box));
+  observer.observe(box, { childList: true });
+  for (const sign of ['pointerenter', 'pointerleave', 'focusin', 'focusout']) box.addEventListener(sign, () => wait(box));
+  return observer;
+}
+
+function showNewest(box: HTMLElement): void {
+  for (const note of box.children) if (note instanceof HTMLElement) note.hidden = note !== box.lastElementChild;
+  wait(box);
+}
+
+/** Begins the time of the newest notice, which goes at its end. */
+function wait(box: HTMLElement): void {
+  clearTimeout(timer);
+  const note = box.lastElementChild;
+  if (!note || staying.has(note)) return;
+  timer = window.setTimeout(() => (box.matches(':hover, :focus-within') ? undefined : note.remove()), SHOWN);
 }

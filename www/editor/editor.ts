@@ -30,6 +30,9 @@ import { read, remarks } from './import/reading';
 import { textDialog } from './letters/dialog';
 import { Sorts } from './sorts';
 
+/** The endings of files that may hold an outline; files without an ending may, too. */
+const KNOWN = /(^[^.]*|\.(svg|json|txt))$/i;
+
 /** Largest file in bytes. The outline of a drawing with ten thousand points has about two hundred thousand. */
 const LARGEST = 4_000_000;
 
@@ -173,7 +176,7 @@ export class Editor {
   /** Takes an outline from a file that was chosen or dropped. */
   async takeFile(file: File): Promise<boolean> {
     if (await (await import('../take/recipe-file')).openRecipe(this.work, file)) return true;
-    const refused = /^image\/(?!svg)/.test(file.type) ? 'only_picture' : file.size > LARGEST ? 'too_large' : undefined;
+    const refused = /^image\/(?!svg)/.test(file.type) ? 'only_picture' : !KNOWN.test(file.name) ? 'unknown_kind' : file.size > LARGEST ? 'too_large' : undefined;
     if (!refused) return this.takeText(await file.text(), file.name);
     alertOf('outline', t('kept', { sentence: t(refused, { name: file.name }) }));
     return false;

@@ -3,7 +3,7 @@ import { isEnd, isUpToSteps } from '../module/stages';
 import { t } from '../words/words';
 import { byId, byIdAs, frame, say } from '../base/dom';
 import { mark } from '../base/marks';
-import { alertOf, clear, notice, passing } from '../base/messages';
+import { alertOf, clear, notice } from '../base/messages';
 import { isFirstVisit } from '../base/storage';
 import type { Engine } from '../state/engine';
 import { askedFor, firstState, openedFirst } from '../state/first';
@@ -231,7 +231,7 @@ export class App {
     if (!isEnd(stage) && stage !== generator.stepping && isUpToSteps(generator, stage)) return;
     const before = this.engine.status().steps;
     this.work.step();
-    if (this.engine.status().steps === before && this.engine.alive && isEnd(this.store.state.other)) passing('done', t('settled'));
+    if (this.engine.status().steps === before && this.engine.alive && isEnd(this.store.state.other)) notice('done', t('settled'));
     this.host.loop.redraw();
   }
 

@@ -1,12 +1,12 @@
 /** Copies the link to the clipboard. */
 import { t } from '../words/words';
-import { notice, passing } from '../base/messages';
+import { notice } from '../base/messages';
 import { address } from '../state/link';
 
 export async function copyLink(link: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(address(link));
-    passing('done', t('copied'));
+    notice('done', t('copied'));
   } catch {
     notice('done', t('not_copied', { link: address(link) }));
   }

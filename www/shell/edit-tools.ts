@@ -3,14 +3,12 @@
  */
 import { t } from '../words/words';
 import { byId, isShown, make, say, walkByArrows } from '../base/dom';
+import { isModel } from '../base/files';
 import type { Engine } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
 import type { Panel } from '../panel/panel';
 import type { Parts } from './parts';
-
-/** Names of model files. */
-const MODEL = /\.(obj|glb|ply|stl|gltf)$/i;
 
 export class EditTools {
   private readonly engine: Engine;
@@ -90,8 +88,8 @@ export class EditTools {
       if (files.length) event.preventDefault();
       sheet.classList.remove('dropping');
       // Takes the first file that may be an outline, a recipe or a model.
-      const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name) || MODEL.test(name)) ?? files[0];
-      if (file && MODEL.test(file.name)) this.takeModel(file);
+      const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name) || isModel(name)) ?? files[0];
+      if (file && isModel(file.name)) this.takeModel(file);
       else if (file) this.editor.ask((it) => void it.takeFile(file));
     });
     document.addEventListener('paste', ({ target, clipboardData }) => {

@@ -35,7 +35,7 @@ export function offerMakes(work: Work, push: () => void): void {
     // The first press shows what the small picture promises.
     work.open(last.get(word) ?? chosen.link, { then: () => store.update({ paused: false }) });
   };
-  const buttons = [...byId('makes').querySelectorAll<HTMLButtonElement>('.make')];
+  const buttons = [...byId('makes').querySelectorAll<HTMLButtonElement>('.make[data-make]')];
   for (const { dataset, lastElementChild } of buttons) {
     const made = generators.find(({ word }) => word === dataset['make']);
     if (made && lastElementChild) lastElementChild.textContent = makeIn(made.word, made.title);

@@ -2,16 +2,17 @@
 import { piecesOf } from '../module/given';
 import { generators } from '../module/generators';
 import { loadWhole } from '../module/load';
-import type { Whole } from '../module/scene';
+import type { SceneStudio, Whole } from '../module/scene';
 import { keepFile } from '../module/shelf';
 import type { Parameter } from '../module/types';
 import { t } from '../words/space';
 import { reasonOf } from '../base/errors';
-import { alertOf, clear, notice, passing } from '../base/messages';
+import { alertOf, clear, notice } from '../base/messages';
 import { stoppable, type Task } from '../late/task';
 import { withValues } from '../state/link';
-import type { State } from '../state/store';
 import type { Work } from '../state/work';
+import { GUESSED, SIDE } from './sides';
+import { MADE, tried } from './trial';
 
 /** Largest file in bytes; a model with the most triangles allowed has some two hundred million. */
 const LARGEST = 400_000_000;
@@ -29,28 +30,48 @@ interface Named {
 let now: AbortController | undefined;
 
 /**
- * Opens a file and names it in the recipe. The other settings stay if the present generator takes files. If the
- * recipe already names the file, the engine receives it, and `again` is called because the recipe does not change.
+ * Opens a file and names it in the recipe, if a surface can be made of it; else nothing changes. The other settings
+ * stay if the present generator takes files. If the recipe already names the file, `again` is called because the
+ * recipe does not change. Returns whether the file is open.
  */
-export async function openModel(work: Work, file: File, again: () => void): Promise<void> {
+export async function openModel(work: Work, file: File, again: () => void): Promise<boolean> {
   now?.abort();
   const stopping = (now = new AbortController());
   const { name } = file;
+  const refuse = (reason: string): void => alertOf('outline', t('refused', { name, reason }));
   if (file.size > LARGEST) {
-    alertOf('outline', t('too_large', { name, most: LARGEST / 1e6 }));
-    return;
+    refuse(t('too_large', { most: LARGEST / 1e6 }));
+    return false;
   }
   try {
     const sentence = t('reading', { name });
-    const named = await stoppable({ topic: 'files', sentence, name, stop: t('stop') }, stopping, (task) => nameOf(file, task));
-    const isKept = await keepFile(named.digest, name, file);
-    take(work, name, named, again);
+    const taken = await stoppable({ topic: 'files', sentence, name, stop: t('stop') }, stopping, (task) => trialOf(work, file, task));
+    const isKept = await keepFile(taken.named.digest, name, file);
+    take(work, name, taken, again);
     if (!isKept) notice('files', t('not_kept', { name }));
+    return true;
   } catch (error) {
-    if (!stopping.signal.aborted) alertOf('outline', t('unread', { name, reason: reasonOf(error) }));
+    if (!stopping.signal.aborted) refuse(reasonOf(error));
     // Unless another file has taken its place.
-    else if (stopping === now) passing('files', t('stopped', { name }));
+    else if (stopping === now) notice('files', t('stopped', { name }));
+    return false;
   }
+}
+
+/** A file that has passed its trial. */
+interface Taken {
+  named: Named;
+  /** The link with the file, and the recipe that it was made of. */
+  link: string;
+  before: string;
+  studio: SceneStudio;
+}
+
+async function trialOf(work: Work, file: File, task: Task): Promise<Taken> {
+  const named = await nameOf(file, task);
+  const { recipe: before } = work.store.state;
+  const link = askingFor(named, work);
+  return { named, link, before, studio: await tried(named.module, link, file, task) };
 }
 
 /** Throws the browser's error if the file has gone or the module does not load. */
@@ -63,7 +84,7 @@ async function nameOf(file: File, task: Task): Promise<Named> {
       task.signal.throwIfAborted();
       digest.add(piece);
       read += piece.length;
-      task.progress(read / file.size);
+      task.progress((MADE * read) / file.size);
     }
     return { digest: digest.text(), value: digest.value(file.name), module };
   } finally {
@@ -73,32 +94,37 @@ async function nameOf(file: File, task: Task): Promise<Named> {
 
 /**
  * The link of a recipe that names a file: the present recipe with it, or one of another generator if this one takes
- * no files. `role` is the key of the parameter that the recipe waits for.
+ * no files. A file that the recipe waits for changes nothing else of it.
  */
-function askingFor({ value, module }: Named, { make, recipe }: State, role: string | undefined): string {
+function askingFor({ digest, value, module }: Named, { engine, store: { state: { make, recipe } } }: Work): string {
+  const missing = engine.missing();
+  if (missing.some((one) => one.digest === digest)) return recipe;
   const rowOf = (word: string): Parameter | undefined => {
     const rows = module.schema(word).filter(({ item }) => item === 'file');
-    return rows.find(({ key }) => key === role) ?? rows[0];
+    return rows.find(({ key }) => key === missing[0]?.role) ?? rows[0];
   };
   const taker = rowOf(make) ? make : generators.find(({ word }) => rowOf(word))?.word;
   const row = taker === undefined ? undefined : rowOf(taker);
-  if (!row) return recipe;
+  if (!row || taker === undefined) return recipe;
   // The parameter may apply only with certain values of another one.
   const beside = row.shownFor?.words.slice(0, 1).map((word) => [row.shownFor?.key ?? '', word] as const) ?? [];
-  return withValues(taker === make ? recipe : `v=1&make=${taker}`, [...beside, [row.key, value]]);
+  const sides = module.schema(taker).some(({ key }) => key === SIDE) ? [[SIDE, GUESSED] as const] : [];
+  return withValues(taker === make ? recipe : `v=1&make=${taker}`, [...beside, [row.key, value], ...sides]);
 }
 
-function take(work: Work, name: string, named: Named, again: () => void): void {
+function take(work: Work, name: string, { named, link, before, studio }: Taken, again: () => void): void {
   const { engine, store } = work;
-  const missing = engine.missing();
-  const [asked] = missing;
+  const [asked] = engine.missing();
+  const isAsked = link === before;
+  const play = (): void => store.update({ paused: false });
   clear('outline');
-  if (missing.some(({ digest }) => digest === named.digest)) {
-    engine.open(store.state.recipe);
-    again();
-    return passing('files', t('opened', { name }));
+  // If the recipe has changed meanwhile, the file goes into the new one.
+  if (store.state.recipe === before) work.adopt(studio, named.module, play);
+  else {
+    studio.free();
+    work.open(askingFor(named, work), { own: true, then: play });
   }
-  work.open(askingFor(named, store.state, asked?.role), { own: true, then: () => store.update({ paused: false }) });
-  if (asked) notice('files', t('other', { name, asked: asked.name }));
-  else passing('files', t('opened', { name }));
+  if (isAsked) again();
+  if (asked && !isAsked) notice('files', t('other', { name, asked: asked.name }));
+  else notice('files', t('opened', { name }));
 }

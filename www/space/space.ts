@@ -2,12 +2,14 @@
 import { t } from '../words/space';
 import { said } from '../words/words';
 import { make } from '../base/dom';
+import { MODELS } from '../base/files';
 import { notice } from '../base/messages';
 import type { Later } from '../base/later';
 import { filesOf } from '../state/rules';
 import type { Work } from '../state/work';
 import type { PageTurntable } from '../turn/page';
 import { Asked } from './asked';
+import { ModelBar } from './bar';
 import { openModel } from './models';
 import { Painter } from './paint/painter';
 import '../styles/late/space.css';
@@ -23,13 +25,17 @@ export class Space {
   /** The name of the file that was opened last, until its repairs have been shown. */
   private opened = '';
   private readonly asked = new Asked(() => this.choose());
-  private readonly file = make('input', { type: 'file', id: 'model-file', accept: '.obj,.glb,.ply,.stl', hidden: '', 'aria-label': t('choose') });
+  private readonly bar: ModelBar;
+  /** The last recipe with a file. */
+  private last: string | undefined;
+  private readonly file = make('input', { type: 'file', id: 'model-file', accept: MODELS, hidden: '', 'aria-label': t('choose') });
 
   /** `again` starts the engine when the recipe has not changed. */
   constructor(work: Work, turn: Later<PageTurntable>, again: () => void) {
     this.work = work;
     this.turn = turn;
     this.again = again;
+    this.bar = new ModelBar(work, () => this.choose());
     document.body.append(this.file);
     this.file.addEventListener('change', () => {
       const [chosen] = this.file.files ?? [];
@@ -45,16 +51,26 @@ export class Space {
     this.file.click();
   }
 
+  /** Returns to the last recipe with a file, or opens the dialog if there is none. */
+  yours(): void {
+    const { engine, store } = this.work;
+    if (this.last === undefined || filesOf(engine).length) this.choose();
+    else this.work.open(this.last, { own: true, then: () => store.update({ paused: false }) });
+  }
+
   /** Takes a file that was chosen or dropped. */
-  take(file: File): Promise<void> {
+  async take(file: File): Promise<void> {
+    if (!(await openModel(this.work, file, this.again))) return;
     this.opened = file.name;
-    return openModel(this.work, file, this.again);
+    this.follow();
   }
 
   /** Updates these parts after a change of the state. */
   follow(): void {
     const { engine, store } = this.work;
-    const { stage } = store.state;
+    const { stage, recipe } = store.state;
+    this.bar.follow();
+    if (filesOf(engine).length && engine.files().length) this.last = recipe;
     this.asked.show(stage === 'error' ? engine.missing()[0]?.name : undefined);
     this.tell();
     if (engine.offers('paint')) this.turn.ask((page) => void this.painted(page));
@@ -68,7 +84,9 @@ export class Space {
     if (stage === 'error' && !engine.missing().length) this.opened = '';
     if (this.opened === '' || filesOf(engine).length === 0 || (stage !== 'done' && stages.indexOf(stage) <= MADE)) return;
     const mended = engine.remarks().filter(({ code }) => code.startsWith('mended'));
-    if (mended.length) notice('files', t('mended', { name: this.opened }), ...mended.map(said));
+    const sentences = mended.map(said);
+    if (sentences.length > 1) notice('files', t('mended', { name: this.opened }), ...sentences);
+    else if (sentences.length) notice('files', [t('opened', { name: this.opened }), ...sentences].join(' '));
     this.opened = '';
   }
 

@@ -98,6 +98,18 @@ export class Engine {
     return this.notices();
   }
 
+  /** Goes on with a studio of this module that has begun to work on a link. The previous one is released. */
+  adopt(studio: SceneStudio, module: Module): void {
+    if (this.dead) return studio.free();
+    this.search.end();
+    // The new use is counted first, so that the module stays.
+    useModule(module);
+    this.end();
+    [this.module, this.made, this.core] = [module, undefined, studio];
+    this.link();
+    this.seek();
+  }
+
   notices(): string[] {
     return this.ask((core) => core.notices(), []).map(said);
   }

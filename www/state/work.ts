@@ -1,4 +1,6 @@
 /** Every change of the recipe in the store goes through here; the engine follows. */
+import type { Module } from '../module/load';
+import type { SceneStudio } from '../module/scene';
 import type { Preset, Ring } from '../module/types';
 import { clear, notice } from '../base/messages';
 import { Arrivals } from './arrivals';
@@ -93,6 +95,17 @@ export class Work {
       store.update({ recipe, own, preset: shown, make: engine.generator.word, held: false });
       then?.();
     });
+  }
+
+  /** Goes on with a studio that has begun to work on the visitor's own recipe. */
+  adopt(studio: SceneStudio, module: Module, then: () => void): void {
+    const { engine, store } = this;
+    this.stay();
+    engine.adopt(studio, module);
+    notice('link', ...engine.notices());
+    clear('value');
+    store.update({ recipe: engine.link(), own: true, preset: undefined, make: engine.generator.word, held: false });
+    then();
   }
 
   /** Makes exactly one packing step. */

@@ -36,6 +36,7 @@ export const parameters: Foreign['parameters'] = {
   ...Object.fromEntries(shapes),
   model: { name: 'モデル', help: 'ファイルの要約値と名前。リンクにファイルそのものは入りません。' },
   up: { name: '上の軸', help: 'ファイルの中でどちらが上か。', choices: { y: 'y軸', z: 'z軸' } },
+  side: { name: '開いた部分の外側', help: 'モデルの開いた部分の外側。石はそこに並びます。閉じた部分の外側は一つだけです。', choices: { given: 'ファイルのまま', guess: '上または外', other: '下または内' } },
   'surface.on': { name: '充填する面', help: 'セルをそのままの曲面に充填するか、簡単にした曲面に充填して戻すか。', choices: { fit: '足りる細かさの面', whole: 'そのままの曲面', simple: '簡単にした曲面' } },
   crease: { name: '折り目', help: '鋭い縁でセルを折り曲げるか、曲面をそこで切るか。', choices: { fold: '折り曲げる', cut: '切る' } },
   fold: { name: '折り目の角度', help: 'これより大きく曲がる縁を折り目とします。' },

@@ -6,7 +6,7 @@
 import { version } from '../../package.json';
 import type { Parameter } from '../module/types';
 import { t } from '../words/take';
-import { notice, passing } from '../base/messages';
+import { notice } from '../base/messages';
 import { stoppable, type Task } from '../late/task';
 import type { Engine } from '../state/engine';
 import { pageAddress } from '../state/link';
@@ -46,13 +46,12 @@ export async function openRecipe(work: Work, file: File): Promise<boolean> {
   const found = model && at !== undefined ? unpacked(stopping, name, (task) => keepFiles(file, at, model, recipe, task)) : NOTHING;
   const { wrong, unkept } = await found;
   if (stopping.signal.aborted) {
-    if (stopping === now) passing('files', t('not_opened', { name }));
+    if (stopping === now) notice('files', t('not_opened', { name }));
     return true;
   }
   work.open(recipe, { own: true });
-  passing('files', t('opened', { name }));
   const told = [...wrong.map((model) => t('model_wrong', { name, model })), ...unkept.map((model) => t('model_unkept', { model }))];
-  if (told.length) notice('files', ...told);
+  notice('files', t('opened', { name }), ...told);
   return true;
 }
 

@@ -1,6 +1,7 @@
 /** The dialog for saving: pictures, drawings, an animation, files for other programs, and the recipe. */
 import { t } from '../words/take';
 import { make, say } from '../base/dom';
+import { isModel, MODELS } from '../base/files';
 import { notice } from '../base/messages';
 import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
@@ -54,11 +55,14 @@ type Making = (task: Task) => Promise<Blob>;
 export class SaveDialog {
   private readonly work: Work;
   private readonly canvas: HTMLCanvasElement;
+  private readonly takeModel: (file: File) => void;
   private readonly dialog: HTMLDialogElement;
 
-  constructor(work: Work, canvas: HTMLCanvasElement) {
+  /** `takeModel` opens a model's file. */
+  constructor(work: Work, canvas: HTMLCanvasElement, takeModel: (file: File) => void) {
     this.work = work;
     this.canvas = canvas;
+    this.takeModel = takeModel;
     this.dialog = takeDialog(
       'save-dialog',
       t('save'),
@@ -208,13 +212,14 @@ export class SaveDialog {
   /** Saves the recipe, or opens one. */
   private recipe(): HTMLElement[] {
     const { work } = this;
-    const file = make('input', { type: 'file', accept: '.json,.png,.svg', hidden: '', 'aria-label': t('open_label') });
+    const file = make('input', { type: 'file', accept: `.json,.png,.svg,${MODELS}`, hidden: '', 'aria-label': t('open_label') });
     const open = make('button', { type: 'button', class: 'key', id: 'open-recipe', 'aria-label': t('open_label') }, t('open'));
     open.addEventListener('click', () => file.click());
     file.addEventListener('change', () => {
       const [chosen] = file.files ?? [];
       this.dialog.close();
-      if (chosen) void openRecipe(work, chosen).then((known) => known || notice('files', t('not_json', { name: chosen.name })));
+      if (chosen && isModel(chosen.name)) this.takeModel(chosen);
+      else if (chosen) void openRecipe(work, chosen).then((known) => known || notice('files', t('not_json', { name: chosen.name })));
     });
     return [this.button('save-recipe', 'JSON', '.json', (task) => recipeFile(work.engine, task)), open, file];
   }

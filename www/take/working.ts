@@ -1,7 +1,7 @@
 /** Shows the progress of a file with a button that stops it, then hands over the file. */
 import { t } from '../words/take';
 import { reasonOf } from '../base/errors';
-import { clear, notice, passing } from '../base/messages';
+import { clear, notice } from '../base/messages';
 import { offer } from '../late/download';
 import { stoppable, type Task } from '../late/task';
 
@@ -14,7 +14,7 @@ let busy: string | undefined;
  */
 export async function working(name: string, work: (task: Task) => Promise<Blob>, hand: (file: Blob, name: string) => boolean = () => false): Promise<void> {
   if (busy !== undefined) {
-    passing('busy', t('busy', { name: busy }));
+    notice('busy', t('busy', { name: busy }));
     return;
   }
   busy = name;
@@ -23,10 +23,10 @@ export async function working(name: string, work: (task: Task) => Promise<Blob>,
     const file = await stoppable({ topic: 'files', sentence: t('making', { name }), name, stop: t('stop') }, stopping, work);
     if (!hand(file, name)) {
       offer(file, name);
-      passing('files', t('saved', { name }));
+      notice('files', t('saved', { name }));
     }
   } catch (error) {
-    if (stopping.signal.aborted) passing('files', t('stopped', { name }));
+    if (stopping.signal.aborted) notice('files', t('stopped', { name }));
     else notice('files', reasonOf(error));
   }
   clear('busy');

@@ -25,7 +25,7 @@ lists! {
         fd FD: "Fractal dimension of the faces: near 1 smooth swells, near 2 rough grain." =>
             number("Fd", "Fractal dimension").range(1.05, 1.95, 0.01, TEXTURE.dimension)
                 .group("Surface");
-        af AF: "Amplitude of the fractal noise: in pixels on stones, in skin sizes on skin." =>
+        af AF: "Amplitude of the fractal noise: in pixels on stones, in skin sizes on skin. On stones it grows no more once the relief is a fifth of the joints' depth." =>
             number("Af", "Roughness").range(0.0, 8.0, 0.05, TEXTURE.amplitude)
                 .group("Surface");
         palette PALETTE: "Colours and optical attributes." =>

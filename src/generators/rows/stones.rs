@@ -64,7 +64,7 @@ lists! {
         rand RAND: "Distribution of the distortion: uniform (2000) or normal (2001)." =>
             choice("Random numbers", choices![uniform: "Uniform", normal: "Normal"])
                 .group("Relief").steady();
-        bh BH: "How far from a corner the horizontal bevel begins." =>
+        bh BH: "How far from a corner the horizontal bevel begins. Above 0.7 only the corners of a top become wider." =>
             number("Bh", "Bevel, horizontal").range(0.0, 1.0, 0.01, 0.2).group("Relief")
                 .only_for(keys::STONE, FLAG);
         bv BV: "How far below the top the vertical bevel begins." =>

@@ -12,7 +12,7 @@ use crate::surface_field::{
 use crate::surface_stones::Claw;
 use crate::trimesh::refine::{Refining, SHARE};
 use crate::trimesh::repair::{CreaseCutting, HoleFilling};
-use crate::trimesh::{MeshBuilding, Search, Simplifying, TriMesh};
+use crate::trimesh::{MeshBuilding, Search, Siding, Simplifying, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -39,6 +39,10 @@ pub(super) struct Built {
     /// The main direction from head to tail, if there are no bones.
     pub main: DVec3,
     pub notices: Vec<Notice>,
+    /// The mean size of cells, in the model's units.
+    pub size: f64,
+    /// Whether the surface of a file has open parts.
+    pub is_open: bool,
 }
 
 /// A surface in progress.
@@ -52,6 +56,7 @@ pub(super) struct Building {
     whole: Option<Arc<TriMesh>>,
     search: Option<Search>,
     notices: Vec<Notice>,
+    is_open: bool,
 }
 
 enum BuildPhase {
@@ -60,6 +65,7 @@ enum BuildPhase {
     SketchMesh(Box<MeshBuilding>),
     Shape(Box<ShapeMaking>),
     ShapeMesh(Box<MeshBuilding>),
+    Sides(Box<Siding>),
     Simplify(Box<Simplifying>),
     Project(Box<(TriMesh, Search)>),
     Fill(Box<HoleFilling>),
@@ -100,12 +106,12 @@ impl Building {
         let mut new = Self {
             step: BuildPhase::None,
             size: 0.0,
-            given: loaded.meshes.first().cloned(),
+            given: None,
             whole: None,
             search: None,
             notices: loaded.notices.clone(),
+            is_open: false,
         };
-        let count = params.sizes.count;
         new.step = match (&params.source, loaded.meshes.first()) {
             (MeshSource::Shape(shape, ends, numbers), _) => {
                 let edge = shape.coarsest(numbers);
@@ -114,17 +120,22 @@ impl Building {
             (MeshSource::Model(..), None) => return Err(Code::ModelFirst.into()),
             (MeshSource::Model(..), Some(mesh)) => {
                 new.size = size_for(&params.sizes, mesh.area());
-                let is_fine = mesh.triangles().len() as f64 > PLENTY * count;
-                if params.on == PackingTarget::Simple
-                    || (params.on == PackingTarget::Fit && is_fine)
-                {
-                    new.simplifying(count, mesh.as_ref().clone())
-                } else {
-                    BuildPhase::Fill(Box::new(HoleFilling::new(mesh.as_ref().clone(), new.size)))
-                }
+                BuildPhase::Sides(Box::new(Siding::new(mesh.clone(), params.sides)))
             }
         };
         Ok(new)
+    }
+
+    /// A far finer surface than the cells need is simplified for their packing.
+    fn sided(&mut self, params: &SurfaceParams, mesh: Arc<TriMesh>) -> BuildPhase {
+        let count = params.sizes.count;
+        let is_fine = mesh.triangles().len() as f64 > PLENTY * count;
+        self.given = Some(mesh.clone());
+        let mesh = mesh.as_ref().clone();
+        if params.on == PackingTarget::Simple || (params.on == PackingTarget::Fit && is_fine) {
+            return self.simplifying(count, mesh);
+        }
+        BuildPhase::Fill(Box::new(HoleFilling::new(mesh, self.size)))
     }
 
     fn next(&mut self, params: &SurfaceParams, step: BuildPhase) -> Result<BuildPhase, Notice> {
@@ -145,6 +156,14 @@ impl Building {
             BuildPhase::ShapeMesh(mut building) => match building.advance() {
                 None => BuildPhase::ShapeMesh(building),
                 Some(mesh) => BuildPhase::Refine(Box::new(self.refining(built(mesh)?))),
+            },
+            BuildPhase::Sides(mut siding) => match siding.advance() {
+                None => BuildPhase::Sides(siding),
+                Some(sided) => {
+                    self.is_open = sided.is_open;
+                    self.notices.extend(sided.notice);
+                    self.sided(params, sided.mesh)
+                }
             },
             BuildPhase::Simplify(mut simplifying) => match simplifying.advance() {
                 None => BuildPhase::Simplify(simplifying),
@@ -325,6 +344,8 @@ impl Building {
             claws: claws.into_iter().map(claw).collect(),
             main,
             notices: std::mem::take(&mut self.notices),
+            size: self.size,
+            is_open: self.is_open,
         })
     }
 }

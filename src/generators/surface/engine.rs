@@ -6,8 +6,8 @@ use super::stages::STONES;
 use crate::export::{MeshOrder, MeshSize, Report};
 use crate::generators::scene_picture;
 use crate::generators::{
-    Clock, Engine, Files, FrameSlice, Frames, GivenFile, MeshSlice, Meshes, MissingFile, Progress,
-    SeenBody, TurnOrder,
+    Clock, Engine, Files, FrameSlice, Frames, GivenFile, MeshSlice, Meshes, MissingFile,
+    ModelFacts, Progress, SeenBody, TurnOrder,
 };
 use crate::graph::Wiring;
 use crate::notice::Notice;
@@ -77,8 +77,8 @@ impl Engine for SurfaceEngine {
     }
 
     fn energy(&mut self) -> f64 {
-        let moving = self.made.packing_mut();
-        moving.map_or(0.0, |(packing, site)| packing.energy(site))
+        let packing = self.made.packing_mut();
+        packing.map_or(0.0, |(packing, site)| packing.energy(site))
     }
 
     fn view(&mut self, words: &str) -> &[u8] {
@@ -173,5 +173,9 @@ impl Files for SurfaceEngine {
 
     fn missing(&self) -> Vec<MissingFile> {
         self.made.missing()
+    }
+
+    fn model(&self) -> Option<ModelFacts> {
+        self.made.model()
     }
 }

@@ -2,8 +2,10 @@
 
 use super::build::Built;
 use super::fields::FieldsWithRemarks;
+use super::params::MeshSource;
 use super::paving::PavedCells;
 use super::stages::{PACKING, STONES, Stages};
+use crate::generators::ModelFacts;
 use crate::generators::packs::PackingProgress;
 use crate::graph::Wiring;
 use crate::packing::StepReport;
@@ -29,6 +31,19 @@ impl Stages {
     /// The last surface.
     pub fn last_built(&self) -> Option<&Built> {
         self.built.made()
+    }
+
+    /// Measures of the last surface, if the recipe asks for that of a file.
+    pub fn model(&self) -> Option<ModelFacts> {
+        let built = self.built()?;
+        let MeshSource::Model(_) = self.built.params().source else {
+            return None;
+        };
+        let (low, high) = built.whole.bounds();
+        Some(ModelFacts {
+            cells: ((high - low) / built.size).to_array(),
+            is_open: built.is_open,
+        })
     }
 
     /// The last site.
@@ -65,11 +80,11 @@ impl Stages {
         moving.or(self.packing.made())
     }
 
-    /// The packing in progress, and its site. The packing is mutable because it caches measures such as its energy.
+    /// The packing in progress, or the last one, and its site. The packing is mutable because it caches measures such as its energy.
     pub fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &PackingMesh)> {
-        let (work, _) = self.packing.both_mut();
+        let (work, made) = self.packing.both_mut();
         let moving = work.and_then(PackingProgress::moving_mut);
-        moving.zip(self.site.made())
+        moving.or(made).zip(self.site.made())
     }
 
     /// Whether cells are moving.

@@ -1,7 +1,7 @@
 //! Cells on surfaces in space: a surface packed with cells, which become stones or scales (Miyata, Itoh, Shimada 2001,
-//! Reducing Human Labor Cost in Designing Pavement Textures, section 4; Itoh, Miyata, Shimada 2003, Generation of
-//! Organic Textures with Controlled Anisotropy and Directionality via Packing Rectangular and Elliptical Cells,
-//! section 5 and figures 18 and 19).
+//! Generating Pavement Textures via Close Packing of Squares, section 4, in Japanese; Itoh, Miyata, Shimada 2003,
+//! Generation of Organic Textures with Controlled Anisotropy and Directionality via Packing Rectangular and Elliptical
+//! Cells, section 5 and figures 18 and 19).
 
 mod build;
 #[cfg(not(target_arch = "wasm32"))]

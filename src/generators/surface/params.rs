@@ -13,6 +13,7 @@ use crate::recipe::Recipe;
 use crate::shapes::{Ends, Shape};
 use crate::surface_field::{Along, ByCurvature, Taper};
 use crate::surface_stones::Open;
+use crate::trimesh::Sides;
 use glam::DVec3;
 
 /// Picture units along a cell of mean size: stones have the detail of a picture with such cells.
@@ -57,6 +58,8 @@ pub(super) enum MeshSource {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SurfaceParams {
     pub source: MeshSource,
+    /// The outside of the open parts of a file's surface.
+    pub sides: Sides,
     /// The mesh on which cells are packed.
     pub on: PackingTarget,
     /// The angle from which on creases are cut.
@@ -175,6 +178,11 @@ fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
                 file: recipe.files(keys::MODEL).pop(),
                 is_z_up: recipe.choice(keys::UP) == "z",
             }),
+        },
+        sides: match recipe.choice(keys::SIDE) {
+            "guess" => Sides::Guessed,
+            "other" => Sides::Other,
+            _ => Sides::Given,
         },
         on: match recipe.choice(keys::ON) {
             "simple" if is_file => PackingTarget::Simple,

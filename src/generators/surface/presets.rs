@@ -1,7 +1,7 @@
 //! Recipes with names: hides after figures 18 and 19 of Itoh, Miyata, Shimada (2003), Generation of Organic Textures
 //! with Controlled Anisotropy and Directionality via Packing Rectangular and Elliptical Cells, and others; stones on
-//! slopes and undulating ground, of which Miyata, Itoh, Shimada (2001), Reducing Human Labor Cost in Designing Pavement
-//! Textures, section 4, speaks, and on things. The paper prints no seconds for its figures of legs.
+//! slopes and undulating ground as in section 4 of Miyata, Itoh, Shimada (2001), Generating Pavement Textures via Close
+//! Packing of Squares (in Japanese), and on things. The paper prints no seconds for its figures of legs.
 
 use crate::generators::Preset;
 

@@ -99,6 +99,11 @@ rows! {
     up UP: "Which way is up in the file." =>
         choice("Upright axis", choices![y: "y", z: "z"]).group("Shape").steady()
             .only_for(keys::FORM, &[FILE]);
+    side SIDE: "The outside of the model's open parts, where the stones stand. Closed parts have only one." =>
+        choice("Outside of open parts", choices![
+            given: "As the file says", guess: "Upwards or outwards", other: "Downwards or inwards",
+        ])
+            .group("Shape").steady().only_for(keys::FORM, &[FILE]);
     on ON: "Cells are packed on the surface as it is, or on a simpler one, and brought back from there." =>
         choice("Packed on", choices![
             fit: "What is fine enough", whole: "The surface itself", simple: "A simpler surface",

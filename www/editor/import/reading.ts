@@ -1,7 +1,7 @@
 /** Reads outlines from files and texts in a worker. Stopping it frees all its memory. */
 import { t, type Word } from '../../words/editor';
 import { language } from '../../words/words';
-import { passing } from '../../base/messages';
+import { notice } from '../../base/messages';
 import { stoppable, type Task } from '../../late/task';
 import { answerOf } from '../../late/worker';
 import { LEFT, type Count, type Told } from '../svg/refusal';
@@ -23,7 +23,7 @@ export async function read(text: string, name: string, side: number): Promise<Tr
   } catch (error) {
     if (!stopping.signal.aborted) throw error;
     // Otherwise another file has replaced this one, and its own message is shown.
-    if (stopping === now) passing('outline', t('kept', { sentence: t('import_stopped', { name }) }));
+    if (stopping === now) notice('outline', t('kept', { sentence: t('import_stopped', { name }) }));
     return undefined;
   }
 }

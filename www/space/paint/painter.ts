@@ -6,7 +6,7 @@
  * Enter again at the same place ends the line.
  */
 import { t } from '../../words/space';
-import { say, make } from '../../base/dom';
+import { byId, make, say } from '../../base/dom';
 import { notice } from '../../base/messages';
 import { applies, recipeOf } from '../../state/rules';
 import type { Work } from '../../state/work';
@@ -61,7 +61,7 @@ export class Painter {
     this.tools = new Tools({ choose: (tool) => this.choose(tool === this.tool ? undefined : tool), flip: () => this.flip() });
     const { host } = surface;
     host.append(this.overlay.element, this.told);
-    host.after(this.tools.element);
+    byId('frame').after(this.tools.element);
     this.listen('pointerdown', (event) => this.press(event));
     this.listen('pointermove', (event) => this.move(event));
     this.listen('pointerup', (event) => this.release(event));
@@ -73,7 +73,7 @@ export class Painter {
       event.stopPropagation();
       this.choose(undefined);
     });
-    work.store.on(['recipe'], () => this.show());
+    work.store.on(['recipe', 'make'], () => this.show());
     this.show();
   }
 
@@ -114,7 +114,9 @@ export class Painter {
   }
 
   private show(): void {
-    if (!this.work.engine.offers('paint')) return;
+    const isOffered = this.work.engine.offers('paint');
+    this.tools.element.hidden = !isOffered;
+    if (!isOffered) return;
     const useful = TOOLS.filter((tool) => (tool === 'erase' ? this.painted().length > 0 : this.isUseful(tool)));
     if (this.tool && !useful.includes(this.tool)) return this.choose(undefined);
     this.tools.show(this.tool, useful, this.work.engine.get('flip') === '1');

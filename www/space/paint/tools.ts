@@ -43,10 +43,8 @@ export class Tools {
     }
     this.flip.addEventListener('click', () => needs.flip());
     this.value.addEventListener('input', () => this.taken());
-    this.element = make('div', { class: 'paint-tools', id: 'paint-tools', role: 'toolbar', 'aria-label': t('paint') }, ...this.buttons.values(), this.flip, this.label);
+    this.element = make('div', { class: 'edit-tools paint-tools', id: 'paint-tools', role: 'toolbar', 'aria-label': t('paint') }, ...this.buttons.values(), this.flip, this.label);
     walkByArrows(this.element);
-    // Events here are neither for the frame nor for the picture below.
-    for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart']) this.element.addEventListener(sign, (event) => event.stopPropagation());
     this.show(undefined, [], false);
   }
 

@@ -1,0 +1,293 @@
+//! The two sides of open parts. A closed part has an outside; an open one, such as a slope or a bowl, has two sides
+//! that are equal in kind, and a file may name either of them as the outside.
+//!
+//! The guess: a part that mostly faces one way is a sheet, and its upper side is the outside; any other part is a
+//! shell, and its outside faces away from its centre.
+
+use super::{MeshBuilding, NONE, TriMesh};
+use crate::notice::{Code, Notice};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// Triangles in a slice.
+const SLICE: usize = 1 << 15;
+/// A part is a sheet if the sum of its triangles' area vectors is at least this share of its area. That share is 1
+/// for a plane, 1/2 for half a sphere, and 0 for a tube.
+const SHEET: f64 = 0.6;
+/// A side must be better than the other one by this share of the greatest possible value.
+const CLEAR: f64 = 0.05;
+
+/// The side of open parts that is the outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// The side that the file names.
+    Given,
+    /// The upper or outer side.
+    Guessed,
+    /// The lower or inner side.
+    Other,
+}
+
+/// A mesh with the wanted outsides.
+#[derive(Clone, Debug)]
+pub struct Sided {
+    /// The mesh; the same one if no triangle was turned.
+    pub mesh: Arc<TriMesh>,
+    /// Whether a part is open.
+    pub is_open: bool,
+    /// A remark on parts that were turned, or that look as if they should be.
+    pub notice: Option<Notice>,
+}
+
+/// The sums over a part that its guess needs.
+#[derive(Clone, Copy, Default)]
+struct PartSums {
+    is_open: bool,
+    triangles: usize,
+    /// Twice the area, the sum of area vectors, and the centroid times twice the area.
+    area: f64,
+    facing: DVec3,
+    moment: DVec3,
+    /// The flux of the place through the part: of the vector from [`Siding::about`] to a point of the surface.
+    flux: f64,
+    /// The sum of distances from there, weighted by area.
+    reach: f64,
+}
+
+impl PartSums {
+    fn add(&mut self, [a, b, c]: [DVec3; 3]) {
+        let facing = (b - a).cross(c - a);
+        let (area, middle) = (facing.length(), (a + b + c) / 3.0);
+        self.triangles += 1;
+        self.area += area;
+        self.facing += facing;
+        self.moment += area * middle;
+        self.flux += middle.dot(facing);
+        self.reach += area * middle.length();
+    }
+
+    /// Whether the given outside looks like the inside.
+    fn is_wrong(&self) -> bool {
+        let (towards, most) = match self.facing.length() >= SHEET * self.area {
+            true => (self.facing.y, self.area),
+            // Relative to the centroid.
+            false => {
+                let centre = self.moment / self.area;
+                (self.flux - centre.dot(self.facing), self.reach)
+            }
+        };
+        self.is_open && towards < -CLEAR * most
+    }
+}
+
+enum SidingPhase {
+    Spread,
+    Measure,
+    Build(Box<MeshBuilding>),
+}
+
+/// Turns open parts, in slices.
+pub struct Siding {
+    mesh: Arc<TriMesh>,
+    sides: Sides,
+    phase: SidingPhase,
+    at: usize,
+    /// For each triangle, the number of its part.
+    part: Vec<u32>,
+    /// Triangles whose neighbours have not been visited.
+    waiting: Vec<u32>,
+    parts: Vec<PartSums>,
+    /// Places are relative to this one, so that sums lose few digits.
+    about: DVec3,
+}
+
+impl Siding {
+    /// Starts with a mended surface.
+    pub fn new(mesh: Arc<TriMesh>, sides: Sides) -> Self {
+        let (low, high) = mesh.bounds();
+        Self {
+            sides,
+            phase: SidingPhase::Spread,
+            at: 0,
+            part: vec![NONE; mesh.triangles().len()],
+            waiting: Vec::new(),
+            parts: Vec::new(),
+            about: 0.5 * (low + high),
+            mesh,
+        }
+    }
+
+    /// Does one more slice. Returns the surface when it is done.
+    pub fn advance(&mut self) -> Option<Sided> {
+        match &mut self.phase {
+            SidingPhase::Spread => {
+                if self.spread() {
+                    (self.phase, self.at) = (SidingPhase::Measure, 0);
+                }
+                None
+            }
+            SidingPhase::Measure => self.measure().then(|| self.turn()).flatten(),
+            // Turned parts have the edges of the parts before, so there is no new fault.
+            SidingPhase::Build(building) => {
+                let mesh = building.advance()?.map_or(self.mesh.clone(), Arc::new);
+                Some(self.sided(mesh))
+            }
+        }
+    }
+
+    /// Visits one more slice of triangles over edges; true when all have been visited.
+    fn spread(&mut self) -> bool {
+        for _ in 0..SLICE {
+            let Some(t) = self.waiting.pop() else {
+                let Some(next) = self.part[self.at..].iter().position(|&p| p == NONE) else {
+                    return true;
+                };
+                self.at += next;
+                self.part[self.at] = self.parts.len() as u32;
+                self.waiting.push(self.at as u32);
+                self.parts.push(PartSums::default());
+                continue;
+            };
+            let own = self.part[t as usize];
+            for k in 0..3 {
+                match self.mesh.across(t, k) {
+                    None => self.parts[own as usize].is_open = true,
+                    Some((other, _)) if self.part[other as usize] == NONE => {
+                        self.part[other as usize] = own;
+                        self.waiting.push(other);
+                    }
+                    Some(_) => {}
+                }
+            }
+        }
+        false
+    }
+
+    /// Measures one more slice of triangles; true after the last one.
+    fn measure(&mut self) -> bool {
+        let end = self.part.len().min(self.at + SLICE);
+        for t in self.at..end {
+            let corners = self.mesh.corners(t as u32).map(|p| p - self.about);
+            self.parts[self.part[t] as usize].add(corners);
+        }
+        self.at = end;
+        end == self.part.len()
+    }
+
+    /// Whether a part is turned.
+    fn is_turned(&self, part: &PartSums) -> bool {
+        match self.sides {
+            Sides::Given => false,
+            Sides::Guessed => part.is_wrong(),
+            Sides::Other => part.is_open && !part.is_wrong(),
+        }
+    }
+
+    /// Begins to build the mesh with turned parts, or returns the same one if none is turned.
+    fn turn(&mut self) -> Option<Sided> {
+        let turned: Vec<bool> = self.parts.iter().map(|part| self.is_turned(part)).collect();
+        if !turned.contains(&true) {
+            return Some(self.sided(self.mesh.clone()));
+        }
+        let all = self.mesh.triangles().iter().zip(&self.part);
+        let triangles = all.map(|(&[a, b, c], &part)| match turned[part as usize] {
+            true => [a, c, b],
+            false => [a, b, c],
+        });
+        let building = MeshBuilding::new(self.mesh.positions().to_vec(), triangles.collect());
+        self.phase = SidingPhase::Build(Box::new(building));
+        None
+    }
+
+    fn sided(&self, mesh: Arc<TriMesh>) -> Sided {
+        let wrong = self.parts.iter().filter(|part| part.is_wrong());
+        let wrong: usize = wrong.map(|part| part.triangles).sum();
+        let code = match self.sides {
+            Sides::Given => Some(Code::ModelFacesIn),
+            Sides::Guessed => Some(Code::MendedSides),
+            Sides::Other => None,
+        };
+        Sided {
+            mesh,
+            is_open: self.parts.iter().any(|part| part.is_open),
+            notice: code
+                .filter(|_| wrong > 0)
+                .map(|code| Notice::new(code).with("n", wrong)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples;
+    use super::*;
+
+    fn sided(mesh: &Arc<TriMesh>, sides: Sides) -> Sided {
+        let mut siding = Siding::new(mesh.clone(), sides);
+        loop {
+            if let Some(sided) = siding.advance() {
+                return sided;
+            }
+        }
+    }
+
+    fn turned(mesh: &TriMesh) -> Arc<TriMesh> {
+        let triangles = mesh.triangles().iter().map(|&[a, b, c]| [a, c, b]);
+        Arc::new(TriMesh::new(mesh.positions().to_vec(), triangles.collect()).unwrap())
+    }
+
+    #[test]
+    fn a_sheet_that_faces_down_is_turned_up_once() {
+        let up = Arc::new(samples::hill(8));
+        let down = turned(&up);
+        let guessed = sided(&down, Sides::Guessed);
+        assert_eq!(guessed.mesh.triangles(), up.triangles());
+        assert_eq!(guessed.notice.map(|n| n.code), Some(Code::MendedSides));
+        let again = sided(&guessed.mesh, Sides::Guessed);
+        assert!(Arc::ptr_eq(&again.mesh, &guessed.mesh));
+        assert!(again.notice.is_none() && again.is_open);
+    }
+
+    #[test]
+    fn a_tube_faces_outwards() {
+        let tube = Arc::new(samples::cylinder(16, 8));
+        let inside = turned(&tube);
+        assert!(Arc::ptr_eq(&sided(&tube, Sides::Guessed).mesh, &tube));
+        let outside = sided(&inside, Sides::Guessed).mesh;
+        assert_eq!(outside.triangles(), tube.triangles());
+        // Far from the origin, too.
+        let far = tube.positions().iter().map(|&p| p + DVec3::splat(1e4));
+        let far = TriMesh::new(far.collect(), inside.triangles().to_vec()).unwrap();
+        let outside = sided(&Arc::new(far), Sides::Guessed).mesh;
+        assert_eq!(outside.triangles(), tube.triangles());
+    }
+
+    #[test]
+    fn the_other_side_is_the_other_one_whatever_the_file_says() {
+        let up = Arc::new(samples::hill(8));
+        let down = turned(&up);
+        for given in [&up, &down] {
+            let other = sided(given, Sides::Other);
+            assert_eq!(other.mesh.triangles(), down.triangles());
+            assert!(other.notice.is_none());
+        }
+    }
+
+    #[test]
+    fn as_the_file_says_turns_nothing_but_remarks_on_it() {
+        let down = turned(&samples::hill(8));
+        let given = sided(&down, Sides::Given);
+        assert!(Arc::ptr_eq(&given.mesh, &down));
+        assert_eq!(given.notice.map(|n| n.code), Some(Code::ModelFacesIn));
+    }
+
+    #[test]
+    fn closed_parts_keep_their_outside() {
+        let torus = Arc::new(samples::torus(24, 10));
+        for sides in [Sides::Given, Sides::Guessed, Sides::Other] {
+            let sided = sided(&torus, sides);
+            assert!(Arc::ptr_eq(&sided.mesh, &torus));
+            assert!(!sided.is_open && sided.notice.is_none());
+        }
+    }
+}

@@ -1,0 +1,9 @@
+/** Names of files that hold models. */
+
+/** The endings of the files that can be opened, as in the attribute `accept`. */
+export const MODELS = '.obj,.glb,.ply,.stl';
+
+/** Whether a file's name is that of a model. The module explains why it cannot open a text glTF. */
+export function isModel(name: string): boolean {
+  return /\.(obj|glb|ply|stl|gltf)$/i.test(name);
+}

@@ -1,0 +1,85 @@
+/** The bar of the model that is open: its name, its size beside the cells, and what can be done with it. */
+import type { ModelFacts } from '../../pkg-house/bubblestone.js';
+import type { Parameter } from '../module/types';
+import { t } from '../words/space';
+import { byId, make, say } from '../base/dom';
+import { filesOf } from '../state/rules';
+import type { Work } from '../state/work';
+import { isOther, otherSide, SIDE } from './sides';
+
+const UP = 'up';
+
+export class ModelBar {
+  private readonly work: Work;
+  private readonly name = make('strong', { id: 'model-name' });
+  private readonly size = make('span', { id: 'model-size', role: 'status' });
+  private readonly side = make('button', { type: 'button', class: 'key', id: 'model-side' }, t('other_side'));
+  private readonly up = make('div', { class: 'segments', role: 'radiogroup', 'aria-label': t('up') });
+  private readonly root: HTMLElement;
+  /** The choices of the axis that the bar was built for. */
+  private axes = '';
+
+  /** `choose` opens the browser's dialog for files. */
+  constructor(work: Work, choose: () => void) {
+    this.work = work;
+    const another = make('button', { type: 'button', class: 'key', id: 'model-other' }, t('open_another'));
+    another.addEventListener('click', choose);
+    this.side.addEventListener('click', () => this.turn());
+    this.root = make('div', { class: 'model', id: 'model', role: 'group', 'aria-label': t('your_model'), hidden: '' }, this.name, this.size, another, this.side, this.up);
+    byId('makes').append(this.root);
+  }
+
+  /** Shows the file of the present recipe, or hides the bar if there is none. */
+  follow(): void {
+    const { engine } = this.work;
+    const [file] = filesOf(engine).length ? engine.files() : [];
+    const { root } = this;
+    root.hidden = file === undefined;
+    const button = byId('your-model');
+    if (file) button.setAttribute('aria-current', 'true');
+    else button.removeAttribute('aria-current');
+    if (!file) return;
+    say(this.name, file.name);
+    this.name.title = file.name;
+    this.measure(engine.askWhole((studio) => studio.modelFacts(), undefined));
+    const rows = engine.schema;
+    this.side.hidden = !rows.some(({ key }) => key === SIDE);
+    this.axis(rows.find(({ key }) => key === UP));
+  }
+
+  private measure(facts: ModelFacts | undefined): void {
+    // While the surface is made again, the last size stays.
+    if (!facts) return;
+    const [width, height, depth] = facts.cells.map((n) => (n < 9.95 ? n.toFixed(1) : n.toFixed(0))) as [string, string, string];
+    say(this.size, t('size', { width, height, depth }));
+    this.size.title = t('size_title');
+    this.side.disabled = !facts.open;
+    this.side.title = t(facts.open ? 'other_side_title' : 'one_side');
+    this.side.setAttribute('aria-pressed', String(isOther(this.work.engine.get(SIDE))));
+  }
+
+  private axis(row: Parameter | undefined): void {
+    this.up.hidden = row === undefined;
+    if (!row) return;
+    const now = this.work.engine.get(UP);
+    const axes = row.choices.map(({ label }) => label).join();
+    if (axes !== this.axes) {
+      this.axes = axes;
+      this.up.title = row.help;
+      this.up.replaceChildren(...row.choices.map(({ word, label }) => this.choice(word, label)));
+    }
+    for (const radio of this.up.querySelectorAll('input')) radio.checked = radio.value === now;
+  }
+
+  private choice(word: string, label: string): HTMLElement {
+    const radio = make('input', { type: 'radio', name: 'model-up', value: word });
+    radio.addEventListener('change', () => this.work.set(UP, word));
+    return make('label', {}, radio, make('span', {}, t('up_axis', { axis: label })));
+  }
+
+  private turn(): void {
+    const { engine } = this.work;
+    const codes = engine.remarks().map(({ code }) => code);
+    this.work.set(SIDE, otherSide(engine.get(SIDE), codes));
+  }
+}

@@ -1,0 +1,55 @@
+/**
+ * A model file is tried before the page shows anything of it: an engine of its own works on the new recipe until the
+ * surface is made. A file that is refused so changes nothing. If it is taken, the page goes on with that engine, and
+ * no work is done twice.
+ */
+import { piecesOf, supply } from '../module/given';
+import type { SceneStudio, Whole } from '../module/scene';
+import { generatorOf } from '../module/run';
+import { isEnd } from '../module/stages';
+import type { Task } from '../late/task';
+import { said } from '../words/words';
+
+/** Milliseconds of work in a slice, between which the page can act. */
+const BUDGET = 10;
+
+/** The share of the progress bar that is left for the surface, after the file has been read. */
+export const MADE = 0.5;
+
+/**
+ * A studio that has made the surface of a link with this file, or that waits for yet another file. Throws an Error
+ * whose message is the module's reason for a refusal, or an error when it is stopped.
+ */
+export async function tried(module: Whole, link: string, file: File, task: Task): Promise<SceneStudio> {
+  const studio = new module.Bubblestone(link);
+  try {
+    studio.beginFile(file.name, file.size);
+    for await (const piece of piecesOf(file)) {
+      task.signal.throwIfAborted();
+      studio.addToFile(piece);
+    }
+    studio.giveFile();
+    await supply(studio, () => !task.signal.aborted);
+    await surface(module, studio, task);
+    return studio;
+  } catch (error) {
+    studio.free();
+    throw error;
+  }
+}
+
+/** Works until the first stage is done. */
+async function surface(module: Whole, studio: SceneStudio, task: Task): Promise<void> {
+  const [first] = generatorOf(module, studio).stages;
+  let done = MADE;
+  while (studio.stage() === first) {
+    task.signal.throwIfAborted();
+    studio.tick(BUDGET, 1);
+    // The share is not known: each slice does a part of the rest.
+    task.progress((done += (1 - done) / 100));
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+  task.signal.throwIfAborted();
+  const problem = isEnd(studio.stage()) && !studio.missingFiles().length ? studio.problem() : undefined;
+  if (problem) throw new Error(said(problem));
+}
