@@ -7,7 +7,7 @@ use super::pattern::Coat;
 use super::phong::FINISHES;
 use super::smoothstep::smoothstep_f32;
 use crate::cells::Cell;
-use crate::order::{greater, lesser};
+use crate::order::{self, greater, lesser};
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 
@@ -259,7 +259,10 @@ fn draw_colour(palette: &Palette, random: &mut Random, vary: f32, coat: Coat) ->
 /// The palette's colour for a tone: its bases from dark to light, blended, over the tones from -2 to 2.
 fn shade_at(palette: &Palette, tone: f32) -> [f32; 3] {
     let mut bases = palette.bases.to_vec();
-    bases.sort_unstable_by_key(|base| (base.iter().map(|&v| u32::from(v)).sum::<u32>(), *base));
+    order::sort(&mut bases, |base| {
+        let [r, g, b] = base.map(u64::from);
+        (r + g + b, r << 16 | g << 8 | b)
+    });
     let last = bases.len() - 1;
     let at = (0.25 * tone + 0.5).clamp(0.0, 1.0) * last as f32;
     let low = (at as usize).min(last);
