@@ -73,6 +73,7 @@ impl Collapse {
     }
 
     /// How many triangles a vertex lists, with some removed ones.
+    #[cfg(house)]
     pub fn around(&self, v: u32) -> usize {
         self.around[v as usize].len()
     }
