@@ -7,7 +7,6 @@ use crate::material::Material;
 pub(crate) const SHINE: usize = 256;
 
 /// A material with the factors of the recipe.
-#[derive(Clone)]
 pub(crate) struct Finish {
     pub ambient: f32,
     pub diffuse: f32,
