@@ -16,7 +16,7 @@ const LAMP_SIDE: usize = 2;
 /// The share of the sky's light on the floor under a lamp, which shines at night.
 const NIGHT: f32 = 0.4;
 /// The finish of a scene without materials.
-const BLACK: SurfaceFinish = [0.0, 0.0, 0.0, 1.0];
+const BLACK: SurfaceFinish = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
 /// Cosine below which a triangle's own normal is ignored in favour of its corners' normals.
 const TURNED: f32 = 0.05;
@@ -194,6 +194,12 @@ impl Lighting {
         let normal = if is_flat { flat } else { normal };
         let faces = normal.dot(to) > 0.0;
         faces.then(|| self.spot_of(position, normal, slack))
+    }
+
+    /// The same on the other side of a thin body, which faces the lamp.
+    pub(super) fn spot_behind(&self, position: Vec3, normal: Vec3, thick: f32) -> ShadowSample {
+        let (to, _) = self.lamp.from(position);
+        self.spot_of(position + to * thick, -normal, 0.0)
     }
 
     /// The same for a surface that faces the lamp, with a tolerance.

@@ -5,7 +5,7 @@ use super::four_lanes::{FourVectors, four};
 use super::four_pixels::LANES;
 use super::hit::{Facets, PixelHit};
 use super::occlusion::Occlusion;
-use super::reflection::{LitPoints, Reaching};
+use super::reflection::{FINISH, LitPoints, Reaching};
 use super::shadow::ShadowSample;
 use super::tile::{BAND, NO_VECTORS, SQUARE, Tile, get, set, units};
 use super::visibility::{FLOOR, NOTHING, VisibilityBuffer};
@@ -15,6 +15,9 @@ use glam::Vec3;
 
 /// A body whose normal has at least this y gets too little light from the floor to ask how dark that is.
 const LEVEL: f32 = 0.9;
+
+/// The thickness of bodies that light goes through, in their radii.
+const THICK: f32 = 0.1;
 
 /// Where the floor is and where it fades: it lies under all bodies, around the middle of their bounding ball.
 #[derive(Clone, Copy, Default)]
@@ -169,7 +172,10 @@ impl Shading {
             };
             match light.spot(get(&points, k), [normal, get(&flats, k)], slack) {
                 Some(there) => spots[k] = there,
-                None => found.seen = 0.0,
+                None => match studio.thickness(owner) {
+                    Some(thick) => spots[k] = light.spot_behind(get(&points, k), normal, thick),
+                    None => found.seen = 0.0,
+                },
             }
         }
         for (k, [x, y, _]) in square.pixels(view) {
@@ -183,8 +189,8 @@ impl Shading {
         let rays = square.rays(view);
         let points = square.points(sight, &rays);
         let ways = units(&rays, &rays);
-        let (mut normals, mut colours) = (NO_VECTORS, NO_VECTORS);
-        let (mut reaching, mut finishes) = (NO_VECTORS, [[0.0; SQUARE]; 4]);
+        let (mut normals, mut smooth, mut colours) = (NO_VECTORS, NO_VECTORS, NO_VECTORS);
+        let (mut reaching, mut finishes) = (NO_VECTORS, [[0.0; SQUARE]; FINISH]);
         for (k, [x, y, at]) in square.pixels(view) {
             let found = &self.found[slot(view.size[0], x, y)];
             let surfel = studio.surfel(at, get(&points, k), found);
@@ -202,6 +208,7 @@ impl Shading {
                 .for_each(|(list, &v)| list[k] = v);
             set(&mut colours, k, Vec3::from(surfel.colour));
             set(&mut normals, k, surfel.normal);
+            set(&mut smooth, k, found.normal);
         }
         let mut lights = NO_VECTORS;
         let is_body = |[_, _, at]: [usize; 3]| sight.owner[at] < FLOOR;
@@ -213,6 +220,7 @@ impl Shading {
             let light = studio.light.reflected(&LitPoints {
                 positions: FourVectors::of(&points, k),
                 normals: FourVectors::of(&normals, k),
+                smooth: FourVectors::of(&smooth, k),
                 to_eye: -FourVectors::of(&ways, k),
                 reaching: FourVectors::of(&reaching, k),
                 colours: FourVectors::of(&colours, k),
@@ -259,6 +267,15 @@ fn slot(width: usize, x: usize, y: usize) -> usize {
 }
 
 impl ShadingInputs<'_> {
+    /// About how thick a body is, in the world, if light goes through it.
+    fn thickness(&self, owner: u32) -> Option<f32> {
+        let instance = self.scene.instances.get(owner as usize)?;
+        let body = &self.scene.bodies[instance.body as usize];
+        let material = instance.paint.map_or(body.material, |paint| paint.material);
+        let [.., thin] = self.light.finish(material);
+        (*thin > 0.0).then(|| THICK * self.scene.ball_of(instance).1)
+    }
+
     /// The surface element at a pixel, before light.
     #[inline(always)]
     fn surfel(&self, at: usize, position: Vec3, found: &Found) -> Surfel {
