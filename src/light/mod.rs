@@ -5,6 +5,8 @@
 mod finish;
 mod tone;
 
+#[cfg(house)]
+pub(crate) use finish::SMOOTH;
 pub(crate) use finish::{Finish, SHINE};
 pub(crate) use tone::{Tone, decoded};
 

@@ -3,6 +3,7 @@
 
 use super::tile::Vectors;
 use std::array::from_fn;
+use std::f32::consts::LN_2;
 use std::ops::{Add, Mul, Neg, Sub};
 use wide::bytemuck::cast;
 use wide::{f32x4, i32x4};
@@ -145,7 +146,7 @@ fn two_to(v: f32x4) -> f32x4 {
     let whole = v + all(WHOLE);
     let part = v - (whole - all(WHOLE));
     let mantissa = all(0.055_504_1) + part * all(0.009_618_1);
-    let mantissa = all(0.693_147_2) + part * (all(0.240_226_5) + part * mantissa);
+    let mantissa = all(LN_2) + part * (all(0.240_226_5) + part * mantissa);
     let mantissa: i32x4 = cast(f32x4::ONE + part * mantissa);
     let doublings: i32x4 = cast(whole);
     cast(mantissa + (doublings << MANTISSA))

@@ -78,7 +78,7 @@ impl Lamp {
 
     /// The same for four points.
     #[inline(always)]
-    pub(super) fn from_four(&self, p: FourVectors) -> (FourVectors, f32x4) {
+    pub(super) fn towards(&self, p: FourVectors) -> (FourVectors, f32x4) {
         match *self {
             Lamp::Sun(to) => (FourVectors::all(to.to_array()), f32x4::ONE),
             Lamp::Bulb { at, height } => {

@@ -44,8 +44,8 @@ impl Sharpness {
     pub fn of(order: &Order) -> Self {
         match order.size[0].max(order.size[1]) {
             _ if order.is_moving => Self::Coarse,
-            ..=Self::SMALL => Self::Small,
-            ..=Self::LARGE => Self::Large,
+            side if side <= Self::SMALL => Self::Small,
+            side if side <= Self::LARGE => Self::Large,
             _ => Self::Huge,
         }
     }

@@ -3,7 +3,7 @@
 use super::Lamp;
 use super::four_lanes::{FourVectors, all, power, share};
 use super::tile::{Vectors, get};
-use crate::light::{GAP, LAMP, SKY, STEEP, ShadeParams};
+use crate::light::{GAP, LAMP, SKY, SMOOTH, STEEP, ShadeParams};
 use crate::material::Material;
 use crate::order::{greater, lesser};
 use wide::f32x4;
@@ -49,9 +49,6 @@ pub(super) type SurfaceFinish = [f32; FINISH];
 /// The numbers of a finish.
 pub(super) const FINISH: usize = 7;
 
-/// The exponent of a highlight at which its normals are half those of the smooth surface: where a surface is smooth
-/// enough for a narrow highlight, a film fills its relief. Else noise would tear highlights to worms and dots.
-const SMOOTH: f32 = 12.0;
 /// The share that a surface mirrors at normal incidence.
 const STRAIGHT: f32 = 0.03;
 /// The surroundings that are mirrored, linear: the sky at the horizon and straight up, and the floor.
@@ -105,7 +102,7 @@ impl LitPoints {
     #[inline(always)]
     pub fn light(&self, lamp: &Lamp, params: &ShadeParams) -> FourVectors {
         let [ambient, diffuse, .., metal, thin] = self.finish;
-        let (to, strength) = lamp.from_four(self.positions);
+        let (to, strength) = lamp.towards(self.positions);
         let (one, zero) = (f32x4::ONE, f32x4::ZERO);
         let towards = self.normals.dot(to);
         let facing = towards.fast_max(zero);
@@ -137,6 +134,7 @@ impl LitPoints {
     fn gleam(&self, to: FourVectors) -> Gleam {
         let [_, _, specular, exponent, mirror, ..] = self.finish;
         let one = f32x4::ONE;
+        // As in the plane, a film fills the relief where the highlight is narrow.
         let fine = all(SMOOTH) / (all(SMOOTH) + exponent);
         let relief = self.normals - self.smooth;
         let normals = self.smooth + relief * fine;
