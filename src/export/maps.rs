@@ -229,12 +229,7 @@ mod tests {
     }
 
     fn made(kind: MapKind) -> Map {
-        let exponent = |shininess| Material {
-            ambient: 1.0,
-            diffuse: 1.0,
-            specular: 0.0,
-            shininess,
-        };
+        let exponent = |shininess| Material::new(1.0, 1.0, 0.0, shininess);
         map(kind, &slope(), &[exponent(0.0), exponent(15.0)], 2.0)
     }
 

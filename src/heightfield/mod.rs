@@ -80,7 +80,7 @@ pub use painter::Painter;
 pub use params::TextureParams;
 pub use planes::{GROUND, Planes};
 pub use sheet::{ground, means};
-pub(crate) use slopes::{beside, row_slopes};
+pub(crate) use slopes::{beside, row_slopes, smooth_row_slopes};
 pub use surface::Surfaces;
 #[cfg(house)]
 pub(crate) use surface::between;

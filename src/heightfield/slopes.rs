@@ -21,6 +21,29 @@ pub(crate) fn row_slopes(planes: &Planes, y: usize, to: &mut [Vec<f32>; 2]) {
     slopes(rows, planes.pixel_scale as f32, planes.tile, to);
 }
 
+/// The same without the fine relief: the mean of central differences over up to `reach` pixels to each side.
+pub(crate) fn smooth_row_slopes(planes: &Planes, y: usize, reach: usize, to: &mut [Vec<f32>; 2]) {
+    let (side, tile) = (planes.side, planes.tile);
+    let moved = |k: usize, by: usize| match tile {
+        true => [(k + side - by % side) % side, (k + by) % side],
+        false => [k.saturating_sub(by), (k + by).min(side - 1)],
+    };
+    let row = |y: usize| &planes.bump[y * side..][..side];
+    let [across, down] = to;
+    across.fill(0.0);
+    down.fill(0.0);
+    for by in 1..=reach {
+        let part = planes.pixel_scale as f32 / (2 * by * reach) as f32;
+        let [above, below] = moved(y, by).map(row);
+        for x in 0..side {
+            let [left, right] = moved(x, by);
+            // The mean of both rows also smooths across.
+            across[x] += (above[right] - above[left] + below[right] - below[left]) * (0.5 * part);
+            down[x] += (below[left] - above[left] + below[right] - above[right]) * (0.5 * part);
+        }
+    }
+}
+
 /// Rise of the surface to the right and downwards, from the rows above, here and below, which have
 /// `pixel_scale` pixels for each picture unit. Central differences, smoothed across with the weights 1, 4, 1
 /// (Sobel's are 1, 2, 1): otherwise rims would show the steps of pixels.

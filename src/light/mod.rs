@@ -5,6 +5,8 @@
 mod finish;
 mod tone;
 
+#[cfg(house)]
+pub(crate) use finish::SMOOTH;
 pub(crate) use finish::{Finish, SHINE};
 pub(crate) use tone::{Tone, decoded};
 
@@ -20,7 +22,7 @@ pub(crate) const STEEP: f32 = 0.72;
 pub(crate) const GAP: f32 = 0.35;
 /// The point lamp's light is 1 at its foot. This share of its inverse grows with the square of the distance;
 /// the rest is constant.
-const FALL_OFF: f32 = 0.55;
+pub(crate) const FALL_OFF: f32 = 0.55;
 
 /// The lamp.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,6 +5,7 @@ use super::hides::HIDES;
 use super::palette::{Ground, Palette};
 use super::phong::{EARTH, FINISHES, Gloss, Material, PADS, POOL, ROWS};
 use super::stones::STONES;
+use crate::order::greater;
 
 /// All palettes, stones first; the first is the default.
 pub const PALETTES: &[Palette] = &{
@@ -59,6 +60,8 @@ pub fn material_table(palette_name: &str, ground_name: &str, gloss: Gloss) -> Ve
                 diffuse: dry.diffuse * (1.0 - 0.06 * wet),
                 specular: dry.specular + gain * wet,
                 shininess: dry.shininess * (1.0 + wet) + 26.0 * wet,
+                mirror: greater(dry.mirror, if is_face { wet } else { 0.5 * wet }),
+                ..dry
             });
         }
     }

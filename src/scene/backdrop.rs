@@ -1,5 +1,6 @@
 //! The background of a scene: a floor that fades into the air above it, a sky, or nothing.
 
+use super::View;
 use crate::order::{greater, lesser};
 use glam::Vec3;
 
@@ -24,8 +25,11 @@ impl Backdrop {
     ];
 }
 
-/// Colour of the floor before light (sRGB).
-pub(super) const FLOOR_COLOUR: [f32; 3] = [172.0, 168.0, 161.0];
+/// Colours of the floor on the screen in full light, and where the lamp is hidden: the sky's light is cooler. They are
+/// the same for all recipes.
+const FLOOR: [[f32; 3]; 2] = [[203.0, 198.0, 190.0], [112.0, 114.0, 120.0]];
+/// The loss of light in the corners of a studio's picture.
+const CORNERS: f32 = 0.2;
 /// The floor fades between these distances, in radii of the ball around all bodies.
 const FADES: [f32; 2] = [1.1, 3.2];
 /// Brightening of a studio towards white: its share straight up, and the sine of the elevation at which it
@@ -55,6 +59,30 @@ pub(super) fn behind(backdrop: Backdrop, way: Vec3, far: [f32; 3]) -> [f32; 3] {
 
 fn between([low, high]: Gradient, part: f32) -> [f32; 3] {
     std::array::from_fn(|k| low[k] + (high[k] - low[k]) * part)
+}
+
+/// The colour on the screen of the floor, with this share of the lamp and of the sky.
+#[inline(always)]
+pub(super) fn floor_colour(lamp: f32, sky: f32) -> [f32; 3] {
+    let [lit, shaded] = FLOOR;
+    std::array::from_fn(|k| shaded[k] * sky + (lit[k] - shaded[k]) * lamp)
+}
+
+/// The part of the light that is left in a studio's picture in the direction `way`, which falls off to the corners.
+#[inline(always)]
+pub(super) fn left_of_corner(view: &View, way: Vec3) -> f32 {
+    let ahead = way.dot(view.ahead);
+    let [x, y] = view.middle.map(|half| half * view.slope);
+    1.0 - CORNERS * (1.0 / (ahead * ahead) - 1.0) / (x * x + y * y)
+}
+
+/// Rounds a colour up or down by a pattern over pixels, so that slow changes have no steps (Jimenez 2014, Next
+/// Generation Post Processing in Call of Duty: Advanced Warfare: interleaved gradient noise).
+#[inline(always)]
+pub(super) fn dithered(colour: [f32; 3], [x, y]: [usize; 2]) -> [u8; 3] {
+    let part = |v: f32| v - v.floor();
+    let noise = part(52.982_918 * part(0.067_110_56 * x as f32 + 0.005_837_15 * y as f32));
+    colour.map(|v| (v + noise) as u8)
 }
 
 /// The distance from the centre of a ball with this radius at which the floor is gone.

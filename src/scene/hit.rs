@@ -1,7 +1,6 @@
 //! Intersections of eye rays with visible triangles.
 
 use super::Scene;
-use super::backdrop::FLOOR_COLOUR;
 use super::tile::{BAND, SQUARE, Tile, Vectors, get};
 use super::visibility::{AS_DOT, FLOOR, NOTHING, VisibilityBuffer, has_no_triangle};
 use crate::order::greater;
@@ -27,7 +26,7 @@ impl PixelHit {
         normal: Vec3::Y,
         flat: Vec3::Y,
         lift: 0.0,
-        colour: FLOOR_COLOUR,
+        colour: [0.0; 3],
     };
 }
 

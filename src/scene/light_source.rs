@@ -1,8 +1,10 @@
 //! The lamp of a scene.
 
-use crate::light::{Light, lamp_from};
+use super::four_lanes::{FourVectors, all};
+use crate::light::{FALL_OFF, Light, lamp_from};
 use crate::order::{greater, lesser};
 use glam::Vec3;
+use wide::f32x4;
 
 /// The sine of the least elevation of a sun that is moved on its disc.
 const LOWEST: f32 = 0.03;
@@ -70,6 +72,22 @@ impl Lamp {
                 let ground = at.y - height;
                 let (to, strength) = lamp_from([p.x, p.z, p.y - ground], [at.x, at.z, height]);
                 (Vec3::new(to[0], to[2], to[1]), strength)
+            }
+        }
+    }
+
+    /// The same for four points.
+    #[inline(always)]
+    pub(super) fn towards(&self, p: FourVectors) -> (FourVectors, f32x4) {
+        match *self {
+            Lamp::Sun(to) => (FourVectors::all(to.to_array()), f32x4::ONE),
+            Lamp::Bulb { at, height } => {
+                let way = FourVectors::all(at.to_array()) - p;
+                let square = way.dot(way);
+                let loss = square * all(FALL_OFF / (height * height));
+                let strength = f32x4::ONE / (all(1.0 - FALL_OFF) + loss).fast_max(all(0.05));
+                let away = square.sqrt().fast_max(all(1e-3));
+                (way * (f32x4::ONE / away), strength.fast_min(all(2.0)))
             }
         }
     }

@@ -1,16 +1,22 @@
 //! The light of a scene: a recipe's lamp in space, its shadows, and Phong's shading of a point.
 
+use super::backdrop::floor_colour;
+use super::contact::FloorContact;
+use super::four_lanes::FourVectors;
+use super::reflection::{LitPoints, Reaching, SurfaceFinish, finish_of, open_to, seen_of};
 use super::shadow::{ShadowMaps, ShadowSample};
 use super::{Cut, Lamp, Order, Scene};
-use crate::light::{Finish, GAP, LAMP, SHINE, SKY, STEEP, ShadeParams, Tone};
+use crate::light::{ShadeParams, Tone};
 use crate::material::Material;
-use crate::order::{greater, lesser};
+use crate::order::lesser;
 use glam::Vec3;
 
 /// The ratio of the shadow map's side to the side of one of the six maps around a lamp.
 const LAMP_SIDE: usize = 2;
-/// Share of the sky's light that comes from below by reflection, relative to that on a vertical face.
-const BELOW: f32 = 0.45;
+/// The share of the sky's light on the floor under a lamp, which shines at night.
+const NIGHT: f32 = 0.4;
+/// The finish of a scene without materials.
+const BLACK: SurfaceFinish = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
 /// Cosine below which a triangle's own normal is ignored in favour of its corners' normals.
 const TURNED: f32 = 0.05;
@@ -38,8 +44,8 @@ impl Sharpness {
     pub fn of(order: &Order) -> Self {
         match order.size[0].max(order.size[1]) {
             _ if order.is_moving => Self::Coarse,
-            ..=Self::SMALL => Self::Small,
-            ..=Self::LARGE => Self::Large,
+            side if side <= Self::SMALL => Self::Small,
+            side if side <= Self::LARGE => Self::Large,
             _ => Self::Huge,
         }
     }
@@ -68,23 +74,12 @@ impl Sharpness {
 pub struct Lighting {
     lamp: Lamp,
     params: ShadeParams,
-    finishes: Vec<Finish>,
+    finishes: Vec<SurfaceFinish>,
     tone: Tone,
     shadows: ShadowMaps,
+    contact: FloorContact,
     sharpness: Sharpness,
     is_ready: bool,
-}
-
-/// The light that arrives at a point.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Arriving {
-    /// From the sky.
-    sky: f32,
-    /// From the lamp: at normal incidence, and with the cosine of incidence.
-    lamp: f32,
-    facing: f32,
-    /// The cosine between the mirrored light and the direction to the eye, 0..1.
-    mirrored: f32,
 }
 
 impl Lighting {
@@ -95,15 +90,16 @@ impl Lighting {
         (params, materials): (&ShadeParams, &[Material]),
         sharpness: Sharpness,
     ) -> Self {
-        let finish = |material| Finish::new(material, params);
+        let finish = |material| finish_of(material, params);
         Self {
             lamp,
             params: *params,
             finishes: materials.iter().map(finish).collect(),
             tone: Tone::new(),
             shadows: sharpness.shadows(scene, lamp),
+            contact: FloorContact::new(scene),
             sharpness,
-            is_ready: params.shadow <= 0.0,
+            is_ready: false,
         }
     }
 
@@ -115,8 +111,9 @@ impl Lighting {
             finishes: self.finishes.clone(),
             tone: self.tone.clone(),
             shadows: self.sharpness.shadows(scene, lamp),
+            contact: self.contact.clone(),
             sharpness: self.sharpness,
-            is_ready: self.params.shadow <= 0.0,
+            is_ready: false,
         };
         light.cut_by(self.cut())
     }
@@ -129,6 +126,7 @@ impl Lighting {
     /// The same for a scene that is cut by a plane.
     pub fn cut_by(mut self, cut: Option<Cut>) -> Self {
         self.shadows.cut = cut;
+        self.contact.cut_by(cut);
         self
     }
 
@@ -142,12 +140,33 @@ impl Lighting {
         self.sharpness
     }
 
-    /// Draws the shadow maps, for the work of about this many triangles; true when finished.
+    /// Draws the shadow maps and those of the floor, for the work of about this many triangles; true when finished.
     pub fn advance(&mut self, scene: &Scene, amount: usize) -> bool {
-        if !self.is_ready {
-            self.is_ready = self.shadows.advance(scene, amount);
+        if !self.is_ready && self.contact.advance(scene, amount) {
+            self.is_ready = self.params.shadow <= 0.0 || self.shadows.advance(scene, amount);
         }
         self.is_ready
+    }
+
+    /// The visible share of the sky over the floor below a point, 0..1.
+    #[inline(always)]
+    pub(super) fn floor_open(&self, point: Vec3) -> f32 {
+        self.contact.open(point)
+    }
+
+    /// The colour on the screen of the floor at a point. Its tone in full light depends on no recipe.
+    #[inline(always)]
+    pub(super) fn floor(&self, point: Vec3, reaching: &Reaching) -> [f32; 3] {
+        let (strength, sky) = match self.lamp {
+            Lamp::Sun(_) => (1.0, 1.0),
+            Lamp::Bulb { .. } => {
+                let (to, strength) = self.lamp.from(point);
+                (lesser(to.y * strength, 1.0), NIGHT)
+            }
+        };
+        let open = open_to(&self.params, lesser(reaching.sky, reaching.floor));
+        let lamp = seen_of(&self.params, reaching.lamp, open);
+        floor_colour(lamp * strength, open * sky)
     }
 
     /// The visible share of the lamp at a point, 0..1; `normal` is that of the triangle.
@@ -177,6 +196,12 @@ impl Lighting {
         faces.then(|| self.spot_of(position, normal, slack))
     }
 
+    /// The same on the other side of a thin body, which faces the lamp.
+    pub(super) fn spot_behind(&self, position: Vec3, normal: Vec3, thick: f32) -> ShadowSample {
+        let (to, _) = self.lamp.from(position);
+        self.spot_of(position + to * thick, -normal, 0.0)
+    }
+
     /// The same for a surface that faces the lamp, with a tolerance.
     #[inline(always)]
     fn spot_of(&self, point: Vec3, normal: Vec3, slack: f32) -> ShadowSample {
@@ -192,63 +217,23 @@ impl Lighting {
         self.shadows.visible(spot)
     }
 
-    /// The light that arrives at a point. `seen` is the result of [`Lighting::seen`], `to_eye` the unit
-    /// vector to the eye, `open` the visible share of the sky.
+    /// The light that points of surfaces send to the eye, linear.
     #[inline(always)]
-    pub(super) fn arriving(
-        &self,
-        [position, normal, to_eye]: [Vec3; 3],
-        [seen, open]: [f32; 2],
-    ) -> Arriving {
-        let (to, strength) = self.lamp.from(position);
-        let facing = greater(normal.dot(to), 0.0);
-        let open = 1.0 - self.params.occlusion as f32 * (1.0 - open);
-        let seen = if facing > 0.0 { seen } else { 1.0 };
-        let seen = 1.0 - self.params.shadow as f32 * (1.0 - seen);
-        let lamp = seen * strength * (1.0 - GAP * (1.0 - open));
-        let up = normal.y;
-        let above = STEEP + (1.0 - STEEP) * up;
-        let below = STEEP * (1.0 + (1.0 - BELOW) * up);
-        let mirrored = 2.0 * facing * normal.dot(to_eye) - to.dot(to_eye);
-        // With the lamp behind the surface there is no mirrored light.
-        let mirrored = if facing > 0.0 { mirrored } else { 0.0 };
-        Arriving {
-            sky: open * if up > 0.0 { above } else { below },
-            lamp,
-            facing: facing * lamp,
-            mirrored: lesser(greater(mirrored, 0.0), 1.0),
-        }
+    pub(super) fn reflected(&self, points: &LitPoints) -> FourVectors {
+        points.light(&self.lamp, &self.params)
     }
 
-    /// The colour on the screen of a surface with this colour and material.
+    /// The finish of a row of the table of materials; beyond it, the last one.
     #[inline(always)]
-    pub(super) fn reflected(
-        &self,
-        (colour, material): ([f32; 3], u8),
-        arriving: &Arriving,
-    ) -> [u8; 3] {
+    pub(super) fn finish(&self, material: u8) -> &SurfaceFinish {
         let last = self.finishes.len().saturating_sub(1);
-        let Some(finish) = self.finishes.get(usize::from(material).min(last)) else {
-            return [0; 3];
-        };
-        let ambient = finish.ambient * arriving.sky;
-        let diffuse = finish.diffuse * arriving.facing;
-        // Through i32: a cast to unsigned is slower on x86.
-        let shine = finish.shine[(arriving.mirrored * SHINE as f32) as i32 as usize];
-        let shine = shine * arriving.lamp;
-        std::array::from_fn(|k| {
-            let albedo = self.linear(colour[k]);
-            let light = albedo * (ambient * SKY[k] + diffuse * LAMP[k]) + shine * LAMP[k];
-            self.tone.screen(light)
-        })
+        let finish = self.finishes.get(usize::from(material).min(last));
+        finish.unwrap_or(&BLACK)
     }
 
-    /// Linear light of a screen value between two whole ones.
+    /// The colour on the screen of linear light.
     #[inline(always)]
-    fn linear(&self, value: f32) -> f32 {
-        let low = (value as i32).clamp(0, 254);
-        let part = value - low as f32;
-        let [a, b] = [low, low + 1].map(|v| self.tone.linear(v as u8));
-        a + (b - a) * part
+    pub(super) fn screen(&self, light: Vec3) -> [u8; 3] {
+        light.to_array().map(|v| self.tone.screen(v))
     }
 }

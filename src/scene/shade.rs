@@ -1,15 +1,23 @@
 //! Shades visible surfaces.
 
-use super::backdrop::{FLOOR_COLOUR, behind, end_of_floor, floor_part};
+use super::backdrop::{behind, dithered, end_of_floor, floor_part, left_of_corner};
+use super::four_lanes::{FourVectors, four};
+use super::four_pixels::LANES;
 use super::hit::{Facets, PixelHit};
-use super::lighting::Arriving;
 use super::occlusion::Occlusion;
+use super::reflection::{FINISH, LitPoints, Reaching};
 use super::shadow::ShadowSample;
 use super::tile::{BAND, NO_VECTORS, SQUARE, Tile, get, set, units};
 use super::visibility::{FLOOR, NOTHING, VisibilityBuffer};
 use super::{Backdrop, Lighting, Scene, Surfel, View};
 use crate::order::lesser;
 use glam::Vec3;
+
+/// A body whose normal has at least this y gets too little light from the floor to ask how dark that is.
+const LEVEL: f32 = 0.9;
+
+/// The thickness of bodies that light goes through, in their radii.
+const THICK: f32 = 0.1;
 
 /// Where the floor is and where it fades: it lies under all bodies, around the middle of their bounding ball.
 #[derive(Clone, Copy, Default)]
@@ -164,7 +172,10 @@ impl Shading {
             };
             match light.spot(get(&points, k), [normal, get(&flats, k)], slack) {
                 Some(there) => spots[k] = there,
-                None => found.seen = 0.0,
+                None => match studio.thickness(owner) {
+                    Some(thick) => spots[k] = light.spot_behind(get(&points, k), normal, thick),
+                    None => found.seen = 0.0,
+                },
             }
         }
         for (k, [x, y, _]) in square.pixels(view) {
@@ -178,28 +189,57 @@ impl Shading {
         let rays = square.rays(view);
         let points = square.points(sight, &rays);
         let ways = units(&rays, &rays);
-        let mut normals = NO_VECTORS;
-        let (mut seen, mut open) = ([1.0; SQUARE], [1.0; SQUARE]);
-        let mut made_of = [(FLOOR_COLOUR, 0); SQUARE];
+        let (mut normals, mut smooth, mut colours) = (NO_VECTORS, NO_VECTORS, NO_VECTORS);
+        let (mut reaching, mut finishes) = (NO_VECTORS, [[0.0; SQUARE]; FINISH]);
         for (k, [x, y, at]) in square.pixels(view) {
             let found = &self.found[slot(view.size[0], x, y)];
             let surfel = studio.surfel(at, get(&points, k), found);
             let from_there = f32::from(self.occlusion.open[at]) * (1.0 / 255.0);
-            (seen[k], open[k]) = (found.seen, lesser(from_there, surfel.open));
-            made_of[k] = (surfel.colour, surfel.material);
+            let floor = match surfel.normal.y > LEVEL && sight.owner[at] < FLOOR {
+                true => 1.0,
+                false => studio.light.floor_open(surfel.position),
+            };
+            let sky = lesser(from_there, surfel.open);
+            set(&mut reaching, k, Vec3::new(found.seen, sky, floor));
+            let finish = studio.light.finish(surfel.material);
+            finishes
+                .iter_mut()
+                .zip(finish)
+                .for_each(|(list, &v)| list[k] = v);
+            set(&mut colours, k, Vec3::from(surfel.colour));
             set(&mut normals, k, surfel.normal);
+            set(&mut smooth, k, found.normal);
         }
-        let mut arriving = [Arriving::default(); SQUARE];
-        for k in 0..SQUARE {
-            let [point, normal, way] = [&points, &normals, &ways].map(|list| get(list, k));
-            arriving[k] = studio
-                .light
-                .arriving([point, normal, -way], [seen[k], open[k]]);
+        let mut lights = NO_VECTORS;
+        let is_body = |[_, _, at]: [usize; 3]| sight.owner[at] < FLOOR;
+        let lit = match square.pixels(view).any(|(_, pixel)| is_body(pixel)) {
+            true => SQUARE,
+            false => 0,
+        };
+        for k in (0..lit).step_by(LANES) {
+            let light = studio.light.reflected(&LitPoints {
+                positions: FourVectors::of(&points, k),
+                normals: FourVectors::of(&normals, k),
+                smooth: FourVectors::of(&smooth, k),
+                to_eye: -FourVectors::of(&ways, k),
+                reaching: FourVectors::of(&reaching, k),
+                colours: FourVectors::of(&colours, k),
+                finish: finishes.each_ref().map(|list| four(list, k)),
+            });
+            light.put(&mut lights, k);
         }
-        for (k, [_, _, at]) in square.pixels(view) {
-            let lit = || studio.light.reflected(made_of[k], &arriving[k]);
-            let pixel = studio.pixel(at, [get(&points, k), get(&ways, k)], lit);
-            rgba[4 * at..][..4].copy_from_slice(&pixel);
+        for (k, [x, y, at]) in square.pixels(view) {
+            let [r, g, b] = match sight.owner[at] {
+                NOTHING | FLOOR => {
+                    let place = [&points, &ways].map(|v| get(v, k));
+                    let colour = studio.behind(at, place, &Reaching::at(&reaching, k));
+                    dithered(colour, [x, y])
+                }
+                _ => studio.light.screen(get(&lights, k)),
+            };
+            let is_clear = sight.owner[at] == NOTHING && studio.backdrop == Backdrop::Nothing;
+            let alpha = if is_clear { 0 } else { 255 };
+            rgba[4 * at..][..4].copy_from_slice(&[r, g, b, alpha]);
         }
     }
 }
@@ -216,7 +256,7 @@ struct Found {
 impl Found {
     const NOTHING: Self = Self {
         normal: Vec3::Y,
-        colour: FLOOR_COLOUR,
+        colour: [0.0; 3],
         seen: 1.0,
     };
 }
@@ -227,6 +267,15 @@ fn slot(width: usize, x: usize, y: usize) -> usize {
 }
 
 impl ShadingInputs<'_> {
+    /// About how thick a body is, in the world, if light goes through it.
+    fn thickness(&self, owner: u32) -> Option<f32> {
+        let instance = self.scene.instances.get(owner as usize)?;
+        let body = &self.scene.bodies[instance.body as usize];
+        let material = instance.paint.map_or(body.material, |paint| paint.material);
+        let [.., thin] = self.light.finish(material);
+        (*thin > 0.0).then(|| THICK * self.scene.ball_of(instance).1)
+    }
+
     /// The surface element at a pixel, before light.
     #[inline(always)]
     fn surfel(&self, at: usize, position: Vec3, found: &Found) -> Surfel {
@@ -251,26 +300,20 @@ impl ShadingInputs<'_> {
         surfel
     }
 
-    /// The colour of a pixel. `point` is the surface's place, `way` the direction from the eye, and `lit` gives the
-    /// colour of a lit surface.
+    /// The colour on the screen of a pixel that shows no body. `point` is the floor's place, `way` the direction from the
+    /// eye.
     #[inline(always)]
-    fn pixel(&self, at: usize, [point, way]: [Vec3; 2], lit: impl Fn() -> [u8; 3]) -> [u8; 4] {
-        let round = |v: f32| (v + 0.5) as u8;
-        let ([r, g, b], alpha) = match self.sight.owner[at] {
-            NOTHING => {
-                let is_clear = self.backdrop == Backdrop::Nothing;
-                let colour = behind(self.backdrop, way, self.far).map(round);
-                (colour, if is_clear { 0 } else { 255 })
-            }
-            FLOOR => {
-                let (floor, part) = (lit().map(f32::from), self.floor_part(point));
-                let back = behind(Backdrop::Floor, way, self.far);
-                let mixed = |k: usize| back[k] + (floor[k] - back[k]) * part;
-                ([mixed(0), mixed(1), mixed(2)].map(round), 255)
-            }
-            _ => (lit(), 255),
-        };
-        [r, g, b, alpha]
+    fn behind(&self, at: usize, [point, way]: [Vec3; 2], reaching: &Reaching) -> [f32; 3] {
+        let back = behind(self.backdrop, way, self.far);
+        if self.backdrop != Backdrop::Floor {
+            return back;
+        }
+        let left = left_of_corner(self.sight.view(), way);
+        if self.sight.owner[at] == NOTHING {
+            return back.map(|v| v * left);
+        }
+        let (floor, part) = (self.light.floor(point, reaching), self.floor_part(point));
+        std::array::from_fn(|k| (back[k] + (floor[k] - back[k]) * part) * left)
     }
 
     fn floor_part(&self, at: Vec3) -> f32 {
@@ -283,9 +326,7 @@ pub(super) fn far_floor(light: &Lighting, view: &View, ground: &FloorPlane) -> [
     let flat = |v: Vec3, y: f32| Vec3::new(v.x, y, v.z);
     let away = flat(view.ahead, 0.0).normalize_or(Vec3::NEG_Z);
     let position = flat(ground.middle, ground.height) + away * end_of_floor(ground.radius);
-    let to_eye = (view.eye - position).normalize_or(Vec3::Y);
-    let arriving = light.arriving([position, Vec3::Y, to_eye], [1.0; 2]);
-    light.reflected((FLOOR_COLOUR, 0), &arriving).map(f32::from)
+    light.floor(position, &Reaching::ALL)
 }
 
 /// Marks the pixels of a row that show the floor.

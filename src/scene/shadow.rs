@@ -30,6 +30,7 @@ const SIDE_LENS: f64 = 91.0;
 const ROOM: usize = 64;
 
 /// One square map.
+#[derive(Clone)]
 struct ShadowMap {
     side: usize,
     way: ShadowProjection,
@@ -54,6 +55,7 @@ enum ShadowProjection {
 }
 
 /// The shadow maps of a scene; complete when [`ShadowMaps::advance`] has returned true.
+#[derive(Clone)]
 pub(super) struct ShadowMaps {
     maps: Vec<ShadowMap>,
     is_coarse: bool,
@@ -68,8 +70,17 @@ pub(super) struct ShadowMaps {
 impl ShadowMaps {
     /// Maps with `side` texels along a side. Coarse ones also show coarser bodies.
     pub fn new(scene: &Scene, lamp: Lamp, side: usize, is_coarse: bool) -> Self {
-        let ball = scene.ball();
-        let maps = ways(ball, lamp, side);
+        Self::along(ways(scene.ball(), lamp, side), side, is_coarse)
+    }
+
+    /// Maps from straight below and from straight above that cover `half` around the middle. Columns of both run along
+    /// x, rows of the first against z, and rows of the second along it.
+    pub fn upright((middle, half): (Vec3, f32), side: usize) -> Self {
+        let map = |up: f32| ShadowProjection::along(middle, half, [Vec3::Y * up, Vec3::X], side);
+        Self::along(vec![map(-1.0), map(1.0)], side, true)
+    }
+
+    fn along(maps: Vec<ShadowProjection>, side: usize, is_coarse: bool) -> Self {
         Self {
             maps: maps
                 .into_iter()
@@ -80,6 +91,12 @@ impl ShadowMaps {
             at: [0; 3],
             corners: Vec::new(),
         }
+    }
+
+    /// For each texel of [`ShadowMaps::upright`] how near the first surface is, from the middle; the lowest number where
+    /// there is none.
+    pub fn nears(&self) -> [&[f32]; 2] {
+        [0, 1].map(|k| &self.maps[k].near[..])
     }
 
     /// Does the work of about `amount` triangles; true when all maps are complete.
@@ -178,13 +195,8 @@ impl ShadowSample {
 fn ways((middle, radius): (Vec3, f32), lamp: Lamp, side: usize) -> Vec<ShadowProjection> {
     match lamp {
         Lamp::Sun(to) => {
-            let across = to.any_orthonormal_vector();
-            vec![ShadowProjection::Along {
-                middle,
-                axes: [across, to.cross(across), to],
-                scale: 0.5 * side as f32 / (radius * MARGIN).max(f32::MIN_POSITIVE),
-                fill: Fill::new(Camera::default().view(side, side)),
-            }]
+            let axes = [to, to.any_orthonormal_vector()];
+            vec![ShadowProjection::along(middle, radius * MARGIN, axes, side)]
         }
         Lamp::Bulb { at, .. } => {
             let sides = [
@@ -210,6 +222,18 @@ fn ways((middle, radius): (Vec3, f32), lamp: Lamp, side: usize) -> Vec<ShadowPro
             let seen = views.filter(|view| view.may_see(view.of(middle), radius));
             seen.map(|view| ShadowProjection::From(Fill::new(view)))
                 .collect()
+        }
+    }
+}
+
+impl ShadowProjection {
+    /// Parallel to `to`, with rows along `across`, for all within `half` of the middle.
+    fn along(middle: Vec3, half: f32, [to, across]: [Vec3; 2], side: usize) -> Self {
+        Self::Along {
+            middle,
+            axes: [across, to.cross(across), to],
+            scale: 0.5 * side as f32 / half.max(f32::MIN_POSITIVE),
+            fill: Fill::new(Camera::default().view(side, side)),
         }
     }
 }

@@ -40,13 +40,13 @@ use glam::{DVec3, Vec3};
 
 /// The materials of views, for the table of [`crate::scene::Lighting`]. The tables of palettes have similar rows.
 pub const MATERIALS: [Material; 4] = [
-    material(1.0, 0.92, 0.0, 4.0),
+    Material::new(1.0, 0.92, 0.0, 4.0),
     // Maps, whose colours must be readable.
-    material(1.3, 0.68, 0.0, 4.0),
+    Material::new(1.3, 0.68, 0.0, 4.0),
     // Bars and balls.
-    material(1.05, 0.88, 0.16, 24.0),
+    Material::new(1.05, 0.88, 0.16, 24.0),
     // Bubbles.
-    material(1.05, 0.86, 0.34, 42.0),
+    Material::new(1.05, 0.86, 0.34, 42.0),
 ];
 
 /// Rows of [`MATERIALS`].
@@ -59,15 +59,6 @@ const GLOSS: u8 = 3;
 const CALM: [u8; 3] = [168, 162, 151];
 /// The brightness of the inside, relative to the outside.
 const INSIDE: f32 = 0.72;
-
-const fn material(ambient: f32, diffuse: f32, specular: f32, shininess: f32) -> Material {
-    Material {
-        ambient,
-        diffuse,
-        specular,
-        shininess,
-    }
-}
 
 /// A colour of drawings as bytes.
 fn bytes(colour: Colour) -> [u8; 3] {

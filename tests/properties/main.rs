@@ -48,6 +48,7 @@ mod native {
     mod scene;
     mod scene_cases;
     mod scene_light;
+    mod scene_materials;
     mod scene_planes;
     mod scene_rays;
     mod shading;

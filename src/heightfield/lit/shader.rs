@@ -1,10 +1,13 @@
 //! Phong's shading of the data planes, in slices of rows.
 
 use super::shadow::Shadows;
-use crate::heightfield::{Planes, row_slopes};
+use crate::heightfield::{Planes, row_slopes, smooth_row_slopes};
 use crate::light::{Finish, GAP, LAMP, Light, SHINE, SKY, STEEP, ShadeParams, Tone, lamp_from};
 use crate::material::Material;
 use crate::order::greater;
+
+/// Picture units to each side over which slopes are smoothed for the highlights of wet and glossy stones.
+const REACH: usize = 3;
 
 /// Shades planes into a picture.
 pub struct Shader {
@@ -28,6 +31,8 @@ pub struct Shader {
 struct RowLight {
     /// Rise of the surface to the right and downwards.
     slope: [Vec<f32>; 2],
+    /// The same as highlights see it, on surfaces with a film.
+    gleam: [Vec<f32>; 2],
     /// Light of the sky.
     sky: Vec<f32>,
     /// Light of the lamp: all of it, and the part that a matt surface scatters.
@@ -42,6 +47,7 @@ impl RowLight {
         let row = || vec![0.0; side];
         Self {
             slope: [row(), row()],
+            gleam: [row(), row()],
             sky: row(),
             lamp: row(),
             matt: row(),
@@ -125,6 +131,7 @@ impl Shader {
 
     fn shade_row(&mut self, planes: &Planes, y: usize) {
         row_slopes(planes, y, &mut self.row_light.slope);
+        self.gleam_row(planes, y);
         match self.params.light {
             Light::Parallel { azimuth, elevation } => {
                 let flat = libm::cos(elevation);
@@ -148,6 +155,23 @@ impl Shader {
         self.colour_row(planes, y);
     }
 
+    /// Computes the slopes that highlights see.
+    fn gleam_row(&mut self, planes: &Planes, y: usize) {
+        let RowLight { slope, gleam, .. } = &mut self.row_light;
+        let materials = &planes.material[y * self.side..][..self.side];
+        let fine = |x: usize| self.finishes[usize::from(materials[x])].fine;
+        if (0..self.side).any(|x| fine(x) < 1.0) {
+            smooth_row_slopes(planes, y, REACH * planes.pixel_scale, gleam);
+        }
+        for (gleam, slope) in gleam.iter_mut().zip(slope) {
+            for (x, (smooth, own)) in gleam.iter_mut().zip(slope).enumerate() {
+                let fine = fine(x);
+                let mixed = *smooth + (*own - *smooth) * fine;
+                *smooth = if fine < 1.0 { mixed } else { *own };
+            }
+        }
+    }
+
     /// Computes the light that reaches a row. `lamp` gives the unit vector to the lamp and its strength, for
     /// a column and a height.
     fn light_row(&mut self, planes: &Planes, y: usize, lamp: impl Fn(i32, f32) -> ([f32; 3], f32)) {
@@ -159,6 +183,7 @@ impl Shader {
         let (shadow, occlusion) = (self.params.shadow as f32, self.params.occlusion as f32);
         let line = &mut self.row_light;
         let [across, down] = [&line.slope[0][..n], &line.slope[1][..n]];
+        let [right, below] = [&line.gleam[0][..n], &line.gleam[1][..n]];
         let (sky, all, matt) = (&mut line.sky[..n], &mut line.lamp[..n], &mut line.matt[..n]);
         let entries = &mut line.mirrored[..n];
         for x in 0..n {
@@ -170,8 +195,11 @@ impl Shader {
             let seen = 1.0 - shadow * (1.0 - f32::from(lit[x]) * (1.0 / 255.0));
             let arrives = seen * strength * (1.0 - GAP * (1.0 - open));
             // With the lamp behind the surface there is no mirrored light.
+            let (dx, dy) = (right[x], below[x]);
+            let rise = 1.0 / (1.0 + dx * dx + dy * dy).sqrt();
+            let gleams = greater((lz - dx * lx - dy * ly) * rise, 0.0);
             let mirrored = if facing > 0.0 {
-                (2.0 * facing * upright - lz).clamp(0.0, 1.0)
+                (2.0 * gleams * rise - lz).clamp(0.0, 1.0)
             } else {
                 0.0
             };

@@ -4,7 +4,9 @@ use super::scene_rays::*;
 use bubblestone::heightfield::{Planes, Shader};
 use bubblestone::light::{Light, ShadeParams};
 use bubblestone::material::Material;
-use bubblestone::scene::{Body, Instance, Lamp, Lighting, Order, Place, Scene, Sharpness};
+use bubblestone::scene::{
+    Backdrop, Body, Instance, Lamp, Lighting, Order, Place, Scene, Sharpness,
+};
 use glam::{DVec3, Vec3};
 
 /// Texels along the side of the sun's map. Each side of the cube around a lamp has half as many.
@@ -427,4 +429,42 @@ fn a_coarser_level_has_no_shadow_of_a_finer_one() {
         let [dark, bright] = [&with, &without].map(|frame| frame.rgba()[4 * at]);
         assert!(bright - dark < 4, "{dark} and {bright} at {at}");
     }
+}
+
+/// The floor is dark where a ball touches it, and lighter with the distance, also beside the shadow. Its tone in full
+/// light depends on no factor of the recipe.
+#[test]
+fn the_floor_is_dark_at_contact_only() {
+    let scene = scene(vec![(
+        ball(24),
+        place([1.0, 0.0, 0.0], 0.0, 0.3, [0.0, 0.3, 0.0]),
+    )]);
+    let order = Order {
+        backdrop: Backdrop::Floor,
+        ..order(camera(0.0, 30.0, 4.0, 28.0), [160, 120])
+    };
+    let dim = ShadeParams {
+        ambient: 0.4,
+        diffuse: 0.5,
+        ..PARAMS
+    };
+    let [first, second] = [&PARAMS, &dim].map(|params| {
+        let light = lighting(&scene, sun(0.2, 1.0, -0.8), params, 100_000);
+        frame(&scene, &light, order, 100_000)
+    });
+    let view = order.camera.view(160, 120);
+    let tone = |p: [f32; 3]| {
+        let [x, y, _] = view.on_screen(view.of(Vec3::from(p)));
+        let at = y as usize * 160 + x as usize;
+        assert_eq!(first.ids()[at], 0, "{p:?}");
+        assert_eq!(first.rgba()[4 * at..][..4], second.rgba()[4 * at..][..4]);
+        i32::from(first.rgba()[4 * at])
+    };
+    // To the lamp's side no shadow falls.
+    let [near, middle, far] = [0.14, 0.3, 0.8].map(|x| tone([x, 0.0, 0.16]));
+    assert!(
+        near + 8 < middle && middle + 5 < far,
+        "{near}, {middle}, {far}"
+    );
+    assert!(far > 180);
 }

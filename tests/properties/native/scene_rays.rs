@@ -295,12 +295,7 @@ pub(super) fn still_life() -> Scene {
     ])
 }
 
-pub(super) const MATT: Material = Material {
-    ambient: 1.0,
-    diffuse: 0.9,
-    specular: 0.1,
-    shininess: 12.0,
-};
+pub(super) const MATT: Material = Material::new(1.0, 0.9, 0.1, 12.0);
 
 /// Shading with all factors 1.
 pub(super) const PARAMS: ShadeParams = ShadeParams {

@@ -1,0 +1,185 @@
+//! The floor under the bodies: how much of the sky each place of it sees past them.
+//!
+//! Two small maps hold the lowest and the highest surface over the floor. Around a place, in each direction, bodies
+//! hide the sky between the least and the greatest angle at which they are seen (Max 1988, Horizon Mapping: Shadows for
+//! Bump-Mapped Surfaces). So the floor is dark where a body touches it, and gets lighter with the distance. The maps
+//! depend on bodies only and are kept while the camera moves.
+
+use super::shadow::ShadowMaps;
+use super::{Cut, Scene};
+use crate::order::{greater, lesser};
+use glam::Vec3;
+use std::f64::consts::TAU;
+
+/// Texels along a side of the maps.
+const SIDE: usize = 64;
+/// The half side of the maps, in radii of the ball around all bodies: beyond, they hide little.
+const WIDE: f32 = 1.4;
+/// Directions in which the sky is searched. They are others at each of these texels along rows and columns; the mean over
+/// neighbours has all of them.
+const WAYS: usize = 8;
+const PATTERN: usize = 2;
+/// The distances at which it is searched, in texels.
+const STEPS: [f32; 8] = [1.0, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0];
+/// A texel takes about as long as this many triangles.
+const WORK: usize = 12;
+/// Heights over the floor where there is no body.
+const NOTHING: [f32; 2] = [f32::MAX, 0.0];
+
+/// The sky seen by the floor, while it is computed.
+#[derive(Clone)]
+pub(super) struct FloorContact {
+    maps: Option<ShadowMaps>,
+    middle: Vec3,
+    /// Texels for each unit.
+    scale: f32,
+    /// The lowest and the highest surface over the floor, in texels.
+    heights: Vec<[f32; 2]>,
+    raw: Vec<f32>,
+    /// The visible share of the sky at each texel, once all is finished.
+    open: Vec<f32>,
+}
+
+impl FloorContact {
+    pub fn new(scene: &Scene) -> Self {
+        let (middle, radius) = scene.ball();
+        let half = greater(WIDE * radius, f32::MIN_POSITIVE);
+        Self {
+            maps: Some(ShadowMaps::upright((middle, half), SIDE)),
+            middle,
+            scale: 0.5 * SIDE as f32 / half,
+            heights: Vec::new(),
+            raw: Vec::new(),
+            open: Vec::new(),
+        }
+    }
+
+    /// The same for a scene that is cut by a plane.
+    pub fn cut_by(&mut self, cut: Option<Cut>) {
+        if let Some(maps) = &mut self.maps {
+            maps.cut = cut;
+        }
+    }
+
+    /// Does the work of about this many triangles; true when finished.
+    pub fn advance(&mut self, scene: &Scene, amount: usize) -> bool {
+        if let Some(maps) = &mut self.maps {
+            if maps.advance(scene, amount) {
+                self.heights = heights(maps, self.scale);
+                self.maps = None;
+            }
+            return false;
+        }
+        if !self.open.is_empty() {
+            return true;
+        }
+        let from = self.raw.len();
+        let end = self.heights.len().min(from + amount.div_ceil(WORK));
+        let ways: [Ways; PATTERN * PATTERN] = std::array::from_fn(ways);
+        let next = (from..end).map(|at| sky(&self.heights, at, &ways));
+        self.raw.extend(next);
+        if end == self.heights.len() {
+            self.open = (0..end).map(|at| mean(&self.raw, at)).collect();
+        }
+        false
+    }
+
+    /// The visible share of the sky over the floor below a point, 0..1.
+    #[inline(always)]
+    pub fn open(&self, p: Vec3) -> f32 {
+        let half = 0.5 * SIDE as f32 - 0.5;
+        let end = SIDE as f32 - 1.001;
+        // Beyond the maps the last texels count.
+        let inside = |v: f32| lesser(greater(v, 0.0), end);
+        let u = inside(half + (p.x - self.middle.x) * self.scale);
+        let v = inside(half + (p.z - self.middle.z) * self.scale);
+        let (i, j) = (u as i32, v as i32);
+        let (tu, tv) = (u - i as f32, v - j as f32);
+        let at = j as usize * SIDE + i as usize;
+        let Some(&[a, b]) = self.open[at.min(self.open.len())..].first_chunk() else {
+            return 1.0;
+        };
+        let Some(&[c, d]) = self.open[(at + SIDE).min(self.open.len())..].first_chunk() else {
+            return 1.0;
+        };
+        let (up, down) = (a + (b - a) * tu, c + (d - c) * tu);
+        up + (down - up) * tv
+    }
+}
+
+/// Heights over the lowest point of all bodies, in texels.
+fn heights(maps: &ShadowMaps, scale: f32) -> Vec<[f32; 2]> {
+    let [below, above] = maps.nears();
+    let lowest = below.iter().copied().fold(f32::MIN, greater);
+    // From below, rows of the map run the other way.
+    let mirrored = |at: usize| (SIDE - 1 - at / SIDE) * SIDE + at % SIDE;
+    let height = |at: usize| {
+        let (low, high) = (below[mirrored(at)], above[at]);
+        match (low > f32::MIN, high > f32::MIN) {
+            (false, false) => NOTHING,
+            // A sheet that only faces up stands on the floor.
+            (false, true) => [0.0, (high + lowest) * scale],
+            (true, false) => [(lowest - low) * scale; 2],
+            (true, true) => [(lowest - low) * scale, (high + lowest) * scale],
+        }
+    };
+    (0..SIDE * SIDE).map(height).collect()
+}
+
+/// For each direction the steps along it, in whole texels, and the squares of their lengths.
+type Ways = [[([i32; 2], f32); STEPS.len()]; WAYS];
+
+/// The directions at a texel of the pattern.
+fn ways(texel: usize) -> Ways {
+    std::array::from_fn(|way| {
+        let part = (texel as f64 + 0.5) / (PATTERN * PATTERN) as f64;
+        let angle = TAU * (way as f64 + part) / WAYS as f64;
+        let along = [libm::cos(angle), libm::sin(angle)];
+        STEPS.map(|step| {
+            let texels = along.map(|v| libm::round(v * f64::from(step)) as i32);
+            let [x, y] = texels.map(|v| v as f32);
+            (texels, x * x + y * y)
+        })
+    })
+}
+
+/// The visible share of the sky at a texel, weighted by the cosine of its angle to the vertical.
+fn sky(heights: &[[f32; 2]], at: usize, ways: &[Ways; PATTERN * PATTERN]) -> f32 {
+    // The square of the sine of the angle at which a height is seen.
+    let sine = |height: f32, away: f32| height * height / (height * height + away);
+    let (x, y) = ((at % SIDE) as i32, (at / SIDE) as i32);
+    let own = heights[at];
+    let first = match own == NOTHING {
+        true => [1.0, 0.0],
+        false => [sine(own[0], 0.25), 1.0],
+    };
+    let mut hidden = 0.0;
+    for way in &ways[at / SIDE % PATTERN * PATTERN + at % PATTERN] {
+        let [mut least, mut most] = first;
+        for &([dx, dy], away) in way {
+            let (x, y) = (x + dx, y + dy);
+            if x < 0 || y < 0 || x >= SIDE as i32 || y >= SIDE as i32 {
+                break;
+            }
+            let there = heights[y as usize * SIDE + x as usize];
+            if there != NOTHING {
+                least = lesser(least, sine(there[0], away));
+                most = greater(most, sine(there[1], away));
+            }
+        }
+        hidden += greater(most - least, 0.0);
+    }
+    1.0 - hidden / WAYS as f32
+}
+
+/// The mean around a texel, in which all directions have the same weight.
+fn mean(raw: &[f32], at: usize) -> f32 {
+    let three = |v: usize| [v.saturating_sub(1), v, (v + 1).min(SIDE - 1)];
+    let mut sum = 0.0;
+    for (y, down) in three(at / SIDE).into_iter().zip([1.0, 2.0, 1.0]) {
+        for (x, across) in three(at % SIDE).into_iter().zip([1.0, 2.0, 1.0]) {
+            sum += across * down * raw[y * SIDE + x];
+        }
+    }
+    sum / 16.0
+}

@@ -1,0 +1,205 @@
+//! The light that surfaces send to the eye, for four pixels at once and without tables.
+
+use super::Lamp;
+use super::four_lanes::{FourVectors, all, power, share};
+use super::tile::{Vectors, get};
+use crate::light::{GAP, LAMP, SKY, SMOOTH, STEEP, ShadeParams};
+use crate::material::Material;
+use crate::order::{greater, lesser};
+use wide::f32x4;
+
+/// The light that the floor reflects, linear, on a face that looks straight down.
+const BOUNCE: [f32; 3] = [0.47, 0.43, 0.37];
+/// Shares of it that come from other bodies beside, and that the lamp's strength has no effect on.
+const BESIDE: f32 = 0.3;
+const STEADY: f32 = 0.3;
+/// A weak light from behind: its part of the sky's light, on a face seen from its edge.
+const RIM: f32 = 0.7;
+
+/// The visible shares, 0..1, of the lights at a point.
+#[derive(Clone, Copy)]
+pub(super) struct Reaching {
+    /// The lamp's share.
+    pub lamp: f32,
+    /// The sky's share beside bodies near the point.
+    pub sky: f32,
+    /// The sky's share over the floor below the point.
+    pub floor: f32,
+}
+
+impl Reaching {
+    /// Nothing is hidden.
+    pub const ALL: Self = Self {
+        lamp: 1.0,
+        sky: 1.0,
+        floor: 1.0,
+    };
+
+    /// The shares at a pixel of a tile, from its lists of all three.
+    #[inline(always)]
+    pub fn at(lists: &Vectors, k: usize) -> Self {
+        let [lamp, sky, floor] = get(lists, k).to_array();
+        Self { lamp, sky, floor }
+    }
+}
+
+/// A material with the factors of the recipe: ambient, diffuse and specular share, and exponent; then mirror, metal and
+/// thin.
+pub(super) type SurfaceFinish = [f32; FINISH];
+/// The numbers of a finish.
+pub(super) const FINISH: usize = 7;
+
+/// The share that a surface mirrors at normal incidence.
+const STRAIGHT: f32 = 0.03;
+/// The surroundings that are mirrored, linear: the sky at the horizon and straight up, and the floor.
+const MIRRORED: [[f32; 3]; 3] = [[0.42, 0.44, 0.47], [1.0, 1.04, 1.1], [0.34, 0.32, 0.28]];
+/// The line between both: its loss of light, and the inverse of its width.
+const HORIZON: [f32; 2] = [0.75, 7.0];
+
+/// The finish of a material.
+pub(super) fn finish_of(material: &Material, params: &ShadeParams) -> SurfaceFinish {
+    let exponent = greater(material.shininess * params.shininess as f32, 0.1);
+    [
+        material.ambient * params.ambient as f32,
+        material.diffuse * params.diffuse as f32,
+        material.specular * params.specular as f32,
+        exponent,
+        lesser(material.mirror * params.specular as f32, 1.0),
+        material.metal,
+        material.thin,
+    ]
+}
+
+/// Points of surfaces at four pixels, ready to be lit.
+pub(super) struct LitPoints {
+    pub positions: FourVectors,
+    pub normals: FourVectors,
+    /// Unit normals without the fine relief.
+    pub smooth: FourVectors,
+    /// Unit vectors to the eye.
+    pub to_eye: FourVectors,
+    /// Visible shares of the lamp, of the sky, and of the sky over the floor; see [`Reaching`].
+    pub reaching: FourVectors,
+    /// Red, green, blue, 0..255 (sRGB).
+    pub colours: FourVectors,
+    pub finish: [f32x4; FINISH],
+}
+
+/// The share of the sky with the recipe's strength of occlusion.
+#[inline(always)]
+pub(super) fn open_to(params: &ShadeParams, open: f32) -> f32 {
+    1.0 - params.occlusion as f32 * (1.0 - open)
+}
+
+/// The share of the lamp with the recipe's strength of shadows.
+#[inline(always)]
+pub(super) fn seen_of(params: &ShadeParams, seen: f32, open: f32) -> f32 {
+    (1.0 - params.shadow as f32 * (1.0 - seen)) * (1.0 - GAP * (1.0 - open))
+}
+
+impl LitPoints {
+    /// The light to the eye, linear.
+    #[inline(always)]
+    pub fn light(&self, lamp: &Lamp, params: &ShadeParams) -> FourVectors {
+        let [ambient, diffuse, .., metal, thin] = self.finish;
+        let (to, strength) = lamp.towards(self.positions);
+        let (one, zero) = (f32x4::ONE, f32x4::ZERO);
+        let towards = self.normals.dot(to);
+        let facing = towards.fast_max(zero);
+        let open = one - all(params.occlusion as f32) * (one - self.reaching.y);
+        // A surface that faces away from the lamp has no light of it in any case, if it is not thin.
+        let seen = one - all(params.shadow as f32) * (one - self.reaching.x);
+        let arrives = seen * (one - all(GAP) * (one - open)) * strength;
+        let ahead = share(self.normals.dot(self.to_eye));
+        let fill = self.fill(open, one - ahead, strength) * ambient;
+        let lamp = FourVectors::all(LAMP);
+        let through = thin * (-towards).fast_max(zero) * self.reaching.x * strength;
+        let scattered = fill + lamp * (diffuse * (facing * arrives + through));
+        let albedo = linear(self.colours);
+        let white = FourVectors::all([1.0; 3]);
+        let tint = white + (albedo - white) * metal;
+        let gleam = self.gleam(to);
+        // With the lamp behind the surface there is no mirrored light.
+        let shine = facing.simd_gt(zero) & (gleam.shine * arrives);
+        let straight =
+            FourVectors::all([STRAIGHT; 3]) + (albedo - FourVectors::all([STRAIGHT; 3])) * metal;
+        let share = (straight + (white - straight) * gleam.edge) * (gleam.mirror * open);
+        albedo.times(scattered)
+            + lamp.times(tint) * shine
+            + share.times(self.surroundings(gleam.up))
+    }
+
+    /// The mirrored light of the lamp, and what is mirrored.
+    #[inline(always)]
+    fn gleam(&self, to: FourVectors) -> Gleam {
+        let [_, _, specular, exponent, mirror, ..] = self.finish;
+        let one = f32x4::ONE;
+        // As in the plane, a film fills the relief where the highlight is narrow.
+        let fine = all(SMOOTH) / (all(SMOOTH) + exponent);
+        let relief = self.normals - self.smooth;
+        let normals = self.smooth + relief * fine;
+        let normals = normals * (one / normals.dot(normals).sqrt().fast_max(all(1e-3)));
+        // The relief that is left out widens the highlight (Toksvig 2005, Mipmapping Normal Maps), and dims it.
+        let rough = relief.dot(relief) * (one - fine) * (one - fine);
+        let wider = one / (one + all(0.25) * exponent * rough);
+        let ahead = normals.dot(self.to_eye);
+        let twice = ahead + ahead;
+        let mirrored = share(twice * normals.dot(to) - to.dot(self.to_eye));
+        let edge = one - share(ahead);
+        let square = edge * edge;
+        Gleam {
+            shine: specular * wider * power(mirrored, exponent * wider),
+            edge: square * square * edge,
+            mirror: mirror * wider,
+            up: twice * normals.y - self.to_eye.y,
+        }
+    }
+
+    /// The light of the surroundings in a direction with this y: a sky that is bright above, a dark line, and the floor.
+    #[inline(always)]
+    fn surroundings(&self, up: f32x4) -> FourVectors {
+        let [low, high, floor] = MIRRORED.map(FourVectors::all);
+        let one = f32x4::ONE;
+        let sky = low + (high - low) * share(up);
+        let floor = floor * (all(0.3) + all(0.7) * self.reaching.z);
+        let is_sky = share(all(0.5) + up * all(12.0));
+        let [loss, narrow] = HORIZON.map(all);
+        let line = share(one - (up * narrow).abs()) * loss;
+        (floor + (sky - floor) * is_sky) * (one - line)
+    }
+
+    /// The light that arrives from all but the lamp: from the sky, from the floor, and from behind. `edge` is 1 for a
+    /// surface seen from its edge.
+    #[inline(always)]
+    fn fill(&self, open: f32x4, edge: f32x4, strength: f32x4) -> FourVectors {
+        let (one, half, up) = (f32x4::ONE, all(0.5), self.normals.y);
+        // The first is less for surfaces that face up, the second for those that face down.
+        let above = all(STEEP) + all(1.0 - STEEP) * up;
+        let below = all(STEEP) + all(STEEP) * up;
+        let sky = above.fast_min(below) + all(RIM) * edge * edge * edge * (half + half * up);
+        let floor = all(BESIDE) + all(1.0 - BESIDE) * self.reaching.z;
+        let floor = floor * (all(STEADY) + all(1.0 - STEADY) * strength.fast_min(one));
+        let bounce = (half - half * up) * floor;
+        FourVectors::all(SKY) * (open * sky) + FourVectors::all(BOUNCE) * (open * bounce)
+    }
+}
+
+/// The mirroring of four points.
+struct Gleam {
+    /// The mirrored share of the lamp.
+    shine: f32x4,
+    /// 1 at grazing angles, nearly 0 at others (Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering).
+    edge: f32x4,
+    /// How much of the surroundings is mirrored.
+    mirror: f32x4,
+    /// The y of the direction that is mirrored to the eye.
+    up: f32x4,
+}
+
+/// Linear light of colours on the screen, 0..255, to 0.001 of white.
+#[inline(always)]
+fn linear(colours: FourVectors) -> FourVectors {
+    let v = colours * all(1.0 / 255.0);
+    let high = FourVectors::all([0.682_171_1; 3]) + v * all(0.305_306);
+    v.times(FourVectors::all([0.012_522_9; 3]) + v.times(high))
+}
