@@ -3,8 +3,8 @@
 //!
 //! Walls, which the planes do not see, keep the values at the surface's vertices.
 
-use super::Planes;
 use super::slopes::beside;
+use super::{GROUND, Planes};
 use crate::material::floor;
 use crate::order::{greater, lesser};
 use crate::scene::{Detail, Surfel};
@@ -96,6 +96,11 @@ impl Detail for BumpMap {
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
         let upright = (surfel.normal.y - SLOPES[0]) / (SLOPES[1] - SLOPES[0]);
         if upright <= 0.0 {
+            return;
+        }
+        // The rim of a block lies beyond the planes.
+        let beyond = greater(surfel.position.x.abs(), surfel.position.z.abs());
+        if id == GROUND && beyond > 0.5 {
             return;
         }
         let side = self.side as f32;

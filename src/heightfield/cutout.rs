@@ -1,13 +1,14 @@
 //! A pavement or a hide as a scene: its stones as bodies on a block of ground, for [`crate::scene`].
 //!
 //! Each stone is the closed surface that exported files have, at several levels of detail, with the planes as
-//! its finish. The ground is a block with the picture's top, cut off straight at its edges.
+//! its finish. The ground is a block with the picture's top, cut off straight at its edges. Stones that reach over the
+//! picture's edge are whole, and the block is wide enough to hold their feet.
 
 use super::bump_map::BumpMap;
 use super::sheet::GroundSheet;
 use super::{GROUND, Planes, Surfaces, TextureParams};
 use crate::cells::Cell;
-use crate::order::lesser;
+use crate::order::{greater, lesser};
 use crate::scene::{Body, Instance, Place, Scene};
 use crate::solid::{Solids, Surface, finest, joint_depth, levels, top};
 use glam::Vec3;
@@ -25,6 +26,13 @@ const THICK: f32 = 0.035;
 /// Colour of the cut faces at the top and at the bottom, relative to the mean colour of the ground along the
 /// edges.
 const CUT: [f32; 2] = [1.0, 0.75];
+/// An image of a stone on the other side of a tile stands there if at least this part of it, along both sides, lies in
+/// the picture.
+const INSIDE: f32 = 0.35;
+/// The most by which the block is wider than the picture at each edge, and the bare rim beyond the outermost stone, in
+/// sides of the picture.
+const WIDEST: f32 = 0.2;
+const BARE: f32 = 0.012;
 /// Distance at which a stone occludes others, in sizes of a stone.
 const REACH: f64 = 0.5;
 
@@ -38,6 +46,8 @@ pub struct HeightFieldScene {
     /// For each stone, whether any of it is in the picture.
     is_seen: Vec<bool>,
     scene: Scene,
+    /// How far stones reach over the picture's edge, in sides of the picture.
+    over: f32,
     cell: usize,
     /// The finished levels of the ground and the current one.
     ground: Vec<Surface>,
@@ -67,6 +77,7 @@ impl HeightFieldScene {
                 reach: reach as f32,
                 ..Scene::default()
             },
+            over: 0.0,
             cell: 0,
             ground: Vec::new(),
             sheet: None,
@@ -127,11 +138,11 @@ impl HeightFieldScene {
         }
         let levels: Vec<Surface> = made.iter().map(|level| self.upright(level)).collect();
         let material = self.material(cell, planes);
-        let body = Body::new(levels, material);
-        let (middle, radius) = (body.middle, body.radius);
+        let extent = extent(&levels[0].positions);
         let number = self.scene.bodies.len() as u32;
-        self.scene.bodies.push(body);
-        for [x, z] in images(middle, radius, self.params.tile) {
+        self.scene.bodies.push(Body::new(levels, material));
+        for [x, z] in images(extent, self.params.tile) {
+            self.over = greater(self.over, over(extent, [x, z]));
             self.scene.instances.push(Instance {
                 body: number,
                 place: Place::at(Vec3::new(x, 0.0, z)),
@@ -159,7 +170,13 @@ impl HeightFieldScene {
             return;
         };
         let mut sheet = sheet.finish(planes);
-        cut_off(&mut sheet, squares, THICK * self.params.side as f32);
+        let side = self.params.side as f32;
+        let mut squares = squares;
+        if self.over > 0.0 {
+            sheet = widened(&sheet, squares, lesser(self.over + BARE, WIDEST) * side);
+            squares += 4;
+        }
+        cut_off(&mut sheet, squares, THICK * side);
         self.ground.push(self.upright(&sheet));
         if self.ground.len() < SQUARES.len() {
             return;
@@ -181,20 +198,91 @@ impl HeightFieldScene {
     }
 }
 
-/// The positions of a body's images that reach into the picture of a tile; the first is the body itself.
-fn images(middle: Vec3, radius: f32, tile: bool) -> Vec<[f32; 2]> {
+/// The extent of a body along the picture's two sides, each from the least to the greatest.
+fn extent(positions: &[Vec3]) -> [[f32; 2]; 2] {
+    let none = [f32::MAX, f32::MIN];
+    positions.iter().fold([none; 2], |[x, z], p| {
+        let grown = |[low, high]: [f32; 2], v: f32| [lesser(low, v), greater(high, v)];
+        [grown(x, p.x), grown(z, p.z)]
+    })
+}
+
+/// How far a body, moved by this much, reaches over the picture's edge.
+fn over(extent: [[f32; 2]; 2], by: [f32; 2]) -> f32 {
+    let beyond = |([low, high], by): ([f32; 2], f32)| greater(-(low + by), high + by) - 0.5;
+    let [x, z] = [0, 1].map(|k| beyond((extent[k], by[k])));
+    greater(greater(x, z), 0.0)
+}
+
+/// The positions of a body's images that lie in the picture of a tile; the first is the body itself.
+fn images(extent: [[f32; 2]; 2], tile: bool) -> Vec<[f32; 2]> {
     let mut images = vec![[0.0, 0.0]];
     if !tile {
         return images;
     }
     for k in (0..9).filter(|&k| k != 4) {
         let to = [(k % 3 - 1) as f32, (k / 3 - 1) as f32];
-        let reaches = |at: f32, by: f32| (at + by).abs() < 0.5 + radius;
-        if reaches(middle.x, to[0]) && reaches(middle.z, to[1]) {
+        let is_in = |axis: usize| {
+            let [low, high] = extent[axis].map(|v| v + to[axis]);
+            lesser(high, 0.5) - greater(low, -0.5) >= INSIDE * (high - low)
+        };
+        if is_in(0) && is_in(1) {
             images.push(to);
         }
     }
     images
+}
+
+/// A sheet of `n` squares a side with a plain rim around it, `by` wide, of the mean colour and height of its edges. The
+/// result has `n` + 4 squares a side, of which two rings are the rim and a seam without area.
+fn widened(sheet: &Surface, n: usize, by: f32) -> Surface {
+    let (row, wide) = (n + 1, n + 4);
+    let at = |i: usize, j: usize| (j.clamp(2, n + 2) - 2) * row + i.clamp(2, n + 2) - 2;
+    let edge: Vec<usize> = (0..row * row)
+        .filter(|k| [0, n].contains(&(k % row)) || [0, n].contains(&(k / row)))
+        .collect();
+    let count = edge.len() as f32;
+    let height = edge.iter().map(|&k| sheet.positions[k].z).sum::<f32>() / count;
+    let colours = edge
+        .iter()
+        .map(|&k| Vec3::from(sheet.colours[k].map(f32::from)));
+    let colour = (colours.sum::<Vec3>() / count).to_array().map(|v| v as u8);
+    let moved = |k: usize| match k {
+        0 => -by,
+        k if k == wide => by,
+        _ => 0.0,
+    };
+    let mut rimmed = Surface::default();
+    for j in 0..=wide {
+        for i in 0..=wide {
+            let source = at(i, j);
+            let is_own = (2..=n + 2).contains(&i) && (2..=n + 2).contains(&j);
+            let is_seam = (1..wide).contains(&i) && (1..wide).contains(&j);
+            let mut p = sheet.positions[source];
+            if !is_seam {
+                p = Vec3::new(p.x + moved(i), p.y + moved(j), height);
+            }
+            rimmed.positions.push(p);
+            rimmed.colours.push(if is_own {
+                sheet.colours[source]
+            } else {
+                colour
+            });
+            let normal = if is_own {
+                sheet.normals[source]
+            } else {
+                Vec3::Z
+            };
+            rimmed.normals.push(normal);
+            let is_flat = |k: usize| k == 1 || k == n + 2 || k == wide;
+            if !is_flat(i) && !is_flat(j) {
+                let a = (j * (wide + 1) + i) as u32;
+                let c = a + wide as u32 + 1;
+                rimmed.triangles.extend([[a, a + 1, c + 1], [a, c + 1, c]]);
+            }
+        }
+    }
+    rimmed
 }
 
 /// Turns a sheet with `n` squares a side into a block: adds walls along its edges and a bottom.
@@ -267,10 +355,37 @@ mod tests {
 
     #[test]
     fn images_are_those_that_reach_in() {
-        let middle = Vec3::new(0.49, 0.0, 0.0);
-        assert_eq!(images(middle, 0.05, false), [[0.0, 0.0]]);
-        assert_eq!(images(middle, 0.05, true), [[0.0, 0.0], [-1.0, 0.0]]);
-        let corner = Vec3::new(-0.49, 0.0, 0.49);
-        assert_eq!(images(corner, 0.05, true).len(), 4);
+        let about = |x: f32, z: f32| [[x - 0.05, x + 0.05], [z - 0.05, z + 0.05]];
+        let edge = about(0.49, 0.0);
+        assert_eq!(images(edge, false), [[0.0, 0.0]]);
+        assert_eq!(images(edge, true), [[0.0, 0.0], [-1.0, 0.0]]);
+        assert_eq!(images(about(-0.49, 0.49), true).len(), 4);
+        // Less than a third of it would lie in the picture.
+        assert_eq!(images(about(0.46, 0.0), true), [[0.0, 0.0]]);
+        assert!((over(edge, [0.0; 2]) - 0.04).abs() < 1e-6);
+        assert!((over(edge, [-1.0, 0.0]) - 0.06).abs() < 1e-6);
+        assert_eq!(over(about(0.3, -0.2), [0.0; 2]), 0.0);
+    }
+
+    #[test]
+    fn a_wider_block_has_a_plain_rim() {
+        let mut planes = Planes::new(20);
+        planes.bump.fill(3.0);
+        let sheet = ground(&planes, 5);
+        let mut rimmed = widened(&sheet, 5, 2.0);
+        let places: Vec<Vec3> = rimmed
+            .positions
+            .iter()
+            .map(|p| Vec3::new(p.x, p.z, p.y))
+            .collect();
+        assert_eq!(super::extent(&places), [[-2.0, 22.0]; 2]);
+        let area = |t: &[u32; 3]| {
+            let [a, b, c] = t.map(|k| rimmed.positions[k as usize]);
+            0.5 * (b - a).cross(c - a).length()
+        };
+        assert!((rimmed.triangles.iter().map(area).sum::<f32>() - 24.0 * 24.0).abs() < 0.01);
+        assert!(rimmed.triangles.iter().all(|t| area(t) > 0.0));
+        cut_off(&mut rimmed, 9, 1.0);
+        assert_eq!(rimmed.fault(), None);
     }
 }

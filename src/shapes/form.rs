@@ -27,7 +27,7 @@ pub(super) trait Form {
         Vec::new()
     }
 
-    /// What grows from its ends: claws, or the horny tip of a tail.
+    /// The claws on its toes, or the horny tip of its tail, each from root to point.
     fn claws(&self) -> Vec<Bone> {
         Vec::new()
     }

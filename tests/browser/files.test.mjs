@@ -106,8 +106,8 @@ test('pictures and drawings saved here open their recipe when they are dropped; 
   await close();
 });
 
-test('a picture of the recipe that the page begins with opens that one', sameEverywhere, async () => {
-  const { page, close } = await opened(site, '');
+test('a picture of the default recipe opens that one', sameEverywhere, async () => {
+  const { page, close } = await opened(site, '#v=1');
   await done(page);
   const { bytes } = await saved(page, '#save-svg');
   assert.match(Buffer.from(bytes.subarray(0, 400)).toString(), /<metadata>Bubblestone: http[^#<]*<\/metadata>/);

@@ -15,9 +15,13 @@ export function askedFor(last: LastWork | undefined): { recipe: string; words: s
   return isBehind ? { recipe: last.recipe, words: '' } : asked;
 }
 
-/** The recipe to open: the visitor's own last work, if the address has none. */
+/** The preset *Mossy lane*, with which the page opens. The module's default recipe is another one: links rely on it. */
+export const FIRST = 'v=1&outline=road_s&ow=1.25&cs=26&vs=0.15&hs=28&dr=0.4&palette=mossy&ground=moss&az=240&el=36&amb=1.1&diff=1.25';
+
+/** The recipe to open. If the address has none, it is the visitor's own last work, or the first picture of a visit. */
 export function openedFirst(asked: string, last: LastWork | undefined): string {
-  return asked === '' && last?.own ? last.recipe : asked;
+  if (asked !== '') return asked;
+  return last?.own ? last.recipe : FIRST;
 }
 
 /** The first state. The engine already has the recipe. */

@@ -49,9 +49,9 @@ export function parted(fragment: string): { recipe: string; words: string } {
   return { recipe: pieces.filter((piece) => piece !== '' && !words.includes(piece)).join('&') || 'v=1', words: words.join('&') };
 }
 
-/** Joins both to a fragment. */
+/** Joins both to a fragment. It is never empty, as a bare address opens the first picture of a visit. */
 export function joined(recipe: string, words: string): string {
-  return words === '' ? recipe : `${recipe || 'v=1'}&${words}`;
+  return [recipe || 'v=1', words].filter((piece) => piece !== '').join('&');
 }
 
 function keyOf(piece: string): string {
