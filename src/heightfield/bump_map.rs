@@ -1,11 +1,12 @@
 //! The planes as a bump map of bodies in space: a stone seen from above has the colour, material, slope and
 //! occlusion of its pixels.
 //!
-//! Walls, which the planes do not see, keep the values at the surface's vertices.
+//! Walls, which the planes do not see, keep the values at the surface's vertices. From close by, grain finer than the
+//! planes' pixels is added everywhere.
 
 use super::slopes::beside;
-use super::{GROUND, Planes};
-use crate::material::floor;
+use super::{GROUND, Planes, TextureParams};
+use crate::material::{GrainStrength, NearGrain, floor};
 use crate::order::{greater, lesser};
 use crate::scene::{Detail, Surfel};
 use glam::Vec3;
@@ -28,6 +29,11 @@ pub struct BumpMap {
     side: i32,
     tile: bool,
     pixels: Vec<Pixel>,
+    grain: NearGrain,
+    /// Picture units along a side.
+    units: f32,
+    /// The grain of the ground and of stones.
+    strengths: [GrainStrength; 2],
 }
 
 /// All values at a pixel, together in memory.
@@ -42,12 +48,15 @@ struct Pixel {
 }
 
 impl BumpMap {
-    /// Starts empty for these planes.
-    pub fn new(planes: &Planes) -> Self {
+    /// Starts empty for these planes, and the parameters that they were made with.
+    pub fn new(params: &TextureParams, planes: &Planes) -> Self {
         Self {
             side: planes.side as i32,
             tile: planes.tile,
             pixels: Vec::with_capacity(planes.id.len()),
+            grain: NearGrain::new(params.seed),
+            units: params.side as f32,
+            strengths: [false, true].map(|is_stone| params.near_grain(is_stone)),
         }
     }
 
@@ -94,6 +103,18 @@ const NOTHING: Pixel = Pixel {
 
 impl Detail for BumpMap {
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
+        self.show_planes(surfel, id, spread);
+        let place = (surfel.position * self.units, surfel.normal);
+        let strength = self.strengths[usize::from(id != GROUND)];
+        if let Some(grain) = self.grain.at(place, spread * self.units, strength) {
+            grain.add_to(&mut surfel.colour, &mut surfel.normal);
+        }
+    }
+}
+
+impl BumpMap {
+    /// Adds the planes where the surface can be seen from above.
+    fn show_planes(&self, surfel: &mut Surfel, id: u32, spread: f32) {
         let upright = (surfel.normal.y - SLOPES[0]) / (SLOPES[1] - SLOPES[0]);
         if upright <= 0.0 {
             return;

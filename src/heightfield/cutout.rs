@@ -106,7 +106,9 @@ impl HeightFieldScene {
             self.advance_ground(planes, squares.min(planes.side));
             return false;
         }
-        let relief = self.relief.get_or_insert_with(|| BumpMap::new(planes));
+        let relief = self
+            .relief
+            .get_or_insert_with(|| BumpMap::new(&self.params, planes));
         let is_there = relief.add(planes, PIXELS);
         if is_there && let Some(relief) = self.relief.take() {
             self.scene.detail = Some(Box::new(relief));

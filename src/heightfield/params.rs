@@ -3,6 +3,8 @@
 use super::ground::Bed;
 use super::pixel_scale::PixelScale;
 use crate::cells::Cell;
+#[cfg(house)]
+use crate::material::GrainStrength;
 use crate::material::{Coat, ColourParams, StoneTexture, ground, palette};
 use crate::random::SEED;
 use crate::solid::{StoneKind, StoneParams, joint_depth, lean, top};
@@ -106,6 +108,25 @@ impl TextureParams {
             self.tile.then_some(self.side * self.pixel_scale),
             PixelScale::new(self.pixel_scale),
         )
+    }
+
+    /// The grain of stones, or of the ground, from close by.
+    #[cfg(house)]
+    pub(crate) fn near_grain(&self, is_stone: bool) -> GrainStrength {
+        let palette = palette(self.palette);
+        let ground = ground(self.ground, palette);
+        // Heights of a fractal profile fall with a power of the distance.
+        let part = libm::pow(1.0 / self.size.max(1.0), 2.0 - self.dimension) as f32;
+        match is_stone {
+            true => GrainStrength {
+                speckle: palette.speckle,
+                height: self.relief() * part,
+            },
+            false => GrainStrength {
+                speckle: ground.speckle,
+                height: ground.grain,
+            },
+        }
     }
 
     /// Unevenness of a stone for a cell of that size, 0..1: low stones lie even.

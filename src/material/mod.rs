@@ -7,6 +7,8 @@ mod face;
 mod grounds;
 mod hides;
 mod marking;
+#[cfg(house)]
+mod near_grain;
 mod noise;
 mod palette;
 mod palettes;
@@ -24,6 +26,8 @@ pub(crate) use face::{StoneTexture, TextureNoise};
 pub use grounds::GROUNDS;
 #[cfg(house)]
 pub(crate) use marking::{CLOUDS, CLOUDS_AT, Marking, WAVELENGTH, belly_at, near, turned};
+#[cfg(house)]
+pub(crate) use near_grain::{GrainStrength, NearGrain};
 pub use noise::NoiseTile;
 pub(crate) use noise::floor;
 pub use palette::{Ground, Palette};

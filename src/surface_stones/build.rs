@@ -6,7 +6,7 @@ use super::look::{Look, Own};
 use super::maker::Maker;
 use super::{Paving, StonesParams, mean_size};
 use crate::heightfield::GROUND;
-use crate::material::GROUND_ROW;
+use crate::material::{GROUND_ROW, GrainStrength, NearGrain};
 use crate::order::{greater, lesser};
 use crate::scene::{Body, Detail, Instance, Place, Scene, Surfel};
 use crate::solid::{Surface, finest};
@@ -127,11 +127,14 @@ impl Stones {
 
     /// The finished scene.
     pub fn finish(self) -> Scene {
+        let texture = self.maker.look.texture;
         let finish = StoneDetail {
             look: self.maker.look,
             owns: self.owns,
             fit: self.fit,
             unit: self.params.unit,
+            grain: NearGrain::new(texture.seed),
+            strengths: [false, true].map(|is_stone| texture.near_grain(is_stone)),
         };
         Scene {
             detail: Some(Box::new(finish)),
@@ -188,6 +191,9 @@ struct StoneDetail {
     owns: Vec<Option<Own>>,
     fit: Fit,
     unit: f64,
+    grain: NearGrain,
+    /// The grain of the ground and of stones.
+    strengths: [GrainStrength; 2],
 }
 
 impl Detail for StoneDetail {
@@ -224,5 +230,10 @@ impl Detail for StoneDetail {
         let limit = lesser(1.0, STEEPEST / greater(steep, 1e-6));
         let fine = surfel.normal - along * (limit * near * part);
         surfel.normal = fine.normalize_or(surfel.normal);
+        let strength = self.strengths[usize::from(id != GROUND)];
+        let place = (surfel.position * unit as f32, surfel.normal);
+        if let Some(grain) = self.grain.at(place, covered, strength) {
+            grain.add_to(&mut surfel.colour, &mut surfel.normal);
+        }
     }
 }

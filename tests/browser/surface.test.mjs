@@ -143,7 +143,7 @@ test('a pavement and a surface are chosen one after the other, and each is seen 
   assert.deepEqual(await seen(page, ['canvas', 'turn', 'turn-button', 'edit-tools']), ['canvas', 'turn-button', 'edit-tools']);
   await page.keyboard.press('g');
   await turned(page);
-  assert.match(await told(page), /seen from the lower right, 40 degrees/);
+  assert.match(await told(page), /seen from the lower left, 40 degrees/);
   await click(page, '.make[data-make=surface]');
   await tells(page, /seen from the front right, 20 degrees/);
   assert.equal(await get(page, 'cn'), '60');

@@ -179,7 +179,7 @@ test('a mouse turns it, moves its ground with Shift, and comes closer to what it
   await page.mouse.up();
   await page.waitForFunction(() => /seen from the lower edge, 55 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
   await page.mouse.click(to.x, to.y, { count: 2 });
-  await page.waitForFunction(() => /seen from the lower right, 40 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
+  await page.waitForFunction(() => /seen from the lower left, 40 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
   assert.deepEqual(problems, []);
   await close();
 });
@@ -237,9 +237,9 @@ test('depth, normals, numbers and coverage are looked at instead of light', same
   }
   assert.equal(new Set([...seen.values()].map(({ hash }) => hash)).size, 5);
   assert.equal(seen.get('light').hash, light.hash);
-  // Each stone has its own number. Except at edges, one body covers a whole pixel.
+  // Each stone has its own number. A body covers a pixel in none of the twelve samples, in some or in all.
   assert.ok(seen.get('id').colours > 50, `${seen.get('id').colours} colours`);
-  assert.ok(seen.get('alpha').colours <= 5, `${seen.get('alpha').colours} greys`);
+  assert.ok(seen.get('alpha').colours <= 13, `${seen.get('alpha').colours} greys`);
   assert.deepEqual(problems, []);
   await close();
 });
