@@ -35,11 +35,11 @@ pub(crate) fn smooth_row_slopes(planes: &Planes, y: usize, reach: usize, to: &mu
     for by in 1..=reach {
         let part = planes.pixel_scale as f32 / (2 * by * reach) as f32;
         let [above, below] = moved(y, by).map(row);
-        for x in 0..side {
+        for (x, (across, down)) in across.iter_mut().zip(&mut *down).enumerate() {
             let [left, right] = moved(x, by);
             // The mean of both rows also smooths across.
-            across[x] += (above[right] - above[left] + below[right] - below[left]) * (0.5 * part);
-            down[x] += (below[left] - above[left] + below[right] - above[right]) * (0.5 * part);
+            *across += (above[right] - above[left] + below[right] - below[left]) * (0.5 * part);
+            *down += (below[left] - above[left] + below[right] - above[right]) * (0.5 * part);
         }
     }
 }

@@ -96,7 +96,11 @@ impl Sub for FourVectors {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self + -other
+        Self {
+            x: self.x - other.x,
+            y: self.y - other.y,
+            z: self.z - other.z,
+        }
     }
 }
 
