@@ -37,10 +37,17 @@ export const range = (from: number, to: number, step: number, more: Pick<Range, 
 export const rarely = (part: number, from: number, to: number, step = 0.05): Range => range(from, to, step, { plain: [0, 1 - part] });
 
 /**
- * New values of these groups by a table. `random` returns numbers in 0..1, and `get` a parameter's present value. A
- * parameter without effect in the new recipe gets its default, so that links stay short.
+ * New values of these groups by a table, except for the keys in `stay`. `random` returns numbers in 0..1, and `get` a
+ * parameter's present value. A parameter without effect in the new recipe gets its default, so that links stay short.
  */
-export function thrown(table: Table, random: () => number, groups: readonly string[], schema: readonly Parameter[], get: (key: string) => string): [key: string, text: string][] {
+export function thrown(
+  table: Table,
+  random: () => number,
+  groups: readonly string[],
+  schema: readonly Parameter[],
+  get: (key: string) => string,
+  stay: ReadonlySet<string> = new Set(),
+): [key: string, text: string][] {
   const values = new Map<string, string>();
   const now = (key: string): string => values.get(key) ?? get(key);
   if (groups.includes('Relief') && schema.some(({ key }) => key === 'stone')) values.set('stone', stone(random, FAMILY.every((group) => groups.includes(group)), get('stone')));
@@ -48,7 +55,7 @@ export function thrown(table: Table, random: () => number, groups: readonly stri
     if (!groups.includes(group)) continue;
     const done = new Set<string>();
     for (const [key, pick, when = {}] of rows) {
-      if (done.has(key) || !schema.some((one) => one.key === key) || !Object.entries(when).every(([other, words]) => words?.includes(now(other)))) continue;
+      if (done.has(key) || stay.has(key) || !schema.some((one) => one.key === key) || !Object.entries(when).every(([other, words]) => words?.includes(now(other)))) continue;
       done.add(key);
       values.set(key, pick === '' ? '' : isRange(pick) ? inRange(random, pick, now) : word(random, pick));
     }
@@ -56,7 +63,8 @@ export function thrown(table: Table, random: () => number, groups: readonly stri
   // Parameters with rows of their own, and the one that is randomised apart.
   const known = new Set([...Object.values(table).flatMap((rows) => rows.map(([key]) => key)), 'stone']);
   for (const parameter of schema) {
-    if (groups.includes(parameter.group) && !parameter.steady && !known.has(parameter.key)) values.set(parameter.key, anywhere(random, parameter));
+    // A text is drawn work: it stays, and has no effect where another outline or body is chosen.
+    if (parameter.kind !== 'text' && groups.includes(parameter.group) && !parameter.steady && !known.has(parameter.key) && !stay.has(parameter.key)) values.set(parameter.key, anywhere(random, parameter));
   }
   const recipe: Recipe = { schema, valuesOf: (key) => [now(key)], defaultOf: (parameter) => parameter.default };
   return [...values].map(([key, text]) => {
@@ -70,12 +78,8 @@ function stone(random: () => number, free: boolean, before: string): string {
   return before === 'skin' ? before : word(random, { cobble: 4, flag: 3 });
 }
 
-/**
- * A value for a parameter without rows: any of its words, or a number from the middle half of its range. Texts stay
- * as they are.
- */
+/** A value for a parameter without rows: any of its words, or a number from the middle half of its range. */
 function anywhere(random: () => number, { kind, min, max, step, choices, default: plain }: Parameter): string {
-  if (kind === 'text') return plain;
   if (kind === 'choice') return choices[Math.floor(random() * choices.length)]?.word ?? plain;
   const place = 0.25 + 0.5 * random();
   return rounded(min + place * (max - min), step);

@@ -2,17 +2,25 @@
 import { groupIn, t } from '../words/words';
 import { byId, make } from '../base/dom';
 import { Later } from '../base/later';
+import { clear, offerOf } from '../base/messages';
+import { valuesIn } from '../state/link';
 import { isLocked, onLocks, toggleLock } from '../state/locks';
+import { recipeOf } from '../state/rules';
+import type { Store } from '../state/store';
 import type { Work } from '../state/work';
 import type { Panel } from './panel';
 import { SEED } from './seed';
+
+/** The groups with colours, and their keys outside the group of patterns. */
+const COLOURS = ['Surface', 'Colour'];
+const PAINTS = ['palette', 'vary', 'ground'];
 
 export class Dice {
   private readonly work: Work;
   private readonly push: () => void;
   private readonly ranges = new Later(async () => {
-    const [{ thrown }, { CHANCES }] = await Promise.all([import('./chance'), import('./ranges')]);
-    return { thrown, table: (word: string) => CHANCES[word] ?? {} };
+    const [{ thrown }, { drawnIn }, { CHANCES }] = await Promise.all([import('./chance'), import('./drawn'), import('./ranges')]);
+    return { thrown, drawnIn, table: (word: string) => CHANCES[word] ?? {} };
   });
   private groups: { name: string; dice: HTMLButtonElement; lock: HTMLButtonElement }[] = [];
 
@@ -21,6 +29,7 @@ export class Dice {
     this.work = work;
     this.push = push;
     byId('throw').addEventListener('click', () => this.throw(this.groups.map(({ name }) => name)));
+    byId('throw-colours').addEventListener('click', () => this.colours());
     onLocks(work.store, () => this.show());
   }
 
@@ -37,6 +46,16 @@ export class Dice {
     this.show();
   }
 
+  /** Says that the visitor's own work was kept, and offers new values for it, too. */
+  private tellKept(groups: readonly string[]): void {
+    const too = make('button', { type: 'button', id: 'throw-drawn' }, t('throw_drawn'));
+    too.addEventListener('click', () => {
+      clear('value');
+      this.throw(groups, true);
+    });
+    offerOf('value', t('drawn_kept'), too);
+  }
+
   private show(): void {
     for (const { name, dice, lock } of this.groups) {
       const locked = isLocked(this.work.store, name);
@@ -45,18 +64,37 @@ export class Dice {
     }
   }
 
-  private throw(groups: readonly string[]): void {
+  /** New colours alone. */
+  private colours(): void {
     const { engine, store } = this.work;
-    this.ranges.ask(({ thrown, table }) => {
+    this.ranges.ask(({ thrown, drawnIn, table }) => {
+      const values = thrown(table(engine.generator.chance), Math.random, COLOURS, engine.schema, (key) => engine.get(key), drawnIn(recipeOf(engine), presetIn(store)));
+      const groups = new Map(engine.schema.map(({ key, group }) => [key, group]));
+      this.push();
+      this.work.setAll(values.filter(([key]) => groups.get(key) === 'Colour' || PAINTS.includes(key)));
+    });
+  }
+
+  /** New values for these groups. The visitor's own work stays, unless `all` is true. */
+  private throw(groups: readonly string[], all = false): void {
+    const { engine, store } = this.work;
+    this.ranges.ask(({ thrown, drawnIn, table }) => {
       const free = groups.filter((group) => !isLocked(store, group));
-      const values = thrown(table(engine.generator.chance), Math.random, free, engine.schema, (key) => engine.get(key));
+      const stay = all ? new Set<string>() : drawnIn(recipeOf(engine), presetIn(store));
+      const values = thrown(table(engine.generator.chance), Math.random, free, engine.schema, (key) => engine.get(key), stay);
       if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
       this.push();
       this.work.setAll(values);
+      if (engine.schema.some(({ key, kind, group }) => kind === 'text' && stay.has(key) && free.includes(group))) this.tellKept(groups);
       // After all groups were randomised, the recipe is no variant of its preset.
       if (groups.length > 1) store.update({ preset: undefined });
     });
   }
+}
+
+/** The values of the recipe's preset. */
+function presetIn({ state }: Store): string[] {
+  return valuesIn(state.preset?.recipe ?? '');
 }
 
 /** A button with the icon of another button of the page. */
