@@ -20,7 +20,7 @@ const MAKE: &str = "make";
 
 /// The keys of the view: how the page shows the picture, which is not part of a recipe. Every link may have
 /// them, and they have no effect here (docs/parameters.md); no schema has a row with these names.
-pub const VIEW: [&str; 5] = ["view", "pace", "step", "zoom", "camera"];
+pub const VIEW: [&str; 6] = ["view", "pace", "step", "zoom", "camera", "body"];
 
 impl Recipe {
     /// Reads a whole address, a fragment with its `#`, or a bare fragment. The generator is one of those with

@@ -29,6 +29,9 @@ export class Address {
     const { store } = work;
     this.link = new Link((fragment, ours) => this.open(fragment, ours));
     store.on(['recipe', 'view', 'overlays', 'pace', 'zoom', 'paused', 'turn', 'camera'], () => this.leave());
+    store.on(['body'], ({ body }) => {
+      if (!body || !this.words.split('&').includes(`body=${body.subject}`)) this.leave();
+    });
     store.on(['recipe'], () => {
       loop.until = undefined;
       this.write();

@@ -14,7 +14,7 @@ export interface Sights {
 
 /** A word of a link that cannot be used as it is. */
 export interface Fault {
-  readonly what: 'view' | 'layer' | 'pace' | 'step' | 'zoom' | 'camera';
+  readonly what: 'view' | 'layer' | 'pace' | 'step' | 'zoom' | 'camera' | 'body';
   readonly given: string;
   /** The value used instead; without it the word is left out. */
   readonly kept?: string;
@@ -28,6 +28,9 @@ export const CAMERA = [[0, 360], [5, 90], [0.05, 20], [5, 100], [-2, 2], [-2, 2]
 
 /** The first camera for a plane. Other generators replace its first numbers. */
 const HOME: Camera = [330, 40, 2.95, 28, 0, 0, 0];
+
+/** A body and a step in its making. */
+const BODY = /^[1-9]\d{0,6}:\d{1,3}$/;
 
 /** Decimals of each number in a link. */
 const DIGITS = [1, 1, 3, 1, 4, 4, 4];
@@ -72,12 +75,14 @@ export function read(words: string, sights: Sights): { viewing: Viewing; faults:
     else if (key === 'step') faults.push({ what: 'step', given });
     if (key === 'camera' && hasBodies(sights)) readCamera(given, sights, viewing, faults);
     else if (key === 'camera') faults.push({ what: 'camera', given });
+    if (key === 'body' && sights.offers.includes('turn') && BODY.test(given)) viewing.body = given;
+    else if (key === 'body') faults.push({ what: 'body', given });
   }
   return { viewing, faults };
 }
 
 /** The words of a view; '' for the usual one. */
-export function written({ view = 'auto', overlays = [], pace, step, zoom, camera }: Viewing, sights: Pick<Sights, 'home'>): string {
+export function written({ view = 'auto', overlays = [], pace, step, zoom, camera, body }: Viewing, sights: Pick<Sights, 'home'>): string {
   const drawn = [view, ...overlays].join('+');
   return [
     ...(drawn === 'auto' ? [] : [`view=${drawn}`]),
@@ -85,6 +90,7 @@ export function written({ view = 'auto', overlays = [], pace, step, zoom, camera
     ...(step === undefined ? [] : [`step=${step}`]),
     ...(zoom && zoom.scale > 1 ? [`zoom=${[zoom.scale, zoom.x, zoom.y].map((value) => Number(value.toFixed(4))).join()}`] : []),
     ...(camera ? [`camera=${cameraWords(camera, homeOf(sights))}`] : []),
+    ...(body ? [`body=${body}`] : []),
   ].join('&');
 }
 

@@ -54,6 +54,7 @@ export function firstState(engine: Engine, asked: string, last: LastWork | undef
     turn: false,
     camera: undefined,
     body: undefined,
+    asked: '',
     locks: keptLocks(),
     editing: undefined,
     stage: '',

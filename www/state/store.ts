@@ -54,6 +54,8 @@ export interface State {
   readonly camera: Camera | undefined;
   /** The single body whose making is shown: its number and step (`ID:STEP`), and the camera. */
   readonly body: { readonly subject: string; readonly camera: Camera } | undefined;
+  /** The step of a body that a link asks for (`ID:STEP`), until it is shown; '' if there is none. */
+  readonly asked: string;
   /** Locks against randomising and presets: groups of parameters, and the seed. */
   readonly locks: readonly string[];
   /** The sort of figures whose points are shown; undefined while nothing is edited. */

@@ -28,6 +28,8 @@ export interface Viewing {
   zoom?: Zoomed | undefined;
   /** The camera that shows the picture's bodies. */
   camera?: Camera | undefined;
+  /** The step in the making of one body: its number and the index of the step, as `ID:STEP`. */
+  body?: string | undefined;
 }
 
 /** The zoom that shows the whole picture. */
@@ -36,7 +38,7 @@ export const WHOLE: Zoomed = { scale: 1, x: 0.5, y: 0.5 };
 /** The usual speed, and that of visitors who prefer reduced motion. */
 export const PACE = { usual: 3, still: 100_000 } as const;
 
-const KEYS = ['view', 'pace', 'step', 'zoom', 'camera'];
+const KEYS = ['view', 'pace', 'step', 'zoom', 'camera', 'body'];
 
 /**
  * Splits a fragment into the recipe and the words of the view. Where there are such words, a default recipe is

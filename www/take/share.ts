@@ -56,7 +56,7 @@ async function pictureOf(canvas: HTMLCanvasElement, recipe: string): Promise<Fil
 
 /** The view of the picture, without values that every visitor sees anyway. */
 function seen(engine: Engine, store: Store): Viewing {
-  const { view, overlays, pace, paused, stage, zoom, turn, camera } = store.state;
+  const { view, overlays, pace, paused, stage, zoom, turn, camera, body } = store.state;
   return {
     view,
     overlays,
@@ -64,6 +64,7 @@ function seen(engine: Engine, store: Store): Viewing {
     step: paused && !isEnd(stage) && engine.offers('forming') ? engine.status().steps : undefined,
     zoom,
     camera: turn ? camera : undefined,
+    body: turn ? body?.subject : undefined,
   };
 }
 

@@ -1,6 +1,6 @@
 /** The page's side of the worker that makes frames: it sends the latest request there and receives frames. */
 import type { FrameSource, Heard, Told, Wished } from '../picture/frames/source';
-import type { Question, Said, Wish } from './turn.worker';
+import type { About, Question, Said, Wish } from './turn.worker';
 
 export class Frames implements FrameSource {
   private readonly heard: Heard;
@@ -24,12 +24,20 @@ export class Frames implements FrameSource {
   }
 
   bodyAt(x: number, y: number): Promise<Told | undefined> {
+    return this.answer({ x, y });
+  }
+
+  bodyOf(id: number): Promise<Told | undefined> {
+    return this.answer({ id });
+  }
+
+  private answer(about: About): Promise<Told | undefined> {
     const { worker } = this;
     if (!worker) return Promise.resolve(undefined);
     const ask = (this.questions += 1);
     return new Promise((resolve) => {
       this.asked.set(ask, resolve);
-      worker.postMessage({ ask, x, y } satisfies Question);
+      worker.postMessage({ ask, ...about } satisfies Question);
     });
   }
 

@@ -85,9 +85,10 @@ export class Gestures {
     this.listen('pointermove', (event) => this.move(event));
     this.listen('pointerup', (event) => this.release(event, true));
     this.listen('pointercancel', (event) => this.release(event, false));
-    this.listen('pointerleave', () => {
+    this.listen('pointerleave', ({ pointerType }) => {
       this.wheeled = false;
-      this.rest();
+      // A finger leaves with its tap, whose answer is still to come.
+      if (pointerType === 'mouse') this.rest();
     });
     this.listen('wheel', (event) => this.wheel(event));
     this.listen('keydown', (event) => this.key(event));

@@ -56,10 +56,10 @@ export class Making {
     return t('seen_one', { what: this.called, n: this.at + 1, all: this.body?.steps.length ?? 0, step: stepName(step) });
   }
 
-  /** Shows the first step of a body. */
-  begin(body: Told): void {
+  /** Shows a step of a body. */
+  begin(body: Told, step: number): void {
     this.body = body;
-    this.at = 0;
+    this.at = step;
     const dots = body.steps.map((step, k) => {
       const dot = make('button', { type: 'button', class: 'turn-dot', 'aria-label': stepName(step), title: stepName(step) });
       dot.addEventListener('click', () => this.go(k - this.at));

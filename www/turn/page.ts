@@ -85,6 +85,11 @@ export class PageTurntable {
       get: (key) => engine.get(key),
       camera: () => store.state.camera,
       take: (camera) => store.update({ camera }),
+      asked: () => {
+        const { asked } = store.state;
+        store.update({ asked: '' });
+        return asked;
+      },
       only: (subject, camera) => store.update({ body: subject === '' ? undefined : { subject, camera } }),
       framed: (whole) => {
         if (engine.offers('frames')) this.seen(whole);

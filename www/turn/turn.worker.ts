@@ -21,12 +21,11 @@ export interface Wish extends Wished {
   readonly n: number;
 }
 
-/** Requests the body at a place of the frame, in fractions of its sides. */
-export interface Question {
-  ask: number;
-  x: number;
-  y: number;
-}
+/** A body: the one at a place of the frame, in fractions of its sides, or the one with this number. */
+export type About = { x: number; y: number } | { id: number };
+
+/** Requests a body. */
+export type Question = About & { ask: number };
 
 export type Said =
   | { frame: ImageBitmap; n: number; quality: Quality; bodies: Bodies }
@@ -86,9 +85,11 @@ class Turner {
     }
   }
 
-  /** The body at a place of the last frame. */
-  told(x: number, y: number): Told | undefined {
+  /** A body of the last frame. */
+  told(about: About): Told | undefined {
     const { sides } = this.maker;
+    if ('id' in about) return { id: about.id, figures: {}, steps: this.studio.making(about.id) };
+    const { x, y } = about;
     const body = sides && this.studio.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1]));
     return body && { id: body.id, figures: body.figures, steps: this.studio.making(body.id) };
   }
@@ -161,7 +162,7 @@ async function run(): Promise<void> {
 
 addEventListener('message', ({ data }: MessageEvent<Wish | Question>) => {
   if ('ask' in data) {
-    say({ ask: data.ask, body: turner?.told(data.x, data.y) });
+    say({ ask: data.ask, body: turner?.told(data) });
     return;
   }
   latest = data;

@@ -7,6 +7,7 @@
  */
 import { t } from '../words/turn';
 import { byId, make, say } from '../base/dom';
+import { keep, kept } from '../base/storage';
 import type { Generator } from '../module/types';
 import { cameraLimits, cameraWords, firstCamera, homeOf } from '../state/asked-view';
 import type { Camera } from '../state/viewing';
@@ -34,6 +35,8 @@ export interface Place {
   /** The camera; undefined for the usual one. */
   camera(): Camera | undefined;
   take(camera: Camera): void;
+  /** The step of a body that a link asks for, as `ID:STEP`. Later calls return ''. */
+  asked?(): string;
   /** Called with the subject that is shown: a step in the making of one body (`ID:STEP`), or '' for all. */
   only?(subject: string, camera: Camera): void;
   /** Leaves the turntable. Missing in an embedded picture, and if there is nothing but bodies to see. */
@@ -55,6 +58,9 @@ const BODY: Camera = [80, 30, 4.2, 35, 0, 0, 0];
 /** Milliseconds for which the worker is kept after the turntable is left. */
 const KEPT = 60_000;
 
+/** The key of the note that the visitor has turned bodies. */
+const DRAGGED = 'dragged';
+
 /** The most pixels along a side. */
 const MOST = 1600;
 
@@ -71,6 +77,8 @@ export class Turntable {
   private readonly root: HTMLElement;
   private readonly frames: FrameSource;
   private readonly gestures: Gestures;
+  /** Shown until the visitor has dragged once. */
+  private readonly hint = make('p', { class: 'turn-hint', 'aria-hidden': 'true' }, t('drag'));
   private bodies: Bodies = { count: 0, skin: false };
   private plane: Plane = 'light';
   private on = false;
@@ -114,6 +122,7 @@ export class Turntable {
       place.alone === true,
     );
     this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
+    if (!place.alone && !kept(DRAGGED)) this.root.append(this.hint);
     if (place.leave) this.root.append(planes((plane) => this.choose(plane)), this.wayOut());
     this.stand.ariaLabel = this.isFramed ? `${t('name_space')}. ${t('keys_space')}` : `${t('name')}. ${t('keys')}`;
     // The keys of the steps and of the way back also work while the frame has the focus.
@@ -195,6 +204,10 @@ export class Turntable {
 
   private take(camera: Camera, moving: boolean): void {
     this.moving = moving;
+    if (moving && this.hint.isConnected) {
+      this.hint.remove();
+      keep(DRAGGED, 'yes');
+    }
     this.card.hide();
     if (this.making.subject !== '') this.beside = camera;
     else this.place.take(camera);
@@ -231,6 +244,8 @@ export class Turntable {
     if (!latest) return;
     this.shown = this.place.link();
     this.state(quality);
+    const asked = this.making.subject === '' ? this.place.asked?.() : '';
+    if (asked) void this.ask(asked);
     if (quality !== 'moving' && !this.moving) say(this.told, this.making.subject === '' ? seen(bodies, this.camera, this.isFramed) : this.making.seen);
   }
 
@@ -269,12 +284,19 @@ export class Turntable {
     say(byId('cell-said'), body ? sentence(body, this.bodies.skin) : t('nothing'));
   }
 
-  private how(body: Told): void {
+  /** Shows the step that a link asks for. A body or a step that does not exist is left out. */
+  private async ask(asked: string): Promise<void> {
+    const [id = 0, step = 0] = asked.split(':').map(Number);
+    const body = await this.frames.bodyOf(id);
+    if (body?.steps.length && this.on) this.how(body, Math.min(step, body.steps.length - 1));
+  }
+
+  private how(body: Told, step = 0): void {
     this.gestures.stop();
     this.card.hide();
     this.beside = BODY;
     this.moving = false;
-    this.making.begin(body);
+    this.making.begin(body, step);
   }
 
   private all(): void {

@@ -60,6 +60,10 @@ export class LocalFrames implements FrameSource, Painter {
     return Promise.resolve(body && { id: body.id, figures: body.figures, steps: this.ask((studio) => studio.making(body.id)) ?? [] });
   }
 
+  bodyOf(id: number): Promise<Told | undefined> {
+    return Promise.resolve({ id, figures: {}, steps: this.ask((studio) => studio.making(id)) ?? [] });
+  }
+
   /** The place on the model at a place of the last frame, in fractions of its sides; undefined beside the model. */
   placeAt([u, v]: Part): [x: number, y: number, z: number] | undefined {
     const { sides } = this.maker;

@@ -53,6 +53,8 @@ export interface FrameSource {
   want(wish: Wished): boolean;
   /** The body at a place of the last frame, in fractions of its sides. */
   bodyAt(x: number, y: number): Promise<Told | undefined>;
+  /** The body with this number, once there has been a frame. */
+  bodyOf(id: number): Promise<Told | undefined>;
   /** Ends the source: no more frames are requested. */
   end(): void;
 }
