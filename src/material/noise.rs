@@ -14,10 +14,6 @@ use crate::random::{Purpose, Random};
 /// Below the unit of length the amplitude falls by this factor each half level, whatever the dimension: more
 /// pixels must not make the picture rougher and darker.
 const BELOW: f32 = 0.6;
-/// The dimensions from which the factor grows, and at which it has grown by this share of what it lacks: without that,
-/// grains as large as a unit become smooth waves, and light from the side makes ripples of them.
-const ROUGH: [f64; 2] = [1.5, 1.9];
-const ROUGHER: f64 = 0.7;
 /// Levels below the unit that are stored.
 const STORED: u32 = 2;
 /// The same factor for the next level: it is visible only at the highest resolution, which it would darken.
@@ -95,15 +91,13 @@ impl NoiseTile {
         }
         let hurst = (2.0 - dimension).clamp(0.0, 1.0);
         let fall = libm::exp2(-hurst / 2.0) as f32;
-        let rough = ((dimension - ROUGH[0]) / (ROUGH[1] - ROUGH[0])).clamp(0.0, 1.0);
-        let below = BELOW + (fall - BELOW) * (ROUGHER * rough) as f32;
         // Displacement of a point whose neighbours are 1 coarse step apart (Fournier et al.): the variance
         // that averaging removes.
         let mut amplitude = (1.0 - libm::exp2(2.0 * hurst - 2.0)).max(0.0).sqrt() as f32;
         let mut step = coarse;
         let unit = 1usize << doublings;
         while step > 1 {
-            let fall = if step > unit { fall } else { below };
+            let fall = if step > unit { fall } else { BELOW };
             if step == unit {
                 tile.sharpen(unit);
             }

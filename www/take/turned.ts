@@ -16,7 +16,7 @@ const SCALES = [1, 2, 3, 4];
 const PLANES = ['depth', 'normal', 'id'] as const;
 
 /** The last choices. */
-const chosen: { scale: string; backdrop: string } = { scale: '1', backdrop: 'floor' };
+const chosen: { scale: string; backdrop: string; blur: string } = { scale: '1', backdrop: 'floor', blur: '0' };
 
 type Offer = (id: string, word: string, ending: string, job: () => Job) => HTMLElement;
 
@@ -25,17 +25,20 @@ export function turned({ engine, store }: Work, offer: Offer, close: () => void)
   const sizes = Object.fromEntries(SCALES.map((scale) => [scale, t('turned_scale', { scale, n: SIDE * scale })]));
   const size = select('turn-size', t('turned_size'), sizes, chosen.scale);
   const behind = select('turn-backdrop', t('backdrop'), { floor: t('floor'), sky: t('sky'), nothing: t('nothing') }, chosen.backdrop);
+  const blur = select('turn-blur', t('blur'), { 0: t('blur_none'), 0.03: t('blur_little'), 0.08: t('blur_much') }, chosen.blur);
+  blur.addEventListener('change', () => (chosen.blur = blur.value));
   size.addEventListener('change', () => (chosen.scale = size.value));
   behind.addEventListener('change', () => (chosen.backdrop = behind.value));
   const job = (plane: (typeof PLANES)[number] | undefined) => (): Job => {
     const scale = Number(size.value);
-    return { file: 'turn', plane, side: SIDE * scale, scale, backdrop: behind.value as Backdrop, ...seenNow(engine, store) };
+    return { file: 'turn', plane, side: SIDE * scale, scale, backdrop: behind.value as Backdrop, aperture: Number(blur.value), ...seenNow(engine, store) };
   };
   return row(
     t(engine.offers('frames') ? 'picture' : 'turned'),
     t('turned_note'),
     size,
     behind,
+    blur,
     offer('save-turn', 'PNG', '-turn.png', job(undefined)),
     ...PLANES.map((plane) => offer(`save-turn-${plane}`, t(plane), `-turn-${plane}.png`, job(plane))),
     film((codecs) => {

@@ -27,17 +27,23 @@ export interface TurnJob extends Seen {
   side: number;
   scale: number;
   backdrop: Backdrop;
+  /** The diameter of the lens, as a share of the distance in focus; 0 blurs nothing. */
+  aperture: number;
 }
+
+/** The samples of a picture with blur by depth: fewer show as copies beside each other. */
+const BLURRED = 48;
 
 /** The progress at which the first frame begins. */
 export const WORKED = 0.15;
 
 /** Throws a Refusal if there is nothing to see. */
-export async function turnFile(link: string, { plane, side, backdrop, ...seen }: TurnJob, progress: Progress): Promise<Blob> {
+export async function turnFile(link: string, { plane, side, backdrop, aperture, ...seen }: TurnJob, progress: Progress): Promise<Blob> {
   const studio = await studioOf(link, progress);
   const rest = (done: number): void => progress(WORKED + (1 - WORKED) * done);
-  // Planes are not antialiased.
-  const pixels = frameOf(studio, seen, side, `${plane ? 'still' : 'fine'}+${backdrop}`, rest);
+  // Planes have one sample.
+  const how = plane ? 'still' : aperture ? `samples=${BLURRED}+aperture=${aperture}` : 'fine';
+  const pixels = frameOf(studio, seen, side, `${how}+${backdrop}`, rest);
   if (plane) return png(given(studio.frameMap(plane)));
   return png(backdrop === 'nothing' ? { side, channels: 4, bits: 8, bytes: pixels } : { side, channels: 3, bits: 8, bytes: opaque(pixels) });
 }
