@@ -54,7 +54,7 @@ impl Mean {
                 }
             }
             for k in 0..3 {
-                pixel[k] = self.screen[usize::from(mean[k]) * STEPS >> 16];
+                pixel[k] = self.screen[(usize::from(mean[k]) * STEPS) >> 16];
             }
             pixel[3] = (usize::from(mean[3]) * 255 / (before + 1)) as u8;
         }
