@@ -55,7 +55,11 @@ fn no_preset_gives_a_notice() {
     for preset in SURFACE.presets {
         let studio = finished(preset.link);
         assert_eq!(studio.recipe().link(), preset.link, "{}", preset.name);
-        assert!(!preset.link.contains("size="), "{}: its own size", preset.name);
+        assert!(
+            !preset.link.contains("size="),
+            "{}: its own size",
+            preset.name
+        );
         let remarks = studio.engine().remarks();
         assert!(remarks.is_empty(), "{}: {remarks:?}", preset.name);
     }
