@@ -1,6 +1,7 @@
 //! Gives broken model files and links to the program for some time, on one thread.
 //!
 //!     npm run fuzz -- SECONDS [SEED]
+//!     cargo run --release --example fuzz -- --case SEED NUMBER
 //!     cargo run --release --example fuzz -- --files LINK FILE...
 //!
 //! The first form damages eight small models and the links of all presets at random. A file must end with a sentence or
@@ -9,7 +10,8 @@
 //! a minute. Seed and number of a bad case are printed, and its file is written into target/fuzz; the exit code is then
 //! not 0.
 //!
-//! The second form covers these files by a link, and prints for each its end, its time and its longest slice.
+//! The second form writes the file of a case. The third one covers files by a link, and prints for each its end, its time
+//! and its longest slice.
 
 #[cfg(not(target_arch = "wasm32"))]
 #[path = "../tests/common/mod.rs"]
@@ -49,7 +51,7 @@ mod fuzz {
     static CASE: AtomicU64 = AtomicU64::new(0);
     static BEGAN: AtomicU64 = AtomicU64::new(0);
 
-    /// What has been tried.
+    /// The counts of all cases.
     #[derive(Default)]
     struct Tally {
         files: u64,
@@ -107,15 +109,20 @@ mod fuzz {
     }
 
     pub fn run() -> Result<(), String> {
-        const USAGE: &str = "Usage: fuzz SECONDS [SEED], or fuzz --files LINK FILE...";
+        const USAGE: &str =
+            "Usage: fuzz SECONDS [SEED], fuzz --case SEED NUMBER, or fuzz --files LINK FILE...";
         let words: Vec<String> = std::env::args_os()
             .skip(1)
             .map(native::text)
             .collect::<Result<_, _>>()?;
+        let number = |word: &String| word.parse::<u64>().map_err(|_| USAGE.to_owned());
         match &words[..] {
             [option, link, paths @ ..] if option == "--files" => measure(link, paths),
+            [option, seed, case] if option == "--case" => {
+                keep(number(seed)?, number(case)?);
+                Ok(())
+            }
             [seconds] | [seconds, _] => {
-                let number = |word: &String| word.parse::<u64>().map_err(|_| USAGE.to_owned());
                 let seed = words.get(1).map_or(Ok(1), number)?;
                 try_all(number(seconds)? as f64 * 1e3, seed);
                 Ok(())

@@ -26,7 +26,7 @@ const BUILDS = {
 // Files and folders that decide the modules.
 const sources = ['Cargo.toml', 'Cargo.lock', 'build.rs', 'src', 'benches', 'package-lock.json', 'scripts/lib/wasm.mjs'];
 
-/** A digest of all that decides a module. @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly */
+/** The digest of the sources of the modules. @param {NodeJS.ProcessEnv} env of the Rust for WebAssembly */
 function digestOfSources(env) {
   const files = sources.flatMap((path) => {
     const at = join(root, path);

@@ -139,7 +139,7 @@ impl Open {
     }
 }
 
-/// What may come next.
+/// The next piece of the text.
 #[derive(Clone, Copy, PartialEq)]
 enum Next {
     Value,

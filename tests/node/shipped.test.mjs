@@ -363,7 +363,8 @@ const MODELS = [
   ['half.obj', 'v 0 0 0\nv 1\n'],
   ['corner.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n'],
   ['line.obj', 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n'],
-  ['large.obj', cube().replace('v 1 0 0', 'v 1e200 0 0')],
+  ['strip.obj', 'v 0 0 0\nv 1000 0 0\nv 1000 0 -1\nv 0 0 -1\nf 1 2 3 4\n'],
+  ['slivers.stl', new Uint8Array(readFileSync(new URL('../data/slivers.stl', import.meta.url)))],
   ['far.obj', cube().replace(/v (\d)/g, 'v 10000000000000000000$1')],
   ['moebius.obj', moebius()],
   ['dust.obj', Array.from({ length: 400 }, (_, k) => `v ${k} 0 0\nv ${k}.01 0 0\nv ${k} 0.01 0\nf -3 -2 -1\n`).join('')],
@@ -402,7 +403,8 @@ test('notices of surfaces are said', async () => {
     studio.free();
   }
   for (const [name, content] of MODELS) {
-    const studio = new whole.Bubblestone(`${space}&cn=${name === 'dust.obj' ? 30 : 120}`);
+    const cells = { 'dust.obj': 30, 'strip.obj': 30, 'slivers.stl': 40 }[name] ?? 120;
+    const studio = new whole.Bubblestone(`${space}&cn=${cells}`);
     const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : content;
     studio.beginFile(name, bytes.length);
     studio.addToFile(bytes);
@@ -418,6 +420,21 @@ test('notices of surfaces are said', async () => {
       while (!studio.turn('', '', 96, 64, `moving+floor+${view}`, 4).done);
       hear(studio.caption(view));
     }
+    studio.free();
+  }
+});
+
+test('files are refused with the same sentences as natively', async () => {
+  const whole = await moduleIn(wholeModule, undefined, 'space');
+  for (const line of text('refusals.txt').trim().split('\n')) {
+    const [name, hex, ...words] = line.split(' ');
+    const bytes = new Uint8Array(Buffer.from(hex, 'hex'));
+    const studio = new whole.Bubblestone('make=surface&size=128&cn=60');
+    studio.beginFile(name, bytes.length);
+    studio.addToFile(bytes);
+    const told = studio.openFile('');
+    finished(studio);
+    assert.equal([...told, studio.problem()].find((one) => one)?.text, words.join(' '), name);
     studio.free();
   }
 });

@@ -79,7 +79,7 @@ interface Described {
   size: number;
 }
 
-/** What became of the models in a file: the names of those that are not what the file says, and of those for which there was no room. */
+/** Names of models in a file: those that differ from their description, and those for which there was no room. */
 export interface Unpacked {
   wrong: string[];
   unkept: string[];
