@@ -222,8 +222,8 @@ impl View {
         lesser(greater(across, down), f32::MAX) <= radius
     }
 
-    /// The same view from a place beside the eye, to the right and up, in units of the scene. What lies at the depth
-    /// `focus` stays where it is in the frame.
+    /// The same view from a place beside the eye, to the right and up, in units of the scene. Places at the
+    /// depth `focus` stay where they are in the frame.
     pub fn beside(self, [right, up]: [f32; 2], focus: f32) -> Self {
         let shift = self.focal / focus;
         let eye = self.eye + self.right * right + self.up * up;
@@ -278,7 +278,7 @@ mod tests {
             (x - 200.0).abs() < 0.01 && (y - 300.0).abs() < 0.01,
             "{x} {y}"
         );
-        // What is nearer moves against the eye.
+        // Nearer places move against the eye.
         let [x, y, _] = seen(1.0);
         assert!(x < 180.0 && y < 260.0, "{x} {y}");
     }

@@ -366,6 +366,7 @@ const MODELS = [
   ['strip.obj', 'v 0 0 0\nv 1000 0 0\nv 1000 0 -1\nv 0 0 -1\nf 1 2 3 4\n'],
   ['slivers.stl', new Uint8Array(readFileSync(new URL('../data/slivers.stl', import.meta.url)))],
   ['far.obj', cube().replace(/v (\d)/g, 'v 10000000000000000000$1')],
+  ['down.obj', 'v 0 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nf 4 3 2 1\n'],
   ['moebius.obj', moebius()],
   ['dust.obj', Array.from({ length: 400 }, (_, k) => `v ${k} 0 0\nv ${k}.01 0 0\nv ${k} 0.01 0\nf -3 -2 -1\n`).join('')],
   ['bare.obj', cube(6, 'v 9 0 0\nv 9.01 0 0\nv 9 0.01 0\nf -3 -2 -1\n')],
@@ -404,7 +405,7 @@ test('notices of surfaces are said', async () => {
   }
   for (const [name, content] of MODELS) {
     const cells = { 'dust.obj': 30, 'strip.obj': 30, 'slivers.stl': 40 }[name] ?? 120;
-    const studio = new whole.Bubblestone(`${space}&cn=${cells}`);
+    const studio = new whole.Bubblestone(`${space}&cn=${cells}${name === 'down.obj' ? '&side=guess' : ''}`);
     const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : content;
     studio.beginFile(name, bytes.length);
     studio.addToFile(bytes);

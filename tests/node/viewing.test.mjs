@@ -42,7 +42,7 @@ test('a fragment is parted into its recipe and its view, and joined again', () =
   }
   assert.equal(viewing.joined('v=1&cs=18', 'step=3'), 'v=1&cs=18&step=3');
   assert.equal(viewing.joined('', 'step=3'), 'v=1&step=3');
-  assert.equal(viewing.joined('', ''), '');
+  assert.equal(viewing.joined('', ''), 'v=1');
 });
 
 test('what is written is read as it was, and what all see is not written', () => {

@@ -250,7 +250,7 @@ fn a_lens_blurs_what_is_not_in_focus() {
     let (sharp, blurred) = (seen("samples=32"), seen("samples=32+aperture=0.2"));
     assert!(blurred[0] * 5 > sharp[0] * 4, "{blurred:?} {sharp:?}");
     assert!(blurred[1] * 10 < sharp[1] * 9, "{blurred:?} {sharp:?}");
-    // What is no aperture changes nothing.
+    // A number that is no aperture changes nothing.
     let plain = seen("samples=32+aperture=nan");
     assert_eq!(plain, sharp);
 }

@@ -33,6 +33,7 @@ fn outlines() -> Vec<(String, Domain)> {
     let mut files: Vec<_> = std::fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|word| word == "json"))
         .collect();
     files.sort();
     files

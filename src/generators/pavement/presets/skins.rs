@@ -48,7 +48,7 @@ macro_rules! fig14 {
     ($change:literal) => {
         concat!(
             "v=1&outline=polygon&poly=q41BrvEvmB8oH9Wk3IiuB-_F6sC2wFogDo8Fi4C8oG8rB0-GwNu4H_YumKrgBwrI5j1BAi3BjuJqvBnhLjOhgHpvBx5FtuC1wFr1CtrF1mCtrFjwBllGatrJyPx9H&kind=ellipse",
-            $change, "&cs=17&dir=strokes&strokes=-oBrvErQgpR62D0wL6jFk8Ku9B05MrmDsvU.iutB3-oCt9BggQ86D0wLq4FklMs5Bi3Or5B-xS&start=quadtree&stone=skin&dr=0&palette=lizard&vary=1.2&ground=hide&gloss=glossy&rim=0.35&belly=0.6&ba=45&az=225&el=40&diff=1.3")
+            $change, "&cs=17&dir=strokes&strokes=-oBrvErQgpR62D0wL6jFk8Ku9B05MrmDsvU.iutB3-oCt9BggQ86D0wLq4FklMs5Bi3Or5B-xS&start=quadtree&stone=skin&dr=0&palette=lizard&vary=1.2&ground=hide&gloss=glossy&rim=0.35&belly=0.6&ba=45&el=40&diff=1.3")
     };
 }
 
@@ -58,7 +58,7 @@ macro_rules! fig15 {
     ($change:literal) => {
         concat!(
             "v=1&outline=polygon&poly=-oB-oR4mBtyEm8BlpE8pDvpDwuFp6B-7Gzag8GtR61GhTg2G5Jy6FsIs4EyXq9D6pB-6CguC4vBq8D2NghFA45FhD6_GxQ04H5pB8_GlkCq4Fr9Cq_Ej9Du_D9mF26CzmG66B7vG6iBjjHgRrsH5G7_F9oB76D1vCtuCzxD12BzwExfz9FxHr8G5BrsGzHzqF5B56E&kind=ellipse&cs=20&dir=strokes&strokes=AyiOq_E-hCyjH84CwjHgyBolG9MolGxzB-7G7uCkgJ99Dk3Jl5E-7G_tD.___ByiuB29E8uCkiHoqDymH08BgzG5Jm3Gv3BmlHviDk3I9vF8kJp7GouG39E&start=quadtree&stone=skin&sr=2",
-            $change, "&tc=0.8&af=0.2&palette=coral&ground=sand&gloss=glossy&rim=-0.5&belly=0.6&ba=60&az=160&el=50&amb=1.3&diff=1.4")
+            $change, "&tc=0.8&af=0.2&palette=coral&gloss=glossy&rim=-0.5&belly=0.6&ba=60&az=160&el=50&amb=1.3&diff=1.4")
     };
 }
 
@@ -68,7 +68,7 @@ macro_rules! fig16 {
     ($change:literal) => {
         concat!(
             "v=1&outline=polygon&poly=058BrmDic2jH8Mq8IpvBoqHxrCq4GtmD46F7xC81F7D4jG6sB61G8oD05I-jDsmHlz5BA81BrmHglCz5I8oC15GgyB7_FvLz5E9xBx5Ez-Cx5F15ChgH3V5sKoBx5I&kind=rectangle&cs=19&dir=strokes&strokes=u9BrmDwUsmTq4F05Mu9BmzJ76Dy5M76DggQ.2n6B3smC-oBggQ76DyiOp4F0wL-oBy5M6sGggQ&stone=skin&sv=1.3",
-            $change, "&palette=armadillo&ground=soil&gloss=glossy&rim=0.35&belly=0.5&ba=45&az=225&el=40&diff=1.3")
+            $change, "&palette=armadillo&ground=soil&gloss=glossy&rim=0.35&belly=0.5&ba=45&el=40&diff=1.3")
     };
 }
 
