@@ -43,7 +43,8 @@ export function keepInSight(store: Store): void {
 /** Scrolls back to where the picture is large, if it is small now. */
 function show(behavior: ScrollBehavior): void {
   if (byId('enlarge').hidden) return;
-  scrollTo({ top: scrollY + byId('head').getBoundingClientRect().bottom, behavior: wantsStill() ? 'instant' : behavior });
+  // Round down: part of a pixel too far would shrink the picture.
+  scrollTo({ top: Math.floor(scrollY + byId('head').getBoundingClientRect().bottom), behavior: wantsStill() ? 'instant' : behavior });
 }
 
 /**
