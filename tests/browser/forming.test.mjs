@@ -74,9 +74,10 @@ test('on a first visit the forming takes its time, and scripts need not wait for
   assert.deepEqual(await page.evaluate(() => [window.bubblestone.status().cells, window.bubblestone.status().steps]), [cells, steps]);
   assert.equal(await digest(page), planes);
   const shown = await canvas(page);
+  const recipe = await page.evaluate(() => window.bubblestone.link());
   assert.deepEqual(problems, []);
   await close();
-  const linked = await visit('#seed=1');
+  const linked = await visit(`#${recipe}`);
   assert.equal(await digest(linked.page), planes);
   assert.deepEqual(await canvas(linked.page), shown);
   assert.ok((await film(linked.page)).every(({ now }) => now.words === 0), 'a link has words');

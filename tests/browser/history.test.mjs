@@ -133,7 +133,7 @@ test('a link that was only looked at is not remembered as work', sameEverywhere,
   await page.goto(site.address);
   await page.waitForFunction(() => 'bubblestone' in window);
   const first = await page.evaluate(() => window.bubblestone.presets.find(({ name }) => name === 'lane').link);
-  assert.equal(`#${await link(page)}`, first);
+  assert.equal(await link(page), first.replace('#', ''));
   await close();
 });
 

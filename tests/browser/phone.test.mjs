@@ -54,7 +54,8 @@ test('buttons for what is edited stand under the picture, plots above the contro
   await page.tap('#plots-button');
   await page.waitForSelector('#plots canvas');
   const [look, plots, panel] = await places(page, '#look-tools', '#plots', '#panel');
-  assert.ok(plots.top >= look.bottom && panel.top >= plots.bottom, JSON.stringify([look, plots, panel]));
+  // Firefox rounds the edges of one line to different numbers.
+  assert.ok(plots.top >= look.bottom - 0.1 && panel.top >= plots.bottom - 0.1, JSON.stringify([look, plots, panel]));
   const [name, box] = await places(page, '#p-cs-name', '#p-cs');
   assert.ok(name.left < 30 && name.right <= box.left && name.top < box.bottom && box.top < name.bottom, JSON.stringify([name, box]));
   await close();

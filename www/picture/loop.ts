@@ -183,9 +183,10 @@ export class Loop {
     this.rhythm.next((begin) => this.run(begin));
   }
 
-  /** Whole steps for a frame that began at `begin`; the remainder is kept for the next one. Slow steps are made one by one. */
+  /** Whole steps for a frame that began at `begin`; the remainder is kept for the next one. Slow steps, and those of two pictures, are made one by one. */
   private stepsNow(begin: number): number {
-    const frames = this.worked && this.stepsPerFrame >= 1 ? Math.round((begin - this.worked) / FRAME) : 1;
+    const isAlone = !this.pair && !this.until;
+    const frames = isAlone && this.worked && this.stepsPerFrame >= 1 ? Math.round((begin - this.worked) / FRAME) : 1;
     this.worked = begin;
     this.credit += this.stepsPerFrame * Math.min(Math.max(frames, 1), MOST_FRAMES);
     const steps = Math.floor(this.credit);

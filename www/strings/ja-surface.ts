@@ -41,7 +41,7 @@ export const parameters: Foreign['parameters'] = {
   crease: { name: '折り目', help: '鋭い縁でセルを折り曲げるか、曲面をそこで切るか。', choices: { fold: '折り曲げる', cut: '切る' } },
   fold: { name: '折り目の角度', help: 'これより大きく曲がる縁を折り目とします。' },
   open: { name: '開いた所', help: '曲面の終わりの先。殻の内側か、立体の切り口か、床まで下りる地面か。', choices: { own: '曲面ごとに', shell: '殻', capped: '立体', block: '地面' } },
-  ends: { name: '端', help: '足や尾の切り口と、指先や尾の先。すべてセルで覆うか、平らな切り口と爪と角の先にするか。', choices: { round: 'セルで覆う', cut: '切り口と爪' } },
+  'surface.ends': { name: '端', help: '足や尾の切り口と、指先や尾の先。すべてセルで覆うか、平らな切り口と爪と角の先にするか。', choices: { round: 'セルで覆う', cut: '切り口と爪' } },
   yaw: { name: '回転', help: '同じ光の下で、モデルを縦の軸のまわりに回します。' },
   bent: { name: 'アスペクト比の決め方', help: 'どこでも同じアスペクト比にするか、どの向きにも同じだけ曲がる所では丸くするか。', choices: { even: '一様', curvature: '曲がりに応じて' } },
   'surface.stretch': { name: 'アスペクト比のスポット', help: '曲面の上の、アスペクト比の異なる柔らかなスポット。' },
