@@ -198,7 +198,8 @@ const shelf = (page) =>
     return Object.fromEntries(all.map((/** @type {{ digest: string, file: Blob }} */ kept) => [kept.digest, kept.file.size]));
   });
 
-test("the file of a stranger's recipe neither changes nor removes a kept model", async () => {
+// It needs the model of the test before.
+test("the file of a stranger's recipe neither changes nor removes a kept model", sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
   await digest(page);
   await drop(page, 'tower.obj', cube(3), '');
