@@ -120,7 +120,7 @@ test('the picture shrinks in its place: nothing else moves, and a press brings i
   const look = () =>
     page.evaluate(() => ({
       long: document.documentElement.scrollHeight,
-      panel: document.querySelector('#panel').getBoundingClientRect().top + scrollY,
+      panel: Math.round(document.querySelector('#panel').getBoundingClientRect().top + scrollY),
       side: document.querySelector('#canvas').getBoundingClientRect().width,
     }));
   const first = await look();

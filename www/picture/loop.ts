@@ -26,8 +26,8 @@ const BARE = 250;
 const LONG = 32;
 
 /**
- * Milliseconds between the frames of a usual screen, and the most of them that one frame makes up for. A packing then
- * takes the same time where frames are slow, and no frame makes many steps at once.
+ * Milliseconds between the frames of a usual screen, and the most of them that one frame makes up for. The first packing
+ * then takes the same time where frames are slow, and no frame makes many steps at once.
  */
 const FRAME = 1000 / 60;
 const MOST_FRAMES = 4;
@@ -78,7 +78,7 @@ export class Loop {
   painter: Painter | undefined;
   private readonly ending = new AbortController();
   private credit = 0;
-  /** The time of the last frame that worked; 0 before the first one and after a rest. */
+  /** The time of the last frame that worked; 0 before the first one. */
   private worked = 0;
   private readonly engine: Engine;
   private readonly view: (stage: string) => string | undefined;
@@ -178,15 +178,17 @@ export class Loop {
   /** Requests a slice, if none is requested yet. */
   wake(): void {
     if (this.waiting || document.hidden) return;
-    if (this.stands) this.worked = 0;
     this.waiting = true;
     this.rhythm.next((begin) => this.run(begin));
   }
 
-  /** Whole steps for a frame that began at `begin`; the remainder is kept for the next one. Slow steps, and those of two pictures, are made one by one. */
+  /**
+   * Whole steps for a frame that began at `begin`; the remainder is kept for the next one. Until the first picture is
+   * finished, slow frames make up for those of a usual screen.
+   */
   private stepsNow(begin: number): number {
-    const isAlone = !this.pair && !this.until;
-    const frames = isAlone && this.worked && this.stepsPerFrame >= 1 ? Math.round((begin - this.worked) / FRAME) : 1;
+    const isFirst = !this.finished && !this.pair && !this.until;
+    const frames = isFirst && this.worked && this.stepsPerFrame >= 1 ? Math.round((begin - this.worked) / FRAME) : 1;
     this.worked = begin;
     this.credit += this.stepsPerFrame * Math.min(Math.max(frames, 1), MOST_FRAMES);
     const steps = Math.floor(this.credit);
