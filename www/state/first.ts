@@ -8,10 +8,10 @@ import type { State } from './store';
 import { PACE, parted, WHOLE } from './viewing';
 import { presetOf } from './work';
 
-/** The recipe and the view in the address. Before a reload, the work may have been ahead of the address. */
+/** The recipe and the view in the address. Before a reload, a step, an undo or a redo may not have reached the address. */
 export function askedFor(last: LastWork | undefined): { recipe: string; words: string } {
   const asked = parted(fragment());
-  const isBehind = last && isReload() && asked.recipe !== last.recipe && last.past.includes(asked.recipe);
+  const isBehind = last && isReload() && asked.recipe !== last.recipe && [...last.past, ...last.future].includes(asked.recipe);
   return isBehind ? { recipe: last.recipe, words: '' } : asked;
 }
 
