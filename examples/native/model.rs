@@ -22,16 +22,11 @@ fn role_and_path<'a>(studio: &Studio, text: &'a str) -> (Option<&'a str>, &'a st
 /// Gives the recipe a file, `ROLE=FILE` or `FILE`. It must have the digest that the link names; if the link
 /// names none, it is added to the link.
 pub fn open_model(studio: &mut Studio, text: &OsStr) -> Result<Vec<Notice>, String> {
-    let (role, file) = match text.to_str() {
-        Some(text) => role_and_path(studio, text),
+    let (role, path) = match text.to_str().map(|text| role_and_path(studio, text)) {
+        Some((role, path)) => (role, Path::new(path)),
         // The name of a file need not be text.
-        None => (None, ""),
+        None => (None, Path::new(text)),
     };
-    let path = Path::new(if file.is_empty() {
-        text
-    } else {
-        OsStr::new(file)
-    });
     let shown = path.display();
     let bytes = std::fs::read(path).map_err(|e| format!("Cannot read {shown}: {e}."))?;
     let name = path.file_name().unwrap_or_default();
