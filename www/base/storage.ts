@@ -2,42 +2,40 @@
 
 const PREFIX = 'bubblestone.';
 
-/** The text stored under this name; undefined if there is none, or no storage. */
-export function kept(name: string): string | undefined {
+/** A storage of the browser. Asking for it throws where storing is forbidden. */
+type Place = () => Storage;
+
+const BROWSER: Place = () => localStorage;
+const TAB: Place = () => sessionStorage;
+
+function textIn(place: Place, name: string): string | undefined {
   try {
-    return localStorage.getItem(PREFIX + name) ?? undefined;
+    return place().getItem(PREFIX + name) ?? undefined;
   } catch {
     return undefined;
   }
 }
 
-/** Stores a text for later visits; false if the storage is full or forbidden. */
-export function keep(name: string, text: string): boolean {
+function put(place: Place, name: string, text: string): boolean {
   try {
-    localStorage.setItem(PREFIX + name, text);
+    place().setItem(PREFIX + name, text);
     return true;
   } catch {
     return false;
   }
 }
 
-/** The text stored under this name for this tab alone; undefined if there is none, or no storage. */
-export function keptInTab(name: string): string | undefined {
-  try {
-    return sessionStorage.getItem(PREFIX + name) ?? undefined;
-  } catch {
-    return undefined;
-  }
-}
+/** The text stored under this name; undefined if there is none, or no storage. */
+export const kept = (name: string): string | undefined => textIn(BROWSER, name);
 
-/** Stores a text for this tab alone, if it can. */
-export function keepInTab(name: string, text: string): void {
-  try {
-    sessionStorage.setItem(PREFIX + name, text);
-  } catch {
-    // The other storage has the text, or the address holds the work.
-  }
-}
+/** Stores a text for later visits; false if the storage is full or forbidden. */
+export const keep = (name: string, text: string): boolean => put(BROWSER, name, text);
+
+/** The text stored under this name for this tab alone; undefined if there is none, or no storage. */
+export const keptInTab = (name: string): string | undefined => textIn(TAB, name);
+
+/** Stores a text for this tab alone; false if the storage is full or forbidden. */
+export const keepInTab = (name: string, text: string): boolean => put(TAB, name, text);
 
 /** Whether nothing is stored from an earlier visit. Marks the visit, so that the next one is not the first. */
 export function isFirstVisit(): boolean {
