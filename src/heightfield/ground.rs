@@ -3,7 +3,7 @@
 //! are kept.
 
 use super::pixel_scale::PixelScale;
-use crate::material::{Ground, NoiseTile};
+use crate::material::{Ground, NoiseTile, white};
 use crate::order::lesser;
 use crate::random::{Purpose, Random};
 use std::ops::Range;
@@ -12,6 +12,12 @@ use std::ops::Range;
 const SIDE: usize = 512;
 /// For the broad and the fine noise: random stream, logarithm of the side, levels and dimension.
 const NOISES: [(u64, u32, u32, f64); 2] = [(11, 9, 7, 1.35), (12, 8, 1, 1.9)];
+/// From this many points in a picture unit on, grains of that size lie on the ground. Without them, the fine noise,
+/// whose values are a unit apart, shows as smooth waves, and light from the side makes ripples of them.
+const GRAINY: usize = 4;
+/// There the fine noise of heights has this share, and grains of heights and of colours these standard deviations.
+const WAVES: f32 = 0.45;
+const GRAINS: [f32; 2] = [0.26, 0.9];
 /// The side is divided into this many places, each with at most one pebble.
 const PLACES: usize = 64;
 /// Least and largest radius of pebbles, in picture units; small ones are more frequent.
@@ -147,10 +153,30 @@ impl Bed {
         let unit = self.dense as i32;
         for x in 0..self.side() as i32 {
             let (wave, grain) = (self.noise(0, [x, y]), self.noise(1, [x, y]));
-            self.heights.push(self.bare(wave, grain));
+            let [raised, tone] = self.grained(grain, [x, y]);
+            self.heights.push(self.bare(wave, raised));
             let patch = 0.4 * wave + 0.6 * self.noise(0, [y + 131 * unit, x + 57 * unit]);
-            self.colours.push(soil_colour(&self.ground, patch, grain));
+            self.colours.push(soil_colour(&self.ground, patch, tone));
         }
+    }
+
+    /// The fine noise in heights and in colours at a point, with grains if the points are close enough.
+    fn grained(&self, grain: f32, place: [i32; 2]) -> [f32; 2] {
+        if self.dense < GRAINY {
+            return [grain; 2];
+        }
+        let finer = self.dense / GRAINY;
+        let last = self.side() / finer - 1;
+        let [x, y] = place.map(|v| v as usize);
+        let corner = |k: usize| {
+            let place = [x + (k & 1) * (finer - 1), y + (k >> 1) * (finer - 1)];
+            white(place.map(|v| v / finer & last), self.seed as u32)
+        };
+        let grains = (0..4).map(corner).sum::<f32>() / 4.0;
+        [
+            WAVES * grain + GRAINS[0] * grains,
+            grain + GRAINS[1] * grains,
+        ]
     }
 
     /// The height without pebbles for these values of the noises.
@@ -255,7 +281,7 @@ impl Bed {
     /// The height at the centre of a new pebble, which may lie on earlier ones.
     fn base(&self, place: usize, middle: [i32; 2]) -> f32 {
         let [wave, grain] = [0, 1].map(|which| self.noise(which, middle));
-        let mut base = self.bare(wave, grain);
+        let mut base = self.bare(wave, self.grained(grain, middle)[0]);
         // Pebbles are smaller than their places, so the nine places around suffice.
         for k in 0..9 {
             let (column, row) = (

@@ -29,7 +29,7 @@ pub(crate) use marking::{CLOUDS, CLOUDS_AT, Marking, WAVELENGTH, belly_at, near,
 #[cfg(house)]
 pub(crate) use near_grain::{GrainStrength, NearGrain};
 pub use noise::NoiseTile;
-pub(crate) use noise::floor;
+pub(crate) use noise::{floor, white};
 pub use palette::{Ground, Palette};
 pub use palettes::{PALETTES, ground, material_table, palette};
 pub use pattern::{Coat, ColourParams, Pattern};

@@ -42,16 +42,19 @@ struct Midpoints {
 impl Midpoints {
     /// The displacement of a point amid this many values, always the same for the same point.
     fn displacement(&self, x: usize, y: usize, amid: usize) -> f32 {
-        // Two rounds of a hash of 32 bits (Wellons 2018, Prospecting for Hash Functions).
-        let mut bits = (x as u32).wrapping_mul(0x9E37_79B1) ^ (y as u32).wrapping_mul(0x85EB_CA77);
-        bits ^= self.salt;
-        for factor in [0x7FEB_352D, 0x846C_A68B_u32] {
-            bits = (bits ^ bits >> 16).wrapping_mul(factor) ^ bits >> 15;
-        }
-        // Uniform with standard deviation 1.
-        let uniform = bits as i32 as f32 * (3.0f32.sqrt() / 2_147_483_648.0);
-        self.amplitudes[usize::from(amid == 2)] * uniform
+        self.amplitudes[usize::from(amid == 2)] * white([x, y], self.salt)
     }
+}
+
+/// White noise at a place, uniform with standard deviation 1, always the same for the same place and salt.
+pub(crate) fn white([x, y]: [usize; 2], salt: u32) -> f32 {
+    // Two rounds of a hash of 32 bits (Wellons 2018, Prospecting for Hash Functions).
+    let mut bits = (x as u32).wrapping_mul(0x9E37_79B1) ^ (y as u32).wrapping_mul(0x85EB_CA77);
+    bits ^= salt;
+    for factor in [0x7FEB_352D, 0x846C_A68B_u32] {
+        bits = (bits ^ bits >> 16).wrapping_mul(factor) ^ bits >> 15;
+    }
+    bits as i32 as f32 * (3.0f32.sqrt() / 2_147_483_648.0)
 }
 
 impl NoiseTile {

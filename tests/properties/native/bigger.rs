@@ -86,6 +86,29 @@ fn averaged_it_is_the_picture() {
     }
 }
 
+/// The mean difference in green between pixels this far apart, in a corner that is ground.
+fn roughness(made: &Map, apart: usize) -> f64 {
+    const CORNER: usize = 80;
+    let green = |x: usize, y: usize| f64::from(made.bytes[3 * (y * made.side + x) + 1]);
+    let at = |k: usize| (k % CORNER, k / CORNER);
+    let rough = |(x, y)| {
+        let here = green(x, y);
+        (here - green(x + apart, y)).abs() + (here - green(x, y + apart)).abs()
+    };
+    (0..CORNER * CORNER).map(at).map(rough).sum::<f64>() / (2 * CORNER * CORNER) as f64
+}
+
+/// Without grains of a pixel, the sand of large pictures is smooth waves, and light makes ripples of them.
+#[test]
+fn sand_of_large_pictures_has_grains() {
+    let mut studio = finished("size=256");
+    for (scale, least) in [(4, 0.6), (8, 0.5)] {
+        let made = bigger(&mut studio, scale);
+        let share = roughness(&made, scale / 4) / roughness(&made, scale);
+        assert!(share > least, "{scale}: {share}");
+    }
+}
+
 #[test]
 fn at_its_own_side_it_is_the_picture() {
     // Stones in two bands, and on a tile whose stones reach over its edges.
