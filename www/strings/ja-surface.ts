@@ -91,7 +91,7 @@ export const presets: Foreign['presets'] = {
   'cobbled-hill': { title: '石畳の丘', note: '丘の間の小道に敷石が沿い、目地に苔が生えます。' },
   'brick-stairs': { title: '煉瓦の階段', note: '縁で曲面を切るので、踏面と蹴上げにそれぞれの列があります。' },
   'paved-slope': { title: '石敷きの坂', note: '一つの高さから次の高さへ続く、一つの岩の色調の砂岩。' },
-  'tiled-ring': { title: 'タイルの輪', note: '大理石のタイルが、輪の二つの向きに閉じます。' },
+  'tiled-ring': { title: 'タイルの輪', note: '角を立てて並べたテラコッタが、輪の二つの向きに閉じます。' },
   'mosaic-vase': { title: 'モザイクの壺', note: '口を回って内側まで続く小さなタイル。明暗の大理石が輪になります。' },
   'tiled-dome': { title: 'タイルの丸屋根', note: '列は頂へ上り、そこで三枚や五枚のタイルが出会います。' },
   drum: { title: '円塔', note: '塔を巡る石灰岩の段。上には草が生えます。' },

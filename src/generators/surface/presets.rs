@@ -97,12 +97,12 @@ pub const PRESETS: &[Preset] = &[
     preset(
         ["Stones on surfaces", "brick-stairs", "Brick stairs"],
         "The surface is cut along its edges, so each tread and riser has rows of its own.",
-        "v=1&make=surface&form=stairs&stairs_steps=4&crease=cut&kind=rectangle&ca=2.1&cn=620&dir=border&stone=flag&sv=0.96&hs=0.28&dr=0.05&palette=terracotta&vary=1.3&ground=mortar&wear=0.3&moss=0.25&dirt=0.2&az=85&el=45",
+        "v=1&make=surface&form=stairs&stairs_steps=4&stairs_width=1&crease=cut&kind=rectangle&ca=2.6&cn=800&dir=border&vs=0.08&stone=flag&sv=0.96&hs=0.28&dr=0.05&palette=terracotta&vary=1.3&ground=mortar&wear=0.3&moss=0.25&dirt=0.2&az=85&el=45",
     ),
     preset(
         ["Stones on surfaces", "drum", "Round tower"],
         "Limestone in courses around a tower, grass on its top.",
-        "v=1&make=surface&form=cylinder&cylinder_height=1.3&cylinder_top=0.85&cylinder_caps=0&crease=cut&open=capped&kind=rectangle&ca=1.5&cn=520&dir=border&sv=0.99&hs=0.35&dr=0.05&palette=limestone&vary=1.3&ground=mortar&wear=0.3&moss=0.35&dirt=0.2&az=85&el=40",
+        "v=1&make=surface&form=cylinder&cylinder_height=1.3&cylinder_top=0.85&cylinder_caps=0&crease=cut&open=capped&kind=rectangle&ca=1.5&cn=520&dir=border&vs=0.15&sv=0.99&hs=0.35&dr=0.05&palette=limestone&vary=1.3&ground=mortar&wear=0.3&moss=0.35&dirt=0.2&az=85&el=40",
     ),
     preset(
         ["Stones on surfaces", "tiled-dome", "Tiled dome"],
@@ -116,12 +116,12 @@ pub const PRESETS: &[Preset] = &[
     ),
     preset(
         ["Stones on surfaces", "tiled-ring", "Tiled ring"],
-        "Marble tiles close around a ring both ways.",
-        "v=1&make=surface&form=torus&cn=1600&stone=flag&sv=0.95&hs=0.15&dr=0.05&palette=marble&vary=1.4&ground=dark&gloss=glossy&soft=0.8&az=85&el=45",
+        "Terracotta set on its corners closes around a ring both ways.",
+        "v=1&make=surface&form=torus&torus_tube=0.5&cn=1100&angle=45&stone=flag&sv=0.95&hs=0.15&dr=0.05&palette=terracotta&vary=1.3&ground=mortar&gloss=glossy&pattern=size&az=85&el=45",
     ),
     preset(
         ["Stones on surfaces", "paved-slope", "Paved slope"],
         "Sandstone from one level to the next, in tones of one bed of stone.",
-        "v=1&make=surface&form=slope&kind=rectangle&ca=1.4&cn=420&dir=border&stone=flag&hs=0.3&dr=0.05&palette=sandstone&vary=1.3&ground=soil&soft=0.4&wear=0.4&moss=0.3&az=85&el=40",
+        "v=1&make=surface&form=slope&slope_rise=34&slope_landing=0.15&slope_width=0.9&cn=340&dir=border&vs=0.25&stone=flag&hs=0.3&dr=0.1&palette=sandstone&vary=1.2&ground=moss&soft=0.4&wear=0.4&moss=0.3&az=85&el=40",
     ),
 ];

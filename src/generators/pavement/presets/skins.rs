@@ -48,7 +48,7 @@ macro_rules! fig14 {
     ($change:literal) => {
         concat!(
             "v=1&outline=polygon&poly=q41BrvEvmB8oH9Wk3IiuB-_F6sC2wFogDo8Fi4C8oG8rB0-GwNu4H_YumKrgBwrI5j1BAi3BjuJqvBnhLjOhgHpvBx5FtuC1wFr1CtrF1mCtrFjwBllGatrJyPx9H&kind=ellipse",
-            $change, "&cs=17&dir=strokes&strokes=-oBrvErQgpR62D0wL6jFk8Ku9B05MrmDsvU.iutB3-oCt9BggQ86D0wLq4FklMs5Bi3Or5B-xS&start=quadtree&stone=skin&dr=0&palette=lizard&vary=1.2&ground=hide&gloss=glossy&rim=0.35&belly=0.6&ba=45&el=40&diff=1.3")
+            $change, "&cs=17&dir=strokes&strokes=-oBrvErQgpR62D0wL6jFk8Ku9B05MrmDsvU.iutB3-oCt9BggQ86D0wLq4FklMs5Bi3Or5B-xS&start=quadtree&stone=skin&dr=0&palette=lizard&vary=1.2&ground=hide&gloss=glossy&pattern=rosettes&pn=0.22&ps=0.8&pm=0.8&rim=0.35&belly=0.6&ba=45&el=40&diff=1.3")
     };
 }
 
@@ -68,7 +68,7 @@ macro_rules! fig16 {
     ($change:literal) => {
         concat!(
             "v=1&outline=polygon&poly=058BrmDic2jH8Mq8IpvBoqHxrCq4GtmD46F7xC81F7D4jG6sB61G8oD05I-jDsmHlz5BA81BrmHglCz5I8oC15GgyB7_FvLz5E9xBx5Ez-Cx5F15ChgH3V5sKoBx5I&kind=rectangle&cs=19&dir=strokes&strokes=u9BrmDwUsmTq4F05Mu9BmzJ76Dy5M76DggQ.2n6B3smC-oBggQ76DyiOp4F0wL-oBy5M6sGggQ&stone=skin&sv=1.3",
-            $change, "&palette=armadillo&ground=soil&gloss=glossy&rim=0.35&belly=0.5&ba=45&el=40&diff=1.3")
+            $change, "&palette=desert&ground=hide&gloss=glossy&pattern=bands&pn=0.25&pa=90&pc=0.35&rim=0.5&belly=0.5&ba=45&el=40&diff=1.3")
     };
 }
 
@@ -106,7 +106,7 @@ pub(super) const PRESETS: &[Preset] = &[
         "v=1&outline=polygon&poly=-5mC__PkxBggMujBggMhBggMzkBggMlxBggM1dggM6IggMspBggMvrvCArpB__L5I__L2d__LmxB__L0kB__LiB__LtjB__LlxB__L&lines=oyU__PkxBggMujBggMfggM1kBggMjxBggM3dggM6IggMspBggM.0xU___CmxBggMsjBggMfggM1kBggMjxBggM1dggM6IggMspBggM&kind=ellipse&parts=gggBgggBC&cs=30&dir=strokes&strokes=goE__PkxBggMujBggMfggM1kBggMjxBggM1dggM6IggMqpBggM.u-K___CkxBggMujBggMfggM1kBggMjxBggM1dggM6IggMspBggM.o5O___CmxBggMujBggMhBggMzkBggMlxBggM1dggM6IggMspBggM.q5O___CkxBggMujBggMfggM1kBggMjxBggM3dggM6IggMspBggM.u-K___CkxBggMujBggMfggM1kBggMjxBggM1dggM6IggMspBggM&reach=1&stone=skin&sv=3&sc=2&tc=0.7&palette=snake&vary=1.3&ground=hide&gloss=glossy&pattern=lines&pn=0.1&rim=0.5&az=90&el=38&diff=1.35", None),
     paper!("skin17-b", "17 (b)",
         "A belly: plates across between two lines, hexagons beside them.",
-        "v=1&outline=polygon&poly=rmDrmD4smCAA4smC3smCA&lines=-oR76Dz-Bw9In8Bs9K7D6nIsYm4HurBm4H-6B6nIiuCs9KqhCw9I.4-Y31nC0-Bw9Io8Bs9K8D6nIrYm4HzrBm4H36B6nIhuCs9KphCw9I&kind=ellipse&parts=gggBgggBC&cs=20&dir=constant&strokes=AvU05Mm8CsmT2esmT1e05Ml8C.___B05c05Mk8CsmT4esmT3e05Mj8C.___B05c05Mk8CsmT4esmT3e05Mj8C&reach=1&stone=skin&sr=0.8&palette=tortoise&ground=hide&gloss=glossy&rim=0.4&az=135&el=40", timing(32.0, 4.8)),
+        "v=1&outline=polygon&poly=rmDrmD4smCAA4smC3smCA&lines=-oR76Dz-Bw9In8Bs9K7D6nIsYm4HurBm4H-6B6nIiuCs9KqhCw9I.4-Y31nC0-Bw9Io8Bs9K8D6nIrYm4HzrBm4H36B6nIhuCs9KphCw9I&kind=ellipse&parts=gggBgggBC&cs=20&dir=constant&strokes=AvU05Mm8CsmT2esmT1e05Ml8C.___B05c05Mk8CsmT4esmT3e05Mj8C.___B05c05Mk8CsmT4esmT3e05Mj8C&reach=1&stone=skin&sr=0.8&palette=desert&vary=1.2&ground=hide&gloss=glossy&rim=0.5&az=135&el=40", timing(32.0, 4.8)),
     paper!("skin17-c", "17 (c)",
         "A face: rings of plates around the eye, a line for the mouth.",
         "v=1&outline=polygon&poly=76D76D41nCAA41nC31nCA.m9mB1-oB5Rp-B_xB3xBnoCzbpwCApoC0b9xB4xB5Rq-B6Ro-B-xB4xBqoC0bqwCAooCzbgyB3xB.jXn-B3NouB1mBilB93BwU79BA73BvU1mBhlB3NnuB4NpuB2mBhlB83BvU89BA-3BwU2mBilB&lines=i3uBm8ahbyxEzuCqjEn6DooDn6E4iC5qFkX5qFjXl6E3iCn6DnoD1uCpjE_axxEgbzxE2uCpjEo6DnoDm6E3iC6qFjX6qFkXo6E4iCo6DooD0uCqjEib0xE.9xyB86T2nKu9B0wL8xCm8KgpBk8K_oB0wL76Dw0Q76D&kind=ellipse&parts=4-oBm8aC&cs=20&spots=iudm8aiuF05F&strokes=9xC05MyrP7jFsmT9xCsmT-xCyrP8jF.7jlCggwBq4Vu9BumTvUklcrvE.jlMx5cklMsmD.7jlCrmD4-I_oB.1nKumT2nKu9B0wL8xCm8KgpBk8K_oB0wL76Dw0Q76D&reach=0.1&start=quadtree&stone=skin&sv=1.6&sr=2&dr=0.1&palette=lizard&ground=hide&gloss=glossy&pattern=lines&pn=0.04&ps=0.3&el=40", timing(16.0, 4.0)),
