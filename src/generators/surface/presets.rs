@@ -97,12 +97,12 @@ pub const PRESETS: &[Preset] = &[
     preset(
         ["Stones on surfaces", "brick-stairs", "Brick stairs"],
         "The surface is cut along its edges, so each tread and riser has rows of its own.",
-        "v=1&make=surface&form=stairs&stairs_steps=4&stairs_width=1&crease=cut&kind=rectangle&ca=2.6&cn=800&dir=border&vs=0.08&stone=flag&sv=0.96&hs=0.28&dr=0.05&palette=terracotta&vary=1.3&ground=mortar&wear=0.3&moss=0.25&dirt=0.2&az=85&el=45",
+        "v=1&make=surface&form=stairs&stairs_steps=4&stairs_width=1&crease=cut&kind=rectangle&ca=2.2&cn=430&dir=border&vs=0.12&stone=flag&sv=0.96&hs=0.28&dr=0.05&palette=terracotta&vary=1.3&ground=mortar&wear=0.3&moss=0.25&dirt=0.2&az=85&el=45",
     ),
     preset(
         ["Stones on surfaces", "drum", "Round tower"],
         "Limestone in courses around a tower, grass on its top.",
-        "v=1&make=surface&form=cylinder&cylinder_height=1.3&cylinder_top=0.85&cylinder_caps=0&crease=cut&open=capped&kind=rectangle&ca=1.5&cn=520&dir=border&vs=0.15&sv=0.99&hs=0.35&dr=0.05&palette=limestone&vary=1.3&ground=mortar&wear=0.3&moss=0.35&dirt=0.2&az=85&el=40",
+        "v=1&make=surface&form=cylinder&cylinder_height=1.3&cylinder_top=0.85&cylinder_caps=0&crease=cut&open=capped&kind=rectangle&ca=1.7&cn=260&dir=border&vs=0.16&sv=0.99&hs=0.35&dr=0.05&palette=limestone&vary=1.3&ground=mortar&wear=0.3&moss=0.35&dirt=0.2&az=85&el=40",
     ),
     preset(
         ["Stones on surfaces", "tiled-dome", "Tiled dome"],
