@@ -1,7 +1,7 @@
 //! Renders one link to files.
 //!
 //!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] [--model [ROLE=]FILE]
-//!         --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD]
+//!         --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] [--one-mesh]
 //!         [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] [--view CAMERA] [--samples N] [--aperture A]
 //!
 //! Writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and report.json into DIR.
@@ -11,7 +11,8 @@
 //! - `--maps`: normal-opengl.png, normal-directx.png, roughness.png, ao.png, orm.png and height-float.exr.
 //! - `--maps-for`: the files that blender, godot, unity or unreal expect.
 //! - `--mesh`: the meshes of all cells and the ground as surface.obj, surface.glb and, with images,
-//!   surface-textured.glb. `--detail` is low, middle (the default) or high.
+//!   surface-textured.glb. `--detail` is low, middle (the default) or high. With `--one-mesh`, the GLB
+//!   files have one mesh of all bodies instead of one for each stone.
 //! - `--stl`: the height field as a closed slab with these millimetres, as slab.stl.
 //! - `--svg`: the cells' outlines as cells.svg.
 //! - `--scale`: the picture at 1 to 8 times its side as picture-Nx.png; with `--maps` also its maps as NAME-Nx.png.
@@ -98,7 +99,7 @@ fn run() -> Result<(), String> {
     }
     if wish.mesh {
         let detail = native::detail_of(wish.detail.as_deref().unwrap_or("middle"))?;
-        native::write_meshes(&mut studio, detail, out)?;
+        native::write_meshes(&mut studio, detail, wish.one_mesh, out)?;
     }
     if let Some([side, base, relief, squares]) = wish.stl {
         let slab = bubblestone::export::Slab {
@@ -134,6 +135,7 @@ struct Wish {
     maps_for: Option<String>,
     mesh: bool,
     detail: Option<String>,
+    one_mesh: bool,
     stl: Option<[f32; 4]>,
     scale: Option<usize>,
     view: Option<String>,
@@ -147,7 +149,7 @@ impl Wish {
     fn read(mut words: impl Iterator<Item = OsString>) -> Result<Self, String> {
         use bubblestone::scene::{MOST_SAMPLES, WIDEST};
         const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] [--model [ROLE=]FILE] \
-            --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] \
+            --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] [--one-mesh] \
             [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] \
             [--view ANGLE,HEIGHT,DISTANCE,LENS,X,Y,Z] [--samples N] [--aperture A].";
         let mut wish = Wish::default();
@@ -169,6 +171,7 @@ impl Wish {
                 "--maps-for" => wish.maps_for = Some(value("--maps-for")?),
                 "--mesh" => wish.mesh = true,
                 "--detail" => wish.detail = Some(value("--detail")?),
+                "--one-mesh" => wish.one_mesh = true,
                 "--stl" => {
                     let numbers = value("--stl")?;
                     let numbers: Vec<f32> = numbers.split(',').flat_map(str::parse).collect();

@@ -285,13 +285,19 @@ pub fn detail_of(word: &str) -> Result<usize, String> {
 }
 
 /// Writes the meshes of all cells and the ground as surface.obj and surface.glb, and also as
-/// surface-textured.glb if there are images.
-pub fn write_meshes(studio: &mut Studio, detail: usize, dir: &Path) -> Result<(), String> {
+/// surface-textured.glb if there are images. With `joined`, a GLB file has one mesh of all bodies.
+pub fn write_meshes(
+    studio: &mut Studio,
+    detail: usize,
+    joined: bool,
+    dir: &Path,
+) -> Result<(), String> {
     for (format, word) in MeshFormat::ALL {
         let order = MeshOrder {
             format,
             detail,
             images: None,
+            joined,
         };
         let file = mesh(studio, order)?;
         write(dir, &format!("surface.{word}"), &file)?;
@@ -308,6 +314,7 @@ pub fn write_meshes(studio: &mut Studio, detail: usize, dir: &Path) -> Result<()
         format: MeshFormat::Glb,
         detail,
         images: Some([0, 1, 2].map(|k| images[k].len() as u32)),
+        joined,
     };
     let mut file = mesh(studio, order)?;
     for image in images {

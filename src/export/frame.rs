@@ -1,14 +1,16 @@
 //! Maps a surface's axes and units to those of mesh files.
 
+#[cfg(house)]
+use super::chart::Chart;
 use glam::Vec3;
 
 /// The axes and units of a surface.
 pub(super) enum ExportSpace {
     /// x, y down and height, in picture units; `unit` is the file's unit for one of them.
     Picture { unit: f32 },
-    /// Those of a model, as in files.
+    /// Those of a model, as in files; a chart gives texture coordinates.
     #[cfg(house)]
-    Model,
+    Model(Option<Chart>),
 }
 
 impl ExportSpace {
@@ -16,17 +18,17 @@ impl ExportSpace {
         match *self {
             Self::Picture { unit } => [p.x * unit - 0.5, p.z * unit, p.y * unit - 0.5],
             #[cfg(house)]
-            Self::Model => p.to_array(),
+            Self::Model(_) => p.to_array(),
         }
     }
 
-    /// The place in the maps, from the upper left corner to the right and down, 0..1 in the picture. A model has no
-    /// maps.
+    /// The place in the maps, from the upper left corner to the right and down, 0..1 in the picture; on a model, the
+    /// place in the chart.
     pub fn place_in_maps(&self, p: Vec3) -> Option<[f32; 2]> {
         match *self {
             Self::Picture { unit } => Some([p.x * unit, p.y * unit]),
             #[cfg(house)]
-            Self::Model => None,
+            Self::Model(chart) => chart.map(|chart| chart.of(p)),
         }
     }
 
@@ -38,7 +40,7 @@ impl ExportSpace {
         match self {
             Self::Picture { .. } => [n.x, n.z, n.y],
             #[cfg(house)]
-            Self::Model => n.to_array(),
+            Self::Model(_) => n.to_array(),
         }
     }
 
@@ -48,7 +50,7 @@ impl ExportSpace {
         match self {
             Self::Picture { .. } => [a, c, b],
             #[cfg(house)]
-            Self::Model => [a, b, c],
+            Self::Model(_) => [a, b, c],
         }
     }
 }

@@ -1,16 +1,19 @@
 //! Surfaces as a GLB file: glTF 2.0 in one binary (Khronos Group, ISO/IEC 12113:2022).
 //!
 //! The file has a node with a mesh for each stone, named by its id, and one for the ground. Bodies of a scene share
-//! meshes, and meshes share surfaces. There are three kinds of files:
+//! meshes, and meshes share surfaces. On request, all bodies are joined to one mesh. There are three kinds of files:
 //!
 //! - *Plain*: a vertex has position, normal, colour and place in the maps. The colour is linear red, green, blue and
 //!   full alpha, with 16 bits each, as 8 bits are too few for dark colours.
-//! - *For a model*: the same without a place.
+//! - *For a scene*: the same without a place.
 //! - *With images* of colour, normals, and occlusion, roughness and metal: a vertex has position and place in the
 //!   maps. All normals point up and all tangents to the right of the picture. The map of normals has complete
 //!   normals, not differences from those of a mesh: with the mesh's own normals they would tilt twice.
 //!
-//! Places in maps begin at the upper left corner of the picture.
+//! Places in maps begin at the upper left corner of the picture. Those of a model are places in charts.
+
+#[cfg(house)]
+mod joined;
 
 use super::bytes::{put, put_floats};
 use super::frame::ExportSpace;
@@ -25,6 +28,8 @@ use crate::scene::Place;
 use crate::solid::Surface;
 #[cfg(house)]
 use glam::{Mat3, Quat};
+#[cfg(house)]
+use joined::Joined;
 
 /// The normal and tangent that all vertices share in a file with images.
 const UPRIGHT: [&[f32]; 2] = [&[0.0, 1.0, 0.0], &[1.0, 0.0, 0.0, 1.0]];
@@ -177,6 +182,9 @@ pub(super) struct Glb {
     meshes: String,
     accessors: String,
     linear: [u32; 256],
+    /// The only mesh, if bodies are joined.
+    #[cfg(house)]
+    joined: Option<Joined>,
 }
 
 impl Glb {
@@ -204,20 +212,17 @@ impl Glb {
             meshes: String::new(),
             accessors: String::new(),
             linear: std::array::from_fn(linear),
-        }
-    }
-
-    /// A file of surfaces in a model's own axes, without places in maps.
-    #[cfg(house)]
-    pub fn of_model(roughness: f32) -> Self {
-        Self {
-            layout: &BARE,
-            ..Self::new(roughness, None, false)
+            #[cfg(house)]
+            joined: None,
         }
     }
 
     /// Adds the surface of the stone with this id, or of the ground for 0.
     pub fn add(&mut self, frame: &ExportSpace, surface: &Surface, id: u32) {
+        #[cfg(house)]
+        if self.join(frame, surface, 0) {
+            return;
+        }
         let surface = self.add_surface(frame, surface);
         let mesh = self.add_mesh(surface, 0);
         self.add_stone(mesh, id);
@@ -225,7 +230,16 @@ impl Glb {
 
     /// Adds a surface, for meshes to use; returns its number.
     pub(super) fn add_surface(&mut self, frame: &ExportSpace, surface: &Surface) -> usize {
-        let first = self.vertices.len();
+        let (first, count) = (self.vertices.len(), surface.positions.len());
+        let bounds = self.put_vertices(frame, surface);
+        self.describe(first, count, bounds);
+        self.index(frame, &surface.triangles, count);
+        self.surfaces_made += 1;
+        self.surfaces_made - 1
+    }
+
+    /// Adds the vertices of a surface; returns their least and greatest coordinates.
+    fn put_vertices(&mut self, frame: &ExportSpace, surface: &Surface) -> [[f32; 3]; 2] {
         let (mut low, mut high) = ([f32::MAX; 3], [f32::MIN; 3]);
         for (k, &p) in surface.positions.iter().enumerate() {
             let at = frame.place(p);
@@ -243,12 +257,7 @@ impl Glb {
                 put_floats(&mut self.vertices, &at);
             }
         }
-        let count = surface.positions.len();
-        self.most = self.most.max(count);
-        self.describe(first, count, [low, high]);
-        self.index(frame, &surface.triangles, count);
-        self.surfaces_made += 1;
-        self.surfaces_made - 1
+        [low, high]
     }
 
     /// Adds a mesh with a surface and a material; returns its number.
@@ -263,6 +272,7 @@ impl Glb {
 
     /// Adds the accessors of the vertices that begin at byte `first`.
     fn describe(&mut self, first: usize, count: usize, [low, high]: [[f32; 3]; 2]) {
+        self.most = self.most.max(count);
         for &(offset, accessor) in self.layout.attributes {
             let ([a, b, c], [d, e, f]) = (low.map(f64::from), high.map(f64::from));
             let numbers = [count as f64, (first + offset) as f64, a, b, c, d, e, f];
@@ -337,6 +347,14 @@ impl Glb {
 
     /// The file in parts, without the images.
     pub fn finish(self) -> Vec<Vec<u8>> {
+        #[cfg(house)]
+        let this = self.described();
+        #[cfg(not(house))]
+        let this = self;
+        this.written()
+    }
+
+    fn written(self) -> Vec<Vec<u8>> {
         let mut shared = Vec::new();
         for vector in UPRIGHT.into_iter().filter(|_| self.images.is_some()) {
             (0..self.most).for_each(|_| put_floats(&mut shared, vector));

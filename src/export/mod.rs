@@ -2,6 +2,8 @@
 //! planes, and files of the cells' surfaces.
 
 mod bytes;
+#[cfg(house)]
+mod chart;
 mod exr;
 mod fixed;
 mod frame;

@@ -1,5 +1,6 @@
 //! The stones on a surface in one file, cell by cell, and then the ground in parts, in the model's axes and units.
 
+use super::chart::Chart;
 use super::frame::ExportSpace;
 use super::glb::Glb;
 use super::obj::Obj;
@@ -25,11 +26,11 @@ impl ModelFile {
         materials: &[Material],
         cells: &[SurfaceCell],
     ) -> Self {
-        let glb = || Glb::of_model(mean_roughness(materials));
+        let glb = || Glb::of_model(mean_roughness(materials), order.joined);
         Self {
             pieces: Pieces::new(params, cells, order.of_each(cells.len())),
             writer: match order.format {
-                MeshFormat::Obj => Writer::Obj(Obj::new(&ExportSpace::Model)),
+                MeshFormat::Obj => Writer::Obj(Obj::new(&ExportSpace::Model(None))),
                 MeshFormat::Glb => Writer::Glb(Box::new(glb())),
             },
         }
@@ -46,7 +47,10 @@ impl ModelFile {
         match self.pieces.next(mesh, paving) {
             Piece::None => false,
             Piece::Surface(id, surface) => {
-                self.writer.add(&ExportSpace::Model, &surface, id);
+                let cell = id.checked_sub(1).map(|k| &paving.cells[k as usize]);
+                let chart = cell.map_or_else(|| Chart::of_surface(&surface), Chart::of_cell);
+                self.writer
+                    .add(&ExportSpace::Model(Some(chart)), &surface, id);
                 false
             }
             Piece::End => true,

@@ -12,7 +12,8 @@ const HEAD: &[u8] = b"# Made by Bubblestone.\n\
     # Colours are sRGB; places in maps begin at the lower left.\n";
 #[cfg(house)]
 const MODEL_HEAD: &[u8] = b"# Made by Bubblestone.\n\
-    # Right-handed, y up, in the units of the surface. Colours are sRGB.\n";
+    # Right-handed, y up, in the units of the surface. Colours are sRGB.\n\
+    # Texture coordinates have the same units: each body is projected to its tangent plane.\n";
 
 /// An OBJ file that is being made.
 pub(super) struct Obj {
@@ -27,7 +28,7 @@ impl Obj {
         let head = match frame {
             ExportSpace::Picture { .. } => HEAD,
             #[cfg(house)]
-            ExportSpace::Model => MODEL_HEAD,
+            ExportSpace::Model(_) => MODEL_HEAD,
         };
         Self {
             parts: Vec::new(),

@@ -37,6 +37,9 @@ pub struct MeshOrder {
     /// For a GLB file, the sizes of its images in bytes, all PNG: colour, normals (OpenGL), and occlusion, roughness
     /// and metal. The caller appends them to the file's last part, each padded to a multiple of four bytes.
     pub images: Option<[u32; 3]>,
+    /// Whether a GLB file has one mesh of all bodies, with a primitive for each material. Sizes ignore this.
+    #[cfg(house)]
+    pub joined: bool,
 }
 
 /// The approximate size of a file.
@@ -68,8 +71,8 @@ impl MeshOrder {
         let triangles = stones * each + ground;
         let vertices = stones * (each / 2 + 2) + ground / 2;
         let [stone, vertex, triangle] = match self.format {
-            MeshFormat::Obj => [16.0, 74.0, 48.0],
-            MeshFormat::Glb => [760.0, 32.0, 6.0],
+            MeshFormat::Obj => [16.0, 96.0, 59.0],
+            MeshFormat::Glb => [850.0, 40.0, 6.0],
         };
         let text = stone * stones as f64 + vertex * vertices as f64;
         MeshSize {
@@ -113,6 +116,8 @@ mod tests {
             format: MeshFormat::Glb,
             detail: 1600,
             images: None,
+            #[cfg(house)]
+            joined: false,
         };
         assert_eq!((order.of_each(0), order.of_each(452)), (1600, 1600));
         assert_eq!(order.of_each(9000), 444);

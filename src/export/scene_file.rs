@@ -43,7 +43,7 @@ impl SceneFile {
     pub fn new(order: &MeshOrder, materials: &[Material], scene: &Scene) -> Self {
         let rough = |material: &Material| roughness(f64::from(material.shininess));
         let glb = || SharedMeshes {
-            glb: Glb::of_model(mean_roughness(materials)),
+            glb: Glb::of_scene(mean_roughness(materials), order.joined),
             roughness: materials.iter().map(rough).collect(),
             surfaces: BTreeMap::new(),
             materials: BTreeMap::new(),
@@ -51,7 +51,7 @@ impl SceneFile {
         };
         Self {
             writer: match order.format {
-                MeshFormat::Obj => SceneWriter::Obj(Obj::new(&ExportSpace::Model)),
+                MeshFormat::Obj => SceneWriter::Obj(Obj::new(&ExportSpace::Model(None))),
                 MeshFormat::Glb => SceneWriter::Glb(Box::new(glb())),
             },
             most: order.of_each(scene.instances.len()),
@@ -74,7 +74,7 @@ impl SceneFile {
         match &mut self.writer {
             SceneWriter::Obj(obj) => {
                 let name = name(instance).replace(char::is_whitespace, "_");
-                obj.add_named(&ExportSpace::Model, &placed(surface, instance), &name);
+                obj.add_named(&ExportSpace::Model(None), &placed(surface, instance), &name);
             }
             SceneWriter::Glb(glb) => glb.add(surface, instance, &name(instance)),
         }
@@ -100,19 +100,38 @@ impl PartFile for SceneFile {
 
 impl SharedMeshes {
     fn add(&mut self, surface: &Surface, instance: &Instance, name: &str) {
+        let material = self.material(instance.paint);
         let glb = &mut self.glb;
+        if glb.is_joined() {
+            let bare = Instance {
+                paint: None,
+                ..*instance
+            };
+            let space = ExportSpace::Model(None);
+            glb.join(&space, &placed(surface, &bare), material);
+            return;
+        }
         let kind = (instance.body, instance.paint);
         let mesh = *self.meshes.entry(kind).or_insert_with(|| {
             let shared = self.surfaces.entry(instance.body);
-            let shared = *shared.or_insert_with(|| glb.add_surface(&ExportSpace::Model, surface));
-            let material = instance.paint.map_or(0, |paint| {
-                let rough = self.roughness.get(usize::from(paint.material));
-                let new = || glb.add_material(paint.tint, rough.copied().unwrap_or(1.0));
-                *self.materials.entry(paint).or_insert_with(new)
-            });
+            let shared =
+                *shared.or_insert_with(|| glb.add_surface(&ExportSpace::Model(None), surface));
             glb.add_mesh(shared, material)
         });
         glb.add_body(mesh, name, &instance.place);
+    }
+
+    /// The number of the material of a paint.
+    fn material(&mut self, paint: Option<Paint>) -> usize {
+        let Some(paint) = paint else {
+            return 0;
+        };
+        let rough = self.roughness.get(usize::from(paint.material));
+        let new = || {
+            self.glb
+                .add_material(paint.tint, rough.copied().unwrap_or(1.0))
+        };
+        *self.materials.entry(paint).or_insert_with(new)
     }
 }
 

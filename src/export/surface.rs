@@ -69,7 +69,12 @@ impl MeshFile {
         stones: usize,
     ) -> Self {
         let each = order.of_each(stones);
-        let glb = || Glb::new(mean_roughness(materials), order.images, params.tile);
+        let glb = || {
+            let glb = Glb::new(mean_roughness(materials), order.images, params.tile);
+            #[cfg(house)]
+            let glb = glb.joined(order.joined);
+            glb
+        };
         let unit = 1.0 / params.side as f32;
         let frame = ExportSpace::Picture { unit };
         Self {

@@ -25,7 +25,8 @@ impl Bubblestone {
 
     /// Works for about `budget` milliseconds on a mesh file: 'glb' or 'obj', with 'low', 'middle' or 'high'
     /// detail. `images` is empty, or has the lengths of three images that the caller appends to a GLB file,
-    /// each padded to a multiple of four bytes: colour, normals (OpenGL), 'orm'.
+    /// each padded to a multiple of four bytes: colour, normals (OpenGL), 'orm'. In the second module, `+joined` after
+    /// the detail makes one mesh of all bodies in a GLB file.
     #[wasm_bindgen(js_name = meshFile, unchecked_return_type = "MeshSlice | Notice")]
     pub fn mesh_file(&mut self, ending: &str, detail: &str, images: &[u32], budget: f64) -> Object {
         let clock = &self.clock;
@@ -83,11 +84,19 @@ impl Bubblestone {
 }
 
 fn order(ending: &str, detail: &str, images: &[u32]) -> Option<MeshOrder> {
+    // Only the second module joins bodies.
+    #[cfg(house)]
+    let (detail, joined) = match detail.strip_suffix("+joined") {
+        Some(detail) => (detail, true),
+        None => (detail, false),
+    };
     let (format, _) = *MeshFormat::ALL.iter().find(|(_, word)| *word == ending)?;
     let (_, detail) = *DETAILS.iter().find(|(word, _)| *word == detail)?;
     Some(MeshOrder {
         format,
         detail,
         images: images.try_into().ok(),
+        #[cfg(house)]
+        joined,
     })
 }

@@ -25,7 +25,7 @@ test('the cells are saved as a well-formed SVG with a polygon or a path for each
   const { page, problems, close } = await opened(site);
   await digest(page);
   const { name, bytes } = await saved(page, '#save-svg');
-  assert.equal(name, 'bubblestone-annulus-1.svg');
+  assert.equal(name, 'bubblestone-ring-1.svg');
   const cells = await page.$eval('#count-cells', (count) => Number(count.textContent));
   const { root, faults, shapes } = await page.evaluate((text) => {
     const read = new DOMParser().parseFromString(text, 'image/svg+xml');
@@ -45,7 +45,7 @@ test('a recipe saved as JSON and opened again, by dialog or drop, gives the same
   const { page, problems, close } = await opened(site, `${SMALL}&seed=5&stone=flag&palette=marble`);
   const planes = await digest(page);
   const { name, bytes } = await saved(page, '#save-recipe');
-  assert.equal(name, 'bubblestone-annulus-5.json');
+  assert.equal(name, 'bubblestone-ring-5.json');
   const recipe = JSON.parse(Buffer.from(bytes).toString());
   assert.equal(recipe.program, 'Bubblestone');
   assert.match(recipe.version, /^\d+\.\d+/);
@@ -122,7 +122,7 @@ test('the forming is saved as a looping GIF, to its end, while the page stays fr
   const { page, problems, external, close } = await opened(site);
   const planes = await digest(page);
   const { name, bytes } = await saved(page, '#save-gif');
-  assert.equal(name, 'bubblestone-annulus-1.gif');
+  assert.equal(name, 'bubblestone-ring-1-forming.gif');
   const file = Buffer.from(bytes);
   assert.equal(file.subarray(0, 6).toString('latin1'), 'GIF89a');
   assert.deepEqual([file.readUInt16LE(6), file.readUInt16LE(8)], [192, 192]);
@@ -154,11 +154,11 @@ test('Stop stops what is being made, and then another file can be saved', sameEv
     await page.evaluate(() => document.querySelector('.message .close')?.click());
     assert.equal(await page.evaluate(() => window.saved), undefined);
   }
-  assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-annulus-1.json');
+  assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-ring-1.json');
   await page.$eval('[data-preset=snake]', (button) => button.click());
   assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-snake-1.json');
   await set(page, 'cs', '40');
-  assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-tile-1.json');
+  assert.equal((await saved(page, '#save-recipe')).name, 'bubblestone-seamless-tile-1.json');
   assert.deepEqual(problems, []);
   await close();
 });

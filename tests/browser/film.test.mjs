@@ -162,7 +162,7 @@ test('a film of the forming loops from the finished picture to the finished pict
   await handed(page, () => click(page, '#save-film'));
   const { name } = await page.evaluate(() => window.saved);
   const film = await bytesOf(page, 'saved.blob');
-  assert.equal(name, `bubblestone-annulus-1-square.${word.toLowerCase()}`);
+  assert.equal(name, `bubblestone-ring-1-square.${word.toLowerCase()}`);
   assert.equal(film.type, `video/${word.toLowerCase()}`);
   assert.equal(await digest(page), planes);
   const { length, size, coarse } = await played(page, film, SQUARE);
@@ -187,7 +187,7 @@ test('a film of the turntable goes round once, and loops', sameEverywhere, async
   await click(page, '#save');
   await page.waitForSelector('#save-turn-film:enabled');
   await handed(page, () => click(page, '#save-turn-film'));
-  assert.equal(await page.evaluate(() => window.saved.name), 'bubblestone-annulus-1-turn.gif');
+  assert.equal(await page.evaluate(() => window.saved.name), 'bubblestone-ring-1-turn.gif');
   await page.evaluate(meaning);
   const { count, loops, size, coarse } = await page.evaluate(async () => {
     const decoder = new ImageDecoder({ data: await window.saved.blob.arrayBuffer(), type: 'image/gif' });
@@ -232,7 +232,7 @@ test('phones share the picture alone, and a film that is made first, or stopped'
   while (page.workers().length) await new Promise((ended) => page.once('workerdestroyed', ended));
   await handed(page, () => share('#share-upright'), '#share-film');
   const [[, [[name, type]]]] = await shared(() => page.tap('#share-film'));
-  assert.match(`${name} ${type}`, /^bubblestone-annulus-1-upright\.(mp4|webm) video\/\1$/);
+  assert.match(`${name} ${type}`, /^bubblestone-ring-1-upright\.(mp4|webm) video\/\1$/);
   assert.equal(await page.evaluate(() => window.saved), undefined);
   await page.tap('#keep-film');
   assert.equal(await page.evaluate(() => window.saved.name), name);

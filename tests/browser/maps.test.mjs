@@ -131,7 +131,7 @@ test('maps come larger, and show the same', sameEverywhere, async () => {
   const own = files(await saved(page, '#save-maps'));
   const png = (zip, name) => PNG.sync.read(Buffer.from(zip[`${name}.png`]), { skipRescale: true });
   const zip = await saved(page, '#save-maps', { 'maps-size': '2' });
-  assert.equal(zip.name, 'bubblestone-tile-1-maps-384.zip');
+  assert.equal(zip.name, 'bubblestone-seamless-tile-1-384-maps-opengl.zip');
   const twice = files(zip);
   assert.deepEqual(Object.keys(twice).sort(), Object.keys(own).sort());
   for (const name of Object.keys(own).filter((name) => name.endsWith('.png'))) {
@@ -175,12 +175,12 @@ test('the picture is saved at one to eight times its side, and shows the same', 
   const { page, problems, external, close } = await opened(site);
   await digest(page);
   const plain = await saved(page, '#save-png');
-  assert.equal(plain.name, 'bubblestone-annulus-1-picture.png');
+  assert.equal(plain.name, 'bubblestone-ring-1-192.png');
   const small = PNG.sync.read(Buffer.from(plain.bytes));
   assert.deepEqual([small.width, small.height], [192, 192]);
   for (const scale of [2, 3, 4, 8]) {
     const { name, bytes } = await saved(page, `#save-png-${scale}`);
-    assert.equal(name, `bubblestone-annulus-1-${192 * scale}.png`);
+    assert.equal(name, `bubblestone-ring-1-${192 * scale}.png`);
     const large = PNG.sync.read(Buffer.from(bytes));
     assert.deepEqual([large.width, large.height], [192 * scale, 192 * scale]);
     // The mean of the large picture's pixels over a pixel is close to that pixel.

@@ -27,12 +27,12 @@ test('the mesh is a valid GLB file and an OBJ file of as many triangles', sameEv
   const { page, problems, external, close } = await opened(site, `${SMALL}&seed=7&outline=star&stone=skin&sc=0.5`);
   await digest(page);
   const glb = await saved(page, '#save-glb');
-  assert.equal(glb.name, 'bubblestone-star-7.glb');
+  assert.equal(glb.name, 'bubblestone-star-7-middle.glb');
   const { issues, info } = await validator.validateBytes(glb.bytes);
   assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages.slice(0, 5)));
   assert.ok(info.totalTriangleCount > 5_000);
   const obj = await saved(page, '#save-obj');
-  assert.equal(obj.name, 'bubblestone-star-7.obj');
+  assert.equal(obj.name, 'bubblestone-star-7-middle.obj');
   const lines = Buffer.from(obj.bytes).toString().split('\n');
   assert.equal(lines.filter((line) => line.startsWith('f ')).length, info.totalTriangleCount);
   assert.equal(lines.filter((line) => line.startsWith('v ')).length, info.totalVertexCount);
@@ -123,6 +123,35 @@ test('the dialog tells how large meshes are, and their files are so, in every re
   await close();
 });
 
+test('bodies are joined to one mesh of one material, in files as large as told', sameEverywhere, async () => {
+  const { page, problems, close } = await opened(site, `${SMALL}&stone=flag&cs=24`);
+  await digest(page);
+  const reader = new NodeIO();
+  const counted = async (/** @type {string} */ button, /** @type {string} */ bodies) => {
+    const { name, bytes } = await saved(page, button, { detail: 'low', bodies });
+    const { issues, info } = await validator.validateBytes(bytes);
+    assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages.slice(0, 5)));
+    const root = (await reader.readBinary(bytes)).getRoot();
+    const parts = root.listMeshes().flatMap((mesh) => mesh.listPrimitives());
+    return { name, bytes: bytes.length, triangles: info.totalTriangleCount, parts, nodes: root.listNodes().map((node) => node.getName()) };
+  };
+  for (const button of ['#save-glb', '#save-glb-images']) {
+    const each = await counted(button, 'each');
+    const one = await counted(button, 'one');
+    await dialog(page);
+    const told = await page.$eval('#mesh-size', (size) => size.value);
+    await click(page, '#save-dialog [data-close]');
+    assert.match(one.name, button === '#save-glb' ? /-low-one-mesh\.glb$/ : /-low-images-one-mesh\.glb$/);
+    assert.deepEqual([one.parts.length, one.nodes, one.triangles], [1, ['Bubblestone', 'all'], each.triangles]);
+    const list = (/** @type {typeof each} */ file, /** @type {string} */ name) => file.parts.flatMap((part) => [...(part.getAttribute(name)?.getArray() ?? [])]);
+    for (const name of ['POSITION', 'COLOR_0', 'TEXCOORD_0']) assert.deepEqual(list(one, name), list(each, name), name);
+    const megabytes = Number((button === '#save-glb' ? /About ([\d.]+) MB as GLB/ : /([\d.]+) MB with images/).exec(told)?.[1]);
+    assert.ok(Math.abs(one.bytes / 1e6 / megabytes - 1) < 0.15, `${one.bytes} bytes, ${told}`);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('a mesh with images has its maps inside, and upright normals', sameEverywhere, async () => {
   const { page, problems, close } = await opened(site, `${SMALL}&cs=24`);
   await digest(page);
@@ -159,7 +188,7 @@ test('a slab to print is closed and as large as asked for', sameEverywhere, asyn
   assert.match(told, /^134,144 triangles, 6\.7 MB\.$/);
   await click(page, '#save-dialog [data-close]');
   const { name, bytes } = await saved(page, '#save-stl', { 'slab-side': '80', 'slab-base': '2', 'slab-relief': '5', 'slab-grid': '128' });
-  assert.equal(name, 'bubblestone-annulus-1.stl');
+  assert.equal(name, 'bubblestone-ring-1.stl');
   const geometry = new STLLoader().parse(bytes.buffer);
   geometry.computeBoundingBox();
   const { min, max } = geometry.boundingBox;

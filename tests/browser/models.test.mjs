@@ -246,7 +246,11 @@ test('strokes are painted on the surface, one step each, and taken away by a cli
   await page.mouse.move(cx + 50, cy, { steps: 4 });
   await page.mouse.up();
   await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('strokes') !== '');
+  await page.waitForSelector('.paint-over .paint-strokes');
   await digest(page);
+  // The row does not lie on the finished picture; the eraser shows it.
+  await page.waitForFunction(() => !document.querySelector('.paint-over .paint-strokes'));
+  await click(page, '#paint-erase');
   await page.waitForSelector('.paint-over .paint-strokes');
   await click(page, '#undo');
   await until(page, 'strokes', '');

@@ -1,6 +1,8 @@
 // Surfaces in space: only their bodies are visible, from any side and at any time.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { NodeIO } from '@gltf-transform/core';
+import validator from 'gltf-validator';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, BALL, click, digest, frames, get, link, phone, reloading, set, SMALL } from './page.mjs';
@@ -155,11 +157,17 @@ test('a surface is taken away as a picture and a mesh, and compared with another
   const { page, problems, close } = await opened(site, BALL);
   await digest(page);
   const { name, bytes } = await saved(page, '#save-turn');
-  assert.equal(name, 'bubblestone-sphere-1-turn.png');
+  assert.equal(name, 'bubblestone-sphere-1-1024-turn.png');
   assert.equal(new DataView(bytes.buffer, bytes.byteOffset).getUint32(16), 1024);
   const { name: mesh, bytes: glb } = await saved(page, '#save-glb', { detail: 'low' });
-  assert.equal(mesh, 'bubblestone-sphere-1.glb');
-  assert.equal(new TextDecoder().decode(glb.subarray(0, 4)), 'glTF');
+  assert.equal(mesh, 'bubblestone-sphere-1-low.glb');
+  const { issues } = await validator.validateBytes(glb);
+  assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues.messages.slice(0, 5)));
+  const { name: joined, bytes: one } = await saved(page, '#save-glb', { bodies: 'one' });
+  assert.equal(joined, 'bubblestone-sphere-1-low-one-mesh.glb');
+  const meshes = (await new NodeIO().readBinary(one)).getRoot().listMeshes();
+  const [part, ...others] = meshes.flatMap((mesh) => mesh.listPrimitives());
+  assert.deepEqual([meshes.length, others.length, part?.listSemantics().sort()], [1, 0, ['COLOR_0', 'NORMAL', 'POSITION', 'TEXCOORD_0']]);
   await dialog(page);
   assert.deepEqual(await page.$$eval('#save-dialog section', (rows) => rows.map((row) => row.getAttribute('aria-label'))), ['Picture', 'Film', 'Mesh', 'Recipe']);
   await page.keyboard.press('Escape');

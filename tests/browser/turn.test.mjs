@@ -248,7 +248,7 @@ test('pictures are saved with nothing behind the bodies, and their planes', same
   const { page, problems, close } = await opened(site, `${SMALL}&camera=330`);
   await turned(page);
   const { name, bytes } = await saved(page, '#save-turn', { 'turn-backdrop': 'nothing' });
-  assert.equal(name, 'bubblestone-annulus-1-turn.png');
+  assert.equal(name, 'bubblestone-ring-1-1024-turn.png');
   const { side, clear, full } = await page.evaluate(async (text) => {
     const picture = new Image();
     picture.src = `data:image/png;base64,${text}`;

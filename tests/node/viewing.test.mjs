@@ -135,3 +135,11 @@ test('what is not packed in steps is not held at one', () => {
   const { viewing: asked, faults } = viewing.read('step=3&view=mesh', { ...SIGHTS, offers: [] });
   assert.deepEqual([written(asked), faults], ['view=mesh', [{ what: 'step', given: '3' }]]);
 });
+
+test('saved files are named by one rule, in letters that every system takes', async () => {
+  const { fileName } = await moduleOf('../../www/take/file-name.ts');
+  assert.equal(fileName('Granite ring', '1', { ending: 'svg' }), 'bubblestone-granite-ring-1.svg');
+  assert.equal(fileName('Lizard’s leg', '7', { size: 4096, ending: 'png' }), 'bubblestone-lizards-leg-7-4096.png');
+  assert.equal(fileName('17 (d)', '2', { size: 512, variant: ['maps', false, 'unreal'], ending: 'zip' }), 'bubblestone-17-d-2-512-maps-unreal.zip');
+  assert.equal(fileName('/Café…', '3', { variant: ['low', 'one-mesh'], ending: 'glb' }), 'bubblestone-cafe-3-low-one-mesh.glb');
+});

@@ -9,6 +9,8 @@ import { jsonFile, svgFile } from './export';
 interface DialogNeeds {
   side(): number;
   outline(): Ring[];
+  /** The name of a file of the outline. */
+  fileName(ending: string): string;
   takeFile(file: File): Promise<unknown>;
   takeText(text: string, name: string): Promise<boolean>;
 }
@@ -49,12 +51,12 @@ export function importDialog(needs: DialogNeeds): void {
 }
 
 export function exportDialog(needs: DialogNeeds): void {
-  const save = (make: (rings: Ring[], side: number) => string, name: string, type: string): void => {
-    offer(new Blob([make(needs.outline(), needs.side())], { type }), name);
+  const save = (make: (rings: Ring[], side: number) => string, ending: string, type: string): void => {
+    offer(new Blob([make(needs.outline(), needs.side())], { type }), needs.fileName(ending));
     dialog.close();
   };
-  const svg = button('export-svg', t('export_svg'), () => save(svgFile, 'outline.svg', 'image/svg+xml'));
-  const json = button('export-json', t('export_json'), () => save(jsonFile, 'outline.json', 'application/json'));
+  const svg = button('export-svg', t('export_svg'), () => save(svgFile, 'svg', 'image/svg+xml'));
+  const json = button('export-json', t('export_json'), () => save(jsonFile, 'json', 'application/json'));
   const close = button('leave-export', t('cancel'), () => dialog.close());
   const dialog = dialogOf('export-dialog', 'outline-dialog', t('export_title'), make('p', {}, t('export_what')), make('div', { class: 'row' }, svg, json, close));
 }

@@ -18,6 +18,7 @@ import { alertOf, clear, notice } from '../base/messages';
 import type { Engine, Told } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
+import { nameOf } from '../take/name';
 import { exportDialog, importDialog } from './dialogs';
 import { FigureEditor } from './figure-editor';
 import { ringOf, scaled } from './geometry/curve';
@@ -123,6 +124,7 @@ export class Editor {
     dialog({
       side: () => this.engine.side(),
       outline: () => this.engine.outline(),
+      fileName: (ending) => nameOf(this.engine, this.work.store, { variant: ['outline'], ending }),
       takeFile: (file) => this.takeFile(file),
       takeText: (text, name) => this.takeText(text, name),
     });
@@ -240,8 +242,9 @@ export class Editor {
     return '';
   }
 
-  /** After a new outline: shows its handles unless there are too many. */
+  /** After a new outline: the recipe is no variant of its preset. Shows its handles unless there are too many. */
   private tookNew(): void {
+    this.work.store.update({ preset: undefined });
     const rings = this.engine.outline();
     if (rings.length > SHOWN.rings || rings.flat().length > SHOWN.points) this.figureEditor.close();
     // In one task, the outline and its handles would block the page for too long.

@@ -79,7 +79,7 @@ function panelOf(house: House): Panel {
 function change(house: House, key: string, text: string, done: boolean): void {
   const { work, parts, scaling } = house;
   if (key === 'outline' && text === 'polygon') parts.editor.ask((editor) => editor.free());
-  else if (wantsFile(house, key, text)) parts.space.ask((space) => space.choose());
+  else if (wantsFile(house, key, text)) parts.space.ask((space) => space.wanted());
   else if (key === SIDE) scaling.set(text, !done);
   else work.set(key, text, !done);
 }

@@ -14,6 +14,9 @@ import { openModel } from './models';
 import { Painter } from './paint/painter';
 import '../styles/late/space.css';
 
+/** Keys that choose in a closed list. */
+const STEPS = /^(Arrow|Page|Home|End|.$)/;
+
 /** The index of the stage that repairs a file. */
 const MADE = 0;
 
@@ -28,6 +31,8 @@ export class Space {
   private readonly bar: ModelBar;
   /** The last recipe with a file. */
   private last: string | undefined;
+  /** The last key, until something is pressed by a pointer. */
+  private key = '';
   private readonly file = make('input', { type: 'file', id: 'model-file', accept: MODELS, hidden: '', 'aria-label': t('choose') });
 
   /** `again` starts the engine when the recipe has not changed. */
@@ -37,6 +42,8 @@ export class Space {
     this.again = again;
     this.bar = new ModelBar(work, () => this.choose());
     document.body.append(this.file);
+    document.addEventListener('keydown', ({ key }) => (this.key = key), { capture: true });
+    document.addEventListener('pointerdown', () => (this.key = ''), { capture: true });
     this.file.addEventListener('change', () => {
       const [chosen] = this.file.files ?? [];
       if (chosen) void this.take(chosen);
@@ -49,6 +56,15 @@ export class Space {
   /** Opens the browser's dialog for files. */
   choose(): void {
     this.file.click();
+  }
+
+  /**
+   * Opens the dialog after a choice in a list that needs a file. In a closed list, a key only passes over the choice:
+   * then a sentence tells how to open a file.
+   */
+  wanted(): void {
+    if (STEPS.test(this.key)) notice('files', t('by_key'));
+    else this.choose();
   }
 
   /** Returns to the last recipe with a file, or opens the dialog if there is none. */

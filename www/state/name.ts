@@ -10,11 +10,3 @@ export function telling(engine: Engine): Parameter[] {
   const told = recipe.schema.filter((row) => names.includes(row.key) && applies(row, recipe));
   return told.filter(({ key }) => !told.some(({ shownFor }) => shownFor?.key === key));
 }
-
-/** A word for the first of them: its value, or the parameter's key if the value is a number; '' if there is none. */
-export function wordOf(engine: Engine): string {
-  const [first] = telling(engine);
-  if (!first) return '';
-  const value = engine.get(first.key);
-  return /^\d+$/.test(value) ? first.key : value;
-}

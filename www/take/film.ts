@@ -24,7 +24,7 @@ export function makeFilm(engine: Engine, store: Store, shape: Shape, codecs: Cod
     if (shape === 'turn') return fileOf(engine.link(), { file: 'turn-film', codecs, ...seenNow(engine, store) }, task);
     return fileOf(engine.link(), { file: 'film', codecs, shape, words, ...seenNow(engine, store) }, task);
   };
-  return working(nameOf(engine, store, `-${shape}.${codecs[0]?.file ?? 'gif'}`), work, handOver);
+  return working(nameOf(engine, store, { variant: [shape], ending: codecs[0]?.file ?? 'gif' }), work, handOver);
 }
 
 /**

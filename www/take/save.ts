@@ -5,14 +5,15 @@ import { isModel, MODELS } from '../base/files';
 import { notice } from '../base/messages';
 import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
-import type { Engine } from '../state/engine';
 import type { Work } from '../state/work';
 import { row, select, takeDialog } from './dialog';
+import type { Kind } from './file-name';
 import { FILES, makeFilm } from './film';
 import { codecsFor, type Codec, type FormingShape } from './files/codecs';
 import type { Job } from './files/job.worker';
 import { slabSize, type Slab } from './files/slab';
 import { fileOf } from './job';
+import { megabytes, meshes, shown } from './meshes';
 import { nameOf } from './name';
 import { signed, signedPng } from './origin';
 import { openRecipe, recipeFile } from './recipe-file';
@@ -27,20 +28,11 @@ const MAP_SCALES = [1, 2, 4, 8];
 /** The most pixels along a side. */
 const MOST = 8192;
 
-/**
- * The last choices: the program or kind of normals and the factor of the side for maps, the level of detail for
- * meshes, the shape for films.
- */
-const chosen: { program: string; scale: number; detail: string; shape: FormingShape } = { program: 'normal-opengl', scale: 1, detail: 'middle', shape: 'square' };
+/** The last choices: the program or kind of normals and the factor of the side for maps, the shape for films. */
+const chosen: { program: string; scale: number; shape: FormingShape } = { program: 'normal-opengl', scale: 1, shape: 'square' };
 
 /** Programs that maps are for. With the first two, maps keep their own names. */
 const PROGRAMS = { 'normal-opengl': 'OpenGL (+Y)', 'normal-directx': 'DirectX (−Y)', blender: 'Blender', godot: 'Godot', unity: 'Unity', unreal: 'Unreal' };
-
-/** Triangles of a stone, by level of detail. */
-const DETAILS = { low: 100, middle: 400, high: 1600 };
-
-/** Approximate bytes for a pixel of a mesh's images: colour, normals, occlusion with roughness. */
-const IMAGES = [1.85, 2.2, 1.15];
 
 /** The sizes of slabs, in millimetres, and the squares along a side of the grid. */
 const measures: Slab = { side: 100, base: 3, relief: 4, squares: 256 };
@@ -67,11 +59,11 @@ export class SaveDialog {
       'save-dialog',
       t('save'),
       ...this.offered('maps', () => row(t('picture'), t('picture_note'), ...this.pictures())),
-      ...(this.work.store.state.turn ? [turned(work, (id, word, ending, job) => this.button(id, word, ending, this.made(job, false)), () => this.dialog.close())] : []),
-      ...this.offered('svg', () => row(t('cells'), t('cells_note'), this.button('save-svg', 'SVG', '.svg', this.made(() => ({ file: 'svg' }), false)))),
+      ...(this.work.store.state.turn ? [turned(work, (id, word, kind, job) => this.button(id, word, kind, this.made(job, false)), () => this.dialog.close())] : []),
+      ...this.offered('svg', () => row(t('cells'), t('cells_note'), this.button('save-svg', 'SVG', { ending: 'svg' }, this.made(() => ({ file: 'svg' }), false)))),
       ...this.offered('forming', () => row(t('forming'), t('forming_note'), ...this.films())),
       ...this.offered('maps', () => row(t('maps'), t('maps_note'), ...this.maps())),
-      ...this.offered('mesh', () => row(t('mesh'), t(work.engine.offers('maps') ? 'mesh_note' : 'mesh_note_space'), ...this.mesh())),
+      ...this.offered('mesh', () => meshes(work.engine, (id, word, kind, job) => this.button(id, word, kind, this.made(job)))),
       ...this.offered('slab', () => row(t('slab'), t('slab_note'), ...this.slab())),
       row(t('recipe'), t('recipe_note'), ...this.recipe()),
     );
@@ -82,11 +74,11 @@ export class SaveDialog {
     return this.work.engine.offers(part) ? [row()] : [];
   }
 
-  private button(id: string, word: string, ending: string | (() => string), making: Making): HTMLButtonElement {
+  private button(id: string, word: string, kind: Kind | (() => Kind), making: Making): HTMLButtonElement {
     const key = make('button', { type: 'button', class: 'key', id }, word);
     key.addEventListener('click', () => {
       this.dialog.close();
-      void working(nameOf(this.work.engine, this.work.store, typeof ending === 'string' ? ending : ending()), making);
+      void working(nameOf(this.work.engine, this.work.store, typeof kind === 'function' ? kind() : kind), making);
     });
     return key;
   }
@@ -112,8 +104,8 @@ export class SaveDialog {
       const n = canvas.width * scale;
       const key =
         scale === 1
-          ? this.button('save-png', t('pixels', { n }), `-${view === 'auto' ? 'picture' : view}.png`, () => shownPng(canvas, this.work.engine.link()))
-          : this.button(`save-png-${scale}`, t('pixels', { n }), `-${n}.png`, this.made(() => ({ file: 'picture', scale })));
+          ? this.button('save-png', t('pixels', { n }), { size: n, variant: [view !== 'auto' && view], ending: 'png' }, () => shownPng(canvas, this.work.engine.link()))
+          : this.button(`save-png-${scale}`, t('pixels', { n }), { size: n, ending: 'png' }, this.made(() => ({ file: 'picture', scale })));
       key.setAttribute('aria-label', t('pixels_label', { n }));
       return key;
     });
@@ -144,7 +136,7 @@ export class SaveDialog {
       const note = film.closest('section')?.querySelector('.take-note');
       if (note) say(note, t('no_film'));
     });
-    return [shape, film, this.button('save-gif', 'GIF', '.gif', this.made(() => ({ file: 'gif', ...seenNow(engine, store) }), false))];
+    return [shape, film, this.button('save-gif', 'GIF', { variant: ['forming'], ending: 'gif' }, this.made(() => ({ file: 'gif', ...seenNow(engine, store) }), false))];
   }
 
   private maps(): HTMLElement[] {
@@ -155,31 +147,9 @@ export class SaveDialog {
     const sizes = Object.fromEntries(scales.map((scale) => [scale, `${scale}× · ${t('pixels', { n: width * scale })}`]));
     const size = select('maps-size', t('maps_size'), sizes, String(scales.includes(chosen.scale) ? chosen.scale : 1));
     size.addEventListener('change', () => (chosen.scale = Number(size.value)));
-    const ending = (): string => (size.value === '1' ? '-maps.zip' : `-maps-${width * Number(size.value)}.zip`);
-    const zip = this.button('save-maps', 'ZIP', ending, this.made(() => ({ file: 'maps', program: program.value, scale: Number(size.value) })));
+    const kind = (): Kind => ({ size: width * Number(size.value), variant: ['maps', program.value.replace('normal-', '')], ending: 'zip' });
+    const zip = this.button('save-maps', 'ZIP', kind, this.made(() => ({ file: 'maps', program: program.value, scale: Number(size.value) })));
     return [program, size, zip];
-  }
-
-  /** Meshes; the row shows the sizes of the files before one is made. */
-  private mesh(): HTMLElement[] {
-    const { engine } = this.work;
-    const words = { low: t('low', { n: shown(DETAILS.low) }), middle: t('middle', { n: shown(DETAILS.middle) }), high: t('high', { n: shown(DETAILS.high) }) };
-    const detail = select('detail', t('detail'), words, chosen.detail);
-    const size = make('output', { class: 'take-note', id: 'mesh-size', for: 'detail' });
-    const tell = (): void => {
-      chosen.detail = detail.value;
-      const images = IMAGES.map((bytes) => bytes * engine.side() ** 2);
-      const [plain, textured, obj] = [meshSize(engine, 'glb', detail.value), meshSize(engine, 'glb', detail.value, images), meshSize(engine, 'obj', detail.value)];
-      const sizes = { n: shown(rounded(plain.triangles)), glb: megabytes(plain.bytes), obj: megabytes(obj.bytes) };
-      size.value = engine.offers('maps') ? t('mesh_size', { ...sizes, images: megabytes(textured.bytes) }) : t('mesh_size_space', sizes);
-    };
-    detail.addEventListener('change', tell);
-    tell();
-    const file = (id: string, word: string, file: 'glb' | 'obj', images = false): HTMLButtonElement =>
-      this.button(id, word, `.${file}`, this.made(() => ({ file, detail: detail.value, images })));
-    // Images are maps of a plane.
-    const images = engine.offers('maps') ? [file('save-glb-images', t('images'), 'glb', true)] : [];
-    return [detail, file('save-glb', 'GLB', 'glb'), ...images, file('save-obj', 'OBJ', 'obj'), size];
   }
 
   /** A slab for 3D printing. All its sizes are kept while the page is open. */
@@ -205,7 +175,7 @@ export class SaveDialog {
       tell();
     });
     tell();
-    const stl = this.button('save-stl', 'STL', '.stl', this.made(() => ({ file: 'stl', slab: { ...measures } })));
+    const stl = this.button('save-stl', 'STL', { ending: 'stl' }, this.made(() => ({ file: 'stl', slab: { ...measures } })));
     return [measure('side'), measure('base'), measure('relief'), grid, stl, size];
   }
 
@@ -221,27 +191,8 @@ export class SaveDialog {
       if (chosen && isModel(chosen.name)) this.takeModel(chosen);
       else if (chosen) void openRecipe(work, chosen).then((known) => known || notice('files', t('not_json', { name: chosen.name })));
     });
-    return [this.button('save-recipe', 'JSON', '.json', (task) => recipeFile(work.engine, task)), open, file];
+    return [this.button('save-recipe', 'JSON', { ending: 'json' }, (task) => recipeFile(work.engine, task)), open, file];
   }
-}
-
-/** The approximate triangles and bytes of a mesh file with this level of detail; `images` are the bytes of its images. */
-function meshSize(engine: Engine, ending: string, detail: string, images: readonly number[] = []): { triangles: number; bytes: number } {
-  const [triangles = 0, bytes = 0] = engine.ask((studio) => studio.meshSize(ending, detail, Uint32Array.from(images)), new Float64Array());
-  return { triangles, bytes };
-}
-
-function shown(count: number): string {
-  return count.toLocaleString(document.documentElement.lang);
-}
-
-/** Rounds to three digits. */
-function rounded(count: number): number {
-  return Number(count.toPrecision(3));
-}
-
-function megabytes(bytes: number): string {
-  return `${shown(Number((bytes / 1e6).toPrecision(2)))} MB`;
 }
 
 async function shownPng(canvas: HTMLCanvasElement, link: string): Promise<Blob> {

@@ -12,6 +12,7 @@ import type { Store } from '../state/store';
 import { takeDialog } from './dialog';
 import { makeFilm, shared, shareFile, sharesFile } from './film';
 import { codecsFor, type Codec, type Shape } from './files/codecs';
+import { nameOf } from './name';
 import { signedPng } from './origin';
 import { MOST, qrCode } from './qr';
 
@@ -30,7 +31,7 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
   const name = store.state.preset?.recipe === recipe ? store.state.preset.shown.title : t('own');
   const title = t('title', { name });
   const told = make('p', { class: 'take-told', role: 'status' });
-  const picture = 'share' in navigator ? pictureOf(store.state.turn ? (document.querySelector<HTMLCanvasElement>('#turn canvas') ?? canvas) : canvas, address(recipe)) : undefined;
+  const picture = 'share' in navigator ? pictureOf(store.state.turn ? (document.querySelector<HTMLCanvasElement>('#turn canvas') ?? canvas) : canvas, address(recipe), nameOf(engine, store, { size: canvas.width, ending: 'png' })) : undefined;
   const parts = [linkOf(engine, picture, title, told), codeOf(), embedding(title, told)];
   const viewing = seen(engine, store);
   const words = written(viewing, engine.generator);
@@ -49,9 +50,9 @@ export function share(engine: Engine, store: Store, canvas: HTMLCanvasElement): 
   dialog.querySelector<HTMLElement>('#copy')?.focus();
 }
 
-async function pictureOf(canvas: HTMLCanvasElement, recipe: string): Promise<File | undefined> {
+async function pictureOf(canvas: HTMLCanvasElement, recipe: string, name: string): Promise<File | undefined> {
   const png = await signedPng(canvas, recipe);
-  return png && new File([png], 'bubblestone.png', { type: png.type });
+  return png && new File([png], name, { type: png.type });
 }
 
 /** The view of the picture, without values that every visitor sees anyway. */

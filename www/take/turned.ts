@@ -4,6 +4,7 @@ import { make } from '../base/dom';
 import type { Work } from '../state/work';
 import { row, select } from './dialog';
 import { FILES, makeFilm } from './film';
+import type { Kind } from './file-name';
 import { codecsFor, type Codec } from './files/codecs';
 import type { Job } from './files/job.worker';
 import type { Backdrop } from './files/turn';
@@ -18,7 +19,7 @@ const PLANES = ['depth', 'normal', 'id'] as const;
 /** The last choices. */
 const chosen: { scale: string; backdrop: string; blur: string } = { scale: '1', backdrop: 'floor', blur: '0' };
 
-type Offer = (id: string, word: string, ending: string, job: () => Job) => HTMLElement;
+type Offer = (id: string, word: string, kind: () => Kind, job: () => Job) => HTMLElement;
 
 /** The row of the dialog. `offer` makes a button for a file; `close` closes the dialog. */
 export function turned({ engine, store }: Work, offer: Offer, close: () => void): HTMLElement {
@@ -33,14 +34,15 @@ export function turned({ engine, store }: Work, offer: Offer, close: () => void)
     const scale = Number(size.value);
     return { file: 'turn', plane, side: SIDE * scale, scale, backdrop: behind.value as Backdrop, aperture: Number(blur.value), ...seenNow(engine, store) };
   };
+  const kind = (variant: string[]) => (): Kind => ({ size: SIDE * Number(size.value), variant: ['turn', ...variant], ending: 'png' });
   return row(
     t(engine.offers('frames') ? 'picture' : 'turned'),
     t('turned_note'),
     size,
     behind,
     blur,
-    offer('save-turn', 'PNG', '-turn.png', job(undefined)),
-    ...PLANES.map((plane) => offer(`save-turn-${plane}`, t(plane), `-turn-${plane}.png`, job(plane))),
+    offer('save-turn', 'PNG', kind([]), job(undefined)),
+    ...PLANES.map((plane) => offer(`save-turn-${plane}`, t(plane), kind([plane]), job(plane))),
     film((codecs) => {
       close();
       void makeFilm(engine, store, 'turn', codecs);

@@ -272,11 +272,12 @@ fn the_digest_has_paints() {
     }
 }
 
-fn file(format: MeshFormat, scene: &Scene) -> Vec<u8> {
+fn file(format: MeshFormat, joined: bool, scene: &Scene) -> Vec<u8> {
     let order = MeshOrder {
         format,
         detail: 100,
         images: None,
+        joined,
     };
     let materials = material_table("granite", "sand", Gloss::default());
     let mut saving = None;
@@ -294,6 +295,11 @@ fn file(format: MeshFormat, scene: &Scene) -> Vec<u8> {
     }
 }
 
+fn json_of(glb: &[u8]) -> serde_json::Value {
+    let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
+    serde_json::from_slice(&glb[20..20 + length]).unwrap()
+}
+
 #[test]
 fn bodies_share_meshes_in_a_file() {
     let mut many = scene([Some(RED), Some(GREEN)]);
@@ -303,9 +309,8 @@ fn bodies_share_meshes_in_a_file() {
         more.place.origin.y += 1.0 + k as f32;
         many.instances.push(more);
     }
-    let glb = file(MeshFormat::Glb, &many);
-    let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
-    let json: serde_json::Value = serde_json::from_slice(&glb[20..20 + length]).unwrap();
+    let glb = file(MeshFormat::Glb, false, &many);
+    let json = json_of(&glb);
     let count = |key: &str| json[key].as_array().unwrap().len();
     // One surface as a mesh with each paint; the bodies are in the first node.
     assert_eq!(
@@ -314,7 +319,14 @@ fn bodies_share_meshes_in_a_file() {
     );
     assert_eq!(count("materials"), 3);
     assert_eq!(json["nodes"][1]["name"], "box \"1\"");
-    let text = String::from_utf8(file(MeshFormat::Obj, &many)).unwrap();
+    let joined = json_of(&file(MeshFormat::Glb, true, &many));
+    let parts = joined["meshes"][0]["primitives"].as_array().unwrap();
+    assert_eq!(
+        (joined["meshes"].as_array().unwrap().len(), parts.len()),
+        (1, 2)
+    );
+    assert!(parts[0]["material"] != parts[1]["material"]);
+    let text = String::from_utf8(file(MeshFormat::Obj, false, &many)).unwrap();
     assert_eq!(
         text.lines().filter(|line| line.starts_with("o ")).count(),
         10

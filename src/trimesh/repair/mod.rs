@@ -48,7 +48,8 @@ struct MeshInRepair {
     /// The least and greatest corner of the bounding box.
     low: DVec3,
     high: DVec3,
-    notices: Vec<Notice>,
+    /// The faults mended so far, with their counts.
+    told: Vec<(Code, usize)>,
 }
 
 impl MeshInRepair {
@@ -61,11 +62,20 @@ impl MeshInRepair {
         self.triangles[t].map(|v| self.positions[v as usize])
     }
 
-    /// Adds a notice with a count, unless the count is 0.
+    /// Counts mended faults. Several steps may mend faults of one kind.
     fn tell(&mut self, code: Code, count: usize) {
-        if count > 0 {
-            self.notices.push(Notice::new(code).with("n", count));
+        match self.told.iter_mut().find(|(known, _)| *known == code) {
+            Some((_, all)) => *all += count,
+            None => self.told.push((code, count)),
         }
+    }
+
+    /// A notice for each kind of fault that was there.
+    fn notices(&self) -> Vec<Notice> {
+        let found = self.told.iter().filter(|(_, count)| *count > 0);
+        found
+            .map(|&(code, count)| Notice::new(code).with("n", count))
+            .collect()
     }
 }
 
@@ -96,7 +106,7 @@ impl MeshRepair {
             across: Vec::new(),
             low: DVec3::ZERO,
             high: DVec3::ZERO,
-            notices: Vec::new(),
+            told: Vec::new(),
         };
         Self {
             work,
@@ -110,7 +120,7 @@ impl MeshRepair {
     pub fn advance(&mut self) -> Option<Result<Mended, Notice>> {
         if let Some(building) = &mut self.building {
             let mesh = building.advance()?;
-            let notices = std::mem::take(&mut self.work.notices);
+            let notices = self.work.notices();
             let mended = mesh.map(|mesh| Mended { mesh, notices });
             // The steps before have removed all faults but one: no triangle with an area is left.
             return Some(mended.map_err(|_| Code::ModelNoArea.into()));

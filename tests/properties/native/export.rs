@@ -26,6 +26,7 @@ pub(super) fn order(format: MeshFormat, detail: usize) -> MeshOrder {
         format,
         detail,
         images: None,
+        joined: false,
     }
 }
 
@@ -260,6 +261,47 @@ pub(super) fn nodes(glb: &[u8]) -> Vec<Node> {
         }
     });
     nodes.collect()
+}
+
+/// The bodies of a joined file are those of the other one, and their colours are those of the picture, in linear light.
+#[test]
+fn joined_bodies_have_one_mesh_and_the_pictures_colours() {
+    let mut studio = finished(LINK);
+    let each = nodes(&file(&mut studio, MeshFormat::Glb));
+    let joined = MeshOrder {
+        joined: true,
+        ..order(MeshFormat::Glb, 400)
+    };
+    let glb = file_of(&mut studio, &joined);
+    let [all] = &nodes(&glb)[..] else {
+        panic!("more than one mesh");
+    };
+    let places: Vec<Vec3> = each.iter().flat_map(|node| node.places.clone()).collect();
+    assert_eq!(all.places, places);
+    let mut first = 0;
+    let mut triangles = Vec::new();
+    for node in &each {
+        triangles.extend(node.triangles.iter().map(|t| t.map(|k| k + first)));
+        first += node.places.len() as u32;
+    }
+    assert_eq!(all.triangles, triangles);
+    let planes = studio.pavement().planes.expect("planes");
+    let linear = |c: u8| {
+        let c = f64::from(c) / 255.0;
+        let bright = libm::pow((c + 0.055) / 1.055, 2.4);
+        if c <= 0.04045 { c / 12.92 } else { bright }
+    };
+    let start = 28 + u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
+    let mut seen = 0;
+    for (k, p) in all.places[..each[0].places.len()].iter().enumerate() {
+        let at = [p.x, p.z].map(|v| ((v + 0.5) * planes.side as f32) as usize);
+        let at = at[1] * planes.side + at[0];
+        let colour = [24, 26, 28].map(|byte| start + 40 * k + byte);
+        let colour = colour.map(|at| u16::from_le_bytes([glb[at], glb[at + 1]]));
+        let off = |c: usize| f64::from(colour[c]) / 65535.0 - linear(planes.colour[at][c]);
+        seen += usize::from(planes.id[at] == 1 && (0..3).all(|c| off(c).abs() < 1e-4));
+    }
+    assert!(3 * seen > each[0].places.len(), "{seen}");
 }
 
 #[test]

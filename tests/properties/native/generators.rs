@@ -56,7 +56,7 @@ fn the_native_program_writes_files_of_each() {
         let out = out.join(stage);
         let mut studio = finished(link);
         native::write_all(&mut studio, Vec::new(), None, &out).unwrap();
-        native::write_meshes(&mut studio, 100, &out).unwrap();
+        native::write_meshes(&mut studio, 100, false, &out).unwrap();
         let text = std::fs::read_to_string(out.join("report.json")).unwrap();
         let report: serde_json::Value = serde_json::from_str(&text).unwrap();
         assert_eq!(report["link"], studio.recipe().link());

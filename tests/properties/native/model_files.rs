@@ -78,6 +78,7 @@ fn file(format: MeshFormat) -> (MeshOrder, Vec<u8>) {
         format,
         detail: 100,
         images: None,
+        joined: false,
     };
     let materials = material_table(texture.palette, texture.ground, Gloss::Own);
     let params = StonesParams::new(texture, weather, &cells);
@@ -101,13 +102,14 @@ fn an_obj_has_each_stone_where_its_cell_is() {
     let mut stones = 0;
     for model in &models {
         let mesh = &model.mesh;
-        assert!(mesh.texcoords.is_empty() && mesh.vertex_color.len() == mesh.positions.len());
+        assert!(mesh.vertex_color.len() == mesh.positions.len());
         let Some(k) = model.name.strip_prefix("cell_") else {
             assert_eq!(model.name, "ground");
             continue;
         };
         stones += 1;
         let cell = &cells[k.parse::<usize>().expect("a number")];
+        assert_charted(cell, mesh);
         assert!(mesh.indices.len() <= 3 * order.detail);
         let corner = |k: &u32| {
             DVec3::from([0, 1, 2].map(|axis| f64::from(mesh.positions[3 * *k as usize + axis])))
@@ -132,6 +134,20 @@ fn an_obj_has_each_stone_where_its_cell_is() {
     assert!((0.7..1.3).contains(&part), "{part}");
 }
 
+/// Asserts that texture coordinates are lengths in the tangent plane, along the cell, and that no texture is mirrored.
+fn assert_charted(cell: &SurfaceCell, mesh: &tobj::Mesh) {
+    assert_eq!(mesh.texcoord_indices, mesh.indices);
+    let frame = TangentFrame::of(cell.centre.normal);
+    let along = frame.x * cell.axis.x + frame.y * cell.axis.y;
+    let left = cell.centre.normal.cross(along);
+    for (p, uv) in mesh.positions.chunks(3).zip(mesh.texcoords.chunks(2)) {
+        let p = DVec3::new(p[0].into(), p[1].into(), p[2].into());
+        let wanted = [p.dot(along), 1.0 + p.dot(left)];
+        let off = [0, 1].map(|k| f64::from(uv[k]) - wanted[k]);
+        assert!(off.iter().all(|v| v.abs() < 1e-5), "{uv:?} {wanted:?}");
+    }
+}
+
 #[test]
 fn a_glb_has_a_node_for_each_stone() {
     let (order, bytes) = file(MeshFormat::Glb);
@@ -153,20 +169,21 @@ fn a_glb_has_a_node_for_each_stone() {
     for mesh in meshes {
         let primitive = &mesh["primitives"][0];
         let attributes = primitive["attributes"].as_object().expect("attributes");
-        assert_eq!(attributes.len(), 3);
+        assert_eq!(attributes.len(), 4);
         let of = |k: &serde_json::Value| &accessors[k.as_u64().unwrap() as usize];
         let count = of(&attributes["POSITION"])["count"].as_u64();
         for (name, kind) in [
             ("POSITION", "VEC3"),
             ("NORMAL", "VEC3"),
             ("COLOR_0", "VEC4"),
+            ("TEXCOORD_0", "VEC2"),
         ] {
             let accessor = of(&attributes[name]);
             assert_eq!(
                 (accessor["count"].as_u64(), accessor["type"].as_str()),
                 (count, Some(kind))
             );
-            let end = accessor["byteOffset"].as_u64().unwrap() + 32 * (count.unwrap() - 1);
+            let end = accessor["byteOffset"].as_u64().unwrap() + 40 * (count.unwrap() - 1);
             assert!(end < json["bufferViews"][0]["byteLength"].as_u64().unwrap());
         }
         let indices = of(&primitive["indices"]);

@@ -74,6 +74,7 @@ export class Painter {
       this.choose(undefined);
     });
     work.store.on(['recipe', 'make'], () => this.show());
+    work.store.on(['stage'], () => this.draw());
     this.show();
   }
 
@@ -87,10 +88,14 @@ export class Painter {
     if (tool) say(this.told, t(`paint_${tool}_title`));
   }
 
-  /** To be called after each new frame. */
+  /**
+   * To be called after each new frame. Painted rows are shown while the visitor paints or erases, and while the cells
+   * follow them; they do not lie on the finished picture.
+   */
   draw(): void {
     const { tool, keyed, drawn, surface } = this;
-    const painted = tool ? this.painted() : [];
+    const isBusy = tool === 'erase' || drawn !== undefined || keyed.length > 0 || this.work.store.state.stage !== 'done';
+    const painted = tool && isBusy ? this.painted() : [];
     const line = tool === 'spots' || tool === 'stretch' ? (drawn?.path.slice(0, 1) ?? []) : (drawn?.path ?? []);
     if (tool && keyed.length) painted.push({ key: tool, places: keyed });
     this.overlay.draw(painted, (place) => surface.spotOf(place), line, tool ?? '');

@@ -1,6 +1,6 @@
 /** Makes one file in a worker, which ends with the file. So the page is never blocked. */
 import { studioFor } from '../../module/given';
-import { loadModule } from '../../module/load';
+import { loadModule, loadWhole } from '../../module/load';
 import { generatorOf } from '../../module/run';
 import type { Notice } from '../../module/types';
 import { serve } from '../../late/worker';
@@ -48,7 +48,7 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
     const { turnFilm } = await import('./turn-film');
     return turnFilm(link, job, progress);
   }
-  const module = await loadModule(link);
+  const module = 'joined' in job && job.joined ? await loadWhole() : await loadModule(link);
   const studio = await studioFor(module, link);
   const generator = generatorOf(module, studio);
   if (job.file === 'gif') return formingGif(studio, generator, job, progress);

@@ -1,0 +1,83 @@
+/** The row of the dialog that saves meshes. It shows the sizes of the files before one is made. */
+import { t } from '../words/take';
+import { make } from '../base/dom';
+import type { Engine } from '../state/engine';
+import { row, select } from './dialog';
+import type { Kind } from './file-name';
+import type { Job } from './files/job.worker';
+
+/** Triangles of a stone, by level of detail. */
+const DETAILS = { low: 100, middle: 400, high: 1600 };
+
+/** Approximate bytes for a pixel of a mesh's images: colour, normals, occlusion with roughness. */
+const IMAGES = [1.85, 2.2, 1.15];
+
+/**
+ * Bytes of a GLB file of one mesh. Instead of the text of each body, it has wider indices; with images it also has
+ * more normals and tangents. The module's sizes are those of a mesh for each stone.
+ */
+const JOINED = { text: -850, textured: -560, triangle: 6, vertex: 28 };
+
+/** The last choices. */
+const chosen = { detail: 'middle', bodies: 'each' };
+
+type Offer = (id: string, word: string, kind: () => Kind, job: () => Job) => HTMLElement;
+
+export function meshes(engine: Engine, offer: Offer): HTMLElement {
+  const words = { low: t('low', { n: shown(DETAILS.low) }), middle: t('middle', { n: shown(DETAILS.middle) }), high: t('high', { n: shown(DETAILS.high) }) };
+  const detail = select('detail', t('detail'), words, chosen.detail);
+  const bodies = select('bodies', t('bodies'), { each: t('bodies_each'), one: t('bodies_one') }, chosen.bodies);
+  const size = make('output', { class: 'take-note', id: 'mesh-size', for: 'detail bodies' });
+  const tell = (): void => {
+    Object.assign(chosen, { detail: detail.value, bodies: bodies.value });
+    size.value = sizes(engine);
+  };
+  for (const choice of [detail, bodies]) choice.addEventListener('change', tell);
+  tell();
+  const file = (id: string, word: string, file: 'glb' | 'obj', images = false): HTMLElement => {
+    const joined = (): boolean => file === 'glb' && bodies.value === 'one';
+    const kind = (): Kind => ({ variant: [detail.value, images && 'images', joined() && 'one-mesh'], ending: file });
+    return offer(id, word, kind, () => ({ file, detail: detail.value, images, joined: joined() }));
+  };
+  // Images are maps of a plane.
+  const images = engine.offers('maps') ? [file('save-glb-images', t('images'), 'glb', true)] : [];
+  const note = t(engine.offers('maps') ? 'mesh_note' : 'mesh_note_space');
+  return row(t('mesh'), note, detail, bodies, file('save-glb', 'GLB', 'glb'), ...images, file('save-obj', 'OBJ', 'obj'), size);
+}
+
+/** The sentence on the sizes of the files with the last choices. */
+function sizes(engine: Engine): string {
+  const images = IMAGES.map((bytes) => bytes * engine.side() ** 2);
+  const [plain, textured, obj] = [meshSize(engine, 'glb'), meshSize(engine, 'glb', images), meshSize(engine, 'obj')];
+  const told = { n: shown(rounded(plain.triangles)), glb: megabytes(plain.bytes), obj: megabytes(obj.bytes) };
+  return engine.offers('maps') ? t('mesh_size', { ...told, images: megabytes(textured.bytes) }) : t('mesh_size_space', told);
+}
+
+/** The approximate triangles and bytes of a mesh file with the last choices; `images` are the bytes of its images. */
+function meshSize(engine: Engine, ending: 'glb' | 'obj', images: readonly number[] = []): { triangles: number; bytes: number } {
+  const [triangles = 0, bytes = 0] = engine.ask((studio) => studio.meshSize(ending, chosen.detail, Uint32Array.from(images)), new Float64Array());
+  return { triangles, bytes: ending === 'glb' && chosen.bodies === 'one' ? bytes + joinedBytes(engine, triangles, images.length > 0) : bytes };
+}
+
+/** The bytes that a file has more if it has one mesh. */
+function joinedBytes(engine: Engine, triangles: number, textured: boolean): number {
+  const { cells } = engine.status();
+  const { text, triangle, vertex } = JOINED;
+  if (!textured) return triangle * triangles + text * cells;
+  // A fifth of the stones' triangles is the ground's. Its normals and tangents are in the file anyway.
+  const ofStones = triangles / 1.2 / 2 + 2 * cells;
+  return triangle * triangles + JOINED.textured * cells + vertex * ofStones;
+}
+
+export function shown(count: number): string {
+  return count.toLocaleString(document.documentElement.lang);
+}
+
+/** Rounds to three digits. */
+function rounded(count: number): number {
+  return Number(count.toPrecision(3));
+}
+
+export function megabytes(bytes: number): string {
+  return `${shown(Number((bytes / 1e6).toPrecision(2)))} MB`;
+}
