@@ -27,6 +27,12 @@ const MAP_SCALES = [1, 2, 4, 8];
 /** The most pixels along a side. */
 const MOST = 8192;
 
+/** The stages that a larger picture repeats for each of its pixels. */
+const OF_PIXELS = ['planes', 'weather', 'shading'];
+
+/** The least time that is told, in milliseconds. */
+const LONG = 3000;
+
 /**
  * The last choices: the program or kind of normals and the factor of the side for maps, the level of detail for
  * meshes, the shape for films.
@@ -107,14 +113,15 @@ export class SaveDialog {
 
   private pictures(): HTMLElement[] {
     const { canvas } = this;
-    const { view } = this.work.store.state;
+    const { engine, store: { state: { view } } } = this.work;
     return SCALES.filter((scale) => scale === 1 || canvas.width * scale <= MOST).map((scale) => {
       const n = canvas.width * scale;
+      const [word, label] = [t('pixels', { n }), t('pixels_label', { n })].map((words) => timed(words, scale === 1 ? 0 : timeOf(engine, scale)));
       const key =
         scale === 1
-          ? this.button('save-png', t('pixels', { n }), `-${view === 'auto' ? 'picture' : view}.png`, () => shownPng(canvas, this.work.engine.link()))
-          : this.button(`save-png-${scale}`, t('pixels', { n }), `-${n}.png`, this.made(() => ({ file: 'picture', scale })));
-      key.setAttribute('aria-label', t('pixels_label', { n }));
+          ? this.button('save-png', word, `-${view === 'auto' ? 'picture' : view}.png`, () => shownPng(canvas, this.work.engine.link()))
+          : this.button(`save-png-${scale}`, word, `-${n}.png`, this.made(() => ({ file: 'picture', scale })));
+      key.setAttribute('aria-label', label);
       return key;
     });
   }
@@ -229,6 +236,23 @@ export class SaveDialog {
 function meshSize(engine: Engine, ending: string, detail: string, images: readonly number[] = []): { triangles: number; bytes: number } {
   const [triangles = 0, bytes = 0] = engine.ask((studio) => studio.meshSize(ending, detail, Uint32Array.from(images)), new Float64Array());
   return { triangles, bytes };
+}
+
+/**
+ * The approximate milliseconds that the picture takes at this multiple of its side, by the times of its stages: a worker
+ * runs all of them, then the last ones for each pixel.
+ */
+function timeOf(engine: Engine, scale: number): number {
+  const { ms } = engine.status();
+  const sum = (times: (number | undefined)[]): number => times.reduce<number>((sum, time = 0) => sum + time, 0);
+  return sum(Object.values(ms)) + scale ** 2 * sum(OF_PIXELS.map((stage) => ms[stage]));
+}
+
+/** Adds a time to words, unless it is short. */
+function timed(words: string, ms: number): string {
+  if (ms < LONG) return words;
+  const seconds = ms / 1000;
+  return seconds < 90 ? t('seconds', { words, n: Number(seconds.toPrecision(1)) }) : t('minutes', { words, n: Math.round(seconds / 60) });
 }
 
 function shown(count: number): string {
