@@ -1,18 +1,19 @@
 //! The finished picture with more pixels: the same bodies and noises in finer detail.
 //!
 //! The stages up to the cells' coats only use picture units. From the painter on, `pixel_scale` pixels stand for each
-//! unit. A picture of 8192 pixels along a side fits into memory, because only those planes are held in full that
-//! later stages read everywhere: heights, colours and materials, 8 bytes a pixel, then occlusion and light. The
+//! unit. A picture of 8192 pixels along a side fits into [`MOST_MEMORY`], because only those planes are held in full
+//! that later stages read everywhere: heights, colours and materials, 8 bytes a pixel, then occlusion and light. The
 //! ground's tile, the samples of stones and the ids exist for one band of rows at a time, the weather's means for the
 //! rows around one, and rows of the picture or of its maps are handed out as soon as they are made. No stage sees the
-//! joints between bands, so none show.
+//! joints between bands, so none show. Stencils of large scales would take any amount of memory: they get what the
+//! rest leaves, and the scales have fewer Loop steps if that is too little.
 
 use super::height_field::{Bodies, HeightFieldParams, Painting, ROWS, solids};
 use super::lighting::LightParams;
 use super::{Clock, PictureSlice, until};
 use crate::export::{Map, MapKind, maps};
 use crate::heightfield::{Planes, Shader, Weathering};
-use crate::material::WeatherParams;
+use crate::material::{Coat, WeatherParams};
 use crate::notice::{Code, Notice};
 use crate::solid::Solids;
 use std::ops::Range;
@@ -21,8 +22,12 @@ use std::ops::Range;
 pub const MOST_PIXELS: usize = 8192;
 /// The greatest scale of the picture's side.
 const MOST_SCALE: usize = 8;
-/// Pixels of a band: the samples of stones are held for these only.
-const BAND: usize = 1 << 20;
+/// Bytes that a bigger picture takes at most: beside the picture itself, the module's 1 GiB has room for them. If the
+/// stencils of the finest solids would take more than is left of them, solids are coarser.
+const MOST_MEMORY: usize = 800 << 20;
+/// Least and most pixels of a band: the samples of stones are held for these only. A stone is made anew for each of its
+/// bands, so few large ones take less time.
+const BAND: [usize; 2] = [1 << 20, 3 << 20];
 /// Bytes for each pixel of the finished picture.
 const BYTES: usize = 10;
 /// Bytes while stones are painted: for each pixel, more for each pixel of the band, and for noise and ground.
@@ -97,14 +102,16 @@ impl Bigger {
         let mut bigger = match going {
             Some(bigger) => bigger,
             None => {
-                check(scale, side)?;
-                let band = (BAND / (side * scale)).max(ROWS);
+                let params = params();
+                let mut solids = solids(&params.planes);
+                let stone = &params.planes.texture.stone;
+                let band = rows(scale, side, |bytes| solids.fit(bodies.cells, stone, bytes))?;
                 Self::begin(
                     (scale, kinds),
                     scale * side,
                     revision,
-                    params(),
-                    (bodies, band),
+                    params,
+                    (bodies.coats, solids, band),
                 )
             }
         };
@@ -123,15 +130,15 @@ impl Bigger {
         Ok(slice)
     }
 
-    /// Starts a picture of `side` pixels. Stones are painted into `band` rows at a time.
+    /// Starts a picture of `side` pixels. Stones with these coats are painted into `band` rows at a time.
     pub fn begin(
         (scale, kinds): (usize, &[MapKind]),
         side: usize,
         revision: u64,
         params: HeightFieldParams,
-        (bodies, band): (Bodies, usize),
+        (coats, solids, band): (&[Coat], Solids, usize),
     ) -> Bigger {
-        let painting = Painting::new(&params.planes, bodies.coats, band);
+        let painting = Painting::new(&params.planes, coats, band);
         let rows = match kinds {
             // Red, green and blue, as in the map of colours.
             [] => vec![MapKind::Albedo.empty(side)],
@@ -143,7 +150,7 @@ impl Bigger {
             revision,
             side,
             light: params.light,
-            work: BiggerPhase::Painting(painting, solids(&params.planes), params.weather),
+            work: BiggerPhase::Painting(painting, solids, params.weather),
             slices: 0,
             painted: 0,
             heights: (0.0, 0.0),
@@ -268,8 +275,9 @@ impl Bigger {
     }
 }
 
-/// Whether a picture of `side` pixels can be made at `scale` times its side.
-fn check(scale: usize, side: usize) -> Result<(), Notice> {
+/// The rows of a band, if a picture of `side` pixels can be made at `scale` times its side. `fit` limits the bytes of
+/// stencils, and returns those that they take.
+fn rows(scale: usize, side: usize, fit: impl FnOnce(usize) -> usize) -> Result<usize, Notice> {
     let bigger = side.saturating_mul(scale);
     if !(1..=MOST_SCALE).contains(&scale) || bigger > MOST_PIXELS {
         let most = (MOST_PIXELS / side).clamp(1, MOST_SCALE);
@@ -279,10 +287,21 @@ fn check(scale: usize, side: usize) -> Result<(), Notice> {
     }
     let [each, in_band, more] = PAINTING;
     let pixels = bigger * bigger;
-    let painting = each * pixels + in_band * pixels.min(BAND) + more;
-    let mut room: Vec<u8> = Vec::new();
-    match room.try_reserve_exact(painting.max(BYTES * pixels)) {
-        Ok(()) => Ok(()),
-        Err(_) => Err(Notice::new(Code::NoMemory).with("side", bigger)),
+    let [least, most] = BAND.map(|band| band.min(pixels));
+    let left = MOST_MEMORY.saturating_sub(each * pixels + in_band * least + more);
+    let stencils = fit(left);
+    let band = (least + left.saturating_sub(stencils) / in_band).min(most);
+    // The planes are two blocks; light and occlusion take what painting has freed.
+    let painting = in_band * band + more + stencils;
+    let blocks = [
+        each * pixels / 2,
+        each * pixels / 2,
+        painting.max((BYTES - each) * pixels),
+    ];
+    let mut held: [Vec<u8>; 3] = Default::default();
+    let mut blocks = held.iter_mut().zip(blocks);
+    match blocks.all(|(room, bytes)| room.try_reserve_exact(bytes).is_ok()) {
+        true => Ok((band / bigger).max(ROWS)),
+        false => Err(Notice::new(Code::NoMemory).with("side", bigger)),
     }
 }

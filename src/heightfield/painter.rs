@@ -224,18 +224,18 @@ impl Painter {
     fn is_beyond(&self, cell: &Cell, index: usize) -> bool {
         let rows =
             [self.band.start, self.band.end].map(|row| row as f64 / self.params.pixel_scale as f64);
-        let is_off = |low: f64, high: f64| low > rows[1] || high < rows[0];
+        let side = self.params.side as f64;
+        let turns = match self.params.tile {
+            true => &[-1.0, 0.0, 1.0][..],
+            false => &[0.0],
+        };
+        let is_off = |low: f64, high: f64| {
+            let is_off = |by: f64| low + by > rows[1] || high + by < rows[0];
+            turns.iter().all(|turn| is_off(turn * side))
+        };
         if let Some(span) = self.spans.get(index).copied().flatten() {
             let [low, high] = span.map(f64::from);
-            let side = self.params.side as f64;
-            let turns = if self.params.tile {
-                &[-1.0, 0.0, 1.0][..]
-            } else {
-                &[0.0]
-            };
-            return turns
-                .iter()
-                .all(|turn| is_off(low + turn * side, high + turn * side));
+            return is_off(low, high);
         }
         let (mut low, mut high) = (DVec2::MAX, DVec2::MIN);
         for &p in &cell.ring {
@@ -245,9 +245,8 @@ impl Painter {
         // Scale, skew and distortion displace a prism's corners.
         let reach = 1.0 + stone.scale + stone.skin.skew + stone.distortion;
         let reach = reach * (high - low).max_element();
-        let side = self.params.side as f64;
         let is_aside = low.x - reach > side || high.x + reach < 0.0;
-        !self.params.tile && (is_aside || is_off(low.y - reach, high.y + reach))
+        (!self.params.tile && is_aside) || is_off(low.y - reach, high.y + reach)
     }
 
     /// The columns and rows of the current band.

@@ -38,6 +38,7 @@ mod edges;
 mod footprint;
 #[cfg(house)]
 mod levels;
+mod loop_step;
 mod making;
 mod orientation;
 mod prism;
@@ -54,6 +55,7 @@ pub(crate) use collapse::{Collapse, LENGTH};
 pub use footprint::{Footprint, MOST_CORNERS};
 #[cfg(house)]
 pub(crate) use levels::{finest, levels};
+pub use loop_step::beta;
 pub use making::{Making, PLAIN, Step, step, steps};
 pub use orientation::oriented;
 #[cfg(house)]
@@ -66,7 +68,7 @@ pub(crate) use simplify::simplify;
 pub(crate) use simplify::simplify_between;
 pub use solids::{Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
-pub use subdivide::{Solid, Stencil, beta, loop_subdivide};
+pub use subdivide::{Solid, Stencil, loop_subdivide};
 pub(crate) use surface::boundary_edges;
 pub(crate) use surface::used;
 pub use surface::{Surface, normals};

@@ -1,7 +1,7 @@
 //! From cells to solids: control meshes, refined by stencils.
 
-use super::footprint::Footprint;
-use super::stencil_cache::{MOST_LEVELS, StencilCache};
+use super::footprint::{Footprint, MOST_CORNERS};
+use super::stencil_cache::{MOST_LEVELS, StencilCache, memory};
 use super::{Prism, Solid, StoneKind, StoneParams};
 use super::{control, displacement, prism};
 use crate::cells::Cell;
@@ -29,6 +29,8 @@ pub struct Solids {
     enough: Option<usize>,
     /// Exact number of Loop steps, overriding everything else.
     exactly: Option<u32>,
+    /// Most Loop steps that a picture gets.
+    most: u32,
 }
 
 impl Default for Solids {
@@ -52,7 +54,47 @@ impl Solids {
             pixels: (pixel_scale * pixel_scale) as f64,
             enough: None,
             exactly: None,
+            most: MOST_LEVELS,
         }
+    }
+
+    /// Limits the Loop steps of a picture, so that its stencils take at most about `bytes`, as far as possible. Returns
+    /// the bytes that they take.
+    pub fn fit(&mut self, cells: &[Cell], params: &StoneParams, bytes: usize) -> usize {
+        let mut needs = [0; MOST_CORNERS + 1];
+        for cell in cells {
+            if let Some(plan) = Footprint::new(&cell.ring, cell.centre) {
+                needs[plan.corners.len()] |= 1u32 << self.levels(&plan, params, cell);
+            }
+        }
+        loop {
+            let taken = self.bytes(params.kind == StoneKind::Skin, &needs);
+            if taken <= bytes || self.most == 0 {
+                return taken;
+            }
+            self.most -= 1;
+        }
+    }
+
+    /// The bytes of all stencils, and of the making of the largest. `needs` has a bit for each level of the cells with
+    /// so many corners.
+    fn bytes(&self, skin: bool, needs: &[u32]) -> usize {
+        let (mut kept, mut making) = (0, 0);
+        for (corners, bits) in needs.iter().enumerate() {
+            let bit = |level: u32| bits & (1 << level) != 0;
+            let triangles = match skin {
+                true => prism::triangle_count(corners),
+                false => control::triangle_count(corners),
+            };
+            let limited = (self.most..=MOST_LEVELS).any(bit);
+            let below = (0..self.most).filter(|&level| bit(level));
+            for level in below.chain(limited.then_some(self.most)) {
+                let [own, more] = memory(triangles, level);
+                kept += own;
+                making = making.max(more);
+            }
+        }
+        kept + making
     }
 
     /// Solids that will be simplified to this number of triangles. They have at least twice as many, or as
@@ -107,12 +149,37 @@ impl Solids {
         }
     }
 
+    /// Loop steps of a cell's solid.
+    fn levels(&self, plan: &Footprint, params: &StoneParams, cell: &Cell) -> u32 {
+        match params.kind {
+            StoneKind::Skin => {
+                let prism = Prism::over(plan, cell.axis, params, cell.id);
+                self.levels_of_skin(plan, &prism).1
+            }
+            _ => self.levels_of_stone(plan, params),
+        }
+    }
+
+    fn levels_of_stone(&self, plan: &Footprint, params: &StoneParams) -> u32 {
+        let wanted = STONE_TRIANGLES * self.pixels * area(plan, params);
+        let coarse = control::triangle_count(plan.corners.len());
+        let most = STONE_LEVELS.min(self.most);
+        self.steps(coarse, levels(coarse, wanted).min(most))
+    }
+
+    /// The Loop steps that a picture needs, and those of the solid.
+    fn levels_of_skin(&self, plan: &Footprint, prism: &Prism) -> (u32, u32) {
+        let coarse = prism::triangle_count(plan.corners.len());
+        let needed = levels(coarse, SKIN_TRIANGLES * self.pixels * prism.area());
+        let needed = needed.min(self.most);
+        let finer = needed.saturating_add_signed(self.finer).min(self.most);
+        (needed, self.steps(coarse, finer))
+    }
+
     fn stone(&mut self, plan: &Footprint, params: &StoneParams, id: u32) -> Option<Solid> {
         let corners = plan.corners.len();
         let points = control::points(plan, params, id);
-        let wanted = STONE_TRIANGLES * self.pixels * area(plan, params);
-        let coarse = control::triangle_count(corners);
-        let levels = self.steps(coarse, levels(coarse, wanted).min(STONE_LEVELS));
+        let levels = self.levels_of_stone(plan, params);
         let refinement = self.stencils.get(false, corners, levels)?;
         let stencil = &refinement.stencil;
         let mut vertices = stencil.apply(&points);
@@ -130,10 +197,7 @@ impl Solids {
         let (flow, id) = (cell.axis, cell.id);
         let corners = plan.corners.len();
         let prism = Prism::over(plan, flow, params, id);
-        let coarse = prism::triangle_count(corners);
-        let needed = levels(coarse, SKIN_TRIANGLES * self.pixels * prism.area());
-        let finer = needed.saturating_add_signed(self.finer).min(MOST_LEVELS);
-        let finer = self.steps(coarse, finer);
+        let (needed, finer) = self.levels_of_skin(plan, &prism);
         let refinement = self.stencils.get(true, corners, finer)?;
         let (stencil, radii) = (&refinement.stencil, &refinement.radii);
         let control = prism.points();
@@ -210,4 +274,40 @@ fn levels(triangles: usize, wanted: f64) -> u32 {
         levels += 1;
     }
     levels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::CellKind;
+
+    #[test]
+    fn stencils_fit_into_the_bytes_that_are_left() {
+        let corners = [[0.0, 0.0], [40.0, 0.0], [40.0, 40.0], [0.0, 40.0]];
+        let cell = Cell {
+            id: 1,
+            centre: DVec2::splat(20.0),
+            kind: CellKind::Square,
+            size: 40.0,
+            aspect: 1.0,
+            axis: DVec2::X,
+            ring: corners.map(DVec2::from).to_vec(),
+        };
+        for kind in [StoneKind::Skin, StoneKind::Cobble] {
+            let params = StoneParams {
+                kind,
+                ..StoneParams::default()
+            };
+            let made = |bytes| {
+                let mut solids = Solids::for_picture(2, 0);
+                let taken = solids.fit(std::slice::from_ref(&cell), &params, bytes);
+                (taken, solids.solid(&cell, &params).triangles.len())
+            };
+            let (whole, finest) = made(usize::MAX);
+            assert_eq!(made(whole), (whole, finest));
+            let (taken, coarser) = made(whole - 1);
+            assert!(taken < whole && 4 * coarser == finest, "{kind:?}");
+            assert!(made(0).1 < coarser);
+        }
+    }
 }

@@ -1,10 +1,10 @@
-//! Sparse matrices and their products.
+//! Sparse matrices of few columns, and their products.
 
 /// A sparse matrix in compressed rows (CSR): row i holds the entries `starts[i] .. starts[i + 1]`.
 #[derive(Debug)]
 pub(super) struct Matrix {
     pub starts: Vec<u32>,
-    pub columns: Vec<u32>,
+    pub columns: Vec<u16>,
     pub weights: Vec<f64>,
 }
 
@@ -18,65 +18,75 @@ impl Matrix {
     }
 
     pub fn identity(n: usize) -> Self {
-        let mut rows = Self::empty();
-        (0..n as u32).for_each(|i| rows.push([(i, 1.0)]));
-        rows
+        Self {
+            starts: (0..=n as u32).collect(),
+            columns: (0..n as u16).collect(),
+            weights: vec![1.0; n],
+        }
     }
 
     pub fn len(&self) -> usize {
         self.starts.len() - 1
     }
 
-    pub fn push(&mut self, row: impl IntoIterator<Item = (u32, f64)>) {
-        for (column, weight) in row {
-            self.columns.push(column);
-            self.weights.push(weight);
-        }
-        self.starts.push(self.columns.len() as u32);
-    }
-
-    pub fn row(&self, i: usize) -> impl Iterator<Item = (u32, f64)> + '_ {
+    fn row(&self, i: usize) -> impl Iterator<Item = (u16, f64)> + '_ {
         let span = self.starts[i] as usize..self.starts[i + 1] as usize;
         let columns = self.columns[span.clone()].iter().copied();
         columns.zip(self.weights[span].iter().copied())
     }
 }
 
-/// The product of two matrices, computed row by row. The second one has few columns: sums go into a dense row
-/// that is cleared after use.
+/// Most entries of nearly all rows of a refined mesh: a point of Loop's surface depends on the corners around one
+/// triangle.
+const ENTRIES: usize = 14;
+
+/// The product of two matrices, computed row by row. Rows of the first one are made as they are needed, because all of
+/// them would take more memory than the product. The second one has few columns: sums go into a dense row that is
+/// cleared after use.
 #[derive(Debug)]
 pub(super) struct Product {
-    first: Matrix,
+    rows: usize,
     dense: Vec<f64>,
     pub done: Matrix,
 }
 
 impl Product {
-    pub fn new(first: Matrix, columns: usize) -> Self {
+    /// For a first matrix with this many rows, and a second one with this many columns.
+    pub fn new(rows: usize, columns: usize) -> Self {
+        let entries = rows * columns.min(ENTRIES);
         let mut done = Matrix::empty();
-        done.starts.reserve(first.len());
-        done.columns.reserve(first.len() * columns / 2);
-        done.weights.reserve(first.len() * columns / 2);
+        done.starts.reserve_exact(rows);
+        done.columns.reserve_exact(entries);
+        done.weights.reserve_exact(entries);
         Self {
-            first,
+            rows,
             dense: vec![0.0; columns],
             done,
         }
     }
 
-    /// Computes at most `most` rows and subtracts them from that number; true when finished.
-    pub fn advance(&mut self, second: &Matrix, most: &mut usize) -> bool {
+    /// Computes at most `most` rows and subtracts them from that number; true when finished. `row` puts a row of the
+    /// first matrix into an empty list.
+    pub fn advance(
+        &mut self,
+        row: impl Fn(usize, &mut Vec<(u32, f64)>),
+        second: &Matrix,
+        most: &mut usize,
+    ) -> bool {
         let from = self.done.len();
-        let to = self.first.len().min(from.saturating_add(*most));
+        let to = self.rows.min(from.saturating_add(*most));
         let Matrix {
             starts,
             columns,
             weights,
         } = &mut self.done;
+        let mut sources = Vec::new();
         for i in from..to {
-            for (source, weight) in self.first.row(i) {
+            sources.clear();
+            row(i, &mut sources);
+            for &(source, weight) in &sources {
                 for (column, inner) in second.row(source as usize) {
-                    self.dense[column as usize] += weight * inner;
+                    self.dense[usize::from(column)] += weight * inner;
                 }
             }
             for (column, sum) in (0..).zip(&mut self.dense) {
@@ -88,6 +98,6 @@ impl Product {
             starts.push(columns.len() as u32);
         }
         *most -= to - from;
-        to == self.first.len()
+        to == self.rows
     }
 }

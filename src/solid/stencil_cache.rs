@@ -14,6 +14,9 @@ pub const MOST_LEVELS: u32 = 8;
 /// Rows of a stencil that are computed in one slice.
 const ROWS: usize = 12_000;
 
+/// Bytes of a refinement for each of its vertices, and more while it is made and applied to a cell.
+const BYTES: [usize; 2] = [120, 360];
+
 const SLOTS: usize = (MOST_CORNERS + 1) * (MOST_LEVELS as usize + 1);
 
 /// Data shared by all solids with the same connectivity.
@@ -31,6 +34,13 @@ pub(super) struct StencilCache {
     refinements: Vec<Option<Rc<Refinement>>>,
     /// The refinement in progress, with its index.
     building: Option<(usize, StencilBuilder)>,
+}
+
+/// The approximate bytes that a refinement takes for good, and while it is made, from the number of triangles of the
+/// control mesh.
+pub(super) fn memory(triangles: usize, levels: u32) -> [usize; 2] {
+    let vertices = (triangles << (2 * levels)) / 2;
+    BYTES.map(|bytes| bytes * vertices)
 }
 
 impl StencilCache {
@@ -73,5 +83,35 @@ impl StencilCache {
         let large = refinement.stencil.len() > ROWS;
         self.refinements[slot] = Some(refinement.clone());
         (!large).then_some(refinement)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refinements_take_the_memory_that_is_told() {
+        for corners in [3, 4, 6, MOST_CORNERS] {
+            for (skin, triangles) in [
+                (false, control::triangle_count(corners)),
+                (true, prism::triangle_count(corners)),
+            ] {
+                let mut cache = StencilCache::new();
+                for levels in [3, 5] {
+                    let made = loop {
+                        if let Some(made) = cache.get(skin, corners, levels) {
+                            break made;
+                        }
+                    };
+                    let taken = made.stencil.bytes() + 4 * made.radii.capacity();
+                    let [told, _] = memory(triangles, levels);
+                    assert!(
+                        taken <= told && told < 2 * taken,
+                        "{corners} {levels}: {taken}, {told}"
+                    );
+                }
+            }
+        }
     }
 }

@@ -1,17 +1,15 @@
 //! Loop's subdivision of triangle meshes, and its weights as a sparse matrix.
 //!
-//! Loop, C. (1987), Smooth subdivision surfaces based on triangles: an inner edge's new point takes 3/8 of
-//! each end and 1/8 of each opposite corner. A vertex of valence n keeps 1 - n beta(n) and takes beta(n) of
-//! each neighbour. Along a boundary only the boundary counts, with 1/2, 1/2 and 1/8, 3/4, 1/8. Every triangle
-//! becomes four.
+//! Loop, C. (1987), Smooth subdivision surfaces based on triangles: see [`super::loop_step`]. Every triangle becomes
+//! four.
 //!
 //! A step is linear in the positions, and its weights follow from the connectivity alone. So one level is a
 //! sparse matrix, several levels are a product of matrices, and meshes with the same connectivity share it:
 //! see [`Stencil`].
 
-use super::edges::{Edge, Edges, split};
+use super::edges::{Edges, split};
+use super::loop_step::Step;
 use super::sparse::{Matrix, Product};
-use crate::csr::Csr;
 use glam::Vec3;
 use std::rc::Rc;
 
@@ -24,14 +22,7 @@ pub struct Solid {
     pub triangles: Rc<[[u32; 3]]>,
 }
 
-/// The share of each neighbour in the new place of an inner vertex of valence `n`.
-pub fn beta(n: usize) -> f64 {
-    let n = n.max(1) as f64;
-    let c = 0.375 + 0.25 * libm::cos(std::f64::consts::TAU / n);
-    (0.625 - c * c) / n
-}
-
-/// One Loop step.
+/// One Loop step of a mesh with at most 65,536 vertices.
 pub fn loop_subdivide(mesh: &Solid) -> Solid {
     let stencil = Stencil::new(mesh.vertices.len(), &mesh.triangles, 1);
     Solid {
@@ -47,7 +38,7 @@ pub struct Stencil {
     sources: usize,
     /// Row i holds the entries `starts[i] .. starts[i + 1]`.
     starts: Vec<u32>,
-    columns: Vec<u32>,
+    columns: Vec<u16>,
     weights: Vec<f32>,
     /// For each level, the ends of the edges whose midpoints became vertices.
     parents: Vec<[u32; 2]>,
@@ -58,7 +49,7 @@ pub struct Stencil {
 }
 
 impl Stencil {
-    /// The weights of `levels` Loop steps on a mesh with `vertices` vertices.
+    /// The weights of `levels` Loop steps on a mesh with `vertices` vertices, at most 65,536.
     pub fn new(vertices: usize, triangles: &[[u32; 3]], levels: u32) -> Self {
         Self::made(vertices, triangles.to_vec(), levels, false)
     }
@@ -85,6 +76,13 @@ impl Stencil {
         self.starts.len() - 1
     }
 
+    /// The bytes that it takes.
+    #[cfg(test)]
+    pub fn bytes(&self) -> usize {
+        let (rows, entries) = (self.starts.capacity(), self.columns.capacity());
+        4 * rows + 6 * entries + 8 * self.parents.capacity() + 12 * self.triangles.len()
+    }
+
     /// Whether the refined mesh has no vertex.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -103,7 +101,9 @@ impl Stencil {
     pub fn row(&self, i: usize) -> impl Iterator<Item = (u32, f32)> + '_ {
         let span = self.starts[i] as usize..self.starts[i + 1] as usize;
         let columns = self.columns[span.clone()].iter().copied();
-        columns.zip(self.weights[span].iter().copied())
+        columns
+            .map(u32::from)
+            .zip(self.weights[span].iter().copied())
     }
 
     /// The refined vertices of the mesh with the vertices `points`.
@@ -147,7 +147,7 @@ pub(super) struct StencilBuilder {
     limit: bool,
     /// The edges of the current step.
     edges: Option<Edges>,
-    product: Option<Product>,
+    product: Option<(Step, Product)>,
 }
 
 impl StencilBuilder {
@@ -169,13 +169,17 @@ impl StencilBuilder {
     /// Computes about `most` rows; true when finished.
     pub fn advance(&mut self, mut most: usize) -> bool {
         while most > 0 {
-            if let Some(product) = &mut self.product {
-                if product.advance(&self.rows, &mut most) {
-                    self.rows = self.product.take().map_or(Matrix::empty(), |p| p.done);
+            if let Some((step, mut product)) = self.product.take() {
+                let row = |i: usize, to: &mut Vec<_>| step.row(i, to);
+                match product.advance(row, &self.rows, &mut most) {
+                    true => self.rows = product.done,
+                    false => self.product = Some((step, product)),
                 }
             } else if let Some(edges) = self.edges.take() {
                 most = most.saturating_sub(edges.list.len());
-                self.product = Some(Product::new(self.step(&edges), self.sources));
+                let step = self.step(edges);
+                let product = Product::new(step.len(), self.sources);
+                self.product = Some((step, product));
             } else if self.levels > 0 || self.limit {
                 let edges = Edges::new(self.rows.len(), &self.triangles);
                 most = most.saturating_sub(edges.list.len());
@@ -187,25 +191,24 @@ impl StencilBuilder {
         false
     }
 
-    /// The matrix of the next step.
-    fn step(&mut self, edges: &Edges) -> Matrix {
+    /// The next step, on the mesh with these edges.
+    fn step(&mut self, edges: Edges) -> Step {
         let count = self.rows.len();
         if self.levels == 0 {
-            let mut step = Matrix::empty();
-            push_vertices(count, edges, limit_share, &mut step);
             self.limit = false;
-            return step;
+            return Step::to_limit(count, &edges.list);
         }
         self.parents.extend(edges.list.iter().map(|edge| edge.ends));
         self.ends.push(self.parents.len());
-        self.triangles = split(count, &self.triangles, edges);
+        self.triangles = split(count, &self.triangles, &edges);
         self.levels -= 1;
-        step(count, edges)
+        Step::halving(count, edges.list)
     }
 
     /// The finished stencil.
     pub fn finish(self) -> Stencil {
-        let rows = self.rows;
+        let mut rows = self.rows;
+        rows.columns.shrink_to_fit();
         Stencil {
             sources: self.sources,
             weights: rows.weights.iter().map(|&w| w as f32).collect(),
@@ -218,62 +221,10 @@ impl StencilBuilder {
     }
 }
 
-/// The matrix of one step: the old vertices first, then one for each edge in the order of their ends.
-fn step(vertices: usize, edges: &Edges) -> Matrix {
-    let mut rows = Matrix::empty();
-    push_vertices(vertices, edges, step_share, &mut rows);
-    for Edge { ends, opposite } in &edges.list {
-        let [a, b] = *ends;
-        match *opposite {
-            Some([c, d]) => rows.push([(a, 0.375), (b, 0.375), (c, 0.125), (d, 0.125)]),
-            None => rows.push([(a, 0.5), (b, 0.5)]),
-        }
-    }
-    rows
-}
-
-/// The weight in a step of each of `n` neighbours of a vertex; if `rim` of them are on the boundary, only
-/// those count.
-fn step_share(n: usize, rim: usize) -> f64 {
-    if rim == 0 { beta(n) } else { 0.25 / rim as f64 }
-}
-
-/// The weight of each in the limit of all steps.
-fn limit_share(n: usize, rim: usize) -> f64 {
-    if rim == 0 {
-        1.0 / (n as f64 + 0.375 / beta(n))
-    } else {
-        1.0 / (3.0 * rim as f64)
-    }
-}
-
-fn push_vertices(
-    vertices: usize,
-    edges: &Edges,
-    share: fn(usize, usize) -> f64,
-    rows: &mut Matrix,
-) {
-    // For each vertex its neighbours in rising order, each with whether it is on the boundary.
-    let both = |edge: &Edge| {
-        let ([a, b], on_boundary) = (edge.ends, edge.opposite.is_none());
-        [
-            (a as usize, (b, on_boundary)),
-            (b as usize, (a, on_boundary)),
-        ]
-    };
-    let spokes = Csr::from_pairs(vertices, edges.list.iter().flat_map(both));
-    for (vertex, own) in (0..).zip(spokes.rows()) {
-        let rim = own.iter().filter(|s| s.1).count();
-        let share = share(own.len(), rim);
-        let neighbours = own.iter().filter(|s| rim == 0 || s.1);
-        let kept = 1.0 - share * neighbours.clone().count() as f64;
-        rows.push(neighbours.map(|s| (s.0, share)).chain([(vertex, kept)]));
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solid::beta;
 
     /// A vertex of valence n (index 0) in a closed double pyramid.
     fn pyramid(n: u32) -> Solid {

@@ -144,8 +144,11 @@ test('the forming is saved as a looping GIF, to its end, while the page stays fr
 test('Stop stops what is being made, and then another file can be saved', sameEverywhere, async () => {
   const { page, problems, close } = await opened(site, '#size=512&cs=9');
   await digest(page);
-  for (const button of ['#save-gif', '#save-png-4', '#save-obj']) {
+  for (const button of ['#save-gif', '#save-png-8', '#save-obj']) {
     await dialog(page);
+    if (button === '#save-png-8') {
+      for (const words of ['textContent', 'ariaLabel']) assert.match(await page.$eval(button, (key, name) => key[name], words), /4096 px, about \d+ (s|min)$/);
+    }
     await click(page, button);
     await page.waitForSelector('.message progress');
     assert.equal(await page.$('.message:has(progress) .close'), null, 'the way to stop can be put out of sight');

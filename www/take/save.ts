@@ -28,6 +28,12 @@ const MAP_SCALES = [1, 2, 4, 8];
 /** The most pixels along a side. */
 const MOST = 8192;
 
+/** The stages that a larger picture repeats for each of its pixels. */
+const OF_PIXELS = ['planes', 'weather', 'shading'];
+
+/** The least time that is told, in milliseconds. */
+const LONG = 3000;
+
 /** The last choices: the program or kind of normals and the factor of the side for maps, the shape for films. */
 const chosen: { program: string; scale: number; shape: FormingShape } = { program: 'normal-opengl', scale: 1, shape: 'square' };
 
@@ -99,14 +105,15 @@ export class SaveDialog {
 
   private pictures(): HTMLElement[] {
     const { canvas } = this;
-    const { view } = this.work.store.state;
+    const { engine, store: { state: { view } } } = this.work;
     return SCALES.filter((scale) => scale === 1 || canvas.width * scale <= MOST).map((scale) => {
       const n = canvas.width * scale;
+      const [word, label] = [t('pixels', { n }), t('pixels_label', { n })].map((words) => timed(words, scale === 1 ? 0 : timeOf(engine, scale)));
       const key =
         scale === 1
-          ? this.button('save-png', t('pixels', { n }), { size: n, variant: [view !== 'auto' && view], ending: 'png' }, () => shownPng(canvas, this.work.engine.link()))
-          : this.button(`save-png-${scale}`, t('pixels', { n }), { size: n, ending: 'png' }, this.made(() => ({ file: 'picture', scale })));
-      key.setAttribute('aria-label', t('pixels_label', { n }));
+          ? this.button('save-png', word, { size: n, variant: [view !== 'auto' && view], ending: 'png' }, () => shownPng(canvas, this.work.engine.link()))
+          : this.button(`save-png-${scale}`, word, { size: n, ending: 'png' }, this.made(() => ({ file: 'picture', scale })));
+      key.setAttribute('aria-label', label);
       return key;
     });
   }
@@ -193,6 +200,23 @@ export class SaveDialog {
     });
     return [this.button('save-recipe', 'JSON', { ending: 'json' }, (task) => recipeFile(work.engine, task)), open, file];
   }
+}
+
+/**
+ * The approximate milliseconds that the picture takes at this multiple of its side, by the times of its stages: a worker
+ * runs all of them, then the last ones for each pixel.
+ */
+function timeOf(engine: Engine, scale: number): number {
+  const { ms } = engine.status();
+  const sum = (times: (number | undefined)[]): number => times.reduce<number>((sum, time = 0) => sum + time, 0);
+  return sum(Object.values(ms)) + scale ** 2 * sum(OF_PIXELS.map((stage) => ms[stage]));
+}
+
+/** Adds a time to words, unless it is short. */
+function timed(words: string, ms: number): string {
+  if (ms < LONG) return words;
+  const seconds = ms / 1000;
+  return seconds < 90 ? t('seconds', { words, n: Number(seconds.toPrecision(1)) }) : t('minutes', { words, n: Math.round(seconds / 60) });
 }
 
 async function shownPng(canvas: HTMLCanvasElement, link: string): Promise<Blob> {

@@ -6,7 +6,7 @@ use super::{Pavement, SCHEMA, Stage};
 use crate::export::{Map, MapKind};
 use crate::field::FieldParams;
 use crate::generators::bigger::Bigger;
-use crate::generators::height_field::Bodies;
+use crate::generators::height_field::{Bodies, solids};
 use crate::generators::{ALL, Engine, common};
 use crate::heightfield::TextureParams;
 use crate::light::ShadeParams;
@@ -180,7 +180,8 @@ fn made(pavement: &Pavement, scale: usize, kinds: &[MapKind], band: usize) -> Ve
     };
     let params = pavement.made.finish.params(scale);
     let side = scale * pavement.made.planes().expect("planes").side;
-    let mut bigger = Bigger::begin((scale, kinds), side, 0, params, (bodies, band));
+    let work = (bodies.coats, solids(&params.planes), band);
+    let mut bigger = Bigger::begin((scale, kinds), side, 0, params, work);
     while !bigger.is_done() {
         bigger.add(bodies);
     }
