@@ -59,7 +59,7 @@ export class Plots {
     ];
     view.drawn(() => this.soon());
     this.narrow.addEventListener('change', () => this.settle());
-    addEventListener(REPAINT, () => this.plots.forEach(({ plot }) => plot?.redraw(false, true)));
+    addEventListener(REPAINT, () => this.renew());
     new ResizeObserver(() => this.fit()).observe(this.section);
     this.settle();
   }
@@ -70,6 +70,15 @@ export class Plots {
     this.draw();
     // On a narrow page the plots may be out of sight under the picture.
     if (this.narrow.matches) this.section.scrollIntoView({ block: 'nearest', behavior: wantsStill() ? 'auto' : 'smooth' });
+  }
+
+  /** Makes the plots again with the page's colours and words. */
+  private renew(): void {
+    for (const each of this.plots) {
+      each.plot?.destroy();
+      delete each.plot;
+    }
+    this.draw();
   }
 
   /** Places the plots: under the picture on a narrow page, else above the controls. */

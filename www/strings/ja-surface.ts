@@ -1,4 +1,4 @@
-/** The Japanese for surfaces in space, by generator and key, if it differs from that for pavements. */
+/** The Japanese for surfaces in space, by generator and key, if it differs from that for pavements. It comes with the second module. */
 import type { Foreign } from './foreign';
 
 /** The numbers of shapes, by shape. */
