@@ -111,8 +111,9 @@ function wordsOn(page) {
   return page.evaluate(() => {
     const found = [];
     const add = (where, text) => text?.trim() && found.push(`${where} ${text.trim().replace(/[\d.]+/g, '#')}`);
-    for (const element of document.querySelectorAll('body *:not(#language, #language *, #live, #offline)')) {
-      const where = element.id ? `#${element.id}` : `${element.localName}.${element.classList[0] ?? ''}`;
+    for (const element of document.querySelectorAll('body *:not(#language, #language *, #live, #offline, #work)')) {
+      // A choice is a list or a row of buttons, as its words allow.
+      const where = element.id ? `#${element.id}` : ['option', 'span'].includes(element.localName) ? '' : `${element.localName}.${element.classList[0] ?? ''}`;
       for (const name of ['title', 'aria-label', 'aria-valuetext', 'placeholder', 'label']) add(`${where}[${name}]`, element.getAttribute(name));
       for (const node of element.childNodes) if (node.nodeType === Node.TEXT_NODE) add(where, node.data);
     }

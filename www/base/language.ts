@@ -4,6 +4,9 @@ import { byIdAs } from './dom';
 import { notice } from './messages';
 import { keep, kept } from './storage';
 
+/** The event on the window after a change of the language, for parts that are made again with other words. */
+export const RETOLD = 'languagechange';
+
 /** The page's own words by key: those that the build wrote into it, and those of another language. */
 type Words = Record<string, string>;
 const english: Words = {};
@@ -54,6 +57,7 @@ export async function speak(code: string): Promise<void> {
   await moreWords();
   const page: Record<'en' | 'ja', Words> = { en: english, ja: japanese.page };
   retell(page, code === 'ja' ? 'ja' : 'en', partsOf);
+  dispatchEvent(new Event(RETOLD));
 }
 
 /** The parts of `data-t="key title=other"`: the element's text ('') and attributes, each with the key of its words. */

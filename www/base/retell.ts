@@ -12,7 +12,7 @@ type PageWords = Record<'en' | 'ja', Record<string, string>>;
 const ATTRIBUTES = ['title', 'aria-label', 'aria-valuetext', 'placeholder', 'label', 'alt'];
 
 /** What joins texts that were given one by one. */
-const JOINTS = /( [·–+/] |, |: |、|(?<=[.。?？]) ?)/;
+const JOINTS = /( [·–+/] |, |: |、|[.?] |[。？])/;
 
 /** The words of a place in both languages, as they were changed: the way back is exact even if two words look alike. */
 const pairs = new WeakMap<Node, Map<string, Partial<Record<'en' | 'ja', string>>>>();
@@ -58,9 +58,27 @@ function* nodesOf(root: Node): Iterable<Text | Element> {
   }
 }
 
-/** A text in the present language. If the whole text was not given, its parts are tried. */
+/** A text in the present language. If the whole text was not given, its longest known parts are taken, from left to right. */
 function inParts(text: string): string {
-  return again(text) ?? text.split(JOINTS).map((part) => again(part) ?? part).join('');
+  const whole = again(text);
+  if (whole !== undefined) return whole;
+  const pieces = text.split(JOINTS);
+  let told = '';
+  for (let at = 0; at < pieces.length; ) {
+    let end = pieces.length;
+    let known: string | undefined;
+    while (end > at && known === undefined) known = bareIn(pieces.slice(at, end--).join(''));
+    told += known ?? pieces[at] ?? '';
+    at = end + 1;
+  }
+  return told;
+}
+
+/** A text that was given, with the space that follows it, in the present language. */
+function bareIn(text: string): string | undefined {
+  const bare = text.trimEnd();
+  const now = again(bare);
+  return now === undefined ? undefined : now + text.slice(bare.length);
 }
 
 /** Changes the words that are added or set later. A text of the present language stays the same. */

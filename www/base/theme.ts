@@ -9,7 +9,7 @@ const CHOICE = 'theme';
 
 const system = matchMedia('(prefers-color-scheme: dark)');
 
-/** The event on the window for parts that draw with the page's colours or words. */
+/** The event on the window for parts that draw with the page's colours. */
 export const REPAINT = 'theme';
 
 const ofSystem = (): string => (system.matches ? 'dark' : 'light');

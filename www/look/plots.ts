@@ -3,6 +3,7 @@ import uPlot from 'uplot';
 import type { Histogram, Histograms, Series } from '../module/types';
 import { t, type Word } from '../words/look';
 import { byId, make, say, wantsStill } from '../base/dom';
+import { RETOLD } from '../base/language';
 import { REPAINT } from '../base/theme';
 import type { Engine } from '../state/engine';
 import type { View } from '../picture/view';
@@ -59,7 +60,7 @@ export class Plots {
     ];
     view.drawn(() => this.soon());
     this.narrow.addEventListener('change', () => this.settle());
-    addEventListener(REPAINT, () => this.renew());
+    for (const sign of [REPAINT, RETOLD]) addEventListener(sign, () => this.renew());
     new ResizeObserver(() => this.fit()).observe(this.section);
     this.settle();
   }

@@ -115,5 +115,5 @@ function way(before: number, after: number): number {
 
 /** A short figure for under a small picture: "Fig. 13 (1b) of 2000, Fig. 12 (1b) of 2001" becomes the first paper's number. */
 function short(figure: string): string {
-  return /\d+\s*(\(\w+\))?/.exec(figure)?.[0] ?? figure;
+  return /(?:Fig\. |図)(\d+\s*(\(\w+\))?)/.exec(figure)?.[1] ?? figure;
 }

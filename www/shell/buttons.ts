@@ -2,7 +2,6 @@
 import { language, t } from '../words/words';
 import { byId, byIdAs, say } from '../base/dom';
 import { alertOf } from '../base/messages';
-import { REPAINT } from '../base/theme';
 import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
 import type { History } from '../state/history';
@@ -44,15 +43,11 @@ export function bindButtons(house: House): void {
   const select = byIdAs('language', HTMLSelectElement);
   select.value = language();
   select.addEventListener('change', () => {
-    const isThere = (): void => {
-      dispatchEvent(new Event(REPAINT));
-      host.loop.redraw();
-    };
     const isLost = (): void => {
       select.value = language();
       alertOf('part', t('lost_part'));
     };
-    void speak(select.value).then(isThere, isLost);
+    void speak(select.value).then(() => host.loop.redraw(), isLost);
   });
   store.on(['past', 'future', 'stored', 'own'], showHistory);
   showHistory(store.state);

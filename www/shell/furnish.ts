@@ -3,6 +3,7 @@
  * the first cells are shown before them.
  */
 import { frame } from '../base/dom';
+import { RETOLD } from '../base/language';
 import { withValues } from '../state/link';
 import { isLocked } from '../state/locks';
 import type { State } from '../state/store';
@@ -35,8 +36,9 @@ export async function furnish(house: House): Promise<void> {
   const dice = new Dice(work, () => house.push());
   const presets = presetsOf(house);
   const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
-  /** The generator that the panel was built for. */
+  /** The generators that the panel and the rail were built for. */
   let made = '';
+  let listed = '';
   const build = async (): Promise<void> => {
     const { make: word } = store.state;
     if (word === made) return;
@@ -47,7 +49,8 @@ export async function furnish(house: House): Promise<void> {
     panel.attach();
     host.loop.spare();
     await frame();
-    presets.build(engine.presets);
+    if (word !== listed) presets.build(engine.presets);
+    listed = word;
     mark(store.state);
     made = word;
   };
@@ -55,6 +58,11 @@ export async function furnish(house: House): Promise<void> {
   let building = Promise.resolve();
   const follow = (): Promise<void> => (building = building.catch(() => undefined).then(build));
   store.on(['make'], () => void follow());
+  // Whether a choice is a list or a row of buttons depends on its words.
+  addEventListener(RETOLD, () => {
+    made = '';
+    void follow();
+  });
   store.on(['recipe'], (state) => {
     if (state.make !== made) return;
     panel.refresh();

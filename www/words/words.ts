@@ -18,12 +18,13 @@ export type Word = keyof typeof english;
 let words: Record<Word, string> = english;
 let foreign: Foreign | undefined;
 
-/** The most texts that are remembered. The oldest are forgotten first. */
+/** The most texts that are remembered. The oldest are forgotten first. Of two that look alike, the first one counts. */
 const MOST = 10_000;
 const given = new Map<string, () => string>();
 
 function remembered(text: string, again: () => string): string {
-  if (!given.has(text) && given.size >= MOST) given.delete(given.keys().next().value ?? '');
+  if (given.has(text)) return text;
+  if (given.size >= MOST) given.delete(given.keys().next().value ?? '');
   given.set(text, again);
   return text;
 }
