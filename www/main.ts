@@ -9,7 +9,7 @@ import { isHere, load } from './state/arrivals';
 import { askedFor, openedFirst } from './state/first';
 import { fragment, isEmbedded } from './state/link';
 import { lastWork } from './state/memory';
-import { isOffered } from './module/generators';
+import { isOffered, placeOf } from './module/generators';
 import { App } from './shell/app';
 import { hearMakes } from './shell/makes';
 
@@ -20,7 +20,7 @@ async function start(): Promise<void> {
     if (!embedded) hearMakes();
     const link = embedded ? fragment : firstLink;
     if (!embedded) early(link());
-    const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(link()), takeLanguage()]);
+    const [embed] = await Promise.all([embedded ? import('./shell/embed') : undefined, load(link()), takeLanguage(placeOf(link()) > 0)]);
     // The address may have changed while the module was loading.
     while (!isHere(link())) await load(link());
     if (embed) window.bubblestone = new embed.Embed().scripts.face;
@@ -33,7 +33,7 @@ async function start(): Promise<void> {
 
 /** Loads the code for the link's view in parallel with the module. A failure shows up later, where the code is used. */
 function early(link: string): void {
-  const parts: (() => Promise<unknown>)[] = [];
+  const parts: (() => Promise<unknown>)[] = [() => import('./shell/furnish')];
   if (askedFor(lastWork()).words) parts.push(() => import('./look/linked'));
   if (isOffered(link, 'frames')) parts.push(() => import('./turn/page'));
   if (isOffered(link, 'paint')) parts.push(() => import('./space/space'));

@@ -68,7 +68,8 @@ function weigh() {
   const weights = thumbs.map((path) => weightOf(path)).sort((a, b) => b - a);
   console.log(`${kilobytes(sum(weights))}  ${thumbs.length} small pictures of presets`);
   console.log(`${kilobytes(sum(files.map((path) => weightOf(path))))}  in all (gzipped)`);
-  const language = files.filter((path) => /^assets\/ja-/.test(path));
+  // The words of surfaces (ja-surface) come with the second module.
+  const language = files.filter((path) => /^assets\/ja-[\w-]{8}\.js$/.test(path));
   if (!language.length) throw new Stop('The site has no words in Japanese.');
   const visit = sum([...first, ...language].map((path) => weightOf(path))) + sum(weights.slice(0, thumbsInSight));
   console.log(`${kilobytes(visit)}  a first visit in Japanese (* and ${thumbsInSight} small pictures), of at most ${visitBudget / 1000} kB`);

@@ -75,6 +75,7 @@ export async function open({ files = dist, serve = (asked) => host(files, { unde
  * @property {boolean} [dark] whether the system asks for a dark page
  * @property {boolean} [still] whether the system asks for less motion
  * @property {boolean} [fine] whether the finished picture is painted again in the screen's own pixels
+ * @property {boolean} [sways] whether bodies sway once, as for a new visitor
  * @property {boolean} [stores] whether the page may store the site, for which it fetches all files
  * @property {(page: import('puppeteer-core').Page) => Promise<unknown>} [before] runs before the page is opened
  */
@@ -86,7 +87,7 @@ export async function open({ files = dist, serve = (asked) => host(files, { unde
  * @param {string} fragment
  * @param {PageOptions} options
  */
-async function newPage(browser, system, address, fragment, { viewport = { width: 1280, height: 800 }, stores = false, fine = false, before }) {
+async function newPage(browser, system, address, fragment, { viewport = { width: 1280, height: 800 }, stores = false, fine = false, sways = false, before }) {
   const { page, close } = await blankPage(browser, system);
   const { origin } = new URL(address);
   /** Errors on the console, uncaught errors, failed requests. @type {string[]} */
@@ -110,17 +111,20 @@ async function newPage(browser, system, address, fragment, { viewport = { width:
   page.setDefaultTimeout(120_000);
   await page.setViewport(viewport);
   if (!stores) await page.evaluateOnNewDocument(neverStored);
-  if (!fine) await page.evaluateOnNewDocument(plain);
+  await page.evaluateOnNewDocument(chosen, { ...(fine ? {} : { fine: 'no' }), ...(sways ? {} : { swayed: 'yes' }) });
   await before?.(page);
   await page.goto(address + fragment, { waitUntil: 'load' });
   return { page, problems, external, close };
 }
 
-/** Chooses the picture's own pixels. Nothing else is stored, so the visit still counts as the first. */
-function plain() {
+/**
+ * Answers as if these choices were stored. Nothing is stored, so the visit still counts as the first.
+ * @param {Record<string, string>} choices
+ */
+function chosen(choices) {
   const kept = Storage.prototype.getItem;
   Storage.prototype.getItem = function (name) {
-    return kept.call(this, name) ?? (name === 'bubblestone.fine' ? 'no' : null);
+    return kept.call(this, name) ?? choices[name.replace('bubblestone.', '')] ?? null;
   };
 }
 

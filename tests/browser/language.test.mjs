@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, digest, frames, get, messages, phone, reloading, set, SMALL } from './page.mjs';
+import { all, BALL, canvas, digest, frames, get, messages, phone, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -88,7 +88,7 @@ test('a browser in Japanese gets a page in Japanese, which may be changed to Eng
   assert.match((await messages(page)).join(), /セルの大きさ \(cs\)は2から\d+ pxまでの数（画像の一辺192 px）でなければなりません。/);
   await set(page, 'cs', '16');
   for (const [code, title] of [['en', english.page.title], ['ja', japanese.page.title]]) {
-    await reloading(page, () => page.select('#language', code));
+    await speak(page, code);
     assert.equal(await digest(page), before);
     assert.equal(await get(page, 'dr'), '0.7');
     assert.equal(await lang(), code);
@@ -97,6 +97,64 @@ test('a browser in Japanese gets a page in Japanese, which may be changed to Eng
   assert.deepEqual(problems, []);
   await close();
 });
+
+/** Chooses a language, and waits for its words. */
+async function speak(page, code) {
+  await page.select('#language', code);
+  const { title } = { en: english, ja: japanese }[code].page;
+  await page.waitForFunction((wanted) => document.title === wanted, {}, title);
+  await frames(page, 5);
+}
+
+/** All words of the page, apart from times and positions. */
+function wordsOn(page) {
+  return page.evaluate(() => {
+    const found = [];
+    const add = (where, text) => text?.trim() && found.push(`${where} ${text.trim().replace(/[\d.]+/g, '#')}`);
+    for (const element of document.querySelectorAll('body *:not(#language, #language *, #live, #offline, #work)')) {
+      // A choice is a list or a row of buttons, as its words allow.
+      const where = element.id ? `#${element.id}` : ['option', 'span'].includes(element.localName) ? '' : `${element.localName}.${element.classList[0] ?? ''}`;
+      for (const name of ['title', 'aria-label', 'aria-valuetext', 'placeholder', 'label']) add(`${where}[${name}]`, element.getAttribute(name));
+      for (const node of element.childNodes) if (node.nodeType === Node.TEXT_NODE) add(where, node.data);
+    }
+    return found;
+  });
+}
+
+for (const [link, part] of [[SMALL, '#layers-button'], [BALL, '#light-button']]) {
+  test(`a change of the language changes the words, all of them, and nothing else: ${link}`, async () => {
+    const open = async (newPage) => {
+      const made = await newPage(link);
+      const { page } = made;
+      await digest(page);
+      await page.waitForSelector('[data-key=cs], [data-key=cn]');
+      if (link === BALL) await page.waitForSelector('#sheet[data-turn=fine]');
+      await page.$eval('#extent [value=all]', (radio) => radio.click());
+      await page.$eval(part, (button) => button.click());
+      await page.waitForSelector(part === '#layers-button' ? '#layers' : '.light-kinds');
+      await page.$eval('#save', (button) => button.click());
+      await page.waitForSelector('#save-dialog[open]');
+      await frames(page, 5);
+      return { ...made, words: await wordsOn(page) };
+    };
+    const plain = await open((at) => site.newPage(at));
+    const other = await open((at) => inJapanese(at));
+    for (const [{ page, problems, words: own }, there, codes] of [[plain, other, ['ja', 'en']], [other, plain, ['en', 'ja']]]) {
+      const state = () => page.evaluate(() => JSON.stringify([window.bubblestone.status(), window.bubblestone.link(), location.hash, document.querySelector('#sheet').dataset.turn, document.querySelectorAll('dialog[open]').length]));
+      const before = [await canvas(page), await digest(page), await state()];
+      await page.evaluate(() => (window.stays = true));
+      await speak(page, codes[0]);
+      assert.deepEqual(await wordsOn(page), there.words);
+      await speak(page, codes[1]);
+      assert.deepEqual(await wordsOn(page), own);
+      assert.deepEqual([await canvas(page), await digest(page), await state()], before);
+      assert.ok(await page.evaluate(() => window.stays), 'the page was loaded again');
+      assert.deepEqual(problems, []);
+    }
+    await plain.close();
+    await other.close();
+  });
+}
 
 test('links that are wrong are answered in Japanese', sameEverywhere, async () => {
   const { page, close } = await inJapanese(`${SMALL}&v=99&kind=blob&outline=donut&foo=1&spots=0.5,0.5,9,1&hs=&poly=x&seed=1&seed=2`);

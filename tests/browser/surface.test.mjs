@@ -226,3 +226,54 @@ test('on a phone one finger turns it, and the page is scrolled', sameEverywhere,
   assert.deepEqual(problems, []);
   await close();
 });
+
+/** The states of the frames after the first one at rest. @param {Page} page */
+const states = (page) => page.evaluate(() => /** @type {any} */ (window).turns.slice(/** @type {any} */ (window).turns.findIndex((/** @type {string} */ word) => ['still', 'fine'].includes(word))));
+
+/** Opens the ball for a new visitor, and records the states of its frames. @param {object} [options] */
+function welcomed(options = {}) {
+  return site.newPage(BALL, {
+    sways: true,
+    ...options,
+    before: (page) =>
+      page.evaluateOnNewDocument(() => {
+        const turns = (/** @type {any} */ (window).turns = []);
+        const look = () => {
+          const word = document.querySelector('#sheet')?.getAttribute('data-turn');
+          if (word && word !== turns.at(-1)) turns.push(word);
+        };
+        new MutationObserver(look).observe(document, { subtree: true, childList: true, attributeFilter: ['data-turn'] });
+      }),
+  });
+}
+
+test('bodies sway once for a new visitor, and come back to the camera of the link', async () => {
+  const usual = await site.newPage(BALL);
+  await turned(usual.page);
+  const rest = await frame(usual.page);
+  const hash = await usual.page.evaluate(() => location.hash);
+  await usual.close();
+  const { page, problems, close } = await welcomed();
+  await turned(page);
+  assert.ok((await states(page)).includes('moving'), String(await states(page)));
+  assert.deepEqual(await frame(page), rest);
+  assert.equal(await page.evaluate(() => location.hash), hash);
+  await page.reload({ waitUntil: 'load' });
+  await turned(page);
+  assert.ok(!(await states(page)).includes('moving'), 'it sways on the second visit');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a touch ends the sway, or prevents it; less motion does, too', async () => {
+  const still = await welcomed({ still: true });
+  await turned(still.page);
+  assert.ok(!(await states(still.page)).includes('moving'));
+  await still.close();
+  const { page, close } = await welcomed();
+  await page.waitForSelector('#turn');
+  await page.keyboard.press('Shift');
+  await turned(page);
+  assert.ok(!(await states(page)).includes('moving'));
+  await close();
+});

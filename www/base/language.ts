@@ -1,14 +1,24 @@
 /** The page's language: the visitor's choice, or the browser's. Words other than English are loaded when needed. */
-import { t, translate } from '../words/words';
+import { extend, language, t, translate } from '../words/words';
 import { byIdAs } from './dom';
 import { notice } from './messages';
 import { keep, kept } from './storage';
 
+/** The event on the window after a change of the language, for parts that are made again with other words. */
+export const RETOLD = 'languagechange';
+
+/** The page's own words by key: those that the build wrote into it, and those of another language. */
+type Words = Record<string, string>;
+const english: Words = {};
+
 /**
  * Uses the language chosen here before, or the first of the browser's that the page has. Where its words cannot be
- * loaded, the page stays English.
+ * loaded, the page stays English. `whole` adds the words of the second module.
  */
-export async function takeLanguage(): Promise<void> {
+export async function takeLanguage(whole: boolean): Promise<void> {
+  for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) {
+    for (const [name, key] of partsOf(element)) english[key] ??= textOf(element, name);
+  }
   const wanted = [kept('language'), ...navigator.languages].map((code) => code?.slice(0, 2));
   const known = [...byIdAs('language', HTMLSelectElement).options].map(({ value }) => value);
   if (wanted.find((code) => code && known.includes(code)) !== 'ja') return;
@@ -18,7 +28,11 @@ export async function takeLanguage(): Promise<void> {
   try {
     const japanese = await import('../strings/ja');
     translate('ja', japanese);
-    for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) fill(element, japanese.page);
+    if (whole) await moreWords();
+    const page: Words = japanese.page;
+    for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) {
+      for (const [name, key] of partsOf(element)) fill(element, name, page[key] ?? '');
+    }
   } catch {
     // The English words are there.
     notice('language', t('lost_language'));
@@ -27,17 +41,36 @@ export async function takeLanguage(): Promise<void> {
   }
 }
 
-/** Reloads the page in another language. The work stays. */
-export function speak(code: string): void {
-  keep('language', code);
-  location.reload();
+/** Loads the words of the second module. Without them, its parameters and presets keep their English. */
+export async function moreWords(): Promise<void> {
+  if (language() !== 'ja') return;
+  const more = await import('../strings/ja-surface').catch(() => undefined);
+  if (more) extend(more);
 }
 
-/** `data-t="key title=other"`: the element's text, then attributes. */
-function fill(element: HTMLElement, page: Record<string, string>): void {
-  for (const part of (element.dataset['t'] ?? '').split(' ')) {
-    const [name = '', key] = part.split('=');
-    if (key === undefined) element.textContent = page[name] ?? '';
-    else element.setAttribute(name, page[key] ?? '');
-  }
+/** Changes the words on the page; nothing else changes. Rejects if they cannot be loaded. */
+export async function speak(code: string): Promise<void> {
+  const [{ retell }, japanese] = await Promise.all([import('./retell'), import('../strings/ja')]);
+  keep('language', code);
+  translate(code, code === 'ja' ? japanese : undefined);
+  // The page may show surfaces, or show them later.
+  await moreWords();
+  const page: Record<'en' | 'ja', Words> = { en: english, ja: japanese.page };
+  retell(page, code === 'ja' ? 'ja' : 'en', partsOf);
+  dispatchEvent(new Event(RETOLD));
+}
+
+/** The parts of `data-t="key title=other"`: the element's text ('') and attributes, each with the key of its words. */
+function partsOf(element: HTMLElement): [name: string, key: string][] {
+  const parts = (element.dataset['t'] ?? '').split(' ').map((part) => part.split('='));
+  return parts.map(([name = '', key]) => (key === undefined ? ['', name] : [name, key]));
+}
+
+function textOf(element: Element, name: string): string {
+  return (name ? element.getAttribute(name) : element.textContent) ?? '';
+}
+
+function fill(element: Element, name: string, text: string): void {
+  if (name) element.setAttribute(name, text);
+  else element.textContent = text;
 }

@@ -30,6 +30,7 @@ import type { Try } from './import/read';
 import { read, remarks } from './import/reading';
 import { textDialog } from './letters/dialog';
 import { Sorts } from './sorts';
+import '../styles/late/editor.css';
 
 /** The endings of files that may hold an outline; files without an ending may, too. */
 const KNOWN = /(^[^.]*|\.(svg|json|txt))$/i;

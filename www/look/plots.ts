@@ -3,6 +3,7 @@ import uPlot from 'uplot';
 import type { Histogram, Histograms, Series } from '../module/types';
 import { t, type Word } from '../words/look';
 import { byId, make, say, wantsStill } from '../base/dom';
+import { RETOLD } from '../base/language';
 import { REPAINT } from '../base/theme';
 import type { Engine } from '../state/engine';
 import type { View } from '../picture/view';
@@ -59,7 +60,7 @@ export class Plots {
     ];
     view.drawn(() => this.soon());
     this.narrow.addEventListener('change', () => this.settle());
-    addEventListener(REPAINT, () => this.plots.forEach(({ plot }) => plot?.redraw(false, true)));
+    for (const sign of [REPAINT, RETOLD]) addEventListener(sign, () => this.renew());
     new ResizeObserver(() => this.fit()).observe(this.section);
     this.settle();
   }
@@ -70,6 +71,15 @@ export class Plots {
     this.draw();
     // On a narrow page the plots may be out of sight under the picture.
     if (this.narrow.matches) this.section.scrollIntoView({ block: 'nearest', behavior: wantsStill() ? 'auto' : 'smooth' });
+  }
+
+  /** Makes the plots again with the page's colours and words. */
+  private renew(): void {
+    for (const each of this.plots) {
+      each.plot?.destroy();
+      delete each.plot;
+    }
+    this.draw();
   }
 
   /** Places the plots: under the picture on a narrow page, else above the controls. */

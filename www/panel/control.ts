@@ -4,6 +4,7 @@ import { t } from '../words/words';
 import { make, say, symbol } from '../base/dom';
 import { differs } from '../state/rules';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from '../state/scale';
+import { shown } from './shown';
 
 /**
  * A choice is a row of buttons if its labels, with SEGMENT_ROOM letters for the space around each, have at most this
@@ -84,13 +85,6 @@ function waysOf(parameter: Parameter, id: string, change: Change, edit: Edit): P
 /** A label's width in letters; kana and Chinese characters count twice. */
 function width(label: string): number {
   return label.length + (label.match(/[\u3000-\u9fff]/g)?.length ?? 0);
-}
-
-/** A value as text for a sentence. */
-export function shown(parameter: Parameter, value: string): string {
-  const choice = parameter.choices.find(({ word }) => word === value);
-  if (parameter.kind === 'text') return t('none');
-  return choice?.label ?? `${value}${parameter.unit && ` ${parameter.unit}`}`;
 }
 
 function numberAndSlider(parameter: Parameter, id: string, change: Change): Parts {

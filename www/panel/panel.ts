@@ -38,6 +38,8 @@ interface Group {
 
 export class Panel {
   private readonly groups = new Map<string, Group>();
+  /** Which groups were open before the panel was built again. */
+  private before = new Map<string, boolean>();
   private readonly form = byIdAs('controls', HTMLFormElement);
   private readonly engine: Engine;
   private recipe: Recipe;
@@ -60,6 +62,7 @@ export class Panel {
    */
   async build(): Promise<void> {
     let begin = performance.now();
+    this.before = new Map(Array.from(this.groups, ([name, { details, open }]) => [name, this.simple ? open : details.open]));
     this.groups.clear();
     this.recipe = recipeOf(this.engine);
     // Frames have as many pixels as the screen allows, so the side has no control.
@@ -140,7 +143,7 @@ export class Panel {
     const badge = make('span', { class: 'badge' });
     const details = make('details', { class: 'group' }, make('summary', {}, make('span', {}, groupIn(name)), badge));
     const narrow = matchMedia('(max-width: 60rem)').matches;
-    const open = narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name);
+    const open = this.before.get(name) ?? (narrow ? this.groups.size === 0 : OPEN_AT_FIRST.includes(name));
     details.open = this.simple || open;
     const group = { box: make('div', { class: 'grouping' }, details), details, badge, controls: [], open };
     this.groups.set(name, group);

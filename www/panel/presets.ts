@@ -2,6 +2,7 @@
 import type { Preset } from '../module/types';
 import { groupIn } from '../words/words';
 import { byId, make } from '../base/dom';
+import { FIRST } from '../state/first';
 
 /** The side of the small pictures (thumbs/NAME.avif, made by the build), in CSS pixels. */
 const THUMB = '72';
@@ -28,8 +29,9 @@ export class Presets {
 
   constructor(private readonly chosen: (preset: Preset) => void) {}
 
-  /** Lists the presets of the present generator. */
-  build(presets: Preset[]): void {
+  /** Lists the presets of the present generator. The one with which the page opens is the first. */
+  build(all: Preset[]): void {
+    const presets = [...all.filter(({ link }) => link === FIRST), ...all.filter(({ link }) => link !== FIRST)];
     const rail = byId('rail');
     rail.replaceChildren();
     this.inSight.disconnect();
@@ -99,13 +101,19 @@ export class Presets {
   }
 }
 
+/** Scrolls no farther than needed, so that a list begins with its first presets as long as the item is visible there. */
 function scrollInto(list: HTMLElement, item: HTMLElement): void {
   const [box, frame] = [item.getBoundingClientRect(), list.getBoundingClientRect()];
-  if (box.top < frame.top || box.bottom > frame.bottom) list.scrollTop += box.top - frame.top - (frame.height - box.height) / 2;
-  if (box.left < frame.left || box.right > frame.right) list.scrollLeft += box.left - frame.left - (frame.width - box.width) / 2;
+  list.scrollTop += way(box.top - frame.top, box.bottom - frame.bottom);
+  list.scrollLeft += way(box.left - frame.left, box.right - frame.right);
+}
+
+/** How far a list scrolls to an item, of which `before` and `after` are the distances between their edges. */
+function way(before: number, after: number): number {
+  return before < 0 ? before : Math.max(0, after);
 }
 
 /** A short figure for under a small picture: "Fig. 13 (1b) of 2000, Fig. 12 (1b) of 2001" becomes the first paper's number. */
 function short(figure: string): string {
-  return /\d+\s*(\(\w+\))?/.exec(figure)?.[0] ?? figure;
+  return /(?:Fig\. |図)(\d+\s*(\(\w+\))?)/.exec(figure)?.[1] ?? figure;
 }

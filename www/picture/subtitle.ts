@@ -1,4 +1,7 @@
-/** A subtitle on the picture that describes its forming. */
+/**
+ * A subtitle that describes the forming of the picture. It takes the place of the caption; on a small screen, where the
+ * caption is out of sight, it stands at the lower edge of the picture.
+ */
 import { t } from '../words/words';
 import { byId, make, say } from '../base/dom';
 import { PHASES, type Phase } from './watch';
@@ -19,6 +22,8 @@ export class Subtitle {
     this.parts = words.map((word) => make('span', {}, word));
     const seen = make('span', { class: 'seen', 'aria-hidden': 'true' }, ...this.parts);
     const said = make('span', { class: 'said' });
+    if (matchMedia('(max-width: 60rem)').matches) byId('sheet').append(this.line);
+    else byId('caption').after(this.line);
     this.line.replaceChildren(seen, said);
     say(said, words.join(''));
   }

@@ -20,12 +20,10 @@ import { keepInSight } from '../picture/sight';
 import { StatusLine } from '../picture/status';
 import { Transport } from '../picture/transport';
 import { View } from '../picture/view';
-import { Scaling } from '../panel/scaling';
 import { Seed } from '../panel/seed';
 import { Address } from './address';
 import { bindButtons } from './buttons';
 import { described } from './described';
-import { furnish } from './furnish';
 import { makeLookTools } from './look-tools';
 import { offerMakes } from './makes';
 import { OFFERED, partsOf, type Parts } from './parts';
@@ -48,7 +46,6 @@ export class App {
   readonly forming: Forming;
   readonly view: View;
   readonly parts: Parts;
-  readonly scaling: Scaling;
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly address: Address;
@@ -84,7 +81,6 @@ export class App {
     this.face = scriptFace(engine, () => loop.rests, () => this.store.state.camera, () => this.forming.ahead);
     this.store = new Store(firstState(engine, asked, last));
     this.work = new Work(engine, this.store);
-    this.scaling = new Scaling(this.work);
     this.history = new History(this.store, (link, act) => this.work.reach(link, act));
     this.view = new View(engine, this.store);
     this.forming = new Forming(
@@ -114,6 +110,7 @@ export class App {
   /** Builds the panel and the rail. They take long to build, so the first cells are shown before. */
   async furnish(): Promise<void> {
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
+    const { furnish } = await import('./furnish');
     await furnish(this);
   }
 

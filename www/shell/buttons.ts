@@ -1,6 +1,7 @@
 /** The page's own buttons and keys. */
 import { language, t } from '../words/words';
 import { byId, byIdAs, say } from '../base/dom';
+import { alertOf } from '../base/messages';
 import { bindKeys, listenToKeys } from '../base/keys';
 import { speak } from '../base/language';
 import type { History } from '../state/history';
@@ -41,7 +42,13 @@ export function bindButtons(house: House): void {
   });
   const select = byIdAs('language', HTMLSelectElement);
   select.value = language();
-  select.addEventListener('change', () => speak(select.value));
+  select.addEventListener('change', () => {
+    const isLost = (): void => {
+      select.value = language();
+      alertOf('part', t('lost_part'));
+    };
+    void speak(select.value).then(() => host.loop.redraw(), isLost);
+  });
   store.on(['past', 'future', 'stored', 'own'], showHistory);
   showHistory(store.state);
 }

@@ -3,7 +3,7 @@ import { t } from '../words/words';
 import type { Engine } from '../state/engine';
 import { telling } from '../state/name';
 import { filesOf } from '../state/rules';
-import { shown } from '../panel/control';
+import { shown } from '../panel/shown';
 
 export function described(engine: Engine): string {
   const labels = telling(engine).map((parameter) => shown(parameter, engine.get(parameter.key)));

@@ -1,5 +1,9 @@
-/** The controls of the present generator: panel, dice, presets and the tools of the editor. */
+/**
+ * The controls of the present generator: panel, dice, presets and the tools of the editor. They are a late part, because
+ * the first cells are shown before them.
+ */
 import { frame } from '../base/dom';
+import { RETOLD } from '../base/language';
 import { withValues } from '../state/link';
 import { isLocked } from '../state/locks';
 import type { State } from '../state/store';
@@ -8,7 +12,7 @@ import type { PictureHost } from '../picture/host';
 import { Dice } from '../panel/dice';
 import { Panel } from '../panel/panel';
 import { Presets } from '../panel/presets';
-import { SIDE, type Scaling } from '../panel/scaling';
+import { Scaling, SIDE } from '../panel/scaling';
 import { SEED } from '../panel/seed';
 import { EditTools } from './edit-tools';
 import type { Parts } from './parts';
@@ -18,22 +22,23 @@ interface House {
   readonly host: PictureHost;
   readonly work: Work;
   readonly parts: Parts;
-  readonly scaling: Scaling;
   /** Makes the next change an entry of its own in the browser's history. */
   push(): void;
 }
 
 /** Builds the controls, and builds them again for each other generator. */
 export async function furnish(house: House): Promise<void> {
-  const { host, work, parts, scaling } = house;
+  const { host, work, parts } = house;
   const { engine, store } = work;
-  const panel = panelOf(house);
+  const scaling = new Scaling(work);
+  const panel = panelOf(house, scaling);
   const tools = new EditTools(work, parts.editor, (file) => parts.space.ask((space) => void space.take(file)));
   const dice = new Dice(work, () => house.push());
   const presets = presetsOf(house);
   const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);
-  /** The generator that the panel was built for. */
+  /** The generators that the panel and the rail were built for. */
   let made = '';
+  let listed = '';
   const build = async (): Promise<void> => {
     const { make: word } = store.state;
     if (word === made) return;
@@ -44,7 +49,8 @@ export async function furnish(house: House): Promise<void> {
     panel.attach();
     host.loop.spare();
     await frame();
-    presets.build(engine.presets);
+    if (word !== listed) presets.build(engine.presets);
+    listed = word;
     mark(store.state);
     made = word;
   };
@@ -52,6 +58,11 @@ export async function furnish(house: House): Promise<void> {
   let building = Promise.resolve();
   const follow = (): Promise<void> => (building = building.catch(() => undefined).then(build));
   store.on(['make'], () => void follow());
+  // Whether a choice is a list or a row of buttons depends on its words.
+  addEventListener(RETOLD, () => {
+    made = '';
+    void follow();
+  });
   store.on(['recipe'], (state) => {
     if (state.make !== made) return;
     panel.refresh();
@@ -60,13 +71,13 @@ export async function furnish(house: House): Promise<void> {
   await follow();
 }
 
-function panelOf(house: House): Panel {
+function panelOf(house: House, scaling: Scaling): Panel {
   const { engine } = house.work;
   const { editor, space } = house.parts;
   const panel = new Panel(
     engine,
     (key, text, done) => {
-      change(house, key, text, done);
+      change(house, scaling, key, text, done);
       // The visitor has not chosen a file yet, so the control shows the old value again.
       if (wantsFile(house, key, text)) panel.refresh();
     },
@@ -76,8 +87,8 @@ function panelOf(house: House): Panel {
 }
 
 /** Handles a moved control. */
-function change(house: House, key: string, text: string, done: boolean): void {
-  const { work, parts, scaling } = house;
+function change(house: House, scaling: Scaling, key: string, text: string, done: boolean): void {
+  const { work, parts } = house;
   if (key === 'outline' && text === 'polygon') parts.editor.ask((editor) => editor.free());
   else if (wantsFile(house, key, text)) parts.space.ask((space) => space.wanted());
   else if (key === SIDE) scaling.set(text, !done);

@@ -7,6 +7,7 @@ import { keepFile } from '../module/shelf';
 import type { Parameter } from '../module/types';
 import { t } from '../words/space';
 import { reasonOf } from '../base/errors';
+import { moreWords } from '../base/language';
 import { alertOf, clear, notice } from '../base/messages';
 import { stoppable, type Task } from '../late/task';
 import { withValues } from '../state/link';
@@ -76,7 +77,7 @@ async function trialOf(work: Work, file: File, task: Task): Promise<Taken> {
 
 /** Throws the browser's error if the file has gone or the module does not load. */
 async function nameOf(file: File, task: Task): Promise<Named> {
-  const module = await loadWhole();
+  const [module] = await Promise.all([loadWhole(), moreWords()]);
   const digest = new module.FileDigest(file.size);
   try {
     let read = 0;

@@ -1,8 +1,10 @@
 /** Links whose generator may not be loaded yet. Everything stays as it is until it is. */
+import { placeOf } from '../module/generators';
 import { loadModule, moduleFor } from '../module/load';
 import { t, type Word } from '../words/words';
 import { make } from '../base/dom';
 import { reasonOf } from '../base/errors';
+import { moreWords } from '../base/language';
 import { alertOf, clear, underWay } from '../base/messages';
 
 /** Milliseconds. A faster load is not announced. */
@@ -17,7 +19,7 @@ export function isHere(link: string): boolean {
 export async function load(link: string, lost: Word = 'lost_wasm'): Promise<void> {
   if (typeof WebAssembly !== 'object') throw new Error(t('no_wasm'));
   try {
-    await loadModule(link);
+    await Promise.all([loadModule(link), placeOf(link) > 0 ? moreWords() : undefined]);
   } catch (error) {
     throw new Error(t(error instanceof WebAssembly.CompileError ? 'old_wasm' : lost), { cause: error });
   }

@@ -18,6 +18,6 @@ export interface Foreign {
   figure(text: string): string;
   /** The parts of the work that the papers have timed. */
   parts: Record<string, string>;
-  /** The text of a notice; undefined if its code has none. */
-  said(notice: Notice): string | undefined;
+  /** The text of a notice, with the names of these parameters; undefined if its code has none. */
+  said(notice: Notice, parameters: Foreign['parameters']): string | undefined;
 }

@@ -1,11 +1,9 @@
-/** The Japanese for the module's words. The terms are those of Miyata, Itoh and Shimada (2001). */
+/** The Japanese for the first module's words; ja-surface.ts has that of the second one. The terms are those of Miyata, Itoh and Shimada (2001). */
 import type { Foreign } from './foreign';
-import { japanese } from './ja-notices';
-import * as surface from './ja-surface';
+import { said } from './ja-notices';
 
 /** By key: the name, the help, and the labels of choices. */
 const parameters: Foreign['parameters'] = {
-  ...surface.parameters,
   outline: {
     name: '輪郭',
     help: '敷き詰める領域の形。',
@@ -121,7 +119,6 @@ const parameters: Foreign['parameters'] = {
 };
 
 const presets: Foreign['presets'] = {
-  ...surface.presets,
   ring: { title: '花崗岩の輪', note: '何も指定しないときのレシピ。敷石がぐるりと巡ります。' },
   'wet-arches': { title: '雨のアーチ', note: '弧を描く斑岩の敷石が、目地まで濡れて、ランプ一つの下に。' },
   dragon: { title: '竜', note: '稜のある鱗が首の曲がりに従い、深紅から金へ。' },
@@ -211,5 +208,5 @@ export const foreign: Foreign = {
   presets,
   figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(', ', '・'),
   parts: { packing: '充填', texture: 'テクスチャ', tessellation: '分割', skin: '皮膚' },
-  said: japanese(parameters),
+  said,
 };

@@ -1,4 +1,4 @@
-/** The Japanese for surfaces in space, by generator and key, if it differs from that for pavements. */
+/** The Japanese for surfaces in space, by generator and key, if it differs from that for pavements. It comes with the second module. */
 import type { Foreign } from './foreign';
 
 /** The numbers of shapes, by shape. */
@@ -80,13 +80,13 @@ export const presets: Foreign['presets'] = {
   'lizard-leg': { title: '蜥蜴の足', note: '2003年の図19にならったもの。縦の列に並ぶ長方形に、足を巡る反応拡散の模様が付きます。' },
   'dragon-tail': { title: '竜の尾', note: '角の先へ向かって四分の一まで小さくなる、稜のある鱗の列。' },
   'pangolin-ball': { title: '丸まった穿山甲', note: '腹を隠す体のまわりに、角質の鱗が次々と重なります。' },
-  'coral-snake': { title: '珊瑚蛇', note: '体を一周する菱形の列と、輪になって閉じる帯。' },
-  'koi-round': { title: '鯉', note: '口から鰭まで、白と橙の鱗。' },
+  'coral-snake': { title: 'サンゴヘビ', note: '体を一周する菱形の列と、輪になって閉じる帯。' },
+  'koi-round': { title: '錦鯉', note: '口から鰭まで、白と橙の鱗。' },
   'turtle-back': { title: '亀の甲羅', note: '年輪のある六角の甲板。' },
   'feathered-knot': { title: '羽毛の結び目', note: '始まりも終わりもない結び目に沿う銀の鱗。' },
   'beaded-fish': { title: '粒の生き物', note: '曲がりに応じて小さくなる円。体の細い所に粒が集まります。' },
   'dragon-egg': { title: '竜の卵', note: '上へ向かって小さくなる、金から紅への鱗。' },
-  'cone-round': { title: '松かさ', note: '実を巡る木の鱗。' },
+  'cone-round': { title: '松ぼっくり', note: '実を巡る木の鱗。' },
   pineapple: { title: 'パイナップル', note: '角で立つ正方形が、どちら回りにも数えられる螺旋になります。' },
   'cobbled-hill': { title: '石畳の丘', note: '丘の間の小道に敷石が沿い、目地に苔が生えます。' },
   'brick-stairs': { title: '煉瓦の階段', note: '縁で曲面を切るので、踏面と蹴上げにそれぞれの列があります。' },

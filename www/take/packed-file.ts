@@ -7,6 +7,7 @@ import { loadWhole } from '../module/load';
 import type { Whole } from '../module/scene';
 import { piecesOf } from '../module/given';
 import { t } from '../words/take';
+import { moreWords } from '../base/language';
 import type { Task } from '../late/task';
 import type { Engine } from '../state/engine';
 import { Parts } from './files/parts';
@@ -90,7 +91,7 @@ export interface Unpacked {
  * place. Throws an error when the task is stopped, or if the module does not load.
  */
 export async function keepFiles(file: Blob, at: number, first: object, recipe: string, task: Task): Promise<Unpacked> {
-  const module = await loadWhole();
+  const [module] = await Promise.all([loadWhole(), moreWords()]);
   const asked = namedBy(module, recipe);
   const became: Unpacked = { wrong: [], unkept: [] };
   let next: { head: object; at: number } | undefined = { head: first, at };

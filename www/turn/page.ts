@@ -102,7 +102,10 @@ export class PageTurntable {
   private seen(whole: boolean): void {
     const { engine } = this.work;
     mark('frame');
-    if (whole && isSettled(engine.generator, engine.stage())) mark('picture');
+    const isFinished = whole && isSettled(engine.generator, engine.stage());
+    const { compare, editing, asked, paused } = this.work.store.state;
+    if (isFinished) mark('picture');
+    if (isFinished && !compare && editing === undefined && asked === '' && !paused) this.both.shown?.greet();
     this.framed?.();
   }
 

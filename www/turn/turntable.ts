@@ -18,6 +18,7 @@ import { Frames } from './frames';
 import { CLOSER, Gestures } from './gestures';
 import { Making } from './making';
 import { planes } from './planes';
+import { Sway } from './sway';
 import { seen } from './told';
 import '../styles/late/look.css';
 import '../styles/late/turn.css';
@@ -80,6 +81,7 @@ export class Turntable {
   /** Shown until the visitor has dragged once. */
   private readonly hint = make('p', { class: 'turn-hint', 'aria-hidden': 'true' }, t('drag'));
   private bodies: Bodies = { count: 0, skin: false };
+  private readonly sway = new Sway(() => this.follow());
   private plane: Plane = 'light';
   private on = false;
   private moving = false;
@@ -139,9 +141,11 @@ export class Turntable {
     if (on) {
       this.sheet.append(this.root);
       this.root.toggleAttribute('data-shown', this.shown === this.place.link());
+      if (!this.place.alone) this.sway.arm();
       this.follow();
       return;
     }
+    this.sway.end();
     this.gestures.stop();
     this.making.end();
     this.card.hide();
@@ -171,6 +175,11 @@ export class Turntable {
     else this.home();
   }
 
+  /** Sways once, if that can help the visitor: the picture is finished, and nothing was touched. */
+  greet(): void {
+    if (this.on && this.making.subject === '' && this.plane === 'light') this.sway.begin();
+  }
+
   /** Requests a new frame. To be called after each change of the view. */
   follow(): void {
     const { clientWidth, clientHeight } = this.stand;
@@ -178,7 +187,7 @@ export class Turntable {
     const fine = Math.min(devicePixelRatio, MOST / Math.max(clientWidth, clientHeight));
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
     const { making, place } = this;
-    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.camera, homeOf(place.generator())), width, height, plane: this.plane, moving: this.moving || place.held() };
+    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.sway.of(this.camera), homeOf(place.generator())), width, height, plane: this.plane, moving: this.moving || this.sway.goes || place.held() };
     place.only?.(making.subject, this.camera);
     this.state(this.frames.want(wish) ? 'coming' : this.reached);
   }
@@ -204,6 +213,7 @@ export class Turntable {
 
   private take(camera: Camera, moving: boolean): void {
     this.moving = moving;
+    if (moving) this.sway.learnt();
     if (moving && this.hint.isConnected) {
       this.hint.remove();
       keep(DRAGGED, 'yes');

@@ -5,6 +5,9 @@
  * bring their own words. The module has the English of parameters and presets; other languages translate it by key
  * (strings/ja-module.ts). The module sends notices as a code with arguments; src/notice/words.txt has their words in all
  * languages. Tests check that no word is missing.
+ *
+ * Each text that was given is remembered with a function that gives it in the present language. So the words on the page
+ * can change where they stand (base/retell.ts). The words of parameters and presets are getters for the same reason.
  */
 import type { Notice, Parameter, Preset } from '../module/types';
 import { words as english } from '../strings/en.json';
@@ -15,6 +18,25 @@ export type Word = keyof typeof english;
 let words: Record<Word, string> = english;
 let foreign: Foreign | undefined;
 
+/** The most texts that are remembered. The oldest are forgotten first. Of two that look alike, the first one counts. */
+const MOST = 10_000;
+const given = new Map<string, () => string>();
+
+function remembered(text: string, again: () => string): string {
+  if (given.has(text)) return text;
+  if (given.size >= MOST) given.delete(given.keys().next().value ?? '');
+  given.set(text, again);
+  return text;
+}
+
+/** A text that was given before, in the present language; undefined if it is unknown. */
+export function again(text: string): string | undefined {
+  return given.get(text)?.();
+}
+
+/** The same, whether it is known or not. */
+const anew = (value: string | number): string | number => (typeof value === 'string' ? (again(value) ?? value) : value);
+
 /** The code of the page's language. */
 export function language(): string {
   return document.documentElement.lang;
@@ -22,12 +44,25 @@ export function language(): string {
 
 /** The words of a key, with `{name}` replaced by values. */
 export function t(key: Word, values: Record<string, string | number> = {}): string {
-  return filled(words[key], values);
+  return remember(() => words[key], values);
 }
 
 /** The same for a lazy part, which brings its words in all languages. */
 export function wordsOf<Key extends string>(by: { en: Record<Key, string>; ja: Record<Key, string> }) {
-  return (key: Key, values: Record<string, string | number> = {}): string => filled(by[language() === 'ja' ? 'ja' : 'en'][key], values);
+  return (key: Key, values: Record<string, string | number> = {}): string => remember(() => by[language() === 'ja' ? 'ja' : 'en'][key], values);
+}
+
+/** A text of the present language with its values. */
+function remember(pattern: () => string, values: Record<string, string | number>): string {
+  const text = filled(pattern(), values);
+  // A text that is nothing but its value is the value's.
+  if (Object.values(values).includes(text)) return text;
+  return remembered(text, () => remember(pattern, Object.fromEntries(Object.entries(values).map(([key, value]) => [key, anew(value)]))));
+}
+
+/** The same for words of the module. */
+function spoken(word: () => string): string {
+  return remembered(word(), () => spoken(word));
 }
 
 /** A text with `{name}` replaced by values. */
@@ -35,61 +70,91 @@ function filled(text: string, values: Record<string, string | number>): string {
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 
-/** Changes the language. */
-export function translate(code: string, to: { words: Record<Word, string>; foreign: Foreign }): void {
-  ({ words, foreign } = to);
+/** Changes the language; without other words, to English. */
+export function translate(code: string, to?: { words: Record<Word, string>; foreign: Foreign }): void {
+  words = to?.words ?? english;
+  foreign = to?.foreign;
   document.documentElement.lang = code;
+}
+
+/** Adds translations of the second module's words. */
+export function extend(more: Pick<Foreign, 'parameters' | 'presets'>): void {
+  if (!foreign) return;
+  foreign = { ...foreign, parameters: { ...more.parameters, ...foreign.parameters }, presets: { ...more.presets, ...foreign.presets } };
 }
 
 /** A stage's name in the page's language; its own word if it has no name. */
 export function stageIn(word: string): string {
-  return known(`stage_${word}`) ?? word;
+  return spoken(() => known(`stage_${word}`) ?? word);
 }
 
 /** The same for a view. */
 export function viewIn(word: string): string {
-  return known(`view_${word}`) ?? word;
+  return spoken(() => known(`view_${word}`) ?? word);
 }
 
 /** The same for a generator; the schema's title if the page has no words for it. */
 export function makeIn(word: string, title: string): string {
-  return foreign?.makes[word] ?? title;
+  return spoken(() => foreign?.makes[word] ?? title);
 }
 
 function known(key: string): string | undefined {
   return (words as Partial<Record<string, string>>)[key];
 }
 
-/** A parameter with its names and help in the page's language. */
+/** A parameter with its names and help in the present language. */
 export function parameterIn(generator: string, parameter: Parameter): Parameter {
-  const own = foreign?.parameters[`${generator}.${parameter.key}`] ?? foreign?.parameters[parameter.key];
-  if (!foreign || !own) return parameter;
+  const { key, name, help, unit, choices } = parameter;
+  const own = (): Foreign['parameters'][string] | undefined => foreign?.parameters[`${generator}.${key}`] ?? foreign?.parameters[key];
   return {
     ...parameter,
-    name: own.name,
-    help: own.help,
-    unit: foreign.units[parameter.unit] ?? parameter.unit,
-    choices: parameter.choices.map((choice) => ({ ...choice, label: own.choices?.[choice.word] ?? choice.label })),
+    get name() {
+      return spoken(() => own()?.name ?? name);
+    },
+    get help() {
+      return spoken(() => own()?.help ?? help);
+    },
+    get unit() {
+      return unit && spoken(() => foreign?.units[unit] ?? unit);
+    },
+    choices: choices.map((choice) => ({
+      ...choice,
+      get label() {
+        return spoken(() => own()?.choices?.[choice.word] ?? choice.label);
+      },
+    })),
   };
 }
 
 /** A group's title in the page's language. */
 export function groupIn(group: string): string {
-  return foreign?.groups[group] ?? group;
+  return spoken(() => foreign?.groups[group] ?? group);
 }
 
-/** A preset with its title and note in the page's language. */
+/** A preset with its title and note in the present language. */
 export function presetIn(preset: Preset): Preset {
-  const own = foreign?.presets[preset.name];
-  return foreign && own ? { ...preset, title: own.title || foreign.figure(preset.figure), note: own.note, figure: foreign.figure(preset.figure) } : preset;
+  const own = (): Foreign['presets'][string] | undefined => foreign?.presets[preset.name];
+  const figureIn = (): string => (own() ? foreign?.figure(preset.figure) : undefined) ?? preset.figure;
+  return {
+    ...preset,
+    get title() {
+      return spoken(() => own()?.title || (own() ? figureIn() : preset.title));
+    },
+    get note() {
+      return preset.note && spoken(() => own()?.note ?? preset.note);
+    },
+    get figure() {
+      return preset.figure && spoken(figureIn);
+    },
+  };
 }
 
 /** A notice of the module in the page's language. */
 export function said(notice: Notice): string {
-  return foreign?.said(notice) ?? notice.text;
+  return spoken(() => foreign?.said(notice, foreign.parameters) ?? notice.text);
 }
 
 /** A paper's name for a part of its work, in the page's language. */
 export function partIn(name: string): string {
-  return foreign?.parts[name] ?? name;
+  return spoken(() => foreign?.parts[name] ?? name);
 }
