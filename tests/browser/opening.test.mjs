@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { canvas, click, digest, done, frames, set, SMALL } from './page.mjs';
+import { canvas, click, digest, done, frames, phone, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -240,7 +240,9 @@ test('one group of presets is unfolded, with the preset that is shown in sight',
     await page.$$eval('.rail h2 button', (all, text) => all.find((heading) => heading.textContent === text).click(), title);
     assert.deepEqual(await open(), [title]);
     const shown = await page.$$eval('[data-preset]', (all) => all.filter((button) => button.offsetParent).map((button) => button.dataset.preset));
-    assert.deepEqual(shown, presets.filter(({ group }) => group === title).map(({ name }) => name));
+    const names = presets.filter(({ group }) => group === title).map(({ name }) => name);
+    // The preset with which the page opens comes first.
+    assert.deepEqual(shown, [...names.filter((name) => name === 'lane'), ...names.filter((name) => name !== 'lane')]);
   }
   const last = presets.filter(({ group }) => group === groups[0]).at(-1);
   await page.evaluate((fragment) => (location.hash = fragment), last.link);
@@ -255,6 +257,26 @@ test('one group of presets is unfolded, with the preset that is shown in sight',
   assert.deepEqual(problems, []);
   await close();
 });
+
+for (const [name, viewport] of Object.entries({ desk: { width: 1280, height: 800 }, phone })) {
+  test(`on a ${name} the presets begin with the one that is shown, and the sentence of the forming lies on no tool`, async () => {
+    const { page, close } = await site.newPage('', { viewport });
+    await page.waitForSelector('#subtitle[data-on] [data-shown]');
+    await page.waitForSelector('.rail [aria-current]');
+    const seen = await page.evaluate(() => {
+      const line = document.querySelector('#subtitle .seen').getBoundingClientRect();
+      const covered = [...document.querySelectorAll('button, select, input, .pipeline')].filter((tool) => {
+        const box = tool.getBoundingClientRect();
+        return box.width && box.left < line.right && box.right > line.left && box.top < line.bottom && box.bottom > line.top;
+      });
+      const button = document.querySelector('.rail [aria-current]');
+      const { scrollTop, scrollLeft } = button.closest('ul');
+      return { covered: covered.map(({ id, className }) => id || className), scrolled: [scrollTop, scrollLeft], first: button.parentElement.previousElementSibling === null, inSight: line.height > 0 && line.bottom <= innerHeight };
+    });
+    assert.deepEqual(seen, { covered: [], scrolled: [0, 0], first: true, inSight: true });
+    await close();
+  });
+}
 
 test('who asks for less motion gets the finished picture only', async () => {
   const { page, close } = await site.newPage('', { still: true });
