@@ -5,6 +5,7 @@ import { isModel, MODELS } from '../base/files';
 import { notice } from '../base/messages';
 import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
+import type { Engine } from '../state/engine';
 import type { Work } from '../state/work';
 import { row, select, takeDialog } from './dialog';
 import type { Kind } from './file-name';
@@ -108,12 +109,13 @@ export class SaveDialog {
     const { engine, store: { state: { view } } } = this.work;
     return SCALES.filter((scale) => scale === 1 || canvas.width * scale <= MOST).map((scale) => {
       const n = canvas.width * scale;
-      const [word, label] = [t('pixels', { n }), t('pixels_label', { n })].map((words) => timed(words, scale === 1 ? 0 : timeOf(engine, scale)));
+      const ms = scale === 1 ? 0 : timeOf(engine, scale);
+      const word = timed(t('pixels', { n }), ms);
       const key =
         scale === 1
           ? this.button('save-png', word, { size: n, variant: [view !== 'auto' && view], ending: 'png' }, () => shownPng(canvas, this.work.engine.link()))
           : this.button(`save-png-${scale}`, word, { size: n, ending: 'png' }, this.made(() => ({ file: 'picture', scale })));
-      key.setAttribute('aria-label', label);
+      key.setAttribute('aria-label', timed(t('pixels_label', { n }), ms));
       return key;
     });
   }
