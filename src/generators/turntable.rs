@@ -2,11 +2,14 @@
 
 use super::lighting::LightParams;
 use super::{Budget, Clock};
+use crate::cells::Cell;
 use crate::notice::{Code, Notice, quote};
 use crate::scene::{
-    Backdrop, Camera, Cut, Frame, Lamp, Lighting, MOST_SAMPLES, Order, SAMPLES, Scene, Sharpness,
-    SoftLight, WIDEST,
+    Backdrop, Body, Camera, Cut, Frame, Instance, Lamp, Lighting, MOST_SAMPLES, Order, Place,
+    SAMPLES, Scene, Sharpness, SoftLight, WIDEST,
 };
+use crate::solid::Surface;
+use glam::Vec3;
 
 /// The work of one slice, in triangles drawn or pixels shaded.
 const SLICE: usize = 20_000;
@@ -125,6 +128,48 @@ pub(super) struct ViewSetup<'a> {
     pub light: &'a LightParams,
     /// The height of the ground under lamps, in the scene.
     pub ground: f32,
+}
+
+/// The place of one body alone: the middle of a stone of some height comes to the origin, and the corners of its cell
+/// are one unit away from it, at the top and at the base, taking the mean over the corners.
+pub(super) struct CloseUp {
+    middle: Vec3,
+    /// Units of the scene in a unit of the picture.
+    pub unit: f32,
+}
+
+impl CloseUp {
+    pub fn new(cell: &Cell, high: f64) -> Self {
+        let far: f64 = cell.ring.iter().map(|&p| (p - cell.centre).length()).sum();
+        let mean = far / cell.ring.len().max(1) as f64;
+        let middle = cell.centre.as_vec2();
+        Self {
+            middle: Vec3::new(middle.x, 0.5 * high as f32, middle.y),
+            unit: (1.0 / libm::hypot(mean, 0.5 * high).max(f64::MIN_POSITIVE)) as f32,
+        }
+    }
+
+    /// A place of the picture, given upright: x, the height, y.
+    pub fn at(&self, p: Vec3) -> Vec3 {
+        (p - self.middle) * self.unit
+    }
+
+    /// A surface alone, with lines over it.
+    pub fn scene(&self, surface: &Surface, edges: &[[Vec3; 2]], id: u32) -> Scene {
+        let line = |p: &Vec3| self.at(Vec3::new(p.x, p.z, p.y));
+        Scene {
+            bodies: vec![Body::new(vec![surface.upright(|p| self.at(p))], 1)],
+            instances: vec![Instance {
+                body: 0,
+                place: Place::default(),
+                id,
+                paint: None,
+            }],
+            lines: edges.iter().map(|edge| edge.each_ref().map(line)).collect(),
+            reach: 0.5,
+            ..Scene::default()
+        }
+    }
 }
 
 impl ViewSetup<'_> {

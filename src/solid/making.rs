@@ -105,9 +105,12 @@ pub struct Step {
 /// The steps in the making of a cell's solid, in order; empty if the cell has no appreciable area. The last
 /// steps of each stone need the planes: see [`crate::heightfield::Surfaces::making`].
 pub fn steps(cell: &Cell, params: &StoneParams) -> Vec<Making> {
-    let Some(last) = shown_level(cell, params) else {
-        return Vec::new();
-    };
+    let last = shown_level(cell, params);
+    last.map_or(Vec::new(), |last| steps_to(params, last))
+}
+
+/// The steps of a solid that ends with this number of Loop steps.
+pub fn steps_to(params: &StoneParams, last: u32) -> Vec<Making> {
     let mut steps = vec![Making::Base, Making::Sweep, Making::Distortion];
     match params.kind {
         StoneKind::Skin => steps.extend([Making::Skew, Making::Taper]),
@@ -129,8 +132,17 @@ pub fn step(
     params: &StoneParams,
     making: Making,
 ) -> Option<Step> {
-    let steps = steps(cell, params);
-    if !steps.contains(&making) {
+    step_to(solids, cell, params, (making, shown_level(cell, params)?))
+}
+
+/// The same of a solid that ends with `last` Loop steps.
+pub fn step_to(
+    solids: &mut Solids,
+    cell: &Cell,
+    params: &StoneParams,
+    (making, last): (Making, u32),
+) -> Option<Step> {
+    if !steps_to(params, last).contains(&making) {
         return None;
     }
     let (surface, edges) = match making {
@@ -140,22 +152,18 @@ pub fn step(
         }
         Making::Bevel => bevelled(cell, params)?,
         Making::Loop(level) => {
-            let is_last = !steps.contains(&Making::Loop(level + 1));
             let mesh = solids.solid_of_level(cell, &smooth(params), level);
-            let surface = if is_last { round } else { faceted }(&mesh);
+            let surface = if level == last { round } else { faceted }(&mesh);
             let edges = match level {
                 ..=LINED => lines(&mesh),
                 _ => Vec::new(),
             };
             (surface, edges)
         }
-        Making::Noise => {
-            let level = shown_level(cell, params)?;
-            (
-                round(&solids.solid_of_level(cell, params, level)),
-                Vec::new(),
-            )
-        }
+        Making::Noise => (
+            round(&solids.solid_of_level(cell, params, last)),
+            Vec::new(),
+        ),
         _ => swept(cell, params, making)?,
     };
     Some(Step {

@@ -55,6 +55,8 @@ pub use footprint::{Footprint, MOST_CORNERS};
 #[cfg(house)]
 pub(crate) use levels::{finest, levels};
 pub use making::{Making, PLAIN, Step, step, steps};
+#[cfg(house)]
+pub use making::{step_to, steps_to};
 pub use orientation::oriented;
 #[cfg(house)]
 pub(crate) use orientation::{Axis, best_turn, quarters, turns_to_agree};

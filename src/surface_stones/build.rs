@@ -38,6 +38,11 @@ pub struct Stones {
     fit: Fit,
 }
 
+/// About the number of triangles of a stone at its finest level, among this number of cells.
+pub(super) fn most_triangles(cells: usize) -> usize {
+    finest(cells, EACH)
+}
+
 /// The factor on the bounding box' diagonal when it is compared with the sides: a box that is wide, deep and high
 /// fits into the picture, too.
 const DEEP: f64 = 0.78;
@@ -73,7 +78,7 @@ impl Stones {
     /// Starts with cells whose axes agree already ([`super::make_one_sense`]). The mesh may be another one than that
     /// of the packing; a coarser one is as good.
     pub fn new(params: StonesParams, mesh: &TriMesh, cells: &[SurfaceCell]) -> Self {
-        let most = finest(cells.len(), EACH);
+        let most = most_triangles(cells.len());
         let (fit, size) = (Fit::new(mesh), mean_size(cells));
         let deep = params.texture.depth() / params.unit;
         Self {

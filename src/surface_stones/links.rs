@@ -50,6 +50,16 @@ pub fn links(cells: &[SurfaceCell]) -> Vec<Vec<u32>> {
     links
 }
 
+/// The neighbours beyond the sides of a cell: those of its links that share two corners or more with it.
+pub fn neighbours(cells: &[SurfaceCell], links: &[Vec<u32>], k: usize) -> Vec<u32> {
+    let side = SAME * super::mean_size(cells);
+    let ring = &cells[k].ring;
+    let is_shared = |p: &&DVec3| ring.iter().any(|q| (**p - *q).length() <= side);
+    let shared = |&other: &u32| cells[other as usize].ring.iter().filter(is_shared).count();
+    let linked = links.get(k).into_iter().flatten().copied();
+    linked.filter(|other| shared(other) > 1).collect()
+}
+
 /// Spreads directions from known cells to the others, over the graph. `offer` rates how well the direction of the
 /// first cell suits the second; `take` copies it. The best pairs come first.
 pub(super) fn spread(

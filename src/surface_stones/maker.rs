@@ -1,15 +1,16 @@
 //! Makes the surfaces of a cell's stone, bent and coloured.
 
 use super::look::{Look, Own, bytes};
-use super::template::Templates;
+use super::template::{SharedLevels, Templates};
 use super::{StonesParams, UnfoldedCell, mean_size};
 use crate::heightfield::{Surfaces, TextureParams};
-use crate::material::Coat;
+use crate::material::{Coat, StoneTexture};
 use crate::order::{greater, lesser};
 use crate::solid::{StoneKind, StoneParams, Surface, normals, top};
 use crate::surface_cells::SurfaceCell;
 use crate::trimesh::TangentFrame;
 use glam::{DVec3, Vec3};
+use std::rc::Rc;
 
 /// Makes stones on a surface.
 pub(super) struct Maker {
@@ -28,6 +29,20 @@ pub(super) struct Made {
     pub material: u8,
 }
 
+/// A stone in the tangent plane of its cell.
+pub(super) struct FlatStone {
+    /// The plane, with the map back onto the surface.
+    pub flat: UnfoldedCell,
+    params: StoneParams,
+    face: StoneTexture,
+    /// All vertices in picture units, with a closed base; without normals and colours.
+    pub surface: Surface,
+    /// The triangles without those of the base.
+    pub walls: Rc<[[u32; 3]]>,
+    /// The levels of detail.
+    pub template: Rc<SharedLevels>,
+}
+
 impl Maker {
     /// Starts; `most` is about the number of triangles of a stone at its finest level.
     pub fn new(params: &StonesParams, cells: &[SurfaceCell], most: usize) -> Self {
@@ -43,28 +58,15 @@ impl Maker {
     /// Makes the stone of a cell with a coat. `leans_out` tells whether a scale would stand out over a border, see
     /// [`leans_out`]. Nothing if the cell has next to no area. [`Look::advance`] has to be finished before.
     pub fn stone(&mut self, cell: &SurfaceCell, coat: Coat, leans_out: bool) -> Option<Made> {
-        let mut flat = UnfoldedCell::new(cell, self.unit);
-        let texture = self.look.texture;
-        let params = own_params(&texture.stone, leans_out);
-        let is_hollow = flat.bend.shape[0] + flat.bend.shape[2] < 0.0;
-        let solid = self.templates.solid(&flat.cell, &params, is_hollow);
-        let (solid, template) = solid?;
-        let face = self.look.face(&flat.cell, coat);
-        let mut surface = Surface {
-            colours: vec![[0; 3]; solid.vertices.len()],
-            positions: solid.vertices,
-            triangles: solid.triangles.to_vec(),
-            ..Surface::default()
-        };
-        self.look.surfaces.roughen(&face, &mut surface.positions);
-        surface.cap(&template.boundary);
+        let FlatStone {
+            flat,
+            params,
+            face,
+            mut surface,
+            walls,
+            template,
+        } = self.flat_stone(cell, coat, leans_out)?;
         let positions = &mut surface.positions;
-        let none = [f32::MAX, f32::MIN];
-        let span = positions.iter().fold(none, |[low, high], p| {
-            [lesser(low, p.z), greater(high, p.z)]
-        });
-        flat.bend
-            .stand(anchor(&texture, flat.cell.size), span.map(f64::from));
         let own = Own::new(&flat, face);
         let up = flat.axes[2].y as f32;
         // Colour the vertices of the finest level only: coarser ones use a subset.
@@ -87,7 +89,7 @@ impl Maker {
             .collect();
         // The axes are left-handed, so triangles run the other way round. Take normals without the cap, which would
         // bend those of the walls.
-        let turned: Vec<[u32; 3]> = solid.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect();
+        let turned: Vec<[u32; 3]> = walls.iter().map(|&[a, b, c]| [a, c, b]).collect();
         let normals = normals(&bent, &turned);
         let level = |level: &super::template::StoneLevel| {
             let kept = level.kept.iter().map(|&v| v as usize);
@@ -106,6 +108,45 @@ impl Maker {
             own,
             levels,
             material,
+        })
+    }
+}
+
+impl Maker {
+    /// Makes the stone of a cell in the tangent plane, with its relief, and fits the map back to it.
+    pub fn flat_stone(
+        &mut self,
+        cell: &SurfaceCell,
+        coat: Coat,
+        leans_out: bool,
+    ) -> Option<FlatStone> {
+        let mut flat = UnfoldedCell::new(cell, self.unit);
+        let texture = self.look.texture;
+        let params = own_params(&texture.stone, leans_out);
+        let is_hollow = flat.bend.is_hollow();
+        let (solid, template) = self.templates.solid(&flat.cell, &params, is_hollow)?;
+        let face = self.look.face(&flat.cell, coat);
+        let mut surface = Surface {
+            colours: vec![[0; 3]; solid.vertices.len()],
+            positions: solid.vertices,
+            triangles: solid.triangles.to_vec(),
+            ..Surface::default()
+        };
+        self.look.surfaces.roughen(&face, &mut surface.positions);
+        surface.cap(&template.boundary);
+        let none = [f32::MAX, f32::MIN];
+        let span = surface.positions.iter().fold(none, |[low, high], p| {
+            [lesser(low, p.z), greater(high, p.z)]
+        });
+        flat.bend
+            .stand(anchor(&texture, flat.cell.size), span.map(f64::from));
+        Some(FlatStone {
+            flat,
+            params,
+            face,
+            surface,
+            walls: solid.triangles,
+            template,
         })
     }
 }
@@ -142,7 +183,7 @@ pub(super) fn leans_out(cell: &SurfaceCell, neighbours: &[u32], cells: &[Surface
 }
 
 /// The parameters for one cell: scales that would stand out over a border lie flat.
-fn own_params(stone: &StoneParams, leans_out: bool) -> StoneParams {
+pub(super) fn own_params(stone: &StoneParams, leans_out: bool) -> StoneParams {
     let mut own = *stone;
     if leans_out && stone.kind == StoneKind::Skin {
         (own.skin.skew, own.skin.tilt) = (0.0, 0.0);

@@ -56,6 +56,11 @@ impl QuadricPatch {
         self.rise = fits(-least, high - anchor).min(fits(most, anchor - low));
     }
 
+    /// Whether the surface is hollow: its mean curvature is negative.
+    pub fn is_hollow(&self) -> bool {
+        self.shape[0] + self.shape[2] < 0.0
+    }
+
     /// The least and the greatest principal curvature.
     pub fn curvatures(&self) -> [f64; 2] {
         let [xx, xy, yy] = self.shape;

@@ -8,7 +8,8 @@
 use super::QuadricPatch;
 use crate::cells::Cell;
 use crate::solid::{
-    Footprint, Solid, Solids, StoneParams, Surface, boundary_edges, levels, simplify, used,
+    Footprint, Solid, Solids, StoneKind, StoneParams, Surface, boundary_edges, levels, simplify,
+    used,
 };
 use glam::{DVec2, Vec3};
 use std::f64::consts::TAU;
@@ -71,15 +72,7 @@ impl Templates {
         is_hollow: bool,
     ) -> Option<(Solid, Rc<SharedLevels>)> {
         let corners = Footprint::new(&cell.ring, cell.centre)?.corners.len();
-        let coarse = match stone.kind {
-            crate::solid::StoneKind::Skin => 3 * corners,
-            _ => 27 * corners,
-        };
-        let wanted = BEFORE * self.most as f64;
-        let mut level = 0;
-        while ((coarse << (2 * level)) as f64) < wanted {
-            level += 1;
-        }
+        let level = loop_steps(stone.kind, corners, self.most);
         let solid = self.solids.solid_of_level(cell, stone, level);
         if solid.vertices.is_empty() {
             return None;
@@ -138,6 +131,21 @@ impl Templates {
             levels: levels(self.most, LEAST).map(level).collect(),
         }
     }
+}
+
+/// The number of Loop steps of a solid with this number of corners. `most` is the number of triangles of the finest
+/// level, which is simplified from the solid.
+pub(super) fn loop_steps(kind: StoneKind, corners: usize, most: usize) -> u32 {
+    let coarse = match kind {
+        StoneKind::Skin => 3 * corners,
+        _ => 27 * corners,
+    };
+    let wanted = BEFORE * most as f64;
+    let mut level = 0;
+    while ((coarse << (2 * level)) as f64) < wanted {
+        level += 1;
+    }
+    level
 }
 
 /// A regular polygon as long and wide as a cell.

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, frames, link, message, phone, reloading, set, SMALL } from './page.mjs';
+import { BALL, click, digest, frames, link, message, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box, drag, spot } from './sheet.mjs';
 
@@ -222,6 +222,44 @@ test('how a stone is made goes forward and back', sameEverywhere, async () => {
   await turned(page);
   assert.equal((await frame(page)).hash, all.hash);
   assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a finger opens how a stone of a surface is made, and a link opens the same step', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(BALL, { viewport: phone });
+  await turned(page);
+  const { x, y } = await spot(page, 0.5, 0.5);
+  await page.touchscreen.tap(x, y);
+  await page.waitForSelector('#turn-how');
+  const card = await page.$eval('.turn-card', (text) => text.textContent ?? '');
+  for (const fact of [/^Stone \d+/, /Size[\d.]+, asked [\d.]+/, /Sides\d/, /Neighbours\d/, /Area\d+/]) assert.match(card, fact);
+  await page.tap('#turn-how');
+  await page.waitForSelector('.turn-making', { visible: true });
+  await turned(page);
+  const names = await page.$$eval('.turn-dot', (dots) => dots.map((dot) => dot.getAttribute('aria-label')));
+  assert.deepEqual(names.slice(0, 4), ['Cell on the surface', 'Tangent plane', 'Base', 'Sweep']);
+  assert.deepEqual(names.slice(-4), ['Fractal noise', 'Fewer triangles', 'Bent to the surface', 'Colour and light']);
+  const first = await frame(page);
+  await page.tap('#turn-on');
+  await turned(page);
+  const [flat, step] = [await frame(page), await told(page)];
+  assert.notEqual(flat.hash, first.hash);
+  assert.match(step ?? '', /^Stone \d+, step 2 of \d+: Tangent plane\.$/);
+  await click(page, '#share');
+  await page.waitForSelector('#share-seen');
+  await click(page, '#share-seen');
+  const shared = await page.$eval('#share-link', (field) => /** @type {HTMLInputElement} */ (field).value);
+  assert.match(shared, /&body=\d+:1$/);
+  await page.keyboard.press('Escape');
+  const other = await site.newPage(new URL(shared).hash, { viewport: phone });
+  await other.page.waitForSelector('.turn-making', { visible: true });
+  await turned(other.page);
+  assert.deepEqual([await frame(other.page), await told(other.page)], [flat, step]);
+  await other.page.tap('#turn-all');
+  await turned(other.page);
+  assert.match((await told(other.page)) ?? '', /^\d+ stones, seen/);
+  assert.deepEqual([problems, other.problems], [[], []]);
+  await other.close();
   await close();
 });
 

@@ -111,6 +111,11 @@ test('a zoom shows nothing beside the picture, and of two words of one key the l
   assert.equal(written(read('step=3&step=4&view=mesh&view=cells').viewing), 'view=cells&step=4');
 });
 
+test('a step in the making of a body is shown where there are bodies', () => {
+  for (const [offers, body] of [[['turn'], '12:3'], [['frames'], '12:3'], [[], undefined]]) assert.equal(viewing.read('body=12:3', { ...SIGHTS, offers }).viewing.body, body);
+  assert.deepEqual(viewing.read('body=0:3', SIGHTS).faults, [{ what: 'body', given: '0:3' }]);
+});
+
 test('a camera stands where it is said, else as usual', () => {
   assert.deepEqual(read('camera').viewing.camera, [330, 40, 2.95, 28, 0, 0, 0]);
   assert.deepEqual(read('camera=90,10,0.5').viewing.camera, [90, 10, 0.5, 28, 0, 0, 0]);

@@ -10,6 +10,7 @@ export function cellNumbers({ size, wanted, aspect, angle, off, sides, neighbour
   if (is(size) && is(wanted)) rows.push([t('cell_size'), t('cell_size_of', { size: size.toFixed(1), wanted: wanted.toFixed(1) })]);
   if (is(aspect) && aspect > 1.005) rows.push([t('cell_aspect'), aspect.toFixed(2)]);
   if (is(angle) && is(off)) rows.push([t('cell_angle'), t('cell_angle_of', { angle: angle.toFixed(0), off: off.toFixed(1) })]);
+  else if (is(off)) rows.push([t('cell_angle'), t('cell_off', { off: off.toFixed(1) })]);
   if (is(sides)) rows.push([t('cell_sides'), String(sides)]);
   if (is(neighbours)) rows.push([t('cell_neighbours'), String(neighbours)]);
   if (is(area)) rows.push([t('cell_area'), area.toFixed(0)]);

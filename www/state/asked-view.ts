@@ -75,7 +75,7 @@ export function read(words: string, sights: Sights): { viewing: Viewing; faults:
     else if (key === 'step') faults.push({ what: 'step', given });
     if (key === 'camera' && hasBodies(sights)) readCamera(given, sights, viewing, faults);
     else if (key === 'camera') faults.push({ what: 'camera', given });
-    if (key === 'body' && sights.offers.includes('turn') && BODY.test(given)) viewing.body = given;
+    if (key === 'body' && hasBodies(sights) && BODY.test(given)) viewing.body = given;
     else if (key === 'body') faults.push({ what: 'body', given });
   }
   return { viewing, faults };

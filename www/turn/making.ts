@@ -2,7 +2,7 @@
 import { t } from '../words/turn';
 import { make, say } from '../base/dom';
 import { shape } from '../late/svg';
-import { stepName, stepNote } from './told';
+import { ownNote, stepName, stepNote } from './told';
 import type { Told } from '../picture/frames/source';
 
 /** The connection of the strip to the turntable. */
@@ -104,7 +104,8 @@ export class Making {
     const skin = this.steps.get('stone') === 'skin';
     say(this.name, stepName(step));
     say(this.count, t('at', { n: at + 1, all: body.steps.length }));
-    say(this.note, t('cited', { note: stepNote(step, (key) => this.steps.get(key)), paper: t(skin ? 'paper_skin' : 'paper_stone') }));
+    const own = ownNote(step, body.steps);
+    say(this.note, own || t('cited', { note: stepNote(step, (key) => this.steps.get(key)), paper: t(skin ? 'paper_skin' : 'paper_stone') }));
     [...this.dots.children].forEach((dot, k) => {
       if (k === at) dot.setAttribute('aria-current', 'step');
       else dot.removeAttribute('aria-current');

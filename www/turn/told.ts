@@ -39,6 +39,12 @@ export function stepName(step: string): string {
   return isWord(key) ? t(key, { n }) : step;
 }
 
+/** A sentence on a step that no paper describes, among steps that end with the body in its place on a surface; '' if there is none. */
+export function ownNote(step: string, steps: readonly string[]): string {
+  const key = `own_${step}`;
+  return steps.includes('bent') && isWord(key) ? t(key) : '';
+}
+
 /** A sentence on such a step, with the recipe's numbers; '' if there is none. */
 export function stepNote(step: string, get: (key: string) => string): string {
   const form = get('stone');

@@ -244,7 +244,9 @@ export class Turntable {
     if (!latest) return;
     this.shown = this.place.link();
     this.state(quality);
-    const asked = this.making.subject === '' ? this.place.asked?.() : '';
+    // Bodies that are still being made get moving frames only, and have no steps yet.
+    const isMade = quality !== 'moving' || !this.isFramed;
+    const asked = isMade && this.making.subject === '' ? this.place.asked?.() : '';
     if (asked) void this.ask(asked);
     if (quality !== 'moving' && !this.moving) say(this.told, this.making.subject === '' ? seen(bodies, this.camera, this.isFramed) : this.making.seen);
   }

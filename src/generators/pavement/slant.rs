@@ -1,16 +1,14 @@
 //! A pavement or a hide seen from a slant: its stones as bodies on their ground.
 
 use super::Pavement;
-use crate::cells::Cell;
 use crate::generators::lighting::LightParams;
-use crate::generators::turntable::{Turntable, ViewSetup};
+use crate::generators::turntable::{CloseUp, Turntable, ViewSetup};
 use crate::generators::{Budget, Clock, FrameSlice, Frames, Inspect, SeenBody, TurnOrder};
 use crate::heightfield::{HeightFieldScene, Surfaces};
 use crate::light::Light;
 use crate::notice::{Code, Notice};
-use crate::scene::{Body, Frame, Instance, Place, Scene};
-use crate::solid::{Solids, Step, top};
-use glam::Vec3;
+use crate::scene::{Frame, Scene};
+use crate::solid::{Solids, top};
 
 /// The state of the turntable.
 #[derive(Default)]
@@ -179,33 +177,6 @@ impl Pavement {
         let making = *surfaces.making(cell).get(step)?;
         let made = surfaces.step(&mut Solids::new(), (cell, index), planes, making)?;
         let high = top(&self.texture().stone, cell.size);
-        Some(alone(&made, cell, high))
-    }
-}
-
-/// A surface alone on the turntable, with lines over it. The origin is the middle of a stone of this height. The
-/// corners of its cell are one unit away from it, at the top and at the base, taking the mean over the corners.
-fn alone(step: &Step, cell: &Cell, high: f64) -> Scene {
-    let far: f64 = cell.ring.iter().map(|&p| (p - cell.centre).length()).sum();
-    let mean = far / cell.ring.len().max(1) as f64;
-    let unit = (1.0 / libm::hypot(mean, 0.5 * high).max(f64::MIN_POSITIVE)) as f32;
-    let (middle, half) = (cell.centre.as_vec2(), 0.5 * high as f32);
-    let at = |p: Vec3| (p - Vec3::new(middle.x, half, middle.y)) * unit;
-    let line = |p: &Vec3| at(Vec3::new(p.x, p.z, p.y));
-    Scene {
-        bodies: vec![Body::new(vec![step.surface.upright(at)], 1)],
-        instances: vec![Instance {
-            body: 0,
-            place: Place::default(),
-            id: cell.id,
-            paint: None,
-        }],
-        lines: step
-            .edges
-            .iter()
-            .map(|edge| edge.each_ref().map(line))
-            .collect(),
-        reach: 0.5,
-        ..Scene::default()
+        Some(CloseUp::new(cell, high).scene(&made.surface, &made.edges, cell.id))
     }
 }

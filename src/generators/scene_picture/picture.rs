@@ -2,8 +2,10 @@
 
 use super::still::StillParams;
 use super::yaw::{clockwise, seen_by, turned, turned_cut};
+use crate::generators::lighting::LightParams;
 use crate::generators::turntable::{Turntable, ViewSetup};
 use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
+use crate::light::Light;
 use crate::material::Material;
 use crate::notice::{Code, Notice};
 use crate::scene::{Frame, Order, Scene};
@@ -11,6 +13,13 @@ use glam::Vec3;
 
 /// A place counts as visible up to this distance behind the visible surface, in units of the scene.
 const BURIED: f32 = 0.06;
+
+/// The direction of the light on a body that is shown alone, and its heights, in degrees.
+const FRONT: f64 = 225.0;
+/// The least height of a sun ...
+const LOW: f64 = 30.0;
+/// ... and the height of a lamp.
+const HIGH: f64 = 45.0;
 
 /// A generator's scenes, which are made in slices.
 pub(crate) trait SceneSource: Sized {
@@ -40,6 +49,16 @@ pub(crate) trait SceneSource: Sized {
     /// Makes a slice of a scene; returns the scene once it is done.
     fn make(&mut self, key: Self::Key, making: &mut Self::Making) -> Option<Self::Subject>;
 
+    /// The key of the picture's bodies, if the steps of their making can be shown now.
+    fn making_key(&self) -> Option<Self::Key> {
+        None
+    }
+
+    /// The scene of one step in the making of a body; `None` if there is no such step.
+    fn step_scene(&self, _step: (u32, usize)) -> Option<Scene> {
+        None
+    }
+
     /// The camera, the light and the size of the picture.
     fn still(&self) -> StillParams;
 
@@ -59,10 +78,24 @@ pub(crate) struct ScenePicture<S: SceneSource> {
     shown: Option<(S::Key, S::Subject)>,
     /// The number of the shown scene, unique among all scenes of this generator.
     number: u64,
+    /// The shown step in the making of a body.
+    step: Option<ShownStep<S>>,
+    /// Whether the last frame is of that step.
+    is_step: bool,
+    /// The count of all scenes so far.
+    count: u64,
     /// The next scene, while it is made.
     making: Option<(S::Key, S::Making)>,
     /// The pixels of the last drawn view.
     pub(super) view: Vec<u8>,
+}
+
+/// A step in the making of a body.
+struct ShownStep<S: SceneSource> {
+    /// The bodies, the body among them, and the step.
+    of: (S::Key, (u32, usize)),
+    number: u64,
+    scene: Scene,
 }
 
 impl<S: SceneSource> Default for ScenePicture<S> {
@@ -71,6 +104,9 @@ impl<S: SceneSource> Default for ScenePicture<S> {
             table: Turntable::default(),
             shown: None,
             number: 0,
+            step: None,
+            is_step: false,
+            count: 0,
             making: None,
             view: Vec::new(),
         }
@@ -87,17 +123,33 @@ pub(crate) fn turn<S: SceneSource>(
     clock: Clock,
     budget: f64,
 ) -> Result<FrameSlice, Notice> {
-    if order.step()?.is_some() {
-        return Err(order.no_such_body());
-    }
+    let step = order.step()?;
     let budget = Budget::new(clock, budget);
     let mut picture = std::mem::take(source.scene_picture());
-    let slice = match picture.choose(source, &order.how, clock, budget) {
-        Some(slice) => Ok(slice),
-        None => picture.frame_slice(source, order, clock, budget),
+    picture.is_step = step.is_some();
+    let slice = match step {
+        Some(step) => picture.step_slice(source, (order, step), clock, budget),
+        None => match picture.choose(source, &order.how, clock, budget) {
+            Some(slice) => Ok(slice),
+            None => picture.frame_slice(source, order, clock, budget),
+        },
     };
     *source.scene_picture() = picture;
     slice
+}
+
+/// The light on one body that is shown alone: from the front of the first camera for one body.
+fn close_up(light: &LightParams) -> LightParams {
+    let mut light = light.clone();
+    let elevation = match light.shade.light {
+        Light::Parallel { elevation, .. } => elevation.max(LOW.to_radians()),
+        Light::Point { .. } => HIGH.to_radians(),
+    };
+    light.shade.light = Light::Parallel {
+        azimuth: FRONT.to_radians(),
+        elevation,
+    };
+    light
 }
 
 impl<S: SceneSource> ScenePicture<S> {
@@ -145,7 +197,8 @@ impl<S: SceneSource> ScenePicture<S> {
             subject.is_some()
         });
         if done {
-            self.number += 1;
+            self.count += 1;
+            self.number = self.count;
             self.shown = subject.map(|subject| (key, subject));
             return None;
         }
@@ -190,9 +243,40 @@ impl<S: SceneSource> ScenePicture<S> {
         self.table.advance(&stand, order, clock, left)
     }
 
+    fn step_slice(
+        &mut self,
+        source: &S,
+        (order, step): (&TurnOrder, (u32, usize)),
+        clock: Clock,
+        budget: Budget,
+    ) -> Result<FrameSlice, Notice> {
+        let key = source.making_key().ok_or(Code::NotYet)?;
+        let of = (key, step);
+        let shown = match self.step.take().filter(|shown| shown.of == of) {
+            Some(shown) => shown,
+            None => {
+                let scene = source.step_scene(step);
+                let scene = scene.ok_or_else(|| order.no_such_body())?;
+                self.count += 1;
+                let number = self.count;
+                ShownStep { of, number, scene }
+            }
+        };
+        let shown = self.step.insert(shown);
+        let light = close_up(&source.still().light);
+        let stand = ViewSetup {
+            scene: &shown.scene,
+            number: shown.number,
+            light: &light,
+            ground: shown.scene.lowest(),
+        };
+        let left = budget.left(clock);
+        self.table.advance(&stand, order.order()?, clock, left)
+    }
+
     /// The body at a pixel of the last finished frame, whose scene is turned by `yaw` degrees.
     pub fn body_at(&self, yaw: f64, x: usize, y: usize) -> Option<SeenBody> {
-        let scene = self.scene()?;
+        let scene = self.scene().filter(|_| !self.is_step)?;
         let place = self.frame()?.instance_at(x, y)?;
         let instance = scene.instances.get(place).filter(|i| i.id > 0)?;
         let (middle, _) = scene.ball_of(instance);

@@ -150,7 +150,14 @@ impl Frames for SurfaceEngine {
     }
 
     fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody> {
-        self.picture.body_at(self.made.still.params().yaw, x, y)
+        let yaw = self.made.still.params().yaw;
+        let body = self.picture.body_at(yaw, x, y)?;
+        let figures = self.figures(body.id);
+        Some(SeenBody { figures, ..body })
+    }
+
+    fn making(&self, id: u32) -> Vec<String> {
+        self.steps_of(id)
     }
 
     fn caption(&self, words: &str) -> Option<Notice> {

@@ -4,7 +4,7 @@ use super::build::Built;
 use super::fields::FieldsWithRemarks;
 use super::params::MeshSource;
 use super::paving::PavedCells;
-use super::stages::{PACKING, STONES, Stages};
+use super::stages::{PACKING, STONES, Stages, stones_params};
 use crate::generators::ModelFacts;
 use crate::generators::packs::PackingProgress;
 use crate::graph::Wiring;
@@ -12,6 +12,7 @@ use crate::packing::StepReport;
 use crate::scene::Scene;
 use crate::surface_cells::SurfaceMesh;
 use crate::surface_packing::{PackingMesh, SurfacePacking};
+use crate::surface_stones::{Fit, StonesParams};
 use std::rc::Rc;
 
 /// Revisions of some results.
@@ -20,6 +21,17 @@ pub(super) struct Revisions {
     pub fields: u64,
     pub mesh: u64,
     pub cells: u64,
+}
+
+/// Stones on their cells.
+pub(super) struct Standing<'a> {
+    pub scene: &'a Rc<Scene>,
+    pub params: StonesParams,
+    pub paved: &'a PavedCells,
+    /// From the model to the scene.
+    pub fit: Fit,
+    /// The revision of the stones.
+    pub revision: u64,
 }
 
 impl Stages {
@@ -113,6 +125,17 @@ impl Stages {
     /// The last scene of stones, and its revision.
     pub fn scene(&self) -> Option<(&Rc<Scene>, u64)> {
         Some((&self.stones.made()?.scene, self.stones.revision()))
+    }
+
+    /// The stones with their cells, if both are those of the present recipe.
+    pub fn standing(&self) -> Option<Standing<'_>> {
+        Some(Standing {
+            scene: &self.current(&self.stones)?.scene,
+            params: stones_params(self.stones.params(), &self.paved.made()?.cells),
+            paved: self.paved.made()?,
+            fit: Fit::new(&self.last_built()?.whole),
+            revision: self.stones.revision(),
+        })
     }
 
     /// Whether there are stones of the present packing, even if other ones are wanted.

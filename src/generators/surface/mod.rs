@@ -10,6 +10,7 @@ mod engine;
 mod fields;
 mod files;
 mod made;
+mod making;
 mod params;
 mod paving;
 mod presets;

@@ -191,6 +191,20 @@ impl SceneSource for SurfaceEngine {
         )
     }
 
+    fn making_key(&self) -> Option<SceneInputs> {
+        let bodies = self.made.standing()?;
+        let (surface, _) = self.made.revisions();
+        Some(SceneInputs {
+            view: SurfaceView::Picture,
+            surface,
+            revision: bodies.revision,
+        })
+    }
+
+    fn step_scene(&self, step: (u32, usize)) -> Option<Scene> {
+        self.scene_of_step(step)
+    }
+
     fn still(&self) -> StillParams {
         self.made.still.params().clone()
     }

@@ -199,3 +199,55 @@ fn the_bare_surface_is_seen_until_there_are_cells() {
     assert_eq!(packing, ("packing", Some((0, true))));
     assert!(seen(&mut studio).is_some_and(|(id, _)| id > 0));
 }
+
+#[test]
+fn each_step_in_the_making_of_a_scale_has_a_frame_and_each_cell_its_measures() {
+    let mut studio = studio(&format!("{SMALL}sphere&stone=skin"));
+    let order = |subject: &str| TurnOrder {
+        subject: subject.to_owned(),
+        camera: Camera::default(),
+        size: [48, 48],
+        how: "still".to_owned(),
+    };
+    let turn = |studio: &mut Studio, subject: &str| {
+        let frames = studio.engine_mut().frames().expect("frames");
+        loop {
+            let slice = frames.turn(&order(subject), &mut || 0.0, f64::INFINITY);
+            match slice {
+                Ok(slice) if !slice.done => {}
+                Ok(_) => return Ok(frames.frame().expect("a frame").hash()),
+                Err(notice) => return Err(notice.code),
+            }
+        }
+    };
+    assert_eq!(turn(&mut studio, "7:0"), Err(Code::NotYet));
+    assert_eq!(studio.finish(&mut || 0.0), Ok(()));
+    let frames = studio.engine_mut().frames().expect("frames");
+    let steps = frames.making(7);
+    assert_eq!(frames.making(0), frames.making(100_000));
+    assert_eq!(steps.first().map(String::as_str), Some("cell"));
+    let mut seen: Vec<String> = (0..steps.len())
+        .map(|at| turn(&mut studio, &format!("7:{at}")).expect("a frame"))
+        .collect();
+    for bad in ["7:40", "0:0", "100000:0"] {
+        assert_eq!(turn(&mut studio, bad), Err(Code::NoSuchBody), "{bad}");
+    }
+    seen.sort();
+    seen.dedup();
+    // Without noise, that step shows the same.
+    assert!(seen.len() + 2 > steps.len(), "{} of {steps:?}", seen.len());
+    turn(&mut studio, "").expect("a frame");
+    let frames = studio.engine_mut().frames().expect("frames");
+    let body = frames.body_at(24, 24).expect("a body");
+    let words: Vec<&str> = body.figures.iter().map(|&(word, _)| word).collect();
+    let known = ["size", "wanted", "aspect", "sides", "neighbours", "area"];
+    assert!(known.iter().all(|word| words.contains(word)), "{words:?}");
+    let value = |word| {
+        body.figures
+            .iter()
+            .find(|(own, _)| *own == word)
+            .map_or(0.0, |f| f.1)
+    };
+    assert!((value("size") / value("wanted") - 1.0).abs() < 0.5);
+    assert!((3.0..9.0).contains(&value("neighbours")));
+}

@@ -1,0 +1,159 @@
+//! A single cell of a surface: its measures, and the steps in which its stone is made.
+
+use super::SurfaceEngine;
+use super::made::Standing;
+use super::subject::ViewScene;
+use crate::generators::turntable::CloseUp;
+use crate::generators::{Polygon, Probe};
+use crate::metrics::Figure;
+use crate::scene::{Detail, Instance, Place, Scene, Surfel};
+use crate::solid::top;
+use crate::surface_stones::{StoneStep, UnfoldedCell, neighbours, step, steps};
+use glam::{DVec2, Vec3};
+use std::rc::Rc;
+
+impl SurfaceEngine {
+    /// The measures of the cell under a body, by their words, in its tangent plane. Lengths are in picture units. There
+    /// is no angle, as a surface has no common direction to count from, but the cell's angle to the direction field.
+    pub(super) fn figures(&self, id: u32) -> Vec<(&'static str, f64)> {
+        let is_picture = matches!(self.picture.shown(), Some((_, ViewScene::Stones(_))));
+        let standing = self.made.standing().filter(|_| is_picture);
+        standing.map_or(Vec::new(), |standing| measures(&standing, id))
+    }
+
+    /// The words of the steps in the making of a body.
+    pub(super) fn steps_of(&self, id: u32) -> Vec<String> {
+        let steps = self.made.standing().map(|standing| listed(&standing, id));
+        let words = steps.into_iter().flatten().map(StoneStep::word);
+        words.map(str::to_owned).collect()
+    }
+
+    /// The scene of a step in the making of a body.
+    pub(super) fn scene_of_step(&self, (id, at): (u32, usize)) -> Option<Scene> {
+        let standing = self.made.standing()?;
+        let wanted = *listed(&standing, id).get(at)?;
+        let paving = standing.paved.paving();
+        let k = index(id)?;
+        let shape = step(&standing.params, paving, k, wanted)?;
+        let high = top(&standing.params.texture.stone, shape.flat.cell.size);
+        let near = CloseUp::new(&shape.flat.cell, high);
+        match wanted {
+            StoneStep::Finish => Some(finished(&standing, k, &shape.flat, &near)),
+            _ => Some(near.scene(&shape.surface, &shape.edges, id)),
+        }
+    }
+}
+
+/// The index of a body's cell.
+fn index(id: u32) -> Option<usize> {
+    (id as usize).checked_sub(1)
+}
+
+fn listed(standing: &Standing, id: u32) -> Vec<StoneStep> {
+    let k = index(id).filter(|&k| k < standing.paved.cells.len());
+    k.map_or(Vec::new(), |k| {
+        steps(&standing.params, standing.paved.paving(), k)
+    })
+}
+
+fn measures(standing: &Standing, id: u32) -> Vec<(&'static str, f64)> {
+    let paved = standing.paved;
+    let Some((k, own)) = index(id).and_then(|k| Some((k, paved.cells.get(k)?))) else {
+        return Vec::new();
+    };
+    let cell = UnfoldedCell::new(own, standing.params.unit).cell;
+    let figure = Figure::new(&cell);
+    let probe = Probe {
+        cell: k,
+        centre: DVec2::ZERO,
+        kind: cell.kind,
+        size: figure.size,
+        wanted: cell.size,
+        aspect: figure.aspect,
+        angle: None,
+        // The cell's axis is the direction field at its centre.
+        off: figure.misalignment(cell.kind, cell.axis),
+        outline: Vec::new(),
+        polygon: Some(Polygon {
+            area: figure.area,
+            sides: figure.sides,
+            neighbours: neighbours(&paved.cells, &paved.links, k).len(),
+        }),
+    };
+    probe.figures()
+}
+
+/// The finished stone and its neighbours, as they stand in the scene of all.
+fn finished(standing: &Standing, k: usize, flat: &UnfoldedCell, near: &CloseUp) -> Scene {
+    let fit = &standing.fit;
+    let all = standing.scene;
+    let scale = (flat.unit / fit.scale) as f32 * near.unit;
+    let [right, down, up] = flat.axes.map(|axis| axis.as_vec3());
+    let axes = [0, 1, 2].map(|i| Vec3::new(right[i], up[i], down[i]) * scale);
+    let turn = Place {
+        axes,
+        origin: Vec3::ZERO,
+    };
+    let surface = near.at(Vec3::Y * flat.bend.anchor as f32);
+    let place = Place {
+        axes,
+        origin: surface - turn.of(fit.place(flat.at)),
+    };
+    let links = standing.paved.links.get(k).into_iter().flatten();
+    let ids: Vec<u32> = links
+        .map(|&other| other + 1)
+        .chain([k as u32 + 1])
+        .collect();
+    let mut scene = Scene {
+        detail: Some(Box::new(Moved {
+            scene: all.clone(),
+            place,
+            scale,
+        })),
+        reach: all.reach * scale,
+        ..Scene::default()
+    };
+    for instance in all.instances.iter().filter(|i| ids.contains(&i.id)) {
+        let body = scene.bodies.len() as u32;
+        scene
+            .bodies
+            .push(all.bodies[instance.body as usize].clone());
+        scene.instances.push(Instance {
+            body,
+            place: Place {
+                axes: instance.place.axes.map(|axis| place.turned(axis)),
+                origin: place.of(instance.place.origin),
+            },
+            ..*instance
+        });
+    }
+    scene
+}
+
+/// The details of a scene that is turned, scaled and moved.
+struct Moved {
+    scene: Rc<Scene>,
+    place: Place,
+    scale: f32,
+}
+
+impl Detail for Moved {
+    fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
+        let Some(detail) = &self.scene.detail else {
+            return;
+        };
+        let Place { axes, origin } = self.place;
+        let unit = axes.map(|axis| axis / self.scale);
+        let back = |v: Vec3| Vec3::from(unit.map(|axis| axis.dot(v)));
+        let mut own = *surfel;
+        own.position = back(surfel.position - origin) / self.scale;
+        own.normal = back(surfel.normal);
+        detail.refine(&mut own, id, spread / self.scale);
+        let [x, y, z] = unit;
+        *surfel = Surfel {
+            position: surfel.position,
+            normal: x * own.normal.x + y * own.normal.y + z * own.normal.z,
+            ..own
+        };
+    }
+}
