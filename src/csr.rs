@@ -32,6 +32,11 @@ impl<T> Csr<T> {
         self.values.len()
     }
 
+    /// The number of rows.
+    pub fn count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
     /// The values of a row, mutable.
     pub fn row_mut(&mut self, row: usize) -> &mut [T] {
         &mut self.values[self.starts[row] as usize..self.starts[row + 1] as usize]

@@ -14,7 +14,7 @@ pub(crate) mod spatial_hash;
 mod tests;
 mod walls;
 
-pub use packing_mesh::PackingMesh;
+pub use packing_mesh::{PackingMesh, PackingMeshMaking};
 
 use crate::packing::cell_fields::CellFields;
 use crate::packing::placed::Placed;

@@ -12,7 +12,7 @@ use std::sync::Arc;
 pub struct PackingMesh {
     mesh: Arc<TriMesh>,
     /// For each triangle the part that it belongs to.
-    part: Vec<u32>,
+    part: Arc<Vec<u32>>,
     parts: usize,
     /// Running sums of the triangles' areas.
     areas: Vec<f64>,
@@ -20,23 +20,67 @@ pub struct PackingMesh {
     pub(super) walls: SurfaceWalls,
 }
 
+/// A mesh that is being prepared for packing.
+pub struct PackingMeshMaking {
+    mesh: Arc<TriMesh>,
+    /// For each triangle its part, and how many there are.
+    parts: Option<(Vec<u32>, usize)>,
+    /// All but the lists of walls.
+    site: Option<PackingMesh>,
+}
+
+impl PackingMeshMaking {
+    /// Starts with a mesh.
+    pub fn new(mesh: impl Into<Arc<TriMesh>>) -> Self {
+        Self {
+            mesh: mesh.into(),
+            parts: None,
+            site: None,
+        }
+    }
+
+    /// Does one more slice, for cells that are not longer than `longest`; returns the prepared mesh when it is done.
+    pub fn advance(&mut self, longest: f64) -> Option<PackingMesh> {
+        if let Some(mut site) = self.site.take() {
+            if site.walls.advance() {
+                return Some(site);
+            }
+            self.site = Some(site);
+        } else if let Some(parts) = self.parts.take() {
+            self.site = Some(PackingMesh::begin(&self.mesh, parts, longest));
+        } else {
+            self.parts = Some(self.mesh.parts());
+        }
+        None
+    }
+}
+
 impl PackingMesh {
-    /// Prepares a mesh on which no cell is longer than `longest`.
+    /// Prepares a mesh on which no cell is longer than `longest`, at once.
     pub fn new(mesh: impl Into<Arc<TriMesh>>, longest: f64) -> Self {
-        let mesh = mesh.into();
-        let (part, parts) = mesh.parts();
+        let mut making = PackingMeshMaking::new(mesh);
+        loop {
+            if let Some(site) = making.advance(longest) {
+                return site;
+            }
+        }
+    }
+
+    fn begin(mesh: &Arc<TriMesh>, (part, parts): (Vec<u32>, usize), longest: f64) -> Self {
+        let part = Arc::new(part);
         let mut sum = 0.0;
         let areas = (0..mesh.triangles().len() as u32).map(|t| {
             sum += mesh.area_of(t);
             sum
         });
+        let reach = crate::packing::wall::reach(longest);
         Self {
             areas: areas.collect(),
-            walls: SurfaceWalls::new(&mesh, &part, crate::packing::wall::reach(longest)),
+            walls: SurfaceWalls::begin(mesh.clone(), part.clone(), reach),
             bounds: mesh.bounds(),
             part,
             parts,
-            mesh,
+            mesh: mesh.clone(),
         }
     }
 

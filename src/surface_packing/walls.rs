@@ -8,6 +8,7 @@ use crate::order;
 use crate::packing::packing_domain::{Boundary, ClosestPoint};
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
+use std::sync::Arc;
 
 /// A place sees a wall if the dot product of its normal and that of the wall's triangle is at least this ...
 const SEES: f64 = -0.2;
@@ -29,11 +30,35 @@ struct BorderEdge {
 }
 
 impl BorderEdge {
+    fn middle(&self) -> DVec3 {
+        self.ends[0].midpoint(self.ends[1])
+    }
+
     /// The place on it nearest to `p`, as a share of its length, 0..1.
     fn nearest(&self, p: DVec3) -> f64 {
         let along = self.ends[1] - self.ends[0];
         ((p - self.ends[0]).dot(along) / along.length_squared().max(f64::MIN_POSITIVE))
             .clamp(0.0, 1.0)
+    }
+}
+
+/// A triangle, and how far from its middle the segments of its list may be.
+struct Around {
+    triangle: u32,
+    middle: DVec3,
+    reach: f64,
+}
+
+impl Around {
+    fn of(mesh: &TriMesh, triangle: u32, reach: f64) -> Self {
+        let corners = mesh.corners(triangle);
+        let middle = corners.iter().sum::<DVec3>() / 3.0;
+        let far = corners.map(|c| c.distance(middle));
+        Self {
+            triangle,
+            middle,
+            reach: reach + far.into_iter().fold(0.0, f64::max),
+        }
     }
 }
 
@@ -54,69 +79,112 @@ impl ClosestPoint for SurfaceClosestPoint {
     }
 }
 
+/// Segments to look at in a slice of the lists.
+const LOOKED_AT: usize = 1 << 18;
+/// The most entries that all lists may have together, and the most segments to look at for them. Beyond either, as
+/// where a border has thousands of edges for each cell, a list is made anew whenever it is needed.
+const MOST_LISTED: usize = 1 << 24;
+const MOST_LOOKED_AT: usize = 1 << 28;
+
 /// The walls of a mesh, by the triangles within reach of them.
 #[derive(Clone, Debug)]
 pub(crate) struct SurfaceWalls {
+    mesh: Arc<TriMesh>,
     segments: Vec<BorderEdge>,
-    part: Vec<u32>,
-    /// The segments near each triangle; without rows if there are no walls.
+    part: Arc<Vec<u32>>,
+    /// The segments by their middles, and half the length of the longest one.
+    boxes: SurfaceHash,
+    longest: f64,
+    /// The segments near each triangle, from the first triangle on; without rows if there are no walls.
     near: Csr<u32>,
+    /// How many segments were looked at for these lists.
+    looked_at: usize,
+    is_listed: bool,
     reach: f64,
 }
 
 impl SurfaceWalls {
-    pub fn new(mesh: &TriMesh, part: &[u32], reach: f64) -> Self {
-        let segments = segments(mesh, part);
-        let mut walls = Self {
+    /// Starts without lists; [`SurfaceWalls::advance`] makes them.
+    pub fn begin(mesh: Arc<TriMesh>, part: Arc<Vec<u32>>, reach: f64) -> Self {
+        let segments = segments(&mesh, &part);
+        let half = |s: &BorderEdge| 0.5 * s.ends[0].distance(s.ends[1]);
+        let longest = segments.iter().map(half).fold(0.0, f64::max);
+        let side = (reach + longest).max(1e-3 * mesh.diagonal());
+        let mut boxes = SurfaceHash::new(mesh.bounds(), side);
+        for segment in &segments {
+            boxes.push_at(segment.middle());
+        }
+        Self {
             near: Csr::default(),
-            part: part.to_vec(),
+            looked_at: 0,
+            is_listed: true,
+            part,
+            boxes,
+            longest,
             reach,
             segments,
-        };
-        if !walls.segments.is_empty() {
-            walls.sort_in(mesh);
-        }
-        walls
-    }
-
-    fn sort_in(&mut self, mesh: &TriMesh) {
-        let half = |s: &BorderEdge| 0.5 * s.ends[0].distance(s.ends[1]);
-        let longest = self.segments.iter().map(half).fold(0.0, f64::max);
-        let mut boxes = SurfaceHash::new(
-            mesh.bounds(),
-            (self.reach + longest).max(1e-3 * mesh.diagonal()),
-        );
-        for segment in &self.segments {
-            boxes.push_at(segment.ends[0].midpoint(segment.ends[1]));
-        }
-        let mut near = Vec::new();
-        for t in 0..mesh.triangles().len() as u32 {
-            let corners = mesh.corners(t);
-            let middle = corners.iter().sum::<DVec3>() / 3.0;
-            let radius = corners
-                .map(|c| c.distance(middle))
-                .into_iter()
-                .fold(0.0, f64::max);
-            let reach = self.reach + radius;
-            near.clear();
-            boxes.any_near(middle, reach + longest, |k| {
-                let segment = &self.segments[k];
-                let at = segment.ends[0].lerp(segment.ends[1], segment.nearest(middle));
-                if segment.part == self.part[t as usize] && at.distance(middle) <= reach {
-                    near.push(k as u32);
-                }
-                false
-            });
-            near.sort_unstable();
-            self.near.push(near.iter().copied());
+            mesh,
         }
     }
 
-    fn near(&self, p: &SurfacePoint) -> &[u32] {
-        match self.segments.is_empty() {
-            true => &[],
-            false => self.near.row(p.triangle as usize),
+    /// Makes lists for some more triangles; true when all have theirs, or when there would be too much in them.
+    pub fn advance(&mut self) -> bool {
+        let (count, mut left) = (self.mesh.triangles().len(), LOOKED_AT as isize);
+        let mut row = Vec::new();
+        while self.is_listed && !self.segments.is_empty() && self.near.count() < count {
+            if left < 0 {
+                return false;
+            }
+            let around = Around::of(&self.mesh, self.near.count() as u32, self.reach);
+            row.clear();
+            let mut looked_at = 16;
+            self.boxes
+                .any_near(around.middle, around.reach + self.longest, |k| {
+                    looked_at += 1;
+                    if self.is_listed_at(k, &around) {
+                        row.push(k as u32);
+                    }
+                    false
+                });
+            row.sort_unstable();
+            self.near.push(row.iter().copied());
+            left -= looked_at as isize;
+            self.looked_at += looked_at;
+            if self.near.len() > MOST_LISTED || self.looked_at > MOST_LOOKED_AT {
+                self.unlist();
+            }
         }
+        true
+    }
+
+    /// Does without the lists of triangles.
+    fn unlist(&mut self) {
+        (self.near, self.is_listed) = (Csr::default(), false);
+    }
+
+    /// Whether a segment belongs into the list of a triangle.
+    fn is_listed_at(&self, k: usize, around: &Around) -> bool {
+        let segment = &self.segments[k];
+        let at = segment.ends[0].lerp(segment.ends[1], segment.nearest(around.middle));
+        segment.part == self.part[around.triangle as usize]
+            && at.distance(around.middle) <= around.reach
+    }
+
+    /// The segments of the list of the triangle at `p` that may have a foot within `reach`, in order.
+    fn listed_near(&self, p: &SurfacePoint, reach: f64) -> Vec<u32> {
+        let around = Around::of(&self.mesh, p.triangle, self.reach);
+        // Rounding never leaves out a foot.
+        let reach = (reach + self.longest) * (1.0 + 1e-9);
+        let mut found = Vec::new();
+        self.boxes.any_near(p.at, reach, |k| {
+            let far = self.segments[k].middle().distance_squared(p.at);
+            if far <= reach * reach && self.is_listed_at(k, &around) {
+                found.push(k as u32);
+            }
+            false
+        });
+        found.sort_unstable();
+        found
     }
 
     /// The foot of a place on a segment, if the distance has a local minimum there.
@@ -190,7 +258,13 @@ impl Boundary for &SurfaceWalls {
     type ClosestPoint = SurfaceClosestPoint;
 
     fn is_near(self, p: SurfacePoint) -> bool {
-        !self.near(&p).is_empty()
+        if self.segments.is_empty() || self.is_listed {
+            return !self.segments.is_empty() && !self.near.row(p.triangle as usize).is_empty();
+        }
+        let around = Around::of(&self.mesh, p.triangle, self.reach);
+        let reach = around.reach + self.longest;
+        self.boxes
+            .any_near(around.middle, reach, |k| self.is_listed_at(k, &around))
     }
 
     fn reach(self) -> f64 {
@@ -199,9 +273,18 @@ impl Boundary for &SurfaceWalls {
 
     fn closest_points(self, p: SurfacePoint, reach: f64, feet: &mut Vec<SurfaceClosestPoint>) {
         feet.clear();
-        let near = self.near(&p).iter();
+        let made;
+        let near = match (self.segments.is_empty(), self.is_listed) {
+            (true, _) => &[],
+            (false, true) => self.near.row(p.triangle as usize),
+            (false, false) => {
+                made = self.listed_near(&p, reach);
+                &made[..]
+            }
+        };
         feet.extend(
-            near.filter_map(|&k| self.foot(k, &p))
+            near.iter()
+                .filter_map(|&k| self.foot(k, &p))
                 .filter(|f| f.distance <= reach),
         );
         order::sort(feet, |foot| (order::rank(foot.distance), 0));
@@ -217,5 +300,63 @@ impl Boundary for &SurfaceWalls {
             }
         }
         feet.truncate(kept);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trimesh::samples;
+
+    /// Walls whose lists are made, with the most segments that a slice looked at.
+    fn listed(mesh: &Arc<TriMesh>, reach: f64) -> (SurfaceWalls, usize) {
+        let part = Arc::new(mesh.parts().0);
+        let mut walls = SurfaceWalls::begin(mesh.clone(), part, reach);
+        let mut most = 0;
+        loop {
+            let before = walls.looked_at;
+            let is_done = walls.advance();
+            most = most.max(walls.looked_at - before);
+            if is_done {
+                return (walls, most);
+            }
+        }
+    }
+
+    #[test]
+    fn walls_without_lists_have_the_same_feet() {
+        for mesh in [samples::hill(12), samples::cylinder(40, 20)].map(Arc::new) {
+            let reach = 0.1 * mesh.diagonal();
+            let (with, _) = listed(&mesh, reach);
+            let mut without = with.clone();
+            without.unlist();
+            let mut near = 0;
+            for t in 0..mesh.triangles().len() as u32 {
+                let weights = DVec3::new(0.6, 0.3, 0.1);
+                let p = SurfacePoint::new(&mesh, t, weights);
+                assert_eq!((&with).is_near(p), (&without).is_near(p), "{t}");
+                for reach in [0.3 * reach, reach, 1.6 * reach] {
+                    let feet = [&with, &without].map(|walls| {
+                        let mut feet = Vec::new();
+                        walls.closest_points(p, reach, &mut feet);
+                        feet.iter()
+                            .map(|f| (f.distance, f.inward))
+                            .collect::<Vec<_>>()
+                    });
+                    assert_eq!(feet[0], feet[1], "{t}");
+                    near += feet[0].len();
+                }
+            }
+            assert!(near > 100, "{near}");
+        }
+    }
+
+    #[test]
+    fn no_slice_looks_at_more_segments_than_stated() {
+        let mesh = Arc::new(samples::hill(120));
+        let (walls, most) = listed(&mesh, 0.2 * mesh.diagonal());
+        assert!(walls.is_listed && walls.looked_at > 4 * LOOKED_AT);
+        // A slice ends after the triangle that goes beyond its amount.
+        assert!(most <= LOOKED_AT + walls.segments.len() + 16, "{most}");
     }
 }

@@ -9,6 +9,7 @@
 use super::{MeshBuilding, NONE, TriMesh};
 use crate::solid::{Collapse, LENGTH, Quadric};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// Weight of the planes that stand on the border, in squares of the edge.
 const BORDER: f64 = 10.0;
@@ -37,7 +38,7 @@ pub struct Simplifying {
     most: usize,
     /// The greatest mean square of the distances to the old planes that is allowed.
     limit: f64,
-    mesh: TriMesh,
+    mesh: Arc<TriMesh>,
     building: Option<MeshBuilding>,
 }
 
@@ -55,7 +56,8 @@ const GONE: [u32; 3] = [NONE; 3];
 impl Simplifying {
     /// Simplifies until at most `most` triangles are left, or until each further collapse would move the surface by
     /// more than about `error`, in its units. `error` may be infinite.
-    pub fn new(mesh: TriMesh, most: usize, error: f64) -> Self {
+    pub fn new(mesh: impl Into<Arc<TriMesh>>, most: usize, error: f64) -> Self {
+        let mesh = mesh.into();
         let origin = mesh.positions().first().copied().unwrap_or_default();
         let places = mesh.positions().iter().map(|&p| p - origin);
         Self {
@@ -88,7 +90,7 @@ impl Simplifying {
                 self.at = range.end;
                 range.for_each(|t| self.offer_edges(t));
                 if self.at == count {
-                    self.mesh = TriMesh::none();
+                    self.mesh = Arc::new(TriMesh::none());
                     self.stage = SimplifyingPhase::Collapse;
                 }
             }

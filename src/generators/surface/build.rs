@@ -131,10 +131,10 @@ impl Building {
         let count = params.sizes.count;
         let is_fine = mesh.triangles().len() as f64 > PLENTY * count;
         self.given = Some(mesh.clone());
-        let mesh = mesh.as_ref().clone();
         if params.on == PackingTarget::Simple || (params.on == PackingTarget::Fit && is_fine) {
             return self.simplifying(count, mesh);
         }
+        let mesh = mesh.as_ref().clone();
         BuildPhase::Fill(Box::new(HoleFilling::new(mesh, self.size)))
     }
 
@@ -245,7 +245,7 @@ impl Building {
     }
 
     /// Packs on a simpler surface than this one. Stones stand on that of the file.
-    fn simplifying(&mut self, count: f64, mesh: TriMesh) -> BuildPhase {
+    fn simplifying(&mut self, count: f64, mesh: impl Into<Arc<TriMesh>>) -> BuildPhase {
         self.whole = self.given.clone();
         let simplifying = Simplifying::new(mesh, (SIMPLE * count) as usize, OFF * self.size);
         BuildPhase::Simplify(Box::new(simplifying))

@@ -16,7 +16,7 @@ use crate::packing::PackingParams;
 use crate::scene::Scene;
 use crate::surface_cells::SurfaceCell;
 use crate::surface_cells::{Polish, SurfaceMesh, SurfaceMeshing};
-use crate::surface_packing::{PackingMesh, SurfacePacking, SurfacePlacing};
+use crate::surface_packing::{PackingMesh, PackingMeshMaking, SurfacePacking, SurfacePlacing};
 use crate::surface_stones::{Stones, StonesParams};
 use std::rc::Rc;
 
@@ -48,7 +48,7 @@ pub(super) struct Stages {
     pub(super) loaded: Node<Vec<AskedFile>, Loading, Loaded>,
     pub(super) built: Node<SurfaceParams, Building, Built>,
     pub(super) fields: Node<FieldParams, Fielding, FieldsWithRemarks>,
-    pub(super) site: Node<(), (), PackingMesh>,
+    pub(super) site: Node<(), PackingMeshMaking, PackingMesh>,
     pub(super) packing:
         Node<PackingParams, PackingProgress<SurfacePlacing, SurfacePacking>, SurfacePacking>,
     pub(super) mesh: Node<(), SurfaceMeshing, SurfaceMesh>,
@@ -185,9 +185,10 @@ impl Stages {
 
     fn make_site(&mut self) -> Option<()> {
         let FieldsWithRemarks { fields, .. } = self.fields.made()?;
-        self.site.advance(|(), _| {
+        self.site.advance(|(), work| {
             let longest = fields.size_range().1 * fields.aspect_range().1.sqrt();
-            Ok(Some(PackingMesh::new(fields.mesh().clone(), longest)))
+            let new = || PackingMeshMaking::new(fields.mesh().clone());
+            Ok(work.get_or_insert_with(new).advance(longest))
         })
     }
 
