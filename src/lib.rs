@@ -75,6 +75,8 @@ pub mod modelfiles;
 pub mod notice;
 mod order;
 pub mod packing;
+#[cfg(house)]
+pub mod pile;
 mod planar;
 pub mod random;
 pub mod recipe;

@@ -29,6 +29,12 @@ pub enum Purpose {
     Scatter = 7,
     /// Which cells are marked.
     Pattern = 8,
+    /// Points thrown on a surface.
+    Dart = 9,
+    /// How a body is turned, which variant it is, and its size.
+    Turn = 10,
+    /// The order in which bodies settle.
+    Order = 11,
 }
 
 /// A stream of random numbers.

@@ -2,11 +2,11 @@
 
 use super::ground::SurfaceDomain;
 use super::packing_mesh::PackingMesh;
-use super::spatial_hash::SurfaceHash;
 use crate::packing::cell_fields::CellFields;
 use crate::packing::packing_domain::{ClosestPoint, MetricSpace};
 use crate::packing::placed::Placed;
 use crate::packing::shape::CellShape;
+use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 

@@ -9,7 +9,6 @@ mod border;
 pub(crate) mod fixture;
 mod ground;
 mod packing_mesh;
-pub(crate) mod spatial_hash;
 #[cfg(test)]
 mod tests;
 mod walls;
@@ -22,8 +21,8 @@ use crate::packing::population::PopulationScan;
 use crate::packing::{PackingParams, Particle, Sample, StepReport, front::Front, run::Run};
 use crate::surface_field::SurfaceFields;
 use crate::trimesh::SurfacePoint;
+use crate::trimesh::spatial_hash::SurfaceHash;
 use ground::SurfaceDomain;
-use spatial_hash::SurfaceHash;
 
 /// A packed cell of a surface: its centre is a point of the mesh, its axis lies in the frame there.
 pub type SurfaceParticle = Particle<SurfacePoint>;

@@ -1,8 +1,8 @@
 //! A mesh prepared for packing.
 
-use super::spatial_hash::SurfaceHash;
 use super::walls::SurfaceWalls;
 use crate::packing::packing_domain::MetricSpace;
+use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{SurfacePoint, Transport, TriMesh, log};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;

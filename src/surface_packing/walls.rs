@@ -1,11 +1,11 @@
 //! The borders of a surface as walls. A cell has a foot on a wall where its distance to the border has a local
 //! minimum.
 
-use super::spatial_hash::SurfaceHash;
 use crate::csr::Csr;
 use crate::domain::SAME_WALL;
 use crate::order;
 use crate::packing::packing_domain::{Boundary, ClosestPoint};
+use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;

@@ -5,7 +5,7 @@
 
 use crate::order::lesser;
 use crate::random::{Purpose, Random};
-use crate::surface_packing::spatial_hash::SurfaceHash;
+use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{SurfacePoint, TriMesh, log};
 use glam::{DVec2, DVec3};
 

@@ -33,6 +33,7 @@ mod sides;
 mod simplify;
 mod sorting;
 mod soup;
+pub(crate) mod spatial_hash;
 #[cfg(test)]
 pub(crate) mod testing;
 mod walk;

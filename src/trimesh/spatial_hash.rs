@@ -1,8 +1,8 @@
 //! A spatial hash: boxes of points in space, to find neighbours in constant time.
 
+use super::SurfacePoint;
 use crate::packing::chains::Chains;
 use crate::packing::packing_domain::SpatialHash;
-use crate::trimesh::SurfacePoint;
 use glam::DVec3;
 use std::ops::Range;
 

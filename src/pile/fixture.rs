@@ -1,0 +1,142 @@
+//! Bodies and surfaces for tests.
+
+use super::{
+    Dart, Darting, Fate, Kind, Method, Order, RefineParams, Refining, Shape, Sphere, Turn, Wall,
+    merge,
+};
+use crate::trimesh::{Search, TriMesh, testing};
+use glam::DVec3;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+pub const PARAMS: RefineParams = RefineParams {
+    offset: 0.1,
+    removal: 0.05,
+    order: Order::Random,
+    is_large_first: true,
+    retries: 0,
+    method: Method::Exact,
+    seed: 1,
+};
+
+pub const FULL: Turn = Turn {
+    ranges: DVec3::splat(TAU),
+    is_global: false,
+};
+
+/// A ball of radius 1.
+pub fn ball() -> Kind {
+    kind(vec![shape(&[(DVec3::ZERO, 1.0)])])
+}
+
+/// A rod of five spheres along its x axis, 2.4 long and 0.6 thick, and a bent one.
+pub fn rod() -> Kind {
+    let along = [0.0, -0.45, 0.45, -0.9, 0.9];
+    let rod = |bend: f64| {
+        shape(&along.map(|x| {
+            (
+                DVec3::new(x, bend * x * x, 0.0),
+                if x.abs() < 0.8 { 0.3 } else { 0.25 },
+            )
+        }))
+    };
+    kind(vec![rod(0.0), rod(0.2)])
+}
+
+fn kind(shapes: Vec<Shape>) -> Kind {
+    Kind {
+        shapes,
+        scale: 1.0,
+        jitter: 0.0,
+        density: 1.0,
+        turn: FULL,
+        range: 2.0,
+        inward: 0.75,
+    }
+}
+
+/// A shape that is the union of spheres. The first one is the largest.
+fn shape(spheres: &[(DVec3, f64)]) -> Shape {
+    let around = testing::ball(1).0;
+    let points = spheres
+        .iter()
+        .flat_map(|&(centre, radius)| around.iter().map(move |&p| centre + radius * p));
+    let points: Vec<DVec3> = points.collect();
+    let (lo, hi) = points.iter().fold((points[0], points[0]), |(lo, hi), &p| {
+        (lo.min(p), hi.max(p))
+    });
+    Shape {
+        spheres: spheres
+            .iter()
+            .map(|&(centre, radius)| Sphere { centre, radius })
+            .collect(),
+        radius: spheres[0].1,
+        diagonal: (hi - lo).length(),
+        bound: points.iter().map(|p| p.length()).fold(0.0, f64::max),
+        points,
+    }
+}
+
+/// A heap on the ground, `radius` wide: an open surface.
+pub fn heap(radius: f64) -> TriMesh {
+    let squares = (radius as u32).max(8);
+    let height = |x: f64, z: f64| {
+        0.5 * radius * (1.0 - x * x) * (1.0 - x * x) * (1.0 - z * z) * (1.0 - z * z)
+    };
+    testing::mesh(testing::grid(squares, squares, |a, b| {
+        let (x, z) = (2.0 * a - 1.0, 1.0 - 2.0 * b);
+        DVec3::new(radius * x, height(x, z), radius * z)
+    }))
+}
+
+/// A closed ball of this radius.
+pub fn globe(radius: f64) -> TriMesh {
+    let (positions, triangles) = testing::ball(4);
+    testing::mesh((
+        positions.into_iter().map(|p| radius * p).collect(),
+        triangles,
+    ))
+}
+
+pub fn darts(
+    mesh: &TriMesh,
+    kinds: &[Kind],
+    seed: u64,
+    in_scan_order: bool,
+    amount: usize,
+) -> Vec<Dart> {
+    let mut all = Vec::new();
+    for (number, kind) in (0u32..).zip(kinds) {
+        let mut darting = Darting::new(mesh, kind.spacing(), number, seed, in_scan_order);
+        while !darting.advance(mesh, amount) {}
+        all.extend(darting.points().iter().map(|p| Dart {
+            kind: number,
+            layer: 0,
+            at: p.at,
+            normal: p.normal,
+            triangle: p.triangle,
+        }));
+    }
+    all
+}
+
+/// A whole pile.
+pub fn pile(
+    mesh: &TriMesh,
+    kinds: Vec<Kind>,
+    walls: &[Wall],
+    params: RefineParams,
+    amount: usize,
+) -> Refining {
+    let kinds: Arc<[Kind]> = kinds.into();
+    let darts = darts(mesh, &kinds, params.seed, false, amount);
+    let stays = merge(&darts, &kinds);
+    let search = Search::new(mesh);
+    let mut refining = Refining::new(mesh, &darts, &stays, kinds, walls.to_vec(), params);
+    while !refining.advance(mesh, &search, amount) {}
+    refining
+}
+
+pub fn count(refining: &Refining, fate: Fate) -> usize {
+    refining.bodies().iter().filter(|b| b.fate == fate).count()
+}

@@ -1,0 +1,43 @@
+//! Merging the darts of several types.
+
+use super::{Dart, Kind};
+use crate::trimesh::spatial_hash::SurfaceHash;
+use glam::DVec3;
+
+/// Which darts are left out when the types are merged (section 4.1.4, fig. 6): those of a smaller type whose point lies
+/// within the distribution radius of a dart of a larger type. A type is larger if its diagonal is. Each entry tells
+/// whether the dart stays.
+pub fn merge(darts: &[Dart], kinds: &[Kind]) -> Vec<bool> {
+    let mut stays = vec![true; darts.len()];
+    for (number, kind) in kinds.iter().enumerate() {
+        let is_smaller = |k: &Kind| k.diagonal() < kind.diagonal();
+        if !kinds.iter().any(is_smaller) {
+            continue;
+        }
+        let radius = 0.5 * kind.spacing();
+        let own: Vec<DVec3> = darts
+            .iter()
+            .filter(|d| d.kind as usize == number)
+            .map(|d| d.at)
+            .collect();
+        let mut hash = SurfaceHash::new(bounds(&own), 2.0 * radius);
+        for &at in &own {
+            hash.push_at(at);
+        }
+        let is_inside = |at: DVec3| {
+            hash.any_near(at, radius, |k| {
+                own[k].distance_squared(at) < radius * radius
+            })
+        };
+        for (stays, dart) in stays.iter_mut().zip(darts) {
+            *stays &= !(is_smaller(&kinds[dart.kind as usize]) && is_inside(dart.at));
+        }
+    }
+    stays
+}
+
+fn bounds(points: &[DVec3]) -> (DVec3, DVec3) {
+    let first = points.first().copied().unwrap_or(DVec3::ZERO);
+    let each = points.iter();
+    each.fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)))
+}

@@ -1,0 +1,510 @@
+//! The refinement: bodies settle one after the other along the surface's normal (section 4.2).
+
+use super::blocked::Blocked;
+use super::darts::scan_key;
+use super::golden::{Golden, Neighbour};
+use super::{Dart, Kind, Shape, Sphere, Wall};
+use crate::order::rank;
+use crate::random::{Purpose, Random};
+use crate::trimesh::spatial_hash::SurfaceHash;
+use crate::trimesh::{Search, TriMesh};
+use glam::{DMat3, DVec3};
+use std::sync::Arc;
+
+/// Orientations that are tried until no wall is passed at a dart.
+const WALL_TRIES: usize = 12;
+/// How far a body may pass a wall, in R.
+const WALL_SLACK: f64 = 0.04;
+/// The refinement range of inner layers, in units of d. It lies inwards.
+const LAYER_RANGE: f64 = 0.6;
+/// A ray along the normal starts this far from the surface, in R.
+const SKIN: f64 = 1e-3;
+
+/// Which body settles next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// A random order, so that no period shows (section 4.2).
+    Random,
+    /// Row by row, which shows as rows.
+    Scan,
+}
+
+/// Which of the settled bodies the paper's cost, eq. (1), looks at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// The one that is nearest (section 3, step 2).
+    Nearest,
+    /// All that are near.
+    All,
+}
+
+/// How a body's place is found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// The place nearest to the dart at which no spheres overlap by more than the offset, by intervals.
+    Exact,
+    /// The paper's search: golden section over the cost of eq. (1), then the test of eq. (3) over all settled bodies.
+    Golden {
+        /// The number of iterations; the paper finds 15 enough.
+        iterations: u32,
+        /// The bodies that the cost looks at.
+        reading: Reading,
+    },
+}
+
+/// The parameters of the refinement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RefineParams {
+    /// T, the overlap that counts as touching, in R of the smaller body (eq. 2); 0 to below 1.
+    pub offset: f64,
+    /// D, the overlap beyond T at which a body is removed, in R of the smaller body (eq. 3); at least 0.
+    pub removal: f64,
+    /// The order within a type.
+    pub order: Order,
+    /// Whether the types settle one after the other, the largest first. If not, all types are mixed.
+    pub is_large_first: bool,
+    /// New orientations that are tried before a body is removed. The paper has none.
+    pub retries: u32,
+    /// How the place is found.
+    pub method: Method,
+    /// The seed.
+    pub seed: u64,
+}
+
+/// What became of a dart's body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// Its turn has not come.
+    Waiting,
+    /// It was left out when the types were merged.
+    Merged,
+    /// It would pass a wall or the ground, however it is turned.
+    Walls,
+    /// It found no place.
+    Removed,
+    /// It is a part of the pile.
+    Kept,
+}
+
+/// The body of a dart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// The number of its dart.
+    pub dart: u32,
+    /// The number of its type.
+    pub kind: u32,
+    /// The number of its variant within the type.
+    pub shape: u32,
+    /// The number of its layer: 0 on the surface, and then inwards.
+    pub layer: u32,
+    /// Its dart.
+    pub at: DVec3,
+    /// The unit normal along which it slides.
+    pub normal: DVec3,
+    /// The rotation from its own frame to space.
+    pub turn: DMat3,
+    /// Its size, as a factor of its component.
+    pub scale: f64,
+    /// How far it has slid along the normal.
+    pub t: f64,
+    /// The least and greatest t.
+    pub range: (f64, f64),
+    /// Whether it was kept, and else why not.
+    pub fate: Fate,
+}
+
+impl Body {
+    /// Its origin in space.
+    pub fn place(&self) -> DVec3 {
+        self.at + self.t * self.normal
+    }
+
+    /// The variant that it is.
+    pub fn shape<'a>(&self, kinds: &'a [Kind]) -> &'a Shape {
+        &kinds[self.kind as usize].shapes[self.shape as usize]
+    }
+
+    /// R, the radius of its largest inner sphere.
+    pub fn radius(&self, kinds: &[Kind]) -> f64 {
+        self.shape(kinds).radius * self.scale
+    }
+
+    /// Its inner spheres in space.
+    pub fn spheres<'a>(&self, kinds: &'a [Kind]) -> impl Iterator<Item = Sphere> + use<'a> {
+        let (turn, scale, place) = (self.turn, self.scale, self.place());
+        self.shape(kinds).spheres.iter().map(move |s| Sphere {
+            centre: place + turn * (scale * s.centre),
+            radius: scale * s.radius,
+        })
+    }
+}
+
+/// Bodies that settle one by one.
+pub struct Refining {
+    kinds: Arc<[Kind]>,
+    walls: Vec<Wall>,
+    params: RefineParams,
+    bodies: Vec<Body>,
+    /// The bodies in the order in which they settle.
+    order: Vec<u32>,
+    next: usize,
+    settled: Settled,
+}
+
+/// The bodies that have settled.
+struct Settled {
+    hash: SurfaceHash,
+    /// The greatest distance of a surface from its body's origin, over all types.
+    reach: f64,
+    bodies: Vec<SettledBody>,
+    spheres: Vec<Sphere>,
+}
+
+struct SettledBody {
+    place: DVec3,
+    bound: f64,
+    radius: f64,
+    /// The range of its spheres.
+    spheres: std::ops::Range<usize>,
+}
+
+impl Refining {
+    /// Begins with one body for each dart; `stays` tells which darts are left after merging.
+    pub fn new(
+        mesh: &TriMesh,
+        darts: &[Dart],
+        stays: &[bool],
+        kinds: Arc<[Kind]>,
+        walls: Vec<Wall>,
+        params: RefineParams,
+    ) -> Self {
+        let bodies: Vec<Body> = (0u32..)
+            .zip(darts)
+            .map(|(k, dart)| body(k, dart, stays[k as usize]))
+            .collect();
+        let order = order(&bodies, &kinds, &params);
+        let settled = Settled::new(mesh, &kinds);
+        Self {
+            kinds,
+            walls,
+            params,
+            bodies,
+            order,
+            next: 0,
+            settled,
+        }
+    }
+
+    /// All bodies, in the order of their darts.
+    pub fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
+    /// The numbers of all bodies whose turn has come, in that order.
+    pub fn history(&self) -> &[u32] {
+        &self.order[..self.next]
+    }
+
+    /// Lets at most `amount` bodies settle. Returns whether no body is left.
+    pub fn advance(&mut self, mesh: &TriMesh, search: &Search, amount: usize) -> bool {
+        let end = self.order.len().min(self.next + amount.max(1));
+        for k in self.next..end {
+            let number = self.order[k] as usize;
+            let settled = self.settle(mesh, search, self.bodies[number]);
+            if settled.fate == Fate::Kept {
+                self.settled.add(&settled, &self.kinds);
+            }
+            self.bodies[number] = settled;
+        }
+        self.next = end;
+        end == self.order.len()
+    }
+
+    fn settle(&self, mesh: &TriMesh, search: &Search, mut body: Body) -> Body {
+        let kind = &self.kinds[body.kind as usize];
+        let mut random = Random::new(self.params.seed, Purpose::Turn, u64::from(body.dart));
+        body.shape = random.below(kind.shapes.len()) as u32;
+        body.scale = kind.scale * (1.0 + kind.jitter * random.signed());
+        let whole = range(mesh, search, &body, kind);
+        body.fate = Fate::Walls;
+        let mut fits = 0;
+        for _ in 0..WALL_TRIES + self.params.retries as usize {
+            body.turn = kind.turn.draw(body.normal, &mut random);
+            let Some(range) = self.before_walls(&body, whole) else {
+                continue;
+            };
+            body.range = range;
+            body.fate = Fate::Removed;
+            if let Some(t) = self.place(&body) {
+                body.t = t;
+                body.fate = Fate::Kept;
+                break;
+            }
+            fits += 1;
+            if fits > self.params.retries {
+                break;
+            }
+        }
+        body
+    }
+
+    /// The part of the range in which the body passes no wall.
+    fn before_walls(&self, body: &Body, mut range: (f64, f64)) -> Option<(f64, f64)> {
+        if self.walls.is_empty() {
+            return Some(range);
+        }
+        let shape = body.shape(&self.kinds);
+        let slack = WALL_SLACK * body.radius(&self.kinds);
+        for &point in &shape.points {
+            let at = body.at + body.turn * (body.scale * point);
+            for wall in &self.walls {
+                let free = wall.free_range(at, body.normal, slack);
+                range = (range.0.max(free.0), range.1.min(free.1));
+            }
+            if range.0 > range.1 {
+                return None;
+            }
+        }
+        Some(range)
+    }
+
+    fn place(&self, body: &Body) -> Option<f64> {
+        let near = self
+            .settled
+            .near(body, body.shape(&self.kinds).bound * body.scale);
+        let RefineParams {
+            offset, removal, ..
+        } = self.params;
+        match self.params.method {
+            Method::Exact => {
+                let solve = |tau| self.free_place(body, &near, tau);
+                solve(offset).or_else(|| {
+                    if removal > 0.0 {
+                        solve(offset + removal)
+                    } else {
+                        None
+                    }
+                })
+            }
+            Method::Golden {
+                iterations,
+                reading,
+            } => {
+                let settled = near.iter().map(|&k| self.settled.neighbour(k)).collect();
+                let golden = Golden::new(body, body.shape(&self.kinds), settled, offset);
+                golden.place(iterations, reading, removal)
+            }
+        }
+    }
+
+    /// The place nearest to the dart at which no spheres overlap by more than `tau`, in R of the smaller body.
+    fn free_place(&self, body: &Body, near: &[u32], tau: f64) -> Option<f64> {
+        let shape = body.shape(&self.kinds);
+        let axes = Axes::of(body.normal);
+        let own: Vec<Along> = shape
+            .spheres
+            .iter()
+            .map(|s| axes.along(body.turn * (body.scale * s.centre), body.scale * s.radius))
+            .collect();
+        let (bound, radius) = (shape.bound * body.scale, shape.radius * body.scale);
+        let mut blocked = Blocked::new(body.range.0, body.range.1);
+        for &k in near {
+            let other = &self.settled.bodies[k as usize];
+            let allowed = tau * radius.min(other.radius);
+            for sphere in &self.settled.spheres[other.spheres.clone()] {
+                let there = axes.along(sphere.centre - body.at, sphere.radius);
+                if there.is_beside(bound, body.range) {
+                    continue;
+                }
+                for own in &own {
+                    if let Some((from, to)) = own.overlap(&there, allowed) {
+                        blocked.add(from, to);
+                    }
+                }
+                if blocked.is_full() {
+                    return None;
+                }
+            }
+        }
+        blocked.nearest_to_zero()
+    }
+}
+
+/// Axes of which the third is a body's normal.
+struct Axes {
+    u: DVec3,
+    w: DVec3,
+    n: DVec3,
+}
+
+/// A sphere in such axes, relative to a dart.
+struct Along {
+    u: f64,
+    w: f64,
+    t: f64,
+    radius: f64,
+}
+
+impl Axes {
+    fn of(n: DVec3) -> Self {
+        let u = n.any_orthonormal_vector();
+        Self {
+            u,
+            w: n.cross(u),
+            n,
+        }
+    }
+
+    fn along(&self, p: DVec3, radius: f64) -> Along {
+        Along {
+            u: p.dot(self.u),
+            w: p.dot(self.w),
+            t: p.dot(self.n),
+            radius,
+        }
+    }
+}
+
+impl Along {
+    /// Whether no body of this bound comes near it in this range.
+    fn is_beside(&self, bound: f64, (lo, hi): (f64, f64)) -> bool {
+        let reach = bound + self.radius;
+        self.u * self.u + self.w * self.w > reach * reach
+            || self.t + reach < lo
+            || self.t - reach > hi
+    }
+
+    /// The t at which this sphere, moved along the axis by t, overlaps another by more than `allowed`.
+    fn overlap(&self, other: &Self, allowed: f64) -> Option<(f64, f64)> {
+        let least = self.radius + other.radius - allowed;
+        let (du, dw) = (other.u - self.u, other.w - self.w);
+        let square = least * least - du * du - dw * dw;
+        if square <= 0.0 || least <= 0.0 {
+            return None;
+        }
+        let (middle, half) = (other.t - self.t, square.sqrt());
+        Some((middle - half, middle + half))
+    }
+}
+
+impl Settled {
+    fn new(mesh: &TriMesh, kinds: &[Kind]) -> Self {
+        let reach = kinds.iter().map(Kind::bound).fold(0.0, f64::max);
+        let (lo, hi) = mesh.bounds();
+        let margin = DVec3::splat(reach);
+        Self {
+            hash: SurfaceHash::new((lo - margin, hi + margin), reach),
+            reach,
+            bodies: Vec::new(),
+            spheres: Vec::new(),
+        }
+    }
+
+    fn add(&mut self, body: &Body, kinds: &[Kind]) {
+        let first = self.spheres.len();
+        self.spheres.extend(body.spheres(kinds));
+        self.hash.push_at(body.place());
+        self.bodies.push(SettledBody {
+            place: body.place(),
+            bound: body.shape(kinds).bound * body.scale,
+            radius: body.radius(kinds),
+            spheres: first..self.spheres.len(),
+        });
+    }
+
+    /// The settled bodies that a body may meet in its range, in the order in which they settled.
+    fn near(&self, body: &Body, bound: f64) -> Vec<u32> {
+        let (lo, hi) = body.range;
+        let middle = body.at + 0.5 * (lo + hi) * body.normal;
+        let half = 0.5 * (hi - lo);
+        let mut near = Vec::new();
+        self.hash.any_near(middle, half + bound + self.reach, |k| {
+            let other = &self.bodies[k];
+            let away = other.place - middle;
+            let along = away.dot(body.normal).clamp(-half, half);
+            let reach = bound + other.bound;
+            if away.distance_squared(along * body.normal) < reach * reach {
+                near.push(k as u32);
+            }
+            false
+        });
+        near.sort_unstable();
+        near
+    }
+
+    fn neighbour(&self, k: u32) -> Neighbour<'_> {
+        let body = &self.bodies[k as usize];
+        Neighbour {
+            place: body.place,
+            radius: body.radius,
+            spheres: &self.spheres[body.spheres.clone()],
+        }
+    }
+}
+
+/// A body that waits at its dart.
+fn body(number: u32, dart: &Dart, stays: bool) -> Body {
+    Body {
+        dart: number,
+        kind: dart.kind,
+        shape: 0,
+        layer: dart.layer,
+        at: dart.at,
+        normal: dart.normal,
+        turn: DMat3::IDENTITY,
+        scale: 0.0,
+        t: 0.0,
+        range: (0.0, 0.0),
+        fate: if stays { Fate::Waiting } else { Fate::Merged },
+    }
+}
+
+/// The bodies that wait, in the order in which they settle: layers from the outer one, types from the largest one,
+/// then by chance or in scan order.
+fn order(bodies: &[Body], kinds: &[Kind], params: &RefineParams) -> Vec<u32> {
+    let size = |body: &Body| match params.is_large_first {
+        true => rank(-kinds[body.kind as usize].diagonal()),
+        false => 0,
+    };
+    let widest = kinds.iter().map(Kind::spacing).fold(0.0, f64::max);
+    let place = |body: &Body| match params.order {
+        Order::Random => (
+            Random::new(params.seed, Purpose::Order, u64::from(body.dart)).bits(),
+            0,
+        ),
+        Order::Scan => scan_key(body.at, widest),
+    };
+    let waiting = bodies.iter().filter(|b| b.fate == Fate::Waiting);
+    let mut order: Vec<u32> = waiting.map(|b| b.dart).collect();
+    order.sort_by_cached_key(|&k| {
+        let body = &bodies[k as usize];
+        (body.layer, size(body), place(body), k)
+    });
+    order
+}
+
+/// The refinement range of a body: l d long, with the share α inside, and not beyond the middle of the way to the next
+/// surface, so that bodies do not cross the shape (section 4.2.2).
+fn range(mesh: &TriMesh, search: &Search, body: &Body, kind: &Kind) -> (f64, f64) {
+    let (length, inward) = match body.layer {
+        0 => (kind.range, kind.inward),
+        _ => (kind.range.min(LAYER_RANGE), 1.0),
+    };
+    let length = length * kind.diagonal();
+    let room = |along: DVec3| {
+        let from = body.at + SKIN * kind.radius() * along;
+        let hit = search.ray(mesh, from, along, |_| true);
+        hit.map_or(f64::INFINITY, |hit| 0.5 * hit.along)
+    };
+    let inside = if inward > 0.0 {
+        (inward * length).min(room(-body.normal))
+    } else {
+        0.0
+    };
+    let outside = if inward < 1.0 {
+        ((1.0 - inward) * length).min(room(body.normal))
+    } else {
+        0.0
+    };
+    (-inside, outside)
+}

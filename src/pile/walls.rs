@@ -1,0 +1,98 @@
+//! Walls and the ground, which bodies do not pass.
+
+use glam::DVec3;
+
+/// A wall of a container, or the ground. The space that it leaves free is convex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Wall {
+    /// Free are the points p with `normal` · p ≤ `offset`; the unit normal points into the wall.
+    Plane {
+        /// The unit normal, which points into the wall.
+        normal: DVec3,
+        /// The distance of the plane from the origin, along the normal.
+        offset: f64,
+    },
+    /// The inside of a bowl, a paraboloid about a vertical axis. Free are the points at a height of at least
+    /// `curve` r² above `lowest`, at the distance r from the axis.
+    Bowl {
+        /// The lowest point.
+        lowest: DVec3,
+        /// The height at the distance 1 from the axis; above 0.
+        curve: f64,
+    },
+}
+
+impl Wall {
+    /// The part of the line p + t n that is free, as least and greatest t, and `slack` more. A range whose end is less
+    /// than its start is empty.
+    pub fn free_range(&self, p: DVec3, n: DVec3, slack: f64) -> (f64, f64) {
+        // The room before the wall is a + b t - c t², with c ≥ 0.
+        let (a, b, c) = match *self {
+            Self::Plane { normal, offset } => (offset - normal.dot(p), -normal.dot(n), 0.0),
+            Self::Bowl { lowest, curve } => {
+                let d = p - lowest;
+                let flat = |a: DVec3, b: DVec3| curve * (a.x * b.x + a.z * b.z);
+                (d.y - flat(d, d), n.y - 2.0 * flat(d, n), flat(n, n))
+            }
+        };
+        roots(a + slack, b, c)
+    }
+}
+
+/// Where a + b t - c t² is at least 0; c is at least 0.
+fn roots(a: f64, b: f64, c: f64) -> (f64, f64) {
+    const EMPTY: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
+    if c <= 1e-12 * b.abs() || c == 0.0 {
+        return match b {
+            _ if b > 0.0 => (-a / b, f64::INFINITY),
+            _ if b < 0.0 => (f64::NEG_INFINITY, -a / b),
+            _ if a >= 0.0 => (f64::NEG_INFINITY, f64::INFINITY),
+            _ => EMPTY,
+        };
+    }
+    let square = b * b + 4.0 * a * c;
+    if square < 0.0 {
+        return EMPTY;
+    }
+    let root = square.sqrt();
+    ((b - root) / (2.0 * c), (b + root) / (2.0 * c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Purpose, Random};
+
+    #[test]
+    fn a_plane_stops_a_point_at_its_distance() {
+        let ground = Wall::Plane {
+            normal: -DVec3::Y,
+            offset: -1.0,
+        };
+        let down = ground.free_range(DVec3::new(0.0, 3.0, 0.0), -DVec3::Y, 0.5);
+        assert_eq!(down, (f64::NEG_INFINITY, 2.5));
+        let level = ground.free_range(DVec3::new(0.0, 3.0, 0.0), DVec3::X, 0.0);
+        assert_eq!(level, (f64::NEG_INFINITY, f64::INFINITY));
+        let below = ground.free_range(DVec3::ZERO, DVec3::X, 0.0);
+        assert!(below.0 > below.1);
+    }
+
+    #[test]
+    fn a_bowl_is_free_between_its_sides() {
+        let bowl = Wall::Bowl {
+            lowest: DVec3::new(1.0, -2.0, 0.0),
+            curve: 0.5,
+        };
+        let room = |p: DVec3| p.y + 2.0 - 0.5 * ((p.x - 1.0) * (p.x - 1.0) + p.z * p.z);
+        for k in 0..400 {
+            let mut random = Random::new(5, Purpose::Dart, k);
+            let mut draw = || DVec3::new(random.signed(), random.signed(), random.signed());
+            let (p, n) = (3.0 * draw(), draw().normalize());
+            let (from, to) = bowl.free_range(p, n, 0.0);
+            for t in [-3.0, -1.0, 0.0, 0.5, 2.0] {
+                let is_free = room(p + t * n) >= 0.0;
+                assert_eq!(is_free, from <= t && t <= to, "{p} {n} {t}");
+            }
+        }
+    }
+}
