@@ -33,6 +33,7 @@ impl<T> Csr<T> {
     }
 
     /// The number of rows.
+    #[cfg(house)]
     pub fn count(&self) -> usize {
         self.starts.len() - 1
     }

@@ -170,7 +170,7 @@ impl Bed {
         let [x, y] = place.map(|v| v as usize);
         let corner = |k: usize| {
             let place = [x + (k & 1) * (finer - 1), y + (k >> 1) * (finer - 1)];
-            white(place.map(|v| v / finer & last), self.seed as u32)
+            white(place.map(|v| (v / finer) & last), self.seed as u32)
         };
         let grains = (0..4).map(corner).sum::<f32>() / 4.0;
         [
