@@ -56,6 +56,8 @@
 //! sections and equations that it implements.
 
 pub mod cells;
+#[cfg(house)]
+pub mod component;
 mod csr;
 mod decimal;
 pub mod domain;
