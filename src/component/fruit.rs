@@ -40,8 +40,8 @@ pub(super) fn chestnut() -> Shell {
             let at = ring as f64 / (CAP - 1) as f64;
             let [r, y] = curve(&CHESTNUT_CAP, 3.0 * at);
             let grain = libm::sin(9.0 * angle + 5.0 * at) * libm::sin(7.0 * at + 2.0 * angle);
-            let rough = 0.012 * grain * at * (1.0 - at);
-            let mark = Mark::of(Part::Cap).shaded(0.5 * grain - 0.3 * at);
+            let rough = 0.003 * grain * at * (1.0 - at);
+            let mark = Mark::of(Part::Cap).shaded(0.22 * grain - 0.25 * at * at);
             ([r * (1.0 + at * (wave - 1.0)), y - 4.0 * rough], mark)
         } else if ring < CAP + BODY {
             let at = (ring - CAP) as f64 / (BODY - 1) as f64;
@@ -79,9 +79,9 @@ const ORANGE: [Knot; 15] = [
     [0.70, 0.71],
     [0.42, 0.865],
     [0.24, 0.90],
-    [0.15, 0.875],
-    [0.105, 0.86],
-    [0.10, 0.885],
+    [0.165, 0.872],
+    [0.125, 0.858],
+    [0.095, 0.885],
     [0.0, 0.905],
 ];
 
@@ -94,7 +94,7 @@ pub(super) fn orange() -> Shell {
         let [r, y] = curve(&ORANGE, at);
         let top = step(7.5, 10.0, at) * step(12.0, 10.5, at);
         let ribs = 1.0 + 0.03 * top * libm::cos(10.0 * angle);
-        let star = 1.0 + step(11.6, 12.2, at) * 0.22 * libm::cos(5.0 * angle);
+        let star = 1.0 + step(11.6, 12.2, at) * 0.12 * libm::cos(5.0 * angle);
         let part = if at > 11.6 { Part::Stalk } else { Part::Tip };
         let share = if at > 11.6 { 1.0 } else { step(9.0, 11.5, at).max(step(1.6, 0.2, at)) };
         let pores = libm::sin(13.0 * angle + 7.0 * at) * libm::sin(9.0 * at - 5.0 * angle);
@@ -152,14 +152,17 @@ pub(super) fn apple() -> Shell {
 pub(super) fn walnut() -> Shell {
     Shell::ball(12, |n| {
         let wave = |a: DVec3, b: f64| libm::sin(n.dot(a) + b);
-        let wrinkle = wave(DVec3::new(3.0, 11.0, 4.0), 2.0 * wave(DVec3::new(2.0, 1.0, 5.0), 0.0))
-            + 0.7 * wave(DVec3::new(-5.0, 6.0, 9.0), 2.5 * wave(DVec3::new(4.0, -2.0, 3.0), 1.0));
-        let seam = bell(n.z / 0.11);
+        // Furrows with sharp bottoms run from the tip to the base and branch.
+        let bent = wave(DVec3::new(2.0, 3.0, 5.0), 0.4);
+        let first = wave(DVec3::new(8.0, 1.5, 2.0), 1.6 * bent).abs();
+        let second = wave(DVec3::new(-3.0, 4.5, 7.0), 1.4 * bent + 1.0).abs();
+        let seam = bell(n.z / 0.10);
+        let wrinkle = (first + 0.7 * second - 1.0) * step(0.08, 0.3, n.z.abs());
         let tip = bell((1.0 - n.y) / 0.05);
         let base = bell((1.0 + n.y) / 0.06);
-        let r = 0.88 + 0.028 * wrinkle * (1.0 - 0.8 * seam) + 0.075 * seam + 0.13 * tip - 0.06 * base;
+        let r = 0.88 + 0.045 * wrinkle + 0.085 * seam + 0.13 * tip - 0.06 * base;
         let p = n * r * DVec3::new(0.92, 1.06, 0.92);
         let mark = Mark::of(Part::Edge).shared(seam);
-        (p, mark.shaded(0.55 * wrinkle * (1.0 - seam)))
+        (p, mark.shaded(wrinkle))
     })
 }

@@ -24,15 +24,15 @@ pub(super) fn rice() -> Shell {
         let (c, s) = turned(angle);
         let r = 0.405 * rounded(t, 2.5, 0.55);
         // The grooves lie on the flat sides, above and below the middle.
-        let side = bell((c.abs() - 0.42) / 0.16) * step(0.97, 0.6, t.abs());
-        let r = r * (1.0 - 0.055 * side);
+        let side = bell((c.abs() - 0.40) / 0.15) * step(0.97, 0.6, t.abs());
+        let r = r * (1.0 - 0.085 * side);
         let mut p = DVec3::new(t, 1.08 * r * c - 0.05 * t * t, 0.86 * r * s);
         // The germ has left an oblique notch below the tip.
-        let off = DVec3::new(0.86, -0.30, 0.0);
-        let near = bell((p - off).length() / 0.21);
-        p += DVec3::new(-0.10, 0.15, 0.0) * near;
-        let mark = Mark::of(Part::Tip).shared(1.25 * near);
-        (p, mark.shaded(0.35 * step(0.6, 1.0, t.abs()) - 0.35 * side))
+        let off = DVec3::new(0.80, -0.34, 0.0);
+        let near = bell((p - off).length() / 0.24);
+        p += DVec3::new(-0.15, 0.25, 0.0) * near;
+        let mark = Mark::of(Part::Tip).shared(1.4 * near);
+        (p, mark.shaded(0.35 * step(0.6, 1.0, t.abs()) - 0.6 * side))
     })
 }
 
@@ -62,13 +62,13 @@ pub(super) fn bean() -> Shell {
     Shell::tube(RINGS, 30, |ring, turn| {
         // Rings and columns are denser at the scar.
         let t = along(ring, RINGS);
-        let t = t - 0.12 * libm::sin(PI * t);
-        let angle = turn - 0.45 * libm::sin(turn);
+        let t = t - 0.24 * libm::sin(PI * t);
+        let angle = turn - 0.72 * libm::sin(turn);
         let (middle, out) = arc.at(t);
         let r = 0.43 * rounded(t, 2.8, 0.52) * (1.0 + 0.06 * t);
         let (c, s) = turned(angle);
         let place = middle - out * (r * c) + DVec3::Z * (0.84 * r * s);
-        let (x, y) = (t / 0.20, libm::sin(0.5 * angle) / 0.17);
+        let (x, y) = (t / 0.17, libm::sin(0.5 * angle) / 0.15);
         let far = (x * x + y * y).sqrt();
         let p = place + out * (0.022 * step(1.25, 0.8, far) - 0.014 * bell((far - 1.35) / 0.3));
         (p, scar(far).shaded(0.25 * libm::sin(5.0 * t + 2.0 * c)))

@@ -34,9 +34,9 @@ fn hex_end(k: usize, [radius, top]: [f64; 2], angle: f64) -> Ring {
     }
 }
 
-/// The groove of a thread at a height, 0 to 1: 1 on the crest. It climbs one pitch with each turn.
+/// A right-handed thread at a height and an angle: 1 on the crest, 0 in the groove.
 fn thread(height: f64, pitch: f64, angle: f64) -> f64 {
-    0.5 + 0.5 * libm::cos(TAU * height / pitch - angle)
+    0.5 + 0.5 * libm::cos(TAU * height / pitch + angle)
 }
 
 /// A hexagonal nut: chamfered at both ends, with a threaded bore.
@@ -78,8 +78,10 @@ pub(super) fn bolt(is_fine: bool) -> Shell {
     const SHANK: f64 = 0.285;
     const DEEP: f64 = 0.05;
     const END: f64 = -1.0;
-    let turns = if is_fine { 44 } else { 2 };
-    let around = if is_fine { 24 } else { 12 };
+    /// The upper end of the thread.
+    const TOP: f64 = 0.16;
+    let turns = if is_fine { 36 } else { 2 };
+    let around = if is_fine { 30 } else { 12 };
     let rings = 8 + turns + 4;
     Shell::tube(rings, around, |ring, angle| {
         let [radius, top] = HEX;
@@ -93,14 +95,14 @@ pub(super) fn bolt(is_fine: bool) -> Shell {
             6 => (0.47, FOOT, edge),
             7 => (SHANK + 0.02, FOOT, Mark::BODY.shaded(-0.5)),
             k if k < 8 + turns => {
-                let share = (k - 8) as f64 / (turns - 1) as f64;
-                let y = FOOT - 0.03 + share * (END + 0.12 - FOOT + 0.03);
-                let smooth = 0.26;
-                if share < smooth || !is_fine {
-                    (SHANK, y, Mark::BODY)
+                // The first ring is just below the head, the others go down the thread.
+                let share = (k - 8).saturating_sub(1) as f64 / (turns - 2).max(1) as f64;
+                let y = if k == 8 { FOOT - 0.03 } else { TOP + share * (END + 0.10 - TOP) };
+                if k < 10 || !is_fine {
+                    (SHANK, if is_fine || k == 8 { y } else { END + 0.10 }, Mark::BODY)
                 } else {
-                    let fade = ((share - smooth) / 0.03).min(1.0);
-                    let crest = thread(y, 0.148, angle);
+                    let fade = (0.5 * (k - 9) as f64).min(1.0);
+                    let crest = thread(y, 0.172, angle);
                     let mark = Mark::of(Part::Thread).shared(fade).shaded(1.4 * crest - 0.9);
                     (SHANK - DEEP * fade * (1.0 - crest), y, mark)
                 }

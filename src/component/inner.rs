@@ -12,6 +12,8 @@ const CLIMBS: usize = 240;
 const SHORTER: f64 = 0.94;
 /// No more spheres are needed when no gap is larger than this share of the largest radius.
 const TOLERANCE: f64 = 0.05;
+/// The least radius of a sphere, as a share of the diagonal.
+const LEAST: f64 = 1e-4;
 
 /// How far the surface lies outside the spheres, in radii of the largest one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,6 +56,8 @@ enum Phase {
 /// Chooses the spheres of a mesh, in slices.
 pub(super) struct InnerMaking {
     mesh: Arc<TriMesh>,
+    /// The diagonal of the mesh.
+    size: f64,
     search: Search,
     effort: Effort,
     /// Centres of medial balls, if they are known.
@@ -72,6 +76,7 @@ impl InnerMaking {
     /// are found.
     pub fn new(mesh: Arc<TriMesh>, effort: Effort, known: Option<Vec<DVec3>>) -> Self {
         Self {
+            size: mesh.diagonal(),
             search: Search::begin(&mesh),
             sampling: Sampling::new(effort.samples),
             phase: Phase::Tree,
@@ -124,17 +129,17 @@ impl InnerMaking {
         let inside = Inside {
             mesh: &self.mesh,
             search: &self.search,
+            least: LEAST * self.size,
         };
         let count = match &self.known {
             Some(known) => known.len(),
             None => self.sampling.samples.len().div_ceil(self.effort.every),
         };
         let end = count.min(self.at + amount);
-        let largest = 0.5 * self.mesh.diagonal();
         for k in self.at..end {
             let ball = match &self.known {
                 Some(known) => inside.ball(known[k]),
-                None => inside.medial(&self.sampling.samples[k * self.effort.every], largest),
+                None => inside.medial(&self.sampling.samples[k * self.effort.every], 0.5 * self.size),
             };
             let Some(ball) = ball else { continue };
             if self.largest.is_none_or(|largest| ball.radius > largest.radius) {
@@ -152,6 +157,7 @@ impl InnerMaking {
         let inside = Inside {
             mesh: &self.mesh,
             search: &self.search,
+            least: LEAST * self.size,
         };
         let end = CLIMBS.min(self.at + amount);
         let (step, random) = &mut self.climb;
@@ -203,7 +209,7 @@ impl InnerMaking {
     }
 }
 
-/// The greedy choice of balls. A ball's gain can only shrink as others are chosen, so most gains need not be computed
+/// The greedy choice of balls, by the squares of gaps, so that the greatest gaps shrink first. A ball's gain can only shrink as others are chosen, so most gains need not be computed
 /// again (Minoux 1978, Accelerated Greedy Algorithms for Maximizing Submodular Set Functions).
 #[derive(Default)]
 struct Choice {
@@ -261,7 +267,8 @@ impl Choice {
         let pairs = self.gaps.iter().zip(&self.places);
         let gains = pairs.map(|(&gap, place)| {
             let own = place.distance(ball.centre) - ball.radius;
-            if own < gap { gap - own.max(0.0) } else { 0.0 }
+            let own = own.max(0.0);
+            if own < gap { gap * gap - own * own } else { 0.0 }
         });
         gains.sum()
     }

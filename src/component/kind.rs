@@ -99,7 +99,7 @@ impl Kind {
             vary,
         };
         match self {
-            Self::Ball => traits("ball", ROUND, 4, Vary::TOY),
+            Self::Ball => traits("ball", ROUND, 8, Vary::TOY),
             Self::Pebble => traits("pebble", ROUND, 24, Vary::STONE),
             Self::SmoothPebble => traits("smooth", ROUND, 24, Vary::STONE),
             Self::Rice => traits("rice", ROUND, 24, Vary::GRAIN),
@@ -108,9 +108,9 @@ impl Kind {
             Self::Bolt => traits("bolt", SHARP, 48, Vary::METAL),
             Self::Torus => traits("torus", ROUND, 24, Vary::TOY),
             Self::Box => traits("box", ROUND, 48, Vary::TOY),
-            Self::Bean => traits("bean", ROUND, 24, Vary::GRAIN),
-            Self::Cashew => traits("cashew", ROUND, 24, Vary::GRAIN),
-            Self::Leaf => traits("leaf", ROUND, 64, Vary::LEAF),
+            Self::Bean => traits("bean", ROUND, 32, Vary::GRAIN),
+            Self::Cashew => traits("cashew", ROUND, 32, Vary::GRAIN),
+            Self::Leaf => traits("leaf", ROUND, 80, Vary::LEAF),
             Self::Orange => traits("orange", ROUND, 8, Vary::FRUIT),
             Self::Apple => traits("apple", 0.3, 24, Vary::FRUIT),
             Self::Almond => traits("almond", ROUND, 24, Vary::GRAIN),

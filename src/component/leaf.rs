@@ -22,7 +22,7 @@ const FORWARD: f64 = 0.30;
 fn rows(level: usize) -> Vec<(f64, f64)> {
     let mut rows = vec![(-0.24, 0.0), (-0.12, 0.0)];
     let steps: &[(f64, f64)] = match level {
-        0 => &[(0.0, 1.0), (0.12, 0.0), (0.5, 0.0), (0.88, 0.0)],
+        0 => &[(0.0, 1.0), (0.16, 0.0), (0.5, 0.0), (0.9, 0.0)],
         _ => &[(0.0, 0.0)],
     };
     let skip = [1, 1, 2][level];
@@ -40,7 +40,7 @@ fn rows(level: usize) -> Vec<(f64, f64)> {
 fn width(u: f64) -> f64 {
     let u = u.clamp(0.0, 1.0);
     let round = libm::pow(u, 0.62) * libm::pow(1.0 - u, 0.85);
-    0.98 * round * (1.0 - 0.16 * u)
+    1.22 * round * (1.0 - 0.16 * u)
 }
 
 /// The leaf at a level of detail: 0 is the finest, 2 the coarsest.
@@ -72,13 +72,13 @@ fn spot((u, near): (f64, f64), v: f64, side: f64, level: usize) -> Spot {
     let half = if is_stalk { stalk } else { width(along).max(stalk * (1.0 - u)).max(0.012) };
     let x = match is_stalk {
         true => BASE + (u / 0.24) * (BASE - END),
-        false => BASE + (along + 0.035 * tooth) * (1.0 - BASE),
+        false => BASE + (along + 0.012 * tooth) * (1.0 - BASE),
     };
     let z = v * half + 0.045 * tooth * v.signum();
     // The midrib is a ridge below and a furrow above; so are the side veins, less.
     let rib = bell(z / 0.045) * step(1.0, 0.75, u);
     let vein = if is_stalk { 0.0 } else { near * step(1.0, 0.88, far) };
-    let thick = 0.030 + 0.030 * rib + 0.006 * vein;
+    let thick = 0.036 + 0.032 * rib + 0.006 * vein;
     let puff = 0.018 * (1.0 - near) * libm::sin(3.0 * far.min(1.0)) * step(0.0, 0.1, u) * step(1.0, 0.9, u);
     let furrow = 0.012 * rib + 0.010 * vein;
     let y = if side > 0.0 { thick - furrow } else { -thick } * side.abs() + puff;

@@ -1,6 +1,6 @@
 //! A level of detail, and its surface for pictures.
 
-use super::Mark;
+use super::{Mark, Part};
 use crate::csr::Csr;
 use crate::solid::Surface;
 use crate::trimesh::{Search, TriMesh};
@@ -71,12 +71,20 @@ impl Level {
                 };
                 let corner = 3 * other + if edge == k { (j + 1) % 3 } else { j } as u32;
                 let cosine = self.mesh.face_normal(t).dot(self.mesh.face_normal(other));
-                if cosine >= crease && among.contains(&corner) && !found.contains(&corner) {
+                let is_smooth = cosine >= crease || self.is_in_thread(t, edge);
+                if is_smooth && among.contains(&corner) && !found.contains(&corner) {
                     found.push(corner);
                 }
             }
         }
         found
+    }
+
+    /// Whether an edge lies in a thread, which is round however coarse it is.
+    fn is_in_thread(&self, t: u32, edge: usize) -> bool {
+        let corners = self.mesh.triangles()[t as usize];
+        let ends = [corners[edge], corners[(edge + 1) % 3]];
+        ends.iter().all(|&v| self.marks[v as usize].part == Part::Thread)
     }
 
     /// The mean normal of corners, weighted by area and angle: so broad flats keep their own.

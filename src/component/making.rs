@@ -15,10 +15,10 @@ const COARSER: [usize; 3] = [3_000, 360, 130];
 /// A level by rule may have this many times the wanted triangles.
 const ENOUGH: f64 = 1.3;
 /// Samples of the first component and of its variants, ...
-const SAMPLES: [usize; 2] = [1_500, 500];
+const SAMPLES: [usize; 2] = [1_500, 600];
 /// ... every how many-th of the first gets a medial ball, and how many of these its variants use.
-const EVERY: usize = 2;
-const SHARED: usize = 260;
+const EVERY: usize = 1;
+const SHARED: usize = 400;
 /// Variants are made from the first level with at most this many triangles.
 const VARIED: usize = 20_000;
 /// Spheres of a file's component.

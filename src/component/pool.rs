@@ -35,6 +35,8 @@ const SMOOTH: f64 = 0.9;
 pub(super) struct Inside<'a> {
     pub mesh: &'a TriMesh,
     pub search: &'a Search,
+    /// The least radius of a ball: smaller ones fill nothing.
+    pub least: f64,
 }
 
 impl Inside<'_> {
@@ -47,7 +49,7 @@ impl Inside<'_> {
         let hit = self.search.ray(self.mesh, centre, along, |_| true)?;
         let leaves = self.mesh.face_normal(hit.point.triangle).dot(along) > 0.0;
         let radius = nearest.at.distance(centre) * INSIDE;
-        (leaves && radius > 0.0).then_some(Sphere { centre, radius })
+        (leaves && radius > self.least).then_some(Sphere { centre, radius })
     }
 
     /// The medial ball that touches the surface at a sample (Ma, Bae, Choi 2012, 3D Medial Axis Point Approximation

@@ -40,7 +40,7 @@ fn split([x, y, z, w]: [f64; 4]) -> (DVec3, f64) {
 
 impl Pebble {
     fn shell(&self) -> Shell {
-        Shell::ball(10, |n| {
+        Shell::ball(11, |n| {
             let mut sum = libm::pow((n / self.axes).length(), self.sharp);
             for &flat in self.flats {
                 let (to, far) = split(flat);
@@ -61,7 +61,7 @@ impl Pebble {
             return Mark::BODY.shaded(band);
         };
         let (across, far) = split(vein);
-        let share = bell((p.dot(across) + 0.05 * libm::sin(4.0 * p.y) - far) / 0.06);
+        let share = bell((p.dot(across) + 0.05 * libm::sin(4.0 * p.y) - far) / 0.075);
         Mark::of(Part::Vein).shared(1.1 * share).shaded(band)
     }
 }
@@ -130,7 +130,7 @@ pub(super) fn block() -> Shell {
         }));
         let out = part * p.signum();
         let is_edge = part.to_array().iter().filter(|&&x| x > 0.0).count() > 1;
-        let mark = if is_edge { Mark::of(Part::Edge) } else { Mark::BODY };
+        let mark = Mark::of(if is_edge { Part::Edge } else { Part::Body }).shared(0.5);
         let at = core * flat + ROUND * out.normalize_or_zero();
         // The rings of the trunk: its middle lies beside the block.
         let trunk = libm::hypot(at.y + 1.1, at.z - 0.4 + 0.04 * libm::sin(2.0 * at.x));
