@@ -64,7 +64,7 @@ pub(super) fn thick(radius: f64, diagonal: f64) -> Result<(), ComponentFault> {
     }
 }
 
-enum Phase {
+enum CheckPhase {
     Mend(Box<MeshRepair>),
     Tree,
     Cross,
@@ -72,7 +72,7 @@ enum Phase {
 
 /// Mends and checks the mesh of a file, in slices. Parts are turned outwards by their volumes.
 pub struct Checking {
-    phase: Phase,
+    phase: CheckPhase,
     mended: Option<Mended>,
     search: Option<Search>,
     crossing: CrossingSearch,
@@ -85,7 +85,7 @@ impl Checking {
     /// Starts with the triangles of a file.
     pub fn new(soup: Soup) -> Self {
         Self {
-            phase: Phase::Mend(Box::new(MeshRepair::new(soup))),
+            phase: CheckPhase::Mend(Box::new(MeshRepair::new(soup))),
             mended: None,
             search: None,
             crossing: CrossingSearch::default(),
@@ -94,7 +94,7 @@ impl Checking {
 
     /// Works on at most `amount` triangles, or on a slice of the repair. Returns the mesh or the fault in the end.
     pub fn advance(&mut self, amount: usize) -> Option<Checked> {
-        if let Phase::Mend(repair) = &mut self.phase {
+        if let CheckPhase::Mend(repair) = &mut self.phase {
             let mended = match repair.advance()? {
                 Ok(mended) => mended,
                 Err(notice) => return Some(Err(notice.into())),
@@ -104,13 +104,13 @@ impl Checking {
             }
             self.search = Some(Search::begin(&mended.mesh));
             self.mended = Some(mended);
-            self.phase = Phase::Tree;
+            self.phase = CheckPhase::Tree;
             return None;
         }
         let (mended, search) = (self.mended.as_ref()?, self.search.as_mut()?);
-        if let Phase::Tree = self.phase {
+        if let CheckPhase::Tree = self.phase {
             if search.advance(&mended.mesh, amount) {
-                self.phase = Phase::Cross;
+                self.phase = CheckPhase::Cross;
             }
             return None;
         }

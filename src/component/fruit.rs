@@ -55,7 +55,12 @@ pub(super) fn chestnut() -> Shell {
             ([r * blend, y], mark.shaded(shade))
         } else {
             let k = ring - CAP - BODY;
-            let tuft = 1.0 + if k == 2 { 0.3 * libm::sin(6.0 * angle) } else { 0.0 };
+            let tuft = 1.0
+                + if k == 2 {
+                    0.3 * libm::sin(6.0 * angle)
+                } else {
+                    0.0
+                };
             let [r, y] = CHESTNUT_TIP[k];
             ([r * tuft, y], Mark::of(Part::Tip))
         };
@@ -96,7 +101,11 @@ pub(super) fn orange() -> Shell {
         let ribs = 1.0 + 0.03 * top * libm::cos(10.0 * angle);
         let star = 1.0 + step(11.6, 12.2, at) * 0.12 * libm::cos(5.0 * angle);
         let part = if at > 11.6 { Part::Stalk } else { Part::Tip };
-        let share = if at > 11.6 { 1.0 } else { step(9.0, 11.5, at).max(step(1.6, 0.2, at)) };
+        let share = if at > 11.6 {
+            1.0
+        } else {
+            step(9.0, 11.5, at).max(step(1.6, 0.2, at))
+        };
         let pores = libm::sin(13.0 * angle + 7.0 * at) * libm::sin(9.0 * at - 5.0 * angle);
         (
             about([r * ribs * star, y], angle),
@@ -134,7 +143,10 @@ pub(super) fn apple() -> Shell {
         let [r, y] = curve(&APPLE, at);
         let low = step(6.5, 3.0, at) * step(0.4, 1.5, at);
         let lobes = libm::cos(5.0 * angle);
-        let p = about([r * (1.0 + 0.035 * low * lobes), y - 0.05 * low * lobes], angle);
+        let p = about(
+            [r * (1.0 + 0.035 * low * lobes), y - 0.05 * low * lobes],
+            angle,
+        );
         // The stalk leans.
         let lean = 0.16 * step(13.0, 17.0, at);
         let mark = match at {

@@ -13,7 +13,11 @@ fn along(ring: usize, rings: usize) -> f64 {
 /// The radius of a rounded tube at `t`, -1 to 1, relative to its middle: 0 at the ends.
 fn rounded(t: f64, full: f64, blunt: f64) -> f64 {
     let left = 1.0 - libm::pow(t.abs(), full);
-    if left <= 0.0 { 0.0 } else { libm::pow(left, blunt) }
+    if left <= 0.0 {
+        0.0
+    } else {
+        libm::pow(left, blunt)
+    }
 }
 
 /// A grain of rice: flattened, with two slight grooves on each side, and with the notch where the germ was.

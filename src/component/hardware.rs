@@ -30,7 +30,11 @@ fn hex_end(k: usize, [radius, top]: [f64; 2], angle: f64) -> Ring {
     let side = hexagon(radius, angle);
     match k {
         0 => (circle, top, Mark::of(Part::Edge)),
-        _ => (side, top - (side - circle) * CHAMFER, Mark::of(Part::Edge).shared(0.5)),
+        _ => (
+            side,
+            top - (side - circle) * CHAMFER,
+            Mark::of(Part::Edge).shared(0.5),
+        ),
     }
 }
 
@@ -97,13 +101,23 @@ pub(super) fn bolt(is_fine: bool) -> Shell {
             k if k < 8 + turns => {
                 // The first ring is just below the head, the others go down the thread.
                 let share = (k - 8).saturating_sub(1) as f64 / (turns - 2).max(1) as f64;
-                let y = if k == 8 { FOOT - 0.03 } else { TOP + share * (END + 0.10 - TOP) };
+                let y = if k == 8 {
+                    FOOT - 0.03
+                } else {
+                    TOP + share * (END + 0.10 - TOP)
+                };
                 if k < 10 || !is_fine {
-                    (SHANK, if is_fine || k == 8 { y } else { END + 0.10 }, Mark::BODY)
+                    (
+                        SHANK,
+                        if is_fine || k == 8 { y } else { END + 0.10 },
+                        Mark::BODY,
+                    )
                 } else {
                     let fade = (0.5 * (k - 9) as f64).min(1.0);
                     let crest = thread(y, 0.172, angle);
-                    let mark = Mark::of(Part::Thread).shared(fade).shaded(1.4 * crest - 0.9);
+                    let mark = Mark::of(Part::Thread)
+                        .shared(fade)
+                        .shaded(1.4 * crest - 0.9);
                     (SHANK - DEEP * fade * (1.0 - crest), y, mark)
                 }
             }

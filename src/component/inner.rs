@@ -45,7 +45,7 @@ pub(super) struct Inner {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Phase {
+enum InnerPhase {
     Tree,
     Sample,
     Pool,
@@ -63,7 +63,7 @@ pub(super) struct InnerMaking {
     /// Centres of medial balls, if they are known.
     known: Option<Vec<DVec3>>,
     sampling: Sampling,
-    phase: Phase,
+    phase: InnerPhase,
     at: usize,
     pool: Vec<Sphere>,
     largest: Option<Sphere>,
@@ -79,7 +79,7 @@ impl InnerMaking {
             size: mesh.diagonal(),
             search: Search::begin(&mesh),
             sampling: Sampling::new(effort.samples),
-            phase: Phase::Tree,
+            phase: InnerPhase::Tree,
             at: 0,
             pool: Vec::new(),
             largest: None,
@@ -96,22 +96,22 @@ impl InnerMaking {
     pub fn advance(&mut self, amount: usize) -> Option<Option<Inner>> {
         let amount = amount.max(1);
         let next = match self.phase {
-            Phase::Tree => {
+            InnerPhase::Tree => {
                 let done = self.search.advance(&self.mesh, amount);
-                done.then_some(Phase::Sample)
+                done.then_some(InnerPhase::Sample)
             }
-            Phase::Sample => {
+            InnerPhase::Sample => {
                 let done = self.sampling.advance(&self.mesh, amount);
-                done.then_some(Phase::Pool)
+                done.then_some(InnerPhase::Pool)
             }
-            Phase::Pool => self.fill(amount).then_some(Phase::Climb),
-            Phase::Climb => {
+            InnerPhase::Pool => self.fill(amount).then_some(InnerPhase::Climb),
+            InnerPhase::Climb => {
                 if self.largest.is_none() {
                     return Some(None);
                 }
-                self.climb(amount).then_some(Phase::Choose)
+                self.climb(amount).then_some(InnerPhase::Choose)
             }
-            Phase::Choose => {
+            InnerPhase::Choose => {
                 if self.choose(amount) {
                     return Some(Some(self.chosen()));
                 }
@@ -139,10 +139,16 @@ impl InnerMaking {
         for k in self.at..end {
             let ball = match &self.known {
                 Some(known) => inside.ball(known[k]),
-                None => inside.medial(&self.sampling.samples[k * self.effort.every], 0.5 * self.size),
+                None => inside.medial(
+                    &self.sampling.samples[k * self.effort.every],
+                    0.5 * self.size,
+                ),
             };
             let Some(ball) = ball else { continue };
-            if self.largest.is_none_or(|largest| ball.radius > largest.radius) {
+            if self
+                .largest
+                .is_none_or(|largest| ball.radius > largest.radius)
+            {
                 self.largest = Some(ball);
                 self.climb.0 = 0.5 * ball.radius;
             }
@@ -246,10 +252,13 @@ impl Choice {
     /// Computes the gain of the most promising ball, or takes it; false if no ball gains anything.
     fn advance(&mut self, pool: &[Sphere]) -> bool {
         let bounds = self.gains.iter().enumerate();
-        let best = bounds.fold(None, |best: Option<(usize, f64)>, (k, &(gain, _))| match best {
-            Some((_, most)) if most >= gain => best,
-            _ => Some((k, gain)),
-        });
+        let best = bounds.fold(
+            None,
+            |best: Option<(usize, f64)>, (k, &(gain, _))| match best {
+                Some((_, most)) if most >= gain => best,
+                _ => Some((k, gain)),
+            },
+        );
         let Some((k, gain)) = best else { return false };
         if gain <= 0.0 {
             return false;
@@ -268,7 +277,11 @@ impl Choice {
         let gains = pairs.map(|(&gap, place)| {
             let own = place.distance(ball.centre) - ball.radius;
             let own = own.max(0.0);
-            if own < gap { gap * gap - own * own } else { 0.0 }
+            if own < gap {
+                gap * gap - own * own
+            } else {
+                0.0
+            }
         });
         gains.sum()
     }

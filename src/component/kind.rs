@@ -6,7 +6,7 @@ use super::{fruit, grain, hardware, leaf, round};
 
 /// A component by rule. Half of its length is about 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum ComponentKind {
     /// A ball with a painted band.
     Ball,
     /// A pebble of a river, still a little angular.
@@ -59,7 +59,7 @@ const SHARP: f64 = 0.85;
 /// No edge is sharp.
 const ROUND: f64 = -1.0;
 
-impl Kind {
+impl ComponentKind {
     /// All kinds.
     pub const ALL: [Self; 17] = [
         Self::Ball,

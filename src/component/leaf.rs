@@ -54,7 +54,12 @@ pub(super) fn leaf(level: usize) -> Shell {
             false => (1.0, c - half),
         };
         let is_rim = r == 0 || r == rows.len() - 1 || k == half;
-        spot(rows[r], hand * across[k], if is_rim { 0.0 } else { side }, level)
+        spot(
+            rows[r],
+            hand * across[k],
+            if is_rim { 0.0 } else { side },
+            level,
+        )
     })
 }
 
@@ -69,7 +74,11 @@ fn spot((u, near): (f64, f64), v: f64, side: f64, level: usize) -> Spot {
         _ => 0.0,
     };
     let stalk = 0.034 + 0.012 * step(-0.12, -0.24, u);
-    let half = if is_stalk { stalk } else { width(along).max(stalk * (1.0 - u)).max(0.012) };
+    let half = if is_stalk {
+        stalk
+    } else {
+        width(along).max(stalk * (1.0 - u)).max(0.012)
+    };
     let x = match is_stalk {
         true => BASE + (u / 0.24) * (BASE - END),
         false => BASE + (along + 0.012 * tooth) * (1.0 - BASE),
@@ -77,9 +86,17 @@ fn spot((u, near): (f64, f64), v: f64, side: f64, level: usize) -> Spot {
     let z = v * half + 0.045 * tooth * v.signum();
     // The midrib is a ridge below and a furrow above; so are the side veins, less.
     let rib = bell(z / 0.045) * step(1.0, 0.75, u);
-    let vein = if is_stalk { 0.0 } else { near * step(1.0, 0.88, far) };
+    let vein = if is_stalk {
+        0.0
+    } else {
+        near * step(1.0, 0.88, far)
+    };
     let thick = 0.036 + 0.032 * rib + 0.006 * vein;
-    let puff = 0.018 * (1.0 - near) * libm::sin(3.0 * far.min(1.0)) * step(0.0, 0.1, u) * step(1.0, 0.9, u);
+    let puff = 0.018
+        * (1.0 - near)
+        * libm::sin(3.0 * far.min(1.0))
+        * step(0.0, 0.1, u)
+        * step(1.0, 0.9, u);
     let furrow = 0.012 * rib + 0.010 * vein;
     let y = if side > 0.0 { thick - furrow } else { -thick } * side.abs() + puff;
     let mark = if is_stalk {
@@ -99,5 +116,9 @@ fn curled(p: DVec3) -> DVec3 {
     let lift = 0.24 * p.z.abs() + 0.05 * libm::sin(5.5 * p.x + 1.3 * p.z.signum()) * p.z.abs();
     let radius = 1.0 / 0.42;
     let y = p.y + lift;
-    DVec3::new((radius + y) * s, (radius + y) * c - radius, p.z * (1.0 - 0.10 * p.z.abs()))
+    DVec3::new(
+        (radius + y) * s,
+        (radius + y) * c - radius,
+        p.z * (1.0 - 0.10 * p.z.abs()),
+    )
 }

@@ -22,7 +22,10 @@ impl Level {
             let at = search.closest(&self.mesh, p);
             let weights = at.weights(&self.mesh);
             let corners = self.mesh.triangles()[at.triangle as usize];
-            let best = (0..3).fold(0, |best, k| if weights[k] > weights[best] { k } else { best });
+            let best = (0..3).fold(
+                0,
+                |best, k| if weights[k] > weights[best] { k } else { best },
+            );
             self.marks[corners[best] as usize]
         };
         Self {
@@ -37,7 +40,10 @@ impl Level {
         let mesh = &self.mesh;
         let corners = mesh.triangles().as_flattened();
         let pairs = corners.iter().enumerate();
-        let around = Csr::from_pairs(mesh.positions().len(), pairs.map(|(k, &v)| (v as usize, k as u32)));
+        let around = Csr::from_pairs(
+            mesh.positions().len(),
+            pairs.map(|(k, &v)| (v as usize, k as u32)),
+        );
         let mut surface = Surface::default();
         let mut numbers = vec![0; corners.len()];
         for (v, &place) in mesh.positions().iter().enumerate() {
@@ -84,7 +90,8 @@ impl Level {
     fn is_in_thread(&self, t: u32, edge: usize) -> bool {
         let corners = self.mesh.triangles()[t as usize];
         let ends = [corners[edge], corners[(edge + 1) % 3]];
-        ends.iter().all(|&v| self.marks[v as usize].part == Part::Thread)
+        ends.iter()
+            .all(|&v| self.marks[v as usize].part == Part::Thread)
     }
 
     /// The mean normal of corners, weighted by area and angle: so broad flats keep their own.

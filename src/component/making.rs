@@ -4,7 +4,7 @@ use super::fault::{Checking, ComponentFault, thick};
 use super::inner::{Effort, Gaps, Inner, InnerMaking};
 use super::pool::Sphere;
 use super::variant::{Variant, Vary};
-use super::{Kind, Level, Mark};
+use super::{ComponentKind, Level, Mark};
 use crate::notice::Notice;
 use crate::trimesh::{MeshBuilding, Search, Simplifying, TriMesh};
 use glam::DVec3;
@@ -125,7 +125,7 @@ pub struct Original {
 
 impl Original {
     /// Makes the component of a kind at once.
-    pub fn of_kind(kind: Kind) -> Self {
+    pub fn of_kind(kind: ComponentKind) -> Self {
         let mut making = OriginalMaking::of_kind(kind);
         loop {
             if let Some(made) = making.advance(usize::MAX) {
@@ -145,7 +145,7 @@ impl Original {
     }
 }
 
-enum Phase {
+enum OriginalPhase {
     Check(Box<Checking>),
     Tree,
     /// The number of the next coarser level.
@@ -156,8 +156,8 @@ enum Phase {
 
 /// Makes an [`Original`], in slices.
 pub struct OriginalMaking {
-    phase: Phase,
-    kind: Option<Kind>,
+    phase: OriginalPhase,
+    kind: Option<ComponentKind>,
     levels: Vec<Level>,
     search: Option<Search>,
     notices: Vec<Notice>,
@@ -168,10 +168,15 @@ pub struct OriginalMaking {
 
 impl OriginalMaking {
     /// Starts with a component by rule.
-    pub fn of_kind(kind: Kind) -> Self {
+    pub fn of_kind(kind: ComponentKind) -> Self {
         let traits = kind.traits();
         let (mesh, marks) = kind.shell(0).into_mesh();
-        let mut making = Self::new(Phase::Tree, traits.spheres, traits.vary, traits.crease);
+        let mut making = Self::new(
+            OriginalPhase::Tree,
+            traits.spheres,
+            traits.vary,
+            traits.crease,
+        );
         making.kind = Some(kind);
         making.begin(mesh, marks);
         making
@@ -180,11 +185,11 @@ impl OriginalMaking {
     /// Starts with the triangles of a file. A file's component has variants like others; whoever wants it unchanged
     /// uses number 0 alone.
     pub fn of_file(soup: crate::trimesh::Soup) -> Self {
-        let check = Phase::Check(Box::new(Checking::new(soup)));
+        let check = OriginalPhase::Check(Box::new(Checking::new(soup)));
         Self::new(check, FILE_SPHERES, Vary::FILE, FILE_CREASE)
     }
 
-    fn new(phase: Phase, most: usize, vary: Vary, crease: f64) -> Self {
+    fn new(phase: OriginalPhase, most: usize, vary: Vary, crease: f64) -> Self {
         let effort = Effort {
             samples: SAMPLES[0],
             every: EVERY,
@@ -205,14 +210,14 @@ impl OriginalMaking {
     fn begin(&mut self, mesh: TriMesh, marks: Vec<Mark>) {
         self.search = Some(Search::begin(&mesh));
         self.levels = vec![Level { mesh, marks }];
-        self.phase = Phase::Tree;
+        self.phase = OriginalPhase::Tree;
     }
 
     /// Does work on about `amount` triangles, samples or balls. Returns the component in the end, or the fault of its
     /// file.
     pub fn advance(&mut self, amount: usize) -> Option<Result<Original, ComponentFault>> {
         match &mut self.phase {
-            Phase::Check(checking) => match checking.advance(amount)? {
+            OriginalPhase::Check(checking) => match checking.advance(amount)? {
                 Ok((mesh, notices)) => {
                     self.notices = notices;
                     let marks = vec![Mark::BODY; mesh.positions().len()];
@@ -220,26 +225,26 @@ impl OriginalMaking {
                 }
                 Err(fault) => return Some(Err(fault)),
             },
-            Phase::Tree => {
+            OriginalPhase::Tree => {
                 let search = self.search.as_mut()?;
                 if search.advance(&self.levels[0].mesh, amount) {
-                    self.phase = Phase::Levels(0, None);
+                    self.phase = OriginalPhase::Levels(0, None);
                 }
             }
-            Phase::Levels(..) => self.simplify(),
-            Phase::Inner(inner) => {
+            OriginalPhase::Levels(..) => self.simplify(),
+            OriginalPhase::Inner(inner) => {
                 let made = inner.advance(amount)?;
-                self.phase = Phase::Done;
+                self.phase = OriginalPhase::Done;
                 return Some(self.finish(made));
             }
-            Phase::Done => {}
+            OriginalPhase::Done => {}
         }
         None
     }
 
     /// Does a slice of the coarser levels.
     fn simplify(&mut self) {
-        let Phase::Levels(number, simplifying) = &mut self.phase else {
+        let OriginalPhase::Levels(number, simplifying) = &mut self.phase else {
             return;
         };
         if let Some(current) = simplifying {
@@ -248,27 +253,23 @@ impl OriginalMaking {
             };
             let level = self.levels[0].marked(search, mesh);
             self.levels.push(level);
-            self.phase = Phase::Levels(*number + 1, None);
+            self.phase = OriginalPhase::Levels(*number + 1, None);
             return;
         }
-        let Some(&wanted) = COARSER.get(*number) else {
+        let Some(wanted) = wanted(self.kind, &self.levels[0], *number) else {
             let mesh = Arc::new(self.levels[0].mesh.clone());
             let inner = InnerMaking::new(mesh, self.effort, None);
-            self.phase = Phase::Inner(Box::new(inner));
+            self.phase = OriginalPhase::Inner(Box::new(inner));
             return;
         };
-        let finest = &self.levels[0].mesh;
-        let is_useful = (2 * wanted) < finest.triangles().len() || (*number > 0 && self.kind.is_some());
-        if !is_useful || (*number == 0 && self.kind.is_some()) {
-            self.phase = Phase::Levels(*number + 1, None);
-            return;
-        }
-        let ruled = self.kind.map(|kind| kind.shell(*number).into_mesh());
-        let (mesh, marks) = ruled.unwrap_or_else(|| (finest.clone(), Vec::new()));
-        let fits = mesh.triangles().len() as f64 <= ENOUGH * wanted as f64;
-        if fits && !marks.is_empty() {
+        let (mesh, marks) = match self.kind {
+            Some(kind) => kind.shell(*number + 1).into_mesh(),
+            None => (self.levels[0].mesh.clone(), Vec::new()),
+        };
+        let is_ruled = self.kind.is_some();
+        if is_ruled && mesh.triangles().len() as f64 <= ENOUGH * wanted as f64 {
             self.levels.push(Level { mesh, marks });
-            self.phase = Phase::Levels(*number + 1, None);
+            self.phase = OriginalPhase::Levels(*number + 1, None);
         } else {
             let next = Simplifying::new(mesh, wanted, f64::INFINITY);
             *simplifying = Some(Box::new(next));
@@ -290,6 +291,16 @@ impl OriginalMaking {
             most: self.effort.most,
         })
     }
+}
+
+/// The triangles of a coarser level, by its number; nothing after the last one.
+fn wanted(kind: Option<ComponentKind>, finest: &Level, number: usize) -> Option<usize> {
+    if kind.is_some() {
+        return COARSER[1..].get(number).copied();
+    }
+    let most = finest.mesh.triangles().len() / 2;
+    let mut useful = COARSER.into_iter().filter(|&count| count < most);
+    useful.nth(number)
 }
 
 /// Makes a variant, in slices. The medial balls of the original go through the variant's map, so few steps are left.

@@ -1,6 +1,6 @@
 //! Components: the things that are heaped.
 //!
-//! A component is a closed mesh by rule ([`Kind`]) or from a file, at several levels of detail, with inner spheres that
+//! A component is a closed mesh by rule ([`ComponentKind`]) or from a file, at several levels of detail, with inner spheres that
 //! stand for it when bodies are pushed apart (Sakurai, Miyata 2014, Aggregate Modelling, section 4: R is the radius
 //! of the largest one, whose centre is the origin). Vertices have marks ([`Mark`]), so that caps, tips, veins and
 //! threads get colours of their own, and bands move with the body.
@@ -32,7 +32,7 @@ mod tests;
 pub use crossing::{CrossingSearch, Crossings};
 pub use fault::{Checked, Checking, ComponentFault};
 pub use inner::Gaps;
-pub use kind::Kind;
+pub use kind::ComponentKind;
 pub use level::Level;
 pub use making::{Component, Original, OriginalMaking, VariantMaking};
 pub use mark::{Mark, Part};

@@ -122,9 +122,16 @@ fn sample(mesh: &TriMesh, triangle: u32, u: f64, v: f64) -> SurfaceSample {
     let root = u.sqrt();
     let weights = DVec3::new(1.0 - root, root * (1.0 - v), root * v);
     let [a, b, c] = mesh.corners(triangle);
-    let (face, smooth) = (mesh.face_normal(triangle), mesh.normal_at(triangle, weights));
+    let (face, smooth) = (
+        mesh.face_normal(triangle),
+        mesh.normal_at(triangle, weights),
+    );
     SurfaceSample {
         at: a * weights.x + b * weights.y + c * weights.z,
-        normal: if face.dot(smooth) > SMOOTH { smooth } else { face },
+        normal: if face.dot(smooth) > SMOOTH {
+            smooth
+        } else {
+            face
+        },
     }
 }

@@ -9,14 +9,18 @@ use std::f64::consts::TAU;
 pub(super) fn ball() -> Shell {
     // Heights of the rings as angles from the pole, in degrees; the band has sharp borders.
     const RINGS: [f64; 25] = [
-        0.0, 7.0, 14.0, 22.0, 30.0, 38.0, 46.0, 54.0, 62.0, 70.0, 71.0, 76.0, 83.0, 90.0, 97.0, 104.0,
-        109.0, 110.0, 118.0, 126.0, 134.0, 143.0, 152.0, 166.0, 180.0,
+        0.0, 7.0, 14.0, 22.0, 30.0, 38.0, 46.0, 54.0, 62.0, 70.0, 71.0, 76.0, 83.0, 90.0, 97.0,
+        104.0, 109.0, 110.0, 118.0, 126.0, 134.0, 143.0, 152.0, 166.0, 180.0,
     ];
     Shell::tube(RINGS.len(), 36, |ring, angle| {
         let (y, r) = turned(RINGS[ring].to_radians());
         let (c, s) = turned(angle);
         let is_band = (71.0..=109.0).contains(&RINGS[ring]);
-        let mark = if is_band { Mark::of(Part::Cap) } else { Mark::BODY };
+        let mark = if is_band {
+            Mark::of(Part::Cap)
+        } else {
+            Mark::BODY
+        };
         (DVec3::new(r * c, y, r * s), mark)
     })
 }

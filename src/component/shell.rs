@@ -72,15 +72,9 @@ impl Shell {
 
     /// A sheet with two sides: a grid of `rows` times `columns` places on each side, which share those of the border.
     /// `place` gets the side (1 or -1), the row and the column.
-    pub fn sheet(
-        rows: usize,
-        columns: usize,
-        place: impl Fn(f64, usize, usize) -> Spot,
-    ) -> Self {
+    pub fn sheet(rows: usize, columns: usize, place: impl Fn(f64, usize, usize) -> Spot) -> Self {
         let mut shell = Self::default();
-        let is_rim = |r: usize, c: usize| {
-            r == 0 || c == 0 || r == rows - 1 || c == columns - 1
-        };
+        let is_rim = |r: usize, c: usize| r == 0 || c == 0 || r == rows - 1 || c == columns - 1;
         let mut numbers = [vec![0; rows * columns], vec![0; rows * columns]];
         for r in 0..rows {
             for c in 0..columns {
@@ -124,9 +118,7 @@ impl Shell {
                 key.sort_unstable();
                 let sum = key.iter().map(|&(v, n)| corners[v as usize] * f64::from(n));
                 let at = sum.sum::<DVec3>().normalize();
-                *numbers
-                    .entry(key)
-                    .or_insert_with(|| shell.push(place(at)))
+                *numbers.entry(key).or_insert_with(|| shell.push(place(at)))
             };
             let mut found = Vec::new();
             for i in 0..cuts {
@@ -151,14 +143,15 @@ impl Shell {
         for (axis, end) in (0..3).flat_map(|axis| [(axis, 0), (axis, last)]) {
             for i in 0..last {
                 for j in 0..last {
-                    let mut quad = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| {
-                        let mut key = [end; 3];
-                        (key[(axis + 1) % 3], key[(axis + 2) % 3]) = (i, j);
-                        *numbers.entry(key).or_insert_with(|| {
-                            let at = DVec3::from(key.map(|k| cuts[k]));
-                            shell.push(place(at))
-                        })
-                    });
+                    let mut quad =
+                        [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| {
+                            let mut key = [end; 3];
+                            (key[(axis + 1) % 3], key[(axis + 2) % 3]) = (i, j);
+                            *numbers.entry(key).or_insert_with(|| {
+                                let at = DVec3::from(key.map(|k| cuts[k]));
+                                shell.push(place(at))
+                            })
+                        });
                     if end == 0 {
                         quad.reverse();
                     }

@@ -9,13 +9,13 @@ use std::sync::{Arc, OnceLock};
 const GOLDEN: &str = include_str!("../../tests/components.txt");
 
 /// A kind with its original and eight variants.
-type Family = (Kind, Arc<Original>, Vec<Component>);
+type Family = (ComponentKind, Arc<Original>, Vec<Component>);
 
 /// All kinds; made once for all tests.
 fn families() -> &'static [Family] {
     static MADE: OnceLock<Vec<Family>> = OnceLock::new();
     MADE.get_or_init(|| {
-        let each = Kind::ALL.iter().map(|&kind| {
+        let each = ComponentKind::ALL.iter().map(|&kind| {
             let original = Arc::new(Original::of_kind(kind));
             let variants = (1..=8).map(|number| original.variant(1, number));
             (kind, original.clone(), variants.collect())
@@ -109,18 +109,18 @@ fn gaps(part: &Component) -> (f64, f64) {
 }
 
 /// A kind with the greatest and the mean gap of a prototype, whose components were plainer.
-const PROTOTYPE: [(Kind, f64, f64); 11] = [
-    (Kind::Ball, 0.02, 0.005),
-    (Kind::Pebble, 0.13, 0.04),
-    (Kind::Chestnut, 0.12, 0.03),
-    (Kind::Rice, 0.25, 0.06),
-    (Kind::Bean, 0.10, 0.03),
-    (Kind::Cashew, 0.10, 0.03),
-    (Kind::Torus, 0.19, 0.04),
-    (Kind::Box, 0.34, 0.08),
-    (Kind::Bolt, 0.40, 0.10),
-    (Kind::Nut, 0.68, 0.23),
-    (Kind::Leaf, 1.7, 0.5),
+const PROTOTYPE: [(ComponentKind, f64, f64); 11] = [
+    (ComponentKind::Ball, 0.02, 0.005),
+    (ComponentKind::Pebble, 0.13, 0.04),
+    (ComponentKind::Chestnut, 0.12, 0.03),
+    (ComponentKind::Rice, 0.25, 0.06),
+    (ComponentKind::Bean, 0.10, 0.03),
+    (ComponentKind::Cashew, 0.10, 0.03),
+    (ComponentKind::Torus, 0.19, 0.04),
+    (ComponentKind::Box, 0.34, 0.08),
+    (ComponentKind::Bolt, 0.40, 0.10),
+    (ComponentKind::Nut, 0.68, 0.23),
+    (ComponentKind::Leaf, 1.7, 0.5),
 ];
 
 #[test]
@@ -128,13 +128,23 @@ fn gaps_are_about_as_small_as_those_of_the_prototype() {
     let mut bad = Vec::new();
     for (kind, greatest, mean) in PROTOTYPE {
         let (_, original, variants) = families().iter().find(|f| f.0 == kind).unwrap();
-        for (number, part) in std::iter::once(&original.component).chain(variants).enumerate() {
+        for (number, part) in std::iter::once(&original.component)
+            .chain(variants)
+            .enumerate()
+        {
             // Places differ from those of the choice; variants are bent, and have fewer balls to choose from.
-            let [factor, more] = if number == 0 { [1.15, 0.01] } else { [1.4, 0.06] };
+            let [factor, more] = if number == 0 {
+                [1.15, 0.01]
+            } else {
+                [1.4, 0.06]
+            };
             let (found, found_mean) = gaps(part);
             println!("{} {number}: {found:.3}/{found_mean:.3}", kind.word());
             if found > factor * greatest + more || found_mean > factor * mean + 0.5 * more {
-                bad.push(format!("{} {number}: {found:.3}/{found_mean:.3}", kind.word()));
+                bad.push(format!(
+                    "{} {number}: {found:.3}/{found_mean:.3}",
+                    kind.word()
+                ));
             }
         }
     }
@@ -143,25 +153,28 @@ fn gaps_are_about_as_small_as_those_of_the_prototype() {
 
 #[test]
 fn parts_have_marks() {
-    let parts = |kind: Kind| -> Vec<Part> {
+    let parts = |kind: ComponentKind| -> Vec<Part> {
         let family = families().iter().find(|family| family.0 == kind).unwrap();
         let marks = &family.1.component.levels[0].marks;
         let has = |part: &Part| marks.iter().any(|m| m.part == *part && m.share > 0.5);
         Part::ALL.into_iter().filter(has).collect()
     };
     use Part::*;
-    let wanted: [(Kind, &[Part]); 7] = [
-        (Kind::Chestnut, &[Body, Cap, Tip]),
-        (Kind::Rice, &[Body, Tip]),
-        (Kind::Leaf, &[Body, Vein, Stalk]),
-        (Kind::Bolt, &[Body, Thread, Edge]),
-        (Kind::Bean, &[Body, Vein, Edge]),
-        (Kind::Pebble, &[Body, Vein]),
-        (Kind::Ball, &[Body, Cap]),
+    let wanted: [(ComponentKind, &[Part]); 7] = [
+        (ComponentKind::Chestnut, &[Body, Cap, Tip]),
+        (ComponentKind::Rice, &[Body, Tip]),
+        (ComponentKind::Leaf, &[Body, Vein, Stalk]),
+        (ComponentKind::Bolt, &[Body, Thread, Edge]),
+        (ComponentKind::Bean, &[Body, Vein, Edge]),
+        (ComponentKind::Pebble, &[Body, Vein]),
+        (ComponentKind::Ball, &[Body, Cap]),
     ];
     for (kind, wanted) in wanted {
         let found = parts(kind);
-        assert!(wanted.iter().all(|p| found.contains(p) || *p == Body), "{kind:?}: {found:?}");
+        assert!(
+            wanted.iter().all(|p| found.contains(p) || *p == Body),
+            "{kind:?}: {found:?}"
+        );
     }
 }
 
@@ -183,7 +196,11 @@ fn digest(part: &Component) -> String {
     for level in &part.levels {
         level.mesh.positions().iter().for_each(|&p| add(p));
         for (mark, t) in level.marks.iter().zip(level.mesh.triangles()) {
-            add(DVec3::new(mark.part as u8 as f64, mark.share.into(), mark.shade.into()));
+            add(DVec3::new(
+                mark.part as u8 as f64,
+                mark.share.into(),
+                mark.shade.into(),
+            ));
             add(DVec3::from(t.map(f64::from)));
         }
     }
@@ -256,7 +273,10 @@ fn large_files_have_levels_of_detail() {
     let levels = &made.component.levels;
     let counts: Vec<usize> = levels.iter().map(|l| l.mesh.triangles().len()).collect();
     assert_eq!(counts[0], 25_600);
-    assert!(counts.len() == 4 && counts[1] <= 3_000 && counts[2] <= 360 && counts[3] <= 130, "{counts:?}");
+    assert!(
+        counts.len() == 4 && counts[1] <= 3_000 && counts[2] <= 360 && counts[3] <= 130,
+        "{counts:?}"
+    );
     let variant = Arc::new(made).variant(1, 1);
     assert_eq!(variant.levels.len(), 3);
 }
@@ -290,7 +310,10 @@ fn cubes_that_overlap_on_a_lattice_cross() {
     positions.extend(positions.clone().iter().map(|p| *p + DVec3::splat(0.5)));
     triangles.extend(triangles.clone().iter().map(|t| t.map(|v| v + count)));
     let found = fault(soup((positions, triangles)));
-    assert!(matches!(found, ComponentFault::Crossing { .. }), "{found:?}");
+    assert!(
+        matches!(found, ComponentFault::Crossing { .. }),
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -304,13 +327,26 @@ fn an_open_file_is_refused_with_its_edges() {
 #[test]
 fn thin_flat_empty_one_sided_and_broken_files_are_refused() {
     let (positions, triangles) = testing::cube(2);
-    let scaled = |y: f64| positions.iter().map(|p| DVec3::new(p.x, p.y * y, p.z)).collect();
+    let scaled = |y: f64| {
+        positions
+            .iter()
+            .map(|p| DVec3::new(p.x, p.y * y, p.z))
+            .collect()
+    };
     let found = fault(soup((scaled(1.0 / 300.0), triangles.clone())));
-    assert!(matches!(found, ComponentFault::Thin { ratio } if ratio > 300.0), "{found:?}");
+    assert!(
+        matches!(found, ComponentFault::Thin { ratio } if ratio > 300.0),
+        "{found:?}"
+    );
     assert!(of_file(soup((scaled(1.0 / 100.0), triangles.clone()))).is_ok());
 
     // A cushion without filling: its two sides share their rim.
-    let rim = [[1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0], [-1.0, 0.0, 1.0]];
+    let rim = [
+        [1.0, 0.0, 1.0],
+        [1.0, 0.0, -1.0],
+        [-1.0, 0.0, -1.0],
+        [-1.0, 0.0, 1.0],
+    ];
     let mut places: Vec<DVec3> = rim.map(DVec3::from).into();
     places.extend([DVec3::new(0.2, 0.0, 0.0), DVec3::new(-0.2, 0.0, 0.1)]);
     let sides = (0..4).flat_map(|k| [[k, (k + 1) % 4, 4], [(k + 1) % 4, k, 5]]);
@@ -335,10 +371,10 @@ fn thin_flat_empty_one_sided_and_broken_files_are_refused() {
 
 #[test]
 fn words_lead_to_kinds() {
-    for kind in Kind::ALL {
-        assert_eq!(Kind::of_word(kind.word()), Some(kind));
+    for kind in ComponentKind::ALL {
+        assert_eq!(ComponentKind::of_word(kind.word()), Some(kind));
     }
-    assert_eq!(Kind::of_word("brick"), None);
+    assert_eq!(ComponentKind::of_word("brick"), None);
 }
 
 #[test]
@@ -349,8 +385,14 @@ fn surfaces_are_split_at_sharp_edges_only() {
         assert_eq!(surface.fault(), None);
         let vertices = part.levels[0].mesh.positions().len();
         let is_split = surface.positions.len() > vertices;
-        let has_edges = matches!(kind, Kind::Nut | Kind::Bolt | Kind::Gear | Kind::Apple);
+        let has_edges = matches!(
+            kind,
+            ComponentKind::Nut | ComponentKind::Bolt | ComponentKind::Gear | ComponentKind::Apple
+        );
         assert!(is_split <= has_edges, "{kind:?}");
-        assert_eq!(surface.triangles.len(), part.levels[0].mesh.triangles().len());
+        assert_eq!(
+            surface.triangles.len(),
+            part.levels[0].mesh.triangles().len()
+        );
     }
 }
