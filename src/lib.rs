@@ -17,7 +17,7 @@
 //!
 //! Cells on bodies in space go the same way, on a triangle mesh: `shapes` or `modelfiles` give its
 //! triangles, `trimesh` is the mesh, and `surface_field`, `surface_packing`, `surface_cells` and
-//! `surface_stones` do there what the folders without `surface_` do in the plane.
+//! `surface_stones` do there what the folders without `surface_` do in the plane. `component` makes things to heap.
 //!
 //! [`draw`] shows what the stages have made, [`metrics`] measures it, and [`export`] writes it to files.
 //!
@@ -56,6 +56,8 @@
 //! sections and equations that it implements.
 
 pub mod cells;
+#[cfg(house)]
+pub mod component;
 mod csr;
 mod decimal;
 pub mod domain;

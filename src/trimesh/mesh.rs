@@ -41,6 +41,12 @@ impl TriMesh {
         &self.positions
     }
 
+    /// The mesh at another place: all vertices are moved by the same vector.
+    pub fn moved_by(mut self, by: DVec3) -> Self {
+        self.positions.iter_mut().for_each(|p| *p += by);
+        self
+    }
+
     /// The triangles' corners, counter-clockwise seen from outside.
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles

@@ -1,0 +1,288 @@
+//! Inner spheres: few balls that fill a component, chosen from its medial balls.
+
+use super::pool::{Inside, Sampling, Sphere};
+use crate::random::{Purpose, Random, SEED};
+use crate::trimesh::{Search, TriMesh};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// Steps of the search for the largest ball.
+const CLIMBS: usize = 240;
+/// A step that fails shortens the next ones by this factor.
+const SHORTER: f64 = 0.94;
+/// No more spheres are needed when no gap is larger than this share of the largest radius.
+const TOLERANCE: f64 = 0.05;
+/// The least radius of a sphere, as a share of the diagonal.
+const LEAST: f64 = 1e-4;
+
+/// How far the surface lies outside the spheres, in radii of the largest one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gaps {
+    /// The greatest distance from a place of the surface to the nearest sphere.
+    pub greatest: f64,
+    /// The mean of these distances.
+    pub mean: f64,
+}
+
+/// The amounts of the work.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Effort {
+    /// Samples of the surface, at which gaps are measured.
+    pub samples: usize,
+    /// Every how many-th of them gets a medial ball.
+    pub every: usize,
+    /// The most spheres.
+    pub most: usize,
+}
+
+/// The spheres of a mesh.
+pub(super) struct Inner {
+    /// In the order of choice: each one reduces the gaps most. The first is the largest.
+    pub spheres: Vec<Sphere>,
+    /// All medial balls.
+    pub pool: Vec<Sphere>,
+    pub gaps: Gaps,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum InnerPhase {
+    Tree,
+    Sample,
+    Pool,
+    Climb,
+    Choose,
+}
+
+/// Chooses the spheres of a mesh, in slices.
+pub(super) struct InnerMaking {
+    mesh: Arc<TriMesh>,
+    /// The diagonal of the mesh.
+    size: f64,
+    search: Search,
+    effort: Effort,
+    /// Centres of medial balls, if they are known.
+    known: Option<Vec<DVec3>>,
+    sampling: Sampling,
+    phase: InnerPhase,
+    at: usize,
+    pool: Vec<Sphere>,
+    largest: Option<Sphere>,
+    climb: (f64, Random),
+    choice: Choice,
+}
+
+impl InnerMaking {
+    /// Starts with a closed mesh that does not cross itself. `known` are the centres of medial balls; without them they
+    /// are found.
+    pub fn new(mesh: Arc<TriMesh>, effort: Effort, known: Option<Vec<DVec3>>) -> Self {
+        Self {
+            size: mesh.diagonal(),
+            search: Search::begin(&mesh),
+            sampling: Sampling::new(effort.samples),
+            phase: InnerPhase::Tree,
+            at: 0,
+            pool: Vec::new(),
+            largest: None,
+            climb: (0.0, Random::new(SEED, Purpose::Scatter, 0)),
+            choice: Choice::default(),
+            mesh,
+            effort,
+            known,
+        }
+    }
+
+    /// Works on at most `amount` triangles, samples or balls. Returns the spheres when they are chosen, or nothing if
+    /// there is no room for any.
+    pub fn advance(&mut self, amount: usize) -> Option<Option<Inner>> {
+        let amount = amount.max(1);
+        let next = match self.phase {
+            InnerPhase::Tree => {
+                let done = self.search.advance(&self.mesh, amount);
+                done.then_some(InnerPhase::Sample)
+            }
+            InnerPhase::Sample => {
+                let done = self.sampling.advance(&self.mesh, amount);
+                done.then_some(InnerPhase::Pool)
+            }
+            InnerPhase::Pool => self.fill(amount).then_some(InnerPhase::Climb),
+            InnerPhase::Climb => {
+                if self.largest.is_none() {
+                    return Some(None);
+                }
+                self.climb(amount).then_some(InnerPhase::Choose)
+            }
+            InnerPhase::Choose => {
+                if self.choose(amount) {
+                    return Some(Some(self.chosen()));
+                }
+                None
+            }
+        };
+        if let Some(next) = next {
+            (self.phase, self.at) = (next, 0);
+        }
+        None
+    }
+
+    /// Finds medial balls; true after the last one.
+    fn fill(&mut self, amount: usize) -> bool {
+        let inside = Inside {
+            mesh: &self.mesh,
+            search: &self.search,
+            least: LEAST * self.size,
+        };
+        let count = match &self.known {
+            Some(known) => known.len(),
+            None => self.sampling.samples.len().div_ceil(self.effort.every),
+        };
+        let end = count.min(self.at + amount);
+        for k in self.at..end {
+            let ball = match &self.known {
+                Some(known) => inside.ball(known[k]),
+                None => inside.medial(
+                    &self.sampling.samples[k * self.effort.every],
+                    0.5 * self.size,
+                ),
+            };
+            let Some(ball) = ball else { continue };
+            if self
+                .largest
+                .is_none_or(|largest| ball.radius > largest.radius)
+            {
+                self.largest = Some(ball);
+                self.climb.0 = 0.5 * ball.radius;
+            }
+            self.pool.push(ball);
+        }
+        self.at = end;
+        end == count
+    }
+
+    /// Moves the largest ball to where it can grow; true after the last step.
+    fn climb(&mut self, amount: usize) -> bool {
+        let inside = Inside {
+            mesh: &self.mesh,
+            search: &self.search,
+            least: LEAST * self.size,
+        };
+        let end = CLIMBS.min(self.at + amount);
+        let (step, random) = &mut self.climb;
+        for _ in self.at..end {
+            let by = DVec3::from([0; 3].map(|_| random.signed()));
+            let Some(best) = &mut self.largest else { break };
+            match inside.ball(best.centre + *step * by) {
+                Some(ball) if ball.radius > best.radius => *best = ball,
+                _ => *step *= SHORTER,
+            }
+        }
+        self.at = end;
+        end == CLIMBS
+    }
+
+    /// Chooses spheres; true when there are enough.
+    fn choose(&mut self, amount: usize) -> bool {
+        let Some(largest) = self.largest else {
+            return true;
+        };
+        if self.choice.spheres.is_empty() {
+            let places = self.sampling.samples.iter().map(|sample| sample.at);
+            self.choice = Choice::new(places.collect(), self.pool.len());
+            self.choice.take(largest);
+        }
+        let tolerance = TOLERANCE * largest.radius;
+        for _ in 0..amount {
+            let is_enough = self.choice.spheres.len() >= self.effort.most
+                || self.choice.greatest() <= tolerance;
+            if is_enough || !self.choice.advance(&self.pool) {
+                return true;
+            }
+        }
+        false
+    }
+
+    fn chosen(&mut self) -> Inner {
+        let choice = std::mem::take(&mut self.choice);
+        let largest = choice.spheres[0].radius;
+        let sum: f64 = choice.gaps.iter().sum();
+        Inner {
+            gaps: Gaps {
+                greatest: choice.greatest() / largest,
+                mean: sum / choice.gaps.len() as f64 / largest,
+            },
+            spheres: choice.spheres,
+            pool: std::mem::take(&mut self.pool),
+        }
+    }
+}
+
+/// The greedy choice of balls, by the squares of gaps, so that the greatest gaps shrink first. A ball's gain can only shrink as others are chosen, so most gains need not be computed
+/// again (Minoux 1978, Accelerated Greedy Algorithms for Maximizing Submodular Set Functions).
+#[derive(Default)]
+struct Choice {
+    places: Vec<DVec3>,
+    /// The gap at each place.
+    gaps: Vec<f64>,
+    spheres: Vec<Sphere>,
+    /// An upper bound of the gain of each ball, and for how many spheres it was computed.
+    gains: Vec<(f64, usize)>,
+}
+
+impl Choice {
+    fn new(places: Vec<DVec3>, balls: usize) -> Self {
+        Self {
+            gaps: vec![f64::INFINITY; places.len()],
+            gains: vec![(f64::INFINITY, 0); balls],
+            places,
+            spheres: Vec::new(),
+        }
+    }
+
+    fn greatest(&self) -> f64 {
+        self.gaps.iter().copied().fold(0.0, f64::max)
+    }
+
+    fn take(&mut self, ball: Sphere) {
+        for (gap, place) in self.gaps.iter_mut().zip(&self.places) {
+            let own = place.distance(ball.centre) - ball.radius;
+            *gap = gap.min(own.max(0.0));
+        }
+        self.spheres.push(ball);
+    }
+
+    /// Computes the gain of the most promising ball, or takes it; false if no ball gains anything.
+    fn advance(&mut self, pool: &[Sphere]) -> bool {
+        let bounds = self.gains.iter().enumerate();
+        let best = bounds.fold(
+            None,
+            |best: Option<(usize, f64)>, (k, &(gain, _))| match best {
+                Some((_, most)) if most >= gain => best,
+                _ => Some((k, gain)),
+            },
+        );
+        let Some((k, gain)) = best else { return false };
+        if gain <= 0.0 {
+            return false;
+        }
+        if self.gains[k].1 == self.spheres.len() {
+            self.gains[k].0 = 0.0;
+            self.take(pool[k]);
+        } else {
+            self.gains[k] = (self.gain(&pool[k]), self.spheres.len());
+        }
+        true
+    }
+
+    fn gain(&self, ball: &Sphere) -> f64 {
+        let pairs = self.gaps.iter().zip(&self.places);
+        let gains = pairs.map(|(&gap, place)| {
+            let own = place.distance(ball.centre) - ball.radius;
+            let own = own.max(0.0);
+            if own < gap {
+                gap * gap - own * own
+            } else {
+                0.0
+            }
+        });
+        gains.sum()
+    }
+}

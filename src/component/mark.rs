@@ -1,0 +1,71 @@
+//! Marks of vertices: which part of a component they belong to.
+
+/// A part of a component that may have a colour of its own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// All that is no other part.
+    #[default]
+    Body,
+    /// The pale base of a chestnut.
+    Cap,
+    /// An end: the germ of a rice grain, the tips of a cashew, the tuft of a chestnut.
+    Tip,
+    /// The midrib and the side veins of a leaf, a vein of quartz in a pebble, the scar of a bean.
+    Vein,
+    /// The thread of a bolt or of a nut.
+    Thread,
+    /// Rounded or chamfered edges, and the rim of a scar.
+    Edge,
+    /// The stalk of a fruit or of a leaf.
+    Stalk,
+}
+
+impl Part {
+    /// All parts.
+    pub const ALL: [Self; 7] = [
+        Self::Body,
+        Self::Cap,
+        Self::Tip,
+        Self::Vein,
+        Self::Thread,
+        Self::Edge,
+        Self::Stalk,
+    ];
+}
+
+/// The mark of a vertex. It belongs to the component, so colours that depend on it move with the body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mark {
+    /// The part.
+    pub part: Part,
+    /// The share of the part's colour, 0 to 1; the body's colour has the rest.
+    pub share: f32,
+    /// How much lighter or darker the surface is here, -1 to 1: bands, streaks, and hollows.
+    pub shade: f32,
+}
+
+impl Mark {
+    /// The body, without bands.
+    pub const BODY: Self = Self::of(Part::Body);
+
+    /// Nothing but this part.
+    pub const fn of(part: Part) -> Self {
+        Self {
+            part,
+            share: 1.0,
+            shade: 0.0,
+        }
+    }
+
+    /// The same with a share of the part.
+    pub(super) fn shared(self, share: f64) -> Self {
+        let share = share.clamp(0.0, 1.0) as f32;
+        Self { share, ..self }
+    }
+
+    /// The same, lighter or darker.
+    pub(super) fn shaded(self, shade: f64) -> Self {
+        let shade = shade.clamp(-1.0, 1.0) as f32;
+        Self { shade, ..self }
+    }
+}

@@ -1,0 +1,40 @@
+//! Components: the things that are heaped.
+//!
+//! A component is a closed mesh by rule ([`ComponentKind`]) or from a file, at several levels of detail, with inner spheres that
+//! stand for it when bodies are pushed apart (Sakurai, Miyata 2014, Aggregate Modelling, section 4: R is the radius
+//! of the largest one, whose centre is the origin). Vertices have marks ([`Mark`]), so that caps, tips, veins and
+//! threads get colours of their own, and bands move with the body.
+//!
+//! No two bodies need be alike: a [`Variant`] is a smooth map of space, drawn from a seed. It stretches, tapers, bulges
+//! and bends the meshes, and carries the medial balls along, so a variant costs little beside the first one.
+//!
+//! [`OriginalMaking`] and [`VariantMaking`] work in slices. Their results do not depend on the division.
+
+mod crossing;
+mod fault;
+mod fruit;
+mod grain;
+mod hardware;
+mod inner;
+mod kind;
+mod leaf;
+mod level;
+mod making;
+mod mark;
+mod pool;
+mod round;
+mod shell;
+mod variant;
+
+#[cfg(test)]
+mod tests;
+
+pub use crossing::{CrossingSearch, Crossings};
+pub use fault::{Checked, Checking, ComponentFault};
+pub use inner::Gaps;
+pub use kind::ComponentKind;
+pub use level::Level;
+pub use making::{Component, Original, OriginalMaking, VariantMaking};
+pub use mark::{Mark, Part};
+pub use pool::Sphere;
+pub use variant::{Variant, Vary};

@@ -1,0 +1,137 @@
+//! Medial balls of a closed mesh: the largest balls inside it at many places.
+
+use crate::random::{Purpose, Random};
+use crate::trimesh::{Search, TriMesh};
+use glam::DVec3;
+
+/// A ball inside a component.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// Its centre, in the component's units.
+    pub centre: DVec3,
+    /// Its radius.
+    pub radius: f64,
+}
+
+/// A sample of the surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SurfaceSample {
+    pub at: DVec3,
+    /// The outward unit normal.
+    pub normal: DVec3,
+}
+
+/// The most steps by which a ball shrinks.
+const STEPS: usize = 30;
+/// A ball is done when nothing is nearer to its centre than this share of its radius.
+const TOUCHES: f64 = 0.99;
+/// Radii are less than the exact distance by this factor, so balls lie strictly inside.
+const INSIDE: f64 = 1.0 - 1e-9;
+/// A vertex's normal is used where it is this near to that of the triangle.
+const SMOOTH: f64 = 0.9;
+
+/// A closed mesh with its search tree.
+#[derive(Clone, Copy)]
+pub(super) struct Inside<'a> {
+    pub mesh: &'a TriMesh,
+    pub search: &'a Search,
+    /// The least radius of a ball: smaller ones fill nothing.
+    pub least: f64,
+}
+
+impl Inside<'_> {
+    /// The largest ball around a point; `None` outside. The first triangle on any ray from the point tells which side
+    /// it is on, as the surface is closed and does not cross itself.
+    pub fn ball(&self, centre: DVec3) -> Option<Sphere> {
+        let nearest = self.search.closest(self.mesh, centre);
+        let [a, b, c] = self.mesh.corners(nearest.triangle);
+        let along = (a + b + c) / 3.0 - centre;
+        let hit = self.search.ray(self.mesh, centre, along, |_| true)?;
+        let leaves = self.mesh.face_normal(hit.point.triangle).dot(along) > 0.0;
+        let radius = nearest.at.distance(centre) * INSIDE;
+        (leaves && radius > self.least).then_some(Sphere { centre, radius })
+    }
+
+    /// The medial ball that touches the surface at a sample (Ma, Bae, Choi 2012, 3D Medial Axis Point Approximation
+    /// Using Nearest Neighbors and the Normal Field): a ball there shrinks until nothing is inside. `largest` is the
+    /// radius to begin with.
+    pub fn medial(&self, sample: &SurfaceSample, largest: f64) -> Option<Sphere> {
+        let mut radius = largest;
+        for _ in 0..STEPS {
+            let centre = sample.at - radius * sample.normal;
+            let nearest = self.search.closest(self.mesh, centre).at;
+            let off = sample.at - nearest;
+            let depth = off.dot(sample.normal);
+            if nearest.distance(centre) >= TOUCHES * radius || depth <= 0.0 {
+                break;
+            }
+            let next = off.length_squared() / (2.0 * depth);
+            if next >= radius {
+                break;
+            }
+            radius = next;
+        }
+        self.ball(sample.at - radius * sample.normal)
+    }
+}
+
+/// Samples of a surface, one in each of equal parts of its area.
+pub(super) struct Sampling {
+    random: Random,
+    count: usize,
+    triangle: usize,
+    /// The area of the triangles before this one.
+    before: f64,
+    pub samples: Vec<SurfaceSample>,
+}
+
+impl Sampling {
+    pub fn new(count: usize) -> Self {
+        Self {
+            random: Random::new(crate::random::SEED, Purpose::Scatter, count as u64),
+            count,
+            triangle: 0,
+            before: 0.0,
+            samples: Vec::with_capacity(count),
+        }
+    }
+
+    /// Works on at most `amount` triangles and samples; true after the last sample.
+    pub fn advance(&mut self, mesh: &TriMesh, amount: usize) -> bool {
+        let last = mesh.triangles().len() - 1;
+        for _ in 0..amount {
+            if self.samples.len() == self.count {
+                break;
+            }
+            let share = (self.samples.len() as f64 + 0.5) / self.count as f64;
+            let area = mesh.area_of(self.triangle as u32);
+            if self.triangle < last && self.before + area < share * mesh.area() {
+                self.before += area;
+                self.triangle += 1;
+            } else {
+                let [u, v] = [0; 2].map(|_| self.random.unit());
+                self.samples.push(sample(mesh, self.triangle as u32, u, v));
+            }
+        }
+        self.samples.len() == self.count
+    }
+}
+
+/// The sample of a triangle for two numbers, uniform in 0 to 1.
+fn sample(mesh: &TriMesh, triangle: u32, u: f64, v: f64) -> SurfaceSample {
+    let root = u.sqrt();
+    let weights = DVec3::new(1.0 - root, root * (1.0 - v), root * v);
+    let [a, b, c] = mesh.corners(triangle);
+    let (face, smooth) = (
+        mesh.face_normal(triangle),
+        mesh.normal_at(triangle, weights),
+    );
+    SurfaceSample {
+        at: a * weights.x + b * weights.y + c * weights.z,
+        normal: if face.dot(smooth) > SMOOTH {
+            smooth
+        } else {
+            face
+        },
+    }
+}
