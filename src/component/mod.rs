@@ -1,7 +1,7 @@
 //! Components: the things that are heaped.
 //!
 //! A component is a closed mesh by rule ([`ComponentKind`]) or from a file, at several levels of detail, with inner spheres that
-//! stand for it when bodies are pushed apart (Sakurai, Miyata 2014, Aggregate Modelling, section 4: R is the radius
+//! stand for it when bodies are pushed apart (Sakurai, Miyata 2014, Modelling of Non-Periodic Aggregates Having a Pile Structure, section 4: R is the radius
 //! of the largest one, whose centre is the origin). Vertices have marks ([`Mark`]), so that caps, tips, veins and
 //! threads get colours of their own, and bands move with the body.
 //!

@@ -1,9 +1,9 @@
 //! Bodies and surfaces for tests.
 
 use super::{
-    Dart, Darting, Fate, Kind, Method, Order, RefineParams, Refining, Shape, Sphere, Turn, Wall,
-    merge,
+    Dart, Darting, Fate, Kind, Method, Order, RefineParams, Refining, Shape, Turn, Wall, merge,
 };
+use crate::component::Sphere;
 use crate::trimesh::{Search, TriMesh, testing};
 use glam::DVec3;
 use std::f64::consts::TAU;

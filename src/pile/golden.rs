@@ -1,6 +1,7 @@
 //! The paper's own search for a body's place (section 4.2.1 to 4.2.3).
 
-use super::{Body, Reading, Shape, Sphere};
+use super::{Body, Reading, Shape};
+use crate::component::Sphere;
 use glam::DVec3;
 
 /// The weight of the way in the cost, for a way as long as the range. The penalty of eq. (1) is lost in our text. This

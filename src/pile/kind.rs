@@ -1,22 +1,14 @@
 //! Types of bodies: what heaping has to know of them.
 
 use super::Turn;
+use crate::component::{Component, Sphere};
 use glam::DVec3;
-
-/// An inner sphere of a body, in the body's own frame or in space.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sphere {
-    /// Its centre.
-    pub centre: DVec3,
-    /// Its radius, above 0.
-    pub radius: f64,
-}
 
 /// One variant of a component. The origin is the centre of the largest inner sphere, about which bodies turn
 /// (section 4.1.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// The spheres that stand for the body. Those that matter most come first.
+    /// The spheres that stand for the body. Those that matter most come first. They may be wider than inner ones.
     pub spheres: Vec<Sphere>,
     /// Points of the surface: walls and the paper's cost look at these.
     pub points: Vec<DVec3>,
@@ -26,6 +18,27 @@ pub struct Shape {
     pub diagonal: f64,
     /// The greatest distance of the surface from the origin.
     pub bound: f64,
+}
+
+/// The most points of a surface that the paper's cost looks at: it samples them.
+const MOST_POINTS: usize = 400;
+
+impl Shape {
+    /// What heaping has to know of a component.
+    pub fn of(component: &Component) -> Self {
+        let bias = component.bias() * component.radius;
+        let widened = |s: &Sphere| Sphere {
+            radius: s.radius + bias,
+            ..*s
+        };
+        Self {
+            spheres: component.spheres.iter().map(widened).collect(),
+            points: component.coarse(MOST_POINTS).mesh.positions().to_vec(),
+            radius: component.radius,
+            diagonal: component.diagonal,
+            bound: component.reach + bias,
+        }
+    }
 }
 
 /// A type of bodies, and how it is heaped.

@@ -1,6 +1,7 @@
 //! Measures of a pile.
 
-use super::{Body, Fate, Kind, Sphere};
+use super::{Body, Fate, Kind};
+use crate::component::Sphere;
 use crate::trimesh::spatial_hash::SurfaceHash;
 use glam::DVec3;
 

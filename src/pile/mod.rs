@@ -12,7 +12,7 @@
 //! question without iteration: two spheres, of which one moves along a line, overlap in one interval of that line. The
 //! union of these intervals is all that is blocked.
 //!
-//! A body is known by its inner spheres ([`Sphere`]), in order of their use. Lengths are in the units of the surface.
+//! A body is known by the inner spheres of its component ([`Shape`]), in order of their use. Lengths are in the units of the surface.
 
 mod blocked;
 mod darts;
@@ -31,7 +31,7 @@ mod fixture;
 mod tests;
 
 pub use darts::{Dart, Darting, expected_darts, same_side};
-pub use kind::{Kind, Shape, Sphere, natural_range};
+pub use kind::{Kind, Shape, natural_range};
 pub use layers::LayerDarting;
 pub use measures::{contacts, deepest_overlap, pierced};
 pub use merge::merge;

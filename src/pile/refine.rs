@@ -3,7 +3,8 @@
 use super::blocked::Blocked;
 use super::darts::scan_key;
 use super::golden::{Golden, Neighbour};
-use super::{Dart, Kind, Shape, Sphere, Wall};
+use super::{Dart, Kind, Shape, Wall};
+use crate::component::Sphere;
 use crate::order::rank;
 use crate::random::{Purpose, Random};
 use crate::trimesh::spatial_hash::SurfaceHash;
