@@ -78,7 +78,7 @@ pub struct Checking {
     crossing: CrossingSearch,
 }
 
-/// A closed mesh that does not cross itself, and the notices of what was mended.
+/// A closed mesh that does not cross itself, and the notices of faults that were mended.
 pub type Checked = Result<(Arc<TriMesh>, Vec<Notice>), ComponentFault>;
 
 impl Checking {

@@ -115,7 +115,7 @@ fn moved(spheres: &[Sphere], by: DVec3) -> Vec<Sphere> {
 pub struct Original {
     /// The component.
     pub component: Component,
-    /// What was mended in the file.
+    /// The faults that were mended in the file.
     pub notices: Vec<Notice>,
     /// Its medial balls, the largest first.
     pool: Vec<Sphere>,

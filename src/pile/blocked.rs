@@ -38,7 +38,7 @@ impl Blocked {
         only.is_some_and(|&(from, to)| from < self.lo && to > self.hi)
     }
 
-    /// The free place of the range that is nearest to 0. Of two equally near places the greater one.
+    /// The free place of the range that is nearest to 0. If two are equally near, it is the greater one.
     pub fn nearest_to_zero(&self) -> Option<f64> {
         let wanted = 0.0_f64.clamp(self.lo, self.hi);
         let Some(&(from, to)) = self.intervals.iter().find(|i| i.0 < wanted && wanted < i.1) else {

@@ -1,6 +1,6 @@
 //! The paper's own search for a body's place (section 4.2.1 to 4.2.3).
 
-use super::{Body, Reading, Shape};
+use super::{Body, Shape};
 use crate::component::Sphere;
 use glam::DVec3;
 
@@ -9,6 +9,15 @@ use glam::DVec3;
 const WAY: f64 = 0.05;
 /// The golden section: the greater part of an interval of length 1.
 const SECTION: f64 = 0.618_033_988_749_894_9;
+
+/// Which of the settled bodies the paper's cost, eq. (1), looks at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// The one that is nearest (section 3, step 2).
+    Nearest,
+    /// All that are near.
+    All,
+}
 
 /// A settled body.
 pub struct Neighbour<'a> {
@@ -61,8 +70,8 @@ impl<'a> Golden<'a> {
         }
     }
 
-    /// The place by golden section (section 4.2.2), or none if a settled body is overlapped there by more than
-    /// `removal` beyond the offset: eq. (3), which looks at all settled bodies (section 4.2.3).
+    /// The place by golden section (section 4.2.2). There is none if a settled body overlaps there by more than `removal`
+    /// beyond the offset: eq. (3), which looks at all settled bodies (section 4.2.3).
     pub fn place(&self, iterations: u32, reading: Reading, removal: f64) -> Option<f64> {
         if self.settled.is_empty() {
             return Some(0.0_f64.clamp(self.range.0, self.range.1));

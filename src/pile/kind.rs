@@ -24,7 +24,7 @@ pub struct Shape {
 const MOST_POINTS: usize = 400;
 
 impl Shape {
-    /// What heaping has to know of a component.
+    /// The part of a component that heaping uses.
     pub fn of(component: &Component) -> Self {
         let bias = component.bias() * component.radius;
         let widened = |s: &Sphere| Sphere {

@@ -15,6 +15,7 @@
 //! A body is known by the inner spheres of its component ([`Shape`]), in order of their use. Lengths are in the units of the surface.
 
 mod blocked;
+mod body;
 mod darts;
 mod golden;
 mod kind;
@@ -30,11 +31,13 @@ mod fixture;
 #[cfg(test)]
 mod tests;
 
+pub use body::{Body, Fate};
 pub use darts::{Dart, Darting, expected_darts, same_side};
+pub use golden::Reading;
 pub use kind::{Kind, Shape, natural_range};
 pub use layers::LayerDarting;
 pub use measures::{contacts, deepest_overlap, pierced};
 pub use merge::merge;
-pub use refine::{Body, Fate, Method, Order, Reading, RefineParams, Refining};
+pub use refine::{Method, Order, RefineParams, Refining};
 pub use turn::Turn;
 pub use walls::Wall;

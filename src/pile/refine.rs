@@ -2,14 +2,14 @@
 
 use super::blocked::Blocked;
 use super::darts::scan_key;
-use super::golden::{Golden, Neighbour};
-use super::{Dart, Kind, Shape, Wall};
+use super::golden::{Golden, Neighbour, Reading};
+use super::{Body, Dart, Fate, Kind, Wall};
 use crate::component::Sphere;
 use crate::order::rank;
 use crate::random::{Purpose, Random};
 use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{Search, TriMesh};
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 use std::sync::Arc;
 
 /// Orientations that are tried until no wall is passed at a dart.
@@ -28,15 +28,6 @@ pub enum Order {
     Random,
     /// Row by row, which shows as rows.
     Scan,
-}
-
-/// Which of the settled bodies the paper's cost, eq. (1), looks at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reading {
-    /// The one that is nearest (section 3, step 2).
-    Nearest,
-    /// All that are near.
-    All,
 }
 
 /// How a body's place is found.
@@ -70,74 +61,6 @@ pub struct RefineParams {
     pub method: Method,
     /// The seed.
     pub seed: u64,
-}
-
-/// What became of a dart's body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fate {
-    /// Its turn has not come.
-    Waiting,
-    /// It was left out when the types were merged.
-    Merged,
-    /// It would pass a wall or the ground, however it is turned.
-    Walls,
-    /// It found no place.
-    Removed,
-    /// It is a part of the pile.
-    Kept,
-}
-
-/// The body of a dart.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Body {
-    /// The number of its dart.
-    pub dart: u32,
-    /// The number of its type.
-    pub kind: u32,
-    /// The number of its variant within the type.
-    pub shape: u32,
-    /// The number of its layer: 0 on the surface, and then inwards.
-    pub layer: u32,
-    /// Its dart.
-    pub at: DVec3,
-    /// The unit normal along which it slides.
-    pub normal: DVec3,
-    /// The rotation from its own frame to space.
-    pub turn: DMat3,
-    /// Its size, as a factor of its component.
-    pub scale: f64,
-    /// How far it has slid along the normal.
-    pub t: f64,
-    /// The least and greatest t.
-    pub range: (f64, f64),
-    /// Whether it was kept, and else why not.
-    pub fate: Fate,
-}
-
-impl Body {
-    /// Its origin in space.
-    pub fn place(&self) -> DVec3 {
-        self.at + self.t * self.normal
-    }
-
-    /// The variant that it is.
-    pub fn shape<'a>(&self, kinds: &'a [Kind]) -> &'a Shape {
-        &kinds[self.kind as usize].shapes[self.shape as usize]
-    }
-
-    /// R, the radius of its largest inner sphere.
-    pub fn radius(&self, kinds: &[Kind]) -> f64 {
-        self.shape(kinds).radius * self.scale
-    }
-
-    /// Its inner spheres in space.
-    pub fn spheres<'a>(&self, kinds: &'a [Kind]) -> impl Iterator<Item = Sphere> + use<'a> {
-        let (turn, scale, place) = (self.turn, self.scale, self.place());
-        self.shape(kinds).spheres.iter().map(move |s| Sphere {
-            centre: place + turn * (scale * s.centre),
-            radius: scale * s.radius,
-        })
-    }
 }
 
 /// Bodies that settle one by one.
@@ -181,7 +104,7 @@ impl Refining {
     ) -> Self {
         let bodies: Vec<Body> = (0u32..)
             .zip(darts)
-            .map(|(k, dart)| body(k, dart, stays[k as usize]))
+            .map(|(k, dart)| Body::waiting(k, dart, stays[k as usize]))
             .collect();
         let order = order(&bodies, &kinds, &params);
         let settled = Settled::new(mesh, &kinds);
@@ -440,23 +363,6 @@ impl Settled {
             radius: body.radius,
             spheres: &self.spheres[body.spheres.clone()],
         }
-    }
-}
-
-/// A body that waits at its dart.
-fn body(number: u32, dart: &Dart, stays: bool) -> Body {
-    Body {
-        dart: number,
-        kind: dart.kind,
-        shape: 0,
-        layer: dart.layer,
-        at: dart.at,
-        normal: dart.normal,
-        turn: DMat3::IDENTITY,
-        scale: 0.0,
-        t: 0.0,
-        range: (0.0, 0.0),
-        fate: if stays { Fate::Waiting } else { Fate::Merged },
     }
 }
 

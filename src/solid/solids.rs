@@ -76,8 +76,8 @@ impl Solids {
         }
     }
 
-    /// The bytes of all stencils, and of the making of the largest. `needs` has a bit for each level of the cells with
-    /// so many corners.
+    /// The bytes of all stencils, and of the making of the largest. `needs` has an entry for each
+    /// number of corners, with a bit for each level.
     fn bytes(&self, skin: bool, needs: &[u32]) -> usize {
         let (mut kept, mut making) = (0, 0);
         for (corners, bits) in needs.iter().enumerate() {

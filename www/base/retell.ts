@@ -11,7 +11,7 @@ type PageWords = Record<'en' | 'ja', Record<string, string>>;
 /** The attributes that hold words. */
 const ATTRIBUTES = ['title', 'aria-label', 'aria-valuetext', 'placeholder', 'label', 'alt'];
 
-/** What joins texts that were given one by one. */
+/** This joins texts that were given one by one. */
 const JOINTS = /( [·–+/] |, |: |、|[.?] |[。？])/;
 
 /** The words of a place in both languages, as they were changed: the way back is exact even if two words look alike. */

@@ -1,6 +1,6 @@
 /** The name of a file from its parts; name.ts has the rule. */
 
-/** What tells files of one recipe apart. */
+/** The parts of a name by which files of one recipe differ. */
 export interface Kind {
   /** The pixels along a side, for pictures and maps. */
   readonly size?: number | undefined;

@@ -32,7 +32,7 @@ const MOST = 8192;
 /** The stages that a larger picture repeats for each of its pixels. */
 const OF_PIXELS = ['planes', 'weather', 'shading'];
 
-/** The least time that is told, in milliseconds. */
+/** A shorter time, in milliseconds, is not shown. */
 const LONG = 3000;
 
 /** The last choices: the program or kind of normals and the factor of the side for maps, the shape for films. */

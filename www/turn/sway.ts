@@ -17,7 +17,7 @@ const LONGEST = 100;
 /** The key of the note that the visitor has seen it, or has turned bodies. */
 const SEEN = 'swayed';
 
-/** What ends it. */
+/** These events end it. */
 const TOUCHES = ['pointerdown', 'touchstart', 'keydown', 'wheel', 'scroll'] as const;
 
 export class Sway {

@@ -18,7 +18,7 @@ export type Word = keyof typeof english;
 let words: Record<Word, string> = english;
 let foreign: Foreign | undefined;
 
-/** The most texts that are remembered. The oldest are forgotten first. Of two that look alike, the first one counts. */
+/** The most texts that are remembered. The oldest are forgotten first. If two look alike, the first one counts. */
 const MOST = 10_000;
 const given = new Map<string, () => string>();
 
