@@ -33,7 +33,7 @@ async function start(): Promise<void> {
 
 /** Loads the code for the link's view in parallel with the module. A failure shows up later, where the code is used. */
 function early(link: string): void {
-  const parts: (() => Promise<unknown>)[] = [() => import('./shell/furnish')];
+  const parts: (() => Promise<unknown>)[] = [];
   if (askedFor(lastWork()).words) parts.push(() => import('./look/linked'));
   if (isOffered(link, 'frames')) parts.push(() => import('./turn/page'));
   if (isOffered(link, 'paint')) parts.push(() => import('./space/space'));

@@ -223,7 +223,7 @@ test('phones share the picture alone, and a film that is made first, or stopped'
     await page.$eval(button, (key) => key.scrollIntoView({ block: 'center' }));
     await page.tap(button);
   };
-  assert.deepEqual(await shared(() => share('#share-picture')), [['files', [['bubblestone.png', 'image/png']]]]);
+  assert.deepEqual(await shared(() => share('#share-picture')), [['files', [['bubblestone-ring-1-192.png', 'image/png']]]]);
   await page.$eval('#share-dialog [data-close]', (close) => close.click());
   await share('#share-upright');
   await page.waitForSelector('#stop-files');

@@ -106,11 +106,11 @@ async function speak(page, code) {
   await frames(page, 5);
 }
 
-/** All words of the page, apart from times and positions. */
+/** All words of the page, apart from times and positions. Buttons of large pictures tell a time only if it is long. */
 function wordsOn(page) {
   return page.evaluate(() => {
     const found = [];
-    const add = (where, text) => text?.trim() && found.push(`${where} ${text.trim().replace(/[\d.]+/g, '#')}`);
+    const add = (where, text) => text?.trim() && found.push(`${where} ${text.trim().replace(/[\d.]+/g, '#').replace(/(, about # (s|min)|、約#[秒分])$/, '')}`);
     for (const element of document.querySelectorAll('body *:not(#language, #language *, #live, #offline, #work)')) {
       // A choice is a list or a row of buttons, as its words allow.
       const where = element.id ? `#${element.id}` : ['option', 'span'].includes(element.localName) ? '' : `${element.localName}.${element.classList[0] ?? ''}`;

@@ -63,7 +63,7 @@ test('after the first visit all works without a host, and nothing was fetched tw
   });
   await page.waitForSelector('#save-maps');
   await handed(page, () => page.$eval('#save-maps', (button) => button.click()));
-  assert.match(await page.evaluate(() => window.saved), /maps\.zip$/);
+  assert.match(await page.evaluate(() => window.saved), /-maps-opengl\.zip$/);
   await told(page, 'stored');
   assert.deepEqual(external, []);
   await close();

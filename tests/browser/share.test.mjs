@@ -134,7 +134,7 @@ test("the system's share sheet gets the link and the picture, where there is one
   const { title, url, files } = await page.evaluate(() => window.shared);
   assert.match(title, /^Bubblestone: /);
   assert.equal(url, await page.$eval('#share-link', (box) => box.value));
-  assert.equal(files[0][0], 'bubblestone.png');
+  assert.equal(files[0][0], 'bubblestone-ring-1-192.png');
   assert.ok(files[0][1] > 1000);
   assert.deepEqual(problems, []);
   await close();

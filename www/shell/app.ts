@@ -24,6 +24,7 @@ import { Seed } from '../panel/seed';
 import { Address } from './address';
 import { bindButtons } from './buttons';
 import { described } from './described';
+import { furnish } from './furnish';
 import { makeLookTools } from './look-tools';
 import { offerMakes } from './makes';
 import { OFFERED, partsOf, type Parts } from './parts';
@@ -110,7 +111,6 @@ export class App {
   /** Builds the panel and the rail. They take long to build, so the first cells are shown before. */
   async furnish(): Promise<void> {
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
-    const { furnish } = await import('./furnish');
     await furnish(this);
   }
 

@@ -1,6 +1,6 @@
 /**
- * The controls of the present generator: panel, dice, presets and the tools of the editor. They are a late part, because
- * the first cells are shown before them.
+ * The controls of the present generator: panel, dice, presets and the tools of the editor. The first cells are shown
+ * before they are built.
  */
 import { frame } from '../base/dom';
 import { RETOLD } from '../base/language';
