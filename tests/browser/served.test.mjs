@@ -5,7 +5,7 @@ import { filesOf, firstOf } from '../../scripts/lib/offline.mjs';
 import { serveSite, site as dist } from '../../scripts/lib/site.mjs';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, drop, message, SMALL, tool } from './page.mjs';
+import { BALL, click, digest, drop, message, SMALL, tool } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -91,6 +91,12 @@ test('every part that is loaded late comes, with its styles', sameEverywhere, as
   assert.equal(await japanese.page.$eval('html', (html) => html.lang), 'ja');
   assert.deepEqual(japanese.problems, []);
   await japanese.close();
+  const inSpace = await visit(BALL, 'ja');
+  await digest(inSpace.page);
+  await inSpace.page.select('#language', 'en');
+  await inSpace.page.waitForFunction(() => document.documentElement.lang === 'en' && document.title.startsWith('Bubblestone'));
+  assert.deepEqual(inSpace.problems, []);
+  await inSpace.close();
   const first = firstOf(dist);
   // A film takes long; film.test.mjs makes one.
   const late = filesOf(dist).filter((path) => path.startsWith('assets/') && !first.includes(path) && !/\/(film|turn-film|encoder)-/.test(path));
