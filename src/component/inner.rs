@@ -215,8 +215,9 @@ impl InnerMaking {
     }
 }
 
-/// The greedy choice of balls, by the squares of gaps, so that the greatest gaps shrink first. A ball's gain can only shrink as others are chosen, so most gains need not be computed
-/// again (Minoux 1978, Accelerated Greedy Algorithms for Maximizing Submodular Set Functions).
+/// The greedy choice of balls, by the squares of gaps, so that the greatest gaps shrink first. A ball's gain can only
+/// shrink as others are chosen, so most gains need not be computed again (Minoux 1978, Accelerated
+/// Greedy Algorithms for Maximizing Submodular Set Functions).
 #[derive(Default)]
 struct Choice {
     places: Vec<DVec3>,

@@ -1,9 +1,9 @@
 //! Components: the things that are heaped.
 //!
-//! A component is a closed mesh by rule ([`ComponentKind`]) or from a file, at several levels of detail, with inner spheres that
-//! stand for it when bodies are pushed apart (Sakurai, Miyata 2014, Modelling of Non-Periodic Aggregates Having a Pile Structure, section 4: R is the radius
-//! of the largest one, whose centre is the origin). Vertices have marks ([`Mark`]), so that caps, tips, veins and
-//! threads get colours of their own, and bands move with the body.
+//! A component is a closed mesh by rule ([`ComponentKind`]) or from a file, at several levels of detail, with inner
+//! spheres that stand for it when bodies are pushed apart (Sakurai, Miyata 2014, Modelling of Non-Periodic Aggregates
+//! Having a Pile Structure, section 4: R is the radius of the largest one, whose centre is the origin). Vertices have
+//! marks ([`Mark`]), so that caps, tips, veins and threads get colours of their own, and bands move with the body.
 //!
 //! No two bodies need be alike: a [`Variant`] is a smooth map of space, drawn from a seed. It stretches, tapers, bulges
 //! and bends the meshes, and carries the medial balls along, so a variant costs little beside the first one.

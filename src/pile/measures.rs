@@ -8,8 +8,8 @@ use glam::DVec3;
 /// A gap that counts as touching, in R of the smaller body.
 const TOUCHING: f64 = 0.02;
 
-/// For each body the numbers of those that it touches, by their inner spheres, when spheres may overlap by `offset`, in R of the
-/// smaller body. Bodies that are not kept touch nothing.
+/// For each body the numbers of those that it touches, by their inner spheres, when spheres may overlap by `offset`, in R
+/// of the smaller body. Bodies that are not kept touch nothing.
 pub fn contacts(bodies: &[Body], kinds: &[Kind], offset: f64) -> Vec<Vec<u32>> {
     let mut touched = vec![Vec::new(); bodies.len()];
     for_pairs(bodies, kinds, |a, b, overlap| {

@@ -12,7 +12,8 @@
 //! question without iteration: two spheres, of which one moves along a line, overlap in one interval of that line. The
 //! union of these intervals is all that is blocked.
 //!
-//! A body is known by the inner spheres of its component ([`Shape`]), in order of their use. Lengths are in the units of the surface.
+//! A body is known by the inner spheres of its component ([`Shape`]), in order of their use. Lengths are in the units of
+//! the surface.
 
 mod blocked;
 mod body;
