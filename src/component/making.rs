@@ -29,6 +29,9 @@ const FILE_CREASE: f64 = 0.642_787_609_686_539_3;
 const GAPPY: f64 = 0.15;
 const MOST_BIAS: f64 = 0.3;
 
+/// Points per square of their least distance in a full distribution over a surface, measured.
+pub const FULL_COVER: f64 = 0.69;
+
 /// A thing to heap. The origin is the centre of its largest inner sphere.
 #[derive(Clone, Debug)]
 pub struct Component {
@@ -86,7 +89,7 @@ impl Component {
 
     /// M1: the mean number of layers at density 1.
     pub fn layers(&self) -> f64 {
-        0.69 * 0.25 * self.area / (self.radius * self.radius)
+        FULL_COVER * 0.25 * self.area / (self.radius * self.radius)
     }
 
     /// The density sigma that suits the component: the root of a quarter of [`Component::layers`].

@@ -34,7 +34,7 @@ pub use fault::{Checked, Checking, ComponentFault};
 pub use inner::Gaps;
 pub use kind::ComponentKind;
 pub use level::Level;
-pub use making::{Component, Original, OriginalMaking, VariantMaking};
+pub use making::{Component, FULL_COVER, Original, OriginalMaking, VariantMaking};
 pub use mark::{Mark, Part};
 pub use pool::Sphere;
 pub use variant::{Variant, Vary};

@@ -1,5 +1,6 @@
 //! Darts: points spread evenly over a surface, without a period.
 
+use crate::component::FULL_COVER;
 use crate::order::rank;
 use crate::random::{Purpose, Random};
 use crate::trimesh::spatial_hash::SurfaceHash;
@@ -13,8 +14,6 @@ const THROWN: f64 = 2.0;
 const SCANNED: f64 = 32.0;
 /// The width of a row in scan order, as a share of the least distance.
 const ROW: f64 = 0.125;
-/// Points per square of the least distance in a full distribution, measured.
-const FULL: f64 = 0.69;
 /// A fragment is not divided if its edges are shorter than this share of the least distance.
 const SHORTEST: f64 = 0.03;
 /// The most rounds of division, for triangles that are huge beside the distance.
@@ -39,7 +38,7 @@ pub struct Dart {
 
 /// The number of darts on an area at this least distance, about.
 pub fn expected_darts(area: f64, spacing: f64) -> f64 {
-    FULL * area / (spacing * spacing)
+    FULL_COVER * area / (spacing * spacing)
 }
 
 /// Whether two points with these normals lie on one side of a thin sheet. Darts on different sides do not see each

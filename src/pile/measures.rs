@@ -52,14 +52,9 @@ fn for_pairs(bodies: &[Body], kinds: &[Kind], mut visit: impl FnMut(usize, usize
     let kept: Vec<usize> = (0..bodies.len())
         .filter(|&k| bodies[k].fate == Fate::Kept)
         .collect();
-    let Some(&first) = kept.first() else { return };
     let reach = kinds.iter().map(Kind::bound).fold(0.0, f64::max);
     let places = kept.iter().map(|&k| bodies[k].place());
-    let start = bodies[first].place();
-    let bounds = places
-        .clone()
-        .fold((start, start), |(lo, hi), p| (lo.min(p), hi.max(p)));
-    let mut hash = SurfaceHash::new(bounds, 2.0 * reach);
+    let mut hash = SurfaceHash::around(places.clone(), 2.0 * reach);
     for (own, place) in places.enumerate() {
         hash.any_near(place, 2.0 * reach, |other| {
             let (a, b) = (kept[other], kept[own]);

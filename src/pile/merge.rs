@@ -20,7 +20,7 @@ pub fn merge(darts: &[Dart], kinds: &[Kind]) -> Vec<bool> {
             .filter(|d| d.kind as usize == number)
             .map(|d| d.at)
             .collect();
-        let mut hash = SurfaceHash::new(bounds(&own), 2.0 * radius);
+        let mut hash = SurfaceHash::around(own.iter().copied(), 2.0 * radius);
         for &at in &own {
             hash.push_at(at);
         }
@@ -34,10 +34,4 @@ pub fn merge(darts: &[Dart], kinds: &[Kind]) -> Vec<bool> {
         }
     }
     stays
-}
-
-fn bounds(points: &[DVec3]) -> (DVec3, DVec3) {
-    let first = points.first().copied().unwrap_or(DVec3::ZERO);
-    let each = points.iter();
-    each.fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)))
 }

@@ -206,11 +206,9 @@ impl MetricSpace for &PackingMesh {
         SurfaceHash::new(self.bounds, step)
     }
 
-    fn grid_around(self, mut places: impl Iterator<Item = SurfacePoint>, step: f64) -> SurfaceHash {
-        let first = places.next().map_or(DVec3::ZERO, |p| p.at);
-        let bounds = places.fold((first, first), |(lo, hi), p| (lo.min(p.at), hi.max(p.at)));
+    fn grid_around(self, places: impl Iterator<Item = SurfacePoint>, step: f64) -> SurfaceHash {
         // In space, fewer and larger boxes are faster than in the plane.
-        SurfaceHash::new(bounds, 2.0 * step)
+        SurfaceHash::around(places.map(|p| p.at), 2.0 * step)
     }
 
     fn any_near(

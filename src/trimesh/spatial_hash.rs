@@ -36,6 +36,13 @@ impl SurfaceHash {
         }
     }
 
+    /// Empty boxes over these points, with sides of at least `step`.
+    pub fn around(mut points: impl Iterator<Item = DVec3>, step: f64) -> Self {
+        let first = points.next().unwrap_or_default();
+        let bounds = points.fold((first, first), |(lo, hi), p| (lo.min(p), hi.max(p)));
+        Self::new(bounds, step)
+    }
+
     fn place(&self, p: DVec3) -> [usize; 3] {
         let at = ((p - self.origin) / self.step).to_array();
         // `as` saturates, so points outside go to the boxes at the edge.
