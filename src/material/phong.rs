@@ -156,7 +156,7 @@ impl Gloss {
         }
     }
 
-    pub(super) fn applied_to(self, own: Material) -> Material {
+    pub(crate) fn applied_to(self, own: Material) -> Material {
         // Factor of the diffuse part; factor and gain of the specular part, and of the exponent; the film.
         let [diffuse, specular, more, exponent, narrower, mirror] = match self {
             Gloss::Own => return own,

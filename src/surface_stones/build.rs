@@ -61,7 +61,13 @@ impl Fit {
     /// The map for a mesh.
     pub fn new(mesh: &TriMesh) -> Self {
         let (low, high) = mesh.bounds();
-        let side = greater((high - low).max_element(), DEEP * mesh.diagonal());
+        Self::of_box(low, high)
+    }
+
+    /// The map for a box, by its least and its greatest corner.
+    pub fn of_box(low: DVec3, high: DVec3) -> Self {
+        let sides = high - low;
+        let side = greater(sides.max_element(), DEEP * sides.length());
         Self {
             middle: (low + high) * 0.5,
             scale: if side > 0.0 { 1.0 / side } else { 1.0 },

@@ -222,7 +222,7 @@ impl BareSurface {
     }
 
     /// Adds the whole ground to a scene, in one colour.
-    pub(super) fn add_to(&self, scene: &mut Scene, material: u8, sunk: f32, colour: [u8; 3]) {
+    pub fn add_to(&self, scene: &mut Scene, material: u8, sunk: f32, colour: [u8; 3]) {
         let inside = colour.map(|v| (f32::from(v) * INSIDE) as u8);
         let of = |_, is_inside| if is_inside { inside } else { colour };
         for part in 0..self.len() {

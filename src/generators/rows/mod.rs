@@ -1,6 +1,8 @@
 //! Tables of parameters, and the rows that several generators share.
 
 mod lists;
+#[cfg(house)]
+pub mod shapes;
 pub mod shared;
 pub mod stones;
 mod table;

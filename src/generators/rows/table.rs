@@ -7,6 +7,8 @@ macro_rules! rows {
     ($($(..[$list:expr])? $($word:ident $name:ident $(: $help:literal)? => $row:expr)?;)*) => {
         /// The keys of the rows.
         pub mod keys {
+            #[cfg(house)]
+            pub use $crate::generators::rows::shapes::keys::*;
             pub use $crate::generators::rows::shared::keys::*;
             pub use $crate::generators::rows::stones::keys::*;
             use $crate::recipe::Key;

@@ -1,98 +1,22 @@
 //! The one table of a surface's parameters; see [`crate::recipe::Schema`].
 
 use crate::generators::rows::rows;
+use crate::generators::rows::shapes;
 use crate::generators::rows::shared as common;
 use crate::generators::rows::stones::{self, SKIN};
-use crate::recipe::parameter::{Parameter, choice, int, number, text};
+use crate::recipe::parameter::{choice, int, number, text};
 use crate::recipe::schema::choices;
-use crate::recipe::{Choice, Item, Key};
-use crate::shapes::{ShapeNumber, numbers};
+use crate::recipe::{Choice, Item};
 
 /// The word for the surface that a file gives.
 pub const FILE: &str = "file";
-
-/// The row of a number of a shape.
-const fn own(key: Key, of: &ShapeNumber, shape: &'static [&'static str]) -> Parameter {
-    let row = match of.is_count() {
-        true => int("", of.label),
-        false => number("", of.label),
-    };
-    row.range(of.least, of.most, of.step, of.default)
-        .unit(of.unit)
-        .group("Shape")
-        .named(key, "One of the numbers that the surface is made by.")
-        .only_for(keys::FORM, shape)
-}
 
 rows! {
     form FORM: "The surface that is covered: one by rule, or that of a file." =>
         choice("Surface", choices![
             terrain: "Terrain", slope: "Slope", stairs: "Stairs", cylinder: "Cylinder", sphere: "Sphere", torus: "Torus", knot: "Knot", horn: "Horn", leg: "Leg", tail: "Tail", fish: "Fish", turtle: "Turtle's back", egg: "Egg", vase: "Vase", letter: "Letter", file: "From a file",
         ]).group("Shape").main();
-    terrain_hills TERRAIN_HILLS => own(keys::TERRAIN_HILLS, &numbers::TERRAIN[0], &["terrain"]);
-    terrain_height TERRAIN_HEIGHT => own(keys::TERRAIN_HEIGHT, &numbers::TERRAIN[1], &["terrain"]);
-    terrain_lane TERRAIN_LANE => own(keys::TERRAIN_LANE, &numbers::TERRAIN[2], &["terrain"]);
-    terrain_wind TERRAIN_WIND => own(keys::TERRAIN_WIND, &numbers::TERRAIN[3], &["terrain"]);
-    terrain_hill TERRAIN_HILL => own(keys::TERRAIN_HILL, &numbers::TERRAIN[4], &["terrain"]);
-    slope_rise SLOPE_RISE => own(keys::SLOPE_RISE, &numbers::SLOPE[0], &["slope"]);
-    slope_landing SLOPE_LANDING => own(keys::SLOPE_LANDING, &numbers::SLOPE[1], &["slope"]);
-    slope_width SLOPE_WIDTH => own(keys::SLOPE_WIDTH, &numbers::SLOPE[2], &["slope"]);
-    slope_round SLOPE_ROUND => own(keys::SLOPE_ROUND, &numbers::SLOPE[3], &["slope"]);
-    stairs_steps STAIRS_STEPS => own(keys::STAIRS_STEPS, &numbers::STAIRS[0], &["stairs"]);
-    stairs_pitch STAIRS_PITCH => own(keys::STAIRS_PITCH, &numbers::STAIRS[1], &["stairs"]);
-    stairs_width STAIRS_WIDTH => own(keys::STAIRS_WIDTH, &numbers::STAIRS[2], &["stairs"]);
-    stairs_landing STAIRS_LANDING => own(keys::STAIRS_LANDING, &numbers::STAIRS[3], &["stairs"]);
-    cylinder_height CYLINDER_HEIGHT => own(keys::CYLINDER_HEIGHT, &numbers::CYLINDER[0], &["cylinder"]);
-    cylinder_top CYLINDER_TOP => own(keys::CYLINDER_TOP, &numbers::CYLINDER[1], &["cylinder"]);
-    cylinder_belly CYLINDER_BELLY => own(keys::CYLINDER_BELLY, &numbers::CYLINDER[2], &["cylinder"]);
-    cylinder_caps CYLINDER_CAPS => own(keys::CYLINDER_CAPS, &numbers::CYLINDER[3], &["cylinder"]);
-    sphere_height SPHERE_HEIGHT => own(keys::SPHERE_HEIGHT, &numbers::SPHERE[0], &["sphere"]);
-    sphere_depth SPHERE_DEPTH => own(keys::SPHERE_DEPTH, &numbers::SPHERE[1], &["sphere"]);
-    sphere_square SPHERE_SQUARE => own(keys::SPHERE_SQUARE, &numbers::SPHERE[2], &["sphere"]);
-    torus_tube TORUS_TUBE => own(keys::TORUS_TUBE, &numbers::TORUS[0], &["torus"]);
-    torus_height TORUS_HEIGHT => own(keys::TORUS_HEIGHT, &numbers::TORUS[1], &["torus"]);
-    torus_waves TORUS_WAVES => own(keys::TORUS_WAVES, &numbers::TORUS[2], &["torus"]);
-    torus_swell TORUS_SWELL => own(keys::TORUS_SWELL, &numbers::TORUS[3], &["torus"]);
-    knot_turns KNOT_TURNS => own(keys::KNOT_TURNS, &numbers::KNOT[0], &["knot"]);
-    knot_lobes KNOT_LOBES => own(keys::KNOT_LOBES, &numbers::KNOT[1], &["knot"]);
-    knot_tube KNOT_TUBE => own(keys::KNOT_TUBE, &numbers::KNOT[2], &["knot"]);
-    knot_swing KNOT_SWING => own(keys::KNOT_SWING, &numbers::KNOT[3], &["knot"]);
-    knot_height KNOT_HEIGHT => own(keys::KNOT_HEIGHT, &numbers::KNOT[4], &["knot"]);
-    horn_turns HORN_TURNS => own(keys::HORN_TURNS, &numbers::HORN[0], &["horn"]);
-    horn_rise HORN_RISE => own(keys::HORN_RISE, &numbers::HORN[1], &["horn"]);
-    horn_taper HORN_TAPER => own(keys::HORN_TAPER, &numbers::HORN[2], &["horn"]);
-    horn_girth HORN_GIRTH => own(keys::HORN_GIRTH, &numbers::HORN[3], &["horn"]);
-    leg_toes LEG_TOES => own(keys::LEG_TOES, &numbers::LEG[0], &["leg"]);
-    leg_spread LEG_SPREAD => own(keys::LEG_SPREAD, &numbers::LEG[1], &["leg"]);
-    leg_bend LEG_BEND => own(keys::LEG_BEND, &numbers::LEG[2], &["leg"]);
-    leg_girth LEG_GIRTH => own(keys::LEG_GIRTH, &numbers::LEG[3], &["leg"]);
-    leg_reach LEG_REACH => own(keys::LEG_REACH, &numbers::LEG[4], &["leg"]);
-    tail_curl TAIL_CURL => own(keys::TAIL_CURL, &numbers::TAIL[0], &["tail"]);
-    tail_taper TAIL_TAPER => own(keys::TAIL_TAPER, &numbers::TAIL[1], &["tail"]);
-    tail_girth TAIL_GIRTH => own(keys::TAIL_GIRTH, &numbers::TAIL[2], &["tail"]);
-    tail_lift TAIL_LIFT => own(keys::TAIL_LIFT, &numbers::TAIL[3], &["tail"]);
-    fish_height FISH_HEIGHT => own(keys::FISH_HEIGHT, &numbers::FISH[0], &["fish"]);
-    fish_width FISH_WIDTH => own(keys::FISH_WIDTH, &numbers::FISH[1], &["fish"]);
-    fish_tail FISH_TAIL => own(keys::FISH_TAIL, &numbers::FISH[2], &["fish"]);
-    fish_fins FISH_FINS => own(keys::FISH_FINS, &numbers::FISH[3], &["fish"]);
-    fish_swim FISH_SWIM => own(keys::FISH_SWIM, &numbers::FISH[4], &["fish"]);
-    turtle_width TURTLE_WIDTH => own(keys::TURTLE_WIDTH, &numbers::TURTLE[0], &["turtle"]);
-    turtle_height TURTLE_HEIGHT => own(keys::TURTLE_HEIGHT, &numbers::TURTLE[1], &["turtle"]);
-    turtle_rim TURTLE_RIM => own(keys::TURTLE_RIM, &numbers::TURTLE[2], &["turtle"]);
-    turtle_keel TURTLE_KEEL => own(keys::TURTLE_KEEL, &numbers::TURTLE[3], &["turtle"]);
-    egg_height EGG_HEIGHT => own(keys::EGG_HEIGHT, &numbers::EGG[0], &["egg"]);
-    egg_point EGG_POINT => own(keys::EGG_POINT, &numbers::EGG[1], &["egg"]);
-    egg_base EGG_BASE => own(keys::EGG_BASE, &numbers::EGG[2], &["egg"]);
-    vase_height VASE_HEIGHT => own(keys::VASE_HEIGHT, &numbers::VASE[0], &["vase"]);
-    vase_shoulder VASE_SHOULDER => own(keys::VASE_SHOULDER, &numbers::VASE[1], &["vase"]);
-    vase_neck VASE_NECK => own(keys::VASE_NECK, &numbers::VASE[2], &["vase"]);
-    vase_lip VASE_LIP => own(keys::VASE_LIP, &numbers::VASE[3], &["vase"]);
-    vase_hollow VASE_HOLLOW => own(keys::VASE_HOLLOW, &numbers::VASE[4], &["vase"]);
-    letter_letter LETTER_LETTER => own(keys::LETTER_LETTER, &numbers::LETTER[0], &["letter"]);
-    letter_weight LETTER_WEIGHT => own(keys::LETTER_WEIGHT, &numbers::LETTER[1], &["letter"]);
-    letter_depth LETTER_DEPTH => own(keys::LETTER_DEPTH, &numbers::LETTER[2], &["letter"]);
-    letter_round LETTER_ROUND => own(keys::LETTER_ROUND, &numbers::LETTER[3], &["letter"]);
-    letter_lean LETTER_LEAN => own(keys::LETTER_LEAN, &numbers::LETTER[4], &["letter"]);
+    ..[shapes::NUMBERS];
     model MODEL: "The file's digest and its name: a link does not hold the file itself." =>
         text("Model", Item::File).group("Shape").main().steady()
             .drawn_for(keys::FORM, FILE).only_for(keys::FORM, &[FILE]);

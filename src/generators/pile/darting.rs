@@ -1,0 +1,224 @@
+//! The third stage: how each type is heaped, and the darts of all types, merged.
+
+use super::components::Components;
+use super::params::{DartParams, TypeParams};
+use super::site::Site;
+use crate::component::Component;
+use crate::notice::{Code, Notice};
+use crate::pile::{
+    Dart, Darting, Kind, LayerDarting, Shape, expected_darts, merge, natural_range,
+};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// The most darts of all types and layers.
+const MOST: f64 = 30_000.0;
+/// With fewer darts a pile is no pile.
+const FEWEST: f64 = 20.0;
+/// The largest component, in shortest sides of the shape: beyond the first there is a remark, beyond the second a
+/// refusal.
+const LARGE: [f64; 2] = [0.25, 1.0];
+/// The distance of layers, in diagonals.
+const APART: f64 = 0.5;
+/// Darts, triangles or fragments in a slice.
+const SLICE: usize = 300;
+/// The same for layers, whose darts each search the surface.
+const LAYER_SLICE: usize = 60;
+
+/// Types and their darts.
+pub(super) struct Placed {
+    pub kinds: Arc<[Kind]>,
+    pub darts: Vec<Dart>,
+    /// Whether each dart is left after merging.
+    pub stays: Vec<bool>,
+    /// A component that is large beside the shape.
+    pub remarks: Vec<Notice>,
+}
+
+/// Darts in progress.
+pub(super) struct Placing {
+    kinds: Arc<[Kind]>,
+    remarks: Vec<Notice>,
+    darts: Vec<Dart>,
+    /// The number of the type, and of its layer.
+    at: (u32, u32),
+    throwing: Option<Throwing>,
+}
+
+enum Throwing {
+    Outer(Box<Darting>),
+    Inner(Box<LayerDarting>),
+}
+
+impl Placing {
+    /// Does one slice.
+    ///
+    /// # Errors
+    /// If there would be too many darts, too few, or a component is larger than the shape.
+    pub fn advance(
+        params: &DartParams,
+        work: &mut Option<Placing>,
+        (components, site): (&Components, &Site),
+    ) -> Result<Option<Placed>, Notice> {
+        let Some(placing) = work else {
+            *work = Some(Self::begin(params, components, site)?);
+            return Ok(None);
+        };
+        if placing.at.0 as usize == placing.kinds.len() {
+            return Ok(work.take().map(|placing| placing.finish(params.is_merged)));
+        }
+        placing.throw(params, site);
+        Ok(None)
+    }
+
+    /// The darts so far, of all finished types and layers, and of the one that is thrown.
+    pub fn darts(&self) -> impl Iterator<Item = (u32, DVec3, DVec3)> + '_ {
+        let done = self.darts.iter().map(|d| (d.kind, d.at, d.normal));
+        let kind = self.at.0;
+        let outer = match &self.throwing {
+            Some(Throwing::Outer(darting)) => darting.points(),
+            _ => &[],
+        };
+        let inner = match &self.throwing {
+            Some(Throwing::Inner(darting)) => darting.darts(),
+            _ => &[],
+        };
+        done.chain(outer.iter().map(move |p| (kind, p.at, p.normal)))
+            .chain(inner.iter().map(|d| (d.kind, d.at, d.normal)))
+    }
+
+    /// The types.
+    pub fn kinds(&self) -> &Arc<[Kind]> {
+        &self.kinds
+    }
+
+    fn begin(params: &DartParams, components: &Components, site: &Site) -> Result<Self, Notice> {
+        let each = params.types.iter().zip(components);
+        let kinds = each.map(|(own, variants)| kind(params, own, &variants.all));
+        let kinds: Arc<[Kind]> = kinds.collect();
+        check_count(params, &kinds, site)?;
+        Ok(Self {
+            remarks: check_sizes(&kinds, site)?,
+            kinds,
+            darts: Vec::new(),
+            at: (0, 0),
+            throwing: None,
+        })
+    }
+
+    fn throw(&mut self, params: &DartParams, site: &Site) {
+        let (number, layer) = self.at;
+        let kind = &self.kinds[number as usize];
+        let mesh = &site.mesh;
+        let throwing = self.throwing.get_or_insert_with(|| match layer {
+            0 => Throwing::Outer(Box::new(Darting::new(
+                mesh,
+                kind.spacing(),
+                number,
+                params.seed,
+                params.in_scan_order,
+            ))),
+            _ => Throwing::Inner(Box::new(LayerDarting::new(
+                mesh,
+                (number, layer),
+                f64::from(layer) * APART * kind.diagonal(),
+                kind.spacing(),
+                params.seed,
+            ))),
+        });
+        let done = match throwing {
+            Throwing::Outer(darting) => darting.advance(mesh, SLICE),
+            Throwing::Inner(darting) => darting.advance(mesh, &site.search, LAYER_SLICE),
+        };
+        if !done {
+            return;
+        }
+        match self.throwing.take() {
+            Some(Throwing::Outer(darting)) => {
+                self.darts.extend(darting.points().iter().map(|p| Dart {
+                    kind: number,
+                    layer,
+                    at: p.at,
+                    normal: p.normal,
+                    triangle: p.triangle,
+                }));
+            }
+            Some(Throwing::Inner(darting)) => self.darts.extend(darting.darts()),
+            None => {}
+        }
+        let next = layer + 1;
+        self.at = match next < params.layers {
+            true => (number, next),
+            false => (number + 1, 0),
+        };
+    }
+
+    fn finish(self, is_merged: bool) -> Placed {
+        Placed {
+            stays: match is_merged {
+                true => merge(&self.darts, &self.kinds),
+                false => vec![true; self.darts.len()],
+            },
+            kinds: self.kinds,
+            darts: self.darts,
+            remarks: self.remarks,
+        }
+    }
+}
+
+fn kind(params: &DartParams, own: &TypeParams, variants: &[Arc<Component>]) -> Kind {
+    let first = &variants[0];
+    let natural = || natural_range(first.volume, first.area, first.diagonal);
+    Kind {
+        shapes: variants.iter().map(|one| Shape::of(one)).collect(),
+        scale: own.scale,
+        jitter: params.jitter,
+        density: own.density.unwrap_or_else(|| first.density()),
+        turn: own.turn,
+        range: own.range.unwrap_or_else(natural),
+        inward: params.inward,
+    }
+}
+
+/// Counts the darts before any is thrown.
+fn check_count(params: &DartParams, kinds: &[Kind], site: &Site) -> Result<(), Notice> {
+    let area = site.mesh.area();
+    let each = |kind: &Kind| expected_darts(area, kind.spacing());
+    let outer: f64 = kinds.iter().map(each).sum();
+    let all = outer * f64::from(params.layers);
+    if all > MOST {
+        // The count falls with the square of the spacing.
+        let factor = (all / MOST).sqrt();
+        let first = (kinds[0].density * factor * 20.0).ceil() / 20.0;
+        let notice = Notice::new(Code::PileMany).with("n", all.round() as usize);
+        let notice = notice.with("most", MOST as usize);
+        return Err(notice.with("fits", crate::decimal::text(first)));
+    }
+    if outer < FEWEST {
+        let notice = Notice::new(Code::PileFew).with("n", outer.round() as usize);
+        return Err(notice.with("least", FEWEST as usize));
+    }
+    Ok(())
+}
+
+/// Compares the components with the shape.
+fn check_sizes(kinds: &[Kind], site: &Site) -> Result<Vec<Notice>, Notice> {
+    let (low, high) = site.mesh.bounds();
+    let sides = high - low;
+    // Flat shapes have no thickness.
+    let least = match site.mesh.closed().is_some() {
+        true => sides.min_element(),
+        false => sides.x.min(sides.z),
+    };
+    let largest = kinds.iter().map(Kind::diagonal).fold(0.0, f64::max);
+    let share = largest / least;
+    let notice = |code| {
+        let percent = (100.0 * share).round() as usize;
+        Notice::new(code).with("share", percent)
+    };
+    match share {
+        share if share > LARGE[1] => Err(notice(Code::PileTooLarge)),
+        share if share > LARGE[0] => Ok(vec![notice(Code::PileLarge)]),
+        _ => Ok(Vec::new()),
+    }
+}

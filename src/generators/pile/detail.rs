@@ -1,0 +1,186 @@
+//! Colour and relief of bodies at pixels. They lie in the space of each body, so they move with it.
+
+use crate::component::Texture;
+use crate::material::{GrainStrength, NearGrain, NoiseTile};
+use crate::order::{greater, lesser};
+use crate::scene::{Detail, Place, Surfel};
+use glam::{Vec2, Vec3};
+use std::rc::Rc;
+
+/// Picture units in a unit of a component: its length is about 48 of them, as that of a large stone.
+const UNIT: f32 = 24.0;
+/// The random stream of the noise, the power of two of its side, and its levels and dimension.
+const NOISE: (u64, u32, u32, f64) = (23, 7, 4, 1.5);
+/// The colour factor of wet bodies, and the width of the water's edge in the scene.
+const SOAKED: f32 = 0.62;
+const EDGE: f32 = 0.02;
+/// The strength of grain.
+const METAL_GRAIN: GrainStrength = GrainStrength {
+    speckle: 0.03,
+    height: 0.05,
+};
+const SKIN_GRAIN: GrainStrength = GrainStrength {
+    speckle: 0.03,
+    height: 0.12,
+};
+
+/// A body at rest, as its detail needs it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Own {
+    pub place: Place,
+    /// The number of its type.
+    pub kind: u32,
+    /// Where its noise is read.
+    pub offset: [f32; 2],
+}
+
+/// The noise that all bodies share.
+pub(super) struct PileNoise {
+    tile: NoiseTile,
+    grain: NearGrain,
+}
+
+impl PileNoise {
+    /// The noise of a seed.
+    pub fn new(seed: u64) -> Self {
+        let (item, side, levels, dimension) = NOISE;
+        Self {
+            tile: NoiseTile::new(seed, item, side, levels, dimension),
+            grain: NearGrain::new(seed),
+        }
+    }
+}
+
+/// The detail of a pile.
+pub(super) struct PileDetail {
+    pub noise: Rc<PileNoise>,
+    /// The bodies by their ids, from 1.
+    pub owns: Rc<Vec<Option<Own>>>,
+    /// The texture of each type.
+    pub textures: Vec<Texture>,
+    /// The height up to which bodies are wet, if any are.
+    pub water: Option<f32>,
+    /// The materials of wet bodies, by type.
+    pub wet_rows: Vec<u8>,
+}
+
+/// A place of a body in its own space.
+struct Local {
+    /// In the component's units.
+    at: Vec3,
+    normal: Vec3,
+    /// The width of a pixel there.
+    spread: f32,
+    offset: Vec2,
+}
+
+impl Detail for PileDetail {
+    fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
+        let own = self.owns.get((id as usize).wrapping_sub(1));
+        let Some(own) = own.and_then(Option::as_ref) else {
+            return;
+        };
+        let scale = own.place.scale();
+        let unit = own.place.axes.map(|axis| axis / scale);
+        let back = |v: Vec3| Vec3::from(unit.map(|axis| axis.dot(v)));
+        let local = Local {
+            at: back(surfel.position - own.place.origin) / scale,
+            normal: back(surfel.normal),
+            spread: spread / scale,
+            offset: Vec2::from(own.offset),
+        };
+        let texture = self.textures[own.kind as usize];
+        let light = self.noise.light(texture, &local);
+        surfel.colour = surfel.colour.map(|v| lesser(v * light, 255.0));
+        let mut normal = local.normal;
+        self.noise.grain(texture, &local, &mut surfel.colour, &mut normal);
+        surfel.normal = unit[0] * normal.x + unit[1] * normal.y + unit[2] * normal.z;
+        if let Some(water) = self.water {
+            self.soak(surfel, own, water);
+        }
+    }
+
+    fn mark(&self) -> Option<u64> {
+        self.water.map(|water| u64::from(water.to_bits()))
+    }
+}
+
+impl PileDetail {
+    /// Wets what lies below the water's edge, which is uneven.
+    fn soak(&self, surfel: &mut Surfel, own: &Own, water: f32) {
+        let at = surfel.position * 40.0;
+        let uneven = self.noise.tile.between(at.x + 0.6 * at.y, at.z - 0.6 * at.y);
+        let below = (water + EDGE * uneven - surfel.position.y) / EDGE + 0.5;
+        let soaked = below.clamp(0.0, 1.0);
+        let factor = 1.0 + (SOAKED - 1.0) * soaked;
+        surfel.colour = surfel.colour.map(|v| v * factor);
+        if soaked > 0.5 {
+            surfel.material = self.wet_rows[own.kind as usize];
+        }
+    }
+}
+
+impl PileNoise {
+    /// The factor of a texture on the colour.
+    fn light(&self, texture: Texture, local: &Local) -> f32 {
+        let p = local.at;
+        // Detail with this many waves in a unit fades where pixels are too wide for it.
+        let shown = |waves: f32| (2.0 - 4.0 * waves * local.spread).clamp(0.0, 1.0);
+        let read = |x: f32, y: f32| {
+            let [dx, dy] = local.offset.to_array();
+            self.tile.between(x + dx, y + dy).clamp(-2.5, 2.5)
+        };
+        match texture {
+            Texture::None => 1.0,
+            Texture::Grains { speckle, .. } => {
+                let broad = self.from_sides(local, 3.0, &read);
+                let fine = self.from_sides(local, 11.0, &read);
+                let fine = 0.6 * fine + 0.4 * fine * fine.abs();
+                greater(1.0 + speckle * (0.7 * broad * shown(3.0) + fine * shown(11.0)), 0.2)
+            }
+            Texture::Wood => {
+                // Rings about an axis beside the body, along its length.
+                let off = Vec2::new(p.y + 0.9, p.z - 0.35);
+                let waver = 0.10 * read(2.0 * p.x, 9.0 * off.length());
+                let ring = 9.0 * (off.length() + waver);
+                let part = ring - ring.floor();
+                let late = part * part * shown(9.0);
+                let fibre = read(3.0 * p.x, 60.0 * off.y) * shown(30.0);
+                1.06 - 0.26 * late + 0.04 * fibre
+            }
+            Texture::Pores => 1.0 + 0.03 * self.from_sides(local, 9.0, &read) * shown(9.0),
+            Texture::Brushed => {
+                let line = read(2.5 * p.x, 40.0 * p.y + 23.0 * p.z) * shown(30.0);
+                1.0 + 0.035 * line
+            }
+            Texture::Fibres => {
+                let around = libm::atan2f(p.z, p.y);
+                let line = read(2.0 * p.x, 7.0 * around) * shown(8.0);
+                1.0 + 0.03 * line
+            }
+        }
+    }
+
+    /// A noise from three sides, weighted by the normal.
+    fn from_sides(&self, local: &Local, waves: f32, read: &impl Fn(f32, f32) -> f32) -> f32 {
+        let n = local.normal * local.normal;
+        let weights = n * n / greater((n * n).element_sum(), 1e-6);
+        let p = local.at * waves;
+        weights.x * read(p.z, p.y) + weights.y * read(p.x + 31.0, p.z) + weights.z * read(p.x, p.y + 17.0)
+    }
+
+    /// Adds the finest grain to colour and normal.
+    fn grain(&self, texture: Texture, local: &Local, colour: &mut [f32; 3], normal: &mut Vec3) {
+        let strength = match texture {
+            Texture::None | Texture::Fibres => return,
+            Texture::Grains { speckle, height } => GrainStrength { speckle, height },
+            Texture::Wood | Texture::Pores => SKIN_GRAIN,
+            Texture::Brushed => METAL_GRAIN,
+        };
+        let away = Vec3::new(local.offset.x, local.offset.y, 0.0);
+        let place = (local.at * UNIT + away, *normal);
+        if let Some(grain) = self.grain.at(place, local.spread * UNIT, strength) {
+            grain.add_to(colour, normal);
+        }
+    }
+}

@@ -1,0 +1,368 @@
+//! Diagrams of a pile: darts with their disks, inner spheres, overlap, types, layers, and what was removed.
+
+use super::components::Components;
+use super::heap::place;
+use super::made::Thrown;
+use super::site::Site;
+use super::views::PileView;
+use crate::component::Sphere;
+use crate::pile::{Body as PiledBody, Fate, Kind, deepest_overlaps};
+use crate::scene::{Body, Detail, Instance, Paint, Place, Scene, Surfel};
+use crate::solid::Surface;
+use crate::surface_stones::Fit;
+use crate::surface_views::BareSurface;
+use glam::{DVec3, Vec3};
+use std::f64::consts::{PI, TAU};
+
+/// Colours of types, and of layers.
+const TYPES: [[u8; 3]; 5] = [
+    [86, 146, 206],
+    [226, 142, 62],
+    [104, 172, 96],
+    [196, 96, 134],
+    [150, 122, 196],
+];
+/// Colours of the reasons why a body is not there: merged, walls, removed.
+const REASONS: [[u8; 3]; 3] = [[86, 146, 206], [150, 122, 196], [214, 72, 56]];
+/// Pale bodies, between which others are seen.
+const PALE: [u8; 3] = [206, 200, 190];
+/// Blue, green and red: apart, touching, and deeper than that.
+const APART: [f32; 3] = [70.0, 120.0, 210.0];
+const TOUCHING: [f32; 3] = [90.0, 180.0, 90.0];
+const DEEP: [f32; 3] = [216.0, 64.0, 48.0];
+/// The row of plain bodies in the materials of views.
+const SATIN: u8 = 2;
+/// The row of the bare surface there.
+const BARE: u8 = 0;
+/// The colour of the shape under its darts.
+const CALM: [u8; 3] = [168, 162, 151];
+/// The radius of a dart, and the thickness of its disk, in radii of the disk.
+const POINT: f64 = 0.16;
+const THICK: f32 = 0.04;
+/// How far a disk is drawn, so that neighbours can be told apart.
+const DRAWN: f64 = 0.94;
+/// Meridians and parallels of a ball, and corners of a disk.
+const BALL: [usize; 2] = [20, 10];
+const DISK: usize = 28;
+/// Balls and disks in their own coordinates have the radius 1.
+const UNIT: f32 = 1.0;
+
+/// A diagram.
+pub(crate) struct Diagram {
+    pub scene: Scene,
+    /// The deepest overlap, in R, if the diagram shows it.
+    pub deepest: Option<f64>,
+}
+
+/// A settled pile.
+pub(super) struct Piled<'a> {
+    pub kinds: &'a [Kind],
+    pub bodies: &'a [PiledBody],
+    /// T and D.
+    pub offset: f64,
+    pub removal: f64,
+    pub components: &'a Components,
+    pub fit: Fit,
+}
+
+/// The darts on the bare shape, each with its disk of half the least distance to others.
+pub(super) fn darts(ground: &BareSurface, site: &Site, thrown: &Thrown) -> Diagram {
+    let mut scene = ground.scene();
+    let fit = site.fit();
+    let first = scene.bodies.len() as u32;
+    for kind in 0..thrown.kinds.len() {
+        let colour = TYPES[kind % TYPES.len()];
+        scene.bodies.push(Body::new(vec![disk(colour)], SATIN));
+    }
+    for (&(kind, at, normal), id) in thrown.darts.iter().zip(1..) {
+        let radius = DRAWN * 0.5 * thrown.kinds[kind as usize].spacing();
+        let u = normal.any_orthonormal_vector();
+        let axes = [u, normal, u.cross(normal)];
+        let scale = radius * fit.scale;
+        scene.instances.push(Instance {
+            body: first + kind,
+            place: Place {
+                axes: axes.map(|axis| (axis * scale).as_vec3()),
+                origin: fit.place(at),
+            },
+            id,
+            paint: None,
+        });
+    }
+    Diagram {
+        scene,
+        deepest: None,
+    }
+}
+
+/// A diagram of settled bodies.
+pub(super) fn of_bodies(view: PileView, piled: &Piled, ground: &BareSurface) -> Diagram {
+    match view {
+        PileView::Spheres => spheres(piled),
+        PileView::Fates => fates(piled, ground),
+        PileView::Overlap => overlap(piled),
+        PileView::Depth => depth(piled),
+        PileView::Layers => coloured(piled, |body| TYPES[body.layer as usize % TYPES.len()]),
+        _ => coloured(piled, |body| TYPES[body.kind as usize % TYPES.len()]),
+    }
+}
+
+/// The bodies, each in one colour.
+fn coloured(piled: &Piled, colour: impl Fn(&PiledBody) -> [u8; 3]) -> Diagram {
+    let (mut scene, first) = plain(piled);
+    for body in kept(piled) {
+        scene.instances.push(Instance {
+            body: first[body.kind as usize] + body.shape,
+            place: place(body, piled.fit),
+            id: body.dart + 1,
+            paint: Some(Paint {
+                tint: colour(body),
+                material: SATIN,
+            }),
+        });
+    }
+    Diagram {
+        scene,
+        deepest: None,
+    }
+}
+
+/// A scene with a white body for each variant, and the first one of each type.
+fn plain(piled: &Piled) -> (Scene, Vec<u32>) {
+    let mut scene = Scene {
+        reach: reach(piled),
+        ..Scene::default()
+    };
+    let mut first = Vec::new();
+    for variants in piled.components {
+        first.push(scene.bodies.len() as u32);
+        for component in &variants.all {
+            let from = component.levels.len() - component.levels.len().min(2);
+            let levels = component.levels[from..].iter();
+            let levels = levels.map(|level| level.surface(component.crease, |_| [255; 3]));
+            scene.bodies.push(Body::new(levels.collect(), SATIN));
+        }
+    }
+    (scene, first)
+}
+
+fn kept<'a>(piled: &Piled<'a>) -> impl Iterator<Item = &'a PiledBody> + use<'a> {
+    let bodies = piled.bodies.iter();
+    bodies.filter(|body| body.fate == Fate::Kept)
+}
+
+fn reach(piled: &Piled) -> f32 {
+    let sum: f64 = piled.kinds.iter().map(Kind::diagonal).sum();
+    (0.35 * sum / piled.kinds.len().max(1) as f64 * piled.fit.scale) as f32
+}
+
+/// The inner spheres of all bodies.
+fn spheres(piled: &Piled) -> Diagram {
+    let mut scene = Scene {
+        reach: reach(piled),
+        ..Scene::default()
+    };
+    scene
+        .bodies
+        .push(Body::new(vec![ball([255; 3]), coarse_ball()], SATIN));
+    for body in kept(piled) {
+        let tint = TYPES[body.kind as usize % TYPES.len()];
+        for sphere in body.spheres(piled.kinds) {
+            scene.instances.push(Instance {
+                body: 0,
+                place: round(sphere, piled.fit),
+                id: body.dart + 1,
+                paint: Some(Paint {
+                    tint,
+                    material: SATIN,
+                }),
+            });
+        }
+    }
+    Diagram {
+        scene,
+        deepest: None,
+    }
+}
+
+/// The place of a ball of radius 1 that becomes a sphere.
+fn round(sphere: Sphere, fit: Fit) -> Place {
+    let scale = (sphere.radius * fit.scale) as f32;
+    Place {
+        axes: [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * scale),
+        origin: fit.place(sphere.centre),
+    }
+}
+
+/// The darts whose bodies are not there, in the colour of the reason, on the bare shape.
+fn fates(piled: &Piled, ground: &BareSurface) -> Diagram {
+    let mut scene = Scene {
+        reach: reach(piled),
+        ..Scene::default()
+    };
+    ground.add_to(&mut scene, BARE, 0.0, CALM);
+    let first = scene.bodies.len() as u32;
+    scene.bodies.push(Body::new(vec![ball([255; 3])], SATIN));
+    for body in piled.bodies {
+        let (tint, size) = match body.fate {
+            Fate::Merged => (REASONS[0], 1.6),
+            Fate::Walls => (REASONS[1], 1.6),
+            Fate::Removed => (REASONS[2], 1.6),
+            Fate::Kept | Fate::Waiting => (PALE, 1.0),
+        };
+        let radius = size * POINT * piled.kinds[body.kind as usize].spacing();
+        let sphere = Sphere {
+            centre: body.at,
+            radius,
+        };
+        scene.instances.push(Instance {
+            body: first,
+            place: round(sphere, piled.fit),
+            id: body.dart + 1,
+            paint: Some(Paint {
+                tint,
+                material: SATIN,
+            }),
+        });
+    }
+    Diagram {
+        scene,
+        deepest: None,
+    }
+}
+
+/// The bodies, blue where they are apart, green where they touch, and red where they overlap by more than T + D.
+fn overlap(piled: &Piled) -> Diagram {
+    let deepest = deepest_overlaps(piled.bodies, piled.kinds);
+    let limit = piled.offset + piled.removal;
+    let colour = |body: &PiledBody| {
+        let own = deepest[body.dart as usize];
+        bytes(between_three(own, limit))
+    };
+    let most = deepest.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    Diagram {
+        deepest: most.is_finite().then_some(most),
+        ..coloured(piled, colour)
+    }
+}
+
+/// Blue below 0, green up to the limit, then red.
+fn between_three(value: f64, limit: f64) -> [f32; 3] {
+    let mix = |a: [f32; 3], b: [f32; 3], part: f64| {
+        let part = part.clamp(0.0, 1.0) as f32;
+        std::array::from_fn(|k| a[k] + (b[k] - a[k]) * part)
+    };
+    match value {
+        value if value < 0.0 => mix(APART, TOUCHING, 1.0 + value / 0.3),
+        value => mix(TOUCHING, DEEP, (value - 0.5 * limit) / (0.5 * limit).max(1e-6)),
+    }
+}
+
+fn bytes(colour: [f32; 3]) -> [u8; 3] {
+    colour.map(|v| (v.clamp(0.0, 255.0) + 0.5) as u8)
+}
+
+/// The bodies in the colours of eq. (2) at their own surfaces: green on the spheres, blue beyond them, red inside.
+fn depth(piled: &Piled) -> Diagram {
+    let mut diagram = coloured(piled, |_| [255; 3]);
+    let count = piled.bodies.len();
+    let mut owns: Vec<Option<Vec<Sphere>>> = vec![None; count];
+    let mut radii = vec![1.0; count];
+    for body in kept(piled) {
+        let k = body.dart as usize;
+        let to_scene = |s: Sphere| Sphere {
+            centre: piled.fit.place(s.centre).as_dvec3(),
+            radius: s.radius * piled.fit.scale,
+        };
+        owns[k] = Some(body.spheres(piled.kinds).map(to_scene).collect());
+        radii[k] = body.radius(piled.kinds) * piled.fit.scale;
+    }
+    diagram.scene.detail = Some(Box::new(DepthDetail { owns, radii }));
+    diagram
+}
+
+/// Colours a body's surface by its depth in the body's own spheres.
+struct DepthDetail {
+    owns: Vec<Option<Vec<Sphere>>>,
+    radii: Vec<f64>,
+}
+
+impl Detail for DepthDetail {
+    fn refine(&self, surfel: &mut Surfel, id: u32, _spread: f32) {
+        let k = (id as usize).wrapping_sub(1);
+        let Some(spheres) = self.owns.get(k).and_then(Option::as_ref) else {
+            return;
+        };
+        let at = surfel.position.as_dvec3();
+        let depth = |s: &Sphere| s.radius - at.distance(s.centre);
+        let deepest = spheres.iter().map(depth).fold(f64::NEG_INFINITY, f64::max);
+        surfel.colour = between_three(deepest / self.radii[k], 0.3);
+    }
+}
+
+/// A ball of radius 1 about the origin.
+fn ball(colour: [u8; 3]) -> Surface {
+    globe(BALL, colour)
+}
+
+fn coarse_ball() -> Surface {
+    globe(BALL.map(|n| n / 2), [255; 3])
+}
+
+fn globe([around, down]: [usize; 2], colour: [u8; 3]) -> Surface {
+    let mut surface = Surface::default();
+    for k in 0..=down {
+        let (sin, cos) = libm::sincos(PI * k as f64 / down as f64);
+        for j in 0..around {
+            let (s, c) = libm::sincos(TAU * j as f64 / around as f64);
+            surface
+                .positions
+                .push(DVec3::new(sin * c, cos, sin * s).as_vec3());
+        }
+    }
+    surface.normals = surface.positions.clone();
+    surface.colours = vec![colour; surface.positions.len()];
+    let at = |k: usize, j: usize| (k * around + j % around) as u32;
+    for k in 0..down {
+        for j in 0..around {
+            let [a, b, c, d] = [at(k, j), at(k, j + 1), at(k + 1, j), at(k + 1, j + 1)];
+            if k > 0 {
+                surface.triangles.push([a, b, d]);
+            }
+            if k + 1 < down {
+                surface.triangles.push([a, d, c]);
+            }
+        }
+    }
+    surface
+}
+
+/// A thin disk of radius 1 with a point in its middle, upright along y.
+fn disk(colour: [u8; 3]) -> Surface {
+    let mut surface = globe([12, 6], [40, 38, 36]);
+    for p in &mut surface.positions {
+        *p *= POINT as f32;
+    }
+    let first = surface.positions.len() as u32;
+    let push = |surface: &mut Surface, p: Vec3, n: Vec3| {
+        surface.positions.push(p);
+        surface.normals.push(n);
+        surface.colours.push(colour);
+    };
+    push(&mut surface, Vec3::Y * THICK, Vec3::Y);
+    for j in 0..DISK {
+        let (s, c) = libm::sincos(TAU * j as f64 / DISK as f64);
+        let out = Vec3::new(c as f32, 0.0, s as f32) * UNIT;
+        push(&mut surface, out + Vec3::Y * THICK, Vec3::Y);
+        push(&mut surface, out - Vec3::Y * THICK, out);
+    }
+    for j in 0..DISK {
+        let top = |j: usize| first + 1 + 2 * (j % DISK) as u32;
+        surface.triangles.push([first, top(j + 1), top(j)]);
+        surface
+            .triangles
+            .push([top(j), top(j + 1), top(j + 1) + 1]);
+        surface.triangles.push([top(j), top(j + 1) + 1, top(j) + 1]);
+    }
+    surface
+}

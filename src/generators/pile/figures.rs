@@ -1,0 +1,68 @@
+//! What is told about a body, and about a view.
+
+use super::PileEngine;
+use super::subject::ViewScene;
+use super::views::PileView;
+use crate::notice::{Code, Notice};
+use crate::pile::{Fate, contacts};
+
+impl PileEngine {
+    /// The measures of a body, by their words: its type and layer, from 1; how far it slid along the normal, in its
+    /// diagonals, and the ends of its range; and how many others it touches.
+    pub(super) fn figures(&self, id: u32) -> Vec<(&'static str, f64)> {
+        let (Some(body), Some(placed)) = (self.made.body(id), self.made.placed.made()) else {
+            return Vec::new();
+        };
+        let kind = &placed.kinds[body.kind as usize];
+        let diagonal = kind.shapes[body.shape as usize].diagonal * body.scale;
+        let mut figures = vec![
+            ("type", f64::from(body.kind) + 1.0),
+            ("layer", f64::from(body.layer) + 1.0),
+        ];
+        if body.fate == Fate::Kept {
+            figures.push(("slid", body.t / diagonal));
+            figures.push(("inwards", body.range.0 / diagonal));
+            figures.push(("outwards", body.range.1 / diagonal));
+            let offset = self.made.settled.params().offset;
+            let bodies = self.made.settled.made().map_or(&[][..], |s| s.bodies());
+            let touched = contacts(bodies, &placed.kinds, offset);
+            figures.push(("touches", touched[body.dart as usize].len() as f64));
+        }
+        figures
+    }
+
+    /// The caption of a view that is shown.
+    pub(super) fn caption_of(&self, words: &str) -> Option<Notice> {
+        let view = PileView::of_words(words);
+        let (key, subject) = self.picture.shown()?;
+        let ViewScene::Diagram(diagram) = subject else {
+            return None;
+        };
+        if key.view != view {
+            return None;
+        }
+        match view {
+            PileView::Darts => {
+                let count = self.made.darts().darts.len();
+                Some(Notice::new(Code::PileDarts).with("n", count))
+            }
+            PileView::Fates => Some(self.fates()),
+            PileView::Overlap => {
+                let deepest = crate::decimal::text((diagram.deepest? * 100.0).round() / 100.0);
+                Some(Notice::new(Code::PileOverlap).with("deepest", deepest))
+            }
+            _ => None,
+        }
+    }
+
+    /// How many darts there were, and what became of them.
+    fn fates(&self) -> Notice {
+        let counts = [Fate::Kept, Fate::Merged, Fate::Walls, Fate::Removed];
+        let [kept, merged, walls, removed] = counts.map(|fate| self.made.count(fate));
+        Notice::new(Code::PileFates)
+            .with("kept", kept)
+            .with("merged", merged)
+            .with("walls", walls)
+            .with("removed", removed)
+    }
+}

@@ -1,0 +1,104 @@
+//! The results of the stages so far, finished or not.
+
+use super::darting::Placing;
+use super::params::ComponentSource;
+use super::schema::FILE;
+use super::stages::{BODIES, REFINE, Stages};
+use crate::graph::Wiring;
+use crate::pile::{Body, Fate, Kind, Refining};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// Darts, and the types that they are for.
+pub(super) struct Thrown {
+    pub kinds: Arc<[Kind]>,
+    /// For each dart its type, its place, and the normal.
+    pub darts: Vec<(u32, DVec3, DVec3)>,
+}
+
+impl Stages {
+    /// The darts so far; none before the first is thrown.
+    pub fn darts(&self) -> Thrown {
+        let thrown = |placing: &Placing| Thrown {
+            kinds: placing.kinds().clone(),
+            darts: placing.darts().collect(),
+        };
+        if let Some(placing) = self.begun(&self.placed) {
+            return thrown(placing);
+        }
+        let placed = self.current(&self.placed);
+        placed.map_or(
+            Thrown {
+                kinds: Arc::from([]),
+                darts: Vec::new(),
+            },
+            |placed| Thrown {
+                kinds: placed.kinds.clone(),
+                darts: placed
+                    .darts
+                    .iter()
+                    .map(|d| (d.kind, d.at, d.normal))
+                    .collect(),
+            },
+        )
+    }
+
+    /// The bodies that settle, or the last settled ones.
+    pub fn refining(&self) -> Option<&Refining> {
+        let moving = self.begun(&self.settled);
+        moving.or(self.settled.made())
+    }
+
+    /// Whether bodies are settling.
+    pub fn is_moving(&self) -> bool {
+        self.at() == Some(REFINE) && self.is_fresh(&self.dressed)
+    }
+
+    /// Whether there is a scene of the present bodies, even if another look is wanted.
+    pub fn has_bodies(&self) -> bool {
+        let is_settled = self.is_fresh(&self.settled);
+        let bodies = self.bodies.made().filter(|_| is_settled);
+        bodies.is_some_and(|bodies| bodies.settled == self.settled.revision())
+    }
+
+    /// How many bodies have this fate so far.
+    pub fn count(&self, fate: Fate) -> usize {
+        let bodies = self.refining().map_or(&[][..], Refining::bodies);
+        bodies.iter().filter(|body| body.fate == fate).count()
+    }
+
+    /// A body of the present pile, by its id.
+    pub fn body(&self, id: u32) -> Option<&Body> {
+        let number = (id as usize).checked_sub(1)?;
+        self.current(&self.settled)?.bodies().get(number)
+    }
+
+    /// The digest of the scene; empty before there is one.
+    pub fn digest(&self) -> String {
+        let bodies = self.bodies.made();
+        bodies.map_or(String::new(), |bodies| bodies.digest.clone())
+    }
+
+    /// The last picture.
+    pub fn picture(&self) -> &[u8] {
+        self.still.made().map_or(&[], Vec::as_slice)
+    }
+
+    /// The number of finished bodies.
+    pub fn finished(&self) -> usize {
+        match self.at() {
+            Some(at) if at < BODIES => 0,
+            _ => self.count(Fate::Kept),
+        }
+    }
+
+    /// The words of the types' components.
+    pub fn words(&self) -> Vec<&'static str> {
+        let sources = self.components.params().sources.iter();
+        let word = |source: &ComponentSource| match source {
+            ComponentSource::Kind(kind) => kind.word(),
+            ComponentSource::File(..) => FILE,
+        };
+        sources.map(word).collect()
+    }
+}

@@ -1,0 +1,83 @@
+//! Piles: bodies heaped on a shape (Sakurai, Miyata 2014, Modelling of Non-Periodic Aggregates Having a Pile Structure).
+
+mod components;
+mod darting;
+#[cfg(not(target_arch = "wasm32"))]
+mod data;
+mod detail;
+mod diagrams;
+mod dress;
+mod engine;
+mod figures;
+mod files;
+mod heap;
+mod made;
+mod materials;
+mod params;
+mod presets;
+mod rules;
+mod schema;
+mod site;
+mod stages;
+mod subject;
+mod views;
+
+use super::scene_picture::{Saving, ScenePicture};
+use super::{Course, Generator, Views};
+use crate::export::SceneFile;
+use crate::recipe::{Recipe, Schema};
+use params::Params;
+use stages::Stages;
+
+/// The parameters of a pile.
+pub static SCHEMA: Schema = Schema {
+    word: "pile",
+    is_named: true,
+    rows: schema::ROWS,
+    rules: &rules::PileRules,
+};
+
+/// The generator.
+pub static PILE: Generator = Generator {
+    schema: &SCHEMA,
+    title: "Piles",
+    presets: presets::PRESETS,
+    stages: &stages::WORDS,
+    course: Course {
+        begins: &[0.0, 0.3, 0.35, 0.45, 0.7, 0.72],
+        stepping: "refine",
+        placing: "refine",
+        finisher: "bodies",
+        settled: "light",
+        seen: &["darts", "darts", "darts", "auto", "", ""],
+    },
+    views: Views {
+        bases: &views::WORDS,
+        overlays: &[],
+    },
+    offers: &["frames", "compare", "mesh", "forming"],
+    names: &["c1", "form"],
+    chance: "pile",
+    home: "330,24,2.75,28",
+    lowest: -85.0,
+    engine: |recipe| Box::new(PileEngine::new(recipe)),
+};
+
+/// The engine: its stages, and what is looked at.
+pub struct PileEngine {
+    made: Stages,
+    picture: ScenePicture<PileEngine>,
+    /// The unfinished mesh file.
+    saving: Option<Saving<SceneFile>>,
+}
+
+impl PileEngine {
+    /// Starts with all its work to be done.
+    pub fn new(recipe: &Recipe) -> Self {
+        Self {
+            made: Stages::new(&Params::new(recipe)),
+            picture: ScenePicture::default(),
+            saving: None,
+        }
+    }
+}

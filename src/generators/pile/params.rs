@@ -1,0 +1,279 @@
+//! Turns a recipe into the parameters of each stage.
+
+use super::schema::{FILE, NONE, ROWS, TYPE_KEYS, TypeKeys, keys};
+use crate::component::{ComponentKind, FINISHES, Finish};
+use crate::generators::common;
+use crate::generators::lighting::LightParams;
+use crate::generators::scene_picture::AskedFile;
+use super::materials::materials;
+use crate::light::ShadeParams;
+use crate::material::Gloss;
+use crate::pile::{Method, Order, Reading, RefineParams, Turn};
+use crate::pile_shape::PileShape;
+use crate::recipe::{Key, Recipe};
+use crate::shapes::Shape;
+use glam::DVec3;
+
+/// The parameters of the stages.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Params {
+    pub files: Vec<AskedFile>,
+    pub components: ComponentParams,
+    pub dress: DressParams,
+    pub site: SiteParams,
+    pub darts: DartParams,
+    pub refine: RefineParams,
+    pub bodies: BodyParams,
+    pub shade: ShadeParams,
+    /// The degrees by which the pile is turned, clockwise seen from above.
+    pub yaw: f64,
+    /// Pixels along the picture's side.
+    pub side: usize,
+}
+
+/// The source of a component.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ComponentSource {
+    /// By rule.
+    Kind(ComponentKind),
+    /// That of a file, by its number among all files of the recipe, and by its digest, 0 if the recipe names none.
+    File(usize, u64),
+}
+
+/// The components of all types.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct ComponentParams {
+    pub sources: Vec<ComponentSource>,
+    /// Variants of each component.
+    pub variants: u64,
+    pub seed: u64,
+}
+
+/// The colours of all types.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct DressParams {
+    pub finishes: Vec<&'static Finish>,
+}
+
+/// The source of the shape.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum SiteSource {
+    /// A shape made for piles, with its numbers.
+    Pile(PileShape, Vec<f64>),
+    /// A shape of surfaces, with its numbers.
+    Shape(Shape, Vec<f64>),
+    /// That of a file, by its number among all files of the recipe.
+    File(usize),
+}
+
+/// The shape.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct SiteParams {
+    pub source: SiteSource,
+    /// Half of its longest side.
+    pub half: f64,
+}
+
+/// How one type is heaped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct TypeParams {
+    pub scale: f64,
+    /// `None` follows from the component.
+    pub density: Option<f64>,
+    pub turn: Turn,
+    /// `None` follows from the component.
+    pub range: Option<f64>,
+}
+
+/// How darts are thrown, and what is heaped on them.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct DartParams {
+    pub types: Vec<TypeParams>,
+    pub jitter: f64,
+    /// The share of the range that lies inside of the shape.
+    pub inward: f64,
+    pub layers: u32,
+    pub is_merged: bool,
+    pub in_scan_order: bool,
+    pub seed: u64,
+}
+
+/// Whether the shape itself is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CoreShown {
+    /// If it is ground.
+    Suits,
+    Seen,
+    Hidden,
+}
+
+/// How bodies look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct BodyParams {
+    pub vary: f32,
+    pub gloss: Gloss,
+    /// The share of the height that is wet.
+    pub wet: f32,
+    pub core: CoreShown,
+    pub seed: u64,
+}
+
+impl Params {
+    pub fn new(recipe: &Recipe) -> Self {
+        let mut files = Vec::new();
+        let types: Vec<&TypeKeys> = TYPE_KEYS
+            .iter()
+            .filter(|own| recipe.choice(own.component) != NONE)
+            .collect();
+        let sources = types.iter().map(|own| source(recipe, own, &mut files));
+        let components = ComponentParams {
+            sources: sources.collect(),
+            variants: recipe.number(keys::VARIANTS) as u64,
+            seed: common::seed(recipe),
+        };
+        Self {
+            components,
+            site: site(recipe, &mut files),
+            dress: DressParams {
+                finishes: types.iter().map(|own| finish(recipe, own)).collect(),
+            },
+            darts: darts(recipe, &types),
+            refine: refine(recipe),
+            bodies: bodies(recipe),
+            shade: common::shading(recipe),
+            yaw: recipe.number(keys::YAW),
+            side: common::side(recipe),
+            files,
+        }
+    }
+
+    /// The light, and the materials of the types.
+    pub fn light(&self) -> LightParams {
+        LightParams {
+            shade: self.shade,
+            materials: materials(&self.dress.finishes, self.bodies.gloss),
+        }
+    }
+}
+
+/// A component's source. A file is added to the list of files.
+fn source(recipe: &Recipe, own: &TypeKeys, files: &mut Vec<AskedFile>) -> ComponentSource {
+    match ComponentKind::of_word(recipe.choice(own.component)) {
+        Some(kind) => ComponentSource::Kind(kind),
+        None => {
+            let asked = asked(recipe, own.file, own.up);
+            let digest = asked.file.as_ref().map_or(0, |file| file.digest);
+            files.push(asked);
+            ComponentSource::File(files.len() - 1, digest)
+        }
+    }
+}
+
+fn asked(recipe: &Recipe, file: Key, up: Key) -> AskedFile {
+    AskedFile {
+        role: file.0,
+        file: recipe.files(file).pop(),
+        is_z_up: recipe.choice(up) == "z",
+    }
+}
+
+fn site(recipe: &Recipe, files: &mut Vec<AskedFile>) -> SiteParams {
+    let word = recipe.choice(keys::FORM);
+    let source = match (PileShape::of_word(word), Shape::of_word(word)) {
+        (Some(shape), _) => SiteSource::Pile(shape, numbers(recipe, word)),
+        (_, Some(shape)) => SiteSource::Shape(shape, numbers(recipe, word)),
+        _ => {
+            files.push(asked(recipe, keys::MODEL, keys::UP));
+            SiteSource::File(files.len() - 1)
+        }
+    };
+    SiteParams {
+        source,
+        half: recipe.number(keys::PS),
+    }
+}
+
+/// The numbers of a shape, in the order of its table.
+fn numbers(recipe: &Recipe, word: &str) -> Vec<f64> {
+    let is_own = |words: &[&str]| words == [word] && word != FILE;
+    let rows = ROWS.iter().filter(|row| match row.shown_for {
+        Some((key, words)) => key == keys::FORM && is_own(words),
+        None => false,
+    });
+    rows.map(|row| recipe.number(row.key)).collect()
+}
+
+/// The finish of a type: the given one, else that of its component.
+fn finish(recipe: &Recipe, own: &TypeKeys) -> &'static Finish {
+    let word = recipe.choice(own.finish);
+    let given = FINISHES.iter().find(|finish| finish.word == word);
+    given.unwrap_or_else(|| {
+        let kind = ComponentKind::of_word(recipe.choice(own.component));
+        kind.map_or(&FINISHES[0], ComponentKind::finish)
+    })
+}
+
+fn darts(recipe: &Recipe, types: &[&TypeKeys]) -> DartParams {
+    let is_global = recipe.choice(keys::FRAME) == "global";
+    let is_natural = recipe.choice(keys::REACH) == "natural";
+    let of = |own: &&TypeKeys| {
+        let density = recipe.number(own.density);
+        let [u, v, w] = own.turns.map(|key| recipe.number(key).to_radians());
+        TypeParams {
+            scale: recipe.number(own.scale),
+            density: (density > 0.0).then_some(density),
+            turn: Turn {
+                ranges: DVec3::new(u, v, w),
+                is_global,
+            },
+            range: (!is_natural).then_some(recipe.number(own.range)),
+        }
+    };
+    DartParams {
+        types: types.iter().map(of).collect(),
+        jitter: recipe.number(keys::JITTER),
+        inward: recipe.number(keys::ALPHA),
+        layers: recipe.number(keys::LAYERS) as u32,
+        is_merged: recipe.choice(keys::MERGE) == "merged",
+        in_scan_order: recipe.choice(keys::DARTS) == "scan",
+        seed: common::seed(recipe),
+    }
+}
+
+fn refine(recipe: &Recipe) -> RefineParams {
+    RefineParams {
+        offset: recipe.number(keys::OFFSET),
+        removal: recipe.number(keys::REMOVAL),
+        order: match recipe.choice(keys::ORDER) {
+            "scan" => Order::Scan,
+            _ => Order::Random,
+        },
+        is_large_first: recipe.choice(keys::FIRST) == "large",
+        retries: recipe.number(keys::RETRIES) as u32,
+        method: match recipe.choice(keys::REFINE) {
+            "golden" => Method::Golden {
+                iterations: recipe.number(keys::ITERATIONS) as u32,
+                reading: match recipe.choice(keys::READING) {
+                    "all" => Reading::All,
+                    _ => Reading::Nearest,
+                },
+            },
+            _ => Method::Exact,
+        },
+        seed: common::seed(recipe),
+    }
+}
+
+fn bodies(recipe: &Recipe) -> BodyParams {
+    BodyParams {
+        vary: recipe.number(keys::VARY) as f32,
+        gloss: Gloss::of_word(recipe.choice(keys::GLOSS)),
+        wet: recipe.number(keys::WET) as f32,
+        core: match recipe.choice(keys::CORE) {
+            "seen" => CoreShown::Seen,
+            "hidden" => CoreShown::Hidden,
+            _ => CoreShown::Suits,
+        },
+        seed: common::seed(recipe),
+    }
+}

@@ -1,0 +1,161 @@
+//! The second stage: the shape on which bodies are heaped, with its walls.
+
+use super::params::{SiteParams, SiteSource};
+use crate::generators::scene_picture::Loaded;
+use crate::notice::{Code, Notice};
+use crate::pile::Wall;
+use crate::pile_shape::Vessel;
+use crate::shapes::{Ends, Shape, ShapeMaking};
+use crate::surface_stones::Fit;
+use crate::trimesh::{MeshBuilding, Search, TriMesh};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// The length of edges, as a share of the longest side.
+const EDGE: f64 = 0.02;
+/// Triangles in a slice of the search tree.
+const SEARCHED: usize = 1 << 14;
+
+/// A shape that is ready for darts.
+pub(super) struct Site {
+    pub mesh: Arc<TriMesh>,
+    pub search: Search,
+    pub walls: Vec<Wall>,
+    /// The container that is seen.
+    pub vessel: Option<Vessel>,
+    /// Whether the shape is ground, which is seen.
+    pub is_ground: bool,
+}
+
+/// A shape in progress.
+pub(super) enum SiteMaking {
+    Shape(Box<ShapeMaking>),
+    Mesh(Box<MeshBuilding>, Surroundings),
+    Tree(Box<Site>),
+}
+
+/// Everything around the mesh.
+#[derive(Default)]
+pub(super) struct Surroundings {
+    walls: Vec<Wall>,
+    vessel: Option<Vessel>,
+    is_ground: bool,
+}
+
+impl SiteMaking {
+    /// Does one slice.
+    ///
+    /// # Errors
+    /// If the file has no surface.
+    pub fn advance(
+        params: &SiteParams,
+        work: &mut Option<SiteMaking>,
+        loaded: &Loaded,
+    ) -> Result<Option<Site>, Notice> {
+        let next = match work.take() {
+            None => Self::begin(params, loaded)?,
+            Some(Self::Shape(mut making)) => match making.advance() {
+                false => Self::Shape(making),
+                true => {
+                    let made = making.finish();
+                    let is_ground = is_ground(&params.source);
+                    let positions = scaled(made.positions, 2.0 * params.half);
+                    let around = Surroundings {
+                        is_ground,
+                        ..Surroundings::default()
+                    };
+                    Self::Mesh(
+                        Box::new(MeshBuilding::new(positions, made.triangles)),
+                        around,
+                    )
+                }
+            },
+            Some(Self::Mesh(mut building, around)) => match building.advance() {
+                None => Self::Mesh(building, around),
+                Some(mesh) => {
+                    let mesh = Arc::new(mesh.map_err(|_| Notice::from(Code::ModelNoArea))?);
+                    Self::tree(mesh, around)
+                }
+            },
+            Some(Self::Tree(mut site)) => {
+                if site.search.advance(&site.mesh, SEARCHED) {
+                    return Ok(Some(*site));
+                }
+                Self::Tree(site)
+            }
+        };
+        *work = Some(next);
+        Ok(None)
+    }
+
+    fn begin(params: &SiteParams, loaded: &Loaded) -> Result<Self, Notice> {
+        let by = 2.0 * params.half;
+        Ok(match &params.source {
+            SiteSource::Pile(shape, numbers) => {
+                let made = shape.build(numbers, EDGE).scaled(by);
+                let building =
+                    MeshBuilding::new(made.surface.positions, made.surface.triangles);
+                let around = Surroundings {
+                    walls: made.walls,
+                    vessel: made.vessel,
+                    is_ground: false,
+                };
+                Self::Mesh(Box::new(building), around)
+            }
+            SiteSource::Shape(shape, numbers) => {
+                Self::Shape(Box::new(shape.making(numbers, EDGE, Ends::Round)))
+            }
+            SiteSource::File(number) => {
+                let mesh = &loaded.meshes[*number];
+                let (low, high) = mesh.bounds();
+                let side = (high - low).max_element();
+                let middle = DVec3::new(0.5 * (low.x + high.x), low.y, 0.5 * (low.z + high.z));
+                let place = |p: &DVec3| (*p - middle) * (by / side);
+                let positions = mesh.positions().iter().map(place).collect();
+                let building = MeshBuilding::new(positions, mesh.triangles().to_vec());
+                Self::Mesh(Box::new(building), Surroundings::default())
+            }
+        })
+    }
+
+    fn tree(mesh: Arc<TriMesh>, around: Surroundings) -> Self {
+        let site = Site {
+            search: Search::begin(&mesh),
+            mesh,
+            walls: around.walls,
+            vessel: around.vessel,
+            is_ground: around.is_ground,
+        };
+        Self::Tree(Box::new(site))
+    }
+}
+
+/// Whether a shape is ground.
+fn is_ground(source: &SiteSource) -> bool {
+    matches!(
+        source,
+        SiteSource::Shape(Shape::Terrain | Shape::Slope | Shape::Stairs, _)
+    )
+}
+
+fn scaled(positions: Vec<DVec3>, by: f64) -> Vec<DVec3> {
+    positions.into_iter().map(|p| p * by).collect()
+}
+
+/// The room around the shape for bodies, in units of components.
+const ROOM: f64 = 0.8;
+
+impl Site {
+    /// The map from the shape's units to the scene: the shape with its container, and room for bodies around it, has
+    /// its middle at the origin and fits into a picture.
+    pub fn fit(&self) -> Fit {
+        let (mut low, mut high) = self.mesh.bounds();
+        low -= DVec3::splat(ROOM);
+        high += DVec3::splat(ROOM);
+        let around = self.vessel.iter().flat_map(|v| &v.surface.positions);
+        for p in around.map(|p| p.as_dvec3()) {
+            (low, high) = (low.min(p), high.max(p));
+        }
+        Fit::of_box(low, high)
+    }
+}

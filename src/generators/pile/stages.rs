@@ -1,0 +1,253 @@
+//! The stages of a pile, as a table of tasks.
+
+use super::PILE;
+use super::components::{Components, ComponentsMaking};
+use super::darting::{Placed, Placing};
+use super::dress::{Dressed, Dressing};
+use super::heap::{Heap, HeapParts};
+use super::params::{
+    BodyParams, ComponentParams, DartParams, DressParams, Params, SiteParams,
+};
+use super::site::{Site, SiteMaking};
+use crate::generators::MissingFile;
+use crate::generators::scene_picture::{
+    AskedFile, GivenFiles, Loaded, Loading, StillParams, StillRender,
+};
+use crate::graph::{Inputs, Node, Task, Wiring, inputs, task};
+use crate::notice::Notice;
+use crate::pile::{RefineParams, Refining};
+use crate::scene::Scene;
+use crate::surface_views::BareSurface;
+use std::rc::Rc;
+
+/// The words of the stages.
+pub(super) const WORDS: [&str; 6] = ["components", "shape", "darts", "refine", "bodies", "light"];
+
+/// The index of the stage that lets bodies settle.
+pub(super) const REFINE: usize = 3;
+/// The index of the bodies, the first stage of the finisher.
+pub(super) const BODIES: usize = 4;
+
+/// The steps in which all bodies settle, about, ...
+const STEPS: usize = 160;
+/// ... and the most bodies in one step.
+const MOST: usize = 12;
+
+/// A pile's bodies in the scene.
+pub(super) struct Bodies {
+    pub scene: Rc<Scene>,
+    /// The digest of the scene.
+    pub digest: String,
+    /// The revision of the settled bodies.
+    pub settled: u64,
+}
+
+/// The nodes of the stages, and the files given for them.
+pub(super) struct Stages {
+    pub files: GivenFiles,
+    /// The last components, which stay while only other types change.
+    kept: Components,
+    pub(super) loaded: Node<Vec<AskedFile>, Loading, Loaded>,
+    pub(super) components: Node<ComponentParams, ComponentsMaking, Components>,
+    pub(super) dressed: Node<DressParams, Dressing, Rc<Dressed>>,
+    pub(super) site: Node<SiteParams, SiteMaking, Site>,
+    pub(super) ground: Node<(), BareSurface, BareSurface>,
+    pub(super) placed: Node<DartParams, Placing, Placed>,
+    pub(super) settled: Node<RefineParams, Refining, Refining>,
+    pub(super) bodies: Node<BodyParams, Heap, Bodies>,
+    pub(super) still: Node<StillParams, StillRender, Vec<u8>>,
+}
+
+impl Wiring for Stages {
+    type Stage = usize;
+
+    const TASKS: &'static [Task<Self>] = &[
+        task!(0, loaded, Self::files_given, Self::load),
+        task!(0, components, [loaded], Self::make_components),
+        task!(1, site, [loaded], Self::make_site),
+        task!(1, ground, [site], Self::make_ground),
+        task!(2, placed, [components, site], Self::make_darts),
+        task!(REFINE, dressed, [components], Self::make_dressed),
+        task!(REFINE, settled, [placed, site], Self::refine),
+        task!(BODIES, bodies, [settled, ground, dressed], Self::make_bodies),
+        task!(5, still, [bodies], Self::make_still),
+    ];
+}
+
+/// Camera and light of the picture.
+fn still(params: &Params) -> StillParams {
+    StillParams {
+        camera: PILE.camera(),
+        light: params.light(),
+        yaw: params.yaw,
+        side: params.side,
+    }
+}
+
+impl Stages {
+    /// Starts with nothing made.
+    pub fn new(params: &Params) -> Self {
+        Self {
+            files: GivenFiles::default(),
+            kept: Components::default(),
+            loaded: Node::new(params.files.clone()),
+            components: Node::new(params.components.clone()),
+            dressed: Node::new(params.dress.clone()),
+            site: Node::new(params.site.clone()),
+            ground: Node::new(()),
+            placed: Node::new(params.darts.clone()),
+            settled: Node::new(params.refine),
+            bodies: Node::new(params.bodies),
+            still: Node::new(still(params)),
+        }
+    }
+
+    /// Notes the parameters of the latest recipe.
+    pub fn ask(&mut self, params: Params) {
+        self.still.ask(still(&params));
+        self.loaded.ask(params.files);
+        self.components.ask(params.components);
+        self.dressed.ask(params.dress);
+        self.site.ask(params.site);
+        self.placed.ask(params.darts);
+        self.settled.ask(params.refine);
+        self.bodies.ask(params.bodies);
+    }
+
+    /// Makes all stages stale.
+    pub fn forget(&mut self) {
+        self.kept.clear();
+        self.components.forget();
+        self.site.forget();
+    }
+
+    /// Takes a file.
+    pub fn give(&mut self, digest: u64, bytes: Vec<u8>) {
+        self.files.give(digest, bytes, self.loaded.params());
+    }
+
+    /// The missing files, also before any work has found that out.
+    pub fn missing(&self) -> Vec<MissingFile> {
+        let asked = match self.is_fresh(&self.loaded) {
+            true => &[],
+            false => &self.loaded.params()[..],
+        };
+        self.files.missing(asked).collect()
+    }
+
+    /// Remarks on files that were mended, and on sizes that do not fit well.
+    pub fn remarks(&self) -> Vec<Notice> {
+        let components = self.current(&self.components);
+        let of_files = components.into_iter().flatten().flat_map(|one| &one.notices);
+        let placed = self.current(&self.placed);
+        let of_sizes = placed.into_iter().flat_map(|placed| &placed.remarks);
+        of_files.chain(of_sizes).cloned().collect()
+    }
+
+    /// The number of files that are there, as the input of loading.
+    fn files_given(&self) -> Inputs {
+        inputs([self.files.count(self.loaded.params())])
+    }
+
+    fn load(&mut self) -> Option<()> {
+        let files = &self.files;
+        self.loaded
+            .advance(|asked, work| Loading::advance(asked, work, files))
+    }
+
+    fn make_components(&mut self) -> Option<()> {
+        let (loaded, kept) = (self.loaded.made()?, &mut self.kept);
+        self.components
+            .advance(|params, work| ComponentsMaking::advance(params, work, loaded, kept))
+    }
+
+    fn make_dressed(&mut self) -> Option<()> {
+        let components = self.components.made()?;
+        self.dressed
+            .advance(|params, work| Dressing::advance(params, work, components))
+    }
+
+    fn make_site(&mut self) -> Option<()> {
+        let loaded = self.loaded.made()?;
+        self.site
+            .advance(|params, work| SiteMaking::advance(params, work, loaded))
+    }
+
+    fn make_ground(&mut self) -> Option<()> {
+        let site = self.site.made()?;
+        self.ground.advance(|(), work| {
+            let ground = work.get_or_insert_with(|| BareSurface::new(&site.mesh, site.fit()));
+            let done = ground.advance(&site.mesh);
+            Ok(if done { work.take() } else { None })
+        })
+    }
+
+    fn make_darts(&mut self) -> Option<()> {
+        let from = (self.components.made()?, self.site.made()?);
+        self.placed
+            .advance(|params, work| Placing::advance(params, work, from))
+    }
+
+    fn refine(&mut self) -> Option<()> {
+        let (placed, site) = (self.placed.made()?, self.site.made()?);
+        self.settled.advance(|&params, work| {
+            let new = || {
+                let walls = site.walls.clone();
+                let Placed {
+                    kinds, darts, stays, ..
+                } = placed;
+                Refining::new(&site.mesh, darts, stays, kinds.clone(), walls, params)
+            };
+            let refining = work.get_or_insert_with(new);
+            let step = (placed.darts.len() / STEPS).clamp(1, MOST);
+            let done = refining.advance(&site.mesh, &site.search, step);
+            Ok(if done { work.take() } else { None })
+        })
+    }
+
+    /// What the scene of this pile is made of, once all of it is there.
+    pub(super) fn parts(&self) -> Option<HeapParts<'_>> {
+        Some(HeapParts {
+            site: self.site.made()?,
+            ground: self.ground.made()?,
+            kinds: &self.placed.made()?.kinds,
+            dressed: self.dressed.made()?,
+            dress: self.dressed.params(),
+            look: self.bodies.params(),
+        })
+    }
+
+    fn make_bodies(&mut self) -> Option<()> {
+        let settled = self.settled.made()?;
+        let parts = HeapParts {
+            site: self.site.made()?,
+            ground: self.ground.made()?,
+            kinds: &self.placed.made()?.kinds,
+            dressed: self.dressed.made()?,
+            dress: self.dressed.params(),
+            look: &self.bodies.params().clone(),
+        };
+        let revision = self.settled.revision();
+        self.bodies.advance(|_, work| {
+            let Some(mut heap) = work.take() else {
+                *work = Some(Heap::new(parts));
+                return Ok(None);
+            };
+            heap.update(parts, settled.bodies(), settled.history());
+            let scene = heap.finish();
+            Ok(Some(Bodies {
+                digest: scene.digest(),
+                scene: Rc::new(scene),
+                settled: revision,
+            }))
+        })
+    }
+
+    fn make_still(&mut self) -> Option<()> {
+        let scene = &self.bodies.made()?.scene;
+        self.still.advance(|params, work| {
+            work.get_or_insert_with(|| StillRender::new(params, scene.clone()))
+                .advance()
+        })
+    }
+}

@@ -1,0 +1,90 @@
+//! Rows of the numbers of shapes in space, shared by the generators that stand on one. Each is shown with its shape.
+
+use super::lists::lists;
+use crate::recipe::Key;
+use crate::recipe::parameter::{Parameter, int, number};
+use crate::shapes::{ShapeNumber, numbers};
+
+/// The key of the choice of a shape.
+const FORM: Key = Key("form");
+
+/// The row of a number of a shape.
+pub const fn number_row(of: &ShapeNumber, shape: &'static [&'static str]) -> Parameter {
+    let row = match of.is_count() {
+        true => int("", of.label),
+        false => number("", of.label),
+    };
+    row.range(of.least, of.most, of.step, of.default)
+        .unit(of.unit)
+        .group("Shape")
+        .only_for(FORM, shape)
+}
+
+lists! {
+    NUMBERS: "Rows of the numbers of all shapes." {
+        terrain_hills TERRAIN_HILLS: "One of the numbers that the surface is made by." => number_row(&numbers::TERRAIN[0], &["terrain"]);
+        terrain_height TERRAIN_HEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::TERRAIN[1], &["terrain"]);
+        terrain_lane TERRAIN_LANE: "One of the numbers that the surface is made by." => number_row(&numbers::TERRAIN[2], &["terrain"]);
+        terrain_wind TERRAIN_WIND: "One of the numbers that the surface is made by." => number_row(&numbers::TERRAIN[3], &["terrain"]);
+        terrain_hill TERRAIN_HILL: "One of the numbers that the surface is made by." => number_row(&numbers::TERRAIN[4], &["terrain"]);
+        slope_rise SLOPE_RISE: "One of the numbers that the surface is made by." => number_row(&numbers::SLOPE[0], &["slope"]);
+        slope_landing SLOPE_LANDING: "One of the numbers that the surface is made by." => number_row(&numbers::SLOPE[1], &["slope"]);
+        slope_width SLOPE_WIDTH: "One of the numbers that the surface is made by." => number_row(&numbers::SLOPE[2], &["slope"]);
+        slope_round SLOPE_ROUND: "One of the numbers that the surface is made by." => number_row(&numbers::SLOPE[3], &["slope"]);
+        stairs_steps STAIRS_STEPS: "One of the numbers that the surface is made by." => number_row(&numbers::STAIRS[0], &["stairs"]);
+        stairs_pitch STAIRS_PITCH: "One of the numbers that the surface is made by." => number_row(&numbers::STAIRS[1], &["stairs"]);
+        stairs_width STAIRS_WIDTH: "One of the numbers that the surface is made by." => number_row(&numbers::STAIRS[2], &["stairs"]);
+        stairs_landing STAIRS_LANDING: "One of the numbers that the surface is made by." => number_row(&numbers::STAIRS[3], &["stairs"]);
+        cylinder_height CYLINDER_HEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::CYLINDER[0], &["cylinder"]);
+        cylinder_top CYLINDER_TOP: "One of the numbers that the surface is made by." => number_row(&numbers::CYLINDER[1], &["cylinder"]);
+        cylinder_belly CYLINDER_BELLY: "One of the numbers that the surface is made by." => number_row(&numbers::CYLINDER[2], &["cylinder"]);
+        cylinder_caps CYLINDER_CAPS: "One of the numbers that the surface is made by." => number_row(&numbers::CYLINDER[3], &["cylinder"]);
+        sphere_height SPHERE_HEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::SPHERE[0], &["sphere"]);
+        sphere_depth SPHERE_DEPTH: "One of the numbers that the surface is made by." => number_row(&numbers::SPHERE[1], &["sphere"]);
+        sphere_square SPHERE_SQUARE: "One of the numbers that the surface is made by." => number_row(&numbers::SPHERE[2], &["sphere"]);
+        torus_tube TORUS_TUBE: "One of the numbers that the surface is made by." => number_row(&numbers::TORUS[0], &["torus"]);
+        torus_height TORUS_HEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::TORUS[1], &["torus"]);
+        torus_waves TORUS_WAVES: "One of the numbers that the surface is made by." => number_row(&numbers::TORUS[2], &["torus"]);
+        torus_swell TORUS_SWELL: "One of the numbers that the surface is made by." => number_row(&numbers::TORUS[3], &["torus"]);
+        knot_turns KNOT_TURNS: "One of the numbers that the surface is made by." => number_row(&numbers::KNOT[0], &["knot"]);
+        knot_lobes KNOT_LOBES: "One of the numbers that the surface is made by." => number_row(&numbers::KNOT[1], &["knot"]);
+        knot_tube KNOT_TUBE: "One of the numbers that the surface is made by." => number_row(&numbers::KNOT[2], &["knot"]);
+        knot_swing KNOT_SWING: "One of the numbers that the surface is made by." => number_row(&numbers::KNOT[3], &["knot"]);
+        knot_height KNOT_HEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::KNOT[4], &["knot"]);
+        horn_turns HORN_TURNS: "One of the numbers that the surface is made by." => number_row(&numbers::HORN[0], &["horn"]);
+        horn_rise HORN_RISE: "One of the numbers that the surface is made by." => number_row(&numbers::HORN[1], &["horn"]);
+        horn_taper HORN_TAPER: "One of the numbers that the surface is made by." => number_row(&numbers::HORN[2], &["horn"]);
+        horn_girth HORN_GIRTH: "One of the numbers that the surface is made by." => number_row(&numbers::HORN[3], &["horn"]);
+        leg_toes LEG_TOES: "One of the numbers that the surface is made by." => number_row(&numbers::LEG[0], &["leg"]);
+        leg_spread LEG_SPREAD: "One of the numbers that the surface is made by." => number_row(&numbers::LEG[1], &["leg"]);
+        leg_bend LEG_BEND: "One of the numbers that the surface is made by." => number_row(&numbers::LEG[2], &["leg"]);
+        leg_girth LEG_GIRTH: "One of the numbers that the surface is made by." => number_row(&numbers::LEG[3], &["leg"]);
+        leg_reach LEG_REACH: "One of the numbers that the surface is made by." => number_row(&numbers::LEG[4], &["leg"]);
+        tail_curl TAIL_CURL: "One of the numbers that the surface is made by." => number_row(&numbers::TAIL[0], &["tail"]);
+        tail_taper TAIL_TAPER: "One of the numbers that the surface is made by." => number_row(&numbers::TAIL[1], &["tail"]);
+        tail_girth TAIL_GIRTH: "One of the numbers that the surface is made by." => number_row(&numbers::TAIL[2], &["tail"]);
+        tail_lift TAIL_LIFT: "One of the numbers that the surface is made by." => number_row(&numbers::TAIL[3], &["tail"]);
+        fish_height FISH_HEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::FISH[0], &["fish"]);
+        fish_width FISH_WIDTH: "One of the numbers that the surface is made by." => number_row(&numbers::FISH[1], &["fish"]);
+        fish_tail FISH_TAIL: "One of the numbers that the surface is made by." => number_row(&numbers::FISH[2], &["fish"]);
+        fish_fins FISH_FINS: "One of the numbers that the surface is made by." => number_row(&numbers::FISH[3], &["fish"]);
+        fish_swim FISH_SWIM: "One of the numbers that the surface is made by." => number_row(&numbers::FISH[4], &["fish"]);
+        turtle_width TURTLE_WIDTH: "One of the numbers that the surface is made by." => number_row(&numbers::TURTLE[0], &["turtle"]);
+        turtle_height TURTLE_HEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::TURTLE[1], &["turtle"]);
+        turtle_rim TURTLE_RIM: "One of the numbers that the surface is made by." => number_row(&numbers::TURTLE[2], &["turtle"]);
+        turtle_keel TURTLE_KEEL: "One of the numbers that the surface is made by." => number_row(&numbers::TURTLE[3], &["turtle"]);
+        egg_height EGG_HEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::EGG[0], &["egg"]);
+        egg_point EGG_POINT: "One of the numbers that the surface is made by." => number_row(&numbers::EGG[1], &["egg"]);
+        egg_base EGG_BASE: "One of the numbers that the surface is made by." => number_row(&numbers::EGG[2], &["egg"]);
+        vase_height VASE_HEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::VASE[0], &["vase"]);
+        vase_shoulder VASE_SHOULDER: "One of the numbers that the surface is made by." => number_row(&numbers::VASE[1], &["vase"]);
+        vase_neck VASE_NECK: "One of the numbers that the surface is made by." => number_row(&numbers::VASE[2], &["vase"]);
+        vase_lip VASE_LIP: "One of the numbers that the surface is made by." => number_row(&numbers::VASE[3], &["vase"]);
+        vase_hollow VASE_HOLLOW: "One of the numbers that the surface is made by." => number_row(&numbers::VASE[4], &["vase"]);
+        letter_letter LETTER_LETTER: "One of the numbers that the surface is made by." => number_row(&numbers::LETTER[0], &["letter"]);
+        letter_weight LETTER_WEIGHT: "One of the numbers that the surface is made by." => number_row(&numbers::LETTER[1], &["letter"]);
+        letter_depth LETTER_DEPTH: "One of the numbers that the surface is made by." => number_row(&numbers::LETTER[2], &["letter"]);
+        letter_round LETTER_ROUND: "One of the numbers that the surface is made by." => number_row(&numbers::LETTER[3], &["letter"]);
+        letter_lean LETTER_LEAN: "One of the numbers that the surface is made by." => number_row(&numbers::LETTER[4], &["letter"]);
+    }
+}
