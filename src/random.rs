@@ -35,6 +35,8 @@ pub enum Purpose {
     Turn = 10,
     /// The order in which bodies settle.
     Order = 11,
+    /// The colour of a body.
+    Paint = 12,
 }
 
 /// A stream of random numbers.

@@ -12,6 +12,7 @@
 
 mod crossing;
 mod fault;
+mod finishes;
 mod fruit;
 mod grain;
 mod hardware;
@@ -21,20 +22,25 @@ mod leaf;
 mod level;
 mod making;
 mod mark;
+mod paint;
 mod pool;
 mod round;
 mod shell;
 mod variant;
 
 #[cfg(test)]
+mod paint_tests;
+#[cfg(test)]
 mod tests;
 
 pub use crossing::{CrossingSearch, Crossings};
 pub use fault::{Checked, Checking, ComponentFault};
+pub use finishes::FINISHES;
 pub use inner::Gaps;
 pub use kind::ComponentKind;
 pub use level::Level;
 pub use making::{Component, FULL_COVER, Original, OriginalMaking, VariantMaking};
 pub use mark::{Mark, Part};
+pub use paint::{Finish, Texture};
 pub use pool::Sphere;
 pub use variant::{Variant, Vary};

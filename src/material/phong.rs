@@ -44,6 +44,35 @@ impl Material {
         ..Self::new(0.75, 0.4, 0.9, 180.0)
     };
 
+    /// Steel, turned: its highlights are broader than those of brass.
+    pub const STEEL: Self = Self {
+        mirror: 0.9,
+        metal: 1.0,
+        ..Self::new(0.45, 0.38, 0.75, 34.0)
+    };
+    /// A varnished shell, as that of a fresh chestnut or a bean.
+    pub const LACQUER: Self = Self {
+        mirror: 0.85,
+        ..Self::new(1.0, 0.88, 0.5, 80.0)
+    };
+    /// A waxed peel, or a toy's paint.
+    pub const WAXED: Self = Self {
+        mirror: 0.55,
+        ..Self::new(1.0, 0.92, 0.35, 48.0)
+    };
+    /// A pebble that is still wet.
+    pub const WET_STONE: Self = Self {
+        mirror: 0.8,
+        ..Self::new(1.0, 0.9, 0.4, 46.0)
+    };
+    /// A pebble that has dried, or fired clay.
+    pub const DRY_STONE: Self = Self::new(1.0, 0.96, 0.06, 10.0);
+    /// Oiled wood, a rough peel, or the skin of a kernel.
+    pub const OILED: Self = Self {
+        mirror: 0.2,
+        ..Self::new(1.0, 0.94, 0.16, 20.0)
+    };
+
     /// Phong's four attributes; it mirrors nothing, and no light goes through.
     pub const fn new(ambient: f32, diffuse: f32, specular: f32, shininess: f32) -> Self {
         Self {
