@@ -1,6 +1,7 @@
 //! Why a file's mesh is no component.
 
 use super::crossing::CrossingSearch;
+use crate::decimal;
 use crate::notice::{Code, Notice};
 use crate::trimesh::repair::{Mended, MeshRepair};
 use crate::trimesh::{Search, Soup, TriMesh};
@@ -40,6 +41,28 @@ pub enum ComponentFault {
         /// The size over the thickness: over 200.
         ratio: f64,
     },
+}
+
+impl ComponentFault {
+    /// The sentence on the fault.
+    pub fn notice(self) -> Notice {
+        match self {
+            Self::Empty => Code::ModelNoArea.into(),
+            Self::Broken(notice) => notice,
+            Self::Open { edges } => Notice::new(Code::ComponentOpen).with("edges", edges),
+            Self::OneSided => Code::ComponentOneSided.into(),
+            Self::Flat => Code::ComponentFlat.into(),
+            Self::Crossing { pairs, at } => {
+                let rounded = |v: f64| decimal::text((v * 100.0).round() / 100.0);
+                let at = at.to_array().map(rounded).join(", ");
+                let notice = Notice::new(Code::ComponentCrossing).with("pairs", pairs);
+                notice.with("at", at)
+            }
+            Self::Thin { ratio } => {
+                Notice::new(Code::ComponentThin).with("ratio", ratio.round() as usize)
+            }
+        }
+    }
 }
 
 impl From<Notice> for ComponentFault {

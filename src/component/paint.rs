@@ -121,6 +121,15 @@ impl Finish {
         std::array::from_fn(|k| byte(255.0 * base[k] / greater(brightest[k], 1.0)))
     }
 
+    /// The mean tint of all bodies, 0..255.
+    pub fn mean_tint(&self) -> [f32; 3] {
+        let (count, brightest) = (self.bases.len() as f32, self.brightest());
+        std::array::from_fn(|k| {
+            let sum: f32 = self.bases.iter().map(|base| f32::from(base[k])).sum();
+            255.0 * sum / (count * greater(brightest[k], 1.0))
+        })
+    }
+
     fn mixed(&self, mark: &Mark, base: [f32; 3], part: [f32; 3]) -> [u8; 3] {
         let (factors, much) = match mark.shade < 0.0 {
             true => (self.dark, -mark.shade),

@@ -1,5 +1,10 @@
 //! Orders for mesh files, and estimates of the files' sizes.
 
+#[cfg(house)]
+use crate::scene::{Body, Scene};
+#[cfg(house)]
+use crate::solid::Surface;
+
 /// Levels of detail with their words, as triangles of a stone.
 pub const DETAILS: [(&str, usize); 3] = [("low", 100), ("middle", 400), ("high", 1600)];
 
@@ -78,6 +83,38 @@ impl MeshOrder {
         MeshSize {
             triangles,
             bytes: text + triangle * triangles as f64,
+        }
+    }
+
+    /// The size of the file of a scene. In GLB bodies of one kind share a mesh.
+    #[cfg(house)]
+    pub fn scene_size(&self, scene: &Scene) -> MeshSize {
+        let each = self.of_each(scene.instances.len());
+        let fits = |surface: &&Surface| surface.triangles.len() <= each;
+        let of = |body: &Body| {
+            let levels = body.levels.iter();
+            let fitting = levels.clone().find(fits).or(levels.last());
+            fitting.map_or([0; 2], |s| [s.positions.len(), s.triangles.len()])
+        };
+        let bodies: Vec<[usize; 2]> = scene.bodies.iter().map(of).collect();
+        let placed = scene.instances.iter().map(|i| bodies[i.body as usize]);
+        let sum = |all: &mut dyn Iterator<Item = [usize; 2]>| {
+            all.fold([0; 2], |sum, own| [sum[0] + own[0], sum[1] + own[1]])
+        };
+        let shown = sum(&mut placed.clone());
+        let stored = match self.format {
+            MeshFormat::Glb if !self.joined => sum(&mut bodies.iter().copied()),
+            _ => shown,
+        };
+        let [text, vertex, triangle] = match self.format {
+            MeshFormat::Obj => [16.0, 96.0, 59.0],
+            MeshFormat::Glb => [220.0, 28.0, 6.0],
+        };
+        let [vertices, triangles] = stored.map(|n| n as f64);
+        let text = text * scene.instances.len() as f64;
+        MeshSize {
+            triangles: shown[1],
+            bytes: text + vertex * vertices + triangle * triangles,
         }
     }
 

@@ -16,6 +16,8 @@ mod lighting;
 mod offers;
 mod packs;
 pub mod pavement;
+#[cfg(house)]
+pub mod pile;
 mod preset;
 pub(crate) mod rows;
 #[cfg(house)]
@@ -121,6 +123,8 @@ pub const ALL: Registry = Registry(&[
     &pavement::PAVEMENT,
     #[cfg(house)]
     &surface::SURFACE,
+    #[cfg(house)]
+    &pile::PILE,
 ]);
 
 #[cfg(house)]

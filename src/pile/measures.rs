@@ -33,6 +33,18 @@ pub fn deepest_overlap(bodies: &[Body], kinds: &[Kind]) -> f64 {
     deepest
 }
 
+/// For each body the deepest overlap of one of its inner spheres with one of another body, in R of the smaller body; less
+/// than 0 if none overlap, and minus infinity if nothing is near.
+pub fn deepest_overlaps(bodies: &[Body], kinds: &[Kind]) -> Vec<f64> {
+    let mut deepest = vec![f64::NEG_INFINITY; bodies.len()];
+    for_pairs(bodies, kinds, |a, b, overlap| {
+        for k in [a, b] {
+            deepest[k] = overlap.max(deepest[k]);
+        }
+    });
+    deepest
+}
+
 /// How many bodies the line along a normal of the surface pierces, by their inner spheres, no farther from the surface
 /// than `reach`.
 pub fn pierced(bodies: &[Body], kinds: &[Kind], (at, normal): (DVec3, DVec3), reach: f64) -> usize {

@@ -1,6 +1,6 @@
 //! The third stage: how each type is heaped, and the darts of all types, merged.
 
-use super::components::Components;
+use super::components::{Components, Variants};
 use super::params::{DartParams, TypeParams};
 use super::site::Site;
 use crate::component::Component;
@@ -8,7 +8,9 @@ use crate::notice::{Code, Notice};
 use crate::pile::{
     Dart, Darting, Kind, LayerDarting, Shape, expected_darts, merge, natural_range,
 };
+use crate::trimesh::TriMesh;
 use glam::DVec3;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// The most darts of all types and layers.
@@ -98,7 +100,7 @@ impl Placing {
         let kinds: Arc<[Kind]> = kinds.collect();
         check_count(params, &kinds, site)?;
         Ok(Self {
-            remarks: check_sizes(&kinds, site)?,
+            remarks: check_sizes(params, components, site)?,
             kinds,
             darts: Vec::new(),
             at: (0, 0),
@@ -201,17 +203,27 @@ fn check_count(params: &DartParams, kinds: &[Kind], site: &Site) -> Result<(), N
     Ok(())
 }
 
-/// Compares the components with the shape.
-fn check_sizes(kinds: &[Kind], site: &Site) -> Result<Vec<Notice>, Notice> {
-    let (low, high) = site.mesh.bounds();
-    let sides = high - low;
+/// Compares the longest side of the components with the shape.
+fn check_sizes(
+    params: &DartParams,
+    components: &Components,
+    site: &Site,
+) -> Result<Vec<Notice>, Notice> {
+    let sides = |mesh: &TriMesh| {
+        let (low, high) = mesh.bounds();
+        high - low
+    };
+    let room = sides(&site.mesh);
     // Flat shapes have no thickness.
     let least = match site.mesh.closed().is_some() {
-        true => sides.min_element(),
-        false => sides.x.min(sides.z),
+        true => room.min_element(),
+        false => room.x.min(room.z),
     };
-    let largest = kinds.iter().map(Kind::diagonal).fold(0.0, f64::max);
-    let share = largest / least;
+    let length = |(own, one): (&TypeParams, &Rc<Variants>)| {
+        own.scale * sides(&one.all[0].levels[0].mesh).max_element()
+    };
+    let longest = params.types.iter().zip(components).map(length);
+    let share = longest.fold(0.0, f64::max) / least;
     let notice = |code| {
         let percent = (100.0 * share).round() as usize;
         Notice::new(code).with("share", percent)

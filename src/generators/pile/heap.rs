@@ -34,7 +34,7 @@ pub(super) struct HeapParts<'a> {
 }
 
 /// A scene to which bodies are added as they settle.
-pub(super) struct Heap {
+pub(crate) struct Heap {
     scene: Scene,
     fit: Fit,
     /// The number of bodies of the scene before those of the types.
@@ -48,7 +48,7 @@ pub(super) struct Heap {
 
 impl Heap {
     /// Starts with the shape and its container.
-    pub fn new(parts: HeapParts) -> Self {
+    pub(super) fn new(parts: HeapParts) -> Self {
         let HeapParts {
             site,
             ground,
@@ -88,7 +88,7 @@ impl Heap {
 
     /// Adds the bodies that have settled since the last call. `history` has the numbers of all bodies whose turn has
     /// come, in that order.
-    pub fn update(&mut self, parts: HeapParts, bodies: &[Piled], history: &[u32]) {
+    pub(super) fn update(&mut self, parts: HeapParts, bodies: &[Piled], history: &[u32]) {
         self.owns.resize(bodies.len(), None);
         for &number in &history[self.shown.min(history.len())..] {
             let body = &bodies[number as usize];

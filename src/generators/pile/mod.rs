@@ -22,6 +22,8 @@ mod stages;
 mod subject;
 mod views;
 
+pub use schema::keys;
+
 use super::scene_picture::{Saving, ScenePicture};
 use super::{Course, Generator, Views};
 use crate::export::SceneFile;

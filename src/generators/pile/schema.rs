@@ -237,6 +237,7 @@ rows! {
             riceball: "Rice ball", heap: "Heap", dome: "Dome", block: "Box", bowl: "Bowl", openbox: "Open box",
             terrain: "Terrain", slope: "Slope", stairs: "Stairs", cylinder: "Cylinder", sphere: "Sphere", torus: "Torus", knot: "Knot", horn: "Horn", leg: "Leg", tail: "Tail", fish: "Fish", turtle: "Turtle's back", egg: "Egg", vase: "Vase", letter: "Letter", file: "From a file",
         ]).group("Shape").main();
+    ..[shapes::PILED];
     ..[shapes::NUMBERS];
     model MODEL: "The digest and the name of the shape's file: a link does not hold the file itself." =>
         text("Shape's model", Item::File).group("Shape").steady()

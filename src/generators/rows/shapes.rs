@@ -1,6 +1,7 @@
 //! Rows of the numbers of shapes in space, shared by the generators that stand on one. Each is shown with its shape.
 
 use super::lists::lists;
+use crate::pile_shape::numbers as piled;
 use crate::recipe::Key;
 use crate::recipe::parameter::{Parameter, int, number};
 use crate::shapes::{ShapeNumber, numbers};
@@ -86,5 +87,23 @@ lists! {
         letter_depth LETTER_DEPTH: "One of the numbers that the surface is made by." => number_row(&numbers::LETTER[2], &["letter"]);
         letter_round LETTER_ROUND: "One of the numbers that the surface is made by." => number_row(&numbers::LETTER[3], &["letter"]);
         letter_lean LETTER_LEAN: "One of the numbers that the surface is made by." => number_row(&numbers::LETTER[4], &["letter"]);
+    }
+
+    PILED: "Rows of the numbers of shapes made for piles." {
+        heap_height HEAP_HEIGHT: "One of the numbers that the shape is made by." => number_row(&piled::HEAP[0], &["heap"]);
+        heap_round HEAP_ROUND: "One of the numbers that the shape is made by." => number_row(&piled::HEAP[1], &["heap"]);
+        heap_depth HEAP_DEPTH: "One of the numbers that the shape is made by." => number_row(&piled::HEAP[2], &["heap"]);
+        dome_height DOME_HEIGHT: "One of the numbers that the shape is made by." => number_row(&piled::DOME[0], &["dome"]);
+        dome_depth DOME_DEPTH: "One of the numbers that the shape is made by." => number_row(&piled::DOME[1], &["dome"]);
+        riceball_thick RICEBALL_THICK: "One of the numbers that the shape is made by." => number_row(&piled::RICE_BALL[0], &["riceball"]);
+        riceball_round RICEBALL_ROUND: "One of the numbers that the shape is made by." => number_row(&piled::RICE_BALL[1], &["riceball"]);
+        block_height BLOCK_HEIGHT: "One of the numbers that the shape is made by." => number_row(&piled::BLOCK[0], &["block"]);
+        block_depth BLOCK_DEPTH: "One of the numbers that the shape is made by." => number_row(&piled::BLOCK[1], &["block"]);
+        block_round BLOCK_ROUND: "One of the numbers that the shape is made by." => number_row(&piled::BLOCK[2], &["block"]);
+        bowl_depth BOWL_DEPTH: "One of the numbers that the shape is made by." => number_row(&piled::BOWL[0], &["bowl"]);
+        bowl_full BOWL_FULL: "One of the numbers that the shape is made by." => number_row(&piled::BOWL[1], &["bowl"]);
+        openbox_depth OPENBOX_DEPTH: "One of the numbers that the shape is made by." => number_row(&piled::OPEN_BOX[0], &["openbox"]);
+        openbox_height OPENBOX_HEIGHT: "One of the numbers that the shape is made by." => number_row(&piled::OPEN_BOX[1], &["openbox"]);
+        openbox_full OPENBOX_FULL: "One of the numbers that the shape is made by." => number_row(&piled::OPEN_BOX[2], &["openbox"]);
     }
 }
