@@ -28,7 +28,7 @@ struct Onigiri {
 }
 
 /// The power of the profile from one face to the other: 2 is an ellipse, high ones are flat.
-const FLATNESS: f64 = 2.8;
+const FLATNESS: f64 = 3.1;
 /// Directions in which an outline is measured.
 const DIRECTIONS: usize = 720;
 /// How often vertices move to the middle of their neighbours.
@@ -39,7 +39,7 @@ impl Onigiri {
     fn new(n: &[f64]) -> (Self, DVec3, DVec3) {
         let mut form = Self {
             power: 7.0 - 4.0 * n[1],
-            circle: 0.45 + 0.15 * n[1],
+            circle: 0.5 + 0.2 * n[1],
             half: 1.0,
         };
         let outline = (0..DIRECTIONS).map(|k| {
@@ -64,7 +64,10 @@ impl Onigiri {
         let sum: f64 = sides.into_iter().map(power).sum();
         let plan = libm::pow(sum + power(self.circle * radius), 1.0 / self.power);
         let profile = |x: f64| libm::pow(x, FLATNESS);
-        libm::pow(profile(plan) + profile(p.z.abs() / self.half), 1.0 / FLATNESS)
+        libm::pow(
+            profile(plan) + profile(p.z.abs() / self.half),
+            1.0 / FLATNESS,
+        )
     }
 
     /// A box that is drawn onto the form, with squares of about this size.
@@ -72,7 +75,9 @@ impl Onigiri {
         let (half, middle) = (0.5 * (hi - lo), 0.5 * (lo + hi));
         let (mut soup, _) = cuboid(half, 0.9 * half.min_element(), step);
         let onto = |p: DVec3| p / self.norm(p);
-        soup.positions.iter_mut().for_each(|p| *p = onto(*p + middle));
+        soup.positions
+            .iter_mut()
+            .for_each(|p| *p = onto(*p + middle));
         for _ in 0..EASINGS {
             ease(&mut soup, onto);
         }

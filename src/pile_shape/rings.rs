@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 /// The distance between rings, in steps around, for equilateral triangles.
 const ROW: f64 = 0.866_025_403_784_438_6;
 /// The steps around, as a share of the longest edges: diagonals between unlike rings are longer.
-const STEP: f64 = 0.85;
+const STEP: f64 = 0.8;
 /// Samples of a profile.
 const SAMPLES: usize = 1024;
 
@@ -77,7 +77,8 @@ fn sew(soup: &mut Soup, inner: &Round, outer: &Round) {
         let (a, b) = (name(inner, i), name(outer, j));
         let (after_a, after_b) = (name(inner, i + 1), name(outer, j + 1));
         let far = |p: u32, q: u32| soup.positions[p as usize].distance(soup.positions[q as usize]);
-        let is_inner = i < steps(inner) && (j == steps(outer) || far(after_a, b) <= far(a, after_b));
+        let is_inner =
+            i < steps(inner) && (j == steps(outer) || far(after_a, b) <= far(a, after_b));
         if is_inner {
             soup.triangles.push([a, after_a, b]);
             i += 1;
@@ -100,7 +101,13 @@ pub(super) fn turned(profile: &[DVec2], around: usize) -> (Soup, Vec<DVec3>) {
         let [ahead, behind] = sides(profile, k);
         let is_crease = ahead.dot(behind) < CREASE;
         let smooth = (ahead + behind).normalize();
-        let first = ring(&mut soup, &mut normals, around, p, if is_crease { behind } else { smooth });
+        let first = ring(
+            &mut soup,
+            &mut normals,
+            around,
+            p,
+            if is_crease { behind } else { smooth },
+        );
         if let Some(before) = before {
             band(&mut soup, around, before, first);
         }
@@ -117,8 +124,16 @@ fn sides(profile: &[DVec2], k: usize) -> [DVec2; 2] {
     let p = profile[k];
     let mirrored = |q: DVec2| DVec2::new(2.0 * p.x - q.x, q.y);
     let last = profile.len() - 1;
-    let before = if k > 0 { profile[k - 1] } else { mirrored(profile[1]) };
-    let after = if k < last { profile[k + 1] } else { mirrored(profile[last - 1]) };
+    let before = if k > 0 {
+        profile[k - 1]
+    } else {
+        mirrored(profile[1])
+    };
+    let after = if k < last {
+        profile[k + 1]
+    } else {
+        mirrored(profile[last - 1])
+    };
     [after - p, p - before].map(|d| d.perp().normalize())
 }
 

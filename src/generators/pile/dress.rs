@@ -75,8 +75,7 @@ impl Dressing {
 fn drawn(component: &Component) -> impl Iterator<Item = &Level> {
     let last = component.levels.len() - 1;
     let levels = component.levels.iter().enumerate();
-    let fits = move |(k, level): &(usize, &Level)| {
-        *k == last || level.mesh.triangles().len() <= MOST
-    };
+    let fits =
+        move |(k, level): &(usize, &Level)| *k == last || level.mesh.triangles().len() <= MOST;
     levels.filter(fits).map(|(_, level)| level)
 }

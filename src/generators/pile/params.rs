@@ -1,11 +1,11 @@
 //! Turns a recipe into the parameters of each stage.
 
+use super::materials::materials;
 use super::schema::{FILE, NONE, ROWS, TYPE_KEYS, TypeKeys, keys};
 use crate::component::{ComponentKind, FINISHES, Finish};
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
 use crate::generators::scene_picture::AskedFile;
-use super::materials::materials;
 use crate::light::ShadeParams;
 use crate::material::Gloss;
 use crate::pile::{Method, Order, Reading, RefineParams, Turn};

@@ -122,10 +122,7 @@ const fn finish(number: usize) -> Parameter {
 }
 
 const fn scale(number: usize) -> Parameter {
-    of_type(
-        number,
-        number_of("s", "Size").range(0.2, 5.0, 0.05, 1.0),
-    )
+    of_type(number, number_of("s", "Size").range(0.2, 5.0, 0.05, 1.0))
 }
 
 const fn density(number: usize) -> Parameter {

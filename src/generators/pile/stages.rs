@@ -5,9 +5,7 @@ use super::components::{Components, ComponentsMaking};
 use super::darting::{Placed, Placing};
 use super::dress::{Dressed, Dressing};
 use super::heap::{Heap, HeapParts};
-use super::params::{
-    BodyParams, ComponentParams, DartParams, DressParams, Params, SiteParams,
-};
+use super::params::{BodyParams, ComponentParams, DartParams, DressParams, Params, SiteParams};
 use super::site::{Site, SiteMaking};
 use crate::generators::MissingFile;
 use crate::generators::scene_picture::{
@@ -69,7 +67,12 @@ impl Wiring for Stages {
         task!(2, placed, [components, site], Self::make_darts),
         task!(REFINE, dressed, [components], Self::make_dressed),
         task!(REFINE, settled, [placed, site], Self::refine),
-        task!(BODIES, bodies, [settled, ground, dressed], Self::make_bodies),
+        task!(
+            BODIES,
+            bodies,
+            [settled, ground, dressed],
+            Self::make_bodies
+        ),
         task!(5, still, [bodies], Self::make_still),
     ];
 }
@@ -138,7 +141,10 @@ impl Stages {
     /// Remarks on files that were mended, and on sizes that do not fit well.
     pub fn remarks(&self) -> Vec<Notice> {
         let components = self.current(&self.components);
-        let of_files = components.into_iter().flatten().flat_map(|one| &one.notices);
+        let of_files = components
+            .into_iter()
+            .flatten()
+            .flat_map(|one| &one.notices);
         let placed = self.current(&self.placed);
         let of_sizes = placed.into_iter().flat_map(|placed| &placed.remarks);
         of_files.chain(of_sizes).cloned().collect()
@@ -194,7 +200,10 @@ impl Stages {
             let new = || {
                 let walls = site.walls.clone();
                 let Placed {
-                    kinds, darts, stays, ..
+                    kinds,
+                    darts,
+                    stays,
+                    ..
                 } = placed;
                 Refining::new(&site.mesh, darts, stays, kinds.clone(), walls, params)
             };
