@@ -218,11 +218,11 @@ pub const FINISHES: &[Finish] = &[
         word: "leaf",
         label: "Autumn leaves",
         bases: &[
-            [222, 172, 44], [214, 148, 36], [206, 112, 32], [196, 80, 32], [170, 50, 32],
-            [142, 34, 34], [180, 118, 52], [190, 168, 62],
+            [222, 172, 44], [206, 112, 30], [142, 34, 24], [190, 168, 52], [196, 80, 28],
+            [176, 116, 44], [170, 50, 28], [214, 148, 36],
         ],
         tint: 0.06,
-        parts: &[(Part::Vein, [232, 196, 116]), (Part::Stalk, [176, 118, 62])],
+        parts: &[(Part::Vein, [228, 188, 94]), (Part::Stalk, [176, 118, 56])],
         dark: [0.72, 0.60, 0.52],
         light: [1.10, 1.16, 1.10],
         body: Material::LEAF,
@@ -302,6 +302,12 @@ pub const FINISHES: &[Finish] = &[
         label: "White paint",
         bases: &[[236, 234, 228]],
         parts: &[(Part::Cap, [44, 98, 172])],
+        ..TOY
+    },
+    Finish {
+        word: "toys",
+        label: "Paints of many colours",
+        bases: &[[196, 44, 38], [44, 98, 172], [234, 184, 46], [58, 138, 70], [226, 112, 36], [112, 66, 138]],
         ..TOY
     },
     Finish {
