@@ -103,7 +103,7 @@ pub const FINISHES: &[Finish] = &[
         label: "River pebbles",
         bases: &[
             [142, 134, 122], [120, 116, 110], [156, 144, 124], [128, 112, 96], [108, 112, 112],
-            [150, 132, 112], [134, 138, 134],
+            [150, 132, 112], [134, 135, 132],
         ],
         tone: 0.14,
         body: Material::WET_STONE,
@@ -149,10 +149,8 @@ pub const FINISHES: &[Finish] = &[
     Finish {
         word: "copper",
         label: "Copper",
-        bases: &[[196, 108, 72], [188, 100, 66], [178, 96, 70]],
-        parts: &[(Part::Edge, [226, 148, 110])],
-        body: Material::BRASS,
-        rest: Material::BRASS,
+        bases: &[[176, 94, 62], [168, 88, 56], [160, 84, 60]],
+        parts: &[(Part::Edge, [208, 130, 94])],
         ..METAL
     },
     Finish {
@@ -168,12 +166,23 @@ pub const FINISHES: &[Finish] = &[
     },
     Finish {
         word: "walnut",
-        label: "Walnut",
+        label: "Dark wood",
+        bases: &[[104, 68, 44], [94, 60, 38], [114, 77, 50], [98, 64, 44]],
+        tone: 0.07,
+        parts: &[(Part::Edge, [124, 84, 56]), (Part::Cap, [206, 160, 104])],
+        dark: [0.74, 0.68, 0.62],
+        light: [1.12, 1.10, 1.08],
+        texture: Texture::Wood,
+        ..GROWN
+    },
+    Finish {
+        word: "nutshell",
+        label: "Walnut shells",
         bases: &[[164, 126, 88], [154, 116, 79], [172, 136, 98], [148, 110, 76]],
         parts: &[(Part::Edge, [182, 146, 106])],
         dark: [0.56, 0.50, 0.44],
         light: [1.14, 1.13, 1.10],
-        texture: Texture::Wood,
+        texture: Texture::Fibres,
         ..GROWN
     },
     Finish {
@@ -218,11 +227,11 @@ pub const FINISHES: &[Finish] = &[
         word: "leaf",
         label: "Autumn leaves",
         bases: &[
-            [222, 172, 44], [214, 148, 36], [206, 112, 32], [196, 80, 32], [170, 50, 32],
-            [142, 34, 34], [180, 118, 52], [190, 168, 62],
+            [222, 172, 44], [206, 112, 30], [142, 34, 24], [190, 168, 52], [196, 80, 28],
+            [176, 116, 44], [170, 50, 28], [214, 148, 36],
         ],
         tint: 0.06,
-        parts: &[(Part::Vein, [232, 196, 116]), (Part::Stalk, [176, 118, 62])],
+        parts: &[(Part::Vein, [228, 188, 94]), (Part::Stalk, [176, 118, 56])],
         dark: [0.72, 0.60, 0.52],
         light: [1.10, 1.16, 1.10],
         body: Material::LEAF,
@@ -305,6 +314,12 @@ pub const FINISHES: &[Finish] = &[
         ..TOY
     },
     Finish {
+        word: "toys",
+        label: "Paints of many colours",
+        bases: &[[196, 44, 38], [44, 98, 172], [234, 184, 46], [58, 138, 70], [226, 112, 36], [112, 66, 138]],
+        ..TOY
+    },
+    Finish {
         word: "ivory",
         label: "Ivory",
         bases: &[[234, 222, 192], [238, 228, 202], [226, 212, 180]],
@@ -363,7 +378,7 @@ impl ComponentKind {
             Self::Orange => "orange",
             Self::Apple => "apple",
             Self::Almond => "almond",
-            Self::Walnut => "walnut",
+            Self::Walnut => "nutshell",
         };
         Finish::of_word(word).unwrap_or(&FINISHES[0])
     }

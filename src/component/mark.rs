@@ -6,7 +6,7 @@ pub enum Part {
     /// All that is no other part.
     #[default]
     Body,
-    /// The pale base of a chestnut.
+    /// The pale base of a chestnut, the band of a ball.
     Cap,
     /// An end: the germ of a rice grain, the tips of a cashew, the tuft of a chestnut.
     Tip,

@@ -74,13 +74,8 @@ impl Finish {
 
     /// The colour of the body with this id.
     pub fn base(&self, seed: u64, id: u64) -> [f32; 3] {
-        let mut random = Random::new(seed, Purpose::Paint, id);
-        let base = self.bases[random.below(self.bases.len())];
-        let tone = 1.0 + self.tone * random.signed();
-        base.map(|v| {
-            let value = f64::from(v) * tone * (1.0 + self.tint * random.signed());
-            lesser(value, 255.0) as f32
-        })
+        let drawn = Drawn::new(self, seed, id);
+        drawn.applied_to(self.bases[drawn.base])
     }
 
     /// The colour of a mark on a body with this colour.
@@ -89,27 +84,16 @@ impl Finish {
         self.mixed(mark, base, part.unwrap_or(base))
     }
 
-    /// The brightest red, green and blue of all bodies.
-    pub fn brightest(&self) -> [f32; 3] {
-        let most = (1.0 + self.tone) * (1.0 + self.tint);
-        std::array::from_fn(|k| {
-            let values = self.bases.iter().map(|base| f64::from(base[k]));
-            lesser(most * values.fold(0.0, greater), 255.0) as f32
-        })
-    }
-
-    /// The colour of a mark in a mesh that bodies of many colours share. Multiplied by [`Finish::tint`], it is the colour
-    /// of the body, and nearly that of its parts.
+    /// The colour of a mark in a mesh that bodies of all colours share. Multiplied by [`Finish::tint`], it is the colour
+    /// of the body. The colours of parts are right on the mean; they lean towards the body's colour.
     pub fn shared_colour(&self, mark: &Mark) -> [u8; 3] {
         let brightest = self.brightest();
         let part = self.part(mark.part).map(|part| {
             std::array::from_fn(|k| {
                 let values = self.bases.iter().map(|base| f32::from(base[k]));
                 let mean = values.sum::<f32>() / self.bases.len() as f32;
-                lesser(
-                    f32::from(part[k]) * brightest[k] / greater(mean, 1.0),
-                    255.0,
-                )
+                let value = f32::from(part[k]) * brightest[k] / greater(mean, 1.0);
+                lesser(value, 255.0)
             })
         });
         self.mixed(mark, brightest, part.unwrap_or(brightest))
@@ -121,13 +105,33 @@ impl Finish {
         std::array::from_fn(|k| byte(255.0 * base[k] / greater(brightest[k], 1.0)))
     }
 
-    /// The mean tint of all bodies, 0..255.
-    pub fn mean_tint(&self) -> [f32; 3] {
-        let (count, brightest) = (self.bases.len() as f32, self.brightest());
+    /// The colour of a mark in the mesh of the variant with this number, which has a colour of its own: so parts keep
+    /// theirs, however much those of bodies differ. It goes with [`Finish::mild_tint`].
+    pub fn variant_colour(&self, mark: &Mark, number: u64) -> [u8; 3] {
+        let base = self.bases[(number % self.bases.len() as u64) as usize];
+        let most = self.most() as f32;
+        let [base, part] = [base, self.part(mark.part).unwrap_or(base)]
+            .map(|colour| colour.map(|v| lesser(f32::from(v) * most, 255.0)));
+        self.mixed(mark, base, part)
+    }
+
+    /// The tint of the body with this id, for a mesh with colours of [`Finish::variant_colour`]; 255 is one.
+    pub fn mild_tint(&self, seed: u64, id: u64) -> [u8; 3] {
+        let factors = Drawn::new(self, seed, id).factors;
+        factors.map(|v| byte((255.0 * v / self.most()) as f32))
+    }
+
+    /// The brightest red, green and blue of all bodies.
+    fn brightest(&self) -> [f32; 3] {
         std::array::from_fn(|k| {
-            let sum: f32 = self.bases.iter().map(|base| f32::from(base[k])).sum();
-            255.0 * sum / (count * greater(brightest[k], 1.0))
+            let values = self.bases.iter().map(|base| f64::from(base[k]));
+            lesser(self.most() * values.fold(0.0, greater), 255.0) as f32
         })
+    }
+
+    /// The greatest factor of a base.
+    fn most(&self) -> f64 {
+        (1.0 + self.tone) * (1.0 + self.tint)
     }
 
     fn mixed(&self, mark: &Mark, base: [f32; 3], part: [f32; 3]) -> [u8; 3] {
@@ -139,6 +143,29 @@ impl Finish {
             let mixed = base[k] + (part[k] - base[k]) * mark.share;
             byte(mixed * (1.0 + (factors[k] - 1.0) * much))
         })
+    }
+}
+
+/// The random numbers of a body.
+struct Drawn {
+    /// The index of its base.
+    base: usize,
+    /// The factors of red, green and blue.
+    factors: [f64; 3],
+}
+
+impl Drawn {
+    fn new(finish: &Finish, seed: u64, id: u64) -> Self {
+        let mut random = Random::new(seed, Purpose::Paint, id);
+        let base = random.below(finish.bases.len());
+        let tone = 1.0 + finish.tone * random.signed();
+        let factors = [0; 3].map(|_| tone * (1.0 + finish.tint * random.signed()));
+        Self { base, factors }
+    }
+
+    fn applied_to(&self, base: [u8; 3]) -> [f32; 3] {
+        let value = |k: usize| lesser(f64::from(base[k]) * self.factors[k], 255.0) as f32;
+        std::array::from_fn(value)
     }
 }
 

@@ -30,6 +30,24 @@ fn a_shared_mesh_under_a_tint_has_the_colour_of_the_body() {
 }
 
 #[test]
+fn parts_keep_their_colours_on_variants() {
+    let leaf = ComponentKind::Leaf.finish();
+    for id in 1..40 {
+        let vein = leaf.variant_colour(&Mark::of(Part::Vein), id);
+        assert_eq!(vein, leaf.variant_colour(&Mark::of(Part::Vein), 0));
+        let tint = leaf.mild_tint(1, id).map(f32::from);
+        let wanted = leaf.part(Part::Vein).unwrap().map(f32::from);
+        for k in 0..3 {
+            let found = f32::from(vein[k]) * tint[k] / 255.0;
+            assert!((found / wanted[k] - 1.0).abs() < 0.2, "{id}: {found}");
+        }
+    }
+    let [first, last] = [0, 7].map(|number| leaf.variant_colour(&Mark::BODY, number));
+    assert_ne!(first, last);
+    assert_eq!(first, leaf.variant_colour(&Mark::BODY, 8));
+}
+
+#[test]
 fn marks_mix_the_colours_of_parts_and_shade_them() {
     let bean = ComponentKind::Bean.finish();
     let base = bean.base(1, 1);

@@ -110,7 +110,7 @@ pub(super) fn smooth_pebble() -> Shell {
     .shell()
 }
 
-/// A ring with a round section, as toys have; its two halves meet in a fine seam.
+/// A ring with a round section, as toys have.
 pub(super) fn torus() -> Shell {
     const SECTION: usize = 20;
     Shell::ring(SECTION, 44, |k, angle| {
