@@ -79,6 +79,8 @@ mod order;
 pub mod packing;
 #[cfg(house)]
 pub mod pile;
+#[cfg(house)]
+pub mod pile_shape;
 mod planar;
 pub mod random;
 pub mod recipe;

@@ -56,6 +56,7 @@ macro_rules! numbers {
         }),*];)*
     };
 }
+pub(crate) use numbers;
 
 numbers! {
     TERRAIN {

@@ -1,0 +1,115 @@
+//! Rice ball and block: closed surfaces.
+
+use super::cuboid::cuboid;
+use super::edges;
+use super::piled::PiledShape;
+use crate::trimesh::Soup;
+use glam::DVec3;
+use std::f64::consts::{FRAC_1_SQRT_2, TAU};
+
+/// The block for the numbers `[height, depth, round]`.
+pub(super) fn block(n: &[f64], edge: f64) -> PiledShape {
+    let half = 0.5 * DVec3::new(1.0, n[0], n[1]);
+    let most = half.min_element();
+    let make = |step: f64| {
+        // Neither narrow edges nor narrow sides have slivers.
+        let step = step.min(4.0 * n[2] * most);
+        let is_narrow = 2.0 * (1.0 - n[2]) * most < 0.25 * step;
+        cuboid(half, if is_narrow { most } else { n[2] * most }, step).0
+    };
+    let mut surface = edges::within(edge, FRAC_1_SQRT_2, make);
+    surface.positions.iter_mut().for_each(|p| p.y += half.y);
+    PiledShape::free(surface)
+}
+
+/// The form of a rice ball: a triangle with soft corners seen along z, one of them up. Its middle is the origin.
+struct Onigiri {
+    /// The power of the sides' norm: high ones have sharp corners.
+    power: f64,
+    /// The share of a circle, which bends the sides.
+    circle: f64,
+    /// Half the thickness.
+    half: f64,
+}
+
+/// The power of the profile from one face to the other: 2 is an ellipse, high ones are flat.
+const FLATNESS: f64 = 3.1;
+/// Directions in which an outline is measured.
+const DIRECTIONS: usize = 720;
+/// How often vertices move to the middle of their neighbours.
+const EASINGS: usize = 12;
+
+impl Onigiri {
+    /// The form for the numbers `[thick, round]`, and the least and greatest corner of its bounding box.
+    fn new(n: &[f64]) -> (Self, DVec3, DVec3) {
+        let mut form = Self {
+            power: 7.0 - 4.0 * n[1],
+            circle: 0.5 + 0.2 * n[1],
+            half: 1.0,
+        };
+        let outline = (0..DIRECTIONS).map(|k| {
+            let angle = TAU * k as f64 / DIRECTIONS as f64;
+            let way = DVec3::new(libm::cos(angle), libm::sin(angle), 0.0);
+            way / form.norm(way)
+        });
+        let (lo, hi) = outline.fold((DVec3::ZERO, DVec3::ZERO), |(lo, hi), p| {
+            (lo.min(p), hi.max(p))
+        });
+        form.half = n[0] * hi.x;
+        let front = form.half * DVec3::Z;
+        (form, lo - front, hi + front)
+    }
+
+    /// 1 on the surface, and proportional along each ray from the middle.
+    fn norm(&self, p: DVec3) -> f64 {
+        let slant = 0.75f64.sqrt() * p.x;
+        let sides = [-p.y, 0.5 * p.y + slant, 0.5 * p.y - slant];
+        let radius = (p.x * p.x + p.y * p.y).sqrt();
+        let power = |x: f64| libm::pow(x.max(0.0), self.power);
+        let sum: f64 = sides.into_iter().map(power).sum();
+        let plan = libm::pow(sum + power(self.circle * radius), 1.0 / self.power);
+        let profile = |x: f64| libm::pow(x, FLATNESS);
+        libm::pow(
+            profile(plan) + profile(p.z.abs() / self.half),
+            1.0 / FLATNESS,
+        )
+    }
+
+    /// A box that is drawn onto the form, with squares of about this size.
+    fn mesh(&self, lo: DVec3, hi: DVec3, step: f64) -> Soup {
+        let (half, middle) = (0.5 * (hi - lo), 0.5 * (lo + hi));
+        let (mut soup, _) = cuboid(half, 0.9 * half.min_element(), step);
+        let onto = |p: DVec3| p / self.norm(p);
+        soup.positions
+            .iter_mut()
+            .for_each(|p| *p = onto(*p + middle));
+        for _ in 0..EASINGS {
+            ease(&mut soup, onto);
+        }
+        soup
+    }
+}
+
+/// Moves each vertex to the middle of its neighbours, and onto the form again.
+fn ease(soup: &mut Soup, onto: impl Fn(DVec3) -> DVec3) {
+    let mut sums = vec![(DVec3::ZERO, 0.0); soup.positions.len()];
+    for &[a, b, c] in &soup.triangles {
+        for (p, q) in [(a, b), (b, c), (c, a)] {
+            let sum = &mut sums[p as usize];
+            *sum = (sum.0 + soup.positions[q as usize], sum.1 + 1.0);
+        }
+    }
+    for (p, (sum, count)) in soup.positions.iter_mut().zip(sums) {
+        *p = onto(sum / count);
+    }
+}
+
+/// The rice ball for the numbers `[thick, round]`.
+pub(super) fn rice_ball(n: &[f64], edge: f64) -> PiledShape {
+    let (form, lo, hi) = Onigiri::new(n);
+    let scale = 1.0 / (hi - lo).max_element();
+    let mut soup = edges::within(edge / scale, FRAC_1_SQRT_2, |step| form.mesh(lo, hi, step));
+    let places = soup.positions.iter_mut();
+    places.for_each(|p| *p = (*p - lo.y * DVec3::Y) * scale);
+    PiledShape::free(soup)
+}

@@ -1,0 +1,106 @@
+//! Shapes made for piles: heaps, a rice ball, a block, a bowl and an open box.
+//!
+//! A shape has a surface, on which the bodies of a pile are thrown, and the walls that they do not pass. Bowls and
+//! boxes are seen, too: each is a vessel around its content.
+//!
+//! y is up. A shape stands on y = 0, with its middle over the origin, and its largest side is about 1.
+
+mod bowl;
+mod closed;
+mod cuboid;
+mod edges;
+mod numbers;
+mod open;
+mod open_box;
+mod piled;
+mod rings;
+#[cfg(test)]
+mod tests;
+
+pub use piled::{PiledShape, Vessel};
+
+use crate::shapes::ShapeNumber;
+
+/// A shape to heap bodies on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PileShape {
+    /// Things poured on the ground.
+    Heap,
+    /// Half an ellipsoid on the ground.
+    Dome,
+    /// An onigiri: a thick triangle with soft corners.
+    RiceBall,
+    /// A box with rounded edges.
+    Block,
+    /// The content of a bowl.
+    Bowl,
+    /// The content of a box without a lid.
+    OpenBox,
+}
+
+/// The shortest and the longest edges that a surface is made of.
+const EDGES: [f64; 2] = [0.004, 0.25];
+
+impl PileShape {
+    /// All shapes.
+    pub const ALL: [Self; 6] = [
+        Self::Heap,
+        Self::Dome,
+        Self::RiceBall,
+        Self::Block,
+        Self::Bowl,
+        Self::OpenBox,
+    ];
+
+    /// The shape's key, its English label, and its numbers.
+    fn row(self) -> (&'static str, &'static str, &'static [ShapeNumber]) {
+        match self {
+            Self::Heap => ("heap", "Heap", numbers::HEAP),
+            Self::Dome => ("dome", "Dome", numbers::DOME),
+            Self::RiceBall => ("riceball", "Rice ball", numbers::RICE_BALL),
+            Self::Block => ("block", "Block", numbers::BLOCK),
+            Self::Bowl => ("bowl", "Bowl", numbers::BOWL),
+            Self::OpenBox => ("openbox", "Open box", numbers::OPEN_BOX),
+        }
+    }
+
+    /// The shape's key in links.
+    pub fn word(self) -> &'static str {
+        self.row().0
+    }
+
+    /// The shape's English label.
+    pub fn label(self) -> &'static str {
+        self.row().1
+    }
+
+    /// The shape's numbers, two or three.
+    pub fn numbers(self) -> &'static [ShapeNumber] {
+        self.row().2
+    }
+
+    /// The shape with this key.
+    pub fn of_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|shape| shape.word() == word)
+    }
+
+    /// Makes the shape. `numbers` are those of [`Self::numbers`]: they are clamped to their ranges, and defaults stand
+    /// for missing ones. `edge` is the wanted length of the longest edges, as a share of 1; it is clamped to
+    /// 0.004..0.25.
+    pub fn build(self, numbers: &[f64], edge: f64) -> PiledShape {
+        let each = self.numbers().iter().enumerate();
+        let n: Vec<f64> = each
+            .map(|(k, number)| number.fitted(numbers.get(k).copied().unwrap_or(number.default)))
+            .collect();
+        let edge = if edge.is_finite() { edge } else { EDGES[1] };
+        let edge = edge.clamp(EDGES[0], EDGES[1]);
+        match self {
+            Self::Heap => open::heap(&n, edge),
+            Self::Dome => open::dome(&n, edge),
+            Self::RiceBall => closed::rice_ball(&n, edge),
+            Self::Block => closed::block(&n, edge),
+            Self::Bowl => bowl::bowl(&n, edge),
+            Self::OpenBox => open_box::open_box(&n, edge),
+        }
+    }
+}
