@@ -25,9 +25,9 @@ const ROWS: usize = 24;
 const LIP_ROWS: usize = 10;
 const AROUND: usize = 96;
 
-/// The bowl for the numbers `[depth, full]`. The content is a cap; where a bowl is full it is high, and its edge is near
-/// the lip. It has to bulge, as bodies slide inwards from it, but not at the edge: there they slide along its normal,
-/// which must not lead into the wall.
+/// The bowl for the numbers `[depth, full]`. The content is a cap; where a bowl is full it is high, and its edge is
+/// near the lip. It has to bulge, as bodies slide inwards from it, but not at the edge: there they slide along its
+/// normal, which must not lead into the wall.
 pub(super) fn bowl(n: &[f64], edge: f64) -> PiledShape {
     let inside = Inside {
         low: FOOT_HEIGHT + THICK[0],
@@ -75,7 +75,8 @@ impl Inside {
         (p + thick * normal, normal)
     }
 
-    /// The half section of the bowl: up the inside, over the lip, down the outside, round the foot ring, and to the axis.
+    /// The half section of the bowl: up the inside, over the lip, down the outside, round the foot ring, and to the
+    /// axis.
     fn outline(&self) -> Vec<DVec2> {
         let radius = |k: usize| WIDE * k as f64 / ROWS as f64;
         let inner = (0..=ROWS).map(|k| {

@@ -13,7 +13,7 @@ const ROUND: f64 = 0.008;
 /// The joints between boards, and the distance of boards from the walls, so that bodies do not cut them.
 const GAP: f64 = 0.001;
 /// The distance of the content from the walls.
-const INSET: f64 = 0.03;
+const INSET: f64 = 0.035;
 /// The squares of boards.
 const BOARD_STEP: f64 = 0.05;
 

@@ -1,13 +1,14 @@
 //! Surfaces about the y axis.
 
+use super::edges;
 use crate::trimesh::Soup;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// The distance between rings, in steps around, for equilateral triangles.
 const ROW: f64 = 0.866_025_403_784_438_6;
-/// The steps around, as a share of the longest edges: diagonals between unlike rings are longer.
-const STEP: f64 = 0.8;
+/// The first step around, as a share of the longest edges: diagonals between unlike rings are longer.
+const STEP: f64 = 0.88;
 /// Samples of a profile.
 const SAMPLES: usize = 1024;
 
@@ -21,7 +22,10 @@ struct Round {
 /// A disc of even triangles that face up. `profile` runs from the axis outwards as its argument goes from 0 to 1: the
 /// distance from the axis, and the height. `edge` is the length of the longest edges.
 pub(super) fn disc(profile: impl Fn(f64) -> DVec2, edge: f64) -> Soup {
-    let step = STEP * edge;
+    edges::within(edge, STEP, |step| stepped(&profile, step))
+}
+
+fn stepped(profile: &impl Fn(f64) -> DVec2, step: f64) -> Soup {
     let mut soup = Soup::default();
     soup.positions.push(place(profile(0.0), 0.0));
     let mut last = Round {
@@ -29,7 +33,7 @@ pub(super) fn disc(profile: impl Fn(f64) -> DVec2, edge: f64) -> Soup {
         count: 1,
         turn: 0.0,
     };
-    for at in even(&profile, ROW * step) {
+    for at in even(profile, ROW * step) {
         let count = ((TAU * at.x / step).round() as usize).max(6);
         let ring = Round {
             first: soup.positions.len(),
@@ -92,7 +96,8 @@ fn sew(soup: &mut Soup, inner: &Round, outer: &Round) {
 /// The cosine of the angle beyond which a profile has a crease.
 const CREASE: f64 = 0.766;
 
-/// The surface that a profile sweeps as it turns: vertices, which are double along creases, their normals, and triangles.
+/// The surface that a profile sweeps as it turns: vertices, which are double along creases, their normals, and
+/// triangles.
 /// The outside lies to the left of the profile, seen with the axis on the left.
 pub(super) fn turned(profile: &[DVec2], around: usize) -> (Soup, Vec<DVec3>) {
     let (mut soup, mut normals) = (Soup::default(), Vec::new());

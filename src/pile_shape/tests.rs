@@ -60,7 +60,7 @@ fn surfaces_are_meshes_of_even_triangles() {
         for t in 0..mesh.triangles().len() as u32 {
             let [a, b, c] = mesh.corners(t);
             let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-            assert!(longest < 1.02 * EDGE, "{name}: {longest}");
+            assert!(longest < 1.0001 * EDGE, "{name}: {longest}");
             let aspect = longest * longest / (2.0 * mesh.area_of(t));
             assert!(aspect < 6.0, "{name}: {aspect}");
         }
@@ -208,35 +208,7 @@ fn a_finer_edge_makes_more_triangles() {
         let ratio = fine as f64 / coarse as f64;
         assert!((2.8..5.5).contains(&ratio), "{shape:?}: {coarse} {fine}");
         let other = shape.build(&[], f64::NAN).surface;
-        assert!(other.triangles.len() < coarse, "{shape:?}");
-    }
-}
-
-#[test]
-#[ignore]
-fn dump() {
-    for shape in PileShape::ALL {
-        let made = shape.build(&[], 0.03);
-        let mut text = String::new();
-        for p in &made.surface.positions {
-            text += &format!("v {} {} {}\n", p.x, p.y, p.z);
-        }
-        for t in &made.surface.triangles {
-            text += &format!("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
-        }
-        if let Some(v) = made.vessel {
-            let n = made.surface.positions.len();
-            for p in &v.surface.positions {
-                text += &format!("v {} {} {}\n", p.x, p.y, p.z);
-            }
-            for t in &v.surface.triangles {
-                let t = t.map(|k| k as usize + n + 1);
-                text += &format!("g {} {} {}\n", t[0], t[1], t[2]);
-            }
-            for p in &v.surface.normals {
-                text += &format!("n {} {} {}\n", p.x, p.y, p.z);
-            }
-        }
-        std::fs::write(format!("/tmp/pile_shape_{}.obj", shape.word()), text).unwrap();
+        let other = other.triangles.len();
+        assert!(other < coarse, "{shape:?}: {other} {coarse}");
     }
 }
