@@ -18,7 +18,7 @@ const FOOT_WIDTH: f64 = 0.03;
 const CONTENT: f64 = 0.93;
 /// How much flatter the content is at its edge than a paraboloid.
 const EVEN: f64 = 0.5;
-/// The distance of what is seen from the wall, so that bodies do not cut it.
+/// The distance of the seen side from the wall, so that bodies do not cut it.
 const GAP: f64 = 0.001;
 /// Rows of the profile along each side and along the lip, and corners around.
 const ROWS: usize = 24;
@@ -29,7 +29,7 @@ const AROUND: usize = 96;
 /// near the lip. It has to bulge, as bodies slide inwards from it, but not at the edge: there they slide along its
 /// normal, which must not lead into the wall.
 pub(super) fn bowl(n: &[f64], edge: f64) -> PiledShape {
-    let inside = Inside {
+    let inside = BowlInside {
         low: FOOT_HEIGHT + THICK[0],
         curve: n[0] / (WIDE * WIDE),
     };
@@ -55,12 +55,12 @@ pub(super) fn bowl(n: &[f64], edge: f64) -> PiledShape {
 }
 
 /// The paraboloid inside of a bowl.
-struct Inside {
+struct BowlInside {
     low: f64,
     curve: f64,
 }
 
-impl Inside {
+impl BowlInside {
     /// The point at this radius, and the unit normal into the wall.
     fn at(&self, r: f64) -> (DVec2, DVec2) {
         let slope = 2.0 * self.curve * r;

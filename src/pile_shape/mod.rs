@@ -9,7 +9,7 @@ mod bowl;
 mod closed;
 mod cuboid;
 mod edges;
-mod numbers;
+pub(crate) mod numbers;
 mod open;
 mod open_box;
 mod piled;
@@ -44,9 +44,9 @@ const EDGES: [f64; 2] = [0.004, 0.25];
 impl PileShape {
     /// All shapes.
     pub const ALL: [Self; 6] = [
+        Self::RiceBall,
         Self::Heap,
         Self::Dome,
-        Self::RiceBall,
         Self::Block,
         Self::Bowl,
         Self::OpenBox,

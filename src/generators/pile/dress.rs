@@ -53,7 +53,9 @@ impl Dressing {
         let finish = params.finishes[kind];
         let mut levels = drawn(component).skip(dressing.levels.len());
         if let Some(level) = levels.next() {
-            let surface = level.surface(component.crease, |mark| finish.shared_colour(mark));
+            let surface = level.surface(component.crease, |mark| {
+                finish.variant_colour(mark, variant as u64)
+            });
             dressing.levels.push(surface);
             return Ok(None);
         }

@@ -5,7 +5,6 @@ use super::dress::Dressed;
 use super::materials::{CHINA_ROW, SHAPE_ROW, WOOD_ROW, row};
 use super::params::{BodyParams, CoreShown, DressParams};
 use super::site::Site;
-use crate::component::Finish;
 use crate::order::lesser;
 use crate::pile::{Body as Piled, Fate, Kind};
 use crate::random::{Purpose, Random};
@@ -128,7 +127,7 @@ impl Heap {
             place,
             id: body.dart + 1,
             paint: Some(Paint {
-                tint: tint(finish, parts.look, u64::from(body.dart)),
+                tint: finish.tint(seed, u64::from(body.dart), parts.look.vary),
                 material: row(kind, false, false),
             }),
         });
@@ -153,15 +152,6 @@ pub(super) fn place(body: &Piled, fit: Fit) -> Place {
         axes: axes.map(|axis| (axis * scale).as_vec3()),
         origin: fit.place(body.place()),
     }
-}
-
-/// The tint of a body: `vary` scales its difference from the mean.
-fn tint(finish: &Finish, look: &BodyParams, id: u64) -> [u8; 3] {
-    let (own, mean) = (finish.tint(look.seed, id), finish.mean_tint());
-    std::array::from_fn(|k| {
-        let (own, mean) = (f32::from(own[k]), mean[k]);
-        lesser(mean + (own - mean) * look.vary + 0.5, 255.0) as u8
-    })
 }
 
 /// The height in the scene up to which the pile is wet.

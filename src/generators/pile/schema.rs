@@ -174,7 +174,7 @@ const FINISHES: &[Choice] = choices![
     walnut: "Dark wood", bean: "Red beans", blackbean: "Black beans", cashew: "Cashew",
     almond: "Almond", leaf: "Autumn leaves", greenleaf: "Green leaves", orange: "Orange",
     apple: "Red apples", greenapple: "Green apples", red: "Red", blue: "Blue", yellow: "Yellow",
-    white: "White", ivory: "Ivory", clay: "Clay", glass: "Glass",
+    white: "White", toys: "Many paints", ivory: "Ivory", clay: "Clay", nutshell: "Nutshells", glass: "Glass",
 ];
 
 const UPRIGHT: &[Choice] = choices![y: "y", z: "z"];
