@@ -127,8 +127,8 @@ export class App {
     document.documentElement.dataset['offers'] = offers.join(' ');
     for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
     this.leaveEditor();
-    if (offers.includes('paint')) this.parts.space.ask((space) => space.follow());
-    this.store.update({ layers: false, compare: false, plots: false, turn: isFramed, camera: undefined, repeat: 1, ...(isFramed ? { zoom: WHOLE } : {}) });
+    if (offers.includes('models')) this.parts.space.ask((space) => space.follow());
+    this.store.update({ layers: false, compare: false, plots: false, turn: isFramed, camera: undefined, cut: undefined, repeat: 1, ...(isFramed ? { zoom: WHOLE } : {}) });
   }
 
   /** Whether cells have been shown, or never will be. */
