@@ -281,7 +281,7 @@ export class App {
     clearTimeout(this.telling);
     say(byId('live'), '');
     if (stage !== 'done') return;
-    this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
+    this.telling = window.setTimeout(() => say(byId('live'), t(this.engine.offers('bodies') ? 'done_bodies' : 'done', { cells, steps })), SETTLED);
   }
 
   /** Makes the next change an entry of its own in the browser's history. */

@@ -5,7 +5,7 @@ import type { Camera, Cut } from '../state/viewing';
 import { towards } from './camera';
 
 /** The least and greatest place of the plane from the middle of the bodies, in sides of the picture, and a step. */
-const PLACES = { min: '-0.7', max: '0.7', step: '0.01' };
+const PLACES = { min: -0.7, max: 0.7, step: 0.01 };
 
 /** The directions of the side that is cut away; the first one is that of the camera. */
 const WAYS = ['here', 'x', 'y', 'z'] as const;
@@ -22,7 +22,7 @@ export class CutTool {
   readonly element: HTMLElement;
   private readonly needs: Needs;
   private readonly button = make('button', { type: 'button', class: 'key', id: 'turn-cut', title: t('cut_title') }, t('cut'));
-  private readonly slider = make('input', { type: 'range', id: 'turn-cut-at', ...PLACES, 'aria-label': t('cut_at'), title: t('cut_at') });
+  private readonly slider = make('input', { type: 'range', id: 'turn-cut-at', min: String(PLACES.min), max: String(PLACES.max), step: String(PLACES.step), 'aria-label': t('cut_at'), title: t('cut_at') });
   private readonly radios = WAYS.map((way) => make('input', { type: 'radio', name: 'turn-cut-way', value: way }));
   private readonly more: HTMLElement;
   private cut: Cut | undefined;
@@ -30,7 +30,7 @@ export class CutTool {
   constructor(needs: Needs) {
     this.needs = needs;
     const ways = this.radios.map((radio, k) => make('label', {}, radio, make('span', {}, t(`cut_${WAYS[k] ?? 'here'}`))));
-    this.more = make('div', { class: 'turn-cut-more' }, make('div', { class: 'segments', role: 'radiogroup', 'aria-label': t('cut_way') }, ...ways), this.slider);
+    this.more = make('div', { class: 'turn-cut-more' }, this.slider, make('div', { class: 'segments', role: 'radiogroup', 'aria-label': t('cut_way') }, ...ways));
     this.element = make('div', { class: 'turn-cut' }, this.button, this.more);
     this.button.addEventListener('click', () => needs.take(this.cut ? undefined : this.plane('here'), false));
     // A click on the chosen direction takes that of the camera again.
@@ -38,6 +38,8 @@ export class CutTool {
     for (const kind of ['input', 'change']) this.slider.addEventListener(kind, () => this.move(kind === 'input'));
     // Events here are neither for the frame nor for the picture below.
     for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart', 'keydown']) this.element.addEventListener(sign, (event) => event.stopPropagation());
+    // The plane's usual place is in the middle.
+    for (const at of ['--default', '--origin']) this.slider.style.setProperty(at, '0.5');
     this.show(undefined, true);
   }
 
@@ -51,6 +53,8 @@ export class CutTool {
     const now = wayOf(cut);
     for (const radio of this.radios) radio.checked = radio.value === now;
     if (Number(this.slider.value) !== cut[3]) this.slider.value = String(cut[3]);
+    const { min, max } = PLACES;
+    this.slider.style.setProperty('--place', String((Number(this.slider.value) - min) / (max - min)));
     this.slider.setAttribute('aria-valuetext', cut[3].toFixed(2));
   }
 
