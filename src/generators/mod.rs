@@ -61,7 +61,8 @@ pub struct Generator {
     /// Words of the page's parts that it needs. A picture in a plane has `outline` (the editor), `probe`, `plots`,
     /// `layers`, `tiles`, `svg`, `maps` (with larger pictures), `slab` (its relief for printing), and `turn` (its
     /// bodies seen from a slant). A generator without such a picture has `frames`: only frames of its bodies are
-    /// shown, and `paint` paints on these. Both may have `compare`, `mesh` and `forming`.
+    /// shown, `paint` paints on these, and `cut` cuts their bodies away beyond a plane. `models` opens files. All may
+    /// have `compare`, `mesh` and `forming`; with `bodies`, bodies are counted instead of cells.
     pub offers: &'static [&'static str],
     /// Keys of the parameters that best describe a recipe without a name.
     pub names: &'static [&'static str],
@@ -185,6 +186,7 @@ mod tests {
                 ("mesh", engine.meshes().is_some()),
                 ("turn", has_frames && is_plane),
                 ("frames", has_frames && !is_plane),
+                ("models", engine.files().is_some()),
                 ("paint", generator.schema.rows.iter().any(is_painted)),
                 ("forming", !generator.course.stepping.is_empty()),
             ];

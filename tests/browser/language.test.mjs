@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, BALL, canvas, digest, frames, get, messages, phone, set, SMALL } from './page.mjs';
+import { all, BALL, canvas, digest, frames, get, messages, phone, PILE, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -37,7 +37,7 @@ test('every word has its Japanese, with the same values in it', sameEverywhere, 
   // Signs and names of formats are the same in both languages.
   const same = (text) => !/[a-z]{3}/.test(text.replace(/\{\w+\}|PNG|OBJ|GLB|SVG|GIF|JSON|Bubblestone/g, ''));
   // The last files are those of lazy parts, with both languages in one file.
-  const parts = [...['page', 'words'].map((part) => [english[part], japanese[part]]), ...['take', 'look', 'turn', 'editor'].map(words).map(({ en, ja }) => [en, ja])];
+  const parts = [...['page', 'words'].map((part) => [english[part], japanese[part]]), ...['take', 'look', 'turn', 'space', 'editor'].map(words).map(({ en, ja }) => [en, ja])];
   for (const [en, ja] of parts) {
     assert.deepEqual(Object.keys(ja).sort(), Object.keys(en).sort());
     for (const [key, text] of Object.entries(en)) {
@@ -48,7 +48,7 @@ test('every word has its Japanese, with the same values in it', sameEverywhere, 
   }
 });
 
-for (const link of [SMALL, '#v=1&make=surface&size=128&cn=60']) {
+for (const link of [SMALL, '#v=1&make=surface&size=128&cn=60', PILE]) {
   test(`every word of the module has its Japanese: ${link}`, sameEverywhere, async () => {
     const plain = await site.newPage(link);
     const { page, problems, close } = await inJapanese(link);

@@ -12,6 +12,9 @@ export const SQUARE = `${SMALL}&outline=square`;
 /** Some stones on a ball. */
 export const BALL = '#v=1&make=surface&form=sphere&size=128&cn=60';
 
+/** Some pebbles on a small rice ball. */
+export const PILE = '#v=1&make=pile&size=128&c1=pebble&ps=5';
+
 export const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 /** The digest of the planes, once they are done. @param {Page} page @returns {Promise<string>} */

@@ -122,6 +122,17 @@ test('a camera stands where it is said, else as usual', () => {
   assert.equal(written({ camera: [330.04, 38.26, 2.95049, 28, 0.000049, 0, 0] }), 'camera=330,38.3');
 });
 
+test('a plane cuts the bodies of a generator that offers it', () => {
+  const pile = { ...SIGHTS, offers: ['frames', 'cut'] };
+  const { cut } = viewing.read('cut=0,1,0,0.25', pile).viewing;
+  assert.deepEqual(cut, [0, 1, 0, 0.25]);
+  assert.equal(written({ cut }, pile), 'cut=0,1,0,0.25');
+  assert.equal(viewing.wholeBodies([0.12345, -0.6, 0.5, 0]), 'whole=0.123,-0.6,0.5,0');
+  assert.equal(viewing.wholeBodies(undefined), '');
+  for (const given of ['1,0,0', '0,0,0,1', '1,0,0,x', '1,0,0,0,0']) assert.deepEqual(viewing.read(`cut=${given}`, pile).faults, [{ what: 'cut', given }]);
+  assert.deepEqual(read('cut=0,1,0,0').faults, [{ what: 'cut', given: '0,1,0,0' }]);
+});
+
 test('each generator has its first camera, and its lowest one', () => {
   const space = { ...SIGHTS, offers: ['frames'], home: '10,20,2.5', lowest: -85 };
   assert.deepEqual(viewing.read('camera', space).viewing.camera, [10, 20, 2.5, 28, 0, 0, 0]);

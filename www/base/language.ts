@@ -44,8 +44,8 @@ export async function takeLanguage(whole: boolean): Promise<void> {
 /** Loads the words of the second module. Without them, its parameters and presets keep their English. */
 export async function moreWords(): Promise<void> {
   if (language() !== 'ja') return;
-  const more = await import('../strings/ja-surface').catch(() => undefined);
-  if (more) extend(more);
+  const more = await Promise.all([import('../strings/ja-surface'), import('../strings/ja-pile')]).catch(() => []);
+  for (const words of more) extend(words);
 }
 
 /** Changes the words on the page; nothing else changes. Rejects if they cannot be loaded. */

@@ -1,11 +1,12 @@
-/** The numbers of a cell, each with its name. */
+/** The numbers of a cell, or of a body in a pile, each with its name. */
 import { t } from '../words/look';
 import { make } from '../base/dom';
 
 /** The measures of a cell by the words of its generator, as far as they are known. */
-export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' | 'sides' | 'neighbours' | 'area']?: number | null | undefined };
+export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' | 'sides' | 'neighbours' | 'area' | 'type' | 'layer' | 'slid' | 'inwards' | 'outwards' | 'touches']?: number | null | undefined };
 
-export function cellNumbers({ size, wanted, aspect, angle, off, sides, neighbours, area }: Figures): [name: string, value: string][] {
+export function cellNumbers(figures: Figures): [name: string, value: string][] {
+  const { size, wanted, aspect, angle, off, sides, neighbours, area } = figures;
   const rows: [string, string][] = [];
   if (is(size) && is(wanted)) rows.push([t('cell_size'), t('cell_size_of', { size: size.toFixed(1), wanted: wanted.toFixed(1) })]);
   if (is(aspect) && aspect > 1.005) rows.push([t('cell_aspect'), aspect.toFixed(2)]);
@@ -14,7 +15,21 @@ export function cellNumbers({ size, wanted, aspect, angle, off, sides, neighbour
   if (is(sides)) rows.push([t('cell_sides'), String(sides)]);
   if (is(neighbours)) rows.push([t('cell_neighbours'), String(neighbours)]);
   if (is(area)) rows.push([t('cell_area'), area.toFixed(0)]);
+  return [...rows, ...piledNumbers(figures)];
+}
+
+/** Those of a body in a pile; lengths are in its diagonals. */
+function piledNumbers({ type, layer, slid, inwards, outwards, touches }: Figures): [name: string, value: string][] {
+  const rows: [string, string][] = [];
+  if (is(type)) rows.push([t('body_type'), String(type)]);
+  if (is(layer)) rows.push([t('body_layer'), String(layer)]);
+  if (is(slid) && is(inwards) && is(outwards)) rows.push([t('body_slid'), t('body_slid_of', { slid: signed(slid), from: signed(inwards), to: signed(outwards) })]);
+  if (is(touches)) rows.push([t('body_touches'), String(touches)]);
   return rows;
+}
+
+function signed(length: number): string {
+  return length.toFixed(2).replace('-', '−');
 }
 
 function is(figure: number | null | undefined): figure is number {

@@ -15,7 +15,7 @@ import { Until } from '../picture/until';
 export function show(words: string, work: Work, loop: Loop, change: (asked: Partial<State>) => void): string {
   const { engine } = work;
   const { viewing, faults } = read(words, engine.generator);
-  const { view, overlays, pace, step, zoom, camera, body } = viewing;
+  const { view, overlays, pace, step, zoom, camera, cut, body } = viewing;
   change({
     ...(view === undefined ? {} : { view, overlays: overlays ?? [] }),
     // Visitors who prefer reduced motion keep their own speed.
@@ -23,6 +23,7 @@ export function show(words: string, work: Work, loop: Loop, change: (asked: Part
     ...(zoom === undefined || engine.offers('frames') ? {} : { zoom }),
     ...(step === undefined ? {} : { paused: false }),
     ...(camera === undefined ? {} : { turn: true, camera }),
+    ...(cut === undefined ? {} : { cut }),
     ...(body === undefined ? {} : { turn: true, asked: body }),
   });
   if (step !== undefined) {
@@ -48,6 +49,7 @@ function sentences(faults: readonly Fault[], sights: Sights): string[] {
     if (what === 'layer') return t('linked_layer', { given, known: overlays.join(', '), end });
     if (what === 'step' && !offers.includes('forming')) return t('linked_no_steps', { end });
     if (what === 'camera') return hasBodies(sights) ? t('linked_camera', { given, limits: cameraLimits(sights).map(([from, to]) => `${from}–${to}`).join(', '), end }) : t('linked_no_turn', { end });
+    if (what === 'cut') return t('linked_cut', { given, end });
     if (what === 'body') return t('linked_body', { given, end });
     const [from, to] = LIMITS[what];
     return t(`linked_${what}`, { given, from, to, end });

@@ -1,4 +1,5 @@
 /** The buttons that randomise: one for everything that is not locked, and a dice and a lock for each group. */
+import type { Parameter } from '../module/types';
 import { groupIn, t } from '../words/words';
 import { byId, make } from '../base/dom';
 import { Later } from '../base/later';
@@ -11,9 +12,9 @@ import type { Work } from '../state/work';
 import type { Panel } from './panel';
 import { SEED } from './seed';
 
-/** The groups with colours, and their keys outside the group of patterns. */
-const COLOURS = ['Surface', 'Colour'];
-const PAINTS = ['palette', 'vary', 'ground'];
+/** The group of patterns, and the keys of colours in other groups. */
+const PATTERNS = 'Colour';
+const PAINTS = ['palette', 'vary', 'ground', 'f1', 'f2', 'f3', 'f4'];
 
 export class Dice {
   private readonly work: Work;
@@ -68,10 +69,13 @@ export class Dice {
   private colours(): void {
     const { engine, store } = this.work;
     this.ranges.ask(({ thrown, drawnIn, table }) => {
-      const values = thrown(table(engine.generator.chance), Math.random, COLOURS, engine.schema, (key) => engine.get(key), drawnIn(recipeOf(engine), presetIn(store)));
-      const groups = new Map(engine.schema.map(({ key, group }) => [key, group]));
+      const isPaint = ({ key, group }: Parameter): boolean => group === PATTERNS || PAINTS.includes(key);
+      const groups = [...new Set(engine.schema.filter(isPaint).map(({ group }) => group))];
+      const stay = drawnIn(recipeOf(engine), presetIn(store));
+      for (const row of engine.schema) if (!isPaint(row)) stay.add(row.key);
+      const values = thrown(table(engine.generator.chance), Math.random, groups, engine.schema, (key) => engine.get(key), stay);
       this.push();
-      this.work.setAll(values.filter(([key]) => groups.get(key) === 'Colour' || PAINTS.includes(key)));
+      this.work.setAll(values);
     });
   }
 

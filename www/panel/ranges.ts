@@ -1,5 +1,5 @@
 /** The ranges in which most pictures look good, by the word of a generator's table. They follow the presets. */
-import { range, rarely, type Table, type When, type Words } from './chance';
+import { range, rarely, type Row, type Table, type When, type Words } from './chance';
 
 const SKIN: When = { stone: ['skin'] };
 const FLAG: When = { stone: ['flag'] };
@@ -318,10 +318,142 @@ const SURFACE: Table = {
   ],
 };
 
+/** Things that roll, so that a container or an even shape holds them best; and metal parts. */
+const FRUITS = ['orange', 'apple'];
+const NUTS = ['chestnut', 'bean', 'cashew', 'almond', 'walnut'];
+const METALS = ['nut', 'bolt', 'gear', 'torus'];
+const STONES = ['pebble', 'smooth'];
+const CONTAINERS = ['bowl', 'openbox'];
+/** Shapes of which a part is slim: they need many bodies. */
+const SLIM = ['letter', 'torus', 'knot'];
+
+const FINISHES: Words = { own: 24, river: 1, basalt: 1, quartz: 1, copper: 1, ivory: 1, clay: 1 };
+const BRIGHT: Words = { red: 1, blue: 1, yellow: 1, white: 1, glass: 2, ivory: 1, brass: 1, copper: 1 };
+
+/** The rows of a type, by its number. */
+const typeRows = (n: number): Row[] => {
+  const type: When = { [`c${n}`]: ['ball', 'torus', 'box'] };
+  return [
+    [`f${n}`, { brass: 1, steel: 2, copper: 1, own: 4 }, { [`c${n}`]: METALS }],
+    [`f${n}`, { own: 3, ...BRIGHT }, type],
+    [`f${n}`, { own: 6, greenleaf: 1 }, { [`c${n}`]: ['leaf'] }],
+    [`f${n}`, { own: 4, greenapple: 1 }, { [`c${n}`]: ['apple'] }],
+    [`f${n}`, { own: 4, blackbean: 1 }, { [`c${n}`]: ['bean'] }],
+    [`f${n}`, FINISHES, { [`c${n}`]: STONES }],
+    [`f${n}`, { own: 1 }],
+    [`k${n}`, n === 1 ? { '1': 1 } : range(0.7, 1.2, 0.05)],
+    [`sigma${n}`, { '0': 1 }],
+    ...['tu', 'tv', 'tw'].map((turn): Row => [`${turn}${n}`, { '360': 1 }]),
+    [`l${n}`, { '2': 1 }],
+  ];
+};
+
+/** Recipes here have between some tens and some thousand darts. */
+const PILE: Table = {
+  Component: [
+    ['c1', { rice: 3, pebble: 3, smooth: 2, chestnut: 2, nut: 2, bolt: 2, gear: 1, ball: 2, torus: 1, box: 1, bean: 2, cashew: 1, almond: 1, walnut: 1, leaf: 2, orange: 1, apple: 2 }],
+    ...typeRows(1),
+    ['variants', range(6, 12, 1)],
+    ['jitter', range(0, 0.04, 0.01), { c1: METALS }],
+    ['jitter', range(0.05, 0.2, 0.01)],
+  ],
+  'Second type': [
+    ['c2', { none: 2, bolt: 1 }, { c1: ['nut', 'gear'] }],
+    ['c2', { none: 2, nut: 1 }, { c1: ['bolt'] }],
+    ['c2', { none: 3, smooth: 1 }, { c1: ['pebble'] }],
+    ['c2', { none: 3, pebble: 1 }, { c1: ['smooth'] }],
+    ['c2', { none: 3, almond: 1, walnut: 1 }, { c1: ['chestnut', 'cashew'] }],
+    ['c2', { none: 3, chestnut: 1, cashew: 1 }, { c1: ['almond', 'walnut'] }],
+    ['c2', { none: 2, apple: 1 }, { c1: ['orange'] }],
+    ['c2', { none: 2, orange: 1 }, { c1: ['apple'] }],
+    ['c2', { none: 2, ball: 1 }, { c1: ['ball'] }],
+    ['c2', { none: 1 }],
+    ...typeRows(2),
+  ],
+  'Third type': [
+    ['c3', { none: 3, bean: 1 }, { c2: NUTS }],
+    ['c3', { none: 4, ball: 1 }, { c2: ['ball'] }],
+    ['c3', { none: 1 }],
+    ...typeRows(3),
+  ],
+  'Fourth type': [['c4', { none: 1 }], ...typeRows(4)],
+  Shape: [
+    ['form', { riceball: 5, bowl: 2, heap: 2 }, { c1: ['rice'] }],
+    ['form', { bowl: 4, openbox: 2, heap: 2 }, { c1: [...FRUITS, ...NUTS] }],
+    ['form', { heap: 3, openbox: 2, letter: 1, bowl: 1 }, { c1: METALS }],
+    ['form', { heap: 4, dome: 2, block: 1 }, { c1: ['leaf', 'box'] }],
+    ['form', { sphere: 2, egg: 1, torus: 2, knot: 1, letter: 1, dome: 2, heap: 2, bowl: 1 }, { c1: ['ball'] }],
+    ['form', { heap: 4, dome: 2, block: 1, openbox: 1, egg: 1, torus: 1, terrain: 1 }],
+    ['heap_height', range(0.24, 0.36, 0.01)],
+    ['heap_round', range(0.7, 0.94, 0.02)],
+    ['heap_depth', range(0.7, 1, 0.05)],
+    ['dome_height', range(0.35, 0.6, 0.01)],
+    ['dome_depth', range(0.8, 1, 0.05)],
+    ['riceball_thick', range(0.4, 0.52, 0.01)],
+    ['riceball_round', range(0.35, 0.65, 0.05)],
+    ['block_height', range(0.4, 0.8, 0.05)],
+    ['block_depth', range(0.6, 1, 0.05)],
+    ['block_round', range(0.15, 0.4, 0.05)],
+    ['bowl_depth', range(0.28, 0.42, 0.01)],
+    ['bowl_full', range(0.6, 0.95, 0.05)],
+    ['openbox_depth', range(0.6, 1, 0.05)],
+    ['openbox_height', range(0.22, 0.38, 0.01)],
+    ['openbox_full', range(0.6, 0.95, 0.05)],
+    ...shapeRows(),
+    ['ps', range(5, 8, 0.5), { c1: FRUITS }],
+    ['ps', range(15, 18, 0.5), { form: SLIM }],
+    ['ps', range(7, 11, 0.5), { c1: ['leaf', 'box', 'torus', 'gear'] }],
+    ['ps', range(8, 12, 0.5), { form: CONTAINERS }],
+    ['ps', range(8, 14, 0.5)],
+    ['core', { own: 1 }],
+    ['layers', { '1': 1 }, { form: SLIM }],
+    ['layers', { '1': 5, '2': 2, '3': 1 }],
+    ['yaw', range(-40, 40, 1, { plain: [0, 0.5] })],
+  ],
+  Placing: [
+    ['darts', { random: 1 }],
+    ['merge', { merged: 1 }],
+    ['frame', { local: 1 }],
+  ],
+  Refinement: [
+    ['refine', { exact: 1 }],
+    ['reading', { nearest: 1 }],
+    ['iterations', { '15': 1 }],
+    ['reach', { given: 1 }],
+    ['offset', range(0.05, 0.25, 0.01)],
+    ['removal', { '0.05': 1 }],
+    ['alpha', { '0.75': 3, '1': 1, '0.5': 1 }],
+    ['order', { random: 1 }],
+    ['first', { large: 1 }],
+    ['retries', { '1': 1 }],
+  ],
+  Look: [
+    ['vary', range(0.7, 1.3, 0.05)],
+    ['gloss', { own: 6, glossy: 1 }],
+    ['wet', rarely(0.12, 0.2, 0.6)],
+  ],
+  Light: [
+    ['light', { parallel: 1 }],
+    ['az', range(60, 150, 1)],
+    ['el', range(36, 55, 1)],
+    ['amb', range(0.95, 1.15, 0.05)],
+    ['diff', range(1, 1.15, 0.05)],
+    ['spec', range(0.9, 1.2, 0.05)],
+    ['shin', { '1': 1 }],
+    ['shadow', { '1': 1 }],
+    ['occl', range(0.8, 1, 0.05)],
+  ],
+};
+
+/** The rows of the numbers of shapes that surfaces have, too. */
+function shapeRows(): Row[] {
+  return (SURFACE['Shape'] ?? []).filter(([key]) => /^[a-z]+_/.test(key));
+}
+
 /** Adds the shared rows to a table's own rows. */
 function withBoth(own: Table): Table {
   return Object.fromEntries(Object.entries(own).map(([group, rows]) => [group, [...rows, ...(BOTH[group] ?? [])]]));
 }
 
 /** The tables, by the word that a generator gives. */
-export const CHANCES: Record<string, Table> = { plane: withBoth(PLANE), surface: withBoth(SURFACE) };
+export const CHANCES: Record<string, Table> = { plane: withBoth(PLANE), surface: withBoth(SURFACE), pile: PILE };

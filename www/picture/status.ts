@@ -14,9 +14,14 @@ const WATCHED = 6000;
 
 const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 
+/** The words of these counts where bodies are counted; the largest move is not shown there. */
+const BODIES = ['bodies', 'turns', 'move', 'removed'] as const;
+
 export class StatusLine {
   private readonly stages = new Map<string, { item: HTMLElement; time: HTMLElement }>();
-  private readonly counts = new Map<string, HTMLElement>();
+  private readonly counts = new Map<string, { value: HTMLElement; name: HTMLElement; box: HTMLElement }>();
+  /** Whether bodies are counted. */
+  private ofBodies = false;
   private readonly caption = byId('caption');
   private readonly work = byId('work');
   private readonly way = make('span');
@@ -31,14 +36,17 @@ export class StatusLine {
     list.replaceChildren();
     for (const count of COUNTS) {
       const value = make('dd', { id: `count-${count}` }, '–');
-      list.append(make('div', { title: t(`count_${count}_title`) }, make('dt', {}, t(`count_${count}`)), value));
-      this.counts.set(count, value);
+      const name = make('dt');
+      const box = make('div', {}, name, value);
+      list.append(box);
+      this.counts.set(count, { value, name, box });
     }
   }
 
   /** Shows the stages of the present generator. */
-  follow(course: Course): void {
+  follow(course: Course & { offers: readonly string[] }): void {
     this.course = course;
+    this.nameCounts(course.offers.includes('bodies'));
     this.stages.clear();
     for (const word of course.stages) {
       const time = make('span', { class: 'time' }, '–');
@@ -65,7 +73,18 @@ export class StatusLine {
     this.count('cells', String(status.cells));
     this.count('steps', String(status.steps));
     this.count('move', status.steps ? status.largestMove.toFixed(3) : '–');
-    this.count('added', `+${status.added} −${status.removed}`);
+    this.count('added', this.ofBodies ? String(status.removed) : `+${status.added} −${status.removed}`);
+  }
+
+  private nameCounts(ofBodies: boolean): void {
+    this.ofBodies = ofBodies;
+    COUNTS.forEach((count, k) => {
+      const parts = this.counts.get(count);
+      const word = ofBodies ? (BODIES[k] ?? count) : count;
+      if (!parts) return;
+      say(parts.name, t(`count_${word}`));
+      parts.box.title = t(`count_${word}_title`);
+    });
   }
 
   /**
@@ -111,8 +130,8 @@ export class StatusLine {
   }
 
   private count(name: (typeof COUNTS)[number], text: string): void {
-    const value = this.counts.get(name);
-    if (value) say(value, text);
+    const parts = this.counts.get(name);
+    if (parts) say(parts.value, text);
   }
 }
 

@@ -28,7 +28,7 @@ export class Address {
     this.undo = undo;
     const { store } = work;
     this.link = new Link((fragment, ours) => this.open(fragment, ours));
-    store.on(['recipe', 'view', 'overlays', 'pace', 'zoom', 'paused', 'turn', 'camera'], () => this.leave());
+    store.on(['recipe', 'view', 'overlays', 'pace', 'zoom', 'paused', 'turn', 'camera', 'cut'], () => this.leave());
     store.on(['body'], ({ body }) => {
       if (!body || !this.words.split('&').includes(`body=${body.subject}`)) this.leave();
     });

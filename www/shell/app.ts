@@ -127,8 +127,8 @@ export class App {
     document.documentElement.dataset['offers'] = offers.join(' ');
     for (const [part, id] of OFFERED) byId(id).hidden = !offers.includes(part);
     this.leaveEditor();
-    if (offers.includes('paint')) this.parts.space.ask((space) => space.follow());
-    this.store.update({ layers: false, compare: false, plots: false, turn: isFramed, camera: undefined, repeat: 1, ...(isFramed ? { zoom: WHOLE } : {}) });
+    if (offers.includes('models')) this.parts.space.ask((space) => space.follow());
+    this.store.update({ layers: false, compare: false, plots: false, turn: isFramed, camera: undefined, cut: undefined, repeat: 1, ...(isFramed ? { zoom: WHOLE } : {}) });
   }
 
   /** Whether cells have been shown, or never will be. */
@@ -281,7 +281,7 @@ export class App {
     clearTimeout(this.telling);
     say(byId('live'), '');
     if (stage !== 'done') return;
-    this.telling = window.setTimeout(() => say(byId('live'), t('done', { cells, steps })), SETTLED);
+    this.telling = window.setTimeout(() => say(byId('live'), t(this.engine.offers('bodies') ? 'done_bodies' : 'done', { cells, steps })), SETTLED);
   }
 
   /** Makes the next change an entry of its own in the browser's history. */

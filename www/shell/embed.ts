@@ -11,7 +11,7 @@ import { Arrivals } from '../state/arrivals';
 import { fragment, pageAddress } from '../state/link';
 import { read, written } from '../state/asked-view';
 import { isPicture, wantsFine } from '../state/fine';
-import { joined, parted, WHOLE, type Camera } from '../state/viewing';
+import { joined, parted, WHOLE, type Camera, type Cut } from '../state/viewing';
 import type { Fine } from '../look/fine';
 import type { Turntables } from '../turn/turntables';
 import { layInFrame } from '../picture/frame';
@@ -36,6 +36,7 @@ export class Embed {
   private refining = !wantsFine();
   /** The camera of the turntable; undefined while the picture is shown. */
   private camera: Camera | undefined;
+  private cut: Cut | undefined;
 
   constructor() {
     const { recipe, words } = parted(fragment());
@@ -148,6 +149,7 @@ export class Embed {
       held: () => false,
       get: (key) => engine.get(key),
       camera: () => this.camera,
+      cut: () => this.cut,
       take: (now) => (this.camera = now),
       ended: () => this.turn(undefined),
       alone: true,
@@ -157,7 +159,8 @@ export class Embed {
   private opened(words: string): void {
     const { host, host: { engine, loop } } = this;
     const { viewing } = read(words, engine.generator);
-    const { view = 'auto', overlays = [], pace = 1, step, zoom = WHOLE, camera } = viewing;
+    const { view = 'auto', overlays = [], pace = 1, step, zoom = WHOLE, camera, cut } = viewing;
+    this.cut = cut;
     this.view = [view, ...overlays].join('+');
     this.home.href = pageAddress(joined(engine.link(), written(viewing, engine.generator)));
     layInFrame(byId('sheet'), (this.zoom = engine.offers('frames') ? WHOLE : zoom));

@@ -2,6 +2,7 @@
  * The controls of the present generator: panel, dice, presets and the tools of the editor. The first cells are shown
  * before they are built.
  */
+import type { Parameter } from '../module/types';
 import { frame } from '../base/dom';
 import { RETOLD } from '../base/language';
 import { withValues } from '../state/link';
@@ -79,9 +80,9 @@ function panelOf(house: House, scaling: Scaling): Panel {
     (key, text, done) => {
       change(house, scaling, key, text, done);
       // The visitor has not chosen a file yet, so the control shows the old value again.
-      if (wantsFile(house, key, text)) panel.refresh();
+      if (fileFor(house, key, text)) panel.refresh();
     },
-    ({ key, item }) => (item === 'file' ? space.ask((part) => part.choose()) : editor.ask((part) => part.toggle(key))),
+    ({ key, item }) => (item === 'file' ? space.ask((part) => part.choose(key)) : editor.ask((part) => part.toggle(key))),
   );
   return panel;
 }
@@ -89,16 +90,17 @@ function panelOf(house: House, scaling: Scaling): Panel {
 /** Handles a moved control. */
 function change(house: House, scaling: Scaling, key: string, text: string, done: boolean): void {
   const { work, parts } = house;
+  const role = fileFor(house, key, text);
   if (key === 'outline' && text === 'polygon') parts.editor.ask((editor) => editor.free());
-  else if (wantsFile(house, key, text)) parts.space.ask((space) => space.wanted());
+  else if (role) parts.space.ask((space) => space.wanted(role.key));
   else if (key === SIDE) scaling.set(text, !done);
   else work.set(key, text, !done);
 }
 
-/** Whether a value needs a file that the recipe does not name yet. */
-function wantsFile({ work: { engine } }: House, key: string, text: string): boolean {
+/** The row of the file that a value needs, if the recipe does not name it yet. */
+function fileFor({ work: { engine } }: House, key: string, text: string): Parameter | undefined {
   const files = engine.schema.filter(({ item }) => item === 'file');
-  return files.some(({ key: file, shownFor }) => shownFor?.key === key && shownFor.words.includes(text) && engine.get(file) === '');
+  return files.find(({ key: file, shownFor }) => shownFor?.key === key && shownFor.words.includes(text) && engine.get(file) === '');
 }
 
 function presetsOf(house: House): Presets {

@@ -1,31 +1,37 @@
-/** The bar of the model that is open: its name, its size beside the cells, and what can be done with it. */
+/**
+ * The bar of the model that is open: its name, its size beside the cells, and what can be done with it. Of several it
+ * shows the first one.
+ */
 import type { ModelFacts } from '../../pkg-house/bubblestone.js';
 import type { Parameter } from '../module/types';
 import { t } from '../words/space';
 import { byId, make, say } from '../base/dom';
 import { filesOf } from '../state/rules';
 import type { Work } from '../state/work';
+import { moved, moveOf, uprightOf } from './roles';
 import { isOther, otherSide, SIDE } from './sides';
-
-const UP = 'up';
 
 export class ModelBar {
   private readonly work: Work;
   private readonly name = make('strong', { id: 'model-name' });
   private readonly size = make('span', { id: 'model-size', role: 'status' });
   private readonly side = make('button', { type: 'button', class: 'key', id: 'model-side' }, t('other_side'));
+  private readonly move = make('button', { type: 'button', class: 'key', id: 'model-move' });
   private readonly up = make('div', { class: 'segments', role: 'radiogroup', 'aria-label': t('up') });
   private readonly root: HTMLElement;
-  /** The choices of the axis that the bar was built for. */
+  /** The role of the file. */
+  private role = '';
+  /** The axis that the bar was built for, with its choices. */
   private axes = '';
 
-  /** `choose` opens the browser's dialog for files. */
-  constructor(work: Work, choose: () => void) {
+  /** `choose` opens the browser's dialog for a file of this role. */
+  constructor(work: Work, choose: (role: string) => void) {
     this.work = work;
     const another = make('button', { type: 'button', class: 'key', id: 'model-other' }, t('open_another'));
-    another.addEventListener('click', choose);
+    another.addEventListener('click', () => choose(this.role));
     this.side.addEventListener('click', () => this.turn());
-    this.root = make('div', { class: 'model', id: 'model', role: 'group', 'aria-label': t('your_model'), hidden: '' }, this.name, this.size, another, this.side, this.up);
+    this.move.addEventListener('click', () => work.open(moved(work.engine.link(), work.engine.schema, this.role), { own: true, then: () => work.store.update({ paused: false }) }));
+    this.root = make('div', { class: 'model', id: 'model', role: 'group', 'aria-label': t('your_model'), hidden: '' }, this.name, this.size, another, this.move, this.side, this.up);
     byId('makes').append(this.root);
   }
 
@@ -39,12 +45,15 @@ export class ModelBar {
     if (file) button.setAttribute('aria-current', 'true');
     else button.removeAttribute('aria-current');
     if (!file) return;
+    this.role = file.role;
     say(this.name, file.name);
     this.name.title = file.name;
     this.measure(engine.askWhole((studio) => studio.modelFacts(), undefined));
     const rows = engine.schema;
-    this.side.hidden = !rows.some(({ key }) => key === SIDE);
-    this.axis(rows.find(({ key }) => key === UP));
+    // Without cells there is no such size.
+    this.side.hidden = this.size.hidden = !rows.some(({ key }) => key === SIDE);
+    this.offerMove(moveOf(rows, file.role));
+    this.axis(uprightOf(rows, file.role));
   }
 
   private measure(facts: ModelFacts | undefined): void {
@@ -58,22 +67,29 @@ export class ModelBar {
     this.side.setAttribute('aria-pressed', String(isOther(this.work.engine.get(SIDE))));
   }
 
+  private offerMove(word: ReturnType<typeof moveOf>): void {
+    this.move.hidden = word === undefined;
+    if (!word) return;
+    say(this.move, t(word));
+    this.move.title = t(`${word}_title`);
+  }
+
   private axis(row: Parameter | undefined): void {
     this.up.hidden = row === undefined;
     if (!row) return;
-    const now = this.work.engine.get(UP);
-    const axes = row.choices.map(({ label }) => label).join();
+    const now = this.work.engine.get(row.key);
+    const axes = [row.key, ...row.choices.map(({ label }) => label)].join();
     if (axes !== this.axes) {
       this.axes = axes;
       this.up.title = row.help;
-      this.up.replaceChildren(...row.choices.map(({ word, label }) => this.choice(word, label)));
+      this.up.replaceChildren(...row.choices.map(({ word, label }) => this.choice(row.key, word, label)));
     }
     for (const radio of this.up.querySelectorAll('input')) radio.checked = radio.value === now;
   }
 
-  private choice(word: string, label: string): HTMLElement {
+  private choice(key: string, word: string, label: string): HTMLElement {
     const radio = make('input', { type: 'radio', name: 'model-up', value: word });
-    radio.addEventListener('change', () => this.work.set(UP, word));
+    radio.addEventListener('change', () => this.work.set(key, word));
     return make('label', {}, radio, make('span', {}, t('up_axis', { axis: label })));
   }
 

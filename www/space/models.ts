@@ -27,18 +27,24 @@ interface Named {
   module: Whole;
 }
 
+/** A file to be opened, and the role that it should get. */
+interface Given {
+  readonly file: File;
+  readonly role?: string | undefined;
+}
+
 /** Stops the file that is being read. */
 let now: AbortController | undefined;
 
 /**
- * Opens a file and names it in the recipe, if a surface can be made of it; else nothing changes. The other settings
- * stay if the present generator takes files. If the recipe already names the file, `again` is called because the
+ * Opens a file and names it in the recipe, if something can be made of it; else nothing changes. The other settings
+ * stay if the present generator takes files. Without a role it is the file that the recipe waits for, or its first one. If the recipe already names the file, `again` is called because the
  * recipe does not change. Returns whether the file is open.
  */
-export async function openModel(work: Work, file: File, again: () => void): Promise<boolean> {
+export async function openModel(work: Work, given: Given, again: () => void): Promise<boolean> {
   now?.abort();
   const stopping = (now = new AbortController());
-  const { name } = file;
+  const { file, file: { name } } = given;
   const refuse = (reason: string): void => alertOf('outline', t('refused', { name, reason }));
   if (file.size > LARGEST) {
     refuse(t('too_large', { most: LARGEST / 1e6 }));
@@ -46,9 +52,9 @@ export async function openModel(work: Work, file: File, again: () => void): Prom
   }
   try {
     const sentence = t('reading', { name });
-    const taken = await stoppable({ topic: 'files', sentence, name, stop: t('stop') }, stopping, (task) => trialOf(work, file, task));
+    const taken = await stoppable({ topic: 'files', sentence, name, stop: t('stop') }, stopping, (task) => trialOf(work, given, task));
     const isKept = await keepFile(taken.named.digest, name, file);
-    take(work, name, taken, again);
+    take(work, given, taken, again);
     if (!isKept) notice('files', t('not_kept', { name }));
     return true;
   } catch (error) {
@@ -68,10 +74,10 @@ interface Taken {
   studio: SceneStudio;
 }
 
-async function trialOf(work: Work, file: File, task: Task): Promise<Taken> {
+async function trialOf(work: Work, { file, role }: Given, task: Task): Promise<Taken> {
   const named = await nameOf(file, task);
   const { recipe: before } = work.store.state;
-  const link = askingFor(named, work);
+  const link = askingFor(named, work, role);
   return { named, link, before, studio: await tried(named.module, link, file, task) };
 }
 
@@ -97,12 +103,12 @@ async function nameOf(file: File, task: Task): Promise<Named> {
  * The link of a recipe that names a file: the present recipe with it, or one of another generator if this one takes
  * no files. A file that the recipe waits for changes nothing else of it.
  */
-function askingFor({ digest, value, module }: Named, { engine, store: { state: { make, recipe } } }: Work): string {
+function askingFor({ digest, value, module }: Named, { engine, store: { state: { make, recipe } } }: Work, role = engine.missing()[0]?.role): string {
   const missing = engine.missing();
   if (missing.some((one) => one.digest === digest)) return recipe;
   const rowOf = (word: string): Parameter | undefined => {
     const rows = module.schema(word).filter(({ item }) => item === 'file');
-    return rows.find(({ key }) => key === missing[0]?.role) ?? rows[0];
+    return rows.find(({ key }) => key === role) ?? rows[0];
   };
   const taker = rowOf(make) ? make : generators.find(({ word }) => rowOf(word))?.word;
   const row = taker === undefined ? undefined : rowOf(taker);
@@ -113,7 +119,7 @@ function askingFor({ digest, value, module }: Named, { engine, store: { state: {
   return withValues(taker === make ? recipe : `v=1&make=${taker}`, [...beside, [row.key, value], ...sides]);
 }
 
-function take(work: Work, name: string, { named, link, before, studio }: Taken, again: () => void): void {
+function take(work: Work, { file: { name }, role }: Given, { named, link, before, studio }: Taken, again: () => void): void {
   const { engine, store } = work;
   const [asked] = engine.missing();
   const isAsked = link === before;
@@ -123,7 +129,7 @@ function take(work: Work, name: string, { named, link, before, studio }: Taken, 
   if (store.state.recipe === before) work.adopt(studio, named.module, play);
   else {
     studio.free();
-    work.open(askingFor(named, work), { own: true, then: play });
+    work.open(askingFor(named, work, role), { own: true, then: play });
   }
   if (isAsked) again();
   if (asked && !isAsked) notice('files', t('other', { name, asked: asked.name }));

@@ -27,6 +27,8 @@ export class Space {
   private painter: Painter | undefined;
   /** The name of the file that was opened last, until its repairs have been shown. */
   private opened = '';
+  /** The role of the file that is being chosen; undefined for the one that the recipe waits for, or its first one. */
+  private role: string | undefined;
   private readonly asked = new Asked(() => this.choose());
   private readonly bar: ModelBar;
   /** The last recipe with a file. */
@@ -40,21 +42,22 @@ export class Space {
     this.work = work;
     this.turn = turn;
     this.again = again;
-    this.bar = new ModelBar(work, () => this.choose());
+    this.bar = new ModelBar(work, (role) => this.choose(role));
     document.body.append(this.file);
     document.addEventListener('keydown', ({ key }) => (this.key = key), { capture: true });
     document.addEventListener('pointerdown', () => (this.key = ''), { capture: true });
     this.file.addEventListener('change', () => {
       const [chosen] = this.file.files ?? [];
-      if (chosen) void this.take(chosen);
+      if (chosen) void this.take(chosen, this.role);
       // Resetting the value lets the visitor choose the same file again.
       this.file.value = '';
     });
     work.store.on(['recipe', 'stage'], () => this.follow());
   }
 
-  /** Opens the browser's dialog for files. */
-  choose(): void {
+  /** Opens the browser's dialog for files; the chosen one gets this role. */
+  choose(role?: string): void {
+    this.role = role;
     this.file.click();
   }
 
@@ -62,9 +65,9 @@ export class Space {
    * Opens the dialog after a choice in a list that needs a file. In a closed list, a key only passes over the choice:
    * then a sentence tells how to open a file.
    */
-  wanted(): void {
+  wanted(role: string): void {
     if (STEPS.test(this.key)) notice('files', t('by_key'));
-    else this.choose();
+    else this.choose(role);
   }
 
   /** Returns to the last recipe with a file, or opens the dialog if there is none. */
@@ -75,8 +78,8 @@ export class Space {
   }
 
   /** Takes a file that was chosen or dropped. */
-  async take(file: File): Promise<void> {
-    if (!(await openModel(this.work, file, this.again))) return;
+  async take(file: File, role?: string): Promise<void> {
+    if (!(await openModel(this.work, { file, role }, this.again))) return;
     this.opened = file.name;
     this.follow();
   }

@@ -1,5 +1,5 @@
 /** Reads the words of the view in a link (viewing.ts), checks them, and writes the words for the present view. */
-import type { Camera, Viewing, Zoomed } from './viewing';
+import type { Camera, Cut, Viewing, Zoomed } from './viewing';
 
 /** The views and the camera that a generator offers. */
 export interface Sights {
@@ -14,7 +14,7 @@ export interface Sights {
 
 /** A word of a link that cannot be used as it is. */
 export interface Fault {
-  readonly what: 'view' | 'layer' | 'pace' | 'step' | 'zoom' | 'camera' | 'body';
+  readonly what: 'view' | 'layer' | 'pace' | 'step' | 'zoom' | 'camera' | 'cut' | 'body';
   readonly given: string;
   /** The value used instead; without it the word is left out. */
   readonly kept?: string;
@@ -28,6 +28,9 @@ export const CAMERA = [[0, 360], [5, 90], [0.05, 20], [5, 100], [-2, 2], [-2, 2]
 
 /** The first camera for a plane. Other generators replace its first numbers. */
 const HOME: Camera = [330, 40, 2.95, 28, 0, 0, 0];
+
+/** The farthest plane that cuts, in sides of the picture. */
+const FARTHEST = 2;
 
 /** A body and a step in its making. */
 const BODY = /^[1-9]\d{0,6}:\d{1,3}$/;
@@ -75,6 +78,7 @@ export function read(words: string, sights: Sights): { viewing: Viewing; faults:
     else if (key === 'step') faults.push({ what: 'step', given });
     if (key === 'camera' && hasBodies(sights)) readCamera(given, sights, viewing, faults);
     else if (key === 'camera') faults.push({ what: 'camera', given });
+    if (key === 'cut') readCut(given, sights, viewing, faults);
     if (key === 'body' && hasBodies(sights) && BODY.test(given)) viewing.body = given;
     else if (key === 'body') faults.push({ what: 'body', given });
   }
@@ -82,7 +86,7 @@ export function read(words: string, sights: Sights): { viewing: Viewing; faults:
 }
 
 /** The words of a view; '' for the usual one. */
-export function written({ view = 'auto', overlays = [], pace, step, zoom, camera, body }: Viewing, sights: Pick<Sights, 'home'>): string {
+export function written({ view = 'auto', overlays = [], pace, step, zoom, camera, cut, body }: Viewing, sights: Pick<Sights, 'home'>): string {
   const drawn = [view, ...overlays].join('+');
   return [
     ...(drawn === 'auto' ? [] : [`view=${drawn}`]),
@@ -90,6 +94,7 @@ export function written({ view = 'auto', overlays = [], pace, step, zoom, camera
     ...(step === undefined ? [] : [`step=${step}`]),
     ...(zoom && zoom.scale > 1 ? [`zoom=${[zoom.scale, zoom.x, zoom.y].map((value) => Number(value.toFixed(4))).join()}`] : []),
     ...(camera ? [`camera=${cameraWords(camera, homeOf(sights))}`] : []),
+    ...(cut ? [`cut=${cutWords(cut)}`] : []),
     ...(body ? [`body=${body}`] : []),
   ].join('&');
 }
@@ -99,6 +104,16 @@ export function cameraWords(camera: Camera, home: Camera): string {
   const numbers = camera.map((value, k) => Number(value.toFixed(DIGITS[k])));
   const last = numbers.findLastIndex((value, k) => value !== home[k]);
   return numbers.slice(0, Math.max(1, last + 1)).join();
+}
+
+/** A plane as words of a link, and of the module's order for a frame. */
+export function cutWords(cut: Cut): string {
+  return cut.map((value) => Number(value.toFixed(3))).join();
+}
+
+/** The word for a frame that is cut by a plane; '' without one. */
+export function wholeBodies(cut: Cut | undefined): string {
+  return cut ? `whole=${cutWords(cut)}` : '';
 }
 
 /** Moves the zoom so that the frame shows nothing beyond the picture. */
@@ -153,6 +168,14 @@ function readCamera(given: string, sights: Sights, viewing: Viewing, faults: Fau
   const kept = cameraLimits(sights).map(([least, most], k) => Math.min(most, Math.max(least, asked[k] ?? 0))) as unknown as Camera;
   if (kept.some((value, k) => value !== asked[k])) faults.push({ what: 'camera', given, kept: cameraWords(kept, home) });
   viewing.camera = kept;
+}
+
+/** Reads a direction and a distance. */
+function readCut(given: string, { offers }: Sights, viewing: Viewing, faults: Fault[]): void {
+  const [x, y, z, at, ...more] = given.split(',').map(numberIn);
+  const isWhole = x !== undefined && y !== undefined && z !== undefined && at !== undefined && more.length === 0;
+  if (!isWhole || !offers.includes('cut') || !(Math.hypot(x, y, z) > 0)) return void faults.push({ what: 'cut', given });
+  viewing.cut = [x, y, z, Math.min(FARTHEST, Math.max(-FARTHEST, at))];
 }
 
 /** A number within the limits of its word, a whole number for steps; undefined if it is no number. */

@@ -53,6 +53,7 @@ export function firstState(engine: Engine, asked: string, last: LastWork | undef
     plots: false,
     turn: false,
     camera: undefined,
+    cut: undefined,
     body: undefined,
     asked: '',
     locks: keptLocks(),

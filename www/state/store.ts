@@ -7,7 +7,7 @@
  */
 
 import type { Preset } from '../module/types';
-import type { Camera, Zoomed } from './viewing';
+import type { Camera, Cut, Zoomed } from './viewing';
 
 export interface State {
   /** The recipe's link, without '#', as the engine writes it. */
@@ -52,6 +52,8 @@ export interface State {
   /** Whether the bodies are shown by a camera, and that camera; undefined until the visitor chose one. */
   readonly turn: boolean;
   readonly camera: Camera | undefined;
+  /** The plane beyond which bodies are cut away. */
+  readonly cut: Cut | undefined;
   /** The single body whose making is shown: its number and step (`ID:STEP`), and the camera. */
   readonly body: { readonly subject: string; readonly camera: Camera } | undefined;
   /** The step of a body that a link asks for (`ID:STEP`), until it is shown; '' if there is none. */

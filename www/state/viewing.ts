@@ -17,6 +17,9 @@ export interface Zoomed {
  */
 export type Camera = readonly [angle: number, height: number, distance: number, lens: number, x: number, y: number, z: number];
 
+/** A plane beyond which bodies are cut away: the direction there, and the distance from the middle in sides of the picture. */
+export type Cut = readonly [x: number, y: number, z: number, at: number];
+
 /** The view of a link's picture. Values that it does not name stay as they are. */
 export interface Viewing {
   view?: string | undefined;
@@ -28,6 +31,7 @@ export interface Viewing {
   zoom?: Zoomed | undefined;
   /** The camera that shows the picture's bodies. */
   camera?: Camera | undefined;
+  cut?: Cut | undefined;
   /** The step in the making of one body: its number and the index of the step, as `ID:STEP`. */
   body?: string | undefined;
 }
@@ -38,7 +42,7 @@ export const WHOLE: Zoomed = { scale: 1, x: 0.5, y: 0.5 };
 /** The usual speed, and that of visitors who prefer reduced motion. */
 export const PACE = { usual: 3, still: 100_000 } as const;
 
-const KEYS = ['view', 'pace', 'step', 'zoom', 'camera', 'body'];
+const KEYS = ['view', 'pace', 'step', 'zoom', 'camera', 'cut', 'body'];
 
 /**
  * Splits a fragment into the recipe and the words of the view. Where there are such words, a default recipe is

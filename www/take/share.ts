@@ -57,7 +57,7 @@ async function pictureOf(canvas: HTMLCanvasElement, recipe: string, name: string
 
 /** The view of the picture, without values that every visitor sees anyway. */
 function seen(engine: Engine, store: Store): Viewing {
-  const { view, overlays, pace, paused, stage, zoom, turn, camera, body } = store.state;
+  const { view, overlays, pace, paused, stage, zoom, turn, camera, cut, body } = store.state;
   return {
     view,
     overlays,
@@ -65,6 +65,7 @@ function seen(engine: Engine, store: Store): Viewing {
     step: paused && !isEnd(stage) && engine.offers('forming') ? engine.status().steps : undefined,
     zoom,
     camera: turn ? camera : undefined,
+    cut: turn ? cut : undefined,
     body: turn ? body?.subject : undefined,
   };
 }

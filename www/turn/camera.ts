@@ -26,6 +26,12 @@ export function turned([angle, height, ...rest]: Camera, round: number, up: numb
   return [(((angle + round) % 360) + 360) % 360, Math.min(most, Math.max(least, height + up)), ...rest];
 }
 
+/** The direction from the target towards the camera, with a length of one. */
+export function towards([angle, height]: Camera): Vector {
+  const run = Math.cos(radians(height));
+  return [-Math.sin(radians(angle)) * run, Math.sin(radians(height)), Math.cos(radians(angle)) * run].map((value) => Number(value.toFixed(3))) as unknown as Vector;
+}
+
 /**
  * Multiplies the distance to the target by `times`. The place on the ground seen at `at` stays where it is in the
  * frame.

@@ -2,6 +2,7 @@
 import { t } from '../words/turn';
 import { make } from '../base/dom';
 import { cellNumbers, cellRows } from '../late/cell';
+import type { Sort } from '../picture/frames/sort';
 import type { Told } from '../picture/frames/source';
 
 /** The distance from the pointer to the card, in pixels. */
@@ -24,12 +25,12 @@ export class Card {
    * Shows a body's card at a place, in fractions of the frame's sides. The card of a `picked` body has a button for
    * more.
    */
-  show(body: Told, skin: boolean, x: number, y: number, picked: boolean): void {
+  show(body: Told, sort: Sort, x: number, y: number, picked: boolean): void {
     const { element } = this;
     this.picked = picked ? body : undefined;
     element.toggleAttribute('data-picked', picked);
-    element.replaceChildren(make('strong', {}, called(body, skin)), ...cellRows(body.figures));
-    if (picked && body.steps.length) {
+    element.replaceChildren(make('strong', {}, called(body, sort)), ...cellRows(body.figures));
+    if (picked && hasSteps(body, sort)) {
       const button = make('button', { type: 'button', class: 'key wordy', id: 'turn-how' }, t('how'));
       button.addEventListener('click', () => this.how(body));
       element.append(button);
@@ -51,11 +52,16 @@ export class Card {
 }
 
 /** The card's text as a sentence. */
-export function sentence(body: Told, skin: boolean): string {
+export function sentence(body: Told, sort: Sort): string {
   const numbers = cellNumbers(body.figures).map((row) => row.join(' '));
-  return [[called(body, skin), ...numbers].join(', '), ...(body.steps.length ? [t('how_key')] : [])].join('. ');
+  return [[called(body, sort), ...numbers].join(', '), ...(hasSteps(body, sort) ? [t('how_key')] : [])].join('. ');
 }
 
-function called({ id }: Told, skin: boolean): string {
-  return t(skin ? 'scale' : 'stone', { id });
+/** An element of a mesh is no body that is made. */
+export function hasSteps({ steps }: Told, sort: Sort): boolean {
+  return steps.length > 0 && sort !== 'element';
+}
+
+function called({ id }: Told, sort: Sort): string {
+  return t(sort, { id });
 }

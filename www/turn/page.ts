@@ -29,7 +29,7 @@ export class PageTurntable {
     view.noted = (word) => this.note(word);
     const { store } = work;
     this.both = new Turntables(host, this.place(), { leave: () => store.update({ turn: false }) });
-    store.on(['recipe', 'held', 'camera'], () => this.both.shown?.follow());
+    store.on(['recipe', 'held', 'camera', 'cut'], () => this.both.shown?.follow());
     store.on(['make'], ({ turn }) => this.show(turn));
     store.on(['preset'], ({ turn }) => this.face(turn));
     // Editing, comparing and repeating need the picture. The mode chosen last ends the others.
@@ -85,6 +85,8 @@ export class PageTurntable {
       get: (key) => engine.get(key),
       camera: () => store.state.camera,
       take: (camera) => store.update({ camera }),
+      cut: () => store.state.cut,
+      slice: (cut) => store.update({ cut }),
       asked: () => {
         const { asked } = store.state;
         store.update({ asked: '' });

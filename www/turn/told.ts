@@ -2,6 +2,7 @@
 import { isWord, t } from '../words/turn';
 import type { Camera } from '../state/viewing';
 import type { Engine } from '../state/engine';
+import type { Sort } from '../picture/frames/sort';
 import type { Bodies } from '../picture/frames/source';
 
 /** A camera this high, in degrees, looks from above. */
@@ -15,10 +16,13 @@ const SIDES = ['side_0', 'side_1', 'side_2', 'side_3', 'side_4', 'side_5', 'side
 /** The same for generators that are seen by frames only. */
 const AROUND = ['around_0', 'around_1', 'around_2', 'around_3', 'around_4', 'around_5', 'around_6', 'around_7'] as const;
 
+/** The words for several bodies; views of the others have words of their own. */
+const MANY = { stone: 'stones', scale: 'scales', body: 'bodies', cell: 'stones', element: 'stones', dart: 'bodies' } as const satisfies Record<Sort, string>;
+
 /** A sentence on the bodies, or on the other content of the view, and on the camera. */
-export function seen({ count, skin, what: view }: Bodies, [angle, height, distance, lens]: Camera, isFramed = false): string {
+export function seen({ count, sort, what: view }: Bodies, [angle, height, distance, lens]: Camera, isFramed = false): string {
   const drawn = `shown_${view}`;
-  const what = t(isWord(drawn) ? drawn : skin ? 'scales' : 'stones', { n: count });
+  const what = t(isWord(drawn) ? drawn : MANY[sort], { n: count });
   const wide = 2 * distance * Math.tan((lens * Math.PI) / 360);
   const far = t(wide < FAR.near ? 'near' : wide > FAR.far ? 'far' : 'middle');
   if (height >= ABOVE) return t('seen_above', { what, far });

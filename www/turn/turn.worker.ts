@@ -13,6 +13,7 @@ import { generatorOf, making } from '../module/run';
 import { progressOf, type Course } from '../module/stages';
 import type { Notice } from '../module/types';
 import { FrameMaker, type Made } from '../picture/frames/maker';
+import { sortOf } from '../picture/frames/sort';
 import type { Bodies, Quality, Told, Wished } from '../picture/frames/source';
 
 /** A request for a frame. */
@@ -121,7 +122,7 @@ class Turner {
 
   private async show({ wish, quality, width, height, pixels }: Made<Wish>): Promise<void> {
     const frame = await createImageBitmap(new ImageData(pixels, width, height));
-    const bodies: Bodies = { count: this.studio.status().stones, skin: this.studio.get('stone') === 'skin' };
+    const bodies: Bodies = { count: this.studio.status().stones, sort: sortOf(this.studio.get('stone')) };
     say({ frame, n: wish.n, quality, bodies }, [frame]);
   }
 }

@@ -9,11 +9,12 @@ import { t } from '../words/turn';
 import { byId, make, say } from '../base/dom';
 import { keep, kept } from '../base/storage';
 import type { Generator } from '../module/types';
-import { cameraLimits, cameraWords, firstCamera, homeOf } from '../state/asked-view';
-import type { Camera } from '../state/viewing';
+import { cameraLimits, cameraWords, firstCamera, homeOf, wholeBodies } from '../state/asked-view';
+import type { Camera, Cut } from '../state/viewing';
 import type { Bodies, FrameSource, Heard, Plane, Quality, Told } from '../picture/frames/source';
 import { ALL_AROUND, nearer, type Heights } from './camera';
-import { Card, sentence } from './card';
+import { Card, hasSteps, sentence } from './card';
+import { CutTool } from './cut';
 import { Frames } from './frames';
 import { CLOSER, Gestures } from './gestures';
 import { Making } from './making';
@@ -36,6 +37,9 @@ export interface Place {
   /** The camera; undefined for the usual one. */
   camera(): Camera | undefined;
   take(camera: Camera): void;
+  /** The plane that cuts bodies away; `slice` takes another one. */
+  cut?(): Cut | undefined;
+  slice?(cut: Cut | undefined): void;
   /** The step of a body that a link asks for, as `ID:STEP`. Later calls return ''. */
   asked?(): string;
   /** Called with the subject that is shown: a step in the making of one body (`ID:STEP`), or '' for all. */
@@ -80,7 +84,8 @@ export class Turntable {
   private readonly gestures: Gestures;
   /** Shown until the visitor has dragged once. */
   private readonly hint = make('p', { class: 'turn-hint', 'aria-hidden': 'true' }, t('drag'));
-  private bodies: Bodies = { count: 0, skin: false };
+  private readonly cutTool = new CutTool({ camera: () => this.camera, take: (cut, moving) => this.slice(cut, moving) });
+  private bodies: Bodies = { count: 0, sort: 'stone' };
   private readonly sway = new Sway(() => this.follow());
   private plane: Plane = 'light';
   private on = false;
@@ -125,6 +130,7 @@ export class Turntable {
     );
     this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
     if (!place.alone && !kept(DRAGGED)) this.root.append(this.hint);
+    if (place.slice) this.root.append(this.cutTool.element);
     if (place.leave) this.root.append(planes((plane) => this.choose(plane)), this.wayOut());
     this.stand.ariaLabel = this.isFramed ? `${t('name_space')}. ${t('keys_space')}` : `${t('name')}. ${t('keys')}`;
     // The keys of the steps and of the way back also work while the frame has the focus.
@@ -187,7 +193,9 @@ export class Turntable {
     const fine = Math.min(devicePixelRatio, MOST / Math.max(clientWidth, clientHeight));
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
     const { making, place } = this;
-    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.sway.of(this.camera), homeOf(place.generator())), width, height, plane: this.plane, moving: this.moving || this.sway.goes || place.held() };
+    const cut = making.subject === '' ? place.cut?.() : undefined;
+    this.cutTool.show(cut, making.subject !== '' || !place.generator().offers.includes('cut'));
+    const wish = { link: place.link(), subject: making.subject, camera: cameraWords(this.sway.of(this.camera), homeOf(place.generator())), width, height, plane: this.plane, cut: wholeBodies(cut), moving: this.moving || this.sway.goes || place.held() };
     place.only?.(making.subject, this.camera);
     this.state(this.frames.want(wish) ? 'coming' : this.reached);
   }
@@ -221,6 +229,13 @@ export class Turntable {
     this.card.hide();
     if (this.making.subject !== '') this.beside = camera;
     else this.place.take(camera);
+    this.follow();
+  }
+
+  private slice(cut: Cut | undefined, moving: boolean): void {
+    this.moving = moving;
+    this.card.hide();
+    this.place.slice?.(cut);
     this.follow();
   }
 
@@ -273,7 +288,7 @@ export class Turntable {
     const body = await this.frames.bodyAt(x, y);
     if (turn !== this.pointed || !this.on) return undefined;
     this.stand.dataset['body'] = String(body?.id ?? 'none');
-    if (body) this.card.show(body, this.bodies.skin, x, y, picked);
+    if (body) this.card.show(body, this.bodies.sort, x, y, picked);
     else this.card.hide();
     return body;
   }
@@ -288,12 +303,12 @@ export class Turntable {
   private async enter(): Promise<void> {
     if (this.making.subject !== '') return;
     const { picked } = this.card;
-    if (picked?.steps.length) {
+    if (picked && hasSteps(picked, this.bodies.sort)) {
       this.how(picked);
       return;
     }
     const body = await this.point(0.5, 0.5, true);
-    say(byId('cell-said'), body ? sentence(body, this.bodies.skin) : t('nothing'));
+    say(byId('cell-said'), body ? sentence(body, this.bodies.sort) : t('nothing'));
   }
 
   /** Shows the step that a link asks for. A body or a step that does not exist is left out. */

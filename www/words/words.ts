@@ -78,9 +78,10 @@ export function translate(code: string, to?: { words: Record<Word, string>; fore
 }
 
 /** Adds translations of the second module's words. */
-export function extend(more: Pick<Foreign, 'parameters' | 'presets'>): void {
+export function extend(more: Pick<Foreign, 'parameters' | 'presets'> & Partial<Pick<Foreign, 'groups'>>): void {
   if (!foreign) return;
-  foreign = { ...foreign, parameters: { ...more.parameters, ...foreign.parameters }, presets: { ...more.presets, ...foreign.presets } };
+  const { parameters, presets, groups } = foreign;
+  foreign = { ...foreign, parameters: { ...more.parameters, ...parameters }, presets: { ...more.presets, ...presets }, groups: { ...more.groups, ...groups } };
 }
 
 /** A stage's name in the page's language; its own word if it has no name. */

@@ -61,7 +61,7 @@ pub static SURFACE: Generator = Generator {
         bases: &views::WORDS,
         overlays: &[],
     },
-    offers: &["frames", "paint", "compare", "mesh", "forming"],
+    offers: &["frames", "models", "paint", "compare", "mesh", "forming"],
     names: &["form", "kind", "stone", "palette"],
     chance: "surface",
     home: "330,20,2.75,28",

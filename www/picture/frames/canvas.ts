@@ -62,7 +62,7 @@ export class FrameCanvas {
     const fine = Math.min(devicePixelRatio, MOST / Math.max(clientWidth, clientHeight));
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
     const home = homeOf(engine.generator);
-    this.painter.want({ link: engine.link(), subject: '', camera: cameraWords(sight.camera?.() ?? home, home), width, height, plane: 'light', moving: sight.held?.() === true || this.stopping !== 0 });
+    this.painter.want({ link: engine.link(), subject: '', camera: cameraWords(sight.camera?.() ?? home, home), width, height, plane: 'light', cut: '', moving: sight.held?.() === true || this.stopping !== 0 });
   }
 
   private show(frame: ImageBitmap): void {

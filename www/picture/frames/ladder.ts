@@ -13,8 +13,8 @@ export function ladderOf({ plane }: Pick<Wished, 'plane'>): readonly Quality[] {
 }
 
 /** A key of the view: requests with the same key need the same frames. */
-export function viewOf({ link, subject, camera, width, height, plane }: Wished): string {
-  return [link, subject, camera, width, height, plane].join(' ');
+export function viewOf({ link, subject, camera, width, height, plane, cut }: Wished): string {
+  return [link, subject, camera, width, height, plane, cut].join(' ');
 }
 
 /** Adapts the number of pixels of moving frames to their times. */

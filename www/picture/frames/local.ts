@@ -7,6 +7,7 @@ import { isSettled } from '../../module/stages';
 import type { Notice } from '../../module/types';
 import type { Engine } from '../../state/engine';
 import { FrameMaker, type Made } from './maker';
+import { sortOf } from './sort';
 import type { Beat, FrameSource, Heard, Painter, Told, Wished } from './source';
 
 /** The answer if there is nothing to see yet. */
@@ -127,7 +128,7 @@ export class LocalFrames implements FrameSource, Painter {
     const { cells, stones } = engine.status();
     const { stages, seen } = engine.generator;
     const what = view === 'auto' ? seen[stages.indexOf(engine.stage())] : view === 'picture' ? undefined : view;
-    const bodies = { count: what ? cells : stones, skin: engine.get('stone') === 'skin', what };
+    const bodies = { count: what ? cells : stones, sort: sortOf(engine.get('stone'), what), what };
     const frame = await createImageBitmap(new ImageData(pixels, width, height));
     // Browsers may finish a later bitmap earlier.
     if (number < this.shown || !this.wish) { frame.close(); return; }

@@ -93,7 +93,7 @@ export class FrameMaker<W extends Wished = Wished> {
   private goOn(order: Order<W>, budget: number): Piece<W> | undefined {
     const { wish, quality, width, height } = order;
     const begin = performance.now();
-    const how = [quality, wish.plane === 'alpha' ? 'nothing' : 'floor', this.view()].join('+');
+    const how = [quality, wish.plane === 'alpha' ? 'nothing' : 'floor', this.view(), ...(wish.cut ? [wish.cut] : [])].join('+');
     const slice = this.studio.turn(wish.subject, wish.camera, width, height, how, budget);
     this.spent += performance.now() - begin;
     if ('code' in slice) {

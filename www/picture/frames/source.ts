@@ -1,5 +1,6 @@
 /** The types that a viewer of frames and their maker share: requests, and the frames that come back. */
 import type { Notice } from '../../module/types';
+import type { Sort } from './sort';
 
 /**
  * The content of a frame. Depth, normals and numbers are the module's maps; `alpha` is the coverage of a picture without
@@ -19,6 +20,8 @@ export interface Wished {
   readonly width: number;
   readonly height: number;
   readonly plane: Plane;
+  /** The module's word for a plane that cuts bodies away; '' without one. */
+  readonly cut: string;
   /** Whether the next request will come soon. */
   readonly moving: boolean;
 }
@@ -33,7 +36,7 @@ export interface Told {
 /** The number and sort of the bodies; `what` is the word of the view if it shows something else. */
 export interface Bodies {
   readonly count: number;
-  readonly skin: boolean;
+  readonly sort: Sort;
   readonly what?: string | undefined;
 }
 

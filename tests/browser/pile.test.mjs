@@ -1,0 +1,142 @@
+// Piles: bodies heaped on a shape, of components by rule or from a file.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { all, click, digest, done, drop, get, link, message, PILE, SMALL } from './page.mjs';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** A closed block as an OBJ file. */
+const BLOCK = [
+  ...[0, 1, 2, 3, 4, 5, 6, 7].map((k) => `v ${k & 1} ${k & 2 ? 0.7 : 0} ${k & 4 ? 0.6 : 0}`),
+  ...['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}`),
+  '',
+].join('\n');
+
+/** Waits until the last frame shows the present state. @param {Page} page */
+const seen = (page) => page.waitForSelector('#sheet[data-turn=fine]', { timeout: 60_000 });
+
+/** Waits until the frame differs from the one with this hash, and is refined. @param {Page} page @param {number} before */
+async function other(page, before) {
+  await page.waitForFunction((was) => document.querySelector('#sheet')?.getAttribute('data-turn') === 'fine' && /** @type {any} */ (window).hashOf() !== was, { timeout: 60_000 }, before);
+  return hash(page);
+}
+
+/** A hash of the frame. @param {Page} page @returns {Promise<number>} */
+async function hash(page) {
+  await seen(page);
+  return page.evaluate(() => {
+    const all = /** @type {any} */ (window);
+    all.hashOf = () => {
+      const shown = /** @type {HTMLCanvasElement} */ (document.querySelector('#turn canvas'));
+      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(shown.width, shown.height).getContext('2d'));
+      context.drawImage(shown, 0, 0);
+      return new Uint32Array(context.getImageData(0, 0, shown.width, shown.height).data.buffer).reduce((sum, pixel) => Math.imul(sum ^ pixel, 16777619) >>> 0, 2166136261);
+    };
+    return all.hashOf();
+  });
+}
+
+test('the first press on Piles shows what the small picture promises, and its bodies settle', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(SMALL);
+  await digest(page);
+  await click(page, '.make[data-make=pile]');
+  await page.waitForSelector('.make[data-make=pile][aria-current]');
+  await page.waitForFunction(() => document.documentElement.dataset['stage'] === 'refine' || document.documentElement.dataset['stage'] === 'done', { timeout: 60_000 });
+  await done(page);
+  assert.deepEqual(await page.$$eval('#pipeline .word', (words) => words.map((word) => word.textContent)), ['Components', 'Shape', 'Darts', 'Refinement', 'Bodies', 'Light']);
+  assert.deepEqual(await page.$$eval('#view option', (options) => options.slice(2, 4).map((option) => option.textContent)), ['Darts', 'Inner spheres']);
+  assert.ok((await page.evaluate(() => window.bubblestone.status().stones)) > 100);
+  await page.waitForSelector('[data-preset=rice-ball][aria-current]');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a dropped model is heaped, is used as the shape, and comes back', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(PILE);
+  const rice = await digest(page);
+  await drop(page, 'block.obj', BLOCK, '');
+  await message(page, 'status', /block\.obj is open/);
+  await done(page);
+  const heaped = await digest(page);
+  assert.notEqual(heaped, rice);
+  assert.equal(await get(page, 'c1'), 'file');
+  const [, named] = /&file1=(\w[\w-]*)&/.exec(await link(page)) ?? [];
+  assert.ok(named, await link(page));
+  await page.waitForSelector('#model:not([hidden])');
+  assert.deepEqual(await page.$$eval('#model > *', (parts) => parts.filter((part) => part.checkVisibility()).map((part) => part.id || part.className)), ['model-name', 'model-other', 'model-move', 'segments']);
+  assert.equal(await page.$eval('#model-move', (button) => button.textContent), 'Use as the shape');
+  await click(page, '#model-move');
+  await page.waitForFunction(() => window.bubblestone.get('form') === 'file');
+  await done(page);
+  assert.equal(await link(page), `v=1&make=pile&form=file&model=${named}&ps=5&size=128`);
+  assert.notEqual(await digest(page), heaped);
+  await page.waitForFunction(() => document.querySelector('#model-move')?.textContent === 'Use as the component');
+  await click(page, '#model-move');
+  await page.waitForFunction(() => window.bubblestone.get('c1') === 'file');
+  assert.equal(await digest(page), heaped);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a body has a card, and a plane cuts bodies away', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(PILE);
+  await digest(page);
+  await seen(page);
+  assert.match(await page.$eval('#turn-seen', (told) => told.textContent ?? ''), /^\d+ bodies, seen from/);
+  await page.focus('#turn');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('.turn-card[data-picked]');
+  const rows = await page.$$eval('.turn-card strong, .turn-card div', (parts) => parts.map((part) => part.textContent ?? ''));
+  assert.match(rows.join('|'), /^Body \d+\|Type1\|Layer1\|Slid−?\d\.\d\d d of −\d\.\d\d … \d\.\d\d d\|Touches\d+$/);
+  const whole = await hash(page);
+  await click(page, '#turn-cut');
+  const half = await other(page, whole);
+  await page.focus('#turn-cut-at');
+  await page.keyboard.press('Home');
+  const none = await other(page, half);
+  await click(page, '#share');
+  await page.waitForSelector('#share-seen');
+  await click(page, '#share-seen');
+  assert.match(await page.$eval('#share-link', (field) => /** @type {HTMLInputElement} */ (field).value), /&cut=[-\d.]+,[\d.]+,[-\d.]+,-0\.7$/);
+  await page.keyboard.press('Escape');
+  await click(page, '#turn-cut');
+  assert.equal(await other(page, none), whole);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a link with a plane opens with it', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(`${PILE}&cut=0,1,0,0.05`);
+  await digest(page);
+  await seen(page);
+  await page.waitForSelector('#turn-cut[aria-pressed=true]');
+  assert.equal(await page.$eval('[name=turn-cut-way]:checked', (radio) => /** @type {HTMLInputElement} */ (radio).value), 'y');
+  assert.equal(await page.$eval('#turn-cut-at', (slider) => /** @type {HTMLInputElement} */ (slider).value), '0.05');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the rows of piles are Japanese on a Japanese page', sameEverywhere, async () => {
+  const japanese = (/** @type {Page} */ fresh) => fresh.evaluateOnNewDocument(() => localStorage.setItem('bubblestone.language', 'ja'));
+  const { page, problems, close } = await site.newPage(PILE, { before: japanese });
+  await digest(page);
+  await page.waitForSelector('#p-c1');
+  await all(page);
+  const texts = await page.$$eval('#controls .name, #controls summary span:first-child, #controls option, #controls .segments span, #view option, #pipeline .word, .make span', (parts) => parts.map((part) => part.textContent?.trim() ?? ''));
+  assert.ok(texts.length > 100);
+  // Symbols stand beside names.
+  assert.deepEqual(texts.filter((text) => /^[ -~]*[A-Za-z]{2}[ -~]*$/.test(text)), []);
+  assert.deepEqual(problems, []);
+  await close();
+});

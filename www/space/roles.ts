@@ -1,0 +1,49 @@
+/** The roles of files in a recipe, which are the keys of their parameters: a file may move from one role to another. */
+import type { Parameter } from '../module/types';
+import { withValues } from '../state/link';
+
+/** The roles of a component, and of the shape that components are heaped on. */
+const COMPONENT = 'file1';
+const SHAPE = 'model';
+
+/** The rows of a file: that which names it, the choice that makes it count, and the upright axis. */
+interface Place {
+  readonly file: Parameter;
+  readonly choice: string;
+  readonly word: string;
+  readonly up: Parameter | undefined;
+}
+
+/** The word of the button that moves a file away from its role; undefined if no other role can take it. */
+export function moveOf(schema: readonly Parameter[], role: string): 'as_shape' | 'as_component' | undefined {
+  if (!placeOf(schema, otherThan(role))) return undefined;
+  return role === COMPONENT ? 'as_shape' : role === SHAPE ? 'as_component' : undefined;
+}
+
+/** The row of a file's upright axis. */
+export function uprightOf(schema: readonly Parameter[], role: string): Parameter | undefined {
+  return placeOf(schema, role)?.up;
+}
+
+/** The link with the file in its other role. What the file has replaced there is gone, and its own role is free. */
+export function moved(link: string, schema: readonly Parameter[], role: string): string {
+  const [from, to] = [placeOf(schema, role), placeOf(schema, otherThan(role))];
+  if (!from || !to) return link;
+  const pieces = link.split('&');
+  const valueOf = (key: string): string | undefined => pieces.find((piece) => piece.startsWith(`${key}=`))?.slice(key.length + 1);
+  const left = [from.file.key, from.choice, from.up?.key, to.up?.key].filter((key) => key !== undefined);
+  const rest = pieces.filter((piece) => !left.some((key) => piece.startsWith(`${key}=`))).join('&');
+  const up = from.up && valueOf(from.up.key);
+  return withValues(rest, [[to.choice, to.word], [to.file.key, valueOf(from.file.key) ?? ''], ...(to.up && up ? [[to.up.key, up] as const] : [])]);
+}
+
+function otherThan(role: string): string {
+  return role === COMPONENT ? SHAPE : COMPONENT;
+}
+
+function placeOf(schema: readonly Parameter[], role: string): Place | undefined {
+  const file = schema.find(({ key, item }) => key === role && item === 'file');
+  const [choice, word] = [file?.shownFor?.key, file?.shownFor?.words[0]];
+  if (!file || choice === undefined || word === undefined) return undefined;
+  return { file, choice, word, up: schema.find(({ key, shownFor }) => key.startsWith('up') && shownFor?.key === choice) };
+}

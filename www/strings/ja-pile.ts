@@ -1,0 +1,94 @@
+/** The Japanese for piles, by generator and key, if it differs from that for other generators. It comes with the second module. */
+import type { Foreign } from './foreign';
+
+const COMPONENTS = {
+  rice: '米粒', pebble: '小石', smooth: '滑らかな小石', chestnut: '栗', nut: 'ナット', bolt: 'ボルト', gear: '歯車', ball: '球', torus: '輪', box: '角材',
+  bean: '豆', cashew: 'カシューナッツ', almond: 'アーモンド', walnut: 'くるみ', leaf: '葉', orange: 'オレンジ', apple: 'りんご', file: 'ファイルから',
+};
+
+const FINISHES = {
+  own: 'そのまま', rice: '米', river: '川原の石', basalt: '玄武岩', quartz: '石英', chestnut: '栗', brass: '真鍮', steel: '鋼', copper: '銅', wood: '木',
+  walnut: '濃い木', bean: '小豆', blackbean: '黒豆', cashew: 'カシューナッツ', almond: 'アーモンド', leaf: '紅葉', greenleaf: '緑の葉', orange: 'オレンジ',
+  apple: '赤りんご', greenapple: '青りんご', red: '赤', blue: '青', yellow: '黄', white: '白', ivory: '象牙', clay: '粘土', glass: 'ガラス',
+};
+
+const UPRIGHT = { y: 'y軸', z: 'z軸' };
+
+const ORDERS = { random: '無作為', scan: '一列ずつ' };
+
+/** The rows of a type, by its number and the words that precede its name. */
+function ofType(number: number, whose: string): Foreign['parameters'] {
+  const row = (key: string, name: string, help: string, choices?: Record<string, string>): Foreign['parameters'] => ({ [`${key}${number}`]: choices ? { name, help, choices } : { name, help } });
+  return {
+    ...row('c', number === 1 ? '積む物' : `${whose}物`, number === 1 ? '積み重ねる物。' : `山に加える${whose}物。`, number === 1 ? COMPONENTS : { none: 'なし', ...COMPONENTS }),
+    ...row('file', 'モデル', `${whose}物のファイルの要約値と名前。リンクにファイルそのものは入りません。`),
+    ...row('up', '上の軸', `${whose}物のファイルの中でどちらが上か。`, UPRIGHT),
+    ...row('f', '仕上げ', `${whose}物の色とつや。`, FINISHES),
+    ...row('k', '大きさ', `${whose}物の大きさの倍率。`),
+    ...row('sigma', '間隔', `${whose}物の点どうしの最小の距離（最大の内接球の半径を1とする）。1より小さいと密、大きいと疎。0では物に合わせて決まります。`),
+    ...row('tu', 'uまわりの回転', `${whose}物が、水平な軸uのまわりにどれだけ回るか。`),
+    ...row('tv', 'vまわりの回転', `${whose}物が、面の法線vのまわりにどれだけ回るか。`),
+    ...row('tw', 'wまわりの回転', `${whose}物が、軸wのまわりにどれだけ回るか。`),
+    ...row('l', '移動範囲', `${whose}物が面の法線に沿ってどこまで滑れるか（対角線を1とする）。0では点の場所のままです。`),
+  };
+}
+
+/** The numbers of shapes, by shape. */
+const SHAPES: Record<string, Record<string, string>> = {
+  heap: { height: '幅に対する高さ', round: '頂の丸み', depth: '幅に対する奥行き' },
+  dome: { height: '幅に対する高さ', depth: '幅に対する奥行き' },
+  riceball: { thick: '幅に対する厚み', round: '角の丸み' },
+  block: { height: '幅に対する高さ', depth: '幅に対する奥行き', round: '縁の丸み' },
+  bowl: { depth: '幅に対する内側の深さ', full: '盛り具合' },
+  openbox: { depth: '幅に対する奥行き', height: '幅に対する側面の高さ', full: '盛り具合' },
+};
+
+const shapes = Object.entries(SHAPES).flatMap(([shape, rows]) => Object.entries(rows).map(([word, name]) => [`${shape}_${word}`, { name, help: '形を決める数の一つ。' }] as const));
+
+export const parameters: Foreign['parameters'] = {
+  ...ofType(1, ''),
+  ...ofType(2, '第二の'),
+  ...ofType(3, '第三の'),
+  ...ofType(4, '第四の'),
+  ...Object.fromEntries(shapes),
+  variants: { name: '変種の数', help: '曲げたり、細らせたり、膨らませたりした物の種類。同じものが二つとないようにできます。' },
+  jitter: { name: '大きさのばらつき', help: '物の大きさがどれだけ違うか。' },
+  'pile.form': {
+    name: '形',
+    help: '物を積む、または入れる形。規則による形、またはファイルの形。',
+    choices: {
+      riceball: 'おにぎり', heap: '盛り山', dome: '丸屋根', block: '直方体', bowl: '鉢', openbox: '開いた箱', terrain: '地形', slope: '坂', stairs: '階段', cylinder: '円柱',
+      sphere: '球', torus: 'トーラス', knot: '結び目', horn: '角', leg: '足', tail: '尾', fish: '魚', turtle: '亀の甲羅', egg: '卵', vase: '壺', letter: '文字', file: 'ファイルから',
+    },
+  },
+  'pile.model': { name: '形のモデル', help: '形のファイルの要約値と名前。リンクにファイルそのものは入りません。' },
+  'pile.ps': { name: '形の大きさ', help: '形の最も長い辺の半分（物の長さの半分を1とする）。' },
+  core: { name: '形の表面', help: '物の間から形そのものを見せるか。', choices: { own: '形に合わせて', seen: '見せる', hidden: '隠す' } },
+  layers: { name: '層', help: '物の層の数。外側の層と、その下の内側の層。' },
+  'pile.yaw': { name: '回転', help: '同じ光の下で、山を縦の軸のまわりに回します。' },
+  darts: { name: '点の置き方', help: '点を置く順。一列ずつでは列が見えます。', choices: ORDERS },
+  merge: { name: '種類', help: '大きな種類の点の近くにある、小さな種類の点を除くか。', choices: { merged: '合わせる', alone: '別々に' } },
+  frame: { name: '軸', help: '物の回転のもとになる軸。それぞれの場所の面の軸か、空間の軸か。', choices: { local: '面の軸', global: '空間の軸' } },
+  'pile.seed': { name: 'シード', help: '乱数の種。シードが違えば、山も違います。' },
+  refine: { name: '探索', help: '物の位置の求め方。正確に求めるか、論文の黄金分割法によるか。', choices: { exact: '正確', golden: '黄金分割法' } },
+  reading: { name: 'コスト', help: '黄金分割法のコストで調べる、置き終えた物。', choices: { nearest: '最も近い物', all: 'すべての物' } },
+  iterations: { name: '反復回数', help: '黄金分割法の反復の回数。' },
+  'pile.reach': { name: '範囲', help: '移動範囲を与えたままにするか、法線に沿って三個から五個の物に当たる長さにするか。', choices: { given: '与えたまま', natural: '自動' } },
+  offset: { name: 'オフセット', help: 'どこまで重なっても接触とみなすか（小さい方の最大の内接球の半径を1とする）。' },
+  removal: { name: '除去', help: 'さらにどれだけ深く重なると、後の物を除くか。' },
+  alpha: { name: '内側の割合', help: '移動範囲のうち形の内側にある割合。0では論文のとおり外へ積み、1では輪郭を保ちます。' },
+  order: { name: '順序', help: '物が落ち着く順。一列ずつでは列が見えます。', choices: ORDERS },
+  first: { name: '大きな種類', help: '大きな種類から先に置くか。', choices: { large: '先に', mixed: '小さな種類と一緒に' } },
+  retries: { name: 'やり直し', help: '物を除く前に、別の向きを試す回数。' },
+  'pile.vary': { name: '色のばらつき', help: '物ごとの色調の違い。' },
+  'pile.gloss': { name: '光沢', help: '物の光り方。', choices: { own: 'そのまま', matt: 'つや消し', glossy: 'つやあり', wet: '濡れ' } },
+  'pile.wet': { name: '濡れ', help: '山を下から、高さのこの割合まで濡らします。' },
+};
+
+export const groups: Foreign['groups'] = {
+  Component: '積む物', 'Second type': '第二の種類', 'Third type': '第三の種類', 'Fourth type': '第四の種類', Placing: '配置', Refinement: '詰め', Look: '見た目',
+};
+
+export const presets: Foreign['presets'] = {
+  'rice-ball': { title: 'おにぎり', note: '長さの違うしっとりした米粒を、手で握ったように。' },
+};
