@@ -207,6 +207,6 @@ export const foreign: Foreign = {
   },
   presets,
   figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(', ', '・'),
-  parts: { packing: '充填', texture: 'テクスチャ', tessellation: '分割', skin: '皮膚' },
+  parts: { packing: '充填', texture: 'テクスチャ', tessellation: '分割', skin: '皮膚', piling: '積み上げ' },
   said,
 };
