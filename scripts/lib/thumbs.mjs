@@ -65,7 +65,7 @@ export async function thumbsOfMore(folder) {
     const stamp = join(kept, 'made-from');
     if (!existsSync(stamp) || readFileSync(stamp, 'utf8') !== source) {
       rmSync(kept, { recursive: true, force: true });
-      const made = await thumbsOf(await moduleIn(folder), word, '&size=256');
+      const made = await thumbsOf(await moduleIn(folder), word, '&size=192');
       mkdirSync(kept, { recursive: true });
       for (const { name, bytes } of made) writeFileSync(join(kept, `${name}.avif`), bytes);
       writeFileSync(stamp, source);

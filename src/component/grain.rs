@@ -26,21 +26,21 @@ pub(super) fn rice() -> Shell {
     Shell::tube(RINGS, 32, |ring, angle| {
         let t = along(ring, RINGS);
         let (c, s) = turned(angle);
-        let r = 0.375 * rounded(t, 2.4, 0.56);
+        let r = 0.44 * rounded(t, 2.5, 0.5);
         // The grooves lie on the flat sides, above and below the middle; another one is on the back.
         let flat = bell((c.abs() - 0.42) / 0.18);
         let back = 0.7 * bell(s / 0.22) * step(0.0, 0.5, c);
         let groove = (flat + back) * step(0.97, 0.6, t.abs());
-        let r = r * (1.0 - 0.10 * groove);
-        let mut p = DVec3::new(t, 1.08 * r * c - 0.06 * t * t, 0.82 * r * s);
+        let r = r * (1.0 - 0.05 * groove);
+        let mut p = DVec3::new(t, 1.05 * r * c - 0.06 * t * t, 0.88 * r * s);
         // The germ has left an oblique notch below the tip.
         let off = DVec3::new(0.80, -0.32, 0.0);
         let near = bell((p - off).length() / 0.25);
         p += DVec3::new(-0.17, 0.26, 0.0) * near;
-        let mark = Mark::of(Part::Tip).shared(1.4 * near);
+        let mark = Mark::of(Part::Tip).shared(0.9 * near);
         (
             p,
-            mark.shaded(0.5 - groove - 0.4 * step(0.75, 1.0, t.abs())),
+            mark.shaded(0.3 - 0.5 * groove - 0.2 * step(0.75, 1.0, t.abs())),
         )
     })
 }

@@ -59,7 +59,9 @@ pub static PILE: Generator = Generator {
         bases: &views::WORDS,
         overlays: &[],
     },
-    offers: &["frames", "models", "cut", "bodies", "compare", "mesh", "forming"],
+    offers: &[
+        "frames", "models", "cut", "bodies", "compare", "mesh", "forming",
+    ],
     names: &["c1", "form"],
     chance: "pile",
     home: "330,24,2.75,28",
