@@ -121,14 +121,14 @@ function wordsOn(page) {
   });
 }
 
-for (const [link, part] of [[SMALL, '#layers-button'], [BALL, '#light-button']]) {
+for (const [link, part] of [[SMALL, '#layers-button'], [BALL, '#light-button'], [PILE, '#light-button']]) {
   test(`a change of the language changes the words, all of them, and nothing else: ${link}`, async () => {
     const open = async (newPage) => {
       const made = await newPage(link);
       const { page } = made;
       await digest(page);
-      await page.waitForSelector('[data-key=cs], [data-key=cn]');
-      if (link === BALL) await page.waitForSelector('#sheet[data-turn=fine]');
+      await page.waitForSelector('[data-key=cs], [data-key=cn], [data-key=c1]');
+      if (link !== SMALL) await page.waitForSelector('#sheet[data-turn=fine]');
       await page.$eval('#extent [value=all]', (radio) => radio.click());
       await page.$eval(part, (button) => button.click());
       await page.waitForSelector(part === '#layers-button' ? '#layers' : '.light-kinds');

@@ -4,7 +4,7 @@ import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { click, digest, drop, get, link, message, messages, phone, reloading, set, SMALL } from './page.mjs';
+import { chooses, click, digest, drop, get, link, message, messages, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box } from './sheet.mjs';
 
@@ -27,21 +27,6 @@ function cube(height) {
   const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}\n`);
   return corners.join('') + faces.join('');
 }
-
-/** Chooses this file in the next file dialog. @param {Page} page @param {string} name @param {string} content */
-const chooses = (page, name, content) =>
-  page.evaluate(
-    (called, text) => {
-      HTMLInputElement.prototype.click = function () {
-        const data = new DataTransfer();
-        data.items.add(new File([text], called));
-        this.files = data.files;
-        this.dispatchEvent(new Event('change'));
-      };
-    },
-    name,
-    content,
-  );
 
 /** Waits until a parameter has this value. @param {Page} page @param {string} key @param {string} value */
 const until = (page, key, value) => page.waitForFunction((name, text) => /** @type {any} */ (window).bubblestone.get(name) === text, {}, key, value);

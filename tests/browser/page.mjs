@@ -184,6 +184,22 @@ export async function drop(page, name, content, type) {
   );
 }
 
+/** Chooses this file in the next file dialog. @param {Page} page @param {string} name @param {string} content */
+export function chooses(page, name, content) {
+  return page.evaluate(
+    (called, text) => {
+      HTMLInputElement.prototype.click = function () {
+        const data = new DataTransfer();
+        data.items.add(new File([text], called));
+        this.files = data.files;
+        this.dispatchEvent(new Event('change'));
+      };
+    },
+    name,
+    content,
+  );
+}
+
 /**
  * Opens a list over the canvas by its control in the panel. The editor is loaded first.
  * @param {Page} page

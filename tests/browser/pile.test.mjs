@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, click, digest, done, drop, get, link, message, PILE, SMALL } from './page.mjs';
+import { all, chooses, click, digest, done, drop, get, link, message, PILE, set, SMALL } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -87,6 +87,37 @@ test('a dropped model is heaped, is used as the shape, and comes back', sameEver
   assert.equal(await digest(page), heaped);
   assert.deepEqual(problems, []);
   await close();
+});
+
+/** A closed wedge. */
+const WEDGE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
+
+test('a file for each role is chosen in the panel, and a link asks for the ones that are missing', async () => {
+  const { page, problems, close } = await site.newPage(PILE);
+  await digest(page);
+  await page.waitForSelector('#p-form');
+  await chooses(page, 'block.obj', BLOCK);
+  await set(page, 'form', 'file');
+  await page.waitForFunction(() => window.bubblestone.get('form') === 'file');
+  assert.equal(await get(page, 'c1'), 'pebble');
+  await done(page);
+  await chooses(page, 'wedge.obj', WEDGE);
+  await set(page, 'c1', 'file');
+  await page.waitForFunction(() => window.bubblestone.get('c1') === 'file');
+  await done(page);
+  const [made, both] = [await digest(page), await link(page)];
+  await close();
+  // Another page has none of the files.
+  const other = await site.newPage(`#${both}`);
+  for (const [name, content] of [['wedge.obj', WEDGE], ['block.obj', BLOCK]]) {
+    await other.page.waitForSelector(`.asked[data-name="${name}"]`);
+    await drop(other.page, name ?? '', content ?? '', '');
+  }
+  await other.page.waitForFunction(() => !document.querySelector('.asked'));
+  assert.equal(await digest(other.page), made);
+  assert.equal(await link(other.page), both);
+  assert.deepEqual([problems, other.problems], [[], []]);
+  await other.close();
 });
 
 test('a body has a card, and a plane cuts bodies away', sameEverywhere, async () => {
