@@ -26,7 +26,7 @@ pub(super) fn rice() -> Shell {
     Shell::tube(RINGS, 32, |ring, angle| {
         let t = along(ring, RINGS);
         let (c, s) = turned(angle);
-        let r = 0.44 * rounded(t, 2.5, 0.5);
+        let r = 0.42 * rounded(t, 2.4, 0.5);
         // The grooves lie on the flat sides, above and below the middle; another one is on the back.
         let flat = bell((c.abs() - 0.42) / 0.18);
         let back = 0.7 * bell(s / 0.22) * step(0.0, 0.5, c);

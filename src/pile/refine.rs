@@ -18,6 +18,8 @@ const WALL_TRIES: usize = 12;
 const WALL_SLACK: f64 = 0.04;
 /// The refinement range of inner layers, in units of d. It lies inwards.
 const LAYER_RANGE: f64 = 0.6;
+/// The farthest way on which walls alone move a body from its dart, in its diagonals: beyond that it would float.
+const PUSHED: f64 = 0.5;
 /// A ray along the normal starts this far from the surface, in R.
 const SKIN: f64 = 1e-3;
 
@@ -172,7 +174,7 @@ impl Refining {
         body
     }
 
-    /// The part of the range in which the body passes no wall.
+    /// The part of the range in which the body passes no wall; none if that is too far from the dart.
     fn before_walls(&self, body: &Body, mut range: (f64, f64)) -> Option<(f64, f64)> {
         if self.walls.is_empty() {
             return Some(range);
@@ -189,7 +191,8 @@ impl Refining {
                 return None;
             }
         }
-        Some(range)
+        let pushed = 0.0_f64.clamp(range.0, range.1).abs();
+        (pushed <= PUSHED * shape.diagonal * body.scale).then_some(range)
     }
 
     fn place(&self, body: &Body) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! The third stage: how each type is heaped, and the darts of all types, merged.
 
 use super::components::{Components, Variants};
-use super::params::{DartParams, TypeParams};
+use super::params::{DartParams, RoomParams, TypeParams};
 use super::site::Site;
 use crate::component::Component;
 use crate::notice::{Code, Notice};
@@ -20,6 +20,10 @@ const FEWEST: f64 = 20.0;
 const LARGE: [f64; 2] = [0.25, 1.0];
 /// The distance of layers, in diagonals.
 const APART: f64 = 0.5;
+/// The share of a pile that bodies fill, the share of their room that most of them need, and how far a body reaches around its dart, in diagonals.
+const FILLED: f64 = 0.45;
+const OUT: f64 = 0.6;
+const ALONE: f64 = 0.3;
 /// Darts, triangles or fragments in a slice.
 const SLICE: usize = 300;
 /// The same for layers, whose darts each search the surface.
@@ -164,6 +168,22 @@ impl Placing {
             remarks: self.remarks,
         }
     }
+}
+
+/// How far bodies reach out of the shape, about: half of the largest body, and the part of the pile that lies outside.
+/// That is no thicker than its range, nor than its bodies need.
+pub(super) fn room(params: &RoomParams, components: &Components) -> f64 {
+    let outside = |(&(scale, density, range), variants): (&(f64, Option<f64>, Option<f64>), _)| {
+        let variants: &Rc<Variants> = variants;
+        let first = &variants.all[0];
+        let spacing = density.unwrap_or_else(|| first.density()) * first.radius;
+        let thick = expected_darts(1.0, spacing) * first.volume / FILLED;
+        let length = range.map_or(first.diagonal, |range| range * first.diagonal);
+        let out = ((1.0 - params.inward) * length).min((1.0 - params.inward) * thick);
+        scale * (OUT * out + ALONE * first.diagonal)
+    };
+    let each = params.types.iter().zip(components).map(outside);
+    each.fold(0.0, f64::max)
 }
 
 fn kind(params: &DartParams, own: &TypeParams, variants: &[Arc<Component>]) -> Kind {

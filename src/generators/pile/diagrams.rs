@@ -3,7 +3,6 @@
 use super::components::Components;
 use super::heap::place;
 use super::made::Thrown;
-use super::site::Site;
 use super::views::PileView;
 use crate::component::Sphere;
 use crate::pile::{Body as PiledBody, Fate, Kind, deepest_overlaps};
@@ -66,9 +65,9 @@ pub(super) struct Piled<'a> {
 }
 
 /// The darts on the bare shape, each with its disk of half the least distance to others.
-pub(super) fn darts(ground: &BareSurface, site: &Site, thrown: &Thrown) -> Diagram {
+pub(super) fn darts(ground: &BareSurface, thrown: &Thrown) -> Diagram {
     let mut scene = ground.scene();
-    let fit = site.fit();
+    let fit = ground.fit();
     let first = scene.bodies.len() as u32;
     for kind in 0..thrown.kinds.len() {
         let colour = TYPES[kind % TYPES.len()];

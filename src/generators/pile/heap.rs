@@ -9,8 +9,10 @@ use crate::order::lesser;
 use crate::pile::{Body as Piled, Fate, Kind};
 use crate::random::{Purpose, Random};
 use crate::scene::{Body, Instance, Paint, Place, Scene};
+use crate::solid::Surface;
 use crate::surface_stones::Fit;
 use crate::surface_views::BareSurface;
+use glam::DVec3;
 use std::rc::Rc;
 
 /// The reach of ambient occlusion, in mean diagonals of the types.
@@ -19,6 +21,8 @@ const REACH: f64 = 0.35;
 const SOIL: [u8; 3] = [112, 96, 76];
 /// ... and of another shape that is seen.
 const BARE: [u8; 3] = [150, 143, 132];
+/// The depth of the floor below the lowest place of ground, in longest sides.
+const SKIRT: f64 = 0.03;
 /// The word of wooden containers, their colour, and how much boards differ.
 const WOOD: &str = "wood";
 const OAK: [f32; 3] = [186.0, 146.0, 98.0];
@@ -61,7 +65,7 @@ impl Heap {
             look,
             ..
         } = parts;
-        let fit = site.fit();
+        let fit = ground.fit();
         let mean = kinds.iter().map(Kind::diagonal).sum::<f64>() / kinds.len().max(1) as f64;
         let mut scene = Scene {
             reach: (REACH * mean * fit.scale) as f32,
@@ -75,6 +79,7 @@ impl Heap {
         if is_seen {
             let colour = if site.is_ground { SOIL } else { BARE };
             ground.add_to(&mut scene, SHAPE_ROW, 0.0, colour);
+            add_skirt(&mut scene, site, fit, colour);
         }
         add_vessel(&mut scene, site, fit, look.seed);
         let base = scene.bodies.len() as u32;
@@ -161,6 +166,50 @@ fn water(site: &Site, fit: Fit, wet: f32) -> Option<f32> {
     (wet > 0.0).then_some(low + wet * (high - low))
 }
 
+/// Adds walls from the borders of ground down to a floor, so that it stands.
+fn add_skirt(scene: &mut Scene, site: &Site, fit: Fit, colour: [u8; 3]) {
+    if !site.is_ground {
+        return;
+    }
+    let mesh = &site.mesh;
+    let (low, high) = mesh.bounds();
+    let floor = low.y - SKIRT * (high - low).max_element();
+    let mut surface = Surface::default();
+    for ring in mesh.borders() {
+        for (k, &v) in ring.iter().enumerate() {
+            let next = ring[(k + 1) % ring.len()];
+            // The surface lies on the left of its border.
+            let [a, b] = [v, next].map(|v| mesh.positions()[v as usize]);
+            let along = b - a;
+            let out = DVec3::new(-along.z, 0.0, along.x)
+                .normalize_or_zero()
+                .as_vec3();
+            let first = surface.positions.len() as u32;
+            for p in [a, b] {
+                let below = DVec3::new(p.x, floor, p.z);
+                surface.positions.extend([p, below].map(|p| fit.place(p)));
+            }
+            surface.normals.extend([out; 4]);
+            surface.colours.extend([colour; 4]);
+            let corners = [[0, 1, 2], [2, 1, 3]];
+            let corners = corners.map(|t| t.map(|k| first + k));
+            surface.triangles.extend(corners);
+        }
+    }
+    push(scene, surface, SHAPE_ROW, 0);
+}
+
+/// Adds a surface in the scene's own coordinates.
+fn push(scene: &mut Scene, surface: Surface, row: u8, id: u32) {
+    scene.instances.push(Instance {
+        body: scene.bodies.len() as u32,
+        place: Place::default(),
+        id,
+        paint: None,
+    });
+    scene.bodies.push(Body::new(vec![surface], row));
+}
+
 /// Adds the container; its boards differ in tone.
 fn add_vessel(scene: &mut Scene, site: &Site, fit: Fit, seed: u64) {
     let Some(vessel) = &site.vessel else {
@@ -179,12 +228,9 @@ fn add_vessel(scene: &mut Scene, site: &Site, fit: Fit, seed: u64) {
     for p in &mut surface.positions {
         *p = fit.place(p.as_dvec3());
     }
-    scene.instances.push(Instance {
-        body: scene.bodies.len() as u32,
-        place: Place::default(),
-        id: if is_wood { BOX_ID } else { 0 },
-        paint: None,
-    });
-    let row = if is_wood { WOOD_ROW } else { CHINA_ROW };
-    scene.bodies.push(Body::new(vec![surface], row));
+    let (row, id) = match is_wood {
+        true => (WOOD_ROW, BOX_ID),
+        false => (CHINA_ROW, 0),
+    };
+    push(scene, surface, row, id);
 }

@@ -21,6 +21,7 @@ pub(super) struct PileParams {
     pub components: ComponentParams,
     pub dress: DressParams,
     pub site: SiteParams,
+    pub room: RoomParams,
     pub darts: DartParams,
     pub refine: RefineParams,
     pub bodies: BodyParams,
@@ -85,6 +86,15 @@ pub(super) struct TypeParams {
     pub range: Option<f64>,
 }
 
+/// The room that bodies take around the shape.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct RoomParams {
+    /// For each type its scale, its density and its range.
+    pub types: Vec<(f64, Option<f64>, Option<f64>)>,
+    /// The share of the range that lies inside of the shape.
+    pub inward: f64,
+}
+
 /// How darts are thrown, and how bodies are heaped on them.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DartParams {
@@ -131,13 +141,19 @@ impl PileParams {
             variants: recipe.number(keys::VARIANTS) as u64,
             seed: common::seed(recipe),
         };
+        let darts = darts(recipe, &types);
+        let each = darts.types.iter();
         Self {
             components,
+            room: RoomParams {
+                types: each.map(|t| (t.scale, t.density, t.range)).collect(),
+                inward: darts.inward,
+            },
             site: site(recipe, &mut files),
             dress: DressParams {
                 finishes: types.iter().map(|own| finish(recipe, own)).collect(),
             },
-            darts: darts(recipe, &types),
+            darts,
             refine: refine(recipe),
             bodies: bodies(recipe),
             shade: common::shading(recipe),

@@ -141,16 +141,15 @@ fn scaled(positions: Vec<DVec3>, by: f64) -> Vec<DVec3> {
     positions.into_iter().map(|p| p * by).collect()
 }
 
-/// The room around the shape for bodies, in units of components.
-const ROOM: f64 = 0.8;
-
 impl Site {
-    /// The map from the shape's units to the scene: the shape with its container, and room for bodies around it, has
+    /// The map from the shape's units to the scene: the shape with its container, and `room` around it for bodies, has
     /// its middle at the origin and fits into a picture.
-    pub fn fit(&self) -> Fit {
+    pub fn fit(&self, room: f64) -> Fit {
         let (mut low, mut high) = self.mesh.bounds();
-        low -= DVec3::splat(ROOM);
-        high += DVec3::splat(ROOM);
+        // A container keeps bodies in, except at its top.
+        let beside = if self.vessel.is_some() { 0.0 } else { room };
+        low -= DVec3::splat(beside);
+        high += DVec3::new(beside, room, beside);
         let around = self.vessel.iter().flat_map(|v| &v.surface.positions);
         for p in around.map(|p| p.as_dvec3()) {
             (low, high) = (low.min(p), high.max(p));

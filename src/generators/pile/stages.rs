@@ -2,10 +2,12 @@
 
 use super::PILE;
 use super::components::{Components, ComponentsMaking};
-use super::darting::{Placed, Placing};
+use super::darting::{Placed, Placing, room};
 use super::dress::{Dressed, Dressing};
 use super::heap::{Heap, HeapParts};
-use super::params::{BodyParams, ComponentParams, DartParams, DressParams, PileParams, SiteParams};
+use super::params::{
+    BodyParams, ComponentParams, DartParams, DressParams, PileParams, RoomParams, SiteParams,
+};
 use super::site::{Site, SiteMaking};
 use crate::generators::MissingFile;
 use crate::generators::scene_picture::{
@@ -49,7 +51,7 @@ pub(super) struct PileStages {
     pub(super) components: Node<ComponentParams, ComponentsMaking, Components>,
     pub(super) dressed: Node<DressParams, Dressing, Rc<Dressed>>,
     pub(super) site: Node<SiteParams, SiteMaking, Site>,
-    pub(super) ground: Node<(), BareSurface, BareSurface>,
+    pub(super) ground: Node<RoomParams, BareSurface, BareSurface>,
     pub(super) placed: Node<DartParams, Placing, Placed>,
     pub(super) settled: Node<RefineParams, Refining, Refining>,
     pub(super) bodies: Node<BodyParams, Heap, PileScene>,
@@ -63,7 +65,7 @@ impl Wiring for PileStages {
         task!(0, loaded, Self::files_given, Self::load),
         task!(0, components, [loaded], Self::make_components),
         task!(1, site, [loaded], Self::make_site),
-        task!(1, ground, [site], Self::make_ground),
+        task!(1, ground, [components, site], Self::make_ground),
         task!(2, placed, [components, site], Self::make_darts),
         task!(REFINE, dressed, [components], Self::make_dressed),
         task!(REFINE, settled, [placed, site], Self::refine),
@@ -97,7 +99,7 @@ impl PileStages {
             components: Node::new(params.components.clone()),
             dressed: Node::new(params.dress.clone()),
             site: Node::new(params.site.clone()),
-            ground: Node::new(()),
+            ground: Node::new(params.room.clone()),
             placed: Node::new(params.darts.clone()),
             settled: Node::new(params.refine),
             bodies: Node::new(params.bodies),
@@ -112,6 +114,7 @@ impl PileStages {
         self.components.ask(params.components);
         self.dressed.ask(params.dress);
         self.site.ask(params.site);
+        self.ground.ask(params.room);
         self.placed.ask(params.darts);
         self.settled.ask(params.refine);
         self.bodies.ask(params.bodies);
@@ -180,9 +183,10 @@ impl PileStages {
     }
 
     fn make_ground(&mut self) -> Option<()> {
-        let site = self.site.made()?;
-        self.ground.advance(|(), work| {
-            let ground = work.get_or_insert_with(|| BareSurface::new(&site.mesh, site.fit()));
+        let (components, site) = (self.components.made()?, self.site.made()?);
+        self.ground.advance(|params, work| {
+            let new = || BareSurface::new(&site.mesh, site.fit(room(params, components)));
+            let ground = work.get_or_insert_with(new);
             let done = ground.advance(&site.mesh);
             Ok(if done { work.take() } else { None })
         })

@@ -108,10 +108,10 @@ impl SceneSource for PileEngine {
             heap.update(parts, refining.bodies(), refining.history());
             return Some(ViewScene::Settling(heap, made.settled.passes()));
         }
-        let (ground, site) = (made.ground.made()?, made.site.made()?);
+        let ground = made.ground.made()?;
         if of.view == PileView::Darts {
             let darts = made.darts();
-            return Some(ViewScene::Diagram(diagrams::darts(ground, site, &darts)));
+            return Some(ViewScene::Diagram(diagrams::darts(ground, &darts)));
         }
         let piled = diagrams::Piled {
             kinds: &made.placed.made()?.kinds,
@@ -119,7 +119,7 @@ impl SceneSource for PileEngine {
             offset: made.settled.params().offset,
             removal: made.settled.params().removal,
             components: made.components.made()?,
-            fit: site.fit(),
+            fit: ground.fit(),
         };
         Some(ViewScene::Diagram(diagrams::of_bodies(
             of.view, &piled, ground,
