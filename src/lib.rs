@@ -1,5 +1,5 @@
 //! Bubblestone packs squares, rectangles, circles or ellipses into any outline and turns the packing
-//! into a pavement or a hide.
+//! into a pavement or a hide. It also covers bodies in space with cells, and heaps things on them.
 //!
 //! # From a link to a picture
 //!
@@ -17,7 +17,16 @@
 //!
 //! Cells on bodies in space go the same way, on a triangle mesh: `shapes` or `modelfiles` give its
 //! triangles, `trimesh` is the mesh, and `surface_field`, `surface_packing`, `surface_cells` and
-//! `surface_stones` do there what the folders without `surface_` do in the plane. `component` makes things to heap.
+//! `surface_stones` do there what the folders without `surface_` do in the plane.
+//!
+//! Piles are made of things that lie on a shape:
+//!
+//! 1. `component` makes the things: closed meshes with variants, finishes and inner spheres.
+//! 2. `pile_shape` makes shapes and vessels to heap them on or in; those of `shapes` and `modelfiles` serve as well.
+//! 3. `pile` throws darts on the shape, turns a body at each, and lets one after the other slide until it only touches
+//!    those that have settled.
+//!
+//! `scene` shows all bodies in space, with their light and shadows.
 //!
 //! [`draw`] shows what the stages have made, [`metrics`] measures it, and [`export`] writes it to files.
 //!
@@ -52,8 +61,9 @@
 //! Miyata, Itoh, Shimada (2000), A Method of Generating Pavement Textures Using the Square Packing
 //! Technique; Miyata, Itoh, Shimada (2001), Generating Pavement Textures via Close Packing of Squares
 //! (in Japanese); Itoh, Miyata, Shimada (2003), Generation of Organic Textures with Controlled
-//! Anisotropy and Directionality via Packing Rectangular and Elliptical Cells. Each module names the
-//! sections and equations that it implements.
+//! Anisotropy and Directionality via Packing Rectangular and Elliptical Cells; Sakurai, Miyata (2014),
+//! Modelling of Non-Periodic Aggregates Having a Pile Structure. Each module names the sections and
+//! equations that it implements.
 
 pub mod cells;
 #[cfg(house)]
