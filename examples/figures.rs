@@ -71,7 +71,7 @@ mod figures {
             name,
             stages,
             seconds: paper,
-        } in preset.timing.iter().flat_map(|timing| &timing.parts)
+        } in preset.timing.iter().flat_map(|timing| timing.parts())
         {
             let ours = seconds(report, |stage| stages.contains(&stage));
             print!("  {name} {ours:.3} ({paper} in the paper)");

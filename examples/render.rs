@@ -1,7 +1,7 @@
 //! Renders one link to files.
 //!
 //!     cargo run --release --example render -- '<link or fragment>' [--outline FILE.json] [--model [ROLE=]FILE]
-//!         --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] [--one-mesh]
+//!         [--shape FILE] --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] [--one-mesh]
 //!         [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] [--view CAMERA] [--samples N] [--aperture A]
 //!
 //! Writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and report.json into DIR.
@@ -25,6 +25,9 @@
 //!
 //! The model file (OBJ, GLB, PLY or STL) is added to the link; if the link names a file already, it must be that one.
 //! ROLE is the key of the parameter that names the file. Without it, the first parameter that waits for a file is used.
+//!
+//! For piles, `--model` gives the component, and `--shape` the shape that bodies are heaped on; bodies.json has all
+//! components, bodies and walls, and bodies.csv a line for each body, for the scatter tools of other programs.
 //!
 //! An outline file with a `size` is drawn in a picture of that size, or scaled to that of the link if the link names
 //! one, as on the page.
@@ -149,7 +152,7 @@ impl Wish {
     fn read(mut words: impl Iterator<Item = OsString>) -> Result<Self, String> {
         use bubblestone::scene::{MOST_SAMPLES, WIDEST};
         const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] [--model [ROLE=]FILE] \
-            --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] [--one-mesh] \
+            [--shape FILE] --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] [--one-mesh] \
             [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] \
             [--view ANGLE,HEIGHT,DISTANCE,LENS,X,Y,Z] [--samples N] [--aperture A].";
         let mut wish = Wish::default();
@@ -165,6 +168,11 @@ impl Wish {
             match word.as_str() {
                 "--outline" => wish.outline = Some(value("--outline")?),
                 "--model" => wish.models.push(path("--model")?),
+                "--shape" => {
+                    let mut named = OsString::from("model=");
+                    named.push(path("--shape")?);
+                    wish.models.push(named);
+                }
                 "--out" => wish.out = path("--out")?.into(),
                 "--views" => wish.views = true,
                 "--maps" => wish.maps = true,

@@ -65,7 +65,7 @@ export async function thumbsOfMore(folder) {
     const stamp = join(kept, 'made-from');
     if (!existsSync(stamp) || readFileSync(stamp, 'utf8') !== source) {
       rmSync(kept, { recursive: true, force: true });
-      const made = await thumbsOf(await moduleIn(folder), word);
+      const made = await thumbsOf(await moduleIn(folder), word, '&size=192');
       mkdirSync(kept, { recursive: true });
       for (const { name, bytes } of made) writeFileSync(join(kept, `${name}.avif`), bytes);
       writeFileSync(stamp, source);
@@ -80,14 +80,15 @@ export async function thumbsOfMore(folder) {
  * The pictures of a generator's presets. One is encoded while the next one is drawn.
  * @param {any} module
  * @param {string} word of the generator
+ * @param {string} [smaller] the end of links for a smaller picture: scenes look the same at any size
  */
-async function thumbsOf({ presets, Bubblestone }, word) {
+async function thumbsOf({ presets, Bubblestone }, word, smaller = '') {
   // Imported here, as this file is read before the npm packages are installed.
   const { default: sharp } = await import('sharp');
   const list = /** @type {{ name: string, link: string }[]} */ (presets(word));
   return Promise.all(
     list.map(async ({ name, link }) => {
-      const { data, width, height } = picture(new Bubblestone(link), name);
+      const { data, width, height } = picture(new Bubblestone(link + smaller), name);
       const shown = sharp(data, { raw: { width, height, channels: 4 } }).removeAlpha();
       return { name, bytes: await shown.resize(side, side, { kernel: 'lanczos3' }).avif(coding).toBuffer() };
     }),

@@ -75,21 +75,20 @@ pub const FINISHES: &[Finish] = &[
     Finish {
         word: "rice",
         label: "Rice",
-        bases: &[[238, 231, 212], [242, 237, 222], [234, 226, 204]],
+        bases: &[[218, 207, 180], [224, 215, 192], [212, 199, 170]],
         tone: 0.03,
         tint: 0.01,
-        parts: &[(Part::Tip, [206, 180, 134])],
-        dark: [0.84, 0.80, 0.72],
+        parts: &[(Part::Tip, [184, 154, 106])],
+        dark: [0.80, 0.75, 0.66],
         light: [1.05, 1.05, 1.05],
         body: Material::DAMP_RICE,
         rest: Material::DAMP_RICE,
         texture: Texture::Fibres,
-        ..GROWN
     },
     Finish {
         word: "chestnut",
         label: "Chestnut",
-        bases: &[[112, 52, 26], [124, 60, 30], [98, 44, 22], [106, 46, 28]],
+        bases: &[[98, 45, 23], [110, 54, 27], [86, 38, 20], [92, 40, 25]],
         tone: 0.10,
         parts: &[(Part::Cap, [206, 174, 128]), (Part::Tip, [190, 156, 112])],
         dark: [0.52, 0.46, 0.42],
@@ -104,7 +103,7 @@ pub const FINISHES: &[Finish] = &[
         label: "River pebbles",
         bases: &[
             [142, 134, 122], [120, 116, 110], [156, 144, 124], [128, 112, 96], [108, 112, 112],
-            [150, 132, 112], [134, 138, 134],
+            [150, 132, 112], [134, 135, 132],
         ],
         tone: 0.14,
         body: Material::WET_STONE,
@@ -122,7 +121,7 @@ pub const FINISHES: &[Finish] = &[
     Finish {
         word: "quartz",
         label: "Quartz pebbles",
-        bases: &[[224, 216, 202], [214, 206, 196], [230, 222, 212], [222, 200, 180], [206, 204, 200]],
+        bases: &[[206, 198, 182], [196, 188, 176], [212, 204, 192], [204, 180, 158], [188, 186, 182]],
         tone: 0.06,
         parts: &[(Part::Vein, [196, 160, 124])],
         dark: [0.88, 0.84, 0.78],
@@ -134,7 +133,8 @@ pub const FINISHES: &[Finish] = &[
     Finish {
         word: "brass",
         label: "Brass",
-        bases: &[[216, 176, 92], [208, 166, 84]],
+        bases: &[[206, 160, 76], [196, 150, 68]],
+        parts: &[(Part::Edge, [234, 196, 116])],
         body: Material::BRASS,
         rest: Material::BRASS,
         ..METAL
@@ -142,15 +142,15 @@ pub const FINISHES: &[Finish] = &[
     Finish {
         word: "steel",
         label: "Steel",
-        bases: &[[180, 184, 190], [170, 174, 180], [188, 188, 188]],
+        bases: &[[164, 168, 174], [154, 158, 165], [172, 172, 173]],
+        parts: &[(Part::Edge, [196, 200, 206])],
         ..METAL
     },
     Finish {
         word: "copper",
         label: "Copper",
-        bases: &[[206, 122, 84], [198, 112, 76], [188, 108, 80]],
-        body: Material::BRASS,
-        rest: Material::BRASS,
+        bases: &[[176, 94, 62], [168, 88, 56], [160, 84, 60]],
+        parts: &[(Part::Edge, [208, 130, 94])],
         ..METAL
     },
     Finish {
@@ -166,19 +166,30 @@ pub const FINISHES: &[Finish] = &[
     },
     Finish {
         word: "walnut",
-        label: "Walnut",
-        bases: &[[178, 132, 84], [168, 122, 76], [186, 142, 94], [160, 116, 74]],
-        parts: &[(Part::Edge, [196, 154, 104])],
+        label: "Dark wood",
+        bases: &[[104, 68, 44], [94, 60, 38], [114, 77, 50], [98, 64, 44]],
+        tone: 0.07,
+        parts: &[(Part::Edge, [124, 84, 56]), (Part::Cap, [206, 160, 104])],
+        dark: [0.74, 0.68, 0.62],
+        light: [1.12, 1.10, 1.08],
+        texture: Texture::Wood,
+        ..GROWN
+    },
+    Finish {
+        word: "nutshell",
+        label: "Walnut shells",
+        bases: &[[164, 126, 88], [154, 116, 79], [172, 136, 98], [148, 110, 76]],
+        parts: &[(Part::Edge, [182, 146, 106])],
         dark: [0.56, 0.50, 0.44],
         light: [1.14, 1.13, 1.10],
-        texture: Texture::Wood,
+        texture: Texture::Fibres,
         ..GROWN
     },
     Finish {
         word: "bean",
         label: "Kidney beans",
-        bases: &[[118, 28, 30], [104, 24, 30], [132, 36, 34], [110, 30, 26]],
-        parts: &[(Part::Vein, [232, 218, 196]), (Part::Edge, [56, 12, 16])],
+        bases: &[[92, 20, 22], [80, 17, 22], [106, 26, 25], [86, 22, 19]],
+        parts: &[(Part::Vein, [232, 218, 196]), (Part::Edge, [40, 8, 11])],
         dark: [0.84, 0.80, 0.80],
         light: [1.14, 1.14, 1.14],
         body: Material::LACQUER,
@@ -205,8 +216,8 @@ pub const FINISHES: &[Finish] = &[
     Finish {
         word: "almond",
         label: "Almonds",
-        bases: &[[168, 104, 56], [156, 94, 50], [178, 114, 64], [148, 90, 50]],
-        parts: &[(Part::Tip, [104, 62, 34])],
+        bases: &[[144, 90, 52], [134, 82, 46], [154, 100, 60], [126, 77, 44]],
+        parts: &[(Part::Tip, [88, 52, 29])],
         dark: [0.66, 0.58, 0.50],
         light: [1.22, 1.20, 1.16],
         texture: Texture::Fibres,
@@ -216,11 +227,11 @@ pub const FINISHES: &[Finish] = &[
         word: "leaf",
         label: "Autumn leaves",
         bases: &[
-            [222, 172, 44], [214, 148, 36], [206, 112, 32], [196, 80, 32], [170, 50, 32],
-            [142, 34, 34], [180, 118, 52], [190, 168, 62],
+            [222, 172, 44], [206, 112, 30], [142, 34, 24], [190, 168, 52], [196, 80, 28],
+            [176, 116, 44], [170, 50, 28], [214, 148, 36],
         ],
         tint: 0.06,
-        parts: &[(Part::Vein, [232, 196, 116]), (Part::Stalk, [176, 118, 62])],
+        parts: &[(Part::Vein, [228, 188, 94]), (Part::Stalk, [176, 118, 56])],
         dark: [0.72, 0.60, 0.52],
         light: [1.10, 1.16, 1.10],
         body: Material::LEAF,
@@ -248,8 +259,8 @@ pub const FINISHES: &[Finish] = &[
         tone: 0.04,
         tint: 0.02,
         parts: ORANGE_PARTS,
-        dark: [0.92, 0.88, 0.84],
-        light: [1.04, 1.06, 1.08],
+        dark: [0.90, 0.80, 0.70],
+        light: [1.04, 1.08, 1.16],
         body: Material::WAXED,
         texture: Texture::Pores,
         ..GROWN
@@ -257,7 +268,7 @@ pub const FINISHES: &[Finish] = &[
     Finish {
         word: "apple",
         label: "Red apples",
-        bases: &[[172, 30, 34], [184, 40, 36], [160, 26, 34], [190, 58, 42]],
+        bases: &[[150, 24, 29], [164, 34, 32], [138, 20, 29], [172, 48, 36]],
         tone: 0.06,
         parts: &[(Part::Tip, [222, 184, 74]), (Part::Stalk, WOODY)],
         dark: [0.74, 0.62, 0.62],
@@ -300,6 +311,12 @@ pub const FINISHES: &[Finish] = &[
         label: "White paint",
         bases: &[[236, 234, 228]],
         parts: &[(Part::Cap, [44, 98, 172])],
+        ..TOY
+    },
+    Finish {
+        word: "toys",
+        label: "Paints of many colours",
+        bases: &[[196, 44, 38], [44, 98, 172], [234, 184, 46], [58, 138, 70], [226, 112, 36], [112, 66, 138]],
         ..TOY
     },
     Finish {
@@ -361,7 +378,7 @@ impl ComponentKind {
             Self::Orange => "orange",
             Self::Apple => "apple",
             Self::Almond => "almond",
-            Self::Walnut => "walnut",
+            Self::Walnut => "nutshell",
         };
         Finish::of_word(word).unwrap_or(&FINISHES[0])
     }

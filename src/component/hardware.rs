@@ -84,7 +84,7 @@ pub(super) fn bolt(is_fine: bool) -> Shell {
     const END: f64 = -1.0;
     /// The upper end of the thread.
     const TOP: f64 = 0.16;
-    let turns = if is_fine { 36 } else { 2 };
+    let turns = if is_fine { 36 } else { 4 };
     let around = if is_fine { 30 } else { 12 };
     let rings = 8 + turns + 4;
     Shell::tube(rings, around, |ring, angle| {
@@ -98,28 +98,21 @@ pub(super) fn bolt(is_fine: bool) -> Shell {
             5 => (0.475, FOOT + 0.03, edge),
             6 => (0.47, FOOT, edge),
             7 => (SHANK + 0.02, FOOT, Mark::BODY.shaded(-0.5)),
+            8 => (SHANK, FOOT - 0.03, Mark::BODY),
+            k if k < 8 + turns && is_fine => {
+                let y = TOP + (k - 9) as f64 / (turns - 2) as f64 * (END + 0.10 - TOP);
+                let fade = (0.5 * (k - 9) as f64).min(1.0);
+                let crest = thread(y, 0.172, angle);
+                let mark = Mark::of(Part::Thread)
+                    .shared(fade)
+                    .shaded((1.4 * crest - 0.9) * fade);
+                (SHANK - DEEP * fade * (1.0 - crest), y, mark)
+            }
+            9 => (SHANK, TOP, Mark::BODY),
+            // From afar a thread is only darker.
             k if k < 8 + turns => {
-                // The first ring is just below the head, the others go down the thread.
-                let share = (k - 8).saturating_sub(1) as f64 / (turns - 2).max(1) as f64;
-                let y = if k == 8 {
-                    FOOT - 0.03
-                } else {
-                    TOP + share * (END + 0.10 - TOP)
-                };
-                if k < 10 || !is_fine {
-                    (
-                        SHANK,
-                        if is_fine || k == 8 { y } else { END + 0.10 },
-                        Mark::BODY,
-                    )
-                } else {
-                    let fade = (0.5 * (k - 9) as f64).min(1.0);
-                    let crest = thread(y, 0.172, angle);
-                    let mark = Mark::of(Part::Thread)
-                        .shared(fade)
-                        .shaded(1.4 * crest - 0.9);
-                    (SHANK - DEEP * fade * (1.0 - crest), y, mark)
-                }
+                let y = if k == 10 { TOP - 0.04 } else { END + 0.10 };
+                (SHANK - 0.5 * DEEP, y, Mark::of(Part::Thread).shaded(-0.35))
             }
             k if k == 8 + turns => (SHANK - DEEP, END + 0.07, edge),
             k if k == 9 + turns => (SHANK - DEEP - 0.06, END, edge),

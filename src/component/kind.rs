@@ -122,7 +122,7 @@ impl ComponentKind {
     /// The surface by rule for a level of detail, 0 to 2. Many kinds have one surface, which is then simplified.
     pub(super) fn shell(self, level: usize) -> Shell {
         match self {
-            Self::Ball => round::ball(),
+            Self::Ball => round::ball(level),
             Self::Pebble => round::pebble(),
             Self::SmoothPebble => round::smooth_pebble(),
             Self::Rice => grain::rice(),

@@ -3,7 +3,7 @@
 use super::{Mark, Part};
 use crate::csr::Csr;
 use crate::solid::Surface;
-use crate::trimesh::{Search, TriMesh};
+use crate::trimesh::TriMesh;
 use glam::DVec3;
 
 /// A closed mesh with the marks of its vertices.
@@ -16,20 +16,20 @@ pub struct Level {
 }
 
 impl Level {
-    /// A simpler mesh with the marks of this one: each vertex has that of the nearest vertex.
-    pub(super) fn marked(&self, search: &Search, mesh: TriMesh) -> Self {
-        let nearest = |&p: &DVec3| {
-            let at = search.closest(&self.mesh, p);
-            let weights = at.weights(&self.mesh);
-            let corners = self.mesh.triangles()[at.triangle as usize];
-            let best = (0..3).fold(
-                0,
-                |best, k| if weights[k] > weights[best] { k } else { best },
-            );
-            self.marks[corners[best] as usize]
+    /// A simpler mesh with the marks of this one: each vertex has the mean of those around it, so bands that are finer
+    /// than its triangles fade.
+    pub(super) fn marked(&self, mesh: TriMesh) -> Self {
+        let is_plain = self.marks.iter().all(|mark| *mark == Mark::BODY);
+        let reach = 0.25 * mean_square(&mesh);
+        let around = |&p: &DVec3| match is_plain {
+            true => Mark::BODY,
+            false => Mark::mean(self.mesh.positions().iter().zip(&self.marks).map(|(q, m)| {
+                let near = reach / (reach + p.distance_squared(*q));
+                (m, near * near * near * near)
+            })),
         };
         Self {
-            marks: mesh.positions().iter().map(nearest).collect(),
+            marks: mesh.positions().iter().map(around).collect(),
             mesh,
         }
     }
@@ -106,4 +106,13 @@ impl Level {
         });
         sum.sum::<DVec3>().try_normalize().unwrap_or(DVec3::Y)
     }
+}
+
+/// The mean squared length of the edges.
+fn mean_square(mesh: &TriMesh) -> f64 {
+    let squares = (0..mesh.triangles().len() as u32).map(|t| {
+        let [a, b, c] = mesh.corners(t);
+        a.distance_squared(b) + b.distance_squared(c) + c.distance_squared(a)
+    });
+    squares.sum::<f64>() / (3 * mesh.triangles().len()) as f64
 }

@@ -6,7 +6,7 @@ use super::pool::Sphere;
 use super::variant::{Variant, Vary};
 use super::{ComponentKind, Level, Mark};
 use crate::notice::Notice;
-use crate::trimesh::{MeshBuilding, Search, Simplifying, TriMesh};
+use crate::trimesh::{MeshBuilding, Simplifying, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -150,7 +150,6 @@ impl Original {
 
 enum OriginalPhase {
     Check(Box<Checking>),
-    Tree,
     /// The number of the next coarser level.
     Levels(usize, Option<Box<Simplifying>>),
     Inner(Box<InnerMaking>),
@@ -162,7 +161,6 @@ pub struct OriginalMaking {
     phase: OriginalPhase,
     kind: Option<ComponentKind>,
     levels: Vec<Level>,
-    search: Option<Search>,
     notices: Vec<Notice>,
     effort: Effort,
     vary: Vary,
@@ -175,7 +173,7 @@ impl OriginalMaking {
         let traits = kind.traits();
         let (mesh, marks) = kind.shell(0).into_mesh();
         let mut making = Self::new(
-            OriginalPhase::Tree,
+            OriginalPhase::Levels(0, None),
             traits.spheres,
             traits.vary,
             traits.crease,
@@ -202,7 +200,6 @@ impl OriginalMaking {
             phase,
             kind: None,
             levels: Vec::new(),
-            search: None,
             notices: Vec::new(),
             effort,
             vary,
@@ -211,9 +208,8 @@ impl OriginalMaking {
     }
 
     fn begin(&mut self, mesh: TriMesh, marks: Vec<Mark>) {
-        self.search = Some(Search::begin(&mesh));
         self.levels = vec![Level { mesh, marks }];
-        self.phase = OriginalPhase::Tree;
+        self.phase = OriginalPhase::Levels(0, None);
     }
 
     /// Does work on about `amount` triangles, samples or balls. Returns the component in the end, or the fault of its
@@ -228,12 +224,6 @@ impl OriginalMaking {
                 }
                 Err(fault) => return Some(Err(fault)),
             },
-            OriginalPhase::Tree => {
-                let search = self.search.as_mut()?;
-                if search.advance(&self.levels[0].mesh, amount) {
-                    self.phase = OriginalPhase::Levels(0, None);
-                }
-            }
             OriginalPhase::Levels(..) => self.simplify(),
             OriginalPhase::Inner(inner) => {
                 let made = inner.advance(amount)?;
@@ -251,10 +241,10 @@ impl OriginalMaking {
             return;
         };
         if let Some(current) = simplifying {
-            let (Some(mesh), Some(search)) = (current.advance(), &self.search) else {
+            let Some(mesh) = current.advance() else {
                 return;
             };
-            let level = self.levels[0].marked(search, mesh);
+            let level = self.levels[0].marked(mesh);
             self.levels.push(level);
             self.phase = OriginalPhase::Levels(*number + 1, None);
             return;

@@ -6,7 +6,7 @@ pub enum Part {
     /// All that is no other part.
     #[default]
     Body,
-    /// The pale base of a chestnut.
+    /// The pale base of a chestnut, the band of a ball.
     Cap,
     /// An end: the germ of a rice grain, the tips of a cashew, the tuft of a chestnut.
     Tip,
@@ -67,5 +67,27 @@ impl Mark {
     pub(super) fn shaded(self, shade: f64) -> Self {
         let shade = shade.clamp(-1.0, 1.0) as f32;
         Self { shade, ..self }
+    }
+
+    /// The mean of marks with weights: its part is the one that has most, beside the body.
+    pub(super) fn mean<'a>(marks: impl Iterator<Item = (&'a Self, f64)>) -> Self {
+        let (mut total, mut shade) = (0.0, 0.0);
+        let mut shares = [0.0; Part::ALL.len()];
+        for (mark, weight) in marks {
+            total += weight;
+            shade += weight * f64::from(mark.shade);
+            shares[mark.part as usize] += weight * f64::from(mark.share);
+        }
+        let most = |best: Part, part: Part| match shares[part as usize] > shares[best as usize] {
+            true => part,
+            false => best,
+        };
+        let part = Part::ALL[1..].iter().copied().fold(Part::Cap, most);
+        let share = shares[part as usize] / total;
+        let mark = match share > 0.0 {
+            true => Self::of(part).shared(share),
+            false => Self::BODY,
+        };
+        mark.shaded(shade / total)
     }
 }

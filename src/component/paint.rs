@@ -2,7 +2,7 @@
 
 use super::{Mark, Part};
 use crate::material::Material;
-use crate::order::{greater, lesser};
+use crate::order::lesser;
 use crate::random::{Purpose, Random};
 
 /// Fine detail of a surface, at pixels. It lies in the space of the body, and moves with it.
@@ -72,62 +72,31 @@ impl Finish {
         }
     }
 
-    /// The colour of the body with this id.
-    pub fn base(&self, seed: u64, id: u64) -> [f32; 3] {
+    /// The colour of a mark in the mesh of the variant with this number, which has a colour of its own: so parts keep
+    /// theirs, however much those of bodies differ. It goes with [`Finish::tint`].
+    pub fn variant_colour(&self, mark: &Mark, number: u64) -> [u8; 3] {
+        let base = self.bases[(number % self.bases.len() as u64) as usize];
+        let most = self.most() as f32;
+        let [base, part] = [base, self.part(mark.part).unwrap_or(base)]
+            .map(|colour| colour.map(|v| lesser(f32::from(v) * most, 255.0)));
+        self.mixed(mark, base, part)
+    }
+
+    /// The tint of the body with this id, for a mesh with colours of [`Finish::variant_colour`]; 255 is one. `vary`
+    /// scales its difference from the mean.
+    pub fn tint(&self, seed: u64, id: u64, vary: f64) -> [u8; 3] {
         let mut random = Random::new(seed, Purpose::Paint, id);
-        let base = self.bases[random.below(self.bases.len())];
         let tone = 1.0 + self.tone * random.signed();
-        base.map(|v| {
-            let value = f64::from(v) * tone * (1.0 + self.tint * random.signed());
-            lesser(value, 255.0) as f32
+        [0; 3].map(|_| {
+            let factor = tone * (1.0 + self.tint * random.signed());
+            let varied = (1.0 + (factor - 1.0) * vary).clamp(0.0, self.most());
+            byte((255.0 * varied / self.most()) as f32)
         })
     }
 
-    /// The colour of a mark on a body with this colour.
-    pub fn colour(&self, mark: &Mark, base: [f32; 3]) -> [u8; 3] {
-        let part = self.part(mark.part).map(|part| part.map(f32::from));
-        self.mixed(mark, base, part.unwrap_or(base))
-    }
-
-    /// The brightest red, green and blue of all bodies.
-    pub fn brightest(&self) -> [f32; 3] {
-        let most = (1.0 + self.tone) * (1.0 + self.tint);
-        std::array::from_fn(|k| {
-            let values = self.bases.iter().map(|base| f64::from(base[k]));
-            lesser(most * values.fold(0.0, greater), 255.0) as f32
-        })
-    }
-
-    /// The colour of a mark in a mesh that bodies of many colours share. Multiplied by [`Finish::tint`], it is the colour
-    /// of the body, and nearly that of its parts.
-    pub fn shared_colour(&self, mark: &Mark) -> [u8; 3] {
-        let brightest = self.brightest();
-        let part = self.part(mark.part).map(|part| {
-            std::array::from_fn(|k| {
-                let values = self.bases.iter().map(|base| f32::from(base[k]));
-                let mean = values.sum::<f32>() / self.bases.len() as f32;
-                lesser(
-                    f32::from(part[k]) * brightest[k] / greater(mean, 1.0),
-                    255.0,
-                )
-            })
-        });
-        self.mixed(mark, brightest, part.unwrap_or(brightest))
-    }
-
-    /// The tint of the body with this id, for a mesh with colours of [`Finish::shared_colour`]; 255 is one.
-    pub fn tint(&self, seed: u64, id: u64) -> [u8; 3] {
-        let (base, brightest) = (self.base(seed, id), self.brightest());
-        std::array::from_fn(|k| byte(255.0 * base[k] / greater(brightest[k], 1.0)))
-    }
-
-    /// The mean tint of all bodies, 0..255.
-    pub fn mean_tint(&self) -> [f32; 3] {
-        let (count, brightest) = (self.bases.len() as f32, self.brightest());
-        std::array::from_fn(|k| {
-            let sum: f32 = self.bases.iter().map(|base| f32::from(base[k])).sum();
-            255.0 * sum / (count * greater(brightest[k], 1.0))
-        })
+    /// The greatest factor of a base.
+    fn most(&self) -> f64 {
+        (1.0 + self.tone) * (1.0 + self.tint)
     }
 
     fn mixed(&self, mark: &Mark, base: [f32; 3], part: [f32; 3]) -> [u8; 3] {

@@ -6,16 +6,25 @@ use glam::DVec3;
 use std::f64::consts::TAU;
 
 /// A ball with a painted band, as toys have.
-pub(super) fn ball() -> Shell {
+pub(super) fn ball(level: usize) -> Shell {
     // Heights of the rings as angles from the pole, in degrees; the band has sharp borders.
     const RINGS: [f64; 25] = [
         0.0, 7.0, 14.0, 22.0, 30.0, 38.0, 46.0, 54.0, 62.0, 70.0, 71.0, 76.0, 83.0, 90.0, 97.0,
         104.0, 109.0, 110.0, 118.0, 126.0, 134.0, 143.0, 152.0, 166.0, 180.0,
     ];
-    Shell::tube(RINGS.len(), 36, |ring, angle| {
-        let (y, r) = turned(RINGS[ring].to_radians());
+    const COARSE: [f64; 11] = [
+        0.0, 26.0, 49.0, 69.0, 71.0, 90.0, 109.0, 111.0, 131.0, 154.0, 180.0,
+    ];
+    const COARSEST: [f64; 8] = [0.0, 38.0, 68.0, 71.0, 109.0, 112.0, 142.0, 180.0];
+    let (rings, around) = match level {
+        0 => (&RINGS[..], 36),
+        1 => (&COARSE[..], 20),
+        _ => (&COARSEST[..], 12),
+    };
+    Shell::tube(rings.len(), around, |ring, angle| {
+        let (y, r) = turned(rings[ring].to_radians());
         let (c, s) = turned(angle);
-        let is_band = (71.0..=109.0).contains(&RINGS[ring]);
+        let is_band = (71.0..=109.0).contains(&rings[ring]);
         let mark = if is_band {
             Mark::of(Part::Cap)
         } else {
@@ -65,7 +74,7 @@ impl Pebble {
             return Mark::BODY.shaded(band);
         };
         let (across, far) = split(vein);
-        let share = bell((p.dot(across) + 0.05 * libm::sin(4.0 * p.y) - far) / 0.075);
+        let share = bell((p.dot(across) + 0.05 * libm::sin(4.0 * p.y) - far) / 0.095);
         Mark::of(Part::Vein).shared(1.1 * share).shaded(band)
     }
 }
@@ -101,7 +110,7 @@ pub(super) fn smooth_pebble() -> Shell {
     .shell()
 }
 
-/// A ring with a round section, as toys have; its two halves meet in a fine seam.
+/// A ring with a round section, as toys have.
 pub(super) fn torus() -> Shell {
     const SECTION: usize = 20;
     Shell::ring(SECTION, 44, |k, angle| {

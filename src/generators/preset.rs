@@ -24,8 +24,19 @@ pub struct Preset {
 pub struct Timing {
     /// The machine on which the paper's authors measured.
     pub machine: &'static str,
-    /// The two parts into which the paper divides the work.
-    pub parts: [MeasuredPart; 2],
+    /// The first part into which the paper divides the work, or all of it.
+    pub first: MeasuredPart,
+    /// The second part, if the paper divides the work.
+    pub second: Option<MeasuredPart>,
+    /// The number of bodies in the paper's figure, if it is printed.
+    pub bodies: Option<u32>,
+}
+
+impl Timing {
+    /// The parts of the work, one or two.
+    pub fn parts(&self) -> impl Iterator<Item = &MeasuredPart> {
+        std::iter::once(&self.first).chain(&self.second)
+    }
 }
 
 /// A part of the work, with the paper's time for it.

@@ -46,9 +46,9 @@ impl Material {
 
     /// Steel, turned: its highlights are broader than those of brass.
     pub const STEEL: Self = Self {
-        mirror: 0.9,
+        mirror: 1.0,
         metal: 1.0,
-        ..Self::new(0.45, 0.38, 0.75, 34.0)
+        ..Self::new(0.25, 0.22, 0.9, 40.0)
     };
     /// A varnished shell, as that of a fresh chestnut or a bean.
     pub const LACQUER: Self = Self {

@@ -10,29 +10,34 @@ use std::f64::consts::PI;
 const THICK: [f64; 2] = [0.04, 0.028];
 /// The radius of the inside at the lip.
 const WIDE: f64 = 0.5 - THICK[1];
-/// The height, the radius and the width of the foot ring.
-const FOOT: DVec3 = DVec3::new(0.035, 0.19, 0.03);
+/// The height, the outer radius and the width of the foot ring.
+const FOOT_HEIGHT: f64 = 0.028;
+const FOOT_RADIUS: f64 = 0.19;
+const FOOT_WIDTH: f64 = 0.03;
 /// The radius of the content, as a share of the inside at its edge.
 const CONTENT: f64 = 0.93;
-/// The distance of what is seen from the wall, so that bodies do not cut it.
+/// How much flatter the content is at its edge than a paraboloid.
+const EVEN: f64 = 0.5;
+/// The distance of the seen side from the wall, so that bodies do not cut it.
 const GAP: f64 = 0.001;
 /// Rows of the profile along each side and along the lip, and corners around.
 const ROWS: usize = 24;
 const LIP_ROWS: usize = 10;
 const AROUND: usize = 96;
 
-/// The bowl for the numbers `[depth, full]`. The content is a cap; where a bowl is full it is high, and its edge is near
-/// the lip. It has to bulge: bodies slide inwards from it.
+/// The bowl for the numbers `[depth, full]`. The content is a cap; where a bowl is full it is high, and its edge is
+/// near the lip. It has to bulge, as bodies slide inwards from it, but not at the edge: there they slide along its
+/// normal, which must not lead into the wall.
 pub(super) fn bowl(n: &[f64], edge: f64) -> PiledShape {
-    let inside = Inside {
-        low: FOOT.x + THICK[0],
+    let inside = BowlInside {
+        low: FOOT_HEIGHT + THICK[0],
         curve: n[0] / (WIDE * WIDE),
     };
     let level = 0.8 + 0.2 * n[1];
     let radius = CONTENT * WIDE * level.sqrt();
     let rise = WIDE * (0.06 + 0.27 * n[1]);
     let profile = |t: f64| {
-        let height = inside.low + n[0] * level + rise * (1.0 - t * t);
+        let height = inside.low + n[0] * level + rise * (1.0 - t * t) * (1.0 - EVEN * t * t);
         DVec2::new(radius * t, height)
     };
     let wall = Wall::Bowl {
@@ -50,12 +55,12 @@ pub(super) fn bowl(n: &[f64], edge: f64) -> PiledShape {
 }
 
 /// The paraboloid inside of a bowl.
-struct Inside {
+struct BowlInside {
     low: f64,
     curve: f64,
 }
 
-impl Inside {
+impl BowlInside {
     /// The point at this radius, and the unit normal into the wall.
     fn at(&self, r: f64) -> (DVec2, DVec2) {
         let slope = 2.0 * self.curve * r;
@@ -70,7 +75,8 @@ impl Inside {
         (p + thick * normal, normal)
     }
 
-    /// The half section of the bowl: up the inside, over the lip, down the outside, round the foot ring, and to the axis.
+    /// The half section of the bowl: up the inside, over the lip, down the outside, round the foot ring, and to the
+    /// axis.
     fn outline(&self) -> Vec<DVec2> {
         let radius = |k: usize| WIDE * k as f64 / ROWS as f64;
         let inner = (0..=ROWS).map(|k| {
@@ -81,7 +87,7 @@ impl Inside {
         line.extend(self.lip());
         // The outside ends where the foot ring begins.
         let outer = (0..=ROWS).rev().map(|k| self.outside(radius(k)).0);
-        line.extend(outer.take_while(|p| p.x > FOOT.y + 0.01));
+        line.extend(outer.take_while(|p| p.x > FOOT_RADIUS + 0.01));
         line.extend(self.foot());
         line
     }
@@ -101,12 +107,12 @@ impl Inside {
 
     /// The foot ring and the underside.
     fn foot(&self) -> Vec<DVec2> {
-        let (out, within) = (FOOT.y, FOOT.y - FOOT.z);
+        let (out, within) = (FOOT_RADIUS, FOOT_RADIUS - FOOT_WIDTH);
         // The root of the ring lies on the outside.
         let root = (0..=ROWS * 8).map(|k| self.outside(WIDE * k as f64 / (ROWS * 8) as f64).0);
         let root = root.take_while(|p| p.x <= out).last().unwrap_or_default();
         let under = self.low - THICK[0];
-        let round = 0.3 * FOOT.z;
+        let round = 0.3 * FOOT_WIDTH;
         vec![
             DVec2::new(root.x, root.y),
             DVec2::new(out - 0.2 * round, round),

@@ -1,6 +1,7 @@
 //! Rice ball and block: closed surfaces.
 
 use super::cuboid::cuboid;
+use super::edges;
 use super::piled::PiledShape;
 use crate::trimesh::Soup;
 use glam::DVec3;
@@ -9,10 +10,14 @@ use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 /// The block for the numbers `[height, depth, round]`.
 pub(super) fn block(n: &[f64], edge: f64) -> PiledShape {
     let half = 0.5 * DVec3::new(1.0, n[0], n[1]);
-    let radius = 0.98 * n[2] * half.min_element();
-    // Narrow edges have no slivers.
-    let step = (FRAC_1_SQRT_2 * edge).min(4.0 * radius);
-    let (mut surface, _) = cuboid(half, radius, step);
+    let most = half.min_element();
+    let make = |step: f64| {
+        // Neither narrow edges nor narrow sides have slivers.
+        let step = step.min(4.0 * n[2] * most);
+        let is_narrow = 2.0 * (1.0 - n[2]) * most < 0.25 * step;
+        cuboid(half, if is_narrow { most } else { n[2] * most }, step).0
+    };
+    let mut surface = edges::within(edge, FRAC_1_SQRT_2, make);
     surface.positions.iter_mut().for_each(|p| p.y += half.y);
     PiledShape::free(surface)
 }
@@ -28,7 +33,7 @@ struct Onigiri {
 }
 
 /// The power of the profile from one face to the other: 2 is an ellipse, high ones are flat.
-const FLATNESS: f64 = 2.8;
+const FLATNESS: f64 = 3.1;
 /// Directions in which an outline is measured.
 const DIRECTIONS: usize = 720;
 /// How often vertices move to the middle of their neighbours.
@@ -39,7 +44,7 @@ impl Onigiri {
     fn new(n: &[f64]) -> (Self, DVec3, DVec3) {
         let mut form = Self {
             power: 7.0 - 4.0 * n[1],
-            circle: 0.45 + 0.15 * n[1],
+            circle: 0.5 + 0.2 * n[1],
             half: 1.0,
         };
         let outline = (0..DIRECTIONS).map(|k| {
@@ -64,7 +69,10 @@ impl Onigiri {
         let sum: f64 = sides.into_iter().map(power).sum();
         let plan = libm::pow(sum + power(self.circle * radius), 1.0 / self.power);
         let profile = |x: f64| libm::pow(x, FLATNESS);
-        libm::pow(profile(plan) + profile(p.z.abs() / self.half), 1.0 / FLATNESS)
+        libm::pow(
+            profile(plan) + profile(p.z.abs() / self.half),
+            1.0 / FLATNESS,
+        )
     }
 
     /// A box that is drawn onto the form, with squares of about this size.
@@ -72,7 +80,9 @@ impl Onigiri {
         let (half, middle) = (0.5 * (hi - lo), 0.5 * (lo + hi));
         let (mut soup, _) = cuboid(half, 0.9 * half.min_element(), step);
         let onto = |p: DVec3| p / self.norm(p);
-        soup.positions.iter_mut().for_each(|p| *p = onto(*p + middle));
+        soup.positions
+            .iter_mut()
+            .for_each(|p| *p = onto(*p + middle));
         for _ in 0..EASINGS {
             ease(&mut soup, onto);
         }
@@ -98,27 +108,8 @@ fn ease(soup: &mut Soup, onto: impl Fn(DVec3) -> DVec3) {
 pub(super) fn rice_ball(n: &[f64], edge: f64) -> PiledShape {
     let (form, lo, hi) = Onigiri::new(n);
     let scale = 1.0 / (hi - lo).max_element();
-    let wanted = edge / scale;
-    let mut step = wanted * FRAC_1_SQRT_2;
-    let mut soup = form.mesh(lo, hi, step);
-    // The step follows the longest edge.
-    for _ in 0..3 {
-        let longest = longest(&soup);
-        if longest <= wanted {
-            break;
-        }
-        step *= 0.98 * wanted / longest;
-        soup = form.mesh(lo, hi, step);
-    }
+    let mut soup = edges::within(edge / scale, FRAC_1_SQRT_2, |step| form.mesh(lo, hi, step));
     let places = soup.positions.iter_mut();
     places.for_each(|p| *p = (*p - lo.y * DVec3::Y) * scale);
     PiledShape::free(soup)
-}
-
-fn longest(soup: &Soup) -> f64 {
-    let lengths = soup.triangles.iter().flat_map(|t| {
-        let [a, b, c] = t.map(|v| soup.positions[v as usize]);
-        [a.distance(b), b.distance(c), c.distance(a)]
-    });
-    lengths.fold(0.0, f64::max)
 }

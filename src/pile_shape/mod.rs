@@ -1,13 +1,14 @@
 //! Shapes made for piles: heaps, a rice ball, a block, a bowl and an open box.
 //!
-//! A shape has a surface, on which the bodies of a pile are thrown, and the walls that they do not pass. Bowls and boxes
-//! are seen, too: each is a vessel around its content.
+//! A shape has a surface, on which the bodies of a pile are thrown, and the walls that they do not pass. Bowls and
+//! boxes are seen, too: each is a vessel around its content.
 //!
 //! y is up. A shape stands on y = 0, with its middle over the origin, and its largest side is about 1.
 
 mod bowl;
 mod closed;
 mod cuboid;
+mod edges;
 pub(crate) mod numbers;
 mod open;
 mod open_box;
@@ -43,9 +44,9 @@ const EDGES: [f64; 2] = [0.004, 0.25];
 impl PileShape {
     /// All shapes.
     pub const ALL: [Self; 6] = [
+        Self::RiceBall,
         Self::Heap,
         Self::Dome,
-        Self::RiceBall,
         Self::Block,
         Self::Bowl,
         Self::OpenBox,
@@ -84,7 +85,8 @@ impl PileShape {
     }
 
     /// Makes the shape. `numbers` are those of [`Self::numbers`]: they are clamped to their ranges, and defaults stand
-    /// for missing ones. `edge` is the wanted length of the longest edges, as a share of 1; it is clamped to 0.004..0.25.
+    /// for missing ones. `edge` is the wanted length of the longest edges, as a share of 1; it is clamped to
+    /// 0.004..0.25.
     pub fn build(self, numbers: &[f64], edge: f64) -> PiledShape {
         let each = self.numbers().iter().enumerate();
         let n: Vec<f64> = each

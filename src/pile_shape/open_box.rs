@@ -9,11 +9,11 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 /// The thickness of boards, and the radius of their edges.
 const THICK: f64 = 0.05;
-const ROUND: f64 = 0.006;
+const ROUND: f64 = 0.008;
 /// The joints between boards, and the distance of boards from the walls, so that bodies do not cut them.
 const GAP: f64 = 0.001;
 /// The distance of the content from the walls.
-const INSET: f64 = 0.03;
+const INSET: f64 = 0.035;
 /// The squares of boards.
 const BOARD_STEP: f64 = 0.05;
 
@@ -48,9 +48,8 @@ pub(super) fn open_box(n: &[f64], edge: f64) -> PiledShape {
 /// The least and greatest corners of the boards: front and back over the whole width, the sides between them, and the
 /// floor between all.
 fn boards(outer: DVec3, inner: DVec3) -> [(DVec3, DVec3); 5] {
-    let board = |x: [f64; 2], y: f64, z: [f64; 2]| {
-        (DVec3::new(x[0], 0.0, z[0]), DVec3::new(x[1], y, z[1]))
-    };
+    let board =
+        |x: [f64; 2], y: f64, z: [f64; 2]| (DVec3::new(x[0], 0.0, z[0]), DVec3::new(x[1], y, z[1]));
     let (x, z) = (inner.x + GAP, inner.z + GAP);
     let (wide, deep) = ([-outer.x, outer.x], [-inner.z, inner.z]);
     [

@@ -1,13 +1,14 @@
 //! Surfaces about the y axis.
 
+use super::edges;
 use crate::trimesh::Soup;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// The distance between rings, in steps around, for equilateral triangles.
 const ROW: f64 = 0.866_025_403_784_438_6;
-/// The steps around, as a share of the longest edges: diagonals between unlike rings are longer.
-const STEP: f64 = 0.85;
+/// The first step around, as a share of the longest edges: diagonals between unlike rings are longer.
+const STEP: f64 = 0.88;
 /// Samples of a profile.
 const SAMPLES: usize = 1024;
 
@@ -21,7 +22,10 @@ struct Round {
 /// A disc of even triangles that face up. `profile` runs from the axis outwards as its argument goes from 0 to 1: the
 /// distance from the axis, and the height. `edge` is the length of the longest edges.
 pub(super) fn disc(profile: impl Fn(f64) -> DVec2, edge: f64) -> Soup {
-    let step = STEP * edge;
+    edges::within(edge, STEP, |step| stepped(&profile, step))
+}
+
+fn stepped(profile: &impl Fn(f64) -> DVec2, step: f64) -> Soup {
     let mut soup = Soup::default();
     soup.positions.push(place(profile(0.0), 0.0));
     let mut last = Round {
@@ -29,7 +33,7 @@ pub(super) fn disc(profile: impl Fn(f64) -> DVec2, edge: f64) -> Soup {
         count: 1,
         turn: 0.0,
     };
-    for at in even(&profile, ROW * step) {
+    for at in even(profile, ROW * step) {
         let count = ((TAU * at.x / step).round() as usize).max(6);
         let ring = Round {
             first: soup.positions.len(),
@@ -77,7 +81,8 @@ fn sew(soup: &mut Soup, inner: &Round, outer: &Round) {
         let (a, b) = (name(inner, i), name(outer, j));
         let (after_a, after_b) = (name(inner, i + 1), name(outer, j + 1));
         let far = |p: u32, q: u32| soup.positions[p as usize].distance(soup.positions[q as usize]);
-        let is_inner = i < steps(inner) && (j == steps(outer) || far(after_a, b) <= far(a, after_b));
+        let is_inner =
+            i < steps(inner) && (j == steps(outer) || far(after_a, b) <= far(a, after_b));
         if is_inner {
             soup.triangles.push([a, after_a, b]);
             i += 1;
@@ -91,7 +96,8 @@ fn sew(soup: &mut Soup, inner: &Round, outer: &Round) {
 /// The cosine of the angle beyond which a profile has a crease.
 const CREASE: f64 = 0.766;
 
-/// The surface that a profile sweeps as it turns: vertices, which are double along creases, their normals, and triangles.
+/// The surface that a profile sweeps as it turns: vertices, which are double along creases, their normals, and
+/// triangles.
 /// The outside lies to the left of the profile, seen with the axis on the left.
 pub(super) fn turned(profile: &[DVec2], around: usize) -> (Soup, Vec<DVec3>) {
     let (mut soup, mut normals) = (Soup::default(), Vec::new());
@@ -100,7 +106,13 @@ pub(super) fn turned(profile: &[DVec2], around: usize) -> (Soup, Vec<DVec3>) {
         let [ahead, behind] = sides(profile, k);
         let is_crease = ahead.dot(behind) < CREASE;
         let smooth = (ahead + behind).normalize();
-        let first = ring(&mut soup, &mut normals, around, p, if is_crease { behind } else { smooth });
+        let first = ring(
+            &mut soup,
+            &mut normals,
+            around,
+            p,
+            if is_crease { behind } else { smooth },
+        );
         if let Some(before) = before {
             band(&mut soup, around, before, first);
         }
@@ -117,8 +129,16 @@ fn sides(profile: &[DVec2], k: usize) -> [DVec2; 2] {
     let p = profile[k];
     let mirrored = |q: DVec2| DVec2::new(2.0 * p.x - q.x, q.y);
     let last = profile.len() - 1;
-    let before = if k > 0 { profile[k - 1] } else { mirrored(profile[1]) };
-    let after = if k < last { profile[k + 1] } else { mirrored(profile[last - 1]) };
+    let before = if k > 0 {
+        profile[k - 1]
+    } else {
+        mirrored(profile[1])
+    };
+    let after = if k < last {
+        profile[k + 1]
+    } else {
+        mirrored(profile[last - 1])
+    };
     [after - p, p - before].map(|d| d.perp().normalize())
 }
 

@@ -84,6 +84,8 @@ export interface Timing {
   machine: string;
   /** The paper's parts of the work, with the stages here that do the same. */
   parts: { name: string; stages: string[]; seconds: number }[];
+  /** The number of bodies in the paper's figure; 0 if it is not printed. */
+  bodies: number;
 }
 ";
 
@@ -199,6 +201,10 @@ fn timing_object(timing: &Timing) -> Object {
             ("seconds", part.seconds.into()),
         ])
     };
-    let parts: Array = timing.parts.iter().map(part).collect();
-    object(&[("machine", timing.machine.into()), ("parts", parts.into())])
+    let parts: Array = timing.parts().map(part).collect();
+    object(&[
+        ("machine", timing.machine.into()),
+        ("parts", parts.into()),
+        ("bodies", timing.bodies.unwrap_or(0).into()),
+    ])
 }

@@ -10,6 +10,9 @@ export const digests = lines('digests.txt').map((line) => /** @type {[name: stri
 /** Digests of surfaces with their links. */
 export const surfaces = lines('surfaces.txt').map((line) => /** @type {[digest: string, link: string]} */ (line.split(' ')));
 
+/** Digests of piles with their links. */
+export const piles = lines('piles.txt').map((line) => /** @type {[digest: string, link: string]} */ (line.split(' ')));
+
 /** Hashes of frames, each with its camera (empty for the usual one) and its link. */
 export const frames = lines('frames.txt').map((line) => {
   const [hash = '', camera = '', link = ''] = line.split(' ');

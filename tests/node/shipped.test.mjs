@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { all, Canvas, moduleIn } from '../../scripts/lib/headless.mjs';
-import { digests, frames, surfaces, varied } from '../common/golden.mjs';
+import { digests, frames, piles, surfaces, varied } from '../common/golden.mjs';
 import { pageModule, wholeModule } from '../../scripts/lib/wasm.mjs';
 
 /** @type {any} */
@@ -97,7 +97,7 @@ test('the module that makes all has the same planes, bodies and frames', async (
   for (const { name, link } of presets) {
     if (chosen.has(name)) assert.equal(all.digest_of_link(link), golden.get(name), name);
   }
-  for (const [digest, link] of surfaces) assert.equal(all.digest_of_link(link), digest, link);
+  for (const [digest, link] of [...surfaces, ...piles]) assert.equal(all.digest_of_link(link), digest, link);
   for (const { hash, camera, link } of frames) assert.equal(all.frame_of_link(link, camera), hash, link);
 });
 

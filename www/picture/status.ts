@@ -106,10 +106,11 @@ export class StatusLine {
     if (changed) return [t('after', { name })];
     const parts: (string | HTMLElement)[] = [make('strong', {}, preset.note ? t('titled', { name }) : t('titled_only', { name })), ...(preset.note ? [` ${preset.note}`] : [])];
     if (preset.timing) {
-      const { machine, parts: timed } = preset.timing;
+      const { machine, parts: timed, bodies } = preset.timing;
+      const among = (n: number): string => (bodies ? t('among_bodies', { n }) : '');
       const what = capital(timed.map(({ name }) => partIn(name)).join(t('and')));
-      const theirs = timed.map((part) => `${part.seconds} s`).join(t('and'));
-      const ours = stage === 'done' ? timed.map((part) => ourSeconds(part.stages, status)).join(t('and')) : '…';
+      const theirs = timed.map((part) => `${part.seconds} s`).join(t('and')) + among(bodies);
+      const ours = stage === 'done' ? timed.map((part) => ourSeconds(part.stages, status)).join(t('and')) + among(status.cells) : '…';
       parts.push(make('span', { class: 'seconds', title: t('timing_title', { what, machine }) }, t(stage === 'done' ? 'timing' : 'timing_open', { what, theirs, ours })));
     }
     return parts;

@@ -5,9 +5,7 @@ use super::params::{DartParams, TypeParams};
 use super::site::Site;
 use crate::component::Component;
 use crate::notice::{Code, Notice};
-use crate::pile::{
-    Dart, Darting, Kind, LayerDarting, Shape, expected_darts, merge, natural_range,
-};
+use crate::pile::{Dart, Darting, Kind, LayerDarting, Shape, expected_darts, merge, natural_range};
 use crate::trimesh::TriMesh;
 use glam::DVec3;
 use std::rc::Rc;

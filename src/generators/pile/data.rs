@@ -53,7 +53,10 @@ impl PileText<'_> {
         let [merged, walls, removed, kept] =
             [Fate::Merged, Fate::Walls, Fate::Removed, Fate::Kept].map(count);
         let components = list(self.variants(), |(word, number, mesh, spheres)| {
-            format!("{{\"name\":\"{word}-{number}\",{},\"spheres\":{spheres}}}", faces(mesh))
+            format!(
+                "{{\"name\":\"{word}-{number}\",{},\"spheres\":{spheres}}}",
+                faces(mesh)
+            )
         });
         let touches = contacts(self.bodies, self.kinds, self.params.offset);
         let bodies = list(self.kept(), |body| {
@@ -147,7 +150,9 @@ fn faces(mesh: &TriMesh) -> String {
     let vertices = list(mesh.positions().iter(), |p| {
         format!("[{}]", numbers(p.to_array()))
     });
-    let faces = list(mesh.triangles().iter(), |[a, b, c]| format!("[{a},{b},{c}]"));
+    let faces = list(mesh.triangles().iter(), |[a, b, c]| {
+        format!("[{a},{b},{c}]")
+    });
     format!("\"vertices\":{vertices},\"faces\":{faces}")
 }
 

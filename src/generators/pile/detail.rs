@@ -24,6 +24,11 @@ const SKIN_GRAIN: GrainStrength = GrainStrength {
     height: 0.12,
 };
 
+/// The id of a wooden box in the scene.
+pub(super) const BOX_ID: u32 = u32::MAX;
+/// Units of wood in a unit of the scene.
+const BOX_UNITS: f32 = 4.0;
+
 /// A body at rest, as its detail needs it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Own {
@@ -76,6 +81,10 @@ struct Local {
 
 impl Detail for PileDetail {
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
+        if id == BOX_ID {
+            self.noise.board(surfel, spread);
+            return;
+        }
         let own = self.owns.get((id as usize).wrapping_sub(1));
         let Some(own) = own.and_then(Option::as_ref) else {
             return;
@@ -93,7 +102,8 @@ impl Detail for PileDetail {
         let light = self.noise.light(texture, &local);
         surfel.colour = surfel.colour.map(|v| lesser(v * light, 255.0));
         let mut normal = local.normal;
-        self.noise.grain(texture, &local, &mut surfel.colour, &mut normal);
+        self.noise
+            .grain(texture, &local, &mut surfel.colour, &mut normal);
         surfel.normal = unit[0] * normal.x + unit[1] * normal.y + unit[2] * normal.z;
         if let Some(water) = self.water {
             self.soak(surfel, own, water);
@@ -109,7 +119,10 @@ impl PileDetail {
     /// Wets what lies below the water's edge, which is uneven.
     fn soak(&self, surfel: &mut Surfel, own: &Own, water: f32) {
         let at = surfel.position * 40.0;
-        let uneven = self.noise.tile.between(at.x + 0.6 * at.y, at.z - 0.6 * at.y);
+        let uneven = self
+            .noise
+            .tile
+            .between(at.x + 0.6 * at.y, at.z - 0.6 * at.y);
         let below = (water + EDGE * uneven - surfel.position.y) / EDGE + 0.5;
         let soaked = below.clamp(0.0, 1.0);
         let factor = 1.0 + (SOAKED - 1.0) * soaked;
@@ -121,6 +134,22 @@ impl PileDetail {
 }
 
 impl PileNoise {
+    /// The wood of a box, whose boards lie along its sides.
+    fn board(&self, surfel: &mut Surfel, spread: f32) {
+        let turned = |v: Vec3| match surfel.normal.x.abs() > surfel.normal.z.abs() {
+            true => Vec3::new(v.z, v.y, v.x),
+            false => v,
+        };
+        let local = Local {
+            at: turned(surfel.position) * BOX_UNITS,
+            normal: turned(surfel.normal),
+            spread: spread * BOX_UNITS,
+            offset: Vec2::ZERO,
+        };
+        let light = self.light(Texture::Wood, &local);
+        surfel.colour = surfel.colour.map(|v| lesser(v * light, 255.0));
+    }
+
     /// The factor of a texture on the colour.
     fn light(&self, texture: Texture, local: &Local) -> f32 {
         let p = local.at;
@@ -136,7 +165,10 @@ impl PileNoise {
                 let broad = self.from_sides(local, 3.0, &read);
                 let fine = self.from_sides(local, 11.0, &read);
                 let fine = 0.6 * fine + 0.4 * fine * fine.abs();
-                greater(1.0 + speckle * (0.7 * broad * shown(3.0) + fine * shown(11.0)), 0.2)
+                greater(
+                    1.0 + speckle * (0.7 * broad * shown(3.0) + fine * shown(11.0)),
+                    0.2,
+                )
             }
             Texture::Wood => {
                 // Rings about an axis beside the body, along its length.
@@ -166,7 +198,9 @@ impl PileNoise {
         let n = local.normal * local.normal;
         let weights = n * n / greater((n * n).element_sum(), 1e-6);
         let p = local.at * waves;
-        weights.x * read(p.z, p.y) + weights.y * read(p.x + 31.0, p.z) + weights.z * read(p.x, p.y + 17.0)
+        weights.x * read(p.z, p.y)
+            + weights.y * read(p.x + 31.0, p.z)
+            + weights.z * read(p.x, p.y + 17.0)
     }
 
     /// Adds the finest grain to colour and normal.

@@ -234,10 +234,9 @@ fn fates(piled: &Piled, ground: &BareSurface) -> Diagram {
 /// The bodies, blue where they are apart, green where they touch, and red where they overlap by more than T + D.
 fn overlap(piled: &Piled) -> Diagram {
     let deepest = deepest_overlaps(piled.bodies, piled.kinds);
-    let limit = piled.offset + piled.removal;
     let colour = |body: &PiledBody| {
         let own = deepest[body.dart as usize];
-        bytes(between_three(own, limit))
+        bytes(between_three(own, (piled.offset, piled.removal)))
     };
     let most = deepest.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     Diagram {
@@ -246,15 +245,15 @@ fn overlap(piled: &Piled) -> Diagram {
     }
 }
 
-/// Blue below 0, green up to the limit, then red.
-fn between_three(value: f64, limit: f64) -> [f32; 3] {
+/// Blue below 0, green up to an offset, and red from `more` beyond that on.
+fn between_three(value: f64, (offset, more): (f64, f64)) -> [f32; 3] {
     let mix = |a: [f32; 3], b: [f32; 3], part: f64| {
         let part = part.clamp(0.0, 1.0) as f32;
         std::array::from_fn(|k| a[k] + (b[k] - a[k]) * part)
     };
     match value {
         value if value < 0.0 => mix(APART, TOUCHING, 1.0 + value / 0.3),
-        value => mix(TOUCHING, DEEP, (value - 0.5 * limit) / (0.5 * limit).max(1e-6)),
+        value => mix(TOUCHING, DEEP, (value - offset - 1e-6) / more.max(1e-6)),
     }
 }
 
@@ -296,7 +295,7 @@ impl Detail for DepthDetail {
         let at = surfel.position.as_dvec3();
         let depth = |s: &Sphere| s.radius - at.distance(s.centre);
         let deepest = spheres.iter().map(depth).fold(f64::NEG_INFINITY, f64::max);
-        surfel.colour = between_three(deepest / self.radii[k], 0.3);
+        surfel.colour = between_three(deepest / self.radii[k], (0.0, 0.3));
     }
 }
 
@@ -359,9 +358,7 @@ fn disk(colour: [u8; 3]) -> Surface {
     for j in 0..DISK {
         let top = |j: usize| first + 1 + 2 * (j % DISK) as u32;
         surface.triangles.push([first, top(j + 1), top(j)]);
-        surface
-            .triangles
-            .push([top(j), top(j + 1), top(j + 1) + 1]);
+        surface.triangles.push([top(j), top(j + 1), top(j + 1) + 1]);
         surface.triangles.push([top(j), top(j + 1) + 1, top(j) + 1]);
     }
     surface

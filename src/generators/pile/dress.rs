@@ -53,7 +53,9 @@ impl Dressing {
         let finish = params.finishes[kind];
         let mut levels = drawn(component).skip(dressing.levels.len());
         if let Some(level) = levels.next() {
-            let surface = level.surface(component.crease, |mark| finish.shared_colour(mark));
+            let surface = level.surface(component.crease, |mark| {
+                finish.variant_colour(mark, variant as u64)
+            });
             dressing.levels.push(surface);
             return Ok(None);
         }
@@ -75,8 +77,7 @@ impl Dressing {
 fn drawn(component: &Component) -> impl Iterator<Item = &Level> {
     let last = component.levels.len() - 1;
     let levels = component.levels.iter().enumerate();
-    let fits = move |(k, level): &(usize, &Level)| {
-        *k == last || level.mesh.triangles().len() <= MOST
-    };
+    let fits =
+        move |(k, level): &(usize, &Level)| *k == last || level.mesh.triangles().len() <= MOST;
     levels.filter(fits).map(|(_, level)| level)
 }

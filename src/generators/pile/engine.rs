@@ -1,7 +1,7 @@
 //! The engine of piles, for the studio.
 
 use super::PileEngine;
-use super::params::Params;
+use super::params::PileParams;
 use super::stages::BODIES;
 use crate::export::{MeshOrder, MeshSize, Report};
 use crate::generators::scene_picture;
@@ -17,7 +17,7 @@ use crate::scene::Frame;
 
 impl Engine for PileEngine {
     fn ask(&mut self, recipe: &Recipe) {
-        self.made.ask(Params::new(recipe));
+        self.made.ask(PileParams::new(recipe));
     }
 
     fn stale(&self) -> Option<usize> {

@@ -1,4 +1,4 @@
-//! What is told about a body, and about a view.
+//! The measures of a body, and the caption of a view.
 
 use super::PileEngine;
 use super::subject::ViewScene;

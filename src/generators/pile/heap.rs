@@ -1,18 +1,16 @@
 //! The scene of a pile: bodies in their places, the shape and its container.
 
-use super::detail::{Own, PileDetail, PileNoise};
+use super::detail::{BOX_ID, Own, PileDetail, PileNoise};
 use super::dress::Dressed;
-use super::materials::{SHAPE_ROW, VESSEL_ROW, row};
+use super::materials::{CHINA_ROW, SHAPE_ROW, WOOD_ROW, row};
 use super::params::{BodyParams, CoreShown, DressParams};
 use super::site::Site;
-use crate::component::Finish;
 use crate::order::lesser;
 use crate::pile::{Body as Piled, Fate, Kind};
 use crate::random::{Purpose, Random};
 use crate::scene::{Body, Instance, Paint, Place, Scene};
 use crate::surface_stones::Fit;
 use crate::surface_views::BareSurface;
-use glam::Vec3;
 use std::rc::Rc;
 
 /// The reach of ambient occlusion, in mean diagonals of the types.
@@ -21,6 +19,12 @@ const REACH: f64 = 0.35;
 const SOIL: [u8; 3] = [112, 96, 76];
 /// ... and of another shape that is seen.
 const BARE: [u8; 3] = [150, 143, 132];
+/// The word of wooden containers, their colour, and how much boards differ.
+const WOOD: &str = "wood";
+const OAK: [f32; 3] = [186.0, 146.0, 98.0];
+const BOARDS: f32 = 0.08;
+/// The colour of china.
+const CHINA: [u8; 3] = [226, 228, 226];
 
 /// Everything that a pile's scene is made of.
 #[derive(Clone, Copy)]
@@ -72,7 +76,7 @@ impl Heap {
             let colour = if site.is_ground { SOIL } else { BARE };
             ground.add_to(&mut scene, SHAPE_ROW, 0.0, colour);
         }
-        add_vessel(&mut scene, site, fit);
+        add_vessel(&mut scene, site, fit, look.seed);
         let base = scene.bodies.len() as u32;
         scene.bodies.extend(dressed.bodies.iter().cloned());
         Self {
@@ -123,7 +127,7 @@ impl Heap {
             place,
             id: body.dart + 1,
             paint: Some(Paint {
-                tint: tint(finish, parts.look, u64::from(body.dart)),
+                tint: finish.tint(seed, u64::from(body.dart), parts.look.vary),
                 material: row(kind, false, false),
             }),
         });
@@ -150,15 +154,6 @@ pub(super) fn place(body: &Piled, fit: Fit) -> Place {
     }
 }
 
-/// The tint of a body: `vary` scales its difference from the mean.
-fn tint(finish: &Finish, look: &BodyParams, id: u64) -> [u8; 3] {
-    let (own, mean) = (finish.tint(look.seed, id), finish.mean_tint());
-    std::array::from_fn(|k| {
-        let (own, mean) = (f32::from(own[k]), mean[k]);
-        lesser(mean + (own - mean) * look.vary + 0.5, 255.0) as u8
-    })
-}
-
 /// The height in the scene up to which the pile is wet.
 fn water(site: &Site, fit: Fit, wet: f32) -> Option<f32> {
     let (low, high) = site.mesh.bounds();
@@ -166,19 +161,30 @@ fn water(site: &Site, fit: Fit, wet: f32) -> Option<f32> {
     (wet > 0.0).then_some(low + wet * (high - low))
 }
 
-fn add_vessel(scene: &mut Scene, site: &Site, fit: Fit) {
+/// Adds the container; its boards differ in tone.
+fn add_vessel(scene: &mut Scene, site: &Site, fit: Fit, seed: u64) {
     let Some(vessel) = &site.vessel else {
         return;
     };
-    let mut surface = vessel.surface.clone();
+    let is_wood = vessel.material == WOOD;
+    let mut surface = match is_wood {
+        true => vessel.clone().coloured(|board, _| {
+            let mut random = Random::new(seed, Purpose::Ground, u64::from(board));
+            let tone = 1.0 + BOARDS * random.signed() as f32;
+            OAK.map(|v| lesser(v * tone, 255.0) as u8)
+        }),
+        false => vessel.clone().coloured(|_, _| CHINA),
+    }
+    .surface;
     for p in &mut surface.positions {
         *p = fit.place(p.as_dvec3());
     }
     scene.instances.push(Instance {
         body: scene.bodies.len() as u32,
-        place: Place::at(Vec3::ZERO),
-        id: 0,
+        place: Place::default(),
+        id: if is_wood { BOX_ID } else { 0 },
         paint: None,
     });
-    scene.bodies.push(Body::new(vec![surface], VESSEL_ROW));
+    let row = if is_wood { WOOD_ROW } else { CHINA_ROW };
+    scene.bodies.push(Body::new(vec![surface], row));
 }

@@ -3,7 +3,7 @@
 use super::darting::Placing;
 use super::params::ComponentSource;
 use super::schema::FILE;
-use super::stages::{BODIES, REFINE, Stages};
+use super::stages::{BODIES, PileStages, REFINE};
 use crate::graph::Wiring;
 use crate::pile::{Body, Fate, Kind, Refining};
 use glam::DVec3;
@@ -16,7 +16,7 @@ pub(super) struct Thrown {
     pub darts: Vec<(u32, DVec3, DVec3)>,
 }
 
-impl Stages {
+impl PileStages {
     /// The darts so far; none before the first is thrown.
     pub fn darts(&self) -> Thrown {
         let thrown = |placing: &Placing| Thrown {

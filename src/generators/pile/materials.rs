@@ -5,10 +5,11 @@ use crate::material::{Gloss, Material};
 
 /// The row of the shape where it is seen, ...
 pub(super) const SHAPE_ROW: u8 = 0;
-/// ... and that of the container.
-pub(super) const VESSEL_ROW: u8 = 1;
+/// ... those of containers of china and of wood.
+pub(super) const CHINA_ROW: u8 = 1;
+pub(super) const WOOD_ROW: u8 = 2;
 /// The first row of the types.
-const TYPES: usize = 2;
+const TYPES: usize = 3;
 /// Rows of each type: bodies and their parts, dry and wet.
 const EACH: usize = 4;
 
@@ -21,7 +22,11 @@ pub(super) fn row(kind: usize, is_part: bool, is_wet: bool) -> u8 {
 pub(super) fn materials(finishes: &[&'static Finish], gloss: Gloss) -> Vec<Material> {
     let mut table = vec![
         Material::new(1.0, 1.0, 0.0, 4.0),
-        Material::new(1.0, 0.9, 0.25, 40.0),
+        Material {
+            mirror: 0.6,
+            ..Material::new(1.0, 0.9, 0.3, 70.0)
+        },
+        Material::new(1.0, 0.95, 0.1, 14.0),
     ];
     for finish in finishes {
         let dry = [finish.body, finish.rest].map(|own| gloss.applied_to(own));

@@ -20,6 +20,8 @@ mod schema;
 mod site;
 mod stages;
 mod subject;
+#[cfg(test)]
+mod tests;
 mod views;
 
 pub use schema::keys;
@@ -28,8 +30,8 @@ use super::scene_picture::{Saving, ScenePicture};
 use super::{Course, Generator, Views};
 use crate::export::SceneFile;
 use crate::recipe::{Recipe, Schema};
-use params::Params;
-use stages::Stages;
+use params::PileParams;
+use stages::PileStages;
 
 /// The parameters of a pile.
 pub static SCHEMA: Schema = Schema {
@@ -57,7 +59,9 @@ pub static PILE: Generator = Generator {
         bases: &views::WORDS,
         overlays: &[],
     },
-    offers: &["frames", "models", "cut", "bodies", "compare", "mesh", "forming"],
+    offers: &[
+        "frames", "models", "cut", "bodies", "compare", "mesh", "forming",
+    ],
     names: &["c1", "form"],
     chance: "pile",
     home: "330,24,2.75,28",
@@ -67,7 +71,7 @@ pub static PILE: Generator = Generator {
 
 /// The engine: its stages, and what is looked at.
 pub struct PileEngine {
-    made: Stages,
+    made: PileStages,
     picture: ScenePicture<PileEngine>,
     /// The unfinished mesh file.
     saving: Option<Saving<SceneFile>>,
@@ -77,7 +81,7 @@ impl PileEngine {
     /// Starts with all its work to be done.
     pub fn new(recipe: &Recipe) -> Self {
         Self {
-            made: Stages::new(&Params::new(recipe)),
+            made: PileStages::new(&PileParams::new(recipe)),
             picture: ScenePicture::default(),
             saving: None,
         }

@@ -1,11 +1,11 @@
 //! Turns a recipe into the parameters of each stage.
 
+use super::materials::materials;
 use super::schema::{FILE, NONE, ROWS, TYPE_KEYS, TypeKeys, keys};
 use crate::component::{ComponentKind, FINISHES, Finish};
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
 use crate::generators::scene_picture::AskedFile;
-use super::materials::materials;
 use crate::light::ShadeParams;
 use crate::material::Gloss;
 use crate::pile::{Method, Order, Reading, RefineParams, Turn};
@@ -16,7 +16,7 @@ use glam::DVec3;
 
 /// The parameters of the stages.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Params {
+pub(super) struct PileParams {
     pub files: Vec<AskedFile>,
     pub components: ComponentParams,
     pub dress: DressParams,
@@ -85,7 +85,7 @@ pub(super) struct TypeParams {
     pub range: Option<f64>,
 }
 
-/// How darts are thrown, and what is heaped on them.
+/// How darts are thrown, and how bodies are heaped on them.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DartParams {
     pub types: Vec<TypeParams>,
@@ -110,7 +110,7 @@ pub(super) enum CoreShown {
 /// How bodies look.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct BodyParams {
-    pub vary: f32,
+    pub vary: f64,
     pub gloss: Gloss,
     /// The share of the height that is wet.
     pub wet: f32,
@@ -118,7 +118,7 @@ pub(super) struct BodyParams {
     pub seed: u64,
 }
 
-impl Params {
+impl PileParams {
     pub fn new(recipe: &Recipe) -> Self {
         let mut files = Vec::new();
         let types: Vec<&TypeKeys> = TYPE_KEYS
@@ -206,8 +206,7 @@ fn numbers(recipe: &Recipe, word: &str) -> Vec<f64> {
 /// The finish of a type: the given one, else that of its component.
 fn finish(recipe: &Recipe, own: &TypeKeys) -> &'static Finish {
     let word = recipe.choice(own.finish);
-    let given = FINISHES.iter().find(|finish| finish.word == word);
-    given.unwrap_or_else(|| {
+    Finish::of_word(word).unwrap_or_else(|| {
         let kind = ComponentKind::of_word(recipe.choice(own.component));
         kind.map_or(&FINISHES[0], ComponentKind::finish)
     })
@@ -266,7 +265,7 @@ fn refine(recipe: &Recipe) -> RefineParams {
 
 fn bodies(recipe: &Recipe) -> BodyParams {
     BodyParams {
-        vary: recipe.number(keys::VARY) as f32,
+        vary: recipe.number(keys::VARY),
         gloss: Gloss::of_word(recipe.choice(keys::GLOSS)),
         wet: recipe.number(keys::WET) as f32,
         core: match recipe.choice(keys::CORE) {

@@ -122,10 +122,7 @@ const fn finish(number: usize) -> Parameter {
 }
 
 const fn scale(number: usize) -> Parameter {
-    of_type(
-        number,
-        number_of("s", "Size").range(0.2, 5.0, 0.05, 1.0),
-    )
+    of_type(number, number_of("s", "Size").range(0.2, 5.0, 0.05, 1.0))
 }
 
 const fn density(number: usize) -> Parameter {
@@ -177,7 +174,7 @@ const FINISHES: &[Choice] = choices![
     walnut: "Dark wood", bean: "Red beans", blackbean: "Black beans", cashew: "Cashew",
     almond: "Almond", leaf: "Autumn leaves", greenleaf: "Green leaves", orange: "Orange",
     apple: "Red apples", greenapple: "Green apples", red: "Red", blue: "Blue", yellow: "Yellow",
-    white: "White", ivory: "Ivory", clay: "Clay", glass: "Glass",
+    white: "White", toys: "Many paints", ivory: "Ivory", clay: "Clay", nutshell: "Nutshells", glass: "Glass",
 ];
 
 const UPRIGHT: &[Choice] = choices![y: "y", z: "z"];

@@ -93,8 +93,7 @@ impl SiteMaking {
         Ok(match &params.source {
             SiteSource::Pile(shape, numbers) => {
                 let made = shape.build(numbers, EDGE).scaled(by);
-                let building =
-                    MeshBuilding::new(made.surface.positions, made.surface.triangles);
+                let building = MeshBuilding::new(made.surface.positions, made.surface.triangles);
                 let around = Surroundings {
                     walls: made.walls,
                     vessel: made.vessel,

@@ -5,9 +5,7 @@ use super::components::{Components, ComponentsMaking};
 use super::darting::{Placed, Placing};
 use super::dress::{Dressed, Dressing};
 use super::heap::{Heap, HeapParts};
-use super::params::{
-    BodyParams, ComponentParams, DartParams, DressParams, Params, SiteParams,
-};
+use super::params::{BodyParams, ComponentParams, DartParams, DressParams, PileParams, SiteParams};
 use super::site::{Site, SiteMaking};
 use crate::generators::MissingFile;
 use crate::generators::scene_picture::{
@@ -34,7 +32,7 @@ const STEPS: usize = 160;
 const MOST: usize = 12;
 
 /// A pile's bodies in the scene.
-pub(super) struct Bodies {
+pub(super) struct PileScene {
     pub scene: Rc<Scene>,
     /// The digest of the scene.
     pub digest: String,
@@ -43,7 +41,7 @@ pub(super) struct Bodies {
 }
 
 /// The nodes of the stages, and the files given for them.
-pub(super) struct Stages {
+pub(super) struct PileStages {
     pub files: GivenFiles,
     /// The last components, which stay while only other types change.
     kept: Components,
@@ -54,11 +52,11 @@ pub(super) struct Stages {
     pub(super) ground: Node<(), BareSurface, BareSurface>,
     pub(super) placed: Node<DartParams, Placing, Placed>,
     pub(super) settled: Node<RefineParams, Refining, Refining>,
-    pub(super) bodies: Node<BodyParams, Heap, Bodies>,
+    pub(super) bodies: Node<BodyParams, Heap, PileScene>,
     pub(super) still: Node<StillParams, StillRender, Vec<u8>>,
 }
 
-impl Wiring for Stages {
+impl Wiring for PileStages {
     type Stage = usize;
 
     const TASKS: &'static [Task<Self>] = &[
@@ -69,13 +67,18 @@ impl Wiring for Stages {
         task!(2, placed, [components, site], Self::make_darts),
         task!(REFINE, dressed, [components], Self::make_dressed),
         task!(REFINE, settled, [placed, site], Self::refine),
-        task!(BODIES, bodies, [settled, ground, dressed], Self::make_bodies),
+        task!(
+            BODIES,
+            bodies,
+            [settled, ground, dressed],
+            Self::make_bodies
+        ),
         task!(5, still, [bodies], Self::make_still),
     ];
 }
 
 /// Camera and light of the picture.
-fn still(params: &Params) -> StillParams {
+fn still(params: &PileParams) -> StillParams {
     StillParams {
         camera: PILE.camera(),
         light: params.light(),
@@ -84,9 +87,9 @@ fn still(params: &Params) -> StillParams {
     }
 }
 
-impl Stages {
+impl PileStages {
     /// Starts with nothing made.
-    pub fn new(params: &Params) -> Self {
+    pub fn new(params: &PileParams) -> Self {
         Self {
             files: GivenFiles::default(),
             kept: Components::default(),
@@ -103,7 +106,7 @@ impl Stages {
     }
 
     /// Notes the parameters of the latest recipe.
-    pub fn ask(&mut self, params: Params) {
+    pub fn ask(&mut self, params: PileParams) {
         self.still.ask(still(&params));
         self.loaded.ask(params.files);
         self.components.ask(params.components);
@@ -138,7 +141,10 @@ impl Stages {
     /// Remarks on files that were mended, and on sizes that do not fit well.
     pub fn remarks(&self) -> Vec<Notice> {
         let components = self.current(&self.components);
-        let of_files = components.into_iter().flatten().flat_map(|one| &one.notices);
+        let of_files = components
+            .into_iter()
+            .flatten()
+            .flat_map(|one| &one.notices);
         let placed = self.current(&self.placed);
         let of_sizes = placed.into_iter().flat_map(|placed| &placed.remarks);
         of_files.chain(of_sizes).cloned().collect()
@@ -194,7 +200,10 @@ impl Stages {
             let new = || {
                 let walls = site.walls.clone();
                 let Placed {
-                    kinds, darts, stays, ..
+                    kinds,
+                    darts,
+                    stays,
+                    ..
                 } = placed;
                 Refining::new(&site.mesh, darts, stays, kinds.clone(), walls, params)
             };
@@ -205,7 +214,7 @@ impl Stages {
         })
     }
 
-    /// What the scene of this pile is made of, once all of it is there.
+    /// The parts of this pile's scene, once all of them are there.
     pub(super) fn parts(&self) -> Option<HeapParts<'_>> {
         Some(HeapParts {
             site: self.site.made()?,
@@ -235,7 +244,7 @@ impl Stages {
             };
             heap.update(parts, settled.bodies(), settled.history());
             let scene = heap.finish();
-            Ok(Some(Bodies {
+            Ok(Some(PileScene {
                 digest: scene.digest(),
                 scene: Rc::new(scene),
                 settled: revision,

@@ -135,10 +135,7 @@ impl SceneSource for PileEngine {
     }
 
     fn finished(&self, view: &str) -> Option<&[u8]> {
-        let is_picture = matches!(
-            PileView::of_words(view),
-            PileView::Auto | PileView::Picture
-        );
+        let is_picture = matches!(PileView::of_words(view), PileView::Auto | PileView::Picture);
         (is_picture && self.made.at().is_none()).then(|| self.made.picture())
     }
 }

@@ -284,8 +284,8 @@ fn presets_of_the_skins_have_the_parameters_of_table_1() {
         assert_eq!(recipe.number(keys::SIZE), 512.0, "{name}");
         let timed = preset
             .timing
-            .map(|timing| timing.parts.map(|part| part.seconds));
-        assert_eq!(timed, seconds, "{name}");
+            .map(|timing| timing.parts().map(|part| part.seconds).collect::<Vec<_>>());
+        assert_eq!(timed, seconds.map(|pair| pair.to_vec()), "{name}");
         let kind = recipe.choice(keys::KIND);
         assert!(
             ["ellipse", "rectangle"].contains(&kind),

@@ -14,18 +14,17 @@ const fn timing(packing: f64, texture: f64) -> Option<Timing> {
     let (first, second) = stage::WORDS.split_at(3);
     Some(Timing {
         machine: "Pentium II, 300 MHz",
-        parts: [
-            MeasuredPart {
-                name: "packing",
-                stages: first,
-                seconds: packing,
-            },
-            MeasuredPart {
-                name: "texture",
-                stages: second,
-                seconds: texture,
-            },
-        ],
+        first: MeasuredPart {
+            name: "packing",
+            stages: first,
+            seconds: packing,
+        },
+        second: Some(MeasuredPart {
+            name: "texture",
+            stages: second,
+            seconds: texture,
+        }),
+        bodies: None,
     })
 }
 

@@ -12,18 +12,17 @@ const fn timing(tessellation: f64, skin: f64) -> Option<Timing> {
     let (first, rest) = stage::WORDS.split_at(5);
     Some(Timing {
         machine: "Pentium III, 933 MHz",
-        parts: [
-            MeasuredPart {
-                name: "tessellation",
-                stages: first,
-                seconds: tessellation,
-            },
-            MeasuredPart {
-                name: "skin",
-                stages: rest.split_at(2).0,
-                seconds: skin,
-            },
-        ],
+        first: MeasuredPart {
+            name: "tessellation",
+            stages: first,
+            seconds: tessellation,
+        },
+        second: Some(MeasuredPart {
+            name: "skin",
+            stages: rest.split_at(2).0,
+            seconds: skin,
+        }),
+        bodies: None,
     })
 }
 

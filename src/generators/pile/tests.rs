@@ -1,0 +1,274 @@
+//! Properties of the generator's table, and of the piles of its presets and of recipes at random.
+
+use super::schema::{FILE, NONE, ROWS, TYPE_KEYS, keys};
+use super::{PILE, PileEngine, SCHEMA};
+use crate::component::{ComponentKind, FINISHES};
+use crate::generators::{ALL, Engine};
+use crate::notice::{Code, Notice};
+use crate::pile::{Dart, Fate, Kind, deepest_overlap, same_side};
+use crate::pile_shape::PileShape;
+use crate::random::{Purpose, Random};
+use crate::recipe::Recipe;
+use crate::shapes::Shape;
+use crate::trimesh::{SurfacePoint, TriMesh};
+use glam::DVec3;
+
+/// Points of the shape that are looked at.
+const PROBES: usize = 2_000;
+
+/// The engine of a recipe, up to its bodies; or the sentence with which it stopped.
+fn settled(recipe: &Recipe) -> Result<PileEngine, Notice> {
+    let mut engine = PileEngine::new(recipe);
+    while engine.is_forming() {
+        if let Some(notice) = engine.failure() {
+            return Err(notice.clone());
+        }
+        engine.advance();
+    }
+    Ok(engine)
+}
+
+fn recipe(link: &str) -> Recipe {
+    let (recipe, notices) = ALL.recipe(link);
+    assert!(notices.is_empty(), "{link}: {notices:?}");
+    recipe
+}
+
+#[test]
+fn there_is_a_word_for_each_component_shape_and_finish() {
+    let words = |key: &str| {
+        let row = SCHEMA.row(key).expect("a row");
+        let words = row.choices.iter().map(|choice| choice.word);
+        words.filter(|&word| ![FILE, NONE, "own"].contains(&word))
+    };
+    for own in TYPE_KEYS {
+        let of_type = words(own.component.0).map(ComponentKind::of_word);
+        let kinds: Vec<_> = of_type.collect();
+        assert!(kinds.iter().all(Option::is_some));
+        assert_eq!(kinds.len(), ComponentKind::ALL.len());
+        let finishes: Vec<&str> = words(own.finish.0).collect();
+        assert_eq!(finishes.len(), FINISHES.len());
+        let has = |word: &str| finishes.contains(&word);
+        assert!(FINISHES.iter().all(|finish| has(finish.word)));
+    }
+    let forms: Vec<&str> = words("form").collect();
+    let all = PileShape::ALL.map(PileShape::word);
+    let all = all.into_iter().chain(Shape::ALL.map(Shape::word));
+    assert_eq!(forms, all.collect::<Vec<_>>());
+}
+
+#[test]
+fn there_is_a_row_for_each_number_of_a_pile_shape() {
+    for shape in PileShape::ALL {
+        let own = |row: &&crate::recipe::Parameter| {
+            let of = row.shown_for;
+            of.is_some_and(|(key, of)| key == keys::FORM && of == [shape.word()])
+        };
+        let rows: Vec<_> = ROWS.iter().filter(own).collect();
+        assert_eq!(rows.len(), shape.numbers().len(), "{}", shape.word());
+        for (row, number) in rows.iter().zip(shape.numbers()) {
+            assert_eq!(row.key.0, format!("{}_{}", shape.word(), number.word));
+            assert_eq!((row.min, row.max), (number.least, number.most));
+            assert_eq!((row.default, row.name), (number.default, number.label));
+        }
+    }
+}
+
+/// Points of a mesh, uniform by area.
+fn probes(mesh: &TriMesh) -> Vec<SurfacePoint> {
+    let mut sum = 0.0;
+    let add = |t| {
+        sum += mesh.area_of(t);
+        sum
+    };
+    let sums: Vec<f64> = (0..mesh.triangles().len() as u32).map(add).collect();
+    let mut random = Random::new(9, Purpose::Scatter, 0);
+    let point = |_| {
+        let share = random.unit() * sum;
+        let triangle = sums.partition_point(|&end| end <= share);
+        let [a, b] = [random.unit(), random.unit()];
+        let [a, b] = if a + b > 1.0 {
+            [1.0 - a, 1.0 - b]
+        } else {
+            [a, b]
+        };
+        let weights = DVec3::new(a, b, 1.0 - a - b);
+        SurfacePoint::new(mesh, triangle.min(sums.len() - 1) as u32, weights)
+    };
+    (0..PROBES).map(point).collect()
+}
+
+/// The darts of a type on the surface itself, by place along x, so that near ones are found soon.
+fn sorted(darts: &[Dart], kind: u32) -> Vec<Dart> {
+    let own = |dart: &&Dart| dart.kind == kind && dart.layer == 0;
+    let mut own: Vec<Dart> = darts.iter().filter(own).copied().collect();
+    own.sort_by(|a, b| a.at.x.total_cmp(&b.at.x));
+    own
+}
+
+/// The distance of a place to the nearest dart of its side, as far as it is below `reach`.
+fn nearest(darts: &[Dart], (at, normal): (DVec3, DVec3), reach: f64) -> f64 {
+    let first = darts.partition_point(|dart| dart.at.x < at.x - reach);
+    let near = darts[first..].iter();
+    let near = near.take_while(|dart| dart.at.x <= at.x + reach);
+    let near = near.filter(|dart| dart.at != at && same_side(dart.normal, normal));
+    near.map(|dart| dart.at.distance(at))
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Darts of one type are a spacing apart, none is alone, and no place of the shape is farther from them.
+fn assert_even(engine: &PileEngine, name: &str) {
+    let placed = engine.made.placed.made().expect("darts");
+    let mesh = &engine.made.site.made().expect("a shape").mesh;
+    let probes = probes(mesh);
+    for (kind, own) in (0..).zip(placed.kinds.iter()) {
+        let darts = sorted(&placed.darts, kind);
+        let spacing = own.spacing();
+        for dart in &darts {
+            let away = nearest(&darts, (dart.at, dart.normal), 2.0 * spacing);
+            assert!(away >= spacing, "{name}: {away} of {spacing}");
+        }
+        for probe in &probes {
+            let away = nearest(&darts, (probe.at, probe.normal), 1.01 * spacing);
+            assert!(
+                away <= 1.005 * spacing,
+                "{name}: a hole of {away} of {spacing}"
+            );
+        }
+    }
+}
+
+/// Bodies overlap by no more than is allowed, and each is within its range; each dart has a fate.
+fn assert_settled(engine: &PileEngine, name: &str) {
+    let placed = engine.made.placed.made().expect("darts");
+    let pile = engine.made.settled.made().expect("bodies");
+    let kinds: &[Kind] = &placed.kinds;
+    let params = engine.made.settled.params();
+    let limit = params.offset + params.removal;
+    if params.method == crate::pile::Method::Exact {
+        let deepest = deepest_overlap(pile.bodies(), kinds);
+        assert!(deepest <= limit + 1e-4, "{name}: {deepest} of {limit}");
+    }
+    for body in pile.bodies().iter().filter(|b| b.fate == Fate::Kept) {
+        let (low, high) = body.range;
+        assert!(low <= body.t && body.t <= high, "{name}: {}", body.t);
+        assert!(body.place().is_finite());
+    }
+    let counts = [Fate::Kept, Fate::Merged, Fate::Walls, Fate::Removed];
+    let counts = counts.map(|fate| engine.made.count(fate));
+    assert_eq!(counts.iter().sum::<usize>(), placed.darts.len(), "{name}");
+    assert!(counts[0] > 0, "{name} is empty");
+}
+
+#[test]
+fn piles_of_presets_are_even_and_in_bounds() {
+    for preset in PILE.presets {
+        let engine = settled(&recipe(preset.link)).expect(preset.name);
+        assert_even(&engine, preset.name);
+        assert_settled(&engine, preset.name);
+    }
+}
+
+/// Presets give no notice: neither about their links, nor about their sizes.
+#[test]
+fn presets_are_canonical_and_fit() {
+    for preset in PILE.presets {
+        let recipe = recipe(preset.link);
+        assert_eq!(recipe.link(), preset.link, "{}", preset.name);
+        assert!(!preset.link.contains("size="), "{}", preset.name);
+        let engine = settled(&recipe).expect(preset.name);
+        let remarks = engine.remarks();
+        assert!(remarks.is_empty(), "{}: {remarks:?}", preset.name);
+    }
+}
+
+/// A failed recipe says which code it stopped with.
+fn stopped(link: &str) -> Code {
+    match settled(&recipe(link)) {
+        Ok(_) => panic!("{link} has a pile"),
+        Err(notice) => notice.code,
+    }
+}
+
+#[test]
+fn impossible_piles_are_refused_before_any_dart_is_thrown() {
+    assert_eq!(
+        stopped("make=pile&c1=leaf&sigma1=0.3&ps=20"),
+        Code::PileMany
+    );
+    assert_eq!(stopped("make=pile&c1=ball&sigma1=8&ps=6"), Code::PileFew);
+    assert_eq!(
+        stopped("make=pile&c1=ball&k1=5&sigma1=0.3&ps=5"),
+        Code::PileTooLarge
+    );
+}
+
+#[test]
+fn the_spacing_of_the_sentence_fits() {
+    let link = "make=pile&c1=rice&ps=30&sigma1=";
+    let Err(notice) = settled(&recipe(&format!("{link}0.5"))) else {
+        panic!("no refusal");
+    };
+    let fits = notice.args.iter().find(|(name, _)| *name == "fits");
+    let Some((_, crate::notice::Arg::Text(fits))) = fits else {
+        panic!("{notice}");
+    };
+    let mut engine = PileEngine::new(&recipe(&format!("{link}{fits}")));
+    while engine.at().is_some_and(|at| at < 3) {
+        assert_eq!(engine.failure(), None);
+        engine.advance();
+    }
+}
+
+/// A range of length 0 leaves bodies where their darts are.
+#[test]
+fn without_a_range_bodies_stay_at_their_darts() {
+    let engine = settled(&recipe("make=pile&c1=pebble&l1=0&ps=6&sigma1=2")).expect("a pile");
+    let pile = engine.made.settled.made().expect("bodies");
+    let kept = pile.bodies().iter().filter(|b| b.fate == Fate::Kept);
+    let moved = kept.filter(|body| body.t.abs() > 1e-9).count();
+    assert_eq!(moved, 0);
+}
+
+#[test]
+fn components_stay_while_others_change() {
+    let mut engine = settled(&recipe("make=pile&c1=ball&ps=5&variants=2")).expect("a pile");
+    let runs = |engine: &PileEngine| engine.runs();
+    let before = runs(&engine);
+    engine.ask(&recipe("make=pile&c1=ball&ps=5&variants=2&offset=0.1"));
+    engine.take_up();
+    while engine.is_forming() {
+        engine.advance();
+    }
+    let after = runs(&engine);
+    assert_eq!(before[..3], after[..3]);
+    assert_eq!(after[3], before[3] + 1);
+}
+
+#[test]
+fn wishes_at_random_end_in_a_pile_or_a_sentence() {
+    let forms = [
+        "riceball", "heap", "bowl", "openbox", "terrain", "sphere", "torus", "letter",
+    ];
+    for k in 0..12 {
+        let mut random = Random::new(4, Purpose::Attribute, k);
+        let mut pick = |words: &[&str]| words[random.below(words.len())].to_owned();
+        let kinds = ["rice", "pebble", "ball", "box", "nut", "leaf"];
+        let (one, two) = (pick(&kinds), pick(&["none", "ball", "chestnut"]));
+        let link = format!(
+            "make=pile&c1={one}&c2={two}&k2=1.3&form={}&ps={}&layers={}&variants=2&offset={}&order={}",
+            pick(&forms),
+            pick(&["5", "7"]),
+            pick(&["1", "2"]),
+            pick(&["0", "0.2"]),
+            pick(&["random", "scan"]),
+        );
+        match settled(&recipe(&link)) {
+            Ok(engine) => {
+                assert_even(&engine, &link);
+                assert_settled(&engine, &link);
+            }
+            Err(notice) => println!("{link}: {notice}"),
+        }
+    }
+}
