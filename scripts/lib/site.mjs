@@ -68,7 +68,7 @@ function weigh() {
   const weights = thumbs.map((path) => weightOf(path)).sort((a, b) => b - a);
   console.log(`${kilobytes(sum(weights))}  ${thumbs.length} small pictures of presets`);
   console.log(`${kilobytes(sum(files.map((path) => weightOf(path))))}  in all (gzipped)`);
-  // The words of surfaces (ja-surface) come with the second module.
+  // The words of surfaces and piles (ja-surface, ja-pile) come with the second module.
   const language = files.filter((path) => /^assets\/ja-[\w-]{8}\.js$/.test(path));
   if (!language.length) throw new Stop('The site has no words in Japanese.');
   const visit = sum([...first, ...language].map((path) => weightOf(path))) + sum(weights.slice(0, thumbsInSight));

@@ -58,6 +58,11 @@ test('the first press on Piles shows what the small picture promises, and its bo
   assert.deepEqual(await page.$$eval('#view option', (options) => options.slice(2, 4).map((option) => option.textContent)), ['Darts', 'Inner spheres']);
   assert.ok((await page.evaluate(() => window.bubblestone.status().stones)) > 100);
   await page.waitForSelector('[data-preset=rice-ball][aria-current]');
+  // Colours change neither the component nor the shape.
+  await page.evaluate(() => (Math.random = () => 0.9));
+  await click(page, '#throw-colours');
+  await page.waitForFunction(() => window.bubblestone.get('vary') === '1.25');
+  assert.equal(await link(page), 'v=1&make=pile&vary=1.25');
   assert.deepEqual(problems, []);
   await close();
 });

@@ -1,6 +1,6 @@
 // States of the page that together show each of its parts once, and the steps to reach them. Tests check all of them.
 // Their pictures are in target/page-pictures/.
-import { all, BALL, digest, frames, message, SMALL, SQUARE } from './page.mjs';
+import { all, BALL, digest, frames, message, PILE, SMALL, SQUARE } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -123,6 +123,7 @@ export const states = {
     },
   },
   surface: { fragment: `${BALL}&view=direction`, arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
+  pile: { fragment: `${PILE}&cut=0,1,0,0.05`, arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
   about: { arrange: click('#about-button') },
 };
 

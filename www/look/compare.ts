@@ -75,7 +75,7 @@ export class Compare {
     this.link.addEventListener('change', () => this.follow(true));
     document.addEventListener('keydown', (event) => this.key(event));
     this.store.on(['recipe', 'held'], () => this.follow());
-    this.store.on(['recipe', 'held', 'camera'], () => this.host?.moved());
+    this.store.on(['recipe', 'held', 'camera', 'cut'], () => this.host?.moved());
     this.store.on(['view', 'overlays'], () => this.host?.loop.redraw());
     this.store.on(['beside'], () => this.store.state.compare && this.lay());
   }
@@ -179,6 +179,7 @@ export class Compare {
       canvas: this.canvas,
       view: () => this.view.words,
       camera: () => this.store.state.camera,
+      cut: () => this.store.state.cut,
       held: () => this.store.state.held,
       worked: (stage) => this.chosen.worked(stage),
       crashed: () => this.failed(),

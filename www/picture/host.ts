@@ -14,7 +14,7 @@
 import { wantsStill } from '../base/dom';
 import { isEnd } from '../module/stages';
 import { Engine } from '../state/engine';
-import type { Camera } from '../state/viewing';
+import type { Camera, Cut } from '../state/viewing';
 import type { FrameCanvas } from './frames/canvas';
 import { Loop } from './loop';
 
@@ -28,6 +28,8 @@ interface Showing {
    * `frames` are drawn into the canvas; else another part of the page shows them.
    */
   readonly camera?: () => Camera | undefined;
+  /** The plane beyond which bodies are cut away. */
+  readonly cut?: () => Cut | undefined;
   /** Whether something is being dragged; then frames are fast rather than fine. */
   readonly held?: () => boolean;
   /** Called after work up to this stage. `changed` is true if the picture may have changed, `drawn` if it was drawn. */

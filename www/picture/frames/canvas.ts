@@ -1,7 +1,7 @@
 /** Frames of an engine on a plain canvas, as large as the screen shows it. */
-import { cameraWords, homeOf } from '../../state/asked-view';
+import { cameraWords, homeOf, wholeBodies } from '../../state/asked-view';
 import type { Engine } from '../../state/engine';
-import type { Camera } from '../../state/viewing';
+import type { Camera, Cut } from '../../state/viewing';
 import { LocalFrames } from './local';
 import type { Beat } from './source';
 
@@ -17,6 +17,8 @@ interface Sight {
   readonly view: () => string;
   /** The camera; undefined for the usual one. */
   readonly camera?: () => Camera | undefined;
+  /** The plane beyond which bodies are cut away, if the generator offers that. */
+  readonly cut?: () => Cut | undefined;
   /** Whether something is being dragged. */
   readonly held?: () => boolean;
 }
@@ -62,7 +64,7 @@ export class FrameCanvas {
     const fine = Math.min(devicePixelRatio, MOST / Math.max(clientWidth, clientHeight));
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * fine)) as [number, number];
     const home = homeOf(engine.generator);
-    this.painter.want({ link: engine.link(), subject: '', camera: cameraWords(sight.camera?.() ?? home, home), width, height, plane: 'light', cut: '', moving: sight.held?.() === true || this.stopping !== 0 });
+    this.painter.want({ link: engine.link(), subject: '', camera: cameraWords(sight.camera?.() ?? home, home), width, height, plane: 'light', cut: engine.offers('cut') ? wholeBodies(sight.cut?.()) : '', moving: sight.held?.() === true || this.stopping !== 0 });
   }
 
   private show(frame: ImageBitmap): void {
