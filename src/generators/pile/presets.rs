@@ -60,32 +60,32 @@ pub const PRESETS: &[Preset] = &[
     preset(
         ["Showpieces", "rice-ball", "Rice ball"],
         "Damp grains of every length lie packed without a hole, as if pressed by hand.",
-        "v=1&make=pile&sigma1=1.3&riceball_thick=0.48&riceball_round=0.6&ps=9.5&yaw=-20",
+        "v=1&make=pile&k1=0.85&sigma1=1.25&riceball_thick=0.48&riceball_round=0.6&ps=9.5&yaw=-20",
     ),
     preset(
         ["Showpieces", "chestnut-box", "Chestnut box"],
         "Lacquered chestnuts fill an open box, and none of them cuts through the wood.",
-        "v=1&make=pile&c1=chestnut&sigma1=1.1&form=openbox&ps=8&alpha=0.6",
+        "v=1&make=pile&c1=chestnut&sigma1=1&form=openbox&openbox_full=0.95&ps=8&alpha=0.85",
     ),
     preset(
         ["Showpieces", "fruit-basket", "Basket of fruit"],
         "Apples and oranges sink into a bed of walnuts, with a second layer below the first.",
-        "v=1&make=pile&c1=apple&sigma1=2&l1=1&c2=apple&f2=greenapple&sigma2=2.1&l2=1&c3=orange&k3=0.9&sigma3=2&l3=1&c4=walnut&k4=0.5&sigma4=1.9&form=bowl&ps=8&layers=2&merge=alone&alpha=0.65&first=mixed",
+        "v=1&make=pile&c1=apple&sigma1=1.8&l1=1&c2=apple&f2=greenapple&sigma2=2.3&l2=1&c3=orange&k3=0.9&sigma3=1.8&l3=1&c4=walnut&k4=0.5&sigma4=2.1&form=bowl&bowl_full=0.55&ps=8&layers=2&merge=alone&seed=3&first=mixed",
     ),
     preset(
         ["Showpieces", "oranges", "Oranges in a bowl"],
         "Every orange has its pores, and here and there a stalk end looks up.",
-        "v=1&make=pile&c1=orange&sigma1=1.05&form=bowl&bowl_full=0.3&ps=8",
+        "v=1&make=pile&c1=orange&sigma1=1.05&form=bowl&bowl_full=0.45&ps=8&layers=2",
     ),
     preset(
         ["Showpieces", "wet-pebbles", "Wet pebbles"],
         "River pebbles shine dark below the waterline and lie pale and dry above it.",
-        "v=1&make=pile&c1=pebble&sigma1=1.3&form=heap&heap_height=0.4&ps=11&wet=0.45&el=40",
+        "v=1&make=pile&c1=smooth&f1=river&sigma1=1.35&form=heap&heap_height=0.42&ps=11&gloss=matt&wet=0.45",
     ),
     preset(
         ["Showpieces", "chestnut-rice", "Chestnut rice"],
         "Chestnuts sit deep in the rice, as their range is short and they settle first.",
-        "v=1&make=pile&c1=chestnut&k1=1.3&sigma1=3.4&l1=0.1&c2=rice&k2=0.9&sigma2=1.2&riceball_thick=0.5&ps=10.5&yaw=-20",
+        "v=1&make=pile&c1=chestnut&k1=1.2&sigma1=3.3&l1=0.1&c2=rice&k2=0.8&sigma2=1.1&riceball_thick=0.5&yaw=-20",
     ),
     preset(
         ["Showpieces", "nuts-bolts", "Nuts and bolts"],
@@ -100,12 +100,12 @@ pub const PRESETS: &[Preset] = &[
     preset(
         ["Showpieces", "cashews", "Cashews"],
         "Cream kernels with darker tips curl around each other in a bowl.",
-        "v=1&make=pile&c1=cashew&k1=1.2&sigma1=1.35&tu1=150&tw1=150&form=bowl&ps=9&alpha=0.7",
+        "v=1&make=pile&c1=cashew&k1=1.2&sigma1=1.35&tu1=150&tw1=150&form=bowl&bowl_full=0.55&ps=9&alpha=0.7",
     ),
     preset(
         ["Showpieces", "autumn-leaves", "Autumn leaves"],
         "Low light from the side shines through the leaves of a raked heap.",
-        "v=1&make=pile&c1=leaf&k1=1.8&sigma1=6.5&tu1=80&tw1=80&l1=1&form=heap&heap_height=0.38&ps=12&offset=0.05&alpha=0.5&az=200&el=35",
+        "v=1&make=pile&c1=leaf&k1=2&sigma1=6.4&tu1=80&tw1=80&l1=1&form=heap&heap_height=0.38&ps=12&offset=0.05&alpha=0.5&az=225&el=30&amb=1.2&diff=1.2",
     ),
     preset(
         ["Showpieces", "bean-letter", "Bean letter"],
@@ -115,27 +115,12 @@ pub const PRESETS: &[Preset] = &[
     preset(
         ["Showpieces", "stones-hill", "Stones on a hill"],
         "Large stones lie half buried in the ground, and small ones gather between them.",
-        "v=1&make=pile&c1=pebble&k1=2.2&sigma1=2.2&tu1=60&tw1=60&l1=0.2&c2=pebble&k2=0.8&sigma2=1.4&form=terrain&terrain_hills=2&terrain_height=0.5&ps=16&yaw=20&alpha=0.4",
+        "v=1&make=pile&c1=smooth&f1=river&k1=2.2&sigma1=2.2&tu1=60&tw1=60&l1=0.2&c2=smooth&f2=river&k2=0.8&sigma2=1.6&l2=1.2&form=terrain&terrain_hills=2&terrain_height=0.5&ps=16&yaw=20&alpha=0.4&gloss=matt",
     ),
     preset(
         ["Shapes and vessels", "nut-bowl", "Bowl of nuts"],
         "Walnuts, almonds and cashews are mixed in equal parts in a white bowl.",
-        "v=1&make=pile&c1=walnut&k1=1.1&sigma1=1.9&l1=1&c2=almond&k2=0.8&sigma2=2.2&c3=cashew&k3=0.9&sigma3=2.4&form=bowl&ps=8.5&merge=alone&alpha=0.7&first=mixed",
-    ),
-    preset(
-        ["Shapes and vessels", "marbles", "Glass marbles"],
-        "Marbles of five colours fill a bowl to the rim.",
-        "v=1&make=pile&c1=ball&f1=glass&k1=0.8&sigma1=0.9&form=bowl&ps=9",
-    ),
-    preset(
-        ["Shapes and vessels", "quartz-egg", "Quartz egg"],
-        "Smooth white pebbles cover an egg, and no two of them are alike.",
-        "v=1&make=pile&c1=smooth&sigma1=1.25&form=egg&ps=11&alpha=0.9",
-    ),
-    preset(
-        ["Shapes and vessels", "leaf-fish", "Fish of leaves"],
-        "Green and autumn leaves lie flat on a fish, like scales.",
-        "v=1&make=pile&c1=leaf&f1=greenleaf&k1=1.3&sigma1=11&tu1=30&tv1=60&tw1=30&l1=0.5&c2=leaf&k2=1.1&sigma2=11&tu2=30&tv2=60&tw2=30&l2=0.5&form=fish&ps=17&merge=alone&alpha=0.9&first=mixed",
+        "v=1&make=pile&c1=walnut&k1=1.1&sigma1=1.9&l1=1&c2=almond&k2=0.8&sigma2=2.2&c3=cashew&k3=0.9&sigma3=2.4&form=bowl&bowl_full=0.6&ps=8.5&merge=alone&alpha=0.7&first=mixed",
     ),
     preset(
         ["Shapes and vessels", "leaf-dome", "Hedge"],
@@ -143,9 +128,29 @@ pub const PRESETS: &[Preset] = &[
         "v=1&make=pile&c1=leaf&f1=greenleaf&k1=1.8&sigma1=6&tu1=60&tw1=60&l1=1&form=dome&ps=12&alpha=0.6",
     ),
     preset(
+        ["Shapes and vessels", "toy-box", "Box of blocks"],
+        "Blue and white blocks tumble into a wooden box.",
+        "v=1&make=pile&c1=box&f1=blue&sigma1=2&c2=box&f2=white&sigma2=2&form=openbox&ps=8&merge=alone&alpha=0.6&first=mixed",
+    ),
+    preset(
+        ["Shapes and vessels", "quartz-egg", "Quartz egg"],
+        "Smooth white pebbles cover an egg, and no two of them are alike.",
+        "v=1&make=pile&c1=smooth&sigma1=1.25&form=egg&ps=11&alpha=0.9",
+    ),
+    preset(
+        ["Shapes and vessels", "sea-glass", "Sea glass"],
+        "Rounded glass of five colours fills a white bowl, as if gathered on a beach.",
+        "v=1&make=pile&c1=smooth&f1=glass&sigma1=1.2&form=bowl&ps=9",
+    ),
+    preset(
+        ["Shapes and vessels", "leaf-fish", "Fish of leaves"],
+        "Green and autumn leaves lie flat on a fish, like scales.",
+        "v=1&make=pile&c1=leaf&f1=greenleaf&k1=1.3&sigma1=11&tu1=30&tv1=60&tw1=30&l1=0.5&c2=leaf&k2=1.1&sigma2=11&tu2=30&tv2=60&tw2=30&l2=0.5&form=fish&ps=17&merge=alone&alpha=0.9&first=mixed",
+    ),
+    preset(
         ["Shapes and vessels", "ivory-knot", "Ivory knot"],
         "Ivory beans follow a knot all along its three lobes.",
-        "v=1&make=pile&c1=bean&f1=ivory&sigma1=1.8&tu1=120&tw1=120&l1=1.2&form=knot&knot_tube=0.6&ps=17&alpha=1",
+        "v=1&make=pile&c1=bean&f1=ivory&sigma1=2&tu1=120&tw1=120&l1=1.2&form=knot&knot_tube=0.6&ps=17&alpha=1",
     ),
     preset(
         ["Shapes and vessels", "nut-letter", "Letter of nuts"],
@@ -153,19 +158,14 @@ pub const PRESETS: &[Preset] = &[
         "v=1&make=pile&c1=nut&sigma1=4.4&tu1=60&tw1=60&l1=1&c2=nut&f2=steel&k2=0.6&sigma2=4.4&tu2=60&tw2=60&form=letter&letter_letter=19&letter_weight=0.2&letter_depth=0.3&letter_round=0.35&ps=16&alpha=1",
     ),
     preset(
+        ["Shapes and vessels", "copper-globe", "Copper globe"],
+        "Copper nuts lean on a ball, and their rings catch the sky on every side.",
+        "v=1&make=pile&c1=nut&f1=copper&sigma1=4.2&tu1=60&tw1=60&l1=1&form=sphere&ps=11&alpha=0.8",
+    ),
+    preset(
         ["Shapes and vessels", "gear-ring", "Ring of gears"],
         "Steel gears and small brass ones lie flat around a ring.",
-        "v=1&make=pile&c1=gear&sigma1=7&tu1=0&tw1=0&l1=0.5&c2=gear&f2=brass&k2=0.65&sigma2=6.5&tu2=0&tw2=0&l2=0.5&form=torus&torus_tube=0.33&ps=16",
-    ),
-    preset(
-        ["Shapes and vessels", "toy-box", "Box of blocks"],
-        "Blue and white blocks tumble into a wooden box.",
-        "v=1&make=pile&c1=box&f1=blue&sigma1=2&c2=box&f2=white&sigma2=2&form=openbox&ps=8&merge=alone&alpha=0.6&first=mixed",
-    ),
-    preset(
-        ["Shapes and vessels", "apple-pyramid", "Apple pyramid"],
-        "Red apples are stacked to a point, with a second layer behind the first.",
-        "v=1&make=pile&c1=apple&sigma1=1.15&l1=2.5&form=heap&heap_height=0.5&heap_round=0.4&ps=8&layers=2&alpha=0.7",
+        "v=1&make=pile&c1=gear&sigma1=7.6&tu1=0&tw1=0&l1=0.5&c2=gear&f2=brass&k2=0.65&sigma2=7.6&tu2=0&tw2=0&l2=0.5&form=torus&torus_tube=0.33&ps=16",
     ),
     preset(
         ["Shapes and vessels", "ammonite", "Ammonite"],
@@ -173,62 +173,67 @@ pub const PRESETS: &[Preset] = &[
         "v=1&make=pile&c1=smooth&sigma1=1.6&tu1=60&tw1=60&l1=1&form=horn&horn_rise=0&ps=17&alpha=1",
     ),
     preset(
+        ["Shapes and vessels", "apple-pyramid", "Apple pyramid"],
+        "Red apples are stacked to a point, with a second layer behind the first.",
+        "v=1&make=pile&c1=apple&sigma1=1.2&l1=2.5&form=heap&heap_height=0.5&heap_round=0.4&ps=8&layers=2&seed=3&alpha=0.9",
+    ),
+    preset(
         ["Shapes and vessels", "basalt-stairs", "Basalt stairs"],
-        "Dark pebbles lie flat on three steps, and the soil shows between them.",
-        "v=1&make=pile&c1=pebble&f1=basalt&k1=0.8&sigma1=1.6&tu1=30&tw1=30&l1=0.35&form=stairs&stairs_steps=3&stairs_width=0.6&ps=18&yaw=20&alpha=0.8",
+        "Dark pebbles lie flat on three steps, as if laid by hand.",
+        "v=1&make=pile&c1=smooth&f1=basalt&sigma1=1.4&tu1=30&tw1=30&l1=0.6&form=stairs&stairs_steps=3&stairs_width=0.6&ps=18&yaw=20&alpha=0.8",
     ),
     figure(
         ["pile9-a", "Fig. 9 (a)", "Fig. 9 (a) of 2014"],
         "Grains of rice turn about the normal only and lie flat on the surface.",
-        "v=1&make=pile&sigma1=1&tu1=0&tw1=0&riceball_thick=0.5&ps=9&offset=0.2&alpha=0&retries=0",
+        "v=1&make=pile&sigma1=1&tu1=0&tw1=0&riceball_thick=0.5&ps=11.3&offset=0.2&alpha=0&retries=0",
         (324.2, 4524),
     ),
     figure(
         ["pile9-c", "Fig. 9 (c)", "Fig. 9 (c) of 2014"],
         "Pebbles turn about the normal only and lie flat on a heap.",
-        "v=1&make=pile&c1=pebble&sigma1=1&tu1=0&tw1=0&form=heap&ps=13.2&offset=0.2&alpha=0&retries=0",
+        "v=1&make=pile&c1=smooth&f1=river&sigma1=1&tu1=0&tw1=0&form=heap&ps=13.2&offset=0.2&alpha=0&retries=0",
         (246.5, 1234),
     ),
     figure(
         ["pile9-e", "Fig. 9 (e)", "Fig. 9 (e) of 2014"],
-        "Beans turn about the normal only and lie flat on an egg.",
-        "v=1&make=pile&c1=bean&k1=1.05&sigma1=1&tu1=0&tw1=0&form=egg&ps=7&offset=0.2&alpha=0&retries=0",
+        "Beans turn about the normal only and lie flat in a bowl.",
+        "v=1&make=pile&c1=bean&sigma1=1&tu1=0&tw1=0&form=bowl&bowl_full=0.2&ps=16.8&offset=0.2&alpha=0&retries=0",
         (182.2, 2089),
     ),
     figure(
         ["pile10-a", "Fig. 10 (a)", "Fig. 10 (a) of 2014"],
         "Rings, balls and blocks have spacings of 4, 2 and 1, and ranges of 1, 2 and 3.",
-        "v=1&make=pile&c1=torus&sigma1=4&l1=1&c2=ball&sigma2=2&c3=box&sigma3=1&l3=3&form=heap&heap_height=0.42&ps=26.5&offset=0.2&alpha=0&first=mixed&retries=0",
+        "v=1&make=pile&c1=torus&sigma1=4&l1=1&c2=ball&sigma2=2&c3=box&sigma3=1&l3=3&form=heap&heap_height=0.42&ps=26.9&offset=0.2&alpha=0&first=mixed&retries=0",
         (51.1, 2523),
     ),
     figure(
         ["pile10-b", "Fig. 10 (b)", "Fig. 10 (b) of 2014"],
         "Chestnuts with a range of 0.1 stay deep in rice with a range of 1.5.",
-        "v=1&make=pile&c1=chestnut&k1=2.4&sigma1=3&l1=0.1&c2=rice&sigma2=1&l2=1.5&riceball_thick=0.5&ps=20&offset=0.2&alpha=0&retries=0",
+        "v=1&make=pile&c1=chestnut&k1=3&sigma1=3&l1=0.1&c2=rice&sigma2=1&l2=1.5&riceball_thick=0.5&ps=24.7&offset=0.2&alpha=0&retries=0",
         (161.99, 7400),
     ),
     figure(
         ["pile11-a", "Fig. 11 (a)", "Fig. 11 (a) of 2014"],
-        "Pebbles keep clear of each other, because the offset T is 0.",
-        "v=1&make=pile&c1=pebble&sigma1=1&l1=8&form=sphere&ps=6.2&offset=0&alpha=0&retries=0",
+        "Walnuts keep clear of each other, because the offset T is 0.",
+        "v=1&make=pile&c1=walnut&sigma1=1&l1=8&form=sphere&ps=8.8&offset=0&alpha=0&retries=0",
         (240.3, 1124),
     ),
     figure(
         ["pile11-b", "Fig. 11 (b)", "Fig. 11 (b) of 2014"],
-        "Pebbles may overlap by an offset T of 0.2, and the pile is denser.",
-        "v=1&make=pile&c1=pebble&sigma1=1&l1=8&form=sphere&ps=13&offset=0.2&alpha=0&retries=0",
+        "Walnuts may overlap by an offset T of 0.2, and the gaps close.",
+        "v=1&make=pile&c1=walnut&sigma1=1&l1=8&form=sphere&ps=18.3&offset=0.2&alpha=0&retries=0",
         (1454.9, 4805),
     ),
     figure(
         ["pile13-a", "Fig. 13 (a)", "Fig. 13 (a) of 2014"],
         "Blocks follow the surface, as their turns start from its own axes.",
-        "v=1&make=pile&c1=box&sigma1=2&tu1=20&tv1=20&tw1=20&l1=3&form=egg&ps=22&offset=0.2&alpha=0&retries=0",
+        "v=1&make=pile&c1=box&sigma1=2&tu1=10&tv1=10&tw1=10&l1=3&form=egg&ps=22&offset=0.2&alpha=0&retries=0",
         (339.0, 2856),
     ),
     figure(
         ["pile13-b", "Fig. 13 (b)", "Fig. 13 (b) of 2014"],
         "Blocks lie in level courses, as their turns start from the axes of space.",
-        "v=1&make=pile&c1=box&sigma1=2&tu1=20&tv1=20&tw1=20&l1=3&form=egg&ps=20.5&frame=global&offset=0.2&alpha=0&retries=0",
+        "v=1&make=pile&c1=box&sigma1=2&tu1=10&tv1=10&tw1=10&l1=3&form=egg&ps=20.5&frame=global&offset=0.2&alpha=0&retries=0",
         (270.6, 2557),
     ),
     figure(
@@ -246,7 +251,7 @@ pub const PRESETS: &[Preset] = &[
     figure(
         ["pile15-a", "Fig. 15 (a)", "Fig. 15 (a) of 2014"],
         "Loose rings lie flat and let the light through a vase.",
-        "v=1&make=pile&c1=torus&sigma1=7.5&tu1=0&tw1=0&l1=6&form=vase&ps=18.5&offset=0.2&alpha=0&retries=0",
+        "v=1&make=pile&c1=torus&sigma1=7.5&tu1=0&tw1=0&l1=6&form=vase&vase_lip=1.2&ps=18.8&seed=3&offset=0.2&alpha=0&retries=0",
         (19.5, 490),
     ),
     figure(
@@ -270,22 +275,22 @@ pub const PRESETS: &[Preset] = &[
     drawn(
         ["The paper's figures", "pile6-alone", "Fig. 6 (a)", "Fig. 6 (a) of 2014"],
         "Rice takes the places of the chestnuts, as the two types are not merged.",
-        "v=1&make=pile&c1=chestnut&k1=1.6&sigma1=2.6&l1=0.3&c2=rice&sigma2=1.2&form=dome&dome_height=0.35&merge=alone&first=mixed",
+        "v=1&make=pile&c1=chestnut&k1=1.6&sigma1=2.6&l1=1&c2=rice&sigma2=1.1&form=dome&dome_height=0.35&merge=alone&alpha=0.4&first=mixed",
     ),
     drawn(
         ["The paper's figures", "pile6-merged", "Fig. 6 (b)", "Fig. 6 (b) of 2014"],
         "Rice leaves room for the chestnuts, as no grain starts within their radius.",
-        "v=1&make=pile&c1=chestnut&k1=1.6&sigma1=2.6&l1=0.3&c2=rice&sigma2=1.2&form=dome&dome_height=0.35&first=mixed",
+        "v=1&make=pile&c1=chestnut&k1=1.6&sigma1=2.6&l1=1&c2=rice&sigma2=1.1&form=dome&dome_height=0.35&alpha=0.4&first=mixed",
     ),
     drawn(
         ["The paper's figures", "pile8-strict", "Fig. 8 (a)", "Fig. 8 (a) of 2014"],
         "Oranges with a short range stay sunk among the pebbles.",
-        "v=1&make=pile&c1=orange&k1=1.4&sigma1=2.6&l1=0.1&c2=smooth&k2=0.8&form=egg&ps=11&offset=0.2&alpha=0&first=mixed",
+        "v=1&make=pile&c1=orange&k1=1.6&sigma1=2.2&l1=0.3&c2=smooth&k2=0.8&l2=1.2&form=egg&ps=12&offset=0.2&alpha=0&first=mixed",
     ),
     drawn(
         ["The paper's figures", "pile8-loose", "Fig. 8 (b)", "Fig. 8 (b) of 2014"],
         "Oranges with a long range stick out of the pebbles.",
-        "v=1&make=pile&c1=orange&k1=1.4&sigma1=2.6&c2=smooth&k2=0.8&form=egg&ps=11&offset=0.2&alpha=0&first=mixed",
+        "v=1&make=pile&c1=orange&k1=1.6&sigma1=2.2&l1=3&c2=smooth&k2=0.8&l2=1.2&form=egg&ps=12&offset=0.2&alpha=0&first=mixed",
     ),
     drawn(
         ["The paper's figures", "pile12-normal", "Fig. 12 (b)", "Fig. 12 (b) of 2014"],
