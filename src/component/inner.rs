@@ -39,6 +39,8 @@ pub(super) struct Effort {
 pub(super) struct Inner {
     /// In the order of choice: each one reduces the gaps most. The first is the largest.
     pub spheres: Vec<Sphere>,
+    /// For each sphere the greatest gap at places of the surface to which it is the nearest one.
+    pub beyond: Vec<f64>,
     /// All medial balls.
     pub pool: Vec<Sphere>,
     pub gaps: Gaps,
@@ -205,6 +207,7 @@ impl InnerMaking {
         let largest = choice.spheres[0].radius;
         let sum: f64 = choice.gaps.iter().sum();
         Inner {
+            beyond: choice.beyond(),
             gaps: Gaps {
                 greatest: choice.greatest() / largest,
                 mean: sum / choice.gaps.len() as f64 / largest,
@@ -240,6 +243,23 @@ impl Choice {
 
     fn greatest(&self) -> f64 {
         self.gaps.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// For each sphere the greatest gap at places to which it is the nearest one.
+    fn beyond(&self) -> Vec<f64> {
+        let mut beyond = vec![0.0_f64; self.spheres.len()];
+        for (place, &gap) in self.places.iter().zip(&self.gaps) {
+            let away = |k: &usize| {
+                let sphere = &self.spheres[*k];
+                place.distance(sphere.centre) - sphere.radius
+            };
+            let all = 0..self.spheres.len();
+            let nearest = all.min_by(|a, b| away(a).total_cmp(&away(b)));
+            if let Some(k) = nearest {
+                beyond[k] = beyond[k].max(gap);
+            }
+        }
+        beyond
     }
 
     fn take(&mut self, ball: Sphere) {

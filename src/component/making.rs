@@ -25,9 +25,9 @@ const VARIED: usize = 20_000;
 const FILE_SPHERES: usize = 48;
 /// The cosine of the angle of a sharp edge in a file.
 const FILE_CREASE: f64 = 0.642_787_609_686_539_3;
-/// Components with a smaller mean gap need no bias; it is at most so large.
-const GAPPY: f64 = 0.15;
-const MOST_BIAS: f64 = 0.3;
+/// The share of its greatest gap by which a sphere is widened, and the most of it, in R.
+const WIDENED: f64 = 0.5;
+const WIDEST: f64 = 1.0;
 
 /// Points per square of their least distance in a full distribution over a surface, measured.
 pub const FULL_COVER: f64 = 0.69;
@@ -39,6 +39,8 @@ pub struct Component {
     pub levels: Vec<Level>,
     /// Its inner spheres in the order of choice; the first has the radius [`Component::radius`] and the centre 0.
     pub spheres: Vec<Sphere>,
+    /// For each sphere the greatest gap between it and a place of the surface to which it is the nearest one.
+    pub beyond: Vec<f64>,
     /// R: the radius of its largest inner sphere, which is the distance from the origin to the finest mesh.
     pub radius: f64,
     /// d: the diagonal of its bounding box.
@@ -73,18 +75,21 @@ impl Component {
             volume: mesh.closed().map_or(0.0, |body| body.volume()),
             gaps: inner.gaps,
             spheres: moved(&inner.spheres, -centre),
+            beyond: inner.beyond.clone(),
             crease,
             levels,
         }
     }
 
-    /// The number by which radii of spheres are enlarged, in R: half the mean gap of sharp or flat bodies, at most 0.3;
-    /// 0 for others.
-    pub fn bias(&self) -> f64 {
-        match self.gaps.mean {
-            ..GAPPY => 0.0,
-            mean => (0.5 * mean).min(MOST_BIAS),
-        }
+    /// The spheres by which bodies are pushed apart. Each is wider than its inner sphere by half of the greatest gap to
+    /// the surface that is nearest to it, at most by R: so bodies overlap as much in some places as they are
+    /// apart in others.
+    pub fn widened(&self) -> impl Iterator<Item = Sphere> {
+        let pairs = self.spheres.iter().zip(&self.beyond);
+        pairs.map(|(sphere, beyond)| Sphere {
+            radius: sphere.radius + (WIDENED * beyond).min(WIDEST * self.radius),
+            ..*sphere
+        })
     }
 
     /// M1: the mean number of layers at density 1.

@@ -16,7 +16,7 @@ pub struct Shape {
     pub radius: f64,
     /// d, the diagonal of the bounding box.
     pub diagonal: f64,
-    /// The greatest distance of the surface from the origin.
+    /// The greatest distance of the surface and of the spheres from the origin.
     pub bound: f64,
 }
 
@@ -26,17 +26,14 @@ const MOST_POINTS: usize = 400;
 impl Shape {
     /// The part of a component that heaping uses.
     pub fn of(component: &Component) -> Self {
-        let bias = component.bias() * component.radius;
-        let widened = |s: &Sphere| Sphere {
-            radius: s.radius + bias,
-            ..*s
-        };
+        let spheres: Vec<Sphere> = component.widened().collect();
+        let reach = |s: &Sphere| s.centre.length() + s.radius;
         Self {
-            spheres: component.spheres.iter().map(widened).collect(),
             points: component.coarse(MOST_POINTS).mesh.positions().to_vec(),
             radius: component.radius,
             diagonal: component.diagonal,
-            bound: component.reach + bias,
+            bound: spheres.iter().map(reach).fold(component.reach, f64::max),
+            spheres,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The results as text, for measurements and for other programs.
 
 use super::PileEngine;
+use super::components::Components;
 use super::site::Site;
 use crate::decimal;
 use crate::pile::{Body, Fate, Kind, RefineParams, Wall, contacts};
@@ -23,10 +24,7 @@ impl PileEngine {
         };
         let pile = PileText {
             words: made.words(),
-            meshes: components
-                .iter()
-                .map(|one| one.all.iter().map(|c| &c.levels[0].mesh).collect())
-                .collect(),
+            components,
             kinds: &placed.kinds,
             bodies: settled.bodies(),
             site,
@@ -39,8 +37,7 @@ impl PileEngine {
 /// A settled pile, to be written.
 struct PileText<'a> {
     words: Vec<&'static str>,
-    /// The finest mesh of each variant of each type.
-    meshes: Vec<Vec<&'a TriMesh>>,
+    components: &'a Components,
     kinds: &'a [Kind],
     bodies: &'a [Body],
     site: &'a Site,
@@ -94,22 +91,23 @@ impl PileText<'_> {
         self.bodies.iter().filter(|body| body.fate == Fate::Kept)
     }
 
-    /// All variants: the word, the number, the mesh, and the spheres as text.
+    /// All variants: the word, the number, the finest mesh, and the inner spheres as text.
     fn variants(&self) -> impl Iterator<Item = (&'static str, usize, &TriMesh, String)> {
-        let types = self.words.iter().zip(&self.meshes).zip(self.kinds);
-        types.flat_map(|((&word, meshes), kind)| {
-            let each = meshes.iter().zip(&kind.shapes).enumerate();
-            each.map(move |(k, (&mesh, shape))| {
-                let spheres = list(shape.spheres.iter(), |s| {
+        let types = self.words.iter().zip(self.components);
+        types.flat_map(|(&word, variants)| {
+            let each = variants.all.iter().enumerate();
+            each.map(move |(k, component)| {
+                let spheres = list(component.spheres.iter(), |s| {
                     format!("[{},{}]", numbers(s.centre.to_array()), number(s.radius))
                 });
-                (word, k, mesh, spheres)
+                (word, k, &component.levels[0].mesh, spheres)
             })
         })
     }
 
     fn body_json(&self, body: &Body, touches: &[u32]) -> String {
-        let before: usize = self.meshes[..body.kind as usize].iter().map(Vec::len).sum();
+        let earlier = &self.components[..body.kind as usize];
+        let before: usize = earlier.iter().map(|one| one.all.len()).sum();
         let component = before + body.shape as usize;
         let matrix = matrix(body.turn * body.scale, body.place());
         let normal = numbers(body.normal.to_array());

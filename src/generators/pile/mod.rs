@@ -15,6 +15,8 @@ mod made;
 mod materials;
 mod params;
 mod presets;
+#[cfg(test)]
+mod quality;
 mod rules;
 mod schema;
 mod site;

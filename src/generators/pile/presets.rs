@@ -60,12 +60,12 @@ pub const PRESETS: &[Preset] = &[
     preset(
         ["Showpieces", "rice-ball", "Rice ball"],
         "Damp grains of every length lie packed without a hole, as if pressed by hand.",
-        "v=1&make=pile&k1=0.85&sigma1=1.25&riceball_thick=0.48&riceball_round=0.6&ps=9.5&yaw=-20",
+        "v=1&make=pile&k1=0.85&sigma1=1.15&riceball_thick=0.48&riceball_round=0.6&ps=9.5&yaw=-20",
     ),
     preset(
         ["Showpieces", "chestnut-box", "Chestnut box"],
         "Lacquered chestnuts fill an open box, and none of them cuts through the wood.",
-        "v=1&make=pile&c1=chestnut&sigma1=1&form=openbox&openbox_full=0.95&ps=8&alpha=0.85",
+        "v=1&make=pile&c1=chestnut&sigma1=0.85&form=openbox&openbox_full=0.95&ps=8&alpha=0.85",
     ),
     preset(
         ["Showpieces", "fruit-basket", "Basket of fruit"],
@@ -75,12 +75,12 @@ pub const PRESETS: &[Preset] = &[
     preset(
         ["Showpieces", "oranges", "Oranges in a bowl"],
         "Every orange has its pores, and here and there a stalk end looks up.",
-        "v=1&make=pile&c1=orange&sigma1=1.05&form=bowl&bowl_full=0.45&ps=8&layers=2",
+        "v=1&make=pile&c1=orange&sigma1=0.8&form=bowl&bowl_full=0.45&ps=8&layers=2",
     ),
     preset(
         ["Showpieces", "wet-pebbles", "Wet pebbles"],
         "River pebbles shine dark below the waterline and lie pale and dry above it.",
-        "v=1&make=pile&c1=smooth&f1=river&sigma1=1.35&form=heap&heap_height=0.42&ps=11&gloss=matt&wet=0.45",
+        "v=1&make=pile&c1=smooth&f1=river&sigma1=0.95&form=heap&heap_height=0.42&ps=11&gloss=matt&wet=0.45",
     ),
     preset(
         ["Showpieces", "chestnut-rice", "Chestnut rice"],

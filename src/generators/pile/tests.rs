@@ -17,7 +17,7 @@ use glam::DVec3;
 const PROBES: usize = 2_000;
 
 /// The engine of a recipe, up to its bodies; or the sentence with which it stopped.
-fn settled(recipe: &Recipe) -> Result<PileEngine, Notice> {
+pub(super) fn settled(recipe: &Recipe) -> Result<PileEngine, Notice> {
     let mut engine = PileEngine::new(recipe);
     while engine.is_forming() {
         if let Some(notice) = engine.failure() {
@@ -28,7 +28,7 @@ fn settled(recipe: &Recipe) -> Result<PileEngine, Notice> {
     Ok(engine)
 }
 
-fn recipe(link: &str) -> Recipe {
+pub(super) fn recipe(link: &str) -> Recipe {
     let (recipe, notices) = ALL.recipe(link);
     assert!(notices.is_empty(), "{link}: {notices:?}");
     recipe
@@ -75,7 +75,7 @@ fn there_is_a_row_for_each_number_of_a_pile_shape() {
 }
 
 /// Points of a mesh, uniform by area.
-fn probes(mesh: &TriMesh) -> Vec<SurfacePoint> {
+pub(super) fn probes(mesh: &TriMesh) -> Vec<SurfacePoint> {
     let mut sum = 0.0;
     let add = |t| {
         sum += mesh.area_of(t);
