@@ -7,8 +7,8 @@ const COMPONENTS = {
 };
 
 const FINISHES = {
-  own: 'そのまま', rice: '米', river: '川原の石', basalt: '玄武岩', quartz: '石英', chestnut: '栗', brass: '真鍮', steel: '鋼', copper: '銅', wood: '木',
-  walnut: '濃い木', bean: '小豆', blackbean: '黒豆', cashew: 'カシューナッツ', almond: 'アーモンド', leaf: '紅葉', greenleaf: '緑の葉', orange: 'オレンジ',
+  own: 'そのまま', rice: '米粒', river: '川原の石', basalt: '玄武岩', quartz: '石英', chestnut: '栗', brass: '真鍮', steel: '鋼', copper: '銅', wood: '木',
+  walnut: '濃い木', bean: '小豆', blackbean: '黒豆', cashew: 'カシューナッツ', almond: 'アーモンド', leaf: '落ち葉', greenleaf: '緑の葉', orange: 'オレンジ',
   apple: '赤りんご', greenapple: '青りんご', red: '赤', blue: '青', yellow: '黄', white: '白', toys: 'いろいろな色', ivory: '象牙', clay: '粘土', nutshell: 'くるみの殻', glass: 'ガラス',
 };
 
@@ -57,7 +57,7 @@ export const parameters: Foreign['parameters'] = {
     name: '形',
     help: '物を積む、または入れる形。規則による形、またはファイルの形。',
     choices: {
-      riceball: 'おにぎり', heap: '盛り山', dome: '丸屋根', block: '直方体', bowl: '鉢', openbox: '開いた箱', terrain: '地形', slope: '坂', stairs: '階段', cylinder: '円柱',
+      riceball: 'おむすび', heap: '盛り山', dome: '丸屋根', block: '直方体', bowl: '鉢', openbox: '開いた箱', terrain: '地形', slope: '坂', stairs: '階段', cylinder: '円柱',
       sphere: '球', torus: 'トーラス', knot: '結び目', horn: '角', leg: '足', tail: '尾', fish: '魚', turtle: '亀の甲羅', egg: '卵', vase: '壺', letter: '文字', file: 'ファイルから',
     },
   },
