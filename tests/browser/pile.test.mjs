@@ -59,10 +59,11 @@ test('the first press on Piles shows what the small picture promises, and its bo
   assert.ok((await page.evaluate(() => window.bubblestone.status().stones)) > 100);
   await page.waitForSelector('[data-preset=rice-ball][aria-current]');
   // Colours change neither the component nor the shape.
+  const before = await link(page);
   await page.evaluate(() => (Math.random = () => 0.9));
   await click(page, '#throw-colours');
   await page.waitForFunction(() => window.bubblestone.get('vary') === '1.25');
-  assert.equal(await link(page), 'v=1&make=pile&vary=1.25');
+  assert.equal((await link(page)).replace(/&vary=[\d.]+/, ''), before.replace(/&vary=[\d.]+/, ''));
   assert.deepEqual(problems, []);
   await close();
 });
