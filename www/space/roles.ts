@@ -25,7 +25,7 @@ export function uprightOf(schema: readonly Parameter[], role: string): Parameter
   return placeOf(schema, role)?.up;
 }
 
-/** The link with the file in its other role. What the file has replaced there is gone, and its own role is free. */
+/** The link with the file in its other role. The file that was there before is gone, and the role that this one leaves is free. */
 export function moved(link: string, schema: readonly Parameter[], role: string): string {
   const [from, to] = [placeOf(schema, role), placeOf(schema, otherThan(role))];
   if (!from || !to) return link;

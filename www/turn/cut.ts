@@ -14,7 +14,7 @@ const AXES = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] } as const;
 
 interface Needs {
   camera(): Camera;
-  /** Takes another plane, or none. `moving` while the slider is dragged. */
+  /** Takes another plane, or `undefined`. `moving` while the slider is dragged. */
   take(cut: Cut | undefined, moving: boolean): void;
 }
 
