@@ -50,7 +50,7 @@ impl ComponentFault {
             Self::Empty => Code::ModelNoArea.into(),
             Self::Broken(notice) => notice,
             Self::Open { edges } => Notice::new(Code::ComponentOpen).with("edges", edges),
-            Self::OneSided => Code::ComponentOneSided.into(),
+            Self::OneSided => Code::ModelOneSided.into(),
             Self::Flat => Code::ComponentFlat.into(),
             Self::Crossing { pairs, at } => {
                 let rounded = |v: f64| decimal::text((v * 100.0).round() / 100.0);

@@ -425,6 +425,45 @@ test('notices of surfaces are said', async () => {
   }
 });
 
+/** A box of this size, in triangles. @param {number} x @param {number} y @param {number} z @param {string[]} faces */
+const boxOf = (x, y, z, faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6']) =>
+  [...[0, 1, 2, 3, 4, 5, 6, 7].map((k) => `v ${k & 1 ? x : 0} ${k & 2 ? y : 0} ${k & 4 ? z : 0}`), ...faces.map((face) => `f ${face}`), ''].join('\n');
+
+/** Models that are no components. @type {[name: string, content: string][]} */
+const NO_COMPONENTS = [
+  ['open.obj', boxOf(1, 0.7, 0.6, ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3'])],
+  ['thin.obj', boxOf(1, 0.7, 0.002)],
+  ['flat.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.3 0.3 0\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'],
+  ['crossing.obj', `${boxOf(1, 0.7, 0.6)}${boxOf(1.4, 0.5, 0.4).replace(/f .*/g, (face) => face.replace(/\d/g, (k) => String(Number(k) + 8))).replace(/v (\S+) (\S+) (\S+)/g, (_, x, y, z) => `v ${Number(x) - 0.2} ${Number(y) + 0.1} ${Number(z) + 0.1}`)}`],
+];
+
+test('notices of piles are said', async () => {
+  const whole = await moduleIn(wholeModule, undefined, 'space');
+  const pile = 'make=pile&size=128&ps=5&variants=1';
+  for (const link of ['c1=leaf&sigma1=0.3&ps=20', 'c1=ball&sigma1=8', 'c1=ball&k1=5&sigma1=0.3', 'c1=ball&k1=2&sigma1=0.6']) {
+    const studio = finished(new whole.Bubblestone(`${pile}&${link}`));
+    hear([studio.problem(), studio.remarks()]);
+    studio.free();
+  }
+  for (const [name, content] of NO_COMPONENTS) {
+    const studio = new whole.Bubblestone(pile);
+    const bytes = new TextEncoder().encode(content);
+    studio.beginFile(name, bytes.length);
+    studio.addToFile(bytes);
+    hear(studio.openFile(''));
+    finished(studio);
+    assert.ok(studio.problem(), name);
+    hear([studio.problem()]);
+    studio.free();
+  }
+  const studio = finished(new whole.Bubblestone(`${pile}&c1=ball`));
+  for (const view of ['darts', 'fates', 'overlap']) {
+    while (!studio.turn('', '', 96, 64, `moving+floor+${view}`, 4).done);
+    hear(studio.caption(view));
+  }
+  studio.free();
+});
+
 test('files are refused with the same sentences as natively', async () => {
   const whole = await moduleIn(wholeModule, undefined, 'space');
   for (const line of text('refusals.txt').trim().split('\n')) {
