@@ -1,10 +1,10 @@
 //! Links with values from anywhere in their ranges, nonsense, and damage.
 
 use crate::common::number;
-use bubblestone::generators::ALL;
 use bubblestone::generators::surface::{SCHEMA, keys};
+use bubblestone::generators::{ALL, pile};
 use bubblestone::random::Random;
-use bubblestone::recipe::{Item, Kind, Parameter};
+use bubblestone::recipe::{Item, Key, Kind, Parameter, Schema};
 use std::fmt::Write;
 
 /// Texts that are not valid for any parameter, or hardly.
@@ -68,15 +68,40 @@ fn text(random: &mut Random, row: &Parameter) -> String {
 
 /// A link with some parameters far from their defaults, and few cells, so that it takes little time.
 pub fn wild(random: &mut Random) -> String {
-    let mut link = String::from("make=surface");
+    let fixed = [keys::SIZE, keys::CN, keys::MODEL];
+    let mut link = wild_of(random, &SCHEMA, keys::FORM, &fixed);
+    write!(link, "&size=128&cn={}", number(random, (30.0, 120.0))).unwrap();
+    link
+}
+
+/// The same for a pile of few bodies.
+pub fn wild_pile(random: &mut Random) -> String {
+    let fixed = [
+        keys::SIZE,
+        pile::keys::PS,
+        keys::MODEL,
+        pile::keys::VARIANTS,
+    ];
+    let mut link = wild_of(random, &pile::SCHEMA, pile::keys::C1, &fixed);
+    write!(
+        link,
+        "&size=128&variants=2&ps={}",
+        number(random, (3.0, 7.0))
+    )
+    .unwrap();
+    link
+}
+
+/// A link with some values from anywhere, that of `always` among them, but none of `never`.
+fn wild_of(random: &mut Random, schema: &Schema, always: Key, never: &[Key]) -> String {
+    let mut link = format!("make={}", schema.word);
     let share = random.unit();
-    for row in SCHEMA.rows {
-        let is_fixed = [keys::SIZE, keys::CN, keys::MODEL].contains(&row.key);
-        if !is_fixed && (row.key == keys::FORM || random.unit() < share) {
+    for row in schema.rows {
+        let is_fixed = never.contains(&row.key);
+        if !is_fixed && (row.key == always || random.unit() < share) {
             write!(link, "&{}={}", row.key.0, text(random, row)).unwrap();
         }
     }
-    write!(link, "&size=128&cn={}", number(random, (30.0, 120.0))).unwrap();
     link
 }
 

@@ -205,14 +205,19 @@ fn check_count(params: &DartParams, kinds: &[Kind], site: &Site) -> Result<(), N
     let area = site.mesh.area();
     let each = |kind: &Kind| expected_darts(area, kind.spacing());
     let outer: f64 = kinds.iter().map(each).sum();
-    let all = outer * f64::from(params.layers);
+    let layers = f64::from(params.layers);
+    let all = outer * layers;
     if all > MOST {
-        // The count falls with the square of the spacing.
-        let factor = (all / MOST).sqrt();
-        let first = (kinds[0].density * factor * 20.0).ceil() / 20.0;
+        // The type with the most darts gets the room that the others leave. Counts fall with the square of the spacing.
+        let most = |a: &usize, b: &usize| each(&kinds[*a]).total_cmp(&each(&kinds[*b]));
+        let number = (0..kinds.len()).max_by(most).unwrap_or(0);
+        let own = each(&kinds[number]) * layers;
+        let left = MOST - (all - own);
+        let factor = if left > 0.0 { own / left } else { all / MOST };
+        let fits = (kinds[number].density * factor.sqrt() * 20.0).ceil() / 20.0;
         let notice = Notice::new(Code::PileMany).with("n", all.round() as usize);
-        let notice = notice.with("most", MOST as usize);
-        return Err(notice.with("fits", crate::decimal::text(first)));
+        let notice = notice.with("most", MOST as usize).with("type", number + 1);
+        return Err(notice.with("fits", crate::decimal::text(fits)));
     }
     if outer < FEWEST {
         let notice = Notice::new(Code::PileFew).with("n", outer.round() as usize);

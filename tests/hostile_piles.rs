@@ -1,0 +1,44 @@
+//! Links of piles and files of components from strangers: the work ends within a number of slices, with a sentence or
+//! with a picture in which every number is finite.
+//!
+//! More of them, from another start: `BUBBLESTONE_RECIPES=2000 BUBBLESTONE_SEED=7 cargo test --release
+//! --test hostile_piles`.
+
+// The tests under Node look at the same code in WebAssembly.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+mod strangers;
+
+use bubblestone::random::{Purpose, Random};
+use common::wished;
+use strangers::{broken, files, given_ends_well, link_ends_well, wild_pile};
+
+/// Tries cases from a start. The last line that is printed names the case that fails.
+fn try_all(count: u64, mut case: impl FnMut(&mut Random) -> String) {
+    let seed = wished("BUBBLESTONE_SEED", 1);
+    for index in 0..wished("BUBBLESTONE_RECIPES", count) {
+        let mut random = Random::new(seed, Purpose::Attribute, index);
+        println!("{index}: {}", case(&mut random));
+    }
+}
+
+#[test]
+fn whatever_a_link_asks_for_the_pile_ends_well() {
+    try_all(16, |random| {
+        let link = wild_pile(random);
+        println!("#{link}");
+        link_ends_well(&link).text
+    });
+}
+
+#[test]
+fn whatever_is_in_a_file_it_becomes_a_component_or_a_sentence() {
+    let files = files();
+    try_all(30, |random| {
+        let (name, bytes) = broken(random, &files);
+        println!("{name}");
+        let link = "make=pile&size=128&variants=2&ps=5";
+        given_ends_well(link, &name, bytes, &mut || 0.0).text
+    });
+}
