@@ -39,6 +39,6 @@ fn whatever_is_in_a_file_it_becomes_a_component_or_a_sentence() {
         let (name, bytes) = broken(random, &files);
         println!("{name}");
         let link = "make=pile&size=128&variants=2&ps=5";
-        given_ends_well(link, &name, bytes, &mut || 0.0).text
+        given_ends_well(link, name, bytes, &mut || 0.0).text
     });
 }

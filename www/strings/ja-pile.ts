@@ -113,7 +113,6 @@ export const presets: Foreign['presets'] = {
   'copper-globe': { title: '銅の球', note: '銅のナットが球に寄りかかり、どの側でも輪が空を映す。' },
   'gear-ring': { title: '歯車の輪', note: '鋼の歯車と小さな真鍮の歯車が輪に沿って寝ている。' },
   'ammonite': { title: 'アンモナイト', note: '白い小石が、広い口から先まで巻き貝の形をたどる。' },
-  'apple-pyramid': { title: 'りんごの山', note: '赤いりんごが二層で、とがった山に積まれている。' },
   'basalt-stairs': { title: '玄武岩の階段', note: '黒い小石が三つの段に手で敷いたように平らに並ぶ。' },
   'pile9-a': { title: '', note: '米粒が法線のまわりにだけ回り、面に寝ている。' },
   'pile9-c': { title: '', note: '小石が法線のまわりにだけ回り、山に平らに載る。' },

@@ -173,11 +173,6 @@ pub const PRESETS: &[Preset] = &[
         "v=1&make=pile&c1=smooth&sigma1=1.6&tu1=60&tw1=60&l1=1&form=horn&horn_rise=0&ps=17&alpha=1",
     ),
     preset(
-        ["Shapes and vessels", "apple-pyramid", "Apple pyramid"],
-        "Red apples are stacked to a point, with a second layer behind the first.",
-        "v=1&make=pile&c1=apple&sigma1=1.2&l1=2.5&form=heap&heap_height=0.5&heap_round=0.4&ps=8&layers=2&seed=3&alpha=0.9",
-    ),
-    preset(
         ["Shapes and vessels", "basalt-stairs", "Basalt stairs"],
         "Dark pebbles lie flat on three steps, as if laid by hand.",
         "v=1&make=pile&c1=smooth&f1=basalt&sigma1=1.4&tu1=30&tw1=30&l1=0.6&form=stairs&stairs_steps=3&stairs_width=0.6&ps=18&yaw=20&alpha=0.8",
