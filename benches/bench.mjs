@@ -22,7 +22,8 @@ export async function run(module) {
     { ours: '2000 scales of 200 triangles, still with its shadows', theirs: 'light moved, parallel', most: 25 },
     { ours: '2000 scales of 200 triangles, turning', theirs: 'light moved, parallel', most: 5 },
     { ours: 'a thousand of 20000 darts', theirs: 'a thousand of 2000 darts', most: 1.2 },
-    { ours: 'refinement of the rice ball, exact', theirs: 'refinement of the rice ball, golden', most: 1 / 100 },
+    { ours: 'refinement of the rice ball, exact', theirs: 'refinement of the rice ball, golden over all bodies', most: 1 / 100 },
+    { ours: 'refinement of the rice ball, exact', theirs: 'refinement of the rice ball, golden', most: 1 / 5 },
     { ours: 'recipe to finished bodies, rice ball without its picture', theirs: 'recipe to picture, default pavement', most: 15 },
     { ours: 'rice ball of 512 x 512, still with its shadows', theirs: 'light moved, parallel', most: 25 },
     { ours: 'rice ball of 256 x 256, turning', theirs: 'light moved, parallel', most: 5 },
@@ -48,9 +49,9 @@ export async function run(module) {
   const physics = await rapier(pile, benchOverlaps);
   beside('a bowl of 1000 pebbles, darts and refinement', physics, 1 / 150);
   beside('a bowl of 1000 pebbles, with the spheres of eight variants', physics, 1 / 40);
-  console.log(`The rice ball keeps ${pile.kept[0]} grains by the exact search, and ${pile.kept[1]} by golden section${pile.kept[0] < pile.kept[1] ? '  NO' : ''}.`);
   timings.push(...(await threeFrames(module.bench_hide())));
-  const ms = (/** @type {string} */ wanted) => timings.find(({ name }) => name === wanted)?.ms ?? NaN;
+  // A name may end with what else was counted, after a colon.
+  const ms = (/** @type {string} */ wanted) => timings.find(({ name }) => name.split(':')[0] === wanted)?.ms ?? NaN;
   console.log('\nAs parts of each other in WebAssembly, and the most that is wanted:');
   for (const { ours, theirs, most } of bars) {
     const ratio = ms(ours) / ms(theirs);

@@ -37,6 +37,8 @@ const PARAMS: RefineParams = RefineParams {
     method: Method::Exact,
     seed: 1,
 };
+/// Milliseconds of a slice of a frame, about as on the page.
+const SLICE: f64 = 10.0;
 /// More than there is to do in one go.
 const ALL_OF_IT: usize = 1 << 30;
 
@@ -193,41 +195,36 @@ fn place(studio: &mut Studio, clock: Clock) {
     }
 }
 
-/// The two ways to find places in the rice ball: by intervals, and by the paper's golden section.
-const SEARCHES: [&str; 2] = ["exact", "golden"];
+/// The ways to find places in the rice ball, with their links: by intervals, and by the paper's golden section, whose cost
+/// looks at the nearest body or at all of them.
+const SEARCHES: [(&str, &str); 3] = [
+    ("exact", "&refine=exact"),
+    ("golden", "&refine=golden"),
+    ("golden over all bodies", "&refine=golden&reading=all"),
+];
 
-/// The rice grains that are kept by each of the two searches.
-#[cfg(target_arch = "wasm32")]
-pub fn kept() -> [usize; 2] {
-    SEARCHES.map(|search| {
-        let mut studio = rice_ball(&format!("&refine={search}"));
-        place(&mut studio, &mut || 0.0);
-        studio.progress().cells
-    })
-}
-
-/// Times the refinement of the rice ball by each search, from the same darts.
+/// Times the refinement of the rice ball by each search, from the same darts, and counts the grains that are kept.
 fn searches(clock: Clock, timings: &mut Vec<Timing>) {
-    for (search, runs) in SEARCHES.into_iter().zip([7, 3]) {
-        let recipe = |seed| {
-            rice_ball(&format!("&refine={search}{seed}"))
-                .recipe()
-                .clone()
-        };
-        let mut studio = rice_ball("");
-        place(&mut studio, clock);
-        let times = (0..runs).map(|_| {
+    let mut studio = rice_ball("&offset=0.4");
+    place(&mut studio, clock);
+    let mut most = None;
+    for ((search, link), runs) in SEARCHES.into_iter().zip([7, 3, 1]) {
+        let runs = (0..runs).map(|_| {
             // Another offset lets bodies settle anew, and keeps the darts.
-            studio.set_recipe(recipe("&offset=0.4"));
-            place(&mut studio, clock);
-            studio.set_recipe(recipe(""));
-            place(&mut studio, clock);
+            for link in ["&offset=0.4", link] {
+                studio.set_recipe(rice_ball(link).recipe().clone());
+                place(&mut studio, clock);
+            }
             let stages = studio.milliseconds();
             let stage = stages.iter().find(|t| t.stage == "refine");
             stage.map_or(f64::NAN, |t| t.ms)
         });
-        let name = format!("refinement of the rice ball, {search}");
-        timings.push(timing(name, times.collect::<Vec<_>>()));
+        let times: Vec<f64> = runs.collect();
+        let kept = studio.progress().cells;
+        // The exact search is the first one: no other may keep more.
+        assert!(kept <= *most.get_or_insert(kept), "{search} keeps {kept}");
+        let name = format!("refinement of the rice ball, {search}: keeps {kept}");
+        timings.push(timing(name, times));
     }
 }
 
@@ -268,7 +265,7 @@ fn frames(clock: Clock, timings: &mut Vec<Timing>) {
         };
         let start = clock();
         while let Ok(frames) = studio.frames() {
-            match frames.turn(&order, clock, 0.0) {
+            match frames.turn(&order, clock, SLICE) {
                 Ok(slice) if !slice.done => {}
                 Ok(_) => break,
                 Err(_) => return f64::NAN,

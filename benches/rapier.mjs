@@ -14,7 +14,6 @@ import { installed, randomNumbers } from './peers.mjs';
  * @property {number} radius of the bowl
  * @property {number} top of the bowl
  * @property {number[]} overlaps of our pile: the deepest, and the mean
- * @property {number[]} kept grains of the rice ball by each search
  */
 
 /** Seconds of a step, and the most seconds of its time. */

@@ -84,7 +84,7 @@ pub fn bench_hide() -> Object {
 }
 
 /// The pebbles in a bowl that the benchmark heaps, for other programs: `{ hulls, shapes, sizes, bound, positions,
-/// triangles, radius, top, overlaps, kept }`.
+/// triangles, radius, top, overlaps }`.
 #[cfg(house)]
 #[wasm_bindgen]
 pub fn bench_pile() -> Object {
@@ -114,10 +114,6 @@ pub fn bench_pile() -> Object {
         ("radius", most(|p| p.x.hypot(p.z)).into()),
         ("top", most(|p| p.y).into()),
         ("overlaps", numbers(&pebbles.overlaps()).into()),
-        (
-            "kept",
-            numbers(&suite::pile::kept().map(|n| n as f64)).into(),
-        ),
     ])
 }
 
