@@ -195,8 +195,8 @@ fn place(studio: &mut Studio, clock: Clock) {
     }
 }
 
-/// The ways to find places in the rice ball, with their links: by intervals, and by the paper's golden section, whose cost
-/// looks at the nearest body or at all of them.
+/// The ways to find places in the rice ball, with their links: by intervals, and by the paper's golden section, whose
+/// cost looks at the nearest body or at all of them.
 const SEARCHES: [(&str, &str); 3] = [
     ("exact", "&refine=exact"),
     ("golden", "&refine=golden"),

@@ -98,8 +98,8 @@ impl Along {
         self.u * self.u + self.w * self.w
     }
 
-    /// The t at which this sphere, moved along the axis by t, overlaps another by more than `allowed`; none if `t` is not
-    /// among them. Their ends count.
+    /// The t at which this sphere, moved along the axis by t, overlaps another by more than `allowed`; none if `t` is
+    /// not among them. Their ends count.
     fn overlap(&self, other: &Met, allowed: f64, t: f64) -> Option<(f64, f64)> {
         let least = self.radius + other.sphere.radius - allowed;
         let (du, dw) = (other.sphere.u - self.u, other.sphere.w - self.w);
@@ -191,8 +191,9 @@ impl Sliding {
 
     /// The place nearest to the dart at which no spheres overlap by more than `tau`, in R of the smaller body.
     ///
-    /// All places at which two spheres overlap are blocked. But only those intervals are added to the blocked ones that
-    /// contain the nearest place that seems free, until none does: others would not change it, not even in its last bit.
+    /// All places at which two spheres overlap are blocked. But only those intervals are added to the blocked ones
+    /// that contain the nearest place that seems free, until none does: others would not change it, not even in its
+    /// last bit.
     pub fn free_place(&self, tau: f64) -> Option<f64> {
         let mut blocked = Blocked::new(self.range.0, self.range.1);
         let mut best = blocked.nearest_to_zero()?;

@@ -198,8 +198,8 @@ impl Scene {
         if low == f32::MAX { 0.0 } else { low }
     }
 
-    /// The lowest y of an instance, and the number of vertices inspected. An instance that lies above `below` may get the
-    /// greatest number.
+    /// The lowest y of an instance, and the number of vertices inspected. An instance that lies above `below` may get
+    /// the greatest number.
     pub(super) fn lowest_of(&self, instance: &Instance, below: f32) -> (f32, usize) {
         let (body, place) = (&self.bodies[instance.body as usize], &instance.place);
         // Bit for bit the minimum over all points: rounding preserves their order.
