@@ -110,7 +110,7 @@ export async function threeSubdivide({ points, triangles, stones, levels }) {
 }
 
 /** A package; undefined if it is not installed. @param {string} name */
-async function installed(name) {
+export async function installed(name) {
   try {
     return await import(name);
   } catch (error) {
@@ -136,7 +136,7 @@ function shortest(runs, prepare) {
 }
 
 /** The same numbers in 0..1 on each call (mulberry32). */
-function randomNumbers() {
+export function randomNumbers() {
   let state = 1;
   return () => {
     state = (state + 0x6d2b79f5) | 0;

@@ -2,6 +2,8 @@
 //! is the shortest of several runs, because other programs have disturbed that one least.
 
 #[cfg(house)]
+pub mod pile;
+#[cfg(house)]
 pub mod scene;
 #[cfg(house)]
 #[path = "surface.rs"]
@@ -66,7 +68,10 @@ pub fn run(clock: Clock) -> Vec<Timing> {
         timings.push(moved_light(light, clock));
     }
     #[cfg(house)]
-    timings.extend(scene::timings(clock));
+    {
+        timings.extend(scene::timings(clock));
+        timings.extend(pile::timings(clock));
+    }
     timings
 }
 

@@ -32,12 +32,6 @@ impl Blocked {
         self.intervals.splice(first..end, [(from, to)]);
     }
 
-    /// Whether the whole range is blocked.
-    pub fn is_full(&self) -> bool {
-        let only = self.intervals.first();
-        only.is_some_and(|&(from, to)| from < self.lo && to > self.hi)
-    }
-
     /// The free place of the range that is nearest to 0. If two are equally near, it is the greater one.
     pub fn nearest_to_zero(&self) -> Option<f64> {
         let wanted = 0.0_f64.clamp(self.lo, self.hi);
@@ -69,7 +63,6 @@ mod tests {
         blocked.add(-3.0, -0.5);
         assert_eq!(blocked.nearest_to_zero(), Some(0.75));
         blocked.add(0.75, 5.0);
-        assert!(blocked.is_full());
         assert_eq!(blocked.nearest_to_zero(), None);
     }
 

@@ -24,6 +24,7 @@ mod layers;
 mod measures;
 mod merge;
 mod refine;
+mod sliding;
 mod turn;
 mod walls;
 

@@ -1,8 +1,8 @@
 //! The refinement: bodies settle one after the other along the surface's normal (section 4.2).
 
-use super::blocked::Blocked;
 use super::darts::scan_key;
 use super::golden::{Golden, Neighbour, Reading};
+use super::sliding::Sliding;
 use super::{Body, Dart, Fate, Kind, Wall};
 use crate::component::Sphere;
 use crate::order::rank;
@@ -204,14 +204,14 @@ impl Refining {
         } = self.params;
         match self.params.method {
             Method::Exact => {
-                let solve = |tau| self.free_place(body, &near, tau);
-                solve(offset).or_else(|| {
-                    if removal > 0.0 {
-                        solve(offset + removal)
-                    } else {
-                        None
-                    }
-                })
+                let shape = body.shape(&self.kinds);
+                let mut sliding = Sliding::new(body, &shape.spheres, body.radius(&self.kinds));
+                for &k in &near {
+                    let other = &self.settled.bodies[k as usize];
+                    sliding.meet(&self.settled.spheres[other.spheres.clone()], other.radius);
+                }
+                let deeper = || (removal > 0.0).then(|| sliding.free_place(offset + removal));
+                sliding.free_place(offset).or_else(|| deeper().flatten())
             }
             Method::Golden {
                 iterations,
@@ -222,95 +222,6 @@ impl Refining {
                 golden.place(iterations, reading, removal)
             }
         }
-    }
-
-    /// The place nearest to the dart at which no spheres overlap by more than `tau`, in R of the smaller body.
-    fn free_place(&self, body: &Body, near: &[u32], tau: f64) -> Option<f64> {
-        let shape = body.shape(&self.kinds);
-        let axes = Axes::of(body.normal);
-        let own: Vec<Along> = shape
-            .spheres
-            .iter()
-            .map(|s| axes.along(body.turn * (body.scale * s.centre), body.scale * s.radius))
-            .collect();
-        let (bound, radius) = (shape.bound * body.scale, shape.radius * body.scale);
-        let mut blocked = Blocked::new(body.range.0, body.range.1);
-        for &k in near {
-            let other = &self.settled.bodies[k as usize];
-            let allowed = tau * radius.min(other.radius);
-            for sphere in &self.settled.spheres[other.spheres.clone()] {
-                let there = axes.along(sphere.centre - body.at, sphere.radius);
-                if there.is_beside(bound, body.range) {
-                    continue;
-                }
-                for own in &own {
-                    if let Some((from, to)) = own.overlap(&there, allowed) {
-                        blocked.add(from, to);
-                    }
-                }
-                if blocked.is_full() {
-                    return None;
-                }
-            }
-        }
-        blocked.nearest_to_zero()
-    }
-}
-
-/// Axes of which the third is a body's normal.
-struct Axes {
-    u: DVec3,
-    w: DVec3,
-    n: DVec3,
-}
-
-/// A sphere in such axes, relative to a dart.
-struct Along {
-    u: f64,
-    w: f64,
-    t: f64,
-    radius: f64,
-}
-
-impl Axes {
-    fn of(n: DVec3) -> Self {
-        let u = n.any_orthonormal_vector();
-        Self {
-            u,
-            w: n.cross(u),
-            n,
-        }
-    }
-
-    fn along(&self, p: DVec3, radius: f64) -> Along {
-        Along {
-            u: p.dot(self.u),
-            w: p.dot(self.w),
-            t: p.dot(self.n),
-            radius,
-        }
-    }
-}
-
-impl Along {
-    /// Whether no body of this bound comes near it in this range.
-    fn is_beside(&self, bound: f64, (lo, hi): (f64, f64)) -> bool {
-        let reach = bound + self.radius;
-        self.u * self.u + self.w * self.w > reach * reach
-            || self.t + reach < lo
-            || self.t - reach > hi
-    }
-
-    /// The t at which this sphere, moved along the axis by t, overlaps another by more than `allowed`.
-    fn overlap(&self, other: &Self, allowed: f64) -> Option<(f64, f64)> {
-        let least = self.radius + other.radius - allowed;
-        let (du, dw) = (other.u - self.u, other.w - self.w);
-        let square = least * least - du * du - dw * dw;
-        if square <= 0.0 || least <= 0.0 {
-            return None;
-        }
-        let (middle, half) = (other.t - self.t, square.sqrt());
-        Some((middle - half, middle + half))
     }
 }
 
@@ -401,18 +312,19 @@ fn range(mesh: &TriMesh, search: &Search, body: &Body, kind: &Kind) -> (f64, f64
         _ => (kind.range.min(LAYER_RANGE), 1.0),
     };
     let length = length * kind.diagonal();
-    let room = |along: DVec3| {
+    let room = |along: DVec3, wanted: f64| {
         let from = body.at + SKIN * kind.radius() * along;
-        let hit = search.ray(mesh, from, along, |_| true);
-        hit.map_or(f64::INFINITY, |hit| 0.5 * hit.along)
+        // A surface that is farther than twice the wanted way does not matter.
+        let hit = search.ray_within(mesh, (from, along), 2.0 * wanted, |_| true);
+        hit.map_or(wanted, |hit| wanted.min(0.5 * hit.along))
     };
     let inside = if inward > 0.0 {
-        (inward * length).min(room(-body.normal))
+        room(-body.normal, inward * length)
     } else {
         0.0
     };
     let outside = if inward < 1.0 {
-        ((1.0 - inward) * length).min(room(body.normal))
+        room(body.normal, (1.0 - inward) * length)
     } else {
         0.0
     };

@@ -193,20 +193,33 @@ impl Scene {
 
     /// The lowest y of all bodies; 0 if there are none.
     pub fn lowest(&self) -> f32 {
-        let heights = self.instances.iter().map(|i| self.lowest_of(i).0);
-        let low = heights.fold(f32::MAX, lesser);
+        let all = self.instances.iter();
+        let low = all.fold(f32::MAX, |low, i| lesser(low, self.lowest_of(i, low).0));
         if low == f32::MAX { 0.0 } else { low }
     }
 
-    /// The lowest y of an instance, and the number of vertices inspected.
-    pub(super) fn lowest_of(&self, instance: &Instance) -> (f32, usize) {
+    /// The lowest y of an instance, and the number of vertices inspected. An instance that lies above `below` may get
+    /// the greatest number.
+    pub(super) fn lowest_of(&self, instance: &Instance, below: f32) -> (f32, usize) {
         let (body, place) = (&self.bodies[instance.body as usize], &instance.place);
         // Bit for bit the minimum over all points: rounding preserves their order.
         if place.axes.map(|axis| axis.y) == [0.0, 1.0, 0.0] {
             return (place.origin.y + body.lowest, 1);
         }
+        if self.is_above(instance, below) {
+            return (f32::MAX, 1);
+        }
         let points = body.levels.first().map_or(&[][..], |l| &l.positions);
         let heights = points.iter().map(|&p| place.of(p).y);
         (heights.fold(f32::MAX, lesser), points.len())
+    }
+
+    /// Whether the ball around an instance lies above this height, however sums were rounded.
+    fn is_above(&self, instance: &Instance, height: f32) -> bool {
+        let (middle, radius) = self.ball_of(instance);
+        let body = &self.bodies[instance.body as usize];
+        let size = radius + instance.place.scale() * body.middle.length();
+        let slack = 1e-3 * size + 1e-5 * instance.place.origin.y.abs();
+        middle.y - radius - slack > height
     }
 }

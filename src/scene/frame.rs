@@ -201,8 +201,9 @@ impl Frame {
             }
             let (mut at, mut work) = (from, 0);
             while at < scene.instances.len() && work < amount {
-                let (low, points) = scene.lowest_of(&scene.instances[at]);
-                self.ground.height = lesser(self.ground.height, low);
+                let height = &mut self.ground.height;
+                let (low, points) = scene.lowest_of(&scene.instances[at], *height);
+                *height = lesser(*height, low);
                 (at, work) = (at + 1, work + 1 + points / 8);
             }
             if at < scene.instances.len() {

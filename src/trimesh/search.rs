@@ -266,8 +266,19 @@ impl Search {
         along: DVec3,
         wanted: impl Fn(u32) -> bool,
     ) -> Option<Hit> {
+        self.ray_within(mesh, (from, along), f64::INFINITY, wanted)
+    }
+
+    /// The first hit of a ray no farther than `most`, in lengths of its direction.
+    pub fn ray_within(
+        &self,
+        mesh: &TriMesh,
+        (from, along): (DVec3, DVec3),
+        most: f64,
+        wanted: impl Fn(u32) -> bool,
+    ) -> Option<Hit> {
         let inverse = along.recip();
-        let mut best = (f64::INFINITY, NONE, DVec3::ZERO);
+        let mut best = (most, NONE, DVec3::ZERO);
         let mut open = vec![(0.0, 1)];
         let leaves = self.boxes.len() / 2;
         while let Some((near, node)) = open.pop() {

@@ -83,6 +83,50 @@ pub fn bench_hide() -> Object {
     ])
 }
 
+/// The pebbles in a bowl that the benchmark heaps, for other programs: `{ hulls, shapes, sizes, bound, positions,
+/// triangles, radius, top, overlaps }`.
+#[cfg(house)]
+#[wasm_bindgen]
+pub fn bench_pile() -> Object {
+    let Some(pebbles) = suite::pile::Pebbles::new() else {
+        return Object::new();
+    };
+    let hulls: Array = pebbles
+        .hulls()
+        .map(|hull| js_sys::Float32Array::from(&hull.as_flattened()[..]))
+        .collect();
+    let shapes: Vec<u32> = pebbles.bodies.iter().map(|body| body.shape).collect();
+    let sizes: Vec<f64> = pebbles.bodies.iter().map(|body| body.scale).collect();
+    let bowl = pebbles.bowl();
+    let places: Vec<f32> = bowl.positions.iter().flat_map(|p| p.to_array()).collect();
+    let most = |of: fn(&Vec3) -> f32| bowl.positions.iter().map(of).fold(0.0, f32::max);
+    let numbers = |list: &[f64]| list.iter().map(|&v| JsValue::from(v)).collect::<Array>();
+    object(&[
+        ("hulls", hulls.into()),
+        ("shapes", Uint32Array::from(&shapes[..]).into()),
+        ("sizes", js_sys::Float64Array::from(&sizes[..]).into()),
+        ("bound", pebbles.bound().into()),
+        ("positions", js_sys::Float32Array::from(&places[..]).into()),
+        (
+            "triangles",
+            Uint32Array::from(bowl.triangles.as_flattened()).into(),
+        ),
+        ("radius", most(|p| p.x.hypot(p.z)).into()),
+        ("top", most(|p| p.y).into()),
+        ("overlaps", numbers(&pebbles.overlaps()).into()),
+    ])
+}
+
+/// How deep the inner spheres of these pebbles overlap at other places, of which each has seven numbers: x, y, z, and a
+/// quaternion. Returns `[deepest, mean]`.
+#[cfg(house)]
+#[wasm_bindgen]
+pub fn bench_overlaps(places: &[f64]) -> Vec<f64> {
+    let pebbles = suite::pile::Pebbles::new();
+    let overlaps = pebbles.map(|pebbles| pebbles.moved(places.as_chunks::<7>().0).overlaps());
+    overlaps.map_or(Vec::new(), |overlaps| overlaps.to_vec())
+}
+
 fn mesh_object(points: &[Vec3], triangles: &[[u32; 3]], stones: usize, levels: u32) -> Object {
     let points: Vec<f32> = points.iter().flat_map(|p| p.to_array()).collect();
     object(&[
