@@ -22,7 +22,6 @@ export async function run(module) {
     { ours: '2000 scales of 200 triangles, still with its shadows', theirs: 'light moved, parallel', most: 25 },
     { ours: '2000 scales of 200 triangles, turning', theirs: 'light moved, parallel', most: 5 },
     { ours: 'a thousand of 20000 darts', theirs: 'a thousand of 2000 darts', most: 1.2 },
-    { ours: 'refinement of the rice ball, exact', theirs: 'refinement of the rice ball, golden over all bodies', most: 1 / 100 },
     { ours: 'refinement of the rice ball, exact', theirs: 'refinement of the rice ball, golden', most: 1 / 5 },
     { ours: 'recipe to finished bodies, rice ball without its picture', theirs: 'recipe to picture, default pavement', most: 15 },
     { ours: 'rice ball of 512 x 512, still with its shadows', theirs: 'light moved, parallel', most: 25 },

@@ -43,7 +43,7 @@ impl Pebbles {
         self.kind.bound()
     }
 
-    /// Of each variant points whose convex hull is nearly the pebble: the farthest ones in even directions.
+    /// Points of each variant, whose convex hull is nearly the pebble: the farthest ones in even directions.
     pub fn hulls(&self) -> impl Iterator<Item = Vec<[f32; 3]>> {
         self.variants.iter().map(hull)
     }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use std::array::from_fn;
 use wide::f32x4;
 
-/// Rounding changes lengths by less than this share of all that is added up.
+/// A length is rounded by less than this share of all that is added up.
 const ROUNDING: f64 = 1e-9;
 /// The same for squares of single precision.
 const COARSE: f32 = 1e-4;
