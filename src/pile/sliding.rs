@@ -7,7 +7,7 @@ use glam::DVec3;
 use std::array::from_fn;
 use wide::f32x4;
 
-/// A length is rounded by less than this share of all that is added up.
+/// The greatest rounding error of a length, relative to the largest of its summands.
 const ROUNDING: f64 = 1e-9;
 /// The same for squares of single precision.
 const COARSE: f32 = 1e-4;
