@@ -79,7 +79,8 @@ export class Gestures {
   private down(event: PointerEvent): void {
     const { figures } = this;
     if (this.hold) return this.second();
-    if (event.button !== 0) return;
+    // A finger beside another one draws nothing, even if the browser has taken the first one over.
+    if (event.button !== 0 || !event.isPrimary) return;
     const at = figures.sheet.at(event, figures.side);
     const finger = event.pointerType === 'touch';
     const twice = event.timeStamp - this.before.time < DOUBLE && Math.hypot(event.clientX - this.before.x, event.clientY - this.before.y) < (finger ? NEAR_FOR_FINGERS : NEAR);
