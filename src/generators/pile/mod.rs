@@ -66,7 +66,7 @@ pub static PILE: Generator = Generator {
     ],
     names: &["c1", "form"],
     chance: "pile",
-    home: "330,24,2.5,28",
+    home: "330,24,2.65,28",
     lowest: -85.0,
     engine: |recipe| Box::new(PileEngine::new(recipe)),
 };

@@ -37,7 +37,7 @@ pub(super) struct PileParams {
 pub(super) enum ComponentSource {
     /// By rule.
     Kind(ComponentKind),
-    /// That of a file, by its number among all files of the recipe, and by its digest, 0 if the recipe names none.
+    /// The component of a file, by its number among all files of the recipe, and by its digest, 0 if the recipe names none.
     File(usize, u64),
 }
 
@@ -63,7 +63,7 @@ pub(super) enum SiteSource {
     Pile(PileShape, Vec<f64>),
     /// A shape of surfaces, with its numbers.
     Shape(Shape, Vec<f64>),
-    /// That of a file, by its number among all files of the recipe.
+    /// The shape of a file, by its number among all files of the recipe.
     File(usize),
 }
 
