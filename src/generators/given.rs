@@ -1,7 +1,8 @@
 //! Files for recipes, as they arrive: in pieces, so that no call takes long for the digest.
 
 use crate::hash::Hash;
-use crate::recipe::NamedFile;
+use crate::notice::{Code, Notice};
+use crate::recipe::{Key, NamedFile, Recipe, Rows};
 
 /// Bytes of a word of the digest.
 const WORD: usize = 8;
@@ -62,6 +63,24 @@ impl FileDigest {
         }
         hash.number()
     }
+}
+
+/// Names a file in a recipe under a key, and chooses the word `file` of the choice that this file belongs to.
+///
+/// # Errors
+/// If there is not exactly one file; the recipe is unchanged.
+pub(super) fn name_file(
+    recipe: &mut Recipe,
+    key: Key,
+    rows: Option<Rows>,
+    choice: Key,
+) -> Result<Vec<Notice>, Notice> {
+    let rows = rows
+        .filter(|rows| rows.len() == 1)
+        .ok_or(Code::ModelFirst)?;
+    recipe.set_rows(key, rows)?;
+    recipe.choose(choice, "file");
+    Ok(Vec::new())
 }
 
 /// A file that the work waits for.

@@ -19,6 +19,25 @@ pub struct Preset {
     pub timing: Option<Timing>,
 }
 
+impl Preset {
+    /// A preset that follows no figure.
+    pub const fn plain(
+        [group, name, title]: [&'static str; 3],
+        note: &'static str,
+        link: &'static str,
+    ) -> Self {
+        Self {
+            name,
+            title,
+            group,
+            figure: "",
+            note,
+            link,
+            timing: None,
+        }
+    }
+}
+
 /// The seconds that a paper prints for one of its figures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {

@@ -110,15 +110,11 @@ pub(super) fn of_bodies(view: PileView, piled: &Piled, ground: &BareSurface) -> 
 fn coloured(piled: &Piled, colour: impl Fn(&PiledBody) -> [u8; 3]) -> Diagram {
     let (mut scene, first) = plain(piled);
     for body in kept(piled) {
-        scene.instances.push(Instance {
-            body: first[body.kind as usize] + body.shape,
-            place: place(body, piled.fit),
-            id: body.dart + 1,
-            paint: Some(Paint {
-                tint: colour(body),
-                material: SATIN,
-            }),
-        });
+        let mesh = first[body.kind as usize] + body.shape;
+        let place = place(body, piled.fit);
+        scene
+            .instances
+            .push(painted(mesh, place, body.dart, colour(body)));
     }
     Diagram {
         scene,
@@ -167,20 +163,26 @@ fn spheres(piled: &Piled) -> Diagram {
     for body in kept(piled) {
         let tint = TYPES[body.kind as usize % TYPES.len()];
         for sphere in body.spheres(piled.kinds) {
-            scene.instances.push(Instance {
-                body: 0,
-                place: round(sphere, piled.fit),
-                id: body.dart + 1,
-                paint: Some(Paint {
-                    tint,
-                    material: SATIN,
-                }),
-            });
+            let place = round(sphere, piled.fit);
+            scene.instances.push(painted(0, place, body.dart, tint));
         }
     }
     Diagram {
         scene,
         deepest: None,
+    }
+}
+
+/// A white mesh in its place, with the colour and the id of a dart's body.
+fn painted(body: u32, place: Place, dart: u32, tint: [u8; 3]) -> Instance {
+    Instance {
+        body,
+        place,
+        id: dart + 1,
+        paint: Some(Paint {
+            tint,
+            material: SATIN,
+        }),
     }
 }
 
@@ -214,15 +216,8 @@ fn fates(piled: &Piled, ground: &BareSurface) -> Diagram {
             centre: body.at,
             radius,
         };
-        scene.instances.push(Instance {
-            body: first,
-            place: round(sphere, piled.fit),
-            id: body.dart + 1,
-            paint: Some(Paint {
-                tint,
-                material: SATIN,
-            }),
-        });
+        let place = round(sphere, piled.fit);
+        scene.instances.push(painted(first, place, body.dart, tint));
     }
     Diagram {
         scene,

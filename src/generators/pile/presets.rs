@@ -4,22 +4,6 @@
 
 use crate::generators::{MeasuredPart, Preset, Timing};
 
-const fn preset(
-    [group, name, title]: [&'static str; 3],
-    note: &'static str,
-    link: &'static str,
-) -> Preset {
-    Preset {
-        name,
-        title,
-        group,
-        figure: "",
-        note,
-        link,
-        timing: None,
-    }
-}
-
 /// A figure of the paper.
 const fn drawn(
     [group, name, title, figure]: [&'static str; 4],
@@ -28,7 +12,7 @@ const fn drawn(
 ) -> Preset {
     Preset {
         figure,
-        ..preset([group, name, title], note, link)
+        ..Preset::plain([group, name, title], note, link)
     }
 }
 
@@ -57,122 +41,122 @@ const fn figure(
 /// All presets, in the order of the page.
 #[rustfmt::skip]
 pub const PRESETS: &[Preset] = &[
-    preset(
+    Preset::plain(
         ["Showpieces", "rice-ball", "Rice ball"],
         "Damp grains of every length lie packed without a hole, as if pressed by hand.",
         "v=1&make=pile&k1=0.85&sigma1=1.15&riceball_thick=0.48&riceball_round=0.6&ps=9.5&yaw=-20",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "chestnut-box", "Chestnut box"],
         "Lacquered chestnuts fill an open box, and none of them cuts through the wood.",
         "v=1&make=pile&c1=chestnut&sigma1=0.85&form=openbox&openbox_full=0.95&ps=8&alpha=0.85",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "fruit-basket", "Basket of fruit"],
         "Apples and oranges sink into a bed of walnuts, with a second layer below the first.",
         "v=1&make=pile&c1=apple&sigma1=1.8&l1=1&c2=apple&f2=greenapple&sigma2=2.3&l2=1&c3=orange&k3=0.9&sigma3=1.8&l3=1&c4=walnut&k4=0.5&sigma4=2.1&form=bowl&bowl_full=0.55&ps=8&layers=2&merge=alone&seed=3&first=mixed",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "oranges", "Oranges in a bowl"],
         "Every orange has its pores, and here and there a stalk end looks up.",
         "v=1&make=pile&c1=orange&sigma1=0.8&form=bowl&bowl_full=0.45&ps=8&layers=2",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "wet-pebbles", "Wet pebbles"],
         "River pebbles shine dark below the waterline and lie pale and dry above it.",
         "v=1&make=pile&c1=smooth&f1=river&sigma1=0.95&form=heap&heap_height=0.42&ps=11&gloss=matt&wet=0.45",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "chestnut-rice", "Chestnut rice"],
         "Chestnuts sit deep in the rice, as their range is short and they settle first.",
         "v=1&make=pile&c1=chestnut&k1=1.2&sigma1=3.3&l1=0.1&c2=rice&k2=0.8&sigma2=1.1&riceball_thick=0.5&yaw=-20",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "nuts-bolts", "Nuts and bolts"],
         "Brass nuts lie among steel bolts, and both metals mirror the sky.",
         "v=1&make=pile&c1=nut&k1=1.1&sigma1=4.6&c2=bolt&sigma2=2.6&form=heap&heap_height=0.38&ps=11&merge=alone&offset=0.05&alpha=0.6&first=mixed",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "toys", "Toys"],
         "Rings, balls and blocks share one heap, each shape in its own paint.",
         "v=1&make=pile&c1=torus&f1=red&k1=1.1&sigma1=3.8&c2=ball&f2=yellow&k2=0.8&sigma2=1.6&c3=box&f3=blue&sigma3=2.4&form=heap&heap_height=0.42&ps=9&merge=alone&alpha=0.6&first=mixed",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "cashews", "Cashews"],
         "Cream kernels with darker tips curl around each other in a bowl.",
         "v=1&make=pile&c1=cashew&k1=1.2&sigma1=1.35&tu1=150&tw1=150&form=bowl&bowl_full=0.55&ps=9&alpha=0.7",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "autumn-leaves", "Autumn leaves"],
         "Low light from the side shines through the leaves of a raked heap.",
         "v=1&make=pile&c1=leaf&k1=2&sigma1=6.4&tu1=80&tw1=80&l1=1&form=heap&heap_height=0.38&ps=12&offset=0.05&alpha=0.5&az=225&el=30&amb=1.2&diff=1.2",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "bean-letter", "Bean letter"],
         "The edges of the letter stay crisp, since the beans slide inwards only.",
         "v=1&make=pile&c1=bean&k1=0.75&sigma1=1.8&tu1=90&tw1=90&l1=1.5&form=letter&letter_letter=5&letter_weight=0.2&letter_round=0.35&ps=11&yaw=-15&alpha=1",
     ),
-    preset(
+    Preset::plain(
         ["Showpieces", "stones-hill", "Stones on a hill"],
         "Large stones lie half buried in the ground, and small ones gather between them.",
         "v=1&make=pile&c1=smooth&f1=river&k1=2.2&sigma1=2.2&tu1=60&tw1=60&l1=0.2&c2=smooth&f2=river&k2=0.8&sigma2=1.6&l2=1.2&form=terrain&terrain_hills=2&terrain_height=0.5&ps=16&yaw=20&alpha=0.4&gloss=matt",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "nut-bowl", "Bowl of nuts"],
         "Walnuts, almonds and cashews are mixed in equal parts in a white bowl.",
         "v=1&make=pile&c1=walnut&k1=1.1&sigma1=1.9&l1=1&c2=almond&k2=0.8&sigma2=2.2&c3=cashew&k3=0.9&sigma3=2.4&form=bowl&bowl_full=0.6&ps=8.5&merge=alone&alpha=0.7&first=mixed",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "leaf-dome", "Hedge"],
         "Green leaves cover a dome as thickly as a clipped hedge.",
         "v=1&make=pile&c1=leaf&f1=greenleaf&k1=1.8&sigma1=6&tu1=60&tw1=60&l1=1&form=dome&ps=12&alpha=0.6",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "toy-box", "Box of blocks"],
         "Blue and white blocks tumble into a wooden box.",
         "v=1&make=pile&c1=box&f1=blue&sigma1=2&c2=box&f2=white&sigma2=2&form=openbox&ps=8&merge=alone&alpha=0.6&first=mixed",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "quartz-egg", "Quartz egg"],
         "Smooth white pebbles cover an egg, and no two of them are alike.",
         "v=1&make=pile&c1=smooth&sigma1=1.25&form=egg&ps=11&alpha=0.9",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "sea-glass", "Sea glass"],
         "Rounded glass of five colours fills a white bowl, as if gathered on a beach.",
         "v=1&make=pile&c1=smooth&f1=glass&sigma1=1.2&form=bowl&ps=9",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "leaf-fish", "Fish of leaves"],
         "Green and autumn leaves lie flat on a fish, like scales.",
         "v=1&make=pile&c1=leaf&f1=greenleaf&k1=1.3&sigma1=11&tu1=30&tv1=60&tw1=30&l1=0.5&c2=leaf&k2=1.1&sigma2=11&tu2=30&tv2=60&tw2=30&l2=0.5&form=fish&ps=17&merge=alone&alpha=0.9&first=mixed",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "ivory-knot", "Ivory knot"],
         "Ivory beans follow a knot all along its three lobes.",
         "v=1&make=pile&c1=bean&f1=ivory&sigma1=2&tu1=120&tw1=120&l1=1.2&form=knot&knot_tube=0.6&ps=17&alpha=1",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "nut-letter", "Letter of nuts"],
         "Large brass nuts make an S, and small steel nuts fill the gaps.",
         "v=1&make=pile&c1=nut&sigma1=4.4&tu1=60&tw1=60&l1=1&c2=nut&f2=steel&k2=0.6&sigma2=4.4&tu2=60&tw2=60&form=letter&letter_letter=19&letter_weight=0.2&letter_depth=0.3&letter_round=0.35&ps=16&alpha=1",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "copper-globe", "Copper globe"],
         "Copper nuts lean on a ball, and their rings catch the sky on every side.",
         "v=1&make=pile&c1=nut&f1=copper&sigma1=4.2&tu1=60&tw1=60&l1=1&form=sphere&ps=11&alpha=0.8",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "gear-ring", "Ring of gears"],
         "Steel gears and small brass ones lie flat around a ring.",
         "v=1&make=pile&c1=gear&sigma1=7.6&tu1=0&tw1=0&l1=0.5&c2=gear&f2=brass&k2=0.65&sigma2=7.6&tu2=0&tw2=0&l2=0.5&form=torus&torus_tube=0.33&ps=16",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "ammonite", "Ammonite"],
         "White pebbles trace a coiled shell from the wide mouth to the tip.",
         "v=1&make=pile&c1=smooth&sigma1=1.6&tu1=60&tw1=60&l1=1&form=horn&horn_rise=0&ps=17&alpha=1",
     ),
-    preset(
+    Preset::plain(
         ["Shapes and vessels", "basalt-stairs", "Basalt stairs"],
         "Dark pebbles lie flat on three steps, as if laid by hand.",
         "v=1&make=pile&c1=smooth&f1=basalt&sigma1=1.4&tu1=30&tw1=30&l1=0.6&form=stairs&stairs_steps=3&stairs_width=0.6&ps=18&yaw=20&alpha=0.8",

@@ -1,7 +1,8 @@
 //! Rules beyond single rows: naming a file selects the word `file` of its choice.
 
-use super::schema::{FILE, TYPE_KEYS, keys};
-use crate::notice::{Code, Notice};
+use super::schema::{TYPE_KEYS, keys};
+use crate::generators::given::name_file;
+use crate::notice::Notice;
 use crate::recipe::{Key, Recipe, Rows, Rules};
 
 /// The rules of a pile.
@@ -14,12 +15,8 @@ impl Rules for PileRules {
         key: Key,
         rows: Option<Rows>,
     ) -> Result<Vec<Notice>, Notice> {
-        let rows = rows
-            .filter(|rows| rows.len() == 1)
-            .ok_or(Code::ModelFirst)?;
-        recipe.set_rows(key, rows)?;
         let of_type = TYPE_KEYS.iter().find(|own| own.file == key);
-        recipe.choose(of_type.map_or(keys::FORM, |own| own.component), FILE);
-        Ok(Vec::new())
+        let choice = of_type.map_or(keys::FORM, |own| own.component);
+        name_file(recipe, key, rows, choice)
     }
 }

@@ -1,7 +1,8 @@
 //! Rules beyond single rows: naming a file selects the form `file`.
 
-use super::schema::{FILE, keys};
-use crate::notice::{Code, Notice};
+use super::schema::keys;
+use crate::generators::given::name_file;
+use crate::notice::Notice;
 use crate::recipe::{Key, Recipe, Rows, Rules};
 
 /// The rules of a surface.
@@ -14,11 +15,6 @@ impl Rules for SurfaceRules {
         key: Key,
         rows: Option<Rows>,
     ) -> Result<Vec<Notice>, Notice> {
-        let rows = rows
-            .filter(|rows| rows.len() == 1)
-            .ok_or(Code::ModelFirst)?;
-        recipe.set_rows(key, rows)?;
-        recipe.choose(keys::FORM, FILE);
-        Ok(Vec::new())
+        name_file(recipe, key, rows, keys::FORM)
     }
 }

@@ -13,25 +13,6 @@ mod textures;
 
 use crate::generators::{MeasuredPart, Preset, Timing};
 
-/// A preset without a figure.
-const fn free(
-    group: &'static str,
-    name: &'static str,
-    title: &'static str,
-    note: &'static str,
-    link: &'static str,
-) -> Preset {
-    Preset {
-        name,
-        title,
-        group,
-        figure: "",
-        note,
-        link,
-        timing: None,
-    }
-}
-
 const LISTS: [&[Preset]; 7] = [
     showpieces::PRESETS,
     house::PRESETS,
