@@ -82,6 +82,8 @@ test('two pictures form in step, are paused, stepped and zoomed together, and Es
       if (steps.length === 2) window.pairs.push(steps);
     }).observe(document.querySelector('#frame'), { subtree: true, childList: true, characterData: true });
   });
+  // At slow speed each step is seen, however few frames the machine draws.
+  await page.$eval('#speed input', (radio) => radio.click());
   await beside(page, `${SMALL}&kind=ellipse&seed=5`);
   await does(page, 'again');
   const [[other, , theirs], [mine, , ours]] = await names(page);
