@@ -186,6 +186,12 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.made.as_ref().map(|(_, value)| value)
     }
 
+    /// Whether the value was made with the present parameters from these inputs.
+    #[cfg(house)]
+    pub fn is_fresh(&self, inputs: Inputs) -> bool {
+        self.status.state(inputs) == State::Fresh
+    }
+
     /// The value if it was made from these inputs, with any parameters.
     pub(super) fn made_of(&self, inputs: Inputs) -> Option<&T> {
         self.made().filter(|_| self.status.made_of == Some(inputs))

@@ -11,7 +11,7 @@ use std::fmt::Write;
 
 impl PileEngine {
     /// The results as text files: names and contents. Lengths are in the shape's units, y up.
-    pub(super) fn texts(&self) -> Vec<(&'static str, String)> {
+    pub(super) fn data_files(&self) -> Vec<(&'static str, String)> {
         let made = &self.made;
         let all = (
             made.placed.made(),

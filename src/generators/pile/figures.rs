@@ -9,7 +9,7 @@ use crate::pile::{Fate, contacts};
 impl PileEngine {
     /// The measures of a body, by their words: its type and layer, from 1; how far it slid along the normal, in its
     /// diagonals, and the ends of its range; and how many others it touches.
-    pub(super) fn figures(&self, id: u32) -> Vec<(&'static str, f64)> {
+    pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
         let (Some(body), Some(placed)) = (self.made.body(id), self.made.placed.made()) else {
             return Vec::new();
         };
@@ -32,7 +32,7 @@ impl PileEngine {
     }
 
     /// The caption of a view that is shown.
-    pub(super) fn caption_of(&self, words: &str) -> Option<Notice> {
+    pub(super) fn meaning(&self, words: &str) -> Option<Notice> {
         let view = PileView::of_words(words);
         let (key, subject) = self.picture.shown()?;
         let ViewScene::Diagram(diagram) = subject else {

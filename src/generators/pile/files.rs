@@ -3,13 +3,13 @@
 use super::PileEngine;
 use crate::export::{MeshOrder, MeshSize, SceneFile};
 use crate::generators::scene_picture::Saving;
-use crate::generators::{Clock, Engine, MeshSlice};
+use crate::generators::{Clock, Engine, MeshSlice, Meshes};
 use crate::notice::{Code, Notice};
 use crate::scene::{Instance, Scene};
 use std::rc::Rc;
 
-impl PileEngine {
-    pub(super) fn mesh_slice(
+impl Meshes for PileEngine {
+    fn mesh_file(
         &mut self,
         order: &MeshOrder,
         clock: Clock,
@@ -41,8 +41,12 @@ impl PileEngine {
         ))
     }
 
-    pub(super) fn size_of_mesh(&self, order: &MeshOrder) -> Option<MeshSize> {
+    fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
         let scene = &self.made.bodies.made()?.scene;
         Some(order.scene_size(scene))
+    }
+
+    fn stop_mesh(&mut self) {
+        self.saving = None;
     }
 }

@@ -3,7 +3,7 @@
 use super::darting::Placing;
 use super::params::ComponentSource;
 use super::schema::FILE;
-use super::stages::{BODIES, PileStages, REFINE};
+use super::stages::{BODIES, PileStages};
 use crate::graph::Wiring;
 use crate::pile::{Body, Fate, Kind, Refining};
 use glam::DVec3;
@@ -18,7 +18,7 @@ pub(super) struct Thrown {
 
 impl PileStages {
     /// The darts so far; none before the first is thrown.
-    pub fn darts(&self) -> Thrown {
+    pub(super) fn darts(&self) -> Thrown {
         let thrown = |placing: &Placing| Thrown {
             kinds: placing.kinds().clone(),
             darts: placing.darts().collect(),
@@ -44,48 +44,32 @@ impl PileStages {
     }
 
     /// The bodies that settle, or the last settled ones.
-    pub fn refining(&self) -> Option<&Refining> {
+    pub(super) fn refining(&self) -> Option<&Refining> {
         let moving = self.begun(&self.settled);
         moving.or(self.settled.made())
     }
 
-    /// Whether bodies are settling.
-    pub fn is_moving(&self) -> bool {
-        self.at() == Some(REFINE) && self.is_fresh(&self.dressed)
-    }
-
     /// Whether there is a scene of the present bodies, even if another look is wanted.
-    pub fn has_bodies(&self) -> bool {
+    pub(super) fn has_bodies(&self) -> bool {
         let is_settled = self.is_fresh(&self.settled);
         let bodies = self.bodies.made().filter(|_| is_settled);
         bodies.is_some_and(|bodies| bodies.settled == self.settled.revision())
     }
 
     /// How many bodies have this fate so far.
-    pub fn count(&self, fate: Fate) -> usize {
+    pub(super) fn count(&self, fate: Fate) -> usize {
         let bodies = self.refining().map_or(&[][..], Refining::bodies);
         bodies.iter().filter(|body| body.fate == fate).count()
     }
 
     /// A body of the present pile, by its id.
-    pub fn body(&self, id: u32) -> Option<&Body> {
+    pub(super) fn body(&self, id: u32) -> Option<&Body> {
         let number = (id as usize).checked_sub(1)?;
         self.current(&self.settled)?.bodies().get(number)
     }
 
-    /// The digest of the scene; empty before there is one.
-    pub fn digest(&self) -> String {
-        let bodies = self.bodies.made();
-        bodies.map_or(String::new(), |bodies| bodies.digest.clone())
-    }
-
-    /// The last picture.
-    pub fn picture(&self) -> &[u8] {
-        self.still.made().map_or(&[], Vec::as_slice)
-    }
-
     /// The number of finished bodies.
-    pub fn finished(&self) -> usize {
+    pub(super) fn finished(&self) -> usize {
         match self.at() {
             Some(at) if at < BODIES => 0,
             _ => self.count(Fate::Kept),
@@ -93,7 +77,7 @@ impl PileStages {
     }
 
     /// The words of the types' components.
-    pub fn words(&self) -> Vec<&'static str> {
+    pub(super) fn words(&self) -> Vec<&'static str> {
         let sources = self.components.params().sources.iter();
         let word = |source: &ComponentSource| match source {
             ComponentSource::Kind(kind) => kind.word(),

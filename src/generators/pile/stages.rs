@@ -9,13 +9,13 @@ use super::params::{
     BodyParams, ComponentParams, DartParams, DressParams, PileParams, RoomParams, SiteParams,
 };
 use super::site::{Site, SiteMaking};
-use crate::generators::MissingFile;
 use crate::generators::scene_picture::{
-    AskedFile, GivenFiles, Loaded, Loading, StillParams, StillRender,
+    ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
-use crate::graph::{Inputs, Node, Task, Wiring, inputs, task};
+use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::Notice;
 use crate::pile::{RefineParams, Refining};
+use crate::recipe::Recipe;
 use crate::scene::Scene;
 use crate::surface_views::BareSurface;
 use std::rc::Rc;
@@ -43,11 +43,10 @@ pub(super) struct PileScene {
 }
 
 /// The nodes of the stages, and the files given for them.
-pub(super) struct PileStages {
-    pub files: GivenFiles,
+pub(crate) struct PileStages {
+    files: ModelFiles,
     /// The last components, which stay while only other types change.
     kept: Components,
-    pub(super) loaded: Node<Vec<AskedFile>, Loading, Loaded>,
     pub(super) components: Node<ComponentParams, ComponentsMaking, Components>,
     pub(super) dressed: Node<DressParams, Dressing, Rc<Dressed>>,
     pub(super) site: Node<SiteParams, SiteMaking, Site>,
@@ -55,16 +54,18 @@ pub(super) struct PileStages {
     pub(super) placed: Node<DartParams, Placing, Placed>,
     pub(super) settled: Node<RefineParams, Refining, Refining>,
     pub(super) bodies: Node<BodyParams, Heap, PileScene>,
-    pub(super) still: Node<StillParams, StillRender, Vec<u8>>,
+    pub(super) still: StillNode,
 }
 
 impl Wiring for PileStages {
     type Stage = usize;
 
     const TASKS: &'static [Task<Self>] = &[
-        task!(0, loaded, Self::files_given, Self::load),
-        task!(0, components, [loaded], Self::make_components),
-        task!(1, site, [loaded], Self::make_site),
+        task!(0, files.loaded, |all| all.files.inputs(), |all| all
+            .files
+            .load()),
+        task!(0, components, [files.loaded], Self::make_components),
+        task!(1, site, [files.loaded], Self::make_site),
         task!(1, ground, [components, site], Self::make_ground),
         task!(2, placed, [components, site], Self::make_darts),
         task!(REFINE, dressed, [components], Self::make_dressed),
@@ -89,13 +90,67 @@ fn still(params: &PileParams) -> StillParams {
     }
 }
 
+impl SceneStages for PileStages {
+    const FINISHER: usize = BODIES;
+
+    fn ask(&mut self, recipe: &Recipe) {
+        let params = PileParams::new(recipe);
+        self.still.ask(still(&params));
+        self.files.loaded.ask(params.files);
+        self.components.ask(params.components);
+        self.dressed.ask(params.dress);
+        self.site.ask(params.site);
+        self.ground.ask(params.room);
+        self.placed.ask(params.darts);
+        self.settled.ask(params.refine);
+        self.bodies.ask(params.bodies);
+    }
+
+    fn forget(&mut self) {
+        self.kept.clear();
+        self.components.forget();
+        self.site.forget();
+    }
+
+    fn remarks(&self) -> Vec<Notice> {
+        let components = self.current(&self.components);
+        let of_files = components
+            .into_iter()
+            .flatten()
+            .flat_map(|one| &one.notices);
+        let placed = self.current(&self.placed);
+        let of_sizes = placed.into_iter().flat_map(|placed| &placed.remarks);
+        of_files.chain(of_sizes).cloned().collect()
+    }
+
+    fn files(&self) -> &ModelFiles {
+        &self.files
+    }
+
+    fn files_mut(&mut self) -> &mut ModelFiles {
+        &mut self.files
+    }
+
+    fn still(&self) -> &StillNode {
+        &self.still
+    }
+
+    fn is_moving(&self) -> bool {
+        self.at() == Some(REFINE) && self.is_fresh(&self.dressed)
+    }
+
+    fn digest(&self) -> String {
+        let bodies = self.bodies.made();
+        bodies.map_or(String::new(), |bodies| bodies.digest.clone())
+    }
+}
+
 impl PileStages {
     /// Starts with nothing made.
-    pub fn new(params: &PileParams) -> Self {
+    pub(super) fn new(params: &PileParams) -> Self {
         Self {
-            files: GivenFiles::default(),
+            files: ModelFiles::new(params.files.clone()),
             kept: Components::default(),
-            loaded: Node::new(params.files.clone()),
             components: Node::new(params.components.clone()),
             dressed: Node::new(params.dress.clone()),
             site: Node::new(params.site.clone()),
@@ -107,65 +162,8 @@ impl PileStages {
         }
     }
 
-    /// Notes the parameters of the latest recipe.
-    pub fn ask(&mut self, params: PileParams) {
-        self.still.ask(still(&params));
-        self.loaded.ask(params.files);
-        self.components.ask(params.components);
-        self.dressed.ask(params.dress);
-        self.site.ask(params.site);
-        self.ground.ask(params.room);
-        self.placed.ask(params.darts);
-        self.settled.ask(params.refine);
-        self.bodies.ask(params.bodies);
-    }
-
-    /// Makes all stages stale.
-    pub fn forget(&mut self) {
-        self.kept.clear();
-        self.components.forget();
-        self.site.forget();
-    }
-
-    /// Takes a file.
-    pub fn give(&mut self, digest: u64, bytes: Vec<u8>) {
-        self.files.give(digest, bytes, self.loaded.params());
-    }
-
-    /// The missing files, also before any work has found that out.
-    pub fn missing(&self) -> Vec<MissingFile> {
-        let asked = match self.is_fresh(&self.loaded) {
-            true => &[],
-            false => &self.loaded.params()[..],
-        };
-        self.files.missing(asked).collect()
-    }
-
-    /// Remarks on files that were mended, and on sizes that do not fit well.
-    pub fn remarks(&self) -> Vec<Notice> {
-        let components = self.current(&self.components);
-        let of_files = components
-            .into_iter()
-            .flatten()
-            .flat_map(|one| &one.notices);
-        let placed = self.current(&self.placed);
-        let of_sizes = placed.into_iter().flat_map(|placed| &placed.remarks);
-        of_files.chain(of_sizes).cloned().collect()
-    }
-
-    /// The number of files that are there, as the input of loading.
-    fn files_given(&self) -> Inputs {
-        inputs([self.files.count(self.loaded.params())])
-    }
-
-    fn load(&mut self) -> Option<()> {
-        let files = &self.files;
-        self.loaded
-            .advance(|asked, work| Loading::advance(asked, work, files))
-    }
-
     fn make_components(&mut self) -> Option<()> {
-        let (loaded, kept) = (self.loaded.made()?, &mut self.kept);
+        let (loaded, kept) = (self.files.loaded.made()?, &mut self.kept);
         self.components
             .advance(|params, work| ComponentsMaking::advance(params, work, loaded, kept))
     }
@@ -177,7 +175,7 @@ impl PileStages {
     }
 
     fn make_site(&mut self) -> Option<()> {
-        let loaded = self.loaded.made()?;
+        let loaded = self.files.loaded.made()?;
         self.site
             .advance(|params, work| SiteMaking::advance(params, work, loaded))
     }

@@ -4,7 +4,7 @@ use super::PileEngine;
 use super::diagrams::{self, Diagram};
 use super::heap::Heap;
 use super::views::PileView;
-use crate::generators::scene_picture::{ScenePicture, SceneSource, StillParams};
+use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
 use crate::graph::Wiring;
 use crate::material::Material;
 use crate::scene::Scene;

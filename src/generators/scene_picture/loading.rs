@@ -1,6 +1,8 @@
-//! Reads, checks and mends the surfaces of files, one after the other.
+//! Reads, checks and mends the surfaces of the files that a recipe names, one after the other.
 
 use super::given_files::{AskedFile, GivenFiles};
+use crate::generators::MissingFile;
+use crate::graph::{Inputs, Node, inputs};
 use crate::modelfiles::Reading;
 use crate::notice::{Code, Notice, quote};
 use crate::trimesh::TriMesh;
@@ -15,6 +17,49 @@ pub(crate) struct Loaded {
     pub meshes: Vec<Arc<TriMesh>>,
     /// Notices about mended faults.
     pub notices: Vec<Notice>,
+}
+
+/// The files that a recipe names: those that have been given, and the surfaces in them.
+pub(crate) struct ModelFiles {
+    given: GivenFiles,
+    /// The node of the surfaces; its inputs are [`ModelFiles::inputs`], its work is [`ModelFiles::load`].
+    pub loaded: Node<Vec<AskedFile>, Loading, Loaded>,
+}
+
+impl ModelFiles {
+    /// Starts with no file.
+    pub fn new(asked: Vec<AskedFile>) -> Self {
+        Self {
+            given: GivenFiles::default(),
+            loaded: Node::new(asked),
+        }
+    }
+
+    /// Takes a file.
+    pub fn give(&mut self, digest: u64, bytes: Vec<u8>) {
+        self.given.give(digest, bytes, self.loaded.params());
+    }
+
+    /// The missing files, also before any work has found that out.
+    pub fn missing(&self) -> Vec<MissingFile> {
+        let asked = match self.loaded.is_fresh(self.inputs()) {
+            true => &[],
+            false => &self.loaded.params()[..],
+        };
+        self.given.missing(asked).collect()
+    }
+
+    /// The number of files that are there, as the input of loading.
+    pub fn inputs(&self) -> Inputs {
+        inputs([self.given.count(self.loaded.params())])
+    }
+
+    /// Does one slice of loading.
+    pub fn load(&mut self) -> Option<()> {
+        let given = &self.given;
+        self.loaded
+            .advance(|asked, work| Loading::advance(asked, work, given))
+    }
 }
 
 /// Surfaces that are being loaded.
@@ -35,7 +80,7 @@ impl Loading {
     ///
     /// # Errors
     /// If a file is missing or cannot be read.
-    pub fn advance(
+    pub(super) fn advance(
         asked: &[AskedFile],
         work: &mut Option<Loading>,
         files: &GivenFiles,

@@ -1,6 +1,8 @@
 //! The finisher of scenes: the picture, frames of a moving camera, pictures of views, files of bodies, and files that
-//! recipes name. A generator implements [`SceneSource`] and keeps one [`ScenePicture`].
+//! recipes name. A generator implements [`SceneSource`] and keeps one [`ScenePicture`]; with [`SceneEngine`] it gets
+//! the interfaces of an engine.
 
+mod engine;
 mod files;
 mod given_files;
 mod loading;
@@ -12,9 +14,10 @@ mod tests;
 mod view;
 mod yaw;
 
+pub(crate) use engine::{SceneEngine, SceneStages, StillNode};
 pub(crate) use files::Saving;
-pub(crate) use given_files::{AskedFile, GivenFiles};
-pub(crate) use loading::{Loaded, Loading};
+pub(crate) use given_files::AskedFile;
+pub(crate) use loading::{Loaded, ModelFiles};
 pub(crate) use picture::{ScenePicture, SceneSource, turn};
 pub(crate) use still::{StillParams, StillRender};
 pub(crate) use view::{prepare, view};

@@ -1,5 +1,7 @@
 //! Tests of the finisher with a generator of plain boxes that has no other stages.
 
+use super::given_files::GivenFiles;
+use super::loading::Loading;
 use super::*;
 use crate::export::{MeshFormat, MeshOrder, SceneFile};
 use crate::generators::lighting::LightParams;

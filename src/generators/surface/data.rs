@@ -7,7 +7,7 @@ use glam::DVec3;
 
 impl SurfaceEngine {
     /// The results as text files: names and contents.
-    pub(super) fn texts(&self) -> Vec<(&'static str, String)> {
+    pub(super) fn data_files(&self) -> Vec<(&'static str, String)> {
         let cells = self
             .made
             .paved()

@@ -2,13 +2,13 @@
 
 use super::SurfaceEngine;
 use super::stages::stones_params;
-use crate::export::{MeshOrder, ModelFile};
+use crate::export::{MeshOrder, MeshSize, ModelFile};
 use crate::generators::scene_picture::Saving;
-use crate::generators::{Clock, Engine, MeshSlice};
+use crate::generators::{Clock, Engine, MeshSlice, Meshes};
 use crate::notice::{Code, Notice};
 
-impl SurfaceEngine {
-    pub(super) fn mesh_slice(
+impl Meshes for SurfaceEngine {
+    fn mesh_file(
         &mut self,
         order: &MeshOrder,
         clock: Clock,
@@ -36,5 +36,15 @@ impl SurfaceEngine {
             (clock, budget),
             advance,
         ))
+    }
+
+    fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
+        let (paved, built) = (self.made.paved()?, self.made.last_built()?);
+        let ground = built.whole.triangles().len();
+        Some(order.model_size(paved.cells.len(), ground))
+    }
+
+    fn stop_mesh(&mut self) {
+        self.saving = None;
     }
 }

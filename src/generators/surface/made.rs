@@ -4,7 +4,7 @@ use super::build::Built;
 use super::fields::FieldsWithRemarks;
 use super::params::MeshSource;
 use super::paving::PavedCells;
-use super::stages::{PACKING, STONES, Stages, stones_params};
+use super::stages::{STONES, Stages, stones_params};
 use crate::generators::ModelFacts;
 use crate::generators::packs::PackingProgress;
 use crate::graph::Wiring;
@@ -36,17 +36,17 @@ pub(super) struct Standing<'a> {
 
 impl Stages {
     /// The surface, if it was made with the present parameters.
-    pub fn built(&self) -> Option<&Built> {
+    pub(super) fn built(&self) -> Option<&Built> {
         self.current(&self.built)
     }
 
     /// The last surface.
-    pub fn last_built(&self) -> Option<&Built> {
+    pub(super) fn last_built(&self) -> Option<&Built> {
         self.built.made()
     }
 
     /// Measures of the last surface, if the recipe asks for that of a file.
-    pub fn model(&self) -> Option<ModelFacts> {
+    pub(super) fn model(&self) -> Option<ModelFacts> {
         let built = self.built()?;
         let MeshSource::Model(_) = self.built.params().source else {
             return None;
@@ -59,17 +59,17 @@ impl Stages {
     }
 
     /// The last site.
-    pub fn site(&self) -> Option<&PackingMesh> {
+    pub(super) fn site(&self) -> Option<&PackingMesh> {
         self.site.made()
     }
 
     /// The fields of the present surface.
-    pub fn fresh_fields(&self) -> Option<&FieldsWithRemarks> {
+    pub(super) fn fresh_fields(&self) -> Option<&FieldsWithRemarks> {
         self.current(&self.fields)
     }
 
     /// The packing in progress on the present fields, or the finished one.
-    pub fn live_packing(&self) -> Option<&SurfacePacking> {
+    pub(super) fn live_packing(&self) -> Option<&SurfacePacking> {
         match self.begun(&self.packing) {
             Some(packs) => packs.moving(),
             None => self.current(&self.packing),
@@ -77,7 +77,7 @@ impl Stages {
     }
 
     /// The revision of the last surface, and those of the results on it.
-    pub fn revisions(&self) -> (u64, Revisions) {
+    pub(super) fn revisions(&self) -> (u64, Revisions) {
         let revisions = Revisions {
             fields: self.fields.revision(),
             mesh: self.mesh.revision(),
@@ -87,48 +87,42 @@ impl Stages {
     }
 
     /// The packing in progress, or the last one.
-    pub fn packing(&self) -> Option<&SurfacePacking> {
+    pub(super) fn packing(&self) -> Option<&SurfacePacking> {
         let moving = self.packing.work().and_then(PackingProgress::moving);
         moving.or(self.packing.made())
     }
 
     /// The packing in progress, or the last one, and its site. The packing is mutable because it caches measures such as its energy.
-    pub fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &PackingMesh)> {
+    pub(super) fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &PackingMesh)> {
         let (work, made) = self.packing.both_mut();
         let moving = work.and_then(PackingProgress::moving_mut);
         moving.or(made).zip(self.site.made())
     }
 
-    /// Whether cells are moving.
-    pub fn is_moving(&self) -> bool {
-        let moving = self.begun(&self.packing).and_then(PackingProgress::moving);
-        self.at() == Some(PACKING) && moving.is_some_and(|packing| !packing.is_in_a_step())
-    }
-
     /// The report of the last step.
-    pub fn report(&self) -> StepReport {
+    pub(super) fn report(&self) -> StepReport {
         self.packing()
             .map(SurfacePacking::report)
             .unwrap_or_default()
     }
 
     /// The last mesh of cells.
-    pub fn mesh(&self) -> Option<&SurfaceMesh> {
+    pub(super) fn mesh(&self) -> Option<&SurfaceMesh> {
         self.mesh.made()
     }
 
     /// The last cells.
-    pub fn paved(&self) -> Option<&PavedCells> {
+    pub(super) fn paved(&self) -> Option<&PavedCells> {
         self.paved.made()
     }
 
     /// The last scene of stones, and its revision.
-    pub fn scene(&self) -> Option<(&Rc<Scene>, u64)> {
+    pub(super) fn scene(&self) -> Option<(&Rc<Scene>, u64)> {
         Some((&self.stones.made()?.scene, self.stones.revision()))
     }
 
     /// The stones with their cells, if both are those of the present recipe.
-    pub fn standing(&self) -> Option<Standing<'_>> {
+    pub(super) fn standing(&self) -> Option<Standing<'_>> {
         Some(Standing {
             scene: &self.current(&self.stones)?.scene,
             params: stones_params(self.stones.params(), &self.paved.made()?.cells),
@@ -139,20 +133,14 @@ impl Stages {
     }
 
     /// Whether there are stones of the present packing, even if other ones are wanted.
-    pub fn has_stones(&self) -> bool {
+    pub(super) fn has_stones(&self) -> bool {
         let is_packed = self.is_fresh(&self.packing);
         let bodies = self.stones.made().filter(|_| is_packed);
         bodies.is_some_and(|bodies| bodies.packing == self.packing.revision())
     }
 
-    /// The digest of the scene; empty before there is one.
-    pub fn digest(&self) -> String {
-        let bodies = self.stones.made();
-        bodies.map_or(String::new(), |bodies| bodies.digest.clone())
-    }
-
     /// How many stones are done.
-    pub fn stones(&self) -> usize {
+    pub(super) fn stones(&self) -> usize {
         match (self.stones.work(), self.paved.made()) {
             (Some(work), Some(paved)) => {
                 (work.progress(&paved.cells) * paved.cells.len() as f64) as usize
@@ -162,13 +150,8 @@ impl Stages {
         }
     }
 
-    /// The last picture.
-    pub fn picture(&self) -> &[u8] {
-        self.still.made().map_or(&[], Vec::as_slice)
-    }
-
     /// Grows with every change of the packing that views may show.
-    pub fn changes(&self) -> u64 {
+    pub(super) fn changes(&self) -> u64 {
         self.packing.slices() + self.packing.revision()
     }
 }

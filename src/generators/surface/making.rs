@@ -15,14 +15,14 @@ use std::rc::Rc;
 impl SurfaceEngine {
     /// The measures of the cell under a body, by their words, in its tangent plane. Lengths are in picture units. There
     /// is no angle, as a surface has no common direction to count from, but the cell's angle to the direction field.
-    pub(super) fn figures(&self, id: u32) -> Vec<(&'static str, f64)> {
+    pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
         let is_picture = matches!(self.picture.shown(), Some((_, ViewScene::Stones(_))));
         let standing = self.made.standing().filter(|_| is_picture);
         standing.map_or(Vec::new(), |standing| measures(&standing, id))
     }
 
     /// The words of the steps in the making of a body.
-    pub(super) fn steps_of(&self, id: u32) -> Vec<String> {
+    pub(super) fn making_steps(&self, id: u32) -> Vec<String> {
         let steps = self.made.standing().map(|standing| listed(&standing, id));
         let words = steps.into_iter().flatten().map(StoneStep::word);
         words.map(str::to_owned).collect()

@@ -5,14 +5,14 @@ use super::build::{Building, Built};
 use super::fields::{Fielding, FieldsWithRemarks};
 use super::params::{CellParams, FieldParams, MeshSource, Params, StoneLook, SurfaceParams};
 use super::paving::{PavedCells, PavingInputs, PavingProgress};
-use crate::generators::MissingFile;
 use crate::generators::packs::PackingProgress;
 use crate::generators::scene_picture::{
-    AskedFile, GivenFiles, Loaded, Loading, StillParams, StillRender,
+    AskedFile, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
-use crate::graph::{Inputs, Node, Task, Wiring, inputs, task};
+use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::{Code, Notice};
 use crate::packing::PackingParams;
+use crate::recipe::Recipe;
 use crate::scene::Scene;
 use crate::surface_cells::SurfaceCell;
 use crate::surface_cells::{Polish, SurfaceMesh, SurfaceMeshing};
@@ -43,9 +43,8 @@ pub(super) struct Bodies {
 }
 
 /// The nodes of the stages, and the files given for them.
-pub(super) struct Stages {
-    pub files: GivenFiles,
-    pub(super) loaded: Node<Vec<AskedFile>, Loading, Loaded>,
+pub(crate) struct Stages {
+    files: ModelFiles,
     pub(super) built: Node<SurfaceParams, Building, Built>,
     pub(super) fields: Node<FieldParams, Fielding, FieldsWithRemarks>,
     pub(super) site: Node<(), PackingMeshMaking, PackingMesh>,
@@ -54,15 +53,17 @@ pub(super) struct Stages {
     pub(super) mesh: Node<(), SurfaceMeshing, SurfaceMesh>,
     pub(super) paved: Node<CellParams, PavingProgress, PavedCells>,
     pub(super) stones: Node<StoneLook, Stones, Bodies>,
-    pub(super) still: Node<StillParams, StillRender, Vec<u8>>,
+    pub(super) still: StillNode,
 }
 
 impl Wiring for Stages {
     type Stage = usize;
 
     const TASKS: &'static [Task<Self>] = &[
-        task!(0, loaded, Self::files_given, Self::load),
-        task!(0, built, [loaded], Self::build),
+        task!(0, files.loaded, |all| all.files.inputs(), |all| all
+            .files
+            .load()),
+        task!(0, built, [files.loaded], Self::build),
         task!(1, fields, [built], Self::make_fields),
         task!(PACKING, site, [fields], Self::make_site),
         task!(PACKING, packing, [fields, site], Self::make_packing),
@@ -91,12 +92,63 @@ fn still(params: &Params) -> StillParams {
     }
 }
 
+impl SceneStages for Stages {
+    const FINISHER: usize = STONES;
+
+    fn ask(&mut self, recipe: &Recipe) {
+        let params = Params::new(recipe);
+        self.files.loaded.ask(asked(&params.surface));
+        self.still.ask(still(&params));
+        self.built.ask(params.surface);
+        self.fields.ask(params.fields);
+        self.packing.ask(params.packing);
+        self.paved.ask(params.cells);
+        self.stones.ask(params.stones);
+    }
+
+    fn forget(&mut self) {
+        self.built.forget();
+    }
+
+    fn remarks(&self) -> Vec<Notice> {
+        let built = self.built().map_or(&[][..], |built| &built.notices);
+        let fields = self
+            .fresh_fields()
+            .map_or(&[][..], |fielded| &fielded.notices);
+        let count = self
+            .current(&self.paved)
+            .and_then(|paved| self.count(paved));
+        built.iter().chain(fields).cloned().chain(count).collect()
+    }
+
+    fn files(&self) -> &ModelFiles {
+        &self.files
+    }
+
+    fn files_mut(&mut self) -> &mut ModelFiles {
+        &mut self.files
+    }
+
+    fn still(&self) -> &StillNode {
+        &self.still
+    }
+
+    fn is_moving(&self) -> bool {
+        let moving = self.begun(&self.packing).and_then(PackingProgress::moving);
+        self.at() == Some(PACKING) && moving.is_some_and(|packing| !packing.is_in_a_step())
+    }
+
+    fn digest(&self) -> String {
+        let bodies = self.stones.made();
+        bodies.map_or(String::new(), |bodies| bodies.digest.clone())
+    }
+}
+
 impl Stages {
     /// Starts with nothing made.
-    pub fn new(params: &Params) -> Self {
+    pub(super) fn new(params: &Params) -> Self {
         Self {
-            files: GivenFiles::default(),
-            loaded: Node::new(asked(&params.surface)),
+            files: ModelFiles::new(asked(&params.surface)),
             built: Node::new(params.surface.clone()),
             fields: Node::new(params.fields.clone()),
             site: Node::new(()),
@@ -106,48 +158,6 @@ impl Stages {
             stones: Node::new(params.stones),
             still: Node::new(still(params)),
         }
-    }
-
-    /// Notes the parameters of the latest recipe.
-    pub fn ask(&mut self, params: Params) {
-        self.loaded.ask(asked(&params.surface));
-        self.still.ask(still(&params));
-        self.built.ask(params.surface);
-        self.fields.ask(params.fields);
-        self.packing.ask(params.packing);
-        self.paved.ask(params.cells);
-        self.stones.ask(params.stones);
-    }
-
-    /// Makes all stages stale.
-    pub fn forget(&mut self) {
-        self.built.forget();
-    }
-
-    /// Takes a file.
-    pub fn give(&mut self, digest: u64, bytes: Vec<u8>) {
-        self.files.give(digest, bytes, self.loaded.params());
-    }
-
-    /// The missing files, also before any work has found that out.
-    pub fn missing(&self) -> Vec<MissingFile> {
-        let asked = match self.is_fresh(&self.loaded) {
-            true => &[],
-            false => &self.loaded.params()[..],
-        };
-        self.files.missing(asked).collect()
-    }
-
-    /// Remarks on repairs of the surface, and on the fit of cells.
-    pub fn remarks(&self) -> Vec<Notice> {
-        let built = self.built().map_or(&[][..], |built| &built.notices);
-        let fields = self
-            .fresh_fields()
-            .map_or(&[][..], |fielded| &fielded.notices);
-        let count = self
-            .current(&self.paved)
-            .and_then(|paved| self.count(paved));
-        built.iter().chain(fields).cloned().chain(count).collect()
     }
 
     /// A notice if there are far fewer or more cells than the recipe asks for. Every cell needs a place, also where the
@@ -160,19 +170,8 @@ impl Stages {
         (!(1.0 / COUNT..=COUNT).contains(&share)).then_some(told)
     }
 
-    /// The number of files that are there, as the input of loading.
-    fn files_given(&self) -> Inputs {
-        inputs([self.files.count(self.loaded.params())])
-    }
-
-    fn load(&mut self) -> Option<()> {
-        let files = &self.files;
-        self.loaded
-            .advance(|asked, work| Loading::advance(asked, work, files))
-    }
-
     fn build(&mut self) -> Option<()> {
-        let loaded = self.loaded.made()?;
+        let loaded = self.files.loaded.made()?;
         self.built
             .advance(|params, work| Building::advance(params, work, loaded))
     }

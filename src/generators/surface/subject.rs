@@ -3,7 +3,7 @@
 use super::SurfaceEngine;
 use super::views::SurfaceView;
 use crate::draw::Tones;
-use crate::generators::scene_picture::{ScenePicture, SceneSource, StillParams};
+use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
 use crate::graph::Wiring;
 use crate::material::Material;
 use crate::notice::{Code, Notice};
@@ -224,7 +224,7 @@ impl SceneSource for SurfaceEngine {
 
 impl SurfaceEngine {
     /// The caption of a view that is shown.
-    pub(super) fn caption_of(&self, words: &str) -> Option<Notice> {
+    pub(super) fn meaning(&self, words: &str) -> Option<Notice> {
         let view = SurfaceView::of_words(words);
         let (of, subject) = self.picture.shown()?;
         match (subject, view) {

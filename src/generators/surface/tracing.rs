@@ -57,7 +57,7 @@ fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
 impl SurfaceEngine {
     /// The place of the model at a pixel of the last finished frame, as in rows of strokes and spots; `None` beside
     /// the model.
-    pub(super) fn place_seen_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {
+    pub(super) fn traced_place(&self, x: usize, y: usize) -> Option<[i64; 3]> {
         let seen = self.picture.place_at(x, y)?.as_dvec3();
         let built = self.made.last_built()?;
         let fit = Fit::new(&built.whole);
@@ -65,7 +65,7 @@ impl SurfaceEngine {
     }
 
     /// Where such a place is in the last finished frame, in pixels; `None` if it is not visible there.
-    pub(super) fn pixel_of_place(&self, numbers: [i64; 3]) -> Option<[f64; 2]> {
+    pub(super) fn traced_pixel(&self, numbers: [i64; 3]) -> Option<[f64; 2]> {
         let built = self.made.last_built()?;
         let fit = Fit::new(&built.whole);
         self.picture

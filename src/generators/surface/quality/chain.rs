@@ -2,6 +2,7 @@
 
 use crate::field::CellKind;
 use crate::generators::GivenFile;
+use crate::generators::scene_picture::SceneStages;
 use crate::generators::surface::params::Params;
 use crate::generators::surface::stages::Stages;
 use crate::generators::surface::{SCHEMA, keys};
@@ -90,7 +91,7 @@ impl Body {
         }
         let mut stages = Stages::new(&Params::new(&recipe));
         if let Some(file) = file {
-            stages.give(file.digest(), file.into_bytes());
+            stages.files_mut().give(file.digest(), file.into_bytes());
         }
         while stages.at().is_some_and(|at| at < CELLS) {
             assert_eq!(stages.failure(), None, "{}", self.name);

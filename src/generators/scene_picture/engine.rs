@@ -1,0 +1,253 @@
+//! The engine of any generator of bodies in space. A generator says what is its own in [`SceneEngine`] and
+//! [`SceneStages`]; the interfaces for the studio follow from these.
+
+use super::loading::ModelFiles;
+use super::picture::{ScenePicture, SceneSource, turn};
+use super::still::{StillParams, StillRender};
+use super::view::{prepare, view};
+use crate::export::Report;
+use crate::generators::{
+    Clock, Engine, Files, FrameSlice, Frames, GivenFile, Meshes, MissingFile, ModelFacts, Progress,
+    SeenBody, TurnOrder,
+};
+use crate::graph::{Node, Wiring};
+use crate::notice::Notice;
+use crate::recipe::Recipe;
+use crate::scene::Frame;
+
+/// The node of the finished picture.
+pub(crate) type StillNode = Node<StillParams, StillRender, Vec<u8>>;
+
+/// The stages of a generator of bodies in space. A stage is its index.
+pub(crate) trait SceneStages: Wiring<Stage = usize> {
+    /// The index of the stage that makes the bodies; the stages before it form them.
+    const FINISHER: usize;
+
+    /// Notes the parameters of the latest recipe.
+    fn ask(&mut self, recipe: &Recipe);
+
+    /// Makes all stages stale.
+    fn forget(&mut self);
+
+    /// The files that the recipe names.
+    fn files(&self) -> &ModelFiles;
+
+    /// The same, mutable.
+    fn files_mut(&mut self) -> &mut ModelFiles;
+
+    /// The node of the finished picture.
+    fn still(&self) -> &StillNode;
+
+    /// The last finished picture; empty before there is one.
+    fn picture(&self) -> &[u8] {
+        self.still().made().map_or(&[], Vec::as_slice)
+    }
+
+    /// Remarks on mended files, and on parts that do not fit well.
+    fn remarks(&self) -> Vec<Notice>;
+
+    /// Whether the next slice begins a step that a viewer sees.
+    fn is_moving(&self) -> bool;
+
+    /// The digest of the scene; empty before there is one.
+    fn digest(&self) -> String;
+}
+
+/// A generator of bodies in space: its stages, and what it tells of them.
+pub(crate) trait SceneEngine: SceneSource + Meshes {
+    /// Its stages.
+    type Stages: SceneStages;
+
+    /// Its stages.
+    fn made(&self) -> &Self::Stages;
+
+    /// The same, mutable.
+    fn made_mut(&mut self) -> &mut Self::Stages;
+
+    /// The pictures of its scenes.
+    fn pictures(&self) -> &ScenePicture<Self>;
+
+    /// The progress of the work.
+    fn work_done(&self) -> Progress;
+
+    /// The potential energy of bodies that move by forces; 0 if none do.
+    fn work_energy(&mut self) -> f64 {
+        0.0
+    }
+
+    /// The number of finished bodies.
+    fn body_count(&self) -> usize;
+
+    /// The results as text files: names and contents.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn texts(&self) -> Vec<(&'static str, String)>;
+
+    /// The measures of a body, by their words.
+    fn figures(&self, id: u32) -> Vec<(&'static str, f64)>;
+
+    /// The caption of a view that is shown.
+    fn caption_of(&self, words: &str) -> Option<Notice>;
+
+    /// The words of the steps in the making of a body.
+    fn steps_of(&self, _id: u32) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// The place of the model at a pixel of the last frame, as in rows of strokes and spots; `None` beside the model.
+    fn place_seen_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
+        None
+    }
+
+    /// The pixel of such a place in the last frame; `None` if the place is not visible.
+    fn pixel_of_place(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
+        None
+    }
+
+    /// Measures of the model that a file gives.
+    fn model_facts(&self) -> Option<ModelFacts> {
+        None
+    }
+}
+
+impl<E: SceneEngine> Engine for E {
+    fn ask(&mut self, recipe: &Recipe) {
+        self.made_mut().ask(recipe);
+    }
+
+    fn stale(&self) -> Option<usize> {
+        self.made().stale()
+    }
+
+    fn take_up(&mut self) {
+        self.made_mut().take_up();
+    }
+
+    fn forget(&mut self) {
+        self.made_mut().forget();
+    }
+
+    fn side(&self) -> usize {
+        self.made().still().params().side
+    }
+
+    fn at(&self) -> Option<usize> {
+        self.made().at()
+    }
+
+    fn failure(&self) -> Option<&Notice> {
+        self.made().failure()
+    }
+
+    fn remarks(&self) -> Vec<Notice> {
+        self.made().remarks()
+    }
+
+    fn advance(&mut self) {
+        self.made_mut().advance();
+    }
+
+    fn is_step(&self) -> bool {
+        self.made().is_moving()
+    }
+
+    fn is_forming(&self) -> bool {
+        self.made().at().is_some_and(|at| at < E::Stages::FINISHER)
+    }
+
+    fn runs(&self) -> Vec<u64> {
+        self.made().runs()
+    }
+
+    fn progress(&self) -> Progress {
+        self.work_done()
+    }
+
+    fn energy(&mut self) -> f64 {
+        self.work_energy()
+    }
+
+    fn view(&mut self, words: &str) -> &[u8] {
+        view(self, words)
+    }
+
+    fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
+        prepare(self, words, clock, budget)
+    }
+
+    fn picture(&self) -> &[u8] {
+        self.made().picture()
+    }
+
+    fn digest(&self) -> String {
+        self.made().digest()
+    }
+
+    fn report(&mut self, report: &mut Report) {
+        report.cells = self.body_count();
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn data(&self) -> Vec<(&'static str, String)> {
+        self.texts()
+    }
+
+    fn meshes(&mut self) -> Option<&mut dyn Meshes> {
+        Some(self)
+    }
+
+    fn frames(&mut self) -> Option<&mut dyn Frames> {
+        Some(self)
+    }
+
+    fn files(&mut self) -> Option<&mut dyn Files> {
+        Some(self)
+    }
+}
+
+impl<E: SceneEngine> Frames for E {
+    fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
+        turn(self, order, clock, budget)
+    }
+
+    fn frame(&self) -> Option<&Frame> {
+        self.pictures().frame()
+    }
+
+    fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody> {
+        let yaw = self.made().still().params().yaw;
+        let body = self.scene_picture().body_at(yaw, x, y)?;
+        let figures = self.figures(body.id);
+        Some(SeenBody { figures, ..body })
+    }
+
+    fn making(&self, id: u32) -> Vec<String> {
+        self.steps_of(id)
+    }
+
+    fn caption(&self, words: &str) -> Option<Notice> {
+        self.caption_of(words)
+    }
+
+    fn place_at(&self, x: usize, y: usize) -> Option<[i64; 3]> {
+        self.place_seen_at(x, y)
+    }
+
+    fn pixel_of(&self, place: [i64; 3]) -> Option<[f64; 2]> {
+        self.pixel_of_place(place)
+    }
+}
+
+impl<E: SceneEngine> Files for E {
+    fn give(&mut self, file: GivenFile) {
+        let digest = file.digest();
+        self.made_mut().files_mut().give(digest, file.into_bytes());
+    }
+
+    fn missing(&self) -> Vec<MissingFile> {
+        self.made().files().missing()
+    }
+
+    fn model(&self) -> Option<ModelFacts> {
+        self.model_facts()
+    }
+}
