@@ -2,6 +2,7 @@
 
 use super::mean::Mean;
 use super::shade::{FloorPlane, Shading, ShadingInputs, far_floor, find_floor};
+use super::soft_light::part_of_lamp;
 use super::visibility::{FLOOR, VisibilityBuffer};
 use super::{Backdrop, Lighting, Order, Scene, lines, samples};
 use crate::hash::Hash;
@@ -272,6 +273,10 @@ impl Frame {
             sight: &self.sight,
             backdrop: self.order.backdrop,
             ground: self.ground,
+            part_of_lamp: match self.has_mean() {
+                true => part_of_lamp(self.order.samples),
+                false => 0.0,
+            },
             far: far_floor(light, self.sight.view(), &self.ground),
         };
         let (rgba, normals) = (&mut self.rgba, &mut self.normals);

@@ -217,6 +217,17 @@ impl Lighting {
         self.shadows.visible(spot)
     }
 
+    /// The distance of a point from a body between it and the lamp; `None` if there is no body, or there are no shadows.
+    pub(super) fn blocker(&self, point: Vec3) -> Option<f32> {
+        let has_shadows = self.params.shadow > 0.0;
+        has_shadows.then(|| self.shadows.blocker(point)).flatten()
+    }
+
+    /// The visible share of the lamp on a surface that faces it, 0..1; `to` is the direction to the lamp.
+    pub(super) fn visible_along(&self, point: Vec3, to: Vec3) -> f32 {
+        self.seen(&self.spot_of(point, to, 0.0))
+    }
+
     /// The light that points of surfaces send to the eye, linear.
     #[inline(always)]
     pub(super) fn reflected(&self, points: &LitPoints) -> FourVectors {

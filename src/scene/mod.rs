@@ -27,6 +27,7 @@ mod lines;
 mod mean;
 mod occlusion;
 mod order;
+mod penumbra;
 mod raster;
 mod reflection;
 mod samples;

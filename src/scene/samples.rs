@@ -4,7 +4,8 @@
 //! Hardware Support for High-Quality Rendering).
 //!
 //! The places come from sequences that fill their squares and discs evenly after any number of samples, so a mean may be
-//! shown before it is complete. The first sample is not moved at all.
+//! shown before it is complete. The first sample is not moved at all. Between the places of the lamp, the floor is lit by
+//! [`super::penumbra`].
 
 use std::f64::consts::TAU;
 

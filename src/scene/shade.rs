@@ -5,6 +5,7 @@ use super::four_lanes::{FourVectors, four};
 use super::four_pixels::LANES;
 use super::hit::{Facets, PixelHit};
 use super::occlusion::Occlusion;
+use super::penumbra;
 use super::reflection::{FINISH, LitPoints, Reaching};
 use super::shadow::ShadowSample;
 use super::tile::{BAND, NO_VECTORS, SQUARE, Tile, get, set, units};
@@ -35,6 +36,8 @@ pub(super) struct ShadingInputs<'a> {
     pub sight: &'a VisibilityBuffer,
     pub backdrop: Backdrop,
     pub ground: FloorPlane,
+    /// The radius of the part of the lamp that lights this sample's floor, over its distance.
+    pub part_of_lamp: f32,
     /// The colour on the screen of the floor where it fades.
     pub far: [f32; 3],
 }
@@ -165,6 +168,10 @@ impl Shading {
             if owner == NOTHING {
                 continue;
             }
+            if !is_body && studio.part_of_lamp > 0.0 {
+                found.seen = studio.seen_by_floor(get(&points, k));
+                continue;
+            }
             let slack = if is_body {
                 lifts[k] + sight.slack(at)
             } else {
@@ -267,6 +274,12 @@ fn slot(width: usize, x: usize, y: usize) -> usize {
 }
 
 impl ShadingInputs<'_> {
+    /// The visible share of this sample's part of the lamp at a point of the floor.
+    fn seen_by_floor(&self, point: Vec3) -> f32 {
+        let reach = 2.0 * self.ground.radius;
+        penumbra::visible(self.light, point, self.part_of_lamp, reach)
+    }
+
     /// About how thick a body is, in the world, if light goes through it.
     fn thickness(&self, owner: u32) -> Option<f32> {
         let instance = self.scene.instances.get(owner as usize)?;

@@ -158,6 +158,12 @@ impl ShadowMaps {
         })
     }
 
+    /// How far a point is from the body between it and the lamp that is nearest to the lamp; `None` if there is no body.
+    pub fn blocker(&self, point: Vec3) -> Option<f32> {
+        let map = self.maps.iter().find(|map| map.is_towards(point))?;
+        map.blocker(point)
+    }
+
     /// The visible share of the lamp at a place, 0..1.
     #[inline(always)]
     pub fn visible(&self, spot: &ShadowSample) -> f32 {
@@ -365,6 +371,20 @@ impl ShadowMap {
         }
         let [a, b, c, d] = lit.to_array();
         ((a + b) + (c + d)) * (1.0 / 9.0)
+    }
+
+    fn blocker(&self, p: Vec3) -> Option<f32> {
+        let [u, v, near] = self.on_map(p);
+        let end = self.side as f32;
+        if !(u >= 0.0 && v >= 0.0 && u < end && v < end) {
+            return None;
+        }
+        let first = self.near[v as usize * self.side + u as usize];
+        let is_blocked = first > near;
+        is_blocked.then(|| match &self.way {
+            ShadowProjection::Along { .. } => first - near,
+            ShadowProjection::From(fill) => (p - fill.view.eye).length() * (1.0 - near / first),
+        })
     }
 
     /// The level of an instance that is fine enough for this map; `None` if it lies beside the map.

@@ -4,6 +4,13 @@ use super::{Lighting, Scene, samples};
 
 /// The radius of the lamp's disc, seen from what it lights, in degrees.
 const RADIUS: f64 = 4.0;
+/// How much wider a sample's part of the disc is than its share.
+const OVERLAP: f64 = 1.25;
+
+/// The radius of the part of the lamp's disc that one sample stands for, over its distance. Parts overlap a little.
+pub(super) fn part_of_lamp(samples: usize) -> f32 {
+    (OVERLAP * libm::tan(RADIUS.to_radians()) / libm::sqrt(samples as f64)) as f32
+}
 
 /// The lighting with the lamp in its middle, which is kept, and that of a later sample.
 pub struct SoftLight {

@@ -18,6 +18,5 @@ pub(crate) use engine::{SceneEngine, SceneStages, StillNode};
 pub(crate) use files::Saving;
 pub(crate) use given_files::AskedFile;
 pub(crate) use loading::{Loaded, ModelFiles};
-pub(crate) use picture::{ScenePicture, SceneSource, turn};
+pub(crate) use picture::{ScenePicture, SceneSource};
 pub(crate) use still::{StillParams, StillRender};
-pub(crate) use view::{prepare, view};

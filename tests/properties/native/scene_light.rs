@@ -5,7 +5,8 @@ use bubblestone::heightfield::{Planes, Shader};
 use bubblestone::light::{Light, ShadeParams};
 use bubblestone::material::Material;
 use bubblestone::scene::{
-    Backdrop, Body, Instance, Lamp, Lighting, Order, Place, Scene, Sharpness,
+    Backdrop, Body, Camera, Frame, Instance, Lamp, Lighting, Order, Place, SAMPLES, Scene,
+    Sharpness, SoftLight,
 };
 use glam::{DVec3, Vec3};
 
@@ -467,4 +468,42 @@ fn the_floor_is_dark_at_contact_only() {
         "{near}, {middle}, {far}"
     );
     assert!(far > 180);
+}
+
+/// The shadow of a ball high over the floor has a wide edge without steps, although the lamp of each sample has a sharp
+/// one.
+#[test]
+fn a_shadow_far_from_its_body_has_no_steps() {
+    const SIZE: [usize; 2] = [240, 120];
+    let high = (ball(48), place([1.0, 0.0, 0.0], 0.0, 0.2, [0.0, 0.8, 0.0]));
+    let low = (ball(8), place([1.0, 0.0, 0.0], 0.0, 0.02, [0.0, 0.02, 0.0]));
+    let scene = scene(vec![high, low]);
+    let camera = Camera {
+        target: [0.72, 0.0, 0.0],
+        ..camera(0.0, 89.0, 1.6, 28.0)
+    };
+    let order = Order {
+        backdrop: Backdrop::Floor,
+        samples: SAMPLES,
+        ..order(camera, SIZE)
+    };
+    for lamp in [sun(-0.9, 1.0, 0.0), bulb([-1.5, 2.4, 0.0])] {
+        let mut light = SoftLight::new(lighting(&scene, lamp, &PARAMS, 100_000));
+        let mut frame = Frame::new(order);
+        while !frame.is_done() {
+            let light = light.of_sample(frame.sample(), &scene);
+            while !light.advance(&scene, 100_000) {}
+            frame.advance(&scene, light, 100_000);
+        }
+        let row = SIZE[1] / 2;
+        // The small ball, which makes the floor low, is at the left.
+        let tones: Vec<i32> = (40..SIZE[0])
+            .filter(|x| frame.ids()[row * SIZE[0] + x] == 0)
+            .map(|x| i32::from(frame.rgba()[4 * (row * SIZE[0] + x)]))
+            .collect();
+        let (dark, bright) = (tones.iter().min().unwrap(), tones.iter().max().unwrap());
+        assert!(bright - dark > 40, "{lamp:?}: {dark} to {bright}");
+        let steepest = tones.windows(2).map(|two| (two[1] - two[0]).abs()).max();
+        assert!(steepest.unwrap() < 6, "{lamp:?}: {tones:?}");
+    }
 }
