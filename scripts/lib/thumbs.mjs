@@ -1,4 +1,4 @@
-// The small pictures of the presets in www/public/thumbs/. The page's module draws each preset at its full size, and the
+// The small pictures of presets, and of the words of choices, in www/public/thumbs/. The page's module draws each preset at its full size, and the
 // picture is scaled down. They are made only after a change that can affect them.
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -65,7 +65,8 @@ export async function thumbsOfMore(folder) {
     const stamp = join(kept, 'made-from');
     if (!existsSync(stamp) || readFileSync(stamp, 'utf8') !== source) {
       rmSync(kept, { recursive: true, force: true });
-      const made = await thumbsOf(await moduleIn(folder), word, '&size=192');
+      const module = await moduleIn(folder);
+      const made = [...(await thumbsOf(module, word, '&size=192')), ...(await samplesOf(module, word))];
       mkdirSync(kept, { recursive: true });
       for (const { name, bytes } of made) writeFileSync(join(kept, `${name}.avif`), bytes);
       writeFileSync(stamp, source);
@@ -83,16 +84,54 @@ export async function thumbsOfMore(folder) {
  * @param {string} [smaller] the end of links for a smaller picture: scenes look the same at any size
  */
 async function thumbsOf({ presets, Bubblestone }, word, smaller = '') {
+  const list = /** @type {{ name: string, link: string }[]} */ (presets(word));
+  return Promise.all(list.map(({ name, link }) => encoded(name, picture(new Bubblestone(link + smaller), name))));
+}
+
+/**
+ * The pictures of the words of a generator's choices, as its rules for samples have them. Their names are those of the
+ * generator, of the choice and of the word.
+ * @param {any} module
+ * @param {string} make the word of the generator
+ */
+async function samplesOf({ generators, schema, Bubblestone }, make) {
+  const { samples, stepping } = generators().find((/** @type {{ word: string }} */ one) => one.word === make);
+  const files = [];
+  for (const { key, choices } of schema(make)) {
+    for (const { word } of choices) {
+      const rule = ruleOf(samples, key, word);
+      if (!rule || rule.keys[0] !== key) continue;
+      const name = `${make}-${key}-${word}`;
+      const studio = new Bubblestone(`make=${make}&size=192&${rule.link}&${key}=${word}`);
+      files.push(encoded(name, picture(studio, name, rule.view, rule.view && stepping), 0.72));
+    }
+  }
+  return Promise.all(files);
+}
+
+/**
+ * @param {{ keys: string[], words: string[], without: string[], link: string, view: string }[]} samples
+ * @param {string} key of the choice
+ * @param {string} word
+ */
+function ruleOf(samples, key, word) {
+  return samples.find(({ keys, words, without }) => keys.includes(key) && !without.includes(word) && (!words.length || words.includes(word)));
+}
+
+/**
+ * A small picture as a file.
+ * @param {string} name
+ * @param {import('./headless.mjs').Pixels} pixels
+ * @param {number} [part] the share of the side, around the middle, that is kept
+ */
+async function encoded(name, { data, width, height }, part = 1) {
   // Imported here, as this file is read before the npm packages are installed.
   const { default: sharp } = await import('sharp');
-  const list = /** @type {{ name: string, link: string }[]} */ (presets(word));
-  return Promise.all(
-    list.map(async ({ name, link }) => {
-      const { data, width, height } = picture(new Bubblestone(link + smaller), name);
-      const shown = sharp(data, { raw: { width, height, channels: 4 } }).removeAlpha();
-      return { name, bytes: await shown.resize(side, side, { kernel: 'lanczos3' }).avif(coding).toBuffer() };
-    }),
-  );
+  const kept = Math.round(width * part);
+  const corner = Math.round((width - kept) / 2);
+  const shown = sharp(data, { raw: { width, height, channels: 4 } }).removeAlpha();
+  const middle = shown.extract({ left: corner, top: corner, width: kept, height: kept });
+  return { name, bytes: await middle.resize(side, side, { kernel: 'lanczos3' }).avif(coding).toBuffer() };
 }
 
 const others = ['scripts/lib/thumbs.mjs', 'package-lock.json'].map((file) => join(root, file));
@@ -116,17 +155,19 @@ function sources() {
 }
 
 /**
- * @param {any} studio that has a preset's recipe
- * @param {string} name of the preset
+ * @param {any} studio that has the recipe of a preset or a sample
+ * @param {string} name of the preset or sample
+ * @param {string} [view]
+ * @param {string} [until] a stage before which the work may end
  * @returns {import('./headless.mjs').Pixels} its finished picture
  */
-function picture(studio, name) {
-  while (studio.stage() !== 'done') {
-    if (studio.stage() === 'error') throw new Stop(`The preset ${name} gives no picture: ${studio.problem()?.text}`);
-    studio.tick(...all);
+function picture(studio, name, view = '', until = '') {
+  while (!['done', until].includes(studio.stage())) {
+    if (studio.stage() === 'error') throw new Stop(`The recipe of ${name} gives no picture: ${studio.problem()?.text}`);
+    studio.tick(all[0], until ? 0 : all[1]);
   }
   const canvas = new Canvas();
-  studio.draw(canvas, 'picture');
+  studio.draw(canvas, view || 'picture');
   studio.free();
   return canvas.pixels;
 }

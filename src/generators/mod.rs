@@ -62,10 +62,12 @@ pub struct Generator {
     /// `layers`, `tiles`, `svg`, `maps` (with larger pictures), `slab` (its relief for printing), and `turn` (its
     /// bodies seen from a slant). A generator without such a picture has `frames`: only frames of its bodies are
     /// shown, `paint` paints on these, and `cut` cuts their bodies away beyond a plane. `models` opens files. All may
-    /// have `compare`, `mesh` and `forming`; with `bodies`, bodies are counted instead of cells.
+    /// have `compare`, `mesh` and `forming`; with `places`, the places of bodies that share meshes are saved; with `bodies`, bodies are counted instead of cells.
     pub offers: &'static [&'static str],
     /// Keys of the parameters that best describe a recipe without a name.
     pub names: &'static [&'static str],
+    /// Small pictures of the words of choices.
+    pub samples: &'static [SampleRule],
     /// The word of the ranges for random parameters.
     pub chance: &'static str,
     /// The first camera for its bodies: its numbers, with commas between.
@@ -74,6 +76,21 @@ pub struct Generator {
     pub lowest: f64,
     /// Makes an engine for a recipe, with all its work to be done.
     pub engine: fn(&Recipe) -> Box<dyn Engine>,
+}
+
+/// A rule for small pictures of the words of choices. The first rule that fits a word holds.
+#[derive(Clone, Copy)]
+pub struct SampleRule {
+    /// The keys of the choices. All of them show the pictures of the first.
+    pub keys: &'static [&'static str],
+    /// The words; if there are none, all words but those in `without`.
+    pub words: &'static [&'static str],
+    /// Words without a picture.
+    pub without: &'static [&'static str],
+    /// The other values of the pictures' recipes, as in a link.
+    pub link: &'static str,
+    /// The view that is seen; empty for the finished picture. Diagrams are drawn as soon as their stage is done.
+    pub view: &'static str,
 }
 
 /// The course of a generator's stages. Words of stages are empty if there is no such stage; lists have an entry for
@@ -184,6 +201,10 @@ mod tests {
                 ("svg", is_plane),
                 ("maps", engine.maps().is_some()),
                 ("mesh", engine.meshes().is_some()),
+                (
+                    "places",
+                    engine.meshes().is_some_and(|m| m.places().is_some()),
+                ),
                 ("turn", has_frames && is_plane),
                 ("frames", has_frames && !is_plane),
                 ("models", engine.files().is_some()),

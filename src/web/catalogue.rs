@@ -2,7 +2,7 @@
 
 use super::object;
 use crate::decimal;
-use crate::generators::{ALL, Course, Generator, MeasuredPart, Preset, Timing};
+use crate::generators::{ALL, Course, Generator, MeasuredPart, Preset, SampleRule, Timing};
 use crate::recipe::{Item, Kind, Parameter};
 use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -58,12 +58,26 @@ export interface Generator {
   offers: string[];
   /** Keys of the parameters that describe a recipe without a name best. */
   names: string[];
+  /** Rules for small pictures of the words of choices; see `SampleRule`. */
+  samples: SampleRule[];
   /** The word of the table of ranges for randomising. */
   chance: string;
   /** The first camera for its bodies: numbers with commas between. */
   home: string;
   /** The lowest camera, in degrees. */
   lowest: number;
+}
+
+/**
+ * A rule for small pictures of the words of choices: for these words, or for all but those in `without`. The choices of
+ * all keys show the pictures of the first key. `link` has the other values of their recipes, `view` what is seen.
+ */
+export interface SampleRule {
+  keys: string[];
+  words: string[];
+  without: string[];
+  link: string;
+  view: string;
 }
 
 export interface Preset {
@@ -105,6 +119,7 @@ fn generator_object(generator: &'static Generator) -> Object {
         ..
     } = generator.course;
     let begins: Array = begins.iter().map(|&share| JsValue::from(share)).collect();
+    let samples: Array = generator.samples.iter().map(sample_object).collect();
     object(&[
         ("word", generator.schema.word.into()),
         ("title", generator.title.into()),
@@ -118,9 +133,20 @@ fn generator_object(generator: &'static Generator) -> Object {
         ("overlays", words(generator.views.overlays)),
         ("offers", words(generator.offers)),
         ("names", words(generator.names)),
+        ("samples", samples.into()),
         ("chance", generator.chance.into()),
         ("home", generator.home.into()),
         ("lowest", generator.lowest.into()),
+    ])
+}
+
+fn sample_object(sample: &SampleRule) -> Object {
+    object(&[
+        ("keys", words(sample.keys)),
+        ("words", words(sample.words)),
+        ("without", words(sample.without)),
+        ("link", sample.link.into()),
+        ("view", sample.view.into()),
     ])
 }
 

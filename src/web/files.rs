@@ -47,6 +47,13 @@ impl Bubblestone {
         size.map_or(Vec::new(), |size| vec![size.triangles as f64, size.bytes])
     }
 
+    /// The places of the bodies as a table in CSV; '' before there are any.
+    pub fn places(&mut self) -> String {
+        let meshes = self.studio.meshes().ok();
+        let table = meshes.and_then(|meshes| meshes.places());
+        table.unwrap_or_default()
+    }
+
     /// Works for about `budget` milliseconds on maps of the finished picture at `scale` (1 to 8) times its
     /// side. `maps` has their words with spaces between; without words, the picture itself is made. `stopFile`
     /// frees the memory.

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
+import { opened, saved } from './saved.mjs';
 import { all, chooses, click, digest, done, drop, get, link, message, PILE, set, SMALL } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -101,7 +102,7 @@ const WEDGE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 
 test('a file for each role is chosen in the panel, and a link asks for the ones that are missing', async () => {
   const { page, problems, close } = await site.newPage(PILE);
   await digest(page);
-  await page.waitForSelector('#p-form');
+  await page.waitForSelector('[data-key=form] input');
   await chooses(page, 'block.obj', BLOCK);
   await set(page, 'form', 'file');
   await page.waitForFunction(() => window.bubblestone.get('form') === 'file');
@@ -153,6 +154,69 @@ test('a body has a card, and a plane cuts bodies away', sameEverywhere, async ()
   await close();
 });
 
+test('the places of the bodies are saved as a table, a line for each', sameEverywhere, async () => {
+  const { page, problems, close } = await opened(site, PILE);
+  await digest(page);
+  const { stones } = await page.evaluate(() => window.bubblestone.status());
+  const { name, bytes } = await saved(page, '#save-places');
+  assert.match(name, /^bubblestone-[a-z0-9-]+-places\.csv$/);
+  const [head, ...lines] = Buffer.from(bytes).toString().trim().split('\n').map((line) => line.split(','));
+  assert.deepEqual(head.slice(0, 9), ['x', 'y', 'z', 'qx', 'qy', 'qz', 'qw', 'scale', 'component']);
+  assert.equal(lines.length, stones);
+  for (const line of lines) {
+    const [qx, qy, qz, qw] = line.slice(3, 7).map(Number);
+    assert.ok(Math.abs(Math.hypot(qx, qy, qz, qw) - 1) < 1e-9, String(line));
+    assert.equal(line[8], 'pebble');
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('components and shapes are chosen from small pictures', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(PILE);
+  await digest(page);
+  for (const key of ['c1', 'form']) {
+    const rows = await page.$$eval(`[data-key=${key}] label`, (labels) =>
+      labels.map((label) => ({ word: label.querySelector('input')?.value ?? '', picture: label.querySelector('img')?.getAttribute('src') ?? '' })),
+    );
+    assert.ok(rows.length > 15);
+    for (const { word, picture } of rows) assert.equal(picture, word === 'file' ? '' : `thumbs/pile-${key}-${word}.avif`);
+    const missing = await page.evaluate(
+      async (addresses) => {
+        const found = await Promise.all(addresses.map((address) => fetch(address).then(({ ok, headers }) => ok && headers.get('content-type'))));
+        return addresses.filter((_, k) => found[k] !== 'image/avif');
+      },
+      rows.flatMap(({ picture }) => picture || []),
+    );
+    assert.deepEqual(missing, []);
+  }
+  await page.waitForFunction(() => document.querySelector('[data-key=c1] label:has(:checked) img')?.complete);
+  await page.focus('[data-key=c1] :checked');
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => window.bubblestone.link().includes('c1=smooth'));
+  // The chosen one is in sight, however far to the side it is.
+  await page.evaluate(() => document.activeElement?.blur());
+  await set(page, 'form', 'vase');
+  await page.waitForFunction(() => {
+    const [row, chosen] = ['[data-key=form] .pictured', '[data-key=form] label:has(:checked)'].map((part) => document.querySelector(part).getBoundingClientRect());
+    return chosen.left >= row.left && chosen.right <= row.right;
+  });
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('one press takes the spacing that fits', sameEverywhere, async () => {
+  const { page, close } = await site.newPage(`${PILE}&sigma1=0.3&ps=25`);
+  await page.waitForSelector('[data-stage=error]');
+  const sentence = await page.$eval('.message[data-topic=trouble] p', (text) => text.textContent);
+  const [, told] = /Set Spacing .*to ([0-9.]+)/.exec(sentence) ?? [];
+  await click(page, '.message[data-topic=trouble] .actions button');
+  await page.waitForFunction(() => document.documentElement.dataset['stage'] !== 'error');
+  assert.match(await link(page), new RegExp(`sigma1=${told}(&|$)`));
+  await page.waitForFunction(() => !document.querySelector('.message[data-topic=trouble]'));
+  await close();
+});
+
 test('a link with a plane opens with it', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${PILE}&cut=0,1,0,0.05`);
   await digest(page);
@@ -168,7 +232,7 @@ test('the rows of piles are Japanese on a Japanese page', sameEverywhere, async 
   const japanese = (/** @type {Page} */ fresh) => fresh.evaluateOnNewDocument(() => localStorage.setItem('bubblestone.language', 'ja'));
   const { page, problems, close } = await site.newPage(PILE, { before: japanese });
   await digest(page);
-  await page.waitForSelector('#p-c1');
+  await page.waitForSelector('[data-key=c1] input');
   await all(page);
   const texts = await page.$$eval('#controls .name, #controls summary span:first-child, #controls option, #controls .segments span, #view option, #pipeline .word, .make span', (parts) => parts.map((part) => part.textContent?.trim() ?? ''));
   assert.ok(texts.length > 100);

@@ -5,6 +5,7 @@ import { make, say, symbol } from '../base/dom';
 import { differs } from '../state/rules';
 import { fromPlace, isLogarithmic, onStep, stepOf, toPlace } from '../state/scale';
 import { shown } from './shown';
+import { withPictures, type Pictures } from './pictured';
 
 /**
  * A choice is a row of buttons if its labels, with SEGMENT_ROOM letters for the space around each, have at most this
@@ -34,9 +35,10 @@ interface Parts {
 /** Opens the editor over the canvas, or a file dialog. */
 export type Edit = (parameter: Parameter) => void;
 
-export function makeControl(parameter: Parameter, change: Change, edit: Edit): Control {
+/** `pictures` are the small pictures of a choice's words. */
+export function makeControl(parameter: Parameter, change: Change, edit: Edit, pictures?: Pictures): Control {
   const id = `p-${parameter.key}`;
-  const { inputs, show } = waysOf(parameter, id, change, edit);
+  const { inputs, show } = waysOf(parameter, id, change, edit, pictures);
   const numeric = parameter.kind === 'number' || parameter.kind === 'int';
   const name = make(numeric || inputs[0]?.tagName === 'SELECT' ? 'label' : 'span', { class: 'name', id: `${id}-name` }, parameter.name);
   if (name instanceof HTMLLabelElement) name.htmlFor = id;
@@ -73,9 +75,10 @@ export function makeControl(parameter: Parameter, change: Change, edit: Edit): C
   };
 }
 
-function waysOf(parameter: Parameter, id: string, change: Change, edit: Edit): Parts {
+function waysOf(parameter: Parameter, id: string, change: Change, edit: Edit, pictures: Pictures | undefined): Parts {
   if (parameter.kind === 'text') return drawnList(parameter, id, edit);
   if (parameter.kind === 'choice') {
+    if (pictures) return withPictures(segments(parameter, id, change), pictures);
     const letters = parameter.choices.reduce((sum, { label }) => sum + width(label) + SEGMENT_ROOM, 0);
     return letters > SEGMENT_LETTERS ? list(parameter, id, change) : segments(parameter, id, change);
   }

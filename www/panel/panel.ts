@@ -10,6 +10,7 @@ import type { Engine } from '../state/engine';
 import { applies, differs, recipeOf, type Recipe } from '../state/rules';
 import type { Parameter } from '../module/types';
 import { makeControl, type Change, type Control, type Edit } from './control';
+import { picturesOf } from './pictured';
 import { SIDE } from './scaling';
 
 /** Parameters that have their own place on the page. */
@@ -67,9 +68,10 @@ export class Panel {
     this.recipe = recipeOf(this.engine);
     // Frames have as many pixels as the screen allows, so the side has no control.
     const elsewhere = this.engine.offers('frames') ? [...ELSEWHERE, SIDE] : ELSEWHERE;
+    const { generator } = this.engine;
     for (const parameter of this.recipe.schema) {
       if (elsewhere.includes(parameter.key) || PAINTED.includes(parameter.item)) continue;
-      const control = makeControl(parameter, this.change, this.edit);
+      const control = makeControl(parameter, this.change, this.edit, picturesOf(generator, parameter.key));
       const group = this.group(parameter.group);
       group.controls.push(control);
       group.details.append(control.element);

@@ -30,7 +30,7 @@ import { offerMakes } from './makes';
 import { OFFERED, partsOf, type Parts } from './parts';
 import { refine } from './refine';
 import { scriptFace, type ScriptFace } from './scripts';
-import { tellCrash } from './trouble';
+import { remedies, tellCrash } from './trouble';
 
 /**
  * Milliseconds without a change before the end of the work is announced, so that the steps of a slider are not
@@ -265,7 +265,7 @@ export class App {
   private stuck(): void {
     const sentence = this.engine.problem();
     // A missing file is shown by a part of its own on the sheet.
-    if (!this.engine.missing().length) alertOf('trouble', sentence);
+    if (!this.engine.missing().length) alertOf('trouble', sentence, ...remedies(this.work));
     this.face.failed(sentence);
   }
 

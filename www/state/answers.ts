@@ -16,6 +16,7 @@ export const NO_GENERATOR: Generator = {
   overlays: [],
   offers: [],
   names: [],
+  samples: [],
   chance: '',
   home: '',
   lowest: 0,

@@ -165,6 +165,12 @@ export class Engine {
     return problem ? said(problem) : '';
   }
 
+  /** The value of a parameter that mends the problem, if the problem's sentence names one. */
+  remedy(): readonly [key: string, value: string] | undefined {
+    const { row, fits } = this.ask((core) => core.problem(), undefined)?.args ?? {};
+    return typeof row === 'object' && 'name' in row && typeof fits === 'string' ? [row.key, fits] : undefined;
+  }
+
   status(): Status {
     return this.ask((core) => core.status(), NO_STATUS);
   }

@@ -21,6 +21,9 @@ const JOINED = { text: -850, textured: -560, triangle: 6, vertex: 28 };
 /** The last choices. */
 const chosen = { detail: 'middle', bodies: 'each' };
 
+/** Approximate bytes of a line in a table of places. */
+const PLACE = 160;
+
 type Offer = (id: string, word: string, kind: () => Kind, job: () => Job) => HTMLElement;
 
 export function meshes(engine: Engine, offer: Offer): HTMLElement {
@@ -41,8 +44,9 @@ export function meshes(engine: Engine, offer: Offer): HTMLElement {
   };
   // Images are maps of a plane.
   const images = engine.offers('maps') ? [file('save-glb-images', t('images'), 'glb', true)] : [];
+  const places = engine.offers('places') ? [offer('save-places', 'CSV', () => ({ variant: ['places'], ending: 'csv' }), () => ({ file: 'places' }))] : [];
   const note = t(engine.offers('maps') ? 'mesh_note' : 'mesh_note_space');
-  return row(t('mesh'), note, detail, bodies, file('save-glb', 'GLB', 'glb'), ...images, file('save-obj', 'OBJ', 'obj'), size);
+  return row(t('mesh'), note, detail, bodies, file('save-glb', 'GLB', 'glb'), ...images, file('save-obj', 'OBJ', 'obj'), ...places, size);
 }
 
 /** The sentence on the sizes of the files with the last choices. */
@@ -50,7 +54,9 @@ function sizes(engine: Engine): string {
   const images = IMAGES.map((bytes) => bytes * engine.side() ** 2);
   const [plain, textured, obj] = [meshSize(engine, 'glb'), meshSize(engine, 'glb', images), meshSize(engine, 'obj')];
   const told = { n: shown(rounded(plain.triangles)), glb: megabytes(plain.bytes), obj: megabytes(obj.bytes) };
-  return engine.offers('maps') ? t('mesh_size', { ...told, images: megabytes(textured.bytes) }) : t('mesh_size_space', told);
+  if (engine.offers('maps')) return t('mesh_size', { ...told, images: megabytes(textured.bytes) });
+  const { cells } = engine.status();
+  return engine.offers('places') ? t('mesh_size_places', { ...told, bodies: shown(cells), csv: megabytes(PLACE * cells) }) : t('mesh_size_space', told);
 }
 
 /** The approximate triangles and bytes of a mesh file with the last choices; `images` are the bytes of its images. */

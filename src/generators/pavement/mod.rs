@@ -77,6 +77,7 @@ pub static PAVEMENT: Generator = Generator {
         "mesh", "forming",
     ],
     names: &["tile", "outline", "kind", "stone", "palette"],
+    samples: &[],
     chance: "plane",
     home: "330,40,2.95,28",
     lowest: 5.0,

@@ -1,5 +1,6 @@
 //! The third stage: how each type is heaped, and the darts of all types, merged.
 
+use super::SCHEMA;
 use super::components::{Components, Variants};
 use super::params::{DartParams, RoomParams, TypeParams};
 use super::site::Site;
@@ -216,8 +217,13 @@ fn check_count(params: &DartParams, kinds: &[Kind], site: &Site) -> Result<(), N
         let factor = if left > 0.0 { own / left } else { all / MOST };
         let fits = (kinds[number].density * factor.sqrt() * 20.0).ceil() / 20.0;
         let notice = Notice::new(Code::PileMany).with("n", all.round() as usize);
-        let notice = notice.with("most", MOST as usize).with("type", number + 1);
-        return Err(notice.with("fits", crate::decimal::text(fits)));
+        let notice = notice.with("most", MOST as usize);
+        let notice = notice.with("fits", crate::decimal::text(fits));
+        let row = SCHEMA.row(params.types[number].density_key.0);
+        return Err(match row {
+            Some(row) => notice.with("row", row),
+            None => notice,
+        });
     }
     if outer < FEWEST {
         let notice = Notice::new(Code::PileFew).with("n", outer.round() as usize);

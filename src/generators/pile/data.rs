@@ -1,4 +1,4 @@
-//! The results as text, for measurements and for other programs.
+//! The results as text, for measurements.
 
 use super::PileEngine;
 use super::components::Components;
@@ -7,7 +7,6 @@ use crate::decimal;
 use crate::pile::{Body, Fate, Kind, RefineParams, Wall, contacts};
 use crate::trimesh::TriMesh;
 use glam::{DMat3, DVec3};
-use std::fmt::Write;
 
 impl PileEngine {
     /// The results as text files: names and contents. Lengths are in the shape's units, y up.
@@ -30,7 +29,10 @@ impl PileEngine {
             site,
             params: *made.settled.params(),
         };
-        vec![("bodies.json", pile.json()), ("bodies.csv", pile.csv())]
+        vec![
+            ("bodies.json", pile.json()),
+            ("bodies.csv", self.places_table()),
+        ]
     }
 }
 
@@ -69,22 +71,6 @@ impl PileText<'_> {
              \"removed\":{removed},\"walls\":{walls_text},\"T\":{t},\"D\":{d},\"counts\":{{\"darts\":{darts},\
              \"merged\":{merged},\"walls\":{walls},\"removed\":{removed},\"kept\":{kept}}}}}"
         )
-    }
-
-    /// The transforms, a line for each body: the place, the rotation as a quaternion, the scale, and the component.
-    fn csv(&self) -> String {
-        let mut text = String::from("x,y,z,qx,qy,qz,qw,scale,component,variant,dart,layer\n");
-        for body in self.kept() {
-            let at = numbers(body.place().to_array());
-            let turn = glam::DQuat::from_mat3(&body.turn);
-            let turn = numbers(turn.to_array());
-            let (scale, word) = (number(body.scale), self.words[body.kind as usize]);
-            let Body {
-                shape, dart, layer, ..
-            } = body;
-            let _ = writeln!(text, "{at},{turn},{scale},{word},{shape},{dart},{layer}");
-        }
-        text
     }
 
     fn kept(&self) -> impl Iterator<Item = &Body> {

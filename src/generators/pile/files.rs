@@ -46,6 +46,10 @@ impl Meshes for PileEngine {
         Some(order.scene_size(scene))
     }
 
+    fn places(&self) -> Option<String> {
+        Some(self.places_table())
+    }
+
     fn stop_mesh(&mut self) {
         self.saving = None;
     }

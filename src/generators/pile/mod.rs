@@ -14,6 +14,7 @@ mod heap;
 mod made;
 mod materials;
 mod params;
+mod places;
 mod presets;
 #[cfg(test)]
 mod quality;
@@ -62,9 +63,10 @@ pub static PILE: Generator = Generator {
         overlays: &[],
     },
     offers: &[
-        "frames", "models", "cut", "bodies", "compare", "mesh", "forming",
+        "frames", "models", "cut", "bodies", "compare", "mesh", "places", "forming",
     ],
     names: &["c1", "form"],
+    samples: &schema::SAMPLES,
     chance: "pile",
     home: "330,24,2.65,28",
     lowest: -85.0,

@@ -81,6 +81,8 @@ pub(super) struct TypeParams {
     pub scale: f64,
     /// `None` follows from the component.
     pub density: Option<f64>,
+    /// The key of the density.
+    pub density_key: Key,
     pub turn: Turn,
     /// `None` follows from the component.
     pub range: Option<f64>,
@@ -237,6 +239,7 @@ fn darts(recipe: &Recipe, types: &[&TypeKeys]) -> DartParams {
         TypeParams {
             scale: recipe.number(own.scale),
             density: (density > 0.0).then_some(density),
+            density_key: own.density,
             turn: Turn {
                 ranges: DVec3::new(u, v, w),
                 is_global,

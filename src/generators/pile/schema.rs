@@ -1,5 +1,6 @@
 //! The one table of a pile's parameters; see [`crate::recipe::Schema`].
 
+use crate::generators::SampleRule;
 use crate::generators::rows::rows;
 use crate::generators::rows::shapes;
 use crate::generators::rows::shared as common;
@@ -175,6 +176,31 @@ const FINISHES: &[Choice] = choices![
     almond: "Almond", leaf: "Autumn leaves", greenleaf: "Green leaves", orange: "Orange",
     apple: "Red apples", greenapple: "Green apples", red: "Red", blue: "Blue", yellow: "Yellow",
     white: "White", toys: "Many paints", ivory: "Ivory", clay: "Clay", nutshell: "Nutshells", glass: "Glass",
+];
+
+/// Small heaps of the components, shapes with their darts, and vessels with their fill.
+pub(super) const SAMPLES: [SampleRule; 3] = [
+    SampleRule {
+        keys: &["c1", "c2", "c3", "c4"],
+        words: &[],
+        without: &[NONE, FILE],
+        link: "form=heap&ps=3.6&sigma1=1.2&variants=1",
+        view: "",
+    },
+    SampleRule {
+        keys: &["form"],
+        words: &["bowl", "openbox"],
+        without: &[],
+        link: "c1=ball&f1=ivory&ps=6&sigma1=1.2&variants=1",
+        view: "",
+    },
+    SampleRule {
+        keys: &["form"],
+        words: &[],
+        without: &[FILE],
+        link: "c1=ball&ps=9&sigma1=1.6&variants=1",
+        view: "darts",
+    },
 ];
 
 const UPRIGHT: &[Choice] = choices![y: "y", z: "z"];

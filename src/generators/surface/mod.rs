@@ -63,6 +63,7 @@ pub static SURFACE: Generator = Generator {
     },
     offers: &["frames", "models", "paint", "compare", "mesh", "forming"],
     names: &["form", "kind", "stone", "palette"],
+    samples: &[],
     chance: "surface",
     home: "330,20,2.75,28",
     lowest: -85.0,

@@ -18,6 +18,7 @@ import { workedOut, type Progress } from './worked';
 /** The file to make; `scale` multiplies the picture's side. */
 export type Job =
   | { file: 'svg' }
+  | { file: 'places' }
   | GifJob
   | FilmJob
   | TurnJob
@@ -64,6 +65,8 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
   switch (job.file) {
     case 'svg':
       return new Blob([studio.svg()], { type: 'image/svg+xml' });
+    case 'places':
+      return new Blob([studio.places()], { type: 'text/csv' });
     case 'picture':
       return pictureFile(studio, job.scale, rest);
     case 'maps':
