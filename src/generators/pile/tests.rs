@@ -1,5 +1,6 @@
 //! Properties of the generator's table, and of the piles of its presets and of recipes at random.
 
+use super::quality::assert_good;
 use super::schema::{FILE, NONE, ROWS, TYPE_KEYS, keys};
 use super::{PILE, PileEngine, SCHEMA};
 use crate::component::{ComponentKind, FINISHES};
@@ -75,7 +76,7 @@ fn there_is_a_row_for_each_number_of_a_pile_shape() {
 }
 
 /// Points of a mesh, uniform by area.
-pub(super) fn probes(mesh: &TriMesh) -> Vec<SurfacePoint> {
+pub(super) fn points_of(mesh: &TriMesh, count: usize) -> Vec<SurfacePoint> {
     let mut sum = 0.0;
     let add = |t| {
         sum += mesh.area_of(t);
@@ -95,7 +96,7 @@ pub(super) fn probes(mesh: &TriMesh) -> Vec<SurfacePoint> {
         let weights = DVec3::new(a, b, 1.0 - a - b);
         SurfacePoint::new(mesh, triangle.min(sums.len() - 1) as u32, weights)
     };
-    (0..PROBES).map(point).collect()
+    (0..count).map(point).collect()
 }
 
 /// The darts of a type on the surface itself, by place along x, so that near ones are found soon.
@@ -120,7 +121,7 @@ fn nearest(darts: &[Dart], (at, normal): (DVec3, DVec3), reach: f64) -> f64 {
 fn assert_even(engine: &PileEngine, name: &str) {
     let placed = engine.made.placed.made().expect("darts");
     let mesh = &engine.made.site.made().expect("a shape").mesh;
-    let probes = probes(mesh);
+    let probes = points_of(mesh, PROBES);
     for (kind, own) in (0..).zip(placed.kinds.iter()) {
         let darts = sorted(&placed.darts, kind);
         let spacing = own.spacing();
@@ -162,7 +163,7 @@ fn assert_settled(engine: &PileEngine, name: &str) {
 
 /// Presets give no notice: neither about their links, nor about their sizes.
 #[test]
-fn piles_of_presets_are_even_and_in_bounds() {
+fn piles_of_presets_are_even_tight_and_in_bounds() {
     for preset in PILE.presets {
         let recipe = recipe(preset.link);
         assert_eq!(recipe.link(), preset.link, "{}", preset.name);
@@ -171,6 +172,7 @@ fn piles_of_presets_are_even_and_in_bounds() {
         assert_eq!(engine.remarks(), [], "{}", preset.name);
         assert_even(&engine, preset.name);
         assert_settled(&engine, preset.name);
+        assert_good(&engine, preset);
     }
 }
 
