@@ -72,6 +72,19 @@ impl Finish {
         }
     }
 
+    /// Whether a colour (sRGB, 0 to 255) is nearer to that of a part than to those of bodies.
+    pub fn is_of_part(&self, colour: [f32; 3]) -> bool {
+        let least = |colours: &mut dyn Iterator<Item = [u8; 3]>| {
+            let far = colours.map(|other| {
+                let away = |k: usize| f32::from(other[k]) - colour[k];
+                (0..3).map(|k| away(k) * away(k)).sum::<f32>()
+            });
+            far.fold(f32::INFINITY, lesser)
+        };
+        let parts = &mut self.parts.iter().map(|entry| entry.1);
+        least(parts) < least(&mut self.bases.iter().copied())
+    }
+
     /// The colour of a mark in the mesh of the variant with this number, which has a colour of its own: so parts keep
     /// theirs, however much those of bodies differ. It goes with [`Finish::tint`].
     pub fn variant_colour(&self, mark: &Mark, number: u64) -> [u8; 3] {

@@ -1,6 +1,7 @@
 //! Colour and relief of bodies at pixels. They lie in the space of each body, so they move with it.
 
-use crate::component::Texture;
+use super::materials::row;
+use crate::component::{Finish, Texture};
 use crate::material::{GrainStrength, NearGrain, NoiseTile};
 use crate::order::{greater, lesser};
 use crate::scene::{Detail, Place, Surfel};
@@ -61,12 +62,10 @@ pub(super) struct PileDetail {
     pub noise: Rc<PileNoise>,
     /// The bodies by their ids, from 1.
     pub owns: Rc<Vec<Option<Own>>>,
-    /// The texture of each type.
-    pub textures: Vec<Texture>,
+    /// The finish of each type.
+    pub finishes: Vec<&'static Finish>,
     /// The height up to which bodies are wet, if any are.
     pub water: Option<f32>,
-    /// The materials of wet bodies, by type.
-    pub wet_rows: Vec<u8>,
 }
 
 /// A place of a body in its own space.
@@ -98,7 +97,12 @@ impl Detail for PileDetail {
             spread: spread / scale,
             offset: Vec2::from(own.offset),
         };
-        let texture = self.textures[own.kind as usize];
+        let finish = self.finishes[own.kind as usize];
+        let texture = finish.texture;
+        let is_part = finish.rest != finish.body && finish.is_of_part(surfel.colour);
+        if is_part {
+            surfel.material = row(own.kind as usize, true, false);
+        }
         let light = self.noise.light(texture, &local);
         surfel.colour = surfel.colour.map(|v| lesser(v * light, 255.0));
         let mut normal = local.normal;
@@ -106,7 +110,7 @@ impl Detail for PileDetail {
             .grain(texture, &local, &mut surfel.colour, &mut normal);
         surfel.normal = unit[0] * normal.x + unit[1] * normal.y + unit[2] * normal.z;
         if let Some(water) = self.water {
-            self.soak(surfel, own, water);
+            self.soak(surfel, (own.kind, is_part), water);
         }
     }
 
@@ -117,7 +121,7 @@ impl Detail for PileDetail {
 
 impl PileDetail {
     /// Wets what lies below the water's edge, which is uneven.
-    fn soak(&self, surfel: &mut Surfel, own: &Own, water: f32) {
+    fn soak(&self, surfel: &mut Surfel, (kind, is_part): (u32, bool), water: f32) {
         let at = surfel.position * 40.0;
         let uneven = self
             .noise
@@ -128,7 +132,7 @@ impl PileDetail {
         let factor = 1.0 + (SOAKED - 1.0) * soaked;
         surfel.colour = surfel.colour.map(|v| v * factor);
         if soaked > 0.5 {
-            surfel.material = self.wet_rows[own.kind as usize];
+            surfel.material = row(kind as usize, is_part, true);
         }
     }
 }

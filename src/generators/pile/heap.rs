@@ -21,6 +21,9 @@ const REACH: f64 = 0.35;
 const SOIL: [u8; 3] = [112, 96, 76];
 /// ... and of another shape that is seen.
 const BARE: [u8; 3] = [150, 143, 132];
+/// The tint of bodies that are removed, and after how many bodies at once no eye follows them.
+const REMOVED: [u8; 3] = [255, 72, 60];
+const FOLLOWED: usize = 24;
 /// The depth of the floor below the lowest place of ground, in longest sides.
 const SKIRT: f64 = 0.03;
 /// The word of wooden containers, their colour, and how much boards differ.
@@ -52,6 +55,8 @@ pub(crate) struct Heap {
     water: Option<f32>,
     /// How many bodies' turns have come.
     shown: usize,
+    /// How many instances at the end of the scene are bodies that have just been removed.
+    blinking: usize,
 }
 
 impl Heap {
@@ -92,13 +97,16 @@ impl Heap {
             noise: Rc::new(PileNoise::new(look.seed)),
             water: water(site, fit, look.wet),
             shown: 0,
+            blinking: 0,
         }
     }
 
     /// Adds the bodies that have settled since the last call. `history` has the numbers of all bodies whose turn has
-    /// come, in that order.
+    /// come, in that order. Bodies that were removed before that call go.
     pub(super) fn update(&mut self, parts: HeapParts, bodies: &[Piled], history: &[u32]) {
         self.owns.resize(bodies.len(), None);
+        let left = self.scene.instances.len() - std::mem::take(&mut self.blinking);
+        self.scene.instances.truncate(left);
         for &number in &history[self.shown.min(history.len())..] {
             let body = &bodies[number as usize];
             if body.fate == Fate::Kept {
@@ -106,14 +114,34 @@ impl Heap {
             }
         }
         self.shown = history.len();
-        let kinds = 0..parts.kinds.len();
         self.scene.detail = Some(Box::new(PileDetail {
             noise: self.noise.clone(),
             owns: Rc::new(self.owns.clone()),
-            textures: parts.dress.finishes.iter().map(|f| f.texture).collect(),
+            finishes: parts.dress.finishes.clone(),
             water: self.water,
-            wet_rows: kinds.map(|kind| row(kind, false, true)).collect(),
         }));
+    }
+
+    /// The same, and shows the bodies that were removed since the last call, at their darts, until the next one. If
+    /// more bodies than one can follow have had their turn, these would only flicker, and none is shown.
+    pub(super) fn update_seen(&mut self, parts: HeapParts, bodies: &[Piled], history: &[u32]) {
+        let before = self.shown.min(history.len());
+        self.update(parts, bodies, history);
+        let new = &history[before..];
+        if new.len() > FOLLOWED {
+            return;
+        }
+        for &number in new {
+            let body = &bodies[number as usize];
+            if body.fate == Fate::Removed {
+                let paint = Paint {
+                    tint: REMOVED,
+                    material: row(body.kind as usize, false, false),
+                };
+                self.push_body(parts, body, paint);
+                self.blinking += 1;
+            }
+        }
     }
 
     fn add(&mut self, parts: HeapParts, body: &Piled) {
@@ -127,14 +155,19 @@ impl Heap {
             kind: body.kind,
             offset,
         });
+        let paint = Paint {
+            tint: finish.tint(seed, u64::from(body.dart), parts.look.vary),
+            material: row(kind, false, false),
+        };
+        self.push_body(parts, body, paint);
+    }
+
+    fn push_body(&mut self, parts: HeapParts, body: &Piled, paint: Paint) {
         self.scene.instances.push(Instance {
-            body: self.base + parts.dressed.first[kind] + body.shape,
-            place,
+            body: self.base + parts.dressed.first[body.kind as usize] + body.shape,
+            place: place(body, self.fit),
             id: body.dart + 1,
-            paint: Some(Paint {
-                tint: finish.tint(seed, u64::from(body.dart), parts.look.vary),
-                material: row(kind, false, false),
-            }),
+            paint: Some(paint),
         });
     }
 

@@ -105,7 +105,7 @@ impl SceneSource for PileEngine {
         if of.view == PileView::Auto {
             let (parts, refining) = (made.parts()?, made.settled.work()?);
             let mut heap = making.take().unwrap_or_else(|| Box::new(Heap::new(parts)));
-            heap.update(parts, refining.bodies(), refining.history());
+            heap.update_seen(parts, refining.bodies(), refining.history());
             return Some(ViewScene::Settling(heap, made.settled.passes()));
         }
         let ground = made.ground.made()?;
