@@ -32,7 +32,7 @@ export const steps = {
   lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
   'modules as sent': () => nodeTests(['shipped', 'film'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
   'clippy, wasm32': () => wasmLint(forWasm()),
-  'wasm-pack test': () => wasmTest(forWasm()),
+  'wasm test': () => wasmTest(forWasm()),
   'tests in Chromium': () => browserTests('chromium'),
   'tests in Firefox': () => browserTests('firefox'),
 };
@@ -84,15 +84,15 @@ function wasmLint(env) {
   run('cargo', ['check', ...what, '--config', deny], { env });
 }
 
-/** @param {NodeJS.ProcessEnv} env */
+/**
+ * Tests for WebAssembly alone: the interface to JavaScript, and `usize` of 32 bits, whose overflow is checked here. Cargo
+ * is called as `wasm-pack test --node` calls it, which first builds all other test programs, too.
+ * @param {NodeJS.ProcessEnv} env
+ */
 function wasmTest(env) {
-  // wasm-pack builds with the profile dev and tests with the profile test. With equal settings it builds only once.
-  for (const profile of ['DEV', 'TEST']) {
-    env[`CARGO_PROFILE_${profile}_OPT_LEVEL`] = '2';
-    env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
-  }
-  // Tests for WebAssembly alone: the interface to JavaScript, and `usize` of 32 bits, whose overflow is checked here.
-  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', ...testsInWasm], { env });
+  const once = { CARGO_PROFILE_TEST_DEBUG: '0' };
+  const runner = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner', WASM_BINDGEN_TEST_ONLY_NODE: '1' };
+  run('cargo', ['test', '--target', wasmTarget, ...testsInWasm], { env: { ...env, ...once, ...runner } });
 }
 
 /** Checks licences, sources and duplicates of dependencies, and that none needs a newer Rust than Cargo.toml does. */
