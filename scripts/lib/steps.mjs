@@ -18,12 +18,18 @@ import { buildModules } from './wasm.mjs';
 /** The only native tests that run in WebAssembly, too. */
 const testsInWasm = ['--test', 'properties', '--test', 'hostile'];
 
+/**
+ * Settings of cargo for builds that serve one run: without the notes that speed up the next build, and without what only
+ * a debugger reads. A panic names its line all the same.
+ */
+const singleBuild = { CARGO_INCREMENTAL: '0', CARGO_PROFILE_TEST_DEBUG: '0' };
+
 /** @type {Record<string, () => unknown>} */
 export const steps = {
   'cargo fmt': () => run('cargo', ['fmt', '--check'], { env: nativeEnv(), otherwise: 'Run `cargo fmt`.' }),
   'clippy, native': clippyNative,
   'cargo test': cargoTest,
-  'cargo doc': () => run('cargo', ['doc', '--no-deps'], { env: { ...nativeEnv(), RUSTDOCFLAGS: '-D warnings' } }),
+  'cargo doc': () => run('cargo', ['doc', '--no-deps'], { env: { ...forNative(), RUSTDOCFLAGS: '-D warnings' } }),
   dependencies,
   'wasm build': () => buildModules(forWasm()),
   'page build': buildSite,
@@ -37,16 +43,20 @@ export const steps = {
   'tests in Firefox': () => browserTests('firefox'),
 };
 
+function forNative() {
+  return { ...nativeEnv(), ...singleBuild };
+}
+
 function forWasm() {
   const env = wasmEnv();
   if (!env) throw new Stop('There is no Rust for WebAssembly: `npm run setup` brings it.');
-  return env;
+  return { ...env, ...singleBuild };
 }
 
 function clippyNative() {
-  clippy(['--all-targets'], nativeEnv());
+  clippy(['--all-targets'], forNative());
   // The configuration of a first visit's module.
-  clippy(['--lib', '--no-default-features'], nativeEnv());
+  clippy(['--lib', '--no-default-features'], forNative());
 }
 
 /** @param {string[]} what @param {NodeJS.ProcessEnv} env */
@@ -63,7 +73,7 @@ async function cargoTest() {
 
 /** @param {string} which */
 async function cargoTests(which) {
-  const child = spawn('cargo', ['test', which], { env: nativeEnv(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
+  const child = spawn('cargo', ['test', which], { env: forNative(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
   const text = { said: '', told: '' };
   child.stdout.on('data', (piece) => (process.stdout.write(piece), (text.said += piece)));
   child.stderr.on('data', (piece) => (process.stderr.write(piece), (text.told += piece)));
@@ -90,9 +100,8 @@ function wasmLint(env) {
  * @param {NodeJS.ProcessEnv} env
  */
 function wasmTest(env) {
-  const once = { CARGO_PROFILE_TEST_DEBUG: '0' };
   const runner = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner', WASM_BINDGEN_TEST_ONLY_NODE: '1' };
-  run('cargo', ['test', '--target', wasmTarget, ...testsInWasm], { env: { ...env, ...once, ...runner } });
+  run('cargo', ['test', '--target', wasmTarget, ...testsInWasm], { env: { ...env, ...runner } });
 }
 
 /** Checks licences, sources and duplicates of dependencies, and that none needs a newer Rust than Cargo.toml does. */
