@@ -20,7 +20,7 @@ const builds = [
   { name: 'clippy, native', folder: 'native' },
   { name: 'cargo test', folder: 'native' },
   { name: 'page build', after: 'wasm build' },
-  { name: 'wasm-pack test', folder: 'wasm' },
+  { name: 'wasm test', folder: 'wasm' },
   { name: 'modules as sent', after: 'wasm build' },
   { name: 'clippy, wasm32', folder: 'wasm' },
   { name: 'cargo doc', folder: 'native' },

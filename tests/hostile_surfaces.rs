@@ -11,8 +11,10 @@
 mod common;
 mod strangers;
 
+use bubblestone::generators::{ALL, GivenFile};
 use bubblestone::modelfiles::Reading;
 use bubblestone::random::{Purpose, Random};
+use bubblestone::studio::Studio;
 use bubblestone::trimesh::repair::MeshRepair;
 use common::wished;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -127,20 +129,36 @@ fn text_of_box(sides: [f64; 3]) -> Vec<u8> {
     text.into_bytes()
 }
 
+/// The number of cells on a model, whose bodies are made but not drawn.
+fn cells_on(link: &str, bytes: Vec<u8>) -> usize {
+    let mut studio = Studio::new(ALL, mended(link));
+    let given = studio.open_file(None, GivenFile::whole("a.obj", bytes));
+    assert_eq!(given, Ok(vec![]));
+    while studio.stage() != "light" {
+        assert_eq!(studio.problem(), None);
+        studio.tick(&mut || 0.0, 0.0, u32::MAX);
+    }
+    studio.engine().progress().cells
+}
+
+/// A box of the usual shape in another unit.
+fn box_in(exponent: i32) -> Vec<u8> {
+    let unit: f64 = format!("1e{exponent}").parse().unwrap();
+    text_of_box([1.0, 2.0, 1.5].map(|side| side * unit))
+}
+
+/// Models are scaled into a range as they are read. Those that end up near its ends are drawn, too.
 #[test]
 fn a_model_has_the_same_cells_in_any_unit() {
-    let plain = covered("cn=150", "a.obj", text_of_box([1.0, 2.0, 1.5]));
+    let plain = covered("cn=150", "a.obj", box_in(0));
     assert!(plain.cells.is_some(), "{}", plain.text);
-    for exponent in [
-        -300, -99, -80, -76, -75, -40, -10, 10, 40, 75, 76, 80, 99, 300,
-    ] {
-        let unit: f64 = format!("1e{exponent}").parse().unwrap();
-        let end = covered(
-            "cn=150",
-            "a.obj",
-            text_of_box([1.0, 2.0, 1.5].map(|side| side * unit)),
-        );
+    for exponent in [-300, -76, 76, 300] {
+        let end = covered("cn=150", "a.obj", box_in(exponent));
         assert_eq!(end.cells, plain.cells, "1e{exponent}: {}", end.text);
+    }
+    for exponent in [-99, -80, -75, -40, -10, 10, 40, 75, 80, 99] {
+        let cells = cells_on("make=surface&size=128&cn=150", box_in(exponent));
+        assert_eq!(Some(cells), plain.cells, "1e{exponent}");
     }
 }
 

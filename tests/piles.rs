@@ -8,21 +8,14 @@
 
 mod common;
 
-use bubblestone::generators::ALL;
 use bubblestone::recipe::Recipe;
-use bubblestone::studio::Studio;
-use common::recipe;
+use common::{formed, recipe};
 
 const GOLDEN: &str = include_str!("piles.txt");
 
-/// The digest and the canonical link of a pile, whose picture is not drawn.
+/// The digest and the canonical link of a pile.
 fn line(link: &str) -> String {
-    let recipe = recipe(link);
-    let mut studio = Studio::new(ALL, recipe);
-    while !["light", "done"].contains(&studio.stage()) {
-        assert_eq!(studio.problem(), None, "{link}");
-        studio.tick(&mut || 0.0, 0.0, u32::MAX);
-    }
+    let studio = formed(link);
     format!("{} {}\n", studio.engine().digest(), studio.recipe().link())
 }
 

@@ -18,12 +18,18 @@ import { buildModules } from './wasm.mjs';
 /** The only native tests that run in WebAssembly, too. */
 const testsInWasm = ['--test', 'properties', '--test', 'hostile'];
 
+/**
+ * Settings of cargo for builds that serve one run: without the notes that speed up the next build, and without what only
+ * a debugger reads. A panic names its line all the same.
+ */
+const singleBuild = { CARGO_INCREMENTAL: '0', CARGO_PROFILE_TEST_DEBUG: '0' };
+
 /** @type {Record<string, () => unknown>} */
 export const steps = {
   'cargo fmt': () => run('cargo', ['fmt', '--check'], { env: nativeEnv(), otherwise: 'Run `cargo fmt`.' }),
   'clippy, native': clippyNative,
   'cargo test': cargoTest,
-  'cargo doc': () => run('cargo', ['doc', '--no-deps'], { env: { ...nativeEnv(), RUSTDOCFLAGS: '-D warnings' } }),
+  'cargo doc': () => run('cargo', ['doc', '--no-deps'], { env: { ...forNative(), RUSTDOCFLAGS: '-D warnings' } }),
   dependencies,
   'wasm build': () => buildModules(forWasm()),
   'page build': buildSite,
@@ -32,21 +38,25 @@ export const steps = {
   lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
   'modules as sent': () => nodeTests(['shipped', 'film'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
   'clippy, wasm32': () => wasmLint(forWasm()),
-  'wasm-pack test': () => wasmTest(forWasm()),
+  'wasm test': () => wasmTest(forWasm()),
   'tests in Chromium': () => browserTests('chromium'),
   'tests in Firefox': () => browserTests('firefox'),
 };
 
+function forNative() {
+  return { ...nativeEnv(), ...singleBuild };
+}
+
 function forWasm() {
   const env = wasmEnv();
   if (!env) throw new Stop('There is no Rust for WebAssembly: `npm run setup` brings it.');
-  return env;
+  return { ...env, ...singleBuild };
 }
 
 function clippyNative() {
-  clippy(['--all-targets'], nativeEnv());
+  clippy(['--all-targets'], forNative());
   // The configuration of a first visit's module.
-  clippy(['--lib', '--no-default-features'], nativeEnv());
+  clippy(['--lib', '--no-default-features'], forNative());
 }
 
 /** @param {string[]} what @param {NodeJS.ProcessEnv} env */
@@ -63,7 +73,7 @@ async function cargoTest() {
 
 /** @param {string} which */
 async function cargoTests(which) {
-  const child = spawn('cargo', ['test', which], { env: nativeEnv(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
+  const child = spawn('cargo', ['test', which], { env: forNative(), cwd: root, stdio: ['ignore', 'pipe', 'pipe'] });
   const text = { said: '', told: '' };
   child.stdout.on('data', (piece) => (process.stdout.write(piece), (text.said += piece)));
   child.stderr.on('data', (piece) => (process.stderr.write(piece), (text.told += piece)));
@@ -84,15 +94,14 @@ function wasmLint(env) {
   run('cargo', ['check', ...what, '--config', deny], { env });
 }
 
-/** @param {NodeJS.ProcessEnv} env */
+/**
+ * Tests for WebAssembly alone: the interface to JavaScript, and `usize` of 32 bits, whose overflow is checked here. Cargo
+ * is called as `wasm-pack test --node` calls it, which first builds all other test programs, too.
+ * @param {NodeJS.ProcessEnv} env
+ */
 function wasmTest(env) {
-  // wasm-pack builds with the profile dev and tests with the profile test. With equal settings it builds only once.
-  for (const profile of ['DEV', 'TEST']) {
-    env[`CARGO_PROFILE_${profile}_OPT_LEVEL`] = '2';
-    env[`CARGO_PROFILE_${profile}_DEBUG`] = '0';
-  }
-  // Tests for WebAssembly alone: the interface to JavaScript, and `usize` of 32 bits, whose overflow is checked here.
-  run('wasm-pack', ['test', '--node', '--mode', 'no-install', '--', ...testsInWasm], { env });
+  const runner = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner', WASM_BINDGEN_TEST_ONLY_NODE: '1' };
+  run('cargo', ['test', '--target', wasmTarget, ...testsInWasm], { env: { ...env, ...runner } });
 }
 
 /** Checks licences, sources and duplicates of dependencies, and that none needs a newer Rust than Cargo.toml does. */

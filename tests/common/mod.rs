@@ -22,6 +22,16 @@ pub fn finished(link: &str) -> Studio {
     finish(Studio::new(ALL, recipe(link)))
 }
 
+/// The finished bodies of a link without faults, in space; their picture is not drawn.
+pub fn formed(link: &str) -> Studio {
+    let mut studio = Studio::new(ALL, recipe(link));
+    while !["light", "done"].contains(&studio.stage()) {
+        assert_eq!(studio.problem(), None, "{link}");
+        studio.tick(&mut || 0.0, 0.0, u32::MAX);
+    }
+    studio
+}
+
 /// The finished picture of a recipe.
 pub fn finished_recipe(recipe: &Recipe) -> Studio {
     finish(Studio::new(ALL, recipe.clone()))
