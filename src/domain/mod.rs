@@ -27,7 +27,7 @@
 mod candidates;
 mod check;
 mod clip;
-mod crossing;
+pub(crate) mod crossing;
 mod depth;
 mod distance;
 mod islands;
