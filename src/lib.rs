@@ -27,7 +27,7 @@
 //!    those that have settled.
 //!
 //! `building` is the model that masonry is laid on: faces, edges and corners over polygons, with their surfaces in
-//! closed form (Legakis, Dorsey, Gortler 2001).
+//! closed form (Legakis, Dorsey, Gortler 2001). `masonry` lays bricks and stones on it, as trees of patterns say.
 //!
 //! `scene` shows all bodies in space, with their light and shadows.
 //!
@@ -88,6 +88,8 @@ pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod metrics;
+#[cfg(house)]
+pub mod masonry;
 #[cfg(house)]
 pub mod modelfiles;
 pub mod notice;
