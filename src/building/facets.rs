@@ -79,12 +79,9 @@ mod tests {
                     let piece = Piece::Arc(arc);
                     let lengths = cuts(&arc);
                     assert!(lengths.len() as f64 + 2.0 > sweep / ANGLE);
-                    let ends = [0.0]
-                        .iter()
-                        .chain(&lengths)
-                        .chain([&piece.length()])
-                        .copied();
-                    let ends: Vec<f64> = ends.collect();
+                    let mut ends = vec![0.0];
+                    ends.extend(&lengths);
+                    ends.push(piece.length());
                     for pair in ends.windows(2) {
                         let chord = piece.point(pair[0]).distance(piece.point(pair[1]));
                         assert!(chord <= CHORD + 1e-9, "{chord}");

@@ -3,11 +3,11 @@
 use super::facets;
 use super::fault::{BuildingFault, OFF_SURFACE, SurfaceFault};
 use super::ids::FaceId;
-use super::piece::Piece;
+use super::piece::{Arc, Piece};
 use super::region::{self, Spot, SpotRing};
 use super::surface::{Disk, Surface, Sweep};
 use super::triangles::{self, TriangleCorner};
-use crate::domain::crossing::{Contact, first_contact};
+use crate::domain::{Contact, first_contact};
 use crate::order::{self, rank};
 use glam::{DVec2, DVec3};
 
@@ -120,6 +120,9 @@ fn flatten_sweep(
 /// whole cylinder they lie in one period.
 fn bends(sweep: &Sweep) -> Vec<f64> {
     let profile = sweep.profile();
+    if let (Some(period), [Piece::Arc(arc)]) = (sweep.period(), profile.pieces()) {
+        return bends_around(arc, period);
+    }
     let mut all = Vec::new();
     for (k, piece) in profile.pieces().iter().enumerate() {
         let start = profile.joints()[k];
@@ -130,6 +133,20 @@ fn bends(sweep: &Sweep) -> Vec<f64> {
             all.extend(facets::cuts(arc).into_iter().map(|s| start + s));
         }
     }
+    all
+}
+
+/// The places where a whole circle is cut. If one is at its start, it is found at the end of the turn.
+fn bends_around(arc: &Arc, period: f64) -> Vec<f64> {
+    let more = 0.5 * arc.sense();
+    let longer = facets::cuts(&Arc {
+        to: arc.to + more,
+        ..*arc
+    });
+    let (mut all, behind): (Vec<f64>, Vec<f64>) =
+        longer.into_iter().partition(|&s| s < period - SNAP);
+    let at_start = behind.first().filter(|&&s| s < period + SNAP);
+    all.splice(0..0, at_start.map(|_| 0.0));
     all
 }
 
