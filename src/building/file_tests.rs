@@ -81,6 +81,9 @@ fn a_face_without_a_parameterisation_is_read_and_refused() {
     );
 }
 
+/// The numbers of a tower without windows.
+const PLAIN_TOWER: [f64; 4] = [80.0, 48.0, 3.0, 0.0];
+
 /// The child mesh of a building as an OBJ file, each face in a group of its own label.
 fn obj_of(building: &Building) -> String {
     let mut text = String::new();
@@ -102,7 +105,13 @@ fn obj_of(building: &Building) -> String {
 #[test]
 fn obj_files_are_recognised() {
     for rule in Rule::ALL {
-        let draft = rule.draft(&Module::NORMAL, &[]);
+        // Windows of a tower do not begin where its facets do, so its facets would not be flat.
+        let numbers: &[f64] = if rule == Rule::Tower {
+            &PLAIN_TOWER
+        } else {
+            &[]
+        };
+        let draft = rule.draft(&Module::NORMAL, numbers);
         let building = built(rule.word(), &draft);
         let read = obj::read(obj_of(&building).as_bytes()).unwrap();
         let again = built(rule.word(), &read.draft);
@@ -174,7 +183,7 @@ fn arches_keep_their_radius_and_do_not_swallow_their_jambs() {
         curved.radius
     );
     assert!(!curved.is_whole);
-    let tower = built("tower", &Rule::Tower.draft(&Module::NORMAL, &[]));
+    let tower = built("tower", &Rule::Tower.draft(&Module::NORMAL, &PLAIN_TOWER));
     let read = obj::read(obj_of(&tower).as_bytes()).unwrap();
     assert!(read.curved.len() == 2 && read.curved.iter().all(|curved| curved.is_whole));
 }

@@ -21,6 +21,8 @@ mod fault;
 #[cfg(test)]
 mod fault_tests;
 #[cfg(test)]
+mod feature_tests;
+#[cfg(test)]
 mod file_tests;
 mod fit;
 mod flattening;

@@ -348,29 +348,3 @@ fn projecting_and_mapping_are_inverse() {
         }
     }
 }
-#[test]
-fn zz_debug() {
-    let draft = Rule::Tower.draft(
-        &Module::NORMAL,
-        &[
-            131.157004050999,
-            114.00401730641764,
-            1.8113683022627,
-            3.080110676595558,
-            4.3118508122256625,
-        ],
-    );
-    let building = built("", &draft);
-    for e in building.polygon_edges() {
-        if e.polygons.contains(&None) {
-            println!(
-                "{:?} {:?}",
-                e.vertices,
-                e.vertices.map(|v| {
-                    let p = building.vertex(v).position;
-                    (p, building.face(FaceId(0)).surface.project(p))
-                })
-            );
-        }
-    }
-}
