@@ -1,8 +1,20 @@
-//! Classes of corners (Legakis, Dorsey, Gortler 2001, section 5.5): the valence, the number of convex and concave
+//! How faces meet along edges, and classes of corners (Legakis, Dorsey, Gortler 2001, section 5.5): the valence, the number of convex and concave
 //! edges, and the direction of a single convex or concave one.
 
-use super::parent::Bend;
 use glam::DVec3;
+
+/// How two faces meet along an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Bend {
+    /// The solid fills less than half a turn.
+    Convex,
+    /// The solid fills more than half a turn.
+    Concave,
+    /// The faces are tangent to each other, within a degree.
+    Smooth,
+    /// There is one face only.
+    Open,
+}
 
 /// The direction in which an edge leaves a corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -8,20 +8,24 @@ use std::f64::consts::TAU;
 const CHORD: f64 = 0.06;
 /// The widest angle of a chord (radians).
 const ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
-/// Cuts this close to the arc's ends are left out, as a share of a step.
-const NEAR: f64 = 1e-3;
+/// Cuts this close to the arc's ends are left out (metres): the ends lie on them.
+pub(super) const NEAR: f64 = 1e-4;
 
 /// The arc lengths of the inner places where an arc is cut, rising.
 ///
 /// Cuts are at whole steps from a direction that depends on the axis alone. So arcs of one circle are cut at the same
 /// places, whichever way they run and wherever they begin, and so are circles of one cylinder.
 pub(super) fn cuts(arc: &Arc) -> Vec<f64> {
-    let step = TAU / (TAU / ANGLE.min(CHORD / arc.radius)).ceil();
-    let turn = absolute_start(arc);
-    let (sense, sweep) = (turn.1 * arc.sense(), (arc.to - arc.from).abs());
-    let first = (turn.0 / step * sense + NEAR).floor() + 1.0;
-    let angles = (0..).map(|k| (first + f64::from(k)) * step - turn.0 * sense);
-    let inner = angles.take_while(|&angle| angle < sweep - NEAR * step);
+    let widest = ANGLE.min(CHORD / arc.radius).max(4.0 * NEAR / arc.radius);
+    // Radii that differ by rounding must not differ in their number of steps.
+    let step = TAU / (TAU / widest - 1e-6).ceil();
+    let (start, sign) = absolute_start(arc);
+    let start = start * sign * arc.sense();
+    let near = NEAR / arc.radius;
+    let sweep = (arc.to - arc.from).abs();
+    let first = ((start + near) / step).floor() + 1.0;
+    let angles = (0..).map(|k| (first + f64::from(k)) * step - start);
+    let inner = angles.take_while(|&angle| angle < sweep - near);
     inner.map(|angle| angle * arc.radius).collect()
 }
 
@@ -79,12 +83,9 @@ mod tests {
                     let piece = Piece::Arc(arc);
                     let lengths = cuts(&arc);
                     assert!(lengths.len() as f64 + 2.0 > sweep / ANGLE);
-                    let ends = [0.0]
-                        .iter()
-                        .chain(&lengths)
-                        .chain([&piece.length()])
-                        .copied();
-                    let ends: Vec<f64> = ends.collect();
+                    let mut ends = vec![0.0];
+                    ends.extend(&lengths);
+                    ends.push(piece.length());
                     for pair in ends.windows(2) {
                         let chord = piece.point(pair[0]).distance(piece.point(pair[1]));
                         assert!(chord <= CHORD + 1e-9, "{chord}");

@@ -116,6 +116,13 @@ pub enum BuildingFault {
         /// The face.
         face: FaceId,
     },
+    /// An arc of a loop is not cut where its face bends: its circle is not that of the surface.
+    NotOnCircle {
+        /// The face.
+        face: FaceId,
+        /// A place on the arc (metres).
+        at: DVec3,
+    },
     /// More than two faces meet along a side (section 6 of the paper leaves that to future work).
     NonManifold {
         /// Two vertices of the draft.

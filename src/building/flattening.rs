@@ -3,16 +3,18 @@
 use super::facets;
 use super::fault::{BuildingFault, OFF_SURFACE, SurfaceFault};
 use super::ids::FaceId;
-use super::piece::Piece;
+use super::piece::{Arc, Piece};
 use super::region::{self, Spot, SpotRing};
 use super::surface::{Disk, Surface, Sweep};
 use super::triangles::{self, TriangleCorner};
-use crate::domain::crossing::{Contact, first_contact};
+use crate::domain::{Contact, first_contact};
 use crate::order::{self, rank};
 use glam::{DVec2, DVec3};
 
-/// Spots this close to a bend lie on it (metres).
-const SNAP: f64 = 1e-4;
+/// Spots this close to a bend lie on it (metres): those which [`facets::cuts`] takes for it.
+const SNAP: f64 = facets::NEAR;
+/// Places where arcs are cut may be off the surface's own bends by so much, as all loops may (metres).
+const CUT_SNAP: f64 = 2.0 * OFF_SURFACE;
 /// The longest straight side of a disk's region (metres): straight lines are curves in polar coordinates.
 const POLAR: f64 = 0.06;
 
@@ -71,17 +73,20 @@ fn on_surface(
 
 /// The spots of loops under a map to the plane.
 fn spots(loops: &[Vec<Walked<'_>>], flat: impl Fn(DVec3) -> DVec2) -> Vec<SpotRing> {
-    let ring = |ring: &Vec<Walked<'_>>| {
-        let all = ring
-            .iter()
-            .flat_map(|side| &side.vertices[..side.vertices.len() - 1]);
-        let spot = |&(vertex, p): &(u32, DVec3)| Spot {
-            at: flat(p),
-            vertex: Some(vertex),
-        };
-        all.map(spot).collect()
-    };
-    loops.iter().map(ring).collect()
+    let mut rings = Vec::with_capacity(loops.len());
+    for walked in loops {
+        let mut ring = SpotRing::new();
+        for side in walked {
+            let starts = &side.vertices[..side.vertices.len() - 1];
+            ring.extend(starts.iter().enumerate().map(|(k, &(vertex, p))| Spot {
+                at: flat(p),
+                vertex: Some(vertex),
+                is_cut: k > 0,
+            }));
+        }
+        rings.push(ring);
+    }
+    rings
 }
 
 fn flatten_sweep(
@@ -120,6 +125,9 @@ fn flatten_sweep(
 /// whole cylinder they lie in one period.
 fn bends(sweep: &Sweep) -> Vec<f64> {
     let profile = sweep.profile();
+    if let (Some(period), [Piece::Arc(arc)]) = (sweep.period(), profile.pieces()) {
+        return bends_around(arc, period);
+    }
     let mut all = Vec::new();
     for (k, piece) in profile.pieces().iter().enumerate() {
         let start = profile.joints()[k];
@@ -133,12 +141,31 @@ fn bends(sweep: &Sweep) -> Vec<f64> {
     all
 }
 
+/// The places where a whole circle is cut. If one is at its start, it is found at the end of the turn.
+fn bends_around(arc: &Arc, period: f64) -> Vec<f64> {
+    let more = 0.5 * arc.sense();
+    let longer = facets::cuts(&Arc {
+        to: arc.to + more,
+        ..*arc
+    });
+    let (mut all, behind): (Vec<f64>, Vec<f64>) =
+        longer.into_iter().partition(|&s| s < period - SNAP);
+    let at_start = behind.first().filter(|&&s| s < period + SNAP);
+    all.splice(0..0, at_start.map(|_| 0.0));
+    all
+}
+
 /// Moves spots that are close to a bend onto it, so that no slivers arise there.
 fn snap(rings: &mut [SpotRing], strips: &[f64]) {
     for spot in rings.iter_mut().flatten() {
         let k = strips.partition_point(|&s| s < spot.at.x);
         let near = strips[k.saturating_sub(1)..strips.len().min(k + 1)].iter();
-        if let Some(&s) = near.into_iter().find(|&&s| (s - spot.at.x).abs() < SNAP) {
+        let reach = if spot.is_cut { CUT_SNAP } else { SNAP };
+        let away = |s: f64| (s - spot.at.x).abs();
+        let nearest = near
+            .copied()
+            .reduce(|a, b| if away(b) < away(a) { b } else { a });
+        if let Some(s) = nearest.filter(|&s| away(s) < reach) {
             spot.at.x = s;
         }
     }
@@ -220,6 +247,7 @@ fn polar(
                     spots.push(Spot {
                         at: surface.project(p).truncate(),
                         vertex: (k == 0).then_some(pair[0].0),
+                        is_cut: false,
                     });
                 }
             }

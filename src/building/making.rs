@@ -1,7 +1,7 @@
 //! Makes a building of a draft.
 
 use super::checking;
-use super::class::CornerClass;
+use super::class::{Bend, CornerClass};
 use super::draft::Draft;
 use super::fault::{BuildingFault, BuildingWarning};
 use super::ids::{CornerId, EdgeId, PolygonId, VertexId};
@@ -9,7 +9,7 @@ use super::labels;
 use super::making_child::{self, Child};
 use super::making_corners::{self, Names};
 use super::making_parent::{self, Chains};
-use super::parent::{Bend, Corner, Edge, EdgeUse, Face};
+use super::parent::{Corner, Edge, EdgeUse, Face};
 use super::sides::{self, Sides, key};
 use super::whole::{Building, EdgeFrame};
 use super::wings::Wings;

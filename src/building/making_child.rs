@@ -59,6 +59,7 @@ pub(super) fn make(draft: &Draft, sides: &Sides) -> Result<Child, BuildingFault>
         rings.push(flattening::plain(&flat.rings));
     }
     let (edges, between) = join(&mut polygons);
+    check_sides(sides, &along, (&edges, &between), &positions)?;
     let vertices = vertices(&positions, &edges);
     Ok(Child {
         vertices,
@@ -68,6 +69,31 @@ pub(super) fn make(draft: &Draft, sides: &Sides) -> Result<Child, BuildingFault>
         rings,
         between,
     })
+}
+
+/// Tests that both faces of each side have all polygon edges along it.
+fn check_sides(
+    sides: &Sides,
+    along: &[Vec<u32>],
+    (edges, between): (&[PolygonEdge], &Between),
+    positions: &[DVec3],
+) -> Result<(), BuildingFault> {
+    for (side, along) in sides.sides.iter().zip(along) {
+        for pair in along.windows(2) {
+            let own = between
+                .get(&key(pair[0], pair[1]))
+                .map(|id| &edges[id.index()]);
+            let is_joined =
+                own.is_some_and(|edge| side.twin.is_some() != edge.polygons.contains(&None));
+            if !is_joined {
+                return Err(BuildingFault::NotOnCircle {
+                    face: side.face,
+                    at: positions[pair[0] as usize],
+                });
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The vertices along each side; both faces of a side share them.

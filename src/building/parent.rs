@@ -1,25 +1,12 @@
 //! The parent mesh: corners, edges and faces, the features that masonry is laid on (Legakis, Dorsey, Gortler 2001,
 //! section 3.1, figure 2).
 
-use super::class::CornerClass;
+use super::class::{Bend, CornerClass};
 use super::ids::{CornerId, EdgeId, FaceId, PolygonEdgeId, PolygonId, VertexId};
 use super::path::Path;
 use super::surface::Surface;
 use super::wings::Wings;
 use glam::DVec2;
-
-/// How two faces meet along an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Bend {
-    /// The solid fills less than half a turn.
-    Convex,
-    /// The solid fills more than half a turn.
-    Concave,
-    /// The faces are tangent to each other, within a degree.
-    Smooth,
-    /// There is one face only.
-    Open,
-}
 
 /// A walk along an edge: a part of a face's loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,6 +8,8 @@ use glam::DVec2;
 pub(super) struct Spot {
     pub at: DVec2,
     pub vertex: Option<u32>,
+    /// Whether an arc was cut here; else it is a vertex of the draft.
+    pub is_cut: bool,
 }
 
 /// A ring of spots.
@@ -78,6 +80,7 @@ pub(super) fn cut_open(
         let corners = [seam, seam + period].map(|s| Spot {
             at: DVec2::new(s, t),
             vertex: None,
+            is_cut: false,
         });
         chains.push(corners.to_vec());
     }
@@ -134,6 +137,7 @@ fn with_seam_spots(ring: &[Spot], period: f64, seam: f64) -> SpotRing {
             all.push(Spot {
                 at: DVec2::new(image, a.y + (b.y - a.y) * share),
                 vertex: None,
+                is_cut: false,
             });
         }
     }

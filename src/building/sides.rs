@@ -87,7 +87,7 @@ pub(super) fn join(draft: &Draft) -> Result<Sides, BuildingFault> {
 }
 
 /// The distinct vertices, and which of them each vertex is. Keep the first of two equal ones.
-fn weld(vertices: &[DVec3]) -> (Vec<DVec3>, Vec<u32>) {
+pub(super) fn weld(vertices: &[DVec3]) -> (Vec<DVec3>, Vec<u32>) {
     let mut hash = SurfaceHash::around(vertices.iter().copied(), 0.05);
     let mut positions: Vec<DVec3> = Vec::new();
     let mut welded = Vec::with_capacity(vertices.len());

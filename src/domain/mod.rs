@@ -27,7 +27,7 @@
 mod candidates;
 mod check;
 mod clip;
-pub(crate) mod crossing;
+mod crossing;
 mod depth;
 mod distance;
 mod islands;
@@ -40,6 +40,8 @@ pub mod shape;
 mod walls;
 
 pub use check::{MAX_LINE_POINTS, MAX_POINTS, Ring, check_lines};
+#[cfg(house)]
+pub(crate) use crossing::{Contact, first_contact};
 pub use distance::Nearest;
 pub(crate) use ring::ring_contains;
 #[cfg(house)]
