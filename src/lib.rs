@@ -26,6 +26,9 @@
 //! 3. `pile` throws darts on the shape, turns a body at each, and lets one after the other slide until it only touches
 //!    those that have settled.
 //!
+//! `building` is the model that masonry is laid on: faces, edges and corners over polygons, with their surfaces in
+//! closed form (Legakis, Dorsey, Gortler 2001). `masonry` lays bricks and stones on it, as trees of patterns say.
+//!
 //! `scene` shows all bodies in space, with their light and shadows.
 //!
 //! [`draw`] shows what the stages have made, [`metrics`] measures it, and [`export`] writes it to files.
@@ -62,9 +65,12 @@
 //! Technique; Miyata, Itoh, Shimada (2001), Generating Pavement Textures via Close Packing of Squares
 //! (in Japanese); Itoh, Miyata, Shimada (2003), Generation of Organic Textures with Controlled
 //! Anisotropy and Directionality via Packing Rectangular and Elliptical Cells; Sakurai, Miyata (2014),
-//! Modelling of Non-Periodic Aggregates Having a Pile Structure. Each module names the sections and
+//! Modelling of Non-Periodic Aggregates Having a Pile Structure; Legakis, Dorsey, Gortler (2001), Feature-Based
+//! Cellular Texturing for Architectural Models. Each module names the sections and
 //! equations that it implements.
 
+#[cfg(house)]
+pub mod building;
 pub mod cells;
 #[cfg(house)]
 pub mod component;
@@ -82,6 +88,8 @@ pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod metrics;
+#[cfg(house)]
+pub mod masonry;
 #[cfg(house)]
 pub mod modelfiles;
 pub mod notice;

@@ -40,6 +40,8 @@ pub mod shape;
 mod walls;
 
 pub use check::{MAX_LINE_POINTS, MAX_POINTS, Ring, check_lines};
+#[cfg(house)]
+pub(crate) use crossing::{Contact, first_contact};
 pub use distance::Nearest;
 pub(crate) use ring::ring_contains;
 #[cfg(house)]

@@ -20,6 +20,8 @@ mod text;
 #[cfg(test)]
 mod tests;
 
+pub use obj::PolygonModel;
+
 use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup};
 use std::sync::Arc;

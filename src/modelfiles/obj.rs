@@ -1,4 +1,7 @@
 //! Wavefront OBJ: lines of text.
+//!
+//! Two readers share the lines: that of surfaces wants triangles ([`Soup`]), that of buildings wants polygons and groups
+//! ([`PolygonModel`]).
 
 use super::text::{next_line, number, words};
 use super::{Reader, SLICE, bad_line, too_large};
@@ -36,25 +39,73 @@ pub(super) struct Obj {
 
 impl Reader for Obj {
     fn advance(&mut self, bytes: &[u8], soup: &mut Soup) -> Result<bool, Notice> {
-        let end = bytes.len().min(self.at + SLICE);
-        while self.at < end {
-            self.line += 1;
-            let line = self.next(bytes)?;
-            let Some(first) = continued(line) else {
-                self.read(line, soup)?;
-                continue;
-            };
-            let number = self.line;
-            let whole = self.joined(bytes, first)?;
-            let last = std::mem::replace(&mut self.line, number);
-            self.read(&whole, soup)?;
-            self.line = last;
-        }
-        Ok(self.at >= bytes.len())
+        self.slice(bytes, soup)
     }
 
     fn progress(&self, bytes: &[u8]) -> f64 {
         (self.at as f64 / bytes.len().max(1) as f64).min(1.0)
+    }
+}
+
+/// What takes the vertices and polygons of a file.
+trait Sink {
+    /// The vertices so far.
+    fn positions(&mut self) -> &mut Vec<DVec3>;
+    /// Takes a polygon with vertices that have come before.
+    fn polygon(&mut self, corners: &[u32]);
+    /// Takes the names of the group that the next polygons belong to.
+    fn group(&mut self, names: Vec<String>);
+}
+
+impl Sink for Soup {
+    fn positions(&mut self) -> &mut Vec<DVec3> {
+        &mut self.positions
+    }
+
+    fn polygon(&mut self, corners: &[u32]) {
+        polygon::add(&self.positions, corners, &mut self.triangles);
+    }
+
+    fn group(&mut self, _: Vec<String>) {}
+}
+
+/// The polygons of a file, as they stand there, in their groups.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PolygonModel {
+    /// The vertices, in the file's units.
+    pub positions: Vec<DVec3>,
+    /// The corners of each polygon, and the number of its group.
+    pub polygons: Vec<(Vec<u32>, u32)>,
+    /// The names of each group; the first group has none, and holds what comes before any other.
+    pub groups: Vec<Vec<String>>,
+}
+
+impl Sink for PolygonModel {
+    fn positions(&mut self) -> &mut Vec<DVec3> {
+        &mut self.positions
+    }
+
+    fn polygon(&mut self, corners: &[u32]) {
+        let group = self.groups.len() as u32 - 1;
+        self.polygons.push((corners.to_vec(), group));
+    }
+
+    fn group(&mut self, names: Vec<String>) {
+        self.groups.push(names);
+    }
+}
+
+impl PolygonModel {
+    /// Reads a whole OBJ file.
+    ///
+    /// # Errors
+    /// A notice of the line that cannot be read, or that the file is too large.
+    pub fn read(bytes: &[u8]) -> Result<Self, Notice> {
+        let bytes = &bytes[super::text::mark(bytes)..];
+        let (mut lines, mut model) = (Obj::default(), Self::default());
+        model.groups.push(Vec::new());
+        while !lines.slice(bytes, &mut model)? {}
+        Ok(model)
     }
 }
 
@@ -64,6 +115,25 @@ fn continued(line: &[u8]) -> Option<&[u8]> {
 }
 
 impl Obj {
+    /// Reads a slice of lines; true at the end of the file.
+    fn slice(&mut self, bytes: &[u8], sink: &mut impl Sink) -> Result<bool, Notice> {
+        let end = bytes.len().min(self.at + SLICE);
+        while self.at < end {
+            self.line += 1;
+            let line = self.next(bytes)?;
+            let Some(first) = continued(line) else {
+                self.read(line, sink)?;
+                continue;
+            };
+            let number = self.line;
+            let whole = self.joined(bytes, first)?;
+            let last = std::mem::replace(&mut self.line, number);
+            self.read(&whole, sink)?;
+            self.line = last;
+        }
+        Ok(self.at >= bytes.len())
+    }
+
     fn next<'a>(&mut self, bytes: &'a [u8]) -> Result<&'a [u8], Notice> {
         let start = self.at;
         let line = next_line(bytes, &mut self.at, LONGEST);
@@ -89,32 +159,37 @@ impl Obj {
         Ok(whole)
     }
 
-    fn read(&mut self, line: &[u8], soup: &mut Soup) -> Result<(), Notice> {
+    fn read(&mut self, line: &[u8], sink: &mut impl Sink) -> Result<(), Notice> {
         let bad = || bad_line("OBJ", self.line, line);
         let mut words = words(line);
         match words.next() {
             Some(b"v" | b"V") => {
                 let mut next = || words.next().and_then(number).ok_or_else(bad);
                 let place = DVec3::new(next()?, next()?, next()?);
-                soup.positions.push(place);
-                if soup.positions.len() > 9 * MOST_TRIANGLES {
-                    return Err(too_large(soup.positions.len() / 3));
+                let positions = sink.positions();
+                positions.push(place);
+                if positions.len() > 9 * MOST_TRIANGLES {
+                    return Err(too_large(positions.len() / 3));
                 }
             }
             Some(b"f" | b"F") => {
+                let vertices = sink.positions().len();
                 self.corners.clear();
                 for word in words {
                     // The rest of the line is a comment.
                     if word.starts_with(b"#") {
                         break;
                     }
-                    let corner = corner(word, soup.positions.len());
-                    self.corners.push(corner.ok_or_else(bad)?);
+                    self.corners.push(corner(word, vertices).ok_or_else(bad)?);
                 }
                 if self.corners.len() > MOST_TRIANGLES {
                     return Err(too_large(self.corners.len()));
                 }
-                polygon::add(&soup.positions, &self.corners, &mut soup.triangles);
+                sink.polygon(&self.corners);
+            }
+            Some(b"g" | b"o") => {
+                let name = |word: &[u8]| String::from_utf8_lossy(word).into_owned();
+                sink.group(words.map(name).collect());
             }
             _ => {}
         }

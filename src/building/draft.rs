@@ -1,0 +1,68 @@
+//! A building as files and rules describe it, not checked yet.
+
+use super::surface::Surface;
+use glam::DVec3;
+
+/// A building as it is described: numbered vertices, and faces with their loops. All lengths are metres, y is up.
+/// [`super::Building::new`] checks it and makes both meshes of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Draft {
+    /// The vertices that loops name by number.
+    pub vertices: Vec<DVec3>,
+    /// The sides of loops that are arcs of circles; all others are straight.
+    pub arcs: Vec<DraftArc>,
+    /// The faces.
+    pub faces: Vec<DraftFace>,
+    /// Labels of edges' own: two vertices that a side of a loop joins, and a label of the edge that it belongs to.
+    pub edge_labels: Vec<([u32; 2], String)>,
+    /// Labels of corners' own.
+    pub corner_labels: Vec<(u32, String)>,
+    /// Edges whose pattern is to be flipped by hand (section 5.2, the stored bit), each by two vertices of a side.
+    pub edge_flips: Vec<[u32; 2]>,
+    /// Corners whose pattern is to be flipped by hand.
+    pub corner_flips: Vec<u32>,
+    /// Meshes that carry no masonry: glass, doors, rails.
+    pub extras: Vec<ExtraMesh>,
+    /// The height of the ground, if there is any.
+    pub ground: Option<f64>,
+}
+
+/// A side that is an arc: counter-clockwise from one vertex to the other, if the axis points at the viewer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DraftArc {
+    /// The vertex at its start.
+    pub from: u32,
+    /// The vertex at its end.
+    pub to: u32,
+    /// The centre of the circle (metres).
+    pub centre: DVec3,
+    /// The axis; its length does not matter.
+    pub axis: DVec3,
+}
+
+/// A face.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DraftFace {
+    /// Its labels, the most important one first.
+    pub labels: Vec<String>,
+    /// Its surface; a face without one is an error.
+    pub surface: Option<Surface>,
+    /// Its loops of vertices, seen from outside: outer ones counter-clockwise, holes clockwise. A whole cylinder has
+    /// one around its bottom and one around its top.
+    pub loops: Vec<Vec<u32>>,
+    /// How thick the wall is that the face stands for, if it has no back (metres).
+    pub thickness: Option<f64>,
+}
+
+/// A mesh that carries no masonry.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ExtraMesh {
+    /// What it is, such as `pane` or `rail`.
+    pub name: String,
+    /// A word for its material, such as `glass`, `wood` or `iron`.
+    pub material: String,
+    /// Its vertices (metres).
+    pub positions: Vec<DVec3>,
+    /// Its triangles, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}

@@ -1,0 +1,192 @@
+//! Why a model is no building, and what is odd about one.
+
+use super::ids::{CornerId, EdgeId, FaceId};
+use glam::DVec3;
+
+/// Coordinates and lengths beyond this are refused (metres).
+pub const FARTHEST: f64 = 1e4;
+/// A building has at most so many faces.
+pub const MOST_FACES: usize = 4000;
+/// A building has at most so many sides of loops, and its extra meshes at most so many triangles.
+pub const MOST_SIDES: usize = 200_000;
+/// A loop may lie off its surface by so much (metres).
+pub const OFF_SURFACE: f64 = 1e-3;
+
+/// Why a model is no building.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BuildingFault {
+    /// The text is not JSON.
+    NotJson {
+        /// The line, from 1.
+        line: usize,
+        /// The column, from 1.
+        column: usize,
+        /// The parser's words.
+        why: String,
+    },
+    /// The text is an OBJ file with a line that cannot be read, or too large; the notice says which.
+    NotObj(crate::notice::Notice),
+    /// The version is not 1.
+    Version {
+        /// The one that is given, as text; empty if there is none.
+        found: String,
+    },
+    /// The unit is not `m`.
+    Unit {
+        /// The one that is given, as text.
+        found: String,
+    },
+    /// A value is missing, or of the wrong kind.
+    Field {
+        /// Where it is, such as `faces[3].loops[0]`.
+        path: String,
+        /// The kind that is allowed there.
+        allowed: &'static str,
+    },
+    /// A number is not finite, or greater than [`FARTHEST`].
+    Number {
+        /// Where it is.
+        path: String,
+        /// Its text.
+        found: String,
+    },
+    /// There are no faces.
+    Empty,
+    /// There are more than [`MOST_FACES`] faces.
+    TooManyFaces {
+        /// How many there are.
+        faces: usize,
+    },
+    /// Loops have more than [`MOST_SIDES`] sides, or extra meshes more triangles than that.
+    TooManySides {
+        /// How many there are.
+        sides: usize,
+    },
+    /// A loop, an arc or a triangle names a vertex that does not exist.
+    NoVertex {
+        /// Where it is named.
+        path: String,
+        /// The number that is given.
+        vertex: u32,
+    },
+    /// A loop has fewer than three vertices that differ by over 0.2 mm.
+    ShortLoop {
+        /// The face.
+        face: FaceId,
+        /// The number of the loop in the face.
+        ring: usize,
+    },
+    /// An arc has no axis, its ends are not equally far from its centre, or its sides are given twice.
+    BadArc {
+        /// The number of the arc in the draft.
+        arc: usize,
+        /// What is wrong.
+        why: ArcFault,
+    },
+    /// A face has no parameterisation.
+    NoSurface {
+        /// The face.
+        face: FaceId,
+    },
+    /// The parameterisation of a face is none.
+    BadSurface {
+        /// The face.
+        face: FaceId,
+        /// What is wrong.
+        why: SurfaceFault,
+    },
+    /// A loop lies off its surface by more than [`OFF_SURFACE`].
+    OffSurface {
+        /// The face.
+        face: FaceId,
+        /// The place (metres).
+        at: DVec3,
+        /// The distance from the surface (metres).
+        by: f64,
+    },
+    /// Loops of a face cross or touch themselves or each other.
+    Crossing {
+        /// The face.
+        face: FaceId,
+        /// A place where they do (metres).
+        at: DVec3,
+    },
+    /// The loops of a face enclose no area, or run the wrong way: outer ones have to be counter-clockwise.
+    InsideOut {
+        /// The face.
+        face: FaceId,
+    },
+    /// An arc of a loop is not cut where its face bends: its circle is not that of the surface.
+    NotOnCircle {
+        /// The face.
+        face: FaceId,
+        /// A place on the arc (metres).
+        at: DVec3,
+    },
+    /// More than two faces meet along a side (section 6 of the paper leaves that to future work).
+    NonManifold {
+        /// Two vertices of the draft.
+        vertices: [u32; 2],
+        /// The faces there.
+        faces: Vec<FaceId>,
+    },
+    /// Two faces walk a side in the same direction, so one of them is turned over.
+    TurnedOver {
+        /// Two vertices of the draft.
+        vertices: [u32; 2],
+        /// Both faces.
+        faces: [FaceId; 2],
+    },
+}
+
+/// What is wrong with an arc.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArcFault {
+    /// The axis is the zero vector.
+    NoAxis,
+    /// The ends differ in their distance from the centre by over 1 mm, or lie at it.
+    Radius,
+    /// The ends do not lie in a plane normal to the axis by over 1 mm.
+    Plane,
+    /// Another arc joins the same two vertices.
+    Twice,
+}
+
+/// What is wrong with a parameterisation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceFault {
+    /// A profile has no piece, a piece has no length, or a radius is not above 0.
+    NoLength,
+    /// Pieces of a profile do not meet within 1 mm.
+    Gap,
+    /// A profile has a kink: its pieces have to be tangent within a degree.
+    Kink,
+    /// A direction is not a unit vector at right angles to the profile, within 1e-6.
+    Direction,
+    /// The loops of a whole cylinder do not close around it.
+    Unbounded,
+}
+
+/// What is odd about a building. It is built nevertheless.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BuildingWarning {
+    /// Edges with one face: ground lines, single walls. They carry no cells.
+    OpenEdges(Vec<EdgeId>),
+    /// A corner joins parts that have no edge in common.
+    Pinched(CornerId),
+    /// A label or a flip names two vertices that are no side of a loop.
+    NoSuchEdge {
+        /// The vertices.
+        vertices: [u32; 2],
+    },
+    /// A label or a flip names a vertex that is no corner.
+    NoSuchCorner {
+        /// The vertex.
+        vertex: u32,
+    },
+    /// No loop has this arc as a side.
+    UnusedArc {
+        /// The number of the arc in the draft.
+        arc: usize,
+    },
+}

@@ -1,0 +1,216 @@
+//! Files: JSON reads back as it was written, OBJ is recognised, and bad files are refused.
+
+use super::tests::{built, drafts};
+use super::*;
+use std::fmt::Write as _;
+
+#[test]
+fn json_reads_back_equal() {
+    for (name, mut draft) in drafts() {
+        draft.edge_labels.push(([0, 1], "Quoin \"x\"".into()));
+        draft.corner_labels.push((1, "Finial".into()));
+        draft.edge_flips.push([1, 2]);
+        draft.corner_flips.push(2);
+        assert_eq!(json::read(&write(&draft)), Ok(draft), "{name}");
+    }
+}
+
+/// A block as JSON, with one part of the text replaced.
+fn replaced(from: &str, to: &str) -> BuildingFault {
+    let text = write(&Rule::Block.draft(&Module::NORMAL, &[]));
+    assert!(text.contains(from), "{from}");
+    json::read(&text.replacen(from, to, 1)).unwrap_err()
+}
+
+#[test]
+fn bad_json_is_refused_with_its_place() {
+    let BuildingFault::NotJson { line, column, .. } = json::read("{\n \"v\": [1,}\n").unwrap_err()
+    else {
+        panic!("not refused");
+    };
+    assert_eq!((line, column), (2, 10));
+    let field = |path: &str, allowed| BuildingFault::Field {
+        path: path.into(),
+        allowed,
+    };
+    assert_eq!(json::read("[]"), Err(field("", "an object")));
+    let found = |found: &str| BuildingFault::Version {
+        found: found.into(),
+    };
+    assert_eq!(json::read("{}"), Err(found("")));
+    assert_eq!(replaced("\"version\":1", "\"version\":2"), found("2"));
+    let unit = BuildingFault::Unit {
+        found: "\"mm\"".into(),
+    };
+    assert_eq!(replaced("\"unit\":\"m\"", "\"unit\":\"mm\""), unit);
+    assert_eq!(
+        replaced("\"v\":[[", "\"v\":[[\"a\",1,2],["),
+        field("v[0][0]", "a number")
+    );
+    assert_eq!(
+        replaced("\"v\":[[", "\"v\":[[1,2],["),
+        field("v[0]", "three numbers")
+    );
+    assert_eq!(replaced("\"v\":", "\"w\":"), field("v", "a value"));
+    let vertex = field("faces[0].loops[0][0]", "the number of a vertex");
+    assert_eq!(replaced("\"loops\":[[0", "\"loops\":[[-1"), vertex);
+    assert_eq!(replaced("\"loops\":[[0", "\"loops\":[[0.5"), vertex);
+    let param = field("faces[0].param", "a sweep or a disk");
+    assert_eq!(replaced("\"sweep\"", "\"sphere\""), param);
+    assert!(matches!(
+        replaced("[\"line\"", "[\"spline\""),
+        BuildingFault::Field { .. }
+    ));
+    // Numbers beyond the doubles are no JSON to the parser.
+    assert!(matches!(
+        replaced("\"v\":[[", "\"v\":[[1e999,0,0],["),
+        BuildingFault::NotJson { .. }
+    ));
+    let label = field("faces[0].label", "a text or a list of texts");
+    assert_eq!(replaced("\"label\":[]", "\"label\":3"), label);
+}
+
+#[test]
+fn a_face_without_a_parameterisation_is_read_and_refused() {
+    let text = write(&Rule::Block.draft(&Module::NORMAL, &[]));
+    let draft = json::read(&text.replacen("\"param\"", "\"other\"", 1)).unwrap();
+    let face = FaceId(0);
+    assert_eq!(
+        Building::new(&draft),
+        Err(BuildingFault::NoSurface { face })
+    );
+}
+
+/// The numbers of a tower without windows.
+const PLAIN_TOWER: [f64; 4] = [80.0, 48.0, 3.0, 0.0];
+
+/// The child mesh of a building as an OBJ file, each face in a group of its own label.
+fn obj_of(building: &Building) -> String {
+    let mut text = String::new();
+    for vertex in building.vertices() {
+        let p = vertex.position;
+        writeln!(text, "v {} {} {}", p.x, p.y, p.z).unwrap();
+    }
+    for face in building.faces() {
+        writeln!(text, "g {}", face.labels.join(" ")).unwrap();
+        for &polygon in &face.polygons {
+            let corners = building.polygon(polygon).vertices.iter();
+            let corners: Vec<String> = corners.map(|v| (v.0 + 1).to_string()).collect();
+            writeln!(text, "f {}", corners.join(" ")).unwrap();
+        }
+    }
+    text
+}
+
+#[test]
+fn obj_files_are_recognised() {
+    for rule in Rule::ALL {
+        // Windows of a tower do not begin where its facets do, so its facets would not be flat.
+        let numbers: &[f64] = if rule == Rule::Tower {
+            &PLAIN_TOWER
+        } else {
+            &[]
+        };
+        let draft = rule.draft(&Module::NORMAL, numbers);
+        let building = built(rule.word(), &draft);
+        let read = obj::read(obj_of(&building).as_bytes()).unwrap();
+        let again = built(rule.word(), &read.draft);
+        let count = |building: &Building, is_flat| {
+            let is = |face: &&Face| face.surface.is_flat() == is_flat;
+            building.faces().iter().filter(is).count()
+        };
+        // A jamb and its arch are one face in a draft, and three in a file.
+        let joined = building.faces().iter().filter(|face| match &face.surface {
+            Surface::Sweep(sweep) => sweep.profile().pieces().len() > 1,
+            Surface::Disk(_) => false,
+        });
+        let joined = joined.count();
+        assert_eq!(
+            read.curved.len(),
+            count(&building, false),
+            "{}",
+            rule.word()
+        );
+        assert_eq!(
+            count(&again, false),
+            count(&building, false),
+            "{}",
+            rule.word()
+        );
+        assert_eq!(
+            count(&again, true),
+            count(&building, true) + 2 * joined,
+            "{}",
+            rule.word()
+        );
+        assert_eq!(read.polygons, building.polygons().len());
+        assert_eq!(read.flat + read.curved.len(), again.faces().len());
+        let labels = |building: &Building| -> std::collections::BTreeSet<String> {
+            building
+                .faces()
+                .iter()
+                .flat_map(|face| face.labels.clone())
+                .collect()
+        };
+        assert_eq!(labels(&again), labels(&building), "{}", rule.word());
+        let volume = |building: &Building| {
+            let six = building.polygons().iter().map(|polygon| {
+                let [a, b, c] = [0, 1, 2].map(|k| building.vertex(polygon.vertices[k]).position);
+                a.dot(b.cross(c))
+            });
+            six.sum::<f64>() / 6.0
+        };
+        let share = volume(&again) / volume(&building);
+        assert!(
+            rule == Rule::Sheet || (share - 1.0).abs() < 1e-4,
+            "{} {share}",
+            rule.word()
+        );
+    }
+}
+
+#[test]
+fn arches_keep_their_radius_and_do_not_swallow_their_jambs() {
+    let draft = Rule::Gate.draft(&Module::NORMAL, &[]);
+    let building = built("gate", &draft);
+    let read = obj::read(obj_of(&building).as_bytes()).unwrap();
+    let [curved] = read.curved[..] else {
+        panic!("{:?}", read.curved);
+    };
+    assert!(
+        (curved.radius - 0.5 * (12.0 * 0.125 + 0.01)).abs() < 1e-6,
+        "{}",
+        curved.radius
+    );
+    assert!(!curved.is_whole);
+    let tower = built("tower", &Rule::Tower.draft(&Module::NORMAL, &PLAIN_TOWER));
+    let read = obj::read(obj_of(&tower).as_bytes()).unwrap();
+    assert!(read.curved.len() == 2 && read.curved.iter().all(|curved| curved.is_whole));
+}
+
+#[test]
+fn groups_part_faces_and_name_them() {
+    let text = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 0 1 0\n\
+        o Wall.001\nf 1 2 5 6\nf 1 1 2\ng Window Sill\nf 2 3 4 5\n";
+    let read = obj::read(text.as_bytes()).unwrap();
+    let labels: Vec<String> = read
+        .draft
+        .faces
+        .iter()
+        .map(|face| face.labels.join("+"))
+        .collect();
+    assert_eq!(labels, ["Wall", "Window+Sill"]);
+    assert_eq!((read.polygons, read.degenerate, read.flat), (3, 1, 2));
+    let joined = obj::read(text.replace("g Window Sill\n", "").as_bytes()).unwrap();
+    assert_eq!(joined.draft.faces.len(), 1);
+    assert_eq!(joined.draft.faces[0].loops[0].len(), 6);
+}
+
+#[test]
+fn bad_obj_files_are_refused() {
+    let line = obj::read(b"v 0 0 0\nv 0 x 0\n").unwrap_err();
+    assert!(matches!(line, BuildingFault::NotObj(_)));
+    assert_eq!(obj::read(b"v 0 0 0\n"), Err(BuildingFault::Empty));
+    let twice = obj::read(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n").unwrap_err();
+    assert!(matches!(twice, BuildingFault::NonManifold { .. }));
+}

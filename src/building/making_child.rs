@@ -1,0 +1,213 @@
+//! Makes the child mesh of joined sides.
+
+use super::child::{Polygon, PolygonEdge, Vertex};
+use super::draft::Draft;
+use super::facets;
+use super::fault::BuildingFault;
+use super::flattening::{self, Flat, Walked};
+use super::ids::{FaceId, PolygonEdgeId, PolygonId, VertexId};
+use super::piece::Piece;
+use super::sides::{Sides, key};
+use super::surface::Surface;
+use super::triangles::TriangleCorner;
+use super::wings::Wings;
+use glam::{DVec2, DVec3};
+use std::collections::BTreeMap;
+
+/// The child mesh, and what the parent mesh needs of it.
+pub(super) struct Child {
+    pub vertices: Vec<Vertex>,
+    pub edges: Vec<PolygonEdge>,
+    pub polygons: Vec<Polygon>,
+    /// The vertices along each side, from start to end.
+    pub along: Vec<Vec<u32>>,
+    /// The rings of each face in s and t.
+    pub rings: Vec<Vec<Vec<DVec2>>>,
+    /// The polygon edge between two vertices, the smaller first.
+    pub between: BTreeMap<(u32, u32), PolygonEdgeId>,
+}
+
+/// Makes the child mesh: arcs are cut, faces are triangulated, and what meets is joined.
+///
+/// # Errors
+/// Loops off their surface, loops that cross or do not bound a region.
+pub(super) fn make(draft: &Draft, sides: &Sides) -> Result<Child, BuildingFault> {
+    let mut positions = sides.positions.clone();
+    let along = cut_arcs(sides, &mut positions);
+    let (mut rings, mut polygons) = (Vec::new(), Vec::new());
+    for (k, loops) in sides.loops.iter().enumerate() {
+        let face = FaceId(k as u32);
+        let Some(surface) = &draft.faces[k].surface else {
+            return Err(BuildingFault::NoSurface { face });
+        };
+        if loops.is_empty() {
+            return Err(BuildingFault::InsideOut { face });
+        }
+        let walked = |&side: &usize| Walked {
+            piece: &sides.sides[side].piece,
+            vertices: along[side]
+                .iter()
+                .map(|&v| (v, positions[v as usize]))
+                .collect(),
+        };
+        let loops: Vec<Vec<Walked<'_>>> = loops
+            .iter()
+            .map(|ring| ring.iter().map(walked).collect())
+            .collect();
+        let flat = flattening::flatten(face, surface, &loops)?;
+        add_polygons(face, surface, &flat, &mut positions, &mut polygons);
+        rings.push(flattening::plain(&flat.rings));
+    }
+    let (edges, between) = join(&mut polygons);
+    check_sides(sides, &along, (&edges, &between), &positions)?;
+    let vertices = vertices(&positions, &edges);
+    Ok(Child {
+        vertices,
+        edges,
+        polygons,
+        along,
+        rings,
+        between,
+    })
+}
+
+/// Tests that both faces of each side have all polygon edges along it.
+fn check_sides(
+    sides: &Sides,
+    along: &[Vec<u32>],
+    (edges, between): (&[PolygonEdge], &Between),
+    positions: &[DVec3],
+) -> Result<(), BuildingFault> {
+    for (side, along) in sides.sides.iter().zip(along) {
+        for pair in along.windows(2) {
+            let own = between
+                .get(&key(pair[0], pair[1]))
+                .map(|id| &edges[id.index()]);
+            let is_joined =
+                own.is_some_and(|edge| side.twin.is_some() != edge.polygons.contains(&None));
+            if !is_joined {
+                return Err(BuildingFault::NotOnCircle {
+                    face: side.face,
+                    at: positions[pair[0] as usize],
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The vertices along each side; both faces of a side share them.
+fn cut_arcs(sides: &Sides, positions: &mut Vec<DVec3>) -> Vec<Vec<u32>> {
+    let mut along: Vec<Vec<u32>> = Vec::with_capacity(sides.sides.len());
+    for (k, side) in sides.sides.iter().enumerate() {
+        if let Some(twin) = side.twin.filter(|&twin| twin < k) {
+            let back = along[twin].iter().rev().copied().collect();
+            along.push(back);
+            continue;
+        }
+        let mut own = vec![side.from];
+        if let Piece::Arc(arc) = &side.piece {
+            for s in facets::cuts(arc) {
+                own.push(positions.len() as u32);
+                positions.push(side.piece.point(s));
+            }
+        }
+        own.push(side.to);
+        along.push(own);
+    }
+    along
+}
+
+/// Adds the triangles of a face as polygons, and the vertices inside of it.
+fn add_polygons(
+    face: FaceId,
+    surface: &Surface,
+    flat: &Flat,
+    positions: &mut Vec<DVec3>,
+    polygons: &mut Vec<Polygon>,
+) {
+    let mut inner: Vec<(DVec2, u32)> = Vec::new();
+    let mut vertex = |corner: TriangleCorner| match corner {
+        TriangleCorner::Vertex(vertex) => VertexId(vertex),
+        TriangleCorner::Inner(at) => {
+            if let Some(&(_, known)) = inner.iter().find(|known| known.0 == at) {
+                return VertexId(known);
+            }
+            let place = match surface {
+                Surface::Disk(disk) => flattening::from_plane(disk, at),
+                Surface::Sweep(_) => surface.frame(at.x, at.y).origin,
+            };
+            inner.push((at, positions.len() as u32));
+            positions.push(place);
+            VertexId(positions.len() as u32 - 1)
+        }
+    };
+    for triangle in &flat.triangles {
+        polygons.push(Polygon {
+            vertices: triangle.map(&mut vertex).to_vec(),
+            edges: Vec::new(),
+            face,
+        });
+    }
+}
+
+type Between = BTreeMap<(u32, u32), PolygonEdgeId>;
+
+/// Joins polygons by their edges, and gives each polygon its edges.
+fn join(polygons: &mut [Polygon]) -> (Vec<PolygonEdge>, Between) {
+    let (mut edges, mut between): (Vec<PolygonEdge>, _) = (Vec::new(), Between::new());
+    for (number, polygon) in polygons.iter_mut().enumerate() {
+        let id = PolygonId(number as u32);
+        let n = polygon.vertices.len();
+        for k in 0..n {
+            let (from, to) = (polygon.vertices[k], polygon.vertices[(k + 1) % n]);
+            let edge = *between.entry(key(from.0, to.0)).or_insert_with(|| {
+                edges.push(PolygonEdge {
+                    vertices: [from, to],
+                    polygons: [None, None],
+                    wings: Wings::default(),
+                    edge: None,
+                });
+                PolygonEdgeId(edges.len() as u32 - 1)
+            });
+            let own = &mut edges[edge.index()];
+            let side = usize::from(own.vertices[0] != from);
+            own.polygons[side] = Some(id);
+            polygon.edges.push(edge);
+        }
+    }
+    for (number, polygon) in polygons.iter().enumerate() {
+        let n = polygon.edges.len();
+        for k in 0..n {
+            let own = &mut edges[polygon.edges[k].index()];
+            let side = usize::from(own.polygons[0] != Some(PolygonId(number as u32)));
+            own.wings.next[side] = Some(polygon.edges[(k + 1) % n]);
+            own.wings.previous[side] = Some(polygon.edges[(k + n - 1) % n]);
+        }
+    }
+    (edges, between)
+}
+
+/// The vertices, each with one of its polygon edges: the first one on the border if it lies there.
+fn vertices(positions: &[DVec3], edges: &[PolygonEdge]) -> Vec<Vertex> {
+    let vertex = |&position: &DVec3| Vertex {
+        position,
+        edge: PolygonEdgeId(u32::MAX),
+        corner: None,
+    };
+    let mut vertices: Vec<Vertex> = positions.iter().map(vertex).collect();
+    for is_border in [true, false] {
+        for (k, edge) in edges.iter().enumerate() {
+            if edge.polygons.contains(&None) != is_border {
+                continue;
+            }
+            for v in edge.vertices {
+                let own = &mut vertices[v.index()].edge;
+                if own.0 == u32::MAX {
+                    *own = PolygonEdgeId(k as u32);
+                }
+            }
+        }
+    }
+    vertices
+}

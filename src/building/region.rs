@@ -1,0 +1,195 @@
+//! The region of a face in two parameters: rings of straight sides, cut open at a seam if the surface is periodic.
+
+use crate::order::{self, rank};
+use glam::DVec2;
+
+/// A place on a ring, and the vertex there; none at a place that the seam or a disk's centre adds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Spot {
+    pub at: DVec2,
+    pub vertex: Option<u32>,
+    /// Whether an arc was cut here; else it is a vertex of the draft.
+    pub is_cut: bool,
+}
+
+/// A ring of spots.
+pub(super) type SpotRing = Vec<Spot>;
+
+/// Spots this close to the seam lie on it (metres).
+const ON_SEAM: f64 = 1e-4;
+
+/// The loops of a whole cylinder or disk do not bound a region.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct UnboundedRegion;
+
+/// Makes s continuous along loops on a surface with a period.
+pub(super) fn unwrap(loops: &mut [SpotRing], period: f64) {
+    for ring in loops {
+        for k in 1..ring.len() {
+            let back = ring[k - 1].at.x;
+            let s = &mut ring[k].at.x;
+            *s -= period * ((*s - back) / period).round();
+        }
+    }
+}
+
+/// The seam among these values of s that passes the fewest vertices and does not run along a side. Keep the first one.
+pub(super) fn best_seam(loops: &[SpotRing], period: f64, candidates: &[f64]) -> f64 {
+    let crossings = |seam: f64| {
+        let spots = loops.iter().flatten();
+        let off = |s: f64| (s - seam) / period - ((s - seam) / period).round();
+        spots
+            .filter(|spot| off(spot.at.x).abs() * period < ON_SEAM)
+            .count()
+    };
+    let all = candidates.iter().map(|&seam| (crossings(seam), seam));
+    let best = all.fold(
+        (usize::MAX, 0.0),
+        |best, next| if next.0 < best.0 { next } else { best },
+    );
+    best.1
+}
+
+/// Cuts loops open at a seam. The rings lie within one period from it.
+///
+/// Sides are moved by whole periods until their middles lie within it, so a loop that passes the seam falls into chains
+/// which begin and end there. The region is to the left of its loops: at the upper end of the period it goes on upwards
+/// along the seam, at the lower end downwards. `floor` is the t of a side that closes a disk at its centre.
+///
+/// # Errors
+/// If a chain has no continuation: the loops do not bound a region.
+pub(super) fn cut_open(
+    loops: &[SpotRing],
+    period: f64,
+    seam: f64,
+    floor: Option<f64>,
+) -> Result<Vec<SpotRing>, UnboundedRegion> {
+    let (mut rings, mut chains) = (Vec::new(), Vec::new());
+    for ring in loops {
+        let ring = with_seam_spots(ring, period, seam);
+        split(&ring, period, seam, &mut rings, &mut chains);
+    }
+    let ends = |chain: &SpotRing| [chain[0].at, chain[chain.len() - 1].at];
+    let is_low = |p: DVec2| p.x < seam + 0.5 * period;
+    let flow = |chain: &SpotRing| {
+        let [start, end] = ends(chain);
+        i32::from(is_low(start)) - i32::from(is_low(end))
+    };
+    let open: i32 = chains.iter().map(flow).sum();
+    if let (Some(t), true) = (floor, open != 0) {
+        let corners = [seam, seam + period].map(|s| Spot {
+            at: DVec2::new(s, t),
+            vertex: None,
+            is_cut: false,
+        });
+        chains.push(corners.to_vec());
+    }
+    let mut used = vec![false; chains.len()];
+    for first in 0..chains.len() {
+        if used[first] {
+            continue;
+        }
+        let mut ring = SpotRing::new();
+        let mut k = first;
+        loop {
+            used[k] = true;
+            ring.extend_from_slice(&chains[k]);
+            let end = ends(&chains[k])[1];
+            k = following(&chains, end, is_low).ok_or(UnboundedRegion)?;
+            if k == first {
+                break;
+            }
+            if used[k] {
+                return Err(UnboundedRegion);
+            }
+        }
+        ring.dedup_by(|a, b| a.at.distance(b.at) < 1e-9);
+        rings.push(ring);
+    }
+    Ok(rings)
+}
+
+/// The chain that the boundary goes on with behind `end`, along the seam.
+fn following(chains: &[SpotRing], end: DVec2, is_low: impl Fn(DVec2) -> bool) -> Option<usize> {
+    let low = is_low(end);
+    let ahead = |t: f64| if low { end.y - t } else { t - end.y };
+    let all = chains.iter().enumerate().map(|(k, chain)| (k, chain[0].at));
+    let mut same: Vec<(usize, f64)> = all
+        .filter(|&(_, start)| is_low(start) == low && ahead(start.y) > -1e-9)
+        .map(|(k, start)| (k, ahead(start.y)))
+        .collect();
+    order::sort(&mut same, |&(k, way)| (rank(way), k as u64));
+    same.first().map(|&(k, _)| k)
+}
+
+/// A loop with spots where its sides cross the seam.
+fn with_seam_spots(ring: &[Spot], period: f64, seam: f64) -> SpotRing {
+    let n = ring.len();
+    let mut all = SpotRing::new();
+    for k in 0..n {
+        all.push(ring[k]);
+        let (a, mut b) = (ring[k].at, ring[(k + 1) % n].at);
+        b.x -= period * ((b.x - a.x) / period).round();
+        let image = seam + period * ((0.5 * (a.x + b.x) - seam) / period).round();
+        let share = (image - a.x) / (b.x - a.x);
+        let is_inner = (image - a.x).abs() > ON_SEAM && (image - b.x).abs() > ON_SEAM;
+        if is_inner && share > 0.0 && share < 1.0 {
+            all.push(Spot {
+                at: DVec2::new(image, a.y + (b.y - a.y) * share),
+                vertex: None,
+                is_cut: false,
+            });
+        }
+    }
+    all
+}
+
+/// Splits a loop where its sides pass the seam.
+fn split(
+    ring: &[Spot],
+    period: f64,
+    seam: f64,
+    rings: &mut Vec<SpotRing>,
+    chains: &mut Vec<SpotRing>,
+) {
+    let n = ring.len();
+    let turns = |k: usize| {
+        let mut to = ring[(k + 1) % n].at.x;
+        let from = ring[k].at.x;
+        to -= period * ((to - from) / period).round();
+        ((0.5 * (from + to) - seam) / period).floor()
+    };
+    let moved = |spot: Spot, turns: f64| {
+        let mut at = spot.at;
+        at.x -= turns * period;
+        // Rounding must not leave the period.
+        at.x = at.x.clamp(seam, seam + period);
+        Spot { at, ..spot }
+    };
+    let all: Vec<f64> = (0..n).map(turns).collect();
+    let wraps = |k: usize| {
+        let step = ring[(k + 1) % n].at.x - ring[k].at.x;
+        (step / period).round()
+    };
+    // The side behind the last spot may go on a period away.
+    let differs = |k: usize| {
+        let next = (k + 1) % n;
+        all[k] + wraps(k) != all[next]
+    };
+    let Some(start) = (0..n).find(|&k| differs(k)) else {
+        let ring = ring.iter().zip(&all);
+        rings.push(ring.map(|(&spot, &turns)| moved(spot, turns)).collect());
+        return;
+    };
+    let mut chain = SpotRing::new();
+    for step in 1..=n {
+        let k = (start + step) % n;
+        chain.push(moved(ring[k], all[k]));
+        if differs(k) {
+            let mut last = ring[(k + 1) % n];
+            last.at.x -= wraps(k) * period;
+            chain.push(moved(last, all[k]));
+            chains.push(std::mem::take(&mut chain));
+        }
+    }
+}

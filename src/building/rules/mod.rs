@@ -1,0 +1,147 @@
+//! Buildings by rule.
+//!
+//! Sizes are counted as masons do, in modules along walls and in courses upwards ([`Module`]): a pier is n modules less
+//! a joint, an opening n modules and a joint. So all solids lie half a joint inside of the lines of the module's grid,
+//! and cells that claim whole modules fill the walls, with a half joint beyond each end. Only the ground is a line of
+//! the grid itself.
+//!
+//! Buildings stand on y = 0, with their middle over the origin. Fronts look along +z.
+
+mod drafting;
+mod gabled;
+pub(crate) mod numbers;
+mod openings;
+mod plain;
+mod steps;
+mod tower;
+mod walls;
+
+pub(super) use drafting::flat_surface;
+pub use openings::Head;
+
+use super::draft::Draft;
+use crate::shapes::ShapeNumber;
+use numbers as rows;
+
+/// The module of masonry, joints included (metres).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Module {
+    /// The width of half a brick with its joint, W; above `joint`.
+    pub half: f64,
+    /// The height of a course with its joint, H; above `joint`.
+    pub course: f64,
+    /// The thickness of a joint, at least 0.
+    pub joint: f64,
+}
+
+impl Module {
+    /// German normal format: 250 x 125 x 83.3 mm with joints of 10 mm.
+    pub const NORMAL: Self = Self {
+        half: 0.125,
+        course: 0.25 / 3.0,
+        joint: 0.01,
+    };
+
+    /// A solid of n modules: n W less a joint.
+    pub(super) fn pier(&self, modules: f64) -> f64 {
+        modules * self.half - self.joint
+    }
+
+    /// The height at which a solid of n courses on the ground ends.
+    pub(super) fn top(&self, courses: f64) -> f64 {
+        courses * self.course - self.joint
+    }
+}
+
+/// A building by rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// A plain block.
+    Block,
+    /// A house with an L-shaped plan, windows and a door.
+    LHouse,
+    /// A house with gables, a roof, windows and a door.
+    Gabled,
+    /// A free-standing wall with three openings.
+    Wall,
+    /// A gate with a round arch.
+    Gate,
+    /// Steps between two columns, with rails.
+    Steps,
+    /// A round tower with windows.
+    Tower,
+    /// A closed ring of straight walls.
+    Ring,
+    /// A wall that is a single polygon with a thickness.
+    Sheet,
+}
+
+impl Rule {
+    /// All rules.
+    pub const ALL: [Self; 9] = [
+        Self::Block,
+        Self::LHouse,
+        Self::Gabled,
+        Self::Wall,
+        Self::Gate,
+        Self::Steps,
+        Self::Tower,
+        Self::Ring,
+        Self::Sheet,
+    ];
+
+    /// The rule's key, its English label, and its numbers.
+    fn row(self) -> (&'static str, &'static str, &'static [ShapeNumber]) {
+        match self {
+            Self::Block => ("block", "Block", rows::BLOCK),
+            Self::LHouse => ("lhouse", "L-shaped house", rows::L_HOUSE),
+            Self::Gabled => ("gabled", "House with gables", rows::GABLED),
+            Self::Wall => ("wall", "Wall with openings", rows::WALL),
+            Self::Gate => ("gate", "Gate", rows::GATE),
+            Self::Steps => ("steps", "Steps with columns", rows::STEPS),
+            Self::Tower => ("tower", "Round tower", rows::TOWER),
+            Self::Ring => ("ring", "Ring of walls", rows::RING),
+            Self::Sheet => ("sheet", "Single wall", rows::SHEET),
+        }
+    }
+
+    /// The rule's key in links.
+    pub fn word(self) -> &'static str {
+        self.row().0
+    }
+
+    /// The rule's English label.
+    pub fn label(self) -> &'static str {
+        self.row().1
+    }
+
+    /// The rule's numbers with their ranges. Widths are modules, heights are courses.
+    pub fn numbers(self) -> &'static [ShapeNumber] {
+        self.row().2
+    }
+
+    /// The rule with this key.
+    pub fn of_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|rule| rule.word() == word)
+    }
+
+    /// Makes the building. `numbers` are those of [`Self::numbers`]: they are clamped to their ranges, and defaults stand
+    /// for missing ones. Where parts would not fit, there are fewer or smaller ones.
+    pub fn draft(self, module: &Module, numbers: &[f64]) -> Draft {
+        let each = self.numbers().iter().enumerate();
+        let n: Vec<f64> = each
+            .map(|(k, number)| number.fitted(numbers.get(k).copied().unwrap_or(number.default)))
+            .collect();
+        match self {
+            Self::Block => plain::block(module, &n),
+            Self::LHouse => plain::l_house(module, &n),
+            Self::Gabled => gabled::gabled(module, &n),
+            Self::Wall => walls::wall(module, &n),
+            Self::Gate => walls::gate(module, &n),
+            Self::Steps => steps::steps(module, &n),
+            Self::Tower => tower::tower(module, &n),
+            Self::Ring => plain::ring(module, &n),
+            Self::Sheet => plain::sheet(module, &n),
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! Walls with openings, and the reveals of these.
+
+use super::Module;
+use super::drafting::Drafting;
+use crate::building::facets;
+use crate::building::labels::{ARCH, DOOR, GLASS, SILL, WINDOW};
+use crate::building::path::Path;
+use crate::building::piece::{Arc, Piece};
+use crate::building::surface::{Surface, Sweep};
+use glam::{DVec2, DVec3};
+use std::f64::consts::PI;
+
+/// The head of an opening.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Head {
+    /// A level lintel.
+    Straight,
+    /// An arc of less than half a circle.
+    Segmental,
+    /// Half a circle.
+    Round,
+}
+
+impl Head {
+    /// The head with this number: 0, 1 or 2.
+    pub(super) fn of(number: f64) -> Self {
+        match number as u32 {
+            0 => Self::Straight,
+            1 => Self::Segmental,
+            _ => Self::Round,
+        }
+    }
+}
+
+/// The rise of a segmental head over its span.
+const RISE: f64 = 1.0 / 6.0;
+/// How far a pane stands before the back of its opening (metres).
+const BEFORE: f64 = 0.002;
+
+/// An opening in a wall, counted in modules from the wall's left end and in courses from the ground.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Opening {
+    pub left: f64,
+    pub width: f64,
+    pub bottom: f64,
+    /// The course at which the head begins.
+    pub springing: f64,
+    pub head: Head,
+    pub is_door: bool,
+}
+
+/// The plane of a wall seen from outside: u to the right, y upwards. u is 0 at a line of the grid: half a joint before the
+/// wall's left end, or half a joint behind it where the wall begins in an inner corner.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct WallPlane {
+    pub origin: DVec3,
+    pub along: DVec3,
+    pub normal: DVec3,
+}
+
+impl WallPlane {
+    /// The wall from its left end to its right one, seen from outside. `lead` is u at its left end.
+    pub fn new(left: DVec3, right: DVec3, lead: f64) -> Self {
+        let along = (right - left).normalize();
+        Self {
+            origin: left - along * lead,
+            along,
+            normal: along.cross(DVec3::Y),
+        }
+    }
+
+    /// The place at u and y, so far behind the face.
+    pub fn at(&self, p: DVec2, behind: f64) -> DVec3 {
+        self.origin + self.along * p.x + DVec3::Y * p.y - self.normal * behind
+    }
+}
+
+/// The outline of an opening: lower left, upper left, upper right, lower right; clockwise seen from outside.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reveal {
+    corners: [DVec2; 4],
+    /// The centre of the head's circle.
+    centre: Option<DVec2>,
+    head: Head,
+    /// The labels of its faces, and the one more of the curved ones.
+    labels: &'static [&'static str],
+}
+
+impl Opening {
+    /// Its outline in a wall's plane: it is n modules and a joint wide.
+    pub fn reveal(&self, module: &Module) -> Reveal {
+        let half = 0.5 * module.joint;
+        let left = self.left * module.half - half;
+        let right = (self.left + self.width) * module.half + half;
+        let bottom = (self.bottom * module.course - module.joint).max(0.0);
+        let top = self.springing * module.course;
+        let corners = [(left, bottom), (left, top), (right, top), (right, bottom)];
+        let (span, middle) = (right - left, 0.5 * (left + right));
+        let drop = match self.head {
+            Head::Straight => None,
+            Head::Segmental => Some(span * (0.125 / RISE - 0.5 * RISE)),
+            Head::Round => Some(0.0),
+        };
+        Reveal {
+            corners: corners.map(DVec2::from),
+            centre: drop.map(|drop| DVec2::new(middle, top - drop)),
+            head: self.head,
+            labels: match self.is_door {
+                true => &[DOOR],
+                false => &[WINDOW],
+            },
+        }
+    }
+}
+
+impl Reveal {
+    /// The same without the label of a window: a gate has its arch alone.
+    pub fn plain(self) -> Self {
+        Self {
+            labels: &[],
+            ..self
+        }
+    }
+
+    /// Its corners, clockwise from the lower left one.
+    pub fn corners(&self) -> [DVec2; 4] {
+        self.corners
+    }
+
+    /// The hole in the wall's face.
+    pub fn hole(&self, plane: &WallPlane, behind: f64) -> Vec<DVec3> {
+        self.corners.map(|p| plane.at(p, behind)).to_vec()
+    }
+
+    /// Declares the arc of the head at a depth.
+    pub fn declare(&self, to: &mut Drafting, plane: &WallPlane, behind: f64) {
+        if let Some(centre) = self.centre {
+            let [_, from, end, _] = self.corners.map(|p| plane.at(p, behind));
+            to.arc(from, end, plane.at(centre, behind), -plane.normal);
+        }
+    }
+
+    /// Adds the faces of the reveal from the wall's face inwards. With `sill` false there is none: the opening reaches
+    /// the ground.
+    pub fn faces(&self, to: &mut Drafting, plane: &WallPlane, depth: f64, sill: bool) {
+        let [bl, tl, tr, br] = self.corners.map(|p| plane.at(p, 0.0));
+        let [bl2, tl2, tr2, br2] = self.corners.map(|p| plane.at(p, depth));
+        self.declare(to, plane, 0.0);
+        self.declare(to, plane, depth);
+        let labels = self.labels;
+        let curved = [&[ARCH], labels].concat();
+        if sill {
+            let labels = [labels, &[SILL]].concat();
+            to.flat(&labels, &[vec![bl, br, br2, bl2]]);
+        }
+        let bow = self.bow(plane);
+        let through = |pieces: Vec<Piece>| {
+            let sweep = Sweep::new(Path::new(pieces), -plane.normal);
+            Surface::Sweep(sweep)
+        };
+        let line = |from, to| Piece::Line { from, to };
+        if let (Head::Round, Some(bow)) = (self.head, bow) {
+            let profile = vec![line(br, tr), bow, line(tl, bl)];
+            let ring = vec![br, tr, tl, bl, bl2, tl2, tr2, br2];
+            to.face(&curved, through(profile), &[ring]);
+            return;
+        }
+        to.flat(labels, &[vec![tl, bl, bl2, tl2]]);
+        to.flat(labels, &[vec![br, tr, tr2, br2]]);
+        let ring = vec![tr, tl, tl2, tr2];
+        match bow {
+            Some(bow) => to.face(&curved, through(vec![bow]), &[ring]),
+            None => to.flat(labels, &[ring]),
+        }
+    }
+
+    /// The arc of the head at the wall's face, from right to left.
+    fn bow(&self, plane: &WallPlane) -> Option<Piece> {
+        let centre = self.centre?;
+        let span = self.corners[2] - self.corners[1];
+        let d = self.corners[2] - centre;
+        let angle = match self.head {
+            Head::Round => PI,
+            _ => 2.0 * libm::atan2(0.5 * span.x, d.y),
+        };
+        let start = plane.at(self.corners[2], 0.0);
+        let arc = Arc::about(plane.at(centre, 0.0), plane.normal, start, angle);
+        Some(Piece::Arc(arc))
+    }
+
+    /// Closes the opening at a depth with a face of glass, and puts a pane or a door before it.
+    pub fn close(&self, to: &mut Drafting, plane: &WallPlane, depth: f64) {
+        let mut back = self.hole(plane, depth);
+        back.reverse();
+        to.flat(&[GLASS], &[back]);
+        self.pane(to, plane, depth - BEFORE);
+    }
+
+    /// Adds a pane or a door at a depth.
+    pub fn pane(&self, to: &mut Drafting, plane: &WallPlane, depth: f64) {
+        let mut outline = vec![self.corners[3]];
+        match self.bow(plane) {
+            Some(Piece::Arc(arc)) => {
+                let piece = Piece::Arc(arc);
+                let lengths = facets::cuts(&arc);
+                let all = [0.0].into_iter().chain(lengths).chain([piece.length()]);
+                let flat = |p: DVec3| DVec2::new((p - plane.origin).dot(plane.along), p.y);
+                outline.extend(all.map(|s| flat(piece.point(s))));
+            }
+            _ => outline.extend([self.corners[2], self.corners[1]]),
+        }
+        outline.push(self.corners[0]);
+        let outline: Vec<DVec3> = outline.iter().map(|&p| plane.at(p, depth)).collect();
+        match self.labels {
+            [DOOR] => to.pane("door", "wood", &outline),
+            _ => to.pane("pane", "glass", &outline),
+        }
+    }
+}
+
+/// Adds a wall's face with openings, their reveals, and what closes them. `outline` is counter-clockwise in the wall's
+/// plane.
+pub(super) fn wall_face(
+    to: &mut Drafting,
+    plane: &WallPlane,
+    outline: &[DVec2],
+    openings: &[Opening],
+    (module, depth): (&Module, f64),
+) {
+    let mut loops = vec![outline.iter().map(|&p| plane.at(p, 0.0)).collect()];
+    for opening in openings {
+        let reveal = opening.reveal(module);
+        loops.push(reveal.hole(plane, 0.0));
+        reveal.faces(to, plane, depth, true);
+        reveal.close(to, plane, depth);
+    }
+    to.flat(&[], &loops);
+}
+
+/// As many windows as fit, up to `most`, evenly spread over a wall of `length` modules. There are at least three modules
+/// between openings and at both ends.
+pub(super) fn spread(length: f64, most: f64, window: &Opening) -> Vec<Opening> {
+    let fit = ((length - 3.0) / (window.width + 3.0)).floor();
+    let count = most.min(fit).max(0.0);
+    let gap = (length - count * window.width) / (count + 1.0);
+    let opening = |k: u32| Opening {
+        left: (gap + f64::from(k) * (gap + window.width)).round(),
+        ..*window
+    };
+    (0..count as u32).map(opening).collect()
+}

@@ -1,0 +1,51 @@
+//! How thick a wall is behind a place on its face.
+
+use super::ids::FaceId;
+use super::whole::Building;
+use crate::trimesh::{MeshFault, Search, TriMesh};
+
+/// Surfaces count as opposite if the cosine between the ray and their outward normal is greater: about 60 degrees.
+const OPPOSITE: f64 = 0.5;
+/// A ray begins so far below its face (metres).
+const BELOW: f64 = 1e-4;
+
+/// Finds the thickness of walls by rays through the child mesh, with a tree of boxes.
+#[derive(Clone, Debug)]
+pub struct WallThickness<'a> {
+    building: &'a Building,
+    mesh: TriMesh,
+    search: Search,
+}
+
+impl<'a> WallThickness<'a> {
+    /// Prepares a building.
+    ///
+    /// # Errors
+    /// If its polygons are no mesh. The tests of [`Building::new`] leave only flat ones to cause that.
+    pub fn new(building: &'a Building) -> Result<Self, MeshFault> {
+        let positions = building.vertices().iter().map(|v| v.position).collect();
+        let triangles = building.polygons().iter();
+        let corners = |k: usize| move |polygon: &super::child::Polygon| polygon.vertices[k].0;
+        let triangle = |p| [corners(0)(p), corners(1)(p), corners(2)(p)];
+        let mesh = TriMesh::new(positions, triangles.map(triangle).collect())?;
+        let search = Search::new(&mesh);
+        Ok(Self {
+            building,
+            mesh,
+            search,
+        })
+    }
+
+    /// The thickness of the wall behind s and t on a face (metres): the way along the inward normal to the first surface
+    /// that looks away from the face. That of a face without a back is its own thickness. None if the building is open
+    /// there.
+    pub fn behind(&self, face: FaceId, s: f64, t: f64) -> Option<f64> {
+        let own = self.building.face(face);
+        let frame = own.surface.frame(s, t);
+        let way = -frame.normal;
+        let from = frame.origin + way * BELOW;
+        let is_opposite = |triangle: u32| self.mesh.face_normal(triangle).dot(way) > OPPOSITE;
+        let hit = self.search.ray(&self.mesh, from, way, is_opposite);
+        hit.map(|hit| hit.along + BELOW).or(own.thickness)
+    }
+}

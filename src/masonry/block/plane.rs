@@ -1,0 +1,52 @@
+//! Planes in space.
+
+use glam::DVec3;
+
+/// A plane with an outer side. The body lies where `distance` is not positive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Unit vector outwards.
+    pub normal: DVec3,
+    /// Distance of the plane from the origin along the normal (metres).
+    pub offset: f64,
+}
+
+impl Plane {
+    /// The plane through a point, across a direction that is not zero.
+    pub fn through(point: DVec3, outwards: DVec3) -> Self {
+        let normal = outwards.normalize();
+        Self {
+            normal,
+            offset: normal.dot(point),
+        }
+    }
+
+    /// The mean plane of a ring of points, which is counter-clockwise seen from outside (Newell's normal; Sutherland,
+    /// Sproull, Schumacker 1974, A Characterization of Ten Hidden-Surface Algorithms). None without area.
+    pub fn of_ring(ring: &[DVec3]) -> Option<Self> {
+        let origin = *ring.first()?;
+        let twice = ring
+            .windows(2)
+            .map(|w| (w[0] - origin).cross(w[1] - origin))
+            .sum::<DVec3>();
+        let normal = twice.try_normalize()?;
+        let offsets = ring.iter().map(|p| normal.dot(*p));
+        Some(Self {
+            normal,
+            offset: offsets.sum::<f64>() / ring.len() as f64,
+        })
+    }
+
+    /// Signed distance of a point, positive outside (metres).
+    pub fn distance(self, p: DVec3) -> f64 {
+        self.normal.dot(p) - self.offset
+    }
+
+    /// The same, moved inwards by `by` (metres).
+    pub fn inset(self, by: f64) -> Self {
+        Self {
+            offset: self.offset - by,
+            ..self
+        }
+    }
+}

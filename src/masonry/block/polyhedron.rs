@@ -1,0 +1,339 @@
+//! Convex polyhedra whose sides carry the widths of joints.
+
+use super::plane::Plane;
+use crate::masonry::footprint::Footprint;
+use crate::planar::cut_polygon;
+use glam::{DQuat, DVec2, DVec3};
+
+/// Vertices this near to a plane lie on it (metres).
+const ON: f64 = 1e-9;
+/// Bodies below this volume are nothing (cubic metres).
+const LEAST_VOLUME: f64 = 1e-12;
+
+/// A side of a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// The numbers of its corners, counter-clockwise seen from outside.
+    pub corners: Vec<u32>,
+    /// How far the geometry stays behind this side: half a joint, or 0 where it is exposed (metres, at least 0).
+    pub inset: f64,
+}
+
+/// A convex polyhedron: closed, each side outwards. On curved walls its sides are nearly plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Polyhedron {
+    vertices: Vec<DVec3>,
+    sides: Vec<Side>,
+}
+
+impl Polyhedron {
+    /// The prism on a footprint between the heights `low < high` above the surface (metres; below 0 is inside of the
+    /// wall), with the insets of its lower and of its upper end. `map` gives the places of (s, t) and height; it keeps
+    /// handedness.
+    pub fn prism(
+        base: &Footprint,
+        [low, high]: [f64; 2],
+        [below, above]: [f64; 2],
+        map: impl Fn(DVec2, f64) -> DVec3,
+    ) -> Self {
+        let end = |z: f64| base.places().map(|p| map(p, z)).collect::<Vec<DVec3>>();
+        let mut body = Self::between(&[end(low), end(high)]);
+        let walls = base.corners().iter().map(|corner| corner.inset);
+        for (side, inset) in body
+            .sides
+            .iter_mut()
+            .zip([below, above].into_iter().chain(walls))
+        {
+            side.inset = inset;
+        }
+        body
+    }
+
+    /// The body between two rings of as many points, with no insets: its sides are the first ring, the second ring, and
+    /// the quadrilaterals between them. The second ring is counter-clockwise seen from outside, the first one
+    /// clockwise.
+    pub fn between([low, high]: &[Vec<DVec3>; 2]) -> Self {
+        let count = low.len() as u32;
+        let walls = (0..count).map(|k| {
+            let next = (k + 1) % count;
+            vec![k, next, count + next, count + k]
+        });
+        let ends = [(0..count).rev().collect(), (count..2 * count).collect()];
+        let sides = ends.into_iter().chain(walls);
+        Self {
+            vertices: [&low[..], &high[..]].concat(),
+            sides: sides
+                .map(|corners| Side {
+                    corners,
+                    inset: 0.0,
+                })
+                .collect(),
+        }
+    }
+
+    /// Whether the body has a volume and each side an area, so that it can be cut.
+    pub fn is_sound(&self) -> bool {
+        let has_area = |side: &Side| Plane::of_ring(&self.ring(side)).is_some();
+        self.sides.len() > 3 && self.sides.iter().all(has_area) && self.volume() > LEAST_VOLUME
+    }
+
+    /// The body with the vertices on a plane moved out along its normal (metres): cells that stand out of the wall.
+    pub fn raised(mut self, plane: Plane, by: f64) -> Self {
+        for p in &mut self.vertices {
+            if plane.distance(*p).abs() < 1e-6 {
+                *p += plane.normal * by;
+            }
+        }
+        self
+    }
+
+    /// The box between two corners, with no insets; none without volume.
+    pub fn cuboid(low: DVec3, high: DVec3) -> Option<Self> {
+        let base = Footprint::rectangle(low.truncate(), high.truncate())?;
+        let is_right = low.z < high.z;
+        is_right.then(|| Self::prism(&base, [low.z, high.z], [0.0; 2], |p, z| p.extend(z)))
+    }
+
+    /// The body inside of all planes, each with its inset (metres), and inside of a box; none if nothing is left.
+    pub fn from_planes(planes: &[(Plane, f64)], [low, high]: [DVec3; 2]) -> Option<Self> {
+        let start = Self::cuboid(low, high)?;
+        planes
+            .iter()
+            .try_fold(start, |body, &(plane, inset)| body.cut(plane, inset))
+    }
+
+    /// The vertices (metres).
+    pub fn vertices(&self) -> &[DVec3] {
+        &self.vertices
+    }
+
+    /// The sides.
+    pub fn sides(&self) -> &[Side] {
+        &self.sides
+    }
+
+    /// The corners of a side, counter-clockwise seen from outside.
+    pub fn ring(&self, side: &Side) -> Vec<DVec3> {
+        side.corners
+            .iter()
+            .map(|&v| self.vertices[v as usize])
+            .collect()
+    }
+
+    /// The planes of the sides, in their order.
+    pub fn planes(&self) -> impl Iterator<Item = Plane> + '_ {
+        self.sides.iter().map(|side| {
+            let ring = self.ring(side);
+            Plane::of_ring(&ring).expect("a side has an area")
+        })
+    }
+
+    /// Sets the inset of each side by its plane (metres, at least 0).
+    pub fn with_insets(mut self, mut inset: impl FnMut(Plane, f64) -> f64) -> Self {
+        let insets: Vec<f64> = self
+            .planes()
+            .zip(&self.sides)
+            .map(|(plane, side)| inset(plane, side.inset))
+            .collect();
+        for (side, inset) in self.sides.iter_mut().zip(insets) {
+            side.inset = inset;
+        }
+        self
+    }
+
+    /// The volume, in cubic metres.
+    pub fn volume(&self) -> f64 {
+        let origin = self.vertices[0];
+        let six = self.sides.iter().flat_map(|side| {
+            let first = self.vertices[side.corners[0] as usize] - origin;
+            let pairs = side.corners[1..].windows(2);
+            pairs.map(move |w| {
+                let [a, b] = [w[0], w[1]].map(|v| self.vertices[v as usize] - origin);
+                first.dot(a.cross(b))
+            })
+        });
+        six.sum::<f64>() / 6.0
+    }
+
+    /// The mean of the vertices.
+    pub fn centre(&self) -> DVec3 {
+        self.vertices.iter().sum::<DVec3>() / self.vertices.len() as f64
+    }
+
+    /// The corner with the smallest coordinates of the bounding box, and that with the largest.
+    pub fn bounds(&self) -> [DVec3; 2] {
+        let grow = |[low, high]: [DVec3; 2], &p: &DVec3| [low.min(p), high.max(p)];
+        self.vertices.iter().fold([self.vertices[0]; 2], grow)
+    }
+
+    /// Whether no vertex lies farther than `slack` outside of any side (metres).
+    pub fn is_convex(&self, slack: f64) -> bool {
+        self.planes()
+            .all(|plane| self.vertices.iter().all(|&p| plane.distance(p) <= slack))
+    }
+
+    /// The part behind a plane; the new side gets this inset (metres). None if no volume is left.
+    pub fn cut(&self, plane: Plane, inset: f64) -> Option<Self> {
+        let on_plane = |distance: f64| if distance.abs() < ON { 0.0 } else { distance };
+        let inwards: Vec<f64> = self
+            .vertices
+            .iter()
+            .map(|&p| on_plane(-plane.distance(p)))
+            .collect();
+        if inwards.iter().all(|&d| d >= 0.0) {
+            return Some(self.clone());
+        }
+        if inwards.iter().all(|&d| d <= 0.0) {
+            return None;
+        }
+        let mut cutting = Cutting {
+            inwards,
+            body: self.clone(),
+            crossings: Vec::new(),
+        };
+        cutting.cut_sides();
+        let rim = cutting.rim();
+        if rim.len() > 2 {
+            cutting.body.sides.push(Side {
+                corners: rim,
+                inset,
+            });
+        }
+        let body = cutting.body.compacted();
+        (body.sides.len() > 3 && body.volume() > LEAST_VOLUME).then_some(body)
+    }
+
+    /// The same without unused vertices.
+    fn compacted(mut self) -> Self {
+        let mut numbers = vec![None; self.vertices.len()];
+        let mut kept = Vec::new();
+        for v in self.sides.iter_mut().flat_map(|side| &mut side.corners) {
+            *v = *numbers[*v as usize].get_or_insert_with(|| {
+                kept.push(self.vertices[*v as usize]);
+                kept.len() as u32 - 1
+            });
+        }
+        self.vertices = kept;
+        self
+    }
+
+    /// The part that two bodies share; its sides keep the insets of the first.
+    pub fn intersection(&self, other: &Self) -> Option<Self> {
+        let ([low, high], [from, to]) = (self.bounds(), other.bounds());
+        if low.cmpge(to).any() || from.cmpge(high).any() {
+            return None;
+        }
+        let mut planes = other.planes();
+        planes.try_fold(self.clone(), |body, plane| body.cut(plane, 0.0))
+    }
+
+    /// The volume that two bodies share, in cubic metres.
+    pub fn shared_volume(&self, other: &Self) -> f64 {
+        self.intersection(other).map_or(0.0, |body| body.volume())
+    }
+
+    /// The body with each side moved in by its inset; none if nothing is left.
+    ///
+    /// Most patterns claim all space, and shrink their cells to leave gaps for mortar (Legakis, Dorsey, Gortler 2001,
+    /// section 3.3).
+    pub fn shrunk(&self) -> Option<Self> {
+        let mut sides = self.planes().zip(&self.sides);
+        sides.try_fold(self.clone(), |body, (plane, side)| match side.inset {
+            0.0 => Some(body),
+            inset => body.cut(plane.inset(inset), 0.0),
+        })
+    }
+
+    /// The body turned about its centre, then moved.
+    pub fn turned(mut self, turn: DQuat, by: DVec3) -> Self {
+        let centre = self.centre();
+        self.vertices
+            .iter_mut()
+            .for_each(|p| *p = centre + turn * (*p - centre) + by);
+        self
+    }
+}
+
+/// A body that is being cut.
+struct Cutting {
+    body: Polyhedron,
+    /// Distance of each old vertex from the plane, positive where it stays.
+    inwards: Vec<f64>,
+    /// The new vertices by the ends of their edges, the smaller number first.
+    crossings: Vec<([u32; 2], u32)>,
+}
+
+impl Cutting {
+    /// Cuts each side and drops those without a corner inside.
+    fn cut_sides(&mut self) {
+        let sides = std::mem::take(&mut self.body.sides);
+        for side in sides {
+            let is_inner = side.corners.iter().any(|&v| self.inwards[v as usize] > 0.0);
+            // A corner of the new side is an old one twice, or the ends of the edge that is cut.
+            let ring: Vec<[u32; 2]> = side.corners.iter().map(|&v| [v, v]).collect();
+            let mut kept = Vec::with_capacity(ring.len() + 1);
+            let distance = |[v, _]: [u32; 2]| self.inwards[v as usize];
+            cut_polygon(
+                &ring,
+                distance,
+                |(a, _), (b, _)| [a[0], b[0]],
+                |ends| kept.push(ends),
+            );
+            let corners = kept.into_iter().map(|ends| self.corner(ends));
+            let mut corners: Vec<u32> = corners.collect();
+            corners.dedup();
+            if corners.first() == corners.last() {
+                corners.pop();
+            }
+            if is_inner && corners.len() > 2 {
+                self.body.sides.push(Side { corners, ..side });
+            }
+        }
+    }
+
+    /// The number of the vertex where an edge meets the plane; the edge may be a vertex twice.
+    fn corner(&mut self, [a, b]: [u32; 2]) -> u32 {
+        if a == b {
+            return a;
+        }
+        let [da, db] = [a, b].map(|v| self.inwards[v as usize]);
+        if let Some((_, v)) = [(da, a), (db, b)].into_iter().find(|&(d, _)| d == 0.0) {
+            return v;
+        }
+        let edge = [a.min(b), a.max(b)];
+        if let Some(&(_, v)) = self.crossings.iter().find(|(known, _)| *known == edge) {
+            return v;
+        }
+        let [p, q] = [a, b].map(|v| self.body.vertices[v as usize]);
+        let v = self.body.vertices.len() as u32;
+        self.body.vertices.push(p + (q - p) * (da / (da - db)));
+        self.crossings.push((edge, v));
+        v
+    }
+
+    /// The ring of the new side: the edges that have one side only, backwards.
+    fn rim(&self) -> Vec<u32> {
+        let edges = self.body.sides.iter().flat_map(|side| {
+            let next = side.corners.iter().cycle().skip(1);
+            side.corners.iter().zip(next).map(|(&a, &b)| [a, b])
+        });
+        let edges: Vec<[u32; 2]> = edges.collect();
+        let mut open: Vec<[u32; 2]> = edges
+            .iter()
+            .filter(|&&[a, b]| !edges.contains(&[b, a]))
+            .map(|&[a, b]| [b, a])
+            .collect();
+        let Some([first, mut at]) = open.pop() else {
+            return Vec::new();
+        };
+        let mut rim = vec![first];
+        while at != first {
+            rim.push(at);
+            let Some(k) = open.iter().position(|edge| edge[0] == at) else {
+                break;
+            };
+            at = open.swap_remove(k)[1];
+        }
+        rim
+    }
+}

@@ -1,0 +1,207 @@
+//! Clips cells against what is occupied, so that they stay convex and overlap nothing.
+//!
+//! Legakis, Dorsey, Gortler (2001), section 5.1, clip the footprint of a cell against the occupancy map. Here obstacles
+//! are exact convex polygons. Each of them cuts the cell along one of its own sides.
+
+use super::footprint::{Footprint, HalfPlane};
+use crate::order;
+
+/// Overlaps up to this area do not count (square metres).
+pub const TOUCH: f64 = 1e-8;
+/// Pieces below this share of their cell are dropped.
+pub const LEAST_SHARE: f64 = 0.06;
+/// How often [`clip_multi`] goes on with the half that a cut removes.
+pub const MOST_DEPTH: u32 = 3;
+
+/// The largest part of a cell beside all obstacles that cuts along single sides can leave; none if that is less than
+/// `least` of the cell (a share, usually [`LEAST_SHARE`]). New sides get the inset `inset` (metres).
+///
+/// The obstacles are taken by falling overlap. Of each one, the side that leaves most of the cell cuts it.
+pub fn clip(
+    cell: &Footprint,
+    obstacles: &[Footprint],
+    inset: f64,
+    least: f64,
+) -> Option<Footprint> {
+    let least = least * cell.area();
+    let mut part = cell.clone();
+    for obstacle in by_overlap(cell, obstacles) {
+        if part.shared_area(obstacle) > TOUCH {
+            let half = best_side(&part, obstacle);
+            part = part.clip(half, inset).filter(|part| part.area() > least)?;
+        }
+    }
+    Some(part)
+}
+
+/// The parts of a cell beside all obstacles. It does as [`clip`], and goes on with the halves that are cut off, up to
+/// `depth` times. Parts below `least` of the cell are dropped.
+pub fn clip_multi(
+    cell: &Footprint,
+    obstacles: &[Footprint],
+    inset: f64,
+    (least, depth): (f64, u32),
+) -> Vec<Footprint> {
+    let mut found = Vec::new();
+    let near: Vec<&Footprint> = by_overlap(cell, obstacles);
+    split(
+        cell.clone(),
+        &near,
+        inset,
+        (least * cell.area(), depth),
+        &mut found,
+    );
+    found
+}
+
+fn split(
+    mut part: Footprint,
+    obstacles: &[&Footprint],
+    inset: f64,
+    (least, depth): (f64, u32),
+    found: &mut Vec<Footprint>,
+) {
+    for (k, obstacle) in obstacles.iter().enumerate() {
+        if part.shared_area(obstacle) <= TOUCH {
+            continue;
+        }
+        let half = best_side(&part, obstacle);
+        let is_large = |part: &Footprint| part.area() > least;
+        if depth > 0
+            && let Some(rest) = part.clip(half.opposite(), inset).filter(is_large)
+        {
+            split(rest, &obstacles[k..], inset, (least, depth - 1), found);
+        }
+        match part.clip(half, inset).filter(is_large) {
+            Some(left) => part = left,
+            None => return,
+        }
+    }
+    found.push(part);
+}
+
+/// All of a polygon that no obstacle covers, as convex polygons without overlaps.
+pub fn remainder(polygon: &Footprint, obstacles: &[Footprint]) -> Vec<Footprint> {
+    let mut parts = vec![polygon.clone()];
+    for obstacle in obstacles {
+        parts = parts
+            .iter()
+            .flat_map(|part| without(part, obstacle))
+            .collect();
+    }
+    parts
+}
+
+/// A polygon without an obstacle: each side of it cuts off one part.
+fn without(polygon: &Footprint, obstacle: &Footprint) -> Vec<Footprint> {
+    if polygon.shared_area(obstacle) == 0.0 {
+        return vec![polygon.clone()];
+    }
+    let mut parts = Vec::new();
+    let mut rest = Some(polygon.clone());
+    for half in obstacle.half_planes() {
+        let Some(inner) = rest else { break };
+        parts.extend(inner.clip(half.opposite(), 0.0));
+        rest = inner.clip(half, 0.0);
+    }
+    parts
+}
+
+/// The obstacles that overlap a cell, by falling overlap; the first of equal ones stays first.
+fn by_overlap<'a>(cell: &Footprint, obstacles: &'a [Footprint]) -> Vec<&'a Footprint> {
+    let shares = obstacles
+        .iter()
+        .map(|obstacle| (cell.shared_area(obstacle), obstacle));
+    let mut found: Vec<(f64, &Footprint)> = shares.filter(|&(area, _)| area > TOUCH).collect();
+    order::sort(&mut found, |&(area, _)| (!order::rank(area), 0));
+    found.into_iter().map(|(_, obstacle)| obstacle).collect()
+}
+
+/// The half-plane outside of that side of an obstacle that leaves most of a part. Keep the first of two equal sides.
+fn best_side(part: &Footprint, obstacle: &Footprint) -> HalfPlane {
+    let halves = obstacle.half_planes().map(HalfPlane::opposite);
+    let sized = halves.map(|half| (part.clip(half, 0.0).map_or(0.0, |left| left.area()), half));
+    let best = sized.reduce(|best, next| if next.0 > best.0 { next } else { best });
+    best.expect("a polygon has sides").1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Purpose, Random};
+    use glam::DVec2;
+
+    fn rectangle(low: (f64, f64), high: (f64, f64)) -> Footprint {
+        Footprint::rectangle(low.into(), high.into()).unwrap()
+    }
+
+    fn triangle(random: &mut Random) -> Footprint {
+        loop {
+            let corners = [0; 3].map(|_| DVec2::new(random.unit(), random.unit()));
+            if let Ok(found) = Footprint::new(&corners) {
+                return found;
+            }
+        }
+    }
+
+    #[test]
+    fn parts_overlap_neither_obstacles_nor_each_other() {
+        let mut random = Random::new(1, Purpose::Scatter, 0);
+        let cell = rectangle((0.0, 0.0), (1.0, 1.0));
+        for _ in 0..200 {
+            let obstacles = [0; 3].map(|_| triangle(&mut random));
+            let one = clip(&cell, &obstacles, 0.0, LEAST_SHARE);
+            let many = clip_multi(&cell, &obstacles, 0.0, (LEAST_SHARE, MOST_DEPTH));
+            let all = remainder(&cell, &obstacles);
+            for (k, part) in many.iter().chain(&one).enumerate() {
+                assert!(part.area() >= LEAST_SHARE);
+                let worst = obstacles
+                    .iter()
+                    .map(|o| o.shared_area(part))
+                    .fold(0.0, f64::max);
+                assert!(worst <= 2.0 * TOUCH, "{worst}");
+                let others = many.iter().take(k.min(many.len()));
+                assert!(k == many.len() || others.map(|o| o.shared_area(part)).sum::<f64>() < 1e-9);
+            }
+            let area = |parts: &[Footprint]| parts.iter().map(Footprint::area).sum::<f64>();
+            let first = one.as_ref().map_or(0.0, Footprint::area);
+            assert!(area(&many) >= first - 1e-9 && area(&all) >= area(&many) - 1e-6);
+        }
+    }
+
+    #[test]
+    fn what_is_left_and_what_is_covered_make_the_whole() {
+        let mut random = Random::new(2, Purpose::Scatter, 0);
+        let cell = rectangle((0.2, 0.1), (0.9, 0.8));
+        for _ in 0..200 {
+            let obstacle = triangle(&mut random);
+            let left: f64 = remainder(&cell, &[obstacle.clone()])
+                .iter()
+                .map(Footprint::area)
+                .sum();
+            assert!((left + cell.shared_area(&obstacle) - cell.area()).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_hole_in_the_middle_leaves_one_half_or_all_four_sides() {
+        let cell = rectangle((0.0, 0.0), (1.0, 1.0));
+        let hole = [rectangle((0.4, 0.4), (0.6, 0.6))];
+        let one = clip(&cell, &hole, 0.01, LEAST_SHARE).unwrap();
+        assert!((one.area() - 0.4).abs() < 1e-12);
+        assert!(one.corners().iter().any(|corner| corner.inset == 0.01));
+        let many = clip_multi(&cell, &hole, 0.0, (LEAST_SHARE, MOST_DEPTH));
+        let sum: f64 = many.iter().map(Footprint::area).sum();
+        assert_eq!(many.len(), 4);
+        assert!((sum - 0.96).abs() < 1e-9, "{sum}");
+        assert_eq!(
+            clip(
+                &cell,
+                &[rectangle((-1.0, -1.0), (2.0, 0.97))],
+                0.0,
+                LEAST_SHARE
+            ),
+            None
+        );
+    }
+}

@@ -1,0 +1,249 @@
+//! Random ashlar: rectangles of random size on a fine grid (Legakis, Dorsey, Gortler 2001, section 5.2, Random Ashlar).
+
+use super::cell::{CellDraft, CellSort, Feature};
+use super::rectangles::{Most, Unit, Units, merge};
+use super::run::{Run, unit};
+use super::site::Site;
+use crate::building::{CornerId, EdgeId, FaceId};
+use crate::masonry::footprint::Footprint;
+use crate::masonry::occupancy::Coverage;
+use crate::masonry::tree::GeneratorNode;
+use crate::random::{Purpose, Random};
+use glam::DVec2;
+
+/// Units that the stones of corners reach into the two walls.
+const CORNER: [usize; 2] = [3, 2];
+/// The most units that edge stones reach into the face along which they lie.
+const LONGEST: usize = 4;
+/// The most rows of an edge stone.
+const HIGHEST: usize = 3;
+
+/// Which random numbers a feature gets.
+fn item(feature: Feature) -> u64 {
+    match feature {
+        Feature::Corner(id) => 1 << 32 | u64::from(id.0),
+        Feature::Edge(id) => 2 << 32 | u64::from(id.0),
+        Feature::Face(id) => 3 << 32 | u64::from(id.0),
+    }
+}
+
+fn random(seed: u64, feature: Feature) -> Random {
+    Random::new(seed, Purpose::Placement, item(feature))
+}
+
+impl Site {
+    /// A single stone at a corner, three units by two; in the wall off the corner of an opening, one as large as fits.
+    pub fn ashlar_corner(&mut self, id: CornerId, node: &GeneratorNode, seed: u64) {
+        let quadrants = self.quadrants(id);
+        let rim = quadrants
+            .iter()
+            .find_map(|found| Some((found.face, found.place, found.opposite_the_gap()?)));
+        if let Some(rim) = rim {
+            self.rim_stone(id, node, rim);
+        } else if let Some((run, at_end)) = self.corner_run(id, &quadrants) {
+            let feature = Feature::Corner(id);
+            let mut random = random(seed, feature);
+            let intervals = self.intervals(&run);
+            let count = 2.min(intervals.len());
+            let part = if at_end {
+                &intervals[intervals.len() - count..]
+            } else {
+                &intervals[..count]
+            };
+            if let (Some((row, [from, _])), Some((_, [_, to]))) = (part.first(), part.last()) {
+                let long = self.long_side(&run, *row, false);
+                let _ = random.bits();
+                self.edge_stone(feature, node, (&run, long, CORNER), [*from, *to]);
+            }
+        }
+    }
+
+    fn rim_stone(
+        &mut self,
+        id: CornerId,
+        node: &GeneratorNode,
+        (face, place, way): (FaceId, DVec2, DVec2),
+    ) {
+        let (columns, rows) = (self.lines(face, true), self.lines(face, false));
+        let (Some(column), Some(row)) =
+            (unit(&columns, place.x, way.x), unit(&rows, place.y, way.y))
+        else {
+            return;
+        };
+        for [w, h] in [[3, 2], [2, 2], [2, 1], [1, 1]] {
+            let span = |at: usize, way: f64, count: usize| match way > 0.0 {
+                true => Some([at, at + count]),
+                false => Some([(at + 1).checked_sub(count)?, at + 1]),
+            };
+            let (Some(c), Some(r)) = (span(column, way.x, w), span(row, way.y, h)) else {
+                continue;
+            };
+            if c[1] >= columns.len() || r[1] >= rows.len() {
+                continue;
+            }
+            let low = DVec2::new(columns[c[0]], rows[r[0]]);
+            let high = DVec2::new(columns[c[1]], rows[r[1]]);
+            if let Some(block) =
+                Footprint::rectangle(low, high).filter(|block| self.is_free(face, block))
+            {
+                let draft = self.face_draft(face, &block, self.ashlar_depth(face), CellSort::Stone);
+                self.place(Feature::Corner(id), node, draft);
+                return;
+            }
+        }
+    }
+
+    /// A stone along an upright run: `reaches` are the units into the long and into the short side.
+    pub fn edge_stone(
+        &mut self,
+        feature: Feature,
+        node: &GeneratorNode,
+        (run, long, units): (&Run, usize, [usize; 2]),
+        span: [f64; 2],
+    ) {
+        let middle = 0.5 * (span[0] + span[1]);
+        let reaches = [0, 1].map(|side| {
+            let count = units[usize::from(side != long)];
+            let [low, high] =
+                span.map(|at| self.stone_reach(run, side, count, 0.9 * at + 0.1 * middle));
+            low.min(high)
+        });
+        let body = self.edge_body(run, span, reaches);
+        let outwards = self.edge_outwards(run, middle);
+        self.place(
+            feature,
+            node,
+            CellDraft::new(CellSort::Stone, body, outwards),
+        );
+    }
+
+    /// The reach of an edge stone: between two convex edges each has half of the columns.
+    fn stone_reach(&self, run: &Run, side: usize, count: usize, along: f64) -> f64 {
+        let side = &run.sides[side];
+        let room = self.room(side, along);
+        if !room.is_shared {
+            return side.reach(count).min(room.width);
+        }
+        let columns = (1..=count).rev().map(|count| side.reach(count));
+        let half = 0.5 * room.width;
+        columns
+            .into_iter()
+            .find(|&reach| reach <= half + 1e-6)
+            .unwrap_or(half)
+    }
+
+    /// Stones along an edge: those of upright edges point to both sides in turn and have random heights; those of level
+    /// edges have random lengths.
+    pub fn ashlar_edge(&mut self, id: EdgeId, node: &GeneratorNode, seed: u64) {
+        let feature = Feature::Edge(id);
+        let mut random = random(seed, feature);
+        for run in self.runs(id) {
+            let most = if run.is_upright {
+                HIGHEST
+            } else {
+                node.count("most_width")
+            };
+            let mut long = random.below(2);
+            for span in self.stone_spans(&run, most, &mut random) {
+                if run.is_upright {
+                    let reach = 3 + random.below(LONGEST - 2);
+                    self.edge_stone(feature, node, (&run, long, [reach, 2]), span);
+                    long = 1 - long;
+                } else {
+                    self.level_stone(feature, node, &run, span);
+                }
+            }
+        }
+    }
+
+    /// Cuts the free parts of a run at the grid's lines into pieces of 1 to `most` units.
+    fn stone_spans(&self, run: &Run, most: usize, random: &mut Random) -> Vec<[f64; 2]> {
+        let mut spans = Vec::new();
+        let intervals = self.intervals(run);
+        for [from, to] in self.free(run) {
+            let units = intervals.iter().filter_map(|&(_, [a, b])| {
+                let (a, b) = (a.max(from), b.min(to));
+                (b - a > 0.01).then_some([a, b])
+            });
+            let units: Vec<[f64; 2]> = units.collect();
+            let mut rest = &units[..];
+            while let Some(first) = rest.first() {
+                let count = (1 + random.below(most)).min(rest.len());
+                // No single unit is left behind.
+                let count = if rest.len() - count == 1 && count < most {
+                    count + 1
+                } else {
+                    count
+                };
+                spans.push([first[0], rest[count - 1][1]]);
+                rest = &rest[count..];
+            }
+        }
+        spans
+    }
+
+    fn level_stone(&mut self, feature: Feature, node: &GeneratorNode, run: &Run, span: [f64; 2]) {
+        let middle = 0.5 * (span[0] + span[1]);
+        let height = self.stone_reach(run, 0, 1, middle);
+        let depth = self
+            .stone_reach(run, 1, 2, middle)
+            .min(self.ashlar_depth(run.sides[0].face));
+        let body = self.edge_body(run, span, [height, depth]);
+        let outwards = self.edge_outwards(run, middle);
+        self.place(
+            feature,
+            node,
+            CellDraft::new(CellSort::Stone, body, outwards),
+        );
+    }
+
+    /// How deep stones reach: no deeper than edge stones reach on neighbouring faces, which is one unit at the least.
+    fn ashlar_depth(&self, face: FaceId) -> f64 {
+        self.depth(face)
+    }
+
+    /// Fills a face. Free units are visited in nearly the order of rows. At each the largest random rectangle that fits
+    /// becomes a stone; then stones of one unit are merged with neighbours at random while the union is a rectangle and
+    /// not too large.
+    pub fn ashlar_face(&mut self, id: FaceId, node: &GeneratorNode, seed: u64) {
+        let mut random = random(seed, Feature::Face(id));
+        let most = Most {
+            width: node.count("most_width"),
+            height: node.count("most_height"),
+        };
+        let mut units = self.units(id);
+        let partly = units.partly();
+        let mut stones = units.greedy(most, &mut random);
+        merge(&mut stones, most, &mut random);
+        for stone in stones.into_iter().chain(partly) {
+            let [low, high] = self.plan.grid(id).block(stone.columns, stone.rows);
+            if let Some(place) = Footprint::rectangle(low, high) {
+                self.face_brick(id, node, &place, CellSort::Stone);
+            }
+        }
+    }
+
+    fn units(&self, id: FaceId) -> Units {
+        let grid = self.plan.grid(id);
+        let (columns, rows) = (grid.column_lines().len() - 1, grid.row_lines().len() - 1);
+        let state = |k: usize| {
+            let (column, row) = (k % columns, k / columns);
+            let [low, high] = grid.block([column, column + 1], [row, row + 1]);
+            let place = Footprint::rectangle(low, high);
+            match place.map(|place| {
+                (
+                    self.faces[id.index()].coverage(&place),
+                    self.is_free(id, &place),
+                )
+            }) {
+                Some((Coverage::Free, true)) => Unit::Free,
+                None | Some((Coverage::Occupied, _)) => Unit::Taken,
+                Some(_) => Unit::Partly,
+            }
+        };
+        Units {
+            columns,
+            states: (0..columns * rows).map(state).collect(),
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! The cells that are laid.
+
+use crate::building::{CornerId, EdgeId, FaceId};
+use crate::masonry::block::Polyhedron;
+use crate::masonry::footprint::Footprint;
+use crate::masonry::tree::PatternGenerator;
+use glam::DVec3;
+
+/// A feature of the building. Cells are stored with the feature for which they were made (Legakis, Dorsey, Gortler
+/// 2001, section 3.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Feature {
+    /// A corner.
+    Corner(CornerId),
+    /// An edge.
+    Edge(EdgeId),
+    /// A face.
+    Face(FaceId),
+}
+
+/// What a cell is, for the measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CellSort {
+    /// A whole brick.
+    Whole,
+    /// Half a brick.
+    Half,
+    /// A brick or stone that is cut to the free space.
+    Cut,
+    /// A header of a sill.
+    Sill,
+    /// A stone or a block.
+    Stone,
+}
+
+/// A cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MasonryCell {
+    /// The feature for which it was made.
+    pub feature: Feature,
+    /// The generator that made it.
+    pub generator: PatternGenerator,
+    /// The number that the generator's node gives it, for colours.
+    pub tag: u8,
+    /// What it is.
+    pub sort: CellSort,
+    /// The space that it fills; sides at joints have insets, exposed ones have none.
+    pub claimed: Polyhedron,
+    /// The same, with what stands out of the wall: its shape before it is shrunk.
+    pub body: Polyhedron,
+    /// The unit vector in which its front looks.
+    pub outwards: DVec3,
+    /// The space that it claims on faces.
+    pub claims: Vec<(FaceId, Footprint)>,
+}
+
+/// A cell to be placed.
+#[derive(Clone, Debug)]
+pub(super) struct CellDraft {
+    pub sort: CellSort,
+    pub claimed: Polyhedron,
+    pub outwards: DVec3,
+    /// How far the side towards `outwards` stands out (metres).
+    pub extrude: f64,
+}
+
+impl CellDraft {
+    pub fn new(sort: CellSort, claimed: Polyhedron, outwards: DVec3) -> Self {
+        Self {
+            sort,
+            claimed,
+            outwards,
+            extrude: 0.0,
+        }
+    }
+}

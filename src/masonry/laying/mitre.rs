@@ -1,0 +1,58 @@
+//! Mitres: where a convex edge has no cells of its own, the cells of its two faces meet at the plane that halves its angle.
+
+use super::site::Site;
+use crate::building::{Bend, EdgeId, FaceId};
+use crate::masonry::block::{Plane, Polyhedron};
+
+/// Cells whose bounding spheres are nearer to an edge than this, in depths of the cell, are cut (the depth is doubled for
+/// acute edges).
+const NEAR: f64 = 2.0;
+
+impl Site {
+    /// The part of a face's cell before the mitres of convex edges without cells; none if nothing is left. `depth` is the
+    /// cell's depth (metres).
+    pub fn mitred(&self, face: FaceId, body: Polyhedron, depth: f64) -> Option<Polyhedron> {
+        let edges = self.face(face).loops.iter().flatten().map(|walk| walk.edge);
+        let convex = edges.filter(|&id| self.edge(id).bend == Bend::Convex);
+        convex
+            .into_iter()
+            .try_fold(body, |body, id| match self.mitre(face, id, &body, depth) {
+                Some(plane) => body.cut(plane, 0.0),
+                None => Some(body),
+            })
+    }
+
+    /// The plane that halves the angle of an edge beside a body, if the edge has no cells there.
+    fn mitre(&self, face: FaceId, id: EdgeId, body: &Polyhedron, depth: f64) -> Option<Plane> {
+        let edge = self.edge(id);
+        let middle = body.centre();
+        let along = edge.path.project(middle);
+        let along = if edge.is_closed() {
+            along
+        } else {
+            along.clamp(0.0, edge.length())
+        };
+        let point = edge.path.point(along);
+        let reach = body
+            .vertices()
+            .iter()
+            .map(|p| p.distance(middle))
+            .fold(0.0, f64::max);
+        if point.distance(middle) > reach + NEAR * depth || !self.edges[id.index()].is_free(along) {
+            return None;
+        }
+        let frame = self.building.edge_frame(id, along);
+        let [Some(a), Some(b)] = frame.normals else {
+            return None;
+        };
+        let side = edge.side(face)?;
+        let inward = frame.inward[side]?;
+        let outwards = frame.tangent.cross((a + b).try_normalize()?);
+        let outwards = if outwards.dot(inward) > 0.0 {
+            -outwards
+        } else {
+            outwards
+        };
+        Some(Plane::through(point, outwards))
+    }
+}

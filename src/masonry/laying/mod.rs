@@ -1,0 +1,313 @@
+//! Lays the cells of a building: corners, then edges, then faces.
+//!
+//! Legakis, Dorsey, Gortler (2001), section 4.2: cells of corners are the most constrained, and those of faces the
+//! least, so corners come first and faces last. Each feature is passed down the pattern tree, and each generator that
+//! it reaches lays cells where its occupancy map is free. A cell claims its space on all features that it touches.
+
+mod arches;
+mod ashlar;
+mod bricks;
+mod cell;
+mod corners;
+mod faces;
+mod measures;
+mod mitre;
+mod rectangles;
+mod run;
+mod site;
+#[cfg(test)]
+mod tests;
+
+pub use cell::{CellSort, Feature, MasonryCell};
+pub use measures::Measures;
+
+use super::plan::{Plan, PlanFault};
+use super::tree::{
+    FeatureKind, FeatureView, GeneratorNode, PatternGenerator, PatternTree, WindowPart,
+};
+use crate::building::{Building, CornerId, EdgeEnd, EdgeId, FaceId, Heading, Module, Stance};
+use bricks::BrickBond;
+use glam::DVec3;
+use site::Site;
+use std::sync::Arc;
+
+/// The parameters of the laying.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LayingParams {
+    /// The pattern's unit.
+    pub module: Module,
+    /// Whether the bits that the building stores with its corners and edges decide alone which way bricks point, as in
+    /// the paper (section 5.2). Else phases are solved for, and a bit turns the bricks of its own edge.
+    pub is_by_hand: bool,
+    /// The seed.
+    pub seed: u64,
+}
+
+/// Something of the pattern tree that did not work.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LayingWarning {
+    /// A feature came to a generator that does not lay cells on its type.
+    Unexpected {
+        /// The feature.
+        feature: Feature,
+        /// The path of the generator's node.
+        path: String,
+    },
+    /// A feature came to a generator that is not made yet for it.
+    NotLaid {
+        /// The feature.
+        feature: Feature,
+        /// The generator.
+        generator: PatternGenerator,
+    },
+}
+
+/// Cells that are laid feature by feature.
+pub struct Laying {
+    tree: PatternTree,
+    params: LayingParams,
+    site: Site,
+    order: Vec<Feature>,
+    next: usize,
+    /// The features that some generator has reached.
+    textured: Vec<Feature>,
+    warnings: Vec<LayingWarning>,
+}
+
+impl Laying {
+    /// Begins. `thickness` gives the thickness of the wall behind each face (metres); cells take half of it at most.
+    ///
+    /// # Errors
+    /// If the module does not suit the building.
+    pub fn new(
+        building: Arc<Building>,
+        tree: PatternTree,
+        params: LayingParams,
+        thickness: impl Fn(FaceId) -> f64,
+    ) -> Result<Self, PlanFault> {
+        let plan = Plan::new(&building, params.module, |face| 0.5 * thickness(face))?;
+        let corners = building.corner_ids().map(Feature::Corner);
+        let edges = building.edge_ids().map(Feature::Edge);
+        let faces = building.face_ids().map(Feature::Face);
+        Ok(Self {
+            order: corners.chain(edges).chain(faces).collect(),
+            site: Site::new(building, plan),
+            tree,
+            params,
+            next: 0,
+            textured: Vec::new(),
+            warnings: Vec::new(),
+        })
+    }
+
+    /// Lays the cells of at most `amount` features. Returns whether no feature is left.
+    pub fn advance(&mut self, amount: usize) -> bool {
+        let end = self.order.len().min(self.next + amount.max(1));
+        for k in self.next..end {
+            self.lay(self.order[k]);
+        }
+        self.next = end;
+        end == self.order.len()
+    }
+
+    /// The features whose turn has come, in that order.
+    pub fn history(&self) -> &[Feature] {
+        &self.order[..self.next]
+    }
+
+    /// All features, in the order in which they are laid.
+    pub fn order(&self) -> &[Feature] {
+        &self.order
+    }
+
+    /// The cells so far, in the order in which they were laid.
+    pub fn cells(&self) -> &[MasonryCell] {
+        &self.site.cells
+    }
+
+    /// The plan.
+    pub fn plan(&self) -> &Plan {
+        &self.site.plan
+    }
+
+    /// The building.
+    pub fn building(&self) -> &Building {
+        &self.site.building
+    }
+
+    /// What did not work.
+    pub fn warnings(&self) -> &[LayingWarning] {
+        &self.warnings
+    }
+
+    /// The occupancy map of a face.
+    pub fn face_map(&self, face: FaceId) -> &super::occupancy::FaceMap {
+        &self.site.faces[face.index()]
+    }
+
+    /// The occupancy map of an edge.
+    pub fn edge_map(&self, edge: EdgeId) -> &super::occupancy::EdgeMap {
+        &self.site.edges[edge.index()]
+    }
+
+    /// The faces that some generator has reached.
+    pub fn textured_faces(&self) -> impl Iterator<Item = FaceId> + '_ {
+        self.textured.iter().filter_map(|&feature| match feature {
+            Feature::Face(face) => Some(face),
+            _ => None,
+        })
+    }
+
+    /// Passes a feature down the tree and lays what it reaches.
+    fn lay(&mut self, feature: Feature) {
+        let building = self.site.building.clone();
+        let walk = self.tree.walk(&view(&building, feature));
+        let told = walk
+            .unexpected
+            .into_iter()
+            .map(|at| LayingWarning::Unexpected {
+                feature,
+                path: at.path,
+            });
+        self.warnings.extend(told);
+        let nodes: Vec<GeneratorNode> = walk
+            .reached
+            .into_iter()
+            .map(|reached| reached.node.clone())
+            .collect();
+        if !nodes.is_empty() {
+            self.textured.push(feature);
+        }
+        for node in &nodes {
+            self.generate(feature, node);
+        }
+    }
+
+    fn generate(&mut self, feature: Feature, node: &GeneratorNode) {
+        use PatternGenerator::{
+            ArchBricks, ArchStones, Bricks, RandomAshlar, RgbBlocks, WindowBottomBricks,
+        };
+        let is_by_hand = self.params.is_by_hand;
+        let bricks = BrickBond {
+            is_by_hand,
+            ..BrickBond::BRICKS
+        };
+        let (site, seed) = (&mut self.site, self.params.seed);
+        match (node.generator, feature) {
+            (Bricks, Feature::Corner(id)) => site.brick_corner(id, node, &bricks),
+            (Bricks, Feature::Edge(id)) => site.brick_edge(id, node, &bricks),
+            (Bricks, Feature::Face(id)) => site.brick_face(id, node, &bricks),
+            (RgbBlocks, Feature::Corner(id)) => site.brick_corner(id, node, &BrickBond::BLOCKS),
+            (RgbBlocks, Feature::Edge(id)) => site.brick_edge(id, node, &BrickBond::BLOCKS),
+            (RgbBlocks, Feature::Face(id)) => site.brick_face(id, node, &BrickBond::BLOCKS),
+            (RandomAshlar, Feature::Corner(id)) => site.ashlar_corner(id, node, seed),
+            (RandomAshlar, Feature::Edge(id)) => site.ashlar_edge(id, node, seed),
+            (RandomAshlar, Feature::Face(id)) => site.ashlar_face(id, node, seed),
+            (WindowBottomBricks, Feature::Corner(id)) => {
+                let bond = BrickBond {
+                    extrude: node.number("extrude"),
+                    ..bricks
+                };
+                site.brick_corner(id, node, &bond);
+            }
+            (ArchBricks, Feature::Edge(id)) => site.arch_bricks(id, node, &bricks),
+            (ArchStones, Feature::Edge(id)) => site.arch_stones(id, node),
+            (WindowBottomBricks, Feature::Edge(id)) => site.sill_edge(id, node),
+            (generator, _) => self
+                .warnings
+                .push(LayingWarning::NotLaid { feature, generator }),
+        }
+    }
+}
+
+/// A feature as the tree sees it.
+pub fn view(building: &Building, feature: Feature) -> FeatureView<'_> {
+    match feature {
+        Feature::Corner(id) => corner_view(building, id),
+        Feature::Edge(id) => edge_view(building, id),
+        Feature::Face(id) => face_view(building, id),
+    }
+}
+
+fn names(labels: &[String]) -> Vec<&str> {
+    labels.iter().map(String::as_str).collect()
+}
+
+/// Corners with an edge upwards are at the bottom, those with one downwards at the top (section 5.3, Analyze Window).
+fn corner_view(building: &Building, id: CornerId) -> FeatureView<'_> {
+    let corner = building.corner(id);
+    let headings = corner
+        .edges
+        .iter()
+        .map(|&end: &EdgeEnd| Heading::of(building.leaving(end)));
+    let upright: Vec<Heading> = headings
+        .filter(|&heading| heading != Heading::Level)
+        .collect();
+    let window = match upright.first() {
+        Some(Heading::Up) => WindowPart::Bottom,
+        Some(Heading::Down) => WindowPart::Top,
+        _ => WindowPart::Side,
+    };
+    FeatureView {
+        kind: FeatureKind::Corner,
+        labels: names(&corner.labels),
+        corner: corner.class,
+        heading: Heading::Level,
+        window,
+    }
+}
+
+/// Edges beside a face that looks up are at the bottom, those beside one that looks down at the top.
+fn edge_view(building: &Building, id: EdgeId) -> FeatureView<'_> {
+    let edge = building.edge(id);
+    let parts = edge
+        .faces
+        .iter()
+        .flatten()
+        .map(|&face| part(building, face));
+    let window = parts
+        .filter(|&part| part != WindowPart::Side)
+        .next()
+        .unwrap_or(WindowPart::Side);
+    let way = edge.path.point(edge.length()) - edge.path.point(0.0);
+    FeatureView {
+        kind: FeatureKind::Edge,
+        labels: names(&edge.labels),
+        corner: FeatureView::FACE.corner,
+        heading: if edge.is_closed() {
+            Heading::Level
+        } else {
+            Heading::of(way)
+        },
+        window,
+    }
+}
+
+fn face_view(building: &Building, id: FaceId) -> FeatureView<'_> {
+    FeatureView {
+        kind: FeatureKind::Face,
+        labels: names(&building.face(id).labels),
+        corner: FeatureView::FACE.corner,
+        heading: Heading::of(middle_normal(building, id)),
+        window: part(building, id),
+    }
+}
+
+/// Whether a face looks up, down or to a side. Reveals with an arch count as sides.
+fn part(building: &Building, id: FaceId) -> WindowPart {
+    if building.face(id).stance() == Stance::Through {
+        return WindowPart::Side;
+    }
+    match Heading::of(middle_normal(building, id)) {
+        Heading::Up => WindowPart::Bottom,
+        Heading::Down => WindowPart::Top,
+        Heading::Level => WindowPart::Side,
+    }
+}
+
+fn middle_normal(building: &Building, id: FaceId) -> DVec3 {
+    let face = building.face(id);
+    let [low, high] = face.bounds();
+    let middle = low.midpoint(high);
+    face.surface.frame(middle.x, middle.y).normal
+}

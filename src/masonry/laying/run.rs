@@ -1,0 +1,285 @@
+//! Runs: straight parts of convex edges, upright or level, along which cells are laid.
+
+use super::site::Site;
+use crate::building::{Bend, EdgeId, FaceId, Piece};
+use crate::masonry::block::Polyhedron;
+use crate::masonry::plan::{FaceGrid, is_wall};
+use glam::{DVec2, DVec3};
+
+/// Places nearer than this are one (metres).
+pub(super) const NEAR: f64 = 2e-3;
+
+/// One side of a run: a place of the edge on a face, and the way into the face.
+#[derive(Clone, Debug)]
+pub(super) struct RunSide {
+    pub face: FaceId,
+    /// The place of the run's start on the face.
+    pub place: DVec2,
+    /// Unit vector into the face: along +s, -s, +t or -t.
+    pub inwards: DVec2,
+    /// Unit vector along the run on the face.
+    pub along: DVec2,
+    /// The grid lines across `inwards`.
+    pub lines: Vec<f64>,
+}
+
+impl RunSide {
+    /// The number of the line at the edge.
+    pub fn line(&self) -> usize {
+        FaceGrid::line_at(&self.lines, self.place.dot(self.inwards.abs()))
+    }
+
+    /// How many columns lie within a distance from the edge.
+    pub fn columns_within(&self, width: f64) -> usize {
+        let border = self.place + self.inwards * width.min(1e4);
+        FaceGrid::line_at(&self.lines, border.dot(self.inwards.abs())).abs_diff(self.line())
+    }
+
+    /// How far `count` columns reach into the face (metres).
+    pub fn reach(&self, count: usize) -> f64 {
+        let way = self.inwards.x + self.inwards.y;
+        FaceGrid::reach(&self.lines, self.place.dot(self.inwards.abs()), way, count)
+    }
+
+    /// The place of the edge at a distance along the run.
+    pub fn at(&self, along: f64) -> DVec2 {
+        self.place + self.along * along
+    }
+}
+
+/// A straight part of an edge between two faces.
+#[derive(Clone, Debug)]
+pub(super) struct Run {
+    pub edge: EdgeId,
+    /// Its ends by arc length of the edge (metres).
+    pub ends: [f64; 2],
+    pub is_upright: bool,
+    /// Its sides; the first one is a wall.
+    pub sides: [RunSide; 2],
+    /// Whether the sides are in the other order than the edge's faces.
+    pub is_swapped: bool,
+}
+
+/// The way from a run to the border of a face.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Room {
+    /// The distance to the border (metres).
+    pub width: f64,
+    /// Whether a convex edge runs along that border, whose cells need room, too.
+    pub is_shared: bool,
+}
+
+impl Site {
+    /// The runs of an edge that cells are laid along: upright and level straight parts of convex edges with a wall.
+    pub fn runs(&self, id: EdgeId) -> Vec<Run> {
+        let edge = self.edge(id);
+        if edge.bend != Bend::Convex {
+            return Vec::new();
+        }
+        let spans = edge.path.joints().windows(2).zip(edge.path.pieces());
+        spans
+            .filter_map(|(ends, piece)| self.run(id, [ends[0], ends[1]], piece))
+            .collect()
+    }
+
+    fn run(&self, id: EdgeId, ends: [f64; 2], piece: &Piece) -> Option<Run> {
+        let edge = self.edge(id);
+        let faces = [edge.faces[0]?, edge.faces[1]?];
+        let middle = 0.5 * (ends[0] + ends[1]);
+        let tangent = edge.path.tangent(middle);
+        let is_upright = tangent.y.abs() > 0.999;
+        let is_level = match piece {
+            Piece::Line { .. } => tangent.y.abs() < 1e-3,
+            Piece::Arc(arc) => arc.x.cross(arc.y).y.abs() > 0.999,
+        };
+        let first = faces.iter().position(|&face| is_wall(self.face(face)))?;
+        if !(is_upright || is_level) {
+            return None;
+        }
+        let frame = self.building.edge_frame(id, middle);
+        let side = |k: usize| self.side(faces[k], id, ends, frame.inward[k]?);
+        Some(Run {
+            edge: id,
+            ends,
+            is_upright,
+            sides: [side(first)?, side(1 - first)?],
+            is_swapped: first == 1,
+        })
+    }
+
+    fn side(&self, face: FaceId, edge: EdgeId, ends: [f64; 2], inward: DVec3) -> Option<RunSide> {
+        let path = &self.edge(edge).path;
+        let surface = &self.face(face).surface;
+        let middle = surface
+            .project(path.point(0.5 * (ends[0] + ends[1])))
+            .truncate();
+        let frame = surface.frame(middle.x, middle.y);
+        let inwards = axis(DVec2::new(inward.dot(frame.s), inward.dot(frame.t)))?;
+        let tangent = path.tangent(0.5 * (ends[0] + ends[1]));
+        let along = axis(DVec2::new(tangent.dot(frame.s), tangent.dot(frame.t)))?;
+        let place = middle - along * (0.5 * (ends[1] - ends[0]));
+        let lines = self.lines(face, inwards.x != 0.0);
+        Some(RunSide {
+            face,
+            place,
+            inwards,
+            along,
+            lines,
+        })
+    }
+
+    /// The lines of s or of t; those of s go on for a period to either side of a whole cylinder.
+    pub fn lines(&self, face: FaceId, of_s: bool) -> Vec<f64> {
+        let grid = self.plan.grid(face);
+        let lines = if of_s { &grid.s } else { &grid.t };
+        let period = self.face(face).surface.period().filter(|_| of_s);
+        let Some(period) = period else {
+            return lines.clone();
+        };
+        let once = &lines[..lines.len() - 1];
+        let turns = [-1.0, 0.0, 1.0].into_iter();
+        turns
+            .flat_map(|turn| once.iter().map(move |line| line + turn * period))
+            .collect()
+    }
+
+    /// The room that a side of a run has at a distance along it.
+    pub fn room(&self, side: &RunSide, along: f64) -> Room {
+        let from = side.at(along);
+        let region = &self.regions[side.face.index()];
+        let width = region.ray(from, side.inwards, NEAR).unwrap_or(f64::MAX);
+        // The seam of a cylinder is no border.
+        if width == f64::MAX
+            || self.face(side.face).surface.period().is_some()
+                && self.is_seam(side.face, from + width * side.inwards)
+        {
+            return Room {
+                width: f64::MAX,
+                is_shared: false,
+            };
+        }
+        let border = self.at(side.face, from + width * side.inwards, 0.0);
+        let mut edges = self
+            .face(side.face)
+            .loops
+            .iter()
+            .flatten()
+            .map(|walk| self.edge(walk.edge));
+        let is_shared = edges.any(|edge| {
+            let at = edge.path.project(border).clamp(0.0, edge.length());
+            edge.bend == Bend::Convex && edge.path.point(at).distance(border) < NEAR
+        });
+        Room { width, is_shared }
+    }
+
+    /// The reach of a cell into one face: `count` columns, or as many as there is room for. Of three columns between
+    /// two convex edges, a long cell leaves one for the other edge; two columns, or one, are shared.
+    pub fn limited_reach(&self, run: &Run, side: usize, count: usize, along: f64) -> f64 {
+        let side = &run.sides[side];
+        let room = self.room(side, along);
+        let columns = side.columns_within(room.width);
+        match (room.is_shared, columns) {
+            (false, _) => side.reach(count).min(room.width),
+            (true, 0 | 1) => 0.5 * room.width,
+            (true, columns) => side.reach(count.min(columns - 1)),
+        }
+    }
+
+    /// The depth of a cell below a level edge's other face: `wanted` metres, or as much as there is room for.
+    pub fn limited_depth(&self, run: &Run, wanted: f64, along: f64) -> f64 {
+        let room = self.room(&run.sides[1], along);
+        wanted.min(if room.is_shared {
+            0.5 * room.width
+        } else {
+            room.width
+        })
+    }
+
+    fn is_seam(&self, face: FaceId, place: DVec2) -> bool {
+        let [low, high] = self.face(face).bounds();
+        (place.x - low.x).abs() < NEAR || (place.x - high.x).abs() < NEAR
+    }
+
+    /// The body of a cell along a run, from `from` to `to` (metres from the run's start), reaching into both faces. Its
+    /// back is parallel to the face with the longer reach.
+    pub fn edge_body(&self, run: &Run, [from, to]: [f64; 2], reaches: [f64; 2]) -> Polyhedron {
+        let long = usize::from(reaches[1] > reaches[0]);
+        let ring = |along: f64| {
+            let at = |k: usize, reach: f64, z: f64| {
+                let side = &run.sides[k];
+                self.at(side.face, side.at(along) + side.inwards * reach, z)
+            };
+            let ends = [0, 1].map(|k| at(k, reaches[k], 0.0));
+            let other = ends[1 - long];
+            let depth = self.face(run.sides[long].face).surface.project(other).z;
+            let inner = at(long, reaches[long], depth);
+            vec![at(0, 0.0, 0.0), ends[0], inner, ends[1]]
+        };
+        let rings = [ring(from), ring(to)];
+        let body = Polyhedron::between(&rings);
+        if body.volume() > 0.0 {
+            return body;
+        }
+        let [low, high] = rings;
+        Polyhedron::between(&[high, low])
+    }
+
+    /// The unit vector in which an edge's cells look.
+    pub fn edge_outwards(&self, run: &Run, along: f64) -> DVec3 {
+        let sum: DVec3 = run
+            .sides
+            .iter()
+            .map(|side| self.normal(side.face, side.at(along)))
+            .sum();
+        sum.normalize_or(DVec3::Y)
+    }
+
+    /// The free parts of a run, from its start (metres).
+    pub fn free(&self, run: &Run) -> Vec<[f64; 2]> {
+        let [start, end] = run.ends;
+        let free = self.edges[run.edge.index()].free().into_iter();
+        let parts = free.map(|[from, to]| [from.max(start) - start, to.min(end) - start]);
+        parts.filter(|[from, to]| to - from > NEAR).collect()
+    }
+
+    /// The intervals of a run that the lines of the first side cut it into, with their numbers there.
+    pub fn intervals(&self, run: &Run) -> Vec<(usize, [f64; 2])> {
+        let side = &run.sides[0];
+        let lines = self.lines(side.face, side.along.x != 0.0);
+        let (start, way) = (
+            side.place.dot(side.along.abs()),
+            side.along.x + side.along.y,
+        );
+        let length = run.ends[1] - run.ends[0];
+        let intervals = lines.windows(2).enumerate().filter_map(|(k, w)| {
+            let [a, b] = [w[0], w[1]].map(|line| (line - start) * way);
+            let (from, to) = (a.min(b).max(0.0), a.max(b).min(length));
+            (to - from > NEAR).then_some((k, [from, to]))
+        });
+        let mut intervals: Vec<(usize, [f64; 2])> = intervals.collect();
+        intervals.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+        intervals
+    }
+}
+
+/// The axis that a vector in (s, t) is nearest to; none if it lies between two.
+fn axis(v: DVec2) -> Option<DVec2> {
+    let along_s = v.x.abs() > v.y.abs();
+    let (length, axis) = if along_s {
+        (v.x, DVec2::X)
+    } else {
+        (v.y, DVec2::Y)
+    };
+    (length.abs() > 0.99).then_some(axis * length.signum())
+}
+
+/// The number of the interval beside a line, upwards or downwards; none beyond the ends.
+pub(super) fn unit(lines: &[f64], at: f64, way: f64) -> Option<usize> {
+    let line = FaceGrid::line_at(lines, at);
+    let unit = if way > 0.0 {
+        Some(line)
+    } else {
+        line.checked_sub(1)
+    };
+    unit.filter(|&unit| unit + 1 < lines.len())
+}

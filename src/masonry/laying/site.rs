@@ -1,0 +1,311 @@
+//! The site: the building with the occupancy maps of its features, and the cells laid so far.
+
+use super::cell::{CellDraft, Feature, MasonryCell};
+use crate::building::{Building, Edge, EdgeId, Face, FaceId};
+use crate::masonry::block::{Plane, Polyhedron};
+use crate::masonry::footprint::Footprint;
+use crate::masonry::occupancy::{EdgeMap, FaceMap};
+use crate::masonry::plan::{Plan, region};
+use crate::masonry::region::Region;
+use crate::masonry::tree::GeneratorNode;
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+
+/// Vertices this near to a face or an edge lie on it (metres).
+const ON: f64 = 2e-3;
+/// The least share of a claim that must lie on a face.
+const LEAST_SHARE: f64 = 0.05;
+/// The longest chord of an arc in (s, t) when an edge is claimed (metres).
+const CHORD: f64 = 0.06;
+
+type Bounds = [DVec3; 2];
+
+/// The building and what is laid on it.
+pub(super) struct Site {
+    pub building: Arc<Building>,
+    pub plan: Plan,
+    pub faces: Vec<FaceMap>,
+    pub edges: Vec<EdgeMap>,
+    pub regions: Vec<Region>,
+    pub cells: Vec<MasonryCell>,
+    boxes: Vec<Bounds>,
+    /// For each face, the faces whose bounding boxes meet its own.
+    near: Vec<Vec<FaceId>>,
+}
+
+impl Site {
+    pub fn new(building: Arc<Building>, plan: Plan) -> Self {
+        let regions: Vec<Region> = building.faces().iter().map(region).collect();
+        let module = plan.module.half.min(plan.module.course);
+        let maps = building.faces().iter().zip(&regions);
+        let faces = maps.map(|(face, region)| FaceMap::new(region, module, face.surface.period()));
+        let edges = building
+            .edges()
+            .iter()
+            .map(|edge| EdgeMap::new(edge.length(), edge.is_closed()));
+        let boxes: Vec<Bounds> = building
+            .faces()
+            .iter()
+            .map(|face| bounds(&building, face))
+            .collect();
+        let near = boxes.iter().map(|a| {
+            let ids = building.face_ids();
+            ids.filter(|id| meet(a, &boxes[id.index()])).collect()
+        });
+        Self {
+            faces: faces.collect(),
+            edges: edges.collect(),
+            near: near.collect(),
+            cells: Vec::new(),
+            building,
+            plan,
+            regions,
+            boxes,
+        }
+    }
+
+    pub fn face(&self, id: FaceId) -> &Face {
+        self.building.face(id)
+    }
+
+    pub fn edge(&self, id: EdgeId) -> &Edge {
+        self.building.edge(id)
+    }
+
+    /// A place on a face, behind it where z is negative.
+    pub fn at(&self, id: FaceId, place: DVec2, z: f64) -> DVec3 {
+        self.face(id).surface.map(place.x, place.y, z).origin
+    }
+
+    /// The outward normal of a face at a place.
+    pub fn normal(&self, id: FaceId, place: DVec2) -> DVec3 {
+        self.face(id).surface.frame(place.x, place.y).normal
+    }
+
+    /// Places a cell: it claims space on each face on which it lies, and on the edges of these faces. Its sides that
+    /// lie on faces are exposed; all others are joints. False if it has no volume.
+    pub fn place(&mut self, feature: Feature, node: &GeneratorNode, draft: CellDraft) -> bool {
+        if !draft.claimed.is_sound() {
+            return false;
+        }
+        let number = self.cells.len() as u32;
+        let found = self.claims(feature, &draft.claimed);
+        for (face, footprint, _) in &found {
+            self.faces[face.index()].claim(footprint, number);
+            self.claim_edges(*face, footprint, number);
+        }
+        let claimed = self.with_joints(draft.claimed, &found);
+        let front = claimed
+            .planes()
+            .find(|plane| plane.normal.dot(draft.outwards) > 0.99);
+        let body = match front {
+            Some(plane) if draft.extrude != 0.0 => claimed.clone().raised(plane, draft.extrude),
+            _ => claimed.clone(),
+        };
+        self.cells.push(MasonryCell {
+            feature,
+            generator: node.generator,
+            tag: node.count("tag") as u8,
+            sort: draft.sort,
+            claimed,
+            body,
+            outwards: draft.outwards,
+            claims: found
+                .into_iter()
+                .map(|(face, footprint, _)| (face, footprint))
+                .collect(),
+        });
+        true
+    }
+
+    /// Half a joint at each side that does not lie on a face.
+    fn with_joints(
+        &self,
+        body: Polyhedron,
+        claims: &[(FaceId, Footprint, Vec<bool>)],
+    ) -> Polyhedron {
+        let half = 0.5 * self.plan.module.joint;
+        let exposed: Vec<bool> = body
+            .sides()
+            .iter()
+            .map(|side| {
+                claims
+                    .iter()
+                    .any(|(.., on)| side.corners.iter().all(|&v| on[v as usize]))
+            })
+            .collect();
+        let mut sides = exposed.into_iter();
+        let inset = move |_: Plane, _: f64| match sides.next() {
+            Some(true) => 0.0,
+            _ => half,
+        };
+        body.with_insets(inset)
+    }
+
+    /// The faces that a cell may lie on.
+    fn candidates(&self, feature: Feature) -> Vec<FaceId> {
+        let own: Vec<FaceId> = match feature {
+            Feature::Face(face) => vec![face],
+            Feature::Edge(edge) => self.edge(edge).faces.into_iter().flatten().collect(),
+            Feature::Corner(corner) => self
+                .building
+                .corner(corner)
+                .faces
+                .iter()
+                .flatten()
+                .copied()
+                .collect(),
+        };
+        let mut all: Vec<FaceId> = own
+            .iter()
+            .flat_map(|face| self.near[face.index()].iter().copied())
+            .collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// What a body claims on each face: the hull of its vertices that lie on it, if there are three, with the flags of
+    /// these vertices. The paper claims on the faces beside the feature (section 3.3). Thin slabs need all faces.
+    fn claims(&self, feature: Feature, body: &Polyhedron) -> Vec<(FaceId, Footprint, Vec<bool>)> {
+        let around = body.bounds();
+        let near = self
+            .candidates(feature)
+            .into_iter()
+            .filter(|id| meet(&around, &self.boxes[id.index()]));
+        near.filter_map(|id| {
+            let (footprint, on) = self.footprint(id, body)?;
+            let is_own = feature == Feature::Face(id);
+            let is_there = is_own || self.faces[id.index()].share_inside(&footprint) > LEAST_SHARE;
+            is_there.then_some((id, footprint, on))
+        })
+        .collect()
+    }
+
+    /// The hull of a body's vertices on a face, in its (s, t).
+    fn footprint(&self, id: FaceId, body: &Polyhedron) -> Option<(Footprint, Vec<bool>)> {
+        let surface = &self.face(id).surface;
+        let places: Vec<DVec3> = body
+            .vertices()
+            .iter()
+            .map(|&p| surface.project(p))
+            .collect();
+        let on: Vec<bool> = places.iter().map(|place| place.z.abs() < ON).collect();
+        let mut found: Vec<DVec2> = places
+            .iter()
+            .zip(&on)
+            .filter(|(_, on)| **on)
+            .map(|(place, _)| place.truncate())
+            .collect();
+        if let (Some(period), Some(&first)) = (surface.period(), found.first()) {
+            for place in &mut found {
+                place.x -= period * ((place.x - first.x) / period).round();
+            }
+        }
+        let hull = Footprint::hull(&found).filter(|_| found.len() > 2)?;
+        Some((self.home(id, hull), on))
+    }
+
+    /// A polygon moved by whole periods to where the face's region is.
+    fn home(&self, id: FaceId, polygon: Footprint) -> Footprint {
+        let Some(period) = self.face(id).surface.period() else {
+            return polygon;
+        };
+        let low = self.face(id).bounds()[0].x;
+        let turns = ((polygon.centre().x - low) / period).floor();
+        polygon.moved(DVec2::new(-turns * period, 0.0))
+    }
+
+    /// Claims the parts of a face's edges that lie in or along a claim.
+    fn claim_edges(&mut self, id: FaceId, footprint: &Footprint, cell: u32) {
+        let building = self.building.clone();
+        let face = building.face(id);
+        for walk in face.loops.iter().flatten() {
+            let edge = building.edge(walk.edge);
+            for [from, to] in chords(edge) {
+                let ends =
+                    [from, to].map(|at| face.surface.project(edge.path.point(at)).truncate());
+                let ends = same_turn(ends, footprint.centre(), face.surface.period());
+                if let Some([a, b]) = covered(footprint, ends) {
+                    let at = |part: f64| from + part * (to - from);
+                    self.edges[walk.edge.index()].claim([at(a), at(b)], cell);
+                }
+            }
+        }
+    }
+}
+
+/// The ends of the straight pieces of an edge, and of short chords of its arcs, by arc length.
+fn chords(edge: &Edge) -> Vec<[f64; 2]> {
+    let joints = edge.path.joints();
+    let pieces = joints.windows(2).zip(edge.path.pieces());
+    let chords = pieces.flat_map(|(ends, piece)| {
+        let is_line = matches!(piece, crate::building::Piece::Line { .. });
+        let count = if is_line {
+            1.0
+        } else {
+            ((ends[1] - ends[0]) / CHORD).ceil().max(1.0)
+        };
+        let at = move |k: f64| ends[0] + (ends[1] - ends[0]) * k / count;
+        (0..count as usize)
+            .map(move |k| [at(k as f64), at(k as f64 + 1.0)])
+            .collect::<Vec<_>>()
+    });
+    chords.collect()
+}
+
+/// The ends of a chord in the turn of a cylinder in which a place lies.
+fn same_turn([a, b]: [DVec2; 2], near: DVec2, period: Option<f64>) -> [DVec2; 2] {
+    let Some(period) = period else {
+        return [a, b];
+    };
+    let turned = |p: DVec2, to: f64| DVec2::new(p.x - period * ((p.x - to) / period).round(), p.y);
+    let a = turned(a, near.x);
+    [a, turned(b, a.x)]
+}
+
+/// The part of a chord in or along a polygon, as shares of its length from 0 to 1.
+fn covered(polygon: &Footprint, [a, b]: [DVec2; 2]) -> Option<[f64; 2]> {
+    let [low, high] = polygon.bounds();
+    if a.min(b).cmpgt(high + ON).any() || a.max(b).cmplt(low - ON).any() {
+        return None;
+    }
+    let (mut from, mut to) = (0.0f64, 1.0f64);
+    let length = a.distance(b);
+    for half in polygon.half_planes() {
+        let (start, end) = (half.distance(a), half.distance(b));
+        // Along a side the chord may lie a little outside of it.
+        let slack = if (end - start).abs() < 0.1 * length {
+            ON
+        } else {
+            1e-6
+        };
+        let (start, end) = (start + slack, end + slack);
+        if start < 0.0 && end < 0.0 {
+            return None;
+        }
+        if start < 0.0 {
+            from = from.max(start / (start - end));
+        } else if end < 0.0 {
+            to = to.min(start / (start - end));
+        }
+    }
+    ((to - from) * length > 1e-5).then_some([from, to])
+}
+
+/// The bounding box of a face.
+fn bounds(building: &Building, face: &Face) -> Bounds {
+    let places = face
+        .polygons
+        .iter()
+        .flat_map(|&id| building.polygon(id).vertices.iter());
+    let places = places.map(|&v| building.vertex(v).position);
+    places.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| {
+        [low.min(p), high.max(p)]
+    })
+}
+
+/// Whether two boxes meet, or nearly.
+fn meet([low, high]: &Bounds, [from, to]: &Bounds) -> bool {
+    !((*from - *high).max_element() > 20.0 * ON || (*low - *to).max_element() > 20.0 * ON)
+}

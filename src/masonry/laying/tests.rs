@@ -1,0 +1,277 @@
+//! Properties of whole buildings.
+
+use super::measures::pairs;
+use super::{CellSort, Feature, Laying, LayingParams, LayingWarning, Measures};
+use crate::building::{Building, Draft, Module, Rule};
+use crate::masonry::module::{ASHLAR, BLOCK};
+use crate::masonry::plan::{FaceGrid, PlanFault, is_wall, thicknesses};
+use crate::masonry::tree::{PRESETS, PatternTree};
+use std::sync::Arc;
+
+/// The paper's three trees with their modules.
+const TREES: [(usize, Module); 3] = [(0, BLOCK), (1, Module::NORMAL), (2, ASHLAR)];
+const BRICKS: (usize, Module) = TREES[1];
+
+fn draft(rule: Rule, module: &Module) -> Draft {
+    let numbers: Vec<f64> = rule.numbers().iter().map(|number| number.default).collect();
+    rule.draft(module, &numbers)
+}
+
+fn begun(draft: &Draft, (tree, module): (usize, Module), seed: u64) -> Result<Laying, PlanFault> {
+    let building = Arc::new(Building::new(draft).expect("a building"));
+    let params = LayingParams {
+        module,
+        is_by_hand: false,
+        seed,
+    };
+    let tree: PatternTree = PRESETS[tree].tree();
+    let thick = thicknesses(&building).expect("a mesh");
+    Laying::new(building, tree, params, |face| thick[face.index()])
+}
+
+fn laid(draft: &Draft, tree: (usize, Module), seed: u64) -> Laying {
+    let mut laying = begun(draft, tree, seed).expect("a plan");
+    while !laying.advance(16) {}
+    laying
+}
+
+#[test]
+fn show() {
+    for rule in Rule::ALL {
+        for (tree, module) in TREES {
+            let of = if tree == 1 { module } else { Module::NORMAL };
+            let start = std::time::Instant::now();
+            let laying = laid(&draft(rule, &of), (tree, module), 1);
+            let ms = start.elapsed().as_secs_f64() * 1e3;
+            println!("{rule:?} {tree} {ms:.1} ms {:?}", Measures::new(&laying));
+            let w = &laying.plan().warnings;
+            println!(
+                "   plan {} {:?} changes {:?}",
+                w.len(),
+                w.iter().take(3).collect::<Vec<_>>(),
+                laying.plan().changes
+            );
+            let w = laying.warnings();
+            println!("   {} {:?}", w.len(), w.iter().take(3).collect::<Vec<_>>());
+            // worst gaps and overlaps
+            for face in laying.textured_faces() {
+                let map = laying.face_map(face);
+                let f = laying.building().face(face);
+                let (gap, over) = (map.gap() / map.area(), map.overlap() / map.area());
+                if gap > 0.004 || over > 0.002 {
+                    println!(
+                        "   face {face:?} {:?} {:?} {:?} area {:.3} gap {gap:.4} over {over:.4}",
+                        f.stance(),
+                        f.labels,
+                        f.bounds(),
+                        map.area()
+                    );
+                    for g in map.gaps().iter().filter(|g| g.area() > 0.001).take(3) {
+                        println!("      gap {:?} {:.5}", g.bounds(), g.area());
+                    }
+                }
+            }
+            let cells = laying.cells();
+            let mut worst: Vec<(f64, [u32; 2])> = pairs(cells)
+                .into_iter()
+                .map(|p| {
+                    let [a, b] = p.map(|k| &cells[k as usize].claimed);
+                    (a.shared_volume(b) / a.volume().min(b.volume()), p)
+                })
+                .filter(|w| w.0 > 0.01)
+                .collect();
+            worst.sort_by(|a, b| b.0.total_cmp(&a.0));
+            println!("   overlapping pairs {}", worst.len());
+            for (share, p) in worst.iter().take(3) {
+                println!(
+                    "      {share:.3} {:?}",
+                    p.map(|k| {
+                        let c = &cells[k as usize];
+                        (
+                            c.feature,
+                            c.sort,
+                            c.claimed.bounds().map(|b| (b * 1e3).round() / 1e3),
+                        )
+                    })
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn cells_are_closed_convex_and_leave_room_for_mortar() {
+    for rule in Rule::ALL {
+        for tree in TREES {
+            let laying = laid(&draft(rule, &Module::NORMAL), tree, 1);
+            assert!(laying.cells().len() > 20);
+            for cell in laying.cells() {
+                assert!(
+                    cell.claimed.is_sound() && cell.claimed.is_convex(0.01),
+                    "{rule:?} {cell:?}"
+                );
+                assert!(cell.claims.iter().all(|(_, claim)| claim.area() > 0.0));
+                assert!(cell.body.volume() >= cell.claimed.volume() - 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn claims_and_gaps_make_the_faces() {
+    for tree in TREES {
+        let laying = laid(&draft(Rule::Wall, &Module::NORMAL), tree, 1);
+        for face in laying.textured_faces() {
+            let map = laying.face_map(face);
+            let sum = map.claimed() + map.gap();
+            let overlap = map.overlap();
+            // A claim may also stand out of the face, so overlaps bound the difference.
+            assert!(
+                sum > map.area() - 1e-6 && sum < map.area() + overlap + 1e-6,
+                "{sum} {overlap}"
+            );
+            assert!(overlap < 0.02 * map.area(), "{overlap}");
+        }
+    }
+}
+
+#[test]
+fn slices_and_seeds_decide_nothing_and_everything() {
+    let draft = draft(Rule::Wall, &Module::NORMAL);
+    let whole = laid(&draft, TREES[2], 1);
+    let mut sliced = begun(&draft, TREES[2], 1).unwrap();
+    let mut slices = 0;
+    while !sliced.advance(1) {
+        slices += 1;
+        assert_eq!(sliced.history().len(), slices);
+    }
+    assert_eq!(whole.cells(), sliced.cells());
+    assert_ne!(whole.cells(), laid(&draft, TREES[2], 2).cells());
+}
+
+#[test]
+fn corners_come_before_edges_and_edges_before_faces() {
+    let laying = laid(&draft(Rule::Block, &Module::NORMAL), BRICKS, 1);
+    let kind = |feature: Feature| match feature {
+        Feature::Corner(_) => 0,
+        Feature::Edge(_) => 1,
+        Feature::Face(_) => 2,
+    };
+    let kinds: Vec<i32> = laying
+        .cells()
+        .iter()
+        .map(|cell| kind(cell.feature))
+        .collect();
+    assert!(kinds.is_sorted());
+    assert!([0, 1, 2].iter().all(|kind| kinds.contains(kind)));
+}
+
+#[test]
+fn the_order_of_faces_does_not_change_the_bricks() {
+    let first = draft(Rule::Wall, &Module::NORMAL);
+    let mut turned = first.clone();
+    turned.faces.reverse();
+    let places = |draft: &Draft| {
+        let laying = laid(draft, BRICKS, 1);
+        let key = |p: glam::DVec3| (p * 1e4).round().to_array().map(|v| v as i64);
+        let mut places: Vec<[i64; 3]> = laying
+            .cells()
+            .iter()
+            .map(|cell| key(cell.claimed.centre()))
+            .collect();
+        places.sort_unstable();
+        places
+    };
+    let (a, b) = (places(&first), places(&turned));
+    assert!(
+        a.len().abs_diff(b.len()) * 100 < a.len(),
+        "{} {}",
+        a.len(),
+        b.len()
+    );
+}
+
+#[test]
+fn openings_lie_on_course_lines() {
+    for rule in [Rule::LHouse, Rule::Wall, Rule::Tower] {
+        let laying = laid(&draft(rule, &Module::NORMAL), BRICKS, 1);
+        let building = laying.building();
+        let mut looked_at = 0;
+        for id in building.edge_ids() {
+            let edge = building.edge(id);
+            let is_opening = edge.labels.iter().any(|label| label == "Window");
+            for face in edge
+                .faces
+                .into_iter()
+                .flatten()
+                .filter(|&face| is_wall(building.face(face)))
+            {
+                for p in edge
+                    .corners
+                    .iter()
+                    .flatten()
+                    .map(|&corner| building.place(corner))
+                {
+                    let t = building.face(face).surface.project(p).y;
+                    let lines = &laying.plan().grid(face).t;
+                    let line = lines[FaceGrid::line_at(lines, t)];
+                    assert!(
+                        !is_opening || (line - t).abs() < 1e-3,
+                        "{rule:?} {t} {line}"
+                    );
+                    looked_at += usize::from(is_opening);
+                }
+            }
+        }
+        assert!(looked_at > 10);
+    }
+}
+
+#[test]
+fn modules_that_do_not_suit_a_building_are_refused() {
+    let small = draft(
+        Rule::Block,
+        &Module {
+            half: 0.0025,
+            course: 0.0025,
+            joint: 0.0002,
+        },
+    );
+    let stones = Module {
+        half: 0.6,
+        course: 0.6,
+        joint: 0.01,
+    };
+    let refused = begun(&small, (1, stones), 1).map(|_| ());
+    assert!(
+        matches!(refused, Err(PlanFault::ModuleTooLarge { width, .. }) if width < 0.1),
+        "{refused:?}"
+    );
+    let bad = Module {
+        joint: 1.0,
+        ..Module::NORMAL
+    };
+    assert!(matches!(
+        begun(&small, (1, bad), 1).map(|_| ()),
+        Err(PlanFault::Module(_))
+    ));
+}
+
+#[test]
+fn what_the_tree_does_not_expect_is_told() {
+    let text = r#"{"type":"WindowBottomBricks"}"#;
+    let building = Arc::new(Building::new(&draft(Rule::Block, &Module::NORMAL)).unwrap());
+    let params = LayingParams {
+        module: Module::NORMAL,
+        is_by_hand: false,
+        seed: 1,
+    };
+    let tree = PatternTree::read(text).unwrap();
+    let mut laying = Laying::new(building, tree, params, |_| f64::INFINITY).unwrap();
+    while !laying.advance(9) {}
+    let faces = laying.warnings().iter().filter(|warning| {
+        matches!(warning, LayingWarning::Unexpected { feature: Feature::Face(_), path } if path.is_empty())
+    });
+    assert_eq!(faces.count(), 6);
+    assert!(laying.cells().iter().all(|cell| cell.sort != CellSort::Cut));
+}

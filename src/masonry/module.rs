@@ -1,0 +1,71 @@
+//! The modules of patterns: the units that their grid lines are cut to.
+
+use crate::building::Module;
+
+/// Modular bricks of the United States: 8 x 4 x 2 2/3 inches with joints.
+pub const US_BRICK: Module = new(0.1016, 0.0677, 0.010);
+/// British bricks: 225 x 112.5 x 75 mm with joints.
+pub const UK_BRICK: Module = new(0.1125, 0.075, 0.010);
+/// Random ashlar: a grid of 125 mm.
+pub const ASHLAR: Module = new(0.125, 0.125, 0.014);
+/// Cubes of 250 mm.
+pub const BLOCK: Module = new(0.25, 0.25, 0.012);
+
+const fn new(half: f64, course: f64, joint: f64) -> Module {
+    Module {
+        half,
+        course,
+        joint,
+    }
+}
+
+/// Why a module cannot be laid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModuleFault {
+    /// A length is not finite, W or H is not above 0, or the joint is below 0.
+    NotPositive,
+    /// The joint is as wide as a block, or wider.
+    WideJoint,
+}
+
+/// Checks a module.
+///
+/// # Errors
+/// If it cannot be laid.
+pub fn check(module: &Module) -> Result<(), ModuleFault> {
+    let Module {
+        half,
+        course,
+        joint,
+    } = *module;
+    let are_finite = [half, course, joint].iter().all(|v| v.is_finite());
+    if !are_finite || half <= 0.0 || course <= 0.0 || joint < 0.0 {
+        return Err(ModuleFault::NotPositive);
+    }
+    let is_wide = joint >= half.min(course);
+    if is_wide {
+        Err(ModuleFault::WideJoint)
+    } else {
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn modules_that_cannot_be_laid_are_refused() {
+        for good in [Module::NORMAL, US_BRICK, UK_BRICK, ASHLAR, BLOCK] {
+            assert_eq!(check(&good), Ok(()));
+        }
+        assert_eq!(check(&new(0.1, 0.1, 0.1)), Err(ModuleFault::WideJoint));
+        for bad in [
+            new(0.0, 0.1, 0.01),
+            new(0.1, f64::NAN, 0.01),
+            new(0.1, 0.1, -0.01),
+        ] {
+            assert_eq!(check(&bad), Err(ModuleFault::NotPositive));
+        }
+    }
+}

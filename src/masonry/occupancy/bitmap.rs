@@ -1,0 +1,166 @@
+//! The free pixels of a face.
+
+use crate::masonry::footprint::Footprint;
+use crate::masonry::region::Region;
+use crate::order;
+use glam::DVec2;
+
+/// A place is free if at least this share of its pixels is empty.
+pub const FREE: f64 = 0.985;
+/// A place is occupied if at most this share of its pixels is empty.
+pub const OCCUPIED: f64 = 0.04;
+
+/// How much of a place is free.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coverage {
+    /// All of it: at least 98.5 % of the pixel centres are empty.
+    Free,
+    /// Some of it.
+    Partly,
+    /// Nothing: at most 4 % of the pixel centres are empty.
+    Occupied,
+}
+
+/// A raster of a face's (s, t). A pixel counts as empty by its centre.
+///
+/// Legakis, Dorsey, Gortler (2001), section 3.3, use a quadtree. Joints do not fall on its lines, so it divides along
+/// all of them: a bitmap of the same resolution is quicker and smaller.
+#[derive(Clone, Debug)]
+pub struct Bitmap {
+    low: DVec2,
+    pixel: f64,
+    width: usize,
+    is_empty: Vec<bool>,
+}
+
+impl Bitmap {
+    /// The raster of a region with pixels of this side (metres, above 0), usually an eighth of the pattern's module.
+    /// All is occupied but the region.
+    pub fn new(region: &Region, pixel: f64) -> Self {
+        let [low, high] = region.bounds().unwrap_or_default();
+        let size = ((high - low) / pixel).ceil().max(DVec2::ONE);
+        let (width, height) = (size.x as usize, size.y as usize);
+        let mut map = Self {
+            low,
+            pixel,
+            width,
+            is_empty: vec![false; width * height],
+        };
+        for row in 0..height {
+            map.empty_row(region, row);
+        }
+        map
+    }
+
+    /// Makes the pixels of a row empty that lie between each pair of crossings with the region's sides.
+    fn empty_row(&mut self, region: &Region, row: usize) {
+        let t = self.centre(row);
+        let cut = region.sides().filter(|[a, b]| (a.y > t) != (b.y > t));
+        let mut places: Vec<f64> = cut
+            .map(|[a, b]| a.x + (b.x - a.x) * ((t - a.y) / (b.y - a.y)))
+            .collect();
+        order::sort(&mut places, |&s| (order::rank(s), 0));
+        for pair in places.chunks_exact(2) {
+            for pixel in self.columns([pair[0], pair[1]]) {
+                self.is_empty[row * self.width + pixel] = true;
+            }
+        }
+    }
+
+    /// The side of a pixel, in metres.
+    pub fn pixel(&self) -> f64 {
+        self.pixel
+    }
+
+    /// The t of the centres of a row.
+    fn centre(&self, row: usize) -> f64 {
+        self.low.y + (row as f64 + 0.5) * self.pixel
+    }
+
+    /// The pixels of a row whose centres lie in an interval of s.
+    fn columns(&self, [from, to]: [f64; 2]) -> std::ops::Range<usize> {
+        let first = |s: f64| {
+            ((s - self.low.x) / self.pixel - 0.5)
+                .ceil()
+                .clamp(0.0, self.width as f64) as usize
+        };
+        first(from)..first(to)
+    }
+
+    /// The pixels under a polygon, as ranges of `is_empty`.
+    fn under<'a>(
+        &'a self,
+        polygon: &'a Footprint,
+    ) -> impl Iterator<Item = std::ops::Range<usize>> + 'a {
+        let [low, high] = polygon.bounds();
+        let rows = (self.is_empty.len() / self.width) as f64;
+        let row = |t: f64| {
+            ((t - self.low.y) / self.pixel - 0.5)
+                .ceil()
+                .clamp(0.0, rows) as usize
+        };
+        (row(low.y)..row(high.y)).map(|row| {
+            let columns = self.columns(chord(polygon, self.centre(row)));
+            let start = row * self.width;
+            start + columns.start..start + columns.end.max(columns.start)
+        })
+    }
+
+    /// Makes the pixels under a polygon occupied.
+    pub fn occupy(&mut self, polygon: &Footprint) {
+        let spans: Vec<std::ops::Range<usize>> = self.under(polygon).collect();
+        for span in spans {
+            self.is_empty[span].fill(false);
+        }
+    }
+
+    /// The share of the pixel centres under a polygon that are empty, 0 to 1; none if there are no centres. Centres beyond
+    /// the raster count as occupied.
+    pub fn empty_share(&self, polygon: &Footprint) -> Option<f64> {
+        let spans = self.under(polygon).map(|span| {
+            let empty = self.is_empty[span].iter().filter(|&&empty| empty).count();
+            empty as f64
+        });
+        let whole = self.centres(polygon);
+        (whole > 0.0).then(|| (spans.sum::<f64>() / whole).min(1.0))
+    }
+
+    /// How many pixel centres lie under a polygon, also beyond the raster.
+    fn centres(&self, polygon: &Footprint) -> f64 {
+        let [low, high] = polygon.bounds();
+        let first = |v: f64, low: f64| ((v - low) / self.pixel - 0.5).ceil();
+        let (from, to) = (first(low.y, self.low.y), first(high.y, self.low.y));
+        let rows = (0..(to - from) as usize).map(|row| {
+            let t = self.low.y + (from + row as f64 + 0.5) * self.pixel;
+            let [a, b] = chord(polygon, t);
+            (first(b, self.low.x) - first(a, self.low.x)).max(0.0)
+        });
+        rows.sum()
+    }
+
+    /// Whether a place is free, partly free or occupied. A place between pixel centres is partly free: only exact claims
+    /// know more.
+    pub fn coverage(&self, polygon: &Footprint) -> Coverage {
+        match self.empty_share(polygon) {
+            Some(share) if share >= FREE => Coverage::Free,
+            Some(share) if share <= OCCUPIED => Coverage::Occupied,
+            _ => Coverage::Partly,
+        }
+    }
+
+    /// The empty area, in square metres, as far as pixels know it.
+    pub fn empty_area(&self) -> f64 {
+        let empty = self.is_empty.iter().filter(|&&empty| empty).count();
+        empty as f64 * self.pixel * self.pixel
+    }
+}
+
+/// The interval of s of a polygon at a height t; empty, with its ends swapped, above and below it.
+fn chord(polygon: &Footprint, t: f64) -> [f64; 2] {
+    let sides = (0..polygon.corners().len()).map(|k| polygon.side(k));
+    let cut = sides.filter(|[a, b]| (a.y > t) != (b.y > t));
+    let places = cut.map(|[a, b]| a.x + (b.x - a.x) * ((t - a.y) / (b.y - a.y)));
+    places.fold([f64::MAX, f64::MIN], |[from, to], s| {
+        [from.min(s), to.max(s)]
+    })
+}

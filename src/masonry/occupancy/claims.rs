@@ -1,0 +1,111 @@
+//! The exact polygons that cells have claimed, found by their places.
+
+use crate::masonry::footprint::Footprint;
+use glam::DVec2;
+
+/// The side of a cell of the hash grid (metres).
+const CELL: f64 = 0.25;
+
+/// A polygon that a cell has claimed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Claim {
+    /// The space in the face's (s, t).
+    pub polygon: Footprint,
+    /// The number of the cell.
+    pub cell: u32,
+}
+
+/// All claims on a face.
+#[derive(Clone, Debug)]
+pub struct Claims {
+    list: Vec<Claim>,
+    low: DVec2,
+    columns: usize,
+    /// The numbers of the claims whose bounding boxes meet each cell of the grid. Cells at the border also have all
+    /// that lies beyond.
+    grid: Vec<Vec<u32>>,
+}
+
+impl Claims {
+    /// No claims yet, on a face with this bounding box.
+    pub fn new([low, high]: [DVec2; 2]) -> Self {
+        let size = ((high - low) / CELL).ceil().max(DVec2::ONE);
+        Self {
+            list: Vec::new(),
+            low,
+            columns: size.x as usize,
+            grid: vec![Vec::new(); size.x as usize * size.y as usize],
+        }
+    }
+
+    /// All claims, in the order in which they were made.
+    pub fn list(&self) -> &[Claim] {
+        &self.list
+    }
+
+    /// Adds a claim.
+    pub fn add(&mut self, claim: Claim) {
+        let number = self.list.len() as u32;
+        for bucket in self.buckets(claim.polygon.bounds()) {
+            self.grid[bucket].push(number);
+        }
+        self.list.push(claim);
+    }
+
+    fn buckets(&self, [low, high]: [DVec2; 2]) -> impl Iterator<Item = usize> + use<> {
+        let last = DVec2::new(self.columns as f64, (self.grid.len() / self.columns) as f64) - 1.0;
+        let at = |p: DVec2| ((p - self.low) / CELL).floor().clamp(DVec2::ZERO, last);
+        let (from, to, columns) = (at(low), at(high), self.columns);
+        let rows = from.y as usize..=to.y as usize;
+        rows.flat_map(move |row| (from.x as usize..=to.x as usize).map(move |c| row * columns + c))
+    }
+
+    /// The numbers of the claims whose bounding boxes meet this one, rising.
+    pub fn near(&self, [low, high]: [DVec2; 2]) -> Vec<u32> {
+        let mut found: Vec<u32> = self
+            .buckets([low, high])
+            .flat_map(|bucket| self.grid[bucket].iter().copied())
+            .collect();
+        found.sort_unstable();
+        found.dedup();
+        found.retain(|&k| {
+            let [from, to] = self.list[k as usize].polygon.bounds();
+            !(from.cmpgt(high).any() || to.cmplt(low).any())
+        });
+        found
+    }
+
+    /// The polygons of the claims whose bounding boxes meet that of another polygon.
+    pub fn polygons_near(&self, polygon: &Footprint) -> Vec<Footprint> {
+        let near = self.near(polygon.bounds()).into_iter();
+        near.map(|k| self.list[k as usize].polygon.clone())
+            .collect()
+    }
+
+    /// The area that a polygon shares with claims of other cells, each counted for itself (square metres).
+    pub fn shared_area(&self, polygon: &Footprint, except: Option<u32>) -> f64 {
+        let near = self
+            .near(polygon.bounds())
+            .into_iter()
+            .map(|k| &self.list[k as usize]);
+        let others = near.filter(|claim| Some(claim.cell) != except);
+        others.map(|claim| claim.polygon.shared_area(polygon)).sum()
+    }
+
+    /// The area that pairs of claims of different cells share (square metres).
+    pub fn overlap(&self) -> f64 {
+        let pairs = (0u32..).zip(&self.list).map(|(k, claim)| {
+            let before = self
+                .near(claim.polygon.bounds())
+                .into_iter()
+                .take_while(|&j| j < k);
+            let others = before
+                .map(|j| &self.list[j as usize])
+                .filter(|other| other.cell != claim.cell);
+            others
+                .map(|other| other.polygon.shared_area(&claim.polygon))
+                .sum::<f64>()
+        });
+        pairs.sum()
+    }
+}

@@ -1,0 +1,289 @@
+//! The occupancy map of a face: a bitmap, exact claims, and convex obstacles around and in the face.
+
+use super::bitmap::{Bitmap, Coverage};
+use super::claims::{Claim, Claims};
+use crate::masonry::footprint::Footprint;
+use crate::masonry::free_space::remainder;
+use crate::masonry::region::Region;
+use glam::DVec2;
+
+/// The map of a face.
+#[derive(Clone, Debug)]
+pub struct FaceMap {
+    /// Length after which s comes back to the same place, on a whole cylinder (metres).
+    period: Option<f64>,
+    bitmap: Bitmap,
+    claims: Claims,
+    /// The face itself as convex polygons.
+    inside: Vec<Footprint>,
+    /// Its holes and its surroundings as convex polygons.
+    outside: Claims,
+}
+
+impl FaceMap {
+    /// The map of a face with this outline. `module` is the pattern's unit W (metres, above 0): pixels are an eighth of
+    /// it. On a whole cylinder the region covers one `period` of s.
+    pub fn new(region: &Region, module: f64, period: Option<f64>) -> Self {
+        let bounds = region.bounds().unwrap_or_default();
+        // Obstacles need to be as wide as anything that may be laid across the border.
+        let margin = 8.0 * module;
+        let margin = DVec2::new(if period.is_some() { 0.0 } else { margin }, margin);
+        let [inside, around] = region.convex_parts(margin);
+        let mut outside = Claims::new(bounds);
+        let mut map = Self {
+            period,
+            bitmap: Bitmap::new(region, module / 8.0),
+            claims: Claims::new(bounds),
+            inside,
+            outside: outside.clone(),
+        };
+        for polygon in around {
+            map.images(&polygon).for_each(|polygon| {
+                outside.add(Claim {
+                    polygon,
+                    cell: u32::MAX,
+                })
+            });
+        }
+        map.outside = outside;
+        map
+    }
+
+    /// A polygon at all places where it may be met: on a cylinder also one period to either side.
+    fn images(&self, polygon: &Footprint) -> impl Iterator<Item = Footprint> + use<> {
+        let shifts = match self.period {
+            None => vec![0.0],
+            Some(period) => vec![0.0, -period, period],
+        };
+        let polygon = polygon.clone();
+        shifts
+            .into_iter()
+            .map(move |shift| polygon.clone().moved(DVec2::new(shift, 0.0)))
+    }
+
+    /// Claims a polygon for a cell.
+    pub fn claim(&mut self, polygon: &Footprint, cell: u32) {
+        for polygon in self.images(polygon).collect::<Vec<_>>() {
+            self.bitmap.occupy(&polygon);
+            self.claims.add(Claim { polygon, cell });
+        }
+    }
+
+    /// The pixels.
+    pub fn bitmap(&self) -> &Bitmap {
+        &self.bitmap
+    }
+
+    /// The claims; on a cylinder each one also stands a period to either side.
+    pub fn claims(&self) -> &Claims {
+        &self.claims
+    }
+
+    /// Whether a place is free, partly free or occupied, as far as pixels know it.
+    pub fn coverage(&self, polygon: &Footprint) -> Coverage {
+        self.bitmap.coverage(polygon)
+    }
+
+    /// The share of a polygon that earlier claims cover, each counted for itself.
+    pub fn claimed_share(&self, polygon: &Footprint) -> f64 {
+        self.claims.shared_area(polygon, None) / polygon.area()
+    }
+
+    /// The holes, surroundings and claims that a polygon may meet.
+    pub fn obstacles(&self, polygon: &Footprint) -> Vec<Footprint> {
+        [
+            self.outside.polygons_near(polygon),
+            self.claimed_near(polygon),
+        ]
+        .concat()
+    }
+
+    /// The claims that a polygon may meet.
+    pub fn claimed_near(&self, polygon: &Footprint) -> Vec<Footprint> {
+        self.claims.polygons_near(polygon)
+    }
+
+    /// The share of a polygon that lies on the face itself.
+    pub fn share_inside(&self, polygon: &Footprint) -> f64 {
+        let images = self.images(polygon);
+        let areas = images.map(|image| {
+            self.inside
+                .iter()
+                .map(|part| part.shared_area(&image))
+                .sum::<f64>()
+        });
+        areas.sum::<f64>() / polygon.area()
+    }
+
+    /// The face's area, in square metres.
+    pub fn area(&self) -> f64 {
+        self.inside.iter().map(Footprint::area).sum()
+    }
+
+    /// The parts of the face under no claim, as convex polygons.
+    pub fn gaps(&self) -> Vec<Footprint> {
+        let parts = self
+            .inside
+            .iter()
+            .flat_map(|part| remainder(part, &self.claims.polygons_near(part)));
+        parts.collect()
+    }
+
+    /// The area of the face under no claim, in square metres.
+    pub fn gap(&self) -> f64 {
+        self.gaps().iter().map(Footprint::area).sum()
+    }
+
+    /// The area of the face that claims cover, each counted for itself (square metres).
+    pub fn claimed(&self) -> f64 {
+        self.inside
+            .iter()
+            .map(|part| self.claims.shared_area(part, None))
+            .sum()
+    }
+
+    /// The area of the face that is under two claims of different cells, counted once for each pair (square metres).
+    pub fn overlap(&self) -> f64 {
+        match self.period {
+            None => self.claims.overlap(),
+            // Each pair also stands a period to either side, so only parts within the face count.
+            Some(_) => self
+                .inside
+                .iter()
+                .map(|part| self.overlap_within(part))
+                .sum(),
+        }
+    }
+
+    fn overlap_within(&self, part: &Footprint) -> f64 {
+        let mut within = Claims::new(part.bounds());
+        for k in self.claims.near(part.bounds()) {
+            let claim = &self.claims.list()[k as usize];
+            if let Some(polygon) = claim.polygon.intersection(part) {
+                within.add(Claim {
+                    polygon,
+                    cell: claim.cell,
+                });
+            }
+        }
+        within.overlap()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Purpose, Random};
+
+    const W: f64 = 0.125;
+
+    fn rectangle(low: (f64, f64), high: (f64, f64)) -> Footprint {
+        Footprint::rectangle(low.into(), high.into()).unwrap()
+    }
+
+    fn ring(corners: &[(f64, f64)]) -> Vec<DVec2> {
+        corners.iter().map(|&p| p.into()).collect()
+    }
+
+    /// A wall of 3 m by 2 m with a window from (1, 0.5) to (2, 1.5).
+    fn wall() -> Region {
+        let outer = ring(&[(0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (0.0, 2.0)]);
+        let window = ring(&[(1.0, 0.5), (1.0, 1.5), (2.0, 1.5), (2.0, 0.5)]);
+        Region {
+            loops: vec![outer, window],
+        }
+    }
+
+    #[test]
+    fn a_face_begins_free_and_its_window_occupied() {
+        let map = FaceMap::new(&wall(), W, None);
+        assert_eq!(
+            map.coverage(&rectangle((0.0, 0.0), (1.0, 0.5))),
+            Coverage::Free
+        );
+        assert_eq!(
+            map.coverage(&rectangle((1.0, 0.5), (2.0, 1.5))),
+            Coverage::Occupied
+        );
+        assert_eq!(
+            map.coverage(&rectangle((0.75, 0.5), (1.25, 0.75))),
+            Coverage::Partly
+        );
+        assert_eq!(
+            map.coverage(&rectangle((-0.25, 0.5), (0.25, 0.75))),
+            Coverage::Partly
+        );
+        assert_eq!(
+            map.coverage(&rectangle((3.5, 0.5), (4.0, 0.75))),
+            Coverage::Occupied
+        );
+        assert!((map.area() - 5.0).abs() < 1e-9 && (map.gap() - 5.0).abs() < 1e-9);
+        assert!((map.bitmap().empty_area() - 5.0).abs() < 0.05);
+    }
+
+    #[test]
+    fn claims_and_gap_make_the_face() {
+        let mut random = Random::new(1, Purpose::Scatter, 0);
+        for period in [None, Some(3.0)] {
+            let mut map = FaceMap::new(&wall(), W, period);
+            // Columns of bricks with slanted ends, which overlap nobody, some beyond the border.
+            for row in 0..16 {
+                let y = 0.125 * f64::from(row);
+                let mut s = -0.1 * random.unit();
+                let start = s;
+                for cell in 0.. {
+                    let end = s + 0.1 + 0.3 * random.unit();
+                    if end > if period.is_some() { start + 3.0 } else { 3.2 } {
+                        break;
+                    }
+                    let corners = ring(&[
+                        (s, y),
+                        (end, y),
+                        (end + 0.03, y + 0.125),
+                        (s + 0.03, y + 0.125),
+                    ]);
+                    map.claim(&Footprint::new(&corners).unwrap(), 100 * row + cell);
+                    s = end;
+                }
+            }
+            assert!(map.overlap() < 1e-9, "{}", map.overlap());
+            let sum = map.claimed() + map.gap();
+            assert!((sum - map.area()).abs() < 1e-6, "{sum} {}", map.area());
+            assert!(map.gap() > 0.01);
+            // One more claim on top is all overlap.
+            let extra = rectangle((0.2, 0.1), (0.7, 0.3));
+            let covered = map.claims().shared_area(&extra, None);
+            map.claim(&extra, u32::MAX - 1);
+            assert!(
+                (map.overlap() - covered).abs() < 1e-9,
+                "{} {covered}",
+                map.overlap()
+            );
+        }
+    }
+
+    #[test]
+    fn a_claim_over_the_seam_of_a_cylinder_is_met_from_both_sides() {
+        let mut map = FaceMap::new(&wall(), W, Some(3.0));
+        map.claim(&rectangle((2.75, 0.0), (3.25, 0.25)), 1);
+        for place in [
+            rectangle((2.75, 0.0), (3.0, 0.25)),
+            rectangle((0.0, 0.0), (0.25, 0.25)),
+        ] {
+            assert_eq!(map.coverage(&place), Coverage::Occupied);
+            assert!((map.claimed_share(&place) - 1.0).abs() < 1e-9);
+        }
+        assert!((map.claimed() - 0.125).abs() < 1e-9 && map.overlap() < 1e-12);
+    }
+
+    #[test]
+    fn cells_are_clipped_by_holes_surroundings_and_claims() {
+        use crate::masonry::free_space::{LEAST_SHARE, clip};
+        let mut map = FaceMap::new(&wall(), W, None);
+        map.claim(&rectangle((0.0, 1.0), (0.25, 1.25)), 1);
+        let cell = rectangle((-0.25, 1.0), (1.25, 1.25));
+        let part = clip(&cell, &map.obstacles(&cell), 0.005, LEAST_SHARE).unwrap();
+        assert!((part.area() - 0.75 * 0.25).abs() < 1e-6, "{}", part.area());
+        assert!(map.claims().shared_area(&part, None) < 1e-9);
+    }
+}

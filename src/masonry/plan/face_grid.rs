@@ -1,0 +1,267 @@
+//! The grid of a face: its column lines and its row lines.
+
+use super::lines::{divided, merged, pieces};
+use super::parity::Columns;
+use crate::building::{Building, EdgeId, Face, FaceId, Module, Piece, Stance, Surface};
+
+use crate::masonry::region::Region;
+use glam::{DVec2, DVec3};
+
+/// How far apart two lines or places may be and still count as one (metres).
+pub(super) const NEAR: f64 = 1e-3;
+
+/// The grid of a face. Bricks run along its *columns'* axis in rows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FaceGrid {
+    /// How rows run.
+    pub stance: Stance,
+    /// The lines of s (metres), rising.
+    pub s: Vec<f64>,
+    /// The lines of t (metres), rising.
+    pub t: Vec<f64>,
+    /// The number of the course below row 0: walls of a group count courses together.
+    pub first_course: usize,
+    /// In row k a brick starts at column c if c + k + phase is even.
+    pub phase: bool,
+    /// How deep cells of the face may reach into the wall (metres).
+    pub depth: f64,
+}
+
+impl FaceGrid {
+    /// Whether rows are intervals of s. Else they are intervals of t.
+    pub fn are_rows_along_s(&self) -> bool {
+        self.stance == Stance::Through
+    }
+
+    /// The lines between columns.
+    pub fn column_lines(&self) -> &[f64] {
+        if self.are_rows_along_s() {
+            &self.t
+        } else {
+            &self.s
+        }
+    }
+
+    /// The lines between rows.
+    pub fn row_lines(&self) -> &[f64] {
+        if self.are_rows_along_s() {
+            &self.s
+        } else {
+            &self.t
+        }
+    }
+
+    /// The rectangle of columns `from..to` in rows `low..high`, as its least and greatest (s, t).
+    pub fn block(&self, [from, to]: [usize; 2], [low, high]: [usize; 2]) -> [DVec2; 2] {
+        let (columns, rows) = (self.column_lines(), self.row_lines());
+        let corners = [[columns[from], rows[low]], [columns[to], rows[high]]];
+        corners.map(|[column, row]| {
+            if self.are_rows_along_s() {
+                DVec2::new(row, column)
+            } else {
+                DVec2::new(column, row)
+            }
+        })
+    }
+
+    /// Whether a brick starts at a column of a row.
+    pub fn starts(&self, column: isize, row: usize) -> bool {
+        (column + (row + self.first_course + usize::from(self.phase)) as isize).rem_euclid(2) == 0
+    }
+
+    /// The number of the line nearest to a value, which must lie within half a column of it.
+    pub fn line_at(lines: &[f64], value: f64) -> usize {
+        let above = lines.partition_point(|&line| line < value);
+        let below = above.saturating_sub(1);
+        let is_nearer = above < lines.len() && lines[above] - value < value - lines[below];
+        if is_nearer { above } else { below }
+    }
+
+    /// How far `count` columns reach from a place along an axis of the face: `way` is +1 or -1 along s or t. Beyond the
+    /// last line the reach ends there.
+    pub fn reach(lines: &[f64], from: f64, way: f64, count: usize) -> f64 {
+        let at = Self::line_at(lines, from);
+        let to = if way > 0.0 {
+            (at + count).min(lines.len() - 1)
+        } else {
+            at.saturating_sub(count)
+        };
+        (lines[to] - from).abs()
+    }
+}
+
+/// The region of a face.
+pub fn region(face: &Face) -> Region {
+    Region {
+        loops: face.rings.clone(),
+    }
+}
+
+/// The places in (s, t) of a point on a face: on a whole cylinder within the period of its rings.
+pub(super) fn place(face: &Face, p: DVec3) -> DVec2 {
+    let place = face.surface.project(p).truncate();
+    let [low, high] = face.bounds();
+    match face.surface.period() {
+        None => place,
+        Some(period) => {
+            let s = low.x + (place.x - low.x).rem_euclid(period);
+            // The seam is the lower end.
+            DVec2::new(if high.x - s < NEAR { low.x } else { s }, place.y)
+        }
+    }
+}
+
+/// The ends and joints of an edge, each with whether it is a springing: a place between a line and an arc.
+pub(super) fn joints(building: &Building, edge: EdgeId) -> Vec<(DVec3, bool)> {
+    let edge = building.edge(edge);
+    if edge.is_closed() {
+        // A column begins where the rim of a cylinder does, so that its bricks are whole.
+        return vec![(edge.path.point(0.0), false)];
+    }
+    let all = edge.path.joints();
+    let last = all.len() - 1;
+    let places = all.iter().enumerate();
+    places
+        .map(|(k, &at)| (edge.path.point(at), k > 0 && k < last))
+        .collect()
+}
+
+/// The edges of a face, each once.
+pub(super) fn edges(face: &Face) -> impl Iterator<Item = EdgeId> + '_ {
+    face.loops.iter().flatten().map(|walk| walk.edge)
+}
+
+/// The fixed lines of a face along s and along t: the places of its corners and joints, and its bounds.
+pub(super) fn fixed_lines(building: &Building, id: FaceId) -> [Vec<f64>; 2] {
+    let face = building.face(id);
+    let [low, high] = face.bounds();
+    let (mut s, mut t) = (vec![low.x, high.x], vec![low.y, high.y]);
+    for (p, _) in edges(face).flat_map(|edge| joints(building, edge)) {
+        let place = place(face, p);
+        s.push(place.x);
+        t.push(place.y);
+    }
+    [within(s, [low.x, high.x]), within(t, [low.y, high.y])]
+}
+
+/// Sorted lines within bounds. The bounds win over lines near to them.
+fn within(lines: Vec<f64>, [low, high]: [f64; 2]) -> Vec<f64> {
+    let inner = lines
+        .into_iter()
+        .filter(|&line| line - low > NEAR && high - line > NEAR);
+    merged([low, high].into_iter().chain(inner).collect())
+}
+
+/// The lines of a level face, or of a wall that is no part of a group: pieces of the module's width along both axes.
+pub(super) fn plain(fixed: &[f64], size: f64) -> Vec<f64> {
+    let counts: Vec<usize> = fixed
+        .windows(2)
+        .map(|w| pieces(w[1] - w[0], size))
+        .collect();
+    divided(fixed, &counts)
+}
+
+/// The rows of a reveal along its profile. On straight parts that stand upright, joints follow the courses of the wall
+/// beside it; arcs get voussoirs of about a course.
+pub(super) fn through_rows(
+    face: &Face,
+    fixed: &[f64],
+    courses: &[f64],
+    module: &Module,
+) -> Vec<f64> {
+    let mut lines = fixed.to_vec();
+    if let Surface::Sweep(sweep) = &face.surface {
+        let profile = sweep.profile();
+        let starts = profile.joints();
+        for (piece, ends) in profile.pieces().iter().zip(starts.windows(2)) {
+            lines.extend_from_slice(ends);
+            match piece {
+                Piece::Arc(_) => lines.extend(plain(ends, module.course)),
+                Piece::Line { from, to } if (to.y - from.y).abs() > 0.9 * from.distance(*to) => {
+                    let at =
+                        |y: f64| ends[0] + (y - from.y) / (to.y - from.y) * (ends[1] - ends[0]);
+                    lines.extend(
+                        courses
+                            .iter()
+                            .map(|&y| at(y))
+                            .filter(|s| (ends[0]..ends[1]).contains(s)),
+                    );
+                }
+                Piece::Line { .. } => lines.extend(plain(ends, module.half)),
+            }
+        }
+    }
+    let bounds = [fixed[0], fixed[fixed.len() - 1]];
+    let mut lines = within(lines, bounds);
+    lines.dedup_by(|next, kept| *next - *kept < NEAR);
+    lines
+}
+
+/// The columns of a wall, and its fixed lines.
+#[derive(Clone, Debug)]
+pub(super) struct WallColumns {
+    pub fixed: Vec<f64>,
+    pub columns: Columns,
+}
+
+impl WallColumns {
+    pub fn new(face: &Face, fixed: Vec<f64>, module: &Module) -> Self {
+        let widths: Vec<f64> = fixed.windows(2).map(|w| w[1] - w[0]).collect();
+        Self {
+            columns: Columns::new(&widths, module.half, face.surface.period().is_some()),
+            fixed,
+        }
+    }
+
+    /// The number of the fixed line at a value of s.
+    pub fn line(&self, s: f64) -> u32 {
+        FaceGrid::line_at(&self.fixed, s) as u32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grid() -> FaceGrid {
+        FaceGrid {
+            stance: Stance::Upright,
+            s: vec![0.0, 0.125, 0.25, 0.375, 0.5],
+            t: vec![0.0, 0.1, 0.2],
+            first_course: 3,
+            phase: false,
+            depth: 0.125,
+        }
+    }
+
+    #[test]
+    fn reaches_end_at_lines_and_at_the_face() {
+        let grid = grid();
+        assert_eq!(FaceGrid::reach(&grid.s, 0.0, 1.0, 2), 0.25);
+        assert_eq!(FaceGrid::reach(&grid.s, 0.5, -1.0, 1), 0.125);
+        assert_eq!(FaceGrid::reach(&grid.s, 0.375, 1.0, 4), 0.125);
+        assert_eq!(
+            [0.0, 0.06, 0.07, 0.49, 9.0].map(|v| FaceGrid::line_at(&grid.s, v)),
+            [0, 0, 1, 4, 4]
+        );
+    }
+
+    #[test]
+    fn rows_of_reveals_run_along_s() {
+        let upright = grid();
+        let through = FaceGrid {
+            stance: Stance::Through,
+            ..grid()
+        };
+        assert_eq!(
+            upright.block([1, 3], [0, 1]),
+            [DVec2::new(0.125, 0.0), DVec2::new(0.375, 0.1)]
+        );
+        assert_eq!(
+            through.block([0, 1], [1, 3]),
+            [DVec2::new(0.125, 0.0), DVec2::new(0.375, 0.1)]
+        );
+        // Bricks start at every other column, shifted by one in the next row.
+        assert!(upright.starts(1, 0) && !upright.starts(2, 0) && upright.starts(2, 1));
+    }
+}
