@@ -380,15 +380,18 @@ fn is_possible(facets: &Facets, bow: &Bow) -> bool {
         (d - bow.axis * d.dot(bow.axis)).length()
     };
     let own = |k: &usize| bow.facets.contains(k);
-    bow.facets
-        .iter()
-        .flat_map(|&k| &facets.all[k].sides)
-        .all(|&(a, b)| {
-            let side = place(b) - place(a);
-            let across = facets.of_side.get(&(b, a));
-            let meets = across.is_none_or(|k| own(k) || is_along(bow.axis, facets.all[*k].normal));
-            let is_around = side.dot(bow.axis).abs() < SAME_PLACE * side.length();
-            (radius(a) - bow.radius).abs() < SAME_PLACE
-                && (bow.is_ruling(place(a), place(b)) || (is_around && meets))
-        })
+    let fits = |piece: usize, (a, b): (u32, u32)| {
+        let (side, across) = (place(b) - place(a), facets.of_side.get(&(b, a)));
+        if across == Some(&piece) {
+            // A side between two polygons of one piece bounds nothing.
+            return true;
+        }
+        let meets = across.is_none_or(|k| own(k) || is_along(bow.axis, facets.all[*k].normal));
+        let is_around = side.dot(bow.axis).abs() < SAME_PLACE * side.length();
+        bow.is_ruling(place(a), place(b)) || (is_around && meets)
+    };
+    bow.facets.iter().all(|&piece| {
+        let mut sides = facets.all[piece].sides.iter();
+        sides.all(|&side| (radius(side.0) - bow.radius).abs() < SAME_PLACE && fits(piece, side))
+    })
 }
