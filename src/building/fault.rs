@@ -57,7 +57,8 @@ pub enum BuildingFault {
         /// How many there are.
         faces: usize,
     },
-    /// Loops have more than [`MOST_SIDES`] sides, or extra meshes more triangles than that.
+    /// Loops have more than [`MOST_SIDES`] sides, or there are more vertices, arcs, or triangles of extra meshes than that;
+    /// or arcs are cut to more than twice as many.
     TooManySides {
         /// How many there are.
         sides: usize,
@@ -163,6 +164,8 @@ pub enum SurfaceFault {
     Kink,
     /// A direction is not a unit vector at right angles to the profile, within 1e-6.
     Direction,
+    /// An arc runs around its circle more than once.
+    Turns,
     /// The loops of a whole cylinder do not close around it.
     Unbounded,
 }

@@ -15,6 +15,32 @@ fn json_reads_back_equal() {
     }
 }
 
+#[test]
+fn the_example_of_the_documentation_is_a_building() {
+    let page = include_str!("../../docs/building.md");
+    let text = page
+        .split("```json\n")
+        .nth(1)
+        .and_then(|rest| rest.split("```").next());
+    let draft = json::read(text.unwrap()).unwrap();
+    let building = built("example", &draft);
+    assert!(matches!(
+        building.warnings(),
+        [BuildingWarning::OpenEdges(_)]
+    ));
+    let window = |edge: &&Edge| edge.labels == ["Window"];
+    assert_eq!(building.edges().iter().filter(window).count(), 1);
+    assert_eq!(
+        building
+            .corners()
+            .iter()
+            .filter(|corner| corner.flip)
+            .count(),
+        1
+    );
+    assert!(building.extras()[0].material == "glass" && building.ground() == Some(0.0));
+}
+
 /// A block as JSON, with one part of the text replaced.
 fn replaced(from: &str, to: &str) -> BuildingFault {
     let text = write(&Rule::Block.draft(&Module::NORMAL, &[]));

@@ -46,6 +46,7 @@ mod sides;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod thickening;
 mod thickness;
 mod triangles;
 mod whole;
