@@ -13,6 +13,8 @@ mod height_field;
 mod in_space;
 mod inspection;
 mod lighting;
+#[cfg(house)]
+pub mod masonry;
 mod offers;
 mod packs;
 pub mod pavement;
@@ -143,6 +145,8 @@ pub const ALL: Registry = Registry(&[
     &surface::SURFACE,
     #[cfg(house)]
     &pile::PILE,
+    #[cfg(house)]
+    &masonry::MASONRY,
 ]);
 
 #[cfg(house)]

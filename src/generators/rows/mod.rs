@@ -1,5 +1,7 @@
 //! Tables of parameters, and the rows that several generators share.
 
+#[cfg(house)]
+pub mod buildings;
 mod lists;
 #[cfg(house)]
 pub mod shapes;

@@ -78,6 +78,11 @@ impl GivenFiles {
         asked.iter().filter(|one| self.has(one)).count() as u64
     }
 
+    /// The bytes of a file; `None` if the file is not there.
+    pub fn bytes(&self, file: &NamedFile) -> Option<Arc<Vec<u8>>> {
+        self.find(file.digest).cloned()
+    }
+
     /// A reader for a file; `None` if the file is not there.
     pub fn reading(&self, file: &NamedFile) -> Option<Result<Reading, Notice>> {
         let bytes = self.find(file.digest)?;

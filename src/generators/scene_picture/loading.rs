@@ -49,6 +49,19 @@ impl ModelFiles {
         self.given.missing(asked).collect()
     }
 
+    /// The bytes of a file by its number, for whoever reads other things than surfaces.
+    ///
+    /// # Errors
+    /// If the recipe names none, or if it has not been given.
+    pub fn bytes(&self, number: usize) -> Result<Arc<Vec<u8>>, Notice> {
+        let asked = self.loaded.params().get(number);
+        let file = asked
+            .and_then(|asked| asked.file.as_ref())
+            .ok_or(Code::ModelFirst)?;
+        let missing = || Notice::new(Code::ModelMissing).with("name", quote(&file.name));
+        self.given.bytes(file).ok_or_else(missing)
+    }
+
     /// The number of files that are there, as the input of loading.
     pub fn inputs(&self) -> Inputs {
         inputs([self.given.count(self.loaded.params())])

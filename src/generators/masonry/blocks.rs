@@ -1,0 +1,251 @@
+//! The scene of a building: blocks, mortar, and what carries no masonry.
+
+use super::colours::{BRICK_ROW, GLASS_ROW, IRON_ROW, MORTAR_ROW, STONE_ROW, WOOD_ROW};
+use super::cuboid::Cuboid;
+use super::grain::WallGrain;
+use super::params::BlockParams;
+use super::site::Site;
+use crate::building::ExtraMesh;
+use crate::masonry::block::{Bevelled, BlockMesh, Polyhedron, Rough, Stonecutter};
+use crate::masonry::laying::{CellSort, MasonryCell};
+use crate::random::{Purpose, Random};
+use crate::scene::{Body, Instance, Paint, Place, Scene};
+use crate::solid::Surface;
+use crate::surface_stones::Fit;
+use glam::{DQuat, DVec3, Vec3};
+use std::collections::BTreeMap;
+
+/// The reach of ambient occlusion (metres).
+const REACH: f64 = 0.09;
+/// The greatest turn about the outward direction (radians), and the greatest way out of true (metres), at 1.
+const TURN: f64 = 0.006;
+const SHIFT: f64 = 0.002;
+/// Width of the edges of rounded stones, and the height of their bumps, at roughness 1 (metres).
+const BEVEL: f64 = 0.03;
+const BUMPS: f64 = 0.014;
+/// The colour of meshes that the pattern leaves white.
+const WHITE: [u8; 3] = [255; 3];
+
+/// A scene to which blocks are added as they are laid.
+pub(crate) struct Wall {
+    scene: Scene,
+    fit: Fit,
+    params: BlockParams,
+    /// The bodies of cuboids, by their sizes and their material.
+    shared: BTreeMap<([u32; 3], u8), u32>,
+    cutter: Option<Stonecutter>,
+    /// How many cells have had their turn.
+    shown: usize,
+}
+
+impl Wall {
+    /// Starts with mortar, glass, doors and the like.
+    pub(super) fn new(site: &Site, params: &BlockParams) -> Self {
+        let mut scene = Scene {
+            reach: (REACH * site.fit.scale) as f32,
+            detail: Some(Box::new(WallGrain::new(params.seed, site.fit.scale))),
+            ..Scene::default()
+        };
+        add_mortar(&mut scene, site, params);
+        for extra in site.building.extras() {
+            add_extra(&mut scene, extra, site.fit);
+        }
+        let rough = Rough {
+            bevel: BEVEL * params.rough,
+            height: BUMPS * params.rough,
+            seed: params.seed,
+            ..Rough::STONE
+        };
+        Self {
+            scene,
+            fit: site.fit,
+            params: *params,
+            shared: BTreeMap::new(),
+            cutter: (params.rough > 0.0).then(|| Stonecutter::new(rough)),
+            shown: 0,
+        }
+    }
+
+    /// Lays the cells whose numbers are below `end`.
+    pub(super) fn lay(&mut self, cells: &[MasonryCell], end: usize) {
+        for number in self.shown..end.min(cells.len()) {
+            self.add(&cells[number], number as u32);
+        }
+        self.shown = end.max(self.shown);
+    }
+
+    /// How many cells have had their turn.
+    pub fn shown(&self) -> usize {
+        self.shown
+    }
+
+    fn add(&mut self, cell: &MasonryCell, number: u32) {
+        let key = (self.params.seed, u64::from(number));
+        let (tint, material) = self.params.colours.of_cell(cell, key, self.params.vary);
+        let Some((body, place)) = self.shape(cell, number, material) else {
+            return;
+        };
+        self.scene.instances.push(Instance {
+            body,
+            place,
+            id: number + 1,
+            paint: Some(Paint { tint, material }),
+        });
+    }
+
+    /// The body of a cell and where it stands; none if its joints take all of it.
+    fn shape(&mut self, cell: &MasonryCell, number: u32, material: u8) -> Option<(u32, Place)> {
+        let is_rough = material == STONE_ROW && cell.sort != CellSort::Sill;
+        if let (true, Some(cutter)) = (is_rough, &mut self.cutter) {
+            let levels = cutter.levels(&cell.body, number)?;
+            let surfaces = levels.iter().map(|level| self.fit_smooth(level));
+            let body = Body::new(surfaces.collect(), material);
+            return Some((self.push(body), Place::default()));
+        }
+        let shrunk = cell.body.shrunk()?;
+        let (turn, by) = self.crooked(cell, number);
+        match Cuboid::of(&shrunk, cell.outwards) {
+            Some(cuboid) => {
+                let body = self.cuboid(&cuboid, material)?;
+                let axes = cuboid
+                    .axes
+                    .map(|axis| (turn * axis * self.fit.scale).as_vec3());
+                let origin = self.fit.place(cuboid.middle + by);
+                Some((body, Place { axes, origin }))
+            }
+            None => {
+                let mesh = Bevelled::new(&shrunk.turned(turn, by), self.params.chamfer).facets();
+                let surface = flat(&mesh, |p| self.fit.place(p));
+                Some((
+                    self.push(Body::new(vec![surface], material)),
+                    Place::default(),
+                ))
+            }
+        }
+    }
+
+    /// The small turn and shift of a block out of true.
+    fn crooked(&self, cell: &MasonryCell, number: u32) -> (DQuat, DVec3) {
+        let mut random = Random::new(self.params.seed, Purpose::Turn, u64::from(number));
+        let half = 0.5 * TURN * self.params.crooked * random.signed();
+        let axis = cell.outwards * libm::sin(half);
+        let turn = DQuat::from_xyzw(axis.x, axis.y, axis.z, libm::cos(half));
+        (
+            turn,
+            cell.outwards * (SHIFT * self.params.crooked * random.signed()),
+        )
+    }
+
+    /// The body of cuboids of one size: the full chamfered one, and a plain one for far away.
+    fn cuboid(&mut self, cuboid: &Cuboid, material: u8) -> Option<u32> {
+        let key = (cuboid.steps, material);
+        if let Some(&known) = self.shared.get(&key) {
+            return Some(known);
+        }
+        let plain = cuboid.plain()?;
+        let levels = [self.params.chamfer, 0.0]
+            .map(|chamfer| flat(&Bevelled::new(&plain, chamfer).facets(), |p| p.as_vec3()));
+        let body = self.push(Body::new(levels.to_vec(), material));
+        self.shared.insert(key, body);
+        Some(body)
+    }
+
+    fn push(&mut self, body: Body) -> u32 {
+        self.scene.bodies.push(body);
+        self.scene.bodies.len() as u32 - 1
+    }
+
+    fn fit_smooth(&self, mesh: &BlockMesh) -> Surface {
+        smooth(mesh, |p| self.fit.place(p))
+    }
+
+    /// The scene so far.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The scene, to keep.
+    pub fn finish(self) -> Scene {
+        self.scene
+    }
+}
+
+/// A surface with a normal of its own for each triangle.
+pub(super) fn flat(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
+    let mut surface = Surface::default();
+    for triangle in &mesh.triangles {
+        let corners = triangle.map(|v| mesh.positions[v as usize]);
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a).normalize_or_zero().as_vec3();
+        let first = surface.positions.len() as u32;
+        surface.positions.extend(corners.map(&place));
+        surface.normals.extend([normal; 3]);
+        surface.colours.extend([WHITE; 3]);
+        surface.triangles.push([first, first + 1, first + 2]);
+    }
+    surface
+}
+
+/// A surface with one normal for each vertex.
+fn smooth(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
+    let mut normals = vec![DVec3::ZERO; mesh.positions.len()];
+    for triangle in &mesh.triangles {
+        let [a, b, c] = triangle.map(|v| mesh.positions[v as usize]);
+        let normal = (b - a).cross(c - a);
+        for v in triangle {
+            normals[*v as usize] += normal;
+        }
+    }
+    let unit = |n: &DVec3| n.normalize_or_zero().as_vec3();
+    Surface {
+        positions: mesh.positions.iter().map(|&p| place(p)).collect(),
+        normals: normals.iter().map(unit).collect(),
+        colours: vec![WHITE; mesh.positions.len()],
+        triangles: mesh.triangles.clone(),
+    }
+}
+
+fn add_plain(scene: &mut Scene, surface: Surface, (colour, material): ([u8; 3], u8)) {
+    scene.instances.push(Instance {
+        body: scene.bodies.len() as u32,
+        place: Place::default(),
+        id: 0,
+        paint: Some(Paint {
+            tint: colour,
+            material,
+        }),
+    });
+    scene.bodies.push(Body::new(vec![surface], material));
+}
+
+fn add_mortar(scene: &mut Scene, site: &Site, params: &BlockParams) {
+    let mortar = site.mortar(params.recess);
+    let mesh = BlockMesh {
+        positions: mortar.positions,
+        triangles: mortar.triangles,
+    };
+    let surface = flat(&mesh, |p| site.fit.place(p));
+    add_plain(scene, surface, (params.colours.mortar(), MORTAR_ROW));
+}
+
+/// Adds a mesh that carries no masonry, in the colour of its material.
+fn add_extra(scene: &mut Scene, extra: &ExtraMesh, fit: Fit) {
+    let look = match extra.material.as_str() {
+        "glass" => ([104, 118, 128], GLASS_ROW),
+        "iron" => ([62, 62, 66], IRON_ROW),
+        "slate" | "tile" => ([92, 94, 100], STONE_ROW),
+        "stone" => ([196, 188, 170], STONE_ROW),
+        "brick" => ([150, 80, 60], BRICK_ROW),
+        _ => ([126, 88, 54], WOOD_ROW),
+    };
+    let mesh = BlockMesh {
+        positions: extra.positions.clone(),
+        triangles: extra.triangles.clone(),
+    };
+    add_plain(scene, flat(&mesh, |p| fit.place(p)), look);
+}
+
+/// A body as plain triangles in the scene.
+pub(super) fn plain(body: &Polyhedron, fit: Fit) -> Surface {
+    flat(&Bevelled::new(body, 0.0).facets(), |p| fit.place(p))
+}

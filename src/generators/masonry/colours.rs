@@ -1,0 +1,172 @@
+//! Colours and materials of blocks, by their roles.
+
+use crate::masonry::laying::{CellSort, Feature, MasonryCell};
+use crate::masonry::tree::PatternGenerator;
+use crate::material::{Gloss, Material};
+use crate::random::{Purpose, Random};
+
+/// Rows of the table of materials: mortar, ...
+pub(super) const MORTAR_ROW: u8 = 0;
+/// ... bricks, ...
+pub(super) const BRICK_ROW: u8 = 1;
+/// ... stones, ...
+pub(super) const STONE_ROW: u8 = 2;
+/// ... and what carries no masonry.
+pub(super) const GLASS_ROW: u8 = 3;
+pub(super) const WOOD_ROW: u8 = 4;
+pub(super) const IRON_ROW: u8 = 5;
+
+/// Fired clay.
+const BRICK: Material = Material::new(1.0, 0.94, 0.05, 9.0);
+
+/// The table of materials.
+pub(super) fn materials(gloss: Gloss) -> Vec<Material> {
+    let own = [
+        Material::new(1.0, 0.95, 0.0, 4.0),
+        BRICK,
+        Material::DRY_STONE,
+        Material::GLASS,
+        Material::OILED,
+        Material::STEEL,
+    ];
+    let applied = own.iter().enumerate().map(|(row, material)| match row {
+        1 | 2 => gloss.applied_to(*material),
+        _ => *material,
+    });
+    applied.collect()
+}
+
+/// The words of the colours of all roles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Colours {
+    pub walls: &'static str,
+    pub dressing: &'static str,
+    pub mortar: &'static str,
+}
+
+/// Colours that blocks of one kind have (sRGB), and how much their tones differ.
+struct Range {
+    bases: &'static [[u8; 3]],
+    tone: f64,
+    row: u8,
+}
+
+const fn range(bases: &'static [[u8; 3]], tone: f64, row: u8) -> Range {
+    Range { bases, tone, row }
+}
+
+fn of_word(word: &str) -> Range {
+    match word {
+        "yellow" => range(
+            &[
+                [196, 164, 112],
+                [204, 174, 124],
+                [184, 150, 98],
+                [190, 160, 116],
+            ],
+            0.11,
+            BRICK_ROW,
+        ),
+        "dark" => range(
+            &[[92, 70, 64], [80, 62, 58], [104, 76, 66], [74, 60, 60]],
+            0.14,
+            BRICK_ROW,
+        ),
+        "white" => range(
+            &[[214, 210, 200], [206, 202, 192], [220, 216, 206]],
+            0.04,
+            BRICK_ROW,
+        ),
+        "honey" => range(
+            &[
+                [198, 172, 126],
+                [188, 160, 114],
+                [208, 184, 140],
+                [182, 158, 120],
+            ],
+            0.10,
+            STONE_ROW,
+        ),
+        "grey" => range(
+            &[
+                [150, 148, 142],
+                [138, 136, 132],
+                [160, 158, 150],
+                [142, 144, 144],
+            ],
+            0.12,
+            STONE_ROW,
+        ),
+        "pale" => range(
+            &[[212, 204, 184], [204, 196, 178], [218, 212, 196]],
+            0.06,
+            STONE_ROW,
+        ),
+        _ => range(
+            &[
+                [158, 82, 60],
+                [148, 72, 54],
+                [168, 92, 66],
+                [142, 74, 60],
+                [160, 86, 72],
+            ],
+            0.14,
+            BRICK_ROW,
+        ),
+    }
+}
+
+/// The colours of corners, edges and faces (figure 3).
+pub(super) const FEATURES: [[u8; 3]; 3] = [[206, 64, 52], [72, 168, 84], [62, 104, 196]];
+
+/// The number of a feature's type among these colours.
+pub(super) fn type_of(feature: Feature) -> usize {
+    match feature {
+        Feature::Corner(_) => 0,
+        Feature::Edge(_) => 1,
+        Feature::Face(_) => 2,
+    }
+}
+
+impl Colours {
+    /// The colour of the mortar.
+    pub fn mortar(&self) -> [u8; 3] {
+        match self.mortar {
+            "grey" => [146, 142, 136],
+            "sand" => [178, 160, 128],
+            "dark" => [96, 90, 84],
+            _ => [188, 182, 170],
+        }
+    }
+
+    /// The colour of a cell, and its row of materials.
+    pub fn of_cell(
+        &self,
+        cell: &MasonryCell,
+        (seed, number): (u64, u64),
+        vary: f64,
+    ) -> ([u8; 3], u8) {
+        if self.walls == "parts" {
+            return (FEATURES[type_of(cell.feature)], BRICK_ROW);
+        }
+        let word = match is_dressing(cell) && self.dressing != "same" {
+            true => self.dressing,
+            false => self.walls,
+        };
+        let range = of_word(word);
+        let mut random = Random::new(seed, Purpose::Paint, number);
+        let base = range.bases[random.below(range.bases.len())];
+        let tone = 1.0 + vary * range.tone * random.signed();
+        (
+            base.map(|v| (f64::from(v) * tone).clamp(0.0, 255.0) as u8),
+            range.row,
+        )
+    }
+}
+
+/// Whether a cell belongs to a sill, a lintel, an arch or a quoin.
+fn is_dressing(cell: &MasonryCell) -> bool {
+    use PatternGenerator::{ArchStones, CementStones, Quoins, WindowBottomBricks};
+    let dresses = [ArchStones, CementStones, Quoins, WindowBottomBricks];
+    cell.tag > 0 || cell.sort == CellSort::Sill || dresses.contains(&cell.generator)
+}

@@ -1,0 +1,76 @@
+//! Blocks that are cuboids: those of one size share a body, however they are turned.
+
+use crate::masonry::block::Polyhedron;
+use glam::DVec3;
+
+/// Directions are at right angles if their cosine is less.
+const RIGHT: f64 = 1e-6;
+/// Sizes within this length share a body (metres).
+const STEP: f64 = 5e-5;
+
+/// A cuboid in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cuboid {
+    pub middle: DVec3,
+    /// Its axes: unit vectors, right-handed.
+    pub axes: [DVec3; 3],
+    /// Its sizes along them, in steps of 0.05 mm.
+    pub steps: [u32; 3],
+}
+
+impl Cuboid {
+    /// The cuboid that a body is, with its third axis outwards; none if it is another body.
+    pub fn of(body: &Polyhedron, outwards: DVec3) -> Option<Self> {
+        if body.sides().len() != 6 || body.vertices().len() != 8 {
+            return None;
+        }
+        let normals: Vec<DVec3> = body.planes().map(|plane| plane.normal).collect();
+        let nearest = |way: DVec3, of: &[DVec3]| {
+            of.iter().copied().fold(DVec3::ZERO, |best, normal| {
+                if best == DVec3::ZERO || normal.dot(way) > best.dot(way) {
+                    normal
+                } else {
+                    best
+                }
+            })
+        };
+        let z = nearest(outwards, &normals);
+        let beside: Vec<DVec3> = normals
+            .iter()
+            .copied()
+            .filter(|n| n.dot(z).abs() < RIGHT)
+            .collect();
+        if beside.len() != 4 {
+            return None;
+        }
+        let y = nearest(DVec3::Y, &beside);
+        let x = y.cross(z);
+        let are_right = normals.iter().all(|n| {
+            let along = [x, y, z].map(|axis| n.dot(axis).abs());
+            along.iter().filter(|v| **v > RIGHT).count() == 1
+        });
+        if !are_right {
+            return None;
+        }
+        let axes = [x, y, z];
+        let middle = body.vertices().iter().sum::<DVec3>() / 8.0;
+        let size = axes.map(|axis| {
+            let far = body
+                .vertices()
+                .iter()
+                .map(|&p| (p - middle).dot(axis).abs());
+            2.0 * far.fold(0.0, f64::max)
+        });
+        Some(Self {
+            middle,
+            axes,
+            steps: size.map(|length| (length / STEP).round() as u32),
+        })
+    }
+
+    /// The same about the origin, along the axes of space.
+    pub fn plain(&self) -> Option<Polyhedron> {
+        let half = DVec3::from(self.steps.map(|steps| 0.5 * STEP * f64::from(steps)));
+        Polyhedron::cuboid(-half, half)
+    }
+}

@@ -1,0 +1,93 @@
+//! The results as text, for measurements.
+
+use super::MasonryEngine;
+use super::colours::type_of;
+use crate::decimal;
+use crate::masonry::laying::{Feature, Laying, MasonryCell, Measures};
+use glam::DVec3;
+
+/// The words of features' types.
+const FEATURES: [&str; 3] = ["corner", "edge", "face"];
+
+impl MasonryEngine {
+    /// The results as text files: names and contents. Lengths are metres, y up.
+    pub(super) fn data_files(&self) -> Vec<(&'static str, String)> {
+        let Some(laying) = self.made.cells.made() else {
+            return Vec::new();
+        };
+        vec![
+            ("blocks.json", blocks(laying)),
+            ("measures.json", measures(laying)),
+        ]
+    }
+}
+
+/// The claimed volumes of all cells, before they are shrunk.
+fn blocks(laying: &Laying) -> String {
+    let all: Vec<String> = laying
+        .cells()
+        .iter()
+        .map(|cell| block(laying, cell))
+        .collect();
+    format!("{{\"blocks\":[{}]}}", all.join(","))
+}
+
+fn block(laying: &Laying, cell: &MasonryCell) -> String {
+    let vertices: Vec<String> = cell.claimed.vertices().iter().map(|&p| point(p)).collect();
+    let faces: Vec<String> = cell
+        .claimed
+        .sides()
+        .iter()
+        .map(|side| {
+            let corners: Vec<String> = side.corners.iter().map(u32::to_string).collect();
+            format!("[{}]", corners.join(","))
+        })
+        .collect();
+    let labels = labels(laying, cell.feature).join(" ");
+    let label = serde_json::Value::from(labels);
+    format!(
+        "{{\"feature\":\"{}\",\"label\":{label},\"kind\":\"{:?}\",\"generator\":\"{}\",\"vertices\":[{}],\"faces\":[{}]}}",
+        FEATURES[type_of(cell.feature)],
+        cell.sort,
+        cell.generator.word(),
+        vertices.join(","),
+        faces.join(",")
+    )
+}
+
+fn labels(laying: &Laying, feature: Feature) -> &[String] {
+    let building = laying.building();
+    match feature {
+        Feature::Corner(id) => &building.corner(id).labels,
+        Feature::Edge(id) => &building.edge(id).labels,
+        Feature::Face(id) => &building.face(id).labels,
+    }
+}
+
+fn point(p: DVec3) -> String {
+    format!("[{}]", p.to_array().map(decimal::text).join(","))
+}
+
+fn measures(laying: &Laying) -> String {
+    let m = Measures::new(laying);
+    let shares = [
+        ("gap", m.gap),
+        ("overlap", m.overlap),
+        ("sharedVolume", m.shared_volume),
+        ("whole", m.whole),
+        ("half", m.half),
+        ("cut", m.cut),
+        ("straight", m.straight),
+        ("course", m.course),
+    ];
+    let shares: Vec<String> = shares
+        .iter()
+        .map(|(name, share)| format!("\"{name}\":{}", decimal::text(*share)))
+        .collect();
+    format!(
+        "{{\"cells\":{},\"conflicts\":{},{}}}",
+        m.cells,
+        m.conflicts,
+        shares.join(",")
+    )
+}

@@ -1,0 +1,52 @@
+//! The engine of masonry, for the studio.
+
+use super::MasonryEngine;
+use super::stages::{BLOCKS, MasonryStages};
+use crate::generators::Progress;
+use crate::generators::scene_picture::{SceneEngine, ScenePicture};
+use crate::graph::Wiring;
+use crate::notice::Notice;
+
+impl SceneEngine for MasonryEngine {
+    type Stages = MasonryStages;
+
+    fn made(&self) -> &MasonryStages {
+        &self.made
+    }
+
+    fn made_mut(&mut self) -> &mut MasonryStages {
+        &mut self.made
+    }
+
+    fn pictures(&self) -> &ScenePicture<Self> {
+        &self.picture
+    }
+
+    fn work_done(&self) -> Progress {
+        let laid = self.made.finished();
+        Progress {
+            cells: laid,
+            steps: laid as u32,
+            converged: self.made.at().is_none_or(|at| at >= BLOCKS),
+            stones: laid,
+            ..Progress::default()
+        }
+    }
+
+    fn body_count(&self) -> usize {
+        self.made.finished()
+    }
+
+    #[cfg(not(target_arch = "wasm32"))]
+    fn texts(&self) -> Vec<(&'static str, String)> {
+        self.data_files()
+    }
+
+    fn figures(&self, id: u32) -> Vec<(&'static str, f64)> {
+        self.measures(id)
+    }
+
+    fn caption_of(&self, words: &str) -> Option<Notice> {
+        self.meaning(words)
+    }
+}

@@ -1,0 +1,91 @@
+//! The grain of blocks and mortar at pixels, in the space of each block, so that no two look cut from one.
+
+use super::colours::{BRICK_ROW, MORTAR_ROW, STONE_ROW};
+use crate::material::{GrainStrength, NearGrain, NoiseTile};
+use crate::order::{greater, lesser};
+use crate::scene::{Detail, Surfel};
+use glam::Vec3;
+
+/// The random stream of the noise, the power of two of its side, and its levels and dimension.
+const NOISE: (u64, u32, u32, f64) = (29, 7, 4, 1.5);
+/// Picture units in a metre, for the finest grain.
+const UNITS: f32 = 420.0;
+/// The strength of grain: of mortar, of bricks, and of stones.
+const STRENGTHS: [GrainStrength; 3] = [
+    GrainStrength {
+        speckle: 0.05,
+        height: 0.10,
+    },
+    GrainStrength {
+        speckle: 0.06,
+        height: 0.12,
+    },
+    GrainStrength {
+        speckle: 0.05,
+        height: 0.16,
+    },
+];
+/// The deviation of lightness of broad clouds, and their waves in a metre.
+const CLOUDS: [f32; 3] = [0.05, 0.10, 0.09];
+const BROAD: f32 = 9.0;
+const FINE: f32 = 38.0;
+
+/// The grain of a wall.
+pub(super) struct WallGrain {
+    tile: NoiseTile,
+    grain: NearGrain,
+    /// Scene units in a metre.
+    scale: f32,
+}
+
+impl WallGrain {
+    /// The grain of a wall that is drawn at `scale` units in a metre.
+    pub fn new(seed: u64, scale: f64) -> Self {
+        let (item, side, levels, dimension) = NOISE;
+        Self {
+            tile: NoiseTile::new(seed, item, side, levels, dimension),
+            grain: NearGrain::new(seed),
+            scale: scale as f32,
+        }
+    }
+
+    /// The noise at a place (metres) on the side of a surface that the normal names.
+    fn read(&self, p: Vec3, normal: Vec3, waves: f32) -> f32 {
+        let n = normal * normal;
+        let weights = n * n / greater((n * n).element_sum(), 1e-6);
+        let p = p * waves;
+        let read = |x: f32, y: f32| self.tile.between(x, y).clamp(-2.5, 2.5);
+        weights.x * read(p.z, p.y)
+            + weights.y * read(p.x + 31.0, p.z)
+            + weights.z * read(p.x, p.y + 17.0)
+    }
+}
+
+impl Detail for WallGrain {
+    fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
+        let kind = match surfel.material {
+            MORTAR_ROW => 0,
+            BRICK_ROW => 1,
+            STONE_ROW => 2,
+            _ => return,
+        };
+        // Each block reads the noise elsewhere.
+        let own = id.wrapping_mul(0x9E37_79B9);
+        let away = Vec3::new(
+            (own >> 22) as f32,
+            ((own >> 11) & 1023) as f32,
+            (own & 1023) as f32,
+        );
+        let at = surfel.position / self.scale;
+        let spread = spread / self.scale;
+        let shown = |waves: f32| (2.0 - 4.0 * waves * spread).clamp(0.0, 1.0);
+        let broad = self.read(at + away * 0.37, surfel.normal, BROAD) * shown(BROAD);
+        let fine = self.read(at + away * 0.53, surfel.normal, FINE) * shown(FINE);
+        let light = greater(1.0 + CLOUDS[kind] * (0.7 * broad + 0.5 * fine), 0.3);
+        surfel.colour = surfel.colour.map(|v| lesser(v * light, 255.0));
+        let place = (at * UNITS + away, surfel.normal);
+        if let Some(grain) = self.grain.at(place, spread * UNITS, STRENGTHS[kind]) {
+            grain.add_to(&mut surfel.colour, &mut surfel.normal);
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Masonry: bricks and stones laid on a building (Legakis, Dorsey, Gortler 2001, Feature-based cellular texturing for
+//! architectural models).
+
+mod blocks;
+mod colours;
+mod cuboid;
+mod data;
+mod engine;
+mod figures;
+mod files;
+mod grain;
+mod params;
+mod presets;
+mod rules;
+mod schema;
+mod site;
+mod stages;
+mod subject;
+#[cfg(test)]
+mod tests;
+mod views;
+
+pub use schema::keys;
+
+use super::scene_picture::{Saving, ScenePicture};
+use super::{Course, Generator, Views};
+use crate::export::SceneFile;
+use crate::recipe::{Recipe, Schema};
+use params::MasonryParams;
+use stages::MasonryStages;
+
+/// The parameters of masonry.
+pub static SCHEMA: Schema = Schema {
+    word: "masonry",
+    is_named: true,
+    rows: schema::ROWS,
+    rules: &rules::MasonryRules,
+};
+
+/// The generator.
+pub static MASONRY: Generator = Generator {
+    schema: &SCHEMA,
+    title: "Masonry",
+    presets: presets::PRESETS,
+    stages: &stages::WORDS,
+    course: Course {
+        begins: &[0.0, 0.05, 0.2, 0.6, 0.62],
+        stepping: "laying",
+        placing: "laying",
+        finisher: "blocks",
+        settled: "light",
+        seen: &["mortar", "mortar", "auto", "", ""],
+    },
+    views: Views {
+        bases: &views::WORDS,
+        overlays: &[],
+    },
+    offers: &[
+        "frames", "models", "cut", "bodies", "compare", "mesh", "forming",
+    ],
+    names: &["building", "pattern"],
+    samples: &[],
+    chance: "masonry",
+    home: "330,16,2.6,28",
+    lowest: -85.0,
+    engine: |recipe| Box::new(MasonryEngine::new(recipe)),
+};
+
+/// The engine: its stages, and what is looked at.
+pub struct MasonryEngine {
+    made: MasonryStages,
+    picture: ScenePicture<MasonryEngine>,
+    /// The unfinished mesh file.
+    saving: Option<Saving<SceneFile>>,
+}
+
+impl MasonryEngine {
+    /// Starts with all its work to be done.
+    pub fn new(recipe: &Recipe) -> Self {
+        Self {
+            made: MasonryStages::new(&MasonryParams::new(recipe)),
+            picture: ScenePicture::default(),
+            saving: None,
+        }
+    }
+}

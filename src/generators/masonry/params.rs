@@ -1,0 +1,151 @@
+//! Turns a recipe into the parameters of each stage.
+
+use super::colours::{Colours, materials};
+use super::schema::{FILE, ROWS, keys};
+use crate::building::{Module, Rule};
+use crate::generators::common;
+use crate::generators::lighting::LightParams;
+use crate::generators::scene_picture::AskedFile;
+use crate::light::ShadeParams;
+use crate::masonry::laying::LayingParams;
+use crate::masonry::module::{ASHLAR, BLOCK, UK_BRICK, US_BRICK};
+use crate::material::Gloss;
+use crate::recipe::Recipe;
+
+/// Metres in a millimetre.
+const MILLI: f64 = 1e-3;
+
+/// The parameters of the stages.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct MasonryParams {
+    pub files: Vec<AskedFile>,
+    pub building: BuildingParams,
+    pub cells: CellParams,
+    pub blocks: BlockParams,
+    pub shade: ShadeParams,
+    pub gloss: Gloss,
+    /// The degrees by which the building is turned, clockwise seen from above.
+    pub yaw: f64,
+    /// Pixels along the picture's side.
+    pub side: usize,
+}
+
+/// The building.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct BuildingParams {
+    /// The rule and its numbers; `None` for a file.
+    pub rule: Option<(Rule, Vec<f64>)>,
+    pub module: Module,
+}
+
+/// The cells.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct CellParams {
+    /// The number of the pattern tree.
+    pub tree: usize,
+    pub laying: LayingParams,
+}
+
+/// The geometry and the colours of blocks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct BlockParams {
+    /// How far mortar lies behind the surface (metres).
+    pub recess: f64,
+    /// Width of chamfers (metres).
+    pub chamfer: f64,
+    /// 0 to 1.
+    pub rough: f64,
+    /// A factor of turns and shifts.
+    pub crooked: f64,
+    pub colours: Colours,
+    pub vary: f64,
+    pub seed: u64,
+}
+
+impl MasonryParams {
+    pub fn new(recipe: &Recipe) -> Self {
+        let module = module(recipe);
+        let seed = common::seed(recipe);
+        let rule = Rule::of_word(recipe.choice(keys::BUILDING));
+        let asked = || AskedFile {
+            role: keys::MODEL.0,
+            file: recipe.files(keys::MODEL).pop(),
+            is_z_up: false,
+        };
+        Self {
+            files: if rule.is_none() {
+                vec![asked()]
+            } else {
+                Vec::new()
+            },
+            building: BuildingParams {
+                rule: rule.map(|rule| (rule, numbers(recipe, rule.word()))),
+                module,
+            },
+            cells: CellParams {
+                tree: tree(recipe.choice(keys::PATTERN)),
+                laying: LayingParams {
+                    module,
+                    is_by_hand: recipe.choice(keys::HAND) == "stored",
+                    seed,
+                },
+            },
+            blocks: BlockParams {
+                recess: MILLI * recipe.number(keys::RECESS),
+                chamfer: MILLI * recipe.number(keys::CHAMFER),
+                rough: recipe.number(keys::ROUGH),
+                crooked: recipe.number(keys::CROOKED),
+                colours: Colours {
+                    walls: recipe.choice(keys::WALLS),
+                    dressing: recipe.choice(keys::DRESSING),
+                    mortar: recipe.choice(keys::MORTAR),
+                },
+                vary: recipe.number(keys::VARY),
+                seed,
+            },
+            shade: common::shading(recipe),
+            gloss: Gloss::of_word(recipe.choice(keys::GLOSS)),
+            yaw: recipe.number(keys::YAW),
+            side: common::side(recipe),
+        }
+    }
+
+    /// The light, and the materials of blocks and all else.
+    pub fn light(&self) -> LightParams {
+        LightParams {
+            shade: self.shade,
+            materials: materials(self.gloss),
+        }
+    }
+}
+
+/// The number of the pattern tree with this word.
+fn tree(word: &str) -> usize {
+    let words = ["rgb", "bricks", "ashlar", "quoins", "herringbone", "cement"];
+    words.iter().position(|known| *known == word).unwrap_or(1)
+}
+
+fn module(recipe: &Recipe) -> Module {
+    match recipe.choice(keys::MODULE) {
+        "us" => US_BRICK,
+        "uk" => UK_BRICK,
+        "ashlar" => ASHLAR,
+        "cube" => BLOCK,
+        "own" => Module {
+            half: MILLI * recipe.number(keys::W),
+            course: MILLI * recipe.number(keys::H),
+            joint: MILLI * recipe.number(keys::JOINT),
+        },
+        _ => Module::NORMAL,
+    }
+}
+
+/// The numbers of a rule, in the order of its table.
+fn numbers(recipe: &Recipe, word: &str) -> Vec<f64> {
+    let is_own = |words: &[&str]| words == [word] && word != FILE;
+    let rows = ROWS.iter().filter(|row| match row.shown_for {
+        Some((key, words)) => key == keys::BUILDING && is_own(words),
+        None => false,
+    });
+    rows.map(|row| recipe.number(row.key)).collect()
+}

@@ -1,0 +1,91 @@
+//! The one table of masonry's parameters; see [`crate::recipe::Schema`].
+
+use crate::generators::rows::buildings;
+use crate::generators::rows::rows;
+use crate::generators::rows::shared as common;
+use crate::recipe::parameter::{Parameter, choice, number, text};
+use crate::recipe::schema::choices;
+use crate::recipe::{Choice, Item};
+
+/// The word for a building of a file.
+pub const FILE: &str = "file";
+
+/// The word for a module with sizes of its own.
+pub const OWN: &str = "own";
+
+/// The colours of walls.
+const WALLS: &[Choice] = choices![
+    red: "Red brick", yellow: "Yellow brick", dark: "Dark brick", white: "Whitewashed brick",
+    honey: "Honey stone", grey: "Grey stone", pale: "Pale stone", parts: "By feature",
+];
+
+/// The colours of dressings: sills, arches, lintels and quoins.
+const DRESSINGS: &[Choice] = choices![
+    same: "As the wall", pale: "Pale stone", honey: "Honey stone", grey: "Grey stone",
+    red: "Red brick", yellow: "Yellow brick", dark: "Dark brick",
+];
+
+const MORTARS: &[Choice] = choices![light: "Light", grey: "Grey", sand: "Sand", dark: "Dark"];
+
+/// A length in millimetres of a module with sizes of its own.
+const fn millimetres(name: &'static str, [least, most, usual]: [f64; 3]) -> Parameter {
+    number("", name)
+        .range(least, most, 0.1, usual)
+        .unit("mm")
+        .group("Module")
+        .only_for(keys::MODULE, &[OWN])
+}
+
+rows! {
+    building BUILDING: "What is built: one by rule, or that of a file." =>
+        choice("Building", choices![
+            block: "Block", lhouse: "L-shaped house", gabled: "House with gables", wall: "Wall with openings",
+            gate: "Gate", steps: "Steps with columns", tower: "Round tower", ring: "Ring of walls",
+            sheet: "Single wall", file: "From a file",
+        ]).group("Building").main();
+    ..[buildings::NUMBERS];
+    model MODEL: "The digest and the name of the building's file: a link does not hold the file itself." =>
+        text("Model", Item::File).group("Building").steady()
+            .drawn_for(keys::BUILDING, FILE).only_for(keys::BUILDING, &[FILE]);
+    yaw YAW: "Turns the building about its upright axis, under the same light." =>
+        number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Building");
+    size SIZE: "Side of the square picture." => common::SIZE;
+
+    pattern PATTERN: "The tree of patterns that features are passed down." =>
+        choice("Pattern", choices![
+            bricks: "Bricks", ashlar: "Random ashlar", rgb: "RGB blocks", quoins: "Bricks with stone quoins",
+            herringbone: "Steps with herringbone columns", cement: "Steps with cement stones",
+        ]).group("Pattern").main();
+    hand HAND: "Which way bricks of corners and edges point: solved for the whole building, or by the bits stored in it, as in the paper." =>
+        choice("Corners", choices![solved: "Solved", stored: "By hand"]).group("Pattern");
+    seed SEED: "Names the random numbers." => common::SEED.group("Pattern");
+
+    module MODULE: "The size of bricks or stones with a joint." =>
+        choice("Module", choices![
+            nf: "German normal format", us: "Modular, United States", uk: "British", ashlar: "Stones of 125 mm",
+            cube: "Cubes of 250 mm", own: "Own sizes",
+        ]).group("Module").main();
+    w W: "Width of half a brick, with its joint." => millimetres("Half a brick", [40.0, 1000.0, 125.0]);
+    h H: "Height of a course, with its joint." => millimetres("Course", [20.0, 1000.0, 83.3]);
+    joint JOINT: "Thickness of joints." => millimetres("Joint", [0.0, 40.0, 10.0]);
+
+    recess RECESS: "How far mortar lies behind the wall's surface." =>
+        number("", "Recess").range(0.0, 40.0, 1.0, 6.0).unit("mm").group("Blocks");
+    chamfer CHAMFER: "Width of the blocks' chamfers." =>
+        number("", "Chamfer").range(0.0, 30.0, 1.0, 4.0).unit("mm").group("Blocks");
+    rough ROUGH: "How rounded and rough stones are; at 0 they are plain." =>
+        number("", "Roughness").range(0.0, 1.0, 0.05, 0.0).group("Blocks").main();
+    crooked CROOKED: "How far blocks lie out of true." =>
+        number("", "Crooked").range(0.0, 3.0, 0.1, 1.0).group("Blocks");
+
+    walls WALLS: "Colours of the wall." => choice("Wall", WALLS).group("Look").main();
+    dressing DRESSING: "Colours of sills, lintels, arches and quoins." =>
+        choice("Dressings", DRESSINGS).group("Look").main();
+    mortar MORTAR: "Colour of the mortar." => choice("Mortar", MORTARS).group("Look");
+    vary VARY: "Variation of tone from block to block." => common::VARY.group("Look");
+    gloss GLOSS: "How blocks shine." => common::GLOSS.group("Look");
+
+    ..[common::LIGHTING];
+    az AZ => common::AZ.range(0.0, 360.0, 1.0, 70.0);
+    el EL => common::EL.range(5.0, 90.0, 1.0, 38.0);
+}

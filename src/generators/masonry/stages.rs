@@ -1,0 +1,234 @@
+//! The stages of masonry, as a table of tasks.
+
+use super::MASONRY;
+use super::blocks::Wall;
+use super::params::{BlockParams, BuildingParams, CellParams, MasonryParams};
+use super::site::Site;
+use crate::generators::scene_picture::{
+    ModelFiles, SceneStages, StillNode, StillParams, StillRender,
+};
+use crate::graph::{Node, Task, Wiring, task};
+use crate::masonry::laying::{Laying, LayingWarning};
+use crate::masonry::plan::PlanFault;
+use crate::masonry::tree::PRESETS;
+use crate::notice::{Code, Notice};
+use crate::recipe::Recipe;
+use crate::scene::Scene;
+use std::rc::Rc;
+
+/// The words of the stages.
+pub(super) const WORDS: [&str; 5] = ["building", "cells", "laying", "blocks", "light"];
+
+/// The index of the stage that lays blocks.
+pub(super) const LAYING: usize = 2;
+/// The index of the finished blocks, the first stage of the finisher.
+pub(super) const BLOCKS: usize = 3;
+
+/// The steps in which all blocks are laid, about, ...
+const STEPS: usize = 160;
+/// ... and the most blocks in one step.
+const MOST: usize = 60;
+/// Features in a slice of the cells.
+const FEATURES: usize = 1;
+
+/// A building's blocks in the scene.
+pub(super) struct WallScene {
+    pub scene: Rc<Scene>,
+    /// The digest of the scene.
+    pub digest: String,
+    /// The revision of the laid blocks.
+    pub laid: u64,
+}
+
+/// The nodes of the stages, and the files given for them.
+pub(crate) struct MasonryStages {
+    files: ModelFiles,
+    pub(super) site: Node<BuildingParams, (), Site>,
+    pub(super) cells: Node<CellParams, Laying, Laying>,
+    pub(super) laid: Node<BlockParams, Wall, Rc<Scene>>,
+    pub(super) blocks: Node<(), (), WallScene>,
+    pub(super) still: StillNode,
+}
+
+impl Wiring for MasonryStages {
+    type Stage = usize;
+
+    const TASKS: &'static [Task<Self>] = &[
+        task!(0, site, |all| all.files.inputs(), Self::make_site),
+        task!(1, cells, [site], Self::make_cells),
+        task!(LAYING, laid, [site, cells], Self::lay),
+        task!(BLOCKS, blocks, [laid], Self::make_blocks),
+        task!(4, still, [blocks], Self::make_still),
+    ];
+}
+
+/// Camera and light of the picture.
+fn still(params: &MasonryParams) -> StillParams {
+    StillParams {
+        camera: MASONRY.camera(),
+        light: params.light(),
+        yaw: params.yaw,
+        side: params.side,
+    }
+}
+
+impl SceneStages for MasonryStages {
+    const FINISHER: usize = BLOCKS;
+
+    fn ask(&mut self, recipe: &Recipe) {
+        let params = MasonryParams::new(recipe);
+        self.still.ask(still(&params));
+        self.files.loaded.ask(params.files);
+        self.site.ask(params.building);
+        self.cells.ask(params.cells);
+        self.laid.ask(params.blocks);
+    }
+
+    fn forget(&mut self) {
+        self.site.forget();
+    }
+
+    fn remarks(&self) -> Vec<Notice> {
+        let Some(laying) = self.current(&self.cells) else {
+            return Vec::new();
+        };
+        let mut remarks = Vec::new();
+        let conflicts = laying.plan().conflicts.len();
+        if conflicts > 0 {
+            remarks.push(Notice::new(Code::MasonryConflict).with("n", conflicts));
+        }
+        let is_unlaid = |warning: &&LayingWarning| matches!(warning, LayingWarning::NotLaid { .. });
+        let unlaid = laying.warnings().iter().filter(is_unlaid).count();
+        if unlaid > 0 {
+            remarks.push(Notice::new(Code::MasonryUnlaid).with("n", unlaid));
+        }
+        remarks
+    }
+
+    fn files(&self) -> &ModelFiles {
+        &self.files
+    }
+
+    fn files_mut(&mut self) -> &mut ModelFiles {
+        &mut self.files
+    }
+
+    fn still(&self) -> &StillNode {
+        &self.still
+    }
+
+    fn is_moving(&self) -> bool {
+        self.at() == Some(LAYING)
+    }
+
+    fn digest(&self) -> String {
+        let blocks = self.blocks.made();
+        blocks.map_or(String::new(), |blocks| blocks.digest.clone())
+    }
+}
+
+impl MasonryStages {
+    /// Starts with nothing made.
+    pub(super) fn new(params: &MasonryParams) -> Self {
+        Self {
+            files: ModelFiles::new(params.files.clone()),
+            site: Node::new(params.building.clone()),
+            cells: Node::new(params.cells.clone()),
+            laid: Node::new(params.blocks),
+            blocks: Node::new(()),
+            still: Node::new(still(params)),
+        }
+    }
+
+    fn make_site(&mut self) -> Option<()> {
+        let files = &self.files;
+        self.site.advance(|params, _| {
+            let bytes = match params.rule {
+                Some(_) => None,
+                None => Some(files.bytes(0)?),
+            };
+            let bytes = bytes.as_ref().map(|bytes| bytes.as_slice());
+            Site::new(params, bytes).map(Some)
+        })
+    }
+
+    fn make_cells(&mut self) -> Option<()> {
+        let site = self.site.made()?;
+        self.cells.advance(|params, work| {
+            if work.is_none() {
+                let tree = PRESETS[params.tree].tree();
+                let thickness = |face: crate::building::FaceId| site.thickness[face.index()];
+                let laying = Laying::new(site.building.clone(), tree, params.laying, thickness);
+                *work = Some(laying.map_err(|fault| refusal(&fault, params))?);
+                return Ok(None);
+            }
+            let done = work.as_mut().is_some_and(|laying| laying.advance(FEATURES));
+            Ok(if done { work.take() } else { None })
+        })
+    }
+
+    /// Lays some blocks.
+    fn lay(&mut self) -> Option<()> {
+        let (site, cells) = (self.site.made()?, self.cells.made()?.cells());
+        self.laid.advance(|params, work| {
+            let wall = work.get_or_insert_with(|| Wall::new(site, params));
+            let step = (cells.len() / STEPS).clamp(1, MOST);
+            let end = wall.shown() + step;
+            wall.lay(cells, end);
+            let is_done = end >= cells.len();
+            let finished = if is_done { work.take() } else { None };
+            Ok(finished.map(|wall| Rc::new(wall.finish())))
+        })
+    }
+
+    fn make_blocks(&mut self) -> Option<()> {
+        let scene = self.laid.made()?;
+        let revision = self.laid.revision();
+        self.blocks.advance(|(), _| {
+            Ok(Some(WallScene {
+                digest: scene.digest(),
+                scene: scene.clone(),
+                laid: revision,
+            }))
+        })
+    }
+
+    fn make_still(&mut self) -> Option<()> {
+        let scene = &self.blocks.made()?.scene;
+        self.still.advance(|params, work| {
+            work.get_or_insert_with(|| StillRender::new(params, scene.clone()))
+                .advance()
+        })
+    }
+
+    /// Whether there is a scene of the present blocks, even if another look is wanted.
+    pub(super) fn has_blocks(&self) -> bool {
+        let is_laid = self.is_fresh(&self.laid);
+        let blocks = self.blocks.made().filter(|_| is_laid);
+        blocks.is_some_and(|blocks| blocks.laid == self.laid.revision())
+    }
+
+    /// The number of finished blocks.
+    pub(super) fn finished(&self) -> usize {
+        match (self.at(), self.begun(&self.laid)) {
+            (Some(at), _) if at < LAYING => 0,
+            (_, Some(wall)) => wall.shown(),
+            _ => self.cells.made().map_or(0, |laying| laying.cells().len()),
+        }
+    }
+}
+
+/// Why the module does not suit the building.
+fn refusal(fault: &PlanFault, params: &CellParams) -> Notice {
+    let millimetres = |metres: f64| (1e3 * metres).round() as usize;
+    let module = millimetres(params.laying.module.half);
+    match fault {
+        PlanFault::Module(_) => Notice::new(Code::MasonryJoint),
+        PlanFault::ModuleTooLarge { width, .. } => Notice::new(Code::MasonryLarge)
+            .with("module", module)
+            .with("width", millimetres(*width)),
+        PlanFault::TooNarrow { width, .. } => Notice::new(Code::MasonryNarrow)
+            .with("module", module)
+            .with("width", millimetres(*width)),
+    }
+}
