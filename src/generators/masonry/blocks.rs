@@ -5,15 +5,18 @@ use super::cuboid::Cuboid;
 use super::grain::WallGrain;
 use super::params::BlockParams;
 use super::site::Site;
-use crate::building::ExtraMesh;
+use crate::building::labels::ROOF;
+use crate::building::{Building, ExtraMesh};
 use crate::masonry::block::{Bevelled, BlockMesh, Polyhedron, Rough, Stonecutter};
-use crate::masonry::laying::{CellSort, MasonryCell};
+use crate::masonry::laying::{CellSort, Feature, MasonryCell};
+use crate::order::greater;
 use crate::random::{Purpose, Random};
 use crate::scene::{Body, Instance, Paint, Place, Scene};
 use crate::solid::Surface;
 use crate::surface_stones::Fit;
 use glam::{DQuat, DVec3, Vec3};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// The reach of ambient occlusion (metres).
 const REACH: f64 = 0.09;
@@ -21,14 +24,17 @@ const REACH: f64 = 0.09;
 const TURN: f64 = 0.006;
 const SHIFT: f64 = 0.002;
 /// Width of the edges of rounded stones, and the height of their bumps, at roughness 1 (metres).
-const BEVEL: f64 = 0.03;
+const BEVEL: f64 = 0.024;
 const BUMPS: f64 = 0.014;
+/// Mortar lies at least so far behind rounded stones, at roughness 1 (metres).
+const SUNK: f64 = 0.02;
 /// The colour of meshes that the pattern leaves white.
 const WHITE: [u8; 3] = [255; 3];
 
 /// A scene to which blocks are added as they are laid.
 pub(crate) struct Wall {
     scene: Scene,
+    building: Arc<Building>,
     fit: Fit,
     params: BlockParams,
     /// The bodies of cuboids, by their sizes and their material.
@@ -58,6 +64,7 @@ impl Wall {
         };
         Self {
             scene,
+            building: site.building.clone(),
             fit: site.fit,
             params: *params,
             shared: BTreeMap::new(),
@@ -81,7 +88,11 @@ impl Wall {
 
     fn add(&mut self, cell: &MasonryCell, number: u32) {
         let key = (self.params.seed, u64::from(number));
-        let (tint, material) = self.params.colours.of_cell(cell, key, self.params.vary);
+        let is_roof = self.has_label(cell, ROOF);
+        let (tint, material) = self
+            .params
+            .colours
+            .of_cell((cell, is_roof), key, self.params.vary);
         let Some((body, place)) = self.shape(cell, number, material) else {
             return;
         };
@@ -91,6 +102,16 @@ impl Wall {
             id: number + 1,
             paint: Some(Paint { tint, material }),
         });
+    }
+
+    /// Whether the feature of a cell has a label.
+    fn has_label(&self, cell: &MasonryCell, label: &str) -> bool {
+        let labels = match cell.feature {
+            Feature::Corner(id) => &self.building.corner(id).labels,
+            Feature::Edge(id) => &self.building.edge(id).labels,
+            Feature::Face(id) => &self.building.face(id).labels,
+        };
+        labels.iter().any(|own| own == label)
     }
 
     /// The body of a cell and where it stands; none if its joints take all of it.
@@ -219,7 +240,11 @@ fn add_plain(scene: &mut Scene, surface: Surface, (colour, material): ([u8; 3], 
 }
 
 fn add_mortar(scene: &mut Scene, site: &Site, params: &BlockParams) {
-    let mortar = site.mortar(params.recess);
+    let sunk = match params.colours.are_stone() {
+        true => SUNK * params.rough,
+        false => 0.0,
+    };
+    let mortar = site.mortar(greater(params.recess, sunk));
     let mesh = BlockMesh {
         positions: mortar.positions,
         triangles: mortar.triangles,

@@ -59,56 +59,61 @@ fn of_word(word: &str) -> Range {
     match word {
         "yellow" => range(
             &[
-                [196, 164, 112],
-                [204, 174, 124],
-                [184, 150, 98],
-                [190, 160, 116],
+                [165, 138, 94],
+                [171, 146, 104],
+                [155, 126, 82],
+                [160, 134, 97],
             ],
             0.11,
             BRICK_ROW,
         ),
         "dark" => range(
-            &[[92, 70, 64], [80, 62, 58], [104, 76, 66], [74, 60, 60]],
+            &[[77, 59, 54], [67, 52, 49], [87, 64, 55], [62, 50, 50]],
             0.14,
             BRICK_ROW,
         ),
         "white" => range(
-            &[[214, 210, 200], [206, 202, 192], [220, 216, 206]],
+            &[[180, 176, 168], [173, 170, 161], [185, 181, 173]],
             0.04,
             BRICK_ROW,
         ),
         "honey" => range(
             &[
-                [198, 172, 126],
-                [188, 160, 114],
-                [208, 184, 140],
-                [182, 158, 120],
+                [166, 144, 106],
+                [158, 134, 96],
+                [175, 155, 118],
+                [153, 133, 101],
             ],
             0.10,
             STONE_ROW,
         ),
         "grey" => range(
             &[
-                [150, 148, 142],
-                [138, 136, 132],
-                [160, 158, 150],
-                [142, 144, 144],
+                [126, 124, 119],
+                [116, 114, 111],
+                [134, 133, 126],
+                [119, 121, 121],
             ],
             0.12,
             STONE_ROW,
         ),
+        "slate" => range(
+            &[[74, 78, 86], [66, 70, 78], [82, 84, 90], [78, 76, 82]],
+            0.10,
+            STONE_ROW,
+        ),
         "pale" => range(
-            &[[212, 204, 184], [204, 196, 178], [218, 212, 196]],
+            &[[178, 171, 155], [171, 165, 150], [183, 178, 165]],
             0.06,
             STONE_ROW,
         ),
         _ => range(
             &[
-                [158, 82, 60],
-                [148, 72, 54],
-                [168, 92, 66],
-                [142, 74, 60],
-                [160, 86, 72],
+                [133, 69, 50],
+                [124, 60, 45],
+                [141, 77, 55],
+                [119, 62, 50],
+                [134, 72, 60],
             ],
             0.14,
             BRICK_ROW,
@@ -129,6 +134,11 @@ pub(super) fn type_of(feature: Feature) -> usize {
 }
 
 impl Colours {
+    /// Whether the wall is of stone.
+    pub fn are_stone(&self) -> bool {
+        of_word(self.walls).row == STONE_ROW
+    }
+
     /// The colour of the mortar.
     pub fn mortar(&self) -> [u8; 3] {
         match self.mortar {
@@ -139,19 +149,20 @@ impl Colours {
         }
     }
 
-    /// The colour of a cell, and its row of materials.
+    /// The colour of a cell, and its row of materials. Cells of roofs are slates.
     pub fn of_cell(
         &self,
-        cell: &MasonryCell,
+        (cell, is_roof): (&MasonryCell, bool),
         (seed, number): (u64, u64),
         vary: f64,
     ) -> ([u8; 3], u8) {
         if self.walls == "parts" {
             return (FEATURES[type_of(cell.feature)], BRICK_ROW);
         }
-        let word = match is_dressing(cell) && self.dressing != "same" {
-            true => self.dressing,
-            false => self.walls,
+        let word = match (is_roof, is_dressing(cell) && self.dressing != "same") {
+            (true, _) => "slate",
+            (false, true) => self.dressing,
+            (false, false) => self.walls,
         };
         let range = of_word(word);
         let mut random = Random::new(seed, Purpose::Paint, number);

@@ -2,12 +2,84 @@
 
 use crate::generators::Preset;
 
+/// A figure of the paper.
+const fn drawn(
+    [name, title, figure]: [&'static str; 3],
+    note: &'static str,
+    link: &'static str,
+) -> Preset {
+    Preset {
+        figure,
+        ..Preset::plain(["The paper's figures", name, title], note, link)
+    }
+}
+
 /// All presets, in the order of the page.
 #[rustfmt::skip]
 pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Buildings", "cottage", "Cottage"],
-        "Red brick with pale sills and lintels, in the light of an evening.",
-        "v=1&make=masonry&building=gabled&dressing=pale&az=35&el=24",
+        "Red brick with pale sills and lintels stands under slates in evening light.",
+        "v=1&make=masonry&building=gabled&dressing=pale&az=62&el=26",
+    ),
+    Preset::plain(
+        ["Buildings", "farmhouse", "Farmhouse"],
+        "Rough grey stones of many sizes turn every corner of an L-shaped house.",
+        "v=1&make=masonry&building=lhouse&pattern=ashlar&module=ashlar&rough=0.6&walls=grey",
+    ),
+    Preset::plain(
+        ["Buildings", "stone-house", "Stone house"],
+        "Honey-coloured ashlar frames its windows with long and short pale stones.",
+        "v=1&make=masonry&building=gabled&pattern=ashlar&module=ashlar&rough=0.45&walls=honey&dressing=pale",
+    ),
+    Preset::plain(
+        ["Buildings", "garden-wall", "Garden wall"],
+        "Three openings have a round, a straight and a segmental head in one wall.",
+        "v=1&make=masonry&building=wall&dressing=pale&az=60",
+    ),
+    Preset::plain(
+        ["Buildings", "brick-gate", "Gate"],
+        "Two rings of bricks on edge carry the wall above a round arch.",
+        "v=1&make=masonry&building=gate&walls=yellow",
+    ),
+    Preset::plain(
+        ["Buildings", "brick-steps", "Steps"],
+        "Bricks climb with the steps, and caps lie on the columns beside them.",
+        "v=1&make=masonry&building=steps&walls=dark",
+    ),
+    Preset::plain(
+        ["Buildings", "pentagon", "Pentagon"],
+        "Five walls cannot alternate at every corner until one column is added.",
+        "v=1&make=masonry&building=ring",
+    ),
+    drawn(
+        ["masonry7-a", "Block, RGB", "Fig. 7"],
+        "Blocks of corners are red, of edges green and of faces blue: the three passes of the method.",
+        "v=1&make=masonry&pattern=rgb&module=cube&walls=parts",
+    ),
+    drawn(
+        ["masonry7-b", "Block, bricks", "Fig. 7"],
+        "The running bond meets at every edge, since stretchers and headers alternate there.",
+        "v=1&make=masonry",
+    ),
+    drawn(
+        ["masonry7-c", "Block, ashlar", "Fig. 7"],
+        "Stones of random size fill the faces between alternating stones of the edges.",
+        "v=1&make=masonry&pattern=ashlar&module=ashlar&rough=0.5&walls=honey",
+    ),
+    drawn(
+        ["masonry7-d", "House, RGB", "Fig. 7"],
+        "The openings of a house have corners and edges of their own.",
+        "v=1&make=masonry&building=gabled&pattern=rgb&module=cube&walls=parts",
+    ),
+    drawn(
+        ["masonry7-g", "Gate, RGB", "Fig. 7"],
+        "The blocks of an arch's edge follow its curve.",
+        "v=1&make=masonry&building=gate&pattern=rgb&module=cube&walls=parts",
+    ),
+    drawn(
+        ["masonry7-i", "Gate, ashlar", "Fig. 7"],
+        "Voussoirs and a hood of thinner stones go round the arch.",
+        "v=1&make=masonry&building=gate&pattern=ashlar&module=ashlar&rough=0.5&walls=honey",
     ),
 ];
