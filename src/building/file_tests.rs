@@ -1,12 +1,13 @@
 //! Files: JSON reads back as it was written, OBJ is recognised, and bad files are refused.
 
-use super::tests::{built, drafts};
+use super::tests::{all, built};
 use super::*;
 use std::fmt::Write as _;
 
 #[test]
 fn json_reads_back_equal() {
-    for (name, mut draft) in drafts() {
+    for (name, draft, _) in all() {
+        let mut draft = draft.clone();
         draft.edge_labels.push(([0, 1], "Quoin \"x\"".into()));
         draft.corner_labels.push((1, "Finial".into()));
         draft.edge_flips.push([1, 2]);
