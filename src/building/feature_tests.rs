@@ -5,7 +5,7 @@ use super::*;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// How many corners have so many edges, convex ones and concave ones.
+/// The number of corners by their edges, convex edges and concave edges.
 fn classes(building: &Building) -> BTreeMap<[usize; 3], usize> {
     let mut all = BTreeMap::new();
     for corner in building.corners() {
