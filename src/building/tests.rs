@@ -317,9 +317,9 @@ pub(super) fn mapped(draft: &Draft, map: impl Fn(DVec3) -> DVec3, mirrors: bool)
 fn turning_and_mirroring_keep_all_features() {
     for (name, draft, building) in all() {
         let wanted = census(building);
-        let quarter = mapped(&draft, |p| DVec3::new(p.z, p.y, -p.x), false);
+        let quarter = mapped(draft, |p| DVec3::new(p.z, p.y, -p.x), false);
         assert_eq!(census(&built(name, &quarter)), wanted, "{name}");
-        let mirror = mapped(&draft, |p| DVec3::new(-p.x, p.y, p.z), true);
+        let mirror = mapped(draft, |p| DVec3::new(-p.x, p.y, p.z), true);
         assert_eq!(census(&built(name, &mirror)), wanted, "{name}");
     }
 }
