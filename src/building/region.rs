@@ -35,19 +35,27 @@ pub(super) fn unwrap(loops: &mut [SpotRing], period: f64) {
 
 /// The seam among these values of s that passes the fewest vertices and does not run along a side. Keep the first one.
 pub(super) fn best_seam(loops: &[SpotRing], period: f64, candidates: &[f64]) -> f64 {
-    let crossings = |seam: f64| {
-        let spots = loops.iter().flatten();
-        let off = |s: f64| (s - seam) / period - ((s - seam) / period).round();
-        spots
-            .filter(|spot| off(spot.at.x).abs() * period < ON_SEAM)
-            .count()
+    let within = |s: f64| s - period * (s / period).floor();
+    let mut all: Vec<f64> = loops
+        .iter()
+        .flatten()
+        .map(|spot| within(spot.at.x))
+        .collect();
+    // Spots near one end of the period are near the other end, too.
+    let ends = all.iter().flat_map(|&s| [s - period, s + period]);
+    let ends: Vec<f64> = ends
+        .filter(|s| (-ON_SEAM..=period + ON_SEAM).contains(s))
+        .collect();
+    all.extend(ends);
+    order::sort(&mut all, |&s| (rank(s), 0));
+    let passed = |seam: f64| {
+        let seam = within(seam);
+        let below = all.partition_point(|&s| s < seam - ON_SEAM);
+        all.partition_point(|&s| s < seam + ON_SEAM) - below
     };
-    let all = candidates.iter().map(|&seam| (crossings(seam), seam));
-    let best = all.fold(
-        (usize::MAX, 0.0),
-        |best, next| if next.0 < best.0 { next } else { best },
-    );
-    best.1
+    let counted = candidates.iter().map(|&seam| (passed(seam), seam));
+    let fewer = |best: (usize, f64), next: (usize, f64)| if next.0 < best.0 { next } else { best };
+    counted.fold((usize::MAX, 0.0), fewer).1
 }
 
 /// Cuts loops open at a seam. The rings lie within one period from it.
