@@ -1,5 +1,5 @@
-//! Tests of a draft as read: numbers, arcs and surfaces, one by one. What faces have to do with each other is tested
-//! when the meshes are made.
+//! Tests of a draft as read: numbers, arcs and surfaces, one by one. Faces that meet are tested when the
+//! meshes are made.
 
 use super::draft::{Draft, DraftArc, DraftFace};
 use super::fault::{
@@ -7,11 +7,12 @@ use super::fault::{
 };
 use super::ids::FaceId;
 use super::path::Path;
-use super::piece::Piece;
+use super::piece::{Arc, Piece};
 use super::surface::{Disk, Surface, Sweep};
 use crate::decimal;
 use glam::DVec3;
 use std::collections::BTreeSet;
+use std::f64::consts::TAU;
 
 /// How far a unit vector may be from one, and right angles from right ones.
 const UNIT: f64 = 1e-6;
@@ -199,7 +200,7 @@ fn arc_fault(draft: &Draft, arc: &DraftArc) -> Option<ArcFault> {
     is_bad.then_some(ArcFault::Radius)
 }
 
-/// What is wrong with a surface.
+/// The fault of a surface.
 fn surface_fault(surface: &Surface) -> Option<SurfaceFault> {
     match surface {
         Surface::Sweep(sweep) => sweep_fault(sweep),
@@ -225,6 +226,7 @@ fn path_fault(path: &Path) -> Option<SurfaceFault> {
         Piece::Line { .. } => piece.length() < SHORT,
         Piece::Arc(arc) => arc.radius < SHORT || piece.length() < SHORT,
     };
+    let turns = |piece: &Piece| matches!(piece, Piece::Arc(arc) if is_over(arc));
     let is_square = |piece: &Piece| match piece {
         Piece::Line { .. } => true,
         Piece::Arc(arc) => is_square(arc.x, arc.y),
@@ -232,6 +234,8 @@ fn path_fault(path: &Path) -> Option<SurfaceFault> {
     let pieces = path.pieces();
     if pieces.is_empty() || pieces.iter().any(is_short) {
         Some(SurfaceFault::NoLength)
+    } else if pieces.iter().any(turns) {
+        Some(SurfaceFault::Turns)
     } else if !pieces.iter().all(is_square) {
         Some(SurfaceFault::Direction)
     } else if path.widest_gap() > OFF_SURFACE {
@@ -239,6 +243,11 @@ fn path_fault(path: &Path) -> Option<SurfaceFault> {
     } else {
         (path.sharpest_turn() > KINK).then_some(SurfaceFault::Kink)
     }
+}
+
+/// Whether an arc runs around its circle more than once.
+fn is_over(arc: &Arc) -> bool {
+    (arc.to - arc.from).abs() > TAU + UNIT
 }
 
 /// Whether two vectors are unit vectors at right angles.
@@ -251,6 +260,9 @@ fn disk_fault(disk: &Disk) -> Option<SurfaceFault> {
     let rim = disk.rim();
     if rim.radius < SHORT || rim.to - rim.from < SHORT {
         return Some(SurfaceFault::NoLength);
+    }
+    if is_over(rim) {
+        return Some(SurfaceFault::Turns);
     }
     let is_right = is_square(rim.x, rim.y) && is_square(rim.x, disk.normal());
     (!is_right).then_some(SurfaceFault::Direction)

@@ -304,3 +304,62 @@ fn own_labels_win() {
     draft.faces[4].labels.push("Glass".into());
     assert_eq!(edge(&built("glass", &draft)).0, "Glass");
 }
+
+/// Changes one thing of a draft at random.
+fn spoil(draft: &mut Draft, random: &mut crate::random::Random) {
+    let mut pick = |n: usize| (random.unit() * n as f64) as usize;
+    let (face, vertex) = (pick(draft.faces.len()), pick(draft.vertices.len()));
+    let (kind, other) = (pick(10), pick(draft.vertices.len()));
+    let ring = pick(draft.faces[face].loops.len());
+    let first = draft.faces[0].surface.clone();
+    let own = &mut draft.faces[face];
+    let at = pick(own.loops[ring].len());
+    match kind {
+        0 => draft.vertices[vertex].x += 0.3,
+        1 => draft.vertices[vertex] = draft.vertices[other],
+        2 => own.loops[ring][at] = vertex as u32,
+        3 => own.loops[ring].reverse(),
+        4 => drop(own.loops[ring].remove(at)),
+        5 => drop(draft.faces.remove(face)),
+        6 => drop(own.loops.swap_remove(ring)),
+        7 => draft.arcs.truncate(at),
+        8 => own.surface = first,
+        _ => draft.vertices[vertex].y *= -1.0,
+    }
+}
+
+/// Whether there is something left to spoil.
+fn has_loops(draft: &Draft) -> bool {
+    let is_whole =
+        |face: &DraftFace| !face.loops.is_empty() && face.loops.iter().all(|ring| !ring.is_empty());
+    !draft.faces.is_empty() && draft.faces.iter().all(is_whole)
+}
+
+#[test]
+fn spoilt_drafts_are_refused_or_built() {
+    let (mut built, mut refused) = (0, 0);
+    for (k, rule) in Rule::ALL.into_iter().enumerate() {
+        for seed in 0..40 {
+            let mut random =
+                crate::random::Random::new(seed, crate::random::Purpose::Noise, k as u64);
+            let mut draft = rule.draft(&Module::NORMAL, &[]);
+            for _ in 0..1 + seed % 3 {
+                if has_loops(&draft) {
+                    spoil(&mut draft, &mut random);
+                }
+            }
+            match Building::new(&draft) {
+                Ok(building) => {
+                    built += 1;
+                    let joined = building
+                        .edges()
+                        .iter()
+                        .filter(|edge| edge.bend != Bend::Open);
+                    assert!(joined.into_iter().all(|edge| edge.faces[1].is_some()));
+                }
+                Err(_) => refused += 1,
+            }
+        }
+    }
+    assert!(built > 20 && refused > 100, "{built} {refused}");
+}

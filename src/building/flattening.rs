@@ -29,10 +29,8 @@ pub(super) struct Walked<'a> {
 pub(super) struct Flat {
     /// Its rings in s and t.
     pub rings: Vec<SpotRing>,
-    /// Its triangles, and the surface coordinates of new vertices inside.
+    /// Its triangles. New vertices inside are in s and t; those of a disk are in its plane, see [`from_plane`].
     pub triangles: Vec<[TriangleCorner; 3]>,
-    /// Leads from the coordinates of [`TriangleCorner::Inner`] to space.
-    pub is_polar: bool,
 }
 
 /// Flattens the loops of a face, and triangulates its region.
@@ -114,11 +112,7 @@ fn flatten_sweep(
     apart(face, &rings, |at| surface.frame(at.x, at.y).origin)?;
     let inside_out = |_| BuildingFault::InsideOut { face };
     let triangles = triangles::triangulate(&rings, &strips).map_err(inside_out)?;
-    Ok(Flat {
-        rings,
-        triangles,
-        is_polar: false,
-    })
+    Ok(Flat { rings, triangles })
 }
 
 /// The values of s at which a swept face bends: the joints of its profile, and the places where its arcs are cut. On a
@@ -211,7 +205,6 @@ fn flatten_disk(
     Ok(Flat {
         rings: polar(disk, surface, loops).map_err(unbounded)?,
         triangles,
-        is_polar: true,
     })
 }
 

@@ -41,7 +41,6 @@ pub fn read(text: &str) -> Read<Draft> {
     check_head(&value)?;
     let labels = root.get("labels");
     let flip = root.get("flip");
-    let part = |of: &Option<At<'_>>, name: &str| of.as_ref().and_then(|of| of.get(name));
     Ok(Draft {
         vertices: root.need("v")?.each(At::vector)?,
         arcs: root.each_of("arcs", read_arc)?,
@@ -53,6 +52,11 @@ pub fn read(text: &str) -> Read<Draft> {
         extras: root.each_of("extras", read_extra)?,
         ground: root.get("ground").map(|at| at.number()).transpose()?,
     })
+}
+
+/// The value under a name of an object that may be missing.
+fn part<'a>(of: &Option<At<'a>>, name: &str) -> Option<At<'a>> {
+    of.as_ref()?.get(name)
 }
 
 /// Tests version and unit.
@@ -71,7 +75,7 @@ fn check_head(value: &Value) -> Read<()> {
 }
 
 /// The items of a list that may be missing.
-fn each<T>(list: Option<At<'_>>, read: impl Fn(&At<'_>) -> Read<T>) -> Read<Vec<T>> {
+fn each<'a, T>(list: Option<At<'a>>, read: impl Fn(&At<'a>) -> Read<T>) -> Read<Vec<T>> {
     list.map_or(Ok(Vec::new()), |list| list.each(read))
 }
 
@@ -101,7 +105,7 @@ impl<'a> At<'a> {
         })
     }
 
-    fn each_of<T>(&self, name: &str, read: impl Fn(&At<'_>) -> Read<T>) -> Read<Vec<T>> {
+    fn each_of<T>(&self, name: &str, read: impl Fn(&At<'a>) -> Read<T>) -> Read<Vec<T>> {
         each(self.get(name), read)
     }
 
@@ -114,7 +118,7 @@ impl<'a> At<'a> {
         Ok(list.iter().enumerate().map(item).collect())
     }
 
-    fn each<T>(&self, read: impl Fn(&At<'_>) -> Read<T>) -> Read<Vec<T>> {
+    fn each<T>(&self, read: impl Fn(&At<'a>) -> Read<T>) -> Read<Vec<T>> {
         self.list()?.iter().map(read).collect()
     }
 

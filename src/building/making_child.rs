@@ -3,7 +3,7 @@
 use super::child::{Polygon, PolygonEdge, Vertex};
 use super::draft::Draft;
 use super::facets;
-use super::fault::BuildingFault;
+use super::fault::{BuildingFault, MOST_SIDES};
 use super::flattening::{self, Flat, Walked};
 use super::ids::{FaceId, PolygonEdgeId, PolygonId, VertexId};
 use super::piece::Piece;
@@ -13,6 +13,9 @@ use super::triangles::TriangleCorner;
 use super::wings::Wings;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
+
+/// The most vertices that arcs may be cut to.
+const MOST_VERTICES: usize = 2 * MOST_SIDES;
 
 /// The child mesh, and what the parent mesh needs of it.
 pub(super) struct Child {
@@ -34,6 +37,10 @@ pub(super) struct Child {
 pub(super) fn make(draft: &Draft, sides: &Sides) -> Result<Child, BuildingFault> {
     let mut positions = sides.positions.clone();
     let along = cut_arcs(sides, &mut positions);
+    if positions.len() > MOST_VERTICES {
+        let sides = positions.len();
+        return Err(BuildingFault::TooManySides { sides });
+    }
     let (mut rings, mut polygons) = (Vec::new(), Vec::new());
     for (k, loops) in sides.loops.iter().enumerate() {
         let face = FaceId(k as u32);
@@ -100,6 +107,9 @@ fn check_sides(
 fn cut_arcs(sides: &Sides, positions: &mut Vec<DVec3>) -> Vec<Vec<u32>> {
     let mut along: Vec<Vec<u32>> = Vec::with_capacity(sides.sides.len());
     for (k, side) in sides.sides.iter().enumerate() {
+        if positions.len() > MOST_VERTICES {
+            break;
+        }
         if let Some(twin) = side.twin.filter(|&twin| twin < k) {
             let back = along[twin].iter().rev().copied().collect();
             along.push(back);

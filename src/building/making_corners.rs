@@ -6,9 +6,9 @@ use super::parent::EdgeEnd;
 use super::sides::{Side, Sides, key};
 use std::collections::BTreeMap;
 
-/// What meets at a corner, counter-clockwise seen from outside.
+/// The edges and faces at a corner, counter-clockwise seen from outside.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Around {
+pub(super) struct CornerFan {
     pub vertex: u32,
     pub edges: Vec<EdgeEnd>,
     /// The face behind each edge; none behind the last one at a border.
@@ -17,10 +17,10 @@ pub(super) struct Around {
     pub fans: usize,
 }
 
-/// What meets at each corner.
-pub(super) fn around(sides: &Sides, chains: &Chains) -> Vec<Around> {
+/// The edges and faces at each corner.
+pub(super) fn around(sides: &Sides, chains: &Chains) -> Vec<CornerFan> {
     let all = &sides.sides;
-    let mut around = vec![Around::default(); chains.corners];
+    let mut around = vec![CornerFan::default(); chains.corners];
     let mut leaving: Vec<Vec<usize>> = vec![Vec::new(); chains.corners];
     for (k, side) in all.iter().enumerate() {
         if let Some(corner) = chains.corner[side.from as usize] {
@@ -42,7 +42,7 @@ pub(super) fn around(sides: &Sides, chains: &Chains) -> Vec<Around> {
 }
 
 /// Adds the edges and faces of a fan, from its first side on.
-fn fan(sides: &[Side], chains: &Chains, first: usize, to: &mut Around, used: &mut Vec<usize>) {
+fn fan(sides: &[Side], chains: &Chains, first: usize, to: &mut CornerFan, used: &mut Vec<usize>) {
     to.fans += 1;
     let mut k = first;
     loop {

@@ -46,6 +46,7 @@ mod sides;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod thickening;
 mod thickness;
 mod triangles;
 mod whole;
@@ -60,7 +61,7 @@ pub use fault::{
 };
 pub use fit::{Misfit, ThinWall};
 pub use ids::{CornerId, EdgeId, FaceId, PolygonEdgeId, PolygonId, VertexId};
-pub use json_writing::write;
+pub use json_writing::write_json;
 pub use mortar::Mortar;
 pub use parent::{Corner, Edge, EdgeEnd, EdgeUse, Face, Stance};
 pub use path::Path;

@@ -9,7 +9,7 @@
 
 use super::draft::{Draft, DraftArc, DraftFace};
 use super::fault::BuildingFault;
-use super::recognising::{self, Bow, Facet, Facets};
+use super::recognising::{self, Bow, Facet, FacetModel};
 use super::rules::flat_surface;
 use crate::domain::signed_area;
 use crate::modelfiles::PolygonModel;
@@ -54,7 +54,7 @@ const NO_LABELS: [&str; 4] = ["default", "off", "(null)", "none"];
 /// meet along an edge, or [`BuildingFault::Empty`].
 pub fn read(bytes: &[u8]) -> Result<Recognised, BuildingFault> {
     let model = PolygonModel::read(bytes).map_err(BuildingFault::NotObj)?;
-    let facets = Facets::new(&model)?;
+    let facets = FacetModel::new(&model)?;
     let bows = recognising::bows(&facets);
     let mut draft = Draft {
         vertices: facets.positions.clone(),
@@ -132,7 +132,7 @@ fn labels(names: &[String]) -> Vec<String> {
 
 /// The loops around facets: the sides that no other one of them has. Where loops touch, each goes on with the side of
 /// the lowest number.
-fn outline(facets: &Facets, members: &[usize]) -> Vec<Vec<u32>> {
+fn outline(facets: &FacetModel, members: &[usize]) -> Vec<Vec<u32>> {
     let sides = members.iter().flat_map(|&k| &facets.all[k].sides);
     let all: BTreeSet<(u32, u32)> = sides.copied().collect();
     let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
@@ -152,7 +152,7 @@ fn outline(facets: &Facets, members: &[usize]) -> Vec<Vec<u32>> {
 }
 
 /// Puts the loop with the greatest area first.
-fn outer_first(facets: &Facets, facet: &Facet, loops: &mut [Vec<u32>]) {
+fn outer_first(facets: &FacetModel, facet: &Facet, loops: &mut [Vec<u32>]) {
     let (x, y) = facet.axes();
     let area = |ring: &Vec<u32>| {
         let flat = |&v: &u32| {
@@ -167,7 +167,7 @@ fn outer_first(facets: &Facets, facet: &Facet, loops: &mut [Vec<u32>]) {
 }
 
 /// The sides of a curved face's loops that run around its axis.
-fn arcs(facets: &Facets, bow: &Bow, loops: &[Vec<u32>]) -> Vec<DraftArc> {
+fn arcs(facets: &FacetModel, bow: &Bow, loops: &[Vec<u32>]) -> Vec<DraftArc> {
     let mut arcs = Vec::new();
     for ring in loops {
         let next = ring.iter().cycle().skip(1);

@@ -43,7 +43,7 @@ impl Facet {
 }
 
 /// The facets of a model.
-pub(super) struct Facets {
+pub(super) struct FacetModel {
     /// The welded vertices.
     pub positions: Vec<DVec3>,
     pub all: Vec<Facet>,
@@ -52,7 +52,7 @@ pub(super) struct Facets {
     pub degenerate: usize,
 }
 
-impl Facets {
+impl FacetModel {
     /// Joins polygons in one plane to facets.
     ///
     /// # Errors
@@ -229,7 +229,7 @@ struct Joint {
 }
 
 /// The curved faces, in the order of their first facets.
-pub(super) fn bows(facets: &Facets) -> Vec<Bow> {
+pub(super) fn bows(facets: &FacetModel) -> Vec<Bow> {
     let joints: Vec<Joint> = joints(facets);
     let mut of_piece: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for (k, joint) in joints.iter().enumerate() {
@@ -273,7 +273,7 @@ fn is_same_circle(a: &Joint, b: &Joint) -> bool {
 }
 
 /// The joints at which pieces turn a little along a side.
-fn joints(facets: &Facets) -> Vec<Joint> {
+fn joints(facets: &FacetModel) -> Vec<Joint> {
     let mut joints = Vec::new();
     for (&(a, b), &left) in facets.of_side.iter().filter(|((a, b), _)| a < b) {
         let Some(&right) = facets.of_side.get(&(b, a)) else {
@@ -281,7 +281,7 @@ fn joints(facets: &Facets) -> Vec<Joint> {
         };
         let (f, g) = (&facets.all[left], &facets.all[right]);
         let turn = libm::atan2(f.normal.cross(g.normal).length(), f.normal.dot(g.normal));
-        if left == right || f.group != g.group || turn > SHARPEST || turn < SAME_PLANE {
+        if left == right || f.group != g.group || !(SAME_PLANE..=SHARPEST).contains(&turn) {
             continue;
         }
         let place = |v: u32| facets.positions[v as usize];
@@ -316,7 +316,7 @@ fn upwards(axis: DVec3) -> DVec3 {
 }
 
 /// The vertex of a facet that is the farthest from a joint, across the axis.
-fn far_end(facets: &Facets, facet: usize, axis: DVec3, from: DVec3) -> DVec3 {
+fn far_end(facets: &FacetModel, facet: usize, axis: DVec3, from: DVec3) -> DVec3 {
     let away = |v: u32| {
         let d = facets.positions[v as usize] - from;
         (d - axis * d.dot(axis)).length_squared()
@@ -347,7 +347,7 @@ fn circle(p: DVec3, q: DVec3, r: DVec3) -> Option<(DVec3, f64)> {
 }
 
 /// A curved face of pieces. Its centre is that of a joint, so all joints lie on its circle.
-fn bow(facets: &Facets, joint: &Joint, members: Vec<usize>) -> Bow {
+fn bow(facets: &FacetModel, joint: &Joint, members: Vec<usize>) -> Bow {
     let x = super::facets::perpendicular(joint.axis);
     let y = joint.axis.cross(x);
     let vertices = members.iter().flat_map(|&k| &facets.all[k].sides);
@@ -373,22 +373,25 @@ fn bow(facets: &Facets, joint: &Joint, members: Vec<usize>) -> Bow {
 
 /// Whether a cylinder can stand for the pieces: all vertices lie on it, and each side of its outline runs along the axis
 /// or around it, where it meets a plane across the axis, a border, or another curved piece of the same kind.
-fn is_possible(facets: &Facets, bow: &Bow) -> bool {
+fn is_possible(facets: &FacetModel, bow: &Bow) -> bool {
     let place = |v: u32| facets.positions[v as usize];
     let radius = |v: u32| {
         let d = place(v) - bow.centre;
         (d - bow.axis * d.dot(bow.axis)).length()
     };
     let own = |k: &usize| bow.facets.contains(k);
-    bow.facets
-        .iter()
-        .flat_map(|&k| &facets.all[k].sides)
-        .all(|&(a, b)| {
-            let side = place(b) - place(a);
-            let across = facets.of_side.get(&(b, a));
-            let meets = across.is_none_or(|k| own(k) || is_along(bow.axis, facets.all[*k].normal));
-            let is_around = side.dot(bow.axis).abs() < SAME_PLACE * side.length();
-            (radius(a) - bow.radius).abs() < SAME_PLACE
-                && (bow.is_ruling(place(a), place(b)) || (is_around && meets))
-        })
+    let fits = |piece: usize, (a, b): (u32, u32)| {
+        let (side, across) = (place(b) - place(a), facets.of_side.get(&(b, a)));
+        if across == Some(&piece) {
+            // A side between two polygons of one piece bounds nothing.
+            return true;
+        }
+        let meets = across.is_none_or(|k| own(k) || is_along(bow.axis, facets.all[*k].normal));
+        let is_around = side.dot(bow.axis).abs() < SAME_PLACE * side.length();
+        bow.is_ruling(place(a), place(b)) || (is_around && meets)
+    };
+    bow.facets.iter().all(|&piece| {
+        let mut sides = facets.all[piece].sides.iter();
+        sides.all(|&side| (radius(side.0) - bow.radius).abs() < SAME_PLACE && fits(piece, side))
+    })
 }

@@ -110,13 +110,15 @@ pub(super) fn weld(vertices: &[DVec3]) -> (Vec<DVec3>, Vec<u32>) {
 }
 
 type ArcTable<'a> = BTreeMap<(u32, u32), (&'a DraftArc, u32)>;
+/// The numbers of arcs by their welded vertices.
+type ArcNumbers = BTreeMap<(u32, u32), usize>;
 
 /// The arcs by their welded vertices, each with the one at which it starts; and their numbers.
 fn arc_table<'a>(
     draft: &'a Draft,
     welded: &[u32],
-) -> Result<(ArcTable<'a>, BTreeMap<(u32, u32), usize>), BuildingFault> {
-    let (mut table, mut numbers) = (ArcTable::new(), BTreeMap::new());
+) -> Result<(ArcTable<'a>, ArcNumbers), BuildingFault> {
+    let (mut table, mut numbers) = (ArcTable::new(), ArcNumbers::new());
     for (k, arc) in draft.arcs.iter().enumerate() {
         let [from, to] = [arc.from, arc.to].map(|v| welded[v as usize]);
         numbers.insert(key(from, to), k);

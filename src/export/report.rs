@@ -101,7 +101,7 @@ impl Report {
     }
 }
 
-// serde_json is a dependency of native builds only.
+// Without the feature house, serde_json is a dependency of native builds only.
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;

@@ -2,7 +2,7 @@
 
 use super::Module;
 use super::drafting::Drafting;
-use super::openings::{Head, Opening, WallPlane, spread, wall_face};
+use super::openings::{Opening, OpeningHead, WallPlane, spread, wall_face};
 use crate::building::draft::Draft;
 use crate::building::labels::ROOF;
 use glam::{DVec2, DVec3};
@@ -37,7 +37,7 @@ pub(super) fn gabled(module: &Module, n: &[f64]) -> Draft {
         width: 6.0,
         bottom: WINDOW[0],
         springing: WINDOW[1],
-        head: Head::of(n[5]),
+        head: OpeningHead::of(n[5]),
         is_door: false,
     };
     house.long_walls(&mut to, module, [n[0], n[4]], &window);
@@ -105,7 +105,7 @@ impl House {
             width: 4.0,
             bottom,
             springing,
-            head: Head::Round,
+            head: OpeningHead::Round,
             is_door: false,
         })
     }

@@ -13,11 +13,13 @@ pub(crate) mod numbers;
 mod openings;
 mod plain;
 mod steps;
+#[cfg(test)]
+mod tests;
 mod tower;
 mod walls;
 
 pub(super) use drafting::flat_surface;
-pub use openings::Head;
+pub use openings::OpeningHead;
 
 use super::draft::Draft;
 use crate::shapes::ShapeNumber;

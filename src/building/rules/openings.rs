@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 
 /// The head of an opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Head {
+pub enum OpeningHead {
     /// A level lintel.
     Straight,
     /// An arc of less than half a circle.
@@ -21,7 +21,7 @@ pub enum Head {
     Round,
 }
 
-impl Head {
+impl OpeningHead {
     /// The head with this number: 0, 1 or 2.
     pub(super) fn of(number: f64) -> Self {
         match number as u32 {
@@ -45,7 +45,7 @@ pub(super) struct Opening {
     pub bottom: f64,
     /// The course at which the head begins.
     pub springing: f64,
-    pub head: Head,
+    pub head: OpeningHead,
     pub is_door: bool,
 }
 
@@ -81,7 +81,7 @@ pub(super) struct Reveal {
     corners: [DVec2; 4],
     /// The centre of the head's circle.
     centre: Option<DVec2>,
-    head: Head,
+    head: OpeningHead,
     /// The labels of its faces, and the one more of the curved ones.
     labels: &'static [&'static str],
 }
@@ -97,9 +97,9 @@ impl Opening {
         let corners = [(left, bottom), (left, top), (right, top), (right, bottom)];
         let (span, middle) = (right - left, 0.5 * (left + right));
         let drop = match self.head {
-            Head::Straight => None,
-            Head::Segmental => Some(span * (0.125 / RISE - 0.5 * RISE)),
-            Head::Round => Some(0.0),
+            OpeningHead::Straight => None,
+            OpeningHead::Segmental => Some(span * (0.125 / RISE - 0.5 * RISE)),
+            OpeningHead::Round => Some(0.0),
         };
         Reveal {
             corners: corners.map(DVec2::from),
@@ -159,7 +159,7 @@ impl Reveal {
             Surface::Sweep(sweep)
         };
         let line = |from, to| Piece::Line { from, to };
-        if let (Head::Round, Some(bow)) = (self.head, bow) {
+        if let (OpeningHead::Round, Some(bow)) = (self.head, bow) {
             let profile = vec![line(br, tr), bow, line(tl, bl)];
             let ring = vec![br, tr, tl, bl, bl2, tl2, tr2, br2];
             to.face(&curved, through(profile), &[ring]);
@@ -180,7 +180,7 @@ impl Reveal {
         let span = self.corners[2] - self.corners[1];
         let d = self.corners[2] - centre;
         let angle = match self.head {
-            Head::Round => PI,
+            OpeningHead::Round => PI,
             _ => 2.0 * libm::atan2(0.5 * span.x, d.y),
         };
         let start = plane.at(self.corners[2], 0.0);

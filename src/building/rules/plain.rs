@@ -2,7 +2,7 @@
 
 use super::Module;
 use super::drafting::{Drafting, flat_surface};
-use super::openings::{Head, Opening, WallPlane, spread, wall_face};
+use super::openings::{Opening, OpeningHead, WallPlane, spread, wall_face};
 use crate::building::draft::{Draft, DraftFace};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
@@ -86,7 +86,7 @@ pub(super) fn l_house(module: &Module, n: &[f64]) -> Draft {
         width: 6.0,
         bottom: 10.0,
         springing: 19.0,
-        head: Head::of(n[6]),
+        head: OpeningHead::of(n[6]),
         is_door: false,
     };
     for (k, [a, b]) in sides(&plan).enumerate() {

@@ -2,7 +2,7 @@
 
 use super::Module;
 use super::drafting::Drafting;
-use super::openings::{Head, Opening, Reveal, WallPlane};
+use super::openings::{Opening, OpeningHead, Reveal, WallPlane};
 use crate::building::draft::Draft;
 use glam::{DVec2, DVec3};
 
@@ -73,13 +73,17 @@ pub(super) fn wall(module: &Module, n: &[f64]) -> Draft {
     let gap = ((length - widths.iter().sum::<f64>()) / 4.0)
         .max(2.0)
         .floor();
-    let heads = [Head::Straight, Head::of(n[4]), Head::Straight];
+    let heads = [
+        OpeningHead::Straight,
+        OpeningHead::of(n[4]),
+        OpeningHead::Straight,
+    ];
     let mut left = gap;
     let mut holes = Vec::new();
     for (width, head) in widths.into_iter().zip(heads) {
         // Round heads rise above the springing by half their width.
         let rise = match head {
-            Head::Straight => 0.0,
+            OpeningHead::Straight => 0.0,
             _ => (0.5 * width * module.half / module.course).ceil(),
         };
         let opening = Opening {
@@ -116,7 +120,7 @@ pub(super) fn gate(module: &Module, n: &[f64]) -> Draft {
         width: span,
         bottom: 0.0,
         springing,
-        head: Head::Round,
+        head: OpeningHead::Round,
         is_door: false,
     };
     let reveal = arch.reveal(module).plain();
