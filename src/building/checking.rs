@@ -1,5 +1,5 @@
-//! Tests of a draft as read: numbers, arcs and surfaces, one by one. What faces have to do with each other is tested
-//! when the meshes are made.
+//! Tests of a draft as read: numbers, arcs and surfaces, one by one. Faces that meet are tested when the
+//! meshes are made.
 
 use super::draft::{Draft, DraftArc, DraftFace};
 use super::fault::{
@@ -200,7 +200,7 @@ fn arc_fault(draft: &Draft, arc: &DraftArc) -> Option<ArcFault> {
     is_bad.then_some(ArcFault::Radius)
 }
 
-/// What is wrong with a surface.
+/// The fault of a surface.
 fn surface_fault(surface: &Surface) -> Option<SurfaceFault> {
     match surface {
         Surface::Sweep(sweep) => sweep_fault(sweep),

@@ -57,7 +57,7 @@ pub struct DraftFace {
 /// A mesh that carries no masonry.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ExtraMesh {
-    /// What it is, such as `pane` or `rail`.
+    /// Its kind, such as `pane` or `rail`.
     pub name: String,
     /// A word for its material, such as `glass`, `wood` or `iron`.
     pub material: String,

@@ -5,11 +5,11 @@ use glam::DVec3;
 
 /// Coordinates and lengths beyond this are refused (metres).
 pub const FARTHEST: f64 = 1e4;
-/// A building has at most so many faces.
+/// The most faces of a building.
 pub const MOST_FACES: usize = 4000;
-/// A building has at most so many sides of loops, and its extra meshes at most so many triangles.
+/// The most sides of loops, and the most triangles of extra meshes.
 pub const MOST_SIDES: usize = 200_000;
-/// A loop may lie off its surface by so much (metres).
+/// The greatest distance of a loop from its surface (metres).
 pub const OFF_SURFACE: f64 = 1e-3;
 
 /// Why a model is no building.
@@ -81,7 +81,7 @@ pub enum BuildingFault {
     BadArc {
         /// The number of the arc in the draft.
         arc: usize,
-        /// What is wrong.
+        /// The fault.
         why: ArcFault,
     },
     /// A face has no parameterisation.
@@ -93,7 +93,7 @@ pub enum BuildingFault {
     BadSurface {
         /// The face.
         face: FaceId,
-        /// What is wrong.
+        /// The fault.
         why: SurfaceFault,
     },
     /// A loop lies off its surface by more than [`OFF_SURFACE`].
@@ -140,7 +140,7 @@ pub enum BuildingFault {
     },
 }
 
-/// What is wrong with an arc.
+/// The fault of an arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArcFault {
     /// The axis is the zero vector.
@@ -153,7 +153,7 @@ pub enum ArcFault {
     Twice,
 }
 
-/// What is wrong with a parameterisation.
+/// The fault of a parameterisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SurfaceFault {
     /// A profile has no piece, a piece has no length, or a radius is not above 0.
@@ -170,7 +170,7 @@ pub enum SurfaceFault {
     Unbounded,
 }
 
-/// What is odd about a building. It is built nevertheless.
+/// An oddity of a building, which is built nevertheless.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BuildingWarning {
     /// Edges with one face: ground lines, single walls. They carry no cells.

@@ -311,6 +311,7 @@ fn spoil(draft: &mut Draft, random: &mut crate::random::Random) {
     let (face, vertex) = (pick(draft.faces.len()), pick(draft.vertices.len()));
     let (kind, other) = (pick(10), pick(draft.vertices.len()));
     let ring = pick(draft.faces[face].loops.len());
+    let first = draft.faces[0].surface.clone();
     let own = &mut draft.faces[face];
     let at = pick(own.loops[ring].len());
     match kind {
@@ -322,7 +323,7 @@ fn spoil(draft: &mut Draft, random: &mut crate::random::Random) {
         5 => drop(draft.faces.remove(face)),
         6 => drop(own.loops.swap_remove(ring)),
         7 => draft.arcs.truncate(at),
-        8 => own.surface = draft.faces[0].surface.clone(),
+        8 => own.surface = first,
         _ => draft.vertices[vertex].y *= -1.0,
     }
 }

@@ -1,11 +1,11 @@
 //! Properties of features: classes of corners, angles of edges, sizes in modules.
 
-use super::tests::{built, drafts};
+use super::tests::{all, built};
 use super::*;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// How many corners have so many edges, convex ones and concave ones.
+/// The number of corners by their edges, convex edges and concave edges.
 fn classes(building: &Building) -> BTreeMap<[usize; 3], usize> {
     let mut all = BTreeMap::new();
     for corner in building.corners() {
@@ -83,8 +83,7 @@ fn dihedral_angles_are_those_of_the_solid() {
 #[test]
 fn sizes_are_counted_as_masons_do() {
     let module = Module::NORMAL;
-    for (name, draft) in drafts() {
-        let building = built(&name, &draft);
+    for (name, _, building) in all() {
         let is_plain = ["block", "lhouse", "wall"]
             .iter()
             .any(|rule| name.starts_with(rule));
@@ -107,8 +106,7 @@ fn sizes_are_counted_as_masons_do() {
 
 #[test]
 fn edges_are_walked_by_their_first_face() {
-    for (name, draft) in drafts() {
-        let building = built(&name, &draft);
+    for (name, _, building) in all() {
         for id in building.edge_ids() {
             let frame = building.edge_frame(id, 0.5 * building.edge(id).length());
             for (side, face) in building.edge(id).faces.iter().enumerate() {

@@ -1,17 +1,18 @@
 //! Files: JSON reads back as it was written, OBJ is recognised, and bad files are refused.
 
-use super::tests::{built, drafts};
+use super::tests::{all, built};
 use super::*;
 use std::fmt::Write as _;
 
 #[test]
 fn json_reads_back_equal() {
-    for (name, mut draft) in drafts() {
+    for (name, draft, _) in all() {
+        let mut draft = draft.clone();
         draft.edge_labels.push(([0, 1], "Quoin \"x\"".into()));
         draft.corner_labels.push((1, "Finial".into()));
         draft.edge_flips.push([1, 2]);
         draft.corner_flips.push(2);
-        assert_eq!(json::read(&write(&draft)), Ok(draft), "{name}");
+        assert_eq!(json::read(&write_json(&draft)), Ok(draft), "{name}");
     }
 }
 
@@ -43,7 +44,7 @@ fn the_example_of_the_documentation_is_a_building() {
 
 /// A block as JSON, with one part of the text replaced.
 fn replaced(from: &str, to: &str) -> BuildingFault {
-    let text = write(&Rule::Block.draft(&Module::NORMAL, &[]));
+    let text = write_json(&Rule::Block.draft(&Module::NORMAL, &[]));
     assert!(text.contains(from), "{from}");
     json::read(&text.replacen(from, to, 1)).unwrap_err()
 }
@@ -98,7 +99,7 @@ fn bad_json_is_refused_with_its_place() {
 
 #[test]
 fn a_face_without_a_parameterisation_is_read_and_refused() {
-    let text = write(&Rule::Block.draft(&Module::NORMAL, &[]));
+    let text = write_json(&Rule::Block.draft(&Module::NORMAL, &[]));
     let draft = json::read(&text.replacen("\"param\"", "\"other\"", 1)).unwrap();
     let face = FaceId(0);
     assert_eq!(

@@ -9,11 +9,11 @@ use super::whole::Building;
 use crate::order::{self, rank};
 use crate::trimesh::MeshFault;
 
-/// Less than so many modules between corners are none.
+/// The least interval between corners, in modules.
 const LEAST_INTERVAL: f64 = 0.5;
-/// A wall needs so many modules from end to end.
+/// The least width of a wall, in modules.
 const LEAST_WIDTH: f64 = 2.0;
-/// A wall needs so many modules of depth, and is odd below one.
+/// The least depth of a wall, in modules; below one it is odd.
 const LEAST_DEPTH: f64 = 0.5;
 
 /// Why a module cannot be laid on a building.

@@ -8,7 +8,7 @@ use glam::DVec3;
 use serde_json::{Map, Value, json};
 
 /// The draft as JSON. Numbers that are none become null, so only a draft that makes a building reads back.
-pub fn write(draft: &Draft) -> String {
+pub fn write_json(draft: &Draft) -> String {
     let mut root = Map::new();
     let mut put = |name: &str, value: Value| root.insert(name.to_owned(), value);
     put("version", json!(VERSION));

@@ -6,7 +6,7 @@ use super::parent::EdgeEnd;
 use super::sides::{Side, Sides, key};
 use std::collections::BTreeMap;
 
-/// What meets at a corner, counter-clockwise seen from outside.
+/// The edges and faces at a corner, counter-clockwise seen from outside.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CornerFan {
     pub vertex: u32,
@@ -17,7 +17,7 @@ pub(super) struct CornerFan {
     pub fans: usize,
 }
 
-/// What meets at each corner.
+/// The edges and faces at each corner.
 pub(super) fn around(sides: &Sides, chains: &Chains) -> Vec<CornerFan> {
     let all = &sides.sides;
     let mut around = vec![CornerFan::default(); chains.corners];

@@ -86,14 +86,13 @@ fn inwards(planes: &[(DVec3, f64)]) -> DVec3 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{built, drafts};
+    use super::super::tests::all;
     use super::*;
 
     #[test]
     fn every_face_moves_in_by_the_recess() {
-        for (name, draft) in drafts() {
-            let building = built(&name, &draft);
-            let mortar = Mortar::new(&building, 0.006);
+        for (name, _, building) in all() {
+            let mortar = Mortar::new(building, 0.006);
             assert!(
                 mortar.triangles.len() >= building.polygons().len(),
                 "{name}"

@@ -35,19 +35,27 @@ pub(super) fn unwrap(loops: &mut [SpotRing], period: f64) {
 
 /// The seam among these values of s that passes the fewest vertices and does not run along a side. Keep the first one.
 pub(super) fn best_seam(loops: &[SpotRing], period: f64, candidates: &[f64]) -> f64 {
-    let crossings = |seam: f64| {
-        let spots = loops.iter().flatten();
-        let off = |s: f64| (s - seam) / period - ((s - seam) / period).round();
-        spots
-            .filter(|spot| off(spot.at.x).abs() * period < ON_SEAM)
-            .count()
+    let within = |s: f64| s - period * (s / period).floor();
+    let mut all: Vec<f64> = loops
+        .iter()
+        .flatten()
+        .map(|spot| within(spot.at.x))
+        .collect();
+    // Spots near one end of the period are near the other end, too.
+    let ends = all.iter().flat_map(|&s| [s - period, s + period]);
+    let ends: Vec<f64> = ends
+        .filter(|s| (-ON_SEAM..=period + ON_SEAM).contains(s))
+        .collect();
+    all.extend(ends);
+    order::sort(&mut all, |&s| (rank(s), 0));
+    let passed = |seam: f64| {
+        let seam = within(seam);
+        let below = all.partition_point(|&s| s < seam - ON_SEAM);
+        all.partition_point(|&s| s < seam + ON_SEAM) - below
     };
-    let all = candidates.iter().map(|&seam| (crossings(seam), seam));
-    let best = all.fold(
-        (usize::MAX, 0.0),
-        |best, next| if next.0 < best.0 { next } else { best },
-    );
-    best.1
+    let counted = candidates.iter().map(|&seam| (passed(seam), seam));
+    let fewer = |best: (usize, f64), next: (usize, f64)| if next.0 < best.0 { next } else { best };
+    counted.fold((usize::MAX, 0.0), fewer).1
 }
 
 /// Cuts loops open at a seam. The rings lie within one period from it.
@@ -69,44 +77,54 @@ pub(super) fn cut_open(
         let ring = with_seam_spots(ring, period, seam);
         split(&ring, period, seam, &mut rings, &mut chains);
     }
-    let ends = |chain: &SpotRing| [chain[0].at, chain[chain.len() - 1].at];
     let is_low = |p: DVec2| p.x < seam + 0.5 * period;
     let flow = |chain: &SpotRing| {
-        let [start, end] = ends(chain);
-        i32::from(is_low(start)) - i32::from(is_low(end))
+        let [start, end] = ends(chain).map(|p| i32::from(is_low(p)));
+        start - end
     };
     let open: i32 = chains.iter().map(flow).sum();
     if let (Some(t), true) = (floor, open != 0) {
-        let corners = [seam, seam + period].map(|s| Spot {
+        let corner = |s: f64| Spot {
             at: DVec2::new(s, t),
             vertex: None,
             is_cut: false,
-        });
-        chains.push(corners.to_vec());
+        };
+        chains.push([seam, seam + period].map(corner).to_vec());
     }
+    link(&chains, is_low, &mut rings)?;
+    Ok(rings)
+}
+
+/// The first and the last place of a chain.
+fn ends(chain: &SpotRing) -> [DVec2; 2] {
+    [chain[0].at, chain[chain.len() - 1].at]
+}
+
+/// Joins chains to rings along the seam.
+fn link(
+    chains: &[SpotRing],
+    is_low: impl Fn(DVec2) -> bool + Copy,
+    rings: &mut Vec<SpotRing>,
+) -> Result<(), UnboundedRegion> {
     let mut used = vec![false; chains.len()];
     for first in 0..chains.len() {
-        if used[first] {
-            continue;
-        }
-        let mut ring = SpotRing::new();
-        let mut k = first;
-        loop {
+        let (mut ring, mut k) = (SpotRing::new(), first);
+        while !used[k] {
             used[k] = true;
             ring.extend_from_slice(&chains[k]);
             let end = ends(&chains[k])[1];
-            k = following(&chains, end, is_low).ok_or(UnboundedRegion)?;
-            if k == first {
-                break;
-            }
-            if used[k] {
-                return Err(UnboundedRegion);
-            }
+            k = following(chains, end, is_low).ok_or(UnboundedRegion)?;
+        }
+        if ring.is_empty() {
+            continue;
+        }
+        if k != first {
+            return Err(UnboundedRegion);
         }
         ring.dedup_by(|a, b| a.at.distance(b.at) < 1e-9);
         rings.push(ring);
     }
-    Ok(rings)
+    Ok(())
 }
 
 /// The chain that the boundary goes on with behind `end`, along the seam.

@@ -4,9 +4,10 @@ use super::*;
 use crate::random::{Purpose, Random};
 use glam::DVec3;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// Every rule with its defaults, at its limits, and at random within its ranges.
-pub(super) fn drafts() -> Vec<(String, Draft)> {
+fn drafts() -> Vec<(String, Draft)> {
     let mut all = Vec::new();
     for (k, rule) in Rule::ALL.into_iter().enumerate() {
         let numbers = rule.numbers();
@@ -27,6 +28,18 @@ pub(super) fn drafts() -> Vec<(String, Draft)> {
         }
     }
     all
+}
+
+/// The drafts and their buildings, with their names. Tests share them.
+pub(super) fn all() -> &'static [(String, Draft, Building)] {
+    static ALL: OnceLock<Vec<(String, Draft, Building)>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let with_building = |(name, draft): (String, Draft)| {
+            let building = built(&name, &draft);
+            (name, draft, building)
+        };
+        drafts().into_iter().map(with_building).collect()
+    })
 }
 
 pub(super) fn built(name: &str, draft: &Draft) -> Building {
@@ -75,12 +88,11 @@ fn genus(rule: &str, building: &Building) -> usize {
 
 #[test]
 fn both_meshes_obey_euler() {
-    for (name, draft) in drafts() {
-        let building = built(&name, &draft);
+    for (name, _, building) in all() {
         let rule = name.split(' ').next().unwrap();
-        let (parts, genus) = (parts(&building), genus(rule, &building));
+        let (parts, genus) = (parts(building), genus(rule, building));
         let border = usize::from(rule == "sheet");
-        assert_eq!(open(&building) > 0, border > 0, "{name}");
+        assert_eq!(open(building) > 0, border > 0, "{name}");
         let wanted = 2 * (parts as i64) - 2 * (genus as i64) - border as i64;
         let used = building
             .polygon_edges()
@@ -106,8 +118,7 @@ fn both_meshes_obey_euler() {
 
 #[test]
 fn child_and_parent_agree() {
-    for (name, draft) in drafts() {
-        let building = built(&name, &draft);
+    for (name, _, building) in all() {
         for id in building.edge_ids() {
             let edge = building.edge(id);
             let mut at = edge.path.point(0.0);
@@ -149,8 +160,7 @@ fn child_and_parent_agree() {
 
 #[test]
 fn walks_along_the_wings_are_the_loops() {
-    for (name, draft) in drafts() {
-        let building = built(&name, &draft);
+    for (name, _, building) in all() {
         for face in building.face_ids() {
             for ring in &building.face(face).loops {
                 for (k, step) in ring.iter().enumerate() {
@@ -183,8 +193,7 @@ fn walks_along_the_wings_are_the_loops() {
 
 #[test]
 fn faces_are_covered_by_their_polygons_and_rings() {
-    for (name, draft) in drafts() {
-        let building = built(&name, &draft);
+    for (name, _, building) in all() {
         for face in building.faces() {
             let area = |ring: &Vec<glam::DVec2>| crate::domain::signed_area(ring);
             let rings: f64 = face.rings.iter().map(area).sum();
@@ -216,11 +225,7 @@ fn faces_are_covered_by_their_polygons_and_rings() {
 
 #[test]
 fn the_solid_is_closed_and_its_volume_is_positive() {
-    for (name, draft) in drafts()
-        .into_iter()
-        .filter(|all| !all.0.starts_with("sheet"))
-    {
-        let building = built(&name, &draft);
+    for (name, _, building) in all().iter().filter(|all| !all.0.starts_with("sheet")) {
         let mut six = 0.0;
         for polygon in building.polygons() {
             let corner = |k: usize| building.vertex(polygon.vertices[k]).position;
@@ -251,8 +256,8 @@ fn census(building: &Building) -> BTreeMap<String, usize> {
 
 #[test]
 fn the_order_of_faces_does_not_matter() {
-    for (name, draft) in drafts() {
-        let wanted = census(&built(&name, &draft));
+    for (name, draft, building) in all() {
+        let wanted = census(building);
         let mut turned = draft.clone();
         turned.faces.reverse();
         for face in &mut turned.faces {
@@ -260,7 +265,7 @@ fn the_order_of_faces_does_not_matter() {
             face.loops[1.min(n - 1)..].reverse();
             face.loops.iter_mut().for_each(|ring| ring.rotate_left(1));
         }
-        assert_eq!(census(&built(&name, &turned)), wanted, "{name}");
+        assert_eq!(census(&built(name, &turned)), wanted, "{name}");
     }
 }
 
@@ -310,20 +315,20 @@ pub(super) fn mapped(draft: &Draft, map: impl Fn(DVec3) -> DVec3, mirrors: bool)
 
 #[test]
 fn turning_and_mirroring_keep_all_features() {
-    for (name, draft) in drafts() {
-        let wanted = census(&built(&name, &draft));
-        let quarter = mapped(&draft, |p| DVec3::new(p.z, p.y, -p.x), false);
-        assert_eq!(census(&built(&name, &quarter)), wanted, "{name}");
-        let mirror = mapped(&draft, |p| DVec3::new(-p.x, p.y, p.z), true);
-        assert_eq!(census(&built(&name, &mirror)), wanted, "{name}");
+    for (name, draft, building) in all() {
+        let wanted = census(building);
+        let quarter = mapped(draft, |p| DVec3::new(p.z, p.y, -p.x), false);
+        assert_eq!(census(&built(name, &quarter)), wanted, "{name}");
+        let mirror = mapped(draft, |p| DVec3::new(-p.x, p.y, p.z), true);
+        assert_eq!(census(&built(name, &mirror)), wanted, "{name}");
     }
 }
 
 #[test]
 fn projecting_and_mapping_are_inverse() {
     let mut random = Random::new(1, Purpose::Scatter, 0);
-    for (name, draft) in drafts() {
-        for face in built(&name, &draft).faces() {
+    for (name, _, building) in all() {
+        for face in building.faces() {
             let [low, high] = face.bounds();
             for _ in 0..8 {
                 let s = low.x + random.unit() * (high.x - low.x);

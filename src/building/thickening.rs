@@ -140,7 +140,6 @@ fn add_face(draft: &mut Draft, like: &DraftFace, surface: Option<Surface>, loops
 mod tests {
     use super::super::rules::{Module, Rule};
     use super::super::tests::built;
-    use super::*;
     use crate::building::{Bend, json};
 
     #[test]

@@ -76,7 +76,7 @@ impl Building {
         self.ground
     }
 
-    /// What is odd about the building.
+    /// The oddities of the building.
     pub fn warnings(&self) -> &[BuildingWarning] {
         &self.warnings
     }

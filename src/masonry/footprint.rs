@@ -73,8 +73,8 @@ pub struct FootprintCorner {
 
 /// A convex polygon with area, counter-clockwise in (s, t).
 ///
-/// It is the space that a cell claims. The geometry of the cell is smaller, by the inset of each side (Legakis, Dorsey,
-/// Gortler 2001, Feature-based cellular texturing for architectural models, section 3.3).
+/// It is the space that a cell claims. The geometry of the cell is smaller, by the inset of each side (Legakis,
+/// Dorsey, Gortler 2001, Feature-based cellular texturing for architectural models, section 3.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Footprint {
     corners: Vec<FootprintCorner>,
@@ -252,8 +252,8 @@ impl Footprint {
         self.intersection(other).map_or(0.0, |part| part.area())
     }
 
-    /// The polygon with each side moved in by its inset, as the paper's cells are shrunk for mortar; none if nothing is
-    /// left.
+    /// The polygon with each side moved in by its inset, as the paper's cells are shrunk for mortar; none if nothing
+    /// is left.
     pub fn shrunk(&self) -> Option<Self> {
         let mut part = self.clone();
         for (half, corner) in self.half_planes().zip(&self.corners) {

@@ -1,7 +1,7 @@
 //! Clips cells against what is occupied, so that they stay convex and overlap nothing.
 //!
-//! Legakis, Dorsey, Gortler (2001), section 5.1, clip the footprint of a cell against the occupancy map. Here obstacles
-//! are exact convex polygons. Each of them cuts the cell along one of its own sides.
+//! Legakis, Dorsey, Gortler (2001), section 5.1, clip the footprint of a cell against the occupancy map. Here
+//! obstacles are exact convex polygons. Each of them cuts the cell along one of its own sides.
 
 use super::footprint::{Footprint, HalfPlane};
 use crate::order;

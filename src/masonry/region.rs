@@ -43,8 +43,8 @@ impl Region {
         })
     }
 
-    /// How far a ray goes from a place along +s, -s, +t or -t until it meets the border; none if it never does. Borders
-    /// nearer than `skip` do not count (metres).
+    /// How far a ray goes from a place along +s, -s, +t or -t until it meets the border; none if it never does.
+    /// Borders nearer than `skip` do not count (metres).
     pub fn ray(&self, from: DVec2, way: DVec2, skip: f64) -> Option<f64> {
         // The ray's own axis is x here.
         let turned = |p: DVec2| DVec2::new((p - from).dot(way), (p - from).perp_dot(way));
@@ -92,7 +92,8 @@ fn crosses_ray(a: DVec2, b: DVec2, p: DVec2) -> bool {
     (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))
 }
 
-/// Convex pieces that are merged while they stay convex (Hertel, Mehlhorn 1983, Fast triangulation of simple polygons).
+/// Convex pieces that are merged while they stay convex (Hertel, Mehlhorn 1983, Fast triangulation of simple
+/// polygons).
 struct Pieces {
     places: Vec<DVec2>,
     /// Corners of each piece, counter-clockwise; empty once it is part of another.
@@ -270,15 +271,16 @@ mod tests {
         let is_inside = |s, t| region.contains(DVec2::new(s, t));
         assert!(is_inside(0.5, 0.5) && is_inside(1.5, 2.5) && is_inside(4.9, 0.1));
         assert!(!is_inside(1.5, 1.0) && !is_inside(3.2, 1.0) && !is_inside(-0.1, 1.0));
-        let ray = |s, t, way: DVec2| {
-            let found = region.ray(DVec2::new(s, t), way, 1e-3);
-            found.map(|length| (1e6 * length).round() * 1e-6)
-        };
-        assert_eq!(ray(0.5, 1.0, DVec2::X), Some(0.6));
-        assert_eq!(ray(2.5, 1.0, DVec2::NEG_X), Some(0.6));
-        assert_eq!(ray(3.2, 0.5, DVec2::Y), Some(0.4));
-        assert_eq!(ray(4.0, 1.5, DVec2::NEG_Y), Some(1.5));
-        assert_eq!(ray(6.0, 1.5, DVec2::X), None);
+        let ray = |s, t, way: DVec2| region.ray(DVec2::new(s, t), way, 1e-3).unwrap_or(f64::MAX);
+        for (found, wanted) in [
+            (ray(0.5, 1.0, DVec2::X), 0.6),
+            (ray(2.5, 1.0, DVec2::NEG_X), 0.6),
+            (ray(3.2, 0.5, DVec2::Y), 0.4),
+            (ray(4.0, 1.5, DVec2::NEG_Y), 1.5),
+        ] {
+            assert!((found - wanted).abs() < 1e-9, "{found} {wanted}");
+        }
+        assert_eq!(region.ray(DVec2::new(6.0, 1.5), DVec2::X, 1e-3), None);
         assert_eq!(Region::default().convex_parts(DVec2::ONE), [vec![], vec![]]);
     }
 }

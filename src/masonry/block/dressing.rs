@@ -27,8 +27,8 @@ impl Dressing {
         seed: crate::random::SEED,
     };
 
-    /// The geometry of cell number `cell`, which looks towards `outwards` (unit vector); none if its joints take all of
-    /// it.
+    /// The geometry of cell number `cell`, which looks towards `outwards` (unit vector); none if its joints take all
+    /// of it.
     pub fn dress(&self, claimed: &Polyhedron, outwards: DVec3, cell: u32) -> Option<BlockMesh> {
         let mut random = Random::new(self.seed, Purpose::Turn, u64::from(cell));
         let angle = 0.5 * self.turn * random.signed();

@@ -1,8 +1,8 @@
 //! Rounded, rough stones that may be seen from all sides.
 //!
-//! The control mesh of a stone is the bevelled block with support rings ([`Bevelled::supported`]). Loop's scheme rounds
-//! it (Loop 1987, Smooth subdivision surfaces based on triangles), and noise moves its vertices along their normals. A
-//! stone never leaves the space that it claims, but for what it may bulge at its exposed sides.
+//! The control mesh of a stone is the bevelled block with support rings ([`Bevelled::supported`]). Loop's scheme
+//! rounds it (Loop 1987, Smooth subdivision surfaces based on triangles), and noise moves its vertices along their
+//! normals. A stone never leaves the space that it claims, but for what it may bulge at its exposed sides.
 
 use super::bevel::{Bevelled, BlockMesh};
 use super::plane::Plane;

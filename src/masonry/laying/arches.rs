@@ -179,7 +179,7 @@ impl Site {
         let length = ring.length * ring.curve.stretch(off + 0.5 * row.length);
         let mut count = pieces(length, row.width);
         let is_arc = matches!(ring.curve, Curve::Arc { .. });
-        if is_arc && count % 2 == 0 {
+        if is_arc && count.is_multiple_of(2) {
             count += 1;
         }
         let depth = rows
@@ -216,8 +216,8 @@ impl Site {
         }
     }
 
-    /// What a stone of an arch must not overlap. The chord of its inner side lies in the opening, so the opening itself
-    /// does not count at the innermost row.
+    /// What a stone of an arch must not overlap. The chord of its inner side lies in the opening, so the opening
+    /// itself does not count at the innermost row.
     fn wall_obstacles(&self, wall: FaceId, place: &Footprint, is_inner: bool) -> Vec<Footprint> {
         let map = &self.faces[wall.index()];
         if is_inner {
@@ -233,10 +233,7 @@ impl Site {
         let [Some(a), Some(b)] = edge.faces else {
             return Vec::new();
         };
-        let Some(wall) = [a, b]
-            .into_iter()
-            .find(|&face| is_wall(self.face(face)) && self.face(face).surface.is_flat())
-        else {
+        let Some(wall) = [a, b].into_iter().find(|&face| is_wall(self.face(face))) else {
             return Vec::new();
         };
         if edge.bend != Bend::Convex {
@@ -273,6 +270,9 @@ impl Site {
     /// An arc of an edge in the (s, t) of a flat wall; none if it does not lie in the wall.
     fn arc(&self, wall: FaceId, arc: &Arc, edge: &Edge, start: f64) -> Option<Curve> {
         let surface = &self.face(wall).surface;
+        if !surface.is_flat() {
+            return None;
+        }
         let of = |p: DVec3| surface.project(p);
         let (centre, first) = (of(arc.centre), of(edge.path.point(start)).truncate());
         let next = of(edge.path.point(start + 0.01 * arc.radius)).truncate();

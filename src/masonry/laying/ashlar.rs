@@ -1,4 +1,5 @@
-//! Random ashlar: rectangles of random size on a fine grid (Legakis, Dorsey, Gortler 2001, section 5.2, Random Ashlar).
+//! Random ashlar: rectangles of random size on a fine grid (Legakis, Dorsey, Gortler 2001, section 5.2, Random
+//! Ashlar).
 
 use super::cell::{CellDraft, CellSort, Feature};
 use super::rectangles::{Most, Unit, Units, merge};
@@ -33,7 +34,7 @@ fn random(seed: u64, feature: Feature) -> Random {
 
 impl Site {
     /// A single stone at a corner, three units by two; in the wall off the corner of an opening, one as large as fits.
-    pub fn ashlar_corner(&mut self, id: CornerId, node: &GeneratorNode, seed: u64) {
+    pub fn ashlar_corner(&mut self, id: CornerId, node: &GeneratorNode) {
         let quadrants = self.quadrants(id);
         let rim = quadrants
             .iter()
@@ -42,7 +43,6 @@ impl Site {
             self.rim_stone(id, node, rim);
         } else if let Some((run, at_end)) = self.corner_run(id, &quadrants) {
             let feature = Feature::Corner(id);
-            let mut random = random(seed, feature);
             let intervals = self.intervals(&run);
             let count = 2.min(intervals.len());
             let part = if at_end {
@@ -52,8 +52,9 @@ impl Site {
             };
             if let (Some((row, [from, _])), Some((_, [_, to]))) = (part.first(), part.last()) {
                 let long = self.long_side(&run, *row, false);
-                let _ = random.bits();
-                self.edge_stone(feature, node, (&run, long, CORNER), [*from, *to]);
+                if let Some(span) = self.free_part(&run, [*from, *to]) {
+                    self.edge_stone(feature, node, (&run, long, CORNER), span);
+                }
             }
         }
     }
@@ -108,6 +109,7 @@ impl Site {
                 span.map(|at| self.stone_reach(run, side, count, 0.9 * at + 0.1 * middle));
             low.min(high)
         });
+        let reaches = self.fitted(run, span, reaches);
         let body = self.edge_body(run, span, reaches);
         let outwards = self.edge_outwards(run, middle);
         self.place(
@@ -132,8 +134,8 @@ impl Site {
             .unwrap_or(half)
     }
 
-    /// Stones along an edge: those of upright edges point to both sides in turn and have random heights; those of level
-    /// edges have random lengths.
+    /// Stones along an edge: those of upright edges point to both sides in turn and have random heights; those of
+    /// level edges have random lengths.
     pub fn ashlar_edge(&mut self, id: EdgeId, node: &GeneratorNode, seed: u64) {
         let feature = Feature::Edge(id);
         let mut random = random(seed, feature);
@@ -202,9 +204,9 @@ impl Site {
         self.depth(face)
     }
 
-    /// Fills a face. Free units are visited in nearly the order of rows. At each the largest random rectangle that fits
-    /// becomes a stone; then stones of one unit are merged with neighbours at random while the union is a rectangle and
-    /// not too large.
+    /// Fills a face. Free units are visited in nearly the order of rows. At each the largest random rectangle that
+    /// fits becomes a stone; then stones of one unit are merged with neighbours at random while the union is a
+    /// rectangle and not too large.
     pub fn ashlar_face(&mut self, id: FaceId, node: &GeneratorNode, seed: u64) {
         let mut random = random(seed, Feature::Face(id));
         let most = Most {
@@ -229,7 +231,7 @@ impl Site {
         let state = |k: usize| {
             let (column, row) = (k % columns, k / columns);
             let [low, high] = grid.block([column, column + 1], [row, row + 1]);
-            let place = Footprint::rectangle(low, high);
+            let place = Footprint::rectangle(low, high).map(|place| self.home(id, place));
             match place.map(|place| {
                 (
                     self.faces[id.index()].coverage(&place),

@@ -86,6 +86,7 @@ impl Site {
         let counts = [0, 1].map(|side| if side == long { bond.long } else { bond.short });
         let middle = 0.5 * (span[0] + span[1]);
         let reaches = [0, 1].map(|side| self.limited_reach(run, side, counts[side], middle));
+        let reaches = self.fitted(run, span, reaches);
         let body = self.edge_body(run, span, reaches);
         let is_short = reaches[0].max(reaches[1]) < 1.5 * self.plan.module.half;
         let sort = if bond.are_paired() && is_short {

@@ -164,7 +164,8 @@ impl Site {
         } else {
             intervals.first()
         };
-        if let Some(&(row, span)) = interval {
+        let free = interval.and_then(|&(row, span)| Some((row, self.free_part(&run, span)?)));
+        if let Some((row, span)) = free {
             self.edge_brick(Feature::Corner(id), node, bond, (&run, row, span));
         }
     }

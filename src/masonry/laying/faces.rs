@@ -6,10 +6,13 @@ use super::site::Site;
 use crate::building::{Bend, FaceId, Stance};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
-use crate::masonry::free_space::{LEAST_SHARE, clip};
+use crate::masonry::free_space::{LEAST_SHARE, MOST_DEPTH, clip, clip_multi};
 use crate::masonry::occupancy::Coverage;
 use crate::masonry::plan::{FaceGrid, is_wall};
 use crate::masonry::tree::GeneratorNode;
+
+/// Sides of a face longer than this are no chords of an arc (metres).
+const OBLIQUE: f64 = 0.2;
 
 impl Site {
     /// How deep cells of a face reach into the wall: a module at a wall, a course below a level face, and no more than
@@ -80,30 +83,54 @@ impl Site {
         place: &Footprint,
         sort: CellSort,
     ) {
+        let place = &self.home(id, place.clone());
         let map = &self.faces[id.index()];
         if map.coverage(place) == Coverage::Occupied {
             return;
         }
         let obstacles = map.obstacles(place);
         let inset = 0.5 * self.plan.module.joint;
-        let Some(part) = clip(place, &obstacles, inset, LEAST_SHARE) else {
-            return;
+        let parts = match self.is_oblique(id) {
+            true => clip_multi(place, &obstacles, inset, (LEAST_SHARE, MOST_DEPTH)),
+            false => clip(place, &obstacles, inset, LEAST_SHARE)
+                .into_iter()
+                .collect(),
         };
-        let share = part.area() / place.area();
+        for part in parts {
+            self.face_part(id, node, &part, (part.area() / place.area(), sort));
+        }
+    }
+
+    /// Whether long sides of a face run across its grid. There the single cuts of a brick leave gaps, and it is cut
+    /// into several parts.
+    fn is_oblique(&self, id: FaceId) -> bool {
+        let mut sides = self.regions[id.index()].sides();
+        sides.any(|[a, b]| {
+            let way = (b - a).abs();
+            way.min_element() > 0.1 * way.max_element() && way.length() > OBLIQUE
+        })
+    }
+
+    /// Lays a part of a brick, which has this share of the whole.
+    fn face_part(
+        &mut self,
+        id: FaceId,
+        node: &GeneratorNode,
+        part: &Footprint,
+        (share, sort): (f64, CellSort),
+    ) {
+        let is_half = (share - 0.5).abs() < 0.03 && part.corners().len() == 4;
         let sort = match sort {
-            CellSort::Whole if (share - 0.5).abs() < 0.03 && part.corners().len() == 4 => {
-                CellSort::Half
-            }
+            CellSort::Whole if is_half => CellSort::Half,
             _ if share < 0.97 => CellSort::Cut,
             sort => sort,
         };
         let depth = self.depth(id);
-        let mut draft = self.face_draft(id, &part, depth, sort);
-        let Some(body) = self.mitred(id, draft.claimed, depth) else {
-            return;
-        };
-        draft.claimed = body;
-        self.place(Feature::Face(id), node, draft);
+        let mut draft = self.face_draft(id, part, depth, sort);
+        if let Some(body) = self.mitred(id, draft.claimed, depth) {
+            draft.claimed = body;
+            self.place(Feature::Face(id), node, draft);
+        }
     }
 
     /// The phase of a face that no edge decides: the one that makes fewer bricks (section 5.2).
@@ -112,7 +139,9 @@ impl Site {
         let count = |shift: usize| {
             let bricks = self.face_bricks(id, bond, shift).into_iter();
             bricks
-                .filter(|(place, _)| map.coverage(place) != Coverage::Occupied)
+                .filter(|(place, _)| {
+                    map.coverage(&self.home(id, place.clone())) != Coverage::Occupied
+                })
                 .count()
         };
         usize::from(count(1) < count(0))

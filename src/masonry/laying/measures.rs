@@ -141,7 +141,8 @@ fn straight(laying: &Laying) -> f64 {
 /// How far from an edge bed joints are looked for (metres).
 const BESIDE: f64 = 0.03;
 
-/// The share of bed joints beside convex upright edges between walls that have a joint at the same height on the other wall.
+/// The share of bed joints beside convex upright edges between walls that have a joint at the same height on the other
+/// wall.
 fn course(laying: &Laying) -> f64 {
     let (mut all, mut same) = (0usize, 0usize);
     let building = laying.building();

@@ -1,16 +1,18 @@
-//! Mitres: where a convex edge has no cells of its own, the cells of its two faces meet at the plane that halves its angle.
+//! Mitres: where a convex edge has no cells of its own, the cells of its two faces meet at the plane that halves its
+//! angle.
 
+use super::cell::Feature;
 use super::site::Site;
 use crate::building::{Bend, EdgeId, FaceId};
 use crate::masonry::block::{Plane, Polyhedron};
 
-/// Cells whose bounding spheres are nearer to an edge than this, in depths of the cell, are cut (the depth is doubled for
-/// acute edges).
+/// Cells whose bounding spheres are nearer to an edge than this, in depths of the cell, are cut (the depth is doubled
+/// for acute edges).
 const NEAR: f64 = 2.0;
 
 impl Site {
-    /// The part of a face's cell before the mitres of convex edges without cells; none if nothing is left. `depth` is the
-    /// cell's depth (metres).
+    /// The part of a face's cell before the mitres of convex edges without cells; none if nothing is left. `depth` is
+    /// the cell's depth (metres).
     pub fn mitred(&self, face: FaceId, body: Polyhedron, depth: f64) -> Option<Polyhedron> {
         let edges = self.face(face).loops.iter().flatten().map(|walk| walk.edge);
         let convex = edges.filter(|&id| self.edge(id).bend == Bend::Convex);
@@ -38,7 +40,7 @@ impl Site {
             .iter()
             .map(|p| p.distance(middle))
             .fold(0.0, f64::max);
-        if point.distance(middle) > reach + NEAR * depth || !self.edges[id.index()].is_free(along) {
+        if point.distance(middle) > reach + NEAR * depth || self.has_cells(id, along) {
             return None;
         }
         let frame = self.building.edge_frame(id, along);
@@ -53,6 +55,21 @@ impl Site {
         } else {
             outwards
         };
-        Some(Plane::through(point, outwards))
+        let plane = Plane::through(point, outwards);
+        // Beside an arc the plane goes past the front, which is cut along a chord already.
+        let surface = &self.face(face).surface;
+        let front = body
+            .vertices()
+            .iter()
+            .filter(|&&p| surface.project(p).z.abs() < 1e-6);
+        let beyond = front.map(|&p| plane.distance(p)).fold(0.0, f64::max);
+        Some(plane.inset(-beyond))
+    }
+
+    /// Whether cells of the edge itself, or of its corners, lie at a place along it.
+    fn has_cells(&self, id: EdgeId, along: f64) -> bool {
+        let claims = self.edges[id.index()].claims().iter();
+        let mut there = claims.filter(|([from, to], _)| (*from..=*to).contains(&along));
+        there.any(|&(_, cell)| !matches!(self.cells[cell as usize].feature, Feature::Face(_)))
     }
 }

@@ -200,7 +200,7 @@ impl Laying {
             (RgbBlocks, Feature::Corner(id)) => site.brick_corner(id, node, &BrickBond::BLOCKS),
             (RgbBlocks, Feature::Edge(id)) => site.brick_edge(id, node, &BrickBond::BLOCKS),
             (RgbBlocks, Feature::Face(id)) => site.brick_face(id, node, &BrickBond::BLOCKS),
-            (RandomAshlar, Feature::Corner(id)) => site.ashlar_corner(id, node, seed),
+            (RandomAshlar, Feature::Corner(id)) => site.ashlar_corner(id, node),
             (RandomAshlar, Feature::Edge(id)) => site.ashlar_edge(id, node, seed),
             (RandomAshlar, Feature::Face(id)) => site.ashlar_face(id, node, seed),
             (WindowBottomBricks, Feature::Corner(id)) => {
@@ -260,15 +260,13 @@ fn corner_view(building: &Building, id: CornerId) -> FeatureView<'_> {
 /// Edges beside a face that looks up are at the bottom, those beside one that looks down at the top.
 fn edge_view(building: &Building, id: EdgeId) -> FeatureView<'_> {
     let edge = building.edge(id);
-    let parts = edge
+    let mut parts = edge
         .faces
         .iter()
         .flatten()
         .map(|&face| part(building, face));
-    let window = parts
-        .filter(|&part| part != WindowPart::Side)
-        .next()
-        .unwrap_or(WindowPart::Side);
+    let window = parts.find(|&part| part != WindowPart::Side);
+    let window = window.unwrap_or(WindowPart::Side);
     let way = edge.path.point(edge.length()) - edge.path.point(0.0);
     FeatureView {
         kind: FeatureKind::Edge,

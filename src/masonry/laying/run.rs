@@ -3,9 +3,12 @@
 use super::site::Site;
 use crate::building::{Bend, EdgeId, FaceId, Piece};
 use crate::masonry::block::Polyhedron;
+use crate::masonry::footprint::Footprint;
 use crate::masonry::plan::{FaceGrid, is_wall};
 use glam::{DVec2, DVec3};
 
+/// How far from a place the direction of an edge is looked at (metres).
+const STEP: f64 = 1e-4;
 /// Places nearer than this are one (metres).
 pub(super) const NEAR: f64 = 2e-3;
 
@@ -17,7 +20,7 @@ pub(super) struct RunSide {
     pub place: DVec2,
     /// Unit vector into the face: along +s, -s, +t or -t.
     pub inwards: DVec2,
-    /// Unit vector along the run on the face.
+    /// The way on the face for each metre along the run.
     pub along: DVec2,
     /// The grid lines across `inwards`.
     pub lines: Vec<f64>,
@@ -76,9 +79,14 @@ impl Site {
         if edge.bend != Bend::Convex {
             return Vec::new();
         }
+        let shift = if edge.is_closed() {
+            self.to_line(id)
+        } else {
+            0.0
+        };
         let spans = edge.path.joints().windows(2).zip(edge.path.pieces());
         spans
-            .filter_map(|(ends, piece)| self.run(id, [ends[0], ends[1]], piece))
+            .filter_map(|(ends, piece)| self.run(id, [ends[0] + shift, ends[1] + shift], piece))
             .collect()
     }
 
@@ -115,8 +123,12 @@ impl Site {
             .truncate();
         let frame = surface.frame(middle.x, middle.y);
         let inwards = axis(DVec2::new(inward.dot(frame.s), inward.dot(frame.t)))?;
-        let tangent = path.tangent(0.5 * (ends[0] + ends[1]));
-        let along = axis(DVec2::new(tangent.dot(frame.s), tangent.dot(frame.t)))?;
+        // On a disk, s is no arc length but at one radius.
+        let beside = surface
+            .project(path.point(0.5 * (ends[0] + ends[1]) + STEP))
+            .truncate();
+        let way = (beside - middle) / STEP;
+        let along = axis(way.try_normalize()?)? * way.length();
         let place = middle - along * (0.5 * (ends[1] - ends[0]));
         let lines = self.lines(face, inwards.x != 0.0);
         Some(RunSide {
@@ -200,8 +212,8 @@ impl Site {
         (place.x - low.x).abs() < NEAR || (place.x - high.x).abs() < NEAR
     }
 
-    /// The body of a cell along a run, from `from` to `to` (metres from the run's start), reaching into both faces. Its
-    /// back is parallel to the face with the longer reach.
+    /// The body of a cell along a run, from `from` to `to` (metres from the run's start), reaching into both faces.
+    /// Its back is parallel to the face with the longer reach.
     pub fn edge_body(&self, run: &Run, [from, to]: [f64; 2], reaches: [f64; 2]) -> Polyhedron {
         let long = usize::from(reaches[1] > reaches[0]);
         let ring = |along: f64| {
@@ -224,6 +236,42 @@ impl Site {
         Polyhedron::between(&[high, low])
     }
 
+    /// The reaches of a cell, the shorter one so short that the cell goes no deeper below the other face than half of
+    /// the wall.
+    fn within_wall(&self, run: &Run, along: f64, mut reaches: [f64; 2]) -> [f64; 2] {
+        let long = usize::from(reaches[1] > reaches[0]);
+        let [far, near] = [&run.sides[long], &run.sides[1 - long]];
+        let end = self.at(
+            near.face,
+            near.at(along) + near.inwards * reaches[1 - long],
+            0.0,
+        );
+        let depth = -self.face(far.face).surface.project(end).z;
+        let most = self.plan.grid(far.face).depth;
+        if depth > most {
+            reaches[1 - long] *= most / depth;
+        }
+        reaches
+    }
+
+    /// The reaches of a cell along a run, shrunk until it overlaps no earlier claim by more than a fiftieth on either
+    /// face: by a quarter, up to four times.
+    pub fn fitted(&self, run: &Run, span: [f64; 2], reaches: [f64; 2]) -> [f64; 2] {
+        let mut reaches = self.within_wall(run, span[0], reaches);
+        for _ in 0..4 {
+            for (side, reach) in run.sides.iter().zip(&mut reaches) {
+                let ends = span.map(|along| side.at(along));
+                let off = side.inwards * *reach;
+                let place = Footprint::hull(&[ends[0], ends[1], ends[1] + off, ends[0] + off]);
+                let map = &self.faces[side.face.index()];
+                if place.is_some_and(|place| map.claimed_share(&place) > 0.02) {
+                    *reach *= 0.75;
+                }
+            }
+        }
+        reaches
+    }
+
     /// The unit vector in which an edge's cells look.
     pub fn edge_outwards(&self, run: &Run, along: f64) -> DVec3 {
         let sum: DVec3 = run
@@ -237,9 +285,48 @@ impl Site {
     /// The free parts of a run, from its start (metres).
     pub fn free(&self, run: &Run) -> Vec<[f64; 2]> {
         let [start, end] = run.ends;
-        let free = self.edges[run.edge.index()].free().into_iter();
-        let parts = free.map(|[from, to]| [from.max(start) - start, to.min(end) - start]);
-        parts.filter(|[from, to]| to - from > NEAR).collect()
+        let length = self.edges[run.edge.index()].length();
+        let turns = if self.edge(run.edge).is_closed() {
+            2
+        } else {
+            1
+        };
+        let mut parts: Vec<[f64; 2]> = Vec::new();
+        for turn in 0..turns {
+            for [from, to] in self.edges[run.edge.index()].free() {
+                let by = f64::from(turn) * length - start;
+                let part = [(from + by).max(0.0), (to + by).min(end - start)];
+                match parts.last_mut() {
+                    Some(last) if (part[0] - last[1]).abs() < 1e-9 => {
+                        last[1] = part[1].max(last[1])
+                    }
+                    _ => parts.push(part),
+                }
+            }
+        }
+        parts.retain(|[from, to]| to - from > NEAR);
+        parts
+    }
+
+    /// The way from the start of a closed edge to a column line of its wall (metres).
+    fn to_line(&self, id: EdgeId) -> f64 {
+        let edge = self.edge(id);
+        let wall = edge
+            .faces
+            .into_iter()
+            .flatten()
+            .find(|&face| is_wall(self.face(face)));
+        let Some(wall) = wall else { return 0.0 };
+        let surface = &self.face(wall).surface;
+        let [s, next] = [0.0, STEP].map(|at| surface.project(edge.path.point(at)).x);
+        let period = surface.period().unwrap_or(edge.length());
+        let ahead = |line: f64| ((line - s) * (next - s).signum()).rem_euclid(period);
+        self.plan
+            .grid(wall)
+            .s
+            .iter()
+            .map(|&line| ahead(line))
+            .fold(f64::MAX, f64::min)
     }
 
     /// The intervals of a run that the lines of the first side cut it into, with their numbers there.
@@ -252,7 +339,7 @@ impl Site {
         );
         let length = run.ends[1] - run.ends[0];
         let intervals = lines.windows(2).enumerate().filter_map(|(k, w)| {
-            let [a, b] = [w[0], w[1]].map(|line| (line - start) * way);
+            let [a, b] = [w[0], w[1]].map(|line| (line - start) / way);
             let (from, to) = (a.min(b).max(0.0), a.max(b).min(length));
             (to - from > NEAR).then_some((k, [from, to]))
         });

@@ -207,7 +207,7 @@ impl Site {
     }
 
     /// A polygon moved by whole periods to where the face's region is.
-    fn home(&self, id: FaceId, polygon: Footprint) -> Footprint {
+    pub fn home(&self, id: FaceId, polygon: Footprint) -> Footprint {
         let Some(period) = self.face(id).surface.period() else {
             return polygon;
         };

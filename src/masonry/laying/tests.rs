@@ -1,8 +1,7 @@
 //! Properties of whole buildings.
 
-use super::measures::pairs;
 use super::{CellSort, Feature, Laying, LayingParams, LayingWarning, Measures};
-use crate::building::{Building, Draft, Module, Rule};
+use crate::building::{Building, Draft, EdgeId, Module, Rule};
 use crate::masonry::module::{ASHLAR, BLOCK};
 use crate::masonry::plan::{FaceGrid, PlanFault, is_wall, thicknesses};
 use crate::masonry::tree::{PRESETS, PatternTree};
@@ -36,70 +35,6 @@ fn laid(draft: &Draft, tree: (usize, Module), seed: u64) -> Laying {
 }
 
 #[test]
-fn show() {
-    for rule in Rule::ALL {
-        for (tree, module) in TREES {
-            let of = if tree == 1 { module } else { Module::NORMAL };
-            let start = std::time::Instant::now();
-            let laying = laid(&draft(rule, &of), (tree, module), 1);
-            let ms = start.elapsed().as_secs_f64() * 1e3;
-            println!("{rule:?} {tree} {ms:.1} ms {:?}", Measures::new(&laying));
-            let w = &laying.plan().warnings;
-            println!(
-                "   plan {} {:?} changes {:?}",
-                w.len(),
-                w.iter().take(3).collect::<Vec<_>>(),
-                laying.plan().changes
-            );
-            let w = laying.warnings();
-            println!("   {} {:?}", w.len(), w.iter().take(3).collect::<Vec<_>>());
-            // worst gaps and overlaps
-            for face in laying.textured_faces() {
-                let map = laying.face_map(face);
-                let f = laying.building().face(face);
-                let (gap, over) = (map.gap() / map.area(), map.overlap() / map.area());
-                if gap > 0.004 || over > 0.002 {
-                    println!(
-                        "   face {face:?} {:?} {:?} {:?} area {:.3} gap {gap:.4} over {over:.4}",
-                        f.stance(),
-                        f.labels,
-                        f.bounds(),
-                        map.area()
-                    );
-                    for g in map.gaps().iter().filter(|g| g.area() > 0.001).take(3) {
-                        println!("      gap {:?} {:.5}", g.bounds(), g.area());
-                    }
-                }
-            }
-            let cells = laying.cells();
-            let mut worst: Vec<(f64, [u32; 2])> = pairs(cells)
-                .into_iter()
-                .map(|p| {
-                    let [a, b] = p.map(|k| &cells[k as usize].claimed);
-                    (a.shared_volume(b) / a.volume().min(b.volume()), p)
-                })
-                .filter(|w| w.0 > 0.01)
-                .collect();
-            worst.sort_by(|a, b| b.0.total_cmp(&a.0));
-            println!("   overlapping pairs {}", worst.len());
-            for (share, p) in worst.iter().take(3) {
-                println!(
-                    "      {share:.3} {:?}",
-                    p.map(|k| {
-                        let c = &cells[k as usize];
-                        (
-                            c.feature,
-                            c.sort,
-                            c.claimed.bounds().map(|b| (b * 1e3).round() / 1e3),
-                        )
-                    })
-                );
-            }
-        }
-    }
-}
-
-#[test]
 fn cells_are_closed_convex_and_leave_room_for_mortar() {
     for rule in Rule::ALL {
         for tree in TREES {
@@ -114,6 +49,58 @@ fn cells_are_closed_convex_and_leave_room_for_mortar() {
                 assert!(cell.body.volume() >= cell.claimed.volume() - 1e-9);
             }
         }
+    }
+}
+
+/// What bricks must keep on a rule's building: the greatest gap, shared volume, and shares of cut bricks and of
+/// straight joints.
+const LIMITS: [(Rule, [f64; 4]); 7] = [
+    (Rule::Block, [1e-4, 1e-5, 0.0, 0.0]),
+    (Rule::LHouse, [0.005, 1e-4, 0.06, 0.03]),
+    (Rule::Wall, [0.005, 1e-4, 0.08, 0.04]),
+    (Rule::Gate, [0.005, 1e-4, 0.06, 0.04]),
+    (Rule::Steps, [0.001, 1e-4, 0.015, 0.01]),
+    (Rule::Tower, [0.001, 0.003, 0.03, 0.015]),
+    (Rule::Sheet, [1e-4, 1e-5, 0.0, 0.0]),
+];
+
+#[test]
+fn bricks_fill_walls_without_conflicts_or_overlaps() {
+    for (rule, [gap, shared, cut, straight]) in LIMITS {
+        let laying = laid(&draft(rule, &Module::NORMAL), BRICKS, 1);
+        let found = Measures::new(&laying);
+        assert_eq!(
+            (found.conflicts, laying.warnings()),
+            (0, &[][..]),
+            "{rule:?}"
+        );
+        assert!(found.course > 0.9999, "{rule:?} {found:?}");
+        assert!(
+            found.gap <= gap && found.shared_volume <= shared,
+            "{rule:?} {found:?}"
+        );
+        assert!(
+            found.cut <= cut && found.straight <= straight,
+            "{rule:?} {found:?}"
+        );
+    }
+}
+
+#[test]
+fn ashlar_fills_walls_nearly_without_overlaps() {
+    for rule in [
+        Rule::Block,
+        Rule::LHouse,
+        Rule::Wall,
+        Rule::Gate,
+        Rule::Steps,
+        Rule::Tower,
+    ] {
+        let found = Measures::new(&laid(&draft(rule, &Module::NORMAL), TREES[2], 1));
+        assert!(
+            found.gap <= 0.005 && found.shared_volume <= 0.003,
+            "{rule:?} {found:?}"
+        );
     }
 }
 
@@ -274,4 +261,58 @@ fn what_the_tree_does_not_expect_is_told() {
     });
     assert_eq!(faces.count(), 6);
     assert!(laying.cells().iter().all(|cell| cell.sort != CellSort::Cut));
+}
+
+#[test]
+fn by_hand_the_bit_of_an_edge_turns_its_bricks() {
+    let mut draft = draft(Rule::Block, &Module::NORMAL);
+    let building = Building::new(&draft).unwrap();
+    let upright = |id: &EdgeId| building.edge(*id).is_vertical();
+    let id = building
+        .edge_ids()
+        .find(upright)
+        .expect("a block has upright edges");
+    // What the edge's bricks claim on its first face, from the bottom up.
+    let areas = |draft: &Draft| {
+        let building = Arc::new(Building::new(draft).unwrap());
+        let params = LayingParams {
+            module: Module::NORMAL,
+            is_by_hand: true,
+            seed: 1,
+        };
+        let face = building.edge(id).faces[0].unwrap();
+        let mut laying =
+            Laying::new(building, PRESETS[1].tree(), params, |_| f64::INFINITY).unwrap();
+        while !laying.advance(100) {}
+        let own = laying
+            .cells()
+            .iter()
+            .filter(|cell| cell.feature == Feature::Edge(id));
+        let mut rows: Vec<(f64, f64)> = own
+            .flat_map(|cell| cell.claims.iter().filter(move |claim| claim.0 == face))
+            .map(|(_, claim)| (claim.centre().y, claim.area()))
+            .collect();
+        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        rows.into_iter().map(|row| row.1).collect::<Vec<f64>>()
+    };
+    let before = areas(&draft);
+    let ends = building
+        .edge(id)
+        .corners
+        .map(|corner| building.place(corner.unwrap()));
+    let vertex = |p: glam::DVec3| {
+        draft
+            .vertices
+            .iter()
+            .position(|q| q.distance(p) < 1e-6)
+            .unwrap() as u32
+    };
+    let flip = ends.map(vertex);
+    draft.edge_flips.push(flip);
+    let after = areas(&draft);
+    assert!(before.len() > 4 && before.len() == after.len());
+    for (k, w) in before.windows(2).enumerate() {
+        assert!((w[0] / w[1]).max(w[1] / w[0]) > 1.5, "rows alternate");
+        assert!((after[k] - w[1]).abs() < 0.1 * w[1], "{k}");
+    }
 }

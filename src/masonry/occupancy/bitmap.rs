@@ -114,8 +114,8 @@ impl Bitmap {
         }
     }
 
-    /// The share of the pixel centres under a polygon that are empty, 0 to 1; none if there are no centres. Centres beyond
-    /// the raster count as occupied.
+    /// The share of the pixel centres under a polygon that are empty, 0 to 1; none if there are no centres. Centres
+    /// beyond the raster count as occupied.
     pub fn empty_share(&self, polygon: &Footprint) -> Option<f64> {
         let spans = self.under(polygon).map(|span| {
             let empty = self.is_empty[span].iter().filter(|&&empty| empty).count();
@@ -138,8 +138,8 @@ impl Bitmap {
         rows.sum()
     }
 
-    /// Whether a place is free, partly free or occupied. A place between pixel centres is partly free: only exact claims
-    /// know more.
+    /// Whether a place is free, partly free or occupied. A place between pixel centres is partly free: only exact
+    /// claims know more.
     pub fn coverage(&self, polygon: &Footprint) -> Coverage {
         match self.empty_share(polygon) {
             Some(share) if share >= FREE => Coverage::Free,

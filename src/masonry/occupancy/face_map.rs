@@ -21,8 +21,8 @@ pub struct FaceMap {
 }
 
 impl FaceMap {
-    /// The map of a face with this outline. `module` is the pattern's unit W (metres, above 0): pixels are an eighth of
-    /// it. On a whole cylinder the region covers one `period` of s.
+    /// The map of a face with this outline. `module` is the pattern's unit W (metres, above 0): pixels are an eighth
+    /// of it. On a whole cylinder the region covers one `period` of s.
     pub fn new(region: &Region, module: f64, period: Option<f64>) -> Self {
         let bounds = region.bounds().unwrap_or_default();
         // Obstacles need to be as wide as anything that may be laid across the border.

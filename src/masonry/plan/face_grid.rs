@@ -77,8 +77,8 @@ impl FaceGrid {
         if is_nearer { above } else { below }
     }
 
-    /// How far `count` columns reach from a place along an axis of the face: `way` is +1 or -1 along s or t. Beyond the
-    /// last line the reach ends there.
+    /// How far `count` columns reach from a place along an axis of the face: `way` is +1 or -1 along s or t. Beyond
+    /// the last line the reach ends there.
     pub fn reach(lines: &[f64], from: f64, way: f64, count: usize) -> f64 {
         let at = Self::line_at(lines, from);
         let to = if way > 0.0 {
@@ -115,8 +115,7 @@ pub(super) fn place(face: &Face, p: DVec3) -> DVec2 {
 pub(super) fn joints(building: &Building, edge: EdgeId) -> Vec<(DVec3, bool)> {
     let edge = building.edge(edge);
     if edge.is_closed() {
-        // A column begins where the rim of a cylinder does, so that its bricks are whole.
-        return vec![(edge.path.point(0.0), false)];
+        return Vec::new();
     }
     let all = edge.path.joints();
     let last = all.len() - 1;
@@ -135,13 +134,21 @@ pub(super) fn edges(face: &Face) -> impl Iterator<Item = EdgeId> + '_ {
 pub(super) fn fixed_lines(building: &Building, id: FaceId) -> [Vec<f64>; 2] {
     let face = building.face(id);
     let [low, high] = face.bounds();
-    let (mut s, mut t) = (vec![low.x, high.x], vec![low.y, high.y]);
+    let (mut s, mut t) = (Vec::new(), Vec::new());
     for (p, _) in edges(face).flat_map(|edge| joints(building, edge)) {
         let place = place(face, p);
         s.push(place.x);
         t.push(place.y);
     }
-    [within(s, [low.x, high.x]), within(t, [low.y, high.y])]
+    let ends = match face.surface.period() {
+        // A seam is no line of the grid: lines begin at a corner, if there is one.
+        Some(period) => {
+            let first = s.iter().copied().reduce(f64::min).unwrap_or(low.x);
+            [first, first + period]
+        }
+        None => [low.x, high.x],
+    };
+    [within(s, ends), within(t, [low.y, high.y])]
 }
 
 /// Sorted lines within bounds. The bounds win over lines near to them.

@@ -16,4 +16,4 @@ pub use face_grid::{FaceGrid, region};
 pub use fault::{PlanFault, PlanWarning};
 pub use lines::{CourseMark, CourseWarning, Courses, divided, merged, pieces};
 pub use making::{Plan, is_wall};
-pub use parity::{Bond, Change, Columns, PhaseEdge, PhasePlan, repair, solve, stretcher};
+pub use parity::{Change, Columns, PhaseEdge, PhasePlan, repair, solve};

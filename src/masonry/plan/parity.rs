@@ -146,33 +146,6 @@ fn differ(columns: &[Columns], edge: &PhaseEdge) -> bool {
     (before(0) + before(1)).is_multiple_of(2)
 }
 
-/// Which wall shows the stretcher in a row at an edge: 0 or 1 of its two walls. By hand, `flip` is the bit that the
-/// model stores with the edge, and the phases count for nothing (Legakis, Dorsey, Gortler 2001, section 5.2).
-pub fn stretcher(columns: &[Columns], edge: &PhaseEdge, row: usize, bond: Bond) -> usize {
-    match bond {
-        Bond::Solved(plan) if !plan.conflicts.contains(&edge.edge) => {
-            let wall = edge.walls[0] as usize;
-            let at = columns[wall].before(edge.lines[0]) + row + usize::from(plan.phases[wall]);
-            at % 2
-        }
-        // Alternation by the row alone still bonds the two walls.
-        Bond::Solved(_) => row % 2,
-        Bond::ByHand { flip } => (row + usize::from(flip)) % 2,
-    }
-}
-
-/// How the bricks of edges are chosen.
-#[derive(Clone, Copy, Debug)]
-pub enum Bond<'a> {
-    /// From the phases of the walls.
-    Solved(&'a PhasePlan),
-    /// By hand: one bit for the edge or corner.
-    ByHand {
-        /// Whether the second wall shows the stretcher in even rows.
-        flip: bool,
-    },
-}
-
 /// A change that [`repair`] has made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Change {
@@ -185,8 +158,8 @@ pub struct Change {
 }
 
 /// Changes the columns of single intervals by one until no conflict is left, or no change makes fewer. Of all changes
-/// it takes the one with the fewest conflicts left, then the least |ln(column width / module)|, then the first. Returns
-/// the changes and the phases.
+/// it takes the one with the fewest conflicts left, then the least |ln(column width / module)|, then the first.
+/// Returns the changes and the phases.
 pub fn repair(
     columns: &mut [Columns],
     edges: &[PhaseEdge],
@@ -288,12 +261,6 @@ mod tests {
                     at.is_multiple_of(2)
                 };
                 assert_ne!(is_stretcher(0), is_stretcher(1), "{edge:?} {row}");
-                assert!(is_stretcher(stretcher(
-                    columns,
-                    edge,
-                    row,
-                    Bond::Solved(plan)
-                )));
             }
         }
     }
@@ -382,17 +349,5 @@ mod tests {
             edge.lines.reverse();
         });
         assert_eq!(first.phases, solve(&columns, &edges).phases);
-    }
-
-    #[test]
-    fn by_hand_the_bit_decides() {
-        let (columns, edges) = ring(&[W * 4.0; 4]);
-        for flip in [false, true] {
-            let shown = |row| stretcher(&columns, &edges[0], row, Bond::ByHand { flip });
-            assert_eq!(
-                [shown(0), shown(1)],
-                [usize::from(flip), usize::from(!flip)]
-            );
-        }
     }
 }

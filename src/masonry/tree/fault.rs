@@ -10,8 +10,8 @@ pub enum TreeFault {
         /// The column.
         column: usize,
     },
-    /// Another sort of value stands where this is needed: "object", "array", "number", "text", "whole number", "true or
-    /// false".
+    /// Another sort of value stands where this is needed: "object", "array", "number", "text", "whole number", "true
+    /// or false".
     NotA {
         /// The sort that is needed.
         wanted: &'static str,

@@ -5,8 +5,8 @@ use super::feature::FeatureKind::{self, Corner, Edge, Face};
 /// A pattern generator that lays cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PatternGenerator {
-    /// One block for each cell of a face's grid, in one colour for each type of feature (Legakis, Dorsey, Gortler 2001,
-    /// section 5.1).
+    /// One block for each cell of a face's grid, in one colour for each type of feature (Legakis, Dorsey, Gortler
+    /// 2001, section 5.1).
     RgbBlocks,
     /// Running bond (section 5.2, Bricks).
     Bricks,

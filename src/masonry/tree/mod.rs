@@ -1,7 +1,7 @@
 //! Trees of pattern generators, as data.
 //!
-//! Legakis, Dorsey, Gortler (2001), section 4.1: each feature of the building begins at the root and is passed down the
-//! tree. A selector passes it to one child, by its label, its type or its geometry (section 5.3). A generator lays
+//! Legakis, Dorsey, Gortler (2001), section 4.1: each feature of the building begins at the root and is passed down
+//! the tree. A selector passes it to one child, by its label, its type or its geometry (section 5.3). A generator lays
 //! cells on it. [`PatternNode::Seq`] passes it to several children one after the other: each fills what those before
 //! have left.
 //!

@@ -159,8 +159,8 @@ impl PatternTree {
         found
     }
 
-    /// The labels of the tree that a model does not have, with the paths of their nodes. They are no error: a part of a
-    /// tree may be of no use for a model (section 5.5).
+    /// The labels of the tree that a model does not have, with the paths of their nodes. They are no error: a part of
+    /// a tree may be of no use for a model (section 5.5).
     pub fn labels_without_use(&self, of_model: &[&str]) -> Vec<(String, String)> {
         let mut labels = self.labels();
         labels.retain(|(label, _)| !of_model.contains(&label.as_str()));
