@@ -9,6 +9,15 @@ import { fileURLToPath } from 'node:url';
 import { host } from '../../scripts/lib/host.mjs';
 import { allowClipboard, blankPage, kind, launch } from './browsers.mjs';
 
+/** The window of pages that ask for no other one. */
+export const desk = { width: 1280, height: 800 };
+
+/**
+ * A low window, for tests that wait for refined frames of bodies: the picture has a third of the pixels. Rare tools are
+ * folded in windows below 704 lines; all else is as on a desk.
+ */
+export const low = { width: 1280, height: 560 };
+
 const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 
 // A folder below the root, as the site must work from any folder.
@@ -25,9 +34,10 @@ let sites = 0;
  * Serves dist/. A browser with an empty profile is started for the first page, and closed with the last site.
  * @param {object} [options]
  * @param {string} [options.files] another folder than dist/
+ * @param {import('puppeteer-core').Viewport} [options.viewport] the window of pages that ask for no other one
  * @param {(asked: (path: string) => void) => ReturnType<typeof host>} [options.serve] another host
  */
-export async function open({ files = dist, serve = (asked) => host(files, { under: folder, asked }) } = {}) {
+export async function open({ files = dist, viewport: usual = desk, serve = (asked) => host(files, { under: folder, asked }) } = {}) {
   /** The paths of all requests. @type {string[]} */
   const requests = [];
   const { origin, address, stop } = await serve((path) => requests.push(path));
@@ -52,9 +62,9 @@ export async function open({ files = dist, serve = (asked) => host(files, { unde
      * @param {PageOptions} [options]
      */
     newPage: async (fragment = '', options = {}) => {
-      const { dark = false, still = false, viewport } = options;
-      const system = { dark, still, touch: viewport?.hasTouch ?? false };
-      return newPage(await browserFor(system), system, address, fragment, options);
+      const { dark = false, still = false, viewport = usual } = options;
+      const system = { dark, still, touch: viewport.hasTouch ?? false };
+      return newPage(await browserFor(system), system, address, fragment, { ...options, viewport });
     },
     /** @param {import('puppeteer-core').Page} page */
     allowClipboard: (page) => allowClipboard(page, origin),
@@ -85,9 +95,9 @@ export async function open({ files = dist, serve = (asked) => host(files, { unde
  * @param {import('./browsers.mjs').System} system
  * @param {string} address
  * @param {string} fragment
- * @param {PageOptions} options
+ * @param {PageOptions & { viewport: import('puppeteer-core').Viewport }} options
  */
-async function newPage(browser, system, address, fragment, { viewport = { width: 1280, height: 800 }, stores = false, fine = false, sways = false, before }) {
+async function newPage(browser, system, address, fragment, { viewport, stores = false, fine = false, sways = false, before }) {
   const { page, close } = await blankPage(browser, system);
   const { origin } = new URL(address);
   /** Errors on the console, uncaught errors, failed requests. @type {string[]} */

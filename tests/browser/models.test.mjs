@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { low, open } from './harness.mjs';
 import { chooses, click, digest, drop, get, link, message, messages, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box } from './sheet.mjs';
@@ -14,7 +14,7 @@ import { box } from './sheet.mjs';
 let site;
 
 before(async () => {
-  site = await open();
+  site = await open({ viewport: low });
 });
 
 after(() => site?.close());

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { low, open } from './harness.mjs';
 import { opened, saved } from './saved.mjs';
 import { all, chooses, click, digest, done, drop, get, link, message, PILE, set, SMALL } from './page.mjs';
 
@@ -12,7 +12,7 @@ import { all, chooses, click, digest, done, drop, get, link, message, PILE, set,
 let site;
 
 before(async () => {
-  site = await open();
+  site = await open({ viewport: low });
 });
 
 after(() => site?.close());

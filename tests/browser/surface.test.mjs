@@ -4,7 +4,7 @@ import { after, before, test } from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
 import validator from 'gltf-validator';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { low, open } from './harness.mjs';
 import { all, BALL, click, digest, frames, get, link, phone, reloading, set, SMALL } from './page.mjs';
 import { dialog, opened, saved } from './saved.mjs';
 import { box, drag, spot } from './sheet.mjs';
@@ -15,7 +15,7 @@ import { box, drag, spot } from './sheet.mjs';
 let site;
 
 before(async () => {
-  site = await open();
+  site = await open({ viewport: low });
 });
 
 after(() => site?.close());

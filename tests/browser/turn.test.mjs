@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { desk, low, open } from './harness.mjs';
 import { BALL, click, digest, frames, link, message, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box, drag, spot } from './sheet.mjs';
@@ -17,7 +17,7 @@ import { box, drag, spot } from './sheet.mjs';
 let site;
 
 before(async () => {
-  site = await open();
+  site = await open({ viewport: low });
 });
 
 after(() => site?.close());
@@ -143,7 +143,8 @@ test('the page is scrolled over it, by one finger and by the wheel, and two fing
 });
 
 test('a mouse turns it, moves its ground with Shift, and comes closer to what it points at', async () => {
-  const { page, problems, close } = await site.newPage(`${SMALL}&outline=square&camera=330,45`, { still: true });
+  // Stones have to be large beside the steps of the pointer.
+  const { page, problems, close } = await site.newPage(`${SMALL}&outline=square&camera=330,45`, { still: true, viewport: desk });
   await turned(page);
   /** The body under the pointer at a place; 'none' if there is none. */
   const body = async ({ x, y }) => {
