@@ -1,9 +1,9 @@
-/** The numbers of a cell, or of a body in a pile, each with its name. */
+/** The numbers of a cell, of a body in a pile, or of a block, each with its name. */
 import { t } from '../words/look';
 import { make } from '../base/dom';
 
 /** The measures of a cell by the words of its generator, as far as they are known. */
-export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' | 'sides' | 'neighbours' | 'area' | 'type' | 'layer' | 'slid' | 'inwards' | 'outwards' | 'touches']?: number | null | undefined };
+export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' | 'sides' | 'neighbours' | 'area' | 'type' | 'layer' | 'slid' | 'inwards' | 'outwards' | 'touches' | 'length' | 'height' | 'depth' | 'feature']?: number | null | undefined };
 
 export function cellNumbers(figures: Figures): [name: string, value: string][] {
   const { size, wanted, aspect, angle, off, sides, neighbours, area } = figures;
@@ -15,7 +15,7 @@ export function cellNumbers(figures: Figures): [name: string, value: string][] {
   if (is(sides)) rows.push([t('cell_sides'), String(sides)]);
   if (is(neighbours)) rows.push([t('cell_neighbours'), String(neighbours)]);
   if (is(area)) rows.push([t('cell_area'), area.toFixed(0)]);
-  return [...rows, ...piledNumbers(figures)];
+  return [...rows, ...piledNumbers(figures), ...blockNumbers(figures)];
 }
 
 /** Those of a body in a pile; lengths are in its diagonals. */
@@ -25,6 +25,17 @@ function piledNumbers({ type, layer, slid, inwards, outwards, touches }: Figures
   if (is(layer)) rows.push([t('body_layer'), String(layer)]);
   if (is(slid) && is(inwards) && is(outwards)) rows.push([t('body_slid'), t('body_slid_of', { slid: signed(slid), from: signed(inwards), to: signed(outwards) })]);
   if (is(touches)) rows.push([t('body_touches'), String(touches)]);
+  return rows;
+}
+
+/** The words of the types of features. */
+const FEATURES = ['feature_0', 'feature_1', 'feature_2'] as const;
+
+/** Those of a block in a wall, in millimetres. */
+function blockNumbers({ length, height, depth, feature }: Figures): [name: string, value: string][] {
+  const rows: [string, string][] = [];
+  if (is(length) && is(height) && is(depth)) rows.push([t('block_size'), t('block_size_of', { length, height, depth })]);
+  if (is(feature)) rows.push([t('block_feature'), t(FEATURES[feature] ?? 'feature_2')]);
   return rows;
 }
 

@@ -456,4 +456,35 @@ function withBoth(own: Table): Table {
 }
 
 /** The tables, by the word that a generator gives. */
-export const CHANCES: Record<string, Table> = { plane: withBoth(PLANE), surface: withBoth(SURFACE), pile: PILE };
+/** Buildings with the patterns, modules and colours that suit them. */
+const MASONRY: Table = {
+  Building: [
+    ['building', { gabled: 4, lhouse: 3, gate: 3, wall: 2, tower: 2, steps: 2, ring: 1, block: 1 }],
+    ['gabled_windows', range(1, 3, 1)],
+    ['lhouse_windows', range(1, 3, 1)],
+    ['gabled_head', range(0, 2, 1)],
+    ['lhouse_head', range(0, 2, 1)],
+    ['gate_span', range(8, 14, 1)],
+    ['ring_walls', range(4, 9, 1)],
+  ],
+  Pattern: [
+    ['pattern', { bricks: 1 }, { building: ['steps', 'ring', 'tower'] }],
+    ['pattern', { bricks: 3, ashlar: 2 }],
+  ],
+  Module: [
+    ['module', { ashlar: 1 }, { pattern: ['ashlar'] }],
+    ['module', { nf: 3, us: 1, uk: 1 }],
+  ],
+  Blocks: [
+    ['rough', range(0.35, 0.7, 0.05), { pattern: ['ashlar'] }],
+    ['rough', range(0, 0, 0.05)],
+  ],
+  Look: [
+    ['walls', { honey: 3, grey: 3, pale: 1 }, { pattern: ['ashlar'] }],
+    ['walls', { red: 4, yellow: 2, dark: 2, white: 1 }],
+    ['dressing', { same: 1, pale: 2 }],
+    ['mortar', { light: 3, grey: 1, sand: 1 }],
+  ],
+};
+
+export const CHANCES: Record<string, Table> = { plane: withBoth(PLANE), surface: withBoth(SURFACE), pile: PILE, masonry: MASONRY };

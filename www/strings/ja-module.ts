@@ -1,4 +1,4 @@
-/** The Japanese for the first module's words; ja-surface.ts and ja-pile.ts have that of the second one. The terms are those of Miyata, Itoh and Shimada (2001). */
+/** The Japanese for the first module's words; ja-surface.ts, ja-pile.ts and ja-masonry.ts have that of the second one. The terms are those of Miyata, Itoh and Shimada (2001). */
 import type { Foreign } from './foreign';
 import { said } from './ja-notices';
 
@@ -199,7 +199,7 @@ const presets: Foreign['presets'] = {
 
 export const foreign: Foreign = {
   parameters,
-  makes: { pavement: '舗装と皮', surface: '空間の曲面', pile: '山積み' },
+  makes: { pavement: '舗装と皮', surface: '空間の曲面', pile: '山積み', masonry: 'れんがと石' },
   units: {},
   groups: {
     Outline: '輪郭', Shape: '形', Picture: '画像', Cells: 'セル', Size: '大きさ', Direction: '方向', Packing: '充填', Relief: '立体', Surface: '表面', Colour: '色', Weather: '風化', Light: '光',

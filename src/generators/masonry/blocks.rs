@@ -75,8 +75,9 @@ impl Wall {
 
     /// Lays the cells whose numbers are below `end`.
     pub(super) fn lay(&mut self, cells: &[MasonryCell], end: usize) {
-        for number in self.shown..end.min(cells.len()) {
-            self.add(&cells[number], number as u32);
+        let numbered = (0..).zip(cells).take(end).skip(self.shown);
+        for (number, cell) in numbered {
+            self.add(cell, number);
         }
         self.shown = end.max(self.shown);
     }

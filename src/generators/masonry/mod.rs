@@ -55,9 +55,7 @@ pub static MASONRY: Generator = Generator {
         bases: &views::WORDS,
         overlays: &[],
     },
-    offers: &[
-        "frames", "models", "cut", "bodies", "compare", "mesh", "forming",
-    ],
+    offers: &["frames", "models", "cut", "compare", "mesh", "forming"],
     names: &["building", "pattern"],
     samples: &[],
     chance: "masonry",

@@ -51,7 +51,8 @@ fn there_is_a_word_for_each_building_and_a_row_for_each_of_its_numbers() {
 #[test]
 fn every_building_has_a_block_for_each_cell() {
     for rule in Rule::ALL {
-        let engine = laid(&format!("make=masonry&building={}", rule.word())).expect(rule.word());
+        let link = format!("make=masonry&building={}", rule.word());
+        let engine = laid(&link).expect("a building");
         let cells = engine.made.cells.made().expect("cells").cells();
         let scene = &engine.made.blocks.made().expect("blocks").scene;
         let drawn = scene

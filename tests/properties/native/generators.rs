@@ -28,7 +28,7 @@ fn an_unknown_generator_gets_a_sentence_and_a_pavement() {
     assert_eq!(recipe.link(), "v=1&cs=30");
     assert_eq!(
         notices[0].to_string(),
-        "Make must be pavement, surface or pile; \"castle\" was given, kept pavement."
+        "Make must be pavement, surface, pile or masonry; \"castle\" was given, kept pavement."
     );
     // A word of another generator is as unknown as any other.
     let (recipe, notices) = ALL.recipe("make=surface&cn=80&cs=30");

@@ -1,0 +1,74 @@
+/** The Japanese for masonry, by generator and key. It comes with the second module. */
+import type { Foreign } from './foreign';
+
+const COLOURS = { red: '赤れんが', yellow: '黄色いれんが', dark: '黒れんが', honey: '蜂蜜色の石', grey: '灰色の石', pale: '淡い石' };
+
+/** The numbers of buildings, by building. */
+const BUILDINGS: Record<string, Record<string, string>> = {
+  block: { length: '長さ（半枚の数）', width: '幅（半枚の数）', height: '高さ（段の数）' },
+  lhouse: { length: '長さ（半枚の数）', width: '幅（半枚の数）', wing: '翼の長さ（半枚の数）', depth: '翼の幅（半枚の数）', height: '高さ（段の数）', windows: '壁ごとの窓の数', head: 'まぐさ：直線・弧・半円' },
+  gabled: { length: '長さ（半枚の数）', width: '幅（半枚の数）', height: '軒の高さ（段の数）', pitch: '屋根の勾配', windows: '壁ごとの窓の数', head: 'まぐさ：直線・弧・半円' },
+  wall: { length: '長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）', width: '開口の幅（半枚の数）', head: '中央のまぐさ：直線・弧・半円' },
+  gate: { span: '開口の幅（半枚の数）', pier: '柱の幅（半枚の数）', springing: 'アーチの起点の高さ（段の数）', over: '頂の上の段の数', thickness: '厚み（半枚の数）' },
+  steps: { steps: '段数', width: '幅（半枚の数）', tread: '踏面（半枚の数）', riser: '蹴上げ（段の数）', column: '柱の幅（半枚の数）', height: '柱の高さ（段の数）' },
+  tower: { around: '周の長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）', windows: '窓の数', width: '窓の幅（半枚の数）' },
+  ring: { walls: '壁の数', side: '壁の長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）' },
+  sheet: { length: '長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）' },
+};
+
+const numbers = Object.entries(BUILDINGS).flatMap(([building, rows]) => Object.entries(rows).map(([word, name]) => [`masonry.${building}_${word}`, { name, help: '建物を決める数の一つ。' }] as const));
+
+export const parameters: Foreign['parameters'] = {
+  building: {
+    name: '建物',
+    help: '建てる物。規則による物、またはファイルの物。',
+    choices: {
+      block: '直方体', lhouse: 'L字形の家', gabled: '切妻の家', wall: '開口のある壁', gate: '門', steps: '柱のある階段', tower: '円塔', ring: '壁の輪', sheet: '一枚の壁', file: 'ファイルから',
+    },
+  },
+  ...Object.fromEntries(numbers),
+  'masonry.model': { name: 'モデル', help: '建物のファイルの要約値と名前。リンクにファイルそのものは入りません。' },
+  'masonry.yaw': { name: '回転', help: '同じ光の下で、建物を縦の軸のまわりに回します。' },
+  'masonry.pattern': {
+    name: '積み方',
+    help: '建物の部分が通る、模様の木。',
+    choices: { bricks: 'れんが', ashlar: '乱積みの切石', rgb: 'RGBブロック', quoins: '隅石のあるれんが', herringbone: '矢筈の柱のある階段', cement: 'セメント石の階段' },
+  },
+  hand: { name: '角', help: '角と稜線のれんがの向き。建物全体で解くか、論文のとおり、建物に書かれた印によるか。', choices: { solved: '解く', stored: '手で' } },
+  'masonry.seed': { name: 'シード', help: '乱数の種。' },
+  module: {
+    name: '寸法',
+    help: '目地を含む、れんがや石の大きさ。',
+    choices: { nf: 'ドイツの標準形', us: 'アメリカの標準形', uk: 'イギリスの標準形', ashlar: '125 mmの石', cube: '250 mmの立方体', own: '自由な寸法' },
+  },
+  'masonry.w': { name: '半枚の幅', help: '目地を含む、半枚のれんがの幅。' },
+  'masonry.h': { name: '段の高さ', help: '目地を含む、一段の高さ。' },
+  'masonry.joint': { name: '目地', help: '目地の厚み。' },
+  recess: { name: '目地の深さ', help: '目地材が壁の表面からどれだけ奥にあるか。' },
+  chamfer: { name: '面取り', help: 'ブロックの面取りの幅。' },
+  rough: { name: '粗さ', help: '石がどれだけ丸く粗いか。0では平らです。' },
+  crooked: { name: 'ゆがみ', help: 'ブロックがどれだけ曲がって置かれるか。' },
+  walls: { name: '壁', help: '壁の色。', choices: { ...COLOURS, white: '白塗りのれんが', parts: '部分ごと' } },
+  dressing: { name: '縁どり', help: '窓台、まぐさ、アーチ、隅石の色。', choices: { same: '壁と同じ', ...COLOURS } },
+  'masonry.mortar': { name: '目地材', help: '目地材の色。', choices: { light: '明るい', grey: '灰色', sand: '砂色', dark: '暗い' } },
+  'masonry.vary': { name: '色のばらつき', help: 'ブロックごとの色調の違い。' },
+  'masonry.gloss': { name: '光沢', help: 'ブロックの光り方。', choices: { own: 'そのまま', matt: 'つや消し', glossy: 'つやあり', wet: '濡れ' } },
+};
+
+export const groups: Foreign['groups'] = { Building: '建物', Pattern: '積み方', Module: '寸法', Blocks: 'ブロック', Buildings: '建物' };
+
+export const presets: Foreign['presets'] = {
+  cottage: { title: '小さな家', note: '淡い窓台とまぐさのある赤れんがの家が、夕方の光の中、スレートの下に立つ。' },
+  farmhouse: { title: '農家', note: '大小の粗い灰色の石が、L字形の家のどの角も回る。' },
+  'stone-house': { title: '石の家', note: '蜂蜜色の切石の窓を、長短の淡い石が縁どる。' },
+  'garden-wall': { title: '庭の壁', note: '一つの壁に、半円と直線と弧のまぐさの開口がある。' },
+  'brick-gate': { title: '門', note: '立てたれんがの二重の輪が、半円アーチの上の壁を支える。' },
+  'brick-steps': { title: '階段', note: 'れんがが段とともに登り、両わきの柱には笠石が載る。' },
+  pentagon: { title: '五角形', note: '五つの壁のれんがは、一列を加えるまで、すべての角で互い違いにはならない。' },
+  'masonry7-a': { title: '', note: '角は赤、稜線は緑、面は青。方法の三つの段階が見える。' },
+  'masonry7-b': { title: '', note: '長手と小口が稜線で互い違いになり、れんが積みが合う。' },
+  'masonry7-c': { title: '', note: '稜線の互い違いの石の間を、大小の石が埋める。' },
+  'masonry7-d': { title: '', note: '家の開口には、それぞれの角と稜線がある。' },
+  'masonry7-g': { title: '', note: 'アーチの稜線のブロックが曲線に沿う。' },
+  'masonry7-i': { title: '', note: '迫石と薄い石の縁がアーチを回る。' },
+};
