@@ -85,11 +85,11 @@ mod graph;
 mod hash;
 pub mod heightfield;
 pub mod light;
+#[cfg(house)]
+pub mod masonry;
 pub mod material;
 pub mod mesh;
 pub mod metrics;
-#[cfg(house)]
-pub mod masonry;
 #[cfg(house)]
 pub mod modelfiles;
 pub mod notice;

@@ -175,7 +175,7 @@ mod tests {
         let cell = rectangle((0.2, 0.1), (0.9, 0.8));
         for _ in 0..200 {
             let obstacle = triangle(&mut random);
-            let left: f64 = remainder(&cell, &[obstacle.clone()])
+            let left: f64 = remainder(&cell, std::slice::from_ref(&obstacle))
                 .iter()
                 .map(Footprint::area)
                 .sum();
