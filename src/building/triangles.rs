@@ -3,7 +3,7 @@
 
 use super::region::SpotRing;
 use crate::domain::signed_area;
-use crate::order::{SortKey, rank};
+use crate::order::{self, SortKey, rank};
 use crate::planar::{self, Delaunay, position};
 use glam::DVec2;
 use spade::Triangulation as _;
@@ -50,6 +50,11 @@ pub(super) fn triangulate(
         );
     }
     let walls = lines.len();
+    // Points are inserted in this order: a sweep along s changes few triangles at a time. Ring by ring, the second row of
+    // points would change all those to the first row again and again.
+    order::sort(&mut lines, |[a, b]| {
+        (rank(a.x.min(b.x)), rank(a.y.min(b.y)))
+    });
     let within = strips.iter().filter(|&&s| s > low.x && s < high.x);
     lines.extend(within.map(|&s| [low.y, high.y].map(|t| scaled(DVec2::new(s, t)))));
     let (mesh, edges) = planar::triangulate_lines(lines.into_iter(), walls);
