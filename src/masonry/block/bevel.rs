@@ -69,7 +69,7 @@ impl Bevelled {
                 (start..positions.len() as u32).collect()
             })
             .collect();
-        let corners = Corners::new(body, &rings);
+        let corners = SideCorners::new(body, &rings);
         Self {
             strips: corners.strips(),
             knots: corners.knots(body.vertices().len()),
@@ -149,9 +149,9 @@ struct SideCorner {
     next: u32,
 }
 
-struct Corners(Vec<SideCorner>);
+struct SideCorners(Vec<SideCorner>);
 
-impl Corners {
+impl SideCorners {
     fn new(body: &Polyhedron, rings: &[Vec<u32>]) -> Self {
         let corners = body.sides().iter().zip(rings).flat_map(|(side, ring)| {
             let count = ring.len();

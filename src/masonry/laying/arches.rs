@@ -80,7 +80,7 @@ impl Curve {
 }
 
 /// A piece of an edge between a wall and a reveal.
-struct Ring {
+struct RimPiece {
     wall: FaceId,
     curve: Curve,
     length: f64,
@@ -157,7 +157,7 @@ impl Site {
     }
 
     /// The length of a lintel's last row that ends at the next course line above; that of others as it is.
-    fn snapped(&self, ring: &Ring, off: f64, length: f64) -> f64 {
+    fn snapped(&self, ring: &RimPiece, off: f64, length: f64) -> f64 {
         let Curve::Line { from, inwards, .. } = ring.curve else {
             return length;
         };
@@ -173,7 +173,7 @@ impl Site {
         &mut self,
         id: EdgeId,
         node: &GeneratorNode,
-        (ring, rows): (&Ring, &Rows),
+        (ring, rows): (&RimPiece, &Rows),
         (off, row): (f64, &StoneRow),
     ) {
         let length = ring.length * ring.curve.stretch(off + 0.5 * row.length);
@@ -228,7 +228,7 @@ impl Site {
     }
 
     /// The parts of an edge that are not upright, between a wall and a reveal.
-    fn rings(&self, id: EdgeId) -> Vec<Ring> {
+    fn rings(&self, id: EdgeId) -> Vec<RimPiece> {
         let edge = self.edge(id);
         let [Some(a), Some(b)] = edge.faces else {
             return Vec::new();
@@ -244,7 +244,7 @@ impl Site {
             .runs(id)
             .into_iter()
             .filter(|run| !run.is_upright && run.sides[0].face == wall);
-        let lines = level.map(|run| Ring {
+        let lines = level.map(|run| RimPiece {
             wall,
             curve: Curve::line(&run),
             length: run.ends[1] - run.ends[0],
@@ -256,7 +256,7 @@ impl Site {
             .windows(2)
             .zip(edge.path.pieces())
             .filter_map(|(ends, piece)| match piece {
-                Piece::Arc(arc) => Some(Ring {
+                Piece::Arc(arc) => Some(RimPiece {
                     wall,
                     curve: self.arc(wall, arc, edge, ends[0])?,
                     length: ends[1] - ends[0],

@@ -36,7 +36,7 @@ fn laid(draft: &Draft, tree: (usize, Module), seed: u64) -> Laying {
 
 #[test]
 fn cells_are_closed_convex_and_leave_room_for_mortar() {
-    for rule in Rule::ALL {
+    for rule in [Rule::Gate, Rule::Steps, Rule::Ring, Rule::Gabled] {
         for tree in TREES {
             let laying = laid(&draft(rule, &Module::NORMAL), tree, 1);
             assert!(laying.cells().len() > 20);

@@ -7,7 +7,7 @@ use super::{MOST_DEPTH, MOST_NODES};
 use crate::building::Heading;
 use serde_json::{Map, Value};
 
-type Found<T> = Result<T, TreeError>;
+type Checked<T> = Result<T, TreeError>;
 
 impl PatternTree {
     /// Reads a tree from JSON.
@@ -37,7 +37,7 @@ struct TreeReader {
 }
 
 impl TreeReader {
-    fn node(&mut self, value: &Value, path: &str, depth: usize) -> Found<PatternNode> {
+    fn node(&mut self, value: &Value, path: &str, depth: usize) -> Checked<PatternNode> {
         self.nodes += 1;
         if depth > MOST_DEPTH {
             return Err(fault(path, TreeFault::TooDeep));
@@ -84,7 +84,7 @@ impl TreeReader {
         object: &Map<String, Value>,
         key: &str,
         (path, depth): (&str, usize),
-    ) -> Found<PatternNode> {
+    ) -> Checked<PatternNode> {
         match object.get(key) {
             Some(value) => self.node(value, &joined(path, key), depth + 1),
             None => Ok(PatternNode::Nothing),
@@ -98,7 +98,7 @@ impl TreeReader {
         at: (&str, usize),
         keys: [&str; N],
         more: &[&str],
-    ) -> Found<[Box<PatternNode>; N]> {
+    ) -> Checked<[Box<PatternNode>; N]> {
         only(object, at.0, &[&keys[..], more].concat())?;
         let mut parts = [(); N].map(|()| Box::new(PatternNode::Nothing));
         for (part, key) in parts.iter_mut().zip(keys) {
@@ -107,7 +107,7 @@ impl TreeReader {
         Ok(parts)
     }
 
-    fn by_label(&mut self, map: &Map<String, Value>, at: (&str, usize)) -> Found<PatternNode> {
+    fn by_label(&mut self, map: &Map<String, Value>, at: (&str, usize)) -> Checked<PatternNode> {
         let (path, depth) = at;
         only(map, path, &LABELLED)?;
         let within = joined(path, "cases");
@@ -130,7 +130,7 @@ impl TreeReader {
         Ok(PatternNode::ByLabel { cases, otherwise })
     }
 
-    fn by_corner(&mut self, map: &Map<String, Value>, at: (&str, usize)) -> Found<PatternNode> {
+    fn by_corner(&mut self, map: &Map<String, Value>, at: (&str, usize)) -> Checked<PatternNode> {
         let (path, depth) = at;
         only(map, path, &LABELLED)?;
         let within = joined(path, "cases");
@@ -149,7 +149,7 @@ impl TreeReader {
         Ok(PatternNode::ByCorner { cases, otherwise })
     }
 
-    fn orientation(&mut self, map: &Map<String, Value>, at: (&str, usize)) -> Found<PatternNode> {
+    fn orientation(&mut self, map: &Map<String, Value>, at: (&str, usize)) -> Checked<PatternNode> {
         const WORDS: &[&str] = &["horizontal", "vertical"];
         let [horizontal, vertical] =
             self.parts(map, at, ["horizontal", "vertical"], &["corners"])?;
@@ -168,7 +168,7 @@ impl TreeReader {
         &mut self,
         map: &Map<String, Value>,
         (path, depth): (&str, usize),
-    ) -> Found<PatternNode> {
+    ) -> Checked<PatternNode> {
         only(map, path, &["children"])?;
         let within = joined(path, "children");
         let list = map
@@ -177,11 +177,11 @@ impl TreeReader {
         let nodes = list.iter().enumerate();
         let nodes =
             nodes.map(|(k, value)| self.node(value, &joined(&within, &k.to_string()), depth + 1));
-        nodes.collect::<Found<_>>().map(PatternNode::Seq)
+        nodes.collect::<Checked<_>>().map(PatternNode::Seq)
     }
 }
 
-fn corner_pattern(map: &Map<String, Value>, path: &str) -> Found<CornerPattern> {
+fn corner_pattern(map: &Map<String, Value>, path: &str) -> Checked<CornerPattern> {
     only(
         map,
         path,
@@ -199,13 +199,13 @@ fn corner_pattern(map: &Map<String, Value>, path: &str) -> Found<CornerPattern> 
         default: 0.0,
         is_whole: true,
     };
-    let count = |key: &str| -> Found<Option<usize>> {
+    let count = |key: &str| -> Checked<Option<usize>> {
         let value = map
             .get(key)
             .map(|value| number(value, &joined(path, key), &COUNT));
         Ok(value.transpose()?.map(|count| count as usize))
     };
-    let heading = |key: &str| -> Found<Option<Heading>> {
+    let heading = |key: &str| -> Checked<Option<Heading>> {
         let value = map
             .get(key)
             .map(|value| word(value, &joined(path, key), &HEADINGS));
@@ -230,7 +230,7 @@ fn generator_node(
     generator: PatternGenerator,
     map: &Map<String, Value>,
     path: &str,
-) -> Found<GeneratorNode> {
+) -> Checked<GeneratorNode> {
     let mut node = GeneratorNode::new(generator);
     for (key, value) in map.iter().filter(|(key, _)| *key != "type") {
         let within = joined(path, key);
@@ -247,7 +247,7 @@ fn generator_node(
 }
 
 /// Rows of stones, each as an array of length, width and extrusion.
-fn rows(value: &Value, path: &str) -> Found<Vec<StoneRow>> {
+fn rows(value: &Value, path: &str) -> Checked<Vec<StoneRow>> {
     let list = array(value, path)?;
     in_range(list.len() as f64, [1.0, StoneRow::MOST as f64], path)?;
     let row = |(k, value): (usize, &Value)| {
@@ -286,7 +286,7 @@ fn not_a(path: &str, wanted: &'static str) -> TreeError {
 }
 
 /// Refuses keys other than `type` and those given.
-fn only(object: &Map<String, Value>, path: &str, keys: &[&str]) -> Found<()> {
+fn only(object: &Map<String, Value>, path: &str, keys: &[&str]) -> Checked<()> {
     let mut others = object
         .keys()
         .filter(|key| *key != "type" && !keys.contains(&key.as_str()));
@@ -299,22 +299,22 @@ fn only(object: &Map<String, Value>, path: &str, keys: &[&str]) -> Found<()> {
     }
 }
 
-fn object<'a>(value: &'a Value, path: &str) -> Found<&'a Map<String, Value>> {
+fn object<'a>(value: &'a Value, path: &str) -> Checked<&'a Map<String, Value>> {
     value.as_object().ok_or_else(|| not_a(path, "object"))
 }
 
-fn array<'a>(value: &'a Value, path: &str) -> Found<&'a [Value]> {
+fn array<'a>(value: &'a Value, path: &str) -> Checked<&'a [Value]> {
     value
         .as_array()
         .map(Vec::as_slice)
         .ok_or_else(|| not_a(path, "array"))
 }
 
-fn text<'a>(value: &'a Value, path: &str) -> Found<&'a str> {
+fn text<'a>(value: &'a Value, path: &str) -> Checked<&'a str> {
     value.as_str().ok_or_else(|| not_a(path, "text"))
 }
 
-fn word<'a>(value: &'a Value, path: &str, allowed: &'static [&'static str]) -> Found<&'a str> {
+fn word<'a>(value: &'a Value, path: &str, allowed: &'static [&'static str]) -> Checked<&'a str> {
     let word = text(value, path)?;
     let known = allowed.contains(&word);
     known.then_some(word).ok_or_else(|| {
@@ -328,7 +328,7 @@ fn word<'a>(value: &'a Value, path: &str, allowed: &'static [&'static str]) -> F
     })
 }
 
-fn number(value: &Value, path: &str, parameter: &Parameter) -> Found<f64> {
+fn number(value: &Value, path: &str, parameter: &Parameter) -> Checked<f64> {
     let number = value.as_f64().ok_or_else(|| not_a(path, "number"))?;
     if parameter.is_whole && number.fract() != 0.0 {
         return Err(not_a(path, "whole number"));
@@ -336,7 +336,7 @@ fn number(value: &Value, path: &str, parameter: &Parameter) -> Found<f64> {
     in_range(number, parameter.range, path).map(|()| number)
 }
 
-fn in_range(number: f64, [least, most]: [f64; 2], path: &str) -> Found<()> {
+fn in_range(number: f64, [least, most]: [f64; 2], path: &str) -> Checked<()> {
     let is_in = (least..=most).contains(&number);
     is_in
         .then_some(())

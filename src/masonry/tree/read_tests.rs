@@ -7,10 +7,33 @@ fn fault_of(text: &str) -> (String, TreeFault) {
     (error.path, error.fault)
 }
 
+/// Texts with the paths and the faults that they have.
+type Cases<'a> = &'a [(&'a str, &'a str, TreeFault)];
+
+fn check(cases: Cases) {
+    for (text, path, wanted) in cases {
+        let found = fault_of(text);
+        assert_eq!(found, ((*path).to_owned(), wanted.clone()), "{text}");
+    }
+}
+
+fn not_a(wanted: &'static str) -> TreeFault {
+    TreeFault::NotA { wanted }
+}
+
+fn unknown(key: &str) -> TreeFault {
+    TreeFault::UnknownParameter { key: key.into() }
+}
+
+fn beyond(least: f64, most: f64) -> TreeFault {
+    TreeFault::OutOfRange { least, most }
+}
+
 #[test]
-fn each_fault_is_told_with_its_place() {
-    use TreeFault::*;
-    let cases: &[(&str, &str, TreeFault)] = &[
+fn faults_of_nodes_are_told_with_their_places() {
+    use TreeFault::{EmptyLabel, NoType, NotJson, UnknownNode};
+    let word = "Brick".to_owned();
+    check(&[
         (
             "{\"type\":\n \"Bricks\",}",
             "",
@@ -19,50 +42,15 @@ fn each_fault_is_told_with_its_place() {
                 column: 11,
             },
         ),
-        ("[]", "", NotA { wanted: "object" }),
+        ("[]", "", not_a("object")),
         ("{}", "", NoType),
-        (r#"{"type":3}"#, "type", NotA { wanted: "text" }),
+        (r#"{"type":3}"#, "type", not_a("text")),
+        (r#"{"type":"Brick"}"#, "", UnknownNode { word }),
+        (r#"{"type":"Bricks","colour":1}"#, "", unknown("colour")),
+        (r#"{"type":"None","tag":1}"#, "", unknown("tag")),
+        (r#"{"type":"ByFeature","side":{}}"#, "", unknown("side")),
         (
-            r#"{"type":"Brick"}"#,
-            "",
-            UnknownNode {
-                word: "Brick".into(),
-            },
-        ),
-        (
-            r#"{"type":"Bricks","colour":1}"#,
-            "",
-            UnknownParameter {
-                key: "colour".into(),
-            },
-        ),
-        (
-            r#"{"type":"None","tag":1}"#,
-            "",
-            UnknownParameter { key: "tag".into() },
-        ),
-        (
-            r#"{"type":"Bricks","tag":1.5}"#,
-            "tag",
-            NotA {
-                wanted: "whole number",
-            },
-        ),
-        (
-            r#"{"type":"Bricks","tag":16}"#,
-            "tag",
-            OutOfRange {
-                least: 0.0,
-                most: 15.0,
-            },
-        ),
-        (
-            r#"{"type":"ByLabel","cases":{"A":{"type":"Bricks","tag":"x"}}}"#,
-            "cases.A.tag",
-            NotA { wanted: "number" },
-        ),
-        (
-            r#"{"type":"ByLabel","cases":{" ":{"type":"None"}}}"#,
+            r#"{"type":"ByLabel","cases":{" ":{}}}"#,
             "cases",
             EmptyLabel,
         ),
@@ -74,74 +62,53 @@ fn each_fault_is_told_with_its_place() {
         (
             r#"{"type":"Seq","children":{}}"#,
             "children",
-            NotA { wanted: "array" },
+            not_a("array"),
         ),
+    ]);
+}
+
+#[test]
+fn faults_of_values_are_told_with_their_places() {
+    let other = |word: &str, allowed| TreeFault::UnknownWord {
+        word: word.into(),
+        allowed,
+    };
+    let in_case = r#"{"type":"ByLabel","cases":{"A":{"type":"Bricks","tag":"x"}}}"#;
+    let corner = r#"{"type":"ByCorner","cases":[{"convex":-1}]}"#;
+    let heading = r#"{"type":"ByCorner","cases":[{"single_convex":"left"}]}"#;
+    let headings: &'static [&'static str] = &["up", "down", "level"];
+    check(&[
+        (
+            r#"{"type":"Bricks","tag":1.5}"#,
+            "tag",
+            not_a("whole number"),
+        ),
+        (r#"{"type":"Bricks","tag":16}"#, "tag", beyond(0.0, 15.0)),
+        (in_case, "cases.A.tag", not_a("number")),
         (
             r#"{"type":"Orientation","corners":"up"}"#,
             "corners",
-            UnknownWord {
-                word: "up".into(),
-                allowed: &["horizontal", "vertical"],
-            },
+            other("up", &["horizontal", "vertical"]),
         ),
-        (
-            r#"{"type":"ByCorner","cases":[{"convex":-1}]}"#,
-            "cases.0.convex",
-            OutOfRange {
-                least: 0.0,
-                most: 16.0,
-            },
-        ),
-        (
-            r#"{"type":"ByCorner","cases":[{"single_convex":"left"}]}"#,
-            "cases.0.single_convex",
-            UnknownWord {
-                word: "left".into(),
-                allowed: &["up", "down", "level"],
-            },
-        ),
+        (corner, "cases.0.convex", beyond(0.0, 16.0)),
+        (heading, "cases.0.single_convex", other("left", headings)),
         (
             r#"{"type":"ArchStones","rows":[]}"#,
             "rows",
-            OutOfRange {
-                least: 1.0,
-                most: 8.0,
-            },
+            beyond(1.0, 8.0),
         ),
         (
             r#"{"type":"ArchStones","rows":[[1,2]]}"#,
             "rows.0",
-            OutOfRange {
-                least: 3.0,
-                most: 3.0,
-            },
+            beyond(3.0, 3.0),
         ),
         (
             r#"{"type":"ArchStones","rows":[[1,2,9]]}"#,
             "rows.0.2",
-            OutOfRange {
-                least: 0.0,
-                most: 0.5,
-            },
+            beyond(0.0, 0.5),
         ),
-        (
-            r#"{"type":"Bricks","rows":[[1,1,0]]}"#,
-            "",
-            UnknownParameter { key: "rows".into() },
-        ),
-        (
-            r#"{"type":"ByFeature","side":{"type":"None"}}"#,
-            "",
-            UnknownParameter { key: "side".into() },
-        ),
-    ];
-    for (text, path, wanted) in cases {
-        assert_eq!(
-            fault_of(text),
-            ((*path).to_owned(), wanted.clone()),
-            "{text}"
-        );
-    }
+        (r#"{"type":"Bricks","rows":[[1,1,0]]}"#, "", unknown("rows")),
+    ]);
 }
 
 #[test]
