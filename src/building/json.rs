@@ -167,7 +167,7 @@ fn read_face(at: &At<'_>) -> Read<DraftFace> {
     })
 }
 
-/// One label, several, or none, which is the empty text.
+/// The labels: a list, or one text; an empty text is no label.
 fn read_labels(at: &At<'_>) -> Read<Vec<String>> {
     match at.value {
         Value::String(label) if label.is_empty() => Ok(Vec::new()),

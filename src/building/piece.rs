@@ -111,7 +111,7 @@ impl Piece {
     }
 
     /// The arc length of the nearest point of the line or circle that the piece is part of; it may lie outside of the
-    /// piece. On a circle it is the nearest to the piece's middle of all that are a whole turn apart.
+    /// piece. On a circle, places a whole turn apart are the same; the one nearest to the piece's middle is taken.
     pub fn nearest(&self, p: DVec3) -> f64 {
         match self {
             Self::Line { from, .. } => (p - *from).dot(self.tangent(0.0)),

@@ -16,7 +16,7 @@ pub const MOST_DEPTH: u32 = 3;
 /// The largest part of a cell beside all obstacles that cuts along single sides can leave; none if that is less than
 /// `least` of the cell (a share, usually [`LEAST_SHARE`]). New sides get the inset `inset` (metres).
 ///
-/// The obstacles are taken by falling overlap. Of each one, the side that leaves most of the cell cuts it.
+/// The obstacles are taken by falling overlap. The side of each obstacle that leaves most of the cell cuts it.
 pub fn clip(
     cell: &Footprint,
     obstacles: &[Footprint],

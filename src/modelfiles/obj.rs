@@ -47,7 +47,7 @@ impl Reader for Obj {
     }
 }
 
-/// What takes the vertices and polygons of a file.
+/// Takes the vertices and polygons of a file.
 trait Sink {
     /// The vertices so far.
     fn positions(&mut self) -> &mut Vec<DVec3>;

@@ -32,7 +32,7 @@ export const parameters: Foreign['parameters'] = {
   'masonry.pattern': {
     name: '積み方',
     help: '建物の部分が通る、模様の木。',
-    choices: { bricks: 'れんが', ashlar: '乱積みの切石', rgb: 'RGBブロック', quoins: '隅石のあるれんが', herringbone: '矢筈の柱のある階段', cement: 'セメント石の階段' },
+    choices: { bricks: 'れんが', ashlar: '乱積みの切石', rgb: 'RGBブロック' },
   },
   hand: { name: '角', help: '角と稜線のれんがの向き。建物全体で解くか、論文のとおり、建物に書かれた印によるか。', choices: { solved: '解く', stored: '手で' } },
   'masonry.seed': { name: 'シード', help: '乱数の種。' },

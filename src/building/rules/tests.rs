@@ -1,4 +1,4 @@
-//! Properties of what rules put beside the masonry.
+//! Properties of the parts beside the masonry.
 
 use super::*;
 use crate::building::labels;

@@ -4,7 +4,7 @@ use super::colours::{BRICK_ROW, GLASS_ROW, IRON_ROW, MORTAR_ROW, STONE_ROW, WOOD
 use super::cuboid::Cuboid;
 use super::grain::WallGrain;
 use super::params::BlockParams;
-use super::site::Site;
+use super::site::BuildingSite;
 use crate::building::labels::ROOF;
 use crate::building::{Building, ExtraMesh};
 use crate::masonry::block::{Bevelled, BlockMesh, Polyhedron, Rough, Stonecutter};
@@ -46,7 +46,7 @@ pub(crate) struct Wall {
 
 impl Wall {
     /// Starts with mortar, glass, doors and the like.
-    pub(super) fn new(site: &Site, params: &BlockParams) -> Self {
+    pub(super) fn new(site: &BuildingSite, params: &BlockParams) -> Self {
         let mut scene = Scene {
             reach: (REACH * site.fit.scale) as f32,
             detail: Some(Box::new(WallGrain::new(params.seed, site.fit.scale))),
@@ -240,7 +240,7 @@ fn add_plain(scene: &mut Scene, surface: Surface, (colour, material): ([u8; 3], 
     scene.bodies.push(Body::new(vec![surface], material));
 }
 
-fn add_mortar(scene: &mut Scene, site: &Site, params: &BlockParams) {
+fn add_mortar(scene: &mut Scene, site: &BuildingSite, params: &BlockParams) {
     let sunk = match params.colours.are_stone() {
         true => SUNK * params.rough,
         false => 0.0,

@@ -20,7 +20,7 @@ const MILLI: f64 = 1e-3;
 pub(super) struct MasonryParams {
     pub files: Vec<AskedFile>,
     pub building: BuildingParams,
-    pub cells: CellParams,
+    pub cells: PatternParams,
     pub blocks: BlockParams,
     pub shade: ShadeParams,
     pub gloss: Gloss,
@@ -40,7 +40,7 @@ pub(super) struct BuildingParams {
 
 /// The cells.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct CellParams {
+pub(super) struct PatternParams {
     /// The number of the pattern tree.
     pub tree: usize,
     pub laying: LayingParams,
@@ -82,7 +82,7 @@ impl MasonryParams {
                 rule: rule.map(|rule| (rule, numbers(recipe, rule.word()))),
                 module,
             },
-            cells: CellParams {
+            cells: PatternParams {
                 tree: tree(recipe.choice(keys::PATTERN)),
                 laying: LayingParams {
                     module,
@@ -121,8 +121,11 @@ impl MasonryParams {
 
 /// The number of the pattern tree with this word.
 fn tree(word: &str) -> usize {
-    let words = ["rgb", "bricks", "ashlar", "quoins", "herringbone", "cement"];
-    words.iter().position(|known| *known == word).unwrap_or(1)
+    match word {
+        "rgb" => 0,
+        "ashlar" => 2,
+        _ => 1,
+    }
 }
 
 fn module(recipe: &Recipe) -> Module {

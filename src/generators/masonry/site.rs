@@ -14,7 +14,7 @@ const JSON: u8 = b'{';
 pub(super) const MOST_BLOCKS: f64 = 60_000.0;
 
 /// A building that can be laid.
-pub(super) struct Site {
+pub(super) struct BuildingSite {
     pub building: Arc<Building>,
     /// The least thickness of the wall behind each face (metres).
     pub thickness: Vec<f64>,
@@ -22,7 +22,7 @@ pub(super) struct Site {
     pub fit: Fit,
 }
 
-impl Site {
+impl BuildingSite {
     /// Makes the building by rule, or that of a file.
     ///
     /// # Errors

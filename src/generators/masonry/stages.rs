@@ -2,8 +2,8 @@
 
 use super::MASONRY;
 use super::blocks::Wall;
-use super::params::{BlockParams, BuildingParams, CellParams, MasonryParams};
-use super::site::Site;
+use super::params::{BlockParams, BuildingParams, MasonryParams, PatternParams};
+use super::site::BuildingSite;
 use crate::generators::scene_picture::{
     ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
@@ -43,8 +43,8 @@ pub(super) struct WallScene {
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct MasonryStages {
     files: ModelFiles,
-    pub(super) site: Node<BuildingParams, (), Site>,
-    pub(super) cells: Node<CellParams, Laying, Laying>,
+    pub(super) site: Node<BuildingParams, (), BuildingSite>,
+    pub(super) cells: Node<PatternParams, Laying, Laying>,
     pub(super) laid: Node<BlockParams, Wall, Rc<Scene>>,
     pub(super) blocks: Node<(), (), WallScene>,
     pub(super) still: StillNode,
@@ -148,7 +148,7 @@ impl MasonryStages {
                 None => Some(files.bytes(0)?),
             };
             let bytes = bytes.as_ref().map(|bytes| bytes.as_slice());
-            Site::new(params, bytes).map(Some)
+            BuildingSite::new(params, bytes).map(Some)
         })
     }
 
@@ -219,7 +219,7 @@ impl MasonryStages {
 }
 
 /// Why the module does not suit the building.
-fn refusal(fault: &PlanFault, params: &CellParams) -> Notice {
+fn refusal(fault: &PlanFault, params: &PatternParams) -> Notice {
     let millimetres = |metres: f64| (1e3 * metres).round() as usize;
     let module = millimetres(params.laying.module.half);
     match fault {

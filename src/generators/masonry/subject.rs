@@ -3,7 +3,7 @@
 use super::MasonryEngine;
 use super::blocks::{Wall, flat, plain};
 use super::colours::{FEATURES, type_of};
-use super::site::Site;
+use super::site::BuildingSite;
 use super::views::MasonryView;
 use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
 use crate::graph::Wiring;
@@ -31,7 +31,7 @@ const BARE: u8 = 0;
 
 /// The key of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct SceneInputs {
+pub(crate) struct WallInputs {
     pub view: MasonryView,
     /// Whether it shows work in progress.
     pub is_live: bool,
@@ -42,7 +42,7 @@ pub(crate) struct SceneInputs {
 }
 
 /// A scene.
-pub(crate) enum ViewScene {
+pub(crate) enum WallSubject {
     /// The finished blocks.
     Blocks(Rc<Scene>),
     /// Blocks that are being laid, and the pass of the work.
@@ -51,7 +51,7 @@ pub(crate) enum ViewScene {
     Diagram(Scene),
 }
 
-impl AsRef<Scene> for ViewScene {
+impl AsRef<Scene> for WallSubject {
     fn as_ref(&self) -> &Scene {
         match self {
             Self::Blocks(scene) => scene,
@@ -62,17 +62,17 @@ impl AsRef<Scene> for ViewScene {
 }
 
 impl SceneSource for MasonryEngine {
-    type Key = SceneInputs;
-    type Subject = ViewScene;
+    type Key = WallInputs;
+    type Subject = WallSubject;
     type Making = Option<Box<Wall>>;
 
     fn scene_picture(&mut self) -> &mut ScenePicture<Self> {
         &mut self.picture
     }
 
-    fn key(&self, view: &str) -> Option<SceneInputs> {
+    fn key(&self, view: &str) -> Option<WallInputs> {
         let made = &self.made;
-        let key = |view, is_live, revision| SceneInputs {
+        let key = |view, is_live, revision| WallInputs {
             view,
             is_live,
             site: made.site.revision(),
@@ -99,43 +99,45 @@ impl SceneSource for MasonryEngine {
         })
     }
 
-    fn is_later(&self, before: SceneInputs, after: SceneInputs) -> bool {
+    fn is_later(&self, before: WallInputs, after: WallInputs) -> bool {
         before.view == after.view && before.site == after.site && before.is_live
     }
 
     fn begin(
         &self,
-        of: SceneInputs,
-        shown: &mut Option<(SceneInputs, ViewScene)>,
+        of: WallInputs,
+        shown: &mut Option<(WallInputs, WallSubject)>,
     ) -> Option<Box<Wall>> {
         let pass = self.made.laid.passes();
-        let goes_on = |(before, subject): &mut (SceneInputs, ViewScene)| {
-            let is_same = matches!(subject, ViewScene::Laying(_, own) if *own == pass);
+        let goes_on = |(before, subject): &mut (WallInputs, WallSubject)| {
+            let is_same = matches!(subject, WallSubject::Laying(_, own) if *own == pass);
             is_same && self.is_later(*before, of)
         };
         match shown.take_if(goes_on) {
-            Some((_, ViewScene::Laying(wall, _))) => Some(wall),
+            Some((_, WallSubject::Laying(wall, _))) => Some(wall),
             _ => None,
         }
     }
 
-    fn make(&mut self, of: SceneInputs, making: &mut Option<Box<Wall>>) -> Option<ViewScene> {
+    fn make(&mut self, of: WallInputs, making: &mut Option<Box<Wall>>) -> Option<WallSubject> {
         let made = &self.made;
         let site = made.site.made()?;
         match of.view {
             MasonryView::Picture => {
                 let blocks = made.blocks.made()?;
-                Some(ViewScene::Blocks(blocks.scene.clone()))
+                Some(WallSubject::Blocks(blocks.scene.clone()))
             }
             MasonryView::Auto => {
                 let work = made.begun(&made.laid)?;
                 let new = || Box::new(Wall::new(site, made.laid.params()));
                 let mut wall = making.take().unwrap_or_else(new);
                 wall.lay(made.cells.made()?.cells(), work.shown());
-                Some(ViewScene::Laying(wall, made.laid.passes()))
+                Some(WallSubject::Laying(wall, made.laid.passes()))
             }
-            MasonryView::Mortar => Some(ViewScene::Diagram(bare(site, made.laid.params().recess))),
-            MasonryView::Polygons => Some(ViewScene::Diagram(polygons(site))),
+            MasonryView::Mortar => {
+                Some(WallSubject::Diagram(bare(site, made.laid.params().recess)))
+            }
+            MasonryView::Polygons => Some(WallSubject::Diagram(polygons(site))),
             view => {
                 let cells = made.cells.made()?.cells();
                 let mut scene = bare(site, made.laid.params().recess);
@@ -152,7 +154,7 @@ impl SceneSource for MasonryEngine {
                         );
                     }
                 }
-                Some(ViewScene::Diagram(scene))
+                Some(WallSubject::Diagram(scene))
             }
         }
     }
@@ -161,8 +163,8 @@ impl SceneSource for MasonryEngine {
         self.made.still.params().clone()
     }
 
-    fn materials(&self, subject: &ViewScene) -> Option<&'static [Material]> {
-        matches!(subject, ViewScene::Diagram(_)).then_some(&crate::surface_views::MATERIALS)
+    fn materials(&self, subject: &WallSubject) -> Option<&'static [Material]> {
+        matches!(subject, WallSubject::Diagram(_)).then_some(&crate::surface_views::MATERIALS)
     }
 
     fn finished(&self, view: &str) -> Option<&[u8]> {
@@ -197,7 +199,7 @@ fn push(scene: &mut Scene, surface: Surface, (id, colour, material): (u32, [u8; 
 }
 
 /// The mortar alone.
-fn bare(site: &Site, recess: f64) -> Scene {
+fn bare(site: &BuildingSite, recess: f64) -> Scene {
     let mut scene = Scene {
         reach: (0.3 * site.fit.scale) as f32,
         ..Scene::default()
@@ -216,7 +218,7 @@ fn bare(site: &Site, recess: f64) -> Scene {
 }
 
 /// The polygons of the child mesh, each in a tone of its own.
-fn polygons(site: &Site) -> Scene {
+fn polygons(site: &BuildingSite) -> Scene {
     let mut scene = Scene {
         reach: (0.3 * site.fit.scale) as f32,
         ..Scene::default()

@@ -160,7 +160,7 @@ impl Stonecutter {
     }
 }
 
-/// The planes that a stone must not pass: the sides of what it claims, exposed ones moved out by `bulge`.
+/// The planes that a stone must not pass: the sides of its claim, with exposed ones moved out by `bulge`.
 fn limits(claimed: &Polyhedron, bulge: f64) -> Vec<Plane> {
     let sides = claimed.planes().zip(claimed.sides());
     let limits =

@@ -18,7 +18,7 @@ pub enum Feature {
     Face(FaceId),
 }
 
-/// What a cell is, for the measures.
+/// The sort of a cell, for the measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum CellSort {
     /// A whole brick.
@@ -42,7 +42,7 @@ pub struct MasonryCell {
     pub generator: PatternGenerator,
     /// The number that the generator's node gives it, for colours.
     pub tag: u8,
-    /// What it is.
+    /// Its sort.
     pub sort: CellSort,
     /// The space that it fills; sides at joints have insets, exposed ones have none.
     pub claimed: Polyhedron,

@@ -1,4 +1,4 @@
-//! Measures of what is laid.
+//! Measures of the cells.
 
 use super::Laying;
 use super::cell::{CellSort, Feature, MasonryCell};

@@ -135,7 +135,7 @@ impl Laying {
         &self.site.building
     }
 
-    /// What did not work.
+    /// The warnings so far.
     pub fn warnings(&self) -> &[LayingWarning] {
         &self.warnings
     }

@@ -165,7 +165,7 @@ impl Site {
         all
     }
 
-    /// What a body claims on each face: the hull of its vertices that lie on it, if there are three, with the flags of
+    /// The claim of a body on each face: the hull of its vertices that lie on it, if there are three, with the flags of
     /// these vertices. The paper claims on the faces beside the feature (section 3.3). Thin slabs need all faces.
     fn claims(&self, feature: Feature, body: &Polyhedron) -> Vec<(FaceId, Footprint, Vec<bool>)> {
         let around = body.bounds();

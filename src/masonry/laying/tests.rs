@@ -52,7 +52,7 @@ fn cells_are_closed_convex_and_leave_room_for_mortar() {
     }
 }
 
-/// What bricks must keep on a rule's building: the greatest gap, shared volume, and shares of cut bricks and of
+/// The bounds of bricks on a rule's building: the greatest gap, shared volume, and shares of cut bricks and of
 /// straight joints.
 const LIMITS: [(Rule, [f64; 4]); 7] = [
     (Rule::Block, [1e-4, 1e-5, 0.0, 0.0]),
@@ -272,7 +272,7 @@ fn by_hand_the_bit_of_an_edge_turns_its_bricks() {
         .edge_ids()
         .find(upright)
         .expect("a block has upright edges");
-    // What the edge's bricks claim on its first face, from the bottom up.
+    // The claims of the edge's bricks on its first face, from the bottom up.
     let areas = |draft: &Draft| {
         let building = Arc::new(Building::new(draft).unwrap());
         let params = LayingParams {

@@ -25,14 +25,14 @@ pub enum PlanFault {
     },
 }
 
-/// What may look wrong.
+/// A warning about what may look wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanWarning {
     /// About the courses of the walls that hang together with this one.
     Courses {
         /// The first of these walls.
         face: FaceId,
-        /// What it is.
+        /// The warning itself.
         what: CourseWarning,
     },
     /// Columns are narrower or wider than 0.8 to 1.25 of the module.

@@ -46,7 +46,7 @@ pub struct CourseMark {
     pub is_opening: bool,
 }
 
-/// What may look wrong about course lines.
+/// A warning about course lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CourseWarning {
     /// Two lines of openings are nearer than 0.3 courses, so a thin course lies between them.
@@ -72,13 +72,12 @@ pub enum CourseWarning {
 pub struct Courses {
     /// The heights of bed joints, rising (metres).
     pub lines: Vec<f64>,
-    /// What may look wrong.
+    /// The warnings.
     pub warnings: Vec<CourseWarning>,
 }
 
 impl Courses {
-    /// The lines through the marks, with courses of about this height (metres, above 0) between them. Of other marks,
-    /// one that is nearer to a line than 0.3 courses is dropped.
+    /// The lines through the marks, with courses of about this height (metres, above 0) between them. Another mark is dropped if it is nearer to a line than 0.3 courses.
     pub fn new(marks: &[CourseMark], height: f64) -> Self {
         let fixed = fixed_lines(marks, height);
         let counts: Vec<usize> = fixed

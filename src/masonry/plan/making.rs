@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 /// The cosine within which the direction of a wall is upwards.
 const UPRIGHT: f64 = 0.999;
-/// Ratios of columns and modules beyond this are told.
+/// Ratios of columns and modules beyond this give a warning.
 const RATIOS: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 
 /// The plan of a building: what several features must agree on before the first cell is laid.
@@ -27,7 +27,7 @@ pub struct Plan {
     pub conflicts: Vec<EdgeId>,
     /// The changes of columns that have removed conflicts; walls are numbered as faces.
     pub changes: Vec<Change>,
-    /// What may look wrong.
+    /// Warnings about what may look wrong.
     pub warnings: Vec<PlanWarning>,
 }
 

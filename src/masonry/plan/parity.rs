@@ -16,7 +16,7 @@ use crate::order;
 /// fixed lines before it: line 0 is the wall's first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PhaseEdge {
-    /// The number that the edge is told by.
+    /// The number of the edge in messages.
     pub edge: u32,
     /// The two walls.
     pub walls: [u32; 2],
@@ -157,8 +157,7 @@ pub struct Change {
     pub by: i8,
 }
 
-/// Changes the columns of single intervals by one until no conflict is left, or no change makes fewer. Of all changes
-/// it takes the one with the fewest conflicts left, then the least |ln(column width / module)|, then the first.
+/// Changes the columns of single intervals by one until no conflict is left, or no change makes fewer. It takes the change with the fewest conflicts left, then the least |ln(column width / module)|, then the first.
 /// Returns the changes and the phases.
 pub fn repair(
     columns: &mut [Columns],
@@ -307,7 +306,7 @@ mod tests {
             let ratio = wall.widths[0] / (wall.counts[0] as f64 * W);
             assert!((0.95..1.07).contains(&ratio), "{ratio}");
         }
-        // Walls of one column cannot be changed, and the edge is told.
+        // Walls of one column cannot be changed; the edge then stays a conflict.
         let (mut single, mut edges) = ring(&[2.0 * W; 3]);
         single.fill(Columns::new(&[W, W], W, false));
         edges.iter_mut().for_each(|edge| edge.lines[0] = 2);

@@ -1,6 +1,6 @@
-//! What is wrong with a pattern tree.
+//! Faults of pattern trees.
 
-/// What is wrong with a tree.
+/// A fault of a tree.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TreeFault {
     /// The text is no JSON: its line and column, from 1.
@@ -56,6 +56,6 @@ pub struct TreeError {
     /// The path of the node or the parameter: keys and numbers from the root, with dots between them; empty at the
     /// root.
     pub path: String,
-    /// What is wrong.
+    /// The fault.
     pub fault: TreeFault,
 }

@@ -1,4 +1,4 @@
-//! What a pattern tree knows of a feature of the building.
+//! A feature of the building, as a pattern tree knows it.
 
 use crate::building::{CornerClass, Heading};
 

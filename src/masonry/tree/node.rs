@@ -3,7 +3,7 @@
 use super::generator::GeneratorNode;
 use crate::building::{CornerClass, Heading};
 
-/// Which corners a case of [`PatternNode::ByCorner`] is for. What is not given may be anything.
+/// Which corners a case of [`PatternNode::ByCorner`] is for. Parts that are not given may be anything.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CornerPattern {
     /// How many of the corner's edges are convex.
@@ -33,7 +33,7 @@ impl CornerPattern {
 pub enum PatternNode {
     /// Leaves the feature as it is.
     Nothing,
-    /// Passes a feature on by its labels. Of several labels with a case, the first in the alphabet counts.
+    /// Passes a feature on by its labels. If several labels have a case, the first in the alphabet counts.
     ByLabel {
         /// The cases, sorted by label.
         cases: Vec<(String, PatternNode)>,
