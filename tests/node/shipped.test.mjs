@@ -464,6 +464,43 @@ test('notices of piles are said', async () => {
   studio.free();
 });
 
+/** Models that cannot be laid: no JSON, no building, a wall that is too thin, and a box that is too small. @type {[name: string, content: string][]} */
+const NO_BUILDINGS = [
+  ['text.json', '{"version":1,'],
+  ['empty.json', '{"version":1,"unit":"m","v":[],"faces":[]}'],
+  ['thin.obj', boxOf(1, 1, 0.03)],
+  ['small.obj', boxOf(0.04, 0.04, 0.04)],
+];
+
+test('notices of masonry are said', async () => {
+  const whole = await moduleIn(wholeModule, undefined, 'space');
+  const masonry = 'make=masonry&size=128';
+  const own = (/** @type {number} */ w, /** @type {number} */ h, /** @type {number} */ joint) => `&module=own&w=${w}&h=${h}&joint=${joint}`;
+  for (const link of [`${masonry}&block_length=80&block_width=80${own(1000, 20, 0)}`, `${masonry}${own(40, 20, 40)}`]) {
+    const studio = finished(new whole.Bubblestone(link));
+    assert.ok(studio.problem(), link);
+    hear([studio.problem()]);
+    studio.free();
+  }
+  for (const [name, content] of NO_BUILDINGS) {
+    const studio = new whole.Bubblestone(masonry);
+    const bytes = new TextEncoder().encode(content);
+    studio.beginFile(name, bytes.length);
+    studio.addToFile(bytes);
+    hear(studio.openFile(''));
+    finished(studio);
+    assert.ok(studio.problem(), name);
+    hear([studio.problem()]);
+    studio.free();
+  }
+  const studio = finished(new whole.Bubblestone(masonry));
+  for (const view of ['features', 'sizes']) {
+    while (!studio.turn('', '', 96, 64, `moving+floor+${view}`, 4).done);
+    hear(studio.caption(view));
+  }
+  studio.free();
+});
+
 test('files are refused with the same sentences as natively', async () => {
   const whole = await moduleIn(wholeModule, undefined, 'space');
   for (const line of text('refusals.txt').trim().split('\n')) {

@@ -8,7 +8,7 @@ use crate::generators::scene_picture::{
     ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
-use crate::masonry::laying::{Laying, LayingWarning};
+use crate::masonry::laying::Laying;
 use crate::masonry::plan::PlanFault;
 use crate::masonry::tree::PRESETS;
 use crate::notice::{Code, Notice};
@@ -89,20 +89,7 @@ impl SceneStages for MasonryStages {
     }
 
     fn remarks(&self) -> Vec<Notice> {
-        let Some(laying) = self.current(&self.cells) else {
-            return Vec::new();
-        };
-        let mut remarks = Vec::new();
-        let conflicts = laying.plan().conflicts.len();
-        if conflicts > 0 {
-            remarks.push(Notice::new(Code::MasonryConflict).with("n", conflicts));
-        }
-        let is_unlaid = |warning: &&LayingWarning| matches!(warning, LayingWarning::NotLaid { .. });
-        let unlaid = laying.warnings().iter().filter(is_unlaid).count();
-        if unlaid > 0 {
-            remarks.push(Notice::new(Code::MasonryUnlaid).with("n", unlaid));
-        }
-        remarks
+        Vec::new()
     }
 
     fn files(&self) -> &ModelFiles {
