@@ -47,7 +47,7 @@ pub static MASONRY: Generator = Generator {
         begins: &[0.0, 0.05, 0.2, 0.6, 0.62],
         stepping: "laying",
         placing: "laying",
-        finisher: "blocks",
+        finisher: "bodies",
         settled: "light",
         seen: &["mortar", "mortar", "auto", "", ""],
     },

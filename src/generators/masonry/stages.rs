@@ -17,7 +17,7 @@ use crate::scene::Scene;
 use std::rc::Rc;
 
 /// The words of the stages.
-pub(super) const WORDS: [&str; 5] = ["building", "cells", "laying", "blocks", "light"];
+pub(super) const WORDS: [&str; 5] = ["building", "cells", "laying", "bodies", "light"];
 
 /// The index of the stage that lays blocks.
 pub(super) const LAYING: usize = 2;
@@ -54,7 +54,10 @@ impl Wiring for MasonryStages {
     type Stage = usize;
 
     const TASKS: &'static [Task<Self>] = &[
-        task!(0, site, |all| all.files.inputs(), Self::make_site),
+        task!(0, files.loaded, |all| all.files.inputs(), |all| all
+            .files
+            .wait()),
+        task!(0, site, [files.loaded], Self::make_site),
         task!(1, cells, [site], Self::make_cells),
         task!(LAYING, laid, [site, cells], Self::lay),
         task!(BLOCKS, blocks, [laid], Self::make_blocks),

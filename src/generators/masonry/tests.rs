@@ -3,8 +3,8 @@
 use super::MasonryEngine;
 use super::schema::{FILE, ROWS, keys};
 use crate::building::Rule;
-use crate::generators::Engine;
-use crate::notice::Notice;
+use crate::generators::{Engine, Files, GivenFile};
+use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 
 fn recipe(link: &str) -> Recipe {
@@ -69,4 +69,53 @@ fn every_building_has_a_block_for_each_cell() {
         );
         assert!(!cells.is_empty());
     }
+}
+
+/// The engine of a recipe that names this file, up to its blocks; or the sentence with which it stopped.
+fn laid_file(name: &str, content: &str) -> Result<usize, Notice> {
+    let file = GivenFile::whole(name, content.as_bytes().to_vec());
+    let mut recipe = recipe("make=masonry");
+    let row = file.named().row();
+    let rules = super::SCHEMA.rules;
+    rules
+        .draw(&mut recipe, keys::MODEL, Some(vec![row]))
+        .expect("a file");
+    let mut engine = MasonryEngine::new(&recipe);
+    Files::give(&mut engine, file);
+    while engine.at().is_some_and(|at| at < 2) {
+        if let Some(notice) = engine.failure() {
+            return Err(notice.clone());
+        }
+        engine.advance();
+    }
+    Ok(engine.made.cells.made().expect("cells").cells().len())
+}
+
+/// A box as an OBJ file (metres).
+fn box_of([x, y, z]: [f64; 3]) -> String {
+    let faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    let side = |k: usize, of: usize, length: f64| if k & of > 0 { length } else { 0.0 };
+    let vertices =
+        (0..8).map(|k| format!("v {} {} {}\n", side(k, 1, x), side(k, 2, y), side(k, 4, z)));
+    vertices.collect::<String>() + faces
+}
+
+#[test]
+fn buildings_of_files_are_laid_or_refused_with_a_sentence() {
+    assert!(laid_file("box.obj", &box_of([2.0, 1.0, 1.5])).expect("blocks") > 100);
+    let refused = |name, content: &str| laid_file(name, content).map_err(|notice| notice.code);
+    assert_eq!(
+        refused("text.json", "{\"version\":1,"),
+        Err(Code::BuildingText)
+    );
+    let empty = r#"{"version":1,"unit":"m","v":[],"faces":[]}"#;
+    assert_eq!(refused("empty.json", empty), Err(Code::BuildingShape));
+    assert_eq!(
+        refused("thin.obj", &box_of([1.0, 1.0, 0.03])),
+        Err(Code::MasonryNarrow)
+    );
+    assert_eq!(
+        refused("small.obj", &box_of([0.04; 3])),
+        Err(Code::MasonryLarge)
+    );
 }

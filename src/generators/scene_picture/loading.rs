@@ -49,17 +49,25 @@ impl ModelFiles {
         self.given.missing(asked).collect()
     }
 
-    /// The bytes of a file by its number, for whoever reads other things than surfaces.
+    /// Waits for all files and reads none of them, for generators that read other things than surfaces. It takes the
+    /// place of [`ModelFiles::load`]; [`ModelFiles::bytes`] has the files then.
+    pub fn wait(&mut self) -> Option<()> {
+        let given = &self.given;
+        self.loaded.advance(|asked, _| {
+            for one in asked {
+                bytes(one, given)?;
+            }
+            Ok(Some(Loaded::default()))
+        })
+    }
+
+    /// The bytes of a file by its number.
     ///
     /// # Errors
     /// If the recipe names none, or if it has not been given.
     pub fn bytes(&self, number: usize) -> Result<Arc<Vec<u8>>, Notice> {
-        let asked = self.loaded.params().get(number);
-        let file = asked
-            .and_then(|asked| asked.file.as_ref())
-            .ok_or(Code::ModelFirst)?;
-        let missing = || Notice::new(Code::ModelMissing).with("name", quote(&file.name));
-        self.given.bytes(file).ok_or_else(missing)
+        let asked = self.loaded.params().get(number).ok_or(Code::ModelFirst)?;
+        bytes(asked, &self.given)
     }
 
     /// The number of files that are there, as the input of loading.
@@ -135,6 +143,12 @@ impl Loading {
         }
         Ok(())
     }
+}
+
+fn bytes(asked: &AskedFile, given: &GivenFiles) -> Result<Arc<Vec<u8>>, Notice> {
+    let file = asked.file.as_ref().ok_or(Code::ModelFirst)?;
+    let missing = || Notice::new(Code::ModelMissing).with("name", quote(&file.name));
+    given.bytes(file).ok_or_else(missing)
 }
 
 impl LoadingFile {
