@@ -37,7 +37,7 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// A profile, in a plane normal to the unit vector `direction`; [`Surface::fault`] checks it.
+    /// A profile, in a plane normal to the unit vector `direction`.
     pub fn new(profile: Path, direction: DVec3) -> Self {
         Self { profile, direction }
     }
