@@ -31,7 +31,7 @@ const stages = (page) => page.$$eval('#pipeline li', (items) => items.map((item)
 test('another generator is chosen at the top, comes as its small picture promises, and goes without a trace', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${SMALL}&seed=7&az=30&moss=0.5&stone=flag`);
   const pavement = await digest(page);
-  assert.deepEqual(await page.$$eval('.make', (buttons) => buttons.map((button) => button.textContent?.trim())), ['Pavements and hides', 'Surfaces in space', 'Piles', 'Your model']);
+  assert.deepEqual(await page.$$eval('.make', (buttons) => buttons.map((button) => button.textContent?.trim())), ['Pavements and hides', 'Surfaces in space', 'Piles', 'Masonry', 'Your model']);
   await click(page, '.make[data-make=surface]');
   await page.waitForSelector('.make[data-make=surface][aria-current]');
   const picture = await page.$eval('.make[data-make=surface] img', (image) => image.getAttribute('src') ?? '');
