@@ -6,11 +6,24 @@ use crate::generators::rows::stones::{SKIN, keys as stones};
 use crate::light::{Light, ShadeParams};
 use crate::material::{ColourParams, Gloss, Pattern, WeatherParams, material_table};
 use crate::recipe::Recipe;
+#[cfg(house)]
+use crate::recipe::{Key, Parameter};
 use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 
 /// Pixels along the picture's side.
 pub(super) fn side(recipe: &Recipe) -> usize {
     recipe.number(keys::SIZE) as usize
+}
+
+/// The numbers that are shown for one word of a choice alone, in the order of the table.
+#[cfg(house)]
+pub(super) fn numbers_of(recipe: &Recipe, choice: Key, word: &str) -> Vec<f64> {
+    let is_own = |row: &&Parameter| {
+        let of = row.shown_for.filter(|of| of.0 == choice);
+        of.is_some_and(|(_, words)| words == [word])
+    };
+    let rows = recipe.schema().rows.iter().filter(is_own);
+    rows.map(|row| recipe.number(row.key)).collect()
 }
 
 /// The seed of all random numbers.

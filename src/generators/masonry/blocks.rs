@@ -6,23 +6,19 @@ use super::grain::WallGrain;
 use super::params::BlockParams;
 use super::site::BuildingSite;
 use crate::building::labels::ROOF;
-use crate::building::{Building, ExtraMesh};
-use crate::masonry::block::{Bevelled, BlockMesh, Polyhedron, Rough, Stonecutter};
-use crate::masonry::laying::{CellSort, Feature, MasonryCell};
+use crate::building::{Building, ExtraMesh, Mortar};
+use crate::masonry::block::{Bevelled, BlockMesh, Dressing, Polyhedron, Rough, Stonecutter};
+use crate::masonry::laying::{CellSort, MasonryCell};
 use crate::order::greater;
-use crate::random::{Purpose, Random};
 use crate::scene::{Body, Instance, Paint, Place, Scene};
 use crate::solid::Surface;
 use crate::surface_stones::Fit;
-use glam::{DQuat, DVec3, Vec3};
+use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The reach of ambient occlusion (metres).
 const REACH: f64 = 0.09;
-/// The greatest turn about the outward direction (radians), and the greatest way out of true (metres), at 1.
-const TURN: f64 = 0.006;
-const SHIFT: f64 = 0.002;
 /// Width of the edges of rounded stones, and the height of their bumps, at roughness 1 (metres).
 const BEVEL: f64 = 0.024;
 const BUMPS: f64 = 0.014;
@@ -39,6 +35,7 @@ pub(crate) struct Wall {
     params: BlockParams,
     /// The bodies of cuboids, by their sizes and their material.
     shared: BTreeMap<([u32; 3], u8), u32>,
+    dressing: Dressing,
     cutter: Option<Stonecutter>,
     /// How many cells have had their turn.
     shown: usize,
@@ -52,7 +49,12 @@ impl Wall {
             detail: Some(Box::new(WallGrain::new(params.seed, site.fit.scale))),
             ..Scene::default()
         };
-        add_mortar(&mut scene, site, params);
+        let sunk = match params.colours.are_stone() {
+            true => SUNK * params.rough,
+            false => 0.0,
+        };
+        let look = (params.colours.mortar(), MORTAR_ROW);
+        add_mortar(&mut scene, site, greater(params.recess, sunk), look);
         for extra in site.building.extras() {
             add_extra(&mut scene, extra, site.fit);
         }
@@ -68,6 +70,12 @@ impl Wall {
             fit: site.fit,
             params: *params,
             shared: BTreeMap::new(),
+            dressing: Dressing {
+                chamfer: params.chamfer,
+                turn: Dressing::BRICK.turn * params.crooked,
+                shift: Dressing::BRICK.shift * params.crooked,
+                seed: params.seed,
+            },
             cutter: (params.rough > 0.0).then(|| Stonecutter::new(rough)),
             shown: 0,
         }
@@ -89,7 +97,8 @@ impl Wall {
 
     fn add(&mut self, cell: &MasonryCell, number: u32) {
         let key = (self.params.seed, u64::from(number));
-        let is_roof = self.has_label(cell, ROOF);
+        let labels = cell.feature.labels(&self.building);
+        let is_roof = labels.iter().any(|label| label == ROOF);
         let (tint, material) = self
             .params
             .colours
@@ -105,16 +114,6 @@ impl Wall {
         });
     }
 
-    /// Whether the feature of a cell has a label.
-    fn has_label(&self, cell: &MasonryCell, label: &str) -> bool {
-        let labels = match cell.feature {
-            Feature::Corner(id) => &self.building.corner(id).labels,
-            Feature::Edge(id) => &self.building.edge(id).labels,
-            Feature::Face(id) => &self.building.face(id).labels,
-        };
-        labels.iter().any(|own| own == label)
-    }
-
     /// The body of a cell and where it stands; none if its joints take all of it.
     fn shape(&mut self, cell: &MasonryCell, number: u32, material: u8) -> Option<(u32, Place)> {
         let is_rough = material == STONE_ROW && cell.sort != CellSort::Sill;
@@ -125,7 +124,7 @@ impl Wall {
             return Some((self.push(body), Place::default()));
         }
         let shrunk = cell.body.shrunk()?;
-        let (turn, by) = self.crooked(cell, number);
+        let (turn, by) = self.dressing.out_of_true(cell.outwards, number);
         match Cuboid::of(&shrunk, cell.outwards) {
             Some(cuboid) => {
                 let body = self.cuboid(&cuboid, material)?;
@@ -136,7 +135,7 @@ impl Wall {
                 Some((body, Place { axes, origin }))
             }
             None => {
-                let mesh = Bevelled::new(&shrunk.turned(turn, by), self.params.chamfer).facets();
+                let mesh = Bevelled::new(&shrunk.turned(turn, by), self.dressing.chamfer).facets();
                 let surface = flat(&mesh, |p| self.fit.place(p));
                 Some((
                     self.push(Body::new(vec![surface], material)),
@@ -146,18 +145,6 @@ impl Wall {
         }
     }
 
-    /// The small turn and shift of a block out of true.
-    fn crooked(&self, cell: &MasonryCell, number: u32) -> (DQuat, DVec3) {
-        let mut random = Random::new(self.params.seed, Purpose::Turn, u64::from(number));
-        let half = 0.5 * TURN * self.params.crooked * random.signed();
-        let axis = cell.outwards * libm::sin(half);
-        let turn = DQuat::from_xyzw(axis.x, axis.y, axis.z, libm::cos(half));
-        (
-            turn,
-            cell.outwards * (SHIFT * self.params.crooked * random.signed()),
-        )
-    }
-
     /// The body of cuboids of one size: the full chamfered one, and a plain one for far away.
     fn cuboid(&mut self, cuboid: &Cuboid, material: u8) -> Option<u32> {
         let key = (cuboid.steps, material);
@@ -165,7 +152,7 @@ impl Wall {
             return Some(known);
         }
         let plain = cuboid.plain()?;
-        let levels = [self.params.chamfer, 0.0]
+        let levels = [self.dressing.chamfer, 0.0]
             .map(|chamfer| flat(&Bevelled::new(&plain, chamfer).facets(), |p| p.as_vec3()));
         let body = self.push(Body::new(levels.to_vec(), material));
         self.shared.insert(key, body);
@@ -210,53 +197,51 @@ pub(super) fn flat(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
 
 /// A surface with one normal for each vertex.
 fn smooth(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
-    let mut normals = vec![DVec3::ZERO; mesh.positions.len()];
-    for triangle in &mesh.triangles {
-        let [a, b, c] = triangle.map(|v| mesh.positions[v as usize]);
-        let normal = (b - a).cross(c - a);
-        for v in triangle {
-            normals[*v as usize] += normal;
-        }
-    }
-    let unit = |n: &DVec3| n.normalize_or_zero().as_vec3();
     Surface {
         positions: mesh.positions.iter().map(|&p| place(p)).collect(),
-        normals: normals.iter().map(unit).collect(),
+        normals: mesh.normals().iter().map(|n| n.as_vec3()).collect(),
         colours: vec![WHITE; mesh.positions.len()],
         triangles: mesh.triangles.clone(),
     }
 }
 
-fn add_plain(scene: &mut Scene, surface: Surface, (colour, material): ([u8; 3], u8)) {
+/// Adds a surface in the scene's own coordinates, with an id, in one colour and material.
+pub(super) fn add_plain(
+    scene: &mut Scene,
+    surface: Surface,
+    (id, tint, material): (u32, [u8; 3], u8),
+) {
     scene.instances.push(Instance {
         body: scene.bodies.len() as u32,
         place: Place::default(),
-        id: 0,
-        paint: Some(Paint {
-            tint: colour,
-            material,
-        }),
+        id,
+        paint: Some(Paint { tint, material }),
     });
     scene.bodies.push(Body::new(vec![surface], material));
 }
 
-fn add_mortar(scene: &mut Scene, site: &BuildingSite, params: &BlockParams) {
-    let sunk = match params.colours.are_stone() {
-        true => SUNK * params.rough,
-        false => 0.0,
-    };
-    let mortar = site.mortar(greater(params.recess, sunk));
+/// Adds the mortar, in one colour and material.
+pub(super) fn add_mortar(
+    scene: &mut Scene,
+    site: &BuildingSite,
+    recess: f64,
+    (tint, material): ([u8; 3], u8),
+) {
+    let mortar = Mortar::new(&site.building, recess);
     let mesh = BlockMesh {
         positions: mortar.positions,
         triangles: mortar.triangles,
     };
-    let surface = flat(&mesh, |p| site.fit.place(p));
-    add_plain(scene, surface, (params.colours.mortar(), MORTAR_ROW));
+    add_plain(
+        scene,
+        flat(&mesh, |p| site.fit.place(p)),
+        (0, tint, material),
+    );
 }
 
 /// Adds a mesh that carries no masonry, in the colour of its material.
 fn add_extra(scene: &mut Scene, extra: &ExtraMesh, fit: Fit) {
-    let look = match extra.material.as_str() {
+    let (tint, material) = match extra.material.as_str() {
         "glass" => ([104, 118, 128], GLASS_ROW),
         "iron" => ([62, 62, 66], IRON_ROW),
         "slate" | "tile" => ([92, 94, 100], STONE_ROW),
@@ -268,7 +253,7 @@ fn add_extra(scene: &mut Scene, extra: &ExtraMesh, fit: Fit) {
         positions: extra.positions.clone(),
         triangles: extra.triangles.clone(),
     };
-    add_plain(scene, flat(&mesh, |p| fit.place(p)), look);
+    add_plain(scene, flat(&mesh, |p| fit.place(p)), (0, tint, material));
 }
 
 /// A body as plain triangles in the scene.

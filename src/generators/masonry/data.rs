@@ -1,13 +1,9 @@
 //! The results as text, for measurements.
 
 use super::MasonryEngine;
-use super::colours::type_of;
 use crate::decimal;
-use crate::masonry::laying::{Feature, Laying, MasonryCell, Measures};
+use crate::masonry::laying::{Laying, MasonryCell, Measures};
 use glam::DVec3;
-
-/// The words of features' types.
-const FEATURES: [&str; 3] = ["corner", "edge", "face"];
 
 impl MasonryEngine {
     /// The results as text files: names and contents. Lengths are metres, y up.
@@ -43,25 +39,16 @@ fn block(laying: &Laying, cell: &MasonryCell) -> String {
             format!("[{}]", corners.join(","))
         })
         .collect();
-    let labels = labels(laying, cell.feature).join(" ");
+    let labels = cell.feature.labels(laying.building()).join(" ");
     let label = serde_json::Value::from(labels);
     format!(
         "{{\"feature\":\"{}\",\"label\":{label},\"kind\":\"{:?}\",\"generator\":\"{}\",\"vertices\":[{}],\"faces\":[{}]}}",
-        FEATURES[type_of(cell.feature)],
+        cell.feature.word(),
         cell.sort,
         cell.generator.word(),
         vertices.join(","),
         faces.join(",")
     )
-}
-
-fn labels(laying: &Laying, feature: Feature) -> &[String] {
-    let building = laying.building();
-    match feature {
-        Feature::Corner(id) => &building.corner(id).labels,
-        Feature::Edge(id) => &building.edge(id).labels,
-        Feature::Face(id) => &building.face(id).labels,
-    }
 }
 
 fn point(p: DVec3) -> String {

@@ -1,16 +1,12 @@
 //! Mesh files of a finished building.
 
 use super::MasonryEngine;
-use super::colours::type_of;
 use crate::export::{MeshOrder, MeshSize, SceneFile};
 use crate::generators::scene_picture::Saving;
 use crate::generators::{Clock, Engine, MeshSlice, Meshes};
 use crate::notice::{Code, Notice};
 use crate::scene::{Instance, Scene};
 use std::rc::Rc;
-
-/// The words of features' types in the names of blocks.
-const FEATURES: [&str; 3] = ["corner", "edge", "face"];
 
 impl Meshes for MasonryEngine {
     fn mesh_file(
@@ -33,7 +29,7 @@ impl Meshes for MasonryEngine {
         // A name tells the type of the feature, and the number of the block.
         let name = |instance: &Instance| match (instance.id as usize).checked_sub(1) {
             None => "building".to_owned(),
-            Some(number) => format!("{}_{number}", FEATURES[type_of(cells[number].feature)]),
+            Some(number) => format!("{}_{number}", cells[number].feature.word()),
         };
         Ok(Saving::slice(
             &mut self.saving,

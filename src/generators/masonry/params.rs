@@ -1,7 +1,7 @@
 //! Turns a recipe into the parameters of each stage.
 
 use super::colours::{Colours, materials};
-use super::schema::{FILE, ROWS, keys};
+use super::schema::keys;
 use crate::building::{Module, Rule};
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
@@ -9,6 +9,7 @@ use crate::generators::scene_picture::AskedFile;
 use crate::light::ShadeParams;
 use crate::masonry::laying::LayingParams;
 use crate::masonry::module::{ASHLAR, BLOCK, UK_BRICK, US_BRICK};
+use crate::masonry::tree::{PRESETS, TreePreset};
 use crate::material::Gloss;
 use crate::recipe::Recipe;
 
@@ -41,8 +42,8 @@ pub(super) struct BuildingParams {
 /// The cells.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PatternParams {
-    /// The number of the pattern tree.
-    pub tree: usize,
+    /// The pattern tree.
+    pub tree: &'static TreePreset,
     pub laying: LayingParams,
 }
 
@@ -79,11 +80,16 @@ impl MasonryParams {
                 Vec::new()
             },
             building: BuildingParams {
-                rule: rule.map(|rule| (rule, numbers(recipe, rule.word()))),
+                rule: rule.map(|rule| {
+                    (
+                        rule,
+                        common::numbers_of(recipe, keys::BUILDING, rule.word()),
+                    )
+                }),
                 module,
             },
             cells: PatternParams {
-                tree: tree(recipe.choice(keys::PATTERN)),
+                tree: TreePreset::of_word(recipe.choice(keys::PATTERN)).unwrap_or(&PRESETS[0]),
                 laying: LayingParams {
                     module,
                     is_by_hand: recipe.choice(keys::HAND) == "stored",
@@ -119,15 +125,6 @@ impl MasonryParams {
     }
 }
 
-/// The number of the pattern tree with this word.
-fn tree(word: &str) -> usize {
-    match word {
-        "rgb" => 0,
-        "ashlar" => 2,
-        _ => 1,
-    }
-}
-
 fn module(recipe: &Recipe) -> Module {
     match recipe.choice(keys::MODULE) {
         "us" => US_BRICK,
@@ -141,14 +138,4 @@ fn module(recipe: &Recipe) -> Module {
         },
         _ => Module::NORMAL,
     }
-}
-
-/// The numbers of a rule, in the order of its table.
-fn numbers(recipe: &Recipe, word: &str) -> Vec<f64> {
-    let is_own = |words: &[&str]| words == [word] && word != FILE;
-    let rows = ROWS.iter().filter(|row| match row.shown_for {
-        Some((key, words)) => key == keys::BUILDING && is_own(words),
-        None => false,
-    });
-    rows.map(|row| recipe.number(row.key)).collect()
 }

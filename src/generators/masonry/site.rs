@@ -1,7 +1,8 @@
 //! The first stage: the building, and how thick its walls are.
 
 use super::params::BuildingParams;
-use crate::building::{Building, BuildingFault, Draft, Mortar, json, obj};
+use crate::building::{Building, BuildingFault, Draft, Face, json, obj};
+use crate::domain::signed_area;
 use crate::masonry::plan::thicknesses;
 use crate::notice::{Code, Notice};
 use crate::surface_stones::Fit;
@@ -41,11 +42,6 @@ impl BuildingSite {
             building: Arc::new(building),
             thickness,
         })
-    }
-
-    /// The building's surface, moved inwards by `recess` metres.
-    pub fn mortar(&self, recess: f64) -> Mortar {
-        Mortar::new(&self.building, recess)
     }
 }
 
@@ -87,15 +83,8 @@ fn check_number(building: &Building, params: &BuildingParams) -> Result<(), Noti
 }
 
 /// The area of a face (square metres), flattened.
-fn area(face: &crate::building::Face) -> f64 {
-    let ring = |ring: &Vec<glam::DVec2>| {
-        let next = ring.iter().skip(1).chain(ring.first());
-        ring.iter()
-            .zip(next)
-            .map(|(a, b)| a.perp_dot(*b))
-            .sum::<f64>()
-    };
-    0.5 * face.rings.iter().map(ring).sum::<f64>().abs()
+fn area(face: &Face) -> f64 {
+    face.rings.iter().map(|ring| signed_area(ring)).sum()
 }
 
 /// The building in the scene: its longest side is 1.

@@ -5,12 +5,11 @@ use super::blocks::Wall;
 use super::params::{BlockParams, BuildingParams, MasonryParams, PatternParams};
 use super::site::BuildingSite;
 use crate::generators::scene_picture::{
-    ModelFiles, SceneStages, StillNode, StillParams, StillRender,
+    MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
 use crate::masonry::laying::Laying;
 use crate::masonry::plan::PlanFault;
-use crate::masonry::tree::PRESETS;
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 use crate::scene::Scene;
@@ -31,22 +30,13 @@ const MOST: usize = 60;
 /// Features in a slice of the cells.
 const FEATURES: usize = 1;
 
-/// A building's blocks in the scene.
-pub(super) struct WallScene {
-    pub scene: Rc<Scene>,
-    /// The digest of the scene.
-    pub digest: String,
-    /// The revision of the laid blocks.
-    pub laid: u64,
-}
-
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct MasonryStages {
     files: ModelFiles,
     pub(super) site: Node<BuildingParams, (), BuildingSite>,
     pub(super) cells: Node<PatternParams, Laying, Laying>,
     pub(super) laid: Node<BlockParams, Wall, Rc<Scene>>,
-    pub(super) blocks: Node<(), (), WallScene>,
+    pub(super) blocks: Node<(), (), MadeScene>,
     pub(super) still: StillNode,
 }
 
@@ -146,7 +136,7 @@ impl MasonryStages {
         let site = self.site.made()?;
         self.cells.advance(|params, work| {
             if work.is_none() {
-                let tree = PRESETS[params.tree].tree();
+                let tree = params.tree.tree();
                 let thickness = |face: crate::building::FaceId| site.thickness[face.index()];
                 let laying = Laying::new(site.building.clone(), tree, params.laying, thickness);
                 *work = Some(laying.map_err(|fault| refusal(&fault, params))?);
@@ -174,28 +164,20 @@ impl MasonryStages {
     fn make_blocks(&mut self) -> Option<()> {
         let scene = self.laid.made()?;
         let revision = self.laid.revision();
-        self.blocks.advance(|(), _| {
-            Ok(Some(WallScene {
-                digest: scene.digest(),
-                scene: scene.clone(),
-                laid: revision,
-            }))
-        })
+        self.blocks
+            .advance(|(), _| Ok(Some(MadeScene::new(scene.clone(), revision))))
     }
 
     fn make_still(&mut self) -> Option<()> {
         let scene = &self.blocks.made()?.scene;
-        self.still.advance(|params, work| {
-            work.get_or_insert_with(|| StillRender::new(params, scene.clone()))
-                .advance()
-        })
+        StillRender::draw(&mut self.still, scene)
     }
 
     /// Whether there is a scene of the present blocks, even if another look is wanted.
     pub(super) fn has_blocks(&self) -> bool {
         let is_laid = self.is_fresh(&self.laid);
         let blocks = self.blocks.made().filter(|_| is_laid);
-        blocks.is_some_and(|blocks| blocks.laid == self.laid.revision())
+        blocks.is_some_and(|blocks| blocks.shows == self.laid.revision())
     }
 
     /// The number of finished blocks.

@@ -1,7 +1,7 @@
 //! Scenes of the views of masonry.
 
 use super::MasonryEngine;
-use super::blocks::{Wall, flat, plain};
+use super::blocks::{Wall, add_mortar, add_plain, flat, plain};
 use super::colours::{FEATURES, type_of};
 use super::site::BuildingSite;
 use super::views::MasonryView;
@@ -11,8 +11,7 @@ use crate::masonry::block::BlockMesh;
 use crate::masonry::laying::{CellSort, MasonryCell};
 use crate::material::Material;
 use crate::random::{Purpose, Random};
-use crate::scene::{Body, Instance, Paint, Place, Scene};
-use crate::solid::Surface;
+use crate::scene::Scene;
 use std::rc::Rc;
 
 /// Colours of whole, half and cut bricks, of sills, and of stones.
@@ -147,7 +146,7 @@ impl SceneSource for MasonryEngine {
                 };
                 for (number, cell) in (1..).zip(cells) {
                     if let Some(body) = cell.body.shrunk() {
-                        push(
+                        add_plain(
                             &mut scene,
                             plain(&body, site.fit),
                             (number, colour(cell), SATIN),
@@ -185,35 +184,13 @@ fn place_of(sort: CellSort) -> usize {
     }
 }
 
-fn push(scene: &mut Scene, surface: Surface, (id, colour, material): (u32, [u8; 3], u8)) {
-    scene.instances.push(Instance {
-        body: scene.bodies.len() as u32,
-        place: Place::default(),
-        id,
-        paint: Some(Paint {
-            tint: colour,
-            material,
-        }),
-    });
-    scene.bodies.push(Body::new(vec![surface], material));
-}
-
 /// The mortar alone.
 fn bare(site: &BuildingSite, recess: f64) -> Scene {
     let mut scene = Scene {
         reach: (0.3 * site.fit.scale) as f32,
         ..Scene::default()
     };
-    let mortar = site.mortar(recess);
-    let mesh = BlockMesh {
-        positions: mortar.positions,
-        triangles: mortar.triangles,
-    };
-    push(
-        &mut scene,
-        flat(&mesh, |p| site.fit.place(p)),
-        (0, CALM, BARE),
-    );
+    add_mortar(&mut scene, site, recess, (CALM, BARE));
     scene
 }
 
@@ -232,7 +209,7 @@ fn polygons(site: &BuildingSite) -> Scene {
         };
         let mut random = Random::new(7, Purpose::Paint, u64::from(id));
         let colour = [0; 3].map(|_| 110 + random.below(120) as u8);
-        push(
+        add_plain(
             &mut scene,
             flat(&mesh, |p| site.fit.place(p)),
             (id, colour, BARE),

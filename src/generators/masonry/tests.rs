@@ -4,6 +4,7 @@ use super::MasonryEngine;
 use super::schema::{FILE, ROWS, keys};
 use crate::building::Rule;
 use crate::generators::{Engine, Files, GivenFile};
+use crate::masonry::tree::TreePreset;
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 
@@ -46,6 +47,13 @@ fn there_is_a_word_for_each_building_and_a_row_for_each_of_its_numbers() {
             assert_eq!((row.min, row.max), (number.least, number.most));
         }
     }
+}
+
+#[test]
+fn there_is_a_tree_for_each_pattern() {
+    let row = super::SCHEMA.row("pattern").expect("a row");
+    let mut words = row.choices.iter().map(|choice| choice.word);
+    assert!(words.all(|word| TreePreset::of_word(word).is_some()));
 }
 
 #[test]

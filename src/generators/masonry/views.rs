@@ -1,5 +1,7 @@
 //! The words of views.
 
+use crate::generators::scene_picture::view_of;
+
 /// The words of views, in the order of the page.
 pub(super) const WORDS: [&str; 6] = ["auto", "picture", "mortar", "features", "sizes", "polygons"];
 
@@ -32,10 +34,6 @@ const ALL: [MasonryView; 6] = [
 impl MasonryView {
     /// The view of the first known word among words joined by '+'; else [`MasonryView::Auto`].
     pub fn of_words(words: &str) -> Self {
-        let place = |word: &str| WORDS.iter().position(|own| *own == word);
-        words
-            .split('+')
-            .find_map(place)
-            .map_or(MasonryView::Auto, |place| ALL[place])
+        view_of(words, WORDS, ALL)
     }
 }

@@ -53,7 +53,7 @@ impl PileStages {
     pub(super) fn has_bodies(&self) -> bool {
         let is_settled = self.is_fresh(&self.settled);
         let bodies = self.bodies.made().filter(|_| is_settled);
-        bodies.is_some_and(|bodies| bodies.settled == self.settled.revision())
+        bodies.is_some_and(|bodies| bodies.shows == self.settled.revision())
     }
 
     /// How many bodies have this fate so far.

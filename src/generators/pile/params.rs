@@ -1,7 +1,7 @@
 //! Turns a recipe into the parameters of each stage.
 
 use super::materials::materials;
-use super::schema::{FILE, NONE, ROWS, TYPE_KEYS, TypeKeys, keys};
+use super::schema::{NONE, TYPE_KEYS, TypeKeys, keys};
 use crate::component::{ComponentKind, FINISHES, Finish};
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
@@ -198,8 +198,8 @@ fn asked(recipe: &Recipe, file: Key, up: Key) -> AskedFile {
 fn site(recipe: &Recipe, files: &mut Vec<AskedFile>) -> SiteParams {
     let word = recipe.choice(keys::FORM);
     let source = match (PileShape::of_word(word), Shape::of_word(word)) {
-        (Some(shape), _) => SiteSource::Pile(shape, numbers(recipe, word)),
-        (_, Some(shape)) => SiteSource::Shape(shape, numbers(recipe, word)),
+        (Some(shape), _) => SiteSource::Pile(shape, common::numbers_of(recipe, keys::FORM, word)),
+        (_, Some(shape)) => SiteSource::Shape(shape, common::numbers_of(recipe, keys::FORM, word)),
         _ => {
             files.push(asked(recipe, keys::MODEL, keys::UP));
             SiteSource::File(files.len() - 1)
@@ -209,16 +209,6 @@ fn site(recipe: &Recipe, files: &mut Vec<AskedFile>) -> SiteParams {
         source,
         half: recipe.number(keys::PS),
     }
-}
-
-/// The numbers of a shape, in the order of its table.
-fn numbers(recipe: &Recipe, word: &str) -> Vec<f64> {
-    let is_own = |words: &[&str]| words == [word] && word != FILE;
-    let rows = ROWS.iter().filter(|row| match row.shown_for {
-        Some((key, words)) => key == keys::FORM && is_own(words),
-        None => false,
-    });
-    rows.map(|row| recipe.number(row.key)).collect()
 }
 
 /// The finish of a type: the given one, else that of its component.

@@ -10,13 +10,12 @@ use super::params::{
 };
 use super::site::{Site, SiteMaking};
 use crate::generators::scene_picture::{
-    ModelFiles, SceneStages, StillNode, StillParams, StillRender,
+    MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::Notice;
 use crate::pile::{RefineParams, Refining};
 use crate::recipe::Recipe;
-use crate::scene::Scene;
 use crate::surface_views::BareSurface;
 use std::rc::Rc;
 
@@ -33,15 +32,6 @@ const STEPS: usize = 160;
 /// ... and the most bodies in one step.
 const MOST: usize = 12;
 
-/// A pile's bodies in the scene.
-pub(super) struct PileScene {
-    pub scene: Rc<Scene>,
-    /// The digest of the scene.
-    pub digest: String,
-    /// The revision of the settled bodies.
-    pub settled: u64,
-}
-
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct PileStages {
     files: ModelFiles,
@@ -53,7 +43,7 @@ pub(crate) struct PileStages {
     pub(super) ground: Node<RoomParams, BareSurface, BareSurface>,
     pub(super) placed: Node<DartParams, Placing, Placed>,
     pub(super) settled: Node<RefineParams, Refining, Refining>,
-    pub(super) bodies: Node<BodyParams, Heap, PileScene>,
+    pub(super) bodies: Node<BodyParams, Heap, MadeScene>,
     pub(super) still: StillNode,
 }
 
@@ -245,20 +235,12 @@ impl PileStages {
                 return Ok(None);
             };
             heap.update(parts, settled.bodies(), settled.history());
-            let scene = heap.finish();
-            Ok(Some(PileScene {
-                digest: scene.digest(),
-                scene: Rc::new(scene),
-                settled: revision,
-            }))
+            Ok(Some(MadeScene::new(Rc::new(heap.finish()), revision)))
         })
     }
 
     fn make_still(&mut self) -> Option<()> {
         let scene = &self.bodies.made()?.scene;
-        self.still.advance(|params, work| {
-            work.get_or_insert_with(|| StillRender::new(params, scene.clone()))
-                .advance()
-        })
+        StillRender::draw(&mut self.still, scene)
     }
 }

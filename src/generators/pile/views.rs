@@ -1,5 +1,7 @@
 //! The words of views.
 
+use crate::generators::scene_picture::view_of;
+
 /// The words of views, in the order of the page.
 pub(super) const WORDS: [&str; 9] = [
     "auto", "picture", "darts", "spheres", "depth", "overlap", "types", "layers", "fates",
@@ -43,10 +45,6 @@ const ALL: [PileView; 9] = [
 impl PileView {
     /// The view of the first known word among words joined by '+'; else [`PileView::Auto`].
     pub fn of_words(words: &str) -> Self {
-        let place = |word: &str| WORDS.iter().position(|own| *own == word);
-        words
-            .split('+')
-            .find_map(place)
-            .map_or(PileView::Auto, |place| ALL[place])
+        view_of(words, WORDS, ALL)
     }
 }

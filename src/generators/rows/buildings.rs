@@ -1,9 +1,10 @@
 //! Rows of the numbers of buildings by rule.
 
 use super::lists::lists;
+use super::numbered::rule_row;
 use crate::building::rules::numbers;
 use crate::recipe::Key;
-use crate::recipe::parameter::{Parameter, int, number};
+use crate::recipe::parameter::Parameter;
 use crate::shapes::ShapeNumber;
 
 /// The key of the choice of a building.
@@ -11,14 +12,7 @@ const BUILDING: Key = Key("building");
 
 /// The row of a number of a building.
 const fn number_row(of: &ShapeNumber, building: &'static [&'static str]) -> Parameter {
-    let row = match of.is_count() {
-        true => int("", of.label),
-        false => number("", of.label),
-    };
-    row.range(of.least, of.most, of.step, of.default)
-        .unit(of.unit)
-        .group("Building")
-        .only_for(BUILDING, building)
+    rule_row(of, "Building").only_for(BUILDING, building)
 }
 
 lists! {

@@ -4,6 +4,8 @@
 pub mod buildings;
 mod lists;
 #[cfg(house)]
+mod numbered;
+#[cfg(house)]
 pub mod shapes;
 pub mod shared;
 pub mod stones;

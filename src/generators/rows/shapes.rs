@@ -1,24 +1,18 @@
 //! Rows of the numbers of shapes in space, shared by the generators that stand on one. Each is shown with its shape.
 
 use super::lists::lists;
+use super::numbered::rule_row;
 use crate::pile_shape::numbers as piled;
 use crate::recipe::Key;
-use crate::recipe::parameter::{Parameter, int, number};
+use crate::recipe::parameter::Parameter;
 use crate::shapes::{ShapeNumber, numbers};
 
 /// The key of the choice of a shape.
 const FORM: Key = Key("form");
 
 /// The row of a number of a shape.
-pub const fn number_row(of: &ShapeNumber, shape: &'static [&'static str]) -> Parameter {
-    let row = match of.is_count() {
-        true => int("", of.label),
-        false => number("", of.label),
-    };
-    row.range(of.least, of.most, of.step, of.default)
-        .unit(of.unit)
-        .group("Shape")
-        .only_for(FORM, shape)
+const fn number_row(of: &ShapeNumber, shape: &'static [&'static str]) -> Parameter {
+    rule_row(of, "Shape").only_for(FORM, shape)
 }
 
 lists! {

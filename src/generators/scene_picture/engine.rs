@@ -3,20 +3,17 @@
 
 use super::loading::ModelFiles;
 use super::picture::{ScenePicture, SceneSource, turn};
-use super::still::{StillParams, StillRender};
+use super::still::StillNode;
 use super::view::{prepare, view};
 use crate::export::Report;
 use crate::generators::{
     Clock, Engine, Files, FrameSlice, Frames, GivenFile, Meshes, MissingFile, ModelFacts, Progress,
     SeenBody, TurnOrder,
 };
-use crate::graph::{Node, Wiring};
+use crate::graph::Wiring;
 use crate::notice::Notice;
 use crate::recipe::Recipe;
 use crate::scene::Frame;
-
-/// The node of the finished picture.
-pub(crate) type StillNode = Node<StillParams, StillRender, Vec<u8>>;
 
 /// The stages of a generator of bodies in space. A stage is its index.
 pub(crate) trait SceneStages: Wiring<Stage = usize> {

@@ -1,8 +1,6 @@
 //! The files that recipes name, found by the digests of their bytes.
 
 use crate::generators::MissingFile;
-use crate::modelfiles::Reading;
-use crate::notice::Notice;
 use crate::recipe::NamedFile;
 use std::sync::Arc;
 
@@ -81,12 +79,6 @@ impl GivenFiles {
     /// The bytes of a file; `None` if the file is not there.
     pub fn bytes(&self, file: &NamedFile) -> Option<Arc<Vec<u8>>> {
         self.find(file.digest).cloned()
-    }
-
-    /// A reader for a file; `None` if the file is not there.
-    pub fn reading(&self, file: &NamedFile) -> Option<Result<Reading, Notice>> {
-        let bytes = self.find(file.digest)?;
-        Some(Reading::new(&file.name, bytes.clone()))
     }
 }
 

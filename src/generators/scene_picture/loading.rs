@@ -5,6 +5,7 @@ use crate::generators::MissingFile;
 use crate::graph::{Inputs, Node, inputs};
 use crate::modelfiles::Reading;
 use crate::notice::{Code, Notice, quote};
+use crate::recipe::NamedFile;
 use crate::trimesh::TriMesh;
 use crate::trimesh::repair::MeshRepair;
 use glam::DVec3;
@@ -55,7 +56,7 @@ impl ModelFiles {
         let given = &self.given;
         self.loaded.advance(|asked, _| {
             for one in asked {
-                bytes(one, given)?;
+                needed(one, given)?;
             }
             Ok(Some(Loaded::default()))
         })
@@ -67,7 +68,7 @@ impl ModelFiles {
     /// If the recipe names none, or if it has not been given.
     pub fn bytes(&self, number: usize) -> Result<Arc<Vec<u8>>, Notice> {
         let asked = self.loaded.params().get(number).ok_or(Code::ModelFirst)?;
-        bytes(asked, &self.given)
+        Ok(needed(asked, &self.given)?.1)
     }
 
     /// The number of files that are there, as the input of loading.
@@ -145,17 +146,20 @@ impl Loading {
     }
 }
 
-fn bytes(asked: &AskedFile, given: &GivenFiles) -> Result<Arc<Vec<u8>>, Notice> {
+/// A file that a recipe needs, and its bytes.
+fn needed<'a>(
+    asked: &'a AskedFile,
+    given: &GivenFiles,
+) -> Result<(&'a NamedFile, Arc<Vec<u8>>), Notice> {
     let file = asked.file.as_ref().ok_or(Code::ModelFirst)?;
     let missing = || Notice::new(Code::ModelMissing).with("name", quote(&file.name));
-    given.bytes(file).ok_or_else(missing)
+    Ok((file, given.bytes(file).ok_or_else(missing)?))
 }
 
 impl LoadingFile {
-    fn new(asked: &AskedFile, files: &GivenFiles) -> Result<Self, Notice> {
-        let file = asked.file.as_ref().ok_or(Code::ModelFirst)?;
-        let missing = || Notice::new(Code::ModelMissing).with("name", quote(&file.name));
-        let reading = files.reading(file).ok_or_else(missing)??;
+    fn new(asked: &AskedFile, given: &GivenFiles) -> Result<Self, Notice> {
+        let (file, bytes) = needed(asked, given)?;
+        let reading = Reading::new(&file.name, bytes)?;
         Ok(Self::Reading(Box::new(reading)))
     }
 }

@@ -14,9 +14,10 @@ mod tests;
 mod view;
 mod yaw;
 
-pub(crate) use engine::{SceneEngine, SceneStages, StillNode};
+pub(crate) use engine::{SceneEngine, SceneStages};
 pub(crate) use files::Saving;
 pub(crate) use given_files::AskedFile;
 pub(crate) use loading::{Loaded, ModelFiles};
 pub(crate) use picture::{ScenePicture, SceneSource};
-pub(crate) use still::{StillParams, StillRender};
+pub(crate) use still::{MadeScene, StillNode, StillParams, StillRender};
+pub(crate) use view::view_of;

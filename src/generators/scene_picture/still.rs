@@ -3,6 +3,7 @@
 use super::yaw::{seen_by, turned};
 use crate::generators::lighting::LightParams;
 use crate::generators::turntable::ViewSetup;
+use crate::graph::Node;
 use crate::notice::Notice;
 use crate::scene::{Backdrop, Camera, Frame, Order, SAMPLES, Scene, Sharpness, SoftLight};
 use std::rc::Rc;
@@ -22,6 +23,29 @@ pub(crate) struct StillParams {
     pub side: usize,
 }
 
+/// The node of the finished picture.
+pub(crate) type StillNode = Node<StillParams, StillRender, Vec<u8>>;
+
+/// A finished scene.
+pub(crate) struct MadeScene {
+    pub scene: Rc<Scene>,
+    /// The digest of the scene.
+    pub digest: String,
+    /// The revision of the bodies that it shows.
+    pub shows: u64,
+}
+
+impl MadeScene {
+    /// A scene of bodies of this revision.
+    pub fn new(scene: Rc<Scene>, shows: u64) -> Self {
+        Self {
+            digest: scene.digest(),
+            scene,
+            shows,
+        }
+    }
+}
+
 /// An unfinished picture.
 pub(crate) struct StillRender {
     scene: Rc<Scene>,
@@ -30,8 +54,16 @@ pub(crate) struct StillRender {
 }
 
 impl StillRender {
+    /// Does one slice of the picture of a scene, as the work of its node.
+    pub fn draw(node: &mut StillNode, scene: &Rc<Scene>) -> Option<()> {
+        node.advance(|params, work| {
+            work.get_or_insert_with(|| Self::new(params, scene.clone()))
+                .advance()
+        })
+    }
+
     /// A picture without anything drawn yet.
-    pub fn new(params: &StillParams, scene: Rc<Scene>) -> Self {
+    pub(super) fn new(params: &StillParams, scene: Rc<Scene>) -> Self {
         let order = Order {
             camera: turned(params.camera, params.yaw),
             size: [params.side; 2],
@@ -56,7 +88,7 @@ impl StillRender {
     }
 
     /// Does one slice of the work; returns the picture when it is finished.
-    pub fn advance(&mut self) -> Result<Option<Vec<u8>>, Notice> {
+    pub(super) fn advance(&mut self) -> Result<Option<Vec<u8>>, Notice> {
         let light = self.light.of_sample(self.frame.sample(), &self.scene);
         let lit = light.advance(&self.scene, SLICE);
         let done = lit && self.frame.advance(&self.scene, light, SLICE);

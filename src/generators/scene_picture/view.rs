@@ -44,3 +44,13 @@ pub(crate) fn prepare<S: SceneSource>(
     }
     slice.done
 }
+
+/// The view of the first known word among words joined by '+'; the first view if there is none. `words` and `views` are in
+/// the same order.
+pub(crate) fn view_of<const N: usize, V: Copy>(asked: &str, words: [&str; N], views: [V; N]) -> V {
+    let place = |word: &str| words.iter().position(|own| *own == word);
+    asked
+        .split('+')
+        .find_map(place)
+        .map_or(views[0], |at| views[at])
+}

@@ -136,7 +136,7 @@ impl Stages {
     pub(super) fn has_stones(&self) -> bool {
         let is_packed = self.is_fresh(&self.packing);
         let bodies = self.stones.made().filter(|_| is_packed);
-        bodies.is_some_and(|bodies| bodies.packing == self.packing.revision())
+        bodies.is_some_and(|bodies| bodies.shows == self.packing.revision())
     }
 
     /// How many stones are done.

@@ -1,6 +1,6 @@
 //! Turns a recipe into the parameters of each stage.
 
-use super::schema::{FILE, ROWS, keys};
+use super::schema::{FILE, keys};
 use crate::field::CellKind;
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
@@ -172,7 +172,11 @@ fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
     let is_file = recipe.choice(keys::FORM) == FILE;
     SurfaceParams {
         source: match shape(recipe).filter(|_| !is_file) {
-            Some(shape) => MeshSource::Shape(shape, ends(recipe), numbers(recipe, shape)),
+            Some(shape) => MeshSource::Shape(
+                shape,
+                ends(recipe),
+                common::numbers_of(recipe, keys::FORM, shape.word()),
+            ),
             None => MeshSource::Model(AskedFile {
                 role: keys::MODEL.0,
                 file: recipe.files(keys::MODEL).pop(),
@@ -199,16 +203,6 @@ fn ends(recipe: &Recipe) -> Ends {
         "cut" => Ends::Cut,
         _ => Ends::Round,
     }
-}
-
-/// The numbers of a shape, in the order of its table.
-fn numbers(recipe: &Recipe, shape: Shape) -> Vec<f64> {
-    let is_own = |words: &[&str]| words == [shape.word()];
-    let rows = ROWS.iter().filter(|row| match row.shown_for {
-        Some((key, words)) => key == keys::FORM && is_own(words),
-        None => false,
-    });
-    rows.map(|row| recipe.number(row.key)).collect()
 }
 
 fn towards(word: &str) -> DVec3 {

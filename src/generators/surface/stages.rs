@@ -7,13 +7,12 @@ use super::params::{CellParams, FieldParams, MeshSource, Params, StoneLook, Surf
 use super::paving::{PavedCells, PavingInputs, PavingProgress};
 use crate::generators::packs::PackingProgress;
 use crate::generators::scene_picture::{
-    AskedFile, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
+    AskedFile, MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::{Code, Notice};
 use crate::packing::PackingParams;
 use crate::recipe::Recipe;
-use crate::scene::Scene;
 use crate::surface_cells::SurfaceCell;
 use crate::surface_cells::{Polish, SurfaceMesh, SurfaceMeshing};
 use crate::surface_packing::{PackingMesh, PackingMeshMaking, SurfacePacking, SurfacePlacing};
@@ -33,15 +32,6 @@ pub(super) const STONES: usize = 5;
 /// A surface may have this many times fewer or more cells than the recipe asks for, without a notice.
 const COUNT: f64 = 4.0;
 
-/// The bodies on the surface.
-pub(super) struct Bodies {
-    pub scene: Rc<Scene>,
-    /// The digest of the scene.
-    pub digest: String,
-    /// The revision of their packing.
-    pub packing: u64,
-}
-
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct Stages {
     files: ModelFiles,
@@ -52,7 +42,7 @@ pub(crate) struct Stages {
         Node<PackingParams, PackingProgress<SurfacePlacing, SurfacePacking>, SurfacePacking>,
     pub(super) mesh: Node<(), SurfaceMeshing, SurfaceMesh>,
     pub(super) paved: Node<CellParams, PavingProgress, PavedCells>,
-    pub(super) stones: Node<StoneLook, Stones, Bodies>,
+    pub(super) stones: Node<StoneLook, Stones, MadeScene>,
     pub(super) still: StillNode,
 }
 
@@ -227,23 +217,14 @@ impl Stages {
             if !stones.advance(&built.whole, paved.paving()) {
                 return Ok(None);
             }
-            Ok(work.take().map(|stones| {
-                let scene = stones.finish();
-                Bodies {
-                    digest: scene.digest(),
-                    packing,
-                    scene: Rc::new(scene),
-                }
-            }))
+            let done = work.take();
+            Ok(done.map(|stones| MadeScene::new(Rc::new(stones.finish()), packing)))
         })
     }
 
     fn make_still(&mut self) -> Option<()> {
         let scene = &self.stones.made()?.scene;
-        self.still.advance(|params, work| {
-            work.get_or_insert_with(|| StillRender::new(params, scene.clone()))
-                .advance()
-        })
+        StillRender::draw(&mut self.still, scene)
     }
 }
 

@@ -1,5 +1,7 @@
 //! The words of views.
 
+use crate::generators::scene_picture::view_of;
+
 /// The words of views, in the order of the page.
 pub(super) const WORDS: [&str; 8] = [
     "auto",
@@ -47,10 +49,6 @@ const ALL: [SurfaceView; 8] = [
 impl SurfaceView {
     /// The view of the first known word among words joined by '+'; else [`SurfaceView::Auto`].
     pub fn of_words(words: &str) -> Self {
-        let place = |word: &str| WORDS.iter().position(|own| *own == word);
-        words
-            .split('+')
-            .find_map(place)
-            .map_or(SurfaceView::Auto, |place| ALL[place])
+        view_of(words, WORDS, ALL)
     }
 }

@@ -16,6 +16,20 @@ pub struct BlockMesh {
 }
 
 impl BlockMesh {
+    /// Area-weighted unit normals of the corners.
+    pub fn normals(&self) -> Vec<DVec3> {
+        let mut sums = vec![DVec3::ZERO; self.positions.len()];
+        for t in &self.triangles {
+            let [a, b, c] = t.map(|v| self.positions[v as usize]);
+            let normal = (b - a).cross(c - a);
+            t.iter().for_each(|&v| sums[v as usize] += normal);
+        }
+        let units = sums.into_iter();
+        units
+            .map(|n| n.try_normalize().unwrap_or(DVec3::Y))
+            .collect()
+    }
+
     /// The triangles of a convex ring, as a fan.
     fn fan(&mut self, ring: &[u32]) {
         for pair in ring[1..].windows(2) {

@@ -27,9 +27,9 @@ impl Dressing {
         seed: crate::random::SEED,
     };
 
-    /// The geometry of cell number `cell`, which looks towards `outwards` (unit vector); none if its joints take all
-    /// of it.
-    pub fn dress(&self, claimed: &Polyhedron, outwards: DVec3, cell: u32) -> Option<BlockMesh> {
+    /// How cell number `cell`, which looks towards `outwards` (unit vector), lies out of true: a turn about its middle, and
+    /// a way (metres).
+    pub fn out_of_true(&self, outwards: DVec3, cell: u32) -> (DQuat, DVec3) {
         let mut random = Random::new(self.seed, Purpose::Turn, u64::from(cell));
         let angle = 0.5 * self.turn * random.signed();
         let turn = DQuat::from_xyzw(
@@ -38,7 +38,13 @@ impl Dressing {
             libm::sin(angle) * outwards.z,
             libm::cos(angle),
         );
-        let by = outwards * (self.shift * random.signed());
+        (turn, outwards * (self.shift * random.signed()))
+    }
+
+    /// The geometry of cell number `cell`, which looks towards `outwards` (unit vector); none if its joints take all
+    /// of it.
+    pub fn dress(&self, claimed: &Polyhedron, outwards: DVec3, cell: u32) -> Option<BlockMesh> {
+        let (turn, by) = self.out_of_true(outwards, cell);
         let body = claimed.shrunk()?.turned(turn, by);
         Some(Bevelled::new(&body, self.chamfer).facets())
     }

@@ -95,15 +95,19 @@ impl Stonecutter {
         let middle = control.positions.iter().sum::<DVec3>() / control.positions.len() as f64;
         let (positions, triangles) = self.refined(control, steps, middle);
         let offset = offset(self.rough.seed, cell);
-        let normals = normals(&positions, &triangles);
-        let moved = positions.iter().zip(&normals).map(|(&p, &normal)| {
+        let refined = BlockMesh {
+            positions,
+            triangles,
+        };
+        let normals = refined.normals();
+        let moved = refined.positions.iter().zip(&normals).map(|(&p, &normal)| {
             let wanted =
                 self.rough.height * self.noise_at((p - middle) * self.rough.frequency + offset);
             middle + self.limited(p - middle, normal, wanted, (limits, middle))
         });
         BlockMesh {
             positions: moved.collect(),
-            triangles,
+            triangles: refined.triangles,
         }
     }
 
@@ -172,19 +176,6 @@ fn limits(claimed: &Polyhedron, bulge: f64) -> Vec<Plane> {
 fn offset(seed: u64, cell: u32) -> DVec3 {
     let mut random = Random::new(seed, Purpose::Distortion, u64::from(cell));
     DVec3::new(random.unit(), random.unit(), random.unit()) * 16.0
-}
-
-/// Area-weighted unit normals of the vertices.
-fn normals(positions: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
-    let mut sums = vec![DVec3::ZERO; positions.len()];
-    for t in triangles {
-        let [a, b, c] = t.map(|v| positions[v as usize]);
-        let normal = (b - a).cross(c - a);
-        t.iter().for_each(|&v| sums[v as usize] += normal);
-    }
-    sums.into_iter()
-        .map(|n| n.try_normalize().unwrap_or(DVec3::Y))
-        .collect()
 }
 
 #[cfg(test)]
@@ -276,7 +267,7 @@ mod tests {
         .unwrap()
         .remove(0);
         let middle = claimed.centre();
-        let normals = normals(&smooth.positions, &smooth.triangles);
+        let normals = smooth.normals();
         assert!(
             smooth
                 .positions

@@ -1,6 +1,6 @@
 //! The cells that are laid.
 
-use crate::building::{CornerId, EdgeId, FaceId};
+use crate::building::{Building, CornerId, EdgeId, FaceId};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::tree::PatternGenerator;
@@ -16,6 +16,26 @@ pub enum Feature {
     Edge(EdgeId),
     /// A face.
     Face(FaceId),
+}
+
+impl Feature {
+    /// Its labels: its own ones, else those of its faces ([`crate::building::labels`]).
+    pub fn labels(self, building: &Building) -> &[String] {
+        match self {
+            Self::Corner(id) => &building.corner(id).labels,
+            Self::Edge(id) => &building.edge(id).labels,
+            Self::Face(id) => &building.face(id).labels,
+        }
+    }
+
+    /// The word of its type.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Corner(_) => "corner",
+            Self::Edge(_) => "edge",
+            Self::Face(_) => "face",
+        }
+    }
 }
 
 /// The sort of a cell, for the measures.

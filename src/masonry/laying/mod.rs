@@ -229,8 +229,9 @@ pub fn view(building: &Building, feature: Feature) -> FeatureView<'_> {
     }
 }
 
-fn names(labels: &[String]) -> Vec<&str> {
-    labels.iter().map(String::as_str).collect()
+fn names(building: &Building, feature: Feature) -> Vec<&str> {
+    let labels = feature.labels(building).iter();
+    labels.map(String::as_str).collect()
 }
 
 /// Corners with an edge upwards are at the bottom, those with one downwards at the top (section 5.3, Analyze Window).
@@ -250,7 +251,7 @@ fn corner_view(building: &Building, id: CornerId) -> FeatureView<'_> {
     };
     FeatureView {
         kind: FeatureKind::Corner,
-        labels: names(&corner.labels),
+        labels: names(building, Feature::Corner(id)),
         corner: corner.class,
         heading: Heading::Level,
         window,
@@ -270,7 +271,7 @@ fn edge_view(building: &Building, id: EdgeId) -> FeatureView<'_> {
     let way = edge.path.point(edge.length()) - edge.path.point(0.0);
     FeatureView {
         kind: FeatureKind::Edge,
-        labels: names(&edge.labels),
+        labels: names(building, Feature::Edge(id)),
         corner: FeatureView::FACE.corner,
         heading: if edge.is_closed() {
             Heading::Level
@@ -284,7 +285,7 @@ fn edge_view(building: &Building, id: EdgeId) -> FeatureView<'_> {
 fn face_view(building: &Building, id: FaceId) -> FeatureView<'_> {
     FeatureView {
         kind: FeatureKind::Face,
-        labels: names(&building.face(id).labels),
+        labels: names(building, Feature::Face(id)),
         corner: FeatureView::FACE.corner,
         heading: Heading::of(middle_normal(building, id)),
         window: part(building, id),

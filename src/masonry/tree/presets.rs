@@ -3,8 +3,10 @@
 use super::node::PatternTree;
 
 /// A tree with a name.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TreePreset {
+    /// Its word in links.
+    pub word: &'static str,
     /// Its name in English.
     pub name: &'static str,
     /// The tree as JSON.
@@ -12,6 +14,11 @@ pub struct TreePreset {
 }
 
 impl TreePreset {
+    /// The preset with this word.
+    pub fn of_word(word: &str) -> Option<&'static Self> {
+        PRESETS.iter().find(|preset| preset.word == word)
+    }
+
     /// The tree.
     ///
     /// # Panics
@@ -23,8 +30,9 @@ impl TreePreset {
 
 /// All presets. The first three have the names of Legakis, Dorsey, Gortler (2001), fig. 4. Their structure follows
 /// sections 4.1, 5.2 and 5.5.
-pub const PRESETS: [TreePreset; 6] = [
+pub static PRESETS: [TreePreset; 6] = [
     TreePreset {
+        word: "rgb",
         name: "RGB Blocks",
         json: r#"{
   "type": "ByLabel",
@@ -38,6 +46,7 @@ pub const PRESETS: [TreePreset; 6] = [
 }"#,
     },
     TreePreset {
+        word: "bricks",
         name: "Bricks",
         json: r#"{
   "type": "ByLabel",
@@ -65,6 +74,7 @@ pub const PRESETS: [TreePreset; 6] = [
 }"#,
     },
     TreePreset {
+        word: "ashlar",
         name: "Random Ashlar",
         json: r#"{
   "type": "ByLabel",
@@ -87,6 +97,7 @@ pub const PRESETS: [TreePreset; 6] = [
 }"#,
     },
     TreePreset {
+        word: "quoins",
         name: "Bricks with stone quoins",
         json: r#"{
   "type": "ByLabel",
@@ -118,6 +129,7 @@ pub const PRESETS: [TreePreset; 6] = [
 }"#,
     },
     TreePreset {
+        word: "herringbone",
         name: "Steps with herringbone columns",
         json: r#"{
   "type": "ByLabel",
@@ -143,6 +155,7 @@ pub const PRESETS: [TreePreset; 6] = [
 }"#,
     },
     TreePreset {
+        word: "cement",
         name: "Steps with cement stones",
         json: r#"{
   "type": "ByLabel",
