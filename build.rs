@@ -1,18 +1,23 @@
-//! Writes the codes of notices and their English from the one table of words, and decides whether the full
+//! Writes the codes of notices and their English from the tables of words, and decides whether the full
 //! module is built.
 
 use std::fmt::Write;
 use std::{env, fs, path::Path};
 
-const TABLE: &str = "src/notice/words.txt";
+/// The table of all modules, and that of the full module.
+const TABLES: [&str; 2] = ["src/notice/words.txt", "src/notice/house.txt"];
 
 fn main() {
     println!("cargo::rustc-check-cfg=cfg(house)");
-    if env::var_os("CARGO_FEATURE_HOUSE").is_some() {
+    let house = env::var_os("CARGO_FEATURE_HOUSE").is_some();
+    if house {
         println!("cargo::rustc-cfg=house");
     }
-    println!("cargo::rerun-if-changed={TABLE}");
-    let table = fs::read_to_string(TABLE).expect("the table of words");
+    let mut table = String::new();
+    for path in &TABLES[..1 + usize::from(house)] {
+        println!("cargo::rerun-if-changed={path}");
+        table += &fs::read_to_string(path).expect("a table of words");
+    }
     let (mut codes, mut words, mut english) = (String::new(), String::new(), String::new());
     let mut code = String::new();
     for line in table.lines().filter(|line| !line.starts_with('#')) {

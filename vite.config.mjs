@@ -46,21 +46,24 @@ const whole = {
   },
 };
 
-/** The Japanese of the module's notices: one table has all languages, and the module brings its English itself. */
+/** The Japanese of the modules' notices: a table has all languages, and a module brings its English itself. */
 const notices = {
   name: 'notices',
   /** @param {string} id */
-  resolveId: (id) => (id === 'virtual:notices-ja' ? `\0${id}` : undefined),
+  resolveId: (id) => (id.startsWith('virtual:notices-ja/') ? `\0${id}` : undefined),
   /** @param {string} id */
-  load: (id) => (id === '\0virtual:notices-ja' ? `export default ${JSON.stringify(japanese())}` : undefined),
+  load: (id) => {
+    const table = id.split('\0virtual:notices-ja/')[1];
+    return table && `export default ${JSON.stringify(japanese(table))}`;
+  },
 };
 
-/** By code. */
-function japanese() {
+/** By code. @param {string} table */
+function japanese(table) {
   /** @type {Record<string, string>} */
   const words = {};
   let code = '';
-  for (const line of readFileSync(here('src/notice/words.txt'), 'utf8').split('\n')) {
+  for (const line of readFileSync(here(`src/notice/${table}.txt`), 'utf8').split('\n')) {
     if (/^\w/.test(line)) code = line;
     else if (line.startsWith('  ja ')) words[code] = line.slice(5);
   }

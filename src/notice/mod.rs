@@ -1,5 +1,5 @@
-//! Messages for people, as data: a code and its arguments. `words.txt` has the sentences in all languages;
-//! English is compiled into the program.
+//! Messages for people, as data: a code and its arguments. `words.txt` has the sentences in all languages, and
+//! `house.txt` those that only the full module has. English is compiled into the program.
 
 use std::fmt;
 
@@ -187,7 +187,8 @@ mod tests {
 
     /// Codes with their English and Japanese sentences.
     fn table() -> Vec<[&'static str; 3]> {
-        let lines = include_str!("words.txt").lines();
+        let tables = [include_str!("words.txt"), include_str!("house.txt")];
+        let lines = tables.into_iter().flat_map(str::lines);
         let lines: Vec<&str> = lines
             .filter(|line| !line.is_empty() && !line.starts_with('#'))
             .collect();

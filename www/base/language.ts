@@ -44,7 +44,7 @@ export async function takeLanguage(whole: boolean): Promise<void> {
 /** Loads the words of the second module. Without them, its parameters and presets keep their English. */
 export async function moreWords(): Promise<void> {
   if (language() !== 'ja') return;
-  const more = await Promise.all([import('../strings/ja-surface'), import('../strings/ja-pile'), import('../strings/ja-masonry')]).catch(() => []);
+  const more = await Promise.all([import('../strings/ja-surface'), import('../strings/ja-pile'), import('../strings/ja-masonry'), import('../strings/ja-house')]).catch(() => []);
   for (const words of more) extend(words);
 }
 

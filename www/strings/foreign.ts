@@ -18,6 +18,11 @@ export interface Foreign {
   figure(text: string): string;
   /** The parts of the work that the papers have timed. */
   parts: Record<string, string>;
-  /** The text of a notice, with the names of these parameters; undefined if its code has none. */
-  said(notice: Notice, parameters: Foreign['parameters']): string | undefined;
+  /** The patterns of notices, by code. */
+  notices: Record<string, string>;
+  /** The text of a notice with these words; undefined if its code has none. */
+  said(notice: Notice, words: Said): string | undefined;
 }
+
+/** The words that notices are made of. */
+export type Said = Pick<Foreign, 'parameters' | 'notices'>;

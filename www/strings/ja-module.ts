@@ -1,6 +1,6 @@
-/** The Japanese for the first module's words; ja-surface.ts, ja-pile.ts and ja-masonry.ts have that of the second one. The terms are those of Miyata, Itoh and Shimada (2001). */
+/** The Japanese for the first module's words; ja-surface.ts, ja-pile.ts, ja-masonry.ts and ja-house.ts have that of the second one. The terms are those of Miyata, Itoh and Shimada (2001). */
 import type { Foreign } from './foreign';
-import { said } from './ja-notices';
+import { notices, said } from './ja-notices';
 
 /** By key: the name, the help, and the labels of choices. */
 const parameters: Foreign['parameters'] = {
@@ -208,5 +208,6 @@ export const foreign: Foreign = {
   presets,
   figure: (text) => text.replace(/Fig\. (\d+ \(\w+\)) of (\d{4})/g, '$2年 図$1').replace(', ', '・'),
   parts: { packing: '充填', texture: 'テクスチャ', tessellation: '分割', skin: '皮膚', piling: '積み上げ' },
+  notices,
   said,
 };

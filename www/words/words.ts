@@ -3,8 +3,8 @@
  *
  * strings/en.json has two lists: `page`, which the build writes into the HTML, and `words`, which scripts use. Lazy parts
  * bring their own words. The module has the English of parameters and presets; other languages translate it by key
- * (strings/ja-module.ts). The module sends notices as a code with arguments; src/notice/words.txt has their words in all
- * languages. Tests check that no word is missing.
+ * (strings/ja-module.ts). The module sends notices as a code with arguments; the tables in src/notice have their words in
+ * all languages. Tests check that no word is missing.
  *
  * Each text that was given is remembered with a function that gives it in the present language. So the words on the page
  * can change where they stand (base/retell.ts). The words of parameters and presets are getters for the same reason.
@@ -78,10 +78,16 @@ export function translate(code: string, to?: { words: Record<Word, string>; fore
 }
 
 /** Adds translations of the second module's words. */
-export function extend(more: Pick<Foreign, 'parameters' | 'presets'> & Partial<Pick<Foreign, 'groups'>>): void {
+export function extend(more: Partial<Pick<Foreign, 'parameters' | 'presets' | 'groups' | 'notices'>>): void {
   if (!foreign) return;
-  const { parameters, presets, groups } = foreign;
-  foreign = { ...foreign, parameters: { ...more.parameters, ...parameters }, presets: { ...more.presets, ...presets }, groups: { ...more.groups, ...groups } };
+  const { parameters, presets, groups, notices } = foreign;
+  foreign = {
+    ...foreign,
+    parameters: { ...more.parameters, ...parameters },
+    presets: { ...more.presets, ...presets },
+    groups: { ...more.groups, ...groups },
+    notices: { ...more.notices, ...notices },
+  };
 }
 
 /** A stage's name in the page's language; its own word if it has no name. */
@@ -152,7 +158,7 @@ export function presetIn(preset: Preset): Preset {
 
 /** A notice of the module in the page's language. */
 export function said(notice: Notice): string {
-  return spoken(() => foreign?.said(notice, foreign.parameters) ?? notice.text);
+  return spoken(() => foreign?.said(notice, foreign) ?? notice.text);
 }
 
 /** A paper's name for a part of its work, in the page's language. */
