@@ -2,6 +2,7 @@
 
 use super::ids::{FaceId, VertexId};
 use super::labels::GLASS;
+use super::surface::Surface;
 use super::whole::Building;
 use glam::DVec3;
 
@@ -22,8 +23,9 @@ pub struct Mortar {
 impl Mortar {
     /// Moves the surface inwards by `recess` (metres). Each vertex moves by the shortest vector x with x.n = -recess for
     /// the normals n of all its faces; where more than three planes meet, by the one that comes nearest to that. Faces of
-    /// glass stay where they are.
-    pub fn new(building: &Building, recess: f64) -> Self {
+    /// glass stay where they are. Where a wall bulges, the middle of a straight block lies behind the surface: mortar
+    /// moves in by that much more, for blocks of length `block` (metres).
+    pub fn new(building: &Building, recess: f64, block: f64) -> Self {
         let mut planes: Vec<Vec<(DVec3, f64)>> = vec![Vec::new(); building.vertices().len()];
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
         for polygon in building.polygons() {
@@ -35,7 +37,11 @@ impl Mortar {
             for &v in &polygon.vertices {
                 let place = face.surface.project(building.vertex(v).position);
                 let normal = face.surface.frame(place.x, place.y).normal;
-                add_plane(&mut planes[v.index()], normal, depth);
+                let bulge = match depth > 0.0 {
+                    true => bulge(&face.surface, place, block),
+                    false => 0.0,
+                };
+                add_plane(&mut planes[v.index()], normal, depth + bulge);
             }
             let fan = polygon.vertices.windows(2).skip(1);
             for pair in fan {
@@ -52,6 +58,15 @@ impl Mortar {
             faces,
         }
     }
+}
+
+/// How far the middle of a straight block lies behind the surface at a place, if both of its ends lie on the surface
+/// (metres); 0 where the surface is flat or hollow.
+fn bulge(surface: &Surface, place: DVec3, block: f64) -> f64 {
+    let middle = surface.frame(place.x, place.y);
+    let ends = [-0.5, 0.5].map(|way| surface.frame(place.x + way * block, place.y).origin);
+    let behind = ends.map(|end| (middle.origin - end).dot(middle.normal));
+    behind[0].min(behind[1]).max(0.0)
 }
 
 /// Adds a plane unless it is there already.
@@ -92,7 +107,7 @@ mod tests {
     #[test]
     fn every_face_moves_in_by_the_recess() {
         for (name, _, building) in all() {
-            let mortar = Mortar::new(building, 0.006);
+            let mortar = Mortar::new(building, 0.006, 0.0);
             assert!(
                 mortar.triangles.len() >= building.polygons().len(),
                 "{name}"
@@ -126,5 +141,25 @@ mod tests {
         let two = inwards(&[(DVec3::X, 0.1), (slanted, 0.1)]);
         assert!(two.z == 0.0 && (two.dot(slanted) + 0.1).abs() < 1e-12);
         assert_eq!(inwards(&[]), DVec3::ZERO);
+    }
+
+    #[test]
+    fn mortar_of_a_bulging_wall_lies_behind_the_middle_of_straight_blocks() {
+        let [recess, block] = [0.006, 0.25];
+        let towers = all().iter().filter(|(name, ..)| name.contains("tower"));
+        assert!(towers.clone().count() > 0);
+        for (name, _, building) in towers {
+            let [flush, sunk] = [0.0, block].map(|block| Mortar::new(building, recess, block));
+            let moved = flush.positions.iter().zip(&sunk.positions);
+            let most = moved.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+            let face = building.faces().iter().find(|face| !face.surface.is_flat());
+            let radius =
+                face.and_then(|face| face.surface.period()).unwrap() / std::f64::consts::TAU;
+            let sagitta = radius - (radius * radius - 0.25 * block * block).sqrt();
+            assert!(
+                (most - sagitta).abs() < 0.05 * sagitta,
+                "{name} {most} {sagitta}"
+            );
+        }
     }
 }

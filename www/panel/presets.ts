@@ -40,8 +40,10 @@ export class Presets {
     for (const title of new Set(presets.map(({ group }) => group))) {
       const id = `presets-${this.groups.length}`;
       const list = make('ul', { id, 'aria-label': groupIn(title) });
-      for (const preset of presets) {
-        if (preset.group === title) list.append(make('li', {}, this.button(preset)));
+      const own = presets.filter(({ group }) => group === title);
+      for (const preset of own) {
+        const isAlone = own.filter(({ figure }) => figure === preset.figure).length === 1;
+        list.append(make('li', {}, this.button(preset, isAlone ? preset.figure : '')));
       }
       const heading = make('button', { type: 'button', 'aria-controls': id }, groupIn(title));
       const group = { heading, list };
@@ -85,16 +87,17 @@ export class Presets {
     this.placed.observe(button);
   }
 
-  private button(preset: Preset): HTMLButtonElement {
+  /** A preset's button. `figure` is the figure that it shows, if no other preset of the group shows it too. */
+  private button(preset: Preset, figure: string): HTMLButtonElement {
     const picture = make('img', { decoding: 'async', width: THUMB, height: THUMB, alt: '', 'data-name': preset.name });
     this.inSight.observe(picture);
     const button = make(
       'button',
-      { type: 'button', title: preset.note ? `${preset.figure || preset.title}: ${preset.note}` : preset.title, 'data-preset': preset.name },
+      { type: 'button', title: preset.note ? `${figure || preset.title}: ${preset.note}` : preset.title, 'data-preset': preset.name },
       picture,
-      make('span', {}, preset.figure ? short(preset.figure) : preset.title),
+      make('span', {}, figure ? short(figure) : preset.title),
     );
-    if (preset.figure) button.setAttribute('aria-label', preset.figure);
+    if (figure) button.setAttribute('aria-label', figure);
     button.addEventListener('click', () => this.chosen(preset));
     this.buttons.set(preset.name, button);
     return button;

@@ -9,7 +9,7 @@ use crate::building::labels::ROOF;
 use crate::building::{Building, ExtraMesh, Mortar};
 use crate::masonry::block::{Bevelled, BlockMesh, Dressing, Polyhedron, Rough, Stonecutter};
 use crate::masonry::laying::{CellSort, MasonryCell};
-use crate::order::greater;
+use crate::order::{greater, lesser};
 use crate::scene::{Body, Instance, Paint, Place, Scene};
 use crate::solid::Surface;
 use crate::surface_stones::Fit;
@@ -54,7 +54,8 @@ impl Wall {
             false => 0.0,
         };
         let look = (params.colours.mortar(), MORTAR_ROW);
-        add_mortar(&mut scene, site, greater(params.recess, sunk), look);
+        let recess = greater(params.recess, sunk);
+        add_mortar(&mut scene, site, (recess, params.length), look);
         for extra in site.building.extras() {
             add_extra(&mut scene, extra, site.fit);
         }
@@ -73,7 +74,8 @@ impl Wall {
             dressing: Dressing {
                 chamfer: params.chamfer,
                 turn: Dressing::BRICK.turn * params.crooked,
-                shift: Dressing::BRICK.shift * params.crooked,
+                // A block that lay deeper would vanish behind the mortar.
+                shift: lesser(Dressing::BRICK.shift * params.crooked, 0.5 * recess),
                 seed: params.seed,
             },
             cutter: (params.rough > 0.0).then(|| Stonecutter::new(rough)),
@@ -224,10 +226,10 @@ pub(super) fn add_plain(
 pub(super) fn add_mortar(
     scene: &mut Scene,
     site: &BuildingSite,
-    recess: f64,
+    (recess, length): (f64, f64),
     (tint, material): ([u8; 3], u8),
 ) {
-    let mortar = Mortar::new(&site.building, recess);
+    let mortar = Mortar::new(&site.building, recess, length);
     let mesh = BlockMesh {
         positions: mortar.positions,
         triangles: mortar.triangles,

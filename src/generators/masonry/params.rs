@@ -52,6 +52,8 @@ pub(super) struct PatternParams {
 pub(super) struct BlockParams {
     /// How far mortar lies behind the surface (metres).
     pub recess: f64,
+    /// The length of a whole block (metres).
+    pub length: f64,
     /// Width of chamfers (metres).
     pub chamfer: f64,
     /// 0 to 1.
@@ -98,6 +100,7 @@ impl MasonryParams {
             },
             blocks: BlockParams {
                 recess: MILLI * recipe.number(keys::RECESS),
+                length: 2.0 * module.half,
                 chamfer: MILLI * recipe.number(keys::CHAMFER),
                 rough: recipe.number(keys::ROUGH),
                 crooked: recipe.number(keys::CROOKED),

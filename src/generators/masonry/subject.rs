@@ -3,6 +3,7 @@
 use super::MasonryEngine;
 use super::blocks::{Wall, add_mortar, add_plain, flat, plain};
 use super::colours::{FEATURES, type_of};
+use super::params::BlockParams;
 use super::site::BuildingSite;
 use super::views::MasonryView;
 use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
@@ -133,13 +134,11 @@ impl SceneSource for MasonryEngine {
                 wall.lay(made.cells.made()?.cells(), work.shown());
                 Some(WallSubject::Laying(wall, made.laid.passes()))
             }
-            MasonryView::Mortar => {
-                Some(WallSubject::Diagram(bare(site, made.laid.params().recess)))
-            }
+            MasonryView::Mortar => Some(WallSubject::Diagram(bare(site, made.laid.params()))),
             MasonryView::Polygons => Some(WallSubject::Diagram(polygons(site))),
             view => {
                 let cells = made.cells.made()?.cells();
-                let mut scene = bare(site, made.laid.params().recess);
+                let mut scene = bare(site, made.laid.params());
                 let colour = |cell: &MasonryCell| match view {
                     MasonryView::Features => FEATURES[type_of(cell.feature)],
                     _ => SORTS[place_of(cell.sort)],
@@ -185,12 +184,13 @@ fn place_of(sort: CellSort) -> usize {
 }
 
 /// The mortar alone.
-fn bare(site: &BuildingSite, recess: f64) -> Scene {
+fn bare(site: &BuildingSite, blocks: &BlockParams) -> Scene {
     let mut scene = Scene {
         reach: (0.3 * site.fit.scale) as f32,
         ..Scene::default()
     };
-    add_mortar(&mut scene, site, recess, (CALM, BARE));
+    let depth = (blocks.recess, blocks.length);
+    add_mortar(&mut scene, site, depth, (CALM, BARE));
     scene
 }
 
