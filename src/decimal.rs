@@ -9,6 +9,27 @@ const POWERS: std::ops::RangeInclusive<i64> = -330..=310;
 /// More digits than any halfway point between doubles has.
 const DIGITS: usize = 800;
 
+/// Powers of ten that are exact as doubles.
+const TENS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
+
+/// The most digits of a decimal for which no other one with so few digits reads back as the same double.
+const SHORT: usize = 15;
+
+/// The double nearest to `digits` (below 2^53) times ten to the power (Clinger 1990, How to Read Floating Point Numbers
+/// Accurately): both are exact, so the result is rounded once. `None` if the power is not exact as a double.
+pub(crate) fn short(digits: u64, power: i32) -> Option<f64> {
+    let ten = TENS.get(power.unsigned_abs() as usize)?;
+    let digits = digits as f64;
+    Some(if power < 0 {
+        digits / ten
+    } else {
+        digits * ten
+    })
+}
+
 /// The double nearest to a decimal number such as `-12.5e-3`, ties to even; `None` for any other text,
 /// including words for infinity. Numbers too large for a double give infinity.
 pub(crate) fn parse(text: &str) -> Option<f64> {
@@ -71,8 +92,21 @@ fn exponent(text: &[u8]) -> Option<i64> {
     Some(if negative { -size } else { size })
 }
 
-/// The double nearest to the digits times ten to the power: a long division in the binary system.
+/// The double nearest to the digits times ten to the power.
 fn nearest(digits: &[u8], power: i64) -> f64 {
+    let quick = match digits.len() {
+        0..=SHORT => short(whole(digits), power as i32),
+        _ => None,
+    };
+    quick.unwrap_or_else(|| divided(digits, power))
+}
+
+fn whole(digits: &[u8]) -> u64 {
+    digits.iter().fold(0, |sum, &d| 10 * sum + u64::from(d))
+}
+
+/// The same by a long division in the binary system.
+fn divided(digits: &[u8], power: i64) -> f64 {
     let (mut over, mut under) = (Natural::default(), Natural(vec![1]));
     digits.iter().for_each(|&d| over.scale(10, d.into()));
     for _ in 0..power.abs() {
@@ -151,6 +185,9 @@ fn shortest(x: f64) -> (Vec<u8>, i64) {
     if x == 0.0 {
         return (vec![0], 0);
     }
+    if let Some(digits) = few(x) {
+        return digits;
+    }
     let (digits, first) = exact(x);
     for count in 1..MOST {
         let (digits, first) = rounded(&digits, first, count);
@@ -159,6 +196,21 @@ fn shortest(x: f64) -> (Vec<u8>, i64) {
         }
     }
     rounded(&digits, first, MOST)
+}
+
+/// The most places behind the point that [`few`] tries.
+const PLACES: i32 = 6;
+
+/// The same for a positive double with few digits and few places behind the point, which most numbers of links are.
+fn few(x: f64) -> Option<(Vec<u8>, i64)> {
+    (0..=PLACES).find_map(|places| {
+        let scaled = (x * TENS[places as usize]).round();
+        let fits = scaled < TENS[SHORT] && short(scaled as u64, -places) == Some(x);
+        let written = fits.then(|| (scaled as u64).to_string())?;
+        let first = written.len() as i64 - 1 - i64::from(places);
+        let digits = written.trim_end_matches('0').bytes();
+        Some((digits.map(|byte| byte - b'0').collect(), first))
+    })
 }
 
 /// Digits that distinguish any two doubles.
@@ -344,6 +396,17 @@ mod tests {
             let text = text(x);
             prop_assert!(text.trim_start_matches('-').len() <= format!("{:e}", x.abs()).len() + 3, "{}", text);
             prop_assert_eq!(parse(&text).map(f64::to_bits), Some(bits), "{}", text);
+        }
+
+        #[test]
+        fn short_decimals_are_written_as_the_standard_library_does(digits in 1u64..3_000_000_000, places in 0i32..12) {
+            let x = short(digits, -places).unwrap();
+            // Without the powers of ten, the standard library writes the shortest digits, too.
+            if x > 1e-4 && x < 1e5 {
+                prop_assert_eq!(text(x), x.to_string());
+            }
+            let digits = digits.to_string().bytes().map(|b| b - b'0').collect::<Vec<u8>>();
+            prop_assert_eq!(divided(&digits, -i64::from(places)).to_bits(), x.to_bits());
         }
 
         #[test]

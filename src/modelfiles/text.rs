@@ -75,12 +75,6 @@ pub(super) fn next_word<'a>(bytes: &'a [u8], at: &mut usize) -> Option<&'a [u8]>
 /// The longest text of a number, in bytes.
 const LONGEST: usize = 1000;
 
-/// Powers of ten that are exact as doubles.
-const TENS: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
-    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
-];
-
 /// The double nearest to a decimal number. Numbers of few digits, which are the most, need no long division (Clinger
 /// 1990, How to Read Floating Point Numbers Accurately).
 pub(super) fn number(word: &[u8]) -> Option<f64> {
@@ -154,15 +148,8 @@ fn quickly(digits: u64, power: i32) -> Option<f64> {
     if digits == 0 {
         return Some(0.0);
     }
-    let ten = TENS.get(power.unsigned_abs() as usize)?;
-    // Both are exact, so the result is rounded once.
     if digits < 1 << 53 {
-        let digits = digits as f64;
-        return Some(if power < 0 {
-            digits / ten
-        } else {
-            digits * ten
-        });
+        return decimal::short(digits, power);
     }
     if !(-19..=0).contains(&power) {
         return None;
