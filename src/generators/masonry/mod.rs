@@ -5,6 +5,7 @@ mod blocks;
 mod colours;
 mod cuboid;
 mod data;
+mod diagrams;
 mod engine;
 mod figures;
 mod files;
