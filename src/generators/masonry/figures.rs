@@ -1,12 +1,11 @@
 //! The measures of a block, and the caption of a view.
 
-use super::MasonryEngine;
 use super::colours::type_of;
-use super::diagrams::{Claimed, clipped};
+use super::diagrams::{Claimed, Texture, clipped};
 use super::views::MasonryView;
+use super::{MasonryEngine, diagrams};
 use crate::building::PolygonId;
 use crate::masonry::laying::{CellSort, Feature, Laying, MasonryCell};
-use crate::masonry::plan::grid_lines;
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
@@ -34,7 +33,7 @@ impl MasonryEngine {
     }
 
     /// The measures of a body, by their words. A block has its length, height and depth in millimetres, joints not
-    /// counted; its kind (0 whole, 1 half, 2 cut, 3 a sill's, 4 a stone); and the number of its course, from 1. All
+    /// counted; its sort (0 whole, 1 half, 2 cut, 3 a sill's, 4 a stone); and the number of its course, from 1. All
     /// bodies have their feature's type (0 a corner, 1 an edge, 2 a face) and number; polygons have that of their face.
     pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
         match self.meant(id) {
@@ -45,8 +44,8 @@ impl MasonryEngine {
                     .made()
                     .and_then(|laying| laying.course(cell));
                 let course = course.map(|course| ("course", course as f64));
-                let kind = ("kind", f64::from(cell.sort as u8));
-                let own = size(cell).into_iter().chain([kind]).chain(course);
+                let sort = ("sort", f64::from(cell.sort as u8));
+                let own = size(cell).into_iter().chain([sort]).chain(course);
                 own.chain(of_feature(cell.feature)).collect()
             }
             Some(Meant::Feature(feature)) => of_feature(feature).to_vec(),
@@ -92,6 +91,7 @@ impl MasonryEngine {
             MasonryView::Parity => Some(parity(laying)),
             MasonryView::Occupancy => Some(occupancy(laying)),
             MasonryView::Clipping => Some(clipping(laying)),
+            MasonryView::Seams => Some(seams(laying)),
             _ => None,
         }
     }
@@ -154,7 +154,7 @@ fn sizes(laying: &Laying) -> Notice {
 }
 
 fn lines(laying: &Laying) -> Notice {
-    let lines = grid_lines(laying.building(), laying.plan());
+    let lines = diagrams::lines(laying);
     let rows = lines.iter().filter(|line| line.is_row).count();
     Notice::new(Code::MasonryPlan)
         .with("rows", rows)
@@ -187,6 +187,13 @@ fn occupancy(laying: &Laying) -> Notice {
         .with("edges", share(by[1]))
         .with("faces", share(by[2]))
         .with("free", share(free))
+}
+
+fn seams(laying: &Laying) -> Notice {
+    let Texture { bricks, broken } = Texture::new(laying);
+    Notice::new(Code::MasonrySeams)
+        .with("n", bricks)
+        .with("broken", broken)
 }
 
 /// The number of clipped cells, by what takes most of each one's place.

@@ -3,12 +3,14 @@
 
 use super::plates::{Plates, Sheet};
 use super::{MAP, faces};
+use crate::building::FaceId;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::laying::Laying;
 use crate::masonry::plan::{GridLine, grid_lines};
 use crate::scene::Scene;
 use crate::surface_stones::Fit;
 use glam::DVec2;
+use std::collections::BTreeSet;
 
 /// The colours of lines between columns, of lines between rows, and of those at openings.
 const COLUMNS: [u8; 3] = [222, 150, 62];
@@ -20,9 +22,17 @@ const WIDE: f64 = 0.09;
 /// How far lines lie before the face (metres).
 const HEIGHT: f64 = 1e-3;
 
+/// The lines of all faces that the pattern reaches.
+pub(in crate::generators::masonry) fn lines(laying: &Laying) -> Vec<GridLine> {
+    let faces: BTreeSet<FaceId> = laying.textured_faces().collect();
+    let mut lines = grid_lines(laying.building(), laying.plan());
+    lines.retain(|line| faces.contains(&line.face));
+    lines
+}
+
 /// Adds the lines of all faces; the id of a body is that of its face.
 pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit) {
-    let lines = grid_lines(laying.building(), laying.plan());
+    let lines = lines(laying);
     for (id, number) in faces(laying) {
         let face = laying.building().face(id);
         let sheet = Sheet::new(face);

@@ -9,7 +9,9 @@ mod plates;
 mod seams;
 
 pub(super) use clipping::clipped;
+pub(super) use grid::lines;
 pub(super) use occupancy::Claimed;
+pub(super) use seams::Texture;
 
 use super::blocks::{add_mortar, flat};
 use super::site::BuildingSite;
@@ -94,9 +96,9 @@ fn id_of(laying: &Laying, feature: Feature) -> u32 {
     place as u32 + 1
 }
 
-/// All faces with their ids.
+/// The faces that the pattern reaches, with their ids; glass and the like are left out.
 fn faces(laying: &Laying) -> impl Iterator<Item = (FaceId, u32)> + '_ {
-    let ids = laying.building().face_ids();
+    let ids = laying.textured_faces();
     ids.map(|face| (face, id_of(laying, Feature::Face(face))))
 }
 
