@@ -126,6 +126,21 @@ impl Building {
         (0..self.faces.len() as u32).map(FaceId)
     }
 
+    /// The same building with the stored bits of these corners and edges turned, each time that one is named; those that
+    /// it does not have are left out.
+    pub fn flipped(&self, corners: &[CornerId], edges: &[EdgeId]) -> Self {
+        let mut turned = self.clone();
+        for id in corners {
+            let found = turned.corners.get_mut(id.index());
+            found.into_iter().for_each(|corner| corner.flip ^= true);
+        }
+        for id in edges {
+            let found = turned.edges.get_mut(id.index());
+            found.into_iter().for_each(|edge| edge.flip ^= true);
+        }
+        turned
+    }
+
     /// The place of a corner (metres).
     pub fn place(&self, id: CornerId) -> DVec3 {
         self.vertex(self.corner(id).vertex).position

@@ -162,19 +162,19 @@ impl InnerMaking {
 
     /// Moves the largest ball to where it can grow; true after the last step.
     fn climb(&mut self, amount: usize) -> bool {
-        let inside = Inside {
-            mesh: &self.mesh,
-            search: &self.search,
-            least: LEAST * self.size,
-        };
         let end = CLIMBS.min(self.at + amount);
         let (step, random) = &mut self.climb;
         for _ in self.at..end {
             let by = DVec3::from([0; 3].map(|_| random.signed()));
             let Some(best) = &mut self.largest else { break };
-            match inside.ball(best.centre + *step * by) {
-                Some(ball) if ball.radius > best.radius => *best = ball,
-                _ => *step *= SHORTER,
+            let larger = Inside {
+                mesh: &self.mesh,
+                search: &self.search,
+                least: best.radius,
+            };
+            match larger.ball(best.centre + *step * by) {
+                Some(ball) => *best = ball,
+                None => *step *= SHORTER,
             }
         }
         self.at = end;

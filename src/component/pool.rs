@@ -44,12 +44,15 @@ impl Inside<'_> {
     /// it is on, as the surface is closed and does not cross itself.
     pub fn ball(&self, centre: DVec3) -> Option<Sphere> {
         let nearest = self.search.closest(self.mesh, centre);
+        let radius = nearest.at.distance(centre) * INSIDE;
+        if radius <= self.least {
+            return None;
+        }
         let [a, b, c] = self.mesh.corners(nearest.triangle);
         let along = (a + b + c) / 3.0 - centre;
         let hit = self.search.ray(self.mesh, centre, along, |_| true)?;
         let leaves = self.mesh.face_normal(hit.point.triangle).dot(along) > 0.0;
-        let radius = nearest.at.distance(centre) * INSIDE;
-        (leaves && radius > self.least).then_some(Sphere { centre, radius })
+        leaves.then_some(Sphere { centre, radius })
     }
 
     /// The medial ball that touches the surface at a sample (Ma, Bae, Choi 2012, 3D Medial Axis Point Approximation
@@ -59,10 +62,15 @@ impl Inside<'_> {
         let mut radius = largest;
         for _ in 0..STEPS {
             let centre = sample.at - radius * sample.normal;
-            let nearest = self.search.closest(self.mesh, centre).at;
-            let off = sample.at - nearest;
+            let Some(nearest) = self
+                .search
+                .closest_within(self.mesh, centre, TOUCHES * radius)
+            else {
+                break;
+            };
+            let off = sample.at - nearest.at;
             let depth = off.dot(sample.normal);
-            if nearest.distance(centre) >= TOUCHES * radius || depth <= 0.0 {
+            if depth <= 0.0 {
                 break;
             }
             let next = off.length_squared() / (2.0 * depth);

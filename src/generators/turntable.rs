@@ -99,6 +99,8 @@ pub struct SeenBody {
     pub middle: [f64; 3],
     /// The generator's measures of it, by their words.
     pub figures: Vec<(&'static str, f64)>,
+    /// The words that tell of it what numbers cannot, each by the word of its kind.
+    pub words: Vec<(&'static str, String)>,
 }
 
 /// The key of a frame.

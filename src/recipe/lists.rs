@@ -8,8 +8,11 @@ use crate::decimal;
 use crate::notice::{Code, Notice};
 use glam::DVec2;
 
-/// Most rows of a text, except for rings.
+/// Most rows of a text, except for rings and features.
 pub const MAX_ROWS: usize = 64;
+/// Most features in a text, and the numbers that they may have.
+const MAX_FEATURES: usize = 256;
+const FEATURES: std::ops::Range<i64> = 0..1 << 20;
 /// Most points in all rows of a text, except for rings.
 pub const MAX_ROW_POINTS: usize = 256;
 
@@ -65,7 +68,7 @@ impl Item {
                 units: &[BOX_STEPS, VALUE],
                 ..IN_BOX
             },
-            Item::File => Form {
+            Item::File | Item::Feature => Form {
                 coordinates: 0,
                 steps: 1.0,
                 ..POINTS
@@ -77,6 +80,13 @@ impl Item {
         match self {
             Item::Ring(most) => most,
             _ => MAX_ROW_POINTS,
+        }
+    }
+
+    fn most_rows(self) -> usize {
+        match self {
+            Item::Feature => MAX_FEATURES,
+            _ => MAX_ROWS,
         }
     }
 
@@ -108,6 +118,8 @@ impl Item {
                 (!is_one).then(|| Code::RowModel.into())
             }
             (Item::File, _) => Some(Code::RowModel.into()),
+            (Item::Feature, [0 | 1, number]) if FEATURES.contains(number) => None,
+            (Item::Feature, _) => Some(Code::RowFeature.into()),
             (Item::Spot(min, max), &[_, _, radius, value])
             | (Item::Patch(min, max), &[_, _, _, radius, value]) => {
                 let (radius, value) = (radius as f64 / form.steps, value as f64 / VALUE);
@@ -237,8 +249,9 @@ fn between(code: Code, min: f64, max: f64) -> Notice {
 
 /// Rows without repeated points in lines.
 fn checked(mut rows: Rows, item: Item, schema: &Schema) -> Result<Rows, Notice> {
-    if rows.len() > MAX_ROWS {
-        return Err(Notice::new(Code::TooManyRows).with("most", MAX_ROWS));
+    let most = item.most_rows();
+    if rows.len() > most {
+        return Err(Notice::new(Code::TooManyRows).with("most", most));
     }
     for (index, row) in rows.iter_mut().enumerate() {
         if matches!(item, Item::Line | Item::Trace) {

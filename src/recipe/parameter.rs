@@ -60,6 +60,8 @@ pub enum Item {
     Patch(f64, f64),
     /// A file: its digest in four numbers of 16 bits, the highest first, and the characters of its name.
     File,
+    /// A feature of a building: 0 for a corner or 1 for an edge, and its number.
+    Feature,
 }
 
 impl Item {
@@ -73,6 +75,7 @@ impl Item {
             Item::Trace => "trace",
             Item::Patch(..) => "patch",
             Item::File => "file",
+            Item::Feature => "feature",
         }
     }
 }

@@ -177,7 +177,17 @@ impl Search {
         self.nearest(mesh, p, Found::NONE, |_| true).point(mesh)
     }
 
-    /// The same, but only among triangles that face the same side as `normal`, unless all of them are much farther
+    /// The same if it is nearer than `radius`, found faster.
+    pub fn closest_within(&self, mesh: &TriMesh, p: DVec3, radius: f64) -> Option<SurfacePoint> {
+        let limit = Found {
+            square: radius * radius,
+            ..Found::NONE
+        };
+        let found = self.nearest(mesh, p, limit, |_| true);
+        (found.triangle != NONE).then(|| found.point(mesh))
+    }
+
+    /// The nearest place among triangles that face the same side as `normal`, unless all of them are much farther
     /// away. So a point stays on its side of a thin sheet. A zero normal allows all triangles.
     pub fn closest_facing(&self, mesh: &TriMesh, p: DVec3, normal: DVec3) -> SurfacePoint {
         let faces = |t: u32| mesh.face_normal(t).dot(normal) >= 0.0;

@@ -31,6 +31,8 @@ export interface SeenBody {
   centre: [x: number, y: number, z: number];
   /** The generator's measures of it, by their words; lengths in picture units, angles in degrees. */
   figures: Record<string, number>;
+  /** Words that tell of it what numbers cannot, each by the word of its kind. */
+  words: Record<string, string>;
 }
 ";
 
@@ -78,10 +80,13 @@ impl Bubblestone {
                 .iter()
                 .map(|&(word, value)| (word, value.into()));
             let figures: Vec<(&str, JsValue)> = figures.collect();
+            let words = body.words.iter().map(|(of, word)| (*of, word.into()));
+            let words: Vec<(&str, JsValue)> = words.collect();
             object(&[
                 ("id", body.id.into()),
                 ("centre", middle.into()),
                 ("figures", object(&figures).into()),
+                ("words", object(&words).into()),
             ])
             .into()
         })

@@ -493,8 +493,9 @@ test('notices of masonry are said', async () => {
     hear([studio.problem()]);
     studio.free();
   }
-  const studio = finished(new whole.Bubblestone(masonry));
-  for (const view of ['features', 'sizes']) {
+  const studio = finished(new whole.Bubblestone(`${masonry}&flips=1,999`));
+  hear([studio.remarks(), studio.set('flips', '2,0')]);
+  for (const view of ['features', 'sizes', 'plan', 'parity', 'occupancy', 'clipping', 'seams']) {
     while (!studio.turn('', '', 96, 64, `moving+floor+${view}`, 4).done);
     hear(studio.caption(view));
   }

@@ -46,6 +46,7 @@ fn rows(random: &mut Random, item: Item) -> String {
             )
         }
         Item::File => "1,2,3,4,97".to_owned(),
+        Item::Feature => format!("{},{}", random.below(3), random.below(100)),
         _ => {
             let points = [1, 2, 4, 30][random.below(4)];
             places(random, points)

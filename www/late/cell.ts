@@ -3,9 +3,12 @@ import { t } from '../words/look';
 import { make } from '../base/dom';
 
 /** The measures of a cell by the words of its generator, as far as they are known. */
-export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' | 'sides' | 'neighbours' | 'area' | 'type' | 'layer' | 'slid' | 'inwards' | 'outwards' | 'touches' | 'length' | 'height' | 'depth' | 'feature']?: number | null | undefined };
+export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' | 'sides' | 'neighbours' | 'area' | 'type' | 'layer' | 'slid' | 'inwards' | 'outwards' | 'touches' | 'length' | 'height' | 'depth' | 'sort' | 'course' | 'feature' | 'number']?: number | null | undefined };
 
-export function cellNumbers(figures: Figures): [name: string, value: string][] {
+/** Words that tell what numbers cannot, by the word of their kind. */
+export type CellWords = { [kind in 'labels' | 'node']?: string | undefined };
+
+export function cellNumbers(figures: Figures, words: CellWords = {}): [name: string, value: string][] {
   const { size, wanted, aspect, angle, off, sides, neighbours, area } = figures;
   const rows: [string, string][] = [];
   if (is(size) && is(wanted)) rows.push([t('cell_size'), t('cell_size_of', { size: size.toFixed(1), wanted: wanted.toFixed(1) })]);
@@ -15,7 +18,7 @@ export function cellNumbers(figures: Figures): [name: string, value: string][] {
   if (is(sides)) rows.push([t('cell_sides'), String(sides)]);
   if (is(neighbours)) rows.push([t('cell_neighbours'), String(neighbours)]);
   if (is(area)) rows.push([t('cell_area'), area.toFixed(0)]);
-  return [...rows, ...piledNumbers(figures), ...blockNumbers(figures)];
+  return [...rows, ...piledNumbers(figures), ...blockNumbers(figures, words)];
 }
 
 /** Those of a body in a pile; lengths are in its diagonals. */
@@ -28,14 +31,19 @@ function piledNumbers({ type, layer, slid, inwards, outwards, touches }: Figures
   return rows;
 }
 
-/** The words of the types of features. */
+/** The words of the types of features, and of the kinds of blocks. */
 const FEATURES = ['feature_0', 'feature_1', 'feature_2'] as const;
+const KINDS = ['kind_0', 'kind_1', 'kind_2', 'kind_3', 'kind_4'] as const;
 
-/** Those of a block in a wall, in millimetres. */
-function blockNumbers({ length, height, depth, feature }: Figures): [name: string, value: string][] {
+/** Those of a block in a wall, in millimetres, and of the feature that it was laid for. */
+function blockNumbers({ length, height, depth, sort, course, feature, number }: Figures, { labels, node }: CellWords): [name: string, value: string][] {
   const rows: [string, string][] = [];
+  if (is(sort)) rows.push([t('block_kind'), t(KINDS[sort] ?? 'kind_4')]);
   if (is(length) && is(height) && is(depth)) rows.push([t('block_size'), t('block_size_of', { length, height, depth })]);
-  if (is(feature)) rows.push([t('block_feature'), t(FEATURES[feature] ?? 'feature_2')]);
+  if (is(course)) rows.push([t('block_course'), String(course)]);
+  if (is(feature) && is(number)) rows.push([t('block_feature'), t(FEATURES[feature] ?? 'feature_2', { n: number })]);
+  if (labels) rows.push([t('block_labels'), labels]);
+  if (node) rows.push([t('block_node'), node]);
   return rows;
 }
 
@@ -48,6 +56,6 @@ function is(figure: number | null | undefined): figure is number {
 }
 
 /** The same as rows of a card. */
-export function cellRows(cell: Figures): HTMLElement[] {
-  return cellNumbers(cell).map(([name, value]) => make('div', {}, make('span', {}, name), make('b', {}, value)));
+export function cellRows(cell: Figures, words: CellWords = {}): HTMLElement[] {
+  return cellNumbers(cell, words).map(([name, value]) => make('div', {}, make('span', {}, name), make('b', {}, value)));
 }

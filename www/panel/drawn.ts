@@ -13,7 +13,8 @@ export function drawnIn(recipe: Recipe, given: readonly string[]): Set<string> {
   const keys = new Set<string>();
   for (const row of recipe.schema) {
     const [value = ''] = recipe.valuesOf(row.key);
-    if (row.kind !== 'text' || value === '' || given.includes(`${row.key}=${value}`) || !applies(row, recipe)) continue;
+    // Features are numbered by the building, so they mean nothing in another recipe.
+    if (row.kind !== 'text' || row.item === 'feature' || value === '' || given.includes(`${row.key}=${value}`) || !applies(row, recipe)) continue;
     keys.add(row.key);
     for (let { shownFor: rule } = row; rule; ) {
       const { key } = rule;

@@ -16,8 +16,8 @@ import { SIDE } from './scaling';
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = ['seed', 'poly'];
 
-/** Lists of these kinds are painted on frames, with tools beside them. */
-const PAINTED: readonly Parameter['item'][] = ['trace', 'patch'];
+/** Lists of these kinds are painted on frames, with tools beside them, or changed by what is pointed at. */
+const PAINTED: readonly Parameter['item'][] = ['trace', 'patch', 'feature'];
 
 /** The visitor's choice of how much of the panel is shown. */
 const EXTENT = 'panel';

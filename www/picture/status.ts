@@ -14,6 +14,9 @@ const WATCHED = 6000;
 
 const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 
+/** Those of generators whose cells move, come and go. */
+const OF_MOVES: readonly string[] = ['move', 'added'];
+
 /** The words of these counts where bodies are counted; the largest move is not shown there. */
 const BODIES = ['bodies', 'turns', 'move', 'removed'] as const;
 
@@ -47,6 +50,10 @@ export class StatusLine {
   follow(course: Course & { offers: readonly string[] }): void {
     this.course = course;
     this.nameCounts(course.offers.includes('bodies'));
+    for (const count of OF_MOVES) {
+      const parts = this.counts.get(count);
+      if (parts) parts.box.hidden = !course.offers.includes('moves');
+    }
     this.stages.clear();
     for (const word of course.stages) {
       const time = make('span', { class: 'time' }, '–');

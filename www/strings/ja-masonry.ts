@@ -35,6 +35,7 @@ export const parameters: Foreign['parameters'] = {
     choices: { bricks: 'れんが', ashlar: '乱積みの切石', rgb: 'RGBブロック' },
   },
   hand: { name: '角', help: '角と稜線のれんがの向き。建物全体で解くか、論文のとおり、建物に書かれた印によるか。', choices: { solved: '解く', stored: '手で' } },
+  flips: { name: '手で変えた向き', help: 'れんがの向きを手で変えた角（0）と稜線（1）と、その番号。' },
   'masonry.seed': { name: 'シード', help: '乱数の種。' },
   module: {
     name: '寸法',

@@ -8,15 +8,22 @@ import type { Told } from '../picture/frames/source';
 /** The distance from the pointer to the card, in pixels. */
 const GAP = 18;
 
+/** The acts of a picked body's card. */
+interface CardActs {
+  /** Opens the view of how a body is made. */
+  how(body: Told): void;
+  /** The act that turns the bricks of a corner or an edge; undefined if the body is of another feature. */
+  flip(body: Told): (() => void) | undefined;
+}
+
 export class Card {
   readonly element = make('div', { class: 'cell-card turn-card' });
-  private readonly how: (body: Told) => void;
+  private readonly acts: CardActs;
   /** The body that was clicked or picked by a key: its card stays. */
   picked: Told | undefined;
 
-  /** `how` opens the view of how a body is made. */
-  constructor(how: (body: Told) => void) {
-    this.how = how;
+  constructor(acts: CardActs) {
+    this.acts = acts;
     this.element.hidden = true;
     for (const sign of ['click', 'dblclick', 'pointerdown', 'pointermove', 'touchstart']) this.element.addEventListener(sign, (event) => event.stopPropagation());
   }
@@ -29,12 +36,10 @@ export class Card {
     const { element } = this;
     this.picked = picked ? body : undefined;
     element.toggleAttribute('data-picked', picked);
-    element.replaceChildren(make('strong', {}, called(body, sort)), ...cellRows(body.figures));
-    if (picked && hasSteps(body, sort)) {
-      const button = make('button', { type: 'button', class: 'key wordy', id: 'turn-how' }, t('how'));
-      button.addEventListener('click', () => this.how(body));
-      element.append(button);
-    }
+    element.replaceChildren(make('strong', {}, called(body, sort)), ...cellRows(body.figures, body.words));
+    if (picked && hasSteps(body, sort)) this.offer('turn-how', t('how'), () => this.acts.how(body));
+    const flip = picked ? this.acts.flip(body) : undefined;
+    if (flip) this.offer('turn-flip', t('flip'), flip);
     element.hidden = false;
     const box = element.parentElement?.getBoundingClientRect();
     const along = (part: number, room: number, own: number): number => {
@@ -45,6 +50,12 @@ export class Card {
     element.style.top = `${along(y, box?.height ?? 0, element.offsetHeight)}px`;
   }
 
+  private offer(id: string, name: string, act: () => void): void {
+    const button = make('button', { type: 'button', class: 'key wordy', id }, name);
+    button.addEventListener('click', act);
+    this.element.append(button);
+  }
+
   hide(): void {
     this.picked = undefined;
     this.element.hidden = true;
@@ -53,7 +64,7 @@ export class Card {
 
 /** The card's text as a sentence. */
 export function sentence(body: Told, sort: Sort): string {
-  const numbers = cellNumbers(body.figures).map((row) => row.join(' '));
+  const numbers = cellNumbers(body.figures, body.words).map((row) => row.join(' '));
   return [[called(body, sort), ...numbers].join(', '), ...(hasSteps(body, sort) ? [t('how_key')] : [])].join('. ');
 }
 

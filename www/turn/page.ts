@@ -10,6 +10,7 @@ import type { Camera } from '../state/viewing';
 import type { Work } from '../state/work';
 import type { PictureHost } from '../picture/host';
 import type { View } from '../picture/view';
+import { flipOf } from './flips';
 import { noteOf } from './told';
 import type { Place } from './turntable';
 import { Turntables } from './turntables';
@@ -92,6 +93,7 @@ export class PageTurntable {
         store.update({ asked: '' });
         return asked;
       },
+      flip: (feature) => flipOf(this.work, feature),
       only: (subject, camera) => store.update({ body: subject === '' ? undefined : { subject, camera } }),
       framed: (whole) => {
         if (engine.offers('frames')) this.seen(whole);

@@ -89,10 +89,10 @@ class Turner {
   /** A body of the last frame. */
   told(about: About): Told | undefined {
     const { sides } = this.maker;
-    if ('id' in about) return { id: about.id, figures: {}, steps: this.studio.making(about.id) };
+    if ('id' in about) return { id: about.id, figures: {}, words: {}, steps: this.studio.making(about.id) };
     const { x, y } = about;
     const body = sides && this.studio.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1]));
-    return body && { id: body.id, figures: body.figures, steps: this.studio.making(body.id) };
+    return body && { id: body.id, figures: body.figures, words: body.words, steps: this.studio.making(body.id) };
   }
 
   /** Runs the request's recipe; false if a newer request came, or there is no picture. */

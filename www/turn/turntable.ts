@@ -42,6 +42,8 @@ export interface Place {
   slice?(cut: Cut | undefined): void;
   /** The step of a body that a link asks for, as `ID:STEP`. Later calls return ''. */
   asked?(): string;
+  /** The act that turns the bricks of a corner (0) or an edge (1) of a building by hand; undefined if there is none. */
+  flip?(feature: readonly [kind: number, number: number]): (() => void) | undefined;
   /** Called with the subject that is shown: a step in the making of one body (`ID:STEP`), or '' for all. */
   only?(subject: string, camera: Camera): void;
   /** Leaves the turntable. Missing in an embedded picture, and if there is nothing but bodies to see. */
@@ -103,7 +105,7 @@ export class Turntable {
   constructor(place: Place) {
     this.place = place;
     this.making = new Making({ get: (key) => place.get(key), show: () => this.follow(), end: () => this.all() });
-    this.card = new Card((body) => this.how(body));
+    this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body) });
     const heard: Heard = {
       frame: (frame, quality, bodies, latest) => this.show(frame, quality, bodies, latest),
       working: (done) => (this.bar.value = done),
@@ -316,6 +318,15 @@ export class Turntable {
     const [id = 0, step = 0] = asked.split(':').map(Number);
     const body = await this.frames.bodyOf(id);
     if (body?.steps.length && this.on) this.how(body, Math.min(step, body.steps.length - 1));
+  }
+
+  private flipOf({ figures: { feature, number } }: Told): (() => void) | undefined {
+    const act = feature === undefined || number === undefined ? undefined : this.place.flip?.([feature, number]);
+    return act && (() => {
+      this.card.hide();
+      this.focus();
+      act();
+    });
   }
 
   private how(body: Told, step = 0): void {

@@ -46,6 +46,10 @@ impl SceneEngine for MasonryEngine {
         self.measures(id)
     }
 
+    fn words_of(&self, id: u32) -> Vec<(&'static str, String)> {
+        self.named(id)
+    }
+
     fn caption_of(&self, words: &str) -> Option<Notice> {
         self.meaning(words)
     }

@@ -1,69 +1,222 @@
 //! The measures of a block, and the caption of a view.
 
-use super::MasonryEngine;
 use super::colours::type_of;
+use super::diagrams::{Claimed, Texture, clipped};
 use super::views::MasonryView;
-use crate::masonry::laying::{CellSort, MasonryCell};
+use super::{MasonryEngine, diagrams};
+use crate::building::PolygonId;
+use crate::masonry::laying::{CellSort, Feature, Laying, MasonryCell};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
+/// The meaning of an id in the shown scene.
+enum Meant<'a> {
+    Cell(&'a MasonryCell),
+    Feature(Feature),
+    Polygon(PolygonId),
+}
+
 impl MasonryEngine {
-    /// The measures of a block, by their words: its length, height and depth in millimetres, joints not counted; and its
-    /// feature's type: 0 a corner, 1 an edge, 2 a face.
+    fn meant(&self, id: u32) -> Option<Meant<'_>> {
+        let place = (id as usize).checked_sub(1)?;
+        let laying = self.made.cells.made();
+        match self.picture.shown()?.0.view {
+            MasonryView::Polygons => {
+                let count = self.made.site.made()?.building.polygons().len();
+                (place < count).then(|| Meant::Polygon(PolygonId(id - 1)))
+            }
+            MasonryView::Plan | MasonryView::Parity | MasonryView::Seams => {
+                laying?.order().get(place).copied().map(Meant::Feature)
+            }
+            _ => laying?.cells().get(place).map(Meant::Cell),
+        }
+    }
+
+    /// The measures of a body, by their words. A block has its length, height and depth in millimetres, joints not
+    /// counted; its sort (0 whole, 1 half, 2 cut, 3 a sill's, 4 a stone); and the number of its course, from 1. All
+    /// bodies have their feature's type (0 a corner, 1 an edge, 2 a face) and number; polygons have that of their face.
     pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
-        let cells = self
-            .made
-            .cells
-            .made()
-            .map_or(&[][..], |laying| laying.cells());
-        let cell = (id as usize).checked_sub(1).and_then(|k| cells.get(k));
-        let Some((cell, body)) = cell.and_then(|cell| Some((cell, cell.body.shrunk()?))) else {
+        match self.meant(id) {
+            Some(Meant::Cell(cell)) => {
+                let course = self
+                    .made
+                    .cells
+                    .made()
+                    .and_then(|laying| laying.course(cell));
+                let course = course.map(|course| ("course", course as f64));
+                let sort = ("sort", f64::from(cell.sort as u8));
+                let own = size(cell).into_iter().chain([sort]).chain(course);
+                own.chain(of_feature(cell.feature)).collect()
+            }
+            Some(Meant::Feature(feature)) => of_feature(feature).to_vec(),
+            Some(Meant::Polygon(polygon)) => match self.made.site.made() {
+                Some(site) => {
+                    of_feature(Feature::Face(site.building.polygon(polygon).face)).to_vec()
+                }
+                None => Vec::new(),
+            },
+            None => Vec::new(),
+        }
+    }
+
+    /// The words of a body: the labels of its feature, and for a block the path of its node in the tree.
+    pub(super) fn named(&self, id: u32) -> Vec<(&'static str, String)> {
+        let (Some(site), Some(meant)) = (self.made.site.made(), self.meant(id)) else {
             return Vec::new();
         };
-        let across = cell.outwards.cross(DVec3::Y).normalize_or(DVec3::X);
-        let up = across.cross(-cell.outwards);
-        let extent = |axis: DVec3| {
-            let along = body.vertices().iter().map(|p| p.dot(axis));
-            let ends = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], v| {
-                [lo.min(v), hi.max(v)]
-            });
-            (1e3 * (ends[1] - ends[0])).round()
+        let feature = match meant {
+            Meant::Cell(cell) => cell.feature,
+            Meant::Feature(feature) => feature,
+            Meant::Polygon(polygon) => Feature::Face(site.building.polygon(polygon).face),
         };
-        vec![
-            ("length", extent(across)),
-            ("height", extent(up)),
-            ("depth", extent(cell.outwards)),
-            ("feature", type_of(cell.feature) as f64),
-        ]
+        let node = match (meant, self.made.cells.made()) {
+            (Meant::Cell(cell), Some(laying)) => laying.node_path(cell),
+            _ => None,
+        };
+        let labels = feature.labels(&site.building).join(", ");
+        let words = [("labels", labels), ("node", node.unwrap_or_default())];
+        words
+            .into_iter()
+            .filter(|(_, word)| !word.is_empty())
+            .collect()
     }
 
     /// The caption of a view that is shown.
     pub(super) fn meaning(&self, words: &str) -> Option<Notice> {
-        let cells = self.made.cells.made()?.cells();
-        let of = |is: &dyn Fn(&MasonryCell) -> bool| cells.iter().filter(|cell| is(cell)).count();
+        let laying = self.made.cells.made()?;
         match MasonryView::of_words(words) {
-            MasonryView::Features => {
-                let [corners, edges, faces] =
-                    [0, 1, 2].map(|k| of(&|cell| type_of(cell.feature) == k));
-                Some(
-                    Notice::new(Code::MasonryFeatures)
-                        .with("corners", corners)
-                        .with("edges", edges)
-                        .with("faces", faces),
-                )
-            }
-            MasonryView::Sizes => {
-                let sorts = [CellSort::Whole, CellSort::Half, CellSort::Cut];
-                let [whole, half, cut] = sorts.map(|sort| of(&|cell| cell.sort == sort));
-                Some(
-                    Notice::new(Code::MasonrySizes)
-                        .with("whole", whole)
-                        .with("half", half)
-                        .with("cut", cut)
-                        .with("other", cells.len() - whole - half - cut),
-                )
-            }
+            MasonryView::Features => Some(features(laying)),
+            MasonryView::Sizes => Some(sizes(laying)),
+            MasonryView::Plan => Some(lines(laying)),
+            MasonryView::Parity => Some(parity(laying)),
+            MasonryView::Occupancy => Some(occupancy(laying)),
+            MasonryView::Clipping => Some(clipping(laying)),
+            MasonryView::Seams => Some(seams(laying)),
             _ => None,
         }
     }
+}
+
+/// The type and the number of a feature, as measures.
+fn of_feature(feature: Feature) -> [(&'static str, f64); 2] {
+    let number = match feature {
+        Feature::Corner(id) => id.0,
+        Feature::Edge(id) => id.0,
+        Feature::Face(id) => id.0,
+    };
+    [
+        ("feature", type_of(feature) as f64),
+        ("number", f64::from(number)),
+    ]
+}
+
+/// The length, the height and the depth of a cell (millimetres), as measures; none if its joints take all of it.
+fn size(cell: &MasonryCell) -> Vec<(&'static str, f64)> {
+    let Some(body) = cell.body.shrunk() else {
+        return Vec::new();
+    };
+    let across = cell.outwards.cross(DVec3::Y).normalize_or(DVec3::X);
+    let up = across.cross(-cell.outwards);
+    let extent = |axis: DVec3| {
+        let along = body.vertices().iter().map(|p| p.dot(axis));
+        let ends = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], v| {
+            [lo.min(v), hi.max(v)]
+        });
+        (1e3 * (ends[1] - ends[0])).round()
+    };
+    vec![
+        ("length", extent(across)),
+        ("height", extent(up)),
+        ("depth", extent(cell.outwards)),
+    ]
+}
+
+fn count(laying: &Laying, is: impl Fn(&MasonryCell) -> bool) -> usize {
+    laying.cells().iter().filter(|cell| is(cell)).count()
+}
+
+fn features(laying: &Laying) -> Notice {
+    let of = |k: usize| count(laying, |cell| type_of(cell.feature) == k);
+    Notice::new(Code::MasonryFeatures)
+        .with("corners", of(0))
+        .with("edges", of(1))
+        .with("faces", of(2))
+}
+
+fn sizes(laying: &Laying) -> Notice {
+    let sorts = [CellSort::Whole, CellSort::Half, CellSort::Cut];
+    let [whole, half, cut] = sorts.map(|sort| count(laying, |cell| cell.sort == sort));
+    Notice::new(Code::MasonrySizes)
+        .with("whole", whole)
+        .with("half", half)
+        .with("cut", cut)
+        .with("other", laying.cells().len() - whole - half - cut)
+}
+
+fn lines(laying: &Laying) -> Notice {
+    let lines = diagrams::lines(laying);
+    let rows = lines.iter().filter(|line| line.is_row).count();
+    Notice::new(Code::MasonryPlan)
+        .with("rows", rows)
+        .with("columns", lines.len() - rows)
+        .with(
+            "openings",
+            lines.iter().filter(|line| line.is_opening).count(),
+        )
+}
+
+fn parity(laying: &Laying) -> Notice {
+    let mut edges: Vec<_> = laying.pointings().into_iter().map(|row| row.edge).collect();
+    edges.dedup();
+    Notice::new(Code::MasonryParity)
+        .with("edges", edges.len())
+        .with("conflicts", laying.plan().conflicts.len())
+        .with("changes", laying.plan().changes.len())
+}
+
+fn occupancy(laying: &Laying) -> Notice {
+    let Claimed { free, by } = Claimed::new(laying);
+    let all = free + by.iter().sum::<usize>();
+    let share = |pixels: usize| {
+        let share = 1e3 * pixels as f64 / all.max(1) as f64;
+        crate::decimal::text(share.round() / 10.0)
+    };
+    Notice::new(Code::MasonryOccupancy)
+        .with("n", all)
+        .with("corners", share(by[0]))
+        .with("edges", share(by[1]))
+        .with("faces", share(by[2]))
+        .with("free", share(free))
+}
+
+fn seams(laying: &Laying) -> Notice {
+    let Texture { bricks, broken } = Texture::new(laying);
+    Notice::new(Code::MasonrySeams)
+        .with("n", bricks)
+        .with("broken", broken)
+}
+
+/// The number of clipped cells, by what takes most of each one's place.
+fn clipping(laying: &Laying) -> Notice {
+    let mut counts = [0; 4];
+    for numbered in (0..).zip(laying.cells()) {
+        let parts = clipped(laying, numbered);
+        let mut areas = [0.0; 4];
+        for part in &parts {
+            let by = part
+                .by
+                .map(|by| type_of(laying.cells()[by as usize].feature));
+            areas[by.unwrap_or(3)] += part.part.area();
+        }
+        let most = areas.iter().copied().fold(0.0, f64::max);
+        if let Some(kind) = areas.iter().position(|&area| area > 0.0 && area == most) {
+            counts[kind] += 1;
+        }
+    }
+    Notice::new(Code::MasonryClipping)
+        .with("n", count(laying, |cell| cell.unclipped.is_some()))
+        .with("corners", counts[0])
+        .with("edges", counts[1])
+        .with("faces", counts[2])
+        .with("off", counts[3])
 }

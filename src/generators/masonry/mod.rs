@@ -5,6 +5,7 @@ mod blocks;
 mod colours;
 mod cuboid;
 mod data;
+mod diagrams;
 mod engine;
 mod figures;
 mod files;
@@ -18,6 +19,8 @@ mod stages;
 mod subject;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod view_tests;
 mod views;
 
 pub use schema::keys;

@@ -2,7 +2,7 @@
 
 use super::colours::{Colours, materials};
 use super::schema::keys;
-use crate::building::{Module, Rule};
+use crate::building::{Building, CornerId, EdgeId, Module, Rule};
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
 use crate::generators::scene_picture::AskedFile;
@@ -45,6 +45,36 @@ pub(super) struct PatternParams {
     /// The pattern tree.
     pub tree: &'static TreePreset,
     pub laying: LayingParams,
+    pub flips: Flips,
+}
+
+/// Corners and edges whose bricks are turned by hand.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Flips {
+    pub corners: Vec<CornerId>,
+    pub edges: Vec<EdgeId>,
+}
+
+impl Flips {
+    /// The flips of rows of a feature's kind (0 for a corner, 1 for an edge) and its number.
+    fn new(rows: &[Vec<i64>]) -> Self {
+        let numbers = |kind: i64| {
+            let own = rows.iter().filter(move |row| row[0] == kind);
+            own.map(|row| row[1] as u32)
+        };
+        Self {
+            corners: numbers(0).map(CornerId).collect(),
+            edges: numbers(1).map(EdgeId).collect(),
+        }
+    }
+
+    /// How many of them a building does not have.
+    pub fn gone(&self, building: &Building) -> usize {
+        let corners = self.corners.iter().map(|id| id.index());
+        let edges = self.edges.iter().map(|id| id.index());
+        let (of_corners, of_edges) = (building.corners().len(), building.edges().len());
+        corners.filter(|&k| k >= of_corners).count() + edges.filter(|&k| k >= of_edges).count()
+    }
 }
 
 /// The geometry and the colours of blocks.
@@ -97,6 +127,7 @@ impl MasonryParams {
                     is_by_hand: recipe.choice(keys::HAND) == "stored",
                     seed,
                 },
+                flips: Flips::new(recipe.rows(keys::FLIPS)),
             },
             blocks: BlockParams {
                 recess: MILLI * recipe.number(keys::RECESS),

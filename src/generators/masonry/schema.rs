@@ -57,6 +57,8 @@ rows! {
         ]).group("Pattern").main();
     hand HAND: "Which way bricks of corners and edges point: solved for the whole building, or by the bits stored in it, as in the paper." =>
         choice("Corners", choices![solved: "Solved", stored: "By hand"]).group("Pattern");
+    flips FLIPS: "Corners (0) and edges (1) whose bricks are turned by hand, each with its number." =>
+        text("Turned by hand", Item::Feature).group("Pattern").steady();
     seed SEED: "Names the random numbers." => common::SEED.group("Pattern");
 
     module MODULE: "The size of bricks or stones with a joint." =>

@@ -14,6 +14,7 @@ use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 use crate::scene::Scene;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// The words of the stages.
 pub(super) const WORDS: [&str; 5] = ["building", "cells", "laying", "bodies", "light"];
@@ -82,7 +83,13 @@ impl SceneStages for MasonryStages {
     }
 
     fn remarks(&self) -> Vec<Notice> {
-        Vec::new()
+        let flips = &self.cells.params().flips;
+        let gone = self
+            .site
+            .made()
+            .map_or(0, |site| flips.gone(&site.building));
+        let told = (gone > 0).then(|| Notice::new(Code::MasonryFlips).with("n", gone));
+        told.into_iter().collect()
     }
 
     fn files(&self) -> &ModelFiles {
@@ -138,7 +145,9 @@ impl MasonryStages {
             if work.is_none() {
                 let tree = params.tree.tree();
                 let thickness = |face: crate::building::FaceId| site.thickness[face.index()];
-                let laying = Laying::new(site.building.clone(), tree, params.laying, thickness);
+                let flips = &params.flips;
+                let building = Arc::new(site.building.flipped(&flips.corners, &flips.edges));
+                let laying = Laying::new(building, tree, params.laying, thickness);
                 *work = Some(laying.map_err(|fault| refusal(&fault, params))?);
                 return Ok(None);
             }

@@ -1,33 +1,13 @@
 //! Scenes of the views of masonry.
 
-use super::MasonryEngine;
-use super::blocks::{Wall, add_mortar, add_plain, flat, plain};
-use super::colours::{FEATURES, type_of};
-use super::params::BlockParams;
-use super::site::BuildingSite;
+use super::blocks::Wall;
 use super::views::MasonryView;
+use super::{MasonryEngine, diagrams};
 use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
 use crate::graph::Wiring;
-use crate::masonry::block::BlockMesh;
-use crate::masonry::laying::{CellSort, MasonryCell};
 use crate::material::Material;
-use crate::random::{Purpose, Random};
 use crate::scene::Scene;
 use std::rc::Rc;
-
-/// Colours of whole, half and cut bricks, of sills, and of stones.
-const SORTS: [[u8; 3]; 5] = [
-    [188, 180, 166],
-    [86, 146, 206],
-    [214, 92, 64],
-    [150, 122, 196],
-    [148, 168, 120],
-];
-/// The colour of mortar in views.
-const CALM: [u8; 3] = [168, 162, 151];
-/// The rows of plain bodies and of the bare surface in the materials of views.
-const SATIN: u8 = 2;
-const BARE: u8 = 0;
 
 /// The key of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,25 +114,15 @@ impl SceneSource for MasonryEngine {
                 wall.lay(made.cells.made()?.cells(), work.shown());
                 Some(WallSubject::Laying(wall, made.laid.passes()))
             }
-            MasonryView::Mortar => Some(WallSubject::Diagram(bare(site, made.laid.params()))),
-            MasonryView::Polygons => Some(WallSubject::Diagram(polygons(site))),
-            view => {
-                let cells = made.cells.made()?.cells();
-                let mut scene = bare(site, made.laid.params());
-                let colour = |cell: &MasonryCell| match view {
-                    MasonryView::Features => FEATURES[type_of(cell.feature)],
-                    _ => SORTS[place_of(cell.sort)],
-                };
-                for (number, cell) in (1..).zip(cells) {
-                    if let Some(body) = cell.body.shrunk() {
-                        add_plain(
-                            &mut scene,
-                            plain(&body, site.fit),
-                            (number, colour(cell), SATIN),
-                        );
-                    }
-                }
+            MasonryView::Mortar => {
+                let scene = diagrams::bare(site, made.laid.params());
                 Some(WallSubject::Diagram(scene))
+            }
+            MasonryView::Polygons => Some(WallSubject::Diagram(diagrams::polygons(site))),
+            view => {
+                let of = (site, made.laid.params());
+                let laying = made.cells.made()?;
+                Some(WallSubject::Diagram(diagrams::diagram(view, laying, of)))
             }
         }
     }
@@ -170,50 +140,4 @@ impl SceneSource for MasonryEngine {
         let is_picture = matches!(view, MasonryView::Auto | MasonryView::Picture);
         (is_picture && self.made.at().is_none()).then(|| self.made.picture())
     }
-}
-
-/// The place of a sort in the list of its colours.
-fn place_of(sort: CellSort) -> usize {
-    match sort {
-        CellSort::Whole => 0,
-        CellSort::Half => 1,
-        CellSort::Cut => 2,
-        CellSort::Sill => 3,
-        CellSort::Stone => 4,
-    }
-}
-
-/// The mortar alone.
-fn bare(site: &BuildingSite, blocks: &BlockParams) -> Scene {
-    let mut scene = Scene {
-        reach: (0.3 * site.fit.scale) as f32,
-        ..Scene::default()
-    };
-    let depth = (blocks.recess, blocks.length);
-    add_mortar(&mut scene, site, depth, (CALM, BARE));
-    scene
-}
-
-/// The polygons of the child mesh, each in a tone of its own.
-fn polygons(site: &BuildingSite) -> Scene {
-    let mut scene = Scene {
-        reach: (0.3 * site.fit.scale) as f32,
-        ..Scene::default()
-    };
-    for (id, polygon) in (1_u32..).zip(site.building.polygons()) {
-        let place = |v: &crate::building::VertexId| site.building.vertex(*v).position;
-        let count = polygon.vertices.len() as u32;
-        let mesh = BlockMesh {
-            positions: polygon.vertices.iter().map(place).collect(),
-            triangles: (2..count).map(|k| [0, k - 1, k]).collect(),
-        };
-        let mut random = Random::new(7, Purpose::Paint, u64::from(id));
-        let colour = [0; 3].map(|_| 110 + random.below(120) as u8);
-        add_plain(
-            &mut scene,
-            flat(&mesh, |p| site.fit.place(p)),
-            (id, colour, BARE),
-        );
-    }
-    scene
 }

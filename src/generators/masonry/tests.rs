@@ -8,14 +8,14 @@ use crate::masonry::tree::TreePreset;
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
 
-fn recipe(link: &str) -> Recipe {
+pub(super) fn recipe(link: &str) -> Recipe {
     let (recipe, notices) = Recipe::from_link(&[&super::SCHEMA], link);
     assert!(notices.is_empty(), "{link}: {notices:?}");
     recipe
 }
 
 /// The engine of a recipe, up to its blocks; or the sentence with which it stopped.
-fn laid(link: &str) -> Result<MasonryEngine, Notice> {
+pub(super) fn laid(link: &str) -> Result<MasonryEngine, Notice> {
     let mut engine = MasonryEngine::new(&recipe(link));
     while engine
         .at()

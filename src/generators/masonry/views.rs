@@ -3,7 +3,19 @@
 use crate::generators::scene_picture::view_of;
 
 /// The words of views, in the order of the page.
-pub(super) const WORDS: [&str; 6] = ["auto", "picture", "mortar", "features", "sizes", "polygons"];
+pub(super) const WORDS: [&str; 11] = [
+    "auto",
+    "picture",
+    "mortar",
+    "features",
+    "sizes",
+    "polygons",
+    "plan",
+    "parity",
+    "occupancy",
+    "clipping",
+    "seams",
+];
 
 /// The content of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,15 +32,30 @@ pub(crate) enum MasonryView {
     Sizes,
     /// The polygons of the child mesh (figure 2).
     Polygons,
+    /// Lines of courses and columns, and lines of openings (section 5.1).
+    Plan,
+    /// Which way the bricks of upright edges point, and the phases of walls (section 5.2).
+    Parity,
+    /// The pixels of the faces' occupancy maps (figure 3).
+    Occupancy,
+    /// What was cut off cells, and what is in their way (section 5.1).
+    Clipping,
+    /// A plain texture, whose bricks end at the edges (figure 1).
+    Seams,
 }
 
-const ALL: [MasonryView; 6] = [
+const ALL: [MasonryView; 11] = [
     MasonryView::Auto,
     MasonryView::Picture,
     MasonryView::Mortar,
     MasonryView::Features,
     MasonryView::Sizes,
     MasonryView::Polygons,
+    MasonryView::Plan,
+    MasonryView::Parity,
+    MasonryView::Occupancy,
+    MasonryView::Clipping,
+    MasonryView::Seams,
 ];
 
 impl MasonryView {

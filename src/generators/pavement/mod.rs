@@ -74,7 +74,7 @@ pub static PAVEMENT: Generator = Generator {
     },
     offers: &[
         "outline", "probe", "plots", "layers", "tiles", "compare", "turn", "svg", "maps", "slab",
-        "mesh", "forming",
+        "mesh", "forming", "moves",
     ],
     names: &["tile", "outline", "kind", "stone", "palette"],
     samples: &[],

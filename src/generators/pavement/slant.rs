@@ -62,6 +62,7 @@ impl Frames for Pavement {
             id,
             middle: middle.as_dvec3().to_array(),
             figures: self.probe(centre).map_or(Vec::new(), |cell| cell.figures()),
+            words: Vec::new(),
         })
     }
 

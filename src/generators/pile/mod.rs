@@ -63,7 +63,7 @@ pub static PILE: Generator = Generator {
         overlays: &[],
     },
     offers: &[
-        "frames", "models", "cut", "bodies", "compare", "mesh", "places", "forming",
+        "frames", "models", "cut", "bodies", "compare", "mesh", "places", "forming", "moves",
     ],
     names: &["c1", "form"],
     samples: &schema::SAMPLES,

@@ -82,6 +82,11 @@ pub(crate) trait SceneEngine: SceneSource + Meshes {
     /// The measures of a body, by their words.
     fn figures(&self, id: u32) -> Vec<(&'static str, f64)>;
 
+    /// The words that tell of a body what numbers cannot, each by the word of its kind.
+    fn words_of(&self, _id: u32) -> Vec<(&'static str, String)> {
+        Vec::new()
+    }
+
     /// The caption of a view that is shown.
     fn caption_of(&self, words: &str) -> Option<Notice>;
 
@@ -213,8 +218,12 @@ impl<E: SceneEngine> Frames for E {
     fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody> {
         let yaw = self.made().still().params().yaw;
         let body = self.scene_picture().body_at(yaw, x, y)?;
-        let figures = self.figures(body.id);
-        Some(SeenBody { figures, ..body })
+        let (figures, words) = (self.figures(body.id), self.words_of(body.id));
+        Some(SeenBody {
+            figures,
+            words,
+            ..body
+        })
     }
 
     fn making(&self, id: u32) -> Vec<String> {

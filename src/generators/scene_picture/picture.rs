@@ -285,6 +285,7 @@ impl<S: SceneSource> ScenePicture<S> {
             id: instance.id,
             middle: [mx, middle.y.into(), mz],
             figures: Vec::new(),
+            words: Vec::new(),
         })
     }
 

@@ -61,7 +61,9 @@ pub static SURFACE: Generator = Generator {
         bases: &views::WORDS,
         overlays: &[],
     },
-    offers: &["frames", "models", "paint", "compare", "mesh", "forming"],
+    offers: &[
+        "frames", "models", "paint", "compare", "mesh", "forming", "moves",
+    ],
     names: &["form", "kind", "stone", "palette"],
     samples: &[],
     chance: "surface",

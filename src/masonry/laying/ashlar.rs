@@ -51,7 +51,7 @@ impl Site {
                 &intervals[..count]
             };
             if let (Some((row, [from, _])), Some((_, [_, to]))) = (part.first(), part.last()) {
-                let long = self.long_side(&run, *row, false);
+                let long = self.turned(feature, self.long_side(&run, *row, false));
                 if let Some(span) = self.free_part(&run, [*from, *to]) {
                     self.edge_stone(feature, node, (&run, long, CORNER), span);
                 }
@@ -145,7 +145,7 @@ impl Site {
             } else {
                 node.count("most_width")
             };
-            let mut long = random.below(2);
+            let mut long = (random.below(2) + usize::from(self.edge(id).flip)) % 2;
             for span in self.stone_spans(&run, most, &mut random) {
                 if run.is_upright {
                     let reach = 3 + random.below(LONGEST - 2);

@@ -82,7 +82,7 @@ impl Site {
         bond: &BrickBond,
         (run, row, span): (&Run, usize, [f64; 2]),
     ) {
-        let long = self.long_side(run, row, bond.is_by_hand);
+        let long = self.turned(feature, self.long_side(run, row, bond.is_by_hand));
         let counts = [0, 1].map(|side| if side == long { bond.long } else { bond.short });
         let middle = 0.5 * (span[0] + span[1]);
         let reaches = [0, 1].map(|side| self.limited_reach(run, side, counts[side], middle));
@@ -114,6 +114,14 @@ impl Site {
         (shown + flip) % 2
     }
 
+    /// The long side of a feature's cell: the bit stored with a corner turns the corner's own cell.
+    pub fn turned(&self, feature: Feature, long: usize) -> usize {
+        match feature {
+            Feature::Corner(id) => (long + usize::from(self.building.corner(id).flip)) % 2,
+            _ => long,
+        }
+    }
+
     /// The number of columns in a period, by which lines of whole cylinders are numbered ahead.
     pub fn turn(&self, face: FaceId) -> isize {
         let is_closed = self.face(face).surface.period().is_some();
@@ -124,13 +132,14 @@ impl Site {
         }
     }
 
-    /// Bricks along a level edge, in the wall's own bond, one course high.
+    /// Bricks along a level edge, in the wall's own bond, one course high. The edge's bit moves them by half a brick.
     fn level_bricks(&mut self, id: EdgeId, node: &GeneratorNode, bond: &BrickBond, run: &Run) {
         let wall = &run.sides[0];
         let way = wall.inwards.x + wall.inwards.y;
         let Some(row) = unit(&wall.lines, wall.place.dot(wall.inwards.abs()), way) else {
             return;
         };
+        let row = row + usize::from(self.edge(id).flip);
         let intervals = self.intervals(run);
         for [from, to] in self.free(run) {
             let inner = intervals.iter().filter_map(|&(column, [a, b])| {

@@ -72,6 +72,8 @@ pub struct MasonryCell {
     pub outwards: DVec3,
     /// The space that it claims on faces.
     pub claims: Vec<(FaceId, Footprint)>,
+    /// The place on its face that was clipped to the free space, if something was cut off.
+    pub unclipped: Option<Footprint>,
 }
 
 /// A cell to be placed.
@@ -82,6 +84,8 @@ pub(super) struct CellDraft {
     pub outwards: DVec3,
     /// How far the side towards `outwards` stands out (metres).
     pub extrude: f64,
+    /// The place on its face before it was clipped, if something was cut off.
+    pub unclipped: Option<Footprint>,
 }
 
 impl CellDraft {
@@ -91,6 +95,7 @@ impl CellDraft {
             claimed,
             outwards,
             extrude: 0.0,
+            unclipped: None,
         }
     }
 }

@@ -95,7 +95,7 @@ impl Site {
     }
 
     /// A block in the wall, diagonally off the corner of an opening; paired along its row if the partner's place is
-    /// free.
+    /// free. The corner's bit pairs it with the block on its other side.
     fn rim_brick(
         &mut self,
         id: CornerId,
@@ -115,7 +115,8 @@ impl Site {
         } else {
             0
         };
-        let first = if grid.starts(column as isize - turns as isize, row) {
+        let shift = usize::from(self.building.corner(id).flip);
+        let first = if grid.starts(column as isize - turns as isize, row + shift) {
             column as isize
         } else {
             column as isize - 1

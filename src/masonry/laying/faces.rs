@@ -13,6 +13,8 @@ use crate::masonry::tree::GeneratorNode;
 
 /// Sides of a face longer than this are no chords of an arc (metres).
 const OBLIQUE: f64 = 0.2;
+/// Cells with a larger share of their place are not cut.
+const WHOLE: f64 = 0.97;
 
 impl Site {
     /// How deep cells of a face reach into the wall: a module at a wall, a course below a level face, and no more than
@@ -97,7 +99,7 @@ impl Site {
                 .collect(),
         };
         for part in parts {
-            self.face_part(id, node, &part, (part.area() / place.area(), sort));
+            self.face_part(id, node, &part, (place, sort));
         }
     }
 
@@ -111,22 +113,24 @@ impl Site {
         })
     }
 
-    /// Lays a part of a brick, which has this share of the whole.
+    /// Lays the part of a brick that is left of its whole place.
     fn face_part(
         &mut self,
         id: FaceId,
         node: &GeneratorNode,
         part: &Footprint,
-        (share, sort): (f64, CellSort),
+        (whole, sort): (&Footprint, CellSort),
     ) {
+        let share = part.area() / whole.area();
         let is_half = (share - 0.5).abs() < 0.03 && part.corners().len() == 4;
         let sort = match sort {
             CellSort::Whole if is_half => CellSort::Half,
-            _ if share < 0.97 => CellSort::Cut,
+            _ if share < WHOLE => CellSort::Cut,
             sort => sort,
         };
         let depth = self.depth(id);
         let mut draft = self.face_draft(id, part, depth, sort);
+        draft.unclipped = (share < WHOLE).then(|| whole.clone());
         if let Some(body) = self.mitred(id, draft.claimed, depth) {
             draft.claimed = body;
             self.place(Feature::Face(id), node, draft);

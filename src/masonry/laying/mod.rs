@@ -4,6 +4,7 @@
 //! least, so corners come first and faces last. Each feature is passed down the pattern tree, and each generator that
 //! it reaches lays cells where its occupancy map is free. A cell claims its space on all features that it touches.
 
+mod answers;
 mod arches;
 mod ashlar;
 mod bricks;
@@ -12,6 +13,7 @@ mod corners;
 mod faces;
 mod measures;
 mod mitre;
+mod pointing;
 mod rectangles;
 mod run;
 mod site;
@@ -20,6 +22,7 @@ mod tests;
 
 pub use cell::{CellSort, Feature, MasonryCell};
 pub use measures::Measures;
+pub use pointing::Pointing;
 
 use super::plan::{Plan, PlanFault};
 use super::tree::{

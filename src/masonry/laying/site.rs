@@ -114,6 +114,7 @@ impl Site {
                 .into_iter()
                 .map(|(face, footprint, _)| (face, footprint))
                 .collect(),
+            unclipped: draft.unclipped,
         });
         true
     }

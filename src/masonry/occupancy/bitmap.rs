@@ -1,5 +1,6 @@
 //! The free pixels of a face.
 
+use super::claims::Claim;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::region::Region;
 use crate::order;
@@ -65,6 +66,26 @@ impl Bitmap {
                 self.is_empty[row * self.width + pixel] = true;
             }
         }
+    }
+
+    /// For each pixel, row by row from the least t: none if it is occupied, else the number of the last of these claims
+    /// that covers it. Also the number of pixels in a row.
+    pub(super) fn owners(&self, claims: &[Claim]) -> (Vec<Option<Option<u32>>>, usize) {
+        let free = self.is_empty.iter().map(|&empty| empty.then_some(None));
+        let mut owners: Vec<Option<Option<u32>>> = free.collect();
+        for claim in claims {
+            for pixel in self.under(&claim.polygon).flatten() {
+                if let Some(owner) = &mut owners[pixel] {
+                    *owner = Some(claim.cell);
+                }
+            }
+        }
+        (owners, self.width)
+    }
+
+    /// The lower corner of a pixel, by its column and its row; also beyond the raster.
+    pub(super) fn corner(&self, [column, row]: [usize; 2]) -> DVec2 {
+        self.low + self.pixel * DVec2::new(column as f64, row as f64)
     }
 
     /// The side of a pixel, in metres.

@@ -9,8 +9,10 @@ mod bitmap;
 mod claims;
 mod edge_map;
 mod face_map;
+mod pixel_runs;
 
 pub use bitmap::{Bitmap, Coverage};
 pub use claims::{Claim, Claims};
 pub use edge_map::EdgeMap;
 pub use face_map::FaceMap;
+pub use pixel_runs::PixelRun;

@@ -39,6 +39,15 @@ pub fn is_wall(face: &Face) -> bool {
     }
 }
 
+/// Whether an edge belongs to a window, a door or an arch.
+pub(super) fn is_of_opening(building: &Building, edge: EdgeId) -> bool {
+    const OPENINGS: [&str; 4] = [labels::WINDOW, labels::DOOR, labels::ARCH, labels::SILL];
+    let labels = &building.edge(edge).labels;
+    labels
+        .iter()
+        .any(|label| OPENINGS.contains(&label.as_str()))
+}
+
 /// The height at which t of a wall is 0 (metres).
 fn base(face: &Face) -> f64 {
     face.surface.frame(face.bounds()[0].x, 0.0).origin.y
@@ -157,7 +166,7 @@ impl<'a> PlanMaking<'a> {
             },
         ];
         for edge in edges(face) {
-            let is_opening = self.is_of_opening(edge);
+            let is_opening = is_of_opening(self.building, edge);
             let places = joints(self.building, edge).into_iter();
             marks.extend(places.map(|(p, is_springing)| CourseMark {
                 y: p.y,
@@ -165,15 +174,6 @@ impl<'a> PlanMaking<'a> {
             }));
         }
         marks
-    }
-
-    /// Whether an edge belongs to a window, a door or an arch.
-    fn is_of_opening(&self, edge: EdgeId) -> bool {
-        const OPENINGS: [&str; 4] = [labels::WINDOW, labels::DOOR, labels::ARCH, labels::SILL];
-        let labels = &self.building.edge(edge).labels;
-        labels
-            .iter()
-            .any(|label| OPENINGS.contains(&label.as_str()))
     }
 
     /// Solves the phases of walls; the columns that this changes are changed in `columns`.

@@ -7,6 +7,7 @@
 mod depths;
 mod face_grid;
 mod fault;
+mod grid_lines;
 mod lines;
 mod making;
 mod parity;
@@ -14,6 +15,7 @@ mod parity;
 pub use depths::thicknesses;
 pub use face_grid::{FaceGrid, region};
 pub use fault::{PlanFault, PlanWarning};
+pub use grid_lines::{GridLine, grid_lines};
 pub use lines::{CourseMark, CourseWarning, Courses, divided, merged, pieces};
 pub use making::{Plan, is_wall};
 pub use parity::{Change, Columns, PhaseEdge, PhasePlan, repair, solve};

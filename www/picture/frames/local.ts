@@ -58,11 +58,11 @@ export class LocalFrames implements FrameSource, Painter {
   bodyAt(x: number, y: number): Promise<Told | undefined> {
     const { sides } = this.maker;
     const body = sides && this.ask((studio) => studio.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1])));
-    return Promise.resolve(body && { id: body.id, figures: body.figures, steps: this.ask((studio) => studio.making(body.id)) ?? [] });
+    return Promise.resolve(body && { id: body.id, figures: body.figures, words: body.words, steps: this.ask((studio) => studio.making(body.id)) ?? [] });
   }
 
   bodyOf(id: number): Promise<Told | undefined> {
-    return Promise.resolve({ id, figures: {}, steps: this.ask((studio) => studio.making(id)) ?? [] });
+    return Promise.resolve({ id, figures: {}, words: {}, steps: this.ask((studio) => studio.making(id)) ?? [] });
   }
 
   /** The place on the model at a place of the last frame, in fractions of its sides; undefined beside the model. */

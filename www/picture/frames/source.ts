@@ -26,10 +26,14 @@ export interface Wished {
   readonly moving: boolean;
 }
 
-/** A body: its number, its figures by the words of its generator, and the words of the steps in its making. */
+/**
+ * A body: its number, its figures by the words of its generator, words that tell what numbers cannot, and the words of the
+ * steps in its making.
+ */
 export interface Told {
   readonly id: number;
   readonly figures: Record<string, number>;
+  readonly words: Record<string, string>;
   readonly steps: string[];
 }
 

@@ -1,0 +1,85 @@
+//! Clipping: cells that are smaller than their places, and what is in their way (Legakis, Dorsey, Gortler 2001,
+//! Feature-based cellular texturing for architectural models, section 5.1).
+
+use super::super::colours::{FEATURES, type_of};
+use super::MAP;
+use super::kinds::{add_coloured, colour_of};
+use super::plates::Plates;
+use crate::building::FaceId;
+use crate::masonry::footprint::Footprint;
+use crate::masonry::free_space::remainder;
+use crate::masonry::laying::{Feature, Laying, MasonryCell};
+use crate::scene::Scene;
+use crate::surface_stones::Fit;
+
+/// The colour of cells that are whole, and of parts that lie off the face.
+const WHOLE: [u8; 3] = [206, 200, 190];
+const OUTSIDE: [u8; 3] = [150, 110, 190];
+/// How far the parts lie before the face (metres).
+const HEIGHT: f64 = 4e-3;
+/// Parts smaller than this share of a place do not count.
+const LEAST: f64 = 0.02;
+
+/// A part that was cut off a cell.
+pub(in crate::generators::masonry) struct Clipped {
+    /// The face, and the part in its (s, t).
+    pub face: FaceId,
+    pub part: Footprint,
+    /// The cell whose claim is there; none off the face.
+    pub by: Option<u32>,
+}
+
+/// The parts that were cut off a cell of a face, with its number.
+pub(in crate::generators::masonry) fn clipped(
+    laying: &Laying,
+    (number, cell): (u32, &MasonryCell),
+) -> Vec<Clipped> {
+    let (Feature::Face(face), Some(whole)) = (cell.feature, &cell.unclipped) else {
+        return Vec::new();
+    };
+    let own = cell.claims.iter().filter(|(on, _)| *on == face);
+    let own: Vec<Footprint> = own.map(|(_, claim)| claim.clone()).collect();
+    let claims = laying.face_map(face).claims();
+    let near = claims.near(whole.bounds()).into_iter();
+    let earlier: Vec<_> = near
+        .map(|k| &claims.list()[k as usize])
+        .filter(|claim| claim.cell < number)
+        .collect();
+    let is_large = |part: &Footprint| part.area() > LEAST * whole.area();
+    let cut = remainder(whole, &own);
+    let taken = cut.iter().flat_map(|part| {
+        let shared = earlier
+            .iter()
+            .map(|claim| (part.intersection(&claim.polygon), Some(claim.cell)));
+        shared.filter_map(|(part, by)| Some((part?, by)))
+    });
+    let polygons: Vec<Footprint> = earlier.iter().map(|claim| claim.polygon.clone()).collect();
+    let off = cut
+        .iter()
+        .flat_map(|part| remainder(part, &polygons))
+        .map(|part| (part, None));
+    taken
+        .chain(off)
+        .filter(|(part, _)| is_large(part))
+        .map(|(part, by)| Clipped { face, part, by })
+        .collect()
+}
+
+/// Adds all cells: clipped ones in the colours of their sorts, others pale. The parts that were cut off lie over them in the
+/// colour of the feature that is in the way. Ids are those of the cells.
+pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit) {
+    add_coloured(scene, laying, fit, |cell| match cell.unclipped {
+        Some(_) => colour_of(cell.sort),
+        None => WHOLE,
+    });
+    for (number, cell) in (0..).zip(laying.cells()) {
+        for Clipped { face, part, by } in clipped(laying, (number, cell)) {
+            let colour = by.map_or(OUTSIDE, |by| {
+                FEATURES[type_of(laying.cells()[by as usize].feature)]
+            });
+            let mut plates = Plates::new(laying.building().face(face), fit);
+            plates.add(&part, HEIGHT, colour);
+            plates.finish(scene, (number + 1, MAP));
+        }
+    }
+}

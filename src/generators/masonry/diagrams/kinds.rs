@@ -1,0 +1,43 @@
+//! All cells in plain colours, by their features or by their sorts.
+
+use super::super::blocks::{add_plain, plain};
+use super::super::colours::{FEATURES, type_of};
+use super::super::views::MasonryView;
+use super::SATIN;
+use crate::masonry::laying::{CellSort, Laying, MasonryCell};
+use crate::scene::Scene;
+use crate::surface_stones::Fit;
+
+/// The colour of a sort: whole, half and cut bricks, sills, and stones.
+pub(super) fn colour_of(sort: CellSort) -> [u8; 3] {
+    match sort {
+        CellSort::Whole => [188, 180, 166],
+        CellSort::Half => [86, 146, 206],
+        CellSort::Cut => [214, 92, 64],
+        CellSort::Sill => [150, 122, 196],
+        CellSort::Stone => [148, 168, 120],
+    }
+}
+
+/// Adds all cells; ids count from 1.
+pub(super) fn add(scene: &mut Scene, view: MasonryView, laying: &Laying, fit: Fit) {
+    let colour = |cell: &MasonryCell| match view {
+        MasonryView::Features => FEATURES[type_of(cell.feature)],
+        _ => colour_of(cell.sort),
+    };
+    add_coloured(scene, laying, fit, colour);
+}
+
+/// Adds all cells in colours of their own.
+pub(super) fn add_coloured(
+    scene: &mut Scene,
+    laying: &Laying,
+    fit: Fit,
+    colour: impl Fn(&MasonryCell) -> [u8; 3],
+) {
+    for (id, cell) in (1..).zip(laying.cells()) {
+        if let Some(body) = cell.body.shrunk() {
+            add_plain(scene, plain(&body, fit), (id, colour(cell), SATIN));
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Diagrams of masonry: what the plan says, what is occupied, and what was clipped. Each lies on the plain mortar.
+
+mod clipping;
+mod grid;
+mod kinds;
+mod occupancy;
+mod parity;
+mod plates;
+mod seams;
+
+pub(super) use clipping::clipped;
+pub(super) use grid::lines;
+pub(super) use occupancy::Claimed;
+pub(super) use seams::Texture;
+
+use super::blocks::{add_mortar, flat};
+use super::params::BlockParams;
+use super::site::BuildingSite;
+use super::views::MasonryView;
+use crate::building::{FaceId, VertexId};
+use crate::generators::masonry::blocks::add_plain;
+use crate::masonry::block::BlockMesh;
+use crate::masonry::laying::{Feature, Laying};
+use crate::random::{Purpose, Random};
+use crate::scene::Scene;
+
+/// The colour of mortar in views.
+const CALM: [u8; 3] = [168, 162, 151];
+/// The rows of the bare surface, of maps and of plain bodies in the materials of views.
+const BARE: u8 = 0;
+const MAP: u8 = 1;
+const SATIN: u8 = 2;
+/// The reach of ambient occlusion (metres).
+const REACH: f64 = 0.3;
+
+/// The diagram of a view, over the mortar of these blocks.
+pub(super) fn diagram(
+    view: MasonryView,
+    laying: &Laying,
+    (site, blocks): (&BuildingSite, &BlockParams),
+) -> Scene {
+    let mut scene = bare(site, blocks);
+    match view {
+        MasonryView::Plan => grid::add(&mut scene, laying, site.fit),
+        MasonryView::Parity => parity::add(&mut scene, laying, site.fit),
+        MasonryView::Occupancy => occupancy::add(&mut scene, laying, site.fit),
+        MasonryView::Clipping => clipping::add(&mut scene, laying, site.fit),
+        MasonryView::Seams => seams::add(&mut scene, laying, site.fit),
+        _ => kinds::add(&mut scene, view, laying, site.fit),
+    }
+    scene
+}
+
+/// The mortar alone.
+pub(super) fn bare(site: &BuildingSite, blocks: &BlockParams) -> Scene {
+    let mut scene = empty(site);
+    let depth = (blocks.recess, blocks.length);
+    add_mortar(&mut scene, site, depth, (CALM, BARE));
+    scene
+}
+
+fn empty(site: &BuildingSite) -> Scene {
+    Scene {
+        reach: (REACH * site.fit.scale) as f32,
+        ..Scene::default()
+    }
+}
+
+/// The polygons of the child mesh, each in a tone of its own. Ids count from 1 in the order of the building.
+pub(super) fn polygons(site: &BuildingSite) -> Scene {
+    let mut scene = empty(site);
+    for (id, polygon) in (1_u32..).zip(site.building.polygons()) {
+        let place = |v: &VertexId| site.building.vertex(*v).position;
+        let count = polygon.vertices.len() as u32;
+        let mesh = BlockMesh {
+            positions: polygon.vertices.iter().map(place).collect(),
+            triangles: (2..count).map(|k| [0, k - 1, k]).collect(),
+        };
+        let mut random = Random::new(7, Purpose::Paint, u64::from(id));
+        let colour = [0; 3].map(|_| 110 + random.below(120) as u8);
+        let surface = flat(&mesh, |p| site.fit.place(p));
+        add_plain(&mut scene, surface, (id, colour, BARE));
+    }
+    scene
+}
+
+/// The id of a feature in diagrams of features: its place in the order of the laying, from 1.
+fn id_of(laying: &Laying, feature: Feature) -> u32 {
+    let (corners, edges) = (
+        laying.building().corners().len(),
+        laying.building().edges().len(),
+    );
+    let place = match feature {
+        Feature::Corner(id) => id.index(),
+        Feature::Edge(id) => corners + id.index(),
+        Feature::Face(id) => corners + edges + id.index(),
+    };
+    place as u32 + 1
+}
+
+/// The faces that the pattern reaches, with their ids; glass and the like are left out.
+fn faces(laying: &Laying) -> impl Iterator<Item = (FaceId, u32)> + '_ {
+    let ids = laying.textured_faces();
+    ids.map(|face| (face, id_of(laying, Feature::Face(face))))
+}
+
+/// A colour as its place in a range of tones: from 1 - `by` to 1 + `by` of it, by a number.
+fn toned(colour: [u8; 3], by: f64, number: u32) -> [u8; 3] {
+    let tone = 1.0 + by * Random::new(5, Purpose::Paint, u64::from(number)).signed();
+    colour.map(|v| (f64::from(v) * tone).clamp(0.0, 255.0) as u8)
+}

@@ -1,0 +1,107 @@
+//! Seams: a plain texture of bricks in running bond, which only knows each face's own s and t. Its bricks end at the
+//! edges, as textures of images do (Legakis, Dorsey, Gortler 2001, Feature-based cellular texturing for architectural
+//! models, figure 1).
+
+use super::plates::{Plates, Sheet};
+use super::{MAP, faces, toned};
+use crate::building::{FaceId, Module};
+use crate::masonry::footprint::Footprint;
+use crate::masonry::laying::Laying;
+use crate::scene::Scene;
+use crate::surface_stones::Fit;
+use glam::DVec2;
+
+/// The colour of bricks, and how much their tones differ.
+const BRICK: [u8; 3] = [164, 88, 66];
+const TONE: f64 = 0.16;
+/// The colour of bricks that end at the border of their face.
+const BROKEN: [u8; 3] = [224, 178, 84];
+/// Bricks with a larger share on the face are whole.
+const WHOLE: f64 = 0.97;
+/// How far the texture lies before the face (metres).
+const HEIGHT: f64 = 1e-3;
+/// Numbers of bricks in a row lie this far apart at least, so that tones of rows differ.
+const ROW: u32 = 4099;
+
+/// How many bricks the texture has, and how many end at the border of a face before they are whole.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::generators::masonry) struct Texture {
+    pub bricks: usize,
+    pub broken: usize,
+}
+
+impl Texture {
+    /// The texture of all faces.
+    pub fn new(laying: &Laying) -> Self {
+        let mut counts = Self::default();
+        for (id, _) in faces(laying) {
+            for brick in texture(laying, id) {
+                counts.bricks += 1;
+                counts.broken += usize::from(brick.is_broken);
+            }
+        }
+        counts
+    }
+}
+
+/// A brick of the texture on a face.
+struct TextureBrick {
+    parts: Vec<Footprint>,
+    /// Whether it goes on beyond the face.
+    is_broken: bool,
+    /// Its number, for its tone.
+    number: u32,
+}
+
+/// Adds the texture of all faces; the id of a body is that of its face.
+pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit) {
+    for (id, number) in faces(laying) {
+        let mut plates = Plates::new(laying.building().face(id), fit);
+        for brick in texture(laying, id) {
+            let base = if brick.is_broken { BROKEN } else { BRICK };
+            let colour = toned(base, TONE, brick.number);
+            for part in &brick.parts {
+                plates.add(part, HEIGHT, colour);
+            }
+        }
+        plates.finish(scene, (number, MAP));
+    }
+}
+
+/// The bricks of the texture on a face.
+fn texture(laying: &Laying, id: FaceId) -> Vec<TextureBrick> {
+    let face = laying.building().face(id);
+    let sheet = Sheet::new(face);
+    let bricks = bricks(face.bounds(), laying.plan().module).into_iter();
+    let found = bricks.map(|(brick, number)| {
+        let parts = sheet.within(&brick);
+        let area: f64 = parts.iter().map(Footprint::area).sum();
+        TextureBrick {
+            parts,
+            is_broken: area < WHOLE * brick.area(),
+            number,
+        }
+    });
+    found.filter(|brick| !brick.parts.is_empty()).collect()
+}
+
+/// The bricks of the texture that meet a box, each with a number. Bricks begin at s = 0 in even rows, and half a brick
+/// later in odd ones.
+fn bricks([low, high]: [DVec2; 2], module: Module) -> Vec<(Footprint, u32)> {
+    let size = DVec2::new(2.0 * module.half, module.course);
+    let joint = DVec2::splat(0.5 * module.joint);
+    let (first, last) = ((low / size).floor(), (high / size).ceil());
+    let rows = 0..=(last.y - first.y) as u32;
+    let found = rows.flat_map(|row| {
+        let t = first.y + f64::from(row);
+        let shift = 0.5 * t.rem_euclid(2.0);
+        let columns = 0..=(last.x - first.x) as u32 + 1;
+        columns.filter_map(move |column| {
+            let s = first.x - 1.0 + f64::from(column) + shift;
+            let corner = DVec2::new(s, t) * size;
+            let brick = Footprint::rectangle(corner + joint, corner + size - joint)?;
+            Some((brick, ROW * row + column))
+        })
+    });
+    found.collect()
+}

@@ -1,0 +1,294 @@
+//! Properties of the views' scenes, and of bricks that are turned by hand.
+
+use super::diagrams::{Claimed, Texture, clipped, diagram, lines};
+use super::tests::{laid, recipe};
+use super::views::MasonryView;
+use super::{MasonryEngine, SCHEMA};
+use crate::building::{Bend, FaceId};
+use crate::generators::Engine;
+use crate::masonry::footprint::Footprint;
+use crate::masonry::laying::{Feature, Laying, MasonryCell};
+use crate::masonry::occupancy::Bitmap;
+use crate::masonry::plan::{GridLine, is_wall, region};
+use crate::notice::Code;
+use crate::recipe::Recipe;
+use crate::scene::Scene;
+use std::collections::BTreeSet;
+
+fn engine(link: &str) -> MasonryEngine {
+    laid(&format!("make=masonry&size=128&{link}")).expect("a building")
+}
+
+fn laying(engine: &MasonryEngine) -> &Laying {
+    engine.made.cells.made().expect("cells")
+}
+
+fn scene(engine: &MasonryEngine, view: MasonryView) -> Scene {
+    let site = engine.made.site.made().expect("a site");
+    diagram(view, laying(engine), (site, engine.made.laid.params()))
+}
+
+/// The ids of a scene, without those of mortar and of free space.
+fn ids(scene: &Scene) -> BTreeSet<u32> {
+    let ids = scene.instances.iter().map(|instance| instance.id);
+    ids.filter(|&id| id > 0).collect()
+}
+
+#[test]
+fn bodies_of_views_have_ids_of_cells_or_features() {
+    for link in ["building=gate", "building=tower", "building=ring"] {
+        let engine = engine(link);
+        let laying = laying(&engine);
+        let (cells, features) = (laying.cells().len(), laying.order().len());
+        for (view, most) in [
+            (MasonryView::Features, cells),
+            (MasonryView::Sizes, cells),
+            (MasonryView::Occupancy, cells),
+            (MasonryView::Clipping, cells),
+            (MasonryView::Plan, features),
+            (MasonryView::Parity, features),
+            (MasonryView::Seams, features),
+        ] {
+            let scene = scene(&engine, view);
+            let ids = ids(&scene);
+            assert_eq!(scene.fault(), None, "{link} {view:?}");
+            assert!(ids.len() > 4, "{link} {view:?}: {ids:?}");
+            assert!(ids.iter().all(|&id| id as usize <= most), "{link} {view:?}");
+        }
+    }
+}
+
+#[test]
+fn lines_are_those_of_the_plan() {
+    let engine = engine("building=gate");
+    let laying = laying(&engine);
+    let lines = lines(laying);
+    for face in laying.textured_faces() {
+        let grid = laying.plan().grid(face);
+        let own = lines.iter().filter(|line| line.face == face);
+        assert_eq!(own.clone().count(), grid.s.len() + grid.t.len());
+        let rows = own.filter(|line| line.is_row).map(|line| line.at);
+        assert_eq!(rows.collect::<Vec<f64>>(), grid.row_lines());
+    }
+    // The springing of the arch lies on a line of both walls.
+    let front = |line: &&GridLine| {
+        line.is_row && line.is_opening && is_wall(laying.building().face(line.face))
+    };
+    assert!(lines.iter().filter(front).count() >= 4);
+    let faces: BTreeSet<FaceId> = laying.textured_faces().collect();
+    let shown = ids(&scene(&engine, MasonryView::Plan));
+    assert_eq!(shown.len(), faces.len());
+}
+
+#[test]
+fn rows_of_edges_point_both_ways_in_turn() {
+    let engine = engine("building=ring");
+    let laying = laying(&engine);
+    let rows = laying.pointings();
+    let mut edges: Vec<_> = rows.iter().map(|row| row.edge).collect();
+    edges.dedup();
+    assert_eq!(edges.len(), 5);
+    for pair in rows.windows(2).filter(|w| w[0].edge == w[1].edge) {
+        let [below, above] = [0, 1].map(|k| pair[k].sides[0].0);
+        assert_ne!(below, above, "{:?}", pair[0].edge);
+    }
+    assert!(
+        rows.iter()
+            .all(|row| row.sides[0].1.area() > row.sides[1].1.area())
+    );
+    let changed = laying.plan().changed(laying.building());
+    assert_eq!(changed.len(), 1);
+    assert!(changed.iter().all(|(face, [from, to])| {
+        let [low, high] = laying.building().face(*face).bounds();
+        *from >= low.x - 1e-6 && *to <= high.x + 1e-6 && from < to
+    }));
+}
+
+#[test]
+fn pixels_are_free_or_claimed_as_in_the_maps() {
+    for link in ["building=gate", "building=tower"] {
+        let engine = engine(link);
+        let laying = laying(&engine);
+        let counts = Claimed::new(laying);
+        let pixels =
+            |map: &Bitmap| (map.empty_area() / (map.pixel() * map.pixel())).round() as usize;
+        let (mut free, mut all) = (0, 0);
+        for face in laying.textured_faces() {
+            let map = laying.face_map(face).bitmap();
+            let whole = Bitmap::new(&region(laying.building().face(face)), map.pixel());
+            free += pixels(map);
+            all += pixels(&whole);
+        }
+        assert_eq!(counts.free, free);
+        assert_eq!(counts.free + counts.by.iter().sum::<usize>(), all);
+        assert!(counts.by.iter().all(|&pixels| pixels > 100), "{counts:?}");
+    }
+}
+
+#[test]
+fn what_was_cut_off_and_what_is_left_make_the_place() {
+    let engine = engine("building=gate");
+    let laying = laying(&engine);
+    let mut count = 0;
+    for (number, cell) in (0..).zip(laying.cells()) {
+        let Some(place) = &cell.unclipped else {
+            assert!(clipped(laying, (number, cell)).is_empty());
+            continue;
+        };
+        let Feature::Face(face) = cell.feature else {
+            panic!("{cell:?}")
+        };
+        count += 1;
+        let own = cell.claims.iter().filter(|(on, _)| *on == face);
+        let left: f64 = own.map(|(_, claim)| claim.shared_area(place)).sum();
+        let parts = clipped(laying, (number, cell));
+        let cut: f64 = parts.iter().map(|part| part.part.area()).sum();
+        // Small parts do not count, and parts under two claims count twice.
+        let ratio = (left + cut) / place.area();
+        assert!((0.85..1.15).contains(&ratio), "{ratio} {cell:?}");
+        assert!(parts.iter().all(|part| part.face == face));
+    }
+    assert!(count > 10, "{count}");
+}
+
+#[test]
+fn a_texture_breaks_at_edges_where_cells_do_not() {
+    let engine = engine("building=block");
+    let Texture { bricks, broken } = Texture::new(laying(&engine));
+    assert!(broken > 20 && bricks > 2 * broken, "{broken} of {bricks}");
+}
+
+#[test]
+fn bodies_are_told_by_the_view_that_shows_them() {
+    let mut engine = engine("building=gabled");
+    engine.view("features");
+    let cells = laying(&engine).cells();
+    let sill = cells.iter().position(|cell| {
+        let labels = cell.feature.labels(laying(&engine).building());
+        matches!(cell.feature, Feature::Edge(_)) && labels.iter().any(|label| label == "Window")
+    });
+    let id = sill.expect("a window") as u32 + 1;
+    let figures: Vec<_> = engine.measures(id).iter().map(|(word, _)| *word).collect();
+    let all = [
+        "length", "height", "depth", "sort", "course", "feature", "number",
+    ];
+    assert!(figures.iter().all(|word| all.contains(word)), "{figures:?}");
+    assert!(figures.len() >= 6);
+    let words = engine.named(id);
+    assert!(
+        words
+            .iter()
+            .any(|(of, word)| *of == "labels" && word.contains("Window"))
+    );
+    assert!(
+        words
+            .iter()
+            .any(|(of, word)| *of == "node" && !word.is_empty())
+    );
+    engine.view("parity");
+    let figures = engine.measures(1);
+    assert_eq!(figures, [("feature", 0.0), ("number", 0.0)]);
+    engine.view("polygons");
+    assert_eq!(engine.measures(1)[0], ("feature", 2.0));
+    assert_eq!(engine.measures(9_999_999), []);
+}
+
+/// A cell's kind and shape, which can be compared.
+fn key(cell: &MasonryCell) -> (Feature, String) {
+    (cell.feature, format!("{:?}", cell.body.vertices()))
+}
+
+/// The faces around an edge: its own, and those at its corners.
+fn around(laying: &Laying, edge: usize) -> BTreeSet<FaceId> {
+    let building = laying.building();
+    let edge = &building.edges()[edge];
+    let corners = edge.corners.iter().flatten();
+    let beside = corners.flat_map(|&id| building.corner(id).faces.iter().flatten());
+    edge.faces.iter().flatten().chain(beside).copied().collect()
+}
+
+#[test]
+fn a_turned_edge_changes_only_what_is_around_it() {
+    for hand in ["solved", "stored"] {
+        for pattern in ["bricks", "ashlar"] {
+            let link = format!("building=block&hand={hand}&pattern={pattern}");
+            let before = engine(&link);
+            let edges = laying(&before).building().edges();
+            let upright =
+                |edge: &crate::building::Edge| edge.is_vertical() && edge.bend == Bend::Convex;
+            let edge = edges.iter().position(upright).expect("an edge");
+            let after = engine(&format!("{link}&flips=1,{edge}"));
+            let near = around(laying(&before), edge);
+            let far = |engine: &MasonryEngine| -> BTreeSet<(Feature, String)> {
+                let cells = laying(engine).cells().iter();
+                let is_far =
+                    |cell: &&MasonryCell| !cell.claims.iter().any(|(face, _)| near.contains(face));
+                cells.filter(is_far).map(key).collect()
+            };
+            assert!(far(&before).len() > 20);
+            assert_eq!(far(&before), far(&after), "{link}");
+            let turned = |engine: &MasonryEngine| -> Vec<(Feature, String)> {
+                let cells = laying(engine).cells().iter();
+                let own = cells
+                    .filter(|cell| matches!(cell.feature, Feature::Edge(id) if id.index() == edge));
+                own.map(key).collect()
+            };
+            assert_ne!(turned(&before), turned(&after), "{link}");
+            let twice = engine(&format!("{link}&flips=1,{edge};1,{edge}"));
+            assert_eq!(before.digest(), twice.digest());
+            assert_ne!(before.digest(), after.digest());
+        }
+    }
+}
+
+#[test]
+fn a_turned_corner_turns_its_own_brick() {
+    let before = engine("building=gate");
+    let corners = laying(&before)
+        .cells()
+        .iter()
+        .filter_map(|cell| match cell.feature {
+            Feature::Corner(id) => Some((id, key(cell))),
+            _ => None,
+        });
+    let changed = corners.filter(|(id, brick)| {
+        let after = engine(&format!("building=gate&flips=0,{}", id.0));
+        let cells = laying(&after).cells().iter();
+        cells.map(key).all(|cell| cell != *brick)
+    });
+    assert!(changed.take(3).count() == 3);
+}
+
+#[test]
+fn flips_of_nothing_are_told() {
+    let engine = engine("building=block&flips=1,900;0,1;0,77");
+    let told = engine.remarks();
+    assert_eq!(told.len(), 1);
+    assert_eq!(told[0].code, Code::MasonryFlips);
+    assert!(told[0].to_string().contains('2'), "{}", told[0]);
+    let refused = |flips: &str| {
+        let (recipe, notices) =
+            Recipe::from_link(&[&SCHEMA], &format!("make=masonry&flips={flips}"));
+        assert!(recipe.rows(super::keys::FLIPS).is_empty());
+        notices.len()
+    };
+    let many = |count: usize| vec!["0,1"; count].join(";");
+    assert_eq!(["2,1", "0,-1", "0,1,2", "1,9999999"].map(refused), [1; 4]);
+    assert_eq!(refused(&many(257)), 1);
+    let most = recipe(&format!("make=masonry&flips={}", many(256)));
+    assert_eq!(most.rows(super::keys::FLIPS).len(), 256);
+}
+
+#[test]
+fn places_of_rows_lie_on_their_walls() {
+    let engine = engine("building=gabled");
+    let laying = laying(&engine);
+    let inside = |(face, place): &(FaceId, Footprint)| laying.face_map(*face).share_inside(place);
+    let rows = laying.pointings();
+    assert!(rows.len() > 100);
+    assert!(
+        rows.iter()
+            .flat_map(|row| &row.sides)
+            .all(|side| inside(side) > 0.98)
+    );
+}

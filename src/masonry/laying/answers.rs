@@ -1,0 +1,28 @@
+//! Answers to questions about a cell.
+
+use super::{Laying, MasonryCell, view};
+use crate::masonry::plan::{FaceGrid, is_wall};
+
+impl Laying {
+    /// The number of a cell's course, from 1: that of its middle on the first wall that it claims. None off the walls.
+    pub fn course(&self, cell: &MasonryCell) -> Option<usize> {
+        let is_on_wall = |face| is_wall(self.building().face(face));
+        let (face, claim) = cell.claims.iter().find(|(face, _)| is_on_wall(*face))?;
+        let grid: &FaceGrid = self.plan().grid(*face);
+        let below = grid
+            .row_lines()
+            .partition_point(|&line| line < claim.centre().y);
+        Some(grid.first_course + below.max(1))
+    }
+
+    /// The path in the tree of the node that made a cell, such as `else.edge.vertical`; empty at the root.
+    pub fn node_path(&self, cell: &MasonryCell) -> Option<String> {
+        let walk = self.tree.walk(&view(self.building(), cell.feature));
+        let mut reached = walk.reached.into_iter();
+        let made = reached.find(|reached| {
+            let node = reached.node;
+            node.generator == cell.generator && node.count("tag") as u8 == cell.tag
+        });
+        made.map(|reached| reached.path)
+    }
+}
