@@ -8,7 +8,7 @@ use crate::generators::scene_picture::{
     MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
-use crate::masonry::laying::Laying;
+use crate::masonry::laying::{Laying, LayingWarning};
 use crate::masonry::plan::PlanFault;
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
@@ -82,7 +82,12 @@ impl SceneStages for MasonryStages {
     }
 
     fn remarks(&self) -> Vec<Notice> {
-        Vec::new()
+        let cells = self.current(&self.cells);
+        let warnings = cells.map_or(&[][..], Laying::warnings);
+        let is_panel = |told: &&LayingWarning| matches!(told, LayingWarning::NoRoom { .. });
+        let panels = warnings.iter().filter(is_panel).count();
+        let told = (panels > 0).then(|| Notice::new(Code::MasonryPanel).with("n", panels));
+        told.into_iter().collect()
     }
 
     fn files(&self) -> &ModelFiles {

@@ -14,13 +14,14 @@ use crate::random::{Purpose, Random};
 use crate::scene::Scene;
 use std::rc::Rc;
 
-/// Colours of whole, half and cut bricks, of sills, and of stones.
-const SORTS: [[u8; 3]; 5] = [
+/// Colours of whole, half and cut bricks, of sills, of stones, and of bricks of special shapes.
+const SORTS: [[u8; 3]; 6] = [
     [188, 180, 166],
     [86, 146, 206],
     [214, 92, 64],
     [150, 122, 196],
     [148, 168, 120],
+    [222, 176, 84],
 ];
 /// The colour of mortar in views.
 const CALM: [u8; 3] = [168, 162, 151];
@@ -181,6 +182,7 @@ fn place_of(sort: CellSort) -> usize {
         CellSort::Cut => 2,
         CellSort::Sill => 3,
         CellSort::Stone => 4,
+        CellSort::Special => 5,
     }
 }
 
