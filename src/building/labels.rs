@@ -23,6 +23,8 @@ pub const ROOF: &str = "Roof";
 pub const STEP: &str = "Step";
 /// A column.
 pub const COLUMN: &str = "Column";
+/// The cap of a column.
+pub const CAP: &str = "Cap";
 
 /// The labels that a feature takes from its faces, if it has none of its own.
 pub fn taken<'a>(faces: impl Iterator<Item = &'a [String]>) -> Vec<String> {

@@ -493,6 +493,9 @@ test('notices of masonry are said', async () => {
     hear([studio.problem()]);
     studio.free();
   }
+  const narrow = finished(new whole.Bubblestone(`${masonry}&building=steps&steps_column=4&pattern=diagonal`));
+  hear(narrow.remarks());
+  narrow.free();
   const studio = finished(new whole.Bubblestone(`${masonry}&flips=1,999`));
   hear([studio.remarks(), studio.set('flips', '2,0')]);
   for (const view of ['features', 'sizes', 'plan', 'parity', 'occupancy', 'clipping', 'seams']) {

@@ -468,7 +468,8 @@ const MASONRY: Table = {
     ['ring_walls', range(4, 9, 1)],
   ],
   Pattern: [
-    ['pattern', { bricks: 1 }, { building: ['steps', 'ring', 'tower'] }],
+    ['pattern', { diagonal: 2, cement: 2, bricks: 1 }, { building: ['steps'] }],
+    ['pattern', { bricks: 1 }, { building: ['ring', 'tower'] }],
     ['pattern', { bricks: 3, ashlar: 2 }],
   ],
   Module: [

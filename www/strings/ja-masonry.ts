@@ -32,7 +32,7 @@ export const parameters: Foreign['parameters'] = {
   'masonry.pattern': {
     name: '積み方',
     help: '建物の部分が通る、模様の木。',
-    choices: { bricks: 'れんが', ashlar: '乱積みの切石', rgb: 'RGBブロック' },
+    choices: { bricks: 'れんが', ashlar: '乱積みの切石', rgb: 'RGBブロック', diagonal: '斜めれんがの階段', cement: 'セメント石の階段' },
   },
   hand: { name: '角', help: '角と稜線のれんがの向き。建物全体で解くか、論文のとおり、建物に書かれた印によるか。', choices: { solved: '解く', stored: '手で' } },
   flips: { name: '手で変えた向き', help: 'れんがの向きを手で変えた角（0）と稜線（1）と、その番号。' },
@@ -66,6 +66,8 @@ export const presets: Foreign['presets'] = {
   'brick-gate': { title: '門', note: '立てたれんがの二重の輪が、半円アーチの上の壁を支える。' },
   'brick-steps': { title: '階段', note: 'れんがが段とともに登り、両わきの柱には笠石が載る。' },
   pentagon: { title: '五角形', note: '五つの壁のれんがは、一列を加えるまで、すべての角で互い違いにはならない。' },
+  'steps-diagonal': { title: '', note: '段の上の角では、二つのれんがが斜めに出会い、柱には矢筈積みがはまる。' },
+  'steps-cement': { title: '', note: '粗いセメントの石が踏面と笠に沿って並び、間をれんがが埋める。' },
   'masonry7-a': { title: '', note: '角は赤、稜線は緑、面は青。方法の三つの段階が見える。' },
   'masonry7-b': { title: '', note: '長手と小口が稜線で互い違いになり、れんが積みが合う。' },
   'masonry7-c': { title: '', note: '稜線の互い違いの石の間を、大小の石が埋める。' },

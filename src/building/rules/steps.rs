@@ -3,7 +3,7 @@
 use super::Module;
 use super::drafting::Drafting;
 use crate::building::draft::Draft;
-use crate::building::labels::{COLUMN, STEP};
+use crate::building::labels::{self, COLUMN, STEP};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -83,21 +83,24 @@ fn add_column(to: &mut Drafting, module: &Module, centre: DVec2, [width, height]
     let neck = (height - CAP[0]) * module.course;
     let top = module.top(height);
     let cap = width + 2.0 * CAP[1];
-    let walls = |to: &mut Drafting, modules: f64, from: f64, end: f64| {
+    let walls = |to: &mut Drafting, (label, modules): (&str, f64), from: f64, end: f64| {
         let (low, high) = (square(modules, from), square(modules, end));
         for k in 0..4 {
             let next = (k + 1) % 4;
-            to.flat(&[COLUMN], &[vec![low[k], low[next], high[next], high[k]]]);
+            to.flat(&[label], &[vec![low[k], low[next], high[next], high[k]]]);
         }
     };
-    walls(to, width, 0.0, neck);
-    walls(to, cap, neck, top);
+    walls(to, (COLUMN, width), 0.0, neck);
+    walls(to, (labels::CAP, cap), neck, top);
     let back = |mut ring: Vec<DVec3>| {
         ring.reverse();
         ring
     };
-    to.flat(&[COLUMN], &[square(cap, top)]);
-    to.flat(&[COLUMN], &[back(square(cap, neck)), square(width, neck)]);
+    to.flat(&[labels::CAP], &[square(cap, top)]);
+    to.flat(
+        &[labels::CAP],
+        &[back(square(cap, neck)), square(width, neck)],
+    );
     to.flat(&[COLUMN], &[back(square(width, 0.0))]);
 }
 

@@ -37,6 +37,8 @@ pub(crate) struct Wall {
     shared: BTreeMap<([u32; 3], u8), u32>,
     dressing: Dressing,
     cutter: Option<Stonecutter>,
+    /// Makes stones whose sides are marked as rough or smooth.
+    caster: Stonecutter,
     /// How many cells have had their turn.
     shown: usize,
 }
@@ -79,6 +81,10 @@ impl Wall {
                 seed: params.seed,
             },
             cutter: (params.rough > 0.0).then(|| Stonecutter::new(rough)),
+            caster: Stonecutter::new(Rough {
+                seed: params.seed,
+                ..Rough::CAST
+            }),
             shown: 0,
         }
     }
@@ -119,7 +125,11 @@ impl Wall {
     /// The body of a cell and where it stands; none if its joints take all of it.
     fn shape(&mut self, cell: &MasonryCell, number: u32, material: u8) -> Option<(u32, Place)> {
         let is_rough = material == STONE_ROW && cell.sort != CellSort::Sill;
-        if let (true, Some(cutter)) = (is_rough, &mut self.cutter) {
+        let cutter = match cell.body.has_rough_sides() {
+            true => Some(&mut self.caster),
+            false => self.cutter.as_mut().filter(|_| is_rough),
+        };
+        if let Some(cutter) = cutter {
             let levels = cutter.levels(&cell.body, number)?;
             let surfaces = levels.iter().map(|level| self.fit_smooth(level));
             let body = Body::new(surfaces.collect(), material);

@@ -82,4 +82,14 @@ pub const PRESETS: &[Preset] = &[
         "Voussoirs and a hood of thinner stones go round the arch.",
         "v=1&make=masonry&building=gate&pattern=ashlar&module=ashlar&rough=0.5&walls=honey",
     ),
+    drawn(
+        ["steps-diagonal", "Steps, diagonal bricks", "Fig. 8"],
+        "Two diagonal bricks meet at each top corner, and herringbone is set into the columns.",
+        "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=diagonal&dressing=yellow",
+    ),
+    drawn(
+        ["steps-cement", "Steps, cement stones", "Fig. 8"],
+        "Rough cast stones lie along the treads and caps, with bricks between them.",
+        "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=cement&dressing=pale",
+    ),
 ];

@@ -54,6 +54,7 @@ rows! {
     pattern PATTERN: "The tree of patterns that features are passed down." =>
         choice("Pattern", choices![
             bricks: "Bricks", ashlar: "Random ashlar", rgb: "RGB blocks",
+            diagonal: "Steps with diagonal bricks", cement: "Steps with cement stones",
         ]).group("Pattern").main();
     hand HAND: "Which way bricks of corners and edges point: solved for the whole building, or by the bits stored in it, as in the paper." =>
         choice("Corners", choices![solved: "Solved", stored: "By hand"]).group("Pattern");

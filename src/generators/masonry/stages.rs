@@ -8,7 +8,7 @@ use crate::generators::scene_picture::{
     MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
-use crate::masonry::laying::Laying;
+use crate::masonry::laying::{Laying, LayingWarning};
 use crate::masonry::plan::PlanFault;
 use crate::notice::{Code, Notice};
 use crate::recipe::Recipe;
@@ -83,13 +83,19 @@ impl SceneStages for MasonryStages {
     }
 
     fn remarks(&self) -> Vec<Notice> {
-        let flips = &self.cells.params().flips;
-        let gone = self
-            .site
-            .made()
-            .map_or(0, |site| flips.gone(&site.building));
-        let told = (gone > 0).then(|| Notice::new(Code::MasonryFlips).with("n", gone));
-        told.into_iter().collect()
+        let Some(site) = self.site.made() else {
+            return Vec::new();
+        };
+        let told = |code, n| (n > 0).then(|| Notice::new(code).with("n", n));
+        let gone = self.cells.params().flips.gone(&site.building);
+        let warnings = self.current(&self.cells).map_or(&[][..], Laying::warnings);
+        let is_panel = |told: &&LayingWarning| matches!(told, LayingWarning::NoRoom { .. });
+        let panels = warnings.iter().filter(is_panel).count();
+        let counted = [
+            told(Code::MasonryFlips, gone),
+            told(Code::MasonryPanel, panels),
+        ];
+        counted.into_iter().flatten().collect()
     }
 
     fn files(&self) -> &ModelFiles {

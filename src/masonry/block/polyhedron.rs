@@ -17,6 +17,8 @@ pub struct Side {
     pub corners: Vec<u32>,
     /// How far the geometry stays behind this side: half a joint, or 0 where it is exposed (metres, at least 0).
     pub inset: f64,
+    /// The height of its bumps (metres); 0 is smooth. Generators mark the polygons of their cells so (section 5.5).
+    pub roughness: f64,
 }
 
 /// A convex polyhedron: closed, each side outwards. On curved walls its sides are nearly plane.
@@ -66,6 +68,7 @@ impl Polyhedron {
                 .map(|corners| Side {
                     corners,
                     inset: 0.0,
+                    roughness: 0.0,
                 })
                 .collect(),
         }
@@ -141,6 +144,20 @@ impl Polyhedron {
         self
     }
 
+    /// Marks each side by its plane as rough or smooth (the height of its bumps, metres).
+    pub fn with_roughness(mut self, roughness: impl Fn(Plane) -> f64) -> Self {
+        let marks: Vec<f64> = self.planes().map(roughness).collect();
+        for (side, mark) in self.sides.iter_mut().zip(marks) {
+            side.roughness = mark;
+        }
+        self
+    }
+
+    /// Whether a side is marked as rough.
+    pub fn has_rough_sides(&self) -> bool {
+        self.sides.iter().any(|side| side.roughness > 0.0)
+    }
+
     /// The volume, in cubic metres.
     pub fn volume(&self) -> f64 {
         let origin = self.vertices[0];
@@ -197,6 +214,7 @@ impl Polyhedron {
             cutting.body.sides.push(Side {
                 corners: rim,
                 inset,
+                roughness: 0.0,
             });
         }
         let body = cutting.body.compacted();

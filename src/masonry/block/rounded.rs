@@ -29,7 +29,8 @@ const MOST_STEPS: u32 = 4;
 pub struct Rough {
     /// Width of the rounded edges (metres, at least 0).
     pub bevel: f64,
-    /// Height of bumps: the displacement has twice this range (metres, at least 0).
+    /// Height of bumps on all sides: the displacement has twice this range (metres, at least 0). Sides that are marked
+    /// as rough have their own height beside it.
     pub height: f64,
     /// Waves of the widest bumps in a metre, above 0.
     pub frequency: f64,
@@ -49,6 +50,15 @@ impl Rough {
         frequency: 9.0,
         bulge: 0.006,
         steps: 2,
+        seed: crate::random::SEED,
+    };
+    /// Cast stones: edges of 8 mm, and bumps of 16 a metre where a side is marked as rough.
+    pub const CAST: Self = Self {
+        bevel: 0.008,
+        height: 0.0,
+        frequency: 16.0,
+        bulge: 0.012,
+        steps: 3,
         seed: crate::random::SEED,
     };
 }
@@ -75,7 +85,7 @@ impl Stonecutter {
     pub fn levels(&mut self, claimed: &Polyhedron, cell: u32) -> Option<Vec<BlockMesh>> {
         let body = claimed.shrunk()?;
         let control = self.control(&body);
-        let limits = limits(claimed, self.rough.bulge);
+        let limits = Limits::new(claimed, self.rough.bulge);
         let steps = (0..=self.rough.steps.min(MOST_STEPS)).rev();
         Some(
             steps
@@ -91,7 +101,7 @@ impl Stonecutter {
         Bevelled::new(body, bevel).supported(SUPPORT * bevel)
     }
 
-    fn level(&mut self, control: &BlockMesh, limits: &[Plane], steps: u32, cell: u32) -> BlockMesh {
+    fn level(&mut self, control: &BlockMesh, limits: &Limits, steps: u32, cell: u32) -> BlockMesh {
         let middle = control.positions.iter().sum::<DVec3>() / control.positions.len() as f64;
         let (positions, triangles) = self.refined(control, steps, middle);
         let offset = offset(self.rough.seed, cell);
@@ -101,9 +111,9 @@ impl Stonecutter {
         };
         let normals = refined.normals();
         let moved = refined.positions.iter().zip(&normals).map(|(&p, &normal)| {
-            let wanted =
-                self.rough.height * self.noise_at((p - middle) * self.rough.frequency + offset);
-            middle + self.limited(p - middle, normal, wanted, (limits, middle))
+            let noise = self.noise_at((p - middle) * self.rough.frequency + offset);
+            let wanted = (self.rough.height + limits.roughness(normal)) * noise;
+            middle + limits.limited(p - middle, normal, wanted, middle)
         });
         BlockMesh {
             positions: moved.collect(),
@@ -136,25 +146,6 @@ impl Stonecutter {
         (positions.collect(), stencil.triangles.to_vec())
     }
 
-    /// A vertex moved by `wanted` along its normal, or by less: it stays inside of the limits.
-    fn limited(
-        &self,
-        p: DVec3,
-        normal: DVec3,
-        wanted: f64,
-        (limits, middle): (&[Plane], DVec3),
-    ) -> DVec3 {
-        let room = limits.iter().map(|plane| {
-            let (slope, left) = (plane.normal.dot(normal), -plane.distance(p + middle));
-            if slope > 1e-6 {
-                left.max(0.0) / slope
-            } else {
-                f64::MAX
-            }
-        });
-        p + normal * room.fold(wanted, f64::min)
-    }
-
     /// Noise of deviation about 1: the sum of noise in three planes at right angles.
     fn noise_at(&self, p: DVec3) -> f64 {
         let p = p * DENSE;
@@ -164,12 +155,45 @@ impl Stonecutter {
     }
 }
 
-/// The planes that a stone must not pass: the sides of its claim, with exposed ones moved out by `bulge`.
-fn limits(claimed: &Polyhedron, bulge: f64) -> Vec<Plane> {
-    let sides = claimed.planes().zip(claimed.sides());
-    let limits =
-        sides.map(|(plane, side)| plane.inset(if side.inset > 0.0 { 0.0 } else { -bulge }));
-    limits.collect()
+/// The planes that a stone must not pass: the sides of its claim, with exposed ones moved out by a bulge. Each has the
+/// height of its side's bumps.
+struct Limits(Vec<(Plane, f64)>);
+
+impl Limits {
+    fn new(claimed: &Polyhedron, bulge: f64) -> Self {
+        let sides = claimed.planes().zip(claimed.sides());
+        let limits = sides.map(|(plane, side)| {
+            let by = if side.inset > 0.0 { 0.0 } else { -bulge };
+            (plane.inset(by), side.roughness)
+        });
+        Self(limits.collect())
+    }
+
+    /// The height of bumps where the surface looks towards `normal`: that of the side which looks there, or a mean of
+    /// several.
+    fn roughness(&self, normal: DVec3) -> f64 {
+        let (mut sum, mut all) = (0.0, 0.0);
+        for (plane, height) in &self.0 {
+            let near = plane.normal.dot(normal).max(0.0);
+            let weight = near * near * near * near;
+            sum += weight * height;
+            all += weight;
+        }
+        if all > 0.0 { sum / all } else { 0.0 }
+    }
+
+    /// A vertex moved by `wanted` along its normal, or by less: it stays inside. It is given from the middle.
+    fn limited(&self, p: DVec3, normal: DVec3, wanted: f64, middle: DVec3) -> DVec3 {
+        let room = self.0.iter().map(|(plane, _)| {
+            let (slope, left) = (plane.normal.dot(normal), -plane.distance(p + middle));
+            if slope > 1e-6 {
+                left.max(0.0) / slope
+            } else {
+                f64::MAX
+            }
+        });
+        p + normal * room.fold(wanted, f64::min)
+    }
 }
 
 /// Where the noise of a cell begins.
@@ -295,6 +319,29 @@ mod tests {
             rough,
             Stonecutter::new(other).levels(claimed, 5).unwrap()[0]
         );
+    }
+
+    #[test]
+    fn sides_marked_as_rough_are_rough_and_others_smooth() {
+        let plain = stone(DVec3::new(0.375, 0.25, 0.25));
+        let marked = plain
+            .clone()
+            .with_roughness(|plane| if plane.normal.z > 0.5 { 0.01 } else { 0.0 });
+        let smooth = Rough {
+            height: 0.0,
+            steps: 3,
+            ..Rough::STONE
+        };
+        let mesh = |body| Stonecutter::new(smooth).levels(body, 3).unwrap().remove(0);
+        let [before, after] = [&plain, &marked].map(mesh);
+        let normals = before.normals();
+        let moved = |is_rough: bool| {
+            let places = before.positions.iter().zip(&after.positions).zip(&normals);
+            let own = places.filter(|(_, n)| (n.z > 0.9) == is_rough && (is_rough || n.z < 0.02));
+            own.map(|((p, q), _)| p.distance(*q)).fold(0.0, f64::max)
+        };
+        assert!(moved(true) > 0.003, "{}", moved(true));
+        assert!(moved(false) < 1e-6, "{}", moved(false));
     }
 
     #[test]

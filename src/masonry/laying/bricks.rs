@@ -5,7 +5,6 @@ use super::cell::{CellDraft, CellSort, Feature};
 use super::run::{NEAR, Run, unit};
 use super::site::Site;
 use crate::building::{EdgeId, FaceId};
-use crate::masonry::plan::pieces;
 use crate::masonry::tree::GeneratorNode;
 
 /// The deepest sill that one header covers, in modules.
@@ -215,19 +214,15 @@ impl Site {
     pub fn sill_edge(&mut self, id: EdgeId, node: &GeneratorNode) {
         let module = self.plan.module.half;
         for run in self.runs(id).into_iter().filter(|run| !run.is_upright) {
-            for [from, to] in self.free(&run) {
-                let count = pieces(to - from, module);
-                for k in 0..count {
-                    let at = |k: usize| from + (to - from) * k as f64 / count as f64;
-                    let (span, middle) = ([at(k), at(k + 1)], at(k) + 0.5 * (at(1) - at(0)));
-                    let height = self.limited_reach(&run, 0, 1, middle);
-                    let depth = self.limited_depth(&run, DEEPEST * module, middle);
-                    let body = self.edge_body(&run, span, [height, depth]);
-                    let outwards = self.normal(run.sides[0].face, run.sides[0].at(middle));
-                    let mut draft = CellDraft::new(CellSort::Sill, body, outwards);
-                    draft.extrude = node.number("extrude");
-                    self.place(Feature::Edge(id), node, draft);
-                }
+            for span in self.level_spans(&run, module) {
+                let middle = 0.5 * (span[0] + span[1]);
+                let height = self.limited_reach(&run, 0, 1, middle);
+                let depth = self.limited_depth(&run, DEEPEST * module, middle);
+                let body = self.edge_body(&run, span, [height, depth]);
+                let outwards = self.normal(run.sides[0].face, run.sides[0].at(middle));
+                let mut draft = CellDraft::new(CellSort::Sill, body, outwards);
+                draft.extrude = node.number("extrude");
+                self.place(Feature::Edge(id), node, draft);
             }
         }
     }

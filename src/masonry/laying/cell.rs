@@ -51,6 +51,8 @@ pub enum CellSort {
     Sill,
     /// A stone or a block.
     Stone,
+    /// A brick of a special shape: cut to the border of a panel, or to a diagonal.
+    Special,
 }
 
 /// A cell.
@@ -82,10 +84,12 @@ pub(super) struct CellDraft {
     pub sort: CellSort,
     pub claimed: Polyhedron,
     pub outwards: DVec3,
-    /// How far the side towards `outwards` stands out (metres).
+    /// How far the sides towards `fronts` stand out (metres).
     pub extrude: f64,
     /// The place on its face before it was clipped, if something was cut off.
     pub unclipped: Option<Footprint>,
+    /// The directions of the sides that stand out, `outwards` alone at first (unit vectors).
+    pub fronts: [DVec3; 2],
 }
 
 impl CellDraft {
@@ -96,6 +100,7 @@ impl CellDraft {
             outwards,
             extrude: 0.0,
             unclipped: None,
+            fronts: [outwards; 2],
         }
     }
 }

@@ -30,6 +30,8 @@ pub struct Measures {
     pub half: f64,
     /// Cut cells.
     pub cut: f64,
+    /// Bricks of special shapes: those at the borders of panels, and diagonal ones.
+    pub special: f64,
     /// The share of head joints on faces that meet one of the next row.
     pub straight: f64,
     /// The share of bed joints beside convex upright edges that go on around the edge within 5 mm.
@@ -59,6 +61,7 @@ impl Measures {
             whole: of(CellSort::Whole),
             half: of(CellSort::Half),
             cut: of(CellSort::Cut),
+            special: of(CellSort::Special),
             straight: straight(laying),
             course: course(laying),
         }

@@ -9,16 +9,22 @@ mod arches;
 mod ashlar;
 mod bricks;
 mod cell;
+mod cement;
 mod corners;
 mod faces;
 mod measures;
 mod mitre;
+mod panels;
 mod pointing;
 mod rectangles;
 mod run;
 mod site;
 #[cfg(test)]
+mod step_tests;
+#[cfg(test)]
 mod tests;
+mod tops;
+mod weave;
 
 pub use cell::{CellSort, Feature, MasonryCell};
 pub use measures::Measures;
@@ -62,6 +68,11 @@ pub enum LayingWarning {
         feature: Feature,
         /// The generator.
         generator: PatternGenerator,
+    },
+    /// A panel does not fit on a face, which goes on down the tree without it.
+    NoRoom {
+        /// The face.
+        face: FaceId,
     },
 }
 
@@ -188,7 +199,8 @@ impl Laying {
 
     fn generate(&mut self, feature: Feature, node: &GeneratorNode) {
         use PatternGenerator::{
-            ArchBricks, ArchStones, Bricks, RandomAshlar, RgbBlocks, WindowBottomBricks,
+            ArchBricks, ArchStones, Bricks, CementStones, Panel, RandomAshlar, RgbBlocks,
+            StepCorners, WindowBottomBricks,
         };
         let is_by_hand = self.params.is_by_hand;
         let bricks = BrickBond {
@@ -216,6 +228,11 @@ impl Laying {
             (ArchBricks, Feature::Edge(id)) => site.arch_bricks(id, node, &bricks),
             (ArchStones, Feature::Edge(id)) => site.arch_stones(id, node),
             (WindowBottomBricks, Feature::Edge(id)) => site.sill_edge(id, node),
+            (Panel, Feature::Face(id)) if site.panel(id, node) => (),
+            (Panel, Feature::Face(face)) => self.warnings.push(LayingWarning::NoRoom { face }),
+            (StepCorners, Feature::Corner(id)) => site.step_corner(id, node, &bricks),
+            (CementStones, Feature::Corner(id)) => site.cement_corner(id, node),
+            (CementStones, Feature::Edge(id)) => site.cement_edge(id, node),
             (generator, _) => self
                 .warnings
                 .push(LayingWarning::NotLaid { feature, generator }),

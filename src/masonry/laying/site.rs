@@ -95,13 +95,7 @@ impl Site {
             self.claim_edges(*face, footprint, number);
         }
         let claimed = self.with_joints(draft.claimed, &found);
-        let front = claimed
-            .planes()
-            .find(|plane| plane.normal.dot(draft.outwards) > 0.99);
-        let body = match front {
-            Some(plane) if draft.extrude != 0.0 => claimed.clone().raised(plane, draft.extrude),
-            _ => claimed.clone(),
-        };
+        let body = raised(&claimed, draft.fronts, draft.extrude);
         self.cells.push(MasonryCell {
             feature,
             generator: node.generator,
@@ -234,6 +228,16 @@ impl Site {
             }
         }
     }
+}
+
+/// A body with the sides that look towards `fronts` moved outwards (metres).
+fn raised(claimed: &Polyhedron, fronts: [DVec3; 2], by: f64) -> Polyhedron {
+    if by == 0.0 {
+        return claimed.clone();
+    }
+    let is_front = |plane: &Plane| fronts.iter().any(|front| plane.normal.dot(*front) > 0.99);
+    let sides = claimed.planes().filter(is_front);
+    sides.fold(claimed.clone(), |body, plane| body.raised(plane, by))
 }
 
 /// The ends of the straight pieces of an edge, and of short chords of its arcs, by arc length.

@@ -16,7 +16,7 @@ pub struct FaceMap {
     claims: Claims,
     /// The face itself as convex polygons.
     inside: Vec<Footprint>,
-    /// Its holes and its surroundings as convex polygons.
+    /// Its holes, its surroundings and the outlines of insets as convex polygons.
     outside: Claims,
 }
 
@@ -66,6 +66,15 @@ impl FaceMap {
         for polygon in self.images(polygon).collect::<Vec<_>>() {
             self.bitmap.occupy(&polygon);
             self.claims.add(Claim { polygon, cell });
+        }
+    }
+
+    /// Adds the outline of an inset to the obstacles, whose cells have claimed it already: cells beside it are then cut
+    /// along the outline, and not along the sides of single cells.
+    pub fn enclose(&mut self, outline: &Footprint) {
+        for polygon in self.images(outline) {
+            let cell = u32::MAX;
+            self.outside.add(Claim { polygon, cell });
         }
     }
 

@@ -18,9 +18,9 @@ pub enum PatternGenerator {
     ArchBricks,
     /// Rectangles of random size on a fine grid (section 5.2, Random Ashlar).
     RandomAshlar,
-    /// An inset of herringbone bond (section 5.5, fig. 8e).
+    /// An inset of herringbone bond or basket weave (section 5.5, fig. 8e).
     Panel,
-    /// Two diagonal bricks at the top corners of steps (section 5.5, fig. 8c).
+    /// Three bricks at the top corners of steps, two of them diagonal (section 5.5, fig. 8c).
     StepCorners,
     /// Rough cast stones on steps (section 5.5, fig. 8b).
     CementStones,
@@ -126,19 +126,31 @@ impl PatternGenerator {
                     ]
                 }
             }
-            // Size and distance from the ends of the face, in modules.
+            // The greatest size and the least distance from the ends of the face, in columns and rows. Bond 0 is
+            // herringbone, bond 1 basket weave.
             Self::Panel => {
                 const {
                     &[
                         whole("width", [2.0, 200.0], 6.0),
                         whole("height", [2.0, 200.0], 12.0),
                         whole("margin", [1.0, 200.0], 2.0),
+                        whole("bond", [0.0, 1.0], 0.0),
                         TAG,
                     ]
                 }
             }
             Self::StepCorners => const { &[TAG] },
-            Self::CementStones => const { &[EXTRUDE, real("roughness", [0.0, 0.05], 0.006), TAG] },
+            // The stones of level edges are about `length` modules long.
+            Self::CementStones => {
+                const {
+                    &[
+                        EXTRUDE,
+                        whole("length", [1.0, 24.0], 4.0),
+                        real("roughness", [0.0, 0.05], 0.006),
+                        TAG,
+                    ]
+                }
+            }
             Self::Tiles => {
                 const {
                     &[

@@ -129,50 +129,14 @@ pub static PRESETS: [TreePreset; 6] = [
 }"#,
     },
     TreePreset {
-        word: "herringbone",
-        name: "Steps with herringbone columns",
-        json: r#"{
-  "type": "ByLabel",
-  "cases": {
-    "Column": {
-      "type": "ByFeature",
-      "corner": {"type": "Bricks"},
-      "edge": {"type": "Bricks"},
-      "face": {"type": "Seq", "children": [{"type": "Panel", "tag": 1}, {"type": "Bricks"}]}
-    },
-    "Step": {
-      "type": "ByFeature",
-      "corner": {
-        "type": "ByCorner",
-        "cases": [{"convex": 3, "concave": 0, "node": {"type": "StepCorners"}}],
-        "else": {"type": "Bricks"}
-      },
-      "edge": {"type": "Bricks"},
-      "face": {"type": "Bricks"}
-    }
-  },
-  "else": {"type": "Bricks"}
-}"#,
+        word: "diagonal",
+        name: "Steps with diagonal bricks",
+        json: include_str!("diagonal.json"),
     },
     TreePreset {
         word: "cement",
         name: "Steps with cement stones",
-        json: r#"{
-  "type": "ByLabel",
-  "cases": {
-    "Step": {
-      "type": "ByFeature",
-      "corner": {"type": "CementStones", "tag": 1},
-      "edge": {
-        "type": "Orientation",
-        "horizontal": {"type": "CementStones", "tag": 1},
-        "vertical": {"type": "Bricks"}
-      },
-      "face": {"type": "Bricks"}
-    }
-  },
-  "else": {"type": "Bricks"}
-}"#,
+        json: include_str!("cement.json"),
     },
 ];
 
@@ -319,12 +283,12 @@ mod tests {
         );
         // A panel is placed, then the face is passed on.
         let column = view(FeatureKind::Face, "Column", WindowPart::Side);
-        let both = reached("Steps with herringbone columns", &column);
+        let both = reached("Steps with diagonal bricks", &column);
         assert_eq!(
             both.iter().map(|found| found.1).collect::<Vec<_>>(),
             [Panel, Bricks]
         );
-        assert_eq!(both[1].0, "cases.Column.face.children.1");
+        assert_eq!(both[1].0, "cases.Column.face.vertical.children.1");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::masonry::laying::{CellSort, Laying, MasonryCell};
 use crate::scene::Scene;
 use crate::surface_stones::Fit;
 
-/// The colour of a sort: whole, half and cut bricks, sills, and stones.
+/// The colour of a sort: whole, half and cut bricks, sills, stones, and bricks of special shapes.
 pub(super) fn colour_of(sort: CellSort) -> [u8; 3] {
     match sort {
         CellSort::Whole => [188, 180, 166],
@@ -16,6 +16,7 @@ pub(super) fn colour_of(sort: CellSort) -> [u8; 3] {
         CellSort::Cut => [214, 92, 64],
         CellSort::Sill => [150, 122, 196],
         CellSort::Stone => [148, 168, 120],
+        CellSort::Special => [222, 176, 84],
     }
 }
 
