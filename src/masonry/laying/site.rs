@@ -18,6 +18,9 @@ const LEAST_SHARE: f64 = 0.05;
 /// The longest chord of an arc in (s, t) when an edge is claimed (metres).
 const CHORD: f64 = 0.06;
 
+/// The pixels along a module.
+pub(super) const PIXELS: f64 = 8.0;
+
 type Bounds = [DVec3; 2];
 
 /// The building and what is laid on it.
@@ -34,11 +37,13 @@ pub(super) struct Site {
 }
 
 impl Site {
-    pub fn new(building: Arc<Building>, plan: Plan) -> Self {
+    /// The empty site. `pixels` lie along a module in the maps of faces, usually [`PIXELS`].
+    pub fn new(building: Arc<Building>, plan: Plan, pixels: f64) -> Self {
         let regions: Vec<Region> = building.faces().iter().map(region).collect();
         let module = plan.module.half.min(plan.module.course);
         let maps = building.faces().iter().zip(&regions);
-        let faces = maps.map(|(face, region)| FaceMap::new(region, module, face.surface.period()));
+        let faces = maps
+            .map(|(face, region)| FaceMap::new(region, (module, pixels), face.surface.period()));
         let edges = building
             .edges()
             .iter()

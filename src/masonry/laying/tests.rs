@@ -8,15 +8,19 @@ use crate::masonry::tree::{PRESETS, PatternTree};
 use std::sync::Arc;
 
 /// The paper's three trees with their modules.
-const TREES: [(usize, Module); 3] = [(0, BLOCK), (1, Module::NORMAL), (2, ASHLAR)];
-const BRICKS: (usize, Module) = TREES[1];
+pub(super) const TREES: [(usize, Module); 3] = [(0, BLOCK), (1, Module::NORMAL), (2, ASHLAR)];
+pub(super) const BRICKS: (usize, Module) = TREES[1];
 
-fn draft(rule: Rule, module: &Module) -> Draft {
+pub(super) fn draft(rule: Rule, module: &Module) -> Draft {
     let numbers: Vec<f64> = rule.numbers().iter().map(|number| number.default).collect();
     rule.draft(module, &numbers)
 }
 
-fn begun(draft: &Draft, (tree, module): (usize, Module), seed: u64) -> Result<Laying, PlanFault> {
+pub(super) fn begun(
+    draft: &Draft,
+    (tree, module): (usize, Module),
+    seed: u64,
+) -> Result<Laying, PlanFault> {
     let building = Arc::new(Building::new(draft).expect("a building"));
     let params = LayingParams {
         module,
@@ -28,7 +32,7 @@ fn begun(draft: &Draft, (tree, module): (usize, Module), seed: u64) -> Result<La
     Laying::new(building, tree, params, |face| thick[face.index()])
 }
 
-fn laid(draft: &Draft, tree: (usize, Module), seed: u64) -> Laying {
+pub(super) fn laid(draft: &Draft, tree: (usize, Module), seed: u64) -> Laying {
     let mut laying = begun(draft, tree, seed).expect("a plan");
     while !laying.advance(16) {}
     laying
@@ -54,14 +58,16 @@ fn cells_are_closed_convex_and_leave_room_for_mortar() {
 
 /// The bounds of bricks on a rule's building: the greatest gap, shared volume, and shares of cut bricks and of
 /// straight joints.
-const LIMITS: [(Rule, [f64; 4]); 7] = [
-    (Rule::Block, [1e-4, 1e-5, 0.0, 0.0]),
-    (Rule::LHouse, [0.005, 1e-4, 0.06, 0.03]),
-    (Rule::Wall, [0.005, 1e-4, 0.08, 0.04]),
-    (Rule::Gate, [0.005, 1e-4, 0.06, 0.04]),
-    (Rule::Steps, [0.001, 1e-4, 0.015, 0.01]),
-    (Rule::Tower, [0.001, 0.003, 0.03, 0.015]),
-    (Rule::Sheet, [1e-4, 1e-5, 0.0, 0.0]),
+const LIMITS: [(Rule, [f64; 4]); 9] = [
+    (Rule::Block, [5e-4, 3e-4, 0.0, 0.0]),
+    (Rule::LHouse, [0.0015, 3e-4, 0.05, 0.01]),
+    (Rule::Gabled, [0.0015, 3e-4, 0.06, 0.01]),
+    (Rule::Wall, [0.0015, 3e-4, 0.05, 0.01]),
+    (Rule::Gate, [0.0015, 3e-4, 0.05, 0.01]),
+    (Rule::Steps, [5e-4, 3e-4, 0.0, 0.03]),
+    (Rule::Tower, [5e-4, 0.002, 0.0, 0.01]),
+    (Rule::Ring, [0.0015, 3e-4, 0.03, 0.0]),
+    (Rule::Sheet, [5e-4, 3e-4, 0.0, 0.0]),
 ];
 
 #[test]
@@ -151,31 +157,6 @@ fn corners_come_before_edges_and_edges_before_faces() {
         .collect();
     assert!(kinds.is_sorted());
     assert!([0, 1, 2].iter().all(|kind| kinds.contains(kind)));
-}
-
-#[test]
-fn the_order_of_faces_does_not_change_the_bricks() {
-    let first = draft(Rule::Wall, &Module::NORMAL);
-    let mut turned = first.clone();
-    turned.faces.reverse();
-    let places = |draft: &Draft| {
-        let laying = laid(draft, BRICKS, 1);
-        let key = |p: glam::DVec3| (p * 1e4).round().to_array().map(|v| v as i64);
-        let mut places: Vec<[i64; 3]> = laying
-            .cells()
-            .iter()
-            .map(|cell| key(cell.claimed.centre()))
-            .collect();
-        places.sort_unstable();
-        places
-    };
-    let (a, b) = (places(&first), places(&turned));
-    assert!(
-        a.len().abs_diff(b.len()) * 100 < a.len(),
-        "{} {}",
-        a.len(),
-        b.len()
-    );
 }
 
 #[test]

@@ -23,6 +23,8 @@ pub struct Plan {
     pub module: Module,
     /// The grid of each face.
     pub grids: Vec<FaceGrid>,
+    /// For each face the first of those walls that must be shifted by a column together with it.
+    pub phase_sets: Vec<FaceId>,
     /// The edges at which bricks do not alternate.
     pub conflicts: Vec<EdgeId>,
     /// The changes of columns that have removed conflicts; walls are numbered as faces.
@@ -282,6 +284,7 @@ impl<'a> PlanMaking<'a> {
         Plan {
             module: self.module,
             grids,
+            phase_sets: phases.roots.iter().map(|&root| FaceId(root)).collect(),
             conflicts,
             changes,
             warnings: self.warnings,
