@@ -4,9 +4,6 @@ use super::draft::{Draft, DraftFace};
 use crate::order::rank;
 use glam::DVec3;
 
-/// The ranks of a place's coordinates.
-type Place = [u64; 3];
-
 impl Draft {
     /// The same with its faces sorted by the places of their corners: patterns number features in this order.
     pub fn sorted(mut self) -> Self {
@@ -16,11 +13,11 @@ impl Draft {
     }
 }
 
-/// The corners of a face's loops, each loop from its least corner on.
-fn key(face: &DraftFace, vertices: &[DVec3]) -> Vec<Vec<Place>> {
+/// The ranks of the coordinates of a face's corners, each loop from its least corner on.
+fn key(face: &DraftFace, vertices: &[DVec3]) -> Vec<Vec<[u64; 3]>> {
     let place = |v: &u32| vertices.get(*v as usize).map(|p| p.to_array().map(rank));
     let loops = face.loops.iter().map(|ring| {
-        let mut places: Vec<Place> = ring.iter().filter_map(place).collect();
+        let mut places: Vec<[u64; 3]> = ring.iter().filter_map(place).collect();
         let least = (0..places.len()).min_by_key(|&k| places[k]);
         places.rotate_left(least.unwrap_or(0));
         places

@@ -3,14 +3,14 @@
 use super::MASONRY;
 use super::blocks::Wall;
 use super::params::{BlockParams, BuildingParams, MasonryParams, PatternParams};
+use super::sentences;
 use super::site::BuildingSite;
 use crate::generators::scene_picture::{
     MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
 use crate::masonry::laying::Laying;
-use crate::masonry::plan::PlanFault;
-use crate::notice::{Code, Notice};
+use crate::notice::Notice;
 use crate::recipe::Recipe;
 use crate::scene::Scene;
 use std::rc::Rc;
@@ -82,7 +82,10 @@ impl SceneStages for MasonryStages {
     }
 
     fn remarks(&self) -> Vec<Notice> {
-        Vec::new()
+        let (Some(site), Some(laying)) = (self.site.made(), self.cells.made()) else {
+            return Vec::new();
+        };
+        sentences::remarks(&site.building, laying.plan(), site.is_given)
     }
 
     fn files(&self) -> &ModelFiles {
@@ -139,7 +142,10 @@ impl MasonryStages {
                 let tree = params.tree.tree();
                 let thickness = |face: crate::building::FaceId| site.thickness[face.index()];
                 let laying = Laying::new(site.building.clone(), tree, params.laying, thickness);
-                *work = Some(laying.map_err(|fault| refusal(&fault, params))?);
+                *work = Some(
+                    laying
+                        .map_err(|fault| sentences::refusal(&fault, params.laying.module.half))?,
+                );
                 return Ok(None);
             }
             let done = work.as_mut().is_some_and(|laying| laying.advance(FEATURES));
@@ -187,20 +193,5 @@ impl MasonryStages {
             (_, Some(wall)) => wall.shown(),
             _ => self.cells.made().map_or(0, |laying| laying.cells().len()),
         }
-    }
-}
-
-/// Why the module does not suit the building.
-fn refusal(fault: &PlanFault, params: &PatternParams) -> Notice {
-    let millimetres = |metres: f64| (1e3 * metres).round() as usize;
-    let module = millimetres(params.laying.module.half);
-    match fault {
-        PlanFault::Module(_) => Notice::new(Code::MasonryJoint),
-        PlanFault::ModuleTooLarge { width, .. } => Notice::new(Code::MasonryLarge)
-            .with("module", module)
-            .with("width", millimetres(*width)),
-        PlanFault::TooNarrow { width, .. } => Notice::new(Code::MasonryNarrow)
-            .with("module", module)
-            .with("width", millimetres(*width)),
     }
 }

@@ -1,4 +1,4 @@
-//! What must not change the cells, and what must add up.
+//! Changes that must leave the cells as they are, and areas that must add up.
 
 use super::site::{PIXELS, Site};
 use super::tests::{BRICKS, TREES, begun, draft, laid};
@@ -74,7 +74,7 @@ fn the_order_of_faces_does_not_change_the_cells() {
         .into_iter()
         .flat_map(|rule| TREES.map(|tree| (rule, tree)))
     {
-        let first = draft(rule, &Module::NORMAL);
+        let first = draft(rule, &tree.1);
         let mut turned = first.clone();
         turned.faces.reverse();
         let cells = |draft: Draft| laid(&draft.sorted(), tree, 1).cells().to_vec();
@@ -145,7 +145,7 @@ fn every_tree_is_laid_on_every_building() {
         .into_iter()
         .flat_map(|rule| TREES.map(|tree| (rule, tree)))
     {
-        let laying = laid(&draft(rule, &Module::NORMAL), tree, 1);
+        let laying = laid(&draft(rule, &tree.1), tree, 1);
         assert_eq!(laying.warnings(), [], "{rule:?} {tree:?}");
         let (building, found) = (laying.building(), Measures::new(&laying));
         let is_glass =

@@ -1,7 +1,7 @@
 //! Properties of whole buildings.
 
 use super::{CellSort, Feature, Laying, LayingParams, LayingWarning, Measures};
-use crate::building::{Building, Draft, EdgeId, Module, Rule};
+use crate::building::{Building, Draft, EdgeId, Misfit, Module, Rule};
 use crate::masonry::module::{ASHLAR, BLOCK};
 use crate::masonry::plan::{FaceGrid, PlanFault, is_wall, thicknesses};
 use crate::masonry::tree::{PRESETS, PatternTree};
@@ -42,7 +42,7 @@ pub(super) fn laid(draft: &Draft, tree: (usize, Module), seed: u64) -> Laying {
 fn cells_are_closed_convex_and_leave_room_for_mortar() {
     for rule in [Rule::Gate, Rule::Steps, Rule::Ring, Rule::Gabled] {
         for tree in TREES {
-            let laying = laid(&draft(rule, &Module::NORMAL), tree, 1);
+            let laying = laid(&draft(rule, &tree.1), tree, 1);
             assert!(laying.cells().len() > 20);
             for cell in laying.cells() {
                 assert!(
@@ -113,7 +113,7 @@ fn ashlar_fills_walls_nearly_without_overlaps() {
 #[test]
 fn claims_and_gaps_make_the_faces() {
     for tree in TREES {
-        let laying = laid(&draft(Rule::Wall, &Module::NORMAL), tree, 1);
+        let laying = laid(&draft(Rule::Wall, &tree.1), tree, 1);
         for face in laying.textured_faces() {
             let map = laying.face_map(face);
             let sum = map.claimed() + map.gap();
@@ -212,7 +212,7 @@ fn modules_that_do_not_suit_a_building_are_refused() {
     };
     let refused = begun(&small, (1, stones), 1).map(|_| ());
     assert!(
-        matches!(refused, Err(PlanFault::ModuleTooLarge { width, .. }) if width < 0.1),
+        matches!(refused, Err(PlanFault::Misfit(Misfit::ModuleTooLarge { width, .. })) if width < 0.1),
         "{refused:?}"
     );
     let bad = Module {
