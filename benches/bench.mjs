@@ -1,5 +1,5 @@
 // The benchmarks in WebAssembly under Node, and other programs that do the same work, for comparison.
-import { d3Delaunay, matterJs, threeSubdivide } from './peers.mjs';
+import { d3Delaunay, d3Polygons, matterJs, threeSubdivide } from './peers.mjs';
 import { rapier } from './rapier.mjs';
 import { threeFrames } from './three.mjs';
 
@@ -24,6 +24,8 @@ export async function run(module) {
     { ours: 'a thousand of 20000 darts', theirs: 'a thousand of 2000 darts', most: 1.2 },
     { ours: 'refinement of the rice ball, exact', theirs: 'refinement of the rice ball, golden', most: 1 / 5 },
     { ours: 'recipe to finished bodies, rice ball without its picture', theirs: 'recipe to picture, default pavement', most: 15 },
+    { ours: 'the house, laid', theirs: 'recipe to picture, default pavement', most: 0.25 },
+    { ours: 'a thousand bricks of the house of small bricks', theirs: 'a thousand bricks of the house', most: 1.2 },
     { ours: 'rice ball of 512 x 512, still with its shadows', theirs: 'light moved, parallel', most: 25 },
     { ours: 'rice ball of 256 x 256, turning', theirs: 'light moved, parallel', most: 5 },
   ];
@@ -41,6 +43,7 @@ export async function run(module) {
       bars.push({ ours: `direction field of these, ${outline}, ${count} cells`, theirs: whole, most: 0.1 });
     }
   }
+  beside('the house of small bricks, laid', await d3Polygons(100_000), 1);
   beside('Runge-Kutta step, 500 cells', await matterJs(500), 0.4);
   beside('subdivision, 500 stones, 3 times', await threeSubdivide(module.bench_mesh()), 1);
   beside('skin of fig. 14 (a)', await threeSubdivide(module.bench_skin()), 1 / 80);

@@ -27,6 +27,24 @@ export async function d3Delaunay(count) {
   return { name: `d3-delaunay, ${ROUNDS} rounds of Lloyd's relaxation, ${count} points`, ms };
 }
 
+/**
+ * The Voronoi polygons of random points in a square with d3-delaunay.
+ * @param {number} count @returns {Promise<Timing | undefined>}
+ */
+export async function d3Polygons(count) {
+  const found = await installed('d3-delaunay');
+  if (!found) return undefined;
+  const ms = shortest(7, () => {
+    const random = randomNumbers();
+    const points = Float64Array.from({ length: 2 * count }, () => SIDE * random());
+    return () => {
+      const voronoi = new found.Delaunay(points).voronoi([0, 0, SIDE, SIDE]);
+      for (let i = 0; i < count; i++) voronoi.cellPolygon(i);
+    };
+  });
+  return { name: `d3-delaunay, polygons of ${count} points`, ms };
+}
+
 /** @param {Float64Array} points @param {number} i @param {[number, number][] | null} ring closed */
 function moveToCentroid(points, i, ring) {
   if (!ring) return;

@@ -2,6 +2,8 @@
 //! is the shortest of several runs, because other programs have disturbed that one least.
 
 #[cfg(house)]
+pub mod masonry;
+#[cfg(house)]
 pub mod pile;
 #[cfg(house)]
 pub mod scene;
@@ -71,6 +73,7 @@ pub fn run(clock: Clock) -> Vec<Timing> {
     {
         timings.extend(scene::timings(clock));
         timings.extend(pile::timings(clock));
+        timings.extend(masonry::timings(clock));
     }
     timings
 }

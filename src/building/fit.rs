@@ -4,10 +4,8 @@ use super::class::Bend;
 use super::ids::{EdgeId, FaceId};
 use super::parent::Stance;
 use super::rules::Module;
-use super::thickness::WallThickness;
 use super::whole::Building;
 use crate::order::{self, rank};
-use crate::trimesh::MeshFault;
 
 /// The least interval between corners, in modules.
 const LEAST_INTERVAL: f64 = 0.5;
@@ -19,8 +17,6 @@ const LEAST_DEPTH: f64 = 0.5;
 /// Why a module cannot be laid on a building.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Misfit {
-    /// The polygons are no mesh.
-    NoMesh(MeshFault),
     /// All upright faces of a group of faces that meet have no interval between corners of half a module.
     ModuleTooLarge {
         /// The largest face of the group.
@@ -55,16 +51,21 @@ pub enum Misfit {
 pub struct ThinWall {
     /// The face.
     pub face: FaceId,
-    /// Its thickness in the middle of its largest polygon (metres).
+    /// Its thickness (metres).
     pub thickness: f64,
 }
 
 impl Building {
-    /// Tests whether a module can be laid on the building, and lists thin walls.
+    /// Tests whether a module can be laid on the building, and lists thin walls. `thickness` gives the thickness of the
+    /// wall behind each face (metres), infinite where there is no back.
     ///
     /// # Errors
     /// The first misfit.
-    pub fn fits(&self, module: &Module) -> Result<Vec<ThinWall>, Misfit> {
+    pub fn fits(
+        &self,
+        module: &Module,
+        thickness: impl Fn(FaceId) -> f64,
+    ) -> Result<Vec<ThinWall>, Misfit> {
         self.group_fits(module)?;
         let upright = || {
             self.face_ids()
@@ -78,7 +79,7 @@ impl Building {
         if let Some(misfit) = upright().find_map(narrow) {
             return Err(misfit);
         }
-        self.thin_walls(module, upright())
+        thin_walls(module, upright(), thickness)
     }
 
     /// Tests each group of upright faces that have edges in common.
@@ -170,61 +171,49 @@ impl Building {
         });
         widths.reduce(f64::min)
     }
+}
 
-    fn thin_walls(
-        &self,
-        module: &Module,
-        faces: impl Iterator<Item = FaceId>,
-    ) -> Result<Vec<ThinWall>, Misfit> {
-        let depths = WallThickness::new(self).map_err(Misfit::NoMesh)?;
-        let mut thin = Vec::new();
-        for face in faces {
-            let Some(thickness) = self.depth_of(&depths, face) else {
-                continue;
-            };
-            let least = LEAST_DEPTH * module.half;
-            if thickness < least {
-                return Err(Misfit::TooThin {
-                    face,
-                    thickness,
-                    least,
-                });
-            }
-            if thickness < module.half - module.joint - 1e-6 {
-                thin.push(ThinWall { face, thickness });
-            }
+fn thin_walls(
+    module: &Module,
+    faces: impl Iterator<Item = FaceId>,
+    thickness: impl Fn(FaceId) -> f64,
+) -> Result<Vec<ThinWall>, Misfit> {
+    let mut thin = Vec::new();
+    for face in faces {
+        let thickness = thickness(face);
+        let least = LEAST_DEPTH * module.half;
+        if thickness < least {
+            return Err(Misfit::TooThin {
+                face,
+                thickness,
+                least,
+            });
         }
-        Ok(thin)
+        if thickness < module.half - module.joint - 1e-6 {
+            thin.push(ThinWall { face, thickness });
+        }
     }
-
-    /// The thickness behind the middle of a face's largest polygon.
-    fn depth_of(&self, depths: &WallThickness<'_>, face: FaceId) -> Option<f64> {
-        let own = self.face(face);
-        let corners = own.polygons.iter().map(|&polygon| {
-            let vertices = self.polygon(polygon).vertices.iter();
-            vertices
-                .map(|&v| self.vertex(v).position)
-                .collect::<Vec<_>>()
-        });
-        let size = |points: &Vec<glam::DVec3>| crate::trimesh::polygon::across(points).length();
-        let largest = corners.reduce(|best, next| {
-            if size(&next) > size(&best) {
-                next
-            } else {
-                best
-            }
-        })?;
-        let middle = largest.iter().sum::<glam::DVec3>() / largest.len() as f64;
-        let place = own.surface.project(middle);
-        depths.behind(face, place.x, place.y)
-    }
+    Ok(thin)
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::rules::{Module, Rule};
     use super::super::tests::built;
+    use super::super::thickness::WallThickness;
     use super::*;
+
+    /// The thickness behind the middle of a face.
+    fn behind(building: &Building) -> impl Fn(FaceId) -> f64 + '_ {
+        let depths = WallThickness::new(building).expect("a mesh");
+        move |id| {
+            let [low, high] = building.face(id).bounds();
+            let middle = low.midpoint(high);
+            depths
+                .behind(id, middle.x, middle.y)
+                .unwrap_or(f64::INFINITY)
+        }
+    }
 
     fn block(module: &Module, numbers: &[f64]) -> Building {
         built("block", &Rule::Block.draft(module, numbers))
@@ -234,7 +223,8 @@ mod tests {
     fn buildings_by_rule_fit_their_module() {
         for rule in Rule::ALL {
             let draft = rule.draft(&Module::NORMAL, &[]);
-            let fits = built(rule.word(), &draft).fits(&Module::NORMAL);
+            let building = built(rule.word(), &draft);
+            let fits = building.fits(&Module::NORMAL, behind(&building));
             assert_eq!(fits, Ok(Vec::new()), "{}", rule.word());
         }
     }
@@ -250,7 +240,9 @@ mod tests {
             half: 0.6,
             ..Module::NORMAL
         };
-        let misfit = block(&inch, &[2.0, 2.0, 2.0]).fits(&foot).unwrap_err();
+        let misfit = block(&inch, &[2.0, 2.0, 2.0])
+            .fits(&foot, |_| f64::INFINITY)
+            .unwrap_err();
         let Misfit::ModuleTooLarge { width, module, .. } = misfit else {
             panic!("{misfit:?}");
         };
@@ -260,7 +252,7 @@ mod tests {
             ..Module::NORMAL
         };
         let misfit = block(&small, &[2.0, 2.0, 4.0])
-            .fits(&Module::NORMAL)
+            .fits(&Module::NORMAL, |_| f64::INFINITY)
             .unwrap_err();
         assert!(matches!(misfit, Misfit::TooNarrow { .. }), "{misfit:?}");
     }
@@ -270,7 +262,8 @@ mod tests {
         let sheet = |thickness: f64| {
             let mut draft = Rule::Sheet.draft(&Module::NORMAL, &[]);
             draft.faces[0].thickness = Some(thickness);
-            built("sheet", &draft).fits(&Module::NORMAL)
+            let building = built("sheet", &draft);
+            building.fits(&Module::NORMAL, behind(&building))
         };
         assert!(matches!(sheet(0.05), Err(Misfit::TooThin { .. })));
         assert_eq!(

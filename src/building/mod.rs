@@ -43,6 +43,7 @@ mod recognising;
 mod region;
 pub mod rules;
 mod sides;
+mod sorting;
 mod surface;
 #[cfg(test)]
 mod tests;

@@ -13,10 +13,11 @@ pub const LEAST_SHARE: f64 = 0.06;
 /// How often [`clip_multi`] goes on with the half that a cut removes.
 pub const MOST_DEPTH: u32 = 3;
 
-/// The largest part of a cell beside all obstacles that cuts along single sides can leave; none if that is less than
+/// The largest part of a cell beside all obstacles that cuts along single sides leave; none if that is less than
 /// `least` of the cell (a share, usually [`LEAST_SHARE`]). New sides get the inset `inset` (metres).
 ///
-/// The obstacles are taken by falling overlap. The side of each obstacle that leaves most of the cell cuts it.
+/// The side of each obstacle that leaves most of the cell cuts it. Each obstacle is tried as the first one; the others
+/// follow by falling overlap. Beside an arch the first cut is the only one, and its place decides.
 pub fn clip(
     cell: &Footprint,
     obstacles: &[Footprint],
@@ -24,8 +25,31 @@ pub fn clip(
     least: f64,
 ) -> Option<Footprint> {
     let least = least * cell.area();
+    let near = by_overlap(cell, obstacles);
+    if near.is_empty() {
+        return Some(cell.clone());
+    }
+    let parts = (0..near.len()).filter_map(|first| {
+        let rest = near.iter().enumerate().filter(|(k, _)| *k != first);
+        let order = [near[first]]
+            .into_iter()
+            .chain(rest.map(|(_, &obstacle)| obstacle));
+        cut_by(cell, order, inset, least)
+    });
+    let sized = parts.map(|part| (part.area(), part));
+    let best = sized.reduce(|best, next| if next.0 > best.0 { next } else { best });
+    best.map(|(_, part)| part)
+}
+
+/// A cell cut by one obstacle after the other.
+fn cut_by<'a>(
+    cell: &Footprint,
+    obstacles: impl Iterator<Item = &'a Footprint>,
+    inset: f64,
+    least: f64,
+) -> Option<Footprint> {
     let mut part = cell.clone();
-    for obstacle in by_overlap(cell, obstacles) {
+    for obstacle in obstacles {
         if part.shared_area(obstacle) > TOUCH {
             let half = best_side(&part, obstacle);
             part = part.clip(half, inset).filter(|part| part.area() > least)?;

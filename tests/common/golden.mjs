@@ -12,6 +12,7 @@ export const surfaces = lines('surfaces.txt').map((line) => /** @type {[digest: 
 
 /** Digests of piles with their links. */
 export const piles = lines('piles.txt').map((line) => /** @type {[digest: string, link: string]} */ (line.split(' ')));
+export const masonry = lines('masonry.txt').map((line) => /** @type {[digest: string, link: string]} */ (line.split(' ')));
 
 /** Hashes of frames, each with its camera (empty for the usual one) and its link. */
 export const frames = lines('frames.txt').map((line) => {

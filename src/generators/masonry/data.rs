@@ -1,6 +1,7 @@
 //! The results as text, for measurements.
 
 use super::MasonryEngine;
+use crate::building::write_json;
 use crate::decimal;
 use crate::masonry::laying::{Laying, MasonryCell, Measures};
 use glam::DVec3;
@@ -8,10 +9,11 @@ use glam::DVec3;
 impl MasonryEngine {
     /// The results as text files: names and contents. Lengths are metres, y up.
     pub(super) fn data_files(&self) -> Vec<(&'static str, String)> {
-        let Some(laying) = self.made.cells.made() else {
+        let (Some(site), Some(laying)) = (self.made.site.made(), self.made.cells.made()) else {
             return Vec::new();
         };
         vec![
+            ("model.json", write_json(&site.draft)),
             ("blocks.json", blocks(laying)),
             ("measures.json", measures(laying)),
         ]

@@ -14,6 +14,7 @@ mod params;
 mod presets;
 mod rules;
 mod schema;
+mod sentences;
 mod site;
 mod stages;
 mod subject;

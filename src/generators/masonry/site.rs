@@ -1,7 +1,8 @@
 //! The first stage: the building, and how thick its walls are.
 
 use super::params::BuildingParams;
-use crate::building::{Building, BuildingFault, Draft, Face, json, obj};
+use super::sentences;
+use crate::building::{Building, BuildingFault, Draft, Face, Stance, json, obj};
 use crate::domain::signed_area;
 use crate::masonry::plan::thicknesses;
 use crate::notice::{Code, Notice};
@@ -17,6 +18,10 @@ pub(super) const MOST_BLOCKS: f64 = 60_000.0;
 /// A building that can be laid.
 pub(super) struct BuildingSite {
     pub building: Arc<Building>,
+    /// The building as a file would have it.
+    pub draft: Draft,
+    /// Whether a file gave it.
+    pub is_given: bool,
     /// The least thickness of the wall behind each face (metres).
     pub thickness: Vec<f64>,
     /// How it lies in the scene.
@@ -31,18 +36,27 @@ impl BuildingSite {
     pub fn new(params: &BuildingParams, file: Option<&[u8]>) -> Result<Self, Notice> {
         let draft = match (&params.rule, file) {
             (Some((rule, numbers)), _) => rule.draft(&params.module, numbers),
-            (None, Some(bytes)) => read(bytes).map_err(|fault| unread(&fault))?,
+            (None, Some(bytes)) => given(bytes).map_err(|fault| sentences::unread(&fault))?,
             (None, None) => return Err(Code::ModelFirst.into()),
         };
-        let building = Building::new(&draft).map_err(|fault| unread(&fault))?;
-        let thickness = thicknesses(&building).map_err(|_| Notice::new(Code::BuildingShape))?;
+        let draft = draft.sorted();
+        let building = Building::new(&draft).map_err(|fault| sentences::unread(&fault))?;
+        let thickness = thicknesses(&building).map_err(|_| Notice::new(Code::ModelNoArea))?;
         check_number(&building, params)?;
         Ok(Self {
             fit: fit(&building),
             building: Arc::new(building),
             thickness,
+            draft,
+            is_given: params.rule.is_none(),
         })
     }
+}
+
+/// The building of a file. It is tested before its faces are sorted, so that faults name them as the file does.
+fn given(bytes: &[u8]) -> Result<Draft, BuildingFault> {
+    let draft = read(bytes)?;
+    Building::new(&draft).map(|_| draft)
 }
 
 fn read(bytes: &[u8]) -> Result<Draft, BuildingFault> {
@@ -53,33 +67,27 @@ fn read(bytes: &[u8]) -> Result<Draft, BuildingFault> {
     }
 }
 
-/// Why a building's file or its shape is refused.
-fn unread(fault: &BuildingFault) -> Notice {
-    use BuildingFault::{Field, NotJson, NotObj, Number, Unit, Version};
-    match fault {
-        NotJson { .. }
-        | NotObj(..)
-        | Version { .. }
-        | Unit { .. }
-        | Field { .. }
-        | Number { .. } => Notice::new(Code::BuildingText),
-        _ => Notice::new(Code::BuildingShape),
-    }
-}
-
 /// Refuses a module that is so small that there would be too many blocks.
 fn check_number(building: &Building, params: &BuildingParams) -> Result<(), Notice> {
-    let area: f64 = building.faces().iter().map(area).sum();
     let module = params.module;
-    let blocks = area / (2.0 * module.half * module.course);
+    let blocks = building.faces().iter().map(|face| {
+        let height = match face.stance() {
+            Stance::Level => module.half,
+            Stance::Upright | Stance::Through => module.course,
+        };
+        area(face) / (2.0 * module.half * height)
+    });
+    let blocks: f64 = blocks.sum();
     if blocks <= MOST_BLOCKS {
         return Ok(());
     }
-    let fits = 1e3 * module.half * (blocks / MOST_BLOCKS).sqrt();
+    let scale = (blocks / MOST_BLOCKS).sqrt();
+    let fits = |length: f64| (1e3 * length * scale).ceil() as usize;
     Err(Notice::new(Code::MasonryMany)
         .with("n", blocks as usize)
         .with("most", MOST_BLOCKS as usize)
-        .with("fits", fits.ceil() as usize))
+        .with("fits", fits(module.half))
+        .with("course", fits(module.course)))
 }
 
 /// The area of a face (square metres), flattened.

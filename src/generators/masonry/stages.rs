@@ -3,14 +3,14 @@
 use super::MASONRY;
 use super::blocks::Wall;
 use super::params::{BlockParams, BuildingParams, MasonryParams, PatternParams};
+use super::sentences;
 use super::site::BuildingSite;
 use crate::generators::scene_picture::{
     MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
-use crate::masonry::laying::{Laying, LayingWarning};
-use crate::masonry::plan::PlanFault;
-use crate::notice::{Code, Notice};
+use crate::masonry::laying::Laying;
+use crate::notice::Notice;
 use crate::recipe::Recipe;
 use crate::scene::Scene;
 use std::rc::Rc;
@@ -83,19 +83,11 @@ impl SceneStages for MasonryStages {
     }
 
     fn remarks(&self) -> Vec<Notice> {
-        let Some(site) = self.site.made() else {
+        let (Some(site), Some(laying)) = (self.site.made(), self.cells.made()) else {
             return Vec::new();
         };
-        let told = |code, n| (n > 0).then(|| Notice::new(code).with("n", n));
         let gone = self.cells.params().flips.gone(&site.building);
-        let warnings = self.current(&self.cells).map_or(&[][..], Laying::warnings);
-        let is_panel = |told: &&LayingWarning| matches!(told, LayingWarning::NoRoom { .. });
-        let panels = warnings.iter().filter(is_panel).count();
-        let counted = [
-            told(Code::MasonryFlips, gone),
-            told(Code::MasonryPanel, panels),
-        ];
-        counted.into_iter().flatten().collect()
+        sentences::remarks(laying, (gone, site.is_given))
     }
 
     fn files(&self) -> &ModelFiles {
@@ -154,7 +146,10 @@ impl MasonryStages {
                 let flips = &params.flips;
                 let building = Arc::new(site.building.flipped(&flips.corners, &flips.edges));
                 let laying = Laying::new(building, tree, params.laying, thickness);
-                *work = Some(laying.map_err(|fault| refusal(&fault, params))?);
+                *work = Some(
+                    laying
+                        .map_err(|fault| sentences::refusal(&fault, params.laying.module.half))?,
+                );
                 return Ok(None);
             }
             let done = work.as_mut().is_some_and(|laying| laying.advance(FEATURES));
@@ -202,20 +197,5 @@ impl MasonryStages {
             (_, Some(wall)) => wall.shown(),
             _ => self.cells.made().map_or(0, |laying| laying.cells().len()),
         }
-    }
-}
-
-/// Why the module does not suit the building.
-fn refusal(fault: &PlanFault, params: &PatternParams) -> Notice {
-    let millimetres = |metres: f64| (1e3 * metres).round() as usize;
-    let module = millimetres(params.laying.module.half);
-    match fault {
-        PlanFault::Module(_) => Notice::new(Code::MasonryJoint),
-        PlanFault::ModuleTooLarge { width, .. } => Notice::new(Code::MasonryLarge)
-            .with("module", module)
-            .with("width", millimetres(*width)),
-        PlanFault::TooNarrow { width, .. } => Notice::new(Code::MasonryNarrow)
-            .with("module", module)
-            .with("width", millimetres(*width)),
     }
 }

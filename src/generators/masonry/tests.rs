@@ -1,11 +1,13 @@
 //! Properties of the generator's table, and of the blocks of buildings by rule.
 
 use super::MasonryEngine;
+use super::params::BuildingParams;
 use super::schema::{FILE, ROWS, keys};
-use crate::building::Rule;
+use super::site::BuildingSite;
+use crate::building::{Module, Rule};
 use crate::generators::{Engine, Files, GivenFile};
 use crate::masonry::tree::TreePreset;
-use crate::notice::{Code, Notice};
+use crate::notice::{Arg, Code, Notice};
 use crate::recipe::Recipe;
 
 pub(super) fn recipe(link: &str) -> Recipe {
@@ -109,15 +111,39 @@ fn box_of([x, y, z]: [f64; 3]) -> String {
 }
 
 #[test]
+fn the_module_of_the_sentence_about_too_many_blocks_fits() {
+    let file = box_of([40.0, 20.0, 40.0]);
+    let site = |module: Module| {
+        let params = BuildingParams { rule: None, module };
+        BuildingSite::new(&params, Some(file.as_bytes()))
+    };
+    let notice = site(Module::NORMAL).err().expect("too many blocks");
+    assert_eq!(notice.code, Code::MasonryMany);
+    let metres = |name: &str| {
+        let arg = notice.args.iter().find(|(known, _)| *known == name);
+        match arg.map(|(_, arg)| arg) {
+            Some(Arg::Text(text)) => 1e-3 * text.parse::<f64>().expect("a number"),
+            _ => panic!("{name}"),
+        }
+    };
+    let module = Module {
+        half: metres("fits"),
+        course: metres("course"),
+        ..Module::NORMAL
+    };
+    assert!(site(module).is_ok());
+}
+
+#[test]
 fn buildings_of_files_are_laid_or_refused_with_a_sentence() {
     assert!(laid_file("box.obj", &box_of([2.0, 1.0, 1.5])).expect("blocks") > 100);
     let refused = |name, content: &str| laid_file(name, content).map_err(|notice| notice.code);
     assert_eq!(
         refused("text.json", "{\"version\":1,"),
-        Err(Code::BuildingText)
+        Err(Code::BuildingJson)
     );
     let empty = r#"{"version":1,"unit":"m","v":[],"faces":[]}"#;
-    assert_eq!(refused("empty.json", empty), Err(Code::BuildingShape));
+    assert_eq!(refused("empty.json", empty), Err(Code::BuildingEmpty));
     assert_eq!(
         refused("thin.obj", &box_of([1.0, 1.0, 0.03])),
         Err(Code::MasonryNarrow)

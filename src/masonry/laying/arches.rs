@@ -84,8 +84,9 @@ struct RimPiece {
     wall: FaceId,
     curve: Curve,
     length: f64,
-    /// How deep the reveal is, or half of it if both ends are edges of walls (metres).
-    reveal: f64,
+    /// How deep stones reach into the reveal: about as deep as wanted, at most half of it if both ends are edges of
+    /// walls (metres).
+    depth: f64,
 }
 
 /// Rows of stones around an opening.
@@ -141,7 +142,7 @@ impl Site {
     }
 
     fn arch_rows(&mut self, id: EdgeId, node: &GeneratorNode, rows: &Rows) {
-        for ring in self.rings(id) {
+        for ring in self.rings(id, rows.depth) {
             let mut off = 0.0;
             for (k, row) in rows.rows.iter().enumerate() {
                 let is_last = k + 1 == rows.rows.len();
@@ -182,10 +183,7 @@ impl Site {
         if is_arc && count.is_multiple_of(2) {
             count += 1;
         }
-        let depth = rows
-            .depth
-            .min(ring.reveal)
-            .min(self.plan.grid(ring.wall).depth);
+        let depth = ring.depth.min(self.plan.grid(ring.wall).depth);
         for k in 0..count {
             let ends = [k, k + 1].map(|k| ring.length * k as f64 / count as f64);
             let is_key = is_arc && 2 * k + 1 == count;
@@ -227,8 +225,9 @@ impl Site {
         }
     }
 
-    /// The parts of an edge that are not upright, between a wall and a reveal.
-    fn rings(&self, id: EdgeId) -> Vec<RimPiece> {
+    /// The parts of an edge that are not upright, between a wall and a reveal. `depth` is how deep their stones should
+    /// reach (metres).
+    fn rings(&self, id: EdgeId, depth: f64) -> Vec<RimPiece> {
         let edge = self.edge(id);
         let [Some(a), Some(b)] = edge.faces else {
             return Vec::new();
@@ -248,7 +247,9 @@ impl Site {
             wall,
             curve: Curve::line(&run),
             length: run.ends[1] - run.ends[0],
-            reveal: self.reveal(edge, reveal, 0.5 * (run.ends[0] + run.ends[1])),
+            depth: run.sides[1]
+                .reach(pieces(depth, self.plan.module.half))
+                .min(self.reveal(edge, reveal, 0.5 * (run.ends[0] + run.ends[1]))),
         });
         let arcs = edge
             .path
@@ -260,7 +261,7 @@ impl Site {
                     wall,
                     curve: self.arc(wall, arc, edge, ends[0])?,
                     length: ends[1] - ends[0],
-                    reveal: self.reveal(edge, reveal, 0.5 * (ends[0] + ends[1])),
+                    depth: depth.min(self.reveal(edge, reveal, 0.5 * (ends[0] + ends[1]))),
                 }),
                 Piece::Line { .. } => None,
             });

@@ -220,7 +220,7 @@ impl Site {
         for stone in stones.into_iter().chain(partly) {
             let [low, high] = self.plan.grid(id).block(stone.columns, stone.rows);
             if let Some(place) = Footprint::rectangle(low, high) {
-                self.face_brick(id, node, &place, CellSort::Stone);
+                self.face_brick(id, node, (&place, place.area()), CellSort::Stone);
             }
         }
     }

@@ -134,8 +134,7 @@ impl Site {
     /// Bricks along a level edge, in the wall's own bond, one course high. The edge's bit moves them by half a brick.
     fn level_bricks(&mut self, id: EdgeId, node: &GeneratorNode, bond: &BrickBond, run: &Run) {
         let wall = &run.sides[0];
-        let way = wall.inwards.x + wall.inwards.y;
-        let Some(row) = unit(&wall.lines, wall.place.dot(wall.inwards.abs()), way) else {
+        let Some(row) = unit(&wall.lines, wall.start, wall.way) else {
             return;
         };
         let row = row + usize::from(self.edge(id).flip);
@@ -191,12 +190,12 @@ impl Site {
         (run, (span, is_pair)): (&Run, ([f64; 2], bool)),
     ) {
         let middle = 0.5 * (span[0] + span[1]);
-        let width = self.plan.module.half;
         let height = self.limited_reach(run, 0, 1, middle);
         let depth = self
-            .limited_depth(run, width, middle)
+            .limited_depth(run, run.sides[1].reach(1), middle)
             .min(self.depth(run.sides[0].face));
-        let body = self.edge_body(run, span, [height, depth]);
+        let reaches = [height, depth];
+        let body = self.edge_body(run, span, self.fitted(run, span, reaches));
         let sort = if bond.are_paired() && !is_pair {
             CellSort::Half
         } else {

@@ -6,15 +6,36 @@ use super::site::Site;
 use crate::building::{Bend, FaceId, Stance};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
-use crate::masonry::free_space::{LEAST_SHARE, MOST_DEPTH, clip, clip_multi};
+use crate::masonry::free_space::{LEAST_SHARE, MOST_DEPTH, TOUCH, clip, clip_multi, remainder};
 use crate::masonry::occupancy::Coverage;
 use crate::masonry::plan::{FaceGrid, is_wall};
 use crate::masonry::tree::GeneratorNode;
+use std::collections::BTreeMap;
 
 /// Sides of a face longer than this are no chords of an arc (metres).
 const OBLIQUE: f64 = 0.2;
-/// Cells with a larger share of their place are not cut.
-const WHOLE: f64 = 0.97;
+/// Bricks of which less than this share of half a brick is free are slivers.
+const SLIVER: f64 = 0.35;
+/// A brick is whole if its area is this share of its place in the grid.
+const WHOLE: std::ops::RangeInclusive<f64> = 0.97..=1.15;
+
+/// A brick of a face's grid.
+#[derive(Clone, Debug)]
+struct GridBrick {
+    /// The space that it may fill.
+    place: Footprint,
+    /// The area of its own place in the grid (square metres).
+    area: f64,
+    row: usize,
+    /// Whether it takes two columns.
+    is_pair: bool,
+}
+
+/// The smallest rectangle that holds two.
+fn both(a: &Footprint, b: &Footprint) -> Option<Footprint> {
+    let ([low, high], [from, to]) = (a.bounds(), b.bounds());
+    Footprint::rectangle(low.min(from), high.max(to))
+}
 
 impl Site {
     /// How deep cells of a face reach into the wall: a module at a wall, a course below a level face, and no more than
@@ -67,22 +88,63 @@ impl Site {
         } else {
             self.better_shift(id, bond)
         };
-        for (place, is_pair) in self.face_bricks(id, bond, shift) {
-            let sort = if is_pair || !bond.are_paired() {
+        for brick in self.without_slivers(id, self.face_bricks(id, bond, shift)) {
+            let sort = if brick.is_pair || !bond.are_paired() {
                 bond.sort
             } else {
                 CellSort::Half
             };
-            self.face_brick(id, node, &place, sort);
+            self.face_brick(id, node, (&brick.place, brick.area), sort);
         }
     }
 
-    /// Lays a brick on a face, clipped to the free space.
+    /// The bricks of a face, without those of which only a sliver is free: the wider one of its neighbours in the row
+    /// takes its place as well.
+    fn without_slivers(&self, id: FaceId, bricks: Vec<GridBrick>) -> Vec<GridBrick> {
+        let least = SLIVER * self.plan.module.half * self.plan.module.course;
+        let free: Vec<f64> = bricks
+            .iter()
+            .map(|brick| self.free_area(id, &brick.place))
+            .collect();
+        let mut kept: Vec<Option<GridBrick>> = bricks.iter().cloned().map(Some).collect();
+        for (k, brick) in bricks.iter().enumerate() {
+            if free[k] < TOUCH || free[k] >= least {
+                continue;
+            }
+            let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
+            let beside = beside.filter(|&j| j < bricks.len() && bricks[j].row == brick.row);
+            let wider = beside.reduce(|a, b| if free[b] > free[a] { b } else { a });
+            if let Some(j) = wider.filter(|&j| free[j] >= least)
+                && let Some(other) = &mut kept[j]
+                && let Some(place) = both(&other.place, &brick.place)
+            {
+                other.place = place;
+                kept[k] = None;
+            }
+        }
+        kept.into_iter().flatten().collect()
+    }
+
+    /// The area of a place on a face that is free, exactly (square metres).
+    fn free_area(&self, id: FaceId, place: &Footprint) -> f64 {
+        let place = &self.home(id, place.clone());
+        let map = &self.faces[id.index()];
+        match map.coverage(place) {
+            Coverage::Occupied => 0.0,
+            Coverage::Free => place.area(),
+            Coverage::Partly => remainder(place, &map.obstacles(place))
+                .iter()
+                .map(Footprint::area)
+                .sum(),
+        }
+    }
+
+    /// Lays a brick on a face, clipped to the free space. `area` is that of a brick that is not cut (square metres).
     pub fn face_brick(
         &mut self,
         id: FaceId,
         node: &GeneratorNode,
-        place: &Footprint,
+        (place, area): (&Footprint, f64),
         sort: CellSort,
     ) {
         let place = &self.home(id, place.clone());
@@ -99,7 +161,7 @@ impl Site {
                 .collect(),
         };
         for part in parts {
-            self.face_part(id, node, &part, (place, sort));
+            self.face_part(id, node, &part, (place, area, sort));
         }
     }
 
@@ -119,22 +181,57 @@ impl Site {
         id: FaceId,
         node: &GeneratorNode,
         part: &Footprint,
-        (whole, sort): (&Footprint, CellSort),
+        (whole, area, sort): (&Footprint, f64, CellSort),
     ) {
-        let share = part.area() / whole.area();
+        let share = part.area() / area;
         let is_half = (share - 0.5).abs() < 0.03 && part.corners().len() == 4;
         let sort = match sort {
             CellSort::Whole if is_half => CellSort::Half,
-            _ if share < WHOLE => CellSort::Cut,
+            _ if !WHOLE.contains(&share) => CellSort::Cut,
             sort => sort,
         };
         let depth = self.depth(id);
         let mut draft = self.face_draft(id, part, depth, sort);
-        draft.unclipped = (share < WHOLE).then(|| whole.clone());
+        draft.unclipped = (share < *WHOLE.start()).then(|| whole.clone());
         if let Some(body) = self.mitred(id, draft.claimed, depth) {
             draft.claimed = body;
             self.place(Feature::Face(id), node, draft);
         }
+    }
+
+    /// Shifts walls by a column where that makes fewer bricks, or as many and fewer cut ones: of the two ways to lay
+    /// walls that hang together (section 5.2). So a building that is turned or mirrored has the same number of bricks.
+    pub fn choose_phases(&mut self) {
+        let mut sets: BTreeMap<FaceId, Vec<FaceId>> = BTreeMap::new();
+        for (id, &first) in self.building.face_ids().zip(&self.plan.phase_sets) {
+            if is_wall(self.face(id)) {
+                sets.entry(first).or_default().push(id);
+            }
+        }
+        for walls in sets.values() {
+            let cost = |shift: usize| {
+                let pieces = walls.iter().map(|&id| self.pieces(id, shift));
+                pieces.fold([0, 0], |sum, more| [sum[0] + more[0], sum[1] + more[1]])
+            };
+            if cost(1) < cost(0) {
+                for wall in walls {
+                    self.plan.grids[wall.index()].phase ^= true;
+                }
+            }
+        }
+    }
+
+    /// How many bricks a face's grid has, edges not counted, and how many of them are cut.
+    fn pieces(&self, id: FaceId, shift: usize) -> [usize; 2] {
+        let bricks = self.face_bricks(id, &BrickBond::BRICKS, shift);
+        let shares = bricks
+            .iter()
+            .map(|brick| self.free_area(id, &brick.place) / brick.area);
+        let there = shares.filter(|&share| share > LEAST_SHARE);
+        let is_cut = |share: f64| share < 0.97 && (share - 0.5).abs() > 0.03;
+        there.fold([0, 0], |[all, cut], share| {
+            [all + 1, cut + usize::from(is_cut(share))]
+        })
     }
 
     /// The phase of a face that no edge decides: the one that makes fewer bricks (section 5.2).
@@ -143,16 +240,16 @@ impl Site {
         let count = |shift: usize| {
             let bricks = self.face_bricks(id, bond, shift).into_iter();
             bricks
-                .filter(|(place, _)| {
-                    map.coverage(&self.home(id, place.clone())) != Coverage::Occupied
+                .filter(|brick| {
+                    map.coverage(&self.home(id, brick.place.clone())) != Coverage::Occupied
                 })
                 .count()
         };
         usize::from(count(1) < count(0))
     }
 
-    /// The places of all bricks of a face's grid, and whether each is a pair of cells of the grid.
-    fn face_bricks(&self, id: FaceId, bond: &BrickBond, shift: usize) -> Vec<(Footprint, bool)> {
+    /// All bricks of a face's grid, row by row.
+    fn face_bricks(&self, id: FaceId, bond: &BrickBond, shift: usize) -> Vec<GridBrick> {
         let grid = self.plan.grid(id);
         let period = self
             .face(id)
@@ -175,7 +272,12 @@ impl Site {
                 };
                 let start = column.max(0);
                 let place = wrapped(grid, [start as usize, end as usize], row, period);
-                found.extend(place.map(|place| (place, end - start == 2)));
+                found.extend(place.map(|place| GridBrick {
+                    area: place.area(),
+                    place,
+                    row,
+                    is_pair: end - start == 2,
+                }));
             }
         }
         found

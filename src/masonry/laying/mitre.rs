@@ -14,8 +14,14 @@ impl Site {
     /// The part of a face's cell before the mitres of convex edges without cells; none if nothing is left. `depth` is
     /// the cell's depth (metres).
     pub fn mitred(&self, face: FaceId, body: Polyhedron, depth: f64) -> Option<Polyhedron> {
+        let [low, high] = body.bounds();
+        let (middle, reach) = (low.midpoint(high), low.distance(high) + NEAR * depth);
         let edges = self.face(face).loops.iter().flatten().map(|walk| walk.edge);
-        let convex = edges.filter(|&id| self.edge(id).bend == Bend::Convex);
+        let convex = edges.filter(|&id| {
+            let [from, to] = self.edge_boxes[id.index()];
+            let is_near = middle.clamp(from, to).distance(middle) < reach;
+            is_near && self.edge(id).bend == Bend::Convex
+        });
         convex
             .into_iter()
             .try_fold(body, |body, id| match self.mitre(face, id, &body, depth) {

@@ -12,10 +12,14 @@ mod cell;
 mod cement;
 mod corners;
 mod faces;
+#[cfg(test)]
+mod invariance_tests;
 mod measures;
 mod mitre;
 mod panels;
 mod pointing;
+#[cfg(test)]
+mod random_tests;
 mod rectangles;
 mod run;
 mod site;
@@ -37,7 +41,7 @@ use super::tree::{
 use crate::building::{Building, CornerId, EdgeEnd, EdgeId, FaceId, Heading, Module, Stance};
 use bricks::BrickBond;
 use glam::DVec3;
-use site::Site;
+use site::{PIXELS, Site};
 use std::sync::Arc;
 
 /// The parameters of the laying.
@@ -103,9 +107,12 @@ impl Laying {
         let corners = building.corner_ids().map(Feature::Corner);
         let edges = building.edge_ids().map(Feature::Edge);
         let faces = building.face_ids().map(Feature::Face);
+        let order = corners.chain(edges).chain(faces).collect();
+        let mut site = Site::new(building, plan, PIXELS);
+        site.choose_phases();
         Ok(Self {
-            order: corners.chain(edges).chain(faces).collect(),
-            site: Site::new(building, plan),
+            order,
+            site,
             tree,
             params,
             next: 0,

@@ -1,10 +1,10 @@
 //! Runs: straight parts of convex edges, upright or level, along which cells are laid.
 
 use super::site::Site;
-use crate::building::{Bend, EdgeId, FaceId, Piece};
+use crate::building::{Bend, EdgeId, FaceId, Piece, Stance};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
-use crate::masonry::plan::{FaceGrid, is_wall};
+use crate::masonry::plan::{FaceGrid, divided, is_wall, pieces};
 use glam::{DVec2, DVec3};
 
 /// How far from a place the direction of an edge is looked at (metres).
@@ -18,30 +18,33 @@ pub(super) struct RunSide {
     pub face: FaceId,
     /// The place of the run's start on the face.
     pub place: DVec2,
-    /// Unit vector into the face: along +s, -s, +t or -t.
+    /// Unit vector into the face: along +s, -s, +t or -t on a wall.
     pub inwards: DVec2,
     /// The way on the face for each metre along the run.
     pub along: DVec2,
     /// The grid lines across `inwards`.
     pub lines: Vec<f64>,
+    /// Where the edge lies among them (metres).
+    pub start: f64,
+    /// 1 if they rise on the way into the face, else -1.
+    pub way: f64,
 }
 
 impl RunSide {
     /// The number of the line at the edge.
     pub fn line(&self) -> usize {
-        FaceGrid::line_at(&self.lines, self.place.dot(self.inwards.abs()))
+        FaceGrid::line_at(&self.lines, self.start)
     }
 
     /// How many columns lie within a distance from the edge.
     pub fn columns_within(&self, width: f64) -> usize {
-        let border = self.place + self.inwards * width.min(1e4);
-        FaceGrid::line_at(&self.lines, border.dot(self.inwards.abs())).abs_diff(self.line())
+        let border = self.start + self.way * width.min(1e4);
+        FaceGrid::line_at(&self.lines, border).abs_diff(self.line())
     }
 
     /// How far `count` columns reach into the face (metres).
     pub fn reach(&self, count: usize) -> f64 {
-        let way = self.inwards.x + self.inwards.y;
-        FaceGrid::reach(&self.lines, self.place.dot(self.inwards.abs()), way, count)
+        FaceGrid::reach(&self.lines, self.start, self.way, count)
     }
 
     /// The place of the edge at a distance along the run.
@@ -122,22 +125,36 @@ impl Site {
             .project(path.point(0.5 * (ends[0] + ends[1])))
             .truncate();
         let frame = surface.frame(middle.x, middle.y);
-        let inwards = axis(DVec2::new(inward.dot(frame.s), inward.dot(frame.t)))?;
+        let inwards = DVec2::new(inward.dot(frame.s), inward.dot(frame.t)).try_normalize()?;
         // On a disk, s is no arc length but at one radius.
         let beside = surface
             .project(path.point(0.5 * (ends[0] + ends[1]) + STEP))
             .truncate();
         let way = (beside - middle) / STEP;
-        let along = axis(way.try_normalize()?)? * way.length();
-        let place = middle - along * (0.5 * (ends[1] - ends[0]));
-        let lines = self.lines(face, inwards.x != 0.0);
-        Some(RunSide {
-            face,
-            place,
-            inwards,
-            along,
-            lines,
-        })
+        let side = |inwards: DVec2, along: DVec2, (lines, start, way): (Vec<f64>, f64, f64)| {
+            let along = along * (beside.distance(middle) / STEP);
+            let place = middle - along * (0.5 * (ends[1] - ends[0]));
+            RunSide {
+                face,
+                place,
+                inwards,
+                along,
+                lines,
+                start,
+                way,
+            }
+        };
+        let straight = axis(inwards).zip(axis(way.try_normalize()?));
+        if let Some((inwards, along)) = straight {
+            let lines = self.lines(face, inwards.x != 0.0);
+            let start = middle.dot(inwards.abs());
+            return Some(side(inwards, along, (lines, start, inwards.x + inwards.y)));
+        }
+        // The grid of a level face does not follow an oblique edge: lines of its own begin at it.
+        let is_level = self.face(face).stance() == Stance::Level && surface.is_flat();
+        let width = self.regions[face.index()].ray(middle, inwards, NEAR)?;
+        let lines = divided(&[0.0, width], &[pieces(width, self.plan.module.half)]);
+        is_level.then(|| side(inwards, way.normalize(), (lines, 0.0, 1.0)))
     }
 
     /// The lines of s or of t; those of s go on for a period to either side of a whole cylinder.

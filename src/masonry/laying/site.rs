@@ -18,6 +18,9 @@ const LEAST_SHARE: f64 = 0.05;
 /// The longest chord of an arc in (s, t) when an edge is claimed (metres).
 const CHORD: f64 = 0.06;
 
+/// The pixels along a module.
+pub(super) const PIXELS: f64 = 8.0;
+
 type Bounds = [DVec3; 2];
 
 /// The building and what is laid on it.
@@ -29,16 +32,20 @@ pub(super) struct Site {
     pub regions: Vec<Region>,
     pub cells: Vec<MasonryCell>,
     boxes: Vec<Bounds>,
+    /// The bounding boxes of the edges, so that most of them need no further test.
+    pub edge_boxes: Vec<Bounds>,
     /// For each face, the faces whose bounding boxes meet its own.
     near: Vec<Vec<FaceId>>,
 }
 
 impl Site {
-    pub fn new(building: Arc<Building>, plan: Plan) -> Self {
+    /// The empty site. `pixels` lie along a module in the maps of faces, usually [`PIXELS`].
+    pub fn new(building: Arc<Building>, plan: Plan, pixels: f64) -> Self {
         let regions: Vec<Region> = building.faces().iter().map(region).collect();
         let module = plan.module.half.min(plan.module.course);
         let maps = building.faces().iter().zip(&regions);
-        let faces = maps.map(|(face, region)| FaceMap::new(region, module, face.surface.period()));
+        let faces = maps
+            .map(|(face, region)| FaceMap::new(region, (module, pixels), face.surface.period()));
         let edges = building
             .edges()
             .iter()
@@ -54,6 +61,7 @@ impl Site {
         });
         Self {
             faces: faces.collect(),
+            edge_boxes: building.edges().iter().map(edge_bounds).collect(),
             edges: edges.collect(),
             near: near.collect(),
             cells: Vec::new(),
@@ -89,10 +97,11 @@ impl Site {
             return false;
         }
         let number = self.cells.len() as u32;
+        let around = draft.claimed.bounds();
         let found = self.claims(feature, &draft.claimed);
         for (face, footprint, _) in &found {
             self.faces[face.index()].claim(footprint, number);
-            self.claim_edges(*face, footprint, number);
+            self.claim_edges(*face, footprint, (number, &around));
         }
         let claimed = self.with_joints(draft.claimed, &found);
         let body = raised(&claimed, draft.fronts, draft.extrude);
@@ -211,11 +220,14 @@ impl Site {
         polygon.moved(DVec2::new(-turns * period, 0.0))
     }
 
-    /// Claims the parts of a face's edges that lie in or along a claim.
-    fn claim_edges(&mut self, id: FaceId, footprint: &Footprint, cell: u32) {
+    /// Claims the parts of a face's edges that lie in or along a claim. `around` is the bounding box of the cell.
+    fn claim_edges(&mut self, id: FaceId, footprint: &Footprint, (cell, around): (u32, &Bounds)) {
         let building = self.building.clone();
         let face = building.face(id);
         for walk in face.loops.iter().flatten() {
+            if !meet(around, &self.edge_boxes[walk.edge.index()]) {
+                continue;
+            }
             let edge = building.edge(walk.edge);
             for [from, to] in chords(edge) {
                 let ends =
@@ -305,6 +317,15 @@ fn bounds(building: &Building, face: &Face) -> Bounds {
         .iter()
         .flat_map(|&id| building.polygon(id).vertices.iter());
     let places = places.map(|&v| building.vertex(v).position);
+    places.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| {
+        [low.min(p), high.max(p)]
+    })
+}
+
+/// The bounding box of an edge; an arc may go beyond it by less than the tolerance of [`meet`].
+fn edge_bounds(edge: &Edge) -> Bounds {
+    let ends = chords(edge).into_iter().flatten();
+    let places = ends.map(|along| edge.path.point(along));
     places.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| {
         [low.min(p), high.max(p)]
     })

@@ -1,22 +1,26 @@
 //! Properties of whole buildings.
 
 use super::{CellSort, Feature, Laying, LayingParams, LayingWarning, Measures};
-use crate::building::{Building, Draft, EdgeId, Module, Rule};
+use crate::building::{Building, Draft, EdgeId, Misfit, Module, Rule};
 use crate::masonry::module::{ASHLAR, BLOCK};
 use crate::masonry::plan::{FaceGrid, PlanFault, is_wall, thicknesses};
 use crate::masonry::tree::{PRESETS, PatternTree};
 use std::sync::Arc;
 
 /// The paper's three trees with their modules.
-const TREES: [(usize, Module); 3] = [(0, BLOCK), (1, Module::NORMAL), (2, ASHLAR)];
-const BRICKS: (usize, Module) = TREES[1];
+pub(super) const TREES: [(usize, Module); 3] = [(0, BLOCK), (1, Module::NORMAL), (2, ASHLAR)];
+pub(super) const BRICKS: (usize, Module) = TREES[1];
 
-fn draft(rule: Rule, module: &Module) -> Draft {
+pub(super) fn draft(rule: Rule, module: &Module) -> Draft {
     let numbers: Vec<f64> = rule.numbers().iter().map(|number| number.default).collect();
     rule.draft(module, &numbers)
 }
 
-fn begun(draft: &Draft, (tree, module): (usize, Module), seed: u64) -> Result<Laying, PlanFault> {
+pub(super) fn begun(
+    draft: &Draft,
+    (tree, module): (usize, Module),
+    seed: u64,
+) -> Result<Laying, PlanFault> {
     let building = Arc::new(Building::new(draft).expect("a building"));
     let params = LayingParams {
         module,
@@ -28,7 +32,7 @@ fn begun(draft: &Draft, (tree, module): (usize, Module), seed: u64) -> Result<La
     Laying::new(building, tree, params, |face| thick[face.index()])
 }
 
-fn laid(draft: &Draft, tree: (usize, Module), seed: u64) -> Laying {
+pub(super) fn laid(draft: &Draft, tree: (usize, Module), seed: u64) -> Laying {
     let mut laying = begun(draft, tree, seed).expect("a plan");
     while !laying.advance(16) {}
     laying
@@ -38,7 +42,7 @@ fn laid(draft: &Draft, tree: (usize, Module), seed: u64) -> Laying {
 fn cells_are_closed_convex_and_leave_room_for_mortar() {
     for rule in [Rule::Gate, Rule::Steps, Rule::Ring, Rule::Gabled] {
         for tree in TREES {
-            let laying = laid(&draft(rule, &Module::NORMAL), tree, 1);
+            let laying = laid(&draft(rule, &tree.1), tree, 1);
             assert!(laying.cells().len() > 20);
             for cell in laying.cells() {
                 assert!(
@@ -54,14 +58,16 @@ fn cells_are_closed_convex_and_leave_room_for_mortar() {
 
 /// The bounds of bricks on a rule's building: the greatest gap, shared volume, and shares of cut bricks and of
 /// straight joints.
-const LIMITS: [(Rule, [f64; 4]); 7] = [
-    (Rule::Block, [1e-4, 1e-5, 0.0, 0.0]),
-    (Rule::LHouse, [0.005, 1e-4, 0.06, 0.03]),
-    (Rule::Wall, [0.005, 1e-4, 0.08, 0.04]),
-    (Rule::Gate, [0.005, 1e-4, 0.06, 0.04]),
-    (Rule::Steps, [0.001, 1e-4, 0.015, 0.01]),
-    (Rule::Tower, [0.001, 0.003, 0.03, 0.015]),
-    (Rule::Sheet, [1e-4, 1e-5, 0.0, 0.0]),
+const LIMITS: [(Rule, [f64; 4]); 9] = [
+    (Rule::Block, [5e-4, 3e-4, 0.0, 0.0]),
+    (Rule::LHouse, [0.0015, 3e-4, 0.05, 0.01]),
+    (Rule::Gabled, [0.0015, 3e-4, 0.06, 0.01]),
+    (Rule::Wall, [0.0015, 3e-4, 0.05, 0.01]),
+    (Rule::Gate, [0.0015, 3e-4, 0.05, 0.01]),
+    (Rule::Steps, [5e-4, 3e-4, 0.0, 0.03]),
+    (Rule::Tower, [5e-4, 0.002, 0.0, 0.01]),
+    (Rule::Ring, [0.0015, 3e-4, 0.03, 0.0]),
+    (Rule::Sheet, [5e-4, 3e-4, 0.0, 0.0]),
 ];
 
 #[test]
@@ -107,7 +113,7 @@ fn ashlar_fills_walls_nearly_without_overlaps() {
 #[test]
 fn claims_and_gaps_make_the_faces() {
     for tree in TREES {
-        let laying = laid(&draft(Rule::Wall, &Module::NORMAL), tree, 1);
+        let laying = laid(&draft(Rule::Wall, &tree.1), tree, 1);
         for face in laying.textured_faces() {
             let map = laying.face_map(face);
             let sum = map.claimed() + map.gap();
@@ -151,31 +157,6 @@ fn corners_come_before_edges_and_edges_before_faces() {
         .collect();
     assert!(kinds.is_sorted());
     assert!([0, 1, 2].iter().all(|kind| kinds.contains(kind)));
-}
-
-#[test]
-fn the_order_of_faces_does_not_change_the_bricks() {
-    let first = draft(Rule::Wall, &Module::NORMAL);
-    let mut turned = first.clone();
-    turned.faces.reverse();
-    let places = |draft: &Draft| {
-        let laying = laid(draft, BRICKS, 1);
-        let key = |p: glam::DVec3| (p * 1e4).round().to_array().map(|v| v as i64);
-        let mut places: Vec<[i64; 3]> = laying
-            .cells()
-            .iter()
-            .map(|cell| key(cell.claimed.centre()))
-            .collect();
-        places.sort_unstable();
-        places
-    };
-    let (a, b) = (places(&first), places(&turned));
-    assert!(
-        a.len().abs_diff(b.len()) * 100 < a.len(),
-        "{} {}",
-        a.len(),
-        b.len()
-    );
 }
 
 #[test]
@@ -231,7 +212,7 @@ fn modules_that_do_not_suit_a_building_are_refused() {
     };
     let refused = begun(&small, (1, stones), 1).map(|_| ());
     assert!(
-        matches!(refused, Err(PlanFault::ModuleTooLarge { width, .. }) if width < 0.1),
+        matches!(refused, Err(PlanFault::Misfit(Misfit::ModuleTooLarge { width, .. })) if width < 0.1),
         "{refused:?}"
     );
     let bad = Module {

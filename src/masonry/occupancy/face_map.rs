@@ -21,9 +21,9 @@ pub struct FaceMap {
 }
 
 impl FaceMap {
-    /// The map of a face with this outline. `module` is the pattern's unit W (metres, above 0): pixels are an eighth
-    /// of it. On a whole cylinder the region covers one `period` of s.
-    pub fn new(region: &Region, module: f64, period: Option<f64>) -> Self {
+    /// The map of a face with this outline. `module` is the pattern's unit W (metres, above 0), and `pixels` of them
+    /// lie along it. On a whole cylinder the region covers one `period` of s.
+    pub fn new(region: &Region, (module, pixels): (f64, f64), period: Option<f64>) -> Self {
         let bounds = region.bounds().unwrap_or_default();
         // Obstacles need to be as wide as anything that may be laid across the border.
         let margin = 8.0 * module;
@@ -32,7 +32,7 @@ impl FaceMap {
         let mut outside = Claims::new(bounds);
         let mut map = Self {
             period,
-            bitmap: Bitmap::new(region, module / 8.0),
+            bitmap: Bitmap::new(region, module / pixels),
             claims: Claims::new(bounds),
             inside,
             outside: outside.clone(),
@@ -205,7 +205,7 @@ mod tests {
 
     #[test]
     fn a_face_begins_free_and_its_window_occupied() {
-        let map = FaceMap::new(&wall(), W, None);
+        let map = FaceMap::new(&wall(), (W, 8.0), None);
         assert_eq!(
             map.coverage(&rectangle((0.0, 0.0), (1.0, 0.5))),
             Coverage::Free
@@ -234,7 +234,7 @@ mod tests {
     fn claims_and_gap_make_the_face() {
         let mut random = Random::new(1, Purpose::Scatter, 0);
         for period in [None, Some(3.0)] {
-            let mut map = FaceMap::new(&wall(), W, period);
+            let mut map = FaceMap::new(&wall(), (W, 8.0), period);
             // Columns of bricks with slanted ends, which overlap nobody, some beyond the border.
             for row in 0..16 {
                 let y = 0.125 * f64::from(row);
@@ -273,7 +273,7 @@ mod tests {
 
     #[test]
     fn a_claim_over_the_seam_of_a_cylinder_is_met_from_both_sides() {
-        let mut map = FaceMap::new(&wall(), W, Some(3.0));
+        let mut map = FaceMap::new(&wall(), (W, 8.0), Some(3.0));
         map.claim(&rectangle((2.75, 0.0), (3.25, 0.25)), 1);
         for place in [
             rectangle((2.75, 0.0), (3.0, 0.25)),
@@ -288,7 +288,7 @@ mod tests {
     #[test]
     fn cells_are_clipped_by_holes_surroundings_and_claims() {
         use crate::masonry::free_space::{LEAST_SHARE, clip};
-        let mut map = FaceMap::new(&wall(), W, None);
+        let mut map = FaceMap::new(&wall(), (W, 8.0), None);
         map.claim(&rectangle((0.0, 1.0), (0.25, 1.25)), 1);
         let cell = rectangle((-0.25, 1.0), (1.25, 1.25));
         let part = clip(&cell, &map.obstacles(&cell), 0.005, LEAST_SHARE).unwrap();

@@ -1,7 +1,7 @@
 //! Why a building cannot be laid with a module, and what may look wrong.
 
 use super::lines::CourseWarning;
-use crate::building::{EdgeId, FaceId};
+use crate::building::{EdgeId, FaceId, Misfit, ThinWall};
 use crate::masonry::module::ModuleFault;
 
 /// Why a building cannot be laid with a module.
@@ -9,20 +9,8 @@ use crate::masonry::module::ModuleFault;
 pub enum PlanFault {
     /// The module itself.
     Module(ModuleFault),
-    /// All intervals of the walls that hang together are narrower than half a module.
-    ModuleTooLarge {
-        /// One of the walls.
-        face: FaceId,
-        /// The widest interval of these walls (metres).
-        width: f64,
-    },
-    /// A wall between two convex edges is narrower than half a module.
-    TooNarrow {
-        /// The wall.
-        face: FaceId,
-        /// Its width (metres).
-        width: f64,
-    },
+    /// The building is too small, or a wall too narrow or too thin.
+    Misfit(Misfit),
 }
 
 /// A warning about what may look wrong.
@@ -44,13 +32,8 @@ pub enum PlanWarning {
         /// Their width over the module's.
         ratio: f64,
     },
-    /// A wall between two convex edges is narrower than two modules: its bricks are halves.
-    Narrow {
-        /// The wall.
-        face: FaceId,
-        /// Its width (metres).
-        width: f64,
-    },
+    /// A wall is thinner than half a brick: cells reach to its middle.
+    Thin(ThinWall),
     /// Bricks of two walls do not alternate at this edge; its bricks alternate by rows alone.
     Conflict(EdgeId),
 }

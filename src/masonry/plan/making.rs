@@ -23,6 +23,8 @@ pub struct Plan {
     pub module: Module,
     /// The grid of each face.
     pub grids: Vec<FaceGrid>,
+    /// For each face the first of those walls that must be shifted by a column together with it.
+    pub phase_sets: Vec<FaceId>,
     /// The edges at which bricks do not alternate.
     pub conflicts: Vec<EdgeId>,
     /// The changes of columns that have removed conflicts; walls are numbered as faces.
@@ -54,7 +56,8 @@ fn base(face: &Face) -> f64 {
 }
 
 impl Plan {
-    /// The plan of a building. `depth` gives how deep cells of each face may reach (metres).
+    /// The plan of a building. `depth` gives how deep cells of each face may reach: half of
+    /// the wall's thickness (metres).
     ///
     /// # Errors
     /// If the module does not suit the building.
@@ -64,12 +67,16 @@ impl Plan {
         depth: impl Fn(FaceId) -> f64,
     ) -> Result<Self, PlanFault> {
         module::check(&module).map_err(PlanFault::Module)?;
+        let thin = building
+            .fits(&module, |face| 2.0 * depth(face))
+            .map_err(PlanFault::Misfit)?;
         let mut making = PlanMaking::new(building, module);
-        making.refuse_large_modules()?;
+        making
+            .warnings
+            .extend(thin.into_iter().map(PlanWarning::Thin));
         making.find_courses();
         let (changes, phases) = making.find_phases();
         making.tell_columns();
-        making.tell_narrow_walls()?;
         Ok(making.finish(changes, &phases, depth))
     }
 
@@ -123,19 +130,6 @@ impl<'a> PlanMaking<'a> {
             walls.entry(self.groups[id.index()]).or_default().push(id);
         }
         walls
-    }
-
-    fn refuse_large_modules(&self) -> Result<(), PlanFault> {
-        for (face, walls) in self.walls() {
-            let widths = walls
-                .iter()
-                .flat_map(|wall| &self.columns[wall.index()].columns.widths);
-            let width = widths.fold(0.0, |widest: f64, &width| widest.max(width));
-            if width < 0.5 * self.module.half {
-                return Err(PlanFault::ModuleTooLarge { face, width });
-            }
-        }
-        Ok(())
     }
 
     fn find_courses(&mut self) {
@@ -238,33 +232,6 @@ impl<'a> PlanMaking<'a> {
         }
     }
 
-    /// Tells narrow walls between two convex edges: their bricks need two modules.
-    fn tell_narrow_walls(&mut self) -> Result<(), PlanFault> {
-        for face in self
-            .building
-            .face_ids()
-            .filter(|&id| is_wall(self.building.face(id)))
-        {
-            let fixed = &self.columns[face.index()].fixed;
-            let width = fixed[fixed.len() - 1] - fixed[0];
-            let is_convex = |&id: &EdgeId| {
-                let edge = self.building.edge(id);
-                edge.is_vertical() && edge.bend == Bend::Convex
-            };
-            let convex = edges(self.building.face(face)).filter(is_convex).count();
-            if convex < 2 {
-                continue;
-            }
-            if width < 0.5 * self.module.half {
-                return Err(PlanFault::TooNarrow { face, width });
-            }
-            if width < 1.75 * self.module.half {
-                self.warnings.push(PlanWarning::Narrow { face, width });
-            }
-        }
-        Ok(())
-    }
-
     fn finish(
         mut self,
         changes: Vec<Change>,
@@ -282,6 +249,7 @@ impl<'a> PlanMaking<'a> {
         Plan {
             module: self.module,
             grids,
+            phase_sets: phases.roots.iter().map(|&root| FaceId(root)).collect(),
             conflicts,
             changes,
             warnings: self.warnings,

@@ -119,6 +119,8 @@ impl Phases {
 pub struct PhasePlan {
     /// The phase of each wall.
     pub phases: Vec<bool>,
+    /// The wall with the smallest number among those whose phases depend on each wall's.
+    pub roots: Vec<u32>,
     /// The numbers of the edges at which the bricks of two walls do not alternate.
     pub conflicts: Vec<u32>,
 }
@@ -134,8 +136,10 @@ pub fn solve(columns: &[Columns], edges: &[PhaseEdge]) -> PhasePlan {
         }
     }
     let walls = 0..columns.len() as u32;
+    let (roots, phases) = walls.map(|wall| phases.root(wall)).unzip();
     PhasePlan {
-        phases: walls.map(|wall| phases.root(wall).1).collect(),
+        phases,
+        roots,
         conflicts,
     }
 }

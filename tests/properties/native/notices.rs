@@ -3,10 +3,17 @@
 //! module give all other notices, and reads from this file which ones it can leave out.
 
 use super::lines::outline;
+use bubblestone::building::{
+    Arc, Draft, DraftArc, DraftFace, MOST_FACES, MOST_SIDES, Module, Path, Piece, Rule, Surface,
+    Sweep, write_json,
+};
 use bubblestone::generators::pavement::{self, PavementRecipe};
+use bubblestone::generators::{ALL, GivenFile};
 use bubblestone::modelfiles::Reading;
 use bubblestone::notice::{Arg, Code, Notice};
+use bubblestone::recipe::Recipe;
 use bubblestone::scene::Camera;
+use bubblestone::studio::Studio;
 use bubblestone::surface_field::fit::check_count;
 use bubblestone::trimesh::TriMesh;
 use bubblestone::trimesh::refine::Refining;
@@ -58,4 +65,217 @@ fn too_much_for_a_machine_is_refused() {
     text += &"f 1 2 3\n".repeat(2_000_001);
     let read = Reading::read("a.obj", text.into_bytes());
     assert_eq!(read.err().map(|why| why.code), Some(Code::ModelTooLarge));
+}
+
+/// The codes of why a building's file is refused, or of the remarks on it.
+fn said_of(text: &str, link: &str) -> Vec<Code> {
+    let recipe: Recipe = ALL.recipe(&format!("make=masonry&size=128{link}")).0;
+    let mut studio = Studio::new(ALL, recipe);
+    let file = GivenFile::whole("building.json", text.as_bytes().to_vec());
+    studio.open_file(None, file).expect("a file");
+    while studio.problem().is_none()
+        && !["laying", "bodies", "light", "done"].contains(&studio.stage())
+    {
+        studio.tick(&mut || 0.0, 0.0, u32::MAX);
+    }
+    let problem = studio.problem().cloned();
+    let remarks = studio.engine().remarks();
+    codes(&problem.into_iter().chain(remarks).collect::<Vec<Notice>>())
+}
+
+/// A building by rule with something changed.
+fn changed(rule: Rule, change: impl FnOnce(&mut Draft)) -> Vec<Code> {
+    let mut draft = rule.draft(&Module::NORMAL, &[]);
+    change(&mut draft);
+    said_of(&write_json(&draft), "")
+}
+
+#[test]
+fn files_that_are_no_buildings_are_refused() {
+    let good = write_json(&Rule::Block.draft(&Module::NORMAL, &[]));
+    assert_eq!(said_of(&good, ""), []);
+    assert_eq!(said_of(&good[..40], ""), [Code::BuildingJson]);
+    for (from, to, code) in [
+        ("\"version\":1", "\"version\":2", Code::BuildingVersion),
+        ("\"unit\":\"m\"", "\"unit\":\"mm\"", Code::BuildingUnit),
+        ("\"v\":", "\"w\":", Code::BuildingField),
+        ("\"param\"", "\"other\"", Code::BuildingNoSurface),
+    ] {
+        assert_eq!(said_of(&good.replacen(from, to, 1), ""), [code]);
+    }
+    let block = |change: fn(&mut Draft)| changed(Rule::Block, change);
+    let far = block(|draft| draft.vertices[0].x = 20_000.0);
+    assert_eq!(far, [Code::BuildingNumber]);
+    assert_eq!(block(|draft| draft.faces.clear()), [Code::BuildingEmpty]);
+    let many = block(|draft| draft.faces = vec![draft.faces[0].clone(); MOST_FACES + 1]);
+    assert_eq!(many, [Code::BuildingFaces]);
+    let sides = block(|draft| draft.vertices.resize(MOST_SIDES + 1, DVec3::ZERO));
+    assert_eq!(sides, [Code::BuildingSides]);
+    let vertex = block(|draft| draft.faces[2].loops[0][1] = 99);
+    assert_eq!(vertex, [Code::BuildingVertex]);
+    let short = block(|draft| draft.faces[0].loops[0].truncate(2));
+    assert_eq!(short, [Code::BuildingLoop]);
+}
+
+#[test]
+fn bad_arcs_and_surfaces_are_told_apart() {
+    let arc = |change: fn(&mut DraftArc)| changed(Rule::Gate, |draft| change(&mut draft.arcs[0]));
+    assert_eq!(arc(|arc| arc.axis = DVec3::ZERO), [Code::BuildingArcAxis]);
+    assert_eq!(arc(|arc| arc.centre.x += 0.1), [Code::BuildingArcRadius]);
+    assert_eq!(arc(|arc| arc.centre.z += 0.1), [Code::BuildingArcPlane]);
+    let twice = changed(Rule::Gate, |draft| draft.arcs.push(draft.arcs[0]));
+    assert_eq!(twice, [Code::BuildingArcTwice]);
+    let swept = |pieces: Vec<Piece>, direction: DVec3| {
+        changed(Rule::Block, |draft| {
+            draft.faces[0].surface = Some(Surface::Sweep(Sweep::new(Path::new(pieces), direction)));
+        })
+    };
+    let line = |from: f64, to: f64| Piece::Line {
+        from: DVec3::X * from,
+        to: DVec3::X * to,
+    };
+    let turn = Piece::Line {
+        from: DVec3::X,
+        to: DVec3::X + DVec3::Z,
+    };
+    let up = DVec3::Y;
+    assert_eq!(swept(vec![line(1.0, 1.0)], up), [Code::BuildingNoLength]);
+    assert_eq!(
+        swept(vec![line(0.0, 1.0)], 2.0 * up),
+        [Code::BuildingDirection]
+    );
+    assert_eq!(
+        swept(vec![line(0.0, 1.0), line(1.1, 2.0)], up),
+        [Code::BuildingGap]
+    );
+    assert_eq!(swept(vec![line(0.0, 1.0), turn], up), [Code::BuildingKink]);
+    let tower =
+        |change: fn(&mut DraftFace)| changed(Rule::Tower, |draft| change(&mut draft.faces[0]));
+    assert_eq!(
+        tower(|face| face.loops.truncate(1)),
+        [Code::BuildingUnbounded]
+    );
+    let turned = tower(|face| {
+        if let Some(Surface::Sweep(sweep)) = &face.surface
+            && let [Piece::Arc(arc), ..] = sweep.profile().pieces()
+        {
+            let arc = Piece::Arc(Arc {
+                to: arc.from + 9.0,
+                ..*arc
+            });
+            face.surface = Some(Surface::Sweep(Sweep::new(
+                Path::new(vec![arc]),
+                sweep.direction(),
+            )));
+        }
+    });
+    assert_eq!(turned, [Code::BuildingTurns]);
+}
+
+/// Moves a flat face's surface along its normal (metres).
+fn moved(face: &mut DraftFace, by: f64) {
+    let frame = face.surface.as_ref().expect("a surface").frame(0.0, 0.0);
+    face.surface = Some(Surface::flat(
+        frame.origin + frame.normal * by,
+        frame.s,
+        frame.t,
+    ));
+}
+
+#[test]
+fn faces_that_do_not_fit_together_are_told_apart() {
+    let block = |change: fn(&mut Draft)| changed(Rule::Block, change);
+    assert_eq!(
+        block(|draft| moved(&mut draft.faces[4], 0.002)),
+        [Code::BuildingOff]
+    );
+    let alone = |change: fn(&mut DraftFace)| {
+        changed(Rule::Block, |draft| {
+            draft.faces.truncate(1);
+            change(&mut draft.faces[0]);
+        })
+    };
+    assert_eq!(
+        alone(|face| face.loops[0].swap(0, 1)),
+        [Code::BuildingCrossing]
+    );
+    assert_eq!(
+        alone(|face| face.loops[0].reverse()),
+        [Code::BuildingInsideOut]
+    );
+    let turned = block(|draft| draft.faces[4].loops[0].reverse());
+    assert_eq!(turned, [Code::BuildingTurned]);
+    let three = block(|draft| {
+        let [a, b] = [draft.faces[0].loops[0][0], draft.faces[0].loops[0][1]];
+        let first = draft.vertices.len() as u32;
+        for v in [a, b] {
+            draft.vertices.push(draft.vertices[v as usize] + DVec3::Z);
+        }
+        let mut face = draft.faces[0].clone();
+        face.surface = Some(Surface::flat(
+            draft.vertices[a as usize],
+            DVec3::Z,
+            DVec3::X,
+        ));
+        face.loops = vec![vec![a, first, first + 1, b]];
+        draft.faces.push(face);
+    });
+    assert_eq!(three, [Code::BuildingManifold]);
+}
+
+#[test]
+fn what_is_odd_about_a_building_is_told() {
+    let named = changed(Rule::Block, |draft| {
+        draft.edge_flips.push([0, 99]);
+        draft.corner_flips.push(77);
+        draft.arcs.push(DraftArc {
+            from: 0,
+            to: 2,
+            centre: (draft.vertices[0] + draft.vertices[2]) * 0.5,
+            axis: DVec3::Z,
+        });
+    });
+    assert_eq!(
+        named,
+        [
+            Code::BuildingUnusedArc,
+            Code::BuildingNoEdge,
+            Code::BuildingNoCorner
+        ]
+    );
+    let open = changed(Rule::Block, |draft| drop(draft.faces.remove(4)));
+    assert_eq!(open, [Code::BuildingOpen]);
+    let pinched = changed(Rule::Block, |draft| {
+        let most = draft
+            .vertices
+            .iter()
+            .fold(DVec3::ZERO, |most, v| most.max(*v));
+        let by = DVec3::new(2.0 * most.x, most.y, 2.0 * most.z);
+        let first = draft.vertices.len() as u32;
+        let other: Vec<DVec3> = draft.vertices.iter().map(|v| *v + by).collect();
+        draft.vertices.extend(other);
+        for mut face in draft.faces.clone() {
+            face.loops.iter_mut().flatten().for_each(|v| *v += first);
+            let frame = face.surface.as_ref().expect("a surface").frame(0.0, 0.0);
+            face.surface = Some(Surface::flat(frame.origin + by, frame.s, frame.t));
+            draft.faces.push(face);
+        }
+    });
+    assert!(pinched.contains(&Code::BuildingPinched));
+    let sheet = |thickness: f64| {
+        changed(Rule::Sheet, |draft| {
+            draft.faces[0].thickness = Some(thickness)
+        })
+    };
+    assert_eq!(sheet(0.05), [Code::MasonryTooThin]);
+    assert!(sheet(0.1).contains(&Code::MasonryThin));
+    let house = write_json(&Rule::LHouse.draft(&Module::NORMAL, &[]));
+    let uneven = said_of(&house, "&module=own&w=180&h=500&joint=10");
+    for code in [
+        Code::MasonryNear,
+        Code::MasonryCourses,
+        Code::MasonryColumns,
+    ] {
+        assert!(uneven.contains(&code), "{}", code.word());
+    }
 }

@@ -1,0 +1,69 @@
+//! Masonry: a house laid without geometry, with few and with many bricks.
+
+use super::{Clock, Timing, shortest};
+use bubblestone::building::{Building, Draft, Module, Rule};
+use bubblestone::masonry::laying::{Laying, LayingParams};
+use bubblestone::masonry::plan::thicknesses;
+use bubblestone::masonry::tree::TreePreset;
+use std::sync::Arc;
+
+/// How much smaller bricks are, so that the same house has about 50,000.
+const SMALLER: f64 = 11.0 / 3.0;
+/// Features in a slice.
+const FEATURES: usize = 64;
+
+/// The house.
+fn house() -> Draft {
+    Rule::LHouse.draft(&Module::NORMAL, &[]).sorted()
+}
+
+/// Lays all bricks of a building; none if it cannot be laid. Returns their number.
+fn laid(building: &Arc<Building>, smaller: f64) -> Option<usize> {
+    let tree = TreePreset::of_word("bricks")?.tree();
+    let normal = Module::NORMAL;
+    let params = LayingParams {
+        module: Module {
+            half: normal.half / smaller,
+            course: normal.course / smaller,
+            joint: normal.joint / smaller,
+        },
+        is_by_hand: false,
+        seed: 1,
+    };
+    let thickness = thicknesses(building).ok()?;
+    let mut laying = Laying::new(building.clone(), tree, params, |face| {
+        thickness[face.index()]
+    })
+    .ok()?;
+    while !laying.advance(FEATURES) {}
+    Some(laying.cells().len())
+}
+
+/// Times the laying of the house, and of the same house with small bricks; and a thousand bricks of each.
+pub fn timings(clock: Clock) -> Vec<Timing> {
+    let Ok(building) = Building::new(&house()).map(Arc::new) else {
+        return Vec::new();
+    };
+    let mut timings = Vec::new();
+    for (name, smaller, runs) in [
+        ("the house", 1.0, 9),
+        ("the house of small bricks", SMALLER, 3),
+    ] {
+        let mut bricks = 0;
+        let times = (0..runs).map(|_| {
+            let start = clock();
+            bricks = laid(&building, smaller).unwrap_or(0);
+            clock() - start
+        });
+        let ms = shortest(times);
+        timings.push(Timing {
+            name: format!("{name}, laid: {bricks} bricks"),
+            ms,
+        });
+        timings.push(Timing {
+            name: format!("a thousand bricks of {name}"),
+            ms: 1e3 * ms / bricks.max(1) as f64,
+        });
+    }
+    timings
+}

@@ -1,0 +1,164 @@
+//! Changes that must leave the cells as they are, and areas that must add up.
+
+use super::site::{PIXELS, Site};
+use super::tests::{BRICKS, TREES, begun, draft, laid};
+use super::{CellSort, Laying, Measures};
+use crate::building::{Arc, Draft, Module, Path, Piece, Rule, Surface, Sweep, labels};
+use glam::DVec3;
+
+/// The rules whose buildings have flat faces and cylinders, no sectors of disks.
+const SWEPT: [Rule; 7] = [
+    Rule::Block,
+    Rule::LHouse,
+    Rule::Gabled,
+    Rule::Wall,
+    Rule::Gate,
+    Rule::Steps,
+    Rule::Sheet,
+];
+
+/// A draft whose places and directions are turned or mirrored about the origin.
+fn mapped(draft: &Draft, map: impl Fn(DVec3) -> DVec3) -> Draft {
+    let mut draft = draft.clone();
+    let is_mirror = map(DVec3::X).cross(map(DVec3::Y)).dot(map(DVec3::Z)) < 0.0;
+    let piece = |piece: &Piece| match *piece {
+        // The direction of s turns round in a mirror, so that s, t and the normal stay right-handed.
+        Piece::Line { from, to } if is_mirror => Piece::Line {
+            from: map(to),
+            to: map(from),
+        },
+        Piece::Line { from, to } => Piece::Line {
+            from: map(from),
+            to: map(to),
+        },
+        Piece::Arc(arc) => Piece::Arc(Arc {
+            centre: map(arc.centre),
+            x: map(arc.x),
+            y: map(arc.y),
+            ..arc
+        }),
+    };
+    for vertex in &mut draft.vertices {
+        *vertex = map(*vertex);
+    }
+    for arc in &mut draft.arcs {
+        (arc.centre, arc.axis) = (map(arc.centre), map(arc.axis));
+    }
+    for face in &mut draft.faces {
+        if is_mirror {
+            face.loops.iter_mut().for_each(|ring| ring.reverse());
+        }
+        if let Some(Surface::Sweep(sweep)) = &face.surface {
+            let pieces = sweep.profile().pieces().iter().map(piece).collect();
+            face.surface = Some(Surface::Sweep(Sweep::new(
+                Path::new(pieces),
+                map(sweep.direction()),
+            )));
+        }
+    }
+    draft.sorted()
+}
+
+/// The numbers of cells and of cut ones.
+fn counts(laying: &Laying) -> [usize; 2] {
+    let cut = laying
+        .cells()
+        .iter()
+        .filter(|cell| cell.sort == CellSort::Cut);
+    [laying.cells().len(), cut.count()]
+}
+
+#[test]
+fn the_order_of_faces_does_not_change_the_cells() {
+    for (rule, tree) in Rule::ALL
+        .into_iter()
+        .flat_map(|rule| TREES.map(|tree| (rule, tree)))
+    {
+        let first = draft(rule, &tree.1);
+        let mut turned = first.clone();
+        turned.faces.reverse();
+        let cells = |draft: Draft| laid(&draft.sorted(), tree, 1).cells().to_vec();
+        assert!(cells(first) == cells(turned), "{rule:?}");
+    }
+}
+
+#[test]
+fn a_turned_building_has_as_many_bricks() {
+    for rule in SWEPT {
+        let draft = draft(rule, &Module::NORMAL);
+        let first = counts(&laid(&draft.clone().sorted(), BRICKS, 1));
+        let turned = mapped(&draft, |p| DVec3::new(p.z, p.y, -p.x));
+        assert_eq!(first, counts(&laid(&turned, BRICKS, 1)), "{rule:?}");
+    }
+}
+
+#[test]
+fn a_mirrored_building_has_as_many_bricks() {
+    // Heads are straight: arcs keep their direction.
+    let straight = [
+        Rule::Block.draft(&Module::NORMAL, &[]),
+        Rule::LHouse.draft(&Module::NORMAL, &[36.0, 24.0, 12.0, 12.0, 36.0, 2.0, 0.0]),
+        Rule::Steps.draft(&Module::NORMAL, &[]),
+    ];
+    for draft in straight {
+        let first = counts(&laid(&draft.clone().sorted(), BRICKS, 1));
+        let mirrored = mapped(&draft, |p| DVec3::new(-p.x, p.y, p.z));
+        assert_eq!(first, counts(&laid(&mirrored, BRICKS, 1)));
+    }
+}
+
+#[test]
+fn claims_and_gaps_of_bricks_make_the_faces() {
+    for rule in [Rule::Block, Rule::Wall, Rule::Gate, Rule::Steps, Rule::Ring] {
+        let laying = laid(&draft(rule, &Module::NORMAL), BRICKS, 1);
+        for face in laying.textured_faces() {
+            let map = laying.face_map(face);
+            let sum = map.claimed() + map.gap() - map.area();
+            let overlap = map.overlap();
+            assert!(
+                (-1e-6..overlap + 1e-6).contains(&sum),
+                "{rule:?} {face:?} {sum} {overlap}"
+            );
+            assert!(overlap < 1e-4 * map.area(), "{rule:?} {face:?} {overlap}");
+        }
+    }
+}
+
+#[test]
+fn finer_pixels_change_hardly_a_cell() {
+    for rule in [Rule::Gabled, Rule::Gate, Rule::Tower] {
+        let draft = draft(rule, &Module::NORMAL);
+        let coarse = laid(&draft, BRICKS, 1);
+        let mut fine = begun(&draft, BRICKS, 1).expect("a plan");
+        let plan = fine.plan().clone();
+        fine.site = Site::new(fine.site.building.clone(), plan, 2.0 * PIXELS);
+        while !fine.advance(64) {}
+        let [a, b] = [&coarse, &fine].map(|laying| laying.cells());
+        let other = a.iter().filter(|cell| !b.contains(cell)).count();
+        assert!(other * 100 <= a.len(), "{rule:?}: {other} of {}", a.len());
+    }
+}
+
+#[test]
+fn every_tree_is_laid_on_every_building() {
+    for (rule, tree) in Rule::ALL
+        .into_iter()
+        .flat_map(|rule| TREES.map(|tree| (rule, tree)))
+    {
+        let laying = laid(&draft(rule, &tree.1), tree, 1);
+        assert_eq!(laying.warnings(), [], "{rule:?} {tree:?}");
+        let (building, found) = (laying.building(), Measures::new(&laying));
+        let is_glass =
+            |face: &crate::building::Face| face.labels.iter().any(|label| label == labels::GLASS);
+        let clad = building
+            .faces()
+            .iter()
+            .filter(|face| !is_glass(face))
+            .count();
+        assert_eq!(laying.textured_faces().count(), clad, "{rule:?} {tree:?}");
+        assert!(
+            found.gap < 0.01 && found.shared_volume < 0.01,
+            "{rule:?} {tree:?} {found:?}"
+        );
+    }
+}
