@@ -64,6 +64,7 @@ fn measures(laying: &Laying) -> String {
         ("whole", m.whole),
         ("half", m.half),
         ("cut", m.cut),
+        ("raked", m.raked),
         ("straight", m.straight),
         ("course", m.course),
     ];

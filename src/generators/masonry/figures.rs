@@ -53,8 +53,14 @@ impl MasonryEngine {
                 )
             }
             MasonryView::Sizes => {
-                let sorts = [CellSort::Whole, CellSort::Half, CellSort::Cut];
-                let [whole, half, cut] = sorts.map(|sort| of(&|cell| cell.sort == sort));
+                let sorts = [
+                    CellSort::Whole,
+                    CellSort::Half,
+                    CellSort::Cut,
+                    CellSort::Raked,
+                ];
+                let [whole, half, cut, raked] = sorts.map(|sort| of(&|cell| cell.sort == sort));
+                let cut = cut + raked;
                 Some(
                     Notice::new(Code::MasonrySizes)
                         .with("whole", whole)

@@ -9,6 +9,7 @@ mod engine;
 mod figures;
 mod files;
 mod grain;
+mod ground;
 mod params;
 mod presets;
 mod rules;
@@ -19,6 +20,7 @@ mod subject;
 #[cfg(test)]
 mod tests;
 mod views;
+mod weather;
 
 pub use schema::keys;
 
@@ -59,7 +61,7 @@ pub static MASONRY: Generator = Generator {
     names: &["building", "pattern"],
     samples: &[],
     chance: "masonry",
-    home: "330,16,2.6,28",
+    home: "330,16,2.8,28",
     lowest: -85.0,
     engine: |recipe| Box::new(MasonryEngine::new(recipe)),
 };

@@ -19,67 +19,72 @@ const fn drawn(
 pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Buildings", "cottage", "Cottage"],
-        "Red brick with pale sills and lintels stands under slates in evening light.",
-        "v=1&make=masonry&building=gabled&dressing=pale&az=62&el=26",
+        "Red brick with pale sills and quoins stands under slates in evening light.",
+        "v=1&make=masonry",
     ),
     Preset::plain(
         ["Buildings", "farmhouse", "Farmhouse"],
-        "Rough grey stones of many sizes turn every corner of an L-shaped house.",
-        "v=1&make=masonry&building=lhouse&pattern=ashlar&module=ashlar&rough=0.6&walls=grey",
+        "Rough grey stones turn every corner of an L-shaped house, and moss grows on its tiles.",
+        "v=1&make=masonry&building=lhouse&pattern=ashlar&module=ashlar&rough=0.5&walls=grey&roof=stone&moss=0.4&yaw=140",
     ),
     Preset::plain(
         ["Buildings", "stone-house", "Stone house"],
         "Honey-coloured ashlar frames its windows with long and short pale stones.",
-        "v=1&make=masonry&building=gabled&pattern=ashlar&module=ashlar&rough=0.45&walls=honey&dressing=pale",
+        "v=1&make=masonry&pattern=ashlar&module=ashlar&rough=0.4&walls=honey&roof=tiles",
     ),
     Preset::plain(
         ["Buildings", "garden-wall", "Garden wall"],
-        "Three openings have a round, a straight and a segmental head in one wall.",
-        "v=1&make=masonry&building=wall&dressing=pale&az=60",
+        "Three openings have a round and two straight heads, and a coping keeps the rain off.",
+        "v=1&make=masonry&building=wall&pattern=coped&ground=gravel&moss=0.45&az=60",
+    ),
+    Preset::plain(
+        ["Buildings", "brick-tower", "Round tower"],
+        "The bond closes all around a damp tower, and a coping lies on top.",
+        "v=1&make=masonry&building=tower&pattern=coped&walls=yellow&damp=0.8&moss=0.4",
     ),
     Preset::plain(
         ["Buildings", "brick-gate", "Gate"],
         "Two rings of bricks on edge carry the wall above a round arch.",
-        "v=1&make=masonry&building=gate&walls=yellow",
+        "v=1&make=masonry&building=gate&pattern=coped&walls=yellow&ground=paving",
     ),
     Preset::plain(
         ["Buildings", "brick-steps", "Steps"],
         "Bricks climb with the steps, and caps lie on the columns beside them.",
-        "v=1&make=masonry&building=steps&walls=dark",
+        "v=1&make=masonry&building=steps&walls=dark&ground=paving",
     ),
     Preset::plain(
         ["Buildings", "pentagon", "Pentagon"],
         "Five walls cannot alternate at every corner until one column is added.",
-        "v=1&make=masonry&building=ring",
+        "v=1&make=masonry&building=ring&ground=gravel",
     ),
     drawn(
         ["masonry7-a", "Block, RGB", "Fig. 7"],
         "Blocks of corners are red, of edges green and of faces blue: the three passes of the method.",
-        "v=1&make=masonry&pattern=rgb&module=cube&walls=parts",
+        "v=1&make=masonry&building=block&pattern=rgb&module=cube&walls=parts&dressing=same&ground=none&moss=0&damp=0",
     ),
     drawn(
         ["masonry7-b", "Block, bricks", "Fig. 7"],
         "The running bond meets at every edge, since stretchers and headers alternate there.",
-        "v=1&make=masonry",
+        "v=1&make=masonry&building=block&dressing=same&ground=none&moss=0&damp=0",
     ),
     drawn(
         ["masonry7-c", "Block, ashlar", "Fig. 7"],
         "Stones of random size fill the faces between alternating stones of the edges.",
-        "v=1&make=masonry&pattern=ashlar&module=ashlar&rough=0.5&walls=honey",
+        "v=1&make=masonry&building=block&pattern=ashlar&module=ashlar&rough=0.5&walls=honey&dressing=same&ground=none&moss=0&damp=0",
     ),
     drawn(
         ["masonry7-d", "House, RGB", "Fig. 7"],
         "The openings of a house have corners and edges of their own.",
-        "v=1&make=masonry&building=gabled&pattern=rgb&module=cube&walls=parts",
+        "v=1&make=masonry&pattern=rgb&module=cube&walls=parts&dressing=same&ground=none&moss=0&damp=0",
     ),
     drawn(
         ["masonry7-g", "Gate, RGB", "Fig. 7"],
         "The blocks of an arch's edge follow its curve.",
-        "v=1&make=masonry&building=gate&pattern=rgb&module=cube&walls=parts",
+        "v=1&make=masonry&building=gate&pattern=rgb&module=cube&walls=parts&dressing=same&ground=none&moss=0&damp=0",
     ),
     drawn(
         ["masonry7-i", "Gate, ashlar", "Fig. 7"],
         "Voussoirs and a hood of thinner stones go round the arch.",
-        "v=1&make=masonry&building=gate&pattern=ashlar&module=ashlar&rough=0.5&walls=honey",
+        "v=1&make=masonry&building=gate&pattern=ashlar&module=ashlar&rough=0.5&walls=honey&dressing=same&ground=none&moss=0&damp=0",
     ),
 ];

@@ -7,6 +7,7 @@ use crate::masonry::plan::thicknesses;
 use crate::notice::{Code, Notice};
 use crate::surface_stones::Fit;
 use glam::DVec3;
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// The first bytes of a text in JSON, after blanks.
@@ -21,6 +22,8 @@ pub(super) struct BuildingSite {
     pub thickness: Vec<f64>,
     /// How it lies in the scene.
     pub fit: Fit,
+    /// How far round walls bulge between the ends of a flat brick (metres).
+    pub bulge: f64,
 }
 
 impl BuildingSite {
@@ -39,6 +42,7 @@ impl BuildingSite {
         check_number(&building, params)?;
         Ok(Self {
             fit: fit(&building),
+            bulge: bulge(&building, 2.0 * params.module.half),
             building: Arc::new(building),
             thickness,
         })
@@ -80,6 +84,16 @@ fn check_number(building: &Building, params: &BuildingParams) -> Result<(), Noti
         .with("n", blocks as usize)
         .with("most", MOST_BLOCKS as usize)
         .with("fits", fits.ceil() as usize))
+}
+
+/// The greatest distance between whole cylinders and their chords of this length.
+fn bulge(building: &Building, chord: f64) -> f64 {
+    let periods = building
+        .faces()
+        .iter()
+        .filter_map(|face| face.surface.period());
+    let bulges = periods.map(|period| 0.25 * PI * chord * chord / period);
+    bulges.fold(0.0, f64::max)
 }
 
 /// The area of a face (square metres), flattened.

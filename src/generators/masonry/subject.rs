@@ -14,13 +14,15 @@ use crate::random::{Purpose, Random};
 use crate::scene::Scene;
 use std::rc::Rc;
 
-/// Colours of whole, half and cut bricks, of sills, and of stones.
-const SORTS: [[u8; 3]; 5] = [
+/// Colours of whole, half, cut and raked bricks, of sills, of stones, and of tiles.
+const SORTS: [[u8; 3]; 7] = [
     [188, 180, 166],
     [86, 146, 206],
     [214, 92, 64],
+    [226, 152, 72],
     [150, 122, 196],
     [148, 168, 120],
+    [112, 128, 144],
 ];
 /// The colour of mortar in views.
 const CALM: [u8; 3] = [168, 162, 151];
@@ -179,8 +181,10 @@ fn place_of(sort: CellSort) -> usize {
         CellSort::Whole => 0,
         CellSort::Half => 1,
         CellSort::Cut => 2,
-        CellSort::Sill => 3,
-        CellSort::Stone => 4,
+        CellSort::Raked => 3,
+        CellSort::Sill => 4,
+        CellSort::Stone => 5,
+        CellSort::Tile => 6,
     }
 }
 
@@ -190,7 +194,7 @@ fn bare(site: &BuildingSite, recess: f64) -> Scene {
         reach: (0.3 * site.fit.scale) as f32,
         ..Scene::default()
     };
-    add_mortar(&mut scene, site, recess, (CALM, BARE));
+    add_mortar(&mut scene, site, recess, [(CALM, BARE); 2]);
     scene
 }
 

@@ -47,10 +47,14 @@ pub enum CellSort {
     Half,
     /// A brick or stone that is cut to the free space.
     Cut,
+    /// A brick or stone that is cut along a slope in which its wall ends.
+    Raked,
     /// A header of a sill.
     Sill,
     /// A stone or a block.
     Stone,
+    /// A tile or a slate of a roof.
+    Tile,
 }
 
 /// A cell.
@@ -80,7 +84,7 @@ pub(super) struct CellDraft {
     pub sort: CellSort,
     pub claimed: Polyhedron,
     pub outwards: DVec3,
-    /// How far the side towards `outwards` stands out (metres).
+    /// How far the exposed sides towards `outwards` stand out (metres).
     pub extrude: f64,
 }
 

@@ -8,15 +8,22 @@ mod arches;
 mod ashlar;
 mod bricks;
 mod cell;
+mod coping;
 mod corners;
 mod faces;
 mod measures;
 mod mitre;
+mod overhang;
+mod quoins;
+mod raking;
 mod rectangles;
+#[cfg(test)]
+mod roof_tests;
 mod run;
 mod site;
 #[cfg(test)]
 mod tests;
+mod tiles;
 
 pub use cell::{CellSort, Feature, MasonryCell};
 pub use measures::Measures;
@@ -175,7 +182,7 @@ impl Laying {
             .into_iter()
             .map(|reached| reached.node.clone())
             .collect();
-        if !nodes.is_empty() {
+        if nodes.iter().any(|node| self.covers(feature, node)) {
             self.textured.push(feature);
         }
         for node in &nodes {
@@ -183,9 +190,18 @@ impl Laying {
         }
     }
 
+    /// Whether a generator covers a feature: tiles leave the undersides and the ends of a roof bare.
+    fn covers(&self, feature: Feature, node: &GeneratorNode) -> bool {
+        match feature {
+            Feature::Face(id) => node.generator != PatternGenerator::Tiles || self.site.is_roof(id),
+            _ => true,
+        }
+    }
+
     fn generate(&mut self, feature: Feature, node: &GeneratorNode) {
         use PatternGenerator::{
-            ArchBricks, ArchStones, Bricks, RandomAshlar, RgbBlocks, WindowBottomBricks,
+            ArchBricks, ArchStones, Bricks, Coping, Quoins, Raking, RandomAshlar, RgbBlocks, Tiles,
+            WindowBottomBricks,
         };
         let is_by_hand = self.params.is_by_hand;
         let bricks = BrickBond {
@@ -213,6 +229,12 @@ impl Laying {
             (ArchBricks, Feature::Edge(id)) => site.arch_bricks(id, node, &bricks),
             (ArchStones, Feature::Edge(id)) => site.arch_stones(id, node),
             (WindowBottomBricks, Feature::Edge(id)) => site.sill_edge(id, node),
+            (Quoins, Feature::Corner(id)) => site.quoin_corner(id, node),
+            (Quoins, Feature::Edge(id)) => site.quoin_edge(id, node),
+            (Raking, Feature::Edge(id)) => site.raking_bricks(id, node),
+            (Coping, Feature::Edge(id)) => site.coping_edge(id, node),
+            (Tiles, Feature::Edge(id)) => site.ridge_tiles(id, node),
+            (Tiles, Feature::Face(id)) => site.tile_face(id, node),
             (generator, _) => self
                 .warnings
                 .push(LayingWarning::NotLaid { feature, generator }),

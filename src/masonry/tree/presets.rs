@@ -30,7 +30,7 @@ impl TreePreset {
 
 /// All presets. The first three have the names of Legakis, Dorsey, Gortler (2001), fig. 4. Their structure follows
 /// sections 4.1, 5.2 and 5.5.
-pub static PRESETS: [TreePreset; 6] = [
+pub static PRESETS: [TreePreset; 7] = [
     TreePreset {
         word: "rgb",
         name: "RGB Blocks",
@@ -53,6 +53,12 @@ pub static PRESETS: [TreePreset; 6] = [
   "cases": {
     "Arch": {"type": "ByFeature", "corner": {"type": "None"}, "edge": {"type": "ArchBricks"}, "face": {"type": "Bricks"}},
     "Glass": {"type": "None"},
+    "Roof": {
+      "type": "ByFeature",
+      "corner": {"type": "None"},
+      "edge": {"type": "Seq", "children": [{"type": "Raking", "extrude": 0}, {"type": "Tiles"}]},
+      "face": {"type": "Tiles"}
+    },
     "Window": {
       "type": "ByFeature",
       "corner": {
@@ -86,6 +92,12 @@ pub static PRESETS: [TreePreset; 6] = [
       "face": {"type": "RandomAshlar"}
     },
     "Glass": {"type": "None"},
+    "Roof": {
+      "type": "ByFeature",
+      "corner": {"type": "None"},
+      "edge": {"type": "Tiles"},
+      "face": {"type": "Tiles", "length": 0.34, "width": 0.24}
+    },
     "Window": {
       "type": "ByFeature",
       "corner": {"type": "None"},
@@ -103,7 +115,12 @@ pub static PRESETS: [TreePreset; 6] = [
   "type": "ByLabel",
   "cases": {
     "Glass": {"type": "None"},
-    "Roof": {"type": "Tiles"},
+    "Roof": {
+      "type": "ByFeature",
+      "corner": {"type": "None"},
+      "edge": {"type": "Seq", "children": [{"type": "Raking", "extrude": 0.015}, {"type": "Tiles"}]},
+      "face": {"type": "Tiles"}
+    },
     "Window": {
       "type": "ByFeature",
       "corner": {"type": "None"},
@@ -118,12 +135,51 @@ pub static PRESETS: [TreePreset; 6] = [
   },
   "else": {
     "type": "ByFeature",
-    "corner": {"type": "Quoins", "tag": 1},
+    "corner": {"type": "Quoins", "extrude": 0.012, "tag": 1},
     "edge": {
       "type": "Orientation",
-      "horizontal": {"type": "Bricks"},
-      "vertical": {"type": "Quoins", "tag": 1}
+      "horizontal": {"type": "Seq", "children": [{"type": "Bricks"}, {"type": "Coping", "tag": 1}]},
+      "vertical": {"type": "Quoins", "extrude": 0.012, "tag": 1}
     },
+    "face": {"type": "Bricks"}
+  }
+}"#,
+    },
+    TreePreset {
+        word: "coped",
+        name: "Bricks with a coping",
+        json: r#"{
+  "type": "ByLabel",
+  "cases": {
+    "Arch": {"type": "ByFeature", "corner": {"type": "None"}, "edge": {"type": "ArchBricks"}, "face": {"type": "Bricks"}},
+    "Glass": {"type": "None"},
+    "Roof": {
+      "type": "ByFeature",
+      "corner": {"type": "None"},
+      "edge": {"type": "Seq", "children": [{"type": "Raking", "extrude": 0.015}, {"type": "Tiles"}]},
+      "face": {"type": "Tiles"}
+    },
+    "Window": {
+      "type": "ByFeature",
+      "corner": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "WindowBottomBricks"},
+        "top": {"type": "None"},
+        "side": {"type": "Bricks"}
+      },
+      "edge": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "WindowBottomBricks"},
+        "top": {"type": "ArchStones", "rows": [[0.25, 0.2, 0]], "keystone": 0.08, "tag": 1},
+        "side": {"type": "Bricks"}
+      },
+      "face": {"type": "Bricks"}
+    }
+  },
+  "else": {
+    "type": "ByFeature",
+    "corner": {"type": "Bricks"},
+    "edge": {"type": "Seq", "children": [{"type": "Bricks"}, {"type": "Coping", "tag": 1}]},
     "face": {"type": "Bricks"}
   }
 }"#,
@@ -175,204 +231,3 @@ pub static PRESETS: [TreePreset; 6] = [
 }"#,
     },
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::building::{CornerClass, Heading};
-    use crate::masonry::tree::{
-        FeatureKind, FeatureView, GeneratorNode, PatternGenerator, PatternNode, WindowPart,
-    };
-
-    /// Features of all types, labels, directions and parts of windows.
-    fn features() -> Vec<FeatureView<'static>> {
-        let mut all = Vec::new();
-        for kind in [FeatureKind::Corner, FeatureKind::Edge, FeatureKind::Face] {
-            for labels in [
-                vec![],
-                vec!["Window"],
-                vec!["Arch"],
-                vec!["Step"],
-                vec!["Roof"],
-                vec!["Arch", "Glass"],
-            ] {
-                for heading in [Heading::Up, Heading::Level, Heading::Down] {
-                    for window in [WindowPart::Bottom, WindowPart::Top, WindowPart::Side] {
-                        let corner = CornerClass {
-                            valence: 3,
-                            convex: 3,
-                            ..CornerClass::default()
-                        };
-                        let labels = labels.clone();
-                        all.push(FeatureView {
-                            kind,
-                            labels,
-                            corner,
-                            heading,
-                            window,
-                        });
-                    }
-                }
-            }
-        }
-        all
-    }
-
-    fn reached(preset: &str, feature: &FeatureView) -> Vec<(String, PatternGenerator)> {
-        let preset = PRESETS.iter().find(|known| known.name == preset).unwrap();
-        let tree = preset.tree();
-        let walk = tree.walk(feature);
-        walk.reached
-            .into_iter()
-            .map(|reached| (reached.path, reached.node.generator))
-            .collect()
-    }
-
-    #[test]
-    fn what_is_written_reads_back_equal() {
-        for preset in &PRESETS {
-            let tree = preset.tree();
-            assert_eq!(
-                PatternTree::read(&tree.write()),
-                Ok(tree.clone()),
-                "{}",
-                preset.name
-            );
-        }
-        // Each generator with each number off its default.
-        for (generator, _) in PatternGenerator::ALL {
-            let mut node = GeneratorNode::new(generator);
-            for (number, parameter) in node.numbers.iter_mut().zip(generator.parameters()) {
-                *number = if *number == parameter.range[1] {
-                    parameter.range[0]
-                } else {
-                    parameter.range[1]
-                };
-            }
-            let tree = PatternTree {
-                root: PatternNode::Lay(node),
-            };
-            assert_eq!(PatternTree::read(&tree.write()), Ok(tree));
-        }
-    }
-
-    #[test]
-    fn no_feature_comes_where_it_is_not_expected() {
-        for preset in &PRESETS {
-            let tree = preset.tree();
-            for feature in features() {
-                let walk = tree.walk(&feature);
-                // A roof's corner has no tiles of its own.
-                let is_roof_corner =
-                    feature.labels == ["Roof"] && feature.kind == FeatureKind::Corner;
-                assert!(
-                    walk.unexpected.is_empty() || is_roof_corner,
-                    "{} {feature:?}: {walk:?}",
-                    preset.name
-                );
-            }
-        }
-        let short = r#"{"type":"AnalyzeWindow","bottom":{"type":"WindowBottomBricks"}}"#;
-        let tree = PatternTree::read(short).unwrap();
-        let sill = FeatureView {
-            window: WindowPart::Bottom,
-            ..FeatureView::FACE
-        };
-        let walk = tree.walk(&sill);
-        assert!(walk.reached.is_empty());
-        assert_eq!(
-            (walk.unexpected[0].path.as_str(), walk.unexpected[0].kind),
-            ("bottom", FeatureKind::Face)
-        );
-    }
-
-    #[test]
-    fn features_go_where_the_paper_sends_them() {
-        use PatternGenerator::{ArchBricks, Bricks, Panel, RgbBlocks, WindowBottomBricks};
-        let view = |kind, label: &'static str, window| FeatureView {
-            kind,
-            labels: vec![label],
-            window,
-            ..FeatureView::FACE
-        };
-        let edge = FeatureKind::Edge;
-        let bottom = view(edge, "Window", WindowPart::Bottom);
-        assert_eq!(reached("Bricks", &bottom)[0].1, WindowBottomBricks);
-        assert_eq!(
-            reached("Bricks", &view(edge, "Arch", WindowPart::Side)),
-            [("cases.Arch.edge".into(), ArchBricks)]
-        );
-        assert_eq!(
-            reached(
-                "Bricks",
-                &view(FeatureKind::Face, "Glass", WindowPart::Side)
-            ),
-            []
-        );
-        assert_eq!(
-            reached("Bricks", &FeatureView::FACE),
-            [("else".into(), Bricks)]
-        );
-        assert_eq!(
-            reached("RGB Blocks", &bottom),
-            [("else.edge".into(), RgbBlocks)]
-        );
-        // A panel is placed, then the face is passed on.
-        let column = view(FeatureKind::Face, "Column", WindowPart::Side);
-        let both = reached("Steps with herringbone columns", &column);
-        assert_eq!(
-            both.iter().map(|found| found.1).collect::<Vec<_>>(),
-            [Panel, Bricks]
-        );
-        assert_eq!(both[1].0, "cases.Column.face.children.1");
-    }
-
-    #[test]
-    fn corners_and_orientations_are_told_apart() {
-        let text = r#"{"type":"ByCorner","cases":[
-            {"convex":2,"concave":1,"single_concave":"up","node":{"type":"Bricks","tag":1}},
-            {"convex":2,"node":{"type":"Bricks","tag":2}}],
-            "else":{"type":"Orientation","corners":"horizontal",
-                "horizontal":{"type":"Bricks","tag":3},"vertical":{"type":"Bricks","tag":4}}}"#;
-        let tree = PatternTree::read(text).unwrap();
-        let tag = |kind, corner: (usize, usize, Option<Heading>), heading| {
-            let corner = CornerClass {
-                valence: 3,
-                convex: corner.0,
-                concave: corner.1,
-                single_convex: None,
-                single_concave: corner.2,
-            };
-            let view = FeatureView {
-                kind,
-                corner,
-                heading,
-                ..FeatureView::FACE
-            };
-            tree.walk(&view).reached[0].node.count("tag")
-        };
-        let (corner, up, level) = (FeatureKind::Corner, Heading::Up, Heading::Level);
-        assert_eq!(tag(corner, (2, 1, Some(up)), level), 1);
-        assert_eq!(tag(corner, (2, 1, Some(level)), level), 2);
-        assert_eq!(tag(corner, (3, 0, None), up), 3);
-        assert_eq!(tag(FeatureKind::Edge, (2, 1, Some(up)), up), 4);
-        assert_eq!(tag(FeatureKind::Edge, (2, 1, None), level), 3);
-        assert_eq!(tag(FeatureKind::Face, (2, 1, None), level), 4);
-        assert_eq!(tag(FeatureKind::Face, (2, 1, None), up), 3);
-    }
-
-    #[test]
-    fn labels_are_listed_with_their_places() {
-        let tree = PRESETS[1].tree();
-        let labels = tree.labels();
-        assert_eq!(
-            labels
-                .iter()
-                .map(|(label, _)| label.as_str())
-                .collect::<Vec<_>>(),
-            ["Arch", "Glass", "Window"]
-        );
-        let without = tree.labels_without_use(&["Glass", "Window"]);
-        assert_eq!(without, [("Arch".to_owned(), String::new())]);
-    }
-}
