@@ -97,7 +97,7 @@ fn sizes_are_counted_as_masons_do() {
         for edge in building
             .edges()
             .iter()
-            .filter(|edge| is_plain && edge.path.tangent(0.0).y.abs() > 0.999)
+            .filter(|edge| is_plain && edge.is_vertical() && edge.path.tangent(0.0).y.abs() > 0.999)
         {
             let courses = edge.length() / module.course;
             let over = edge.length() - courses.round() * module.course;
