@@ -120,8 +120,20 @@ impl Detail for WallGrain {
     }
 }
 
+/// A place with the direction across a surface in y: x and z run along it.
+fn upright(at: Vec3, normal: Vec3) -> Vec3 {
+    let n = normal.abs();
+    if n.y > 0.6 {
+        at
+    } else if n.x > n.z {
+        Vec3::new(at.z, at.x, at.y)
+    } else {
+        Vec3::new(at.x, at.z, at.y)
+    }
+}
+
 impl WallGrain {
-    /// The ground, and wood with upright or level boards.
+    /// The ground, and wood.
     fn plain(&self, surfel: &mut Surfel, spread: f32) {
         let at = surfel.position / self.scale;
         let spread = spread / self.scale;
@@ -132,7 +144,12 @@ impl WallGrain {
                 let fibres = self.tile_at(at * Vec3::new(40.0, 2.5, 40.0), surfel.normal);
                 1.0 + 0.10 * fibres * shown(20.0) + 0.05 * read(BROAD)
             }
-            _ => relief(self.ground, at, [read(1.3), read(BROAD)], shown(PEBBLES)),
+            _ => relief(
+                self.ground,
+                upright(at, surfel.normal),
+                [read(1.3), read(BROAD)],
+                shown(PEBBLES),
+            ),
         };
         surfel.colour = surfel
             .colour

@@ -25,7 +25,7 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Buildings", "farmhouse", "Farmhouse"],
         "Rough grey stones turn every corner of an L-shaped house, and moss grows on its tiles.",
-        "v=1&make=masonry&building=lhouse&pattern=ashlar&module=ashlar&rough=0.5&walls=grey&roof=stone&moss=0.4&yaw=140",
+        "v=1&make=masonry&building=lhouse&pattern=ashlar&module=ashlar&rough=0.5&walls=grey&roof=stone&moss=0.5&yaw=140",
     ),
     Preset::plain(
         ["Buildings", "stone-house", "Stone house"],
