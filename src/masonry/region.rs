@@ -43,7 +43,7 @@ impl Region {
         })
     }
 
-    /// How far a ray goes from a place along +s, -s, +t or -t until it meets the border; none if it never does.
+    /// How far a ray goes from a place along a unit vector until it meets the border; none if it never does.
     /// Borders nearer than `skip` do not count (metres).
     pub fn ray(&self, from: DVec2, way: DVec2, skip: f64) -> Option<f64> {
         // The ray's own axis is x here.

@@ -3,7 +3,7 @@
 use super::grounds::GROUNDS;
 use super::hides::HIDES;
 use super::palette::{Ground, Palette};
-use super::phong::{EARTH, FINISHES, Gloss, Material, PADS, POOL, ROWS};
+use super::phong::{EARTH, FINISHES, Gloss, Material, POOL, ROWS};
 use super::stones::STONES;
 use crate::order::greater;
 
@@ -48,7 +48,7 @@ pub fn material_table(palette_name: &str, ground_name: &str, gloss: Gloss) -> Ve
     let palette = palette(palette_name);
     let mut table = vec![ground(ground_name, palette).material];
     table.extend(palette.finishes.map(|own| gloss.applied_to(own)));
-    table.extend([PADS, EARTH]);
+    table.extend([Material::PADS, EARTH]);
     for wet in [0.45, 1.0] {
         for row in 0..usize::from(ROWS) {
             let dry = table[row];

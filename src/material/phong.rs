@@ -73,6 +73,9 @@ impl Material {
         ..Self::new(1.0, 0.94, 0.16, 20.0)
     };
 
+    /// Moss and grass, which absorb some light.
+    pub const PADS: Self = Self::new(0.97, 0.98, 0.0, 4.0);
+
     /// Phong's four attributes; it mirrors nothing, and no light goes through.
     pub const fn new(ambient: f32, diffuse: f32, specular: f32, shininess: f32) -> Self {
         Self {
@@ -154,9 +157,6 @@ pub(super) const PEARL: [Material; FINISHES] = [
 /// Earth does not shine.
 pub(super) const EARTH: Material = Material::new(1.0, 1.0, 0.0, 4.0);
 
-/// Moss absorbs some light.
-pub(super) const PADS: Material = Material::new(0.97, 0.98, 0.0, 4.0);
-
 /// Still water: its colour contains the sky's reflection.
 pub(super) const POOL: Material = Material::new(1.15, 0.55, 0.85, 150.0).with_film(1.0);
 
@@ -207,7 +207,7 @@ impl Gloss {
 /// Rows of the table: first the ground, ...
 pub(crate) const GROUND_ROW: u8 = 0;
 /// ... then the finishes from rough to smooth, then these two.
-pub(super) const MOSS: u8 = FINISHES as u8 + 1;
+pub(crate) const MOSS: u8 = FINISHES as u8 + 1;
 pub(super) const DIRT: u8 = MOSS + 1;
 /// All these rows occur three times: dry, damp, wet.
 pub(super) const ROWS: u8 = DIRT + 1;

@@ -475,11 +475,14 @@ const NO_BUILDINGS = [
 
 test('notices of masonry are said', async () => {
   const whole = await moduleIn(wholeModule, undefined, 'space');
-  const masonry = 'make=masonry&size=128';
-  const wide = finished(new whole.Bubblestone(`${masonry}&module=own&w=40&h=20&joint=40`));
-  assert.ok(wide.problem());
-  hear([wide.problem()]);
-  wide.free();
+  const masonry = 'make=masonry&building=block&size=128';
+  const own = (/** @type {number} */ w, /** @type {number} */ h, /** @type {number} */ joint) => `&module=own&w=${w}&h=${h}&joint=${joint}`;
+  for (const link of [`${masonry}&block_length=80&block_width=80${own(1000, 20, 0)}`, `${masonry}${own(40, 20, 40)}`]) {
+    const studio = finished(new whole.Bubblestone(link));
+    assert.ok(studio.problem(), link);
+    hear([studio.problem()]);
+    studio.free();
+  }
   for (const [name, content] of NO_BUILDINGS) {
     const studio = new whole.Bubblestone(masonry);
     const bytes = new TextEncoder().encode(content);

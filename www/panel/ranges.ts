@@ -469,8 +469,8 @@ const MASONRY: Table = {
   ],
   Pattern: [
     ['pattern', { diagonal: 2, cement: 2, bricks: 1 }, { building: ['steps'] }],
-    ['pattern', { bricks: 1 }, { building: ['ring', 'tower'] }],
-    ['pattern', { bricks: 3, ashlar: 2 }],
+    ['pattern', { coped: 1 }, { building: ['ring', 'tower', 'wall', 'gate'] }],
+    ['pattern', { quoins: 3, bricks: 1, ashlar: 2 }],
   ],
   Module: [
     ['module', { ashlar: 1 }, { pattern: ['ashlar'] }],
@@ -485,6 +485,13 @@ const MASONRY: Table = {
     ['walls', { red: 4, yellow: 2, dark: 2, white: 1 }],
     ['dressing', { same: 1, pale: 2 }],
     ['mortar', { light: 3, grey: 1, sand: 1 }],
+    ['roof', { slate: 3, tiles: 2, brown: 2, stone: 1 }],
+  ],
+  Weather: [
+    ['ground', { grass: 4, gravel: 1 }, { building: ['gabled', 'lhouse'] }],
+    ['ground', { grass: 2, gravel: 2, paving: 2 }],
+    ['moss', range(0.1, 0.5, 0.05)],
+    ['damp', range(0.1, 0.6, 0.05)],
   ],
 };
 

@@ -6,7 +6,7 @@ const COLOURS = { red: '赤れんが', yellow: '黄色いれんが', dark: '黒�
 /** The numbers of buildings, by building. */
 const BUILDINGS: Record<string, Record<string, string>> = {
   block: { length: '長さ（半枚の数）', width: '幅（半枚の数）', height: '高さ（段の数）' },
-  lhouse: { length: '長さ（半枚の数）', width: '幅（半枚の数）', wing: '翼の長さ（半枚の数）', depth: '翼の幅（半枚の数）', height: '高さ（段の数）', windows: '壁ごとの窓の数', head: 'まぐさ：直線・弧・半円' },
+  lhouse: { length: '長さ（半枚の数）', width: '幅（半枚の数）', wing: '翼の長さ（半枚の数）', depth: '翼の幅（半枚の数）', height: '高さ（段の数）', windows: '壁ごとの窓の数', head: 'まぐさ：直線・弧・半円', pitch: '屋根の勾配' },
   gabled: { length: '長さ（半枚の数）', width: '幅（半枚の数）', height: '軒の高さ（段の数）', pitch: '屋根の勾配', windows: '壁ごとの窓の数', head: 'まぐさ：直線・弧・半円' },
   wall: { length: '長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）', width: '開口の幅（半枚の数）', head: '中央のまぐさ：直線・弧・半円' },
   gate: { span: '開口の幅（半枚の数）', pier: '柱の幅（半枚の数）', springing: 'アーチの起点の高さ（段の数）', over: '頂の上の段の数', thickness: '厚み（半枚の数）' },
@@ -32,7 +32,9 @@ export const parameters: Foreign['parameters'] = {
   'masonry.pattern': {
     name: '積み方',
     help: '建物の部分が通る、模様の木。',
-    choices: { bricks: 'れんが', ashlar: '乱積みの切石', rgb: 'RGBブロック', diagonal: '斜めれんがの階段', cement: 'セメント石の階段' },
+    choices: {
+      quoins: '隅石のあるれんが', bricks: 'れんが', coped: '笠石のあるれんが', ashlar: '乱積みの切石', rgb: 'RGBブロック', diagonal: '斜めれんがの階段', cement: 'セメント石の階段',
+    },
   },
   hand: { name: '角', help: '角と稜線のれんがの向き。建物全体で解くか、論文のとおり、建物に書かれた印によるか。', choices: { solved: '解く', stored: '手で' } },
   flips: { name: '手で変えた向き', help: 'れんがの向きを手で変えた角（0）と稜線（1）と、その番号。' },
@@ -52,6 +54,10 @@ export const parameters: Foreign['parameters'] = {
   walls: { name: '壁', help: '壁の色。', choices: { ...COLOURS, white: '白塗りのれんが', parts: '部分ごと' } },
   dressing: { name: '縁どり', help: '窓台、まぐさ、アーチ、隅石の色。', choices: { same: '壁と同じ', ...COLOURS } },
   'masonry.mortar': { name: '目地材', help: '目地材の色。', choices: { light: '明るい', grey: '灰色', sand: '砂色', dark: '暗い' } },
+  roof: { name: '屋根', help: '屋根の瓦の色。', choices: { slate: 'スレート', tiles: '赤い瓦', brown: '茶色の瓦', stone: '石の瓦' } },
+  'masonry.ground': { name: '地面', help: '建物が立つ所。', choices: { grass: '草', gravel: '砂利', paving: '敷石', none: 'スタジオの床' } },
+  'masonry.moss': { name: '苔', help: '低い所、上を向く所、北側に苔を生やします。' },
+  damp: { name: '湿り', help: '地面から湿りを上げ、窓台から水を垂らします。' },
   'masonry.vary': { name: '色のばらつき', help: 'ブロックごとの色調の違い。' },
   'masonry.gloss': { name: '光沢', help: 'ブロックの光り方。', choices: { own: 'そのまま', matt: 'つや消し', glossy: 'つやあり', wet: '濡れ' } },
 };
@@ -59,10 +65,11 @@ export const parameters: Foreign['parameters'] = {
 export const groups: Foreign['groups'] = { Building: '建物', Pattern: '積み方', Module: '寸法', Blocks: 'ブロック', Buildings: '建物' };
 
 export const presets: Foreign['presets'] = {
-  cottage: { title: '小さな家', note: '淡い窓台とまぐさのある赤れんがの家が、夕方の光の中、スレートの下に立つ。' },
-  farmhouse: { title: '農家', note: '大小の粗い灰色の石が、L字形の家のどの角も回る。' },
+  cottage: { title: '小さな家', note: '淡い窓台と隅石のある赤れんがの家が、夕方の光の中、スレートの下に立つ。' },
+  farmhouse: { title: '農家', note: '粗い灰色の石がL字形の家のどの角も回り、瓦には苔が生える。' },
   'stone-house': { title: '石の家', note: '蜂蜜色の切石の窓を、長短の淡い石が縁どる。' },
-  'garden-wall': { title: '庭の壁', note: '一つの壁に、半円と直線と弧のまぐさの開口がある。' },
+  'garden-wall': { title: '庭の壁', note: '三つの開口に半円と直線のまぐさがあり、笠石が雨をよける。' },
+  'brick-tower': { title: '円塔', note: '湿った塔をれんが積みが一回りし、上に笠石が載る。' },
   'brick-gate': { title: '門', note: '立てたれんがの二重の輪が、半円アーチの上の壁を支える。' },
   'brick-steps': { title: '階段', note: 'れんがが段とともに登り、両わきの柱には笠石が載る。' },
   pentagon: { title: '五角形', note: '五つの壁のれんがは、一列を加えるまで、すべての角で互い違いにはならない。' },

@@ -9,6 +9,7 @@
 
 mod drafting;
 mod gabled;
+mod lhouse;
 pub(crate) mod numbers;
 mod openings;
 mod plain;
@@ -58,12 +59,12 @@ impl Module {
 /// A building by rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// A plain block.
-    Block,
-    /// A house with an L-shaped plan, windows and a door.
-    LHouse,
     /// A house with gables, a roof, windows and a door.
     Gabled,
+    /// A house with an L-shaped plan, three gables, windows and a door.
+    LHouse,
+    /// A plain block.
+    Block,
     /// A free-standing wall with three openings.
     Wall,
     /// A gate with a round arch.
@@ -81,9 +82,9 @@ pub enum Rule {
 impl Rule {
     /// All rules.
     pub const ALL: [Self; 9] = [
-        Self::Block,
-        Self::LHouse,
         Self::Gabled,
+        Self::LHouse,
+        Self::Block,
         Self::Wall,
         Self::Gate,
         Self::Steps,
@@ -136,7 +137,7 @@ impl Rule {
             .collect();
         match self {
             Self::Block => plain::block(module, &n),
-            Self::LHouse => plain::l_house(module, &n),
+            Self::LHouse => lhouse::l_house(module, &n),
             Self::Gabled => gabled::gabled(module, &n),
             Self::Wall => walls::wall(module, &n),
             Self::Gate => walls::gate(module, &n),

@@ -17,6 +17,7 @@ numbers! {
         height: "Height in courses", "", 34.0, [24.0, 60.0, 1.0];
         windows: "Windows in a wall", "", 3.0, [0.0, 6.0, 1.0];
         head: "Heads: straight, segmental, round", "", 1.0, [0.0, 2.0, 1.0];
+        pitch: "Pitch of the roof", "°", 44.0, [20.0, 60.0, 1.0];
     }
     GABLED {
         length: "Length in modules", "", 44.0, [20.0, 80.0, 1.0];

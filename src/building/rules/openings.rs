@@ -34,6 +34,12 @@ impl OpeningHead {
 
 /// The rise of a segmental head over its span.
 const RISE: f64 = 1.0 / 6.0;
+/// The width of frames, half of the width of glazing bars, and half of the thickness of both (metres).
+const FRAME: f64 = 0.045;
+const BAR: f64 = 0.012;
+const THICK: f64 = 0.02;
+/// The height of a pane between two bars (metres).
+const LIGHT: f64 = 0.4;
 /// How far a pane stands before the back of its opening (metres).
 const BEFORE: f64 = 0.002;
 
@@ -210,12 +216,85 @@ impl Reveal {
             _ => outline.extend([self.corners[2], self.corners[1]]),
         }
         outline.push(self.corners[0]);
+        self.frame(to, (plane, depth), &outline);
         let outline: Vec<DVec3> = outline.iter().map(|&p| plane.at(p, depth)).collect();
         match self.labels {
             [DOOR] => to.pane("door", "wood", &outline),
             _ => to.pane("pane", "glass", &outline),
         }
     }
+
+    /// Adds a frame inside of an outline, which is clockwise, and the glazing bars of a window.
+    fn frame(&self, to: &mut Drafting, place: (&WallPlane, f64), outline: &[DVec2]) {
+        let next = |k: usize| outline[(k + 1) % outline.len()];
+        let inner: Vec<DVec2> = (0..outline.len())
+            .map(|k| {
+                let before = outline[(k + outline.len() - 1) % outline.len()];
+                let ways = [outline[k] - before, next(k) - outline[k]].map(DVec2::normalize);
+                let sum = -ways[0].perp() - ways[1].perp();
+                outline[k] + sum * (2.0 * FRAME / sum.length_squared())
+            })
+            .collect();
+        for k in 0..outline.len() {
+            let after = (k + 1) % outline.len();
+            bar(to, place, [outline[k], inner[k], inner[after], next(k)]);
+        }
+        let [low, _, high, _] = self.corners;
+        let top = outline.iter().map(|p| p.y).fold(high.y, f64::max);
+        if self.labels.contains(&DOOR) {
+            return;
+        }
+        let upright = |u: f64, half: f64| {
+            let corners = [
+                (u - half, low.y),
+                (u + half, low.y),
+                (u + half, top),
+                (u - half, top),
+            ];
+            corners.map(DVec2::from)
+        };
+        let level = |y: f64, half: f64| {
+            let corners = [
+                (low.x, y - half),
+                (high.x, y - half),
+                (high.x, y + half),
+                (low.x, y + half),
+            ];
+            corners.map(DVec2::from)
+        };
+        bar(to, place, upright(0.5 * (low.x + high.x), 0.6 * FRAME));
+        let count = ((high.y - low.y) / LIGHT).round().max(1.0);
+        let last = if top > high.y {
+            count as u32
+        } else {
+            count as u32 - 1
+        };
+        for k in 1..=last {
+            bar(
+                to,
+                place,
+                level(low.y + (high.y - low.y) * f64::from(k) / count, BAR),
+            );
+        }
+    }
+}
+
+/// Adds a bar of a frame: a quadrilateral of the wall's plane, counter-clockwise seen from outside, made thick.
+fn bar(to: &mut Drafting, (plane, depth): (&WallPlane, f64), corners: [DVec2; 4]) {
+    let ends = [depth - THICK, depth + THICK].map(|behind| corners.map(|p| plane.at(p, behind)));
+    let positions = ends.concat();
+    let quads = [
+        [0, 1, 2, 3],
+        [7, 6, 5, 4],
+        [0, 4, 5, 1],
+        [1, 5, 6, 2],
+        [2, 6, 7, 3],
+        [3, 7, 4, 0],
+    ];
+    let triangles = quads
+        .into_iter()
+        .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    to.extra("frame", "paint", &positions, triangles);
 }
 
 /// Adds a wall's face with openings, their reveals, and what closes them. `outline` is counter-clockwise in the wall's

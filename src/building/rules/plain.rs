@@ -1,14 +1,13 @@
-//! Upright walls over a plan: a block, an L-shaped house, a ring of walls, a single wall.
+//! Upright walls over a plan: a block, a ring of walls, a single wall.
 
 use super::Module;
 use super::drafting::{Drafting, flat_surface};
-use super::openings::{Opening, OpeningHead, WallPlane, spread, wall_face};
 use crate::building::draft::{Draft, DraftFace};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
 /// The place over a point of a plan, whose y runs towards -z: then plans are counter-clockwise seen from above.
-fn over(p: DVec2, y: f64) -> DVec3 {
+pub(super) fn over(p: DVec2, y: f64) -> DVec3 {
     DVec3::new(p.x, y, -p.y)
 }
 
@@ -18,14 +17,14 @@ fn level(plan: &[DVec2], y: f64) -> Vec<DVec3> {
 }
 
 /// The plan at a height, clockwise seen from above.
-fn turned(plan: &[DVec2], y: f64) -> Vec<DVec3> {
+pub(super) fn turned(plan: &[DVec2], y: f64) -> Vec<DVec3> {
     let mut level = level(plan, y);
     level.reverse();
     level
 }
 
 /// Sides of a plan, from left to right seen from outside.
-fn sides(plan: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
+pub(super) fn sides(plan: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
     let next = plan.iter().cycle().skip(1);
     plan.iter().zip(next).map(|(&a, &b)| [a, b])
 }
@@ -51,62 +50,6 @@ pub(super) fn block(module: &Module, n: &[f64]) -> Draft {
     let mut to = Drafting::default();
     let (plan, top) = (rectangle(module, n[0], n[1]), module.top(n[2]));
     add_walls(&mut to, &plan, top);
-    to.flat(&[], &[level(&plan, top)]);
-    to.flat(&[], &[turned(&plan, 0.0)]);
-    to.on_ground()
-}
-
-/// The number of the inner corner of an L.
-const INNER: usize = 3;
-
-/// The plan of an L: the wing stands at the back on the left, so the inner corner is at the back on the right.
-fn l_plan(module: &Module, [length, width, wing, depth]: [f64; 4]) -> Vec<DVec2> {
-    let wing = wing.min(length - 6.0);
-    let depth = depth.min(width - 6.0);
-    let half = 0.5 * DVec2::new(module.pier(length), module.pier(width));
-    // The wing's inner walls are whole modules from the grid's lines, so they run half a joint outside of them.
-    let inner = DVec2::new(-half.x + module.pier(wing), half.y - depth * module.half);
-    let corners = [
-        (-half.x, -half.y),
-        (half.x, -half.y),
-        (half.x, inner.y),
-        (inner.x, inner.y),
-        (inner.x, half.y),
-        (-half.x, half.y),
-    ];
-    corners.map(DVec2::from).to_vec()
-}
-
-pub(super) fn l_house(module: &Module, n: &[f64]) -> Draft {
-    let mut to = Drafting::default();
-    let plan = l_plan(module, [n[0], n[1], n[2], n[3]]);
-    let (top, depth) = (module.top(n[4]), module.half);
-    let window = Opening {
-        left: 0.0,
-        width: 6.0,
-        bottom: 10.0,
-        springing: 19.0,
-        head: OpeningHead::of(n[6]),
-        is_door: false,
-    };
-    for (k, [a, b]) in sides(&plan).enumerate() {
-        let length = ((a.distance(b) + module.joint) / module.half).round();
-        let mut openings = spread(length, n[5], &window);
-        let middle = openings.len() / 2;
-        if let (0, Some(door)) = (k, openings.get_mut(middle)) {
-            (door.bottom, door.is_door) = (1.0, true);
-        }
-        let lead = 0.5
-            * if k == INNER {
-                -module.joint
-            } else {
-                module.joint
-            };
-        let plane = WallPlane::new(over(a, 0.0), over(b, 0.0), lead);
-        let (u, v) = (lead, lead + a.distance(b));
-        let outline = [(u, 0.0), (v, 0.0), (v, top), (u, top)].map(DVec2::from);
-        wall_face(&mut to, &plane, &outline, &openings, (module, depth));
-    }
     to.flat(&[], &[level(&plan, top)]);
     to.flat(&[], &[turned(&plan, 0.0)]);
     to.on_ground()

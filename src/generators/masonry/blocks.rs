@@ -3,10 +3,12 @@
 use super::colours::{BRICK_ROW, GLASS_ROW, IRON_ROW, MORTAR_ROW, STONE_ROW, WOOD_ROW};
 use super::cuboid::Cuboid;
 use super::grain::WallGrain;
+use super::ground::add_ground;
 use super::params::BlockParams;
 use super::site::BuildingSite;
+use super::weather::Weather;
 use crate::building::labels::ROOF;
-use crate::building::{Building, ExtraMesh, Mortar};
+use crate::building::{ExtraMesh, FaceId, Mortar};
 use crate::masonry::block::{Bevelled, BlockMesh, Dressing, Polyhedron, Rough, Stonecutter};
 use crate::masonry::laying::{CellSort, MasonryCell};
 use crate::order::{greater, lesser};
@@ -15,7 +17,6 @@ use crate::solid::Surface;
 use crate::surface_stones::Fit;
 use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// The reach of ambient occlusion (metres).
 const REACH: f64 = 0.09;
@@ -24,13 +25,14 @@ const BEVEL: f64 = 0.024;
 const BUMPS: f64 = 0.014;
 /// Mortar lies at least so far behind rounded stones, at roughness 1 (metres).
 const SUNK: f64 = 0.02;
+/// The colour of a roof's boards.
+const BOARDS: [u8; 3] = [92, 72, 54];
 /// The colour of meshes that the pattern leaves white.
 const WHITE: [u8; 3] = [255; 3];
 
 /// A scene to which blocks are added as they are laid.
 pub(crate) struct Wall {
     scene: Scene,
-    building: Arc<Building>,
     fit: Fit,
     params: BlockParams,
     /// The bodies of cuboids, by their sizes and their material.
@@ -48,16 +50,22 @@ impl Wall {
     pub(super) fn new(site: &BuildingSite, params: &BlockParams) -> Self {
         let mut scene = Scene {
             reach: (REACH * site.fit.scale) as f32,
-            detail: Some(Box::new(WallGrain::new(params.seed, site.fit.scale))),
+            detail: Some(Box::new(WallGrain::new(
+                params.seed,
+                site.fit.scale,
+                Weather::new(params.weather, site),
+                params.ground,
+            ))),
             ..Scene::default()
         };
         let sunk = match params.colours.are_stone() {
             true => SUNK * params.rough,
             false => 0.0,
         };
-        let look = (params.colours.mortar(), MORTAR_ROW);
+        let looks = [(params.colours.mortar(), MORTAR_ROW), (BOARDS, WOOD_ROW)];
         let recess = greater(params.recess, sunk);
-        add_mortar(&mut scene, site, (recess, params.length), look);
+        add_mortar(&mut scene, site, (recess, params.length), looks);
+        add_ground(&mut scene, site, params.ground, params.seed);
         for extra in site.building.extras() {
             add_extra(&mut scene, extra, site.fit);
         }
@@ -69,7 +77,6 @@ impl Wall {
         };
         Self {
             scene,
-            building: site.building.clone(),
             fit: site.fit,
             params: *params,
             shared: BTreeMap::new(),
@@ -105,12 +112,7 @@ impl Wall {
 
     fn add(&mut self, cell: &MasonryCell, number: u32) {
         let key = (self.params.seed, u64::from(number));
-        let labels = cell.feature.labels(&self.building);
-        let is_roof = labels.iter().any(|label| label == ROOF);
-        let (tint, material) = self
-            .params
-            .colours
-            .of_cell((cell, is_roof), key, self.params.vary);
+        let (tint, material) = self.params.colours.of_cell(cell, key, self.params.vary);
         let Some((body, place)) = self.shape(cell, number, material) else {
             return;
         };
@@ -124,7 +126,8 @@ impl Wall {
 
     /// The body of a cell and where it stands; none if its joints take all of it.
     fn shape(&mut self, cell: &MasonryCell, number: u32, material: u8) -> Option<(u32, Place)> {
-        let is_rough = material == STONE_ROW && cell.sort != CellSort::Sill;
+        let is_flat = matches!(cell.sort, CellSort::Sill | CellSort::Tile);
+        let is_rough = material == STONE_ROW && !is_flat;
         let cutter = match cell.body.has_rough_sides() {
             true => Some(&mut self.caster),
             false => self.cutter.as_mut().filter(|_| is_rough),
@@ -232,23 +235,30 @@ pub(super) fn add_plain(
     scene.bodies.push(Body::new(vec![surface], material));
 }
 
-/// Adds the mortar, in one colour and material.
+/// Adds the mortar, and the boards of roofs, each in one colour and material.
 pub(super) fn add_mortar(
     scene: &mut Scene,
     site: &BuildingSite,
     (recess, length): (f64, f64),
-    (tint, material): ([u8; 3], u8),
+    [mortar_look, board_look]: [([u8; 3], u8); 2],
 ) {
     let mortar = Mortar::new(&site.building, recess, length);
-    let mesh = BlockMesh {
-        positions: mortar.positions,
-        triangles: mortar.triangles,
+    let is_roof = |face: FaceId| {
+        let labels = &site.building.face(face).labels;
+        labels.iter().any(|label| label == ROOF)
     };
-    add_plain(
-        scene,
-        flat(&mesh, |p| site.fit.place(p)),
-        (0, tint, material),
-    );
+    for (is_of_roof, (tint, material)) in [(false, mortar_look), (true, board_look)] {
+        let own = mortar.triangles.iter().zip(&mortar.faces);
+        let own = own.filter(|&(_, &face)| is_roof(face) == is_of_roof);
+        let mesh = BlockMesh {
+            positions: mortar.positions.clone(),
+            triangles: own.map(|(&triangle, _)| triangle).collect(),
+        };
+        if !mesh.triangles.is_empty() {
+            let surface = flat(&mesh, |p| site.fit.place(p));
+            add_plain(scene, surface, (0, tint, material));
+        }
+    }
 }
 
 /// Adds a mesh that carries no masonry, in the colour of its material.
@@ -259,7 +269,8 @@ fn add_extra(scene: &mut Scene, extra: &ExtraMesh, fit: Fit) {
         "slate" | "tile" => ([92, 94, 100], STONE_ROW),
         "stone" => ([196, 188, 170], STONE_ROW),
         "brick" => ([150, 80, 60], BRICK_ROW),
-        _ => ([126, 88, 54], WOOD_ROW),
+        "paint" => ([196, 192, 182], WOOD_ROW),
+        _ => ([96, 66, 42], WOOD_ROW),
     };
     let mesh = BlockMesh {
         positions: extra.positions.clone(),

@@ -15,6 +15,11 @@ pub(super) const STONE_ROW: u8 = 2;
 pub(super) const GLASS_ROW: u8 = 3;
 pub(super) const WOOD_ROW: u8 = 4;
 pub(super) const IRON_ROW: u8 = 5;
+/// Moss, ...
+pub(super) const MOSS_ROW: u8 = 6;
+/// ... and the ground: blades of grass, and what lies between them.
+pub(super) const GRASS_ROW: u8 = 7;
+pub(super) const SOIL_ROW: u8 = 8;
 
 /// Fired clay.
 const BRICK: Material = Material::new(1.0, 0.94, 0.05, 9.0);
@@ -28,6 +33,9 @@ pub(super) fn materials(gloss: Gloss) -> Vec<Material> {
         Material::GLASS,
         Material::OILED,
         Material::STEEL,
+        Material::PADS,
+        Material::PADS,
+        Material::DRY_STONE,
     ];
     let applied = own.iter().enumerate().map(|(row, material)| match row {
         1 | 2 => gloss.applied_to(*material),
@@ -42,6 +50,7 @@ pub(super) struct Colours {
     pub walls: &'static str,
     pub dressing: &'static str,
     pub mortar: &'static str,
+    pub roof: &'static str,
 }
 
 /// Colours that blocks of one kind have (sRGB), and how much their tones differ.
@@ -102,8 +111,34 @@ fn of_word(word: &str) -> Range {
             0.10,
             STONE_ROW,
         ),
+        "tiles" => range(
+            &[
+                [142, 78, 56],
+                [132, 70, 52],
+                [150, 88, 62],
+                [124, 66, 54],
+                [138, 84, 64],
+            ],
+            0.13,
+            BRICK_ROW,
+        ),
+        "brown" => range(
+            &[[104, 76, 60], [94, 68, 56], [112, 84, 64], [88, 66, 58]],
+            0.12,
+            BRICK_ROW,
+        ),
+        "stone" => range(
+            &[
+                [142, 132, 112],
+                [130, 122, 106],
+                [150, 140, 118],
+                [124, 118, 108],
+            ],
+            0.12,
+            STONE_ROW,
+        ),
         "pale" => range(
-            &[[178, 171, 155], [171, 165, 150], [183, 178, 165]],
+            &[[168, 159, 140], [160, 152, 135], [173, 166, 149]],
             0.06,
             STONE_ROW,
         ),
@@ -149,20 +184,20 @@ impl Colours {
         }
     }
 
-    /// The colour of a cell, and its row of materials. Cells of roofs are slates.
+    /// The colour of a cell, and its row of materials.
     pub fn of_cell(
         &self,
-        (cell, is_roof): (&MasonryCell, bool),
+        cell: &MasonryCell,
         (seed, number): (u64, u64),
         vary: f64,
     ) -> ([u8; 3], u8) {
         if self.walls == "parts" {
             return (FEATURES[type_of(cell.feature)], BRICK_ROW);
         }
-        let word = match (is_roof, is_dressing(cell) && self.dressing != "same") {
-            (true, _) => "slate",
-            (false, true) => self.dressing,
-            (false, false) => self.walls,
+        let word = match (cell.sort, is_dressing(cell) && self.dressing != "same") {
+            (CellSort::Tile, _) => self.roof,
+            (_, true) => self.dressing,
+            (_, false) => self.walls,
         };
         let range = of_word(word);
         let mut random = Random::new(seed, Purpose::Paint, number);
@@ -177,7 +212,7 @@ impl Colours {
 
 /// Whether a cell belongs to a sill, a lintel, an arch or a quoin.
 fn is_dressing(cell: &MasonryCell) -> bool {
-    use PatternGenerator::{ArchStones, CementStones, Quoins, WindowBottomBricks};
-    let dresses = [ArchStones, CementStones, Quoins, WindowBottomBricks];
+    use PatternGenerator::{ArchStones, CementStones, Coping, Quoins, WindowBottomBricks};
+    let dresses = [ArchStones, CementStones, Coping, Quoins, WindowBottomBricks];
     cell.tag > 0 || cell.sort == CellSort::Sill || dresses.contains(&cell.generator)
 }

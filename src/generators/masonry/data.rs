@@ -67,6 +67,7 @@ fn measures(laying: &Laying) -> String {
         ("half", m.half),
         ("cut", m.cut),
         ("special", m.special),
+        ("raked", m.raked),
         ("straight", m.straight),
         ("course", m.course),
     ];

@@ -1,6 +1,8 @@
 //! The grain of blocks and mortar at pixels, in the space of each block, so that no two look cut from one.
 
-use super::colours::{BRICK_ROW, MORTAR_ROW, STONE_ROW};
+use super::colours::{BRICK_ROW, MORTAR_ROW, SOIL_ROW, STONE_ROW, WOOD_ROW};
+use super::ground::relief;
+use super::weather::{Noise, Weather};
 use crate::material::{GrainStrength, NearGrain, NoiseTile};
 use crate::order::{greater, lesser};
 use crate::scene::{Detail, Surfel};
@@ -29,31 +31,45 @@ const STRENGTHS: [GrainStrength; 3] = [
 const CLOUDS: [f32; 3] = [0.05, 0.10, 0.09];
 const BROAD: f32 = 9.0;
 const FINE: f32 = 38.0;
+/// Waves of the ground's pebbles.
+const PEBBLES: f32 = 14.0;
+/// Waves in a metre of patches of moss, and of stripes of water, which are upright.
+const PATCHES: Vec3 = Vec3::splat(1.7);
+const STRIPES: Vec3 = Vec3::new(15.0, 0.7, 15.0);
 
 /// The grain of a wall.
 pub(super) struct WallGrain {
     tile: NoiseTile,
     grain: NearGrain,
+    weather: Weather,
+    /// The word of the ground.
+    ground: &'static str,
     /// Scene units in a metre.
     scale: f32,
 }
 
 impl WallGrain {
     /// The grain of a wall that is drawn at `scale` units in a metre.
-    pub fn new(seed: u64, scale: f64) -> Self {
+    pub fn new(seed: u64, scale: f64, weather: Weather, ground: &'static str) -> Self {
         let (item, side, levels, dimension) = NOISE;
         Self {
             tile: NoiseTile::new(seed, item, side, levels, dimension),
             grain: NearGrain::new(seed),
+            weather,
+            ground,
             scale: scale as f32,
         }
     }
 
     /// The noise at a place (metres) on the side of a surface that the normal names.
     fn read(&self, p: Vec3, normal: Vec3, waves: f32) -> f32 {
+        self.tile_at(p * waves, normal)
+    }
+
+    /// The noise at a place in waves.
+    fn tile_at(&self, p: Vec3, normal: Vec3) -> f32 {
         let n = normal * normal;
         let weights = n * n / greater((n * n).element_sum(), 1e-6);
-        let p = p * waves;
         let read = |x: f32, y: f32| self.tile.between(x, y).clamp(-2.5, 2.5);
         weights.x * read(p.z, p.y)
             + weights.y * read(p.x + 31.0, p.z)
@@ -67,6 +83,7 @@ impl Detail for WallGrain {
             MORTAR_ROW => 0,
             BRICK_ROW => 1,
             STONE_ROW => 2,
+            SOIL_ROW | WOOD_ROW => return self.plain(surfel, spread),
             _ => return,
         };
         // Each block reads the noise elsewhere.
@@ -83,9 +100,59 @@ impl Detail for WallGrain {
         let fine = self.read(at + away * 0.53, surfel.normal, FINE) * shown(FINE);
         let light = greater(1.0 + CLOUDS[kind] * (0.7 * broad + 0.5 * fine), 0.3);
         surfel.colour = surfel.colour.map(|v| lesser(v * light, 255.0));
+        let [patches, stripes] =
+            [PATCHES, STRIPES].map(|waves| self.tile_at(at * waves, surfel.normal));
+        let noise = Noise {
+            patches,
+            fine,
+            stripes,
+            own: (own >> 16 & 255) as f32 / 127.5 - 1.0,
+        };
+        self.weather.apply(surfel, at, &noise);
         let place = (at * UNITS + away, surfel.normal);
         if let Some(grain) = self.grain.at(place, spread * UNITS, STRENGTHS[kind]) {
             grain.add_to(&mut surfel.colour, &mut surfel.normal);
         }
+    }
+
+    fn mark(&self) -> Option<u64> {
+        Some(self.weather.mark())
+    }
+}
+
+/// A place with the direction across a surface in y: x and z run along it.
+fn upright(at: Vec3, normal: Vec3) -> Vec3 {
+    let n = normal.abs();
+    if n.y > 0.6 {
+        at
+    } else if n.x > n.z {
+        Vec3::new(at.z, at.x, at.y)
+    } else {
+        Vec3::new(at.x, at.z, at.y)
+    }
+}
+
+impl WallGrain {
+    /// The ground, and wood.
+    fn plain(&self, surfel: &mut Surfel, spread: f32) {
+        let at = surfel.position / self.scale;
+        let spread = spread / self.scale;
+        let shown = |waves: f32| (2.0 - 4.0 * waves * spread).clamp(0.0, 1.0);
+        let read = |waves: f32| self.read(at, surfel.normal, waves) * shown(waves);
+        let light = match surfel.material {
+            WOOD_ROW => {
+                let fibres = self.tile_at(at * Vec3::new(40.0, 2.5, 40.0), surfel.normal);
+                1.0 + 0.10 * fibres * shown(20.0) + 0.05 * read(BROAD)
+            }
+            _ => relief(
+                self.ground,
+                upright(at, surfel.normal),
+                [read(1.3), read(BROAD)],
+                shown(PEBBLES),
+            ),
+        };
+        surfel.colour = surfel
+            .colour
+            .map(|v| lesser(v * greater(light, 0.3), 255.0));
     }
 }

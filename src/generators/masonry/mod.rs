@@ -10,6 +10,7 @@ mod engine;
 mod figures;
 mod files;
 mod grain;
+mod ground;
 mod params;
 mod presets;
 mod rules;
@@ -23,6 +24,7 @@ mod tests;
 #[cfg(test)]
 mod view_tests;
 mod views;
+mod weather;
 
 pub use schema::keys;
 
@@ -63,7 +65,7 @@ pub static MASONRY: Generator = Generator {
     names: &["building", "pattern"],
     samples: &[],
     chance: "masonry",
-    home: "330,16,2.6,28",
+    home: "330,16,2.8,28",
     lowest: -85.0,
     engine: |recipe| Box::new(MasonryEngine::new(recipe)),
 };

@@ -10,7 +10,7 @@ use crate::light::ShadeParams;
 use crate::masonry::laying::LayingParams;
 use crate::masonry::module::{ASHLAR, BLOCK, UK_BRICK, US_BRICK};
 use crate::masonry::tree::{PRESETS, TreePreset};
-use crate::material::Gloss;
+use crate::material::{Gloss, WeatherParams};
 use crate::recipe::Recipe;
 
 /// Metres in a millimetre.
@@ -92,6 +92,9 @@ pub(super) struct BlockParams {
     pub crooked: f64,
     pub colours: Colours,
     pub vary: f64,
+    pub weather: WeatherParams,
+    /// The word of the ground.
+    pub ground: &'static str,
     pub seed: u64,
 }
 
@@ -139,8 +142,15 @@ impl MasonryParams {
                     walls: recipe.choice(keys::WALLS),
                     dressing: recipe.choice(keys::DRESSING),
                     mortar: recipe.choice(keys::MORTAR),
+                    roof: recipe.choice(keys::ROOF),
                 },
                 vary: recipe.number(keys::VARY),
+                weather: WeatherParams {
+                    moss: recipe.number(keys::MOSS),
+                    wet: recipe.number(keys::DAMP),
+                    ..WeatherParams::default()
+                },
+                ground: recipe.choice(keys::GROUND),
                 seed,
             },
             shade: common::shading(recipe),

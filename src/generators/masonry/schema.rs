@@ -21,8 +21,18 @@ const WALLS: &[Choice] = choices![
 
 /// The colours of dressings: sills, arches, lintels and quoins.
 const DRESSINGS: &[Choice] = choices![
-    same: "As the wall", pale: "Pale stone", honey: "Honey stone", grey: "Grey stone",
+    pale: "Pale stone", same: "As the wall", honey: "Honey stone", grey: "Grey stone",
     red: "Red brick", yellow: "Yellow brick", dark: "Dark brick",
+];
+
+/// The colours of tiles and slates.
+const ROOFS: &[Choice] = choices![
+    slate: "Slate", tiles: "Red tiles", brown: "Brown tiles", stone: "Stone slates",
+];
+
+/// What the building stands on.
+const GROUNDS: &[Choice] = choices![
+    grass: "Grass", gravel: "Gravel", paving: "Paving", none: "Studio floor",
 ];
 
 const MORTARS: &[Choice] = choices![light: "Light", grey: "Grey", sand: "Sand", dark: "Dark"];
@@ -39,7 +49,7 @@ const fn millimetres(name: &'static str, [least, most, usual]: [f64; 3]) -> Para
 rows! {
     building BUILDING: "What is built: one by rule, or that of a file." =>
         choice("Building", choices![
-            block: "Block", lhouse: "L-shaped house", gabled: "House with gables", wall: "Wall with openings",
+            gabled: "House with gables", lhouse: "L-shaped house", block: "Block", wall: "Wall with openings",
             gate: "Gate", steps: "Steps with columns", tower: "Round tower", ring: "Ring of walls",
             sheet: "Single wall", file: "From a file",
         ]).group("Building").main();
@@ -53,7 +63,8 @@ rows! {
 
     pattern PATTERN: "The tree of patterns that features are passed down." =>
         choice("Pattern", choices![
-            bricks: "Bricks", ashlar: "Random ashlar", rgb: "RGB blocks",
+            quoins: "Bricks with stone quoins", bricks: "Bricks", coped: "Bricks with a coping",
+            ashlar: "Random ashlar", rgb: "RGB blocks",
             diagonal: "Steps with diagonal bricks", cement: "Steps with cement stones",
         ]).group("Pattern").main();
     hand HAND: "Which way bricks of corners and edges point: solved for the whole building, or by the bits stored in it, as in the paper." =>
@@ -83,11 +94,18 @@ rows! {
     walls WALLS: "Colours of the wall." => choice("Wall", WALLS).group("Look").main();
     dressing DRESSING: "Colours of sills, lintels, arches and quoins." =>
         choice("Dressings", DRESSINGS).group("Look").main();
+    roof ROOF: "Colours of the roof's tiles." => choice("Roof", ROOFS).group("Look").main();
     mortar MORTAR: "Colour of the mortar." => choice("Mortar", MORTARS).group("Look");
     vary VARY: "Variation of tone from block to block." => common::VARY.group("Look");
     gloss GLOSS: "How blocks shine." => common::GLOSS.group("Look");
 
+    ground GROUND: "What the building stands on." => choice("Ground", GROUNDS).group("Weather").main();
+    moss MOSS: "Lets moss grow low down, on what faces up, and on the north side." =>
+        number("", "Moss").range(0.0, 1.0, 0.05, 0.3).group("Weather").main();
+    damp DAMP: "Lets damp rise from the ground, and water run down from sills." =>
+        number("", "Damp").range(0.0, 1.0, 0.05, 0.3).group("Weather").main();
+
     ..[common::LIGHTING];
-    az AZ => common::AZ.range(0.0, 360.0, 1.0, 70.0);
-    el EL => common::EL.range(5.0, 90.0, 1.0, 38.0);
+    az AZ => common::AZ.range(0.0, 360.0, 1.0, 62.0);
+    el EL => common::EL.range(5.0, 90.0, 1.0, 30.0);
 }

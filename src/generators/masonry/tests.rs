@@ -84,7 +84,7 @@ fn every_building_has_a_block_for_each_cell() {
 /// The engine of a recipe that names this file, up to its blocks; or the sentence with which it stopped.
 fn laid_file(name: &str, content: &str) -> Result<usize, Notice> {
     let file = GivenFile::whole(name, content.as_bytes().to_vec());
-    let mut recipe = recipe("make=masonry");
+    let mut recipe = recipe("make=masonry&pattern=bricks");
     let row = file.named().row();
     let rules = super::SCHEMA.rules;
     rules

@@ -27,6 +27,7 @@ lists! {
         lhouse_height LHOUSE_HEIGHT: "One of the numbers that the building is made by." => number_row(&numbers::L_HOUSE[4], &["lhouse"]);
         lhouse_windows LHOUSE_WINDOWS: "One of the numbers that the building is made by." => number_row(&numbers::L_HOUSE[5], &["lhouse"]);
         lhouse_head LHOUSE_HEAD: "One of the numbers that the building is made by." => number_row(&numbers::L_HOUSE[6], &["lhouse"]);
+        lhouse_pitch LHOUSE_PITCH: "One of the numbers that the building is made by." => number_row(&numbers::L_HOUSE[7], &["lhouse"]);
         gabled_length GABLED_LENGTH: "One of the numbers that the building is made by." => number_row(&numbers::GABLED[0], &["gabled"]);
         gabled_width GABLED_WIDTH: "One of the numbers that the building is made by." => number_row(&numbers::GABLED[1], &["gabled"]);
         gabled_height GABLED_HEIGHT: "One of the numbers that the building is made by." => number_row(&numbers::GABLED[2], &["gabled"]);

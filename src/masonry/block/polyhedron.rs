@@ -80,11 +80,17 @@ impl Polyhedron {
         self.sides.len() > 3 && self.sides.iter().all(has_area) && self.volume() > LEAST_VOLUME
     }
 
-    /// The body with the vertices on a plane moved out along its normal (metres): cells that stand out of the wall.
-    pub fn raised(mut self, plane: Plane, by: f64) -> Self {
+    /// The body with some of its sides moved out (metres): cells that stand out of the wall. No more than two of the
+    /// planes may meet, unless at right angles.
+    pub fn raised(mut self, planes: &[Plane], by: f64) -> Self {
         for p in &mut self.vertices {
-            if plane.distance(*p).abs() < 1e-6 {
-                *p += plane.normal * by;
+            let on = planes
+                .iter()
+                .filter(|plane| plane.distance(*p).abs() < 1e-6);
+            let normals: Vec<DVec3> = on.map(|plane| plane.normal).collect();
+            let sum: DVec3 = normals.iter().sum();
+            if let Some(first) = normals.first() {
+                *p += sum * (by / sum.dot(*first));
             }
         }
         self

@@ -3,6 +3,7 @@
 
 use super::bricks::BrickBond;
 use super::cell::{CellSort, Feature};
+use super::quoins::stacks;
 use super::run::Run;
 use super::site::Site;
 use crate::building::{Arc, Bend, Edge, EdgeId, FaceId, Piece};
@@ -335,18 +336,9 @@ impl Site {
             .into_iter()
             .filter_map(|(_, span)| self.free_part(run, span))
             .collect();
-        let mut rest = &free[..];
-        let mut long = 0;
-        while let Some(first) = rest.first() {
-            // The last stone has two courses at least.
-            let count = if rest.len() < courses + 2 {
-                rest.len().min(courses + 1)
-            } else {
-                courses
-            };
-            let span = [first[0], rest[count - 1][1]];
-            self.edge_stone(Feature::Edge(id), node, (run, long, JAMB), span);
-            (rest, long) = (&rest[count..], 1 - long);
+        for (number, span) in stacks(&free, courses).into_iter().enumerate() {
+            let draft = self.edge_stone(run, (number % 2, JAMB), span);
+            self.place(Feature::Edge(id), node, draft);
         }
     }
 }

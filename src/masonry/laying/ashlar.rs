@@ -53,7 +53,8 @@ impl Site {
             if let (Some((row, [from, _])), Some((_, [_, to]))) = (part.first(), part.last()) {
                 let long = self.turned(feature, self.long_side(&run, *row, false));
                 if let Some(span) = self.free_part(&run, [*from, *to]) {
-                    self.edge_stone(feature, node, (&run, long, CORNER), span);
+                    let draft = self.edge_stone(&run, (long, CORNER), span);
+                    self.place(feature, node, draft);
                 }
             }
         }
@@ -94,14 +95,13 @@ impl Site {
         }
     }
 
-    /// A stone along an upright run: `reaches` are the units into the long and into the short side.
+    /// A stone along an upright run: `units` are those into the long and into the short side.
     pub fn edge_stone(
-        &mut self,
-        feature: Feature,
-        node: &GeneratorNode,
-        (run, long, units): (&Run, usize, [usize; 2]),
+        &self,
+        run: &Run,
+        (long, units): (usize, [usize; 2]),
         span: [f64; 2],
-    ) {
+    ) -> CellDraft {
         let middle = 0.5 * (span[0] + span[1]);
         let reaches = [0, 1].map(|side| {
             let count = units[usize::from(side != long)];
@@ -111,12 +111,7 @@ impl Site {
         });
         let reaches = self.fitted(run, span, reaches);
         let body = self.edge_body(run, span, reaches);
-        let outwards = self.edge_outwards(run, middle);
-        self.place(
-            feature,
-            node,
-            CellDraft::new(CellSort::Stone, body, outwards),
-        );
+        CellDraft::new(CellSort::Stone, body, self.edge_outwards(run, middle))
     }
 
     /// The reach of an edge stone: between two convex edges each has half of the columns.
@@ -149,7 +144,8 @@ impl Site {
             for span in self.stone_spans(&run, most, &mut random) {
                 if run.is_upright {
                     let reach = 3 + random.below(LONGEST - 2);
-                    self.edge_stone(feature, node, (&run, long, [reach, 2]), span);
+                    let draft = self.edge_stone(&run, (long, [reach, 2]), span);
+                    self.place(feature, node, draft);
                     long = 1 - long;
                 } else {
                     self.level_stone(feature, node, &run, span);

@@ -47,12 +47,16 @@ pub enum CellSort {
     Half,
     /// A brick or stone that is cut to the free space.
     Cut,
+    /// A brick or stone that is cut along a slope in which its wall ends.
+    Raked,
     /// A header of a sill.
     Sill,
     /// A stone or a block.
     Stone,
     /// A brick of a special shape: cut to the border of a panel, or to a diagonal.
     Special,
+    /// A tile or a slate of a roof.
+    Tile,
 }
 
 /// A cell.
@@ -84,7 +88,7 @@ pub(super) struct CellDraft {
     pub sort: CellSort,
     pub claimed: Polyhedron,
     pub outwards: DVec3,
-    /// How far the sides towards `fronts` stand out (metres).
+    /// How far the exposed sides towards `fronts` stand out (metres).
     pub extrude: f64,
     /// The place on its face before it was clipped, if something was cut off.
     pub unclipped: Option<Footprint>,

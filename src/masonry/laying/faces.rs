@@ -10,6 +10,7 @@ use crate::masonry::free_space::{LEAST_SHARE, MOST_DEPTH, TOUCH, clip, clip_mult
 use crate::masonry::occupancy::Coverage;
 use crate::masonry::plan::{FaceGrid, is_wall};
 use crate::masonry::tree::GeneratorNode;
+use glam::DVec2;
 use std::collections::BTreeMap;
 
 /// Sides of a face longer than this are no chords of an arc (metres).
@@ -168,11 +169,27 @@ impl Site {
     /// Whether long sides of a face run across its grid. There the single cuts of a brick leave gaps, and it is cut
     /// into several parts.
     fn is_oblique(&self, id: FaceId) -> bool {
-        let mut sides = self.regions[id.index()].sides();
-        sides.any(|[a, b]| {
-            let way = (b - a).abs();
-            way.min_element() > 0.1 * way.max_element() && way.length() > OBLIQUE
-        })
+        self.slopes(id).next().is_some()
+    }
+
+    /// The directions of the long sides of a face that run across its grid.
+    fn slopes(&self, id: FaceId) -> impl Iterator<Item = DVec2> + '_ {
+        let ways = self.regions[id.index()].sides().map(|[a, b]| b - a);
+        let is_oblique = |way: &DVec2| {
+            let size = way.abs();
+            size.min_element() > 0.1 * size.max_element() && way.length() > OBLIQUE
+        };
+        ways.filter(is_oblique).map(DVec2::normalize)
+    }
+
+    /// Whether a part of a brick has a side along a slope of its face.
+    fn is_raked(&self, id: FaceId, part: &Footprint) -> bool {
+        let is_along = |k: usize, slope: DVec2| {
+            let [a, b] = part.side(k);
+            (b - a).normalize_or_zero().perp_dot(slope).abs() < 1e-3
+        };
+        let mut slopes = self.slopes(id);
+        slopes.any(|slope| (0..part.corners().len()).any(|k| is_along(k, slope)))
     }
 
     /// Lays the part of a brick that is left of its whole place.
@@ -186,6 +203,7 @@ impl Site {
         let share = part.area() / area;
         let is_half = (share - 0.5).abs() < 0.03 && part.corners().len() == 4;
         let sort = match sort {
+            _ if share < 0.97 && self.is_raked(id, part) => CellSort::Raked,
             CellSort::Whole if is_half => CellSort::Half,
             _ if !WHOLE.contains(&share) => CellSort::Cut,
             sort => sort,

@@ -28,10 +28,12 @@ pub struct Measures {
     pub whole: f64,
     /// Half bricks.
     pub half: f64,
-    /// Cut cells.
+    /// Cells that are cut, slopes aside.
     pub cut: f64,
     /// Bricks of special shapes: those at the borders of panels, and diagonal ones.
     pub special: f64,
+    /// Cells that are cut along slopes.
+    pub raked: f64,
     /// The share of head joints on faces that meet one of the next row.
     pub straight: f64,
     /// The share of bed joints beside convex upright edges that go on around the edge within 5 mm.
@@ -62,6 +64,7 @@ impl Measures {
             half: of(CellSort::Half),
             cut: of(CellSort::Cut),
             special: of(CellSort::Special),
+            raked: of(CellSort::Raked),
             straight: straight(laying),
             course: course(laying),
         }

@@ -10,23 +10,30 @@ mod ashlar;
 mod bricks;
 mod cell;
 mod cement;
+mod coping;
 mod corners;
 mod faces;
 #[cfg(test)]
 mod invariance_tests;
 mod measures;
 mod mitre;
+mod overhang;
 mod panels;
 mod pointing;
+mod quoins;
+mod raking;
 #[cfg(test)]
 mod random_tests;
 mod rectangles;
+#[cfg(test)]
+mod roof_tests;
 mod run;
 mod site;
 #[cfg(test)]
 mod step_tests;
 #[cfg(test)]
 mod tests;
+mod tiles;
 mod tops;
 mod weave;
 
@@ -196,7 +203,7 @@ impl Laying {
             .into_iter()
             .map(|reached| reached.node.clone())
             .collect();
-        if !nodes.is_empty() {
+        if nodes.iter().any(|node| self.covers(feature, node)) {
             self.textured.push(feature);
         }
         for node in &nodes {
@@ -204,10 +211,18 @@ impl Laying {
         }
     }
 
+    /// Whether a generator covers a feature: tiles leave the undersides and the ends of a roof bare.
+    fn covers(&self, feature: Feature, node: &GeneratorNode) -> bool {
+        match feature {
+            Feature::Face(id) => node.generator != PatternGenerator::Tiles || self.site.is_roof(id),
+            _ => true,
+        }
+    }
+
     fn generate(&mut self, feature: Feature, node: &GeneratorNode) {
         use PatternGenerator::{
-            ArchBricks, ArchStones, Bricks, CementStones, Panel, RandomAshlar, RgbBlocks,
-            StepCorners, WindowBottomBricks,
+            ArchBricks, ArchStones, Bricks, CementStones, Coping, Panel, Quoins, Raking,
+            RandomAshlar, RgbBlocks, StepCorners, Tiles, WindowBottomBricks,
         };
         let is_by_hand = self.params.is_by_hand;
         let bricks = BrickBond {
@@ -240,6 +255,12 @@ impl Laying {
             (StepCorners, Feature::Corner(id)) => site.step_corner(id, node, &bricks),
             (CementStones, Feature::Corner(id)) => site.cement_corner(id, node),
             (CementStones, Feature::Edge(id)) => site.cement_edge(id, node),
+            (Quoins, Feature::Corner(id)) => site.quoin_corner(id, node),
+            (Quoins, Feature::Edge(id)) => site.quoin_edge(id, node),
+            (Raking, Feature::Edge(id)) => site.raking_bricks(id, node),
+            (Coping, Feature::Edge(id)) => site.coping_edge(id, node),
+            (Tiles, Feature::Edge(id)) => site.ridge_tiles(id, node),
+            (Tiles, Feature::Face(id)) => site.tile_face(id, node),
             (generator, _) => self
                 .warnings
                 .push(LayingWarning::NotLaid { feature, generator }),

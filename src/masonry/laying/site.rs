@@ -15,6 +15,9 @@ use std::sync::Arc;
 const ON: f64 = 2e-3;
 /// The least share of a claim that must lie on a face.
 const LEAST_SHARE: f64 = 0.05;
+/// Sides whose normals have a greater cosine with the way in which a cell looks are its fronts: both sides of a stone
+/// at a corner are.
+const FRONT: f64 = 0.45;
 /// The longest chord of an arc in (s, t) when an edge is claimed (metres).
 const CHORD: f64 = 0.06;
 
@@ -96,30 +99,56 @@ impl Site {
         if !draft.claimed.is_sound() {
             return false;
         }
+        let found = self.claims(feature, &draft.claimed);
+        let claimed = self.with_joints(draft.claimed, &found);
+        let claims = found
+            .into_iter()
+            .map(|(face, footprint, _)| (face, footprint));
+        self.settle(
+            feature,
+            node,
+            CellDraft { claimed, ..draft },
+            claims.collect(),
+        );
+        true
+    }
+
+    /// Adds a cell whose joints and claims are known. Its sides without joints that look as the draft does stand out.
+    pub fn settle(
+        &mut self,
+        feature: Feature,
+        node: &GeneratorNode,
+        draft: CellDraft,
+        claims: Vec<(FaceId, Footprint)>,
+    ) {
         let number = self.cells.len() as u32;
         let around = draft.claimed.bounds();
-        let found = self.claims(feature, &draft.claimed);
-        for (face, footprint, _) in &found {
+        for (face, footprint) in &claims {
             self.faces[face.index()].claim(footprint, number);
             self.claim_edges(*face, footprint, (number, &around));
         }
-        let claimed = self.with_joints(draft.claimed, &found);
-        let body = raised(&claimed, draft.fronts, draft.extrude);
+        let claimed = draft.claimed;
+        let is_front = |plane: &Plane| {
+            draft
+                .fronts
+                .iter()
+                .any(|front| plane.normal.dot(*front) > FRONT)
+        };
+        let sides = claimed.planes().zip(claimed.sides());
+        let fronts = sides
+            .filter(|(plane, side)| draft.extrude != 0.0 && side.inset == 0.0 && is_front(plane));
+        let fronts: Vec<Plane> = fronts.map(|(plane, _)| plane).collect();
         self.cells.push(MasonryCell {
             feature,
             generator: node.generator,
             tag: node.count("tag") as u8,
             sort: draft.sort,
+            body: claimed.clone().raised(&fronts, draft.extrude),
             claimed,
-            body,
             outwards: draft.outwards,
-            claims: found
-                .into_iter()
-                .map(|(face, footprint, _)| (face, footprint))
-                .collect(),
+            claims,
             unclipped: draft.unclipped,
         });
-        true
     }
 
     /// Half a joint at each side that does not lie on a face.
@@ -240,16 +269,6 @@ impl Site {
             }
         }
     }
-}
-
-/// A body with the sides that look towards `fronts` moved outwards (metres).
-fn raised(claimed: &Polyhedron, fronts: [DVec3; 2], by: f64) -> Polyhedron {
-    if by == 0.0 {
-        return claimed.clone();
-    }
-    let is_front = |plane: &Plane| fronts.iter().any(|front| plane.normal.dot(*front) > 0.99);
-    let sides = claimed.planes().filter(is_front);
-    sides.fold(claimed.clone(), |body, plane| body.raised(plane, by))
 }
 
 /// The ends of the straight pieces of an edge, and of short chords of its arcs, by arc length.

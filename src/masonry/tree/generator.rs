@@ -30,6 +30,8 @@ pub enum PatternGenerator {
     Raking,
     /// Large stones at corners and vertical edges.
     Quoins,
+    /// Flat stones along the top of a free-standing wall.
+    Coping,
 }
 
 /// A number of a generator.
@@ -72,7 +74,7 @@ const EXTRUDE: Parameter = real("extrude", [0.0, 0.2], 0.04);
 
 impl PatternGenerator {
     /// All generators, with their words in JSON.
-    pub const ALL: [(Self, &'static str); 12] = [
+    pub const ALL: [(Self, &'static str); 13] = [
         (Self::RgbBlocks, "RGBBlocks"),
         (Self::Bricks, "Bricks"),
         (Self::WindowBottomBricks, "WindowBottomBricks"),
@@ -85,6 +87,7 @@ impl PatternGenerator {
         (Self::Tiles, "Tiles"),
         (Self::Raking, "Raking"),
         (Self::Quoins, "Quoins"),
+        (Self::Coping, "Coping"),
     ];
 
     /// The generator with this word.
@@ -151,18 +154,30 @@ impl PatternGenerator {
                     ]
                 }
             }
+            // Each tile covers that below by the share `lap` of its length.
             Self::Tiles => {
                 const {
                     &[
                         real("length", [0.05, 2.0], 0.3),
                         real("width", [0.05, 2.0], 0.2),
-                        real("thickness", [0.002, 0.2], 0.012),
+                        real("thickness", [0.002, 0.2], 0.014),
                         real("lap", [0.0, 0.9], 0.5),
                         TAG,
                     ]
                 }
             }
             Self::Raking => const { &[EXTRUDE, TAG] },
+            // Stones stand over both sides of the wall by `over`.
+            Self::Coping => {
+                const {
+                    &[
+                        real("length", [0.05, 3.0], 0.5),
+                        real("thickness", [0.01, 0.5], 0.06),
+                        real("over", [0.0, 0.2], 0.03),
+                        TAG,
+                    ]
+                }
+            }
             Self::Quoins => {
                 const {
                     &[
@@ -187,7 +202,7 @@ impl PatternGenerator {
         match self {
             Self::RgbBlocks | Self::Bricks | Self::RandomAshlar => &[Corner, Edge, Face],
             Self::WindowBottomBricks | Self::CementStones | Self::Quoins => &[Corner, Edge],
-            Self::ArchStones | Self::ArchBricks | Self::Raking => &[Edge],
+            Self::ArchStones | Self::ArchBricks | Self::Raking | Self::Coping => &[Edge],
             Self::Panel => &[Face],
             Self::StepCorners => &[Corner],
             Self::Tiles => &[Edge, Face],

@@ -23,6 +23,8 @@ mod fault;
 mod feature;
 mod generator;
 mod node;
+#[cfg(test)]
+mod preset_tests;
 mod presets;
 mod read;
 #[cfg(test)]

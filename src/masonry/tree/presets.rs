@@ -30,7 +30,7 @@ impl TreePreset {
 
 /// All presets. The first three have the names of Legakis, Dorsey, Gortler (2001), fig. 4. Their structure follows
 /// sections 4.1, 5.2 and 5.5.
-pub static PRESETS: [TreePreset; 6] = [
+pub static PRESETS: [TreePreset; 7] = [
     TreePreset {
         word: "rgb",
         name: "RGB Blocks",
@@ -53,6 +53,12 @@ pub static PRESETS: [TreePreset; 6] = [
   "cases": {
     "Arch": {"type": "ByFeature", "corner": {"type": "None"}, "edge": {"type": "ArchBricks"}, "face": {"type": "Bricks"}},
     "Glass": {"type": "None"},
+    "Roof": {
+      "type": "ByFeature",
+      "corner": {"type": "None"},
+      "edge": {"type": "Seq", "children": [{"type": "Raking", "extrude": 0}, {"type": "Tiles"}]},
+      "face": {"type": "Tiles"}
+    },
     "Window": {
       "type": "ByFeature",
       "corner": {
@@ -86,6 +92,12 @@ pub static PRESETS: [TreePreset; 6] = [
       "face": {"type": "RandomAshlar"}
     },
     "Glass": {"type": "None"},
+    "Roof": {
+      "type": "ByFeature",
+      "corner": {"type": "None"},
+      "edge": {"type": "Tiles"},
+      "face": {"type": "Tiles", "length": 0.34, "width": 0.24}
+    },
     "Window": {
       "type": "ByFeature",
       "corner": {"type": "None"},
@@ -103,7 +115,12 @@ pub static PRESETS: [TreePreset; 6] = [
   "type": "ByLabel",
   "cases": {
     "Glass": {"type": "None"},
-    "Roof": {"type": "Tiles"},
+    "Roof": {
+      "type": "ByFeature",
+      "corner": {"type": "None"},
+      "edge": {"type": "Seq", "children": [{"type": "Raking", "extrude": 0.015}, {"type": "Tiles"}]},
+      "face": {"type": "Tiles"}
+    },
     "Window": {
       "type": "ByFeature",
       "corner": {"type": "None"},
@@ -118,11 +135,11 @@ pub static PRESETS: [TreePreset; 6] = [
   },
   "else": {
     "type": "ByFeature",
-    "corner": {"type": "Quoins", "tag": 1},
+    "corner": {"type": "Quoins", "extrude": 0.012, "tag": 1},
     "edge": {
       "type": "Orientation",
-      "horizontal": {"type": "Bricks"},
-      "vertical": {"type": "Quoins", "tag": 1}
+      "horizontal": {"type": "Seq", "children": [{"type": "Bricks"}, {"type": "Coping", "tag": 1}]},
+      "vertical": {"type": "Quoins", "extrude": 0.012, "tag": 1}
     },
     "face": {"type": "Bricks"}
   }
@@ -132,6 +149,45 @@ pub static PRESETS: [TreePreset; 6] = [
         word: "diagonal",
         name: "Steps with diagonal bricks",
         json: include_str!("diagonal.json"),
+    },
+    TreePreset {
+        word: "coped",
+        name: "Bricks with a coping",
+        json: r#"{
+  "type": "ByLabel",
+  "cases": {
+    "Arch": {"type": "ByFeature", "corner": {"type": "None"}, "edge": {"type": "ArchBricks"}, "face": {"type": "Bricks"}},
+    "Glass": {"type": "None"},
+    "Roof": {
+      "type": "ByFeature",
+      "corner": {"type": "None"},
+      "edge": {"type": "Seq", "children": [{"type": "Raking", "extrude": 0.015}, {"type": "Tiles"}]},
+      "face": {"type": "Tiles"}
+    },
+    "Window": {
+      "type": "ByFeature",
+      "corner": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "WindowBottomBricks"},
+        "top": {"type": "None"},
+        "side": {"type": "Bricks"}
+      },
+      "edge": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "WindowBottomBricks"},
+        "top": {"type": "ArchStones", "rows": [[0.25, 0.2, 0]], "keystone": 0.08, "tag": 1},
+        "side": {"type": "Bricks"}
+      },
+      "face": {"type": "Bricks"}
+    }
+  },
+  "else": {
+    "type": "ByFeature",
+    "corner": {"type": "Bricks"},
+    "edge": {"type": "Seq", "children": [{"type": "Bricks"}, {"type": "Coping", "tag": 1}]},
+    "face": {"type": "Bricks"}
+  }
+}"#,
     },
     TreePreset {
         word: "cement",

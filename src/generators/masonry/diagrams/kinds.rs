@@ -8,7 +8,7 @@ use crate::masonry::laying::{CellSort, Laying, MasonryCell};
 use crate::scene::Scene;
 use crate::surface_stones::Fit;
 
-/// The colour of a sort: whole, half and cut bricks, sills, stones, and bricks of special shapes.
+/// The colour of a sort: whole, half and cut bricks, sills, stones, bricks of special shapes or along slopes, and tiles.
 pub(super) fn colour_of(sort: CellSort) -> [u8; 3] {
     match sort {
         CellSort::Whole => [188, 180, 166],
@@ -17,6 +17,8 @@ pub(super) fn colour_of(sort: CellSort) -> [u8; 3] {
         CellSort::Sill => [150, 122, 196],
         CellSort::Stone => [148, 168, 120],
         CellSort::Special => [222, 176, 84],
+        CellSort::Raked => [226, 152, 72],
+        CellSort::Tile => [112, 128, 144],
     }
 }
 

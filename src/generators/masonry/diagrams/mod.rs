@@ -55,7 +55,7 @@ pub(super) fn diagram(
 pub(super) fn bare(site: &BuildingSite, blocks: &BlockParams) -> Scene {
     let mut scene = empty(site);
     let depth = (blocks.recess, blocks.length);
-    add_mortar(&mut scene, site, depth, (CALM, BARE));
+    add_mortar(&mut scene, site, depth, [(CALM, BARE); 2]);
     scene
 }
 
