@@ -1,8 +1,9 @@
 //! Scenes of the views of masonry.
 
 use super::MasonryEngine;
-use super::blocks::{Wall, add_mortar, add_plain, flat, plain};
+use super::blocks::{Wall, add_mortar, flat, plain};
 use super::colours::{FEATURES, type_of};
+use super::parts::add_plain;
 use super::site::BuildingSite;
 use super::views::MasonryView;
 use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
