@@ -5,6 +5,7 @@ use super::cuboid::Cuboid;
 use super::grain::WallGrain;
 use super::ground::add_ground;
 use super::params::BlockParams;
+use super::parts::add_plain;
 use super::site::BuildingSite;
 use super::weather::Weather;
 use crate::building::labels::ROOF;
@@ -218,21 +219,6 @@ fn smooth(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
         colours: vec![WHITE; mesh.positions.len()],
         triangles: mesh.triangles.clone(),
     }
-}
-
-/// Adds a surface in the scene's own coordinates, with an id, in one colour and material.
-pub(super) fn add_plain(
-    scene: &mut Scene,
-    surface: Surface,
-    (id, tint, material): (u32, [u8; 3], u8),
-) {
-    scene.instances.push(Instance {
-        body: scene.bodies.len() as u32,
-        place: Place::default(),
-        id,
-        paint: Some(Paint { tint, material }),
-    });
-    scene.bodies.push(Body::new(vec![surface], material));
 }
 
 /// Adds the mortar, and the boards of roofs, each in one colour and material.

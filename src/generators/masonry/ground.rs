@@ -1,7 +1,7 @@
 //! The round piece of ground that a building stands on: grass, gravel or paving.
 
-use super::blocks::add_plain;
 use super::colours::{GRASS_ROW, SOIL_ROW};
+use super::parts::add_plain;
 use super::site::BuildingSite;
 use crate::building::{Building, Face};
 use crate::masonry::plan::region;

@@ -12,6 +12,7 @@ mod files;
 mod grain;
 mod ground;
 mod params;
+mod parts;
 mod presets;
 mod rules;
 mod schema;

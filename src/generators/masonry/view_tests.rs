@@ -16,7 +16,11 @@ use crate::scene::Scene;
 use std::collections::BTreeSet;
 
 fn engine(link: &str) -> MasonryEngine {
-    laid(&format!("make=masonry&size=128&{link}")).expect("a building")
+    let pattern = match link.contains("pattern=") {
+        true => "",
+        false => "&pattern=bricks",
+    };
+    laid(&format!("make=masonry&size=128{pattern}&{link}")).expect("a building")
 }
 
 fn laying(engine: &MasonryEngine) -> &Laying {

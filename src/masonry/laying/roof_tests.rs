@@ -206,7 +206,10 @@ fn quoins_alternate_and_end_on_course_lines() {
                 alternating += 1;
             }
         }
-        assert!(alternating > 8, "{alternating}");
+        assert!(
+            rule == Rule::LHouse || alternating > 8,
+            "{rule:?} {alternating}"
+        );
     }
 }
 

@@ -1,7 +1,8 @@
 //! All cells in plain colours, by their features or by their sorts.
 
-use super::super::blocks::{add_plain, plain};
+use super::super::blocks::plain;
 use super::super::colours::{FEATURES, type_of};
+use super::super::parts::add_plain;
 use super::super::views::MasonryView;
 use super::SATIN;
 use crate::masonry::laying::{CellSort, Laying, MasonryCell};

@@ -15,10 +15,10 @@ pub(super) use seams::Texture;
 
 use super::blocks::{add_mortar, flat};
 use super::params::BlockParams;
+use super::parts::add_plain;
 use super::site::BuildingSite;
 use super::views::MasonryView;
 use crate::building::{FaceId, VertexId};
-use crate::generators::masonry::blocks::add_plain;
 use crate::masonry::block::BlockMesh;
 use crate::masonry::laying::{Feature, Laying};
 use crate::random::{Purpose, Random};

@@ -1,6 +1,6 @@
 //! Thin coloured plates on a face.
 
-use super::super::blocks::add_plain;
+use super::super::parts::add_plain;
 use crate::building::{Face, Surface as FaceSurface};
 use crate::masonry::footprint::{Footprint, HalfPlane};
 use crate::masonry::plan::region;
