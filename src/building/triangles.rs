@@ -39,7 +39,8 @@ pub(super) fn triangulate(
     let spots = || rings.iter().flatten();
     let bounds = [DVec2::INFINITY, DVec2::NEG_INFINITY];
     let [low, high] = spots().fold(bounds, |[lo, hi], p| [lo.min(p.at), hi.max(p.at)]);
-    let scaled = |p: DVec2| (p - low) * UNITS;
+    // Minus zero becomes zero: the order of the lines below tells them apart, and the least of both differs by machine.
+    let scaled = |p: DVec2| (p - low) * UNITS + DVec2::ZERO;
     let mut lines: Vec<[DVec2; 2]> = Vec::new();
     for ring in rings {
         let next = ring.iter().cycle().skip(1);

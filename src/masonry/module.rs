@@ -26,7 +26,12 @@ pub enum ModuleFault {
     NotPositive,
     /// The joint is as wide as a block, or wider.
     WideJoint,
+    /// W and H differ by more than [`MOST_RATIO`]: the maps of occupancy would need too many pixels for a block.
+    Uneven,
 }
+
+/// The greatest ratio of W and H, either way.
+pub const MOST_RATIO: f64 = 4.0;
 
 /// Checks a module.
 ///
@@ -42,9 +47,13 @@ pub fn check(module: &Module) -> Result<(), ModuleFault> {
     if !are_finite || half <= 0.0 || course <= 0.0 || joint < 0.0 {
         return Err(ModuleFault::NotPositive);
     }
-    let is_wide = joint >= half.min(course);
-    if is_wide {
-        Err(ModuleFault::WideJoint)
+    if joint >= half.min(course) {
+        return Err(ModuleFault::WideJoint);
+    }
+    // Numbers of links are rounded.
+    let is_uneven = half.max(course) > MOST_RATIO * half.min(course) * (1.0 + 1e-9);
+    if is_uneven {
+        Err(ModuleFault::Uneven)
     } else {
         Ok(())
     }
@@ -60,6 +69,10 @@ mod tests {
             assert_eq!(check(&good), Ok(()));
         }
         assert_eq!(check(&new(0.1, 0.1, 0.1)), Err(ModuleFault::WideJoint));
+        assert_eq!(check(&new(0.1, 0.4, 0.01)), Ok(()));
+        for uneven in [new(0.1, 0.41, 0.01), new(1.0, 0.02, 0.0)] {
+            assert_eq!(check(&uneven), Err(ModuleFault::Uneven));
+        }
         for bad in [
             new(0.0, 0.1, 0.01),
             new(0.1, f64::NAN, 0.01),

@@ -196,7 +196,7 @@ fn seams(laying: &Laying) -> Notice {
         .with("broken", broken)
 }
 
-/// The number of clipped cells, by what takes most of each one's place.
+/// The number of clipped cells, each counted by the feature that takes most of its place.
 fn clipping(laying: &Laying) -> Notice {
     let mut counts = [0; 4];
     for numbered in (0..).zip(laying.cells()) {

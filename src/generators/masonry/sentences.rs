@@ -6,6 +6,7 @@ use crate::building::{
 };
 use crate::decimal;
 use crate::masonry::laying::{Laying, LayingWarning};
+use crate::masonry::module::ModuleFault;
 use crate::masonry::plan::{CourseWarning, PlanFault, PlanWarning};
 use crate::notice::{Code, Notice, quote, quote_long};
 use glam::DVec3;
@@ -94,6 +95,7 @@ pub(super) fn refusal(fault: &PlanFault, module: f64) -> Notice {
             .with("width", millimetres(width))
     };
     match fault {
+        PlanFault::Module(ModuleFault::Uneven) => Code::MasonryUneven.into(),
         PlanFault::Module(_) => Code::MasonryJoint.into(),
         PlanFault::Misfit(Misfit::ModuleTooLarge { width, .. }) => told(Code::MasonryLarge, *width),
         PlanFault::Misfit(Misfit::TooNarrow { width, .. }) => told(Code::MasonryNarrow, *width),
