@@ -112,6 +112,12 @@ mod tests {
                 mortar.triangles.len() >= building.polygons().len(),
                 "{name}"
             );
+            // Four planes meet at the ends of a gable's walls, where they fit together, and in the inner corner of an L,
+            // whose roofs may have two pitches.
+            let limit = match name.contains("lhouse") {
+                true => 1e-3,
+                false => 1e-6,
+            };
             for (triangle, &id) in mortar.triangles.iter().zip(&mortar.faces) {
                 let face = building.face(id);
                 let wanted = match face.labels.iter().any(|label| label == GLASS) {
@@ -123,10 +129,8 @@ mod tests {
                     let moved = mortar.positions[v as usize] - was;
                     let place = face.surface.project(was);
                     let normal = face.surface.frame(place.x, place.y).normal;
-                    // Four planes meet at the ends of a gable's walls, where they fit together, and in the inner corner
-                    // of an L, whose roofs may have two pitches.
                     assert!(
-                        (moved.dot(normal) - wanted).abs() < 3e-3,
+                        (moved.dot(normal) - wanted).abs() < limit,
                         "{name} {moved} {normal}"
                     );
                 }

@@ -348,6 +348,18 @@ const typeRows = (n: number): Row[] => {
   ];
 };
 
+
+/** Sunlight about as it is, for bodies whose colours are known. */
+const STILL_LIGHT: Row[] = [
+  ['light', { parallel: 1 }],
+  ['amb', range(0.95, 1.15, 0.05)],
+  ['diff', range(1, 1.15, 0.05)],
+  ['spec', range(0.9, 1.2, 0.05)],
+  ['shin', { '1': 1 }],
+  ['shadow', { '1': 1 }],
+  ['occl', range(0.8, 1, 0.05)],
+];
+
 /** Recipes here have between some tens and some thousand darts. */
 const PILE: Table = {
   Component: [
@@ -432,17 +444,7 @@ const PILE: Table = {
     ['gloss', { own: 6, glossy: 1 }],
     ['wet', rarely(0.12, 0.2, 0.6)],
   ],
-  Light: [
-    ['light', { parallel: 1 }],
-    ['az', range(60, 150, 1)],
-    ['el', range(36, 55, 1)],
-    ['amb', range(0.95, 1.15, 0.05)],
-    ['diff', range(1, 1.15, 0.05)],
-    ['spec', range(0.9, 1.2, 0.05)],
-    ['shin', { '1': 1 }],
-    ['shadow', { '1': 1 }],
-    ['occl', range(0.8, 1, 0.05)],
-  ],
+  Light: [['az', range(60, 150, 1)], ['el', range(36, 55, 1)], ...STILL_LIGHT],
 };
 
 /** The rows of the numbers of shapes that surfaces have, too. */
@@ -455,22 +457,52 @@ function withBoth(own: Table): Table {
   return Object.fromEntries(Object.entries(own).map(([group, rows]) => [group, [...rows, ...(BOTH[group] ?? [])]]));
 }
 
-/** The tables, by the word that a generator gives. */
 /** Buildings with the patterns, modules and colours that suit them. */
 const MASONRY: Table = {
   Building: [
     ['building', { gabled: 4, lhouse: 3, gate: 3, wall: 2, tower: 2, steps: 2, ring: 1, block: 1 }],
-    ['gabled_windows', range(1, 3, 1)],
+    ['lhouse_length', range(40, 52, 1)],
+    ['lhouse_width', range(32, 42, 1)],
+    ['lhouse_wing', range(14, 22, 1)],
+    ['lhouse_depth', range(14, 18, 1)],
+    ['lhouse_height', range(30, 40, 1)],
     ['lhouse_windows', range(1, 3, 1)],
-    ['gabled_head', range(0, 2, 1)],
     ['lhouse_head', range(0, 2, 1)],
+    ['lhouse_pitch', range(38, 50, 1)],
+    ['gabled_length', range(38, 56, 1)],
+    ['gabled_width', range(26, 36, 1)],
+    ['gabled_height', range(28, 40, 1)],
+    ['gabled_pitch', range(36, 52, 1)],
+    ['gabled_windows', range(1, 3, 1)],
+    ['gabled_head', range(0, 2, 1)],
+    ['wall_length', range(42, 60, 1)],
+    ['wall_height', range(24, 32, 1)],
+    ['wall_width', range(4, 7, 1)],
     ['gate_span', range(8, 14, 1)],
+    ['gate_pier', range(4, 8, 1)],
+    ['gate_springing', range(12, 22, 1)],
+    ['steps_steps', range(3, 6, 1)],
+    ['steps_width', range(14, 22, 1)],
+    ['steps_tread', range(2, 3, 1)],
+    ['steps_riser', { '2': 1 }],
+    ['steps_column', range(6, 8, 1)],
+    ['steps_height', range(16, 24, 1)],
+    ['tower_around', range(64, 110, 2)],
+    ['tower_height', range(40, 66, 1)],
+    ['tower_windows', range(3, 7, 1)],
     ['ring_walls', range(4, 9, 1)],
+    ['ring_height', range(10, 20, 1)],
+    ['block_length', range(14, 30, 1)],
+    ['block_width', range(10, 20, 1)],
+    ['block_height', range(12, 24, 1)],
+    ['yaw', range(115, 165, 1), { building: ['lhouse'] }],
+    ['yaw', range(-30, 30, 1, { plain: [0, 0.5] })],
   ],
   Pattern: [
     ['pattern', { diagonal: 2, cement: 2, bricks: 1 }, { building: ['steps'] }],
     ['pattern', { coped: 1 }, { building: ['ring', 'tower', 'wall', 'gate'] }],
     ['pattern', { quoins: 3, bricks: 1, ashlar: 2 }],
+    ['hand', { solved: 1 }],
   ],
   Module: [
     ['module', { ashlar: 1 }, { pattern: ['ashlar'] }],
@@ -478,7 +510,10 @@ const MASONRY: Table = {
   ],
   Blocks: [
     ['rough', range(0.35, 0.7, 0.05), { pattern: ['ashlar'] }],
-    ['rough', range(0, 0, 0.05)],
+    ['rough', { '0': 1 }],
+    ['recess', range(4, 9, 1)],
+    ['chamfer', range(3, 7, 1)],
+    ['crooked', range(0.5, 1.6, 0.1)],
   ],
   Look: [
     ['walls', { honey: 3, grey: 3, pale: 1 }, { pattern: ['ashlar'] }],
@@ -486,6 +521,8 @@ const MASONRY: Table = {
     ['dressing', { same: 1, pale: 2 }],
     ['mortar', { light: 3, grey: 1, sand: 1 }],
     ['roof', { slate: 3, tiles: 2, brown: 2, stone: 1 }],
+    ['vary', range(0.8, 1.3, 0.05)],
+    ['gloss', { own: 1 }],
   ],
   Weather: [
     ['ground', { grass: 4, gravel: 1 }, { building: ['gabled', 'lhouse'] }],
@@ -493,6 +530,7 @@ const MASONRY: Table = {
     ['moss', range(0.1, 0.5, 0.05)],
     ['damp', range(0.1, 0.6, 0.05)],
   ],
+  Light: [['az', range(40, 80, 1)], ['el', range(24, 42, 1)], ...STILL_LIGHT],
 };
 
 export const CHANCES: Record<string, Table> = { plane: withBoth(PLANE), surface: withBoth(SURFACE), pile: PILE, masonry: MASONRY };

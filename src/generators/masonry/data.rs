@@ -73,7 +73,8 @@ fn measures(laying: &Laying) -> String {
     ];
     let shares: Vec<String> = shares
         .iter()
-        .map(|(name, share)| format!("\"{name}\":{}", decimal::text(*share)))
+        // Minus zero becomes zero.
+        .map(|(name, share)| format!("\"{name}\":{}", decimal::text(*share + 0.0)))
         .collect();
     format!(
         "{{\"cells\":{},\"conflicts\":{},{}}}",

@@ -90,11 +90,11 @@ pub const PRESETS: &[Preset] = &[
     drawn(
         ["steps-diagonal", "Steps, diagonal bricks", "Fig. 8"],
         "Two diagonal bricks meet at each top corner, and herringbone is set into the columns.",
-        "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=diagonal&dressing=yellow",
+        "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=diagonal&dressing=yellow&ground=paving&moss=0.1",
     ),
     drawn(
         ["steps-cement", "Steps, cement stones", "Fig. 8"],
         "Rough cast stones lie along the treads and caps, with bricks between them.",
-        "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=cement&dressing=pale",
+        "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=cement&dressing=pale&ground=paving&moss=0.1",
     ),
 ];
