@@ -12,8 +12,12 @@ use crate::solid::Surface;
 use glam::{DVec3, Vec2, Vec3};
 use std::f64::consts::TAU;
 
-/// How far the ground reaches beyond the building's plan (metres).
+/// How far the ground reaches beyond the building's plan, and beyond that of a tall building at least (metres).
 const BEYOND: f64 = 0.55;
+const LEAST_BEYOND: f64 = 0.2;
+/// The rim of the ground lies within a sphere about the building's box, wider than the box by this factor: so the first
+/// camera sees it.
+const SEEN: f64 = 1.08;
 /// Its thickness, and the width of its rounded rim (metres).
 const THICK: f64 = 0.16;
 const RIM: f64 = 0.05;
@@ -69,9 +73,12 @@ impl Disc {
         let start = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         let [low, high] = places.fold(start, |[low, high], p| [low.min(p), high.max(p)]);
         let middle = low.midpoint(high).with_y(low.y);
+        let (plan, half) = (middle.distance(low), 0.5 * (high.y - low.y));
+        let sphere = SEEN * 0.5 * low.distance(high);
+        let seen = (sphere * sphere - half * half).max(0.0).sqrt();
         Self {
             middle,
-            radius: middle.distance(low) + BEYOND,
+            radius: seen.clamp(plan + LEAST_BEYOND, plan + BEYOND),
         }
     }
 
