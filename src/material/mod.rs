@@ -33,8 +33,10 @@ pub(crate) use noise::{floor, white};
 pub use palette::{Ground, Palette};
 pub use palettes::{PALETTES, ground, material_table, palette};
 pub use pattern::{Coat, ColourParams, Pattern};
+pub(crate) use phong::GROUND_ROW;
+#[cfg(house)]
+pub(crate) use phong::MOSS;
 pub use phong::{FINISHES, Gloss, Material};
-pub(crate) use phong::{GROUND_ROW, MOSS};
 #[cfg(house)]
 pub(crate) use reaction::Reaction;
 pub(crate) use smoothstep::smoothstep_f32;

@@ -4,6 +4,7 @@
 mod blocks;
 mod colours;
 mod cuboid;
+#[cfg(not(target_arch = "wasm32"))]
 mod data;
 mod diagrams;
 mod engine;

@@ -18,7 +18,8 @@ pub(super) const MOST_BLOCKS: f64 = 60_000.0;
 /// A building that can be laid.
 pub(super) struct BuildingSite {
     pub building: Arc<Building>,
-    /// The building as a file would have it.
+    /// The building as a file would have it: native programs write it.
+    #[cfg(not(target_arch = "wasm32"))]
     pub draft: Draft,
     /// Whether a file gave it.
     pub is_given: bool,
@@ -47,6 +48,7 @@ impl BuildingSite {
             fit: fit(&building),
             building: Arc::new(building),
             thickness,
+            #[cfg(not(target_arch = "wasm32"))]
             draft,
             is_given: params.rule.is_none(),
         })
