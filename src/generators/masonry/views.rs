@@ -38,7 +38,7 @@ pub(crate) enum MasonryView {
     Parity,
     /// The pixels of the faces' occupancy maps (figure 3).
     Occupancy,
-    /// What was cut off cells, and what is in their way (section 5.1).
+    /// Cells that were cut, and the cells in their way (section 5.1).
     Clipping,
     /// A plain texture, whose bricks end at the edges (figure 1).
     Seams,
