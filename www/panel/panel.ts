@@ -16,7 +16,7 @@ import { SIDE } from './scaling';
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = ['seed', 'poly'];
 
-/** Lists of these kinds are painted on frames, with tools beside them, or changed by what is pointed at. */
+/** Lists of these kinds have tools on the picture: lines are painted there, and blocks are clicked. */
 const PAINTED: readonly Parameter['item'][] = ['trace', 'patch', 'feature'];
 
 /** The visitor's choice of how much of the panel is shown. */

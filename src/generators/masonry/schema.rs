@@ -99,7 +99,7 @@ rows! {
     vary VARY: "Variation of tone from block to block." => common::VARY.group("Look");
     gloss GLOSS: "How blocks shine." => common::GLOSS.group("Look");
 
-    ground GROUND: "What the building stands on." => choice("Ground", GROUNDS).group("Weather").main();
+    ground GROUND: "The ground on which the building stands." => choice("Ground", GROUNDS).group("Weather").main();
     moss MOSS: "Lets moss grow low down, on what faces up, and on the north side." =>
         number("", "Moss").range(0.0, 1.0, 0.05, 0.3).group("Weather").main();
     damp DAMP: "Lets damp rise from the ground, and water run down from sills." =>

@@ -72,7 +72,7 @@ fn both_trees_lay_every_building_without_a_fault() {
                     .all(|face| is_bare(face) != textured.contains(&face))
             );
             assert_eq!(found.conflicts, plain.conflicts);
-            // They are as good as plain bricks, and the bricks of special shapes are told apart.
+            // They are as good as plain bricks; bricks of special shapes count apart.
             assert!(
                 found.gap <= plain.gap + 5e-4 && found.shared_volume <= plain.shared_volume + 1e-4,
                 "{rule:?} {word}: {found:?} {plain:?}"
@@ -140,8 +140,8 @@ fn panels_fill_their_rectangles_and_the_bond_meets_them() {
     }
 }
 
-/// Of two rows beside a panel one has a half brick there and one has none, or both have longer bricks: halves never
-/// stand on each other.
+/// One of two rows beside a panel has a half brick there and the other has none, or both have longer bricks: halves
+/// never stand on each other.
 fn check_bond_beside(laying: &Laying, face: FaceId, panel: &Footprint) {
     let [low, high] = panel.bounds();
     let half = 1.2 * Module::NORMAL.half;

@@ -37,8 +37,8 @@ impl Weave {
     }
 
     /// Herringbone, turned by 45 degrees and clipped to a rectangle. A line between its strips runs through the middle
-    /// of the rectangle. Of the two sorts of such lines, and of some heights, the first one with the fewest slivers
-    /// counts.
+    /// of the rectangle. There are two sorts of such lines, at some heights: keep the first one with the fewest
+    /// slivers.
     pub fn herringbone(&self, rectangle: &Footprint) -> Vec<WovenPiece> {
         let width = self.length / self.count as f64;
         let tries = (0..2 * HEIGHTS).map(|k| {
