@@ -30,7 +30,7 @@ const ROOFS: &[Choice] = choices![
     slate: "Slate", tiles: "Red tiles", brown: "Brown tiles", stone: "Stone slates",
 ];
 
-/// What the building stands on.
+/// The grounds on which a building stands.
 const GROUNDS: &[Choice] = choices![
     grass: "Grass", gravel: "Gravel", paving: "Paving", none: "Studio floor",
 ];
