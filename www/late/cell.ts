@@ -33,12 +33,12 @@ function piledNumbers({ type, layer, slid, inwards, outwards, touches }: Figures
 
 /** The words of the types of features, and of the kinds of blocks. */
 const FEATURES = ['feature_0', 'feature_1', 'feature_2'] as const;
-const KINDS = ['kind_0', 'kind_1', 'kind_2', 'kind_3', 'kind_4'] as const;
+const KINDS = ['kind_0', 'kind_1', 'kind_2', 'kind_3', 'kind_4', 'kind_5', 'kind_6', 'kind_7'] as const;
 
 /** Those of a block in a wall, in millimetres, and of the feature that it was laid for. */
 function blockNumbers({ length, height, depth, sort, course, feature, number }: Figures, { labels, node }: CellWords): [name: string, value: string][] {
   const rows: [string, string][] = [];
-  if (is(sort)) rows.push([t('block_kind'), t(KINDS[sort] ?? 'kind_4')]);
+  if (is(sort)) rows.push([t('block_kind'), t(KINDS[sort] ?? 'kind_5')]);
   if (is(length) && is(height) && is(depth)) rows.push([t('block_size'), t('block_size_of', { length, height, depth })]);
   if (is(course)) rows.push([t('block_course'), String(course)]);
   if (is(feature) && is(number)) rows.push([t('block_feature'), t(FEATURES[feature] ?? 'feature_2', { n: number })]);
