@@ -33,8 +33,9 @@ impl MasonryEngine {
     }
 
     /// The measures of a body, by their words. A block has its length, height and depth in millimetres, joints not
-    /// counted; its sort (0 whole, 1 half, 2 cut, 3 a sill's, 4 a stone); and the number of its course, from 1. All
-    /// bodies have their feature's type (0 a corner, 1 an edge, 2 a face) and number; polygons have that of their face.
+    /// counted; its sort (0 whole, 1 half, 2 cut, 3 cut along a slope, 4 a sill's, 5 a stone, 6 of a special shape, 7 a
+    /// tile); and the number of its course, from 1. All bodies have their feature's type (0 a corner, 1 an edge, 2 a
+    /// face) and number; polygons have that of their face.
     pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
         match self.meant(id) {
             Some(Meant::Cell(cell)) => {
@@ -111,12 +112,19 @@ fn of_feature(feature: Feature) -> [(&'static str, f64); 2] {
 }
 
 /// The length, the height and the depth of a cell (millimetres), as measures; none if its joints take all of it.
-fn size(cell: &MasonryCell) -> Vec<(&'static str, f64)> {
+pub(super) fn size(cell: &MasonryCell) -> Vec<(&'static str, f64)> {
     let Some(body) = cell.body.shrunk() else {
         return Vec::new();
     };
-    let across = cell.outwards.cross(DVec3::Y).normalize_or(DVec3::X);
-    let up = across.cross(-cell.outwards);
+    // Cells of corners and edges look outwards between two faces; their sides are parallel to the faces. The height is
+    // upright, also of a brick that lies in a level face.
+    let facing = |normal: &DVec3| normal.dot(cell.outwards);
+    let normals: Vec<DVec3> = body.planes().map(|plane| plane.normal).collect();
+    let upright = normals.iter().filter(|n| n.y.abs() < 0.5);
+    let front = upright.max_by(|a, b| facing(a).total_cmp(&facing(b)));
+    let front = front.copied().unwrap_or(cell.outwards);
+    let across = front.cross(DVec3::Y).normalize_or(DVec3::X);
+    let up = across.cross(-front);
     let extent = |axis: DVec3| {
         let along = body.vertices().iter().map(|p| p.dot(axis));
         let ends = along.fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], v| {
@@ -124,10 +132,11 @@ fn size(cell: &MasonryCell) -> Vec<(&'static str, f64)> {
         });
         (1e3 * (ends[1] - ends[0])).round()
     };
+    let [length, depth] = [extent(across), extent(front)];
     vec![
-        ("length", extent(across)),
+        ("length", length.max(depth)),
         ("height", extent(up)),
-        ("depth", extent(cell.outwards)),
+        ("depth", length.min(depth)),
     ]
 }
 

@@ -50,12 +50,12 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Buildings", "brick-steps", "Steps"],
         "Bricks climb with the steps, and caps lie on the columns beside them.",
-        "v=1&make=masonry&building=steps&walls=dark&ground=paving",
+        "v=1&make=masonry&building=steps&pattern=bricks&walls=dark&ground=paving",
     ),
     Preset::plain(
         ["Buildings", "pentagon", "Pentagon"],
         "Five walls cannot alternate at every corner until one column is added.",
-        "v=1&make=masonry&building=ring&ground=gravel",
+        "v=1&make=masonry&building=ring&pattern=bricks&ground=gravel",
     ),
     drawn(
         ["masonry7-a", "Block, RGB", "Fig. 7"],
@@ -65,7 +65,7 @@ pub const PRESETS: &[Preset] = &[
     drawn(
         ["masonry7-b", "Block, bricks", "Fig. 7"],
         "The running bond meets at every edge, since stretchers and headers alternate there.",
-        "v=1&make=masonry&building=block&dressing=same&ground=none&moss=0&damp=0",
+        "v=1&make=masonry&building=block&pattern=bricks&dressing=same&ground=none&moss=0&damp=0",
     ),
     drawn(
         ["masonry7-c", "Block, ashlar", "Fig. 7"],

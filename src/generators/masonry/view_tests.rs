@@ -1,13 +1,15 @@
 //! Properties of the views' scenes, and of bricks that are turned by hand.
 
+use super::colours::type_of;
 use super::diagrams::{Claimed, Texture, clipped, diagram, lines};
+use super::figures::size;
 use super::tests::{laid, recipe};
 use super::views::MasonryView;
 use super::{MasonryEngine, SCHEMA};
 use crate::building::{Bend, FaceId};
 use crate::generators::Engine;
 use crate::masonry::footprint::Footprint;
-use crate::masonry::laying::{Feature, Laying, MasonryCell};
+use crate::masonry::laying::{CellSort, Feature, Laying, MasonryCell};
 use crate::masonry::occupancy::Bitmap;
 use crate::masonry::plan::{GridLine, is_wall, region};
 use crate::notice::Code;
@@ -281,6 +283,27 @@ fn flips_of_nothing_are_told() {
     assert_eq!(refused(&many(257)), 1);
     let most = recipe(&format!("make=masonry&flips={}", many(256)));
     assert_eq!(most.rows(super::keys::FLIPS).len(), 256);
+}
+
+#[test]
+fn whole_bricks_are_told_with_the_size_of_a_brick() {
+    let engine = engine("building=block");
+    let cells = laying(&engine).cells().iter();
+    let whole = cells
+        .filter(|cell| cell.sort == CellSort::Whole && !matches!(cell.feature, Feature::Corner(_)));
+    let mut kinds = BTreeSet::new();
+    for cell in whole {
+        let told = size(cell);
+        let of = |word: &str| told.iter().find(|(known, _)| *known == word).unwrap().1;
+        // Sides on faces have no joint, so they are up to 10 mm longer.
+        let near = |word: &str, wanted: f64| (of(word) - wanted).abs() < 11.0;
+        assert!(
+            near("length", 240.0) && near("height", 75.0) && near("depth", 118.0),
+            "{cell:?} {told:?}"
+        );
+        kinds.insert(type_of(cell.feature));
+    }
+    assert_eq!(kinds, BTreeSet::from([1, 2]));
 }
 
 #[test]
