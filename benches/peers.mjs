@@ -9,40 +9,41 @@ const SIDE = 512;
 
 /**
  * Lloyd's relaxation of random points in a square with d3-delaunay.
- * @param {number} count @returns {Promise<Timing | undefined>}
+ * @param {number} count
  */
-export async function d3Delaunay(count) {
-  const found = await installed('d3-delaunay');
-  if (!found) return undefined;
-  const ms = shortest(7, () => {
-    const random = randomNumbers();
-    const points = Float64Array.from({ length: 2 * count }, () => SIDE * random());
-    return () => {
-      for (let round = 0; round < ROUNDS; round++) {
-        const voronoi = new found.Delaunay(points).voronoi([0, 0, SIDE, SIDE]);
-        for (let i = 0; i < count; i++) moveToCentroid(points, i, voronoi.cellPolygon(i));
-      }
-    };
+export const d3Delaunay = (count) =>
+  d3(count, `${ROUNDS} rounds of Lloyd's relaxation, ${count} points`, (points, voronoi) => {
+    for (let round = 0; round < ROUNDS; round++) {
+      const cells = voronoi(points);
+      for (let i = 0; i < count; i++) moveToCentroid(points, i, cells.cellPolygon(i));
+    }
   });
-  return { name: `d3-delaunay, ${ROUNDS} rounds of Lloyd's relaxation, ${count} points`, ms };
-}
 
 /**
  * The Voronoi polygons of random points in a square with d3-delaunay.
- * @param {number} count @returns {Promise<Timing | undefined>}
+ * @param {number} count
  */
-export async function d3Polygons(count) {
+export const d3Polygons = (count) =>
+  d3(count, `polygons of ${count} points`, (points, voronoi) => {
+    const cells = voronoi(points);
+    for (let i = 0; i < count; i++) cells.cellPolygon(i);
+  });
+
+/**
+ * Times work on random points in a square with d3-delaunay, if it is installed.
+ * @param {number} count @param {string} name
+ * @param {(points: Float64Array, voronoi: (points: Float64Array) => any) => void} work
+ * @returns {Promise<Timing | undefined>}
+ */
+async function d3(count, name, work) {
   const found = await installed('d3-delaunay');
   if (!found) return undefined;
   const ms = shortest(7, () => {
     const random = randomNumbers();
     const points = Float64Array.from({ length: 2 * count }, () => SIDE * random());
-    return () => {
-      const voronoi = new found.Delaunay(points).voronoi([0, 0, SIDE, SIDE]);
-      for (let i = 0; i < count; i++) voronoi.cellPolygon(i);
-    };
+    return () => work(points, (places) => new found.Delaunay(places).voronoi([0, 0, SIDE, SIDE]));
   });
-  return { name: `d3-delaunay, polygons of ${count} points`, ms };
+  return { name: `d3-delaunay, ${name}`, ms };
 }
 
 /** @param {Float64Array} points @param {number} i @param {[number, number][] | null} ring closed */

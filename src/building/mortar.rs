@@ -30,7 +30,7 @@ impl Mortar {
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
         for polygon in building.polygons() {
             let face = building.face(polygon.face);
-            let depth = match face.labels.iter().any(|label| label == GLASS) {
+            let depth = match face.has_label(GLASS) {
                 true => 0.0,
                 false => recess,
             };
@@ -120,7 +120,7 @@ mod tests {
             };
             for (triangle, &id) in mortar.triangles.iter().zip(&mortar.faces) {
                 let face = building.face(id);
-                let wanted = match face.labels.iter().any(|label| label == GLASS) {
+                let wanted = match face.has_label(GLASS) {
                     true => 0.0,
                     false => -0.006,
                 };

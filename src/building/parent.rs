@@ -133,6 +133,11 @@ pub struct Face {
 }
 
 impl Face {
+    /// Whether it has a label.
+    pub fn has_label(&self, wanted: &str) -> bool {
+        self.labels.iter().any(|label| label == wanted)
+    }
+
     /// How rows run on it.
     pub fn stance(&self) -> Stance {
         let Surface::Sweep(sweep) = &self.surface else {

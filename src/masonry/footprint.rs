@@ -39,6 +39,16 @@ impl HalfPlane {
         }
     }
 
+    /// The half-plane in which a place lies, with the border through two others, which differ.
+    pub fn with(inside: DVec2, [a, b]: [DVec2; 2]) -> Self {
+        let half = Self::left_of(a, b);
+        if half.distance(inside) > 0.0 {
+            half
+        } else {
+            half.opposite()
+        }
+    }
+
     /// The other half of the plane.
     pub fn opposite(self) -> Self {
         Self {

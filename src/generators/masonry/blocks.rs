@@ -229,10 +229,7 @@ pub(super) fn add_mortar(
     [mortar_look, board_look]: [([u8; 3], u8); 2],
 ) {
     let mortar = Mortar::new(&site.building, recess, length);
-    let is_roof = |face: FaceId| {
-        let labels = &site.building.face(face).labels;
-        labels.iter().any(|label| label == ROOF)
-    };
+    let is_roof = |face: FaceId| site.building.face(face).has_label(ROOF);
     for (is_of_roof, (tint, material)) in [(false, mortar_look), (true, board_look)] {
         let own = mortar.triangles.iter().zip(&mortar.faces);
         let own = own.filter(|&(_, &face)| is_roof(face) == is_of_roof);

@@ -61,10 +61,7 @@ impl Weather {
         let building = &site.building;
         let place = |p| site.fit.place(p) / scale;
         let heights = building.vertices().iter().map(|v| place(v.position).y);
-        let sills = building
-            .faces()
-            .iter()
-            .filter(|face| face.labels.iter().any(|l| l == SILL));
+        let sills = building.faces().iter().filter(|face| face.has_label(SILL));
         let boxes = sills.map(|face| {
             let polygons = face.polygons.iter().map(|&id| building.polygon(id));
             let places = polygons.flat_map(|polygon| &polygon.vertices);

@@ -214,11 +214,7 @@ impl Site {
         let module = self.plan.module.half;
         for run in self.runs(id).into_iter().filter(|run| !run.is_upright) {
             for span in self.level_spans(&run, module) {
-                let middle = 0.5 * (span[0] + span[1]);
-                let height = self.limited_reach(&run, 0, 1, middle);
-                let depth = self.limited_depth(&run, DEEPEST * module, middle);
-                let body = self.edge_body(&run, span, [height, depth]);
-                let outwards = self.normal(run.sides[0].face, run.sides[0].at(middle));
+                let (body, outwards) = self.level_body(&run, span, DEEPEST * module);
                 let mut draft = CellDraft::new(CellSort::Sill, body, outwards);
                 draft.extrude = node.number("extrude");
                 self.place(Feature::Edge(id), node, draft);

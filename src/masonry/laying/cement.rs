@@ -47,14 +47,21 @@ impl Site {
         let length = module * node.number("length");
         for run in self.runs(id).into_iter().filter(|run| !run.is_upright) {
             for span in self.level_spans(&run, length) {
-                let middle = 0.5 * (span[0] + span[1]);
-                let height = self.limited_reach(&run, 0, 1, middle);
-                let depth = self.limited_depth(&run, DEEP * module, middle);
-                let body = self.edge_body(&run, span, [height, depth]);
-                let front = self.normal(run.sides[0].face, run.sides[0].at(middle));
+                let (body, front) = self.level_body(&run, span, DEEP * module);
                 self.place(Feature::Edge(id), node, cast(node, body, front));
             }
         }
+    }
+
+    /// The body on a part of a level run, a row high on its first face and at most `deepest` deep (metres), and the
+    /// direction in which that face looks.
+    pub fn level_body(&self, run: &Run, span: [f64; 2], deepest: f64) -> (Polyhedron, DVec3) {
+        let middle = 0.5 * (span[0] + span[1]);
+        let height = self.limited_reach(run, 0, 1, middle);
+        let depth = self.limited_depth(run, deepest, middle);
+        let body = self.edge_body(run, span, [height, depth]);
+        let front = &run.sides[0];
+        (body, self.normal(front.face, front.at(middle)))
     }
 
     /// The free parts of a run in pieces of equal length, as near as possible to the wanted one (metres).

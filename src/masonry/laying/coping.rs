@@ -16,6 +16,8 @@ const THICKEST: f64 = 8.0;
 const LONGER: f64 = 1.5;
 /// Faces that look up have at least this vertical part in their normals.
 const UP: f64 = 0.999;
+/// Edges this near to a place pass it (metres).
+const ON: f64 = 2.0 * NEAR;
 /// The end of a coping at a turn goes this far beyond the wall before it is cut, in widths of the wall.
 const BEYOND: f64 = 4.0;
 
@@ -180,14 +182,7 @@ impl Site {
     fn edge_at(&self, face: FaceId, place: DVec2) -> Option<EdgeId> {
         let p = self.at(face, place, 0.0);
         let mut edges = self.face(face).loops.iter().flatten().map(|walk| walk.edge);
-        edges.find(|&id| self.passes(id, p))
-    }
-
-    /// Whether an edge passes a place in space, about.
-    fn passes(&self, id: EdgeId, p: glam::DVec3) -> bool {
-        let path = &self.edge(id).path;
-        let along = path.project(p).clamp(0.0, path.length());
-        path.point(along).distance(p) < 2.0 * NEAR
+        edges.find(|&id| self.passes(id, p, ON))
     }
 
     /// How the coping of a ledge ends.
@@ -201,14 +196,13 @@ impl Site {
             let p = self.at(ledge.face, end, 0.0);
             let walks = self.face(ledge.face).loops.iter().flatten();
             let others = walks.map(|walk| walk.edge).filter(|&id| id != ledge.edge);
-            let beside = others.filter(|&id| self.passes(id, p));
+            let beside = others.filter(|&id| self.passes(id, p, ON));
             let mut next = beside.flat_map(|id| self.ledges(id));
             let Some(next) = next.find(|other| self.coped_width(other).is_some()) else {
                 return Turn::Free;
             };
-            let half = HalfPlane::left_of(end, end + ledge.inwards + next.inwards);
-            let is_right = half.distance(middle) > 0.0;
-            Turn::Cut(if is_right { half } else { half.opposite() })
+            let border = [end, end + ledge.inwards + next.inwards];
+            Turn::Cut(HalfPlane::with(middle, border))
         })
     }
 }

@@ -61,12 +61,10 @@ impl Site {
     fn overhang(&self, face: FaceId, [a, b]: [DVec2; 2]) -> f64 {
         let middle = self.at(face, a.midpoint(b), 0.0);
         let walks = self.face(face).loops.iter().flatten();
-        let mut edges = walks.map(|walk| walk.edge).filter(|&id| {
-            let path = &self.edge(id).path;
-            let along = path.project(middle).clamp(0.0, path.length());
-            path.point(along).distance(middle) < ON
-        });
-        let Some(id) = edges.next() else { return 0.0 };
+        let mut edges = walks.map(|walk| walk.edge);
+        let Some(id) = edges.find(|&id| self.passes(id, middle, ON)) else {
+            return 0.0;
+        };
         let is_free = matches!(self.edge(id).bend, Bend::Convex | Bend::Open);
         if !is_free || self.next_roof(face, id).is_some() {
             return 0.0;

@@ -21,13 +21,13 @@ struct Slope {
 }
 
 impl Site {
-    /// Lays bricks on edge along an edge that slopes, on its wall. The ends of a roof are no walls. They are a course wide and half a brick long. Where
-    /// two slopes meet, they end half-way between them.
+    /// Lays bricks on edge along an edge that slopes, on its wall; the ends of a roof are no walls. Bricks are a course
+    /// wide and half a brick long. Where two slopes meet, they end half-way between them.
     pub fn raking_bricks(&mut self, id: EdgeId, node: &GeneratorNode) {
         let walls = self.edge(id).faces.into_iter().flatten();
         let is_own = |face: &FaceId| {
             let face = self.face(*face);
-            is_wall(face) && !face.labels.iter().any(|label| label == labels::ROOF)
+            is_wall(face) && !face.has_label(labels::ROOF)
         };
         let Some(wall) = walls.into_iter().find(is_own) else {
             return;
@@ -103,12 +103,8 @@ impl Site {
         let meets = |end: DVec2| {
             let meeting = |other: &&Slope| other.ends.iter().any(|p| p.distance(end) < NEAR);
             let other = others.iter().find(meeting)?;
-            let half = HalfPlane::left_of(end, end + slope.inwards + other.inwards);
-            Some(if half.distance(middle) > 0.0 {
-                half
-            } else {
-                half.opposite()
-            })
+            let border = [end, end + slope.inwards + other.inwards];
+            Some(HalfPlane::with(middle, border))
         };
         slope.ends.into_iter().filter_map(meets).collect()
     }

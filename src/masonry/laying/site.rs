@@ -249,6 +249,13 @@ impl Site {
         polygon.moved(DVec2::new(-turns * period, 0.0))
     }
 
+    /// Whether an edge comes nearer than `near` to a place in space (metres).
+    pub fn passes(&self, id: EdgeId, p: DVec3, near: f64) -> bool {
+        let path = &self.edge(id).path;
+        let along = path.project(p).clamp(0.0, path.length());
+        path.point(along).distance(p) < near
+    }
+
     /// Claims the parts of a face's edges that lie in or along a claim. `around` is the bounding box of the cell.
     fn claim_edges(&mut self, id: FaceId, footprint: &Footprint, (cell, around): (u32, &Bounds)) {
         let building = self.building.clone();
