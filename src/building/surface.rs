@@ -34,12 +34,22 @@ const WHOLE: f64 = 1e-6;
 pub struct Sweep {
     profile: Path,
     direction: DVec3,
+    /// The profile's start and tangent if it is a single line, so that flat faces need no more.
+    line: Option<[DVec3; 2]>,
 }
 
 impl Sweep {
     /// A profile, in a plane normal to the unit vector `direction`.
     pub fn new(profile: Path, direction: DVec3) -> Self {
-        Self { profile, direction }
+        let line = match profile.pieces() {
+            [line @ Piece::Line { from, .. }] => Some([*from, line.tangent(0.0)]),
+            _ => None,
+        };
+        Self {
+            profile,
+            direction,
+            line,
+        }
     }
 
     /// The profile.
@@ -61,9 +71,12 @@ impl Sweep {
     }
 
     fn frame(&self, s: f64, t: f64) -> SurfaceFrame {
-        let tangent = self.profile.tangent(s);
+        let (point, tangent) = match self.line {
+            Some([from, tangent]) => (from + tangent * s, tangent),
+            None => (self.profile.point(s), self.profile.tangent(s)),
+        };
         SurfaceFrame {
-            origin: self.profile.point(s) + self.direction * t,
+            origin: point + self.direction * t,
             s: tangent,
             t: self.direction,
             normal: tangent.cross(self.direction),
@@ -71,9 +84,17 @@ impl Sweep {
     }
 
     fn project(&self, p: DVec3) -> DVec3 {
-        let t = (p - self.profile.point(0.0)).dot(self.direction);
+        let start = match self.line {
+            Some([from, _]) => from,
+            None => self.profile.point(0.0),
+        };
+        let t = (p - start).dot(self.direction);
         let in_plane = p - self.direction * t;
-        let s = self.profile.project(in_plane);
+        let s = match self.line {
+            // Without a sign of zero, as where the line is one of several pieces.
+            Some([from, tangent]) => 0.0 + (in_plane - from).dot(tangent),
+            None => self.profile.project(in_plane),
+        };
         let frame = self.frame(s, 0.0);
         DVec3::new(s, t, (in_plane - frame.origin).dot(frame.normal))
     }

@@ -3,6 +3,7 @@
 use crate::order;
 use crate::planar::{cut_polygon, orientation};
 use glam::DVec2;
+use smallvec::SmallVec;
 
 /// Corners nearer to each other than this are one (metres).
 const WELD: f64 = 1e-9;
@@ -87,8 +88,11 @@ pub struct FootprintCorner {
 /// Dorsey, Gortler 2001, Feature-based cellular texturing for architectural models, section 3.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Footprint {
-    corners: Vec<FootprintCorner>,
+    corners: Corners,
 }
+
+/// Most polygons have four corners, and a list of up to six needs no allocation.
+type Corners = SmallVec<[FootprintCorner; 6]>;
 
 impl Footprint {
     /// The polygon with these corners, counter-clockwise, and no insets. Repeated corners are joined.
@@ -115,8 +119,17 @@ impl Footprint {
     /// The rectangle between two corners; none if it has no area.
     pub fn rectangle(low: DVec2, high: DVec2) -> Option<Self> {
         let (s, t) = (DVec2::new(high.x, low.y), DVec2::new(low.x, high.y));
-        let is_right = low.cmplt(high).all();
-        Self::new(&[low, s, high, t]).ok().filter(|_| is_right)
+        let is_right = low.cmplt(high).all() && low.is_finite() && high.is_finite();
+        let corners = [low, s, high, t].map(|at| FootprintCorner { at, inset: 0.0 });
+        Self::welded(corners.into_iter().collect()).filter(|_| is_right)
+    }
+
+    /// Whether it is a rectangle along s and t that begins at its least corner, as [`Self::rectangle`] makes it.
+    pub fn is_rectangle(&self) -> bool {
+        match self.corners[..] {
+            [a, b, c, d] => [a.at.x, b.at.x, a.at.y, c.at.y] == [d.at.x, c.at.x, b.at.y, d.at.y],
+            _ => false,
+        }
     }
 
     /// The convex hull of points, with no insets (Andrew 1979, Another efficient algorithm for convex hulls in two
@@ -135,7 +148,7 @@ impl Footprint {
     }
 
     /// Joins repeated corners; none without area.
-    fn welded(mut corners: Vec<FootprintCorner>) -> Option<Self> {
+    fn welded(mut corners: Corners) -> Option<Self> {
         // The later corner of two carries the side that is left.
         let is_short =
             |a: &FootprintCorner, b: &FootprintCorner| a.at.distance_squared(b.at) < WELD * WELD;
@@ -228,7 +241,7 @@ impl Footprint {
 
     /// The part in a half-plane; the new side gets this inset (metres). None if no area is left.
     pub fn clip(&self, half: HalfPlane, inset: f64) -> Option<Self> {
-        let mut corners = Vec::with_capacity(self.corners.len() + 1);
+        let mut corners = Corners::new();
         let crossing =
             |(a, da): (FootprintCorner, f64), (b, db): (FootprintCorner, f64)| FootprintCorner {
                 at: a.at + (b.at - a.at) * (da / (da - db)),
@@ -256,7 +269,8 @@ impl Footprint {
     /// The area that two polygons share, in square metres.
     pub fn shared_area(&self, other: &Self) -> f64 {
         let ([low, high], [from, to]) = (self.bounds(), other.bounds());
-        if low.cmpge(to).any() || from.cmpge(high).any() {
+        // No polygon is as narrow as this.
+        if (high.min(to) - low.max(from)).min_element() < WELD {
             return 0.0;
         }
         self.intersection(other).map_or(0.0, |part| part.area())

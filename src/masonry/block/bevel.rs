@@ -79,7 +79,8 @@ impl Bevelled {
             .iter()
             .map(|side| {
                 let start = positions.len() as u32;
-                positions.extend(inset_ring(&body.ring(side), width));
+                let ring: Vec<DVec3> = body.ring(side).collect();
+                positions.extend(inset_ring(&ring, width));
                 (start..positions.len() as u32).collect()
             })
             .collect();

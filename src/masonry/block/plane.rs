@@ -23,17 +23,19 @@ impl Plane {
 
     /// The mean plane of a ring of points, which is counter-clockwise seen from outside (Newell's normal; Sutherland,
     /// Sproull, Schumacker 1974, A Characterization of Ten Hidden-Surface Algorithms). None without area.
-    pub fn of_ring(ring: &[DVec3]) -> Option<Self> {
-        let origin = *ring.first()?;
+    pub fn of_ring(ring: impl ExactSizeIterator<Item = DVec3> + Clone) -> Option<Self> {
+        let origin = ring.clone().next()?;
         let twice = ring
-            .windows(2)
-            .map(|w| (w[0] - origin).cross(w[1] - origin))
+            .clone()
+            .zip(ring.clone().skip(1))
+            .map(|(a, b)| (a - origin).cross(b - origin))
             .sum::<DVec3>();
         let normal = twice.try_normalize()?;
-        let offsets = ring.iter().map(|p| normal.dot(*p));
+        let count = ring.len();
+        let offsets = ring.map(|p| normal.dot(p));
         Some(Self {
             normal,
-            offset: offsets.sum::<f64>() / ring.len() as f64,
+            offset: offsets.sum::<f64>() / count as f64,
         })
     }
 

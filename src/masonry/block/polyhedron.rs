@@ -4,17 +4,21 @@ use super::plane::Plane;
 use crate::masonry::footprint::Footprint;
 use crate::planar::cut_polygon;
 use glam::{DQuat, DVec2, DVec3};
+use smallvec::{SmallVec, smallvec};
 
 /// Vertices this near to a plane lie on it (metres).
 const ON: f64 = 1e-9;
 /// Bodies below this volume are nothing (cubic metres).
 const LEAST_VOLUME: f64 = 1e-12;
 
+/// The numbers of a side's corners. Most sides have four, and a list of up to eight needs no allocation.
+pub type SideCorners = SmallVec<[u32; 8]>;
+
 /// A side of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
     /// The numbers of its corners, counter-clockwise seen from outside.
-    pub corners: Vec<u32>,
+    pub corners: SideCorners,
     /// How far the geometry stays behind this side: half a joint, or 0 where it is exposed (metres, at least 0).
     pub inset: f64,
     /// The height of its bumps (metres); 0 is smooth. Generators mark the polygons of their cells so (section 5.5).
@@ -58,7 +62,7 @@ impl Polyhedron {
         let count = low.len() as u32;
         let walls = (0..count).map(|k| {
             let next = (k + 1) % count;
-            vec![k, next, count + next, count + k]
+            smallvec![k, next, count + next, count + k]
         });
         let ends = [(0..count).rev().collect(), (count..2 * count).collect()];
         let sides = ends.into_iter().chain(walls);
@@ -76,14 +80,15 @@ impl Polyhedron {
 
     /// Whether the body has a volume and each side an area, so that it can be cut.
     pub fn is_sound(&self) -> bool {
-        let has_area = |side: &Side| Plane::of_ring(&self.ring(side)).is_some();
+        let has_area = |side: &Side| Plane::of_ring(self.ring(side)).is_some();
         self.sides.len() > 3 && self.sides.iter().all(has_area) && self.volume() > LEAST_VOLUME
     }
 
     /// The body with some of its sides moved out (metres): cells that stand out of the wall. No more than two of the
     /// planes may meet, unless at right angles.
     pub fn raised(mut self, planes: &[Plane], by: f64) -> Self {
-        for p in &mut self.vertices {
+        let vertices = self.vertices.iter_mut();
+        for p in vertices.take_while(|_| !planes.is_empty()) {
             let on = planes
                 .iter()
                 .filter(|plane| plane.distance(*p).abs() < 1e-6);
@@ -122,19 +127,15 @@ impl Polyhedron {
     }
 
     /// The corners of a side, counter-clockwise seen from outside.
-    pub fn ring(&self, side: &Side) -> Vec<DVec3> {
-        side.corners
-            .iter()
-            .map(|&v| self.vertices[v as usize])
-            .collect()
+    pub fn ring(&self, side: &Side) -> impl ExactSizeIterator<Item = DVec3> + Clone {
+        side.corners.iter().map(|&v| self.vertices[v as usize])
     }
 
     /// The planes of the sides, in their order.
     pub fn planes(&self) -> impl Iterator<Item = Plane> + '_ {
-        self.sides.iter().map(|side| {
-            let ring = self.ring(side);
-            Plane::of_ring(&ring).expect("a side has an area")
-        })
+        self.sides
+            .iter()
+            .map(|side| Plane::of_ring(self.ring(side)).expect("a side has an area"))
     }
 
     /// Sets the inset of each side by its plane (metres, at least 0).
@@ -147,6 +148,14 @@ impl Polyhedron {
         for (side, inset) in self.sides.iter_mut().zip(insets) {
             side.inset = inset;
         }
+        self
+    }
+
+    /// Sets the inset of each side by its corners (metres, at least 0).
+    pub fn with_insets_of(mut self, inset: impl Fn(&Side) -> f64) -> Self {
+        self.sides
+            .iter_mut()
+            .for_each(|side| side.inset = inset(side));
         self
     }
 
@@ -294,8 +303,8 @@ impl Cutting {
         for side in sides {
             let is_inner = side.corners.iter().any(|&v| self.inwards[v as usize] > 0.0);
             // A corner of the new side is an old one twice, or the ends of the edge that is cut.
-            let ring: Vec<[u32; 2]> = side.corners.iter().map(|&v| [v, v]).collect();
-            let mut kept = Vec::with_capacity(ring.len() + 1);
+            let ring: SmallVec<[[u32; 2]; 8]> = side.corners.iter().map(|&v| [v, v]).collect();
+            let mut kept: SmallVec<[[u32; 2]; 8]> = SmallVec::new();
             let distance = |[v, _]: [u32; 2]| self.inwards[v as usize];
             cut_polygon(
                 &ring,
@@ -304,7 +313,7 @@ impl Cutting {
                 |ends| kept.push(ends),
             );
             let corners = kept.into_iter().map(|ends| self.corner(ends));
-            let mut corners: Vec<u32> = corners.collect();
+            let mut corners: SideCorners = corners.collect();
             corners.dedup();
             if corners.first() == corners.last() {
                 corners.pop();
@@ -336,7 +345,7 @@ impl Cutting {
     }
 
     /// The ring of the new side: the edges that have one side only, backwards.
-    fn rim(&self) -> Vec<u32> {
+    fn rim(&self) -> SideCorners {
         let edges = self.body.sides.iter().flat_map(|side| {
             let next = side.corners.iter().cycle().skip(1);
             side.corners.iter().zip(next).map(|(&a, &b)| [a, b])
@@ -348,9 +357,9 @@ impl Cutting {
             .map(|&[a, b]| [b, a])
             .collect();
         let Some([first, mut at]) = open.pop() else {
-            return Vec::new();
+            return SmallVec::new();
         };
-        let mut rim = vec![first];
+        let mut rim: SideCorners = smallvec![first];
         while at != first {
             rim.push(at);
             let Some(k) = open.iter().position(|edge| edge[0] == at) else {

@@ -134,10 +134,12 @@ impl Site {
                 .iter()
                 .any(|front| plane.normal.dot(*front) > FRONT)
         };
-        let sides = claimed.planes().zip(claimed.sides());
-        let fronts = sides
-            .filter(|(plane, side)| draft.extrude != 0.0 && side.inset == 0.0 && is_front(plane));
-        let fronts: Vec<Plane> = fronts.map(|(plane, _)| plane).collect();
+        let mut fronts = Vec::new();
+        if draft.extrude != 0.0 {
+            let sides = claimed.planes().zip(claimed.sides());
+            let exposed = sides.filter(|(plane, side)| side.inset == 0.0 && is_front(plane));
+            fronts.extend(exposed.map(|(plane, _)| plane));
+        }
         self.cells.push(MasonryCell {
             feature,
             generator: node.generator,
@@ -158,21 +160,11 @@ impl Site {
         claims: &[(FaceId, Footprint, Vec<bool>)],
     ) -> Polyhedron {
         let half = 0.5 * self.plan.module.joint;
-        let exposed: Vec<bool> = body
-            .sides()
-            .iter()
-            .map(|side| {
-                claims
-                    .iter()
-                    .any(|(.., on)| side.corners.iter().all(|&v| on[v as usize]))
-            })
-            .collect();
-        let mut sides = exposed.into_iter();
-        let inset = move |_: Plane, _: f64| match sides.next() {
-            Some(true) => 0.0,
-            _ => half,
-        };
-        body.with_insets(inset)
+        body.with_insets_of(|side| {
+            let mut claims = claims.iter();
+            let is_exposed = claims.any(|(.., on)| side.corners.iter().all(|&v| on[v as usize]));
+            if is_exposed { 0.0 } else { half }
+        })
     }
 
     /// The faces that a cell may lie on.

@@ -5,6 +5,7 @@ use crate::masonry::footprint::Footprint;
 use crate::masonry::region::Region;
 use crate::order;
 use glam::DVec2;
+use std::ops::Range;
 
 /// A place is free if at least this share of its pixels is empty.
 pub const FREE: f64 = 0.985;
@@ -98,38 +99,61 @@ impl Bitmap {
         self.low.y + (row as f64 + 0.5) * self.pixel
     }
 
+    /// The numbers, from `low` on, of the first pixels whose centres do not lie before two places along s or t. They
+    /// may lie beyond the raster.
+    fn span(&self, low: f64, places: [f64; 2]) -> [f64; 2] {
+        places.map(|place| ((place - low) / self.pixel - 0.5).ceil())
+    }
+
     /// The pixels of a row whose centres lie in an interval of s.
-    fn columns(&self, [from, to]: [f64; 2]) -> std::ops::Range<usize> {
-        let first = |s: f64| {
-            ((s - self.low.x) / self.pixel - 0.5)
-                .ceil()
-                .clamp(0.0, self.width as f64) as usize
-        };
-        first(from)..first(to)
+    fn columns(&self, interval: [f64; 2]) -> Range<usize> {
+        self.within(self.span(self.low.x, interval))
+    }
+
+    /// The part of a span of pixels of a row that lies in the raster.
+    fn within(&self, span: [f64; 2]) -> Range<usize> {
+        let [from, to] = span.map(|column| column.clamp(0.0, self.width as f64) as usize);
+        from..to.max(from)
+    }
+
+    /// The rows under a polygon, also beyond the raster, and the span of pixels in each.
+    fn spans<'a>(
+        &'a self,
+        polygon: &'a Footprint,
+    ) -> impl Iterator<Item = (f64, [f64; 2])> + use<'a> {
+        let [low, high] = polygon.bounds();
+        let [from, to] = self.span(self.low.y, [low.y, high.y]);
+        let same = polygon
+            .is_rectangle()
+            .then(|| self.span(self.low.x, [low.x, high.x]));
+        (0..(to - from) as usize).map(move |k| {
+            let row = from + k as f64;
+            let span = same.unwrap_or_else(|| {
+                let t = self.low.y + (row + 0.5) * self.pixel;
+                self.span(self.low.x, chord(polygon, t))
+            });
+            (row, span)
+        })
+    }
+
+    /// The pixels of a span in a row, as a range of `is_empty`; nothing beyond the raster.
+    fn pixels(&self, (row, span): (f64, [f64; 2])) -> Range<usize> {
+        let rows = (self.is_empty.len() / self.width) as f64;
+        if row < 0.0 || row >= rows {
+            return 0..0;
+        }
+        let (start, columns) = (row as usize * self.width, self.within(span));
+        start + columns.start..start + columns.end
     }
 
     /// The pixels under a polygon, as ranges of `is_empty`.
-    fn under<'a>(
-        &'a self,
-        polygon: &'a Footprint,
-    ) -> impl Iterator<Item = std::ops::Range<usize>> + 'a {
-        let [low, high] = polygon.bounds();
-        let rows = (self.is_empty.len() / self.width) as f64;
-        let row = |t: f64| {
-            ((t - self.low.y) / self.pixel - 0.5)
-                .ceil()
-                .clamp(0.0, rows) as usize
-        };
-        (row(low.y)..row(high.y)).map(|row| {
-            let columns = self.columns(chord(polygon, self.centre(row)));
-            let start = row * self.width;
-            start + columns.start..start + columns.end.max(columns.start)
-        })
+    fn under<'a>(&'a self, polygon: &'a Footprint) -> impl Iterator<Item = Range<usize>> + use<'a> {
+        self.spans(polygon).map(|row| self.pixels(row))
     }
 
     /// Makes the pixels under a polygon occupied.
     pub fn occupy(&mut self, polygon: &Footprint) {
-        let spans: Vec<std::ops::Range<usize>> = self.under(polygon).collect();
+        let spans: Vec<Range<usize>> = self.under(polygon).collect();
         for span in spans {
             self.is_empty[span].fill(false);
         }
@@ -138,25 +162,13 @@ impl Bitmap {
     /// The share of the pixel centres under a polygon that are empty, 0 to 1; none if there are no centres. Centres
     /// beyond the raster count as occupied.
     pub fn empty_share(&self, polygon: &Footprint) -> Option<f64> {
-        let spans = self.under(polygon).map(|span| {
-            let empty = self.is_empty[span].iter().filter(|&&empty| empty).count();
-            empty as f64
-        });
-        let whole = self.centres(polygon);
-        (whole > 0.0).then(|| (spans.sum::<f64>() / whole).min(1.0))
-    }
-
-    /// How many pixel centres lie under a polygon, also beyond the raster.
-    fn centres(&self, polygon: &Footprint) -> f64 {
-        let [low, high] = polygon.bounds();
-        let first = |v: f64, low: f64| ((v - low) / self.pixel - 0.5).ceil();
-        let (from, to) = (first(low.y, self.low.y), first(high.y, self.low.y));
-        let rows = (0..(to - from) as usize).map(|row| {
-            let t = self.low.y + (from + row as f64 + 0.5) * self.pixel;
-            let [a, b] = chord(polygon, t);
-            (first(b, self.low.x) - first(a, self.low.x)).max(0.0)
-        });
-        rows.sum()
+        let (mut empty, mut whole) = (0, 0.0);
+        for (row, [from, to]) in self.spans(polygon) {
+            let pixels = &self.is_empty[self.pixels((row, [from, to]))];
+            empty += pixels.iter().filter(|&&empty| empty).count();
+            whole += (to - from).max(0.0);
+        }
+        (whole > 0.0).then(|| (empty as f64 / whole).min(1.0))
     }
 
     /// Whether a place is free, partly free or occupied. A place between pixel centres is partly free: only exact

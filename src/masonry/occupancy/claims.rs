@@ -19,6 +19,8 @@ pub struct Claim {
 #[derive(Clone, Debug)]
 pub struct Claims {
     list: Vec<Claim>,
+    /// Their bounding boxes.
+    boxes: Vec<[DVec2; 2]>,
     low: DVec2,
     columns: usize,
     /// The numbers of the claims whose bounding boxes meet each cell of the grid. Cells at the border also have all
@@ -32,6 +34,7 @@ impl Claims {
         let size = ((high - low) / CELL).ceil().max(DVec2::ONE);
         Self {
             list: Vec::new(),
+            boxes: Vec::new(),
             low,
             columns: size.x as usize,
             grid: vec![Vec::new(); size.x as usize * size.y as usize],
@@ -46,9 +49,11 @@ impl Claims {
     /// Adds a claim.
     pub fn add(&mut self, claim: Claim) {
         let number = self.list.len() as u32;
-        for bucket in self.buckets(claim.polygon.bounds()) {
+        let around = claim.polygon.bounds();
+        for bucket in self.buckets(around) {
             self.grid[bucket].push(number);
         }
+        self.boxes.push(around);
         self.list.push(claim);
     }
 
@@ -62,16 +67,16 @@ impl Claims {
 
     /// The numbers of the claims whose bounding boxes meet this one, rising.
     pub fn near(&self, [low, high]: [DVec2; 2]) -> Vec<u32> {
-        let mut found: Vec<u32> = self
-            .buckets([low, high])
-            .flat_map(|bucket| self.grid[bucket].iter().copied())
-            .collect();
+        let mut found = Vec::new();
+        for bucket in self.buckets([low, high]) {
+            let there = self.grid[bucket].iter().copied();
+            found.extend(there.filter(|&k| {
+                let [from, to] = self.boxes[k as usize];
+                !(from.cmpgt(high).any() || to.cmplt(low).any())
+            }));
+        }
         found.sort_unstable();
         found.dedup();
-        found.retain(|&k| {
-            let [from, to] = self.list[k as usize].polygon.bounds();
-            !(from.cmpgt(high).any() || to.cmplt(low).any())
-        });
         found
     }
 
