@@ -1,7 +1,7 @@
 //! Medial balls of a closed mesh: the largest balls inside it at many places.
 
 use crate::random::{Purpose, Random};
-use crate::trimesh::{Search, TriMesh};
+use crate::trimesh::{Search, SurfacePoint, TriMesh};
 use glam::DVec3;
 
 /// A ball inside a component.
@@ -29,6 +29,8 @@ const TOUCHES: f64 = 0.99;
 const INSIDE: f64 = 1.0 - 1e-9;
 /// A vertex's normal is used where it is this near to that of the triangle.
 const SMOOTH: f64 = 0.9;
+/// The cosine of an angle that counts as none.
+const STRAIGHT: f64 = 1.0 - 1e-12;
 
 /// A closed mesh with its search tree.
 #[derive(Clone, Copy)]
@@ -40,19 +42,30 @@ pub(super) struct Inside<'a> {
 }
 
 impl Inside<'_> {
-    /// The largest ball around a point; `None` outside. The first triangle on any ray from the point tells which side
-    /// it is on, as the surface is closed and does not cross itself.
+    /// The largest ball around a point; `None` outside.
     pub fn ball(&self, centre: DVec3) -> Option<Sphere> {
         let nearest = self.search.closest(self.mesh, centre);
         let radius = nearest.at.distance(centre) * INSIDE;
         if radius <= self.least {
             return None;
         }
+        self.holds(centre, &nearest)?
+            .then_some(Sphere { centre, radius })
+    }
+
+    /// Whether a point lies inside. A nearest place straight below or above tells it by its triangle. Beside an edge or
+    /// a vertex, the first triangle on any ray from the point does, as the surface is closed and does not cross itself.
+    fn holds(&self, centre: DVec3, nearest: &SurfacePoint) -> Option<bool> {
+        let outward = |triangle: u32, way: DVec3| self.mesh.face_normal(triangle).dot(way);
+        let way = nearest.at - centre;
+        let out = outward(nearest.triangle, way);
+        if out.abs() >= STRAIGHT * way.length() {
+            return Some(out > 0.0);
+        }
         let [a, b, c] = self.mesh.corners(nearest.triangle);
         let along = (a + b + c) / 3.0 - centre;
         let hit = self.search.ray(self.mesh, centre, along, |_| true)?;
-        let leaves = self.mesh.face_normal(hit.point.triangle).dot(along) > 0.0;
-        leaves.then_some(Sphere { centre, radius })
+        Some(outward(hit.point.triangle, along) > 0.0)
     }
 
     /// The medial ball that touches the surface at a sample (Ma, Bae, Choi 2012, 3D Medial Axis Point Approximation

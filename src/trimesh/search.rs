@@ -14,6 +14,9 @@ const LEAF: usize = 8;
 const BITS: u32 = 10;
 /// Rounding may make the distance to a box too large by less than this factor.
 const SLACK: f64 = 1.0 + 1e-12;
+/// Rounding may make the square of the distance to a plane too large by less than this share of the square of the
+/// distance to a place on it.
+const ROUNDING: f64 = 1e-14;
 
 /// A point is not moved to the back of a thin sheet while its front is at most this many times as far away.
 const BACK: f64 = 4.0;
@@ -227,6 +230,12 @@ impl Search {
             }
             for &t in self.leaf(node - leaves).iter().filter(|&&t| wanted(t)) {
                 let corners = mesh.corners(t);
+                // A triangle is no nearer than its plane.
+                let off = p - corners[0];
+                let height = mesh.face_normal(t).dot(off);
+                if height * height > best.square * SLACK + ROUNDING * off.length_squared() {
+                    continue;
+                }
                 let weights = nearest_weights(corners, p);
                 let at = corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z;
                 let square = at.distance_squared(p);
