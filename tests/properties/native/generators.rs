@@ -131,7 +131,7 @@ fn words_of_a_view_that_cannot_be_used_are_told() {
 fn the_native_program_draws_the_view_of_a_link() {
     let out = std::env::temp_dir().join(format!("bubblestone-seen-{}", std::process::id()));
     let link = "v=1&make=masonry&building=block&pattern=rgb&module=cube&walls=parts&size=128";
-    let mut drawn = |words: &str| {
+    let drawn = |words: &str| {
         let mut studio = finished(link);
         let viewing = Viewing::read(words, &MASONRY).0.expect("a view");
         let pixels = native::seen::write_seen(&mut studio, &viewing, &mut || 0.0, &out);
