@@ -2,7 +2,7 @@
 //!
 //!     cargo run --release --example figures -- --out DIR
 //!
-//! Writes into DIR a folder for each preset, with the files that `render` writes for its link, and
+//! Writes into DIR a folder for each preset, with the files that `render` writes for its link and its view, and
 //! sheet-GENERATOR.png. Prints the times printed in the papers beside those of this machine.
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -21,7 +21,7 @@ mod figures {
     use super::native;
     use super::native::sheet::Sheet;
     use bubblestone::export::Report;
-    use bubblestone::generators::{ALL, Generator, MeasuredPart, Preset};
+    use bubblestone::generators::{ALL, Generator, MeasuredPart, Preset, Viewing};
     use bubblestone::studio::Studio;
     use std::path::Path;
 
@@ -46,10 +46,16 @@ mod figures {
         for preset in generator.presets {
             let mut studio = finished(preset)?;
             let notices = ALL.recipe(preset.link).1;
-            native::write_all(&mut studio, notices, None, &out.join(preset.name))?;
+            let dir = out.join(preset.name);
+            native::write_all(&mut studio, notices, None, &dir)?;
             print_row(preset, &studio.report());
-            let picture = studio.picture().unwrap_or_default();
-            sheet.add(preset.name, studio.side(), picture);
+            let picture = match Viewing::read(preset.view, generator).0 {
+                None => studio.picture().unwrap_or_default().to_vec(),
+                Some(viewing) => {
+                    native::seen::write_seen(&mut studio, &viewing, &mut native::clock(), &dir)?
+                }
+            };
+            sheet.add(preset.name, studio.side(), &picture);
         }
         let name = format!("sheet-{word}.png");
         native::write_rgb(out, &name, sheet.width, sheet.pixels.into_iter())

@@ -5,7 +5,8 @@
 //!         [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] [--view CAMERA] [--samples N] [--aperture A]
 //!
 //! Writes picture.png, height.png (16 bit grey), albedo.png, id.png, cells.json, mesh.json and report.json into DIR.
-//! Options write more:
+//! If the link has words of a view (`view`, `step`, `camera`, `cut`, `body`; docs/parameters.md), seen.png is that view. Options
+//! write more:
 //!
 //! - `--views`: each view of the page, and some mixtures, as view-NAME.png.
 //! - `--maps`: normal-opengl.png, normal-directx.png, roughness.png, ao.png, orm.png and height-float.exr.
@@ -45,8 +46,8 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(not(target_arch = "wasm32"))]
 fn run() -> Result<(), String> {
-    use bubblestone::generators::ALL;
     use bubblestone::generators::pavement::{self, Pavement};
+    use bubblestone::generators::{ALL, Viewing};
     use bubblestone::scene::SAMPLES;
     use bubblestone::studio::Studio;
 
@@ -118,6 +119,12 @@ fn run() -> Result<(), String> {
     }
     if wish.svg {
         native::write_svg(&mut studio, out)?;
+    }
+    // This comes last, because a view that stops at a step leaves the work unfinished.
+    let (viewing, faults) = Viewing::read(&wish.link, studio.generator());
+    faults.iter().for_each(|fault| eprintln!("{fault}"));
+    if let Some(viewing) = viewing {
+        native::seen::write_seen(&mut studio, &viewing, &mut clock, out)?;
     }
     Ok(())
 }

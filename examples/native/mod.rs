@@ -2,6 +2,7 @@
 #![allow(dead_code)] // Each program uses a part of it.
 
 pub mod model;
+pub mod seen;
 pub mod sheet;
 pub mod slant;
 
@@ -9,6 +10,7 @@ use bubblestone::domain::Outline;
 use bubblestone::export::{
     DETAILS, Map, MapKind, MeshFormat, MeshOrder, Slab, SlabFile, exr, maps_for, metrics_json,
 };
+use bubblestone::generators::Viewing;
 use bubblestone::notice::Notice;
 use bubblestone::studio::Studio;
 use serde_json::Value;
@@ -369,9 +371,10 @@ pub fn write_views(studio: &mut Studio, dir: &Path) -> Result<(), String> {
 
 /// Writes one view.
 pub fn write_view(studio: &mut Studio, words: &str, dir: &Path) -> Result<(), String> {
-    let side = studio.side();
-    let frame = studio.engine_mut().view(words);
-    write_rgb(dir, &format!("view-{words}.png"), side, opaque(frame))
+    let (side, mut none) = (studio.side(), || 0.0);
+    let viewing = Viewing::of(words);
+    let frame = seen::seen(studio, &viewing, &mut none)?;
+    write_rgb(dir, &format!("view-{words}.png"), side, opaque(&frame))
 }
 
 /// Writes the cells as cells.svg.

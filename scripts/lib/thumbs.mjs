@@ -84,8 +84,13 @@ export async function thumbsOfMore(folder) {
  * @param {string} [smaller] the end of links for a smaller picture: scenes look the same at any size
  */
 async function thumbsOf({ presets, Bubblestone }, word, smaller = '') {
-  const list = /** @type {{ name: string, link: string }[]} */ (presets(word));
-  return Promise.all(list.map(({ name, link }) => encoded(name, picture(new Bubblestone(link + smaller), name))));
+  const list = /** @type {{ name: string, link: string, view: string }[]} */ (presets(word));
+  return Promise.all(
+    list.map(({ name, link, view }) => {
+      const studio = new Bubblestone(link + smaller);
+      return encoded(name, view ? seen(studio, name, new URLSearchParams(view)) : picture(studio, name));
+    }),
+  );
 }
 
 /**
@@ -152,6 +157,30 @@ function filesIn(folder) {
 function sources() {
   const folders = ['recipe', 'generators', 'material', 'heightfield'].map((name) => join('src', name));
   return [...folders.flatMap(filesIn), join(root, 'tests', 'digests.txt'), ...others];
+}
+
+/**
+ * @param {any} studio that has the recipe of a preset
+ * @param {string} name of the preset
+ * @param {URLSearchParams} asked the words of its view: a step at which the work stops, a view, a camera, a plane that cuts
+ * @returns {import('./headless.mjs').Pixels}
+ */
+function seen(studio, name, asked) {
+  const step = Number(asked.get('step') ?? Infinity);
+  studio.tick(all[0], 0);
+  while (studio.stage() !== 'done' && studio.status().steps < step) {
+    if (studio.stage() === 'error') throw new Stop(`The recipe of ${name} gives no picture: ${studio.problem()?.text}`);
+    studio.tick(all[0], step < Infinity ? 1 : all[1]);
+  }
+  const width = studio.side();
+  const cut = asked.get('cut');
+  const how = ['fine', 'floor', asked.get('view') ?? 'auto', ...(cut ? [`whole=${cut}`] : [])].join('+');
+  for (;;) {
+    const { pixels, done } = studio.turn('', asked.get('camera') ?? '', width, width, how, all[0]);
+    if (!done) continue;
+    studio.free();
+    return { data: new Uint8ClampedArray(pixels), width, height: width };
+  }
 }
 
 /**

@@ -28,6 +28,8 @@ mod scene_picture;
 pub mod surface;
 #[cfg(house)]
 mod turntable;
+#[cfg(all(house, not(target_arch = "wasm32")))]
+mod viewing;
 
 pub use bigger::MOST_PIXELS;
 pub use budget::Clock;
@@ -42,6 +44,8 @@ pub use offers::{Drafts, Inspect, Maps, MeshSlice, Meshes, Outlines, PictureSlic
 pub use preset::{MeasuredPart, Preset, Timing};
 #[cfg(house)]
 pub use turntable::{FrameSlice, SeenBody, TurnOrder};
+#[cfg(all(house, not(target_arch = "wasm32")))]
+pub use viewing::Viewing;
 
 use crate::notice::Notice;
 use crate::recipe::{Recipe, Schema};

@@ -15,6 +15,9 @@ pub struct Preset {
     pub note: &'static str,
     /// The fragment without `#`, as [`crate::recipe::Recipe::link`] writes it.
     pub link: &'static str,
+    /// The words of its view, as a link of the page has them, such as `view=seams&camera=20,10`; empty for the usual
+    /// view.
+    pub view: &'static str,
     /// The times in the paper, if they are printed.
     pub timing: Option<Timing>,
 }
@@ -33,6 +36,7 @@ impl Preset {
             figure: "",
             note,
             link,
+            view: "",
             timing: None,
         }
     }

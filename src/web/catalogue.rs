@@ -89,6 +89,8 @@ export interface Preset {
   figure: string;
   note: string;
   link: string;
+  /** The words of its view, as a link has them; '' for the usual view. */
+  view: string;
   /** The time that it took in the paper, if the paper prints it. */
   timing: Timing | null;
 }
@@ -215,6 +217,7 @@ fn preset_object(p: &Preset) -> Object {
         ("figure", p.figure.into()),
         ("note", p.note.into()),
         ("link", p.link.into()),
+        ("view", p.view.into()),
         ("timing", timing.map_or(JsValue::NULL, JsValue::from)),
     ])
 }

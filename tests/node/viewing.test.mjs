@@ -3,6 +3,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
 import typescript from 'typescript';
+import { moduleIn } from '../../scripts/lib/headless.mjs';
+import { wholeModule } from '../../scripts/lib/wasm.mjs';
 
 /** @type {any} */
 let viewing;
@@ -150,6 +152,20 @@ test('what has no bodies is not seen from a slant', () => {
 test('what is not packed in steps is not held at one', () => {
   const { viewing: asked, faults } = viewing.read('step=3&view=mesh', { ...SIGHTS, offers: [] });
   assert.deepEqual([written(asked), faults], ['view=mesh', [{ what: 'step', given: '3' }]]);
+});
+
+test('the view of each preset is read without a fault, and written as it is', async () => {
+  const { generators, presets } = await moduleIn(wholeModule);
+  let viewed = 0;
+  for (const generator of generators()) {
+    for (const { name, view } of presets(generator.word)) {
+      const { viewing: asked, faults } = viewing.read(view, generator);
+      assert.deepEqual(faults, [], name);
+      assert.equal(written(asked, generator), view, name);
+      viewed += view === '' ? 0 : 1;
+    }
+  }
+  assert.ok(viewed > 4);
 });
 
 test('saved files are named by one rule, in letters that every system takes', async () => {

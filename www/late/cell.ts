@@ -3,7 +3,7 @@ import { t } from '../words/look';
 import { make } from '../base/dom';
 
 /** The measures of a cell by the words of its generator, as far as they are known. */
-export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' | 'sides' | 'neighbours' | 'area' | 'type' | 'layer' | 'slid' | 'inwards' | 'outwards' | 'touches' | 'length' | 'height' | 'depth' | 'sort' | 'course' | 'feature' | 'number']?: number | null | undefined };
+export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' | 'sides' | 'neighbours' | 'area' | 'type' | 'layer' | 'slid' | 'inwards' | 'outwards' | 'touches' | 'length' | 'height' | 'depth' | 'sort' | 'course' | 'feature' | 'number' | 'before' | 'after']?: number | null | undefined };
 
 /** Words that tell what numbers cannot, by the word of their kind. */
 export type CellWords = { [kind in 'labels' | 'node']?: string | undefined };
@@ -35,13 +35,14 @@ function piledNumbers({ type, layer, slid, inwards, outwards, touches }: Figures
 const FEATURES = ['feature_0', 'feature_1', 'feature_2'] as const;
 const KINDS = ['kind_0', 'kind_1', 'kind_2', 'kind_3', 'kind_4', 'kind_5', 'kind_6', 'kind_7'] as const;
 
-/** Those of a block in a wall, in millimetres, and of the feature that it was laid for. */
-function blockNumbers({ length, height, depth, sort, course, feature, number }: Figures, { labels, node }: CellWords): [name: string, value: string][] {
+/** Those of a block in a wall, in millimetres, and of the feature that it was laid for; or those of a face's map. */
+function blockNumbers({ length, height, depth, sort, course, feature, number, before, after }: Figures, { labels, node }: CellWords): [name: string, value: string][] {
   const rows: [string, string][] = [];
   if (is(sort)) rows.push([t('block_kind'), t(KINDS[sort] ?? 'kind_5')]);
   if (is(length) && is(height) && is(depth)) rows.push([t('block_size'), t('block_size_of', { length, height, depth })]);
   if (is(course)) rows.push([t('block_course'), String(course)]);
   if (is(feature) && is(number)) rows.push([t('block_feature'), t(FEATURES[feature] ?? 'feature_2', { n: number })]);
+  if (is(before) && is(after)) rows.push([t('block_taken'), t('block_taken_of', { before: before.toFixed(1), after: after.toFixed(1) })]);
   if (labels) rows.push([t('block_labels'), labels]);
   if (node) rows.push([t('block_node'), node]);
   return rows;

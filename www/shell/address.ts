@@ -4,10 +4,14 @@ import { make } from '../base/dom';
 import { clear, offerOf } from '../base/messages';
 import { Link } from '../state/link';
 import type { State } from '../state/store';
-import { joined, parted } from '../state/viewing';
+import type { Preset } from '../module/types';
+import { joined, parted, WHOLE } from '../state/viewing';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
 import type { Parts } from './parts';
+
+/** The usual view. */
+const USUAL: Partial<State> = { view: 'auto', overlays: [], zoom: WHOLE, camera: undefined, cut: undefined };
 
 export class Address {
   private readonly work: Work;
@@ -49,10 +53,28 @@ export class Address {
     this.link.next = 'push';
   }
 
+  /**
+   * Opens a preset by a link of it, in its view. A preset with a view starts from the usual one, and so does the next one
+   * if the visitor has left that view as it was.
+   */
+  openPreset(preset: Preset, link: string): void {
+    const { work } = this;
+    const isSet = this.words !== '' || preset.view !== '';
+    const then = (): void => {
+      if (isSet) {
+        this.loop.until = undefined;
+        work.store.update({ ...USUAL, turn: work.engine.offers('frames') });
+      }
+      this.show(preset.view, () => undefined);
+    };
+    work.open(link, { preset, then });
+  }
+
   /** Applies a link's words of the view, then calls `then`. */
   show(words: string, then: () => void): void {
     const shown = (now: string): void => {
       this.words = now;
+      this.name();
       this.write();
       then();
     };
@@ -63,6 +85,14 @@ export class Address {
       this.showing = false;
     };
     void this.linked.load().then((it) => shown(it?.show(words, this.work, this.loop, change) ?? ''));
+  }
+
+  /** Names the preset that has this view, if several presets share the recipe. */
+  private name(): void {
+    const { engine, store } = this.work;
+    const { recipe } = store.state;
+    const found = engine.presets.find(({ link, view }) => link === recipe && view === this.words);
+    if (found) store.update({ preset: { shown: found, recipe } });
   }
 
   /** The visitor has changed the view of a link: the address holds the recipe alone again. */

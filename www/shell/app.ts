@@ -1,5 +1,6 @@
 /** The wiring of the page: which changes cause which work, and which parts show the result. */
 import { isEnd, isUpToSteps } from '../module/stages';
+import type { Preset } from '../module/types';
 import { t } from '../words/words';
 import { byId, byIdAs, frame, say } from '../base/dom';
 import { mark } from '../base/marks';
@@ -287,5 +288,10 @@ export class App {
   /** Makes the next change an entry of its own in the browser's history. */
   push(): void {
     this.address.push();
+  }
+
+  /** Opens a preset by a link of it, in its view. */
+  openPreset(preset: Preset, link: string): void {
+    this.address.openPreset(preset, link);
   }
 }

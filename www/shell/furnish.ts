@@ -2,7 +2,7 @@
  * The controls of the present generator: panel, dice, presets and the tools of the editor. The first cells are shown
  * before they are built.
  */
-import type { Parameter } from '../module/types';
+import type { Parameter, Preset } from '../module/types';
 import { frame } from '../base/dom';
 import { RETOLD } from '../base/language';
 import { withValues } from '../state/link';
@@ -25,6 +25,8 @@ interface House {
   readonly parts: Parts;
   /** Makes the next change an entry of its own in the browser's history. */
   push(): void;
+  /** Opens a preset by a link of it, in its view. */
+  openPreset(preset: Preset, link: string): void;
 }
 
 /** Builds the controls, and builds them again for each other generator. */
@@ -69,6 +71,7 @@ export async function furnish(house: House): Promise<void> {
     panel.refresh();
     mark(state);
   });
+  store.on(['preset'], mark);
   await follow();
 }
 
@@ -109,8 +112,7 @@ function presetsOf(house: House): Presets {
   return new Presets((preset) => {
     parts.editor.here?.close();
     house.push();
-    if (isLocked(store, SEED)) work.open(withValues(preset.link, [[SEED, engine.get(SEED)]]), { preset });
-    else work.open(preset.link);
     store.update({ paused: false });
+    house.openPreset(preset, isLocked(store, SEED) ? withValues(preset.link, [[SEED, engine.get(SEED)]]) : preset.link);
   });
 }

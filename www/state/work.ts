@@ -11,7 +11,7 @@ import type { State, Store } from './store';
 interface Opening {
   /** The link is the visitor's own work. */
   own?: boolean;
-  /** The preset to name, if the link is not exactly a preset's. */
+  /** The preset to name. Without it, it is that of the link. */
   preset?: Preset;
   /** Called once it is open. */
   then?: () => void;
@@ -36,7 +36,7 @@ export class Work {
     this.store = store;
     store.on(['recipe'], ({ recipe }) => {
       if (engine.link() !== recipe) engine.open(recipe);
-      const preset = presetOf(engine.presets, recipe);
+      const preset = presetOf(engine.presets, recipe, store.state.preset);
       const { word } = engine.generator;
       store.update(preset ? { preset, make: word } : { make: word });
     });
@@ -127,8 +127,9 @@ export class Work {
   }
 }
 
-/** The preset with exactly this recipe. */
-export function presetOf(presets: Preset[], recipe: string): State['preset'] {
+/** The preset with exactly this recipe: the opened one if it has it, since presets may differ in their views only. */
+export function presetOf(presets: Preset[], recipe: string, opened?: State['preset']): State['preset'] {
+  if (opened?.recipe === recipe) return opened;
   const found = presets.find(({ link }) => link.replace(/^#/, '') === recipe);
   return found && { shown: found, recipe };
 }

@@ -2,7 +2,7 @@
 import { t } from '../words/turn';
 import { make, say } from '../base/dom';
 import { shape } from '../late/svg';
-import { ownNote, stepName, stepNote } from './told';
+import { areOfMap, ownNote, stepName, stepNote } from './told';
 import type { Told } from '../picture/frames/source';
 
 /** The connection of the strip to the turntable. */
@@ -66,7 +66,7 @@ export class Making {
       return dot;
     });
     this.dots.replaceChildren(...dots);
-    say(this.title, t(this.steps.get('stone') === 'skin' ? 'made_scale' : 'made_stone', { id: body.id }));
+    say(this.title, areOfMap(body.steps) ? t('made_map') : t(this.steps.get('stone') === 'skin' ? 'made_scale' : 'made_stone', { id: body.id }));
     this.strip.hidden = false;
     this.tell();
     this.on.focus({ preventScroll: true });
@@ -94,6 +94,7 @@ export class Making {
   }
 
   private get called(): string {
+    if (areOfMap(this.body?.steps ?? [])) return t('map');
     return t(this.steps.get('stone') === 'skin' ? 'scale' : 'stone', { id: this.body?.id ?? '' });
   }
 

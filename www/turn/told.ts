@@ -43,10 +43,18 @@ export function stepName(step: string): string {
   return isWord(key) ? t(key, { n }) : step;
 }
 
-/** A sentence on a step that no paper describes, among steps that end with the body in its place on a surface; '' if there is none. */
+/** Whether these are the states of a face's map. */
+export function areOfMap(steps: readonly string[]): boolean {
+  return steps.includes('before');
+}
+
+/**
+ * A sentence that stands alone: on a state of a face's map, or on a step that no paper describes, among steps that end with
+ * the body in its place on a surface; '' if there is none.
+ */
 export function ownNote(step: string, steps: readonly string[]): string {
   const key = `own_${step}`;
-  return steps.includes('bent') && isWord(key) ? t(key) : '';
+  return (steps.includes('bent') || areOfMap(steps)) && isWord(key) ? t(key) : '';
 }
 
 /** A sentence on such a step, with the recipe's numbers; '' if there is none. */

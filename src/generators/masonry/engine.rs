@@ -50,6 +50,10 @@ impl SceneEngine for MasonryEngine {
         self.named(id)
     }
 
+    fn steps_of(&self, id: u32) -> Vec<String> {
+        self.states(id)
+    }
+
     fn caption_of(&self, words: &str) -> Option<Notice> {
         self.meaning(words)
     }

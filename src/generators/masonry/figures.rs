@@ -4,7 +4,7 @@ use super::colours::type_of;
 use super::diagrams::{Claimed, Texture, clipped};
 use super::views::MasonryView;
 use super::{MasonryEngine, diagrams};
-use crate::building::PolygonId;
+use crate::building::{FaceId, PolygonId};
 use crate::masonry::laying::{CellSort, Feature, Laying, MasonryCell};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
@@ -25,9 +25,10 @@ impl MasonryEngine {
                 let count = self.made.site.made()?.building.polygons().len();
                 (place < count).then(|| Meant::Polygon(PolygonId(id - 1)))
             }
-            MasonryView::Plan | MasonryView::Parity | MasonryView::Seams => {
-                laying?.order().get(place).copied().map(Meant::Feature)
-            }
+            MasonryView::Plan
+            | MasonryView::Parity
+            | MasonryView::Occupancy
+            | MasonryView::Seams => laying?.order().get(place).copied().map(Meant::Feature),
             _ => laying?.cells().get(place).map(Meant::Cell),
         }
     }
@@ -35,7 +36,8 @@ impl MasonryEngine {
     /// The measures of a body, by their words. A block has its length, height and depth in millimetres, joints not
     /// counted; its sort (0 whole, 1 half, 2 cut, 3 cut along a slope, 4 a sill's, 5 a stone, 6 of a special shape, 7 a
     /// tile); and the number of its course, from 1. All bodies have their feature's type (0 a corner, 1 an edge, 2 a
-    /// face) and number; polygons have that of their face.
+    /// face) and number; polygons have that of their face. Faces with maps also have the percentages of their pixels that
+    /// are occupied before and after their own cells are laid.
     pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
         match self.meant(id) {
             Some(Meant::Cell(cell)) => {
@@ -49,7 +51,10 @@ impl MasonryEngine {
                 let own = size(cell).into_iter().chain([sort]).chain(course);
                 own.chain(of_feature(cell.feature)).collect()
             }
-            Some(Meant::Feature(feature)) => of_feature(feature).to_vec(),
+            Some(Meant::Feature(feature)) => {
+                let own = of_feature(feature).into_iter();
+                own.chain(self.taken(feature)).collect()
+            }
             Some(Meant::Polygon(polygon)) => match self.made.site.made() {
                 Some(site) => {
                     of_feature(Feature::Face(site.building.polygon(polygon).face)).to_vec()
@@ -58,6 +63,34 @@ impl MasonryEngine {
             },
             None => Vec::new(),
         }
+    }
+
+    /// The percentages of a face's pixels that are occupied before and after its own cells are laid, while maps are shown.
+    fn taken(&self, feature: Feature) -> Vec<(&'static str, f64)> {
+        let shown = self.picture.shown().map(|(key, _)| key.view);
+        match (feature, self.made.cells.made()) {
+            (Feature::Face(face), Some(laying)) if shown == Some(MasonryView::Occupancy) => {
+                let shares = diagrams::occupied(laying, face).map(|share| 100.0 * share);
+                ["before", "after"].into_iter().zip(shares).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The words of the states of a face's map, while maps are shown.
+    pub(super) fn states(&self, id: u32) -> Vec<String> {
+        let shown = self.picture.shown().map(|(key, _)| key.view);
+        let has_map = shown == Some(MasonryView::Occupancy) && self.face_of(id).is_some();
+        let words = diagrams::STATES.iter().filter(|_| has_map);
+        words.map(|word| (*word).to_owned()).collect()
+    }
+
+    /// The face that has an id in diagrams of features, if it has a map.
+    pub(super) fn face_of(&self, id: u32) -> Option<FaceId> {
+        let laying = self.made.cells.made()?;
+        let feature = laying.order().get((id as usize).checked_sub(1)?)?;
+        let mut textured = laying.textured_faces();
+        textured.find(|&face| Feature::Face(face) == *feature)
     }
 
     /// The words of a body: the labels of its feature, and for a block the path of its node in the tree.

@@ -14,6 +14,30 @@ const fn drawn(
     }
 }
 
+/// A figure of the paper in a view of its own.
+const fn viewed(
+    words: [&'static str; 3],
+    note: &'static str,
+    [link, view]: [&'static str; 2],
+) -> Preset {
+    Preset {
+        view,
+        ..drawn(words, note, link)
+    }
+}
+
+/// The steps of figure 8 with herringbone, and their near camera.
+macro_rules! steps {
+    () => {
+        "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=diagonal&dressing=yellow&ground=paving&moss=0.1"
+    };
+}
+macro_rules! near {
+    ($words:literal) => {
+        concat!($words, "camera=330,16,2.1")
+    };
+}
+
 /// All presets, in the order of the page.
 #[rustfmt::skip]
 pub const PRESETS: &[Preset] = &[
@@ -57,6 +81,22 @@ pub const PRESETS: &[Preset] = &[
         "Five walls cannot alternate at every corner until one column is added.",
         "v=1&make=masonry&building=ring&pattern=bricks&ground=gravel",
     ),
+    viewed(
+        ["seams", "Seams", "Fig. 1"],
+        "A plain texture breaks at the edges of a block; cells turn the corners beside it.",
+        [
+            "v=1&make=masonry&building=block&pattern=bricks&dressing=same&ground=none&moss=0&damp=0",
+            "view=seams",
+        ],
+    ),
+    viewed(
+        ["cube-laid", "Cube, edges laid", "Fig. 5 (b)"],
+        "The corners and the edges of a cube have their blocks, and its faces are still empty.",
+        [
+            "v=1&make=masonry&building=block&block_length=8&block_width=8&block_height=8&pattern=rgb&module=cube&walls=parts&dressing=same&ground=none&moss=0&damp=0",
+            "step=80",
+        ],
+    ),
     drawn(
         ["masonry7-a", "Block, RGB", "Fig. 7"],
         "Blocks of corners are red, of edges green and of faces blue: the three passes of the method.",
@@ -88,13 +128,33 @@ pub const PRESETS: &[Preset] = &[
         "v=1&make=masonry&building=gate&pattern=ashlar&module=ashlar&rough=0.5&walls=honey&dressing=same&ground=none&moss=0&damp=0",
     ),
     drawn(
-        ["steps-diagonal", "Steps, diagonal bricks", "Fig. 8"],
+        ["steps-diagonal", "Steps, diagonal bricks", "Fig. 8 (a)"],
         "Two diagonal bricks meet at each top corner, and herringbone is set into the columns.",
-        "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=diagonal&dressing=yellow&ground=paving&moss=0.1",
+        steps!(),
     ),
     drawn(
-        ["steps-cement", "Steps, cement stones", "Fig. 8"],
+        ["steps-cement", "Steps, cement stones", "Fig. 8 (b)"],
         "Rough cast stones lie along the treads and caps, with bricks between them.",
         "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=cement&dressing=pale&ground=paving&moss=0.1",
+    ),
+    viewed(
+        ["steps-corners", "Steps, corners", "Fig. 8 (c)"],
+        "The corners have their bricks, three at each top corner of the steps.",
+        [steps!(), near!("step=80&")],
+    ),
+    viewed(
+        ["steps-edges", "Steps, edges", "Fig. 8 (d)"],
+        "Bricks of the edges lie between those of the corners.",
+        [steps!(), near!("step=420&")],
+    ),
+    viewed(
+        ["steps-panels", "Steps, panels", "Fig. 8 (e)"],
+        "The panels of the columns are set before the rest of their faces.",
+        [steps!(), near!("step=716&")],
+    ),
+    viewed(
+        ["steps-faces", "Steps, faces", "Fig. 8 (f)"],
+        "Bricks of the faces fill the space that is left.",
+        [steps!(), near!("")],
     ),
 ];

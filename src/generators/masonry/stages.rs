@@ -9,7 +9,7 @@ use crate::generators::scene_picture::{
     MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
-use crate::masonry::laying::Laying;
+use crate::masonry::laying::{Laying, MasonryCell};
 use crate::notice::Notice;
 use crate::recipe::Recipe;
 use crate::scene::Scene;
@@ -157,13 +157,16 @@ impl MasonryStages {
         })
     }
 
-    /// Lays some blocks.
+    /// Lays some blocks of one pass, so that each pass ends with a step.
     fn lay(&mut self) -> Option<()> {
         let (site, cells) = (self.site.made()?, self.cells.made()?.cells());
         self.laid.advance(|params, work| {
             let wall = work.get_or_insert_with(|| Wall::new(site, params));
             let step = (cells.len() / STEPS).clamp(1, MOST);
-            let end = wall.shown() + step;
+            let left = cells.get(wall.shown()..).unwrap_or_default();
+            let pass = left.first().map(MasonryCell::pass);
+            let own = left.iter().take_while(|cell| Some(cell.pass()) == pass);
+            let end = wall.shown() + own.take(step).count();
             wall.lay(cells, end);
             let is_done = end >= cells.len();
             let finished = if is_done { work.take() } else { None };
@@ -195,6 +198,7 @@ impl MasonryStages {
         match (self.at(), self.begun(&self.laid)) {
             (Some(at), _) if at < LAYING => 0,
             (_, Some(wall)) => wall.shown(),
+            (Some(LAYING), None) => 0,
             _ => self.cells.made().map_or(0, |laying| laying.cells().len()),
         }
     }

@@ -127,6 +127,17 @@ impl SceneSource for MasonryEngine {
         }
     }
 
+    fn making_key(&self) -> Option<WallInputs> {
+        self.key("occupancy")
+    }
+
+    fn step_scene(&self, (id, state): (u32, usize)) -> Option<Scene> {
+        let face = self
+            .face_of(id)
+            .filter(|_| state < diagrams::STATES.len())?;
+        Some(diagrams::map_scene(self.made.cells.made()?, face, state))
+    }
+
     fn still(&self) -> StillParams {
         self.made.still.params().clone()
     }

@@ -1,11 +1,12 @@
 //! Properties of the generator's table, and of the blocks of buildings by rule.
 
-use super::MasonryEngine;
 use super::params::BuildingParams;
 use super::schema::{FILE, ROWS, keys};
 use super::site::BuildingSite;
+use super::{MASONRY, MasonryEngine};
 use crate::building::{Module, Rule};
-use crate::generators::{Engine, Files, GivenFile};
+use crate::generators::{Engine, Files, GivenFile, Viewing};
+use crate::masonry::laying::LayingPass;
 use crate::masonry::tree::TreePreset;
 use crate::notice::{Arg, Code, Notice};
 use crate::recipe::Recipe;
@@ -152,4 +153,61 @@ fn buildings_of_files_are_laid_or_refused_with_a_sentence() {
         refused("small.obj", &box_of([0.04; 3])),
         Err(Code::MasonryLarge)
     );
+}
+
+/// How many cells of a recipe are laid at the end of each pass that lays any, in their order.
+fn ends_of_passes(link: &str) -> Vec<(LayingPass, usize)> {
+    let engine = laid(link).expect("a building");
+    let cells = engine.made.cells.made().expect("cells").cells();
+    let passes = cells.chunk_by(|a, b| a.pass() == b.pass());
+    let mut count = 0;
+    let ends = passes.map(|own| {
+        count += own.len();
+        (own[0].pass(), count)
+    });
+    ends.collect()
+}
+
+/// The steps of a laying, as a viewer counts them.
+fn steps(link: &str) -> Vec<u32> {
+    let mut engine = MasonryEngine::new(&recipe(link));
+    let mut steps = Vec::new();
+    while engine.at().is_some_and(|at| at <= super::stages::LAYING) {
+        engine.advance();
+        steps.push(engine.progress().steps);
+    }
+    steps.dedup();
+    steps
+}
+
+#[test]
+fn presets_stop_at_the_ends_of_passes() {
+    let all = [
+        ("cube-laid", LayingPass::Edges),
+        ("steps-corners", LayingPass::Corners),
+        ("steps-edges", LayingPass::Edges),
+        ("steps-panels", LayingPass::Panels),
+    ];
+    let mut stopped = Vec::new();
+    for preset in MASONRY.presets {
+        let step = Viewing::read(preset.view, &MASONRY)
+            .0
+            .and_then(|view| view.step);
+        let Some(step) = step else { continue };
+        let ends = ends_of_passes(preset.link);
+        let end = ends.iter().find(|(_, end)| *end == step as usize);
+        let (pass, _) = end.unwrap_or_else(|| panic!("{}: {step} of {ends:?}", preset.name));
+        assert!(steps(preset.link).contains(&step), "{}", preset.name);
+        stopped.push((preset.name, *pass));
+    }
+    assert_eq!(stopped, all);
+}
+
+#[test]
+fn each_pass_ends_with_a_step() {
+    let link = "make=masonry&building=steps&pattern=diagonal";
+    let (ends, steps) = (ends_of_passes(link), steps(link));
+    assert_eq!(ends.len(), 4);
+    assert!(ends.iter().all(|(_, end)| steps.contains(&(*end as u32))));
+    assert!(steps.len() > 100 && steps.is_sorted());
 }

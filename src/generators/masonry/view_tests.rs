@@ -1,13 +1,14 @@
 //! Properties of the views' scenes, and of bricks that are turned by hand.
 
 use super::colours::type_of;
-use super::diagrams::{Claimed, Texture, clipped, diagram, lines};
+use super::diagrams::{Claimed, STATES, Texture, clipped, diagram, lines, map_scene, occupied};
 use super::figures::size;
 use super::tests::{laid, recipe};
 use super::views::MasonryView;
 use super::{MasonryEngine, SCHEMA};
 use crate::building::{Bend, FaceId};
 use crate::generators::Engine;
+use crate::generators::scene_picture::SceneSource;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::laying::{CellSort, Feature, Laying, MasonryCell};
 use crate::masonry::occupancy::Bitmap;
@@ -49,7 +50,7 @@ fn bodies_of_views_have_ids_of_cells_or_features() {
         for (view, most) in [
             (MasonryView::Features, cells),
             (MasonryView::Sizes, cells),
-            (MasonryView::Occupancy, cells),
+            (MasonryView::Occupancy, features),
             (MasonryView::Clipping, cells),
             (MasonryView::Plan, features),
             (MasonryView::Parity, features),
@@ -132,6 +133,65 @@ fn pixels_are_free_or_claimed_as_in_the_maps() {
 }
 
 #[test]
+fn maps_of_faces_are_free_then_claimed_around_then_full() {
+    for link in [
+        "building=gate",
+        "building=tower",
+        "building=steps&pattern=diagonal",
+    ] {
+        let engine = engine(link);
+        let laying = laying(&engine);
+        for face in laying.textured_faces() {
+            let [before, after] = occupied(laying, face);
+            assert!(
+                0.0 < before && before <= after && after > 0.9,
+                "{link} {face:?}: {before} {after}"
+            );
+            let scenes = [0, 1, 2].map(|state| map_scene(laying, face, state));
+            assert!(scenes.iter().all(|scene| scene.fault().is_none()));
+            // Free pixels have no hatching.
+            let [free, some, full] = scenes.each_ref().map(|scene| scene.lines.len());
+            assert!(free == 0 && 0 < some && some <= full, "{link} {face:?}");
+            let far = scenes[1].bodies[0].radius;
+            assert!((0.9..1.1).contains(&far), "{far}");
+        }
+        let walls = laying
+            .textured_faces()
+            .filter(|&face| is_wall(laying.building().face(face)));
+        let shares = walls.map(|face| occupied(laying, face));
+        // The outlines of most walls are narrow.
+        assert!(
+            shares
+                .filter(|[before, after]| before + 0.2 < *after)
+                .count()
+                > 1
+        );
+    }
+}
+
+#[test]
+fn a_face_with_a_map_has_its_states_while_maps_are_shown() {
+    let mut engine = engine("building=block");
+    let face = laying(&engine).textured_faces().last().expect("a face");
+    let order = laying(&engine).order();
+    let place = order
+        .iter()
+        .position(|&feature| feature == Feature::Face(face));
+    let id = place.expect("a face") as u32 + 1;
+    engine.view("seams");
+    assert_eq!(engine.states(id), [""; 0]);
+    engine.view("occupancy");
+    assert_eq!(engine.states(id), STATES);
+    assert_eq!(engine.states(1), [""; 0], "a corner");
+    let words: Vec<_> = engine.measures(id).iter().map(|(word, _)| *word).collect();
+    assert_eq!(words, ["feature", "number", "before", "after"]);
+    assert!(engine.step_scene((id, 2)).is_some());
+    for none in [(id, 3), (1, 0), (0, 0), (9_999, 1)] {
+        assert!(engine.step_scene(none).is_none(), "{none:?}");
+    }
+}
+
+#[test]
 fn what_was_cut_off_and_what_is_left_make_the_place() {
     let engine = engine("building=gate");
     let laying = laying(&engine);
@@ -162,6 +222,23 @@ fn a_texture_breaks_at_edges_where_cells_do_not() {
     let engine = engine("building=block");
     let Texture { bricks, broken } = Texture::new(laying(&engine));
     assert!(broken > 20 && bricks > 2 * broken, "{broken} of {bricks}");
+    // The cells stand to its right, as far away as it is wide and a bit, and both are in sight.
+    let scene = scene(&engine, MasonryView::Seams);
+    let ends = |is_of: fn(f32) -> bool| {
+        let own = scene
+            .instances
+            .iter()
+            .map(|instance| scene.ball_of(instance).0.x);
+        let own = own.filter(|&x| is_of(x));
+        own.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], x| {
+            [low.min(x), high.max(x)]
+        })
+    };
+    let ([from, left], [right, to]) = (ends(|x| x < 0.0), ends(|x| x > 0.0));
+    assert!(
+        right - left > 0.05 && from > -0.62 && to < 0.62,
+        "{from} {left} {right} {to}"
+    );
 }
 
 #[test]

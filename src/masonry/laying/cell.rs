@@ -82,6 +82,39 @@ pub struct MasonryCell {
     pub unclipped: Option<Footprint>,
 }
 
+/// The passes of the laying, in their order (Legakis, Dorsey, Gortler 2001, section 4.2). Panels of all faces come before
+/// the rest of the faces, as in figure 8 (e).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum LayingPass {
+    /// Corners.
+    Corners,
+    /// Edges.
+    Edges,
+    /// Panels in faces.
+    Panels,
+    /// The rest of the faces.
+    Faces,
+}
+
+impl MasonryCell {
+    /// The pass of the laying in which it is laid.
+    pub fn pass(&self) -> LayingPass {
+        LayingPass::of(self.feature, self.generator)
+    }
+}
+
+impl LayingPass {
+    /// The pass in which a generator lays cells on a feature.
+    pub(super) fn of(feature: Feature, generator: PatternGenerator) -> Self {
+        match feature {
+            Feature::Corner(_) => Self::Corners,
+            Feature::Edge(_) => Self::Edges,
+            Feature::Face(_) if generator == PatternGenerator::Panel => Self::Panels,
+            Feature::Face(_) => Self::Faces,
+        }
+    }
+}
+
 /// A cell to be placed.
 #[derive(Clone, Debug)]
 pub(super) struct CellDraft {

@@ -37,7 +37,7 @@ mod tiles;
 mod tops;
 mod weave;
 
-pub use cell::{CellSort, Feature, MasonryCell};
+pub use cell::{CellSort, Feature, LayingPass, MasonryCell};
 pub use measures::Measures;
 pub use pointing::Pointing;
 
@@ -93,6 +93,7 @@ pub struct Laying {
     params: LayingParams,
     site: Site,
     order: Vec<Feature>,
+    /// The number of the next turn. Faces have a second turn after the first ones of all features.
     next: usize,
     /// The features that some generator has reached.
     textured: Vec<Feature>,
@@ -128,22 +129,23 @@ impl Laying {
         })
     }
 
-    /// Lays the cells of at most `amount` features. Returns whether no feature is left.
+    /// Lays the cells of at most `amount` turns: each feature has one, and each face another one. Returns whether none is
+    /// left.
     pub fn advance(&mut self, amount: usize) -> bool {
-        let end = self.order.len().min(self.next + amount.max(1));
-        for k in self.next..end {
-            self.lay(self.order[k]);
+        let faces = self.building().faces().len();
+        let last = self.order.len() + faces;
+        let end = last.min(self.next + amount.max(1));
+        for turn in self.next..end {
+            match self.order.get(turn) {
+                Some(&feature) => self.begin(feature),
+                None => self.lay(self.order[turn - faces], LayingPass::Faces),
+            }
         }
         self.next = end;
-        end == self.order.len()
+        end == last
     }
 
-    /// The features whose turn has come, in that order.
-    pub fn history(&self) -> &[Feature] {
-        &self.order[..self.next]
-    }
-
-    /// All features, in the order in which they are laid.
+    /// All features, in the order of their first turns.
     pub fn order(&self) -> &[Feature] {
         &self.order
     }
@@ -186,8 +188,8 @@ impl Laying {
         })
     }
 
-    /// Passes a feature down the tree and lays what it reaches.
-    fn lay(&mut self, feature: Feature) {
+    /// The first turn of a feature. Of a face, only panels are laid.
+    fn begin(&mut self, feature: Feature) {
         let building = self.site.building.clone();
         let walk = self.tree.walk(&view(&building, feature));
         let told = walk
@@ -198,15 +200,26 @@ impl Laying {
                 path: at.path,
             });
         self.warnings.extend(told);
-        let nodes: Vec<GeneratorNode> = walk
-            .reached
-            .into_iter()
-            .map(|reached| reached.node.clone())
-            .collect();
-        if nodes.iter().any(|node| self.covers(feature, node)) {
+        let mut reached = walk.reached.iter();
+        if reached.any(|reached| self.covers(feature, reached.node)) {
             self.textured.push(feature);
         }
-        for node in &nodes {
+        let pass = match feature {
+            Feature::Corner(_) => LayingPass::Corners,
+            Feature::Edge(_) => LayingPass::Edges,
+            Feature::Face(_) => LayingPass::Panels,
+        };
+        self.lay(feature, pass);
+    }
+
+    /// Passes a feature down the tree and lays what it reaches there, as far as that is of a pass.
+    fn lay(&mut self, feature: Feature, pass: LayingPass) {
+        let building = self.site.building.clone();
+        let walk = self.tree.walk(&view(&building, feature));
+        let nodes = walk.reached.into_iter().map(|reached| reached.node);
+        let own = nodes.filter(|node| LayingPass::of(feature, node.generator) == pass);
+        let own: Vec<GeneratorNode> = own.cloned().collect();
+        for node in &own {
             self.generate(feature, node);
         }
     }

@@ -1,7 +1,9 @@
 //! Properties of the patterns of steps (Legakis, Dorsey, Gortler 2001, section 5.5, fig. 8).
 
 use super::measures::pairs;
-use super::{CellSort, Feature, Laying, LayingParams, LayingWarning, MasonryCell, Measures};
+use super::{
+    CellSort, Feature, Laying, LayingParams, LayingPass, LayingWarning, MasonryCell, Measures,
+};
 use crate::building::{Building, FaceId, Module, Rule};
 use crate::masonry::footprint::Footprint;
 use crate::masonry::plan::{is_wall, thicknesses};
@@ -87,6 +89,15 @@ fn both_trees_lay_every_building_without_a_fault() {
             assert!(laying.cells().iter().all(are_sound), "{rule:?} {word}");
         }
     }
+}
+
+#[test]
+fn panels_of_all_faces_come_before_the_rest_of_any() {
+    let laying = preset(Rule::Steps, &steps(8.0, 22.0), "diagonal");
+    let passes: Vec<LayingPass> = laying.cells().iter().map(MasonryCell::pass).collect();
+    assert!(passes.is_sorted());
+    let panels = passes.iter().filter(|&&pass| pass == LayingPass::Panels);
+    assert!(panels.count() > 100 && passes.contains(&LayingPass::Faces));
 }
 
 /// The faces with a panel, and the panel's rectangle on each.

@@ -1,6 +1,8 @@
 //! Properties of whole buildings.
 
-use super::{CellSort, Feature, Laying, LayingParams, LayingWarning, Measures};
+use super::{
+    CellSort, Feature, Laying, LayingParams, LayingPass, LayingWarning, MasonryCell, Measures,
+};
 use crate::building::{Building, Draft, EdgeId, Misfit, Module, Rule};
 use crate::masonry::module::{ASHLAR, BLOCK};
 use crate::masonry::plan::{FaceGrid, PlanFault, is_wall, thicknesses};
@@ -136,8 +138,8 @@ fn slices_and_seeds_decide_nothing_and_everything() {
     let mut slices = 0;
     while !sliced.advance(1) {
         slices += 1;
-        assert_eq!(sliced.history().len(), slices);
     }
+    assert!(slices > 20);
     assert_eq!(whole.cells(), sliced.cells());
     assert_ne!(whole.cells(), laid(&draft, TREES[2], 2).cells());
 }
@@ -145,18 +147,14 @@ fn slices_and_seeds_decide_nothing_and_everything() {
 #[test]
 fn corners_come_before_edges_and_edges_before_faces() {
     let laying = laid(&draft(Rule::Block, &Module::NORMAL), BRICKS, 1);
-    let kind = |feature: Feature| match feature {
-        Feature::Corner(_) => 0,
-        Feature::Edge(_) => 1,
-        Feature::Face(_) => 2,
-    };
-    let kinds: Vec<i32> = laying
-        .cells()
-        .iter()
-        .map(|cell| kind(cell.feature))
-        .collect();
-    assert!(kinds.is_sorted());
-    assert!([0, 1, 2].iter().all(|kind| kinds.contains(kind)));
+    let passes: Vec<LayingPass> = laying.cells().iter().map(MasonryCell::pass).collect();
+    assert!(passes.is_sorted());
+    use LayingPass::{Corners, Edges, Faces};
+    assert!(
+        [Corners, Edges, Faces]
+            .iter()
+            .all(|pass| passes.contains(pass))
+    );
 }
 
 #[test]

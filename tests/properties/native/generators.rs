@@ -4,7 +4,8 @@
 mod native;
 
 use crate::common::{finished, recipe};
-use bubblestone::generators::{ALL, surface};
+use bubblestone::generators::masonry::MASONRY;
+use bubblestone::generators::{ALL, Viewing, surface};
 use bubblestone::notice::Code;
 
 const BALL: &str = "v=1&make=surface&form=sphere&size=128&cn=60";
@@ -76,4 +77,77 @@ fn the_native_program_writes_files_of_each() {
     assert!(native::write_svg(&mut ball, &round).is_err());
     assert!(native::write_bigger(&mut ball, 2, true, &round).is_err());
     std::fs::remove_dir_all(&out).unwrap();
+}
+
+#[test]
+fn views_of_presets_are_read_without_a_fault() {
+    let mut viewed = 0;
+    for generator in ALL.iter() {
+        for preset in generator.presets {
+            let (viewing, faults) = Viewing::read(preset.view, generator);
+            assert!(faults.is_empty(), "{}: {faults:?}", preset.name);
+            assert_eq!(
+                viewing.is_some(),
+                !preset.view.is_empty(),
+                "{}",
+                preset.name
+            );
+            viewed += usize::from(viewing.is_some());
+        }
+    }
+    assert!(viewed > 4);
+}
+
+#[test]
+fn words_of_a_view_that_cannot_be_used_are_told() {
+    let read = |words: &str| Viewing::read(words, &MASONRY);
+    let all = "https://example.org/#v=1&make=masonry&view=seams&step=12&camera=10,20&cut=0,1,0,0.1";
+    let (viewing, faults) = read(all);
+    let viewing = viewing.expect("a view");
+    assert_eq!((viewing.view.as_str(), viewing.step), ("seams", Some(12)));
+    assert_eq!(
+        viewing.camera.expect("a camera").numbers()[..2],
+        [10.0, 20.0]
+    );
+    assert_eq!((viewing.cut.as_str(), faults.len()), ("whole=0,1,0,0.1", 0));
+    for words in [
+        "view=moon",
+        "step=-1",
+        "step=all",
+        "camera=here",
+        "cut=0,0,0,1",
+        "cut=1",
+        "body=2",
+    ] {
+        let (viewing, faults) = read(words);
+        assert_eq!(faults.len(), 1, "{words}");
+        assert_eq!(viewing.expect("a view").step, None);
+    }
+    assert_eq!(read("v=1&make=masonry&views=1&pace=3"), (None, Vec::new()));
+}
+
+/// The view stops before faces have their blocks, so it differs from the finished picture.
+#[test]
+fn the_native_program_draws_the_view_of_a_link() {
+    let out = std::env::temp_dir().join(format!("bubblestone-seen-{}", std::process::id()));
+    let link = "v=1&make=masonry&building=block&pattern=rgb&module=cube&walls=parts&size=128";
+    let drawn = |words: &str| {
+        let mut studio = finished(link);
+        let viewing = Viewing::read(words, &MASONRY).0.expect("a view");
+        let pixels = native::seen::write_seen(&mut studio, &viewing, &mut || 0.0, &out);
+        (pixels.expect("pixels"), studio.progress().steps)
+    };
+    let (whole, all) = drawn("view=auto");
+    let (held, steps) = drawn("step=40");
+    assert_eq!(steps, 40);
+    assert!(all > 100 && whole.len() == held.len());
+    let others = [
+        held,
+        drawn("camera=150,40").0,
+        drawn("view=seams").0,
+        drawn("cut=0,1,0,0").0,
+    ];
+    assert!(others.iter().all(|pixels| *pixels != whole));
+    assert!(out.join("seen.png").exists());
+    std::fs::remove_dir_all(&out).expect("a folder");
 }

@@ -13,12 +13,12 @@ use glam::DVec2;
 use std::collections::BTreeSet;
 
 /// The colours of lines between columns, of lines between rows, and of those at openings.
-const COLUMNS: [u8; 3] = [222, 150, 62];
+const COLUMNS: [u8; 3] = [220, 124, 24];
 const ROWS: [u8; 3] = [44, 92, 160];
 const OPENINGS: [u8; 3] = [206, 44, 66];
 /// Half the width of a line, in modules, and that of a line at an opening.
-const HALF: f64 = 0.05;
-const WIDE: f64 = 0.09;
+const HALF: f64 = 0.08;
+const WIDE: f64 = 0.13;
 /// How far lines lie before the face (metres).
 const HEIGHT: f64 = 1e-3;
 

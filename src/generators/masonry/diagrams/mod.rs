@@ -7,11 +7,13 @@ mod occupancy;
 mod parity;
 mod plates;
 mod seams;
+mod unrolled;
 
 pub(super) use clipping::clipped;
 pub(super) use grid::lines;
 pub(super) use occupancy::Claimed;
 pub(super) use seams::Texture;
+pub(super) use unrolled::{STATES, occupied, scene as map_scene};
 
 use super::blocks::{add_mortar, flat};
 use super::params::BlockParams;
@@ -45,7 +47,13 @@ pub(super) fn diagram(
         MasonryView::Parity => parity::add(&mut scene, laying, site.fit),
         MasonryView::Occupancy => occupancy::add(&mut scene, laying, site.fit),
         MasonryView::Clipping => clipping::add(&mut scene, laying, site.fit),
-        MasonryView::Seams => seams::add(&mut scene, laying, site.fit),
+        MasonryView::Seams => {
+            seams::add(&mut scene, laying, site.fit);
+            let first = scene.instances.len();
+            add_bare(&mut scene, site, blocks);
+            seams::add_cells(&mut scene, laying, site.fit);
+            seams::set_apart(&mut scene, laying, first, site.fit);
+        }
         _ => kinds::add(&mut scene, view, laying, site.fit),
     }
     scene
@@ -54,9 +62,13 @@ pub(super) fn diagram(
 /// The mortar alone.
 pub(super) fn bare(site: &BuildingSite, blocks: &BlockParams) -> Scene {
     let mut scene = empty(site);
-    let depth = (blocks.recess, blocks.length);
-    add_mortar(&mut scene, site, depth, [(CALM, BARE); 2]);
+    add_bare(&mut scene, site, blocks);
     scene
+}
+
+fn add_bare(scene: &mut Scene, site: &BuildingSite, blocks: &BlockParams) {
+    let depth = (blocks.recess, blocks.length);
+    add_mortar(scene, site, depth, [(CALM, BARE); 2]);
 }
 
 fn empty(site: &BuildingSite) -> Scene {
@@ -66,7 +78,8 @@ fn empty(site: &BuildingSite) -> Scene {
     }
 }
 
-/// The polygons of the child mesh, each in a tone of its own. Ids count from 1 in the order of the building.
+/// The polygons of the child mesh, each in a tone of its own, with their edges. Ids count from 1 in the order of the
+/// building.
 pub(super) fn polygons(site: &BuildingSite) -> Scene {
     let mut scene = empty(site);
     for (id, polygon) in (1_u32..).zip(site.building.polygons()) {
@@ -77,9 +90,13 @@ pub(super) fn polygons(site: &BuildingSite) -> Scene {
             triangles: (2..count).map(|k| [0, k - 1, k]).collect(),
         };
         let mut random = Random::new(7, Purpose::Paint, u64::from(id));
-        let colour = [0; 3].map(|_| 110 + random.below(120) as u8);
+        let colour = [0; 3].map(|_| 130 + random.below(90) as u8);
         let surface = flat(&mesh, |p| site.fit.place(p));
         add_plain(&mut scene, surface, (id, colour, BARE));
+        let next = mesh.positions.iter().cycle().skip(1);
+        let edges = mesh.positions.iter().zip(next);
+        let lines = edges.map(|(&a, &b)| [a, b].map(|p| site.fit.place(p)));
+        scene.lines.extend(lines);
     }
     scene
 }

@@ -1,15 +1,18 @@
 //! Seams: a plain texture of bricks in running bond, which only knows each face's own s and t. Its bricks end at the
-//! edges, as textures of images do (Legakis, Dorsey, Gortler 2001, Feature-based cellular texturing for architectural
-//! models, figure 1).
+//! edges, as textures of images do. The cells stand beside it (Legakis, Dorsey, Gortler 2001, Feature-based cellular
+//! texturing for architectural models, figure 1).
 
+use super::super::blocks::plain;
+use super::super::parts::add_plain;
 use super::plates::{Plates, Sheet};
-use super::{MAP, faces, toned};
+use super::{MAP, SATIN, faces, id_of, toned};
 use crate::building::{FaceId, Module};
 use crate::masonry::footprint::Footprint;
 use crate::masonry::laying::Laying;
+use crate::order::lesser;
 use crate::scene::Scene;
 use crate::surface_stones::Fit;
-use glam::DVec2;
+use glam::{DVec2, Vec2, Vec3, Vec3Swizzles};
 
 /// The colour of bricks, and how much their tones differ.
 const BRICK: [u8; 3] = [164, 88, 66];
@@ -20,6 +23,10 @@ const BROKEN: [u8; 3] = [224, 178, 84];
 const WHOLE: f64 = 0.97;
 /// How far the texture lies before the face (metres).
 const HEIGHT: f64 = 1e-3;
+/// The building and its copy together are so wide, in units of the scene, ...
+const WIDE: f32 = 1.2;
+/// ... with a gap between them, as a share of the building's width and of its depth.
+const GAP: Vec2 = Vec2::new(0.08, 0.25);
 /// Numbers of bricks in a row lie this far apart at least, so that tones of rows differ.
 const ROW: u32 = 4099;
 
@@ -66,6 +73,38 @@ pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit) {
         }
         plates.finish(scene, (number, MAP));
     }
+}
+
+/// Adds all cells in the colour of bricks; the id of a body is that of its feature.
+pub(super) fn add_cells(scene: &mut Scene, laying: &Laying, fit: Fit) {
+    for (number, cell) in (0..).zip(laying.cells()) {
+        if let Some(body) = cell.body.shrunk() {
+            let colour = toned(BRICK, TONE, number);
+            let id = id_of(laying, cell.feature);
+            add_plain(scene, plain(&body, fit), (id, colour, SATIN));
+        }
+    }
+}
+
+/// Sets the instances from the number `first` on beside those before it, to the right, and makes both smaller.
+pub(super) fn set_apart(scene: &mut Scene, laying: &Laying, first: usize, fit: Fit) {
+    let places = laying.building().vertices().iter();
+    let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    let (low, high) = places.fold(start, |(low, high), vertex| {
+        let p = fit.place(vertex.position);
+        (low.min(p), high.max(p))
+    });
+    let sides = (high - low).xz();
+    let apart = sides.x + GAP.dot(sides);
+    let scale = lesser(1.0, WIDE / (apart + sides.x));
+    let shift = 0.5 * apart * scale;
+    for (number, instance) in scene.instances.iter_mut().enumerate() {
+        let place = &mut instance.place;
+        place.axes = place.axes.map(|axis| axis * scale);
+        place.origin *= scale;
+        place.origin.x += if number < first { -shift } else { shift };
+    }
+    scene.reach *= scale;
 }
 
 /// The bricks of the texture on a face.

@@ -38,6 +38,7 @@ macro_rules! paper {
             figure: concat!("Fig. ", $first, " of 2000, Fig. ", $second, " of 2001"),
             note: $note,
             link: $link,
+            view: "",
             timing: timing($ts, $tt),
         }
     };

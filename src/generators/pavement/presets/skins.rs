@@ -36,6 +36,7 @@ macro_rules! paper {
             figure: concat!("Fig. ", $figure, " of 2003"),
             note: $note,
             link: $link,
+            view: "",
             timing: $timing,
         }
     };
