@@ -195,6 +195,7 @@ impl MasonryStages {
         match (self.at(), self.begun(&self.laid)) {
             (Some(at), _) if at < LAYING => 0,
             (_, Some(wall)) => wall.shown(),
+            (Some(LAYING), None) => 0,
             _ => self.cells.made().map_or(0, |laying| laying.cells().len()),
         }
     }

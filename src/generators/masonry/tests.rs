@@ -4,6 +4,7 @@ use super::MasonryEngine;
 use super::params::BuildingParams;
 use super::schema::{FILE, ROWS, keys};
 use super::site::BuildingSite;
+use super::stages::LAYING;
 use crate::building::{Module, Rule};
 use crate::generators::{Engine, Files, GivenFile};
 use crate::masonry::tree::TreePreset;
@@ -152,4 +153,16 @@ fn buildings_of_files_are_laid_or_refused_with_a_sentence() {
         refused("small.obj", &box_of([0.04; 3])),
         Err(Code::MasonryLarge)
     );
+}
+
+#[test]
+fn blocks_are_counted_one_after_the_other() {
+    let mut engine = MasonryEngine::new(&recipe("make=masonry&building=sheet&pattern=bricks"));
+    let mut counts = Vec::new();
+    while engine.at().is_some_and(|at| at <= LAYING) {
+        counts.push(engine.progress().steps);
+        engine.advance();
+    }
+    assert!(counts.is_sorted(), "{counts:?}");
+    assert_eq!((counts[0], engine.progress().steps > 0), (0, true));
 }
