@@ -73,7 +73,7 @@ test('a recipe saved as JSON and opened again, by dialog or drop, gives the same
   await dialog(page);
   const [again] = await Promise.all([page.waitForFileChooser(), click(page, '#open-recipe')]);
   await again.accept([path]);
-  await message(page, 'status', /holds no recipe/);
+  await message(page, 'alert', /has no outline .* and no recipe/);
   assert.equal(await digest(page), planes);
   rmSync(folder, { recursive: true });
   assert.deepEqual(problems, []);

@@ -15,6 +15,9 @@ export const BALL = '#v=1&make=surface&form=sphere&size=128&cn=60';
 /** Some pebbles on a small rice ball. */
 export const PILE = '#v=1&make=pile&size=128&c1=pebble&ps=5';
 
+/** A small block of some 150 bricks. */
+export const BRICKS = '#v=1&make=masonry&building=block&block_length=8&block_width=8&block_height=8&size=128&pattern=bricks&ground=none';
+
 export const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 /** The digest of the planes, once they are done. @param {Page} page @returns {Promise<string>} */

@@ -5,6 +5,7 @@ import { sameEverywhere } from './browsers.mjs';
 import { low, open } from './harness.mjs';
 import { opened, saved } from './saved.mjs';
 import { all, chooses, click, digest, done, drop, get, link, message, PILE, set, SMALL } from './page.mjs';
+import { hash, other, turned } from './turned.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -23,30 +24,6 @@ const BLOCK = [
   ...['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}`),
   '',
 ].join('\n');
-
-/** Waits until the last frame shows the present state. @param {Page} page */
-const seen = (page) => page.waitForSelector('#sheet[data-turn=fine]', { timeout: 60_000 });
-
-/** Waits until the frame differs from the one with this hash, and is refined. @param {Page} page @param {number} before */
-async function other(page, before) {
-  await page.waitForFunction((was) => document.querySelector('#sheet')?.getAttribute('data-turn') === 'fine' && /** @type {any} */ (window).hashOf() !== was, { timeout: 60_000 }, before);
-  return hash(page);
-}
-
-/** A hash of the frame. @param {Page} page @returns {Promise<number>} */
-async function hash(page) {
-  await seen(page);
-  return page.evaluate(() => {
-    const all = /** @type {any} */ (window);
-    all.hashOf = () => {
-      const shown = /** @type {HTMLCanvasElement} */ (document.querySelector('#turn canvas'));
-      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(shown.width, shown.height).getContext('2d'));
-      context.drawImage(shown, 0, 0);
-      return new Uint32Array(context.getImageData(0, 0, shown.width, shown.height).data.buffer).reduce((sum, pixel) => Math.imul(sum ^ pixel, 16777619) >>> 0, 2166136261);
-    };
-    return all.hashOf();
-  });
-}
 
 test('the first press on Piles shows what the small picture promises, and its bodies settle', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SMALL);
@@ -130,7 +107,7 @@ test('a file for each role is chosen in the panel, and a link asks for the ones 
 test('a body has a card, and a plane cuts bodies away', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(PILE);
   await digest(page);
-  await seen(page);
+  await turned(page);
   assert.match(await page.$eval('#turn-seen', (told) => told.textContent ?? ''), /^\d+ bodies, seen from/);
   await page.focus('#turn');
   await page.keyboard.press('Enter');
@@ -220,7 +197,7 @@ test('one press takes the spacing that fits', sameEverywhere, async () => {
 test('a link with a plane opens with it', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${PILE}&cut=0,1,0,0.05`);
   await digest(page);
-  await seen(page);
+  await turned(page);
   await page.waitForSelector('#turn-cut[aria-pressed=true]');
   assert.equal(await page.$eval('[name=turn-cut-way]:checked', (radio) => /** @type {HTMLInputElement} */ (radio).value), 'y');
   assert.equal(await page.$eval('#turn-cut-at', (slider) => /** @type {HTMLInputElement} */ (slider).value), '0.05');

@@ -8,6 +8,7 @@ import { low, open } from './harness.mjs';
 import { all, BALL, click, digest, frames, get, link, phone, reloading, set, SMALL } from './page.mjs';
 import { dialog, opened, saved } from './saved.mjs';
 import { box, drag, spot } from './sheet.mjs';
+import { frame, tells, told, turned } from './turned.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -19,27 +20,6 @@ before(async () => {
 });
 
 after(() => site?.close());
-
-/** Waits until the wanted frame is refined to the end, or in another state. @param {Page} page */
-const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`, { timeout: 60_000 });
-
-/** A hash of a frame, and its number of colours. @param {Page} page @param {string} [canvas] */
-const frame = (page, canvas = '#turn canvas') =>
-  page.$eval(canvas, (element) => {
-    const { width, height } = /** @type {HTMLCanvasElement} */ (element);
-    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(width, height).getContext('2d'));
-    context.drawImage(/** @type {HTMLCanvasElement} */ (element), 0, 0);
-    const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
-    let hash = 2166136261;
-    for (const pixel of pixels) hash = Math.imul(hash ^ pixel, 16777619) >>> 0;
-    return { hash, colours: new Set(pixels).size };
-  });
-
-/** The sentence about the frame. @param {Page} page */
-const told = (page) => page.$eval('#turn-seen', (text) => text.textContent);
-
-/** Waits until the sentence matches. @param {Page} page @param {RegExp} words */
-const tells = (page, words) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector('#turn-seen')?.textContent ?? ''), { timeout: 60_000 }, words.source);
 
 /** Whether each of these elements is visible. @param {Page} page @param {string[]} ids */
 const seen = (page, ids) => page.evaluate((names) => names.filter((id) => document.getElementById(id)?.checkVisibility({ visibilityProperty: true })), ids);

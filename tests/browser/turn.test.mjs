@@ -10,6 +10,7 @@ import { desk, low, open } from './harness.mjs';
 import { BALL, click, digest, frames, link, message, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box, drag, spot } from './sheet.mjs';
+import { frame, told, turned } from './turned.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -21,24 +22,6 @@ before(async () => {
 });
 
 after(() => site?.close());
-
-/** Waits until the wanted frame is refined to the end, or in another state. @param {Page} page */
-const turned = (page, word = 'fine') => page.waitForSelector(`#sheet[data-turn="${word}"]`);
-
-/** A hash of a frame, and its number of colours. @param {Page} page */
-const frame = (page) =>
-  page.$eval('#turn canvas', (canvas) => {
-    const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
-    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(width, height).getContext('2d'));
-    context.drawImage(/** @type {HTMLCanvasElement} */ (canvas), 0, 0);
-    const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
-    let hash = 2166136261;
-    for (const pixel of pixels) hash = Math.imul(hash ^ pixel, 16777619) >>> 0;
-    return { hash, colours: new Set(pixels).size, width, height };
-  });
-
-/** The sentence about the frame. @param {Page} page */
-const told = (page) => page.$eval('#turn-seen', (text) => text.textContent);
 
 test('it is turned by keys, tells where it is seen from, and is no step of the recipe', async () => {
   const { page, problems, external, close } = await site.newPage(SMALL);

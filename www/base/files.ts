@@ -1,9 +1,12 @@
 /** Names of files that hold models. */
 
-/** The endings of the files that can be opened, as in the attribute `accept`. */
-export const MODELS = '.obj,.glb,.ply,.stl';
+/** The endings of the files that can be opened as models or buildings, as in the attribute `accept`. */
+export const MODELS = '.obj,.glb,.ply,.stl,.json';
 
-/** Whether a file's name is that of a model. The module explains why it cannot open a text glTF. */
+/**
+ * Whether a file's name is that of a model. The module explains why it cannot open a text glTF. A JSON file may hold other
+ * things than a building, so its content decides.
+ */
 export function isModel(name: string): boolean {
   return /\.(obj|glb|ply|stl|gltf)$/i.test(name);
 }

@@ -11,7 +11,7 @@ interface DialogNeeds {
   outline(): Ring[];
   /** The name of a file of the outline. */
   fileName(ending: string): string;
-  takeFile(file: File): Promise<unknown>;
+  takeFile(file: File): void;
   takeText(text: string, name: string): Promise<boolean>;
 }
 
@@ -28,7 +28,7 @@ export function importDialog(needs: DialogNeeds): void {
   file.addEventListener('change', () => {
     const chosen = file.files?.[0];
     dialog.close();
-    if (chosen) void needs.takeFile(chosen);
+    if (chosen) needs.takeFile(chosen);
   });
   const use = button('take-text', t('import_use'), () => {
     dialog.close();

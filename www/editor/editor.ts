@@ -47,6 +47,9 @@ const POINTS = 4096;
 /** Matches text that may be an outline. Only such text is worth a message if it is refused. */
 const OUTLINE = /^\s*(<(\?xml|!--|!doctype svg|svg|path)|[[{]|m\s*[-+.\d])/i;
 
+/** The recipe that gets an outline where the page shows none. */
+const PAVEMENT = 'v=1';
+
 /** An outline from elsewhere with more rings or points is shown without handles, which would hide it. */
 const SHOWN = { rings: 50, points: 1500 };
 
@@ -68,9 +71,12 @@ export class Editor {
   private rim: Ring[] = [];
   /** The width of the last road. */
   private width: number | undefined;
+  private readonly open: (file: File) => void;
 
-  constructor(work: Work) {
+  /** `open` opens any file. */
+  constructor(work: Work, open: (file: File) => void) {
     this.work = work;
+    this.open = open;
     const { engine } = work;
     this.engine = engine;
     this.sorts = new Sorts(engine);
@@ -126,7 +132,7 @@ export class Editor {
       side: () => this.engine.side(),
       outline: () => this.engine.outline(),
       fileName: (ending) => nameOf(this.engine, this.work.store, { variant: ['outline'], ending }),
-      takeFile: (file) => this.takeFile(file),
+      takeFile: this.open,
       takeText: (text, name) => this.takeText(text, name),
     });
   }
@@ -176,13 +182,11 @@ export class Editor {
     this.figureEditor.close();
   }
 
-  /** Takes an outline from a file that was chosen or dropped. */
+  /** Takes an outline from a file. */
   async takeFile(file: File): Promise<boolean> {
-    if (await (await import('../take/recipe-file')).openRecipe(this.work, file)) return true;
     const refused = /^image\/(?!svg)/.test(file.type) ? 'only_picture' : !KNOWN.test(file.name) ? 'unknown_kind' : file.size > LARGEST ? 'too_large' : undefined;
     if (!refused) return this.takeText(await file.text(), file.name);
-    alertOf('outline', t('kept', { sentence: t(refused, { name: file.name }) }));
-    return false;
+    return this.refuse(t(refused, { name: file.name }));
   }
 
   /** Takes an outline from the clipboard's text, if it is one. */
@@ -196,12 +200,43 @@ export class Editor {
     const side = this.engine.side();
     try {
       const tries = await read(text, name, side);
-      const by = this.engine.side() / side;
-      return tries !== undefined && this.takeNew(tries.map((one) => ({ ...one, rings: one.rings.map((ring) => ring.map(([x, y]): Point => [x * by, y * by])) })));
+      if (!tries) return false;
+      const scaled = (by: number): Try[] => tries.map((one) => ({ ...one, rings: multiplied(one.rings, by) }));
+      return this.isDrawn ? this.takeNew(scaled(this.engine.side() / side)) : this.openNew(scaled(1 / side));
     } catch (error) {
-      alertOf('outline', t('kept', { sentence: reasonOf(error) }));
-      return false;
+      return this.refuse(reasonOf(error));
     }
+  }
+
+  /** Whether the picture has an outline. */
+  private get isDrawn(): boolean {
+    return this.engine.offers('outline');
+  }
+
+  /** Shows the reason why a file or a text was not taken. */
+  private refuse(sentence: string): false {
+    alertOf('outline', t(this.isDrawn ? 'kept' : 'unchanged', { sentence }));
+    return false;
+  }
+
+  /** Opens the default pavement with the first of these outlines that it accepts. Their unit is the side of the picture. */
+  private openNew(tries: Try[]): boolean {
+    let first = '';
+    for (const one of tries) {
+      const { link, refused, sentences } = this.engine.drawn(PAVEMENT, one.rings);
+      if (!refused) {
+        this.work.open(link, { own: true, then: () => this.opened([...sentences, ...remarks(one)]) });
+        return true;
+      }
+      first ||= sentences.join(' ');
+    }
+    return this.refuse(first);
+  }
+
+  private opened(sentences: string[]): void {
+    this.work.store.update({ paused: false });
+    notice('outline', ...sentences);
+    this.tookNew();
   }
 
   /** Whether the picture is a tile, which has no outline to edit. Shows a message if it is. */
@@ -233,7 +268,7 @@ export class Editor {
    */
   private takeLetters(rings: Ring[], values: [key: string, text: string][]): string {
     const side = this.engine.side();
-    const { refused, sentences } = this.engine.setOutline(rings.map((ring) => ring.map(([x, y]): Point => [x * side, y * side])));
+    const { refused, sentences } = this.engine.setOutline(multiplied(rings, side));
     if (refused) return sentences.join(' ');
     this.change('outline', () => {
       this.work.setAll(values);
@@ -319,6 +354,10 @@ export class Editor {
     else notice('outline', ...sentences);
     return !refused;
   }
+}
+
+function multiplied(rings: Ring[], by: number): Ring[] {
+  return rings.map((ring) => ring.map(([x, y]): Point => [x * by, y * by]));
 }
 
 function isOutline(word: string): boolean {

@@ -2,7 +2,7 @@
  * Another picture beside the page's own. Both form in step, and a changed control changes both. Other values of the
  * second recipe stay as they are. Undo restores both.
  */
-import { isEnd } from '../module/stages';
+import { countedBy, isEnd } from '../module/stages';
 import { t } from '../words/look';
 import { byId, frame, make, say, wantsStill } from '../base/dom';
 import type { Engine } from '../state/engine';
@@ -188,5 +188,7 @@ function counted(engine: Engine): string {
   const { stages, offers } = engine.generator;
   const at = stages.indexOf(engine.stage());
   const spent = stages.slice(0, at < 0 ? stages.length : at + 1).reduce((sum, word) => sum + (ms[word] ?? 0), 0);
-  return t(offers.includes('forming') ? 'compare_counts' : 'compare_cells', { cells, steps, seconds: (spent / 1000).toFixed(2) });
+  const counts = { cells, steps, seconds: (spent / 1000).toFixed(2) };
+  const counted = countedBy(engine.generator);
+  return t(counted === 'cells' && offers.includes('forming') ? 'compare_counts' : `compare_${counted}`, counts);
 }

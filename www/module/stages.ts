@@ -39,3 +39,9 @@ export function progressOf({ stages, begins, stepping, placing }: Course, stage:
   const within = stage === stepping ? 1 - 2 ** (-steps / HALF) : stage === placing && cells ? Math.min(1, stones / cells) : 0;
   return begin + (end - begin) * within;
 }
+
+/** The things that a generator counts: cells, the bodies of a pile, or blocks that are laid one by one. */
+export function countedBy({ stepping, placing, offers }: Course & { readonly offers: readonly string[] }): 'cells' | 'bodies' | 'blocks' {
+  if (offers.includes('bodies')) return 'bodies';
+  return stepping === placing && stepping !== '' ? 'blocks' : 'cells';
+}

@@ -477,10 +477,13 @@ const MASONRY: Table = {
     ['gabled_head', range(0, 2, 1)],
     ['wall_length', range(42, 60, 1)],
     ['wall_height', range(24, 32, 1)],
+    ['wall_thickness', range(3, 4, 1)],
     ['wall_width', range(4, 7, 1)],
     ['gate_span', range(8, 14, 1)],
     ['gate_pier', range(4, 8, 1)],
     ['gate_springing', range(12, 22, 1)],
+    ['gate_over', range(5, 10, 1)],
+    ['gate_thickness', range(4, 6, 1)],
     ['steps_steps', range(3, 6, 1)],
     ['steps_width', range(14, 22, 1)],
     ['steps_tread', range(2, 3, 1)],
@@ -490,7 +493,9 @@ const MASONRY: Table = {
     ['tower_around', range(64, 110, 2)],
     ['tower_height', range(40, 66, 1)],
     ['tower_windows', range(3, 7, 1)],
+    ['tower_width', range(3, 4, 1)],
     ['ring_walls', range(4, 9, 1)],
+    ['ring_side', range(12, 20, 1)],
     ['ring_height', range(10, 20, 1)],
     ['block_length', range(14, 30, 1)],
     ['block_width', range(10, 20, 1)],
@@ -518,6 +523,8 @@ const MASONRY: Table = {
   Look: [
     ['walls', { honey: 3, grey: 3, pale: 1 }, { pattern: ['ashlar'] }],
     ['walls', { red: 4, yellow: 2, dark: 2, white: 1 }],
+    // Quoins of the wall's own colour would look like bricks of a wrong size.
+    ['dressing', { pale: 3, honey: 1, grey: 1 }, { pattern: ['quoins'] }],
     ['dressing', { same: 1, pale: 2 }],
     ['mortar', { light: 3, grey: 1, sand: 1 }],
     ['roof', { slate: 3, tiles: 2, brown: 2, stone: 1 }],
@@ -527,7 +534,9 @@ const MASONRY: Table = {
   Weather: [
     ['ground', { grass: 4, gravel: 1 }, { building: ['gabled', 'lhouse'] }],
     ['ground', { grass: 2, gravel: 2, paving: 2 }],
-    ['moss', range(0.1, 0.5, 0.05)],
+    ['moss', range(0.1, 0.5, 0.05), { building: ['gabled', 'lhouse'] }],
+    // Level tops turn green all over where roofs have only patches.
+    ['moss', range(0, 0.25, 0.05)],
     ['damp', range(0.1, 0.6, 0.05)],
   ],
   Light: [['az', range(40, 80, 1)], ['el', range(24, 42, 1)], ...STILL_LIGHT],

@@ -1,5 +1,5 @@
 /** The status of the work: stages with their milliseconds, counts, and the caption. */
-import { progressOf, type Course } from '../module/stages';
+import { countedBy, progressOf, type Course } from '../module/stages';
 import type { Preset, Status } from '../module/types';
 import { partIn, stageIn, t } from '../words/words';
 import { byId, make, say } from '../base/dom';
@@ -17,8 +17,8 @@ const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 /** Those of generators whose cells move, come and go. */
 const OF_MOVES: readonly string[] = ['move', 'added'];
 
-/** The words of these counts where bodies are counted; the largest move is not shown there. */
-const BODIES = ['bodies', 'turns', 'move', 'removed'] as const;
+/** The words of these counts. Of bodies and blocks the largest move is not shown; each step lays blocks. */
+const WORDS = { cells: COUNTS, bodies: ['bodies', 'turns', 'move', 'removed'], blocks: ['blocks', 'steps', 'move', 'added'] } as const;
 
 export class StatusLine {
   private readonly stages = new Map<string, { item: HTMLElement; time: HTMLElement }>();
@@ -49,11 +49,14 @@ export class StatusLine {
   /** Shows the stages of the present generator. */
   follow(course: Course & { offers: readonly string[] }): void {
     this.course = course;
-    this.nameCounts(course.offers.includes('bodies'));
+    const counted = countedBy(course);
+    this.nameCounts(counted);
     for (const count of OF_MOVES) {
       const parts = this.counts.get(count);
       if (parts) parts.box.hidden = !course.offers.includes('moves');
     }
+    const steps = this.counts.get('steps');
+    if (steps) steps.box.hidden = counted === 'blocks';
     this.stages.clear();
     for (const word of course.stages) {
       const time = make('span', { class: 'time' }, '–');
@@ -83,11 +86,11 @@ export class StatusLine {
     this.count('added', this.ofBodies ? String(status.removed) : `+${status.added} −${status.removed}`);
   }
 
-  private nameCounts(ofBodies: boolean): void {
-    this.ofBodies = ofBodies;
+  private nameCounts(counted: keyof typeof WORDS): void {
+    this.ofBodies = counted === 'bodies';
     COUNTS.forEach((count, k) => {
       const parts = this.counts.get(count);
-      const word = ofBodies ? (BODIES[k] ?? count) : count;
+      const word = WORDS[counted][k] ?? count;
       if (!parts) return;
       say(parts.name, t(`count_${word}`));
       parts.box.title = t(`count_${word}_title`);

@@ -1,5 +1,5 @@
 /** The wiring of the page: which changes cause which work, and which parts show the result. */
-import { isEnd, isUpToSteps } from '../module/stages';
+import { countedBy, isEnd, isUpToSteps } from '../module/stages';
 import type { Preset } from '../module/types';
 import { t } from '../words/words';
 import { byId, byIdAs, frame, say } from '../base/dom';
@@ -282,7 +282,7 @@ export class App {
     clearTimeout(this.telling);
     say(byId('live'), '');
     if (stage !== 'done') return;
-    this.telling = window.setTimeout(() => say(byId('live'), t(this.engine.offers('bodies') ? 'done_bodies' : 'done', { cells, steps })), SETTLED);
+    this.telling = window.setTimeout(() => say(byId('live'), t(`done_${countedBy(this.engine.generator)}`, { cells, steps })), SETTLED);
   }
 
   /** Makes the next change an entry of its own in the browser's history. */

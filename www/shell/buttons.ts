@@ -31,7 +31,7 @@ export function bindButtons(house: House): void {
   bindAllKeys(house);
   for (const id of ['share', 'save']) onClick(id, () => forming.leave());
   onClick('share', () => parts.share.ask(({ share }) => share(engine, store, view.canvas)));
-  onClick('save', () => parts.save.ask(({ SaveDialog }) => new SaveDialog(work, view.canvas, (file) => parts.space.ask((space) => void space.take(file)))));
+  onClick('save', () => parts.save.ask(({ SaveDialog }) => new SaveDialog(work, view.canvas, parts.take)));
   onClick('your-model', () => parts.space.ask((space) => space.yours()));
   for (const near of ['pointerover', 'focusin']) byId('your-model').addEventListener(near, () => void parts.space.load(), { once: true });
   onClick('undo', () => history.undo());

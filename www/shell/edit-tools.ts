@@ -1,5 +1,5 @@
 /**
- * The editor's tools beside the canvas, the panel's button for the outline, and outlines that are dropped or pasted.
+ * The editor's tools beside the canvas, the panel's button for the outline, and files that are dropped or pasted.
  */
 import { t } from '../words/words';
 import { byId, isShown, make, say, walkByArrows } from '../base/dom';
@@ -16,12 +16,12 @@ export class EditTools {
   private readonly editor: Parts['editor'];
   private readonly tools = [...byId('edit-tools').querySelectorAll<HTMLButtonElement>('[data-tool]')];
   private readonly more = byId('more-tools');
-  private readonly takeModel: (file: File) => void;
+  private readonly take: (file: File) => void;
   private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
 
-  /** `takeModel` opens the file of a model. */
-  constructor(work: Work, editor: Parts['editor'], takeModel: (file: File) => void) {
-    this.takeModel = takeModel;
+  /** `take` opens a file. */
+  constructor(work: Work, editor: Parts['editor'], take: Parts['take']) {
+    this.take = take;
     this.engine = work.engine;
     this.work = work;
     this.editor = editor;
@@ -66,7 +66,7 @@ export class EditTools {
   }
 
   /**
-   * Outlines can be pasted; outlines and models can be dropped anywhere. The whole page takes them, because a browser
+   * Outlines can be pasted; files can be dropped anywhere. The whole page takes them, because a browser
    * would open a file that is dropped beside the picture.
    */
   private receive(): void {
@@ -87,16 +87,15 @@ export class EditTools {
       // Text that is dropped into a field stays there.
       if (files.length) event.preventDefault();
       sheet.classList.remove('dropping');
-      // Takes the first file that may be an outline, a recipe or a model.
+      // Takes the first file that may be an outline, a recipe, a building or a model.
       const file = files.find(({ name }) => /\.(svg|json|png)$/i.test(name) || isModel(name)) ?? files[0];
-      if (file && isModel(file.name)) this.takeModel(file);
-      else if (file) this.editor.ask((it) => void it.takeFile(file));
+      if (file) this.take(file);
     });
     document.addEventListener('paste', ({ target, clipboardData }) => {
       if (target instanceof Element && target.matches('input, textarea')) return;
       const file = clipboardData?.files[0];
       const text = clipboardData?.getData('text/plain');
-      if (file) this.editor.ask((it) => void it.takeFile(file));
+      if (file) this.take(file);
       else if (text) this.editor.ask((it) => it.paste(text));
     });
   }

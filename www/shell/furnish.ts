@@ -35,7 +35,7 @@ export async function furnish(house: House): Promise<void> {
   const { engine, store } = work;
   const scaling = new Scaling(work);
   const panel = panelOf(house, scaling);
-  const tools = new EditTools(work, parts.editor, (file) => parts.space.ask((space) => void space.take(file)));
+  const tools = new EditTools(work, parts.editor, parts.take);
   const dice = new Dice(work, () => house.push());
   const presets = presetsOf(house);
   const mark = ({ recipe, preset }: State): void => presets.mark(preset?.recipe === recipe ? preset.shown.name : undefined);

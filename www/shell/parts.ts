@@ -19,16 +19,21 @@ export type Parts = ReturnType<typeof partsOf>;
 
 export function partsOf(work: Work, view: View, host: PictureHost) {
   const { engine, store } = work;
+  const take = (file: File, role?: string): void => given.ask((it) => void it.take(file, role));
+  const editor = new Later(async () => new (await import('../editor/editor')).Editor(work, take));
   const turn = new Later(async () => new (await import('../turn/page')).PageTurntable(work, host, view));
+  const space = new Later(async () => new (await import('../space/space')).Space(work, turn, { again: () => host.changed(), take }));
+  const given = new Later(async () => new (await import('./given')).GivenFiles(work, editor, space));
   return {
-    editor: new Later(async () => new (await import('../editor/editor')).Editor(work)),
+    editor,
     pointer: new Later(async () => new (await import('../look/pointer')).Pointer(work, view)),
     light: new Later(async () => new (await import('../look/light')).LightOnCanvas(work)),
     layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),
     compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, host.loop)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
     turn,
-    space: new Later(async () => new (await import('../space/space')).Space(work, turn, () => host.changed())),
+    space,
+    take,
     tiles: new Later(async () => new (await import('../look/tiles')).Tiles(store, view)),
     linked: new Later(() => import('../look/linked')),
     share: new Later(() => import('../take/share')),

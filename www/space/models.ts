@@ -1,4 +1,4 @@
-/** Model files that the visitor opens: they are identified by their digest, stored, and named in the recipe. */
+/** Files of models and buildings that the visitor opens: they are identified by their digest, stored, and named in the recipe. */
 import { piecesOf } from '../module/given';
 import { generators } from '../module/generators';
 import { loadWhole } from '../module/load';
@@ -27,11 +27,15 @@ interface Named {
   module: Whole;
 }
 
-/** A file to be opened, and the role that it should get. */
-interface Given {
+/** A file to be opened, and the role that it should get. Only generators with buildings take the file of one. */
+export interface Given {
   readonly file: File;
   readonly role?: string | undefined;
+  readonly isBuilding: boolean;
 }
+
+/** The parameter that chooses a building, the building's file among others. */
+const BUILDING = 'building';
 
 /** Stops the file that is being read. */
 let now: AbortController | undefined;
@@ -74,10 +78,11 @@ interface Taken {
   studio: SceneStudio;
 }
 
-async function trialOf(work: Work, { file, role }: Given, task: Task): Promise<Taken> {
+async function trialOf(work: Work, given: Given, task: Task): Promise<Taken> {
+  const { file } = given;
   const named = await nameOf(file, task);
   const { recipe: before } = work.store.state;
-  const link = askingFor(named, work, role);
+  const link = askingFor(named, work, given);
   return { named, link, before, studio: await tried(named.module, link, file, task) };
 }
 
@@ -101,14 +106,15 @@ async function nameOf(file: File, task: Task): Promise<Named> {
 
 /**
  * The link of a recipe that names a file: the present recipe with it, or one of another generator if this one takes
- * no files. A file that the recipe waits for changes nothing else of it.
+ * no such files. A file that the recipe waits for changes nothing else of it.
  */
-function askingFor({ digest, value, module }: Named, { engine, store: { state: { make, recipe } } }: Work, role = engine.missing()[0]?.role): string {
+function askingFor({ digest, value, module }: Named, { engine, store: { state: { make, recipe } } }: Work, { role, isBuilding }: Given): string {
   const missing = engine.missing();
+  const wanted = role ?? missing[0]?.role;
   if (missing.some((one) => one.digest === digest)) return recipe;
   const rowOf = (word: string): Parameter | undefined => {
-    const rows = module.schema(word).filter(({ item }) => item === 'file');
-    return rows.find(({ key }) => key === role) ?? rows[0];
+    const rows = module.schema(word).filter(({ item, shownFor }) => item === 'file' && (!isBuilding || shownFor?.key === BUILDING));
+    return rows.find(({ key }) => key === wanted) ?? rows[0];
   };
   const taker = rowOf(make) ? make : generators.find(({ word }) => rowOf(word))?.word;
   const row = taker === undefined ? undefined : rowOf(taker);
@@ -119,8 +125,9 @@ function askingFor({ digest, value, module }: Named, { engine, store: { state: {
   return withValues(taker === make ? recipe : `v=1&make=${taker}`, [...beside, [row.key, value], ...sides]);
 }
 
-function take(work: Work, { file: { name }, role }: Given, { named, link, before, studio }: Taken, again: () => void): void {
+function take(work: Work, given: Given, { named, link, before, studio }: Taken, again: () => void): void {
   const { engine, store } = work;
+  const { name } = given.file;
   const [asked] = engine.missing();
   const isAsked = link === before;
   const play = (): void => store.update({ paused: false });
@@ -129,7 +136,7 @@ function take(work: Work, { file: { name }, role }: Given, { named, link, before
   if (store.state.recipe === before) work.adopt(studio, named.module, play);
   else {
     studio.free();
-    work.open(askingFor(named, work, role), { own: true, then: play });
+    work.open(askingFor(named, work, given), { own: true, then: play });
   }
   if (isAsked) again();
   if (asked && !isAsked) notice('files', t('other', { name, asked: asked.name }));

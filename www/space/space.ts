@@ -10,12 +10,20 @@ import type { Work } from '../state/work';
 import type { PageTurntable } from '../turn/page';
 import { Asked } from './asked';
 import { ModelBar } from './bar';
-import { openModel } from './models';
+import { openModel, type Given } from './models';
 import { Painter } from './paint/painter';
 import '../styles/late/space.css';
 
 /** Keys that choose in a closed list. */
 const STEPS = /^(Arrow|Page|Home|End|.$)/;
+
+/** The acts that other parts of the page do. */
+interface SpaceActs {
+  /** Starts the engine when the recipe has not changed. */
+  again(): void;
+  /** Opens a file, which gets the role if it is a model. */
+  take(file: File, role?: string): void;
+}
 
 /** The index of the stage that repairs a file. */
 const MADE = 0;
@@ -23,7 +31,7 @@ const MADE = 0;
 export class Space {
   private readonly work: Work;
   private readonly turn: Later<PageTurntable>;
-  private readonly again: () => void;
+  private readonly acts: SpaceActs;
   private painter: Painter | undefined;
   /** The name of the file that was opened last, until its repairs have been shown. */
   private opened = '';
@@ -37,18 +45,17 @@ export class Space {
   private key = '';
   private readonly file = make('input', { type: 'file', id: 'model-file', accept: MODELS, hidden: '', 'aria-label': t('choose') });
 
-  /** `again` starts the engine when the recipe has not changed. */
-  constructor(work: Work, turn: Later<PageTurntable>, again: () => void) {
+  constructor(work: Work, turn: Later<PageTurntable>, acts: SpaceActs) {
     this.work = work;
     this.turn = turn;
-    this.again = again;
+    this.acts = acts;
     this.bar = new ModelBar(work, (role) => this.choose(role));
     document.body.append(this.file);
     document.addEventListener('keydown', ({ key }) => (this.key = key), { capture: true });
     document.addEventListener('pointerdown', () => (this.key = ''), { capture: true });
     this.file.addEventListener('change', () => {
       const [chosen] = this.file.files ?? [];
-      if (chosen) void this.take(chosen, this.role);
+      if (chosen) acts.take(chosen, this.role);
       // Resetting the value lets the visitor choose the same file again.
       this.file.value = '';
     });
@@ -77,10 +84,10 @@ export class Space {
     else this.work.open(this.last, { own: true, then: () => store.update({ paused: false }) });
   }
 
-  /** Takes a file that was chosen or dropped. */
-  async take(file: File, role?: string): Promise<void> {
-    if (!(await openModel(this.work, { file, role }, this.again))) return;
-    this.opened = file.name;
+  /** Takes the file of a model or of a building. */
+  async take(given: Given): Promise<void> {
+    if (!(await openModel(this.work, given, () => this.acts.again()))) return;
+    this.opened = given.file.name;
     this.follow();
   }
 

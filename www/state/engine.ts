@@ -227,6 +227,21 @@ export class Engine {
     return told(this.ask((core) => core.setOutline(points, lengths), NO_ANSWER));
   }
 
+  /** Another link with an outline, whose unit is the side of the picture. The present recipe stays. */
+  drawn(link: string, rings: Ring[]): Told & { link: string } {
+    const { module } = this;
+    const refused = { link: '', refused: true, sentences: [] };
+    if (!module) return refused;
+    return this.guard(() => {
+      const studio = new module.Bubblestone(link);
+      const points = new Float64Array(rings.flat(2)).map((value) => value * studio.side());
+      const answer = told(studio.setOutline(points, new Uint32Array(rings.map((ring) => ring.length))));
+      const drawn = { ...answer, link: studio.link() };
+      studio.free();
+      return drawn;
+    }, refused);
+  }
+
   outline(): Ring[] {
     const none = { points: new Float64Array(), rings: new Uint32Array() };
     const { points, rings } = this.ask((core) => core.outline(), none);

@@ -1,8 +1,7 @@
 /** The dialog for saving: pictures, drawings, an animation, files for other programs, and the recipe. */
 import { t } from '../words/take';
 import { make, say } from '../base/dom';
-import { isModel, MODELS } from '../base/files';
-import { notice } from '../base/messages';
+import { MODELS } from '../base/files';
 import type { Task } from '../late/task';
 import { pageAddress } from '../state/link';
 import type { Engine } from '../state/engine';
@@ -17,7 +16,7 @@ import { fileOf } from './job';
 import { megabytes, meshes, shown } from './meshes';
 import { nameOf } from './name';
 import { signed, signedPng } from './origin';
-import { openRecipe, recipeFile } from './recipe-file';
+import { recipeFile } from './recipe-file';
 import { seenNow } from './seen';
 import { turned } from './turned';
 import { working } from './working';
@@ -54,14 +53,14 @@ type Making = (task: Task) => Promise<Blob>;
 export class SaveDialog {
   private readonly work: Work;
   private readonly canvas: HTMLCanvasElement;
-  private readonly takeModel: (file: File) => void;
+  private readonly take: (file: File) => void;
   private readonly dialog: HTMLDialogElement;
 
-  /** `takeModel` opens a model's file. */
-  constructor(work: Work, canvas: HTMLCanvasElement, takeModel: (file: File) => void) {
+  /** `take` opens a file. */
+  constructor(work: Work, canvas: HTMLCanvasElement, take: (file: File) => void) {
     this.work = work;
     this.canvas = canvas;
-    this.takeModel = takeModel;
+    this.take = take;
     this.dialog = takeDialog(
       'save-dialog',
       t('save'),
@@ -191,14 +190,13 @@ export class SaveDialog {
   /** Saves the recipe, or opens one. */
   private recipe(): HTMLElement[] {
     const { work } = this;
-    const file = make('input', { type: 'file', accept: `.json,.png,.svg,${MODELS}`, hidden: '', 'aria-label': t('open_label') });
+    const file = make('input', { type: 'file', accept: `.png,.svg,${MODELS}`, hidden: '', 'aria-label': t('open_label') });
     const open = make('button', { type: 'button', class: 'key', id: 'open-recipe', 'aria-label': t('open_label') }, t('open'));
     open.addEventListener('click', () => file.click());
     file.addEventListener('change', () => {
       const [chosen] = file.files ?? [];
       this.dialog.close();
-      if (chosen && isModel(chosen.name)) this.takeModel(chosen);
-      else if (chosen) void openRecipe(work, chosen).then((known) => known || notice('files', t('not_json', { name: chosen.name })));
+      if (chosen) this.take(chosen);
     });
     return [this.button('save-recipe', 'JSON', { ending: 'json' }, (task) => recipeFile(work.engine, task)), open, file];
   }

@@ -3,6 +3,7 @@
 use super::params::BuildingParams;
 use super::schema::{FILE, ROWS, keys};
 use super::site::BuildingSite;
+use super::stages::LAYING;
 use super::{MASONRY, MasonryEngine};
 use crate::building::{Module, Rule};
 use crate::generators::{Engine, Files, GivenFile, Viewing};
@@ -172,7 +173,7 @@ fn ends_of_passes(link: &str) -> Vec<(LayingPass, usize)> {
 fn steps(link: &str) -> Vec<u32> {
     let mut engine = MasonryEngine::new(&recipe(link));
     let mut steps = Vec::new();
-    while engine.at().is_some_and(|at| at <= super::stages::LAYING) {
+    while engine.at().is_some_and(|at| at <= LAYING) {
         engine.advance();
         steps.push(engine.progress().steps);
     }
@@ -210,4 +211,16 @@ fn each_pass_ends_with_a_step() {
     assert_eq!(ends.len(), 4);
     assert!(ends.iter().all(|(_, end)| steps.contains(&(*end as u32))));
     assert!(steps.len() > 100 && steps.is_sorted());
+}
+
+#[test]
+fn blocks_are_counted_one_after_the_other() {
+    let mut engine = MasonryEngine::new(&recipe("make=masonry&building=sheet&pattern=bricks"));
+    let mut counts = Vec::new();
+    while engine.at().is_some_and(|at| at <= LAYING) {
+        counts.push(engine.progress().steps);
+        engine.advance();
+    }
+    assert!(counts.is_sorted(), "{counts:?}");
+    assert_eq!((counts[0], engine.progress().steps > 0), (0, true));
 }
