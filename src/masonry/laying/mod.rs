@@ -188,7 +188,7 @@ impl Laying {
         })
     }
 
-    /// The first turn of a feature. Of a face, only panels are laid.
+    /// The first turn of a feature. It lays only the panels of a face.
     fn begin(&mut self, feature: Feature) {
         let building = self.site.building.clone();
         let walk = self.tree.walk(&view(&building, feature));
