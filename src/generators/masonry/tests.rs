@@ -3,7 +3,7 @@
 use super::MasonryEngine;
 use super::params::BuildingParams;
 use super::schema::{FILE, ROWS, keys};
-use super::site::BuildingSite;
+use super::site::SiteBuild;
 use crate::building::{Module, Rule};
 use crate::generators::{Engine, Files, GivenFile};
 use crate::masonry::tree::TreePreset;
@@ -115,7 +115,14 @@ fn the_module_of_the_sentence_about_too_many_blocks_fits() {
     let file = box_of([40.0, 20.0, 40.0]);
     let site = |module: Module| {
         let params = BuildingParams { rule: None, module };
-        BuildingSite::new(&params, Some(file.as_bytes()))
+        let mut work = None;
+        loop {
+            match SiteBuild::advance(&params, &mut work, Some(file.as_bytes())) {
+                Ok(None) => (),
+                Ok(Some(site)) => return Ok(site),
+                Err(notice) => return Err(notice),
+            }
+        }
     };
     let notice = site(Module::NORMAL).err().expect("too many blocks");
     assert_eq!(notice.code, Code::MasonryMany);
@@ -152,4 +159,40 @@ fn buildings_of_files_are_laid_or_refused_with_a_sentence() {
         refused("small.obj", &box_of([0.04; 3])),
         Err(Code::MasonryLarge)
     );
+}
+
+#[test]
+fn weather_and_ground_lay_no_block_again() {
+    let mut engine =
+        laid("make=masonry&building=block&moss=0.2&ground=gravel").expect("a building");
+    let (runs, digest) = (engine.runs(), engine.digest());
+    let changed = |engine: &mut MasonryEngine, link: &str| {
+        engine.ask(&recipe(link));
+        engine.take_up();
+        while engine.at().is_some_and(|at| at < super::stages::BLOCKS + 1) {
+            engine.advance();
+        }
+        engine
+            .runs()
+            .into_iter()
+            .zip(&runs)
+            .map(|(now, was)| now > *was)
+            .collect::<Vec<_>>()
+    };
+    let moss = changed(
+        &mut engine,
+        "make=masonry&building=block&moss=0.7&ground=gravel",
+    );
+    assert_eq!(moss[..4], [false, false, false, true]);
+    assert_ne!(engine.digest(), digest);
+    let ground = changed(
+        &mut engine,
+        "make=masonry&building=block&moss=0.2&ground=grass",
+    );
+    assert_eq!(ground[..4], [false, false, false, true]);
+    changed(
+        &mut engine,
+        "make=masonry&building=block&moss=0.2&ground=gravel",
+    );
+    assert_eq!(engine.digest(), digest);
 }

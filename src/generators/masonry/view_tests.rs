@@ -1,7 +1,7 @@
 //! Properties of the views' scenes, and of bricks that are turned by hand.
 
 use super::colours::type_of;
-use super::diagrams::{Claimed, Texture, clipped, diagram, lines};
+use super::diagrams::{Claimed, DiagramWork, Texture, clipped, lines};
 use super::figures::size;
 use super::tests::{laid, recipe};
 use super::views::MasonryView;
@@ -31,7 +31,12 @@ fn laying(engine: &MasonryEngine) -> &Laying {
 
 fn scene(engine: &MasonryEngine, view: MasonryView) -> Scene {
     let site = engine.made.site.made().expect("a site");
-    diagram(view, laying(engine), (site, engine.made.laid.params()))
+    let mut work = DiagramWork::new(site, engine.made.laid.params());
+    loop {
+        if let Some(scene) = work.advance(view, (laying(engine), site.fit)) {
+            return scene;
+        }
+    }
 }
 
 /// The ids of a scene, without those of mortar and of free space.

@@ -19,6 +19,7 @@ mod measures;
 mod mitre;
 mod overhang;
 mod panels;
+mod phases;
 mod pointing;
 mod quoins;
 mod raking;
@@ -36,6 +37,7 @@ mod tests;
 mod tiles;
 mod tops;
 mod weave;
+mod work;
 
 pub use cell::{CellSort, Feature, MasonryCell};
 pub use measures::Measures;
@@ -46,10 +48,15 @@ use super::tree::{
     FeatureKind, FeatureView, GeneratorNode, PatternGenerator, PatternTree, WindowPart,
 };
 use crate::building::{Building, CornerId, EdgeEnd, EdgeId, FaceId, Heading, Module, Stance};
+use ashlar::AshlarWork;
 use bricks::BrickBond;
+use faces::BrickWork;
 use glam::DVec3;
+use phases::PhaseWork;
 use site::{PIXELS, Site};
 use std::sync::Arc;
+use tiles::TileWork;
+use work::{MapWork, SiteWork};
 
 /// The parameters of the laying.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,6 +101,10 @@ pub struct Laying {
     site: Site,
     order: Vec<Feature>,
     next: usize,
+    /// Work that is not finished, the next one last.
+    open: Vec<Box<dyn SiteWork>>,
+    /// The nodes that the present feature has reached and whose turn has not come, the next one last, with their numbers.
+    nodes: Vec<(usize, GeneratorNode)>,
     /// The features that some generator has reached.
     textured: Vec<Feature>,
     warnings: Vec<LayingWarning>,
@@ -115,11 +126,13 @@ impl Laying {
         let edges = building.edge_ids().map(Feature::Edge);
         let faces = building.face_ids().map(Feature::Face);
         let order = corners.chain(edges).chain(faces).collect();
-        let mut site = Site::new(building, plan, PIXELS);
-        site.choose_phases();
+        let site = Site::new(building, plan, PIXELS);
+        let phases = PhaseWork::new(&site);
         Ok(Self {
             order,
             site,
+            open: vec![Box::new(phases), Box::new(MapWork)],
+            nodes: Vec::new(),
             tree,
             params,
             next: 0,
@@ -128,14 +141,27 @@ impl Laying {
         })
     }
 
-    /// Lays the cells of at most `amount` features. Returns whether no feature is left.
+    /// Does `amount` parts of the work, at least one: each makes a face's map, or lays an edge, a corner, or a row of a
+    /// face. Returns whether nothing is left.
     pub fn advance(&mut self, amount: usize) -> bool {
-        let end = self.order.len().min(self.next + amount.max(1));
-        for k in self.next..end {
-            self.lay(self.order[k]);
+        for _ in 0..amount.max(1) {
+            self.advance_part();
         }
-        self.next = end;
-        end == self.order.len()
+        self.open.is_empty() && self.nodes.is_empty() && self.next == self.order.len()
+    }
+
+    fn advance_part(&mut self) {
+        if let Some(mut work) = self.open.pop() {
+            if !work.advance(&mut self.site) {
+                self.open.push(work);
+            }
+        } else if let Some((number, node)) = self.nodes.pop() {
+            self.site.reached = number;
+            self.generate(self.order[self.next - 1], &node);
+        } else if let Some(&feature) = self.order.get(self.next) {
+            self.next += 1;
+            self.pass_down(feature);
+        }
     }
 
     /// The features whose turn has come, in that order.
@@ -186,8 +212,8 @@ impl Laying {
         })
     }
 
-    /// Passes a feature down the tree and lays what it reaches.
-    fn lay(&mut self, feature: Feature) {
+    /// Passes a feature down the tree.
+    fn pass_down(&mut self, feature: Feature) {
         let building = self.site.building.clone();
         let walk = self.tree.walk(&view(&building, feature));
         let told = walk
@@ -198,16 +224,15 @@ impl Laying {
                 path: at.path,
             });
         self.warnings.extend(told);
-        let nodes: Vec<GeneratorNode> = walk
-            .reached
-            .into_iter()
-            .map(|reached| reached.node.clone())
-            .collect();
-        if nodes.iter().any(|node| self.covers(feature, node)) {
+        let reached = walk.reached.iter().enumerate();
+        let nodes = reached.map(|(number, reached)| (number, reached.node.clone()));
+        self.nodes = nodes.rev().collect();
+        if self
+            .nodes
+            .iter()
+            .any(|(_, node)| self.covers(feature, node))
+        {
             self.textured.push(feature);
-        }
-        for node in &nodes {
-            self.generate(feature, node);
         }
     }
 
@@ -230,16 +255,24 @@ impl Laying {
             ..BrickBond::BRICKS
         };
         let (site, seed) = (&mut self.site, self.params.seed);
+        let open = &mut self.open;
         match (node.generator, feature) {
             (Bricks, Feature::Corner(id)) => site.brick_corner(id, node, &bricks),
             (Bricks, Feature::Edge(id)) => site.brick_edge(id, node, &bricks),
-            (Bricks, Feature::Face(id)) => site.brick_face(id, node, &bricks),
+            (Bricks, Feature::Face(id)) => {
+                open.push(Box::new(BrickWork::new(site, id, node, bricks)));
+            }
             (RgbBlocks, Feature::Corner(id)) => site.brick_corner(id, node, &BrickBond::BLOCKS),
             (RgbBlocks, Feature::Edge(id)) => site.brick_edge(id, node, &BrickBond::BLOCKS),
-            (RgbBlocks, Feature::Face(id)) => site.brick_face(id, node, &BrickBond::BLOCKS),
+            (RgbBlocks, Feature::Face(id)) => {
+                let blocks = BrickWork::new(site, id, node, BrickBond::BLOCKS);
+                open.push(Box::new(blocks));
+            }
             (RandomAshlar, Feature::Corner(id)) => site.ashlar_corner(id, node),
             (RandomAshlar, Feature::Edge(id)) => site.ashlar_edge(id, node, seed),
-            (RandomAshlar, Feature::Face(id)) => site.ashlar_face(id, node, seed),
+            (RandomAshlar, Feature::Face(id)) => {
+                open.push(Box::new(AshlarWork::new(site, id, node, seed)));
+            }
             (WindowBottomBricks, Feature::Corner(id)) => {
                 let bond = BrickBond {
                     extrude: node.number("extrude"),
@@ -260,7 +293,10 @@ impl Laying {
             (Raking, Feature::Edge(id)) => site.raking_bricks(id, node),
             (Coping, Feature::Edge(id)) => site.coping_edge(id, node),
             (Tiles, Feature::Edge(id)) => site.ridge_tiles(id, node),
-            (Tiles, Feature::Face(id)) => site.tile_face(id, node),
+            (Tiles, Feature::Face(id)) => {
+                let tiles = TileWork::new(site, id, node);
+                open.extend(tiles.map(|tiles| Box::new(tiles) as _));
+            }
             (generator, _) => self
                 .warnings
                 .push(LayingWarning::NotLaid { feature, generator }),

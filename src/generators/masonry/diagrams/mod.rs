@@ -23,6 +23,7 @@ use crate::masonry::block::BlockMesh;
 use crate::masonry::laying::{Feature, Laying};
 use crate::random::{Purpose, Random};
 use crate::scene::Scene;
+use crate::surface_stones::Fit;
 
 /// The colour of mortar in views.
 const CALM: [u8; 3] = [168, 162, 151];
@@ -33,22 +34,49 @@ const SATIN: u8 = 2;
 /// The reach of ambient occlusion (metres).
 const REACH: f64 = 0.3;
 
-/// The diagram of a view, over the mortar of these blocks.
-pub(super) fn diagram(
-    view: MasonryView,
-    laying: &Laying,
-    (site, blocks): (&BuildingSite, &BlockParams),
-) -> Scene {
-    let mut scene = bare(site, blocks);
-    match view {
-        MasonryView::Plan => grid::add(&mut scene, laying, site.fit),
-        MasonryView::Parity => parity::add(&mut scene, laying, site.fit),
-        MasonryView::Occupancy => occupancy::add(&mut scene, laying, site.fit),
-        MasonryView::Clipping => clipping::add(&mut scene, laying, site.fit),
-        MasonryView::Seams => seams::add(&mut scene, laying, site.fit),
-        _ => kinds::add(&mut scene, view, laying, site.fit),
+/// Cells that a slice of the work adds to a diagram.
+const SLICE: usize = 60;
+
+/// The diagram of a view in the making, over the mortar of blocks.
+pub(crate) struct DiagramWork {
+    scene: Scene,
+    /// How many cells have been added.
+    cells: usize,
+}
+
+impl DiagramWork {
+    /// The mortar of these blocks.
+    pub(super) fn new(site: &BuildingSite, blocks: &BlockParams) -> Self {
+        Self {
+            scene: bare(site, blocks),
+            cells: 0,
+        }
     }
-    scene
+
+    /// Adds some cells, or all that is no cell. Returns the diagram at the end.
+    pub(super) fn advance(
+        &mut self,
+        view: MasonryView,
+        (laying, fit): (&Laying, Fit),
+    ) -> Option<Scene> {
+        let (scene, all) = (&mut self.scene, laying.cells().len());
+        let cells = self.cells..all.min(self.cells + SLICE);
+        self.cells = cells.end;
+        match view {
+            MasonryView::Plan => grid::add(scene, laying, fit),
+            MasonryView::Parity => parity::add(scene, laying, fit),
+            MasonryView::Occupancy => occupancy::add(scene, laying, fit),
+            MasonryView::Seams => seams::add(scene, laying, fit),
+            MasonryView::Clipping => clipping::add(scene, laying, fit, cells),
+            _ => kinds::add(scene, view, laying, (fit, cells)),
+        }
+        let is_of_cells = matches!(
+            view,
+            MasonryView::Features | MasonryView::Sizes | MasonryView::Clipping
+        );
+        let is_done = !is_of_cells || self.cells == all;
+        is_done.then(|| std::mem::take(scene))
+    }
 }
 
 /// The mortar alone.
