@@ -13,11 +13,18 @@ pub const VERSION: u64 = 1;
 
 type Read<T> = Result<T, BuildingFault>;
 
-/// A value, and where it is.
-#[derive(Clone)]
+/// A value, and where it is: in another one, under a name or a number.
+#[derive(Clone, Copy)]
 struct At<'a> {
     value: &'a Value,
-    path: String,
+    within: Option<(&'a At<'a>, Part<'a>)>,
+}
+
+/// The place of a value in another one.
+#[derive(Clone, Copy)]
+enum Part<'a> {
+    Name(&'a str),
+    Item(usize),
 }
 
 /// Reads a draft. Whether it is a building is for [`super::Building::new`] to check.
@@ -33,7 +40,7 @@ pub fn read(text: &str) -> Read<Draft> {
     })?;
     let root = At {
         value: &value,
-        path: String::new(),
+        within: None,
     };
     if !value.is_object() {
         return Err(root.fault("an object"));
@@ -42,20 +49,20 @@ pub fn read(text: &str) -> Read<Draft> {
     let labels = root.get("labels");
     let flip = root.get("flip");
     Ok(Draft {
-        vertices: root.need("v")?.each(At::vector)?,
+        vertices: root.need("v")?.each(|at| at.vector())?,
         arcs: root.each_of("arcs", read_arc)?,
         faces: root.need("faces")?.each(read_face)?,
         edge_labels: each(part(&labels, "edges"), read_edge_label)?,
         corner_labels: each(part(&labels, "corners"), read_corner_label)?,
         edge_flips: each(part(&flip, "edges"), read_pair)?,
-        corner_flips: each(part(&flip, "corners"), At::index)?,
+        corner_flips: each(part(&flip, "corners"), |at| at.index())?,
         extras: root.each_of("extras", read_extra)?,
         ground: root.get("ground").map(|at| at.number()).transpose()?,
     })
 }
 
 /// The value under a name of an object that may be missing.
-fn part<'a>(of: &Option<At<'a>>, name: &str) -> Option<At<'a>> {
+fn part<'a>(of: &'a Option<At<'a>>, name: &'a str) -> Option<At<'a>> {
     of.as_ref()?.get(name)
 }
 
@@ -75,55 +82,68 @@ fn check_head(value: &Value) -> Read<()> {
 }
 
 /// The items of a list that may be missing.
-fn each<'a, T>(list: Option<At<'a>>, read: impl Fn(&At<'a>) -> Read<T>) -> Read<Vec<T>> {
+fn each<T>(list: Option<At<'_>>, read: impl Fn(&At<'_>) -> Read<T>) -> Read<Vec<T>> {
     list.map_or(Ok(Vec::new()), |list| list.each(read))
 }
 
 impl<'a> At<'a> {
+    /// Its place in words, as `faces[3].loops[0]`; empty at the root.
+    fn path(&self) -> String {
+        let Some((of, part)) = self.within else {
+            return String::new();
+        };
+        let path = of.path();
+        match part {
+            Part::Name(name) if path.is_empty() => name.to_owned(),
+            Part::Name(name) => format!("{path}.{name}"),
+            Part::Item(k) => format!("{path}[{k}]"),
+        }
+    }
+
     fn fault(&self, allowed: &'static str) -> BuildingFault {
         BuildingFault::Field {
-            path: self.path.clone(),
+            path: self.path(),
             allowed,
         }
     }
 
-    /// The value under a name; none if it is missing or null.
-    fn get(&self, name: &str) -> Option<At<'a>> {
-        let value = self.value.get(name).filter(|value| !value.is_null())?;
-        let dot = if self.path.is_empty() { "" } else { "." };
-        Some(At {
+    /// A part of the value.
+    fn at<'b>(&'b self, value: &'b Value, part: Part<'b>) -> At<'b> {
+        At {
             value,
-            path: format!("{}{dot}{name}", self.path),
-        })
+            within: Some((self, part)),
+        }
     }
 
-    fn need(&self, name: &str) -> Read<At<'a>> {
-        let dot = if self.path.is_empty() { "" } else { "." };
-        self.get(name).ok_or_else(|| BuildingFault::Field {
-            path: format!("{}{dot}{name}", self.path),
-            allowed: "a value",
-        })
+    /// The value under a name; none if it is missing or null.
+    fn get<'b>(&'b self, name: &'b str) -> Option<At<'b>> {
+        let value = self.value.get(name).filter(|value| !value.is_null())?;
+        Some(self.at(value, Part::Name(name)))
     }
 
-    fn each_of<T>(&self, name: &str, read: impl Fn(&At<'a>) -> Read<T>) -> Read<Vec<T>> {
+    fn need<'b>(&'b self, name: &'b str) -> Read<At<'b>> {
+        let missing = || self.at(&Value::Null, Part::Name(name)).fault("a value");
+        self.get(name).ok_or_else(missing)
+    }
+
+    fn each_of<T>(&self, name: &str, read: impl Fn(&At<'_>) -> Read<T>) -> Read<Vec<T>> {
         each(self.get(name), read)
     }
 
-    fn list(&self) -> Read<Vec<At<'a>>> {
+    fn list(&self) -> Read<Vec<At<'_>>> {
         let list = self.value.as_array().ok_or_else(|| self.fault("a list"))?;
-        let item = |(k, value)| At {
-            value,
-            path: format!("{}[{k}]", self.path),
-        };
-        Ok(list.iter().enumerate().map(item).collect())
+        let items = list.iter().enumerate();
+        Ok(items
+            .map(|(k, value)| self.at(value, Part::Item(k)))
+            .collect())
     }
 
-    fn each<T>(&self, read: impl Fn(&At<'a>) -> Read<T>) -> Read<Vec<T>> {
+    fn each<T>(&self, read: impl Fn(&At<'_>) -> Read<T>) -> Read<Vec<T>> {
         self.list()?.iter().map(read).collect()
     }
 
     /// A list of just `N` values.
-    fn array<const N: usize>(&self, allowed: &'static str) -> Read<[At<'a>; N]> {
+    fn array<const N: usize>(&self, allowed: &'static str) -> Read<[At<'_>; N]> {
         let list = self.list()?;
         list.try_into().map_err(|_| self.fault(allowed))
     }
@@ -137,7 +157,7 @@ impl<'a> At<'a> {
         index.ok_or_else(|| self.fault("the number of a vertex"))
     }
 
-    fn text(&self) -> Read<&'a str> {
+    fn text(&self) -> Read<&str> {
         self.value.as_str().ok_or_else(|| self.fault("a text"))
     }
 
@@ -162,7 +182,7 @@ fn read_face(at: &At<'_>) -> Read<DraftFace> {
             .get("label")
             .map_or(Ok(Vec::new()), |at| read_labels(&at))?,
         surface: at.get("param").map(|at| read_surface(&at)).transpose()?,
-        loops: at.need("loops")?.each(|ring| ring.each(At::index))?,
+        loops: at.need("loops")?.each(|ring| ring.each(|at| at.index()))?,
         thickness: at.get("thickness").map(|at| at.number()).transpose()?,
     })
 }
@@ -212,7 +232,8 @@ fn read_piece(at: &At<'_>) -> Read<Piece> {
 }
 
 fn read_disk(at: &At<'_>) -> Read<Surface> {
-    let [from, to] = at.need("angles")?.array("two numbers")?;
+    let angles = at.need("angles")?;
+    let [from, to] = angles.array("two numbers")?;
     Ok(Surface::Disk(Disk::new(
         at.need("centre")?.vector()?,
         at.need("normal")?.vector()?,
@@ -245,7 +266,7 @@ fn read_extra(at: &At<'_>) -> Read<ExtraMesh> {
     Ok(ExtraMesh {
         name: at.need("name")?.text()?.to_owned(),
         material: at.need("material")?.text()?.to_owned(),
-        positions: at.need("v")?.each(At::vector)?,
+        positions: at.need("v")?.each(|at| at.vector())?,
         triangles: at.need("triangles")?.each(triangle)?,
     })
 }

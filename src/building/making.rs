@@ -6,17 +6,82 @@ use super::draft::Draft;
 use super::fault::{BuildingFault, BuildingWarning};
 use super::ids::{CornerId, EdgeId, PolygonId, VertexId};
 use super::labels;
-use super::making_child::{self, Child};
+use super::making_child::{Child, ChildMaking};
 use super::making_corners::{self, Names};
 use super::making_parent::{self, Chains};
 use super::parent::{Corner, Edge, EdgeUse, Face};
 use super::sides::{self, Sides, key};
 use super::whole::{Building, EdgeFrame};
 use super::wings::Wings;
+use glam::DVec2;
 use std::f64::consts::{PI, TAU};
 
 /// Faces whose planes differ by less are tangent: about a degree (radians).
 const SMOOTH: f64 = 0.0175;
+
+/// A building that is made of a draft in slices.
+#[derive(Default)]
+pub struct BuildingMaking {
+    step: Step,
+}
+
+/// What is done so far.
+#[derive(Default)]
+enum Step {
+    #[default]
+    Begun,
+    Checked,
+    Joined(Sides, ChildMaking),
+    Child(Sides, Child),
+    Meshes(Sides, Chains, Building),
+    Bent(Sides, Chains, Building),
+    Cornered(Sides, Chains, Building),
+}
+
+impl BuildingMaking {
+    /// Does a slice of the work on a draft, which must always be the same one. Returns the building at the end.
+    ///
+    /// # Errors
+    /// The first fault of the draft.
+    pub fn advance(&mut self, draft: &Draft) -> Result<Option<Building>, BuildingFault> {
+        self.step = match std::mem::take(&mut self.step) {
+            Step::Begun => {
+                checking::check(draft)?;
+                Step::Checked
+            }
+            Step::Checked => {
+                let sides = sides::join(draft)?;
+                let child = ChildMaking::new(&sides)?;
+                Step::Joined(sides, child)
+            }
+            Step::Joined(sides, mut child) => match child.advance(draft, &sides)? {
+                Some(child) => Step::Child(sides, child),
+                None => Step::Joined(sides, child),
+            },
+            Step::Child(mut sides, child) => {
+                let chains = making_parent::find(&sides);
+                let building = Building::unlinked(draft, (&mut sides, &chains), child);
+                Step::Meshes(sides, chains, building)
+            }
+            Step::Meshes(sides, chains, mut building) => {
+                building.bend();
+                building.label_edges();
+                Step::Bent(sides, chains, building)
+            }
+            Step::Bent(sides, chains, mut building) => {
+                building.add_corners(&sides, &chains);
+                Step::Cornered(sides, chains, building)
+            }
+            Step::Cornered(sides, chains, mut building) => {
+                building.link();
+                building.name(draft, &Names::new(&sides, &chains));
+                building.list_open_edges();
+                return Ok(Some(building));
+            }
+        };
+        Ok(None)
+    }
+}
 
 impl Building {
     /// Checks a draft, and makes both meshes of it.
@@ -28,13 +93,19 @@ impl Building {
     /// # Errors
     /// The first fault of the draft.
     pub fn new(draft: &Draft) -> Result<Self, BuildingFault> {
-        checking::check(draft)?;
-        let mut sides = sides::join(draft)?;
-        let child = making_child::make(draft, &sides)?;
-        let chains = making_parent::find(&sides);
-        let mut building = Self {
-            faces: faces(draft, &sides, &chains, &child),
-            edges: edges(&sides, &chains, &child),
+        let mut making = BuildingMaking::default();
+        loop {
+            if let Some(building) = making.advance(draft)? {
+                return Ok(building);
+            }
+        }
+    }
+
+    /// Both meshes, whose features know neither their neighbours nor how they meet.
+    fn unlinked(draft: &Draft, (sides, chains): (&mut Sides, &Chains), child: Child) -> Self {
+        Self {
+            faces: faces(draft, sides, chains, &child),
+            edges: edges(sides, chains, &child),
             warnings: std::mem::take(&mut sides.warnings),
             vertices: child.vertices,
             polygon_edges: child.edges,
@@ -42,14 +113,7 @@ impl Building {
             corners: Vec::new(),
             extras: draft.extras.clone(),
             ground: draft.ground,
-        };
-        building.bend();
-        building.label_edges();
-        building.add_corners(&sides, &chains);
-        building.link();
-        building.name(draft, &Names::new(&sides, &chains));
-        building.list_open_edges();
-        Ok(building)
+        }
     }
 
     /// Finds how the faces meet along each edge.
@@ -186,12 +250,20 @@ fn faces(draft: &Draft, sides: &Sides, chains: &Chains, child: &Child) -> Vec<Fa
             labels: face.labels.clone(),
             surface: face.surface.clone()?,
             loops: loops.collect(),
+            bounds: bounds(&child.rings[k]),
             rings: child.rings[k].clone(),
             polygons,
             thickness: face.thickness,
         })
     });
     faces.collect()
+}
+
+/// The bounding box of rings.
+fn bounds(rings: &[Vec<DVec2>]) -> [DVec2; 2] {
+    let start = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    let all = rings.iter().flatten();
+    all.fold(start, |[lo, hi], &p| [lo.min(p), hi.max(p)])
 }
 
 /// The edges along a loop of sides, each once.

@@ -16,6 +16,8 @@ use std::collections::BTreeMap;
 
 /// The most vertices that arcs may be cut to.
 const MOST_VERTICES: usize = 2 * MOST_SIDES;
+/// Triangles in a slice of the work, about.
+const SLICE: usize = 200;
 
 /// The child mesh, and what the parent mesh needs of it.
 pub(super) struct Child {
@@ -30,20 +32,56 @@ pub(super) struct Child {
     pub between: BTreeMap<(u32, u32), PolygonEdgeId>,
 }
 
-/// Makes the child mesh: arcs are cut, faces are triangulated, and what meets is joined.
-///
-/// # Errors
-/// Loops off their surface, loops that cross or do not bound a region.
-pub(super) fn make(draft: &Draft, sides: &Sides) -> Result<Child, BuildingFault> {
-    let mut positions = sides.positions.clone();
-    let along = cut_arcs(sides, &mut positions);
-    if positions.len() > MOST_VERTICES {
-        let sides = positions.len();
-        return Err(BuildingFault::TooManySides { sides });
+/// The child mesh in the making: arcs are cut, faces are triangulated, and what meets is joined.
+pub(super) struct ChildMaking {
+    positions: Vec<DVec3>,
+    along: Vec<Vec<u32>>,
+    rings: Vec<Vec<Vec<DVec2>>>,
+    polygons: Vec<Polygon>,
+}
+
+impl ChildMaking {
+    /// Cuts arcs.
+    ///
+    /// # Errors
+    /// If that makes too many vertices.
+    pub fn new(sides: &Sides) -> Result<Self, BuildingFault> {
+        let mut positions = sides.positions.clone();
+        let along = cut_arcs(sides, &mut positions);
+        if positions.len() > MOST_VERTICES {
+            let sides = positions.len();
+            return Err(BuildingFault::TooManySides { sides });
+        }
+        Ok(Self {
+            positions,
+            along,
+            rings: Vec::new(),
+            polygons: Vec::new(),
+        })
     }
-    let (mut rings, mut polygons) = (Vec::new(), Vec::new());
-    for (k, loops) in sides.loops.iter().enumerate() {
-        let face = FaceId(k as u32);
+
+    /// Triangulates some faces; joins everything after the last one.
+    ///
+    /// # Errors
+    /// Loops off their surface, loops that cross or do not bound a region.
+    pub fn advance(
+        &mut self,
+        draft: &Draft,
+        sides: &Sides,
+    ) -> Result<Option<Child>, BuildingFault> {
+        if self.rings.len() == sides.loops.len() {
+            return self.joined(sides).map(Some);
+        }
+        let most = self.polygons.len() + SLICE;
+        while self.rings.len() < sides.loops.len() && self.polygons.len() < most {
+            self.add_face(draft, sides)?;
+        }
+        Ok(None)
+    }
+
+    fn add_face(&mut self, draft: &Draft, sides: &Sides) -> Result<(), BuildingFault> {
+        let k = self.rings.len();
+        let (face, loops) = (FaceId(k as u32), &sides.loops[k]);
         let Some(surface) = &draft.faces[k].surface else {
             return Err(BuildingFault::NoSurface { face });
         };
@@ -52,9 +90,9 @@ pub(super) fn make(draft: &Draft, sides: &Sides) -> Result<Child, BuildingFault>
         }
         let walked = |&side: &usize| Walked {
             piece: &sides.sides[side].piece,
-            vertices: along[side]
+            vertices: self.along[side]
                 .iter()
-                .map(|&v| (v, positions[v as usize]))
+                .map(|&v| (v, self.positions[v as usize]))
                 .collect(),
         };
         let loops: Vec<Vec<Walked<'_>>> = loops
@@ -62,20 +100,29 @@ pub(super) fn make(draft: &Draft, sides: &Sides) -> Result<Child, BuildingFault>
             .map(|ring| ring.iter().map(walked).collect())
             .collect();
         let flat = flattening::flatten(face, surface, &loops)?;
-        add_polygons(face, surface, &flat, &mut positions, &mut polygons);
-        rings.push(flattening::plain(&flat.rings));
+        add_polygons(
+            face,
+            surface,
+            &flat,
+            &mut self.positions,
+            &mut self.polygons,
+        );
+        self.rings.push(flattening::plain(&flat.rings));
+        Ok(())
     }
-    let (edges, between) = join(&mut polygons);
-    check_sides(sides, &along, (&edges, &between), &positions)?;
-    let vertices = vertices(&positions, &edges);
-    Ok(Child {
-        vertices,
-        edges,
-        polygons,
-        along,
-        rings,
-        between,
-    })
+
+    fn joined(&mut self, sides: &Sides) -> Result<Child, BuildingFault> {
+        let (edges, between) = join(&mut self.polygons);
+        check_sides(sides, &self.along, (&edges, &between), &self.positions)?;
+        Ok(Child {
+            vertices: vertices(&self.positions, &edges),
+            edges,
+            polygons: std::mem::take(&mut self.polygons),
+            along: std::mem::take(&mut self.along),
+            rings: std::mem::take(&mut self.rings),
+            between,
+        })
+    }
 }
 
 /// Tests that both faces of each side have all polygon edges along it.

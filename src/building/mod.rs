@@ -63,6 +63,7 @@ pub use fault::{
 pub use fit::{Misfit, ThinWall};
 pub use ids::{CornerId, EdgeId, FaceId, PolygonEdgeId, PolygonId, VertexId};
 pub use json_writing::write_json;
+pub use making::BuildingMaking;
 pub use mortar::Mortar;
 pub use parent::{Corner, Edge, EdgeEnd, EdgeUse, Face, Stance};
 pub use path::Path;

@@ -126,6 +126,8 @@ pub struct Face {
     /// Its region in s and t (metres): rings of straight sides no longer than those of the child mesh, outer ones
     /// counter-clockwise. That of a whole cylinder or disk is cut open at a seam, so it spans one period in s.
     pub rings: Vec<Vec<DVec2>>,
+    /// The bounding box of the rings.
+    pub(super) bounds: [DVec2; 2],
     /// Its polygons in the child mesh.
     pub polygons: Vec<PolygonId>,
     /// How thick the wall is that the face stands for, if it has no back (metres).
@@ -156,9 +158,7 @@ impl Face {
 
     /// Its bounding box in s and t (metres): the least and the greatest values.
     pub fn bounds(&self) -> [DVec2; 2] {
-        let all = self.rings.iter().flatten();
-        let start = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-        all.fold(start, |[lo, hi], &p| [lo.min(p), hi.max(p)])
+        self.bounds
     }
 }
 

@@ -328,7 +328,7 @@ impl Glb {
         let turn = Quat::from_mat3(&Mat3::from_cols(axes[0], axes[1], axes[2])).normalize();
         let scale = [scale; 3];
         let parts = [&turn.to_array()[..], &place.origin.to_array(), &scale].concat();
-        let numbers = std::iter::once(mesh as f64).chain(parts.into_iter().map(f64::from));
+        let numbers = std::iter::once(mesh as f64).chain(parts.into_iter().map(shortest));
         self.nodes += r#",{"name":"#;
         self.nodes += &text(name);
         fill(&mut self.nodes, BODY, &numbers.collect::<Vec<f64>>());
@@ -411,6 +411,17 @@ impl Glb {
         }
         json
     }
+}
+
+/// A number of few decimals that rounds to a single-precision one.
+#[cfg(house)]
+fn shortest(v: f32) -> f64 {
+    let exact = f64::from(v);
+    let scales = [1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10];
+    let mut rounded = scales
+        .map(|scale| (exact * scale).round() / scale)
+        .into_iter();
+    rounded.find(|&near| near as f32 == v).unwrap_or(exact)
 }
 
 /// The length of an image with its padding.

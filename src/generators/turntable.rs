@@ -12,7 +12,7 @@ use crate::solid::Surface;
 use glam::Vec3;
 
 /// The work of one slice, in triangles drawn or pixels shaded.
-const SLICE: usize = 20_000;
+const SLICE: usize = 6_000;
 /// The most pixels along a side of a frame.
 const MOST_PIXELS: usize = 8192;
 

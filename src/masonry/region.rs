@@ -38,21 +38,22 @@ impl Region {
     /// All sides in their direction.
     pub fn sides(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
         self.loops.iter().flat_map(|ring| {
-            let next = ring.iter().cycle().skip(1);
-            ring.iter().zip(next).map(|(&a, &b)| [a, b])
+            let last = ring.last().zip(ring.first()).map(|(&a, &b)| [a, b]);
+            ring.windows(2).map(|pair| [pair[0], pair[1]]).chain(last)
         })
     }
 
     /// How far a ray goes from a place along a unit vector until it meets the border; none if it never does.
     /// Borders nearer than `skip` do not count (metres).
     pub fn ray(&self, from: DVec2, way: DVec2, skip: f64) -> Option<f64> {
-        // The ray's own axis is x here.
-        let turned = |p: DVec2| DVec2::new((p - from).dot(way), (p - from).perp_dot(way));
-        let cut = self
-            .sides()
-            .map(|side| side.map(turned))
-            .filter(|[a, b]| (a.y > 0.0) != (b.y > 0.0));
-        let places = cut.map(|[a, b]| a.x + (b.x - a.x) * (a.y / (a.y - b.y)));
+        // Most sides lie off the ray's line: their places along it are not needed.
+        let off = |p: DVec2| (p - from).perp_dot(way);
+        let along = |p: DVec2| (p - from).dot(way);
+        let places = self.sides().filter_map(|[a, b]| {
+            let (off_a, off_b) = (off(a), off(b));
+            let is_cut = (off_a > 0.0) != (off_b > 0.0);
+            is_cut.then(|| along(a) + (along(b) - along(a)) * (off_a / (off_a - off_b)))
+        });
         places.filter(|&x| x > skip).reduce(f64::min)
     }
 
@@ -72,11 +73,7 @@ impl Region {
         let around = (0..4).map(|k| [frame[k], frame[(k + 1) % 4]]);
         let lines: Vec<[DVec2; 2]> = self.sides().chain(around).collect();
         let mut pieces = Pieces::new(&lines);
-        let is_inside: Vec<bool> = pieces
-            .rings
-            .iter()
-            .map(|ring| self.contains(pieces.middle(ring)))
-            .collect();
+        let is_inside = pieces.sides_of(|p| self.contains(p));
         pieces.merge(|a, b| is_inside[a] == is_inside[b]);
         let mut parts = [Vec::new(), Vec::new()];
         for (ring, inside) in pieces.rings.iter().zip(is_inside) {
@@ -146,6 +143,30 @@ impl Pieces {
     fn middle(&self, ring: &[u32]) -> DVec2 {
         let sum: DVec2 = ring.iter().map(|&v| self.places[v as usize]).sum();
         sum / ring.len() as f64
+    }
+
+    /// Whether each piece lies inside, by one place of those that no line divides.
+    fn sides_of(&self, is_inside: impl Fn(DVec2) -> bool) -> Vec<bool> {
+        let mut beside = vec![Vec::new(); self.rings.len()];
+        for (_, [one, other]) in &self.diagonals {
+            beside[*one].push(*other);
+            beside[*other].push(*one);
+        }
+        let mut found: Vec<Option<bool>> = vec![None; self.rings.len()];
+        for first in 0..self.rings.len() {
+            if found[first].is_some() {
+                continue;
+            }
+            let side = Some(is_inside(self.middle(&self.rings[first])));
+            let mut due = vec![first];
+            while let Some(k) = due.pop() {
+                if found[k] != side {
+                    found[k] = side;
+                    due.extend(&beside[k]);
+                }
+            }
+        }
+        found.into_iter().map(|side| side == Some(true)).collect()
     }
 
     /// Removes each diagonal whose pieces may be joined and make a convex polygon together.

@@ -4,13 +4,14 @@ use crate::order::{greater, lesser};
 use crate::scene::Detail;
 use crate::solid::Surface;
 use glam::Vec3;
+use std::rc::Rc;
 
 /// A solid at several levels of detail.
 #[derive(Clone, Debug, Default)]
 pub struct Body {
     /// Its surface from the finest level to the coarsest, at least one; right-handed, y up, triangles
-    /// counter-clockwise seen from outside.
-    pub levels: Vec<Surface>,
+    /// counter-clockwise seen from outside. Copies of the body share them.
+    pub levels: Rc<[Surface]>,
     /// Row of the table of materials.
     pub material: u8,
     /// The centre of its bounding box.
@@ -45,7 +46,7 @@ impl Body {
             radius: far.sqrt(),
             lowest: low.y,
             colour: finest.map_or([128; 3], |surface| mean(&surface.colours)),
-            levels,
+            levels: levels.into(),
         }
     }
 }
@@ -150,7 +151,7 @@ pub struct Scene {
 impl Scene {
     /// The first fault, if any: of a surface, or of an instance without a body or with an invalid placement.
     pub fn fault(&self) -> Option<String> {
-        let surfaces = self.bodies.iter().flat_map(|body| &body.levels);
+        let surfaces = self.bodies.iter().flat_map(|body| body.levels.iter());
         let mut faults = surfaces.filter_map(Surface::fault);
         faults.next().or_else(|| {
             let is_bad = |instance: &Instance| {

@@ -42,6 +42,7 @@ pub use backdrop::Backdrop;
 pub use body::{Body, Instance, Paint, Place, Scene};
 pub use camera::{Camera, LIMITS, View};
 pub use cut::{Cut, CutHow};
+pub use digest::SceneDigest;
 pub use frame::Frame;
 pub use light_source::Lamp;
 pub use lighting::{Lighting, Sharpness};

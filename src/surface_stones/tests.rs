@@ -205,7 +205,7 @@ fn nothing_turns_inside_out() {
                 let cell = &cells[instance.id as usize - 1];
                 let body = &scene.bodies[instance.body as usize];
                 let size = cell.size * scale;
-                for level in &body.levels {
+                for level in body.levels.iter() {
                     let part = volume(level) / (size * size * size);
                     assert!(part > 0.02, "{name} {kind:?}: {part}");
                     let sides = level

@@ -1,13 +1,11 @@
 //! The scene of a building: blocks, mortar, and what carries no masonry.
 
 use super::colours::{BRICK_ROW, GLASS_ROW, IRON_ROW, MORTAR_ROW, STONE_ROW, WOOD_ROW};
+use super::congruent::Congruent;
 use super::cuboid::Cuboid;
-use super::grain::WallGrain;
-use super::ground::add_ground;
 use super::params::BlockParams;
 use super::parts::add_plain;
 use super::site::BuildingSite;
-use super::weather::Weather;
 use crate::building::labels::ROOF;
 use crate::building::{ExtraMesh, FaceId, Mortar};
 use crate::masonry::block::{Bevelled, BlockMesh, Dressing, Polyhedron, Rough, Stonecutter};
@@ -19,8 +17,6 @@ use crate::surface_stones::Fit;
 use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
 
-/// The reach of ambient occlusion (metres).
-const REACH: f64 = 0.09;
 /// Width of the edges of rounded stones, and the height of their bumps, at roughness 1 (metres).
 const BEVEL: f64 = 0.024;
 const BUMPS: f64 = 0.014;
@@ -31,13 +27,23 @@ const BOARDS: [u8; 3] = [92, 72, 54];
 /// The colour of meshes that the pattern leaves white.
 const WHITE: [u8; 3] = [255; 3];
 
-/// A scene to which blocks are added as they are laid.
+/// A shape that several blocks may have.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Shape {
+    /// By its sizes.
+    Cuboid([u32; 3]),
+    /// By its vertices.
+    Other(Vec<[i32; 3]>),
+}
+
+/// Blocks, mortar, and what carries no masonry, as they are laid.
 pub(crate) struct Wall {
+    /// Bodies and instances alone.
     scene: Scene,
     fit: Fit,
     params: BlockParams,
-    /// The bodies of cuboids, by their sizes and their material.
-    shared: BTreeMap<([u32; 3], u8), u32>,
+    /// The bodies of blocks, by their shapes and their material.
+    shared: BTreeMap<(Shape, u8), u32>,
     dressing: Dressing,
     cutter: Option<Stonecutter>,
     /// Makes stones whose sides are marked as rough or smooth.
@@ -49,16 +55,7 @@ pub(crate) struct Wall {
 impl Wall {
     /// Starts with mortar, glass, doors and the like.
     pub(super) fn new(site: &BuildingSite, params: &BlockParams) -> Self {
-        let mut scene = Scene {
-            reach: (REACH * site.fit.scale) as f32,
-            detail: Some(Box::new(WallGrain::new(
-                params.seed,
-                site.fit.scale,
-                Weather::new(params.weather, site),
-                params.ground,
-            ))),
-            ..Scene::default()
-        };
+        let mut scene = Scene::default();
         let sunk = match params.colours.are_stone() {
             true => SUNK * params.rough,
             false => 0.0,
@@ -66,7 +63,6 @@ impl Wall {
         let looks = [(params.colours.mortar(), MORTAR_ROW), (BOARDS, WOOD_ROW)];
         let recess = greater(params.recess, sunk);
         add_mortar(&mut scene, site, (recess, params.length), looks);
-        add_ground(&mut scene, site, params.ground, params.seed);
         for extra in site.building.extras() {
             add_extra(&mut scene, extra, site.fit);
         }
@@ -141,36 +137,41 @@ impl Wall {
         }
         let shrunk = cell.body.shrunk()?;
         let (turn, by) = self.dressing.out_of_true(cell.outwards, number);
-        match Cuboid::of(&shrunk, cell.outwards) {
-            Some(cuboid) => {
-                let body = self.cuboid(&cuboid, material)?;
-                let axes = cuboid
-                    .axes
-                    .map(|axis| (turn * axis * self.fit.scale).as_vec3());
-                let origin = self.fit.place(cuboid.middle + by);
-                Some((body, Place { axes, origin }))
+        let (body, middle, axes) = match Cuboid::of(&shrunk, cell.outwards) {
+            Some(Cuboid {
+                middle,
+                axes,
+                steps,
+            }) => {
+                let key = (Shape::Cuboid(steps), material);
+                let plain = || Cuboid::plain(steps);
+                (self.shared_body(key, plain)?, middle, axes)
             }
             None => {
-                let mesh = Bevelled::new(&shrunk.turned(turn, by), self.dressing.chamfer).facets();
-                let surface = flat(&mesh, |p| self.fit.place(p));
-                Some((
-                    self.push(Body::new(vec![surface], material)),
-                    Place::default(),
-                ))
+                let own = Congruent::of(&shrunk, cell.outwards);
+                let key = (Shape::Other(own.steps.clone()), material);
+                let plain = || Some(own.plain(&shrunk));
+                (self.shared_body(key, plain)?, own.middle, own.axes)
             }
-        }
+        };
+        let axes = axes.map(|axis| (turn * axis * self.fit.scale).as_vec3());
+        let origin = self.fit.place(middle + by);
+        Some((body, Place { axes, origin }))
     }
 
-    /// The body of cuboids of one size: the full chamfered one, and a plain one for far away.
-    fn cuboid(&mut self, cuboid: &Cuboid, material: u8) -> Option<u32> {
-        let key = (cuboid.steps, material);
+    /// The body of blocks of one shape: the full chamfered one, and a plain one for far away.
+    fn shared_body(
+        &mut self,
+        key: (Shape, u8),
+        plain: impl Fn() -> Option<Polyhedron>,
+    ) -> Option<u32> {
         if let Some(&known) = self.shared.get(&key) {
             return Some(known);
         }
-        let plain = cuboid.plain()?;
+        let plain = plain()?;
         let levels = [self.dressing.chamfer, 0.0]
             .map(|chamfer| flat(&Bevelled::new(&plain, chamfer).facets(), |p| p.as_vec3()));
-        let body = self.push(Body::new(levels.to_vec(), material));
+        let body = self.push(Body::new(levels.to_vec(), key.1));
         self.shared.insert(key, body);
         Some(body)
     }
@@ -184,12 +185,12 @@ impl Wall {
         smooth(mesh, |p| self.fit.place(p))
     }
 
-    /// The scene so far.
+    /// The bodies so far.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// The scene, to keep.
+    /// The bodies, to keep.
     pub fn finish(self) -> Scene {
         self.scene
     }

@@ -68,9 +68,9 @@ impl Cuboid {
         })
     }
 
-    /// The same about the origin, along the axes of space.
-    pub fn plain(&self) -> Option<Polyhedron> {
-        let half = DVec3::from(self.steps.map(|steps| 0.5 * STEP * f64::from(steps)));
+    /// The cuboid of these sizes about the origin, along the axes of space.
+    pub fn plain(steps: [u32; 3]) -> Option<Polyhedron> {
+        let half = DVec3::from(steps.map(|steps| 0.5 * STEP * f64::from(steps)));
         Polyhedron::cuboid(-half, half)
     }
 }

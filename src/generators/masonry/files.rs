@@ -1,12 +1,38 @@
 //! Mesh files of a finished building.
 
 use super::MasonryEngine;
+use super::colours::GRASS_ROW;
 use crate::export::{MeshOrder, MeshSize, SceneFile};
 use crate::generators::scene_picture::Saving;
 use crate::generators::{Clock, Engine, MeshSlice, Meshes};
 use crate::notice::{Code, Notice};
 use crate::scene::{Instance, Scene};
 use std::rc::Rc;
+
+/// A scene without blades of grass: thousands of them would make up most of a file.
+fn without_grass(scene: &Scene) -> Scene {
+    let is_grass = |instance: &Instance| {
+        let paint = instance.paint;
+        paint.is_some_and(|paint| paint.material == GRASS_ROW)
+    };
+    let instances = scene.instances.iter().copied();
+    Scene {
+        bodies: scene.bodies.clone(),
+        instances: instances.filter(|instance| !is_grass(instance)).collect(),
+        ..Scene::default()
+    }
+}
+
+impl MasonryEngine {
+    /// What mesh files have.
+    fn modelled(&mut self) -> Option<Rc<Scene>> {
+        let (revision, blocks) = (self.made.blocks.revision(), self.made.blocks.made()?);
+        let known = self.modelled.take().filter(|(of, _)| *of == revision);
+        let new = || (revision, Rc::new(without_grass(&blocks.scene)));
+        let (_, scene) = self.modelled.insert(known.unwrap_or_else(new));
+        Some(scene.clone())
+    }
+}
 
 impl Meshes for MasonryEngine {
     fn mesh_file(
@@ -16,10 +42,9 @@ impl Meshes for MasonryEngine {
         budget: f64,
     ) -> Result<MeshSlice, Notice> {
         let is_done = self.at().is_none();
-        let Some(blocks) = self.made.blocks.made().filter(|_| is_done) else {
+        let Some(scene) = self.modelled().filter(|_| is_done) else {
             return Err(Code::NotYet.into());
         };
-        let scene: Rc<Scene> = blocks.scene.clone();
         let materials = &self.made.still.params().light.materials;
         let cells = self
             .made
@@ -42,10 +67,10 @@ impl Meshes for MasonryEngine {
 
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
         let scene = &self.made.blocks.made()?.scene;
-        Some(order.scene_size(scene))
+        Some(order.scene_size(&without_grass(scene)))
     }
 
     fn stop_mesh(&mut self) {
-        self.saving = None;
+        (self.saving, self.modelled) = (None, None);
     }
 }

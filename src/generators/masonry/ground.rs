@@ -1,9 +1,10 @@
 //! The round piece of ground that a building stands on: grass, gravel or paving.
 
 use super::colours::{GRASS_ROW, SOIL_ROW};
+use super::params::GroundParams;
 use super::parts::add_plain;
 use super::site::BuildingSite;
-use crate::building::{Building, Face};
+use crate::building::{Building, FaceId};
 use crate::masonry::plan::region;
 use crate::masonry::region::Region;
 use crate::random::{Purpose, Random};
@@ -25,6 +26,8 @@ const RIM: f64 = 0.05;
 const AROUND: u32 = 128;
 /// Tufts of grass on a square metre, and the most of them.
 const TUFTS: (f64, usize) = (210.0, 7000);
+/// Tufts in a slice of the work.
+const SLICE: usize = 100;
 /// Blades in a tuft, their height, their width and how far they lean (metres).
 const BLADES: u32 = 6;
 const BLADE: [f64; 3] = [0.075, 0.011, 0.04];
@@ -51,13 +54,93 @@ fn colour(word: &str) -> Option<[u8; 3]> {
     }
 }
 
-/// Adds the ground below a building.
-pub(super) fn add_ground(scene: &mut Scene, site: &BuildingSite, word: &str, seed: u64) {
-    let Some(tint) = colour(word) else { return };
-    let disc = Disc::new(&site.building);
-    add_plain(scene, disc.surface(site), (0, tint, SOIL_ROW));
-    if word == "grass" {
-        add_grass(scene, site, &disc, seed);
+/// The ground below a building, while its grass grows.
+pub(crate) struct GroundWork {
+    scene: Scene,
+    disc: Disc,
+    /// The faces on which the building stands, with their regions.
+    feet: Vec<(FaceId, Region)>,
+    random: Random,
+    /// Tufts to come.
+    left: usize,
+    /// The first of the bodies of tufts.
+    first: u32,
+}
+
+impl GroundWork {
+    /// The ground without grass.
+    pub(super) fn new(site: &BuildingSite, params: &GroundParams) -> Self {
+        let mut scene = Scene::default();
+        let disc = Disc::new(&site.building);
+        if let Some(tint) = colour(params.word) {
+            add_plain(&mut scene, disc.surface(site), (0, tint, SOIL_ROW));
+        }
+        let first = scene.bodies.len() as u32;
+        let (mut left, mut feet) = (0, Vec::new());
+        if params.word == "grass" {
+            let kinds = (0..KINDS).map(|kind| Body::new(vec![tuft(params.seed, kind)], GRASS_ROW));
+            scene.bodies.extend(kinds);
+            let area = 0.5 * TAU * disc.radius * disc.radius;
+            left = ((TUFTS.0 * area) as usize).min(TUFTS.1);
+            feet = self::feet(&site.building);
+        }
+        Self {
+            scene,
+            disc,
+            feet,
+            random: Random::new(params.seed, Purpose::Scatter, 0),
+            left,
+            first,
+        }
+    }
+
+    /// Adds some tufts of grass; the bodies of the ground when all are there.
+    pub(super) fn advance(&mut self, site: &BuildingSite) -> Option<Scene> {
+        let count = self.left.min(SLICE);
+        for _ in 0..count {
+            self.add_tuft(site);
+        }
+        self.left -= count;
+        (self.left == 0).then(|| std::mem::take(&mut self.scene))
+    }
+
+    fn add_tuft(&mut self, site: &BuildingSite) {
+        let random = &mut self.random;
+        let away = (self.disc.radius - 0.5 * RIM) * random.unit().sqrt();
+        let [(sin, cos), (turn, straight)] =
+            [random.unit(), random.unit()].map(|v| libm::sincos(TAU * v));
+        let p = self.disc.middle + away * DVec3::new(cos, 0.0, sin);
+        let size = site.fit.scale * (0.6 + 0.6 * random.unit());
+        let kind = random.below(KINDS as usize) as u32;
+        let tint = GREENS[random.below(GREENS.len())];
+        let covers = |(face, region): &(FaceId, Region)| {
+            let face = site.building.face(*face);
+            let place = face.surface.project(p);
+            let [low, high] = face.bounds();
+            let at = place.truncate();
+            let is_near = place.z.abs() < 0.5 && at.cmpge(low).all() && at.cmple(high).all();
+            is_near && region.contains(at)
+        };
+        if self.feet.iter().any(covers) {
+            return;
+        }
+        let axes = [
+            DVec3::new(straight, 0.0, -turn),
+            DVec3::Y,
+            DVec3::new(turn, 0.0, straight),
+        ];
+        self.scene.instances.push(Instance {
+            body: self.first + kind,
+            place: Place {
+                axes: axes.map(|axis| (axis * size).as_vec3()),
+                origin: site.fit.place(p),
+            },
+            id: 0,
+            paint: Some(Paint {
+                tint,
+                material: GRASS_ROW,
+            }),
+        });
     }
 }
 
@@ -129,57 +212,15 @@ impl Disc {
 }
 
 /// The outlines of the faces on which a building stands, seen from below.
-fn feet(building: &Building) -> Vec<(&Face, Region)> {
-    let stands = |face: &&Face| {
+fn feet(building: &Building) -> Vec<(FaceId, Region)> {
+    let stands = |id: &FaceId| {
+        let face = building.face(*id);
         let [low, high] = face.bounds();
         let middle = low.midpoint(high);
         face.surface.frame(middle.x, middle.y).normal.y < -0.9
     };
-    let faces = building.faces().iter().filter(stands);
-    faces.map(|face| (face, region(face))).collect()
-}
-
-fn add_grass(scene: &mut Scene, site: &BuildingSite, disc: &Disc, seed: u64) {
-    let feet = feet(&site.building);
-    let first = scene.bodies.len() as u32;
-    let kinds = (0..KINDS).map(|kind| Body::new(vec![tuft(seed, kind)], GRASS_ROW));
-    scene.bodies.extend(kinds);
-    let mut random = Random::new(seed, Purpose::Scatter, 0);
-    let area = 0.5 * TAU * disc.radius * disc.radius;
-    let count = ((TUFTS.0 * area) as usize).min(TUFTS.1);
-    for _ in 0..count {
-        let away = (disc.radius - 0.5 * RIM) * random.unit().sqrt();
-        let [(sin, cos), (turn, straight)] =
-            [random.unit(), random.unit()].map(|v| libm::sincos(TAU * v));
-        let p = disc.middle + away * DVec3::new(cos, 0.0, sin);
-        let size = site.fit.scale * (0.6 + 0.6 * random.unit());
-        let kind = random.below(KINDS as usize) as u32;
-        let tint = GREENS[random.below(GREENS.len())];
-        let covers = |(face, region): &(&Face, Region)| {
-            let place = face.surface.project(p);
-            place.z.abs() < 0.5 && region.contains(place.truncate())
-        };
-        if feet.iter().any(covers) {
-            continue;
-        }
-        let axes = [
-            DVec3::new(straight, 0.0, -turn),
-            DVec3::Y,
-            DVec3::new(turn, 0.0, straight),
-        ];
-        scene.instances.push(Instance {
-            body: first + kind,
-            place: Place {
-                axes: axes.map(|axis| (axis * size).as_vec3()),
-                origin: site.fit.place(p),
-            },
-            id: 0,
-            paint: Some(Paint {
-                tint,
-                material: GRASS_ROW,
-            }),
-        });
-    }
+    let faces = building.face_ids().filter(stands);
+    faces.map(|id| (id, region(building.face(id)))).collect()
 }
 
 /// Some blades of grass that lean away from each other, as thin pyramids (metres).

@@ -3,6 +3,7 @@
 
 mod blocks;
 mod colours;
+mod congruent;
 mod cuboid;
 #[cfg(not(target_arch = "wasm32"))]
 mod data;
@@ -18,6 +19,7 @@ mod presets;
 mod rules;
 mod schema;
 mod sentences;
+mod setting;
 mod site;
 mod stages;
 mod subject;
@@ -34,8 +36,10 @@ use super::scene_picture::{Saving, ScenePicture};
 use super::{Course, Generator, Views};
 use crate::export::SceneFile;
 use crate::recipe::{Recipe, Schema};
+use crate::scene::Scene;
 use params::MasonryParams;
 use stages::MasonryStages;
+use std::rc::Rc;
 
 /// The parameters of masonry.
 pub static SCHEMA: Schema = Schema {
@@ -78,6 +82,8 @@ pub struct MasonryEngine {
     picture: ScenePicture<MasonryEngine>,
     /// The unfinished mesh file.
     saving: Option<Saving<SceneFile>>,
+    /// What mesh files have, and the revision of the blocks that it was made of.
+    modelled: Option<(u64, Rc<Scene>)>,
 }
 
 impl MasonryEngine {
@@ -87,6 +93,7 @@ impl MasonryEngine {
             made: MasonryStages::new(&MasonryParams::new(recipe)),
             picture: ScenePicture::default(),
             saving: None,
+            modelled: None,
         }
     }
 }

@@ -23,6 +23,7 @@ pub(super) struct MasonryParams {
     pub building: BuildingParams,
     pub cells: PatternParams,
     pub blocks: BlockParams,
+    pub look: LookParams,
     pub shade: ShadeParams,
     pub gloss: Gloss,
     /// The degrees by which the building is turned, clockwise seen from above.
@@ -92,10 +93,34 @@ pub(super) struct BlockParams {
     pub crooked: f64,
     pub colours: Colours,
     pub vary: f64,
+    pub seed: u64,
+}
+
+/// What lies around the blocks, and what the weather does to them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct LookParams {
     pub weather: WeatherParams,
     /// The word of the ground.
     pub ground: &'static str,
     pub seed: u64,
+}
+
+/// The ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct GroundParams {
+    /// The word of the ground.
+    pub word: &'static str,
+    pub seed: u64,
+}
+
+impl LookParams {
+    /// The part of them that the ground's shape depends on.
+    pub fn ground(&self) -> GroundParams {
+        GroundParams {
+            word: self.ground,
+            seed: self.seed,
+        }
+    }
 }
 
 impl MasonryParams {
@@ -145,6 +170,9 @@ impl MasonryParams {
                     roof: recipe.choice(keys::ROOF),
                 },
                 vary: recipe.number(keys::VARY),
+                seed,
+            },
+            look: LookParams {
                 weather: WeatherParams {
                     moss: recipe.number(keys::MOSS),
                     wet: recipe.number(keys::DAMP),

@@ -2,9 +2,9 @@
 
 use super::params::BuildingParams;
 use super::sentences;
-use crate::building::{Building, BuildingFault, Draft, Face, Stance, json, obj};
+use crate::building::{Building, BuildingFault, BuildingMaking, Draft, Face, Stance, json, obj};
 use crate::domain::signed_area;
-use crate::masonry::plan::thicknesses;
+use crate::masonry::plan::ThicknessWork;
 use crate::notice::{Code, Notice};
 use crate::surface_stones::Fit;
 use glam::DVec3;
@@ -29,36 +29,150 @@ pub(super) struct BuildingSite {
     pub fit: Fit,
 }
 
-impl BuildingSite {
-    /// Makes the building by rule, or that of a file.
+/// A site in the making.
+pub(crate) enum SiteBuild {
+    /// Both meshes are made of this draft, whose faces are sorted.
+    Meshes {
+        draft: Draft,
+        /// The draft with its faces in the order of the file.
+        given: Option<Draft>,
+        making: BuildingMaking,
+    },
+    /// The draft has this fault. Faces are told as the file has them, so it is looked for in their order.
+    Fault {
+        draft: Draft,
+        fault: BuildingFault,
+        making: BuildingMaking,
+    },
+    /// The thickness of walls is measured.
+    Walls {
+        building: Arc<Building>,
+        draft: Draft,
+        work: ThicknessWork,
+    },
+}
+
+impl SiteBuild {
+    /// Begins with a building by rule, or that of a file.
+    ///
+    /// # Errors
+    /// If there is no file, or if it cannot be read.
+    pub(super) fn new(params: &BuildingParams, file: Option<&[u8]>) -> Result<Self, Notice> {
+        let (draft, given) = match (&params.rule, file) {
+            (Some((rule, numbers)), _) => (rule.draft(&params.module, numbers), None),
+            (None, Some(bytes)) => {
+                let draft = read(bytes).map_err(|fault| sentences::unread(&fault))?;
+                (draft.clone(), Some(draft))
+            }
+            (None, None) => return Err(Code::ModelFirst.into()),
+        };
+        Ok(Self::Meshes {
+            draft: draft.sorted(),
+            given,
+            making: BuildingMaking::default(),
+        })
+    }
+
+    /// Does a slice of the work; returns the site at the end.
     ///
     /// # Errors
     /// If the file has no building, or if there would be too many blocks.
-    pub fn new(params: &BuildingParams, file: Option<&[u8]>) -> Result<Self, Notice> {
-        let draft = match (&params.rule, file) {
-            (Some((rule, numbers)), _) => rule.draft(&params.module, numbers),
-            (None, Some(bytes)) => given(bytes).map_err(|fault| sentences::unread(&fault))?,
-            (None, None) => return Err(Code::ModelFirst.into()),
+    pub(super) fn advance(
+        params: &BuildingParams,
+        work: &mut Option<Self>,
+        file: Option<&[u8]>,
+    ) -> Result<Option<BuildingSite>, Notice> {
+        let next = match work.take() {
+            None => Self::new(params, file)?,
+            Some(Self::Walls {
+                building,
+                draft,
+                work: mut walls,
+            }) => match walls.advance() {
+                Some(thickness) => {
+                    let site = BuildingSite::new(building, (draft, thickness), params);
+                    return Ok(Some(site));
+                }
+                None => Self::Walls {
+                    building,
+                    draft,
+                    work: walls,
+                },
+            },
+            Some(meshes) => meshes.make(params)?,
         };
-        let draft = draft.sorted();
-        let building = Building::new(&draft).map_err(|fault| sentences::unread(&fault))?;
-        let thickness = thicknesses(&building).map_err(|_| Notice::new(Code::ModelNoArea))?;
+        *work = Some(next);
+        Ok(None)
+    }
+
+    /// Makes more of the meshes, or looks for the draft's fault.
+    fn make(self, params: &BuildingParams) -> Result<Self, Notice> {
+        match self {
+            Self::Meshes {
+                draft,
+                given,
+                mut making,
+            } => match (making.advance(&draft), given) {
+                (Ok(Some(building)), _) => Self::walls(building, draft, params),
+                (Ok(None), given) => Ok(Self::Meshes {
+                    draft,
+                    given,
+                    making,
+                }),
+                (Err(fault), Some(draft)) => Ok(Self::Fault {
+                    draft,
+                    fault,
+                    making: BuildingMaking::default(),
+                }),
+                (Err(fault), None) => Err(sentences::unread(&fault)),
+            },
+            Self::Fault {
+                draft,
+                fault,
+                mut making,
+            } => match making.advance(&draft) {
+                Ok(None) => Ok(Self::Fault {
+                    draft,
+                    fault,
+                    making,
+                }),
+                Ok(Some(_)) => Err(sentences::unread(&fault)),
+                Err(first) => Err(sentences::unread(&first)),
+            },
+            walls @ Self::Walls { .. } => Ok(walls),
+        }
+    }
+
+    /// Begins to measure walls.
+    fn walls(building: Building, draft: Draft, params: &BuildingParams) -> Result<Self, Notice> {
         check_number(&building, params)?;
-        Ok(Self {
-            fit: fit(&building),
-            building: Arc::new(building),
-            thickness,
-            #[cfg(not(target_arch = "wasm32"))]
+        let building = Arc::new(building);
+        let work = ThicknessWork::new(building.clone());
+        Ok(Self::Walls {
+            building,
             draft,
-            is_given: params.rule.is_none(),
+            work: work.map_err(|_| Notice::new(Code::ModelNoArea))?,
         })
     }
 }
 
-/// The building of a file. It is tested before its faces are sorted, so that faults name them as the file does.
-fn given(bytes: &[u8]) -> Result<Draft, BuildingFault> {
-    let draft = read(bytes)?;
-    Building::new(&draft).map(|_| draft)
+impl BuildingSite {
+    fn new(
+        building: Arc<Building>,
+        (draft, thickness): (Draft, Vec<f64>),
+        params: &BuildingParams,
+    ) -> Self {
+        #[cfg(target_arch = "wasm32")]
+        drop(draft);
+        Self {
+            fit: fit(&building),
+            building,
+            thickness,
+            #[cfg(not(target_arch = "wasm32"))]
+            draft,
+            is_given: params.rule.is_none(),
+        }
+    }
 }
 
 fn read(bytes: &[u8]) -> Result<Draft, BuildingFault> {

@@ -2,9 +2,13 @@
 
 use super::MASONRY;
 use super::blocks::Wall;
-use super::params::{BlockParams, BuildingParams, MasonryParams, PatternParams};
+use super::ground::GroundWork;
+use super::params::{
+    BlockParams, BuildingParams, GroundParams, LookParams, MasonryParams, PatternParams,
+};
 use super::sentences;
-use super::site::BuildingSite;
+use super::setting::WallScene;
+use super::site::{BuildingSite, SiteBuild};
 use crate::generators::scene_picture::{
     MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
@@ -12,7 +16,7 @@ use crate::graph::{Node, Task, Wiring, task};
 use crate::masonry::laying::{Laying, MasonryCell};
 use crate::notice::Notice;
 use crate::recipe::Recipe;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneDigest};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -28,16 +32,21 @@ pub(super) const BLOCKS: usize = 3;
 const STEPS: usize = 160;
 /// ... and the most blocks in one step.
 const MOST: usize = 60;
-/// Features in a slice of the cells.
-const FEATURES: usize = 1;
+/// Words of a scene that are hashed in a slice, about.
+const WORDS_IN_A_SLICE: usize = 400_000;
+
+/// The finished scene, while its digest is made.
+type BlocksWork = (Rc<Scene>, SceneDigest);
 
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct MasonryStages {
     files: ModelFiles,
-    pub(super) site: Node<BuildingParams, (), BuildingSite>,
+    pub(super) site: Node<BuildingParams, SiteBuild, BuildingSite>,
     pub(super) cells: Node<PatternParams, Laying, Laying>,
-    pub(super) laid: Node<BlockParams, Wall, Rc<Scene>>,
-    pub(super) blocks: Node<(), (), MadeScene>,
+    pub(super) ground: Node<GroundParams, GroundWork, Scene>,
+    /// The bodies of the wall alone.
+    pub(super) laid: Node<BlockParams, Wall, Scene>,
+    pub(super) blocks: Node<LookParams, BlocksWork, MadeScene>,
     pub(super) still: StillNode,
 }
 
@@ -50,8 +59,9 @@ impl Wiring for MasonryStages {
             .wait()),
         task!(0, site, [files.loaded], Self::make_site),
         task!(1, cells, [site], Self::make_cells),
+        task!(LAYING, ground, [site], Self::make_ground),
         task!(LAYING, laid, [site, cells], Self::lay),
-        task!(BLOCKS, blocks, [laid], Self::make_blocks),
+        task!(BLOCKS, blocks, [ground, laid], Self::make_blocks),
         task!(4, still, [blocks], Self::make_still),
     ];
 }
@@ -75,7 +85,9 @@ impl SceneStages for MasonryStages {
         self.files.loaded.ask(params.files);
         self.site.ask(params.building);
         self.cells.ask(params.cells);
+        self.ground.ask(params.look.ground());
         self.laid.ask(params.blocks);
+        self.blocks.ask(params.look);
     }
 
     fn forget(&mut self) {
@@ -103,7 +115,7 @@ impl SceneStages for MasonryStages {
     }
 
     fn is_moving(&self) -> bool {
-        self.at() == Some(LAYING)
+        self.at() == Some(LAYING) && self.is_fresh(&self.ground)
     }
 
     fn digest(&self) -> String {
@@ -119,21 +131,22 @@ impl MasonryStages {
             files: ModelFiles::new(params.files.clone()),
             site: Node::new(params.building.clone()),
             cells: Node::new(params.cells.clone()),
+            ground: Node::new(params.look.ground()),
             laid: Node::new(params.blocks),
-            blocks: Node::new(()),
+            blocks: Node::new(params.look),
             still: Node::new(still(params)),
         }
     }
 
     fn make_site(&mut self) -> Option<()> {
         let files = &self.files;
-        self.site.advance(|params, _| {
+        self.site.advance(|params, work| {
             let bytes = match params.rule {
                 Some(_) => None,
                 None => Some(files.bytes(0)?),
             };
             let bytes = bytes.as_ref().map(|bytes| bytes.as_slice());
-            BuildingSite::new(params, bytes).map(Some)
+            SiteBuild::advance(params, work, bytes)
         })
     }
 
@@ -152,8 +165,16 @@ impl MasonryStages {
                 );
                 return Ok(None);
             }
-            let done = work.as_mut().is_some_and(|laying| laying.advance(FEATURES));
+            let done = work.as_mut().is_some_and(|laying| laying.advance(1));
             Ok(if done { work.take() } else { None })
+        })
+    }
+
+    fn make_ground(&mut self) -> Option<()> {
+        let site = self.site.made()?;
+        self.ground.advance(|params, work| {
+            let work = work.get_or_insert_with(|| GroundWork::new(site, params));
+            Ok(work.advance(site))
         })
     }
 
@@ -170,20 +191,38 @@ impl MasonryStages {
             wall.lay(cells, end);
             let is_done = end >= cells.len();
             let finished = if is_done { work.take() } else { None };
-            Ok(finished.map(|wall| Rc::new(wall.finish())))
+            Ok(finished.map(Wall::finish))
         })
     }
 
     fn make_blocks(&mut self) -> Option<()> {
-        let scene = self.laid.made()?;
+        let (site, ground) = (self.site.made()?, self.ground.made()?);
+        let wall = self.laid.made()?;
         let revision = self.laid.revision();
-        self.blocks
-            .advance(|(), _| Ok(Some(MadeScene::new(scene.clone(), revision))))
+        self.blocks.advance(|look, work| {
+            let Some((scene, digest)) = work else {
+                let mut scene = WallScene::new(site, ground, look);
+                scene.follow(wall);
+                *work = Some((Rc::new(scene.finish()), SceneDigest::new()));
+                return Ok(None);
+            };
+            let done = digest.advance(scene, WORDS_IN_A_SLICE);
+            Ok(done.map(|digest| MadeScene {
+                scene: scene.clone(),
+                digest,
+                shows: revision,
+            }))
+        })
     }
 
     fn make_still(&mut self) -> Option<()> {
         let scene = &self.blocks.made()?.scene;
         StillRender::draw(&mut self.still, scene)
+    }
+
+    /// The passes of the work on blocks and on the ground.
+    pub(super) fn pass(&self) -> [u64; 2] {
+        [self.laid.passes(), self.ground.passes()]
     }
 
     /// Whether there is a scene of the present blocks, even if another look is wanted.
@@ -198,7 +237,7 @@ impl MasonryStages {
         match (self.at(), self.begun(&self.laid)) {
             (Some(at), _) if at < LAYING => 0,
             (_, Some(wall)) => wall.shown(),
-            (Some(LAYING), None) => 0,
+            _ if !self.is_fresh(&self.laid) => 0,
             _ => self.cells.made().map_or(0, |laying| laying.cells().len()),
         }
     }

@@ -1,6 +1,7 @@
 //! Scenes of the views of masonry.
 
-use super::blocks::Wall;
+use super::diagrams::DiagramWork;
+use super::setting::WallScene;
 use super::views::MasonryView;
 use super::{MasonryEngine, diagrams};
 use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
@@ -21,12 +22,19 @@ pub(crate) struct WallInputs {
     pub revision: u64,
 }
 
+/// A scene in the making.
+pub(crate) struct WallMaking {
+    /// The scene of blocks that are being laid, which goes on.
+    live: Option<Box<WallScene>>,
+    diagram: Option<DiagramWork>,
+}
+
 /// A scene.
 pub(crate) enum WallSubject {
     /// The finished blocks.
     Blocks(Rc<Scene>),
-    /// Blocks that are being laid, and the pass of the work.
-    Laying(Box<Wall>, u64),
+    /// Blocks that are being laid, and the pass of the work on them and on the ground.
+    Laying(Box<WallScene>, [u64; 2]),
     /// A diagram.
     Diagram(Scene),
 }
@@ -44,7 +52,7 @@ impl AsRef<Scene> for WallSubject {
 impl SceneSource for MasonryEngine {
     type Key = WallInputs;
     type Subject = WallSubject;
-    type Making = Option<Box<Wall>>;
+    type Making = WallMaking;
 
     fn scene_picture(&mut self) -> &mut ScenePicture<Self> {
         &mut self.picture
@@ -83,23 +91,23 @@ impl SceneSource for MasonryEngine {
         before.view == after.view && before.site == after.site && before.is_live
     }
 
-    fn begin(
-        &self,
-        of: WallInputs,
-        shown: &mut Option<(WallInputs, WallSubject)>,
-    ) -> Option<Box<Wall>> {
-        let pass = self.made.laid.passes();
+    fn begin(&self, of: WallInputs, shown: &mut Option<(WallInputs, WallSubject)>) -> WallMaking {
+        let pass = self.made.pass();
         let goes_on = |(before, subject): &mut (WallInputs, WallSubject)| {
             let is_same = matches!(subject, WallSubject::Laying(_, own) if *own == pass);
             is_same && self.is_later(*before, of)
         };
-        match shown.take_if(goes_on) {
+        let live = match shown.take_if(goes_on) {
             Some((_, WallSubject::Laying(wall, _))) => Some(wall),
             _ => None,
+        };
+        WallMaking {
+            live,
+            diagram: None,
         }
     }
 
-    fn make(&mut self, of: WallInputs, making: &mut Option<Box<Wall>>) -> Option<WallSubject> {
+    fn make(&mut self, of: WallInputs, making: &mut WallMaking) -> Option<WallSubject> {
         let made = &self.made;
         let site = made.site.made()?;
         match of.view {
@@ -108,11 +116,11 @@ impl SceneSource for MasonryEngine {
                 Some(WallSubject::Blocks(blocks.scene.clone()))
             }
             MasonryView::Auto => {
-                let work = made.begun(&made.laid)?;
-                let new = || Box::new(Wall::new(site, made.laid.params()));
-                let mut wall = making.take().unwrap_or_else(new);
-                wall.lay(made.cells.made()?.cells(), work.shown());
-                Some(WallSubject::Laying(wall, made.laid.passes()))
+                let (wall, ground) = (made.begun(&made.laid)?, made.ground.made()?);
+                let new = || Box::new(WallScene::new(site, ground, made.blocks.params()));
+                let mut scene = making.live.take().unwrap_or_else(new);
+                scene.follow(wall.scene());
+                Some(WallSubject::Laying(scene, made.pass()))
             }
             MasonryView::Mortar => {
                 let scene = diagrams::bare(site, made.laid.params());
@@ -120,9 +128,12 @@ impl SceneSource for MasonryEngine {
             }
             MasonryView::Polygons => Some(WallSubject::Diagram(diagrams::polygons(site))),
             view => {
-                let of = (site, made.laid.params());
                 let laying = made.cells.made()?;
-                Some(WallSubject::Diagram(diagrams::diagram(view, laying, of)))
+                let blocks = made.laid.params();
+                let new = || DiagramWork::new(site, blocks);
+                let work = making.diagram.get_or_insert_with(new);
+                let done = work.advance(view, laying, (site, blocks));
+                done.map(WallSubject::Diagram)
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::params::BuildingParams;
 use super::schema::{FILE, ROWS, keys};
-use super::site::BuildingSite;
+use super::site::SiteBuild;
 use super::stages::LAYING;
 use super::{MASONRY, MasonryEngine};
 use crate::building::{Module, Rule};
@@ -117,7 +117,14 @@ fn the_module_of_the_sentence_about_too_many_blocks_fits() {
     let file = box_of([40.0, 20.0, 40.0]);
     let site = |module: Module| {
         let params = BuildingParams { rule: None, module };
-        BuildingSite::new(&params, Some(file.as_bytes()))
+        let mut work = None;
+        loop {
+            match SiteBuild::advance(&params, &mut work, Some(file.as_bytes())) {
+                Ok(None) => (),
+                Ok(Some(site)) => return Ok(site),
+                Err(notice) => return Err(notice),
+            }
+        }
     };
     let notice = site(Module::NORMAL).err().expect("too many blocks");
     assert_eq!(notice.code, Code::MasonryMany);
@@ -223,4 +230,40 @@ fn blocks_are_counted_one_after_the_other() {
     }
     assert!(counts.is_sorted(), "{counts:?}");
     assert_eq!((counts[0], engine.progress().steps > 0), (0, true));
+}
+
+#[test]
+fn weather_and_ground_lay_no_block_again() {
+    let mut engine =
+        laid("make=masonry&building=block&moss=0.2&ground=gravel").expect("a building");
+    let (runs, digest) = (engine.runs(), engine.digest());
+    let changed = |engine: &mut MasonryEngine, link: &str| {
+        engine.ask(&recipe(link));
+        engine.take_up();
+        while engine.at().is_some_and(|at| at < super::stages::BLOCKS + 1) {
+            engine.advance();
+        }
+        engine
+            .runs()
+            .into_iter()
+            .zip(&runs)
+            .map(|(now, was)| now > *was)
+            .collect::<Vec<_>>()
+    };
+    let moss = changed(
+        &mut engine,
+        "make=masonry&building=block&moss=0.7&ground=gravel",
+    );
+    assert_eq!(moss[..4], [false, false, false, true]);
+    assert_ne!(engine.digest(), digest);
+    let ground = changed(
+        &mut engine,
+        "make=masonry&building=block&moss=0.2&ground=grass",
+    );
+    assert_eq!(ground[..4], [false, false, false, true]);
+    changed(
+        &mut engine,
+        "make=masonry&building=block&moss=0.2&ground=gravel",
+    );
+    assert_eq!(engine.digest(), digest);
 }

@@ -1,7 +1,7 @@
 //! Properties of the views' scenes, and of bricks that are turned by hand.
 
 use super::colours::type_of;
-use super::diagrams::{Claimed, STATES, Texture, clipped, diagram, lines, map_scene, occupied};
+use super::diagrams::{Claimed, DiagramWork, STATES, Texture, clipped, lines, map_scene, occupied};
 use super::figures::size;
 use super::tests::{laid, recipe};
 use super::views::MasonryView;
@@ -32,7 +32,13 @@ fn laying(engine: &MasonryEngine) -> &Laying {
 
 fn scene(engine: &MasonryEngine, view: MasonryView) -> Scene {
     let site = engine.made.site.made().expect("a site");
-    diagram(view, laying(engine), (site, engine.made.laid.params()))
+    let blocks = engine.made.laid.params();
+    let mut work = DiagramWork::new(site, blocks);
+    loop {
+        if let Some(scene) = work.advance(view, laying(engine), (site, blocks)) {
+            return scene;
+        }
+    }
 }
 
 /// The ids of a scene, without those of mortar and of free space.

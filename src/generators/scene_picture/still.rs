@@ -9,7 +9,7 @@ use crate::scene::{Backdrop, Camera, Frame, Order, SAMPLES, Scene, Sharpness, So
 use std::rc::Rc;
 
 /// The amount of work in one slice: drawn triangles or shaded pixels.
-const SLICE: usize = 20_000;
+const SLICE: usize = 6_000;
 
 /// Camera and light of the picture.
 #[derive(Clone, Debug, PartialEq)]

@@ -278,11 +278,14 @@ impl Polyhedron {
     }
 
     /// The body turned about its centre, then moved.
-    pub fn turned(mut self, turn: DQuat, by: DVec3) -> Self {
+    pub fn turned(self, turn: DQuat, by: DVec3) -> Self {
         let centre = self.centre();
-        self.vertices
-            .iter_mut()
-            .for_each(|p| *p = centre + turn * (*p - centre) + by);
+        self.mapped(|p| centre + turn * (p - centre) + by)
+    }
+
+    /// The body with its vertices at other places. The map keeps planes, and handedness.
+    pub fn mapped(mut self, map: impl Fn(DVec3) -> DVec3) -> Self {
+        self.vertices.iter_mut().for_each(|p| *p = map(*p));
         self
     }
 }

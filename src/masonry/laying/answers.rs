@@ -15,14 +15,11 @@ impl Laying {
         Some(grid.first_course + below.max(1))
     }
 
-    /// The path in the tree of the node that made a cell, such as `else.edge.vertical`; empty at the root.
+    /// The path in the tree of the node that made a cell, such as `else.edge.children.1`: the names of children as in the
+    /// tree's JSON, and the numbers of those in lists. Each node has another one; that of the root is empty.
     pub fn node_path(&self, cell: &MasonryCell) -> Option<String> {
         let walk = self.tree.walk(&view(self.building(), cell.feature));
-        let mut reached = walk.reached.into_iter();
-        let made = reached.find(|reached| {
-            let node = reached.node;
-            node.generator == cell.generator && node.count("tag") as u8 == cell.tag
-        });
+        let made = walk.reached.into_iter().nth(cell.reached);
         made.map(|reached| reached.path)
     }
 }

@@ -2,9 +2,10 @@
 //! Ashlar).
 
 use super::cell::{CellDraft, CellSort, Feature};
-use super::rectangles::{Most, Unit, Units, merge};
+use super::rectangles::{Most, Rectangle, Unit, Units, merge};
 use super::run::{Run, unit};
 use super::site::Site;
+use super::work::SiteWork;
 use crate::building::{CornerId, EdgeId, FaceId};
 use crate::masonry::footprint::Footprint;
 use crate::masonry::occupancy::Coverage;
@@ -200,48 +201,92 @@ impl Site {
         self.depth(face)
     }
 
-    /// Fills a face. Free units are visited in nearly the order of rows. At each the largest random rectangle that
-    /// fits becomes a stone; then stones of one unit are merged with neighbours at random while the union is a
-    /// rectangle and not too large.
-    pub fn ashlar_face(&mut self, id: FaceId, node: &GeneratorNode, seed: u64) {
-        let mut random = random(seed, Feature::Face(id));
-        let most = Most {
-            width: node.count("most_width"),
-            height: node.count("most_height"),
-        };
-        let mut units = self.units(id);
-        let partly = units.partly();
-        let mut stones = units.greedy(most, &mut random);
-        merge(&mut stones, most, &mut random);
-        for stone in stones.into_iter().chain(partly) {
-            let [low, high] = self.plan.grid(id).block(stone.columns, stone.rows);
-            if let Some(place) = Footprint::rectangle(low, high) {
-                self.face_brick(id, node, (&place, place.area()), CellSort::Stone);
+    /// The states of a row of units of a face.
+    fn unit_row(&self, id: FaceId, row: usize) -> Vec<Unit> {
+        let grid = self.plan.grid(id);
+        let state = |column: usize| {
+            let [low, high] = grid.block([column, column + 1], [row, row + 1]);
+            let Some(place) = Footprint::rectangle(low, high) else {
+                return Unit::Taken;
+            };
+            let place = self.home(id, place);
+            match self.faces[id.index()].coverage(&place) {
+                Coverage::Occupied => Unit::Taken,
+                Coverage::Free if self.is_free(id, &place) => Unit::Free,
+                _ => Unit::Partly,
             }
+        };
+        (0..grid.column_lines().len() - 1).map(state).collect()
+    }
+}
+
+/// Fills a face. Free units are visited in nearly the order of rows. At each the largest random rectangle that fits
+/// becomes a stone; then stones of one unit are merged with neighbours at random while the union is a rectangle and not
+/// too large.
+pub(super) struct AshlarWork {
+    id: FaceId,
+    node: GeneratorNode,
+    random: Random,
+    units: Units,
+    /// How many rows of units there are.
+    rows: usize,
+    /// The stones to be laid, the next one last; none before they are found.
+    stones: Option<Vec<Rectangle>>,
+}
+
+impl AshlarWork {
+    pub fn new(site: &Site, id: FaceId, node: &GeneratorNode, seed: u64) -> Self {
+        let grid = site.plan.grid(id);
+        Self {
+            id,
+            node: node.clone(),
+            random: random(seed, Feature::Face(id)),
+            units: Units {
+                columns: grid.column_lines().len() - 1,
+                states: Vec::new(),
+            },
+            rows: grid.row_lines().len() - 1,
+            stones: None,
         }
     }
 
-    fn units(&self, id: FaceId) -> Units {
-        let grid = self.plan.grid(id);
-        let (columns, rows) = (grid.column_lines().len() - 1, grid.row_lines().len() - 1);
-        let state = |k: usize| {
-            let (column, row) = (k % columns, k / columns);
-            let [low, high] = grid.block([column, column + 1], [row, row + 1]);
-            let place = Footprint::rectangle(low, high).map(|place| self.home(id, place));
-            match place.map(|place| {
-                (
-                    self.faces[id.index()].coverage(&place),
-                    self.is_free(id, &place),
-                )
-            }) {
-                Some((Coverage::Free, true)) => Unit::Free,
-                None | Some((Coverage::Occupied, _)) => Unit::Taken,
-                Some(_) => Unit::Partly,
-            }
+    fn find_stones(&mut self) -> Vec<Rectangle> {
+        let most = Most {
+            width: self.node.count("most_width"),
+            height: self.node.count("most_height"),
         };
-        Units {
-            columns,
-            states: (0..columns * rows).map(state).collect(),
+        let partly = self.units.partly();
+        let mut stones = self.units.greedy(most, &mut self.random);
+        let columns = self.units.columns;
+        merge(&mut stones, columns, (most, &mut self.random));
+        stones.extend(partly);
+        stones.reverse();
+        stones
+    }
+}
+
+impl SiteWork for AshlarWork {
+    fn advance(&mut self, site: &mut Site) -> bool {
+        let row = self.units.states.len() / self.units.columns;
+        if row < self.rows {
+            let states = site.unit_row(self.id, row);
+            self.units.states.extend(states);
+            return false;
         }
+        let Some(stones) = &mut self.stones else {
+            self.stones = Some(self.find_stones());
+            return false;
+        };
+        for _ in 0..self.units.columns {
+            let Some(stone) = stones.pop() else {
+                return true;
+            };
+            let [low, high] = site.plan.grid(self.id).block(stone.columns, stone.rows);
+            if let Some(place) = Footprint::rectangle(low, high) {
+                let whole = (&place, place.area());
+                site.face_brick(self.id, &self.node, whole, CellSort::Stone);
+            }
+        }
+        stones.is_empty()
     }
 }

@@ -66,7 +66,9 @@ pub struct MasonryCell {
     pub feature: Feature,
     /// The generator that made it.
     pub generator: PatternGenerator,
-    /// The number that the generator's node gives it, for colours.
+    /// The number of its generator's node among those that its feature has reached.
+    pub reached: usize,
+    /// The number that the node gives it, for colours.
     pub tag: u8,
     /// Its sort.
     pub sort: CellSort,

@@ -3,6 +3,7 @@
 use super::bricks::BrickBond;
 use super::cell::{CellDraft, CellSort, Feature};
 use super::site::Site;
+use super::work::SiteWork;
 use crate::building::{Bend, FaceId, Stance};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
@@ -11,7 +12,6 @@ use crate::masonry::occupancy::Coverage;
 use crate::masonry::plan::{FaceGrid, is_wall};
 use crate::masonry::tree::GeneratorNode;
 use glam::DVec2;
-use std::collections::BTreeMap;
 
 /// Sides of a face longer than this are no chords of an arc (metres).
 const OBLIQUE: f64 = 0.2;
@@ -27,7 +27,6 @@ struct GridBrick {
     place: Footprint,
     /// The area of its own place in the grid (square metres).
     area: f64,
-    row: usize,
     /// Whether it takes two columns.
     is_pair: bool,
 }
@@ -36,6 +35,63 @@ struct GridBrick {
 fn both(a: &Footprint, b: &Footprint) -> Option<Footprint> {
     let ([low, high], [from, to]) = (a.bounds(), b.bounds());
     Footprint::rectangle(low.min(from), high.max(to))
+}
+
+/// Fills a face with bricks, row by row.
+pub(super) struct BrickWork {
+    id: FaceId,
+    node: GeneratorNode,
+    bond: BrickBond,
+    /// The bricks that each of the two phases makes, while they are counted.
+    counts: Option<[usize; 2]>,
+    shift: usize,
+    /// The next row.
+    row: usize,
+}
+
+impl BrickWork {
+    pub fn new(site: &Site, id: FaceId, node: &GeneratorNode, bond: BrickBond) -> Self {
+        let face = site.face(id);
+        let has_phase = is_wall(face)
+            && face.loops.iter().flatten().any(|walk| {
+                let edge = site.edge(walk.edge);
+                edge.is_vertical() && edge.bend == Bend::Convex
+            });
+        Self {
+            id,
+            node: node.clone(),
+            bond,
+            counts: (!has_phase).then_some([0; 2]),
+            shift: 0,
+            row: 0,
+        }
+    }
+}
+
+impl SiteWork for BrickWork {
+    /// Counts or lays a row. A face that no edge gives a phase takes the one that makes fewer bricks (section 5.2).
+    fn advance(&mut self, site: &mut Site) -> bool {
+        let row = self.row;
+        match &mut self.counts {
+            Some(counts) => {
+                for (shift, count) in counts.iter_mut().enumerate() {
+                    *count += site.free_bricks(self.id, &self.bond, (row, shift));
+                }
+            }
+            None => site.brick_row(self.id, &self.node, &self.bond, (row, self.shift)),
+        }
+        self.row += 1;
+        if self.row < site.plan.grid(self.id).row_lines().len() - 1 {
+            return false;
+        }
+        match self.counts.take() {
+            Some([plain, shifted]) => {
+                (self.shift, self.row) = (usize::from(shifted < plain), 0);
+                false
+            }
+            None => true,
+        }
+    }
 }
 
 impl Site {
@@ -77,19 +133,15 @@ impl Site {
         CellDraft::new(sort, body, self.normal(face, footprint.centre()))
     }
 
-    /// Fills a face with bricks.
-    pub fn brick_face(&mut self, id: FaceId, node: &GeneratorNode, bond: &BrickBond) {
-        let has_phase = is_wall(self.face(id))
-            && self.face(id).loops.iter().flatten().any(|walk| {
-                let edge = self.edge(walk.edge);
-                edge.is_vertical() && edge.bend == Bend::Convex
-            });
-        let shift = if has_phase {
-            0
-        } else {
-            self.better_shift(id, bond)
-        };
-        for brick in self.without_slivers(id, self.face_bricks(id, bond, shift)) {
+    /// Lays a row of bricks on a face.
+    fn brick_row(
+        &mut self,
+        id: FaceId,
+        node: &GeneratorNode,
+        bond: &BrickBond,
+        at: (usize, usize),
+    ) {
+        for brick in self.without_slivers(id, &self.row_bricks(id, bond, at)) {
             let sort = if brick.is_pair || !bond.are_paired() {
                 bond.sort
             } else {
@@ -99,9 +151,9 @@ impl Site {
         }
     }
 
-    /// The bricks of a face, without those of which only a sliver is free: the wider one of its neighbours in the row
-    /// takes its place as well.
-    fn without_slivers(&self, id: FaceId, bricks: Vec<GridBrick>) -> Vec<GridBrick> {
+    /// The bricks of a row, without those of which only a sliver is free: the wider one of its neighbours takes its
+    /// place as well.
+    fn without_slivers(&self, id: FaceId, bricks: &[GridBrick]) -> Vec<GridBrick> {
         let least = SLIVER * self.plan.module.half * self.plan.module.course;
         let free: Vec<f64> = bricks
             .iter()
@@ -113,7 +165,7 @@ impl Site {
                 continue;
             }
             let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
-            let beside = beside.filter(|&j| j < bricks.len() && bricks[j].row == brick.row);
+            let beside = beside.filter(|&j| j < bricks.len());
             let wider = beside.reduce(|a, b| if free[b] > free[a] { b } else { a });
             if let Some(j) = wider.filter(|&j| free[j] >= least)
                 && let Some(other) = &mut kept[j]
@@ -155,11 +207,11 @@ impl Site {
         }
         let obstacles = map.obstacles(place);
         let inset = 0.5 * self.plan.module.joint;
+        // A place that has taken up a sliver is larger, but its parts may be as small as those of any other.
+        let least = LEAST_SHARE * area / place.area();
         let parts = match self.is_oblique(id) {
-            true => clip_multi(place, &obstacles, inset, (LEAST_SHARE, MOST_DEPTH)),
-            false => clip(place, &obstacles, inset, LEAST_SHARE)
-                .into_iter()
-                .collect(),
+            true => clip_multi(place, &obstacles, inset, (least, MOST_DEPTH)),
+            false => clip(place, &obstacles, inset, least).into_iter().collect(),
         };
         for part in parts {
             self.face_part(id, node, &part, (place, area, sort));
@@ -217,31 +269,9 @@ impl Site {
         }
     }
 
-    /// Shifts walls by a column where that makes fewer bricks, or as many and fewer cut ones: of the two ways to lay
-    /// walls that hang together (section 5.2). So a building that is turned or mirrored has the same number of bricks.
-    pub fn choose_phases(&mut self) {
-        let mut sets: BTreeMap<FaceId, Vec<FaceId>> = BTreeMap::new();
-        for (id, &first) in self.building.face_ids().zip(&self.plan.phase_sets) {
-            if is_wall(self.face(id)) {
-                sets.entry(first).or_default().push(id);
-            }
-        }
-        for walls in sets.values() {
-            let cost = |shift: usize| {
-                let pieces = walls.iter().map(|&id| self.pieces(id, shift));
-                pieces.fold([0, 0], |sum, more| [sum[0] + more[0], sum[1] + more[1]])
-            };
-            if cost(1) < cost(0) {
-                for wall in walls {
-                    self.plan.grids[wall.index()].phase ^= true;
-                }
-            }
-        }
-    }
-
-    /// How many bricks a face's grid has, edges not counted, and how many of them are cut.
-    fn pieces(&self, id: FaceId, shift: usize) -> [usize; 2] {
-        let bricks = self.face_bricks(id, &BrickBond::BRICKS, shift);
+    /// How many bricks a row of a face's grid has, edges not counted, and how many of them are cut.
+    pub fn row_pieces(&self, id: FaceId, row: usize, shift: usize) -> [usize; 2] {
+        let bricks = self.row_bricks(id, &BrickBond::BRICKS, (row, shift));
         let shares = bricks
             .iter()
             .map(|brick| self.free_area(id, &brick.place) / brick.area);
@@ -252,22 +282,23 @@ impl Site {
         })
     }
 
-    /// The phase of a face that no edge decides: the one that makes fewer bricks (section 5.2).
-    fn better_shift(&self, id: FaceId, bond: &BrickBond) -> usize {
+    /// How many bricks of a row of a face's grid have a free place.
+    fn free_bricks(&self, id: FaceId, bond: &BrickBond, at: (usize, usize)) -> usize {
         let map = &self.faces[id.index()];
-        let count = |shift: usize| {
-            let bricks = self.face_bricks(id, bond, shift).into_iter();
-            bricks
-                .filter(|brick| {
-                    map.coverage(&self.home(id, brick.place.clone())) != Coverage::Occupied
-                })
-                .count()
+        let bricks = self.row_bricks(id, bond, at).into_iter();
+        let is_free = |brick: &GridBrick| {
+            map.coverage(&self.home(id, brick.place.clone())) != Coverage::Occupied
         };
-        usize::from(count(1) < count(0))
+        bricks.filter(is_free).count()
     }
 
-    /// All bricks of a face's grid, row by row.
-    fn face_bricks(&self, id: FaceId, bond: &BrickBond, shift: usize) -> Vec<GridBrick> {
+    /// The bricks of a row of a face's grid, whose bond is shifted by some columns.
+    fn row_bricks(
+        &self,
+        id: FaceId,
+        bond: &BrickBond,
+        (row, shift): (usize, usize),
+    ) -> Vec<GridBrick> {
         let grid = self.plan.grid(id);
         let period = self
             .face(id)
@@ -276,27 +307,24 @@ impl Site {
             .filter(|_| !grid.are_rows_along_s());
         let columns = grid.column_lines().len() as isize - 1;
         let mut found = Vec::new();
-        for row in 0..grid.row_lines().len() - 1 {
-            for column in -1..columns {
-                let is_first = !bond.are_paired() || grid.starts(column, row + shift);
-                if !is_first || (period.is_some() || !bond.are_paired()) && column < 0 {
-                    continue;
-                }
-                let last = column + if bond.are_paired() { 2 } else { 1 };
-                let end = if period.is_some() {
-                    last
-                } else {
-                    last.min(columns)
-                };
-                let start = column.max(0);
-                let place = wrapped(grid, [start as usize, end as usize], row, period);
-                found.extend(place.map(|place| GridBrick {
-                    area: place.area(),
-                    place,
-                    row,
-                    is_pair: end - start == 2,
-                }));
+        for column in -1..columns {
+            let is_first = !bond.are_paired() || grid.starts(column, row + shift);
+            if !is_first || (period.is_some() || !bond.are_paired()) && column < 0 {
+                continue;
             }
+            let last = column + if bond.are_paired() { 2 } else { 1 };
+            let end = if period.is_some() {
+                last
+            } else {
+                last.min(columns)
+            };
+            let start = column.max(0);
+            let place = wrapped(grid, [start as usize, end as usize], row, period);
+            found.extend(place.map(|place| GridBrick {
+                area: place.area(),
+                place,
+                is_pair: end - start == 2,
+            }));
         }
         found
     }

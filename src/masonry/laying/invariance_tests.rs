@@ -1,6 +1,6 @@
 //! Changes that must leave the cells as they are, and areas that must add up.
 
-use super::site::{PIXELS, Site};
+use super::site::PIXELS;
 use super::tests::{BRICKS, TREES, begun, draft, laid};
 use super::{CellSort, Laying, Measures};
 use crate::building::{Arc, Draft, FaceId, Module, Path, Piece, Rule, Surface, Sweep, labels};
@@ -132,8 +132,7 @@ fn finer_pixels_change_hardly_a_cell() {
         let draft = draft(rule, &Module::NORMAL);
         let coarse = laid(&draft, BRICKS, 1);
         let mut fine = begun(&draft, BRICKS, 1).expect("a plan");
-        let plan = fine.plan().clone();
-        fine.site = Site::new(fine.site.building.clone(), plan, 2.0 * PIXELS);
+        fine.site.pixels = 2.0 * PIXELS;
         while !fine.advance(64) {}
         let [a, b] = [&coarse, &fine].map(|laying| laying.cells());
         let other = a.iter().filter(|cell| !b.contains(cell)).count();

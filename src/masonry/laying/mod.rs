@@ -19,6 +19,7 @@ mod measures;
 mod mitre;
 mod overhang;
 mod panels;
+mod phases;
 mod pointing;
 mod quoins;
 mod raking;
@@ -36,6 +37,7 @@ mod tests;
 mod tiles;
 mod tops;
 mod weave;
+mod work;
 
 pub use cell::{CellSort, Feature, LayingPass, MasonryCell};
 pub use measures::Measures;
@@ -46,10 +48,15 @@ use super::tree::{
     FeatureKind, FeatureView, GeneratorNode, PatternGenerator, PatternTree, WindowPart,
 };
 use crate::building::{Building, CornerId, EdgeEnd, EdgeId, FaceId, Heading, Module, Stance};
+use ashlar::AshlarWork;
 use bricks::BrickBond;
+use faces::BrickWork;
 use glam::DVec3;
+use phases::PhaseWork;
 use site::{PIXELS, Site};
 use std::sync::Arc;
+use tiles::TileWork;
+use work::{MapWork, SiteWork};
 
 /// The parameters of the laying.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,6 +102,11 @@ pub struct Laying {
     order: Vec<Feature>,
     /// The number of the next turn. Faces have a second turn after the first ones of all features.
     next: usize,
+    /// Work that is not finished, the next one last.
+    open: Vec<Box<dyn SiteWork>>,
+    /// The nodes that a feature has reached and whose turn has not come, the next one last, with the feature and their
+    /// numbers.
+    nodes: Vec<(Feature, usize, GeneratorNode)>,
     /// The features that some generator has reached.
     textured: Vec<Feature>,
     warnings: Vec<LayingWarning>,
@@ -116,11 +128,13 @@ impl Laying {
         let edges = building.edge_ids().map(Feature::Edge);
         let faces = building.face_ids().map(Feature::Face);
         let order = corners.chain(edges).chain(faces).collect();
-        let mut site = Site::new(building, plan, PIXELS);
-        site.choose_phases();
+        let site = Site::new(building, plan, PIXELS);
+        let phases = PhaseWork::new(&site);
         Ok(Self {
             order,
             site,
+            open: vec![Box::new(phases), Box::new(MapWork)],
+            nodes: Vec::new(),
             tree,
             params,
             next: 0,
@@ -129,20 +143,43 @@ impl Laying {
         })
     }
 
-    /// Lays the cells of at most `amount` turns: each feature has one, and each face another one. Returns whether none is
-    /// left.
+    /// Does `amount` parts of the work, at least one: each makes a face's map, or lays an edge, a corner, or a row of a
+    /// face. Returns whether nothing is left.
     pub fn advance(&mut self, amount: usize) -> bool {
-        let faces = self.building().faces().len();
-        let last = self.order.len() + faces;
-        let end = last.min(self.next + amount.max(1));
-        for turn in self.next..end {
-            match self.order.get(turn) {
-                Some(&feature) => self.begin(feature),
-                None => self.lay(self.order[turn - faces], LayingPass::Faces),
-            }
+        for _ in 0..amount.max(1) {
+            self.advance_part();
         }
-        self.next = end;
-        end == last
+        self.open.is_empty() && self.nodes.is_empty() && self.turn(self.next).is_none()
+    }
+
+    fn advance_part(&mut self) {
+        if let Some(mut work) = self.open.pop() {
+            if !work.advance(&mut self.site) {
+                self.open.push(work);
+            }
+        } else if let Some((feature, number, node)) = self.nodes.pop() {
+            self.site.reached = number;
+            self.generate(feature, &node);
+        } else if let Some((feature, pass)) = self.turn(self.next) {
+            self.next += 1;
+            self.pass_down(feature, pass);
+        }
+    }
+
+    /// The feature of a turn, and what it lays. Each feature has one turn; faces lay only their panels in it, and have
+    /// another one at the end.
+    fn turn(&self, turn: usize) -> Option<(Feature, LayingPass)> {
+        let Some(&feature) = self.order.get(turn) else {
+            let again = turn - self.building().faces().len();
+            let feature = self.order.get(again)?;
+            return Some((*feature, LayingPass::Faces));
+        };
+        let pass = match feature {
+            Feature::Corner(_) => LayingPass::Corners,
+            Feature::Edge(_) => LayingPass::Edges,
+            Feature::Face(_) => LayingPass::Panels,
+        };
+        Some((feature, pass))
     }
 
     /// All features, in the order of their first turns.
@@ -188,40 +225,25 @@ impl Laying {
         })
     }
 
-    /// The first turn of a feature. It lays only the panels of a face.
-    fn begin(&mut self, feature: Feature) {
+    /// Passes a feature down the tree and keeps the nodes that it reaches, as far as they belong to a pass.
+    fn pass_down(&mut self, feature: Feature, pass: LayingPass) {
         let building = self.site.building.clone();
         let walk = self.tree.walk(&view(&building, feature));
-        let told = walk
-            .unexpected
-            .into_iter()
-            .map(|at| LayingWarning::Unexpected {
+        if pass != LayingPass::Faces {
+            let mut reached = walk.reached.iter();
+            if reached.any(|reached| self.covers(feature, reached.node)) {
+                self.textured.push(feature);
+            }
+            let told = walk.unexpected.iter().map(|at| LayingWarning::Unexpected {
                 feature,
-                path: at.path,
+                path: at.path.clone(),
             });
-        self.warnings.extend(told);
-        let mut reached = walk.reached.iter();
-        if reached.any(|reached| self.covers(feature, reached.node)) {
-            self.textured.push(feature);
+            self.warnings.extend(told);
         }
-        let pass = match feature {
-            Feature::Corner(_) => LayingPass::Corners,
-            Feature::Edge(_) => LayingPass::Edges,
-            Feature::Face(_) => LayingPass::Panels,
-        };
-        self.lay(feature, pass);
-    }
-
-    /// Passes a feature down the tree and lays what it reaches there, as far as that is of a pass.
-    fn lay(&mut self, feature: Feature, pass: LayingPass) {
-        let building = self.site.building.clone();
-        let walk = self.tree.walk(&view(&building, feature));
-        let nodes = walk.reached.into_iter().map(|reached| reached.node);
-        let own = nodes.filter(|node| LayingPass::of(feature, node.generator) == pass);
-        let own: Vec<GeneratorNode> = own.cloned().collect();
-        for node in &own {
-            self.generate(feature, node);
-        }
+        let nodes = walk.reached.iter().enumerate();
+        let own = nodes.filter(|(_, at)| LayingPass::of(feature, at.node.generator) == pass);
+        let own = own.map(|(number, at)| (feature, number, at.node.clone()));
+        self.nodes = own.rev().collect();
     }
 
     /// Whether a generator covers a feature: tiles leave the undersides and the ends of a roof bare.
@@ -243,16 +265,24 @@ impl Laying {
             ..BrickBond::BRICKS
         };
         let (site, seed) = (&mut self.site, self.params.seed);
+        let open = &mut self.open;
         match (node.generator, feature) {
             (Bricks, Feature::Corner(id)) => site.brick_corner(id, node, &bricks),
             (Bricks, Feature::Edge(id)) => site.brick_edge(id, node, &bricks),
-            (Bricks, Feature::Face(id)) => site.brick_face(id, node, &bricks),
+            (Bricks, Feature::Face(id)) => {
+                open.push(Box::new(BrickWork::new(site, id, node, bricks)));
+            }
             (RgbBlocks, Feature::Corner(id)) => site.brick_corner(id, node, &BrickBond::BLOCKS),
             (RgbBlocks, Feature::Edge(id)) => site.brick_edge(id, node, &BrickBond::BLOCKS),
-            (RgbBlocks, Feature::Face(id)) => site.brick_face(id, node, &BrickBond::BLOCKS),
+            (RgbBlocks, Feature::Face(id)) => {
+                let blocks = BrickWork::new(site, id, node, BrickBond::BLOCKS);
+                open.push(Box::new(blocks));
+            }
             (RandomAshlar, Feature::Corner(id)) => site.ashlar_corner(id, node),
             (RandomAshlar, Feature::Edge(id)) => site.ashlar_edge(id, node, seed),
-            (RandomAshlar, Feature::Face(id)) => site.ashlar_face(id, node, seed),
+            (RandomAshlar, Feature::Face(id)) => {
+                open.push(Box::new(AshlarWork::new(site, id, node, seed)));
+            }
             (WindowBottomBricks, Feature::Corner(id)) => {
                 let bond = BrickBond {
                     extrude: node.number("extrude"),
@@ -273,7 +303,10 @@ impl Laying {
             (Raking, Feature::Edge(id)) => site.raking_bricks(id, node),
             (Coping, Feature::Edge(id)) => site.coping_edge(id, node),
             (Tiles, Feature::Edge(id)) => site.ridge_tiles(id, node),
-            (Tiles, Feature::Face(id)) => site.tile_face(id, node),
+            (Tiles, Feature::Face(id)) => {
+                let tiles = TileWork::new(site, id, node);
+                open.extend(tiles.map(|tiles| Box::new(tiles) as _));
+            }
             (generator, _) => self
                 .warnings
                 .push(LayingWarning::NotLaid { feature, generator }),

@@ -141,8 +141,40 @@ impl Units {
     }
 }
 
-/// Merges stones of one unit with a neighbour at random, until none can be merged.
-pub(super) fn merge(stones: &mut Vec<Rectangle>, most: Most, random: &mut Random) {
+/// Writes the number of a stone into its units.
+fn own(owners: &mut [usize], columns: usize, (number, stone): (usize, &Rectangle)) {
+    for row in stone.rows[0]..stone.rows[1] {
+        let start = row * columns;
+        owners[start + stone.columns[0]..start + stone.columns[1]].fill(number);
+    }
+}
+
+/// The stones at the four sides of a stone of one unit, by rising numbers.
+fn beside(owners: &[usize], columns: usize, stone: &Rectangle) -> Vec<usize> {
+    let (column, k) = (stone.columns[0], stone.rows[0] * columns + stone.columns[0]);
+    let sides = [
+        k.checked_sub(columns),
+        (column > 0).then(|| k - 1),
+        (column + 1 < columns).then_some(k + 1),
+        Some(k + columns),
+    ];
+    let numbers = sides.into_iter().flatten().filter_map(|k| owners.get(k));
+    let mut found: Vec<usize> = numbers.copied().filter(|&k| k != usize::MAX).collect();
+    found.sort_unstable();
+    found
+}
+
+/// Merges stones of one unit, in so many columns, with a neighbour at random, until none can be merged.
+pub(super) fn merge(
+    stones: &mut Vec<Rectangle>,
+    columns: usize,
+    (most, random): (Most, &mut Random),
+) {
+    let rows = stones.iter().map(|stone| stone.rows[1]).max().unwrap_or(0);
+    let mut owners = vec![usize::MAX; rows * columns];
+    for numbered in stones.iter().enumerate() {
+        own(&mut owners, columns, numbered);
+    }
     let mut due: Vec<usize> = (0..stones.len())
         .filter(|&k| stones[k].width() * stones[k].height() == 1)
         .collect();
@@ -152,12 +184,13 @@ pub(super) fn merge(stones: &mut Vec<Rectangle>, most: Most, random: &mut Random
         if is_gone[k] || stones[k].width() * stones[k].height() > 1 {
             continue;
         }
-        let others = (0..stones.len()).filter(|&j| j != k && !is_gone[j]);
+        let others = beside(&owners, columns, &stones[k]).into_iter();
         let unions = others.filter_map(|j| Some((j, stones[k].joined(&stones[j])?)));
         let unions: Vec<(usize, Rectangle)> =
             unions.filter(|(_, union)| most.allows(union)).collect();
         if let Some(&(j, union)) = unions.get(random.below(unions.len())) {
             stones[j] = union;
+            own(&mut owners, columns, (j, &union));
             is_gone[k] = true;
         }
     }
@@ -193,7 +226,7 @@ mod tests {
                 states: states.clone(),
             };
             let mut stones = units.greedy(MOST, &mut random);
-            merge(&mut stones, MOST, &mut random);
+            merge(&mut stones, 17, (MOST, &mut random));
             let mut covered = vec![0; states.len()];
             for stone in &stones {
                 assert!(MOST.allows(stone), "{stone:?}");

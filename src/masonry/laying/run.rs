@@ -1,6 +1,6 @@
 //! Runs: straight parts of convex edges, upright or level, along which cells are laid.
 
-use super::site::Site;
+use super::site::{Site, meet};
 use crate::building::{Bend, EdgeId, FaceId, Piece, Stance};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
@@ -188,13 +188,10 @@ impl Site {
             };
         }
         let border = self.at(side.face, from + width * side.inwards, 0.0);
-        let mut edges = self
-            .face(side.face)
-            .loops
-            .iter()
-            .flatten()
-            .map(|walk| self.edge(walk.edge));
-        let is_shared = edges.any(|edge| {
+        let edges = self.face(side.face).loops.iter().flatten();
+        let is_near = |id: &EdgeId| meet(&self.edge_boxes[id.index()], &[border; 2]);
+        let near = edges.map(|walk| walk.edge).filter(is_near);
+        let is_shared = near.map(|id| self.edge(id)).any(|edge| {
             let at = edge.path.project(border).clamp(0.0, edge.length());
             edge.bend == Bend::Convex && edge.path.point(at).distance(border) < NEAR
         });

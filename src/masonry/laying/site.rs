@@ -26,6 +26,16 @@ pub(super) const PIXELS: f64 = 8.0;
 
 type Bounds = [DVec3; 2];
 
+/// A chord of an edge on a face.
+#[derive(Clone, Copy, Debug)]
+struct Chord {
+    edge: EdgeId,
+    /// Its ends by arc length (metres).
+    span: [f64; 2],
+    /// Its ends in the face's (s, t).
+    ends: [DVec2; 2],
+}
+
 /// The building and what is laid on it.
 pub(super) struct Site {
     pub building: Arc<Building>,
@@ -34,21 +44,22 @@ pub(super) struct Site {
     pub edges: Vec<EdgeMap>,
     pub regions: Vec<Region>,
     pub cells: Vec<MasonryCell>,
+    /// The number of the node that lays cells now, among those that the feature has reached.
+    pub reached: usize,
     boxes: Vec<Bounds>,
+    /// The chords of each face's edges.
+    chords: Vec<Vec<Chord>>,
     /// The bounding boxes of the edges, so that most of them need no further test.
     pub edge_boxes: Vec<Bounds>,
     /// For each face, the faces whose bounding boxes meet its own.
     near: Vec<Vec<FaceId>>,
+    /// How many pixels lie along a module in the maps of faces.
+    pub pixels: f64,
 }
 
 impl Site {
-    /// The empty site. `pixels` lie along a module in the maps of faces, usually [`PIXELS`].
+    /// The empty site, without the maps of its faces. `pixels` lie along a module in them, usually [`PIXELS`].
     pub fn new(building: Arc<Building>, plan: Plan, pixels: f64) -> Self {
-        let regions: Vec<Region> = building.faces().iter().map(region).collect();
-        let module = plan.module.half.min(plan.module.course);
-        let maps = building.faces().iter().zip(&regions);
-        let faces = maps
-            .map(|(face, region)| FaceMap::new(region, (module, pixels), face.surface.period()));
         let edges = building
             .edges()
             .iter()
@@ -58,21 +69,41 @@ impl Site {
             .iter()
             .map(|face| bounds(&building, face))
             .collect();
-        let near = boxes.iter().map(|a| {
-            let ids = building.face_ids();
-            ids.filter(|id| meet(a, &boxes[id.index()])).collect()
-        });
         Self {
-            faces: faces.collect(),
+            faces: Vec::new(),
             edge_boxes: building.edges().iter().map(edge_bounds).collect(),
             edges: edges.collect(),
-            near: near.collect(),
+            near: Vec::new(),
+            chords: Vec::new(),
             cells: Vec::new(),
+            reached: 0,
+            regions: building.faces().iter().map(region).collect(),
             building,
             plan,
-            regions,
             boxes,
+            pixels,
         }
+    }
+
+    /// Makes the map of the next face, and finds the faces near it.
+    pub fn add_map(&mut self) {
+        let id = FaceId(self.faces.len() as u32);
+        let module = self.plan.module.half.min(self.plan.module.course);
+        let (region, own) = (&self.regions[id.index()], &self.boxes[id.index()]);
+        let period = self.face(id).surface.period();
+        let map = FaceMap::new(region, (module, self.pixels), period);
+        let ids = self.building.face_ids();
+        let near = ids
+            .filter(|id| meet(own, &self.boxes[id.index()]))
+            .collect();
+        self.faces.push(map);
+        self.chords.push(self.face_chords(id));
+        self.near.push(near);
+    }
+
+    /// Whether each face has its map.
+    pub fn has_all_maps(&self) -> bool {
+        self.faces.len() == self.building.faces().len()
     }
 
     pub fn face(&self, id: FaceId) -> &Face {
@@ -143,6 +174,7 @@ impl Site {
         self.cells.push(MasonryCell {
             feature,
             generator: node.generator,
+            reached: self.reached,
             tag: node.count("tag") as u8,
             sort: draft.sort,
             body: claimed.clone().raised(&fronts, draft.extrude),
@@ -250,23 +282,32 @@ impl Site {
 
     /// Claims the parts of a face's edges that lie in or along a claim. `around` is the bounding box of the cell.
     fn claim_edges(&mut self, id: FaceId, footprint: &Footprint, (cell, around): (u32, &Bounds)) {
-        let building = self.building.clone();
-        let face = building.face(id);
-        for walk in face.loops.iter().flatten() {
-            if !meet(around, &self.edge_boxes[walk.edge.index()]) {
-                continue;
-            }
-            let edge = building.edge(walk.edge);
-            for [from, to] in chords(edge) {
-                let ends =
-                    [from, to].map(|at| face.surface.project(edge.path.point(at)).truncate());
-                let ends = same_turn(ends, footprint.centre(), face.surface.period());
-                if let Some([a, b]) = covered(footprint, ends) {
-                    let at = |part: f64| from + part * (to - from);
-                    self.edges[walk.edge.index()].claim([at(a), at(b)], cell);
-                }
+        let (period, middle) = (self.face(id).surface.period(), footprint.centre());
+        let chords = self.chords[id.index()].iter();
+        for chord in chords.filter(|chord| meet(around, &self.edge_boxes[chord.edge.index()])) {
+            let ends = same_turn(chord.ends, middle, period);
+            if let Some(part) = covered(footprint, ends) {
+                let [from, to] = chord.span;
+                let span = part.map(|part| from + part * (to - from));
+                self.edges[chord.edge.index()].claim(span, cell);
             }
         }
+    }
+
+    /// The chords of a face's edges, in the order of its loops.
+    fn face_chords(&self, id: FaceId) -> Vec<Chord> {
+        let face = self.face(id);
+        let edges = face.loops.iter().flatten().map(|walk| walk.edge);
+        let found = edges.flat_map(|id| {
+            let edge = self.edge(id);
+            let place = |at: f64| face.surface.project(edge.path.point(at)).truncate();
+            chords(edge).into_iter().map(move |span| Chord {
+                edge: id,
+                span,
+                ends: span.map(place),
+            })
+        });
+        found.collect()
     }
 }
 
@@ -350,6 +391,6 @@ fn edge_bounds(edge: &Edge) -> Bounds {
 }
 
 /// Whether two boxes meet, or nearly.
-fn meet([low, high]: &Bounds, [from, to]: &Bounds) -> bool {
+pub(super) fn meet([low, high]: &Bounds, [from, to]: &Bounds) -> bool {
     !((*from - *high).max_element() > 20.0 * ON || (*low - *to).max_element() > 20.0 * ON)
 }

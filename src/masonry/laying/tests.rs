@@ -135,12 +135,16 @@ fn slices_and_seeds_decide_nothing_and_everything() {
     let draft = draft(Rule::Wall, &Module::NORMAL);
     let whole = laid(&draft, TREES[2], 1);
     let mut sliced = begun(&draft, TREES[2], 1).unwrap();
-    let mut slices = 0;
+    let (mut slices, mut before, mut most) = (0, 0, 0);
     while !sliced.advance(1) {
         slices += 1;
+        let laid = sliced.cells().len();
+        most = most.max(laid - before);
+        before = laid;
     }
     assert!(slices > 20);
     assert_eq!(whole.cells(), sliced.cells());
+    assert!(most < 100, "{most} stones in a part");
     assert_ne!(whole.cells(), laid(&draft, TREES[2], 2).cells());
 }
 

@@ -6,6 +6,7 @@
 
 use super::cell::{CellDraft, CellSort, Feature};
 use super::site::Site;
+use super::work::SiteWork;
 use crate::building::{Bend, EdgeId, FaceId};
 use crate::masonry::block::{Plane, Polyhedron};
 use crate::masonry::footprint::{Footprint, HalfPlane};
@@ -88,38 +89,63 @@ impl TileRows {
     }
 }
 
+/// Covers a roof with tiles, row by row. Odd rows are shifted by half a tile.
+pub(super) struct TileWork {
+    id: FaceId,
+    node: GeneratorNode,
+    rows: TileRows,
+    /// What lies around the roof.
+    around: Vec<Footprint>,
+    /// The least s.
+    low: f64,
+    /// How many tiles lie in a row, and how wide they are.
+    columns: (usize, f64),
+    /// The next row.
+    row: isize,
+}
+
+impl TileWork {
+    /// The work on a face; none if it is no roof.
+    pub fn new(site: &Site, id: FaceId, node: &GeneratorNode) -> Option<Self> {
+        let region = site.is_roof(id).then(|| site.tiled_region(id))?;
+        let (rows, [low, high]) = (site.tile_rows(id, node)?, region.bounds()?);
+        let [_, around] = region.convex_parts(DVec2::splat(rows.length + node.number("width")));
+        let columns = pieces(high.x - low.x, node.number("width")).min(MOST);
+        Some(Self {
+            id,
+            node: node.clone(),
+            rows,
+            around,
+            low: low.x,
+            columns: (columns, (high.x - low.x) / columns as f64),
+            row: -(rows.under as isize),
+        })
+    }
+}
+
+impl SiteWork for TileWork {
+    fn advance(&mut self, site: &mut Site) -> bool {
+        let (row, (columns, width)) = (self.row, self.columns);
+        let shift = if row.rem_euclid(2) == 1 { 0.5 } else { 0.0 };
+        for column in 0..=columns {
+            let left = self.low + (column as f64 - shift) * width;
+            let tail = DVec2::new(left, self.rows.tail(row));
+            let whole = Footprint::rectangle(tail, tail + DVec2::new(width, self.rows.length));
+            if let Some(whole) = whole {
+                let place = (&whole, &self.around[..]);
+                site.tile(self.id, &self.node, (&self.rows, row), place);
+            }
+        }
+        self.row += 1;
+        self.row >= self.rows.count as isize
+    }
+}
+
 impl Site {
     /// The rows of tiles on a face.
     pub fn tile_rows(&self, face: FaceId, node: &GeneratorNode) -> Option<TileRows> {
         let [low, high] = self.tiled_region(face).bounds()?;
         Some(TileRows::new(node, [low.y, high.y]))
-    }
-
-    /// Covers a roof with tiles. Odd rows are shifted by half a tile.
-    pub fn tile_face(&mut self, id: FaceId, node: &GeneratorNode) {
-        if !self.is_roof(id) {
-            return;
-        }
-        let (region, Some(rows)) = (self.tiled_region(id), self.tile_rows(id, node)) else {
-            return;
-        };
-        let Some([low, high]) = region.bounds() else {
-            return;
-        };
-        let [_, around] = region.convex_parts(DVec2::splat(rows.length + node.number("width")));
-        let columns = pieces(high.x - low.x, node.number("width")).min(MOST);
-        let width = (high.x - low.x) / columns as f64;
-        for row in -(rows.under as isize)..rows.count as isize {
-            let shift = if row.rem_euclid(2) == 1 { 0.5 } else { 0.0 };
-            for column in 0..=columns {
-                let left = low.x + (column as f64 - shift) * width;
-                let tail = DVec2::new(left, rows.tail(row));
-                let whole = Footprint::rectangle(tail, tail + DVec2::new(width, rows.length));
-                if let Some(whole) = whole {
-                    self.tile(id, node, (&rows, row), (&whole, &around));
-                }
-            }
-        }
     }
 
     /// Lays the parts of a tile that lie within the border.

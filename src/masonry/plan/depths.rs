@@ -1,15 +1,20 @@
 //! How deep cells may reach into the walls.
 
 use super::face_grid::region;
-use crate::building::{Building, WallThickness};
+use crate::building::{Building, FaceId, WallThickness};
 use crate::trimesh::MeshFault;
 use glam::DVec2;
+use std::ops::Deref;
+use std::sync::Arc;
 
 /// The most places of a face at which its wall is measured.
 const MOST: usize = 64;
 
 /// Where it is measured on the way from the middle of a part to a corner.
 const WAYS: [f64; 2] = [0.5, 0.94];
+
+/// Faces in a slice of the work.
+const SLICE: usize = 16;
 
 /// The least thickness of the wall behind each face, in the order of the building's faces (metres); infinite where the
 /// building is open. It is measured at the middles of the face's convex parts, and on the ways from there to their
@@ -19,19 +24,58 @@ const WAYS: [f64; 2] = [0.5, 0.94];
 /// If the building's polygons are no mesh.
 pub fn thicknesses(building: &Building) -> Result<Vec<f64>, MeshFault> {
     let thickness = WallThickness::new(building)?;
-    let least = building.face_ids().map(|id| {
-        let [parts, _] = region(building.face(id)).convex_parts(DVec2::ZERO);
-        let places = parts.iter().flat_map(|part| {
-            let middle = part.centre();
-            let ways = part
-                .places()
-                .flat_map(move |corner| WAYS.map(|way| middle.lerp(corner, way)));
-            [middle].into_iter().chain(ways).collect::<Vec<DVec2>>()
-        });
-        let found = places
-            .take(MOST)
-            .filter_map(|place| thickness.behind(id, place.x, place.y));
-        found.fold(f64::INFINITY, f64::min)
-    });
+    let least = building
+        .face_ids()
+        .map(|id| least(&thickness, building, id));
     Ok(least.collect())
+}
+
+/// The same in slices.
+pub struct ThicknessWork {
+    building: Arc<Building>,
+    thickness: WallThickness<Arc<Building>>,
+    found: Vec<f64>,
+}
+
+impl ThicknessWork {
+    /// Begins.
+    ///
+    /// # Errors
+    /// If the building's polygons are no mesh.
+    pub fn new(building: Arc<Building>) -> Result<Self, MeshFault> {
+        Ok(Self {
+            thickness: WallThickness::new(building.clone())?,
+            building,
+            found: Vec::new(),
+        })
+    }
+
+    /// Measures some faces. Returns what was found behind all of them at the end.
+    pub fn advance(&mut self) -> Option<Vec<f64>> {
+        let ids = self.building.face_ids().skip(self.found.len());
+        let some = ids.take(SLICE);
+        let more = some.map(|id| least(&self.thickness, &self.building, id));
+        self.found.extend(more);
+        let is_done = self.found.len() == self.building.faces().len();
+        is_done.then(|| std::mem::take(&mut self.found))
+    }
+}
+
+/// The least thickness of the wall behind a face (metres).
+fn least<B>(thickness: &WallThickness<B>, building: &Building, id: FaceId) -> f64
+where
+    B: Deref<Target = Building>,
+{
+    let [parts, _] = region(building.face(id)).convex_parts(DVec2::ZERO);
+    let places = parts.iter().flat_map(|part| {
+        let middle = part.centre();
+        let ways = part
+            .places()
+            .flat_map(move |corner| WAYS.map(|way| middle.lerp(corner, way)));
+        [middle].into_iter().chain(ways).collect::<Vec<DVec2>>()
+    });
+    let found = places
+        .take(MOST)
+        .filter_map(|place| thickness.behind(id, place.x, place.y));
+    found.fold(f64::INFINITY, f64::min)
 }

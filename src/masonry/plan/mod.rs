@@ -12,7 +12,7 @@ mod lines;
 mod making;
 mod parity;
 
-pub use depths::thicknesses;
+pub use depths::{ThicknessWork, thicknesses};
 pub use face_grid::{FaceGrid, region};
 pub use fault::{PlanFault, PlanWarning};
 pub use grid_lines::{GridLine, grid_lines};

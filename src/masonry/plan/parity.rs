@@ -11,6 +11,7 @@
 
 use super::lines::pieces;
 use crate::order;
+use std::collections::BTreeSet;
 
 /// A vertical edge between two walls. Each end names the wall, and the column line of the edge there as the number of
 /// fixed lines before it: line 0 is the wall's first.
@@ -161,25 +162,51 @@ pub struct Change {
     pub by: i8,
 }
 
-/// Changes the columns of single intervals by one until no conflict is left, or no change makes fewer. It takes the change with the fewest conflicts left, then the least |ln(column width / module)|, then the first.
-/// Returns the changes and the phases.
+/// Changes the columns of single intervals by one until no conflict is left, or no change makes fewer. It takes the
+/// change with the fewest conflicts left, then the least |ln(column width / module)|, then the first. Sets of walls that
+/// hang together are changed one after the other, each for itself. Returns the changes and the phases.
 pub fn repair(
     columns: &mut [Columns],
     edges: &[PhaseEdge],
     module: f64,
 ) -> (Vec<Change>, PhasePlan) {
-    let mut plan = solve(columns, edges);
+    let plan = solve(columns, edges);
+    let root = |edge: &PhaseEdge| plan.roots[edge.walls[0] as usize];
+    let in_conflict = edges
+        .iter()
+        .filter(|edge| plan.conflicts.contains(&edge.edge));
+    let roots: BTreeSet<u32> = in_conflict.map(root).collect();
     let mut changes = Vec::new();
-    while !plan.conflicts.is_empty() {
-        let Some((change, better)) = best_change(columns, edges, module, plan.conflicts.len())
-        else {
-            break;
-        };
-        apply(columns, change);
-        changes.push(change);
-        plan = better;
+    for set in roots {
+        let own: Vec<PhaseEdge> = edges
+            .iter()
+            .copied()
+            .filter(|edge| root(edge) == set)
+            .collect();
+        let walls = (0u32..).zip(&plan.roots).filter(|(_, root)| **root == set);
+        let walls: Vec<u32> = walls.map(|(wall, _)| wall).collect();
+        let mut left = conflicts(columns, &own);
+        while left > 0 {
+            let Some((change, fewer)) = best_change(columns, (&walls, &own), module, left) else {
+                break;
+            };
+            apply(columns, change);
+            changes.push(change);
+            left = fewer;
+        }
     }
+    let plan = match changes.is_empty() {
+        true => plan,
+        false => solve(columns, edges),
+    };
     (changes, plan)
+}
+
+/// The number of edges that contradict those before them.
+fn conflicts(columns: &[Columns], edges: &[PhaseEdge]) -> usize {
+    let mut phases = Phases::new(columns.len());
+    let contradicts = |edge: &&PhaseEdge| !phases.join(edge.walls, differ(columns, edge));
+    edges.iter().filter(contradicts).count()
 }
 
 fn apply(columns: &mut [Columns], change: Change) {
@@ -187,19 +214,19 @@ fn apply(columns: &mut [Columns], change: Change) {
     *count = count.wrapping_add_signed(change.by.into());
 }
 
-/// The best change that leaves fewer than `conflicts`, with its phases.
+/// The best change of some walls that leaves fewer than `most` conflicts at their edges, and how many it leaves.
 fn best_change(
     columns: &mut [Columns],
-    edges: &[PhaseEdge],
+    (walls, edges): (&[u32], &[PhaseEdge]),
     module: f64,
-    conflicts: usize,
-) -> Option<(Change, PhasePlan)> {
-    let mut best: Option<((usize, u64), Change, PhasePlan)> = None;
-    for change in changes(columns) {
+    most: usize,
+) -> Option<(Change, usize)> {
+    let mut best: Option<((usize, u64), Change)> = None;
+    for change in changes(columns, walls) {
         let wall = &columns[change.wall as usize];
         let cost = wall.cost(change.interval as usize, change.by.into(), module);
         apply(columns, change);
-        let plan = solve(columns, edges);
+        let left = conflicts(columns, edges);
         apply(
             columns,
             Change {
@@ -207,18 +234,19 @@ fn best_change(
                 ..change
             },
         );
-        let key = (plan.conflicts.len(), order::rank(cost));
-        if key.0 < conflicts && best.as_ref().is_none_or(|(least, ..)| key < *least) {
-            best = Some((key, change, plan));
+        let key = (left, order::rank(cost));
+        if left < most && best.as_ref().is_none_or(|(least, _)| key < *least) {
+            best = Some((key, change));
         }
     }
-    best.map(|(_, change, plan)| (change, plan))
+    best.map(|((left, _), change)| (change, left))
 }
 
-/// All changes that may be tried. A cylinder stays even, and no interval loses its only column.
-fn changes(columns: &[Columns]) -> Vec<Change> {
-    let walls = (0u32..).zip(columns).filter(|(_, wall)| !wall.is_closed);
-    let all = walls.flat_map(|(wall, columns)| {
+/// All changes of some walls that may be tried. A cylinder stays even, and no interval loses its only column.
+fn changes(columns: &[Columns], walls: &[u32]) -> Vec<Change> {
+    let all = walls.iter().map(|&wall| (wall, &columns[wall as usize]));
+    let all = all.filter(|(_, columns)| !columns.is_closed);
+    let all = all.flat_map(|(wall, columns)| {
         let intervals = (0u32..).zip(&columns.counts);
         intervals.flat_map(move |(interval, &count)| {
             let signs = if count > 1 { &[1, -1][..] } else { &[] };

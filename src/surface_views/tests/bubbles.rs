@@ -112,7 +112,7 @@ fn bubbles_are_closed_above_and_look_outwards() {
             &tones(),
         );
         let body = &scene.bodies[scene.instances.last().expect("a bubble").body as usize];
-        for surface in &body.levels {
+        for surface in body.levels.iter() {
             let below = Vec3::new(0.0, body.lowest, 0.0);
             for t in &surface.triangles {
                 let [a, b, c] = t.map(|v| surface.positions[v as usize]);

@@ -83,7 +83,8 @@ fn bad_scenes_are_told() {
         assert!(surface.fault().unwrap().contains(word));
         let mut scene = still_life();
         // The fault may also be in a coarser level.
-        scene.bodies[1].levels.push(surface);
+        let levels = &mut scene.bodies[1].levels;
+        *levels = [&levels[..], &[surface]].concat().into();
         told(scene, word);
     }
     let mut missing = still_life();
@@ -104,8 +105,9 @@ fn bad_scenes_are_told() {
     }
     // The largest valid numbers can be drawn.
     let mut large = still_life();
-    large.bodies[1].levels[0].positions[4] = Vec3::new(1e9, -1e9, 1e9);
-    large.bodies[1] = Body::new(large.bodies[1].levels.clone(), 0);
+    let mut levels = large.bodies[1].levels.to_vec();
+    levels[0].positions[4] = Vec3::new(1e9, -1e9, 1e9);
+    large.bodies[1] = Body::new(levels, 0);
     large.instances[1].place.axes = [Vec3::X * 1e9, Vec3::Y * 1e9, Vec3::Z * 1e9];
     large.instances[1].place.origin = Vec3::splat(-1e9);
     assert_eq!(large.fault(), None);

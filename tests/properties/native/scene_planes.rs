@@ -12,7 +12,8 @@ const SIZE: [usize; 2] = [96, 72];
 #[test]
 fn coarse_levels_keep_the_silhouette() {
     let mut scene = scene(vec![(ball(32), Place::default())]);
-    scene.bodies[0].levels.extend([ball(16), ball(8)]);
+    let levels = &mut scene.bodies[0].levels;
+    *levels = [&levels[..], &[ball(16), ball(8)]].concat().into();
     let still = order(camera(40.0, 30.0, 4.0, 35.0), [120, 100]);
     let moving = Order {
         is_moving: true,

@@ -11,6 +11,7 @@ use crate::masonry::free_space::remainder;
 use crate::masonry::laying::{Feature, Laying, MasonryCell};
 use crate::scene::Scene;
 use crate::surface_stones::Fit;
+use std::ops::Range;
 
 /// The colour of cells that are whole, and of parts that lie off the face.
 const WHOLE: [u8; 3] = [206, 200, 190];
@@ -65,14 +66,17 @@ pub(in crate::generators::masonry) fn clipped(
         .collect()
 }
 
-/// Adds all cells: clipped ones in the colours of their sorts, others pale. The parts that were cut off lie over them in the
+/// Adds the cells of a range: clipped ones in the colours of their sorts, others pale. The parts that were cut off lie over them in the
 /// colour of the feature that is in the way. Ids are those of the cells.
-pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit) {
-    add_coloured(scene, laying, fit, |cell| match cell.unclipped {
-        Some(_) => colour_of(cell.sort),
-        None => WHOLE,
+pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit, cells: Range<usize>) {
+    add_coloured(scene, laying, (fit, cells.clone()), |cell| {
+        match cell.unclipped {
+            Some(_) => colour_of(cell.sort),
+            None => WHOLE,
+        }
     });
-    for (number, cell) in (0..).zip(laying.cells()) {
+    let first = cells.start as u32;
+    for (number, cell) in (first..).zip(&laying.cells()[cells]) {
         for Clipped { face, part, by } in clipped(laying, (number, cell)) {
             let colour = by.map_or(OUTSIDE, |by| {
                 FEATURES[type_of(laying.cells()[by as usize].feature)]

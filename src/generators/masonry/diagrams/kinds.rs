@@ -8,6 +8,7 @@ use super::SATIN;
 use crate::masonry::laying::{CellSort, Laying, MasonryCell};
 use crate::scene::Scene;
 use crate::surface_stones::Fit;
+use std::ops::Range;
 
 /// The colour of a sort: whole, half and cut bricks, sills, stones, bricks of special shapes or along slopes, and tiles.
 pub(super) fn colour_of(sort: CellSort) -> [u8; 3] {
@@ -23,23 +24,29 @@ pub(super) fn colour_of(sort: CellSort) -> [u8; 3] {
     }
 }
 
-/// Adds all cells; ids count from 1.
-pub(super) fn add(scene: &mut Scene, view: MasonryView, laying: &Laying, fit: Fit) {
+/// Adds the cells of a range; ids count from 1.
+pub(super) fn add(
+    scene: &mut Scene,
+    view: MasonryView,
+    laying: &Laying,
+    (fit, cells): (Fit, Range<usize>),
+) {
     let colour = |cell: &MasonryCell| match view {
         MasonryView::Features => FEATURES[type_of(cell.feature)],
         _ => colour_of(cell.sort),
     };
-    add_coloured(scene, laying, fit, colour);
+    add_coloured(scene, laying, (fit, cells), colour);
 }
 
-/// Adds all cells in colours of their own.
+/// Adds the cells of a range in colours of their own.
 pub(super) fn add_coloured(
     scene: &mut Scene,
     laying: &Laying,
-    fit: Fit,
+    (fit, cells): (Fit, Range<usize>),
     colour: impl Fn(&MasonryCell) -> [u8; 3],
 ) {
-    for (id, cell) in (1..).zip(laying.cells()) {
+    let first = cells.start as u32 + 1;
+    for (id, cell) in (first..).zip(&laying.cells()[cells]) {
         if let Some(body) = cell.body.shrunk() {
             add_plain(scene, plain(&body, fit), (id, colour(cell), SATIN));
         }

@@ -35,28 +35,65 @@ const SATIN: u8 = 2;
 /// The reach of ambient occlusion (metres).
 const REACH: f64 = 0.3;
 
-/// The diagram of a view, over the mortar of these blocks.
-pub(super) fn diagram(
-    view: MasonryView,
-    laying: &Laying,
-    (site, blocks): (&BuildingSite, &BlockParams),
-) -> Scene {
-    let mut scene = bare(site, blocks);
-    match view {
-        MasonryView::Plan => grid::add(&mut scene, laying, site.fit),
-        MasonryView::Parity => parity::add(&mut scene, laying, site.fit),
-        MasonryView::Occupancy => occupancy::add(&mut scene, laying, site.fit),
-        MasonryView::Clipping => clipping::add(&mut scene, laying, site.fit),
-        MasonryView::Seams => {
-            seams::add(&mut scene, laying, site.fit);
-            let first = scene.instances.len();
-            add_bare(&mut scene, site, blocks);
-            seams::add_cells(&mut scene, laying, site.fit);
-            seams::set_apart(&mut scene, laying, first, site.fit);
+/// Cells that a slice of the work adds to a diagram.
+const SLICE: usize = 60;
+
+/// The diagram of a view in the making, over the mortar of blocks.
+pub(crate) struct DiagramWork {
+    scene: Scene,
+    /// How many cells have been added.
+    cells: usize,
+    /// The number of the first body of the copy that stands beside the seams.
+    copy: usize,
+}
+
+impl DiagramWork {
+    /// The mortar of these blocks.
+    pub(super) fn new(site: &BuildingSite, blocks: &BlockParams) -> Self {
+        Self {
+            scene: bare(site, blocks),
+            cells: 0,
+            copy: 0,
         }
-        _ => kinds::add(&mut scene, view, laying, site.fit),
     }
-    scene
+
+    /// Adds some cells, or all that is no cell. Returns the diagram at the end.
+    pub(super) fn advance(
+        &mut self,
+        view: MasonryView,
+        laying: &Laying,
+        (site, blocks): (&BuildingSite, &BlockParams),
+    ) -> Option<Scene> {
+        let (fit, all) = (site.fit, laying.cells().len());
+        let is_first = self.cells == 0;
+        let cells = self.cells..all.min(self.cells + SLICE);
+        self.cells = cells.end;
+        let is_done = self.cells == all;
+        let scene = &mut self.scene;
+        match view {
+            MasonryView::Plan => grid::add(scene, laying, fit),
+            MasonryView::Parity => parity::add(scene, laying, fit),
+            MasonryView::Occupancy => occupancy::add(scene, laying, fit),
+            MasonryView::Clipping => clipping::add(scene, laying, fit, cells),
+            MasonryView::Seams => {
+                if is_first {
+                    seams::add(scene, laying, fit);
+                    self.copy = scene.instances.len();
+                    add_bare(scene, site, blocks);
+                }
+                seams::add_cells(scene, laying, (fit, cells));
+                if is_done {
+                    seams::set_apart(scene, laying, self.copy, fit);
+                }
+            }
+            _ => kinds::add(scene, view, laying, (fit, cells)),
+        }
+        let is_whole = matches!(
+            view,
+            MasonryView::Plan | MasonryView::Parity | MasonryView::Occupancy
+        );
+        (is_done || is_whole).then(|| std::mem::take(scene))
+    }
 }
 
 /// The mortar alone.

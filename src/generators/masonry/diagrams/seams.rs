@@ -13,6 +13,7 @@ use crate::order::lesser;
 use crate::scene::Scene;
 use crate::surface_stones::Fit;
 use glam::{DVec2, Vec2, Vec3, Vec3Swizzles};
+use std::ops::Range;
 
 /// The colour of bricks, and how much their tones differ.
 const BRICK: [u8; 3] = [164, 88, 66];
@@ -75,9 +76,10 @@ pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit) {
     }
 }
 
-/// Adds all cells in the colour of bricks; the id of a body is that of its feature.
-pub(super) fn add_cells(scene: &mut Scene, laying: &Laying, fit: Fit) {
-    for (number, cell) in (0..).zip(laying.cells()) {
+/// Adds the cells of a range in the colour of bricks; the id of a body is that of its feature.
+pub(super) fn add_cells(scene: &mut Scene, laying: &Laying, (fit, cells): (Fit, Range<usize>)) {
+    let first = cells.start as u32;
+    for (number, cell) in (first..).zip(&laying.cells()[cells]) {
         if let Some(body) = cell.body.shrunk() {
             let colour = toned(BRICK, TONE, number);
             let id = id_of(laying, cell.feature);
