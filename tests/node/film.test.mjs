@@ -7,7 +7,7 @@ import { before, test } from 'node:test';
 import { createFile } from 'mp4box';
 import { build } from 'vite';
 import { all, moduleIn } from '../../scripts/lib/headless.mjs';
-import { pageModule } from '../../scripts/lib/wasm.mjs';
+import { pageModule, wholeModule } from '../../scripts/lib/wasm.mjs';
 
 /** @type {any} */
 let module;
@@ -37,6 +37,9 @@ async function moduleOf(path) {
   return import(`data:text/javascript,${encodeURIComponent(output[0].code)}`);
 }
 
+/** The course of the generator at work. @param {any} module @param {any} studio */
+const courseOf = (module, studio) => module.generators().find((/** @type {{ word: string }} */ { word }) => word === studio.generator());
+
 /** All frames of a film, each with its content and duration. @param {string} link */
 async function film(link) {
   const studio = new module.Bubblestone(link);
@@ -46,7 +49,7 @@ async function film(link) {
   /** @type {[string, string, number, number][]} */
   const shown = [];
   const look = { side: studio.side(), draw: (/** @type {any} */ context) => studio.draw(context, 'auto') };
-  await frames.showForming(studio, { placing: 'planes' }, look, finished, status, (/** @type {Canvas} */ one, other = one, share = 0, times = 1) => shown.push([one.name, other.name, share, times]));
+  await frames.showForming(studio, courseOf(module, studio), look, finished, status, (/** @type {Canvas} */ one, other = one, share = 0, times = 1) => shown.push([one.name, other.name, share, times]));
   return { shown, steps: status.steps, planned: frames.framesOf(status.steps) };
 }
 
@@ -63,6 +66,32 @@ for (const link of ['size=192&cs=16', 'size=192&cs=9&vs=0.4&stone=skin', 'size=1
     assert.ok(shown.every(([, , share]) => share >= 0 && share <= 1));
     const ways = new Set(shown.map(String));
     assert.ok(ways.size > 60 + Math.min(steps, 20), `${ways.size} different frames of ${steps} steps`);
+  });
+}
+
+for (const link of ['v=1&make=pile&size=128&c1=pebble&ps=5', 'v=1&make=masonry&building=sheet&size=128']) {
+  test(`a film of ${link} shows its bodies one after the other`, async () => {
+    const whole = await moduleIn(wholeModule, undefined, 'space');
+    const studio = new whole.Bubblestone(link);
+    while (studio.stage() !== 'done') studio.tick(...all);
+    const status = studio.status();
+    const finished = Object.assign(new Canvas(), { name: 'finished' });
+    /** @type {number[]} */
+    const placed = [];
+    // A frame's content is the number of bodies so far.
+    const look = { side: studio.side(), draw: (/** @type {any} */ context) => (context.canvas.name = String(studio.status().steps)) };
+    let count = 0;
+    await frames.showForming(studio, courseOf(whole, studio), look, finished, status, (/** @type {Canvas} */ _, /** @type {Canvas} */ other = _, share = 0, times = 1) => {
+      count += times;
+      assert.ok(share >= 0 && share <= 1, `a share of ${share}`);
+      if (other.name !== 'finished') placed.push(Number(other.name));
+    });
+    studio.free();
+    assert.equal(count, frames.framesOf(status.steps));
+    assert.ok(count >= 150 && count <= 260, `${count} frames`);
+    assert.deepEqual(placed, placed.toSorted((a, b) => a - b));
+    assert.ok(new Set(placed).size > 30, `${new Set(placed).size} states of ${status.steps} steps`);
+    assert.ok((placed[0] ?? status.steps) < 0.1 * status.steps, `the first of ${status.steps} steps is ${placed[0]}`);
   });
 }
 

@@ -40,8 +40,13 @@ export function progressOf({ stages, begins, stepping, placing }: Course, stage:
   return begin + (end - begin) * within;
 }
 
+/** Whether each step places bodies, so that no stage after the steps does. */
+export function isPlacedByStep({ stepping, placing }: Course): boolean {
+  return stepping === placing && stepping !== '';
+}
+
 /** The things that a generator counts: cells, the bodies of a pile, or blocks that are laid one by one. */
-export function countedBy({ stepping, placing, offers }: Course & { readonly offers: readonly string[] }): 'cells' | 'bodies' | 'blocks' {
-  if (offers.includes('bodies')) return 'bodies';
-  return stepping === placing && stepping !== '' ? 'blocks' : 'cells';
+export function countedBy(course: Course & { readonly offers: readonly string[] }): 'cells' | 'bodies' | 'blocks' {
+  if (course.offers.includes('bodies')) return 'bodies';
+  return isPlacedByStep(course) ? 'blocks' : 'cells';
 }

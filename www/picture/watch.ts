@@ -2,13 +2,16 @@
  * The pace of a forming that a visitor watches. It goes by the clock, so that it takes the same time on fast and slow
  * machines. The clock decides only when things are made, never the result.
  */
-import type { Course } from '../module/stages';
+import { isPlacedByStep, type Course } from '../module/stages';
 import type { Engine } from '../state/engine';
 
 /** Milliseconds for the packing, for the cells as polygons, and for the stones. */
 const PACKING = 2100;
 const STANDING = 350;
 const STONES = 1000;
+
+/** Milliseconds for all bodies where each step places some. */
+const PLACED = 4000;
 
 /** The assumed steps of a packing whose number of steps is unknown. */
 const STEPS = 45;
@@ -24,8 +27,8 @@ export const PHASES = ['push', 'settle', 'stone'] as const;
 export type Phase = (typeof PHASES)[number];
 
 export class Watch {
-  /** The number of steps of the packing, as far as known. */
-  expected = STEPS;
+  /** The number of steps, if it is known. */
+  expected: number | undefined;
   private last: number | undefined;
   private stage = '';
   private readonly course: Course;
@@ -53,7 +56,10 @@ export class Watch {
    */
   tick(engine: Engine, now: number, budget: number, steps?: number): boolean {
     const before = this.follow(engine.stage(), now);
-    if (this.stage === this.course.stepping) return engine.tick(budget, steps ?? this.steps(before));
+    if (this.stage === this.course.stepping) {
+      if (steps !== undefined) return engine.tick(budget, steps);
+      return isPlacedByStep(this.course) ? this.placed(engine, budget) : engine.tick(budget, this.steps(before));
+    }
     return this.stage === this.course.placing ? this.stones(engine, budget) : engine.tick(budget, 0);
   }
 
@@ -69,10 +75,25 @@ export class Watch {
   /** The whole steps that are due. The rate is low at first, because each early step moves much. */
   private steps(before: number): number {
     const way = (at: number): number => 0.5 * at + 0.5 * Math.min(at, 1) * at;
-    this.due += this.expected * (way(this.passed / PACKING) - way(before / PACKING));
+    this.due += (this.expected ?? STEPS) * (way(this.passed / PACKING) - way(before / PACKING));
     const whole = Math.floor(this.due);
     this.due -= whole;
     return whole;
+  }
+
+  /** Makes steps until as many bodies as are due by now have their places. If their number is unknown, all are due. */
+  private placed(engine: Engine, budget: number): boolean {
+    const all = this.expected ?? 0;
+    const due = (this.passed / PLACED) * all;
+    const end = performance.now() + budget;
+    let changed = false;
+    while (engine.stage() === this.stage && performance.now() < end) {
+      const { steps } = engine.status();
+      // Before the first step, the count may be that of the run before, which was whole.
+      if (steps >= due && steps < all) break;
+      changed = engine.tick(0, 1) || changed;
+    }
+    return changed;
   }
 
   /** Makes one stone after the other, as many as are due by now. */

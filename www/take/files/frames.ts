@@ -1,6 +1,7 @@
 /** The frames of the film of the forming: which pictures each of them shows, by steps of the packing. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
-import type { Generator, Status } from '../../module/types';
+import { isPlacedByStep, type Course } from '../../module/stages';
+import type { Status } from '../../module/types';
 import type { Look } from './look';
 import { making } from '../../module/run';
 import { contextOf } from './sheet';
@@ -25,16 +26,18 @@ export function framesOf(steps: number): number {
  * Makes a picture again that was made before with this status. Shows the finished picture, its forming, and the
  * finished picture again.
  */
-export async function showForming(studio: Bubblestone, { placing }: Pick<Generator, 'placing'>, look: Look, finished: Canvas, { steps, stones }: Status, show: Show): Promise<void> {
-  await new Forming(studio, placing, look, finished, paceOf(steps), stones, show).run();
+export async function showForming(studio: Bubblestone, course: Course, look: Look, finished: Canvas, { steps, stones }: Status, show: Show): Promise<void> {
+  // Where each step places bodies, its frames take the time of all others.
+  const more = isPlacedByStep(course) ? FRAMES.cells + FRAMES.standing + FRAMES.stones : 0;
+  await new Forming(studio, course, look, finished, paceOf(steps, more), steps, stones, show).run();
 }
 
 /**
  * The step that each frame of the packing shows. The first frames lie closer together in steps, because each early
  * step moves much.
  */
-function paceOf(steps: number): number[] {
-  const frames = steps ? Math.min(PACKING.most, Math.max(PACKING.least, PACKING.step * steps)) : 0;
+function paceOf(steps: number, more = 0): number[] {
+  const frames = steps ? Math.min(PACKING.most, Math.max(PACKING.least, PACKING.step * steps)) + more : 0;
   return Array.from({ length: frames }, (_, frame) => {
     const at = frame / (frames - 1);
     return steps * (0.5 * at + 0.5 * at * at);
@@ -53,10 +56,11 @@ class Forming {
 
   constructor(
     private readonly studio: Bubblestone,
-    private readonly placing: string,
+    private readonly course: Course,
     private readonly seen: Look,
     private readonly finished: Canvas,
     private readonly pace: readonly number[],
+    private readonly last: number,
     private readonly stones: number,
     private readonly show: Show,
   ) {
@@ -66,10 +70,16 @@ class Forming {
 
   async run(): Promise<void> {
     this.studio.restart();
+    const { stages, stepping, placing } = this.course;
+    const first = stages.indexOf(stepping);
+    const isPlaced = isPlacedByStep(this.course);
     let stood = false;
     for (const [stage, { steps, cells, stones }] of making(this.studio, 0, 1)) {
-      if (cells && steps > this.steps && !stood) await this.step(steps);
-      const stonesCome = stage === this.placing;
+      const at = stages.indexOf(stage);
+      // Up to the first step, the counts may be those of the run before.
+      const isOld = isPlaced && at <= first && steps === this.last;
+      if (cells && steps > this.steps && !stood && !isOld) await this.step(steps);
+      const stonesCome = stage === placing && !isPlaced;
       if (stonesCome && !stood) {
         stood = true;
         await this.stand();
@@ -103,7 +113,7 @@ class Forming {
     if (next > steps + 1) return;
     await this.look();
     for (let at = this.pace[this.packed]; at !== undefined && at <= steps; at = this.pace[(this.packed += 1)]) {
-      await this.show(this.before.canvas, this.now.canvas, last < 0 ? 1 : at - last);
+      await this.show(this.before.canvas, this.now.canvas, last < 0 ? 1 : (at - last) / (steps - last));
     }
   }
 
