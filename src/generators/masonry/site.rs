@@ -1,8 +1,8 @@
 //! The first stage: the building, and how thick its walls are.
 
 use super::params::BuildingParams;
-use super::sentences;
-use crate::building::{Building, BuildingFault, Draft, Face, Stance, json, obj};
+use super::{plan_sentences, sentences};
+use crate::building::{Building, BuildingFault, Draft, Face, Rule, Stance, json, obj};
 use crate::domain::signed_area;
 use crate::masonry::plan::thicknesses;
 use crate::notice::{Code, Notice};
@@ -21,8 +21,10 @@ pub(super) struct BuildingSite {
     /// The building as a file would have it: native programs write it.
     #[cfg(not(target_arch = "wasm32"))]
     pub draft: Draft,
-    /// Whether a file gave it.
+    /// Whether a file or a visitor's plan gave it.
     pub is_given: bool,
+    /// The sentences about faults of the plan.
+    pub remarks: Vec<Notice>,
     /// The least thickness of the wall behind each face (metres).
     pub thickness: Vec<f64>,
     /// How it lies in the scene.
@@ -35,7 +37,13 @@ impl BuildingSite {
     /// # Errors
     /// If the file has no building, or if there would be too many blocks.
     pub fn new(params: &BuildingParams, file: Option<&[u8]>) -> Result<Self, Notice> {
+        let mut remarks = Vec::new();
         let draft = match (&params.rule, file) {
+            (Some((Rule::Plan, numbers)), _) => {
+                let (draft, faults) = params.plan.draft(&params.module, numbers);
+                remarks = plan_sentences::remarks(&faults);
+                draft
+            }
             (Some((rule, numbers)), _) => rule.draft(&params.module, numbers),
             (None, Some(bytes)) => given(bytes).map_err(|fault| sentences::unread(&fault))?,
             (None, None) => return Err(Code::ModelFirst.into()),
@@ -50,7 +58,8 @@ impl BuildingSite {
             thickness,
             #[cfg(not(target_arch = "wasm32"))]
             draft,
-            is_given: params.rule.is_none(),
+            is_given: !matches!(params.rule, Some((rule, _)) if rule != Rule::Plan),
+            remarks,
         })
     }
 }
