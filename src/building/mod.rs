@@ -68,7 +68,7 @@ pub use mortar::Mortar;
 pub use parent::{Corner, Edge, EdgeEnd, EdgeUse, Face, Stance};
 pub use path::Path;
 pub use piece::{Arc, Piece};
-pub use rules::{Module, Rule};
+pub use rules::{DrawnFault, DrawnPlan, Module, Rule};
 pub use surface::{Disk, Surface, SurfaceFrame, Sweep};
 pub use thickness::WallThickness;
 pub use whole::{Building, EdgeFrame};

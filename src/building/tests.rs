@@ -73,15 +73,19 @@ fn open(building: &Building) -> usize {
         .count()
 }
 
+/// Openings that do not reach the ground.
+fn sills(building: &Building) -> usize {
+    let is_sill = |face: &&Face| face.labels.iter().any(|label| label == labels::SILL);
+    building.faces().iter().filter(is_sill).count()
+}
+
 /// Holes through the solids of a rule's building.
 fn genus(rule: &str, building: &Building) -> usize {
     match rule {
         "wall" => 3,
         "ring" => 1,
-        "tower" => {
-            let is_sill = |face: &&Face| face.labels.iter().any(|label| label == labels::SILL);
-            1 + building.faces().iter().filter(is_sill).count()
-        }
+        "tower" => 1 + sills(building),
+        "plan" => sills(building),
         _ => 0,
     }
 }

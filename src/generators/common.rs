@@ -7,7 +7,7 @@ use crate::light::{Light, ShadeParams};
 use crate::material::{ColourParams, Gloss, Pattern, WeatherParams, material_table};
 use crate::recipe::Recipe;
 #[cfg(house)]
-use crate::recipe::{Key, Parameter};
+use crate::recipe::{Key, Kind, Parameter};
 use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 
 /// Pixels along the picture's side.
@@ -20,7 +20,7 @@ pub(super) fn side(recipe: &Recipe) -> usize {
 pub(super) fn numbers_of(recipe: &Recipe, choice: Key, word: &str) -> Vec<f64> {
     let is_own = |row: &&Parameter| {
         let of = row.shown_for.filter(|of| of.0 == choice);
-        of.is_some_and(|(_, words)| words == [word])
+        row.kind != Kind::Text && of.is_some_and(|(_, words)| words == [word])
     };
     let rows = recipe.schema().rows.iter().filter(is_own);
     rows.map(|row| recipe.number(row.key)).collect()

@@ -13,7 +13,11 @@ pub const MAX_ROWS: usize = 64;
 /// Most features in a text, and the numbers that they may have.
 const MAX_FEATURES: usize = 256;
 const FEATURES: std::ops::Range<i64> = 0..1 << 20;
-/// Most points in all rows of a text, except for rings.
+/// Most corners of a plan.
+const MAX_CORNERS: usize = 64;
+/// The numbers of an opening's row.
+const OPENING: usize = 6;
+/// Most points in all rows of a text, except for rings and plans.
 pub const MAX_ROW_POINTS: usize = 256;
 
 /// Scale of a spot's value.
@@ -68,7 +72,11 @@ impl Item {
                 units: &[BOX_STEPS, VALUE],
                 ..IN_BOX
             },
-            Item::File | Item::Feature => Form {
+            Item::Plan => Form {
+                steps: 1.0,
+                ..POINTS
+            },
+            Item::File | Item::Feature | Item::Opening => Form {
                 coordinates: 0,
                 steps: 1.0,
                 ..POINTS
@@ -79,6 +87,7 @@ impl Item {
     fn most_points(self) -> usize {
         match self {
             Item::Ring(most) => most,
+            Item::Plan => MAX_CORNERS,
             _ => MAX_ROW_POINTS,
         }
     }
@@ -86,6 +95,7 @@ impl Item {
     fn most_rows(self) -> usize {
         match self {
             Item::Feature => MAX_FEATURES,
+            Item::Plan => 1,
             _ => MAX_ROWS,
         }
     }
@@ -94,7 +104,12 @@ impl Item {
     fn flaw(self, row: &[i64], schema: &Schema) -> Option<Notice> {
         let coordinates = &row[..row.len().min(self.form().coordinates)];
         let form = self.form();
-        let outside = if form.dimension == 3 { BEYOND } else { OUTSIDE };
+        let outside = match self {
+            // The building knows its own limits.
+            Item::Plan => f64::INFINITY,
+            _ if form.dimension == 3 => BEYOND,
+            _ => OUTSIDE,
+        };
         let far = |&x: &i64| (x as f64 / form.steps - 0.5).abs() > 0.5 + outside;
         if coordinates.iter().any(far) {
             let code = match form.dimension {
@@ -104,8 +119,8 @@ impl Item {
             return Some(code.into());
         }
         match (self, row) {
-            (Item::Ring(_), _) | (Item::Line, [_, _, _, _, ..]) => None,
-            (Item::Line, _) => Some(Code::RowShort.into()),
+            (Item::Ring(_), _) | (Item::Line | Item::Plan, [_, _, _, _, ..]) => None,
+            (Item::Line | Item::Plan, _) => Some(Code::RowShort.into()),
             (Item::Trace, [_, _, _, _, _, _, ..]) => None,
             (Item::Trace, _) => Some(Code::RowShort.into()),
             (Item::File, [a, b, c, d, name @ ..]) => {
@@ -120,6 +135,7 @@ impl Item {
             (Item::File, _) => Some(Code::RowModel.into()),
             (Item::Feature, [0 | 1, number]) if FEATURES.contains(number) => None,
             (Item::Feature, _) => Some(Code::RowFeature.into()),
+            (Item::Opening, row) => (row.len() != OPENING).then(|| Code::RowOpening.into()),
             (Item::Spot(min, max), &[_, _, radius, value])
             | (Item::Patch(min, max), &[_, _, _, radius, value]) => {
                 let (radius, value) = (radius as f64 / form.steps, value as f64 / VALUE);
@@ -254,7 +270,7 @@ fn checked(mut rows: Rows, item: Item, schema: &Schema) -> Result<Rows, Notice> 
         return Err(Notice::new(Code::TooManyRows).with("most", most));
     }
     for (index, row) in rows.iter_mut().enumerate() {
-        if matches!(item, Item::Line | Item::Trace) {
+        if matches!(item, Item::Line | Item::Trace | Item::Plan) {
             let n = item.form().dimension;
             let mut kept = n.min(row.len());
             for k in (n..row.len()).step_by(n) {

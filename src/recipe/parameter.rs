@@ -62,6 +62,10 @@ pub enum Item {
     File,
     /// A feature of a building: 0 for a corner or 1 for an edge, and its number.
     Feature,
+    /// The corners of a building's plan, x and y in modules, y to the front.
+    Plan,
+    /// An opening of a plan's wall: the wall's number from 1, the distance along it, sill, width, height, and head.
+    Opening,
 }
 
 impl Item {
@@ -76,6 +80,8 @@ impl Item {
             Item::Patch(..) => "patch",
             Item::File => "file",
             Item::Feature => "feature",
+            Item::Plan => "plan",
+            Item::Opening => "opening",
         }
     }
 }

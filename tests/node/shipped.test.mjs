@@ -498,7 +498,7 @@ test('notices of masonry are said', async () => {
   hear(narrow.remarks());
   narrow.free();
   const studio = finished(new whole.Bubblestone(`${masonry}&flips=1,999`));
-  hear([studio.remarks(), studio.set('flips', '2,0')]);
+  hear([studio.remarks(), studio.set('flips', '2,0'), studio.set('openings', '1,2')]);
   for (const view of ['features', 'sizes', 'plan', 'parity', 'occupancy', 'clipping', 'seams']) {
     while (!studio.turn('', '', 96, 64, `moving+floor+${view}`, 4).done);
     hear(studio.caption(view));

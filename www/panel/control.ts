@@ -14,6 +14,9 @@ import { withPictures, type Pictures } from './pictured';
 const SEGMENT_LETTERS = 38;
 const SEGMENT_ROOM = 4;
 
+/** Lists of these kinds are typed: commas between numbers, semicolons between rows. */
+export const TYPED: readonly Parameter['item'][] = ['plan', 'opening'];
+
 /** A slider runs from 0 to this. */
 const PLACES = 1000;
 
@@ -76,6 +79,7 @@ export function makeControl(parameter: Parameter, change: Change, edit: Edit, pi
 }
 
 function waysOf(parameter: Parameter, id: string, change: Change, edit: Edit, pictures: Pictures | undefined): Parts {
+  if (TYPED.includes(parameter.item)) return typedList(parameter, id, change);
   if (parameter.kind === 'text') return drawnList(parameter, id, edit);
   if (parameter.kind === 'choice') {
     if (pictures) return withPictures(segments(parameter, id, change), pictures);
@@ -235,4 +239,10 @@ function drawnList(parameter: Parameter, id: string, edit: Edit): Parts {
     // Dots separate the entries of a list's text.
     show: (value) => say(button, isFile ? t(value ? 'model_other' : 'model_open') : value ? t('list_edit', { n: value.split('.').length }) : t('list_add')),
   };
+}
+
+function typedList(parameter: Parameter, id: string, change: Change): Parts {
+  const box = make('input', { type: 'text', class: 'wide', id, autocomplete: 'off', spellcheck: 'false', 'aria-labelledby': `${id}-name`, 'aria-describedby': `${id}-help` });
+  box.addEventListener('change', () => change(parameter.key, box.value, true));
+  return { inputs: [box], show: (value) => void (box.value = value) };
 }

@@ -9,7 +9,7 @@ import { keep, kept } from '../base/storage';
 import type { Engine } from '../state/engine';
 import { applies, differs, recipeOf, type Recipe } from '../state/rules';
 import type { Parameter } from '../module/types';
-import { makeControl, type Change, type Control, type Edit } from './control';
+import { makeControl, TYPED, type Change, type Control, type Edit } from './control';
 import { picturesOf } from './pictured';
 import { SIDE } from './scaling';
 
@@ -121,7 +121,7 @@ export class Panel {
       let changed = 0;
       for (const control of controls) {
         const { parameter, element } = control;
-        const value = this.engine.get(parameter.key);
+        const value = this.valueOf(parameter);
         const standard = this.recipe.defaultOf(parameter);
         control.show(value, standard);
         const active = applies(parameter, this.recipe);
@@ -137,6 +137,11 @@ export class Panel {
     this.rest.hidden = !this.simple;
     say(this.rest, apart ? t('rest_changed', { n: apart }) : t('rest'));
     byId('panel').dataset['extent'] = this.simple ? 'simple' : 'all';
+  }
+
+  /** A parameter's value as its control shows it: lists that are typed in numbers. */
+  private valueOf({ key, item }: Parameter): string {
+    return TYPED.includes(item) ? this.engine.list(key).map((row) => row.join()).join(';') : this.engine.get(key);
   }
 
   private group(name: string): Group {

@@ -460,7 +460,7 @@ function withBoth(own: Table): Table {
 /** Buildings with the patterns, modules and colours that suit them. */
 const MASONRY: Table = {
   Building: [
-    ['building', { gabled: 4, lhouse: 3, gate: 3, wall: 2, tower: 2, steps: 2, ring: 1, block: 1 }],
+    ['building', { gabled: 4, lhouse: 3, gate: 3, wall: 2, tower: 2, steps: 2, plan: 2, ring: 1, block: 1 }],
     ['lhouse_length', range(40, 52, 1)],
     ['lhouse_width', range(32, 42, 1)],
     ['lhouse_wing', range(14, 22, 1)],
@@ -500,12 +500,14 @@ const MASONRY: Table = {
     ['block_length', range(14, 30, 1)],
     ['block_width', range(10, 20, 1)],
     ['block_height', range(12, 24, 1)],
+    ['plan_height', range(22, 30, 1)],
+    ['plan_thickness', range(2, 3, 1)],
     ['yaw', range(115, 165, 1), { building: ['lhouse'] }],
     ['yaw', range(-30, 30, 1, { plain: [0, 0.5] })],
   ],
   Pattern: [
     ['pattern', { diagonal: 2, cement: 2, bricks: 1 }, { building: ['steps'] }],
-    ['pattern', { coped: 1 }, { building: ['ring', 'tower', 'wall', 'gate'] }],
+    ['pattern', { coped: 1 }, { building: ['ring', 'tower', 'wall', 'gate', 'plan'] }],
     ['pattern', { quoins: 3, bricks: 1, ashlar: 2 }],
     ['hand', { solved: 1 }],
   ],

@@ -14,6 +14,7 @@ const BUILDINGS: Record<string, Record<string, string>> = {
   tower: { around: '周の長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）', windows: '窓の数', width: '窓の幅（半枚の数）' },
   ring: { walls: '壁の数', side: '壁の長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）' },
   sheet: { length: '長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）' },
+  plan: { height: '高さ（段の数）', thickness: '厚み（半枚の数）' },
 };
 
 const numbers = Object.entries(BUILDINGS).flatMap(([building, rows]) => Object.entries(rows).map(([word, name]) => [`masonry.${building}_${word}`, { name, help: '建物を決める数の一つ。' }] as const));
@@ -23,10 +24,12 @@ export const parameters: Foreign['parameters'] = {
     name: '建物',
     help: '建てる物。規則による物、またはファイルの物。',
     choices: {
-      block: '直方体', lhouse: 'L字形の家', gabled: '切妻の家', wall: '開口のある壁', gate: '門', steps: '柱のある階段', tower: '円塔', ring: '壁の輪', sheet: '一枚の壁', file: 'ファイルから',
+      block: '直方体', lhouse: 'L字形の家', gabled: '切妻の家', wall: '開口のある壁', gate: '門', steps: '柱のある階段', tower: '円塔', ring: '壁の輪', sheet: '一枚の壁', plan: '平面図の壁', file: 'ファイルから',
     },
   },
   ...Object.fromEntries(numbers),
+  plan: { name: '平面図の角', help: '壁が沿う線の角のxとy（半枚の数、yは手前へ）。壁は線の左に立ちます。最後の角が最初の角と同じなら、線は閉じます。' },
+  openings: { name: '開口', help: '壁の開口。壁の番号（1から）、壁に沿った距離、窓台の高さ（0なら門）、幅、高さ、頭の形（0は直線、1は弧、2は半円）。高さは段の数、ほかは半枚の数です。' },
   'masonry.model': { name: 'モデル', help: '建物のファイルの要約値と名前。リンクにファイルそのものは入りません。' },
   'masonry.yaw': { name: '回転', help: '同じ光の下で、建物を縦の軸のまわりに回します。' },
   'masonry.pattern': {
@@ -73,6 +76,9 @@ export const presets: Foreign['presets'] = {
   'brick-gate': { title: '門', note: '立てたれんがの二重の輪が、半円アーチの上の壁を支える。' },
   'brick-steps': { title: '階段', note: 'れんがが段とともに登り、両わきの柱には笠石が載る。' },
   pentagon: { title: '五角形', note: '五つの壁のれんがは、一列を加えるまで、すべての角で互い違いにはならない。' },
+  'walled-garden': { title: '壁の庭', note: '門と六つの窓が、直角の半分で四度曲がる壁に囲まれた庭に面する。' },
+  'bay-wall': { title: '張り出しのある壁', note: '二か所で前に出る壁の、八つの斜めの角をれんが積みが回る。' },
+  'stone-yard': { title: '石の中庭', note: '粗い石が中庭を囲み、門の前に玄関が張り出す。' },
   'steps-diagonal': { title: '', note: '段の上の角では、二つのれんがが斜めに出会い、柱には矢筈積みがはまる。' },
   'steps-cement': { title: '', note: '粗いセメントの石が踏面と笠に沿って並び、間をれんがが埋める。' },
   seams: { title: '', note: '平らなテクスチャはブロックの稜線で途切れ、隣ではセルが角を回る。' },

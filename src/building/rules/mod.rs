@@ -8,18 +8,28 @@
 //! Buildings stand on y = 0, with their middle over the origin. Fronts look along +z.
 
 mod drafting;
+mod drawn;
+mod drawn_fault;
+#[cfg(test)]
+mod drawn_tests;
 mod gabled;
 mod lhouse;
 pub(crate) mod numbers;
 mod openings;
 mod plain;
+mod plan_line;
 mod steps;
 #[cfg(test)]
 mod tests;
 mod tower;
+mod wall_line;
 mod walls;
 
 pub(super) use drafting::flat_surface;
+pub use drawn::DrawnPlan;
+pub use drawn_fault::{
+    DrawnFault, FARTHEST_CORNER, LEAST_OVER, LEAST_PIER, OpeningFault, SHARPEST,
+};
 pub use openings::OpeningHead;
 
 use super::draft::Draft;
@@ -77,11 +87,13 @@ pub enum Rule {
     Ring,
     /// A wall that is a single polygon with a thickness.
     Sheet,
+    /// Walls over a plan, which may be drawn ([`DrawnPlan`]).
+    Plan,
 }
 
 impl Rule {
     /// All rules.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Gabled,
         Self::LHouse,
         Self::Block,
@@ -91,6 +103,7 @@ impl Rule {
         Self::Tower,
         Self::Ring,
         Self::Sheet,
+        Self::Plan,
     ];
 
     /// The rule's key, its English label, and its numbers.
@@ -105,6 +118,7 @@ impl Rule {
             Self::Tower => ("tower", "Round tower", rows::TOWER),
             Self::Ring => ("ring", "Ring of walls", rows::RING),
             Self::Sheet => ("sheet", "Single wall", rows::SHEET),
+            Self::Plan => ("plan", "Walls over a plan", rows::PLAN),
         }
     }
 
@@ -131,10 +145,7 @@ impl Rule {
     /// Makes the building. `numbers` are those of [`Self::numbers`]: they are clamped to their ranges, and defaults stand
     /// for missing ones. Where parts would not fit, there are fewer or smaller ones.
     pub fn draft(self, module: &Module, numbers: &[f64]) -> Draft {
-        let each = self.numbers().iter().enumerate();
-        let n: Vec<f64> = each
-            .map(|(k, number)| number.fitted(numbers.get(k).copied().unwrap_or(number.default)))
-            .collect();
+        let n = self.fitted(numbers);
         match self {
             Self::Block => plain::block(module, &n),
             Self::LHouse => lhouse::l_house(module, &n),
@@ -145,6 +156,15 @@ impl Rule {
             Self::Tower => tower::tower(module, &n),
             Self::Ring => plain::ring(module, &n),
             Self::Sheet => plain::sheet(module, &n),
+            Self::Plan => DrawnPlan::default().draft(module, &n).0,
         }
+    }
+
+    /// Its numbers within their ranges; defaults stand for missing ones.
+    fn fitted(self, numbers: &[f64]) -> Vec<f64> {
+        let each = self.numbers().iter().enumerate();
+        let given = |k: usize| numbers.get(k).copied();
+        each.map(|(k, number)| number.fitted(given(k).unwrap_or(number.default)))
+            .collect()
     }
 }

@@ -93,6 +93,16 @@ pub(super) struct Reveal {
 }
 
 impl Opening {
+    /// The height of its top (courses).
+    pub fn top(&self, module: &Module) -> f64 {
+        let rise = match self.head {
+            OpeningHead::Straight => 0.0,
+            OpeningHead::Segmental => RISE,
+            OpeningHead::Round => 0.5,
+        };
+        self.springing + rise * (self.width * module.half + module.joint) / module.course
+    }
+
     /// Its outline in a wall's plane: it is n modules and a joint wide.
     pub fn reveal(&self, module: &Module) -> Reveal {
         let half = 0.5 * module.joint;
@@ -120,17 +130,14 @@ impl Opening {
 }
 
 impl Reveal {
-    /// The same without the label of a window: a gate has its arch alone.
-    pub fn plain(self) -> Self {
-        Self {
-            labels: &[],
-            ..self
-        }
-    }
-
     /// Its corners, clockwise from the lower left one.
     pub fn corners(&self) -> [DVec2; 4] {
         self.corners
+    }
+
+    /// How far along the wall its left and its right side are (metres).
+    pub fn sides(&self) -> [f64; 2] {
+        [self.corners[0].x, self.corners[3].x]
     }
 
     /// The hole in the wall's face.

@@ -15,6 +15,7 @@ mod grain;
 mod ground;
 mod params;
 mod parts;
+mod plan_sentences;
 mod presets;
 mod rules;
 mod schema;

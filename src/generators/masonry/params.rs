@@ -2,7 +2,7 @@
 
 use super::colours::{Colours, materials};
 use super::schema::keys;
-use crate::building::{Building, CornerId, EdgeId, Module, Rule};
+use crate::building::{Building, CornerId, DrawnPlan, EdgeId, Module, Rule};
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
 use crate::generators::scene_picture::AskedFile;
@@ -37,6 +37,8 @@ pub(super) struct MasonryParams {
 pub(super) struct BuildingParams {
     /// The rule and its numbers; `None` for a file.
     pub rule: Option<(Rule, Vec<f64>)>,
+    /// The plan and the openings of [`Rule::Plan`].
+    pub plan: DrawnPlan,
     pub module: Module,
 }
 
@@ -146,6 +148,12 @@ impl MasonryParams {
                         common::numbers_of(recipe, keys::BUILDING, rule.word()),
                     )
                 }),
+                plan: match rule {
+                    Some(Rule::Plan) => {
+                        DrawnPlan::of_rows(recipe.rows(keys::PLAN), recipe.rows(keys::OPENINGS))
+                    }
+                    _ => DrawnPlan::default(),
+                },
                 module,
             },
             cells: PatternParams {

@@ -81,6 +81,21 @@ pub const PRESETS: &[Preset] = &[
         "Five walls cannot alternate at every corner until one column is added.",
         "v=1&make=masonry&building=ring&pattern=bricks&ground=gravel",
     ),
+    Preset::plain(
+        ["Buildings", "walled-garden", "Walled garden"],
+        "A gate and six windows look into a garden whose walls turn four corners at half a right angle.",
+        "v=1&make=masonry&building=plan&plan_height=26&plan=A4CAjCUToCAUUAwB&openings=CQSMQA.CoBSMQA.GGSKQA.GYAUaE.G2BSKQA.KKSMQA.KeSKQA&pattern=coped&ground=gravel&moss=0.55",
+    ),
+    Preset::plain(
+        ["Buildings", "bay-wall", "Wall with bays"],
+        "The bond goes round eight oblique corners of a wall that steps forward in two bays.",
+        "v=1&make=masonry&building=plan&plan_height=25&plan=AAQAMMYAMLcAMMYAMLQA&openings=GGQMQC.KGAQaE.OGQMQC&yaw=-15&pattern=coped&walls=dark&ground=grass&moss=0.4",
+    ),
+    Preset::plain(
+        ["Buildings", "stone-yard", "Stone yard"],
+        "Rough stones close a yard, with a porch before its gate.",
+        "v=1&make=masonry&building=plan&plan_height=26&plan=A8BgBAAQgBAAPgBAA7B_CAA8B&openings=CKSMQC.GIAQaE.KKSMQC.MQSMQA.MiBSMQA&yaw=-20&pattern=ashlar&module=ashlar&rough=0.5&walls=honey&ground=gravel&moss=0.5",
+    ),
     viewed(
         ["seams", "Seams", "Fig. 1"],
         "A plain texture breaks at the edges of a block; cells turn the corners beside it.",

@@ -10,6 +10,9 @@ use crate::recipe::{Choice, Item};
 /// The word for a building of a file.
 pub const FILE: &str = "file";
 
+/// The word for walls over a plan.
+const PLAN: &str = "plan";
+
 /// The word for a module with sizes of its own.
 pub const OWN: &str = "own";
 
@@ -51,9 +54,13 @@ rows! {
         choice("Building", choices![
             gabled: "House with gables", lhouse: "L-shaped house", block: "Block", wall: "Wall with openings",
             gate: "Gate", steps: "Steps with columns", tower: "Round tower", ring: "Ring of walls",
-            sheet: "Single wall", file: "From a file",
+            sheet: "Single wall", plan: "Walls over a plan", file: "From a file",
         ]).group("Building").main();
     ..[buildings::NUMBERS];
+    plan PLAN: "Corners of the line along which walls stand, as x and y in modules, y to the front. Walls stand to the left of the line. It is closed if the last corner is the first one." =>
+        text("Corners of the plan", Item::Plan).group("Building").steady().only_for(keys::BUILDING, &[PLAN]);
+    openings OPENINGS: "Openings of the walls: the number of the wall from 1, the distance along it, the height of the sill (0 for a gate), width, height, and head (0 straight, 1 segmental, 2 round). Heights are courses, all else modules." =>
+        text("Openings", Item::Opening).group("Building").steady().only_for(keys::BUILDING, &[PLAN]);
     model MODEL: "The digest and the name of the building's file: a link does not hold the file itself." =>
         text("Model", Item::File).group("Building").steady()
             .drawn_for(keys::BUILDING, FILE).only_for(keys::BUILDING, &[FILE]);

@@ -1,8 +1,10 @@
 //! The first stage: the building, and how thick its walls are.
 
 use super::params::BuildingParams;
-use super::sentences;
-use crate::building::{Building, BuildingFault, BuildingMaking, Draft, Face, Stance, json, obj};
+use super::{plan_sentences, sentences};
+use crate::building::{
+    Building, BuildingFault, BuildingMaking, Draft, Face, Rule, Stance, json, obj,
+};
 use crate::domain::signed_area;
 use crate::masonry::plan::ThicknessWork;
 use crate::notice::{Code, Notice};
@@ -21,8 +23,10 @@ pub(super) struct BuildingSite {
     /// The building as a file would have it: native programs write it.
     #[cfg(not(target_arch = "wasm32"))]
     pub draft: Draft,
-    /// Whether a file gave it.
+    /// Whether a file or a visitor's plan gave it.
     pub is_given: bool,
+    /// The sentences about faults of the plan.
+    pub remarks: Vec<Notice>,
     /// The least thickness of the wall behind each face (metres).
     pub thickness: Vec<f64>,
     /// How it lies in the scene.
@@ -59,6 +63,9 @@ impl SiteBuild {
     /// If there is no file, or if it cannot be read.
     pub(super) fn new(params: &BuildingParams, file: Option<&[u8]>) -> Result<Self, Notice> {
         let (draft, given) = match (&params.rule, file) {
+            (Some((Rule::Plan, numbers)), _) => {
+                (params.plan.draft(&params.module, numbers).0, None)
+            }
             (Some((rule, numbers)), _) => (rule.draft(&params.module, numbers), None),
             (None, Some(bytes)) => {
                 let draft = read(bytes).map_err(|fault| sentences::unread(&fault))?;
@@ -170,8 +177,20 @@ impl BuildingSite {
             thickness,
             #[cfg(not(target_arch = "wasm32"))]
             draft,
-            is_given: params.rule.is_none(),
+            is_given: !matches!(params.rule, Some((rule, _)) if rule != Rule::Plan),
+            remarks: plan_remarks(params),
         }
+    }
+}
+
+/// The sentences about the faults of a visitor's plan.
+fn plan_remarks(params: &BuildingParams) -> Vec<Notice> {
+    match &params.rule {
+        Some((Rule::Plan, numbers)) => {
+            let (_, faults) = params.plan.draft(&params.module, numbers);
+            plan_sentences::remarks(&faults)
+        }
+        _ => Vec::new(),
     }
 }
 

@@ -99,7 +99,8 @@ impl SceneStages for MasonryStages {
             return Vec::new();
         };
         let gone = self.cells.params().flips.gone(&site.building);
-        sentences::remarks(laying, (gone, site.is_given))
+        let laid = sentences::remarks(laying, (gone, site.is_given));
+        [site.remarks.clone(), laid].concat()
     }
 
     fn files(&self) -> &ModelFiles {

@@ -5,12 +5,12 @@ use super::schema::{FILE, ROWS, keys};
 use super::site::SiteBuild;
 use super::stages::LAYING;
 use super::{MASONRY, MasonryEngine};
-use crate::building::{Module, Rule};
+use crate::building::{DrawnPlan, Module, Rule};
 use crate::generators::{Engine, Files, GivenFile, Viewing};
 use crate::masonry::laying::LayingPass;
 use crate::masonry::tree::TreePreset;
 use crate::notice::{Arg, Code, Notice};
-use crate::recipe::Recipe;
+use crate::recipe::{Kind, Recipe};
 
 pub(super) fn recipe(link: &str) -> Recipe {
     let (recipe, notices) = Recipe::from_link(&[&super::SCHEMA], link);
@@ -42,7 +42,8 @@ fn there_is_a_word_for_each_building_and_a_row_for_each_of_its_numbers() {
     for rule in Rule::ALL {
         let own = |row: &&crate::recipe::Parameter| {
             let of = row.shown_for;
-            of.is_some_and(|(key, of)| key == keys::BUILDING && of == [rule.word()])
+            let is_own = of.is_some_and(|(key, of)| key == keys::BUILDING && of == [rule.word()]);
+            is_own && row.kind != Kind::Text
         };
         let rows: Vec<_> = ROWS.iter().filter(own).collect();
         assert_eq!(rows.len(), rule.numbers().len(), "{}", rule.word());
@@ -116,7 +117,11 @@ fn box_of([x, y, z]: [f64; 3]) -> String {
 fn the_module_of_the_sentence_about_too_many_blocks_fits() {
     let file = box_of([40.0, 20.0, 40.0]);
     let site = |module: Module| {
-        let params = BuildingParams { rule: None, module };
+        let params = BuildingParams {
+            rule: None,
+            plan: DrawnPlan::default(),
+            module,
+        };
         let mut work = None;
         loop {
             match SiteBuild::advance(&params, &mut work, Some(file.as_bytes())) {

@@ -62,5 +62,7 @@ lists! {
         sheet_length SHEET_LENGTH: "One of the numbers that the building is made by." => number_row(&numbers::SHEET[0], &["sheet"]);
         sheet_height SHEET_HEIGHT: "One of the numbers that the building is made by." => number_row(&numbers::SHEET[1], &["sheet"]);
         sheet_thickness SHEET_THICKNESS: "One of the numbers that the building is made by." => number_row(&numbers::SHEET[2], &["sheet"]);
+        plan_height PLAN_HEIGHT: "One of the numbers that the building is made by." => number_row(&numbers::PLAN[0], &["plan"]);
+        plan_thickness PLAN_THICKNESS: "One of the numbers that the building is made by." => number_row(&numbers::PLAN[1], &["plan"]);
     }
 }

@@ -166,16 +166,20 @@ impl Site {
 
     /// The width of the top of a wall beside a ledge, if the coping belongs to this one of its two edges.
     fn coped_width(&self, ledge: &Ledge) -> Option<f64> {
+        let (width, is_own) = self.coped(ledge)?;
+        is_own.then_some(width)
+    }
+
+    /// The width of the top of a wall beside a ledge, if there is a coping, and whether it belongs to this edge.
+    fn coped(&self, ledge: &Ledge) -> Option<(f64, bool)> {
         let from = ledge.at(0.5 * ledge.length, 0.0);
         let width = self.regions[ledge.face.index()].ray(from, ledge.inwards, NEAR)?;
-        let is_narrow = width <= THICKEST * self.plan.module.half && width * LONGER < ledge.length;
-        if !is_narrow {
-            return None;
-        }
         let other = self.edge_at(ledge.face, from + ledge.inwards * width)?;
         let [own, length] = [ledge.edge, other].map(|id| self.edge(id).length());
+        let is_narrow =
+            width <= THICKEST * self.plan.module.half && width * LONGER < own.max(length);
         let is_longer = own > length + NEAR || (own > length - NEAR && ledge.edge < other);
-        (is_longer && self.edge(other).bend == Bend::Convex).then_some(width)
+        (is_narrow && self.edge(other).bend == Bend::Convex).then_some((width, is_longer))
     }
 
     /// The edge of a face at a place of its border.
@@ -198,7 +202,8 @@ impl Site {
             let others = walks.map(|walk| walk.edge).filter(|&id| id != ledge.edge);
             let beside = others.filter(|&id| self.passes(id, p, ON));
             let mut next = beside.flat_map(|id| self.ledges(id));
-            let Some(next) = next.find(|other| self.coped_width(other).is_some()) else {
+            // The coping of a wall that turns the other way belongs to its other edge.
+            let Some(next) = next.find(|other| self.coped(other).is_some()) else {
                 return Turn::Free;
             };
             let border = [end, end + ledge.inwards + next.inwards];

@@ -12,6 +12,8 @@ mod cell;
 mod cement;
 mod coping;
 mod corners;
+#[cfg(test)]
+mod drawn_tests;
 mod faces;
 #[cfg(test)]
 mod invariance_tests;

@@ -9,6 +9,8 @@ use glam::{DVec2, DVec3};
 
 /// How far from a place the direction of an edge is looked at (metres).
 const STEP: f64 = 1e-4;
+/// A direction is along an axis if its part along that is greater: cells of a direction between two would be skewed.
+const ALONG: f64 = 0.999_999;
 /// Places nearer than this are one (metres).
 pub(super) const NEAR: f64 = 2e-3;
 
@@ -370,7 +372,7 @@ fn axis(v: DVec2) -> Option<DVec2> {
     } else {
         (v.y, DVec2::Y)
     };
-    (length.abs() > 0.99).then_some(axis * length.signum())
+    (length.abs() > ALONG).then_some(axis * length.signum())
 }
 
 /// The number of the interval beside a line, upwards or downwards; none beyond the ends.

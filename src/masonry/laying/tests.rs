@@ -60,7 +60,7 @@ fn cells_are_closed_convex_and_leave_room_for_mortar() {
 
 /// The bounds of bricks on a rule's building: the greatest gap, shared volume, and shares of cut bricks and of
 /// straight joints.
-const LIMITS: [(Rule, [f64; 4]); 9] = [
+const LIMITS: [(Rule, [f64; 4]); 10] = [
     (Rule::Block, [5e-4, 3e-4, 0.0, 0.0]),
     (Rule::LHouse, [0.0015, 3e-4, 0.05, 0.01]),
     (Rule::Gabled, [0.0015, 3e-4, 0.06, 0.01]),
@@ -70,6 +70,7 @@ const LIMITS: [(Rule, [f64; 4]); 9] = [
     (Rule::Tower, [5e-4, 0.002, 0.0, 0.01]),
     (Rule::Ring, [0.0015, 3e-4, 0.03, 0.0]),
     (Rule::Sheet, [5e-4, 3e-4, 0.0, 0.0]),
+    (Rule::Plan, [0.0015, 3e-4, 0.05, 0.01]),
 ];
 
 #[test]

@@ -279,3 +279,63 @@ fn what_is_odd_about_a_building_is_told() {
         assert!(uneven.contains(&code), "{}", code.word());
     }
 }
+
+/// The codes of the remarks on a plan with these openings.
+fn said_of_plan(plan: &str, openings: &str) -> Vec<Code> {
+    let link = format!("make=masonry&size=128&building=plan&plan={plan}&openings={openings}");
+    let (recipe, notices) = ALL.recipe(&link);
+    assert_eq!(codes(&notices), []);
+    let mut studio = Studio::new(ALL, recipe);
+    while !["laying", "bodies", "light", "done"].contains(&studio.stage()) {
+        assert_eq!(studio.problem(), None);
+        studio.tick(&mut || 0.0, 0.0, u32::MAX);
+    }
+    codes(&studio.engine().remarks())
+}
+
+#[test]
+fn faults_of_plans_are_told() {
+    const YARD: &str = "0,0,30,0,30,-20,0,-20,0,0";
+    assert_eq!(said_of_plan(YARD, "1,4,8,6,8,0"), []);
+    for (plan, code) in [
+        ("0,0,9,0,0,0", Code::DrawnFew),
+        ("0,0,1,0,1,9", Code::DrawnShort),
+        ("0,0,20,0,0,5", Code::DrawnSharp),
+        ("0,0,20,0,20,-20,10,-20,10,10", Code::DrawnCrossing),
+        ("-130,0,-100,0", Code::DrawnFar),
+    ] {
+        assert_eq!(said_of_plan(plan, ""), [code]);
+    }
+    for (opening, code) in [
+        ("1,4,8,6,3,0", Code::DrawnNumber),
+        ("5,4,8,6,8,0", Code::DrawnNoWall),
+        ("1,3,8,6,8,0", Code::DrawnBeyond),
+        ("2,4,8,13,8,0", Code::DrawnFull),
+        ("1,4,8,6,8,0;1,6,8,6,8,0", Code::DrawnOver),
+        ("1,4,8,6,20,0", Code::DrawnHigh),
+    ] {
+        assert_eq!(said_of_plan(YARD, opening), [code]);
+    }
+    let many = said_of_plan(YARD, &["9,4,8,6,8,0"; 12].join(";"));
+    assert_eq!((many.len(), many[8]), (9, Code::DrawnMore));
+}
+
+#[test]
+fn rows_that_are_no_plan_or_opening_are_refused() {
+    let mut recipe = ALL.recipe("make=masonry&building=plan&plan=0,0,30,0").0;
+    for (key, text) in [
+        ("plan", "1,2"),
+        ("plan", "1,2,3"),
+        ("plan", "0,0,9,0;0,9,9,9"),
+        ("openings", "1,2,3"),
+        ("openings", "1,2,3,4,5,6,7"),
+    ] {
+        let before = recipe.link();
+        let why = recipe.set(key, text).expect_err(text);
+        assert_eq!(why.code, Code::ListUnreadable, "{text}");
+        assert_eq!(recipe.link(), before);
+    }
+    let many: Vec<String> = (0..65).map(|k| format!("{},{}", 3 * k, k % 2)).collect();
+    assert!(recipe.set("plan", &many.join(",")).is_err());
+    assert!(recipe.set("plan", &many[..64].join(",")).is_ok());
+}
