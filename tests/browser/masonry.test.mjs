@@ -66,6 +66,13 @@ test('one press on Masonry shows the cottage, laid in its stages', async () => {
   await page.waitForSelector('[data-preset=cottage][aria-current]');
   assert.equal(await link(page), 'v=1&make=masonry');
   assert.ok((await steps(page)) > 1000);
+  assert.deepEqual(await page.$$eval('#counts div', (boxes) => boxes.filter((box) => box.checkVisibility()).map((box) => box.querySelector('dt')?.textContent)), ['Blocks']);
+  // Watched again, it is laid course by course, as its sentence says.
+  await click(page, '#play');
+  await page.waitForFunction(() => document.documentElement.dataset['stage'] === 'laying' && Number(document.querySelector('#count-cells')?.textContent) > 0);
+  assert.equal(await page.$eval('#subtitle .said', (text) => text.textContent), 'Blocks go on corners, then edges, then faces.');
+  await click(page, '#speed [value="100000"]');
+  await done(page);
   assert.deepEqual([problems, external], [[], []]);
   await close();
 });

@@ -32,7 +32,7 @@ export class Forming {
     this.loop.watch = new Watch(this.engine.generator);
     if (isEnd(this.engine.stage())) this.loop.watch.expected = this.engine.status().steps;
     this.expect();
-    this.subtitle.begin(this.engine.get('stone') === 'skin');
+    this.subtitle.begin(this.engine);
   }
 
   /** Ends the pace of a viewer; the work goes on at its own pace. */

@@ -2,6 +2,8 @@
  * A subtitle that describes the forming of the picture. It takes the place of the caption; on a small screen, where the
  * caption is out of sight, it stands at the lower edge of the picture.
  */
+import { countedBy } from '../module/stages';
+import type { Engine } from '../state/engine';
 import { t } from '../words/words';
 import { byId, make, say } from '../base/dom';
 import { PHASES, type Phase } from './watch';
@@ -15,10 +17,10 @@ export class Subtitle {
   private timer = 0;
 
   /** A new forming begins. Screen readers get the whole sentence now; the screen shows its parts one by one. */
-  begin(skin: boolean): void {
+  begin(engine: Engine): void {
     clearTimeout(this.timer);
     this.timer = 0;
-    const words = PHASES.map((phase) => t(phase === 'stone' && skin ? 'forming_skin' : `forming_${phase}`));
+    const words = wordsOf(engine);
     this.parts = words.map((word) => make('span', {}, word));
     const seen = make('span', { class: 'seen', 'aria-hidden': 'true' }, ...this.parts);
     const said = make('span', { class: 'said' });
@@ -39,4 +41,12 @@ export class Subtitle {
     if (this.timer || !this.parts.length) return;
     this.timer = window.setTimeout(() => this.line.toggleAttribute('data-on', false), early ? 0 : READ);
   }
+}
+
+/** The parts of the sentence: one for each phase of a packing, or a single one. */
+function wordsOf(engine: Engine): string[] {
+  const counted = countedBy(engine.generator);
+  if (counted !== 'cells') return [t(`forming_${counted}`)];
+  const isSkin = engine.get('stone') === 'skin';
+  return PHASES.map((phase) => t(phase === 'stone' && isSkin ? 'forming_skin' : `forming_${phase}`));
 }
