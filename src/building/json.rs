@@ -17,12 +17,12 @@ type Read<T> = Result<T, BuildingFault>;
 #[derive(Clone, Copy)]
 struct At<'a> {
     value: &'a Value,
-    within: Option<(&'a At<'a>, Part<'a>)>,
+    within: Option<(&'a At<'a>, PathPart<'a>)>,
 }
 
 /// The place of a value in another one.
 #[derive(Clone, Copy)]
-enum Part<'a> {
+enum PathPart<'a> {
     Name(&'a str),
     Item(usize),
 }
@@ -94,9 +94,9 @@ impl<'a> At<'a> {
         };
         let path = of.path();
         match part {
-            Part::Name(name) if path.is_empty() => name.to_owned(),
-            Part::Name(name) => format!("{path}.{name}"),
-            Part::Item(k) => format!("{path}[{k}]"),
+            PathPart::Name(name) if path.is_empty() => name.to_owned(),
+            PathPart::Name(name) => format!("{path}.{name}"),
+            PathPart::Item(k) => format!("{path}[{k}]"),
         }
     }
 
@@ -108,7 +108,7 @@ impl<'a> At<'a> {
     }
 
     /// A part of the value.
-    fn at<'b>(&'b self, value: &'b Value, part: Part<'b>) -> At<'b> {
+    fn at<'b>(&'b self, value: &'b Value, part: PathPart<'b>) -> At<'b> {
         At {
             value,
             within: Some((self, part)),
@@ -118,11 +118,11 @@ impl<'a> At<'a> {
     /// The value under a name; none if it is missing or null.
     fn get<'b>(&'b self, name: &'b str) -> Option<At<'b>> {
         let value = self.value.get(name).filter(|value| !value.is_null())?;
-        Some(self.at(value, Part::Name(name)))
+        Some(self.at(value, PathPart::Name(name)))
     }
 
     fn need<'b>(&'b self, name: &'b str) -> Read<At<'b>> {
-        let missing = || self.at(&Value::Null, Part::Name(name)).fault("a value");
+        let missing = || self.at(&Value::Null, PathPart::Name(name)).fault("a value");
         self.get(name).ok_or_else(missing)
     }
 
@@ -134,7 +134,7 @@ impl<'a> At<'a> {
         let list = self.value.as_array().ok_or_else(|| self.fault("a list"))?;
         let items = list.iter().enumerate();
         Ok(items
-            .map(|(k, value)| self.at(value, Part::Item(k)))
+            .map(|(k, value)| self.at(value, PathPart::Item(k)))
             .collect())
     }
 

@@ -22,12 +22,12 @@ const SMOOTH: f64 = 0.0175;
 /// A building that is made of a draft in slices.
 #[derive(Default)]
 pub struct BuildingMaking {
-    step: Step,
+    step: MakingStep,
 }
 
-/// What is done so far.
+/// The progress of the work.
 #[derive(Default)]
-enum Step {
+enum MakingStep {
     #[default]
     Begun,
     Checked,
@@ -45,34 +45,34 @@ impl BuildingMaking {
     /// The first fault of the draft.
     pub fn advance(&mut self, draft: &Draft) -> Result<Option<Building>, BuildingFault> {
         self.step = match std::mem::take(&mut self.step) {
-            Step::Begun => {
+            MakingStep::Begun => {
                 checking::check(draft)?;
-                Step::Checked
+                MakingStep::Checked
             }
-            Step::Checked => {
+            MakingStep::Checked => {
                 let sides = sides::join(draft)?;
                 let child = ChildMaking::new(&sides)?;
-                Step::Joined(sides, child)
+                MakingStep::Joined(sides, child)
             }
-            Step::Joined(sides, mut child) => match child.advance(draft, &sides)? {
-                Some(child) => Step::Child(sides, child),
-                None => Step::Joined(sides, child),
+            MakingStep::Joined(sides, mut child) => match child.advance(draft, &sides)? {
+                Some(child) => MakingStep::Child(sides, child),
+                None => MakingStep::Joined(sides, child),
             },
-            Step::Child(mut sides, child) => {
+            MakingStep::Child(mut sides, child) => {
                 let chains = making_parent::find(&sides);
                 let building = Building::unlinked(draft, (&mut sides, &chains), child);
-                Step::Meshes(sides, chains, building)
+                MakingStep::Meshes(sides, chains, building)
             }
-            Step::Meshes(sides, chains, mut building) => {
+            MakingStep::Meshes(sides, chains, mut building) => {
                 building.bend();
                 building.label_edges();
-                Step::Bent(sides, chains, building)
+                MakingStep::Bent(sides, chains, building)
             }
-            Step::Bent(sides, chains, mut building) => {
+            MakingStep::Bent(sides, chains, mut building) => {
                 building.add_corners(&sides, &chains);
-                Step::Cornered(sides, chains, building)
+                MakingStep::Cornered(sides, chains, building)
             }
-            Step::Cornered(sides, chains, mut building) => {
+            MakingStep::Cornered(sides, chains, mut building) => {
                 building.link();
                 building.name(draft, &Names::new(&sides, &chains));
                 building.list_open_edges();

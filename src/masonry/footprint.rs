@@ -5,7 +5,7 @@ use crate::planar::{cut_polygon, orientation};
 use glam::DVec2;
 use smallvec::SmallVec;
 
-/// Corners nearer to each other than this are one (metres).
+/// FootprintCorners nearer to each other than this are one (metres).
 const WELD: f64 = 1e-9;
 /// Polygons below this area are nothing (square metres).
 const LEAST_AREA: f64 = 1e-12;
@@ -88,11 +88,11 @@ pub struct FootprintCorner {
 /// Dorsey, Gortler 2001, Feature-based cellular texturing for architectural models, section 3.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Footprint {
-    corners: Corners,
+    corners: FootprintCorners,
 }
 
 /// Most polygons have four corners, and a list of up to six needs no allocation.
-type Corners = SmallVec<[FootprintCorner; 6]>;
+type FootprintCorners = SmallVec<[FootprintCorner; 6]>;
 
 impl Footprint {
     /// The polygon with these corners, counter-clockwise, and no insets. Repeated corners are joined.
@@ -148,7 +148,7 @@ impl Footprint {
     }
 
     /// Joins repeated corners; none without area.
-    fn welded(mut corners: Corners) -> Option<Self> {
+    fn welded(mut corners: FootprintCorners) -> Option<Self> {
         // The later corner of two carries the side that is left.
         let is_short =
             |a: &FootprintCorner, b: &FootprintCorner| a.at.distance_squared(b.at) < WELD * WELD;
@@ -241,7 +241,7 @@ impl Footprint {
 
     /// The part in a half-plane; the new side gets this inset (metres). None if no area is left.
     pub fn clip(&self, half: HalfPlane, inset: f64) -> Option<Self> {
-        let mut corners = Corners::new();
+        let mut corners = FootprintCorners::new();
         let crossing =
             |(a, da): (FootprintCorner, f64), (b, db): (FootprintCorner, f64)| FootprintCorner {
                 at: a.at + (b.at - a.at) * (da / (da - db)),

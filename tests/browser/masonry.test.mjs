@@ -77,7 +77,7 @@ test('one press on Masonry shows the cottage, laid in its stages', async () => {
   await close();
 });
 
-/** What is said of the frame of each view, and the beginning of its caption. */
+/** The description of the frame of each view, and the beginning of its caption. */
 const VIEWS = {
   mortar: ['The mortar', 'The building’s surface'],
   features: ['The features of \\d+ blocks', 'Blocks of corners in red.* Corners have 8 blocks, edges \\d+, faces \\d+'],

@@ -1,4 +1,4 @@
-// Frames of bodies on a page: when they are finished, what they show, and what is said of them.
+// Frames of bodies on a page: waits until they are finished, and reads their pixels and descriptions.
 
 /** @typedef {import('puppeteer-core').Page} Page */
 

@@ -17,7 +17,7 @@ const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 /** Those of generators whose cells move, come and go. */
 const OF_MOVES: readonly string[] = ['move', 'added'];
 
-/** The words of these counts. Of bodies and blocks the largest move is not shown; each step lays blocks. */
+/** The words of these counts. Bodies and blocks have no largest move; each step lays blocks. */
 const WORDS = { cells: COUNTS, bodies: ['bodies', 'turns', 'move', 'removed'], blocks: ['blocks', 'steps', 'move', 'added'] } as const;
 
 export class StatusLine {

@@ -29,7 +29,7 @@ const WHITE: [u8; 3] = [255; 3];
 
 /// A shape that several blocks may have.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Shape {
+enum BlockShape {
     /// By its sizes.
     Cuboid([u32; 3]),
     /// By its vertices.
@@ -43,7 +43,7 @@ pub(crate) struct Wall {
     fit: Fit,
     params: BlockParams,
     /// The bodies of blocks, by their shapes and their material.
-    shared: BTreeMap<(Shape, u8), u32>,
+    shared: BTreeMap<(BlockShape, u8), u32>,
     dressing: Dressing,
     cutter: Option<Stonecutter>,
     /// Makes stones whose sides are marked as rough or smooth.
@@ -143,13 +143,13 @@ impl Wall {
                 axes,
                 steps,
             }) => {
-                let key = (Shape::Cuboid(steps), material);
+                let key = (BlockShape::Cuboid(steps), material);
                 let plain = || Cuboid::plain(steps);
                 (self.shared_body(key, plain)?, middle, axes)
             }
             None => {
                 let own = Congruent::of(&shrunk, cell.outwards);
-                let key = (Shape::Other(own.steps.clone()), material);
+                let key = (BlockShape::Other(own.steps.clone()), material);
                 let plain = || Some(own.plain(&shrunk));
                 (self.shared_body(key, plain)?, own.middle, own.axes)
             }
@@ -162,7 +162,7 @@ impl Wall {
     /// The body of blocks of one shape: the full chamfered one, and a plain one for far away.
     fn shared_body(
         &mut self,
-        key: (Shape, u8),
+        key: (BlockShape, u8),
         plain: impl Fn() -> Option<Polyhedron>,
     ) -> Option<u32> {
         if let Some(&known) = self.shared.get(&key) {

@@ -24,7 +24,7 @@ fn without_grass(scene: &Scene) -> Scene {
 }
 
 impl MasonryEngine {
-    /// What mesh files have.
+    /// The scene of mesh files.
     fn modelled(&mut self) -> Option<Rc<Scene>> {
         let (revision, blocks) = (self.made.blocks.revision(), self.made.blocks.made()?);
         let known = self.modelled.take().filter(|(of, _)| *of == revision);

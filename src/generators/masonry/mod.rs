@@ -83,7 +83,7 @@ pub struct MasonryEngine {
     picture: ScenePicture<MasonryEngine>,
     /// The unfinished mesh file.
     saving: Option<Saving<SceneFile>>,
-    /// What mesh files have, and the revision of the blocks that it was made of.
+    /// The scene of mesh files, and the revision of the blocks that it was made of.
     modelled: Option<(u64, Rc<Scene>)>,
 }
 

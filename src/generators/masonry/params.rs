@@ -98,7 +98,7 @@ pub(super) struct BlockParams {
     pub seed: u64,
 }
 
-/// What lies around the blocks, and what the weather does to them.
+/// The ground around the blocks, and the weather on them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LookParams {
     pub weather: WeatherParams,

@@ -42,7 +42,7 @@ pub(crate) enum SiteBuild {
         given: Option<Draft>,
         making: BuildingMaking,
     },
-    /// The draft has this fault. Faces are told as the file has them, so it is looked for in their order.
+    /// The draft has this fault. Sentences name faces in the order of the file, so the fault is searched in that order.
     Fault {
         draft: Draft,
         fault: BuildingFault,

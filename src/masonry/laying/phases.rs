@@ -1,4 +1,4 @@
-//! Of the two ways to lay walls that hang together, the better one (Legakis, Dorsey, Gortler 2001, section 5.2).
+//! The better one of the two ways to lay walls that hang together (Legakis, Dorsey, Gortler 2001, section 5.2).
 
 use super::site::Site;
 use super::work::SiteWork;

@@ -164,7 +164,8 @@ fn beside(owners: &[usize], columns: usize, stone: &Rectangle) -> Vec<usize> {
     found
 }
 
-/// Merges stones of one unit, in so many columns, with a neighbour at random, until none can be merged.
+/// Merges stones of one unit with a neighbour at random, until none can be merged. The units stand in this number of
+/// columns.
 pub(super) fn merge(
     stones: &mut Vec<Rectangle>,
     columns: usize,

@@ -94,7 +94,7 @@ pub(super) struct TileWork {
     id: FaceId,
     node: GeneratorNode,
     rows: TileRows,
-    /// What lies around the roof.
+    /// The obstacles around the roof.
     around: Vec<Footprint>,
     /// The least s.
     low: f64,
