@@ -1,6 +1,6 @@
 // States of the page that together show each of its parts once, and the steps to reach them. Tests check all of them.
 // Their pictures are in target/page-pictures/.
-import { all, BALL, digest, frames, message, PILE, SMALL, SQUARE } from './page.mjs';
+import { all, BALL, BRICKS, digest, frames, message, PILE, SMALL, SQUARE } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -124,6 +124,16 @@ export const states = {
   },
   surface: { fragment: `${BALL}&view=direction`, arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
   pile: { fragment: `${PILE}&cut=0,1,0,0.05`, arrange: (page) => page.waitForSelector('#sheet[data-turn=fine]') },
+  masonry: {
+    // The middle of the frame is a brick of an edge, which its card can turn.
+    fragment: `${BRICKS}&camera=315,20,2.8,28,0,0.03`,
+    arrange: async (page) => {
+      await page.waitForSelector('#sheet[data-turn=fine]');
+      await page.focus('#turn');
+      await page.keyboard.press('Enter');
+      await page.waitForSelector('#turn-flip', { visible: true });
+    },
+  },
   about: { arrange: click('#about-button') },
 };
 

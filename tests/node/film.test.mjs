@@ -74,19 +74,27 @@ for (const link of ['v=1&make=pile&size=128&c1=pebble&ps=5', 'v=1&make=masonry&b
     const whole = await moduleIn(wholeModule, undefined, 'space');
     const studio = new whole.Bubblestone(link);
     while (studio.stage() !== 'done') studio.tick(...all);
-    const status = studio.status();
+    const [status, course] = [studio.status(), courseOf(whole, studio)];
     const finished = Object.assign(new Canvas(), { name: 'finished' });
     /** @type {number[]} */
     const placed = [];
+    /** @type {Set<string>} */
+    const stages = new Set();
     // A frame's content is the number of bodies so far.
-    const look = { side: studio.side(), draw: (/** @type {any} */ context) => (context.canvas.name = String(studio.status().steps)) };
+    const draw = (/** @type {any} */ context) => {
+      stages.add(studio.stage());
+      context.canvas.name = String(studio.status().steps);
+    };
+    const look = { side: studio.side(), draw };
     let count = 0;
-    await frames.showForming(studio, courseOf(whole, studio), look, finished, status, (/** @type {Canvas} */ _, /** @type {Canvas} */ other = _, share = 0, times = 1) => {
+    await frames.showForming(studio, course, look, finished, status, (/** @type {Canvas} */ _, /** @type {Canvas} */ other = _, share = 0, times = 1) => {
       count += times;
       assert.ok(share >= 0 && share <= 1, `a share of ${share}`);
       if (other.name !== 'finished') placed.push(Number(other.name));
     });
     studio.free();
+    // Between these stages, views show no bodies.
+    assert.deepEqual([...stages], [course.stepping, 'light']);
     assert.equal(count, frames.framesOf(status.steps));
     assert.ok(count >= 150 && count <= 260, `${count} frames`);
     assert.deepEqual(placed, placed.toSorted((a, b) => a - b));

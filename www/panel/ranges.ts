@@ -536,7 +536,7 @@ const MASONRY: Table = {
   Weather: [
     ['ground', { grass: 4, gravel: 1 }, { building: ['gabled', 'lhouse'] }],
     ['ground', { grass: 2, gravel: 2, paving: 2 }],
-    ['moss', range(0.1, 0.5, 0.05), { building: ['gabled', 'lhouse'] }],
+    ['moss', range(0.1, 0.4, 0.05), { building: ['gabled', 'lhouse'] }],
     // Level tops turn green all over where roofs have only patches.
     ['moss', range(0, 0.25, 0.05)],
     ['damp', range(0.1, 0.6, 0.05)],

@@ -1,6 +1,6 @@
 /** The frames of the film of the forming: which pictures each of them shows, by steps of the packing. */
 import type { Bubblestone } from '../../../pkg/bubblestone.js';
-import { isPlacedByStep, type Course } from '../../module/stages';
+import { isPlacedByStep, isSettled, type Course } from '../../module/stages';
 import type { Status } from '../../module/types';
 import type { Look } from './look';
 import { making } from '../../module/run';
@@ -76,9 +76,9 @@ class Forming {
     let stood = false;
     for (const [stage, { steps, cells, stones }] of making(this.studio, 0, 1)) {
       const at = stages.indexOf(stage);
-      // Up to the first step, the counts may be those of the run before.
-      const isOld = isPlaced && at <= first && steps === this.last;
-      if (cells && steps > this.steps && !stood && !isOld) await this.step(steps);
+      // Up to the first step, the counts may be those of the run before. After the last one, bodies are seen once they are whole.
+      const isHidden = isPlaced && (at <= first ? steps === this.last : !isSettled(this.course, stage));
+      if (cells && steps > this.steps && !stood && !isHidden) await this.step(steps);
       const stonesCome = stage === placing && !isPlaced;
       if (stonesCome && !stood) {
         stood = true;
