@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 /// How much smaller bricks are, so that the same house has about 50,000.
 const SMALLER: f64 = 11.0 / 3.0;
-/// Features in a slice.
-const FEATURES: usize = 64;
+/// Parts of the work in a slice.
+const PARTS: usize = 64;
 
 /// The house.
 fn house() -> Draft {
@@ -35,7 +35,7 @@ fn laid(building: &Arc<Building>, smaller: f64) -> Option<usize> {
         thickness[face.index()]
     })
     .ok()?;
-    while !laying.advance(FEATURES) {}
+    while !laying.advance(PARTS) {}
     Some(laying.cells().len())
 }
 

@@ -78,7 +78,7 @@ impl Hide {
         scales.truncate(SCALES);
         for instance in &ground {
             let body = &mut still.bodies[instance.body as usize];
-            body.levels.drain(..body.levels.len() - 1);
+            body.levels = body.levels[body.levels.len() - 1..].into();
             turning.bodies[instance.body as usize] = body.clone();
         }
         for instance in &scales {
