@@ -30,22 +30,36 @@ enum PathPart<'a> {
 /// Reads a draft. Whether it is a building is for [`super::Building::new`] to check.
 ///
 /// # Errors
-/// Text that is not JSON, with its line and column; another version or unit; a value that is missing or of the wrong
-/// kind, with its place.
+/// As [`parse`] and [`draft`].
 pub fn read(text: &str) -> Read<Draft> {
-    let value: Value = serde_json::from_str(text).map_err(|fault| BuildingFault::NotJson {
+    draft(&parse(text)?)
+}
+
+/// The first half of [`read`].
+///
+/// # Errors
+/// Text that is not JSON, with its line and column.
+pub fn parse(text: &str) -> Read<Value> {
+    serde_json::from_str(text).map_err(|fault| BuildingFault::NotJson {
         line: fault.line(),
         column: fault.column(),
         why: fault.to_string(),
-    })?;
+    })
+}
+
+/// The second half of [`read`].
+///
+/// # Errors
+/// Another version or unit; a value that is missing or of the wrong kind, with its place.
+pub fn draft(value: &Value) -> Read<Draft> {
     let root = At {
-        value: &value,
+        value,
         within: None,
     };
     if !value.is_object() {
         return Err(root.fault("an object"));
     }
-    check_head(&value)?;
+    check_head(value)?;
     let labels = root.get("labels");
     let flip = root.get("flip");
     Ok(Draft {

@@ -43,6 +43,8 @@ struct Layout {
     attributes: &'static [(usize, &'static str)],
     mesh: &'static str,
     material: &'static str,
+    /// Whether a vertex has a colour.
+    has_colours: bool,
 }
 
 macro_rules! accessor {
@@ -76,6 +78,7 @@ const PLAIN: Layout = Layout {
         r#""indices":@,"material":@}]}"#,
     ),
     material: r#""metallicFactor":0,"roughnessFactor":@}}]"#,
+    has_colours: true,
 };
 #[cfg(house)]
 const BARE: Layout = Layout {
@@ -90,6 +93,19 @@ const BARE: Layout = Layout {
         r#""indices":@,"material":@}]}"#,
     ),
     material: PLAIN.material,
+    has_colours: true,
+};
+/// As [`BARE`], for surfaces that are white all over.
+#[cfg(house)]
+const WHITE: Layout = Layout {
+    stride: 24,
+    attributes: &[(0, POSITIONS), (12, accessor!(0, "VEC3", "5126"))],
+    mesh: concat!(
+        r#",{"primitives":[{"attributes":{"POSITION":@,"NORMAL":@},"#,
+        r#""indices":@,"material":@}]}"#,
+    ),
+    material: PLAIN.material,
+    has_colours: false,
 };
 const PLACED: Layout = Layout {
     stride: 20,
@@ -119,6 +135,7 @@ const PLACED: Layout = Layout {
         r#"{"name":"normal","mimeType":"image/png","bufferView":5},"#,
         r#"{"name":"orm","mimeType":"image/png","bufferView":6}]"#,
     ),
+    has_colours: false,
 };
 const HEAD: &str = concat!(
     r#"{"asset":{"version":"2.0","generator":"Bubblestone"},"scene":0,"scenes":[{"nodes":[0]}],"#,
@@ -143,7 +160,14 @@ const LISTS: [&str; 5] = [
 ];
 
 #[cfg(house)]
-const BODY: &str = r#","mesh":@,"rotation":[@,@,@,@],"translation":[@,@,@],"scale":[@,@,@]}"#;
+const BODY: [&str; 3] = [
+    r#","mesh":@"#,
+    r#","rotation":[@,@,@,@],"translation":[@,@,@]"#,
+    r#","scale":[@,@,@]"#,
+];
+/// Scales that differ less from 1 are none.
+#[cfg(house)]
+const NO_SCALE: f32 = 1e-6;
 #[cfg(house)]
 const PAINTED: &str = concat!(
     r#",{"pbrMetallicRoughness":{"baseColorFactor":[@,@,@,1],"#,
@@ -250,6 +274,8 @@ impl Glb {
             put_floats(&mut self.vertices, &at);
             if self.images.is_none() {
                 put_floats(&mut self.vertices, &frame.direction(surface.normals[k]));
+            }
+            if self.layout.has_colours {
                 let [r, g, b] = surface.colours[k].map(|c| self.linear[usize::from(c)]);
                 put(&mut self.vertices, &[g << 16 | r, 0xFFFF_0000 | b]);
             }
@@ -326,12 +352,19 @@ impl Glb {
         let scale = place.scale();
         let axes = place.axes.map(|axis| axis / scale);
         let turn = Quat::from_mat3(&Mat3::from_cols(axes[0], axes[1], axes[2])).normalize();
-        let scale = [scale; 3];
-        let parts = [&turn.to_array()[..], &place.origin.to_array(), &scale].concat();
-        let numbers = std::iter::once(mesh as f64).chain(parts.into_iter().map(shortest));
+        let [own, placed, scaled] = BODY;
         self.nodes += r#",{"name":"#;
         self.nodes += &text(name);
-        fill(&mut self.nodes, BODY, &numbers.collect::<Vec<f64>>());
+        fill(&mut self.nodes, own, &[mesh as f64]);
+        if *place != Place::default() {
+            let parts = [&turn.to_array()[..], &place.origin.to_array()].concat();
+            let numbers: Vec<f64> = parts.into_iter().map(shortest).collect();
+            fill(&mut self.nodes, placed, &numbers);
+        }
+        if (scale - 1.0).abs() >= NO_SCALE {
+            fill(&mut self.nodes, scaled, &[shortest(scale); 3]);
+        }
+        self.nodes.push('}');
         self.list_node();
     }
 

@@ -11,7 +11,7 @@ use super::surface::mean_roughness;
 use crate::material::Material;
 use crate::scene::{Instance, Paint, Scene};
 use crate::solid::Surface;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A file of a scene that is being made.
 pub struct SceneFile {
@@ -43,7 +43,7 @@ impl SceneFile {
     pub fn new(order: &MeshOrder, materials: &[Material], scene: &Scene) -> Self {
         let rough = |material: &Material| roughness(f64::from(material.shininess));
         let glb = || SharedMeshes {
-            glb: Glb::of_scene(mean_roughness(materials), order.joined),
+            glb: Glb::of_scene(mean_roughness(materials), order.joined, is_white(scene)),
             roughness: materials.iter().map(rough).collect(),
             surfaces: BTreeMap::new(),
             materials: BTreeMap::new(),
@@ -80,6 +80,16 @@ impl SceneFile {
         }
         false
     }
+}
+
+/// Whether all surfaces are white: instances have their own colours.
+fn is_white(scene: &Scene) -> bool {
+    let bodies: BTreeSet<u32> = scene.instances.iter().map(|one| one.body).collect();
+    let levels = bodies
+        .iter()
+        .flat_map(|&body| scene.bodies[body as usize].levels.iter());
+    let mut colours = levels.flat_map(|surface| &surface.colours);
+    colours.all(|colour| *colour == [255; 3])
 }
 
 impl PartFile for SceneFile {

@@ -4,7 +4,7 @@
 
 use super::super::bytes::put;
 use super::super::frame::ExportSpace;
-use super::{BARE, Glb, INDICES, fill};
+use super::{BARE, Glb, INDICES, WHITE, fill};
 use crate::order::{greater, lesser};
 use crate::solid::Surface;
 use std::collections::BTreeMap;
@@ -72,9 +72,10 @@ impl Glb {
     }
 
     /// A file of bodies in a scene's axes, without places.
-    pub fn of_scene(roughness: f32, joined: bool) -> Self {
+    pub fn of_scene(roughness: f32, joined: bool, is_white: bool) -> Self {
+        let layout = if is_white && !joined { &WHITE } else { &BARE };
         Self {
-            layout: &BARE,
+            layout,
             ..Self::of_model(roughness, joined)
         }
     }

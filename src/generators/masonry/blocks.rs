@@ -24,6 +24,8 @@ const BUMPS: f64 = 0.014;
 const SUNK: f64 = 0.02;
 /// The colour of a roof's boards.
 const BOARDS: [u8; 3] = [92, 72, 54];
+/// Normals are one if they are the same in steps of one over this.
+const SAME_PLANE: f64 = 1e4;
 /// The colour of meshes that the pattern leaves white.
 const WHITE: [u8; 3] = [255; 3];
 
@@ -154,7 +156,7 @@ impl Wall {
                 (self.shared_body(key, plain)?, own.middle, own.axes)
             }
         };
-        let axes = axes.map(|axis| (turn * axis * self.fit.scale).as_vec3());
+        let axes = axes.map(|axis| (turn * axis).as_vec3());
         let origin = self.fit.place(middle + by);
         Some((body, Place { axes, origin }))
     }
@@ -169,8 +171,12 @@ impl Wall {
             return Some(known);
         }
         let plain = plain()?;
-        let levels = [self.dressing.chamfer, 0.0]
-            .map(|chamfer| flat(&Bevelled::new(&plain, chamfer).facets(), |p| p.as_vec3()));
+        let scale = self.fit.scale;
+        let levels = [self.dressing.chamfer, 0.0].map(|chamfer| {
+            flat(&Bevelled::new(&plain, chamfer).facets(), |p| {
+                (p * scale).as_vec3()
+            })
+        });
         let body = self.push(Body::new(levels.to_vec(), key.1));
         self.shared.insert(key, body);
         Some(body)
@@ -196,18 +202,24 @@ impl Wall {
     }
 }
 
-/// A surface with a normal of its own for each triangle.
+/// A surface whose triangles have the normals of their planes. Triangles of one plane share vertices.
 pub(super) fn flat(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
     let mut surface = Surface::default();
+    let mut known: BTreeMap<(u32, [i32; 3]), u32> = BTreeMap::new();
     for triangle in &mesh.triangles {
-        let corners = triangle.map(|v| mesh.positions[v as usize]);
-        let [a, b, c] = corners;
-        let normal = (b - a).cross(c - a).normalize_or_zero().as_vec3();
-        let first = surface.positions.len() as u32;
-        surface.positions.extend(corners.map(&place));
-        surface.normals.extend([normal; 3]);
-        surface.colours.extend([WHITE; 3]);
-        surface.triangles.push([first, first + 1, first + 2]);
+        let [a, b, c] = triangle.map(|v| mesh.positions[v as usize]);
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        let plane = normal.to_array().map(|v| (v * SAME_PLANE).round() as i32);
+        let vertex = |v: u32| {
+            *known.entry((v, plane)).or_insert_with(|| {
+                surface.positions.push(place(mesh.positions[v as usize]));
+                surface.normals.push(normal.as_vec3());
+                surface.colours.push(WHITE);
+                surface.positions.len() as u32 - 1
+            })
+        };
+        let corners = triangle.map(vertex);
+        surface.triangles.push(corners);
     }
     surface
 }

@@ -10,6 +10,7 @@ use crate::masonry::plan::ThicknessWork;
 use crate::notice::{Code, Notice};
 use crate::surface_stones::Fit;
 use glam::DVec3;
+use serde_json::Value;
 use std::sync::Arc;
 
 /// The first bytes of a text in JSON, after blanks.
@@ -35,6 +36,10 @@ pub(super) struct BuildingSite {
 
 /// A site in the making.
 pub(crate) enum SiteBuild {
+    /// A file in JSON has been parsed.
+    Parsed(Value),
+    /// A draft has been read.
+    Read(Draft),
     /// Both meshes are made of this draft, whose faces are sorted.
     Meshes {
         draft: Draft,
@@ -62,22 +67,35 @@ impl SiteBuild {
     /// # Errors
     /// If there is no file, or if it cannot be read.
     pub(super) fn new(params: &BuildingParams, file: Option<&[u8]>) -> Result<Self, Notice> {
-        let (draft, given) = match (&params.rule, file) {
+        match (&params.rule, file) {
             (Some((Rule::Plan, numbers)), _) => {
-                (params.plan.draft(&params.module, numbers).0, None)
+                let (draft, _) = params.plan.draft(&params.module, numbers);
+                Ok(Self::meshes(draft, None))
             }
-            (Some((rule, numbers)), _) => (rule.draft(&params.module, numbers), None),
-            (None, Some(bytes)) => {
-                let draft = read(bytes).map_err(|fault| sentences::unread(&fault))?;
-                (draft.clone(), Some(draft))
+            (Some((rule, numbers)), _) => {
+                Ok(Self::meshes(rule.draft(&params.module, numbers), None))
             }
-            (None, None) => return Err(Code::ModelFirst.into()),
-        };
-        Ok(Self::Meshes {
+            (None, Some(bytes)) => Self::read(bytes).map_err(|fault| sentences::unread(&fault)),
+            (None, None) => Err(Code::ModelFirst.into()),
+        }
+    }
+
+    /// Reads a file, or parses it.
+    fn read(bytes: &[u8]) -> Result<Self, BuildingFault> {
+        let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
+        match first {
+            Some(&JSON) => json::parse(&String::from_utf8_lossy(bytes)).map(Self::Parsed),
+            _ => obj::read(bytes).map(|recognised| Self::Read(recognised.draft)),
+        }
+    }
+
+    /// Begins with the meshes of a draft.
+    fn meshes(draft: Draft, given: Option<Draft>) -> Self {
+        Self::Meshes {
             draft: draft.sorted(),
             given,
             making: BuildingMaking::default(),
-        })
+        }
     }
 
     /// Does a slice of the work; returns the site at the end.
@@ -115,6 +133,10 @@ impl SiteBuild {
     /// Makes more of the meshes, or looks for the draft's fault.
     fn make(self, params: &BuildingParams) -> Result<Self, Notice> {
         match self {
+            Self::Parsed(value) => json::draft(&value)
+                .map(Self::Read)
+                .map_err(|fault| sentences::unread(&fault)),
+            Self::Read(draft) => Ok(Self::meshes(draft.clone(), Some(draft))),
             Self::Meshes {
                 draft,
                 given,
@@ -191,14 +213,6 @@ fn plan_remarks(params: &BuildingParams) -> Vec<Notice> {
             plan_sentences::remarks(&faults)
         }
         _ => Vec::new(),
-    }
-}
-
-fn read(bytes: &[u8]) -> Result<Draft, BuildingFault> {
-    let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
-    match first {
-        Some(&JSON) => json::read(&String::from_utf8_lossy(bytes)),
-        _ => obj::read(bytes).map(|recognised| recognised.draft),
     }
 }
 

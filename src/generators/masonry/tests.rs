@@ -6,7 +6,8 @@ use super::site::SiteBuild;
 use super::stages::LAYING;
 use super::{MASONRY, MasonryEngine};
 use crate::building::{DrawnPlan, Module, Rule};
-use crate::generators::{Engine, Files, GivenFile, Viewing};
+use crate::export::{DETAILS, MeshFormat, MeshOrder};
+use crate::generators::{Engine, Files, GivenFile, Meshes, Viewing};
 use crate::masonry::laying::LayingPass;
 use crate::masonry::tree::TreePreset;
 use crate::notice::{Arg, Code, Notice};
@@ -271,4 +272,34 @@ fn weather_and_ground_lay_no_block_again() {
         "make=masonry&building=block&moss=0.2&ground=gravel",
     );
     assert_eq!(engine.digest(), digest);
+}
+
+#[test]
+fn the_house_is_a_small_file() {
+    let mut engine = MasonryEngine::new(&recipe("make=masonry&size=128"));
+    while engine.at().is_some() {
+        engine.advance();
+    }
+    let order = MeshOrder {
+        format: MeshFormat::Glb,
+        detail: DETAILS[1].1,
+        images: None,
+        joined: false,
+    };
+    let estimate = engine.mesh_size(&order).expect("a size").bytes;
+    let mut bytes = 0;
+    loop {
+        let slice = engine
+            .mesh_file(&order, &mut || 0.0, f64::INFINITY)
+            .expect("a file");
+        bytes += slice.parts.iter().map(Vec::len).sum::<usize>();
+        if slice.done {
+            break;
+        }
+    }
+    assert!(bytes <= 2_000_000, "{bytes}");
+    assert!(
+        (0.5..2.0).contains(&(estimate / bytes as f64)),
+        "{estimate} {bytes}"
+    );
 }

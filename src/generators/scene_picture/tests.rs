@@ -330,10 +330,10 @@ fn bodies_share_meshes_in_a_file() {
     let glb = file(MeshFormat::Glb, false, &many);
     let json = json_of(&glb);
     let count = |key: &str| json[key].as_array().unwrap().len();
-    // One surface as a mesh with each paint; the bodies are in the first node.
+    // One white surface as a mesh with each paint; the bodies are in the first node.
     assert_eq!(
         (count("meshes"), count("accessors"), count("nodes")),
-        (2, 4, 11)
+        (2, 3, 11)
     );
     assert_eq!(count("materials"), 3);
     assert_eq!(json["nodes"][1]["name"], "box \"1\"");

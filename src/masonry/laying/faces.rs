@@ -207,11 +207,11 @@ impl Site {
         }
         let obstacles = map.obstacles(place);
         let inset = 0.5 * self.plan.module.joint;
-        // A place that has taken up a sliver is larger, but its parts may be as small as those of any other.
-        let least = LEAST_SHARE * area / place.area();
         let parts = match self.is_oblique(id) {
-            true => clip_multi(place, &obstacles, inset, (least, MOST_DEPTH)),
-            false => clip(place, &obstacles, inset, least).into_iter().collect(),
+            true => clip_multi(place, &obstacles, inset, (LEAST_SHARE, MOST_DEPTH)),
+            false => clip(place, &obstacles, inset, LEAST_SHARE)
+                .into_iter()
+                .collect(),
         };
         for part in parts {
             self.face_part(id, node, &part, (place, area, sort));

@@ -10,6 +10,7 @@ mod ashlar;
 mod bricks;
 mod cell;
 mod cement;
+mod chords;
 mod coping;
 mod corners;
 #[cfg(test)]

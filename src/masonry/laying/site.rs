@@ -1,6 +1,7 @@
 //! The site: the building with the occupancy maps of its features, and the cells laid so far.
 
 use super::cell::{CellDraft, Feature, MasonryCell};
+use super::chords::{Chord, ON, chords, covered, face_chords, same_turn};
 use crate::building::{Building, Edge, EdgeId, Face, FaceId};
 use crate::masonry::block::{Plane, Polyhedron};
 use crate::masonry::footprint::Footprint;
@@ -11,30 +12,16 @@ use crate::masonry::tree::GeneratorNode;
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
-/// Vertices this near to a face or an edge lie on it (metres).
-const ON: f64 = 2e-3;
 /// The least share of a claim that must lie on a face.
 const LEAST_SHARE: f64 = 0.05;
 /// Sides whose normals have a greater cosine with the way in which a cell looks are its fronts: both sides of a stone
 /// at a corner are.
 const FRONT: f64 = 0.45;
-/// The longest chord of an arc in (s, t) when an edge is claimed (metres).
-const CHORD: f64 = 0.06;
 
 /// The pixels along a module.
 pub(super) const PIXELS: f64 = 8.0;
 
 type Bounds = [DVec3; 2];
-
-/// A chord of an edge on a face.
-#[derive(Clone, Copy, Debug)]
-struct Chord {
-    edge: EdgeId,
-    /// Its ends by arc length (metres).
-    span: [f64; 2],
-    /// Its ends in the face's (s, t).
-    ends: [DVec2; 2],
-}
 
 /// The building and what is laid on it.
 pub(super) struct Site {
@@ -97,7 +84,7 @@ impl Site {
             .filter(|id| meet(own, &self.boxes[id.index()]))
             .collect();
         self.faces.push(map);
-        self.chords.push(self.face_chords(id));
+        self.chords.push(face_chords(&self.building, self.face(id)));
         self.near.push(near);
     }
 
@@ -293,80 +280,6 @@ impl Site {
             }
         }
     }
-
-    /// The chords of a face's edges, in the order of its loops.
-    fn face_chords(&self, id: FaceId) -> Vec<Chord> {
-        let face = self.face(id);
-        let edges = face.loops.iter().flatten().map(|walk| walk.edge);
-        let found = edges.flat_map(|id| {
-            let edge = self.edge(id);
-            let place = |at: f64| face.surface.project(edge.path.point(at)).truncate();
-            chords(edge).into_iter().map(move |span| Chord {
-                edge: id,
-                span,
-                ends: span.map(place),
-            })
-        });
-        found.collect()
-    }
-}
-
-/// The ends of the straight pieces of an edge, and of short chords of its arcs, by arc length.
-fn chords(edge: &Edge) -> Vec<[f64; 2]> {
-    let joints = edge.path.joints();
-    let pieces = joints.windows(2).zip(edge.path.pieces());
-    let chords = pieces.flat_map(|(ends, piece)| {
-        let is_line = matches!(piece, crate::building::Piece::Line { .. });
-        let count = if is_line {
-            1.0
-        } else {
-            ((ends[1] - ends[0]) / CHORD).ceil().max(1.0)
-        };
-        let at = move |k: f64| ends[0] + (ends[1] - ends[0]) * k / count;
-        (0..count as usize)
-            .map(move |k| [at(k as f64), at(k as f64 + 1.0)])
-            .collect::<Vec<_>>()
-    });
-    chords.collect()
-}
-
-/// The ends of a chord in the turn of a cylinder in which a place lies.
-fn same_turn([a, b]: [DVec2; 2], near: DVec2, period: Option<f64>) -> [DVec2; 2] {
-    let Some(period) = period else {
-        return [a, b];
-    };
-    let turned = |p: DVec2, to: f64| DVec2::new(p.x - period * ((p.x - to) / period).round(), p.y);
-    let a = turned(a, near.x);
-    [a, turned(b, a.x)]
-}
-
-/// The part of a chord in or along a polygon, as shares of its length from 0 to 1.
-fn covered(polygon: &Footprint, [a, b]: [DVec2; 2]) -> Option<[f64; 2]> {
-    let [low, high] = polygon.bounds();
-    if a.min(b).cmpgt(high + ON).any() || a.max(b).cmplt(low - ON).any() {
-        return None;
-    }
-    let (mut from, mut to) = (0.0f64, 1.0f64);
-    let length = a.distance(b);
-    for half in polygon.half_planes() {
-        let (start, end) = (half.distance(a), half.distance(b));
-        // Along a side the chord may lie a little outside of it.
-        let slack = if (end - start).abs() < 0.1 * length {
-            ON
-        } else {
-            1e-6
-        };
-        let (start, end) = (start + slack, end + slack);
-        if start < 0.0 && end < 0.0 {
-            return None;
-        }
-        if start < 0.0 {
-            from = from.max(start / (start - end));
-        } else if end < 0.0 {
-            to = to.min(start / (start - end));
-        }
-    }
-    ((to - from) * length > 1e-5).then_some([from, to])
 }
 
 /// The bounding box of a face.

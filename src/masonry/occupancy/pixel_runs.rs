@@ -41,7 +41,7 @@ impl Bitmap {
             let spans = spans(pixels);
             let ended: Vec<Span> = open
                 .keys()
-                .filter(|span| !spans.contains(span))
+                .filter(|span| spans.binary_search(span).is_err())
                 .copied()
                 .collect();
             for span in ended {
@@ -65,7 +65,7 @@ impl Bitmap {
     }
 }
 
-/// The runs of equal pixels in a row.
+/// The runs of equal pixels in a row, by their columns.
 fn spans(pixels: &[Option<Option<u32>>]) -> Vec<Span> {
     let mut found: Vec<Span> = Vec::new();
     for (column, pixel) in pixels.iter().enumerate() {

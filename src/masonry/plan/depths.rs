@@ -14,7 +14,7 @@ const MOST: usize = 64;
 const WAYS: [f64; 2] = [0.5, 0.94];
 
 /// Faces in a slice of the work.
-const SLICE: usize = 16;
+const SLICE: usize = 4;
 
 /// The least thickness of the wall behind each face, in the order of the building's faces (metres); infinite where the
 /// building is open. It is measured at the middles of the face's convex parts, and on the ways from there to their

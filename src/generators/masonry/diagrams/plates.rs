@@ -19,12 +19,19 @@ pub(super) struct Sheet<'a> {
     face: &'a Face,
     /// Convex parts of the face in (s, t).
     inside: Vec<Footprint>,
+    /// Their bounding boxes.
+    boxes: Vec<[DVec2; 2]>,
 }
 
 impl<'a> Sheet<'a> {
     pub fn new(face: &'a Face) -> Self {
         let [inside, _] = region(face).convex_parts(DVec2::ZERO);
-        Self { face, inside }
+        let boxes = inside.iter().map(Footprint::bounds).collect();
+        Self {
+            face,
+            inside,
+            boxes,
+        }
     }
 
     /// The convex parts of the face.
@@ -45,11 +52,10 @@ impl<'a> Sheet<'a> {
         images
             .flat_map(|image| {
                 let [low, high] = image.bounds();
-                let near = self.inside.iter().filter(move |part| {
-                    let [from, to] = part.bounds();
-                    from.cmplt(high).all() && low.cmplt(to).all()
-                });
-                near.filter_map(|part| image.intersection(part))
+                let near = self.inside.iter().zip(&self.boxes);
+                let near = near
+                    .filter(move |(_, [from, to])| from.cmplt(high).all() && low.cmplt(*to).all());
+                near.filter_map(|(part, _)| image.intersection(part))
                     .collect::<Vec<_>>()
             })
             .collect()
