@@ -168,10 +168,7 @@ function sources() {
 function seen(studio, name, asked) {
   const step = Number(asked.get('step') ?? Infinity);
   studio.tick(all[0], 0);
-  while (studio.stage() !== 'done' && studio.status().steps < step) {
-    if (studio.stage() === 'error') throw new Stop(`The recipe of ${name} gives no picture: ${studio.problem()?.text}`);
-    studio.tick(all[0], step < Infinity ? 1 : all[1]);
-  }
+  work(studio, name, () => studio.stage() === 'done' || studio.status().steps >= step, step < Infinity ? 1 : all[1]);
   const width = studio.side();
   const cut = asked.get('cut');
   const how = ['fine', 'floor', asked.get('view') ?? 'auto', ...(cut ? [`whole=${cut}`] : [])].join('+');
@@ -184,6 +181,20 @@ function seen(studio, name, asked) {
 }
 
 /**
+ * Works on a recipe until it is enough.
+ * @param {any} studio
+ * @param {string} name of the preset or sample
+ * @param {() => boolean} isEnough
+ * @param {number} steps at a time
+ */
+function work(studio, name, isEnough, steps) {
+  while (!isEnough()) {
+    if (studio.stage() === 'error') throw new Stop(`The recipe of ${name} gives no picture: ${studio.problem()?.text}`);
+    studio.tick(all[0], steps);
+  }
+}
+
+/**
  * @param {any} studio that has the recipe of a preset or a sample
  * @param {string} name of the preset or sample
  * @param {string} [view]
@@ -191,10 +202,7 @@ function seen(studio, name, asked) {
  * @returns {import('./headless.mjs').Pixels} its finished picture
  */
 function picture(studio, name, view = '', until = '') {
-  while (!['done', until].includes(studio.stage())) {
-    if (studio.stage() === 'error') throw new Stop(`The recipe of ${name} gives no picture: ${studio.problem()?.text}`);
-    studio.tick(all[0], until ? 0 : all[1]);
-  }
+  work(studio, name, () => ['done', until].includes(studio.stage()), until ? 0 : all[1]);
   const canvas = new Canvas();
   studio.draw(canvas, view || 'picture');
   studio.free();

@@ -202,10 +202,11 @@ mod tests {
     use super::super::tests::built;
     use super::super::thickness::WallThickness;
     use super::*;
+    use std::sync::Arc;
 
     /// The thickness behind the middle of a face.
     fn behind(building: &Building) -> impl Fn(FaceId) -> f64 + '_ {
-        let depths = WallThickness::new(building).expect("a mesh");
+        let depths = WallThickness::new(Arc::new(building.clone())).expect("a mesh");
         move |id| {
             let [low, high] = building.face(id).bounds();
             let middle = low.midpoint(high);
@@ -280,7 +281,7 @@ mod tests {
     fn thickness_is_the_way_to_the_other_side() {
         let draft = Rule::Wall.draft(&Module::NORMAL, &[]);
         let building = built("wall", &draft);
-        let depths = WallThickness::new(&building).unwrap();
+        let depths = WallThickness::new(Arc::new(building.clone())).unwrap();
         let wanted = 3.0 * 0.125 - 0.01;
         for face in [FaceId(0), FaceId(1)] {
             let [low, high] = building.face(face).bounds();

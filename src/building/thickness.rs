@@ -3,7 +3,7 @@
 use super::ids::FaceId;
 use super::whole::Building;
 use crate::trimesh::{MeshFault, Search, TriMesh};
-use std::ops::Deref;
+use std::sync::Arc;
 
 /// Surfaces count as opposite if the cosine between the ray and their outward normal is greater: about 60 degrees.
 const OPPOSITE: f64 = 0.5;
@@ -12,18 +12,18 @@ const BELOW: f64 = 1e-4;
 
 /// Finds the thickness of walls by rays through the child mesh, with a tree of boxes.
 #[derive(Clone, Debug)]
-pub struct WallThickness<B> {
-    building: B,
+pub struct WallThickness {
+    building: Arc<Building>,
     mesh: TriMesh,
     search: Search,
 }
 
-impl<B: Deref<Target = Building>> WallThickness<B> {
+impl WallThickness {
     /// Prepares a building.
     ///
     /// # Errors
     /// If its polygons are no mesh. The tests of [`Building::new`] leave only flat ones to cause that.
-    pub fn new(building: B) -> Result<Self, MeshFault> {
+    pub fn new(building: Arc<Building>) -> Result<Self, MeshFault> {
         let positions = building.vertices().iter().map(|v| v.position).collect();
         let triangles = building.polygons().iter();
         let corners = |k: usize| move |polygon: &super::child::Polygon| polygon.vertices[k].0;

@@ -5,7 +5,7 @@ use crate::planar::{cut_polygon, orientation};
 use glam::DVec2;
 use smallvec::SmallVec;
 
-/// FootprintCorners nearer to each other than this are one (metres).
+/// Corners nearer to each other than this are one (metres).
 const WELD: f64 = 1e-9;
 /// Polygons below this area are nothing (square metres).
 const LEAST_AREA: f64 = 1e-12;

@@ -27,7 +27,7 @@ impl Congruent {
             across(DVec3::X)
         };
         let axes = [y.cross(outwards), y, outwards];
-        let middle = body.vertices().iter().sum::<DVec3>() / body.vertices().len() as f64;
+        let middle = body.centre();
         let steps = |p: &DVec3| {
             let own = along(axes, *p - middle);
             own.to_array().map(|v| (v / STEP).round() as i32)

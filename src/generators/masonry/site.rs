@@ -35,7 +35,13 @@ pub(super) struct BuildingSite {
 }
 
 /// A site in the making.
-pub(crate) enum SiteBuild {
+pub(crate) struct SiteBuild {
+    step: SiteStep,
+    remarks: Vec<Notice>,
+}
+
+/// The progress of the work on a site.
+enum SiteStep {
     /// A file in JSON has been parsed.
     Parsed(Value),
     /// A draft has been read.
@@ -67,19 +73,61 @@ impl SiteBuild {
     /// # Errors
     /// If there is no file, or if it cannot be read.
     pub(super) fn new(params: &BuildingParams, file: Option<&[u8]>) -> Result<Self, Notice> {
-        match (&params.rule, file) {
+        let mut remarks = Vec::new();
+        let step = match (&params.rule, file) {
             (Some((Rule::Plan, numbers)), _) => {
-                let (draft, _) = params.plan.draft(&params.module, numbers);
-                Ok(Self::meshes(draft, None))
+                let (draft, faults) = params.plan.draft(&params.module, numbers);
+                remarks = plan_sentences::remarks(&faults);
+                SiteStep::meshes(draft, None)
             }
             (Some((rule, numbers)), _) => {
-                Ok(Self::meshes(rule.draft(&params.module, numbers), None))
+                SiteStep::meshes(rule.draft(&params.module, numbers), None)
             }
-            (None, Some(bytes)) => Self::read(bytes).map_err(|fault| sentences::unread(&fault)),
-            (None, None) => Err(Code::ModelFirst.into()),
-        }
+            (None, Some(bytes)) => {
+                SiteStep::read(bytes).map_err(|fault| sentences::unread(&fault))?
+            }
+            (None, None) => return Err(Code::ModelFirst.into()),
+        };
+        Ok(Self { step, remarks })
     }
 
+    /// Does a slice of the work; returns the site at the end.
+    ///
+    /// # Errors
+    /// If the file has no building, or if there would be too many blocks.
+    pub(super) fn advance(
+        params: &BuildingParams,
+        work: &mut Option<Self>,
+        file: Option<&[u8]>,
+    ) -> Result<Option<BuildingSite>, Notice> {
+        let Some(Self { step, remarks }) = work.take() else {
+            *work = Some(Self::new(params, file)?);
+            return Ok(None);
+        };
+        let step = match step {
+            SiteStep::Walls {
+                building,
+                draft,
+                work: mut walls,
+            } => match walls.advance() {
+                Some(thickness) => {
+                    let made = (draft, thickness, remarks);
+                    return Ok(Some(BuildingSite::new(building, made, params)));
+                }
+                None => SiteStep::Walls {
+                    building,
+                    draft,
+                    work: walls,
+                },
+            },
+            meshes => meshes.make(params)?,
+        };
+        *work = Some(Self { step, remarks });
+        Ok(None)
+    }
+}
+
+impl SiteStep {
     /// Reads a file, or parses it.
     fn read(bytes: &[u8]) -> Result<Self, BuildingFault> {
         let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
@@ -96,38 +144,6 @@ impl SiteBuild {
             given,
             making: BuildingMaking::default(),
         }
-    }
-
-    /// Does a slice of the work; returns the site at the end.
-    ///
-    /// # Errors
-    /// If the file has no building, or if there would be too many blocks.
-    pub(super) fn advance(
-        params: &BuildingParams,
-        work: &mut Option<Self>,
-        file: Option<&[u8]>,
-    ) -> Result<Option<BuildingSite>, Notice> {
-        let next = match work.take() {
-            None => Self::new(params, file)?,
-            Some(Self::Walls {
-                building,
-                draft,
-                work: mut walls,
-            }) => match walls.advance() {
-                Some(thickness) => {
-                    let site = BuildingSite::new(building, (draft, thickness), params);
-                    return Ok(Some(site));
-                }
-                None => Self::Walls {
-                    building,
-                    draft,
-                    work: walls,
-                },
-            },
-            Some(meshes) => meshes.make(params)?,
-        };
-        *work = Some(next);
-        Ok(None)
     }
 
     /// Makes more of the meshes, or looks for the draft's fault.
@@ -188,7 +204,7 @@ impl SiteBuild {
 impl BuildingSite {
     fn new(
         building: Arc<Building>,
-        (draft, thickness): (Draft, Vec<f64>),
+        (draft, thickness, remarks): (Draft, Vec<f64>, Vec<Notice>),
         params: &BuildingParams,
     ) -> Self {
         #[cfg(target_arch = "wasm32")]
@@ -200,19 +216,8 @@ impl BuildingSite {
             #[cfg(not(target_arch = "wasm32"))]
             draft,
             is_given: !matches!(params.rule, Some((rule, _)) if rule != Rule::Plan),
-            remarks: plan_remarks(params),
+            remarks,
         }
-    }
-}
-
-/// The sentences about the faults of a visitor's plan.
-fn plan_remarks(params: &BuildingParams) -> Vec<Notice> {
-    match &params.rule {
-        Some((Rule::Plan, numbers)) => {
-            let (_, faults) = params.plan.draft(&params.module, numbers);
-            plan_sentences::remarks(&faults)
-        }
-        _ => Vec::new(),
     }
 }
 

@@ -87,8 +87,7 @@ impl Polyhedron {
     /// The body with some of its sides moved out (metres): cells that stand out of the wall. No more than two of the
     /// planes may meet, unless at right angles.
     pub fn raised(mut self, planes: &[Plane], by: f64) -> Self {
-        let vertices = self.vertices.iter_mut();
-        for p in vertices.take_while(|_| !planes.is_empty()) {
+        for p in &mut self.vertices {
             let on = planes
                 .iter()
                 .filter(|plane| plane.distance(*p).abs() < 1e-6);

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 fn laid(rule: Rule, tree: &TreePreset, module: Module) -> Laying {
     let numbers: Vec<f64> = rule.numbers().iter().map(|number| number.default).collect();
-    let building = Building::new(&rule.draft(&module, &numbers)).expect("a building");
+    let building = Arc::new(Building::new(&rule.draft(&module, &numbers)).expect("a building"));
     let thick = thicknesses(&building).expect("a mesh");
     let params = LayingParams {
         module,
@@ -19,7 +19,7 @@ fn laid(rule: Rule, tree: &TreePreset, module: Module) -> Laying {
         seed: 1,
     };
     let deep = |face: crate::building::FaceId| thick[face.index()];
-    let mut laying = Laying::new(Arc::new(building), tree.tree(), params, deep).expect("a plan");
+    let mut laying = Laying::new(building, tree.tree(), params, deep).expect("a plan");
     while !laying.advance(16) {}
     laying
 }

@@ -192,11 +192,9 @@ impl Site {
         let border = self.at(side.face, from + width * side.inwards, 0.0);
         let edges = self.face(side.face).loops.iter().flatten();
         let is_near = |id: &EdgeId| meet(&self.edge_boxes[id.index()], &[border; 2]);
-        let near = edges.map(|walk| walk.edge).filter(is_near);
-        let is_shared = near.map(|id| self.edge(id)).any(|edge| {
-            let at = edge.path.project(border).clamp(0.0, edge.length());
-            edge.bend == Bend::Convex && edge.path.point(at).distance(border) < NEAR
-        });
+        let mut near = edges.map(|walk| walk.edge).filter(is_near);
+        let is_shared =
+            near.any(|id| self.edge(id).bend == Bend::Convex && self.passes(id, border, NEAR));
         Room { width, is_shared }
     }
 

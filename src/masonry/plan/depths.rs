@@ -4,7 +4,6 @@ use super::face_grid::region;
 use crate::building::{Building, FaceId, WallThickness};
 use crate::trimesh::MeshFault;
 use glam::DVec2;
-use std::ops::Deref;
 use std::sync::Arc;
 
 /// The most places of a face at which its wall is measured.
@@ -22,18 +21,19 @@ const SLICE: usize = 4;
 ///
 /// # Errors
 /// If the building's polygons are no mesh.
-pub fn thicknesses(building: &Building) -> Result<Vec<f64>, MeshFault> {
-    let thickness = WallThickness::new(building)?;
-    let least = building
-        .face_ids()
-        .map(|id| least(&thickness, building, id));
-    Ok(least.collect())
+pub fn thicknesses(building: &Arc<Building>) -> Result<Vec<f64>, MeshFault> {
+    let mut work = ThicknessWork::new(building.clone())?;
+    loop {
+        if let Some(found) = work.advance() {
+            return Ok(found);
+        }
+    }
 }
 
 /// The same in slices.
 pub struct ThicknessWork {
     building: Arc<Building>,
-    thickness: WallThickness<Arc<Building>>,
+    thickness: WallThickness,
     found: Vec<f64>,
 }
 
@@ -50,11 +50,12 @@ impl ThicknessWork {
         })
     }
 
-    /// Measures some faces. Returns what was found behind all of them at the end.
+    /// Measures some faces. Returns the thicknesses behind all of them at the end.
     pub fn advance(&mut self) -> Option<Vec<f64>> {
         let ids = self.building.face_ids().skip(self.found.len());
-        let some = ids.take(SLICE);
-        let more = some.map(|id| least(&self.thickness, &self.building, id));
+        let more = ids
+            .take(SLICE)
+            .map(|id| least(&self.thickness, &self.building, id));
         self.found.extend(more);
         let is_done = self.found.len() == self.building.faces().len();
         is_done.then(|| std::mem::take(&mut self.found))
@@ -62,10 +63,7 @@ impl ThicknessWork {
 }
 
 /// The least thickness of the wall behind a face (metres).
-fn least<B>(thickness: &WallThickness<B>, building: &Building, id: FaceId) -> f64
-where
-    B: Deref<Target = Building>,
-{
+fn least(thickness: &WallThickness, building: &Building, id: FaceId) -> f64 {
     let [parts, _] = region(building.face(id)).convex_parts(DVec2::ZERO);
     let places = parts.iter().flat_map(|part| {
         let middle = part.centre();
