@@ -132,6 +132,7 @@ fn packing_step(cells: u32, integrator: Integrator, clock: Clock, timings: &mut 
         population: Population::Off,
         variance: 0.0,
         seed: 1,
+        ..PackingParams::DEFAULT
     };
     let Ok(first) = Packing::new(&domain, &fields, params) else {
         return;
@@ -148,6 +149,7 @@ fn packing_step(cells: u32, integrator: Integrator, clock: Clock, timings: &mut 
     let what = match integrator {
         Integrator::SemiImplicit => "packing step",
         Integrator::RungeKutta => "Runge-Kutta step",
+        Integrator::Euler => "explicit Euler step",
     };
     timings.push(Timing {
         name: format!("{what}, {cells} cells"),

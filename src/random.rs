@@ -37,6 +37,8 @@ pub enum Purpose {
     Order = 11,
     /// The colour of a body.
     Paint = 12,
+    /// The displacement of a cell at the start of a packing.
+    Jolt = 13,
 }
 
 /// A stream of random numbers.

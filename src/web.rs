@@ -11,6 +11,7 @@ mod files;
 mod given;
 mod objects;
 mod said;
+mod steps;
 #[cfg(house)]
 mod turn;
 
@@ -162,6 +163,12 @@ impl Bubblestone {
     pub fn problem(&self) -> JsValue {
         let problem = self.studio.problem();
         problem.map_or(JsValue::UNDEFINED, |why| notice(why).into())
+    }
+
+    /// Remarks on the result: repairs, and what does not fit or end well.
+    #[wasm_bindgen(unchecked_return_type = "Notice[]")]
+    pub fn remarks(&self) -> Array {
+        all(&self.studio.engine().remarks())
     }
 
     /// The progress of the work.

@@ -7,7 +7,7 @@
 use super::stages::INK;
 use super::{Board, Colour, DrawnPath, Layer, SHEET, blend};
 use crate::field::CellKind;
-use crate::packing::{Particle, force::Pair};
+use crate::packing::{CornerBubbles, Particle, force::Pair};
 use glam::DVec2;
 
 const HILL: Colour = [0.66, 0.25, 0.13, 1.0];
@@ -26,8 +26,13 @@ const RAYS: usize = 120;
 /// If the valley around a cell is as level as this, it is a ring.
 const EVEN: f64 = 0.02;
 
-/// Draws the potential of a cell of this kind and aspect ratio, with a horizontal axis.
-pub fn potential(board: &mut Board, kind: CellKind, aspect: f64, side: f64) {
+/// Draws the potential of a cell of this kind and aspect ratio, with a horizontal axis and these corner bubbles.
+pub fn potential(
+    board: &mut Board,
+    kind: CellKind,
+    aspect: f64,
+    (corners, side): (CornerBubbles, f64),
+) {
     let root = if kind.is_stretched() {
         aspect.sqrt()
     } else {
@@ -42,7 +47,7 @@ pub fn potential(board: &mut Board, kind: CellKind, aspect: f64, side: f64) {
         axis: DVec2::X,
         fixed: false,
     };
-    let pair = Pair::new(&cell, &cell);
+    let pair = Pair::new(&cell, &cell).with(corners);
     let height = |r: DVec2| pair.potential(r) / (cell.size * cell.size);
     contours(board, side as usize, |r| level(height(r)));
     board.draw(&figures(

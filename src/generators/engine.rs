@@ -5,7 +5,7 @@ use super::Clock;
 #[cfg(house)]
 use super::in_space::{Files, Frames};
 use super::inspection::Products;
-use super::offers::{Drafts, Inspect, Maps, Meshes, Outlines};
+use super::offers::{Drafts, Inspect, Maps, Meshes, Outlines, Steps};
 use crate::export::Report;
 use crate::notice::Notice;
 use crate::recipe::Recipe;
@@ -124,6 +124,11 @@ pub trait Engine {
 
     /// Measures of cells in a plane.
     fn inspect(&mut self) -> Option<&mut dyn Inspect> {
+        None
+    }
+
+    /// The steps of a packing in a plane, and its numbers.
+    fn steps(&mut self) -> Option<&mut dyn Steps> {
         None
     }
 

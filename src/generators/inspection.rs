@@ -123,7 +123,7 @@ impl Products<'_> {
     pub fn metrics(&self) -> Option<Metrics> {
         let (domain, fields, packing) = self.ended?;
         let mesh = self.mesh.filter(|_| !self.cells.is_empty())?;
-        let particles = packing.particles();
+        let particles = packing.particles_within(domain);
         Some(Metrics::new(domain, fields, &particles, mesh, self.cells))
     }
 }

@@ -6,7 +6,7 @@ use super::inspection::{Histogram, Probe};
 use crate::domain::Outline;
 use crate::export::{Map, MapKind, MeshOrder, MeshSize};
 use crate::notice::Notice;
-use crate::packing::Sample;
+use crate::packing::{CellNumbers, EnergyParts, PopulationChange, Sample};
 use crate::recipe::Recipe;
 use glam::DVec2;
 
@@ -122,6 +122,28 @@ pub trait Inspect {
 
     /// The last finished cells as an SVG file; empty before there are any.
     fn svg(&self) -> String;
+}
+
+/// The steps of a packing in a plane, forward and back, and its numbers at the step that is shown.
+pub trait Steps {
+    /// Holds the packing at a step, or at its end if that comes earlier; without a step, shows the packing of the
+    /// stages again. [`Steps::reach`] does the work.
+    fn hold(&mut self, step: Option<u32>);
+
+    /// Works for about `budget` milliseconds towards the held step; true when it is reached, or none is held.
+    fn reach(&mut self, clock: Clock, budget: f64) -> bool;
+
+    /// All packed cells in numbers, by rising ids.
+    fn numbers(&mut self) -> Vec<CellNumbers>;
+
+    /// The energy of the packed cells by parts.
+    fn energy_parts(&mut self) -> EnergyParts;
+
+    /// When and where cells came and went.
+    fn population_changes(&self) -> &[PopulationChange];
+
+    /// 16 hex digits that change with any bit of the packing's state; empty before there is one.
+    fn state_hash(&self) -> String;
 }
 
 /// The outline of an area that is filled with cells.

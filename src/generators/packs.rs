@@ -49,7 +49,7 @@ impl<L, M> PackingProgress<L, M> {
         ground: impl PackingGround<Placing = L, Packing = M>,
     ) -> Result<Option<M>, Notice> {
         let next = match work.take() {
-            None => Self::Placing(Box::new(ground.begin(*params)?)),
+            None => Self::Placing(Box::new(ground.begin(params.clone())?)),
             Some(begun) => begun,
         };
         *work = Some(match next {

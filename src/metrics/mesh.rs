@@ -58,6 +58,42 @@ pub struct TriangleQuality {
     pub min: f64,
 }
 
+/// Classes of smallest angles, each of 2 degrees.
+pub const ANGLE_CLASSES: usize = 30;
+
+/// Counts the triangles of a mesh by their smallest angle: 0..2 degrees, 2..4, up to 58..60.
+pub fn smallest_angles(domain: &Domain, mesh: &Mesh) -> [u32; ANGLE_CLASSES] {
+    let mut counts = [0; ANGLE_CLASSES];
+    for face in &mesh.faces {
+        let polygon = polygon(domain, mesh, face);
+        if polygon.len() == 3 {
+            let class = (smallest_angle(&polygon) / 2.0) as usize;
+            counts[class.min(ANGLE_CLASSES - 1)] += 1;
+        }
+    }
+    counts
+}
+
+/// The smallest angle of a triangle in degrees, at most 60.
+fn smallest_angle(corners: &[DVec2]) -> f64 {
+    let at = |k: usize| {
+        let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 3]);
+        let (along, across) = (b - a, c - a);
+        let turn = libm::atan2(along.perp_dot(across).abs(), along.dot(across));
+        turn.to_degrees()
+    };
+    at(0).min(at(1)).min(at(2))
+}
+
+/// The corners of an element. On a torus an element without images lies where its first node does.
+fn polygon(domain: &Domain, mesh: &Mesh, face: &Face) -> Vec<DVec2> {
+    let places = face.nodes().iter().map(|&k| mesh.vertices[k as usize]);
+    let first = places.clone().next().unwrap_or_default();
+    let near = |p: DVec2| first + domain.space().shortest(p - first);
+    let whole = !mesh.images.is_empty();
+    places.map(|p| if whole { p } else { near(p) }).collect()
+}
+
 /// An edge of the mesh.
 struct MeshEdge {
     nodes: [u32; 2],
@@ -70,15 +106,8 @@ struct MeshEdge {
 impl MeshMetrics {
     /// Measures a mesh. Its vertices are the particles' centres, in the same order, then images.
     pub fn new(domain: &Domain, particles: &[Particle], mesh: &Mesh) -> Self {
-        let polygon = |face: &Face| -> Vec<DVec2> {
-            let places = face.nodes().iter().map(|&k| mesh.vertices[k as usize]);
-            let first = places.clone().next().unwrap_or_default();
-            // On a torus an element without images lies where its first node does.
-            let near = |p: DVec2| first + domain.space().shortest(p - first);
-            let whole = !mesh.images.is_empty();
-            places.map(|p| if whole { p } else { near(p) }).collect()
-        };
-        let polygons: Vec<Vec<DVec2>> = mesh.faces.iter().map(polygon).collect();
+        let faces = mesh.faces.iter();
+        let polygons: Vec<Vec<DVec2>> = faces.map(|face| polygon(domain, mesh, face)).collect();
         let (mut area, mut jacobian, mut quality) =
             (Tally::default(), Tally::default(), Tally::default());
         let (mut least_jacobian, mut least_quality, mut not_positive) =

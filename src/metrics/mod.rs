@@ -12,7 +12,7 @@ pub use cells::CellMetrics;
 pub use cover::Cover;
 pub use figure::Figure;
 pub(crate) use figure::symmetry_angle;
-pub use mesh::{Jacobian, MeshMetrics, TriangleQuality};
+pub use mesh::{ANGLE_CLASSES, Jacobian, MeshMetrics, TriangleQuality, smallest_angles};
 
 use crate::cells::Cell;
 use crate::domain::Domain;

@@ -51,7 +51,7 @@ pub(super) fn has_room(p: DVec2, around: PlaneDomain) -> bool {
         return domain.contains(p);
     }
     let clearance = match boundary {
-        BoundaryCondition::Wall => INSIDE_CLEARANCE,
+        BoundaryCondition::Wall | BoundaryCondition::Open => INSIDE_CLEARANCE,
         // The front's gap already keeps the first row off the cells on the boundary.
         BoundaryCondition::On => FRONT_GAP * 0.8,
     };

@@ -3,6 +3,7 @@
 use super::body::MovingParticle;
 use super::force::potential_between;
 use super::packing_domain::MetricSpace;
+use super::physics::CornerBubbles;
 use crate::csr::Csr;
 
 /// The potentials (eq. 4) of the pairs of a neighbour list.
@@ -34,6 +35,7 @@ impl PairEnergies {
         near: &Csr<u32>,
         bodies: &[MovingParticle<S::Place>],
         metric: S,
+        corners: CornerBubbles,
     ) -> f64 {
         if self.pairs.len() != near.len() {
             self.pairs.resize(near.len(), 0.0);
@@ -48,7 +50,7 @@ impl PairEnergies {
                 if self.is_outdated[i] || self.is_outdated[j] {
                     let (a, b) = (&body.particle, &bodies[j].particle);
                     let way = metric.log(a.centre, b.centre);
-                    *energy = way.map_or(0.0, |way| potential_between(a, b, way));
+                    *energy = way.map_or(0.0, |way| potential_between(a, b, way, corners));
                 }
                 sum += *energy;
             }

@@ -5,14 +5,12 @@
 //! pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
 
 use super::Particle;
+use super::physics::CornerBubbles;
 use super::shape::{CUT, CellShape};
 use super::transport::{IdentityTransport, ParallelTransport};
 use crate::field::CellKind;
 use crate::order::{greater, lesser};
 use glam::DVec2;
-
-/// Weight of the four corner potentials in eq. (4).
-pub const CORNER_WEIGHT: f64 = std::f64::consts::SQRT_2 - 1.0;
 
 /// Equation (2) in units of k0 / l0: positive repels (w < 1), negative attracts (1 < w < 1.5).
 pub fn bubble_force(w: f64) -> f64 {
@@ -45,6 +43,7 @@ pub struct Pair {
     sizes: (f64, f64),
     /// Whether the corners of each act.
     corners: (bool, bool),
+    bubbles: CornerBubbles,
     /// Present if one of them is stretched.
     stretch: Option<Stretch>,
 }
@@ -85,8 +84,15 @@ impl Pair {
             axis,
             sizes,
             corners,
+            bubbles: CornerBubbles::PAPERS,
             stretch,
         }
+    }
+
+    /// The same pair with other corner bubbles.
+    #[inline(always)]
+    pub fn with(self, bubbles: CornerBubbles) -> Self {
+        Self { bubbles, ..self }
     }
 
     /// The frame of two squares.
@@ -96,6 +102,7 @@ impl Pair {
             axis: mean_axis(axes.0, axes.1, 4),
             sizes,
             corners: (true, true),
+            bubbles: CornerBubbles::PAPERS,
             stretch: None,
         }
     }
@@ -134,7 +141,7 @@ impl Pair {
                 }
                 0.5 * sum
             };
-            force += CORNER_WEIGHT * self.unframed(corners);
+            force += self.bubbles.weight * self.unframed(corners);
         }
         force
     }
@@ -162,7 +169,7 @@ impl Pair {
                 }
                 0.5 * sum
             };
-            sum += CORNER_WEIGHT * corners;
+            sum += self.bubbles.weight * corners;
         }
         sum
     }
@@ -195,21 +202,10 @@ impl Pair {
         self.axis * v.x + self.axis.perp() * v.y
     }
 
-    /// The distance from a corner to the centre of a neighbour that touches along an edge: the
-    /// radius of the corner's sub-potential, adjusted where the sizes differ. For equal sizes d it
-    /// is d / sqrt 2, a corner bubble of (sqrt 2 - 1) r0 touching a central one of r0.
-    fn corner_distance(&self) -> f64 {
-        let (a, b) = self.sizes;
-        if a == b {
-            return a * std::f64::consts::FRAC_1_SQRT_2;
-        }
-        0.5 * (a * a + b * b).sqrt()
-    }
-
     #[inline(always)]
     fn corner_force(&self, local: DVec2, size: f64) -> DVec2 {
         let l0 = self.stable_distance();
-        let reach = self.corner_distance();
+        let reach = self.bubbles.stable_distance(self.sizes);
         let half = 0.5 * size;
         // By symmetry, works below the diagonal of the first quadrant, and maps back at the end.
         let q = local.abs();
@@ -239,7 +235,7 @@ impl Pair {
 
     fn corner_potential(&self, local: DVec2, size: f64) -> f64 {
         let l0 = self.stable_distance();
-        let reach = self.corner_distance();
+        let reach = self.bubbles.stable_distance(self.sizes);
         let half = 0.5 * size;
         // By symmetry, works in the first quadrant.
         let q = local.abs();
@@ -261,8 +257,9 @@ pub(super) fn force_between<P>(
     a: &Particle<P>,
     b: &Particle<P>,
     (r, turn): (DVec2, impl ParallelTransport),
+    corners: CornerBubbles,
 ) -> DVec2 {
-    Pair::seen(a, b, turn).force(r)
+    Pair::seen(a, b, turn).with(corners).force(r)
 }
 
 /// The potential of two cells of any kinds.
@@ -270,11 +267,13 @@ pub(super) fn potential_between<P>(
     a: &Particle<P>,
     b: &Particle<P>,
     (r, turn): (DVec2, impl ParallelTransport),
+    corners: CornerBubbles,
 ) -> f64 {
-    if !CellShape::of(a).may_touch(&CellShape::of(b).seen(turn), r, 0.0) {
+    let seen = CellShape::of(b).seen(turn);
+    if !CellShape::of(a).may_touch(&seen, r, (corners.square_reach(), 0.0)) {
         return 0.0;
     }
-    Pair::seen(a, b, turn).potential(r)
+    Pair::seen(a, b, turn).with(corners).potential(r)
 }
 
 /// The mean of a vector and another one, turned by the multiple of 1/`symmetry` (2 or 4) of a circle that

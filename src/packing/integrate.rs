@@ -1,12 +1,12 @@
-//! The equation of motion m x'' + c x' = f (Miyata, Itoh, Shimada 2000, eq. 5), m = 1.
-//!
-//! Time is in units of sqrt(m d^2 / k0), so that one set of constants serves all sizes.
+//! The equation of motion m x'' + c x' = f (Miyata, Itoh, Shimada 2000, eq. 5), with the constants of `physics`.
 
 use super::body::MovingParticle;
 use super::energy::PairEnergies;
 use super::force::{Pair, force_between};
 use super::packing_domain::{MetricSpace, PackingDomain, SpatialHash};
-use super::shape::{CellShape, SQUARE_REACH};
+use super::physics::CornerBubbles;
+use super::shape::CellShape;
+use super::step_rule::StepRule;
 use super::transport::ParallelTransport;
 use super::wall::{stays_clear, wall_force};
 use super::{Integrator, Particle};
@@ -16,21 +16,11 @@ use crate::order::greater;
 use glam::DVec2;
 use std::ops::Range;
 
-/// Viscous damping c. A honeycomb of circles has more faults to heal than rows and columns, so circles are
-/// damped less and keep moving for longer.
-const fn damping(kind: CellKind) -> f64 {
-    if matches!(kind, CellKind::Circle) {
-        0.2
-    } else {
-        2.0
-    }
-}
-/// Time step of the semi-implicit method.
-const SEMI_IMPLICIT_STEP: f64 = 0.5;
-/// Time step of the Runge-Kutta method; stable while damping times step is below 2.
-const RUNGE_KUTTA_STEP: f64 = 0.6;
-/// No cell moves farther than this share of its size in one step.
+/// No cell moves farther than this share of its size in one step, if steps are aided.
 const LONGEST_MOVE: f64 = 0.25;
+/// No cell is faster than this, in sizes for a unit of time. No sensible run comes near; numbers stay finite in
+/// one that explodes.
+const FASTEST: f64 = 1e3;
 /// Margin of the neighbour list beyond the reach of forces, in the largest size. The list is renewed when a
 /// cell has moved half as far (Verlet 1967).
 const VERLET_MARGIN: f64 = 0.25;
@@ -126,7 +116,8 @@ struct PairData<P> {
 }
 
 impl<P: Copy> PairData<P> {
-    fn of(particle: &Particle<P>) -> Self {
+    /// `square_reach` is in stable distances.
+    fn of(particle: &Particle<P>, square_reach: f64) -> Self {
         let stretched = particle.kind.is_stretched();
         Self {
             centre: particle.centre,
@@ -135,7 +126,7 @@ impl<P: Copy> PairData<P> {
             reach: if stretched {
                 f64::INFINITY
             } else {
-                SQUARE_REACH * 0.5 * particle.size
+                square_reach * 0.5 * particle.size
             },
             is_square: particle.kind == CellKind::Square,
         }
@@ -146,6 +137,12 @@ impl<P: Copy> Motion<P> {
     /// Invalidates the list after a change of the bodies.
     pub fn forget(&mut self) {
         self.made_at.clear();
+    }
+
+    /// Frees what the next step makes anew. Only between steps.
+    pub fn compact(&mut self) {
+        self.pair_data = Vec::new();
+        self.energies = PairEnergies::default();
     }
 
     /// Whether a step is in progress. The bodies must then keep their order.
@@ -167,6 +164,7 @@ impl<P: Copy> Motion<P> {
         &mut self,
         bodies: &mut [MovingParticle<P>],
         metric: S,
+        corners: CornerBubbles,
     ) -> bool {
         if bodies.is_empty() || self.is_fresh(bodies, metric) {
             return false;
@@ -181,13 +179,14 @@ impl<P: Copy> Motion<P> {
         let margin = VERLET_MARGIN * largest;
         // A move counts for more across a stretched cell than along it.
         self.margin = margin / root;
-        let reach = SQUARE_REACH * longest + margin;
+        let square = corners.square_reach();
+        let reach = square * longest + margin;
         let grid = metric.grid_around(bodies.iter().map(|b| b.particle.centre), reach / 2.0);
         let firsts = sort_by_bucket(bodies, &grid);
         self.made_at = bodies.iter().map(|b| b.particle.centre).collect();
         self.forces.resize(bodies.len(), DVec2::ZERO);
         self.clear.resize(bodies.len(), 0.0);
-        self.collect_pairs(bodies, metric, (&grid, &firsts), (reach, margin));
+        self.collect_pairs(bodies, metric, (&grid, &firsts), (reach, square, margin));
         true
     }
 
@@ -198,7 +197,7 @@ impl<P: Copy> Motion<P> {
         bodies: &[MovingParticle<P>],
         metric: S,
         (grid, firsts): (&S::Hash, &[u32]),
-        (reach, margin): (f64, f64),
+        (reach, square, margin): (f64, f64, f64),
     ) {
         self.near.clear();
         self.energies.forget();
@@ -216,7 +215,7 @@ impl<P: Copy> Motion<P> {
                             continue;
                         };
                         let seen = CellShape::of(&other.particle).seen(turn);
-                        if shape.may_touch(&seen, r, margin)
+                        if shape.may_touch(&seen, r, (square, margin))
                             && !is_walled_off(body, other, r, metric)
                         {
                             near.push(j);
@@ -244,14 +243,16 @@ impl<P: Copy> Motion<P> {
         &mut self,
         bodies: &[MovingParticle<P>],
         metric: S,
+        corners: CornerBubbles,
     ) -> f64 {
-        self.energies.sum(&self.near, bodies, metric)
+        self.energies.sum(&self.near, bodies, metric, corners)
     }
 
-    /// Wakes the bodies that have moved, and their neighbours.
-    fn wake(&mut self, bodies: &[MovingParticle<P>]) {
+    /// Wakes the bodies that have moved, and their neighbours; all if none may sleep.
+    fn wake(&mut self, bodies: &[MovingParticle<P>], may_sleep: bool) {
         self.awake.clear();
-        self.awake.extend(bodies.iter().map(|b| b.has_moved));
+        self.awake
+            .extend(bodies.iter().map(|b| b.has_moved || !may_sleep));
         for (i, body) in bodies.iter().enumerate() {
             for &j in self.near.row(i) {
                 self.awake[i] |= bodies[j as usize].has_moved;
@@ -264,11 +265,19 @@ impl<P: Copy> Motion<P> {
     }
 
     /// Resets the forces before the first body.
-    fn begin_forces(&mut self, bodies: &[MovingParticle<P>]) {
+    fn begin_forces(&mut self, bodies: &[MovingParticle<P>], corners: CornerBubbles) {
+        let reach = corners.square_reach();
         self.forces.fill(DVec2::ZERO);
         self.pair_data.clear();
         self.pair_data
-            .extend(bodies.iter().map(|b| PairData::of(&b.particle)));
+            .extend(bodies.iter().map(|b| PairData::of(&b.particle, reach)));
+    }
+
+    /// Scales the forces after the last body.
+    fn stiffen(&mut self, stiffness: f64) {
+        if stiffness != 1.0 {
+            self.forces.iter_mut().for_each(|force| *force *= stiffness);
+        }
     }
 
     /// Adds the forces on the awake bodies of a range, and their reactions on later bodies.
@@ -277,7 +286,7 @@ impl<P: Copy> Motion<P> {
         bodies: &[MovingParticle<P>],
         these: Range<usize>,
         ground: G,
-        first: bool,
+        (corners, first): (CornerBubbles, bool),
     ) {
         let mut near_walls = Vec::new();
         for (i, body) in these.clone().zip(&bodies[these]) {
@@ -298,9 +307,11 @@ impl<P: Copy> Motion<P> {
                     continue;
                 }
                 let force = if a.is_square && b.is_square {
-                    Pair::squares((a.axis, turn.apply(b.axis)), (a.size, b.size)).force(r)
+                    Pair::squares((a.axis, turn.apply(b.axis)), (a.size, b.size))
+                        .with(corners)
+                        .force(r)
                 } else {
-                    force_between(&body.particle, &bodies[j].particle, (r, turn))
+                    force_between(&body.particle, &bodies[j].particle, (r, turn), corners)
                 };
                 self.forces[j] += turn.undo(force);
                 total -= force;
@@ -322,9 +333,10 @@ impl<P: Copy> Motion<P> {
         &mut self,
         bodies: &mut [MovingParticle<P>],
         ground: G,
-        (integrator, pace): (Integrator, f64),
+        rule: &StepRule,
         portion: usize,
     ) -> Option<(f64, f64)> {
+        let corners = rule.physics.corners;
         let (mut left, count) = (portion, bodies.len());
         let mut these = |from: usize| {
             let end = from.saturating_add(left).min(count);
@@ -334,43 +346,48 @@ impl<P: Copy> Motion<P> {
         loop {
             match std::mem::take(&mut self.doing) {
                 Doing::Neighbours => {
-                    let renewed = self.refresh(bodies, ground.metric());
+                    let renewed = self.refresh(bodies, ground.metric(), corners);
                     self.doing = Doing::Waking;
                     if renewed && bodies.len() > portion {
                         return None;
                     }
                 }
                 Doing::Waking => {
-                    self.wake(bodies);
-                    self.begin_forces(bodies);
+                    self.wake(bodies, rule.is_aided);
+                    self.begin_forces(bodies, corners);
                     self.doing = Doing::Forces(0, None);
                 }
                 Doing::Forces(from, scheme) => {
                     let these = these(from);
                     let end = these.end;
-                    self.evaluate(bodies, these, ground, scheme.is_none());
+                    self.evaluate(bodies, these, ground, (corners, scheme.is_none()));
                     if end < bodies.len() {
                         self.doing = Doing::Forces(end, scheme);
                         return None;
                     }
-                    self.doing = match (integrator, scheme) {
+                    self.stiffen(rule.physics.stiffness);
+                    self.doing = match (rule.integrator, scheme) {
                         (Integrator::SemiImplicit, _) => {
                             self.largest = (0.0, self.largest_force(bodies));
-                            Doing::Moves(0, self.semi_implicit(bodies, pace))
+                            Doing::Moves(0, self.semi_implicit(bodies, rule))
+                        }
+                        (Integrator::Euler, _) => {
+                            self.largest = (0.0, self.largest_force(bodies));
+                            Doing::Moves(0, self.explicit(bodies, rule))
                         }
                         (Integrator::RungeKutta, scheme) => {
                             let scheme = scheme.unwrap_or_else(|| {
                                 self.largest = (0.0, self.largest_force(bodies));
                                 RungeKutta::new(bodies)
                             });
-                            self.runge_kutta(bodies, ground, pace, scheme)
+                            self.runge_kutta(bodies, ground, rule, scheme)
                         }
                     };
                 }
                 Doing::Moves(from, moves) => {
                     let these = these(from);
                     let end = these.end;
-                    self.make_moves(bodies, these, ground, &moves);
+                    self.make_moves(bodies, these, ground, (&moves, rule.is_aided));
                     if end == bodies.len() {
                         return Some(self.largest);
                     }
@@ -397,8 +414,9 @@ impl<P: Copy> Motion<P> {
         bodies: &mut [MovingParticle<P>],
         these: Range<usize>,
         ground: G,
-        moves: &[DVec2],
+        (moves, is_aided): (&[DVec2], bool),
     ) {
+        let longest = if is_aided { LONGEST_MOVE } else { FASTEST };
         for i in these {
             let body = &mut bodies[i];
             if !self.awake[i] {
@@ -408,11 +426,15 @@ impl<P: Copy> Motion<P> {
             }
             let before = body.particle.centre;
             let shape = CellShape::of(&body.particle);
-            let by = moves[i].clamp_length_max(LONGEST_MOVE * body.particle.size);
+            let by = moves[i].clamp_length_max(longest * body.particle.size);
             let is_clear = stays_clear(self.clear[i], by.length(), shape.length());
             let (centre, turn) = ground.moved(before, by, shape, is_clear);
             body.place(centre, ground.fields());
             body.velocity = turn.apply(body.velocity);
+            if !is_aided {
+                let fastest = FASTEST * body.particle.size;
+                body.velocity = body.velocity.clamp_length_max(fastest);
+            }
             self.energies.has_moved(i);
             let moved = ground.metric().distance(before, centre) / shape.size;
             body.has_moved = moved > least_move(body.particle.kind);
@@ -420,12 +442,26 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    fn semi_implicit(&self, bodies: &mut [MovingParticle<P>], pace: f64) -> Vec<DVec2> {
-        let h = SEMI_IMPLICIT_STEP;
+    fn semi_implicit(&self, bodies: &mut [MovingParticle<P>], rule: &StepRule) -> Vec<DVec2> {
+        let (h, mass) = (rule.time_step, rule.physics.mass);
         let each = bodies.iter_mut().zip(&self.forces);
         each.map(|(body, &force)| {
-            body.velocity = (body.velocity + h * force) / (1.0 + h * damping(body.particle.kind));
-            pace * h * body.velocity
+            let damping = rule.damping(body.particle.kind);
+            body.velocity = (body.velocity + h * force / mass) / (1.0 + h * damping / mass);
+            rule.pace * h * body.velocity
+        })
+        .collect()
+    }
+
+    /// Explicit Euler: place and velocity change by the values before the step.
+    fn explicit(&self, bodies: &mut [MovingParticle<P>], rule: &StepRule) -> Vec<DVec2> {
+        let h = rule.pace * rule.time_step;
+        let each = bodies.iter_mut().zip(&self.forces);
+        each.map(|(body, &force)| {
+            let by = h * body.velocity;
+            let pull = force - rule.damping(body.particle.kind) * body.velocity;
+            body.velocity += h * pull / rule.physics.mass;
+            by
         })
         .collect()
     }
@@ -435,10 +471,10 @@ impl<P: Copy> Motion<P> {
         &mut self,
         bodies: &mut [MovingParticle<P>],
         ground: G,
-        pace: f64,
+        rule: &StepRule,
         mut scheme: RungeKutta<P>,
     ) -> Doing<P> {
-        let h = pace * RUNGE_KUTTA_STEP;
+        let h = rule.pace * rule.time_step;
         let (stage, weight) = (scheme.stage, WEIGHTS[scheme.stage]);
         let further = if stage == 2 { h } else { 0.5 * h };
         for (i, body) in bodies.iter_mut().enumerate() {
@@ -451,7 +487,8 @@ impl<P: Copy> Motion<P> {
                 force = ground.metric().exp(start, scheme.ahead[i]).1.undo(force);
             }
             let slope = scheme.velocity[i];
-            let pull = force - damping(body.particle.kind) * slope;
+            let drag = rule.damping(body.particle.kind) * slope;
+            let pull = (force - drag) / rule.physics.mass;
             scheme.sums[i].0 += weight / 6.0 * slope;
             scheme.sums[i].1 += weight / 6.0 * pull;
             if stage < 3 {
@@ -463,7 +500,7 @@ impl<P: Copy> Motion<P> {
         }
         if stage < 3 {
             scheme.stage += 1;
-            self.begin_forces(bodies);
+            self.begin_forces(bodies, rule.physics.corners);
             return Doing::Forces(0, Some(scheme));
         }
         let each = bodies.iter_mut().zip(scheme.start).zip(scheme.sums);

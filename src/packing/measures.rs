@@ -11,7 +11,7 @@ use super::run::Run;
 use super::shape::CellShape;
 use super::transport::ParallelTransport;
 use super::wall::wall_force;
-use super::{Packing, Particle, Sample};
+use super::{Packing, Particle, Physics, Sample};
 use crate::domain::Domain;
 use glam::DVec2;
 
@@ -67,25 +67,26 @@ impl<P: Copy> Run<P> {
         }
     }
 
-    fn sum_energy<S: MetricSpace<Place = P>>(&mut self, metric: S) -> f64 {
+    pub(super) fn sum_energy<S: MetricSpace<Place = P>>(&mut self, metric: S) -> f64 {
         self.refresh_pairs(metric);
-        let sum = self.motion.sum_energy(&self.bodies, metric);
-        let count = self.bodies.len().max(1) as f64;
-        let sizes = self.bodies.iter().map(|b| b.particle.size);
-        let stiffness: f64 = sizes.map(|size| size * size / count).sum();
-        sum / stiffness.max(f64::MIN_POSITIVE)
+        let physics = self.params.physics;
+        let sum = self
+            .motion
+            .sum_energy(&self.bodies, metric, physics.corners);
+        physics.stiffness * sum / self.mean_stiffness()
     }
 
     /// Renews the list of pairs, unless a step is in progress, whose bodies must keep their order.
     fn refresh_pairs<S: MetricSpace<Place = P>>(&mut self, metric: S) {
         if !self.motion.is_in_a_step() {
-            self.motion.refresh(&mut self.bodies, metric);
+            let corners = self.params.physics.corners;
+            self.motion.refresh(&mut self.bodies, metric, corners);
         }
     }
 
     /// Calls `visit` with both bodies of each pair that may touch, the offset from the first to the second,
     /// and their indices in `bodies`.
-    fn each_pair<S: MetricSpace<Place = P>>(
+    pub(super) fn each_pair<S: MetricSpace<Place = P>>(
         &mut self,
         metric: S,
         mut visit: impl FnMut(
@@ -110,10 +111,13 @@ impl<P: Copy> Run<P> {
         metric: S,
         walls: W,
     ) -> Vec<(Particle<P>, NetForce)> {
+        let Physics {
+            corners, stiffness, ..
+        } = self.params.physics;
         let mut all = vec![NetForce::default(); self.bodies.len()];
         self.each_pair(metric, |a, b, (r, turn), (i, j)| {
-            let force = force_between(&a.particle, &b.particle, (r, turn));
-            let energy = 0.5 * potential_between(&a.particle, &b.particle, (r, turn));
+            let force = force_between(&a.particle, &b.particle, (r, turn), corners);
+            let energy = 0.5 * potential_between(&a.particle, &b.particle, (r, turn), corners);
             all[i].force -= force;
             all[j].force += turn.undo(force);
             all[i].energy += energy;
@@ -123,8 +127,8 @@ impl<P: Copy> Run<P> {
         for (own, body) in all.iter_mut().zip(&self.bodies) {
             let size = body.particle.size;
             own.force += wall_force(body, walls, &mut near).0;
-            own.force /= size;
-            own.energy /= size * size;
+            own.force = stiffness * own.force / size;
+            own.energy = stiffness * own.energy / (size * size);
         }
         self.bodies.iter().map(|b| b.particle).zip(all).collect()
     }

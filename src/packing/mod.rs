@@ -41,10 +41,13 @@ mod energy;
 pub mod force;
 pub(crate) mod front;
 mod grid;
+mod history;
 mod integrate;
 mod measures;
+mod numbers;
 pub(crate) mod packing_domain;
 mod params;
+mod physics;
 pub(crate) mod placed;
 mod placement;
 mod plane;
@@ -53,6 +56,7 @@ mod quadtree;
 mod report;
 pub(crate) mod run;
 pub(crate) mod shape;
+mod step_rule;
 mod stress;
 mod surroundings;
 pub(crate) mod transport;
@@ -60,10 +64,13 @@ pub(crate) mod wall;
 mod warm_start;
 
 pub(crate) use grid::Grid;
+pub use history::History;
 pub use measures::{Alignment, NetForce};
-pub use params::{BoundaryCondition, Integrator, PackingParams, Population, Start};
+pub use numbers::{CellNumbers, EnergyParts, NeighbourNumbers};
+pub use params::{BoundaryCondition, GivenCell, Integrator, PackingParams, Population, Start};
+pub use physics::{CornerBubbles, Physics};
 pub use placement::Placing;
-pub use report::{Sample, StepReport};
+pub use report::{PopulationChange, Sample, StepReport};
 #[cfg(house)]
 pub(crate) use stress::{BEYOND, stress_on};
 pub use stress::{Stress, stress};
@@ -120,6 +127,7 @@ impl<P: Copy> Particle<P> {
 pub struct Packing {
     run: Run<DVec2>,
     walls: Walls,
+    left_out: usize,
 }
 
 impl Packing {
@@ -136,6 +144,19 @@ impl Packing {
     /// The cells in the order of their ids.
     pub fn particles(&self) -> Vec<Particle> {
         self.run.particles()
+    }
+
+    /// The cells in the outline, in the order of their ids. Only an open outline can be left.
+    pub fn particles_within(&self, domain: &Domain) -> Vec<Particle> {
+        let is_open = self.run.params.boundary == BoundaryCondition::Open;
+        let mut particles = self.particles();
+        particles.retain(|cell| !is_open || domain.contains(cell.centre));
+        particles
+    }
+
+    /// How many given cells were left out, because they lie outside the outline.
+    pub fn left_out(&self) -> usize {
+        self.left_out
     }
 
     /// The result of the last step.

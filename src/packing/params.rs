@@ -1,6 +1,8 @@
 //! Parameters of a packing, and its fixed constants.
 
+use super::physics::Physics;
 use crate::random::SEED;
+use glam::DVec2;
 
 /// How the cells meet the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +11,8 @@ pub enum BoundaryCondition {
     Wall,
     /// The cells' centres lie on it and are fixed, as in the papers.
     On,
+    /// Not at all: there are no walls, and cells may leave the outline.
+    Open,
 }
 
 /// How the inside is first filled.
@@ -18,6 +22,17 @@ pub enum Start {
     Stream,
     /// One cell in every leaf of a quadtree, as in the papers.
     Quadtree,
+    /// At random places.
+    Random,
+}
+
+/// A cell whose place at the start is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GivenCell {
+    /// Its centre, in picture units.
+    pub centre: DVec2,
+    /// Whether it is held there.
+    pub is_held: bool,
 }
 
 /// How the equation of motion is integrated.
@@ -27,6 +42,8 @@ pub enum Integrator {
     SemiImplicit,
     /// Fourth-order Runge-Kutta, as in the papers: four evaluations a step.
     RungeKutta,
+    /// Explicit Euler: one evaluation a step, and unstable where the others are not.
+    Euler,
 }
 
 /// How cells are added and removed during the run.
@@ -34,19 +51,27 @@ pub enum Integrator {
 pub enum Population {
     /// A cell is added where another one has an empty neighbouring place.
     Slots,
-    /// The papers' rule: a cell is added beside one whose nearest neighbour is far.
+    /// The papers' rule: a cell is added beside one whose nearest neighbour is far, where a place is empty.
     Smallest,
+    /// The papers' rule alone: the cell is added opposite that neighbour, whether or not the place is empty.
+    Opposite,
     /// The number of cells does not change.
     Off,
 }
 
 /// Parameters of a packing, besides the outline and the fields.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PackingParams {
     /// How the cells meet the boundary.
     pub boundary: BoundaryCondition,
     /// How the inside is first filled.
     pub start: Start,
+    /// The number of cells that start at random places; 0 for as many as have room.
+    pub count: u32,
+    /// The cells at the start, instead of all others; empty if they are placed by rule.
+    pub given: Vec<GivenCell>,
+    /// How far free cells are displaced at the start, at most, in sizes: 0..2.
+    pub jolt: f64,
     /// How the equation of motion is integrated.
     pub integrator: Integrator,
     /// How cells are added and removed.
@@ -55,6 +80,8 @@ pub struct PackingParams {
     pub variance: f64,
     /// Seed of the sizes and of random choices in placement.
     pub seed: u64,
+    /// The constants of motion, forces, population and end.
+    pub physics: Physics,
 }
 
 impl PackingParams {
@@ -62,10 +89,14 @@ impl PackingParams {
     pub const DEFAULT: Self = Self {
         boundary: BoundaryCondition::Wall,
         start: Start::Stream,
+        count: 0,
+        given: Vec::new(),
+        jolt: 0.0,
         integrator: Integrator::SemiImplicit,
         population: Population::Slots,
         variance: 0.0,
         seed: SEED,
+        physics: Physics::DEFAULT,
     };
 }
 
@@ -75,36 +106,24 @@ impl Default for PackingParams {
     }
 }
 
-/// The constants of the relaxation; lengths are in cell sizes.
+/// The schedule of a run, and the size of a packing; [`Physics`] has the constants that a recipe may change.
 pub(crate) struct Tuning {
-    /// A run ends when no force is larger than this ...
-    pub force_end: f64,
-    /// ... and no move of the last step larger than this ...
-    pub move_end: f64,
-    /// ... but not before this many steps.
+    /// A run does not end before this many steps.
     pub least_steps: u32,
     /// Interval of population control, in steps ...
     pub population_every: u32,
     /// ... and its last step.
     pub population_until: u32,
-    /// From this step on the time step is multiplied by `cooling` each step, so that a cell caught between
-    /// two directions comes to rest.
+    /// The step from which on a run cools.
     pub cooling_from: u32,
-    pub cooling: f64,
-    /// The run ends at this step in any case.
-    pub most_steps: u32,
     /// The most cells in a packing; a larger number gives a notice.
     pub most_cells: f64,
 }
 
 pub(crate) const TUNING: Tuning = Tuning {
-    force_end: 0.05,
-    move_end: 0.02,
     least_steps: 10,
     population_every: 10,
     population_until: 100,
     cooling_from: 100,
-    cooling: 0.97,
-    most_steps: 200,
     most_cells: 250_000.0,
 };

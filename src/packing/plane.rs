@@ -196,9 +196,11 @@ impl<'a> PackingDomain for PlaneDomain<'a> {
         is_clear: bool,
     ) -> (DVec2, IdentityTransport) {
         let has_lines = !self.domain.lines().is_empty();
-        let to = match is_clear && !has_lines {
-            true => self.domain.space().wrap(from + by),
-            false => keep_inside(from, from + by, shape, self),
+        let space = self.domain.space();
+        let to = match self.boundary {
+            BoundaryCondition::Open => space.wrap(keep_near(from + by, self.domain)),
+            _ if is_clear && !has_lines => space.wrap(from + by),
+            _ => keep_inside(from, from + by, shape, self),
         };
         (to, IdentityTransport)
     }
@@ -237,6 +239,16 @@ impl<'a> PackingDomain for PlaneDomain<'a> {
         let (lo, hi) = self.domain.bounds();
         lo + (hi - lo) * DVec2::new(random.unit(), random.unit())
     }
+}
+
+/// Cells that leave an open outline come no farther than this, in sides of its box.
+const FARTHEST: f64 = 8.0;
+
+/// The place itself, unless it is very far outside the outline.
+fn keep_near(p: DVec2, domain: &Domain) -> DVec2 {
+    let (lo, hi) = domain.bounds();
+    let around = DVec2::splat(FARTHEST * (hi - lo).max_element());
+    p.clamp(lo - around, hi + around)
 }
 
 /// Moves a centre that has come too near to the boundary or a constraint line, or crossed it, back to its own

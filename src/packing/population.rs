@@ -20,7 +20,7 @@ use crate::order;
 use glam::DVec2;
 
 /// Two limits in stable distances: a cell is removed if its nearest neighbour is nearer than the first, and
-/// one is added if the nearest is at least as far as the second. Round cells have six neighbours that share a
+/// one is added at a place if the nearest is at least as far as the second. Round cells have six neighbours that share a
 /// gap: they accept a smaller gap, because all six make room.
 const fn limits(kind: CellKind) -> (f64, f64) {
     if kind.has_corners() {
@@ -63,13 +63,6 @@ struct CandidatePlace<P> {
     room: f64,
 }
 
-impl<P> CandidatePlace<P> {
-    fn new(place: P, shape: CellShape) -> Self {
-        let room = limits(shape.kind()).1;
-        Self { place, shape, room }
-    }
-}
-
 /// A population scan in progress.
 #[derive(Clone, Debug)]
 pub(crate) struct PopulationScan<P, B> {
@@ -91,6 +84,7 @@ struct ScanInputs<'a, G: PackingDomain> {
     shapes: &'a [CellShape],
     grid: &'a HashOf<G>,
     longest: f64,
+    params: &'a PackingParams,
 }
 
 impl<P: Copy, B: SpatialHash<P>> PopulationScan<P, B> {
@@ -142,6 +136,7 @@ impl<P: Copy, B: SpatialHash<P>> PopulationScan<P, B> {
             shapes: &self.shapes,
             grid: &self.grid,
             longest: self.longest,
+            params,
         };
         let mut left = portion;
         if self.nearest.len() < bodies.len() {
@@ -160,7 +155,11 @@ impl<P: Copy, B: SpatialHash<P>> PopulationScan<P, B> {
             if add.len() >= self.most || remove[i] {
                 continue;
             }
-            if params.population == Population::Smallest && self.nearest[i] < LONELY {
+            if params.population != Population::Slots && self.nearest[i] < census.lonely() {
+                continue;
+            }
+            if params.population == Population::Opposite {
+                add.extend(census.opposite(i, add));
                 continue;
             }
             for site in census.sites(i) {
@@ -183,7 +182,7 @@ fn clear_of_walls<G: PackingDomain>(place: G::Place, shape: &CellShape, ground: 
         .walls()
         .closest_points(place, shape.length(), &mut near);
     let least = match ground.boundary() {
-        BoundaryCondition::Wall => 0.4,
+        BoundaryCondition::Wall | BoundaryCondition::Open => 0.4,
         BoundaryCondition::On => 0.7,
     };
     let is_clear =
@@ -202,12 +201,52 @@ struct NextInRow {
 }
 
 impl<G: PackingDomain> ScanInputs<'_, G> {
+    /// A cell of this kind is crowded if its smallest w is below this.
+    fn crowding(&self, kind: CellKind) -> f64 {
+        self.params.physics.crowded.unwrap_or(limits(kind).0)
+    }
+
+    /// The least distance of an empty place to all cells.
+    fn room(&self, kind: CellKind) -> f64 {
+        let asked = self.params.physics.roomy;
+        let asked = asked.filter(|_| self.params.population == Population::Slots);
+        asked.unwrap_or(limits(kind).1)
+    }
+
+    /// The papers' rule adds a cell beside one whose smallest w is at least this.
+    fn lonely(&self) -> f64 {
+        self.params.physics.roomy.unwrap_or(LONELY)
+    }
+
+    /// The place opposite a body's nearest neighbour, at its stable distance; `None` outside, and beside
+    /// another new cell, because two in one place would never part.
+    fn opposite(&self, i: usize, add: &[G::Place]) -> Option<G::Place> {
+        let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
+        let metric = self.ground.metric();
+        let mut nearest = (2.0_f64, -shape.size * shape.places().next()?);
+        self.any_near(centre, shape, 1.0, |k, r, turn| {
+            let far = shape.normalised_distance(&self.shapes[k].seen(turn), r);
+            if k != i && far > 0.0 && far < nearest.0 && !metric.is_parted(centre, r) {
+                nearest = (far, r / far);
+            }
+            false
+        });
+        let place = metric.wrap(metric.exp(centre, -nearest.1).0);
+        let is_beside = |&other: &G::Place| {
+            let way = metric.log(place, other);
+            way.is_some_and(|(r, _)| shape.is_closer(shape, r, self.crowding(shape.kind())))
+        };
+        (self.ground.has_room(place) && !add.iter().any(is_beside)).then_some(place)
+    }
+
     /// The candidate places beside a body.
     fn sites(&self, i: usize) -> Vec<CandidatePlace<G::Place>> {
         let centre = self.bodies[i].particle.centre;
         let at = |p: G::Place| {
             let place = self.ground.metric().wrap(p);
-            CandidatePlace::new(place, CellShape::metric_at(self.ground.fields(), place))
+            let shape = CellShape::metric_at(self.ground.fields(), place);
+            let room = self.room(shape.kind());
+            CandidatePlace { place, shape, room }
         };
         let beside = match G::Metric::WALKS {
             true => self.beside(i),
@@ -377,7 +416,7 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
     /// The bodies to remove: the most crowded first, and never two neighbours at once.
     fn crowded(&self, nearest: &[f64], most: usize) -> Vec<bool> {
         let mut tight: Vec<usize> = (0..nearest.len())
-            .filter(|&i| nearest[i] < limits(self.shapes[i].kind()).0)
+            .filter(|&i| nearest[i] < self.crowding(self.shapes[i].kind()))
             .filter(|&i| !self.bodies[i].particle.fixed)
             .collect();
         order::sort(&mut tight, |&i| {

@@ -1,5 +1,7 @@
 //! Reports of a run: on its last step, and on those before.
 
+use glam::DVec2;
+
 /// The result of the last step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
@@ -15,6 +17,9 @@ pub struct StepReport {
     pub added: u32,
     /// Cells removed so far.
     pub removed: u32,
+    /// The first step in which a cell flew: it moved farther in one step than the forces of neighbours reach. 0
+    /// if none did.
+    pub flown_at: u32,
     /// Whether the run has ended.
     pub done: bool,
     /// Whether it ended because forces and moves were small.
@@ -30,4 +35,17 @@ pub struct Sample {
     pub energy: f64,
     /// The largest move of a cell in this step, in its size.
     pub largest_move: f64,
+}
+
+/// A cell that came or went after the first placement.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PopulationChange<P = DVec2> {
+    /// After how many steps.
+    pub step: u32,
+    /// The cell's number.
+    pub id: u32,
+    /// Its centre then; in the plane, in picture units.
+    pub centre: P,
+    /// Whether it came.
+    pub came: bool,
 }

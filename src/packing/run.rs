@@ -3,12 +3,19 @@
 use super::body::MovingParticle;
 use super::cell_fields::CellFields;
 use super::integrate::Motion;
-use super::packing_domain::{HashOf, PackingDomain};
+use super::packing_domain::{HashOf, MetricSpace, PackingDomain};
 use super::population::{Change, PopulationScan};
-use super::{PackingParams, Particle, Population, Sample, StepReport};
+use super::step_rule::StepRule;
+use super::{
+    BoundaryCondition, PackingParams, Particle, Population, PopulationChange, Sample, StepReport,
+};
 use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
+
+/// A run flies apart if a cell moves farther than this in a step, in sizes: neighbours attract each other for
+/// half a size.
+const FLIGHT: f64 = 0.5;
 
 /// A packing in progress, without its domain.
 #[derive(Clone, Debug)]
@@ -22,6 +29,8 @@ pub(crate) struct Run<P> {
     pub controlled: u32,
     /// The record of the run.
     pub samples: Vec<Sample>,
+    /// The cells that came and went.
+    pub changes: Vec<PopulationChange<P>>,
 }
 
 impl<P: Copy> Run<P> {
@@ -39,6 +48,7 @@ impl<P: Copy> Run<P> {
             report: StepReport::default(),
             controlled: 0,
             samples: Vec::new(),
+            changes: Vec::new(),
         };
         for (centre, fixed) in cells {
             run.add(asked, centre, fixed);
@@ -76,6 +86,25 @@ impl<P: Copy> Run<P> {
         }
     }
 
+    /// Displaces each free cell at random, by at most the jolt in its size. Where the walls leave no room, it
+    /// stays.
+    pub fn jolt<G: PackingDomain<Place = P>>(&mut self, ground: G) {
+        let PackingParams { jolt, seed, .. } = self.params;
+        let is_open = ground.boundary() == BoundaryCondition::Open;
+        for body in self.bodies.iter_mut().filter(|_| jolt > 0.0) {
+            let Particle {
+                id, centre, size, ..
+            } = body.particle;
+            let mut random = Random::new(seed, Purpose::Jolt, id.into());
+            let by = DVec2::new(random.signed(), random.signed()).clamp_length_max(1.0);
+            let (there, _) = ground.metric().exp(centre, jolt * size * by);
+            let there = ground.metric().wrap(there);
+            if !body.particle.fixed && (is_open || ground.has_room(there)) {
+                body.place(there, ground.fields());
+            }
+        }
+    }
+
     /// The cells in the order of their ids.
     pub fn particles(&self) -> Vec<Particle<P>> {
         let mut particles: Vec<Particle<P>> = self.bodies.iter().map(|b| b.particle).collect();
@@ -106,8 +135,10 @@ impl<P: Copy> Run<P> {
             return true;
         }
         if survey.is_none() {
-            let how = (self.params.integrator, self.pace::<G>());
-            let moved = self.motion.advance(&mut self.bodies, ground, how, portion);
+            let rule = self.rule::<G>();
+            let moved = self
+                .motion
+                .advance(&mut self.bodies, ground, &rule, portion);
             let Some((largest_move, largest_force)) = moved else {
                 return false;
             };
@@ -132,8 +163,10 @@ impl<P: Copy> Run<P> {
             changed = self.change(ground, change);
         }
         self.report.cells = self.bodies.len();
+        self.note_flight();
         self.report.converged = self.is_small::<G>() && !changed;
-        self.report.done = self.report.converged || self.report.step >= G::TUNING.most_steps;
+        let most = self.params.physics.most_steps;
+        self.report.done = self.report.converged || self.report.step >= most;
         self.sample(ground.metric());
         true
     }
@@ -143,18 +176,30 @@ impl<P: Copy> Run<P> {
         step.saturating_sub(G::TUNING.cooling_from)
     }
 
-    /// Pace of the coming step.
-    fn pace<G: PackingDomain<Place = P>>(&self) -> f64 {
-        let late = Self::late::<G>(self.report.step + 1);
-        (0..late).fold(1.0, |pace, _| pace * G::TUNING.cooling)
+    /// The rule of the coming step.
+    fn rule<G: PackingDomain<Place = P>>(&self) -> StepRule {
+        let rule = StepRule::new(&self.params);
+        let (late, cooling) = (Self::late::<G>(self.report.step + 1), rule.cooling());
+        let pace = (0..late).fold(1.0, |pace, _| pace * cooling);
+        StepRule { pace, ..rule }
     }
 
     /// Whether the last step was small enough to end the run.
     fn is_small<G: PackingDomain<Place = P>>(&self) -> bool {
-        let last = &self.report;
+        let (last, physics) = (&self.report, &self.params.physics);
+        let cools = || StepRule::new(&self.params).cooling() < 1.0;
         last.step >= G::TUNING.least_steps
-            && last.largest_move < G::TUNING.move_end
-            && (last.largest_force < G::TUNING.force_end || Self::late::<G>(last.step) > 0)
+            && last.largest_move < physics.move_end
+            && (last.largest_force < physics.force_end
+                || (Self::late::<G>(last.step) > 0 && cools()))
+    }
+
+    /// Notes the first step in which a cell that nothing slows moved farther than forces hold neighbours.
+    fn note_flight(&mut self) {
+        let flies = self.report.largest_move > FLIGHT && !StepRule::new(&self.params).is_aided;
+        if flies && self.report.flown_at == 0 {
+            self.report.flown_at = self.report.step;
+        }
     }
 
     /// Whether population control is due.
@@ -168,6 +213,17 @@ impl<P: Copy> Run<P> {
 
     /// Adds and removes cells; true if there were any.
     fn change<G: PackingDomain<Place = P>>(&mut self, ground: G, change: Change<P>) -> bool {
+        let step = self.report.step;
+        let noted = |id, centre, came| PopulationChange {
+            step,
+            id,
+            centre,
+            came,
+        };
+        let gone = self.bodies.iter().zip(&change.remove);
+        let gone = gone.filter_map(|(body, &gone)| gone.then_some(body.particle));
+        self.changes
+            .extend(gone.map(|cell| noted(cell.id, cell.centre, false)));
         let mut index = 0;
         self.bodies.retain(|_| {
             index += 1;
@@ -175,6 +231,7 @@ impl<P: Copy> Run<P> {
         });
         let removed = change.remove.iter().filter(|&&gone| gone).count() as u32;
         for &centre in &change.add {
+            self.changes.push(noted(self.next_id, centre, true));
             self.add(ground.fields(), centre, false);
         }
         self.report.removed += removed;

@@ -13,10 +13,6 @@ use glam::DVec2;
 /// End of the bubble force, in stable distances.
 pub(super) const CUT: f64 = 1.5;
 
-/// Reach of a square cell, in stable distances of its pair: half a diagonal to the corner, plus the reach of
-/// the corner's own force (eq. 2's cut at 1.5 corner distances).
-pub(super) const SQUARE_REACH: f64 = std::f64::consts::FRAC_1_SQRT_2 * (1.0 + CUT);
-
 /// A cell's kind, direction, size and aspect ratio, without its place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CellShape {
@@ -207,10 +203,11 @@ impl CellShape {
         support.min(POKE * round)
     }
 
-    /// Whether the forces of two cells could reach each other after they approach by `margin`.
-    pub fn may_touch(&self, other: &CellShape, r: DVec2, margin: f64) -> bool {
+    /// Whether the forces of two cells could reach each other after they approach by `margin`. A square has the
+    /// reach `square`, in stable distances.
+    pub fn may_touch(&self, other: &CellShape, r: DVec2, (square, margin): (f64, f64)) -> bool {
         let reach = if self.kind.has_corners() || other.kind.has_corners() {
-            SQUARE_REACH
+            square
         } else {
             CUT
         };

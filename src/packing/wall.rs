@@ -1,7 +1,7 @@
 //! The soft wall, which keeps the cells' edges on the boundary.
 
 use super::body::MovingParticle;
-use super::force::bubble_force;
+use super::force::{bubble_force, bubble_potential};
 use super::packing_domain::{Boundary, ClosestPoint};
 use super::shape::{CUT, CellShape};
 use glam::DVec2;
@@ -38,6 +38,22 @@ pub(super) fn wall_force<W: Boundary>(
     }
     // No force if it stands on the boundary.
     (force, near.first().map_or(0.0, ClosestPoint::distance))
+}
+
+/// The potential of all walls for a cell; [`wall_force`] is minus its gradient.
+pub(super) fn wall_potential<W: Boundary>(
+    body: &MovingParticle<W::Place>,
+    walls: W,
+    near: &mut Vec<W::ClosestPoint>,
+) -> f64 {
+    let shape = CellShape::of(&body.particle);
+    let reach = reach(shape.length()).min(walls.reach());
+    walls.closest_points(body.particle.centre, reach, near);
+    let potential = |wall: &W::ClosestPoint| {
+        let half = shape.half_extent(wall.inward());
+        STIFFNESS * 2.0 * half * half * bubble_potential(wall.distance() / half)
+    };
+    near.iter().map(potential).sum()
 }
 
 /// Whether a cell of this length, at least `distance` from all walls, stays clear of them when it moves by

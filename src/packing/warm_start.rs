@@ -2,14 +2,12 @@
 //! dragged, the cells flow after it. Finished pictures never use it.
 
 use super::body::MovingParticle;
-use super::placement::on_boundary;
+use super::placement::{on_boundary, walls};
 use super::shape::CellShape;
 use super::surroundings::PlaneDomain;
-use super::wall::{CLOSEST, reach};
-use super::{
-    BoundaryCondition, Packing, PackingParams, Particle, Population, TUNING, greatest_length,
-};
-use crate::domain::{Domain, Walls};
+use super::wall::CLOSEST;
+use super::{BoundaryCondition, Packing, PackingParams, Particle, Population, TUNING};
+use crate::domain::Domain;
 use crate::field::Fields;
 use crate::order;
 use glam::DVec2;
@@ -26,7 +24,8 @@ impl Packing {
         if params.population == Population::Off {
             params.population = Population::Slots;
         }
-        self.walls = Walls::new(domain, reach(greatest_length(domain, fields, &params)));
+        self.walls = walls(domain, fields, &params);
+        let boundary = params.boundary;
         let run = &mut self.run;
         run.params = params;
         let (mut held, mut free): (Vec<MovingParticle<DVec2>>, Vec<MovingParticle<DVec2>>) =
@@ -34,14 +33,14 @@ impl Packing {
         order::sort(&mut held, |body| (body.particle.id.into(), 0));
         free.retain_mut(|body| move_in(body, domain, fields));
         run.bodies = free;
-        if params.boundary == BoundaryCondition::On {
+        if boundary == BoundaryCondition::On {
             // Earlier cells keep their ids, and so their colours.
             let mut names = held.iter().map(|body| body.particle.id);
             let around = PlaneDomain {
                 domain,
                 fields,
                 walls: &self.walls,
-                boundary: params.boundary,
+                boundary,
             };
             for centre in on_boundary(around) {
                 let name = names.next();

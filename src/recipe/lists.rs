@@ -10,6 +10,8 @@ use glam::DVec2;
 
 /// Most rows of a text, except for rings and features.
 pub const MAX_ROWS: usize = 64;
+/// Most given cells in a text.
+const MAX_BUBBLES: usize = 256;
 /// Most features in a text, and the numbers that they may have.
 const MAX_FEATURES: usize = 256;
 const FEATURES: std::ops::Range<i64> = 0..1 << 20;
@@ -61,7 +63,7 @@ impl Item {
                 units: &[STEPS, VALUE],
                 ..POINTS
             },
-            Item::Seed(_) => Form {
+            Item::Seed(_) | Item::Bubble => Form {
                 coordinates: 2,
                 units: &[1.0],
                 ..POINTS
@@ -95,6 +97,7 @@ impl Item {
     fn most_rows(self) -> usize {
         match self {
             Item::Feature => MAX_FEATURES,
+            Item::Bubble => MAX_BUBBLES,
             Item::Plan => 1,
             _ => MAX_ROWS,
         }
@@ -158,6 +161,8 @@ impl Item {
                 (!known).then(|| Notice::new(Code::RowKind).with("most", most))
             }
             (Item::Seed(_), _) => Some(Code::RowSeed.into()),
+            (Item::Bubble, [_, _, 0 | 1]) => None,
+            (Item::Bubble, _) => Some(Code::RowBubble.into()),
         }
     }
 }
@@ -284,6 +289,12 @@ fn checked(mut rows: Rows, item: Item, schema: &Schema) -> Result<Rows, Notice> 
         if let Some(flaw) = item.flaw(row, schema) {
             return Err(flaw.with("row", index + 1));
         }
+    }
+    let is_taken = |k: &usize| rows[..*k].iter().any(|row| row[..2] == rows[*k][..2]);
+    if item == Item::Bubble
+        && let Some(again) = (1..rows.len()).find(is_taken)
+    {
+        return Err(Notice::new(Code::RowTwice).with("row", again + 1));
     }
     Ok(rows)
 }

@@ -54,6 +54,8 @@ pub enum Item {
     Spot(f64, f64),
     /// A place, and the index of a word among the words of a choice.
     Seed(Key),
+    /// A cell at the start of a packing: a place, and 1 if it is held there, else 0.
+    Bubble,
     /// A line on a surface: places on it.
     Trace,
     /// A place on a surface, a radius, and a value between two limits.
@@ -76,6 +78,7 @@ impl Item {
             Item::Line => "line",
             Item::Spot(..) => "spot",
             Item::Seed(_) => "seed",
+            Item::Bubble => "bubble",
             Item::Trace => "trace",
             Item::Patch(..) => "patch",
             Item::File => "file",

@@ -63,7 +63,7 @@ fn steps_are_the_same_in_whatever_portions() {
             ..PackingParams::DEFAULT
         };
         let packed = |portion: usize| {
-            let mut placing = SurfacePlacing::new(&site, fields, params);
+            let mut placing = SurfacePlacing::new(&site, fields, params.clone());
             while !placing.advance(&site, fields) {}
             let mut packing = placing.finish(&site, fields);
             let (mut slices, mut steps) = (0, 0);

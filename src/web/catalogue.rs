@@ -29,7 +29,7 @@ export interface Parameter {
   steady: boolean;
   choices: { word: string; label: string }[];
   /** The content of a text's rows; '' for other kinds. Traces and patches lie on the bodies, and a file has one row. */
-  item: '' | 'ring' | 'line' | 'spot' | 'seed' | 'trace' | 'patch' | 'file' | 'feature' | 'plan' | 'opening';
+  item: '' | 'ring' | 'line' | 'spot' | 'seed' | 'bubble' | 'trace' | 'patch' | 'file' | 'feature' | 'plan' | 'opening';
   /** It applies only while another parameter has one of these words or, if there are none, differs from its default. */
   shownFor?: { key: string; words: string[] } | undefined;
 }

@@ -1,6 +1,6 @@
 //! Frames of bodies in light, and queries on them.
 
-use super::said::{all, notice, or_why};
+use super::said::{notice, or_why};
 use super::{Bubblestone, object, objects};
 use crate::export::{FramePlane, frame_map};
 use crate::generators::{ALL, FrameSlice, Frames, TurnOrder};
@@ -128,12 +128,6 @@ impl Bubblestone {
     pub fn pixel_of(&mut self, x: i32, y: i32, z: i32) -> Option<Vec<f64>> {
         let place = [x, y, z].map(i64::from);
         Some(self.frames()?.pixel_of(place)?.to_vec())
-    }
-
-    /// Remarks on the result: repairs, and parts that do not fit well.
-    #[wasm_bindgen(unchecked_return_type = "Notice[]")]
-    pub fn remarks(&self) -> Array {
-        all(&self.studio.engine().remarks())
     }
 
     /// 16 hex digits that change with any bit of the last finished frame; '' before there is one.

@@ -239,7 +239,7 @@ const TOO_MANY = 'size=2048&cs=5&poly=-0.4,-0.4,1.4,-0.4,1.4,1.4,-0.4,1.4';
 const WRONG = [
   'cs=9999', 'gx=9', 'size=2048&cs=4', 'cs=NaN', 'cs=1e999', 'cs=inf', 'cs=1,5', 'cs=', 'seed=1.5', 'seed=-1', 'stone=brick', 'lines=!',
   'lines=0.1,0.2', 'strokes=0.1,0.2,0.3', 'strokes=0,0,9,9', 'strokes=0,0,1,x', 'strokes=0,0,1,1e30', 'spots=0.5,0.5,0.2',
-  'spots=0.5,0.5,0.2,9', 'stretch=0.5,0.5,7,2', 'parts=0.5,0.5,7', 'parts=0.5,0.5', `spots=${'0.5,0.5,0.2,1;'.repeat(99)}0.5,0.5,0.2,1`,
+  'spots=0.5,0.5,0.2,9', 'stretch=0.5,0.5,7,2', 'parts=0.5,0.5,7', 'parts=0.5,0.5', 'given=0.5,0.5', 'given=0.5,0.5,0;0.5,0.5,1', `spots=${'0.5,0.5,0.2,1;'.repeat(99)}0.5,0.5,0.2,1`,
   `poly=${'CC'.repeat(9000)}`, 'outline=donut', 'foo=1', '=5', '%ff%00=1', 'cs=18&cs=19', 'v=2&cs=18', 'v=0', 'outline=polygon',
   'outline=star&poly=AAAA', 'poly=A', 'poly=g', 'poly=gggggggA', 'outline=polygon&poly=AA', 'poly=gggBgggBCCCCCC', 'make=castle',
   'a=1&b=1&c=1&d=1&e=1&f=1&g=1&h=1&i=1&j=1&k=1&l=1&m=1', 'a=1&'.repeat(9000),
@@ -277,9 +277,11 @@ test('notices of pavements are said', () => {
     hear(studio.notices());
     studio.free();
   }
-  const many = finished(open(TOO_MANY));
-  hear(many.problem());
-  many.free();
+  for (const link of [TOO_MANY, `${SMALL}&given=0.5,0.5,0;-0.2,0.5,0`, `${SMALL}&move=euler&damp=10&dt=1`]) {
+    const studio = finished(open(link));
+    hear([studio.problem(), studio.remarks()]);
+    studio.free();
+  }
   const studio = open(SMALL);
   for (const rings of ROUGH) {
     hear(studio.setOutline(Float64Array.from(rings.flat()), Uint32Array.from(rings, ({ length }) => length / 2)));

@@ -40,6 +40,7 @@ mod native {
     mod outlines;
     mod overlays;
     mod packing;
+    mod physics;
     mod pipeline;
     mod plain_words;
     mod recipes;

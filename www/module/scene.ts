@@ -3,7 +3,7 @@ import type { Bubblestone } from '../../pkg/bubblestone.js';
 import type * as house from '../../pkg-house/bubblestone.js';
 import type { Module } from './load';
 
-type Beyond = 'turn' | 'bodyAt' | 'frameMap' | 'making' | 'frameHash' | 'placeAt' | 'pixelOf' | 'beginFile' | 'addToFile' | 'giveFile' | 'missingFiles' | 'modelFacts' | 'recipeFiles' | 'remarks' | 'caption';
+type Beyond = 'turn' | 'bodyAt' | 'frameMap' | 'making' | 'frameHash' | 'placeAt' | 'pixelOf' | 'beginFile' | 'addToFile' | 'giveFile' | 'missingFiles' | 'modelFacts' | 'recipeFiles' | 'caption';
 
 /** A studio with its scene. */
 export type SceneStudio = Bubblestone & Pick<house.Bubblestone, Beyond>;

@@ -15,7 +15,7 @@ const SEGMENT_LETTERS = 38;
 const SEGMENT_ROOM = 4;
 
 /** Lists of these kinds are typed: commas between numbers, semicolons between rows. */
-export const TYPED: readonly Parameter['item'][] = ['plan', 'opening'];
+export const TYPED: readonly Parameter['item'][] = ['plan', 'opening', 'bubble'];
 
 /** A slider runs from 0 to this. */
 const PLACES = 1000;

@@ -194,7 +194,7 @@ export class Engine {
 
   /** Remarks on the result: repairs, and parts that do not fit well. */
   remarks(): Notice[] {
-    return this.askWhole((studio) => studio.remarks(), []);
+    return this.ask((core) => core.remarks(), []);
   }
 
   /** The parts of a view that show nothing, by word, with the reason. */

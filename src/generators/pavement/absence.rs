@@ -71,13 +71,13 @@ impl Pavement {
 
     fn overlay_absence(&mut self, overlay: Overlay) -> Option<Absence> {
         let [packs, meshed, celled] = [
-            self.made.is_packing(),
+            self.packs(),
             self.is_past(Stage::Mesh),
             self.is_past(Stage::Cells),
         ];
         let not_yet = |there: bool| (!there).then_some(Absence::NotYet);
         if overlay == Overlay::Forces && packs {
-            let packing = self.made.shown_packing_mut();
+            let packing = self.packing_mut();
             let loads = packing.map(|(packing, domain)| packing.net_forces(domain));
             let still = loads.is_some_and(|loads| draw::forces::at_rest(&loads));
             return still.then_some(Absence::AtRest);

@@ -78,9 +78,11 @@ impl Pavement {
             stages.advance();
         }
         let (domain, fields) = stages.ground()?;
-        let params = *stages.packing.params();
-        let carried = packing.map(|mut packing| {
-            packing.warm_start(domain, fields, params);
+        let params = stages.packing.params().clone();
+        // Given cells start where they are given.
+        let carried = packing.filter(|_| params.given.is_empty());
+        let carried = carried.map(|mut packing| {
+            packing.warm_start(domain, fields, params.clone());
             packing
         });
         let packing = match carried.filter(|packing| packing.report().cells > 0) {
@@ -98,7 +100,7 @@ impl Pavement {
     pub(super) fn shown(&self) -> DraftView<'_> {
         let (stages, packing) = match self.draft() {
             Some(draft) => (&draft.stages, Some(&draft.packing)),
-            None => (&self.made, self.made.shown_packing()),
+            None => (&self.made, self.held().or(self.made.shown_packing())),
         };
         let rings = stages.rings().iter();
         DraftView {

@@ -8,11 +8,12 @@ use crate::export::Report;
 #[cfg(house)]
 use crate::generators::Frames;
 use crate::generators::{
-    Clock, Drafts, Engine, Inspect, Maps, Meshes, Outlines, Products, Progress,
+    Clock, Drafts, Engine, Inspect, Maps, Meshes, Outlines, Products, Progress, Steps,
 };
 use crate::graph::Wiring;
 use crate::heightfield::Planes;
-use crate::notice::Notice;
+use crate::notice::{Code, Notice};
+use crate::packing::Packing;
 use crate::recipe::Recipe;
 use glam::DVec2;
 
@@ -50,6 +51,20 @@ impl Engine for Pavement {
 
     fn failure(&self) -> Option<&Notice> {
         self.made.failure()
+    }
+
+    fn remarks(&self) -> Vec<Notice> {
+        let packing = self.made.shown_packing();
+        let packing = packing.filter(|_| self.made.is_packing());
+        let left_out = packing.map_or(0, Packing::left_out);
+        let flown_at = self.step_report().flown_at;
+        let outside = Notice::new(Code::GivenOutside).with("n", left_out);
+        let flew = Notice::new(Code::FlewApart).with("step", flown_at as usize);
+        let outside = (left_out > 0).then_some(outside);
+        outside
+            .into_iter()
+            .chain((flown_at > 0).then_some(flew))
+            .collect()
     }
 
     fn advance(&mut self) {
@@ -93,7 +108,7 @@ impl Engine for Pavement {
         {
             return draft.energy();
         }
-        let packing = self.made.shown_packing_mut();
+        let packing = self.packing_mut();
         packing.map_or(0.0, |(packing, domain)| packing.energy(domain))
     }
 
@@ -140,6 +155,10 @@ impl Engine for Pavement {
     }
 
     fn inspect(&mut self) -> Option<&mut dyn Inspect> {
+        Some(self)
+    }
+
+    fn steps(&mut self) -> Option<&mut dyn Steps> {
         Some(self)
     }
 

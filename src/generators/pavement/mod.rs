@@ -20,6 +20,7 @@ mod shaping;
 mod slant;
 mod stage;
 mod stages;
+mod stepping;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -102,6 +103,8 @@ pub struct Pavement {
     /// Whether the cells flow after each change.
     is_live: bool,
     draft: Option<Draft>,
+    /// The packing, held at one of its steps.
+    held: Option<stepping::Held>,
     /// The unfinished mesh file.
     saving: Option<files::Saving>,
     /// The unfinished bigger picture.
@@ -141,6 +144,7 @@ impl Pavement {
             gallery: Gallery::default(),
             is_live: false,
             draft: None,
+            held: None,
             saving: None,
             bigger: None,
             boxes: probe::Boxes::default(),
@@ -164,6 +168,9 @@ impl Pavement {
     fn step_report(&self) -> StepReport {
         if let Some(draft) = self.flowing() {
             return draft.packing.report();
+        }
+        if let Some(held) = self.held() {
+            return held.report();
         }
         let begun = self.made.shown_packing().filter(|_| self.made.is_packing());
         begun.map(Packing::report).unwrap_or_default()

@@ -10,14 +10,14 @@ impl Pavement {
     pub(super) fn draw_over(&mut self, view: PavementView, board: &mut Board, heat: &mut HeatMap) {
         let side = self.side();
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
-        let packs = self.made.is_packing();
+        let packs = self.packs();
         let domain = self.made.domain.made();
         if domain.is_some_and(|domain| domain.space().period().is_some()) {
             board.repeat();
         }
         for overlay in view.overlays() {
             let loads = match overlay {
-                Overlay::Energy | Overlay::Forces if packs => self.made.shown_packing_mut(),
+                Overlay::Energy | Overlay::Forces if packs => self.packing_mut(),
                 _ => None,
             };
             let loads = loads.map(|(packing, domain)| packing.net_forces(domain));
@@ -32,7 +32,7 @@ impl Pavement {
                     heat.draw(board, revision, side, domain, fields);
                 }
                 Overlay::Packed => {
-                    let packing = made.shown_packing().filter(|_| packs);
+                    let packing = self.held().or(made.shown_packing()).filter(|_| packs);
                     let particles = packing.map_or(Vec::new(), Packing::particles);
                     let stress = stress(domain, &particles);
                     board.draw(&draw::over::packed(&particles, &stress));

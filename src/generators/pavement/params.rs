@@ -10,8 +10,11 @@ use crate::generators::height_field::{HeightFieldParams, PlaneParams};
 use crate::generators::rows::shared::keys as shared;
 use crate::heightfield::TextureParams;
 use crate::material::ColourParams;
-use crate::packing::{BoundaryCondition, Integrator, PackingParams, Population, Start};
-use crate::recipe::Recipe;
+use crate::packing::{
+    BoundaryCondition, CornerBubbles, GivenCell, Integrator, PackingParams, Physics, Population,
+    Start,
+};
+use crate::recipe::{Key, Recipe, points};
 use glam::DVec2;
 
 /// Rounds of Lloyd's relaxation: further ones improve little.
@@ -213,23 +216,67 @@ pub(super) fn packing(recipe: &Recipe) -> PackingParams {
     PackingParams {
         boundary: match recipe.choice(keys::EDGE) {
             "on" => BoundaryCondition::On,
+            "open" => BoundaryCondition::Open,
             _ => BoundaryCondition::Wall,
         },
         start: match recipe.choice(keys::START) {
             "quadtree" => Start::Quadtree,
+            "random" => Start::Random,
             _ => Start::Stream,
         },
+        count: recipe.number(keys::COUNT) as u32,
+        given: given(recipe),
+        jolt: recipe.number(keys::JOLT),
         integrator: match recipe.choice(keys::MOVE) {
             "rk4" => Integrator::RungeKutta,
+            "euler" => Integrator::Euler,
             _ => Integrator::SemiImplicit,
         },
         population: match recipe.choice(keys::POP) {
             "smallest" => Population::Smallest,
+            "opposite" => Population::Opposite,
             "off" => Population::Off,
             _ => Population::Slots,
         },
         variance: recipe.number(keys::VS),
         seed: common::seed(recipe),
+        physics: physics(recipe),
+    }
+}
+
+/// The cells whose places are given.
+fn given(recipe: &Recipe) -> Vec<GivenCell> {
+    let cell = |row: &Vec<i64>| GivenCell {
+        centre: points(&row[..2], recipe.side())[0],
+        is_held: row[2] == 1,
+    };
+    recipe.rows(keys::GIVEN).iter().map(cell).collect()
+}
+
+/// The constants of the packing. A value at its default leaves the choice to the packing.
+fn physics(recipe: &Recipe) -> Physics {
+    let number = |key| recipe.number(key);
+    let own = |key: Key| {
+        let row = recipe.schema().row(key.0)?;
+        Some(number(key)).filter(|value| *value != recipe.default_of(row))
+    };
+    let mut corners = CornerBubbles::PAPERS;
+    corners.weight = own(keys::CW).unwrap_or(corners.weight);
+    if let Some(radius) = own(keys::CR) {
+        corners = CornerBubbles::new(corners.weight, radius);
+    }
+    Physics {
+        damping: own(keys::DAMP),
+        mass: number(keys::MASS),
+        stiffness: number(keys::STIFF),
+        time_step: own(keys::DT),
+        corners,
+        crowded: own(keys::CROWD),
+        roomy: own(keys::ROOM),
+        force_end: number(keys::FEND),
+        move_end: number(keys::MEND),
+        most_steps: number(keys::MOST) as u32,
+        cooling: own(keys::COOL),
     }
 }
 

@@ -35,7 +35,7 @@ pub(super) struct Boxes {
 /// A cell is found by its polygon if there are polygons, before that by its particle.
 impl Inspect for Pavement {
     fn probe(&mut self, place: DVec2) -> Option<Probe> {
-        match self.is_past(Stage::Cells) {
+        match self.is_past(Stage::Cells) && self.held().is_none() {
             true => self.polygon_at(place),
             false => self.packed_at(place),
         }
@@ -125,7 +125,10 @@ impl Pavement {
 
     fn packed_at(&self, p: DVec2) -> Option<Probe> {
         let made = &self.made;
-        let packing = made.shown_packing().filter(|_| made.is_packing())?;
+        let packing = self
+            .held()
+            .or(made.shown_packing())
+            .filter(|_| self.packs())?;
         let (domain, fields) = made.ground()?;
         let (cell, particle) = packing.at(domain, p)?;
         let shift = domain.space().shortest(particle.centre - p) + p - particle.centre;

@@ -6,7 +6,7 @@ use crate::field::FieldParams;
 use crate::generators::rows::rows;
 use crate::generators::rows::shared as common;
 use crate::generators::rows::stones::{self, SKIN};
-use crate::packing::PackingParams;
+use crate::packing::{PackingParams, Physics};
 use crate::recipe::parameter::{choice, int, number, text};
 use crate::recipe::schema::choices;
 use crate::recipe::{Choice, Item, SideLimits};
@@ -14,6 +14,8 @@ use crate::solid::SkinParams;
 
 /// The defaults of the library, which the rows use.
 const FIELDS: &FieldParams = &FieldParams::DEFAULT;
+const PACKING: &PackingParams = &PackingParams::DEFAULT;
+const PHYSICS: &Physics = &Physics::DEFAULT;
 
 /// The word for an outline that is given by its points.
 pub const POLYGON: &str = "polygon";
@@ -116,21 +118,26 @@ rows! {
         number("", "Reach of strokes").range(0.02, 1.0, 0.01, FIELDS.reach / FIELDS.side).group("Direction").steady()
             .only_with(keys::STROKES);
 
-    edge EDGE: "What lies on the boundary: the edges of the outermost cells, or their fixed centres." =>
-        choice("Boundary", choices![wall: "Edges on it", on: "Centres on it"])
+    edge EDGE: "What lies on the boundary: the edges of the outermost cells, or their fixed centres. Without walls cells may leave." =>
+        choice("Boundary", choices![wall: "Edges on it", on: "Centres on it", open: "No walls"])
             .group("Packing").steady();
     start START: "Where cells are put at first." =>
-        choice("Start", choices![stream: "Along the direction", quadtree: "Quadtree"])
+        choice("Start", choices![
+            stream: "Along the direction", quadtree: "Quadtree", random: "Random",
+        ])
             .group("Packing").steady();
     move MOVE: "How the equation of motion is integrated." =>
-        choice("Integrator", choices![semi: "Semi-implicit", rk4: "Runge-Kutta 4"])
+        choice("Integrator", choices![
+            semi: "Semi-implicit", rk4: "Runge-Kutta 4", euler: "Explicit Euler",
+        ])
             .group("Packing").steady();
     pop POP: "How cells are added and removed on the way." =>
         choice("Population", choices![
             slots: "Empty slots", smallest: "Smallest distance", off: "Off",
+            opposite: "Opposite the nearest",
         ]).group("Packing").steady();
     vs VS: "Random variance of the cells' size." =>
-        number("Vs", "Size variance").range(0.0, 0.5, 0.01, PackingParams::DEFAULT.variance).group("Packing").main();
+        number("Vs", "Size variance").range(0.0, 0.5, 0.01, PACKING.variance).group("Packing").main();
     seed SEED: "Names the random numbers: another seed, another pavement." =>
         common::SEED.group("Packing");
 
@@ -138,6 +145,44 @@ rows! {
         choice("Cells", choices![
             fitted: "Fitted", packed: "As packed", voronoi: "Voronoi", lloyd: "Lloyd",
         ]).group("Packing");
+
+    count COUNT: "How many cells start at random places; 0 takes as many as have room." =>
+        int("", "Cells at first").range(0.0, 2000.0, 1.0, 0.0).group("Physics").steady()
+            .only_for(keys::START, &["random"]);
+    given GIVEN: "The cells at the start, instead of all others: x and y in picture sides, and 1 if it is held, else 0." =>
+        text("Given cells", Item::Bubble).group("Physics").steady();
+    jolt JOLT: "Moves each free cell at the start, at random up to this many sizes." =>
+        number("", "Jolt").range(0.0, 2.0, 0.05, 0.0).group("Physics").steady();
+    damp DAMP: "Drag on moving cells; without it they swing for ever." =>
+        number("c", "Damping").range(0.0, 10.0, 0.05, 2.0).default_while(keys::KIND, "circle", 0.2)
+            .group("Physics").steady();
+    mass MASS: "Mass of a cell." =>
+        number("m", "Mass").range(0.1, 10.0, 0.1, PHYSICS.mass).group("Physics").steady();
+    stiff STIFF: "Factor of all forces." =>
+        number("k0", "Stiffness").range(0.1, 10.0, 0.1, PHYSICS.stiffness).group("Physics").steady();
+    dt DT: "Time of one step." =>
+        number("", "Time step").range(0.01, 2.0, 0.01, 0.5).default_while(keys::MOVE, "rk4", 0.6)
+            .group("Physics").steady();
+    cw CW: "Weight of the corner bubbles; by default √2 − 1." =>
+        number("", "Corner weight").range(0.0, 1.0, 0.002, 0.414).group("Physics").steady()
+            .only_for(keys::KIND, CORNERED);
+    cr CR: "Radius of the corner bubbles, in radii of a cell; by default √2 − 1." =>
+        number("", "Corner radius").range(0.0, 1.0, 0.002, 0.414).group("Physics").steady()
+            .only_for(keys::KIND, CORNERED);
+    crowd CROWD: "A cell goes if its nearest neighbour is nearer; 0 takes the kind's own." =>
+        number("", "Crowded below").range(0.0, 1.0, 0.01, 0.0).group("Physics").steady()
+            .only_for(keys::POP, CONTROLLED);
+    room ROOM: "A cell comes where the nearest one is at least this far; 0 takes the rule's own." =>
+        number("", "Room from").range(0.0, 1.5, 0.01, 0.0).group("Physics").steady()
+            .only_for(keys::POP, CONTROLLED);
+    fend FEND: "The run may end when no force is larger, in cell sizes." =>
+        number("", "Force at rest").range(0.0, 0.5, 0.001, PHYSICS.force_end).group("Physics").steady();
+    mend MEND: "The run may end when no move is longer, in cell sizes." =>
+        number("", "Move at rest").range(0.0, 0.5, 0.001, PHYSICS.move_end).group("Physics").steady();
+    most MOST: "The run ends after this many steps at the latest." =>
+        int("", "Most steps").range(1.0, 10_000.0, 1.0, PHYSICS.most_steps as f64).group("Physics").steady();
+    cool COOL: "Factor of the time step for each late step." =>
+        number("", "Cooling").range(0.5, 1.0, 0.01, 0.97).group("Physics").steady();
 
     ..[stones::LEAN];
     sv SV => stones::SV.default_while(keys::STONE, SKIN, 1.4);
@@ -167,6 +212,12 @@ rows! {
     ..[common::WEATHERING];
     ..[common::LIGHTING];
 }
+
+/// The kinds with corners.
+const CORNERED: &[&str] = &["square", "rectangle"];
+
+/// The rules that add and remove cells.
+const CONTROLLED: &[&str] = &["slots", "smallest", "opposite"];
 
 /// The kinds with an aspect ratio.
 const STRETCHED: &[&str] = &["rectangle", "ellipse"];

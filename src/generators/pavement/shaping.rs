@@ -5,7 +5,7 @@ use crate::cells::{self, Cell, Fitting, Scatter, ScatterParams};
 use crate::domain::Domain;
 use crate::field::Fields;
 use crate::notice::{Code, Notice};
-use crate::packing::Packing;
+use crate::packing::{Packing, Particle};
 
 /// Cells while they are made.
 pub(super) enum CellsProgress {
@@ -23,6 +23,13 @@ pub(super) struct Packed<'a> {
     pub packing: &'a Packing,
 }
 
+impl Packed<'_> {
+    /// The packed cells in the outline.
+    fn packed(&self) -> Vec<Particle> {
+        self.packing.particles_within(self.domain)
+    }
+}
+
 impl CellsProgress {
     /// Does one slice of the work; returns the cells when all are made.
     ///
@@ -34,7 +41,7 @@ impl CellsProgress {
         from: Packed,
     ) -> Result<Option<Vec<Cell>>, Notice> {
         if *params == CellParams::Packed {
-            return some(cells::packed(&from.packing.particles()));
+            return some(cells::packed(&from.packed()));
         }
         let Some(begun) = work.take() else {
             *work = Some(CellsProgress::new(params, from));
@@ -51,7 +58,7 @@ impl CellsProgress {
 
     fn new(params: &CellParams, from: Packed) -> Self {
         let &CellParams::Scattered { rounds, seed } = params else {
-            return CellsProgress::fit(Fitting::new(from.packing.particles()));
+            return CellsProgress::fit(Fitting::new(from.packed()));
         };
         let count = from.packing.report().cells;
         let params = ScatterParams {

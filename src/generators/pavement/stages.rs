@@ -112,7 +112,7 @@ impl Stages {
             rings: self.rings.clone(),
             domain: self.domain.latest().clone(),
             fields: self.fields.latest().clone(),
-            packing: *self.packing.latest(),
+            packing: self.packing.latest().clone(),
             cells: *self.cells.latest(),
             flow: self.flow.latest().clone(),
             coats: *self.coats.latest(),
@@ -164,7 +164,7 @@ impl Stages {
     fn make_mesh(&mut self) -> Option<()> {
         let (domain, packing) = (self.domain.made()?, self.packing.made()?);
         self.mesh.advance(|(), work| {
-            let new = || Meshing::new(domain, packing.particles());
+            let new = || Meshing::new(domain, packing.particles_within(domain));
             Ok(work.get_or_insert_with(new).advance(domain))
         })
     }

@@ -186,7 +186,10 @@ impl Pavement {
                     &mut board,
                     asked.kind,
                     asked.aspect,
-                    self.side() as f64,
+                    (
+                        self.made.packing.params().physics.corners,
+                        self.side() as f64,
+                    ),
                 );
                 Some(board)
             }

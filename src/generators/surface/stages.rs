@@ -142,7 +142,7 @@ impl Stages {
             built: Node::new(params.surface.clone()),
             fields: Node::new(params.fields.clone()),
             site: Node::new(()),
-            packing: Node::new(params.packing),
+            packing: Node::new(params.packing.clone()),
             mesh: Node::new(()),
             paved: Node::new(params.cells),
             stones: Node::new(params.stones),

@@ -82,6 +82,7 @@ fn made(domain: &Domain, size: f64, variance: f64) -> (Fields, Packing, Vec<Cell
         population: Population::Slots,
         variance,
         seed: 1,
+        ..PackingParams::DEFAULT
     };
     let mut packing = Packing::new(domain, &fields, params).unwrap();
     while !packing.done() {

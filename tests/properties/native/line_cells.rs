@@ -37,6 +37,7 @@ fn packed(domain: &Domain, size: f64, boundary: BoundaryCondition) -> Vec<Partic
         population: Population::Slots,
         variance: 0.0,
         seed: 1,
+        ..PackingParams::DEFAULT
     };
     let mut packing = Packing::new(domain, &fields, params).unwrap();
     for _ in 0..40 {

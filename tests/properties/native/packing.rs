@@ -5,7 +5,8 @@ use bubblestone::domain::{Domain, Outline, signed_area};
 use bubblestone::field::{CellKind, FieldBuilder, FieldParams, Fields};
 use bubblestone::mesh::Mesh;
 use bubblestone::packing::{
-    BoundaryCondition, Integrator, Packing, PackingParams, Particle, Population, Start, StepReport,
+    BoundaryCondition, Integrator, Packing, PackingParams, Particle, Physics, Population, Start,
+    StepReport,
 };
 use glam::DVec2;
 
@@ -18,6 +19,10 @@ const PARAMS: PackingParams = PackingParams {
     population: Population::Slots,
     variance: 0.0,
     seed: 1,
+    count: 0,
+    given: Vec::new(),
+    jolt: 0.0,
+    physics: Physics::DEFAULT,
 };
 
 fn ring(value: &serde_json::Value) -> Vec<DVec2> {
@@ -230,8 +235,9 @@ fn every_way_of_packing_ends_in_a_valid_packing() {
                             population,
                             variance: if start == Start::Stream { 0.2 } else { 0.0 },
                             seed: 5,
+                            ..PARAMS
                         };
-                        let (particles, report) = run(&domain, &fields, params);
+                        let (particles, report) = run(&domain, &fields, params.clone());
                         assert!(report.step <= 200);
                         let cells = fitted(&domain, &particles);
                         assert_fills(&format!("{size} {params:?}"), &domain, &cells);
