@@ -43,7 +43,7 @@ async function made(page) {
 /** Waits until the laying is held, and the held frame is refined. @param {Page} page @param {number} blocks */
 async function held(page, blocks) {
   await page.waitForFunction((count) => document.querySelector('#play')?.getAttribute('data-does') === 'play' && Number(document.querySelector('#count-steps')?.textContent) === count, {}, blocks);
-  await tells(page, new RegExp(`^${blocks} bodies, seen`));
+  await tells(page, new RegExp(`^${blocks} blocks, seen`));
   return hash(page);
 }
 
@@ -88,7 +88,7 @@ const VIEWS = {
   occupancy: ['The claimed pixels', 'The pixels of each face.* Of \\d+ pixels'],
   clipping: ['The clipped among \\d+ blocks', 'Half and cut blocks are.* \\d+ blocks are clipped'],
   seams: ['A texture with its seams', 'A plain texture.* Of \\d+ bricks'],
-  picture: ['\\d+ bodies', 'This recipe: Block'],
+  picture: ['\\d+ blocks', 'This recipe: Block'],
 };
 
 test('each view has a frame and sentences of its own', sameEverywhere, async () => {
@@ -145,7 +145,7 @@ test('a click on a block turns the bricks of its edge or corner, and undo turns 
   await page.mouse.click(x + 1, y);
   await page.waitForSelector('.turn-card[data-picked] #turn-flip');
   const card = await page.$eval('.turn-card', (box) => box.textContent ?? '');
-  assert.match(card, /^Body \d+Kindwhole brick.*Feature(corner|edge) \d+/);
+  assert.match(card, /^Block \d+Kindwhole brick.*Feature(corner|edge) \d+/);
   await click(page, '#turn-flip');
   await page.waitForFunction(() => window.bubblestone.get('flips') !== '');
   assert.notEqual(await made(page), laid);
@@ -279,7 +279,7 @@ test('sliders that are moved without a rest hold the page for less than 50 ms', 
     );
   }
   assert.ok((runs.at(-1) ?? 2) < 1, `tasks of ${runs.join(', ')} times 50 ms`);
-  assert.match((await told(page)) ?? '', /bodies, seen/);
+  assert.match((await told(page)) ?? '', /blocks, seen/);
   assert.deepEqual(problems, []);
   await close();
 });

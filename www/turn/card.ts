@@ -1,7 +1,7 @@
 /** A card with the facts about a body, beside the place that was pointed at. */
 import { t } from '../words/turn';
 import { make } from '../base/dom';
-import { cellNumbers, cellRows } from '../late/cell';
+import { cellNumbers, cellRows, featureName } from '../late/cell';
 import type { Sort } from '../picture/frames/sort';
 import type { Told } from '../picture/frames/source';
 
@@ -36,7 +36,8 @@ export class Card {
     const { element } = this;
     this.picked = picked ? body : undefined;
     element.toggleAttribute('data-picked', picked);
-    element.replaceChildren(make('strong', {}, called(body, sort)), ...cellRows(body.figures, body.words));
+    const name = called(body, sort);
+    element.replaceChildren(make('strong', {}, name), ...cellRows(body.figures, body.words, name));
     if (picked && hasSteps(body, sort)) this.offer('turn-how', t('how'), () => this.acts.how(body));
     const flip = picked ? this.acts.flip(body) : undefined;
     if (flip) this.offer('turn-flip', t('flip'), flip);
@@ -64,8 +65,9 @@ export class Card {
 
 /** The card's text as a sentence. */
 export function sentence(body: Told, sort: Sort): string {
-  const numbers = cellNumbers(body.figures, body.words).map((row) => row.join(' '));
-  return [[called(body, sort), ...numbers].join(', '), ...(hasSteps(body, sort) ? [t('how_key')] : [])].join('. ');
+  const name = called(body, sort);
+  const numbers = cellNumbers(body.figures, body.words, name).map((row) => row.join(' '));
+  return [[name, ...numbers].join(', '), ...(hasSteps(body, sort) ? [t('how_key')] : [])].join('. ');
 }
 
 /** An element of a mesh is no body that is made. */
@@ -73,6 +75,6 @@ export function hasSteps({ steps }: Told, sort: Sort): boolean {
   return steps.length > 0 && sort !== 'element';
 }
 
-function called({ id }: Told, sort: Sort): string {
-  return t(sort, { id });
+function called({ id, figures }: Told, sort: Sort): string {
+  return sort === 'feature' ? featureName(figures) : t(sort, { id });
 }
