@@ -26,7 +26,7 @@ const MOST_SCALE: usize = 8;
 /// stencils of the finest solids would take more than is left of them, solids are coarser.
 const MOST_MEMORY: usize = 800 << 20;
 /// Bytes that a bigger picture and the picture itself take at most, and those of the picture itself for each of its
-/// pixels. Of a picture of 2048 pixels along a side, a bigger one of 8192 has less than [`MOST_MEMORY`].
+/// pixels. Beside a picture of 2048 pixels along a side, a bigger one of 8192 has less than [`MOST_MEMORY`].
 const WITH_PICTURE: usize = 1000 << 20;
 const OWN: usize = 64;
 /// Least and most pixels of a band: the samples of stones are held for these only. A stone is made anew for each of its
