@@ -104,7 +104,7 @@ impl Collapse {
     }
 
     /// Drops the removed corners from the list of a vertex.
-    pub fn tidy(&mut self, v: u32) {
+    fn tidy(&mut self, v: u32) {
         let mut at = std::mem::replace(&mut self.lists[v as usize], [NONE; 2])[0];
         while at != NONE {
             let corner = at as usize;

@@ -106,7 +106,7 @@ impl Linking {
         }
     }
 
-    /// Handles the next edges that have the same ends. Returns false if there are so many that they need another slice.
+    /// Handles the next edges that have the same ends. Returns false while a large number of them is being sorted.
     fn group(&mut self, work: &mut MeshInRepair) -> bool {
         let key = self.edges[self.at].0;
         let rest = &self.edges[self.at..];
