@@ -19,10 +19,9 @@ pub(crate) struct MovingParticle<P> {
 impl<P: Copy> MovingParticle<P> {
     /// Moves it; its direction and size follow the fields.
     pub fn place<A: CellFields<Place = P>>(&mut self, centre: P, asked: A) {
-        let (size, aspect, axis) = asked.values(centre);
         self.particle.centre = centre;
-        self.particle.axis = axis;
-        self.particle.size = self.factor * size;
-        self.particle.aspect = aspect;
+        self.particle.axis = asked.direction(centre);
+        self.particle.size = self.factor * asked.size(centre);
+        self.particle.aspect = asked.aspect(centre);
     }
 }

@@ -14,10 +14,6 @@ pub(crate) trait CellFields: Copy {
     fn aspect(self, p: Self::Place) -> f64;
     /// Unit vector along a side, in the frame of the place; zero where the field vanishes.
     fn direction(self, p: Self::Place) -> DVec2;
-    /// Size, aspect ratio and direction together.
-    fn values(self, p: Self::Place) -> (f64, f64, DVec2) {
-        (self.size(p), self.aspect(p), self.direction(p))
-    }
     /// The mean size.
     fn mean_size(self) -> f64;
 }

@@ -1,14 +1,9 @@
 //! The potential energy of all pairs, kept from step to step: late in a run most cells are at rest.
 
 use super::body::MovingParticle;
-use super::force::{farthest, potential_between};
-use super::packing_domain::{Location, MetricSpace, SiteOf};
-use super::shape::CellShape;
-use super::square_pairs::{SeenSquare, SquarePairs};
-use super::transport::ParallelTransport;
+use super::force::potential_between;
+use super::packing_domain::MetricSpace;
 use crate::csr::Csr;
-use crate::field::CellKind;
-use glam::DVec2;
 
 /// The potentials (eq. 4) of the pairs of a neighbour list.
 #[derive(Clone, Debug, Default)]
@@ -45,58 +40,20 @@ impl PairEnergies {
             self.is_outdated.clear();
             self.is_outdated.resize(bodies.len(), true);
         }
-        let sites = bodies.iter().map(|b| b.particle.centre.site());
-        let sites: Vec<SiteOf<S>> = sites.collect();
-        let mut waiting = None;
-        let mut k = 0;
+        let mut pairs = self.pairs.iter_mut();
+        let mut sum = 0.0;
         for (i, body) in bodies.iter().enumerate() {
-            for &j in near.row(i) {
-                let (j, pair) = (j as usize, k);
-                k += 1;
-                if !(self.is_outdated[i] || self.is_outdated[j]) {
-                    continue;
+            for (&j, energy) in near.row(i).iter().zip(&mut pairs) {
+                let j = j as usize;
+                if self.is_outdated[i] || self.is_outdated[j] {
+                    let (a, b) = (&body.particle, &bodies[j].particle);
+                    let way = metric.log(a.centre, b.centre);
+                    *energy = way.map_or(0.0, |way| potential_between(a, b, way));
                 }
-                let (a, b) = (&body.particle, &bodies[j].particle);
-                self.pairs[pair] = 0.0;
-                let Some((r, turn)) = metric.log_between(&sites[i], &sites[j], farthest(a, b))
-                else {
-                    continue;
-                };
-                if !(a.kind == CellKind::Square && b.kind == CellKind::Square) {
-                    self.pairs[pair] = potential_between(a, b, (r, turn));
-                } else if CellShape::of(a).may_touch(&CellShape::of(b), r, 0.0) {
-                    let other = SeenSquare {
-                        axis: turn.apply(b.axis),
-                        size: b.size,
-                        way: r,
-                    };
-                    let next = (pair, (a.axis, a.size), other);
-                    waiting = self.two_squares(waiting, next);
-                }
+                sum += *energy;
             }
         }
-        if let Some((pair, own, other)) = waiting {
-            [self.pairs[pair], _] = SquarePairs::new([own; 2], [other; 2]).potentials();
-        }
-        let sum = self.pairs.iter().fold(0.0, |sum, energy| sum + energy);
         self.is_outdated.fill(false);
         sum
     }
-
-    /// Computes two pairs of squares, or lets the first one wait.
-    fn two_squares(
-        &mut self,
-        waiting: Option<WaitingPair>,
-        next: WaitingPair,
-    ) -> Option<WaitingPair> {
-        let Some(first) = waiting else {
-            return Some(next);
-        };
-        let pairs = SquarePairs::new([first.1, next.1], [first.2, next.2]);
-        [self.pairs[first.0], self.pairs[next.0]] = pairs.potentials();
-        None
-    }
 }
-
-/// The number of a pair of squares, the axis and the size of the first one, and the other one.
-type WaitingPair = (usize, (DVec2, f64), SeenSquare);

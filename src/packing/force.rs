@@ -5,12 +5,11 @@
 //! pair is l0 squared, so that k0 / l0 = l0, the pair's stable distance.
 
 use super::Particle;
-use super::shape::{CUT, CellShape, SQUARE_REACH};
+use super::shape::{CUT, CellShape};
 use super::transport::{IdentityTransport, ParallelTransport};
 use crate::field::CellKind;
 use crate::order::{greater, lesser};
 use glam::DVec2;
-use wide::f64x2;
 
 /// Weight of the four corner potentials in eq. (4).
 pub const CORNER_WEIGHT: f64 = std::f64::consts::SQRT_2 - 1.0;
@@ -216,20 +215,15 @@ impl Pair {
         let q = local.abs();
         let (x, y) = (greater(q.x, q.y), lesser(q.x, q.y));
         let per_reach = 1.0 / reach;
-        // Two corners at once, above and below.
-        let beside = f64x2::new([y - half, y + half]);
-        let pull = |x: f64| {
-            let squares = f64x2::splat(x * x) + beside * beside;
-            let strength = radial_strengths(squares, f64x2::splat(per_reach));
-            let ([a, b], [c, d]) = (strength.to_array(), (strength * beside).to_array());
-            ((a + b) * x, c + d)
-        };
-        let (mut along, mut across) = pull(x - half);
+        let radial = |x: f64, y: f64| radial_strength(x * x + y * y, per_reach);
+        let (above, below) = (radial(x - half, y - half), radial(x - half, y + half));
+        let mut along = (above + below) * (x - half);
+        let mut across = above * (y - half) + below * (y + half);
         // The far corners are mostly out of reach.
         if x + half < CUT * reach {
-            let (a, b) = pull(x + half);
-            along += a;
-            across += b;
+            let (above, below) = (radial(x + half, y - half), radial(x + half, y + half));
+            along += (above + below) * (x + half);
+            across += above * (y - half) + below * (y + half);
         }
         let sum = l0
             * if q.x >= q.y {
@@ -247,25 +241,18 @@ impl Pair {
         let l0 = self.stable_distance();
         let reach = self.corner_distance();
         let half = 0.5 * size;
-        // By symmetry, works in the first quadrant, on two corners at once.
+        // By symmetry, works in the first quadrant.
         let q = local.abs();
-        let beside = f64x2::new([q.y - half, q.y + half]);
-        let most = CUT * CUT * reach * reach;
-        let pair = |x: f64| {
-            if x * x >= most {
-                return (0.0, 0.0);
+        let radial = |x: f64, y: f64| {
+            let square = DVec2::new(q.x - x, q.y - y).length_squared();
+            if square < CUT * CUT * reach * reach {
+                bubble_potential(square.sqrt() / reach)
+            } else {
+                0.0
             }
-            let square = f64x2::splat(x * x) + beside * beside;
-            let [w, v] = (square.sqrt() / f64x2::splat(reach)).to_array();
-            let [s, t] = square.to_array();
-            let potential = |square: f64, w: f64| match square < most {
-                true => bubble_potential(w),
-                false => 0.0,
-            };
-            (potential(s, w), potential(t, v))
         };
-        let (near, far) = (pair(q.x - half), pair(q.x + half));
-        l0 * reach * (near.0 + near.1 + far.0 + far.1)
+        let front = radial(half, half) + radial(half, -half);
+        l0 * reach * (front + radial(-half, half) + radial(-half, -half))
     }
 }
 
@@ -276,12 +263,6 @@ pub(super) fn force_between<P>(
     (r, turn): (DVec2, impl ParallelTransport),
 ) -> DVec2 {
     Pair::seen(a, b, turn).force(r)
-}
-
-/// A distance from which on two cells of any kinds have no potential, with reserve for rounding.
-pub(super) fn farthest<P>(a: &Particle<P>, b: &Particle<P>) -> f64 {
-    let length = CellShape::of(a).length() + CellShape::of(b).length();
-    (1.0 + 1e-9) * SQUARE_REACH * 0.5 * length
 }
 
 /// The potential of two cells of any kinds.
@@ -321,13 +302,4 @@ fn radial_strength(square: f64, per_reach: f64) -> f64 {
     let square = lesser(square * (per_reach * per_reach), CUT * CUT);
     let w = greater(square, f64::MIN_POSITIVE).sqrt();
     (1.25 * square - 2.375 * w + 1.125 / w) * per_reach
-}
-
-/// The same for two vectors.
-#[inline(always)]
-pub(super) fn radial_strengths(squares: f64x2, per_reach: f64x2) -> f64x2 {
-    let squares = squares * (per_reach * per_reach);
-    let squares = squares.fast_min(f64x2::splat(CUT * CUT));
-    let w = squares.fast_max(f64x2::splat(f64::MIN_POSITIVE)).sqrt();
-    (squares * 1.25 - w * 2.375 + f64x2::splat(1.125) / w) * per_reach
 }

@@ -4,10 +4,9 @@
 
 use super::body::MovingParticle;
 use super::energy::PairEnergies;
-use super::force::force_between;
-use super::packing_domain::{Location, MetricSpace, PackingDomain, SpatialHash};
+use super::force::{Pair, force_between};
+use super::packing_domain::{MetricSpace, PackingDomain, SpatialHash};
 use super::shape::{CellShape, SQUARE_REACH};
-use super::square_pairs::{NeighbourSum, SeenSquare};
 use super::transport::ParallelTransport;
 use super::wall::{stays_clear, wall_force};
 use super::{Integrator, Particle};
@@ -80,7 +79,7 @@ const WEIGHTS: [f64; 4] = [1.0, 2.0, 2.0, 1.0];
 
 /// The neighbour list and the forces.
 #[derive(Clone, Debug)]
-pub(super) struct Motion<P: Location> {
+pub(super) struct Motion<P> {
     doing: Doing<P>,
     /// The largest move and the largest force of the step so far.
     largest: (f64, f64),
@@ -98,7 +97,7 @@ pub(super) struct Motion<P: Location> {
     energies: PairEnergies,
 }
 
-impl<P: Location> Default for Motion<P> {
+impl<P> Default for Motion<P> {
     fn default() -> Self {
         Self {
             doing: Doing::default(),
@@ -117,8 +116,8 @@ impl<P: Location> Default for Motion<P> {
 
 /// The inputs to the force of most pairs, close together in memory.
 #[derive(Clone, Copy, Debug)]
-struct PairData<P: Location> {
-    centre: P::Site,
+struct PairData<P> {
+    centre: P,
     axis: DVec2,
     size: f64,
     /// Two cells do not touch if they are farther apart than the sum of their reaches.
@@ -126,11 +125,11 @@ struct PairData<P: Location> {
     is_square: bool,
 }
 
-impl<P: Location> PairData<P> {
+impl<P: Copy> PairData<P> {
     fn of(particle: &Particle<P>) -> Self {
         let stretched = particle.kind.is_stretched();
         Self {
-            centre: particle.centre.site(),
+            centre: particle.centre,
             axis: particle.axis,
             size: particle.size,
             reach: if stretched {
@@ -143,7 +142,7 @@ impl<P: Location> PairData<P> {
     }
 }
 
-impl<P: Location> Motion<P> {
+impl<P: Copy> Motion<P> {
     /// Invalidates the list after a change of the bodies.
     pub fn forget(&mut self) {
         self.made_at.clear();
@@ -203,25 +202,24 @@ impl<P: Location> Motion<P> {
     ) {
         self.near.clear();
         self.energies.forget();
-        let shapes: Vec<CellShape> = bodies.iter().map(|b| CellShape::of(&b.particle)).collect();
-        let sites: Vec<P::Site> = self.made_at.iter().map(|p| p.site()).collect();
         let mut near = Vec::new();
         for (i, body) in bodies.iter().enumerate() {
-            for image in metric.images(body.particle.centre, reach) {
-                let site = image.site();
+            let centre = body.particle.centre;
+            let shape = CellShape::of(&body.particle);
+            for image in metric.images(centre, reach) {
                 for run in grid.runs_near(image, reach) {
                     let end = firsts[run.end] as usize;
                     let first = (firsts[run.start] as usize).max(i + 1).min(end);
-                    for (other, j) in sites[first..end].iter().zip(first..) {
-                        let Some((r, turn)) = metric.log_from(&site, other, reach) else {
+                    for (other, j) in bodies[first..end].iter().zip(first as u32..) {
+                        let Some((r, turn)) = metric.log_from(image, other.particle.centre, reach)
+                        else {
                             continue;
                         };
-                        // No two cells touch from as far as that, and most are farther apart.
-                        if r.length_squared() < reach * reach
-                            && shapes[i].may_touch(&shapes[j].seen(turn), r, margin)
-                            && !is_walled_off(body, &bodies[j], r, metric)
+                        let seen = CellShape::of(&other.particle).seen(turn);
+                        if shape.may_touch(&seen, r, margin)
+                            && !is_walled_off(body, other, r, metric)
                         {
-                            near.push(j as u32);
+                            near.push(j);
                         }
                     }
                 }
@@ -252,12 +250,12 @@ impl<P: Location> Motion<P> {
 
     /// Wakes the bodies that have moved, and their neighbours.
     fn wake(&mut self, bodies: &[MovingParticle<P>]) {
-        let moved: Vec<bool> = bodies.iter().map(|b| b.has_moved).collect();
-        self.awake.clone_from(&moved);
-        for (i, &has_moved) in moved.iter().enumerate() {
+        self.awake.clear();
+        self.awake.extend(bodies.iter().map(|b| b.has_moved));
+        for (i, body) in bodies.iter().enumerate() {
             for &j in self.near.row(i) {
-                self.awake[i] |= moved[j as usize];
-                self.awake[j as usize] |= has_moved;
+                self.awake[i] |= bodies[j as usize].has_moved;
+                self.awake[j as usize] |= body.has_moved;
             }
         }
         for (awake, body) in self.awake.iter_mut().zip(bodies) {
@@ -284,8 +282,7 @@ impl<P: Location> Motion<P> {
         let mut near_walls = Vec::new();
         for (i, body) in these.clone().zip(&bodies[these]) {
             let (a, a_awake) = (self.pair_data[i], self.awake[i]);
-            let own = (a.axis, a.size);
-            let mut sum = NeighbourSum::new(&mut self.forces);
+            let mut total = DVec2::ZERO;
             for &j in self.near.row(i) {
                 let j = j as usize;
                 let b = &self.pair_data[j];
@@ -293,28 +290,21 @@ impl<P: Location> Motion<P> {
                     continue;
                 }
                 let reach = a.reach + b.reach;
-                let way = ground.metric().log_between(&a.centre, &b.centre, reach);
+                let way = ground.metric().log_within(a.centre, b.centre, reach);
                 let Some((r, turn)) = way else {
                     continue;
                 };
                 if r.length_squared() >= reach * reach {
                     continue;
                 }
-                if a.is_square && b.is_square {
-                    let other = SeenSquare {
-                        axis: turn.apply(b.axis),
-                        size: b.size,
-                        way: r,
-                    };
-                    sum.add_square(own, (j, turn), other);
+                let force = if a.is_square && b.is_square {
+                    Pair::squares((a.axis, turn.apply(b.axis)), (a.size, b.size)).force(r)
                 } else {
-                    sum.finish(own);
-                    let force = force_between(&body.particle, &bodies[j].particle, (r, turn));
-                    sum.put((j, turn), force);
-                }
+                    force_between(&body.particle, &bodies[j].particle, (r, turn))
+                };
+                self.forces[j] += turn.undo(force);
+                total -= force;
             }
-            sum.finish(own);
-            let mut total = sum.total;
             if a_awake {
                 let (force, distance) = wall_force(body, ground.walls(), &mut near_walls);
                 total += force;
@@ -517,9 +507,7 @@ fn sort_by_bucket<P: Copy>(
     bodies: &mut [MovingParticle<P>],
     grid: &impl SpatialHash<P>,
 ) -> Vec<u32> {
-    let centres = bodies.iter().map(|b| b.particle.centre);
-    let buckets: Vec<usize> = centres.map(|centre| grid.bucket(centre)).collect();
-    let pairs = buckets.iter().copied().zip(bodies.iter().copied());
+    let pairs = bodies.iter().map(|b| (grid.bucket(b.particle.centre), *b));
     let mut sorted = Csr::from_pairs(grid.buckets(), pairs);
     for bucket in 0..grid.buckets() {
         sorted

@@ -6,7 +6,7 @@
 
 use super::body::MovingParticle;
 use super::force::{force_between, potential_between};
-use super::packing_domain::{Boundary, Location, MetricSpace};
+use super::packing_domain::{Boundary, MetricSpace};
 use super::run::Run;
 use super::shape::CellShape;
 use super::transport::ParallelTransport;
@@ -44,7 +44,7 @@ const STRIDE: u32 = 4;
 /// Neighbours in rows and columns, or the six around, are nearer than this, in stable distances.
 const NEAR: f64 = 1.25;
 
-impl<P: Location> Run<P> {
+impl<P: Copy> Run<P> {
     /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of the mean
     /// cell's k0, from the last row of the record; computed if there is none.
     pub fn energy<S: MetricSpace<Place = P>>(&mut self, metric: S) -> f64 {

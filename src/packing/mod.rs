@@ -53,7 +53,6 @@ mod quadtree;
 mod report;
 pub(crate) mod run;
 pub(crate) mod shape;
-mod square_pairs;
 mod stress;
 mod surroundings;
 pub(crate) mod transport;
@@ -104,14 +103,13 @@ pub struct Particle<P = DVec2> {
 impl<P: Copy> Particle<P> {
     /// A cell with the fields' values at its place.
     pub(crate) fn new<A: CellFields<Place = P>>(id: u32, centre: P, fixed: bool, asked: A) -> Self {
-        let (size, aspect, axis) = asked.values(centre);
         Self {
             id,
             centre,
             kind: asked.kind(centre),
-            size,
-            aspect,
-            axis,
+            size: asked.size(centre),
+            aspect: asked.aspect(centre),
+            axis: asked.direction(centre),
             fixed,
         }
     }

@@ -35,21 +35,9 @@ pub(crate) trait SpatialHash<P> {
     fn push(&mut self, p: P);
 }
 
-/// A location of a cell.
-pub(crate) trait Location: Copy + Debug {
-    /// A location prepared for many logarithmic maps.
-    type Site: Copy + Debug;
-
-    /// Prepares it.
-    fn site(self) -> Self::Site;
-}
-
-/// The site of a place in a metric space.
-pub(crate) type SiteOf<S> = <<S as MetricSpace>::Place as Location>::Site;
-
 /// The metric between places. Vectors are in the frame of the first place.
 pub(crate) trait MetricSpace: Copy {
-    type Place: Location;
+    type Place: Copy + Debug;
     type Transport: ParallelTransport;
     type Hash: SpatialHash<Self::Place>;
     /// Whether tracing a path from place to place is expensive.
@@ -64,18 +52,11 @@ pub(crate) trait MetricSpace: Copy {
     /// The offset from an image, if no other image is nearer; `None` if it is certainly longer than `reach`.
     fn log_from(
         self,
-        image: &SiteOf<Self>,
-        to: &SiteOf<Self>,
+        image: Self::Place,
+        to: Self::Place,
         reach: f64,
     ) -> Option<(DVec2, Self::Transport)>;
     /// The same from a place itself, to the nearest image.
-    fn log_between(
-        self,
-        from: &SiteOf<Self>,
-        to: &SiteOf<Self>,
-        reach: f64,
-    ) -> Option<(DVec2, Self::Transport)>;
-    /// The same for places that are not prepared.
     fn log_within(
         self,
         from: Self::Place,
@@ -129,7 +110,7 @@ pub(crate) trait Boundary: Copy {
 
 /// A domain with fields and walls; see the head of this file.
 pub(crate) trait PackingDomain: Copy {
-    type Place: Location;
+    type Place: Copy + Debug;
     type Fields: CellFields<Place = Self::Place>;
     type Metric: MetricSpace<Place = Self::Place>;
     type Walls: Boundary<Place = Self::Place>;

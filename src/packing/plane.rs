@@ -4,9 +4,7 @@ use super::BoundaryCondition;
 use super::cell_fields::CellFields;
 use super::clearance::{has_room, middle_of_narrow};
 use super::grid::Grid;
-use super::packing_domain::{
-    Boundary, ClosestPoint, Location, MetricSpace, PackingDomain, SpatialHash,
-};
+use super::packing_domain::{Boundary, ClosestPoint, MetricSpace, PackingDomain, SpatialHash};
 use super::shape::CellShape;
 use super::surroundings::PlaneDomain;
 use super::transport::IdentityTransport;
@@ -69,15 +67,6 @@ impl SpatialHash<DVec2> for Grid {
     }
 }
 
-impl Location for DVec2 {
-    type Site = Self;
-
-    #[inline(always)]
-    fn site(self) -> Self {
-        self
-    }
-}
-
 impl MetricSpace for &Domain {
     type Place = DVec2;
     type Transport = IdentityTransport;
@@ -98,16 +87,11 @@ impl MetricSpace for &Domain {
     }
 
     #[inline(always)]
-    fn log_from(self, image: &DVec2, to: &DVec2, _: f64) -> Option<(DVec2, IdentityTransport)> {
-        let r = *to - *image;
+    fn log_from(self, image: DVec2, to: DVec2, _: f64) -> Option<(DVec2, IdentityTransport)> {
+        let r = to - image;
         self.space()
             .is_shortest(r)
             .then_some((r, IdentityTransport))
-    }
-
-    #[inline(always)]
-    fn log_between(self, from: &DVec2, to: &DVec2, _: f64) -> Option<(DVec2, IdentityTransport)> {
-        self.log(*from, *to)
     }
 
     #[inline(always)]

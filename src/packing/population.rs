@@ -9,8 +9,8 @@
 use super::body::MovingParticle;
 use super::front::{is_taken, slots};
 use super::packing_domain::{
-    Boundary, ClosestPoint, ClosestPointOf, HashOf, Location, MetricSpace, PackingDomain, SiteOf,
-    SpatialHash, TransportOf,
+    Boundary, ClosestPoint, ClosestPointOf, HashOf, MetricSpace, PackingDomain, SpatialHash,
+    TransportOf,
 };
 use super::shape::CellShape;
 use super::transport::ParallelTransport;
@@ -72,9 +72,8 @@ impl<P> CandidatePlace<P> {
 
 /// A population scan in progress.
 #[derive(Clone, Debug)]
-pub(crate) struct PopulationScan<P: Location, B> {
+pub(crate) struct PopulationScan<P, B> {
     shapes: Vec<CellShape>,
-    sites: Vec<P::Site>,
     grid: B,
     longest: f64,
     nearest: Vec<f64>,
@@ -90,12 +89,11 @@ struct ScanInputs<'a, G: PackingDomain> {
     ground: G,
     bodies: &'a [MovingParticle<G::Place>],
     shapes: &'a [CellShape],
-    sites: &'a [SiteOf<G::Metric>],
     grid: &'a HashOf<G>,
     longest: f64,
 }
 
-impl<P: Location, B: SpatialHash<P>> PopulationScan<P, B> {
+impl<P: Copy, B: SpatialHash<P>> PopulationScan<P, B> {
     /// Starts a scan.
     pub fn new<G>(ground: G, bodies: &[MovingParticle<P>]) -> Self
     where
@@ -112,7 +110,6 @@ impl<P: Location, B: SpatialHash<P>> PopulationScan<P, B> {
         order::sort(&mut order, |&i| (bodies[i].particle.id.into(), 0));
         Self {
             shapes,
-            sites: bodies.iter().map(|b| b.particle.centre.site()).collect(),
             grid,
             longest,
             nearest: Vec::with_capacity(bodies.len()),
@@ -143,7 +140,6 @@ impl<P: Location, B: SpatialHash<P>> PopulationScan<P, B> {
             ground,
             bodies,
             shapes: &self.shapes,
-            sites: &self.sites,
             grid: &self.grid,
             longest: self.longest,
         };
@@ -219,19 +215,11 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
         };
         let is_open = |to: DVec2| !is_taken(&self.shapes[i], to, &beside);
         let mut sites = Vec::with_capacity(8);
-        let has_rows = self.shapes[i].kind().has_corners();
         for place in slots(centre, self.shapes[i], self.ground, is_open) {
             let site = at(place);
-            let in_row = has_rows && site.shape.kind().has_corners();
-            let next = if in_row { self.next(i, place) } else { None };
-            // Most places are taken by the next body of the row.
-            if !next
-                .as_ref()
-                .is_some_and(|next| self.takes(next.body, &site))
-            {
-                sites.push(site);
-            }
-            if let Some(middle) = next.and_then(|next| self.in_loose_row(i, next)) {
+            let has_corners = site.shape.kind().has_corners();
+            sites.push(site);
+            if has_corners && let Some(middle) = self.in_loose_row(i, place) {
                 sites.push(CandidatePlace {
                     room: SQUEEZED,
                     ..at(middle)
@@ -239,17 +227,6 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
             }
         }
         sites
-    }
-
-    /// Whether a body leaves no room at a place.
-    fn takes(&self, k: usize, site: &CandidatePlace<G::Place>) -> bool {
-        let &CandidatePlace { place, shape, room } = site;
-        let reach = room * 0.5 * (shape.length() + self.longest);
-        let metric = self.ground.metric();
-        let way = metric.log_between(&place.site(), &self.sites[k], reach);
-        way.is_some_and(|(r, turn)| {
-            shape.is_closer(&self.shapes[k].seen(turn), r, room) && !metric.is_parted(place, r)
-        })
     }
 
     /// The bodies that touch one, as seen from it.
@@ -292,15 +269,18 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
             .filter(|&middle| is_free(middle, &CellShape::metric_at(ground.fields(), middle)))
     }
 
-    /// The midpoint of the gap between a body and the next one of its row, if the row is loose there and has
-    /// no wider gap.
-    fn in_loose_row(&self, i: usize, next: NextInRow) -> Option<G::Place> {
+    /// The midpoint of the gap between a body and the next one of its row at `to`, if the row is loose there
+    /// and has no wider gap.
+    fn in_loose_row(&self, i: usize, to: G::Place) -> Option<G::Place> {
+        if !self.shapes[i].kind().has_corners() {
+            return None;
+        }
         let NextInRow {
             body: next,
             way,
             onwards,
             far: gap,
-        } = next;
+        } = self.next(i, to)?;
         if gap < GAP {
             return None;
         }
@@ -336,9 +316,6 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
         let mut best = None;
         let mut least = ROW;
         self.any_near(to, shape, ROW, |k, r, turn| {
-            if shape.is_far(&self.shapes[k], r, least) {
-                return false;
-            }
             let far = shape.normalised_distance(&self.shapes[k].seen(turn), r);
             if k != i && far < least && !self.ground.metric().is_parted(to, r) {
                 (least, best) = (far, Some(k));
@@ -363,9 +340,6 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut least = 2.0_f64;
         self.any_near(at, shape, 1.0, |k, r, turn| {
-            if shape.is_far(&self.shapes[k], r, least) {
-                return false;
-            }
             let far = shape.normalised_distance(&self.shapes[k].seen(turn), r);
             if k != i && far < least && !self.ground.metric().is_parted(at, r) {
                 least = far;
@@ -393,9 +367,9 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
         mut test: impl FnMut(usize, DVec2, TransportOf<G>) -> bool,
     ) -> bool {
         let reach = w * 0.5 * (shape.length() + self.longest);
-        let (metric, site) = (self.ground.metric(), at.site());
-        metric.any_near(self.grid, at, reach, |k| {
-            let way = metric.log_between(&site, &self.sites[k], reach);
+        self.ground.metric().any_near(self.grid, at, reach, |k| {
+            let other = self.bodies[k].particle.centre;
+            let way = self.ground.metric().log_within(at, other, reach);
             way.is_some_and(|(r, turn)| test(k, r, turn))
         })
     }

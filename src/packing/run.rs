@@ -3,7 +3,7 @@
 use super::body::MovingParticle;
 use super::cell_fields::CellFields;
 use super::integrate::Motion;
-use super::packing_domain::{HashOf, Location, PackingDomain};
+use super::packing_domain::{HashOf, PackingDomain};
 use super::population::{Change, PopulationScan};
 use super::{PackingParams, Particle, Population, Sample, StepReport};
 use crate::order;
@@ -12,7 +12,7 @@ use glam::DVec2;
 
 /// A packing in progress, without its domain.
 #[derive(Clone, Debug)]
-pub(crate) struct Run<P: Location> {
+pub(crate) struct Run<P> {
     pub params: PackingParams,
     pub bodies: Vec<MovingParticle<P>>,
     pub(super) motion: Motion<P>,
@@ -24,7 +24,7 @@ pub(crate) struct Run<P: Location> {
     pub samples: Vec<Sample>,
 }
 
-impl<P: Location> Run<P> {
+impl<P: Copy> Run<P> {
     /// Starts with these centres, each with whether it is fixed.
     pub fn of<A: CellFields<Place = P>>(
         cells: impl Iterator<Item = (P, bool)>,

@@ -232,12 +232,6 @@ impl CellShape {
         self.normalised_distance(other, r) < w
     }
 
-    /// Whether their distance is more than `w` stable distances, beyond all rounding: a quick yes for most cells.
-    pub fn is_far(&self, other: &CellShape, r: DVec2, w: f64) -> bool {
-        let reach = (1.0 + 1e-9) * w * (self.size + other.size);
-        self.root == 1.0 && other.root == 1.0 && 4.0 * r.length_squared() > reach * reach
-    }
-
     /// The distance of two cells over their stable distance: w of eq. (2), by effective distances (Itoh,
     /// Miyata, Shimada 2003, section 5.1). The stable distance is the sum of the two lengths that the cells'
     /// ellipses cut out of the line between the centres.

@@ -1,6 +1,6 @@
 //! Packing reads the sizes and directions of its cells from the fields of a surface.
 
-use super::{SurfaceFields, Wanted};
+use super::SurfaceFields;
 use crate::field::CellKind;
 use crate::packing::cell_fields::CellFields;
 use crate::trimesh::SurfacePoint;
@@ -23,11 +23,6 @@ impl CellFields for &SurfaceFields {
 
     fn direction(self, p: SurfacePoint) -> DVec2 {
         self.axis(&p)
-    }
-
-    fn values(self, p: SurfacePoint) -> (f64, f64, DVec2) {
-        let Wanted { size, aspect, axis } = self.at(&p);
-        (size, aspect, axis)
     }
 
     fn mean_size(self) -> f64 {

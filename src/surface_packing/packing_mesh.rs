@@ -1,8 +1,7 @@
 //! A mesh prepared for packing.
 
 use super::walls::SurfaceWalls;
-use crate::packing::packing_domain::{Location, MetricSpace};
-use crate::trimesh::frame::{FramedPoint, log_of};
+use crate::packing::packing_domain::MetricSpace;
 use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{SurfacePoint, Transport, TriMesh, log};
 use glam::{DVec2, DVec3};
@@ -134,14 +133,6 @@ impl PackingMesh {
     }
 }
 
-impl Location for SurfacePoint {
-    type Site = FramedPoint;
-
-    fn site(self) -> FramedPoint {
-        FramedPoint::of(&self)
-    }
-}
-
 impl MetricSpace for &PackingMesh {
     type Place = SurfacePoint;
     type Transport = Transport;
@@ -161,28 +152,13 @@ impl MetricSpace for &PackingMesh {
         std::iter::once(p)
     }
 
-    #[inline]
     fn log_from(
         self,
-        image: &FramedPoint,
-        to: &FramedPoint,
+        image: SurfacePoint,
+        to: SurfacePoint,
         reach: f64,
     ) -> Option<(DVec2, Transport)> {
-        self.log_between(image, to, reach)
-    }
-
-    #[inline]
-    fn log_between(
-        self,
-        from: &FramedPoint,
-        to: &FramedPoint,
-        reach: f64,
-    ) -> Option<(DVec2, Transport)> {
-        // The path along the surface is never shorter than the straight line.
-        if from.at.distance_squared(to.at) > reach * reach {
-            return None;
-        }
-        log_of(from, to).map(|way| (way.to, way.turn))
+        self.log_within(image, to, reach)
     }
 
     #[inline]

@@ -117,31 +117,9 @@ const LIES: f64 = 0.3;
 /// length is that of the circular arc that has these normals at its ends. The map from `b` to `a` is the reverse.
 /// Nothing if the points lie on different sides of a thin sheet. Points at one place see each other, at distance 0.
 pub fn log(a: &SurfacePoint, b: &SurfacePoint) -> Option<LogMap> {
-    log_of(&FramedPoint::of(a), &FramedPoint::of(b))
-}
-
-/// A point with its frame, prepared for many logarithmic maps.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct FramedPoint {
-    pub at: DVec3,
-    frame: TangentFrame,
-}
-
-impl FramedPoint {
-    /// Finds the frame at a point.
-    pub fn of(p: &SurfacePoint) -> Self {
-        Self {
-            at: p.at,
-            frame: p.frame(),
-        }
-    }
-}
-
-/// [`log`] between points with their frames.
-pub(crate) fn log_of(a: &FramedPoint, b: &FramedPoint) -> Option<LogMap> {
-    let own = &a.frame;
-    let to = seen(a.at, own.normal, b.at, b.frame.normal)?;
-    let turn = own.turn_from(&b.frame);
+    let to = seen(a.at, a.normal, b.at, b.normal)?;
+    let own = TangentFrame::of(a.normal);
+    let turn = own.turn_from(&TangentFrame::of(b.normal));
     let to = if to == DVec3::ZERO {
         DVec2::ZERO
     } else {
