@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
-import { low, open } from './harness.mjs';
+import { open } from './harness.mjs';
 import { canvas, click, digest, frames, reloading, set } from './page.mjs';
 import { handed, keeping } from './saved.mjs';
 import { longestTask, skip } from './tasks.mjs';
@@ -17,13 +17,11 @@ before(async () => {
 after(() => site?.close());
 
 /** On a screen of double density, the sheet needs three times the picture's pixels; zoomed by one press, five times. */
-const LINK = '#size=192&cs=16&outline=square';
-const THREE = '576';
-const CLOSER = '960';
+const LINK = '#size=384&cs=32&outline=square';
+const THREE = '1152';
+const CLOSER = '1920';
 
-const retina = { ...low, deviceScaleFactor: 2 };
-/** A screen whose fine pictures take long enough to be looked at while they come. */
-const large = { width: 1280, height: 840, deviceScaleFactor: 2 };
+const retina = { width: 1280, height: 872, deviceScaleFactor: 2 };
 
 /**
  * A page with fine pictures, which counts its workers.
@@ -200,7 +198,7 @@ test('it is left to the visitor, and off where data is to be spared', sameEveryw
 });
 
 test('a page that is not seen makes none', sameEverywhere, async () => {
-  const { page, problems, close } = await opened('#cs=12', { viewport: large });
+  const { page, problems, close } = await opened('#cs=12');
   const hide = (hidden) =>
     page.evaluate((now) => {
       Object.defineProperty(document, 'hidden', { value: now, configurable: true });
@@ -223,7 +221,7 @@ test('a page that is not seen makes none', sameEverywhere, async () => {
 });
 
 test('the page is not held while it comes', { skip }, async () => {
-  const { page, close } = await opened('#cs=24&zoom=1.8,0.5,0.5', { still: false, viewport: large });
+  const { page, close } = await opened('#cs=24&zoom=1.8,0.5,0.5', { still: false });
   await fine(page, '2048');
   const runs = [];
   // Now and then the browser itself blocks a page for long.
@@ -242,7 +240,7 @@ test('the page is not held while it comes', { skip }, async () => {
 });
 
 test('the picture alone in another page is fine, too', sameEverywhere, async () => {
-  const { page, problems, close } = await opened(`?embed${LINK}`, { viewport: { width: 250, height: 250, deviceScaleFactor: 2 } });
+  const { page, problems, close } = await opened(`?embed${LINK}`, { viewport: { width: 500, height: 500, deviceScaleFactor: 2 } });
   await fine(page);
   await page.evaluate((fragment) => (location.hash = fragment), `${LINK}&az=40`);
   await page.waitForFunction(() => !document.querySelector('.fine'));

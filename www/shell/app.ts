@@ -109,11 +109,16 @@ export class App {
     void this.finished.then(() => refine(this.work, this.view));
   }
 
-  /** Builds the panel, the rail and the timeline. They take long to build, so the first cells are shown before. */
+  /**
+   * Builds the panel and the rail. They take long to build, so the first cells are shown before. The timeline comes after
+   * the first picture, or at a pause.
+   */
   async furnish(): Promise<void> {
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
     await furnish(this);
-    void this.parts.timeline.load();
+    const bring = (): void => void this.parts.timeline.load();
+    this.store.on(['paused'], bring);
+    void this.finished.then(bring);
   }
 
   /**
