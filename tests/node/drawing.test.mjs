@@ -37,7 +37,7 @@ function squares(count, width) {
 const line = 'fill="none" stroke="currentColor" stroke-width="8"';
 const bend = 'M20 80V20H80';
 
-/** What is drawn, the drawing, its area, and the number of its rings. @type {[what: string, inner: string, expected: number, count: number][]} */
+/** The name of each drawing, the drawing, its area, and the number of its rings. @type {[what: string, inner: string, expected: number, count: number][]} */
 const DRAWINGS = [
   ['a stroke with butt ends', `<line x1="20" y1="50" x2="80" y2="50" stroke="#000" stroke-width="8"/>`, 480, 1],
   ['square ends', `<path d="M20 50H80" ${line} stroke-linecap="square"/>`, 544, 1],
