@@ -14,6 +14,8 @@ interface CardActs {
   how(body: Told): void;
   /** The act that turns the bricks of a corner or an edge; undefined if the body is of another feature. */
   flip(body: Told): (() => void) | undefined;
+  /** The pixels at the top of the frame that hold tools; no card covers them. */
+  tools(): number;
 }
 
 export class Card {
@@ -43,12 +45,12 @@ export class Card {
     if (flip) this.offer('turn-flip', t('flip'), flip);
     element.hidden = false;
     const box = element.parentElement?.getBoundingClientRect();
-    const along = (part: number, room: number, own: number): number => {
+    const along = (part: number, room: number, own: number, least: number): number => {
       const after = part * room + GAP;
-      return Math.max(0, after + own <= room ? after : Math.max(part * room - GAP - own, 0));
+      return Math.max(least, after + own <= room ? after : part * room - GAP - own);
     };
-    element.style.left = `${along(x, box?.width ?? 0, element.offsetWidth)}px`;
-    element.style.top = `${along(y, box?.height ?? 0, element.offsetHeight)}px`;
+    element.style.left = `${along(x, box?.width ?? 0, element.offsetWidth, 0)}px`;
+    element.style.top = `${along(y, box?.height ?? 0, element.offsetHeight, this.acts.tools())}px`;
   }
 
   private offer(id: string, name: string, act: () => void): void {
