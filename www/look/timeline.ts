@@ -7,7 +7,6 @@
  */
 import { t } from '../words/look';
 import { byId, make, say } from '../base/dom';
-import { bindKeys } from '../base/keys';
 import { RETOLD } from '../base/language';
 import { countedBy, isEnd, isUpToSteps } from '../module/stages';
 import type { Status } from '../module/types';
@@ -38,7 +37,6 @@ export class Timeline {
     [this.work, this.host, this.leave] = [work, host, leave];
     this.slider.addEventListener('input', () => this.seek(Number(this.slider.value)));
     this.back.addEventListener('click', () => this.goBack());
-    bindKeys({ keys: [','], word: 'key_back', act: () => this.back.click(), repeats: true });
     byId('timeline').replaceChildren(this.back, this.slider, this.said);
     const { store } = work;
     store.on(['make'], () => ([this.all, this.isKnown] = [0, false]));
@@ -74,8 +72,9 @@ export class Timeline {
     return !isEnd(stage) && stages.indexOf(stage) < stages.indexOf(stepping) ? 0 : engine.status().steps;
   }
 
-  /** One step back. A step may lay several blocks, so the first run may only show where the step before began. */
-  private goBack(): void {
+  /** One step back, if there is one. A step may lay several blocks, so the first run may only show where the step before began. */
+  goBack(): void {
+    if (this.back.disabled) return;
     const now = this.now();
     this.seek(now - 1, ({ made, before }) => made !== undefined && made >= now && this.seek(before));
   }
