@@ -1,10 +1,13 @@
-//! Masonry: a house laid without geometry, with few and with many bricks.
+//! Masonry: a house laid without geometry, with few and with many bricks; its frames, and the way to them.
 
+use super::frames::{self, frame, place};
 use super::{Clock, Timing, shortest};
 use bubblestone::building::{Building, Draft, Module, Rule};
+use bubblestone::generators::ALL;
 use bubblestone::masonry::laying::{Laying, LayingParams};
 use bubblestone::masonry::plan::thicknesses;
 use bubblestone::masonry::tree::TreePreset;
+use bubblestone::studio::Studio;
 use std::sync::Arc;
 
 /// How much smaller bricks are, so that the same house has about 50,000.
@@ -39,8 +42,44 @@ fn laid(building: &Arc<Building>, smaller: f64) -> Option<usize> {
     Some(laying.cells().len())
 }
 
-/// Times the laying of the house, and of the same house with small bricks; and a thousand bricks of each.
+/// The house, and the same house with small bricks, as recipes.
+const HOUSE: &str = "make=masonry&building=lhouse&pattern=bricks";
+const SMALL: &str = "&module=own&w=34.1&h=22.7&joint=2.7";
+
+/// Times everything about masonry.
 pub fn timings(clock: Clock) -> Vec<Timing> {
+    let mut timings = laying(clock);
+    timings.push(moved_window(clock));
+    for (name, small) in [("house", ""), ("house of small bricks", SMALL)] {
+        let studio_of =
+            |light: &str| Studio::new(ALL, ALL.recipe(&format!("{HOUSE}{small}{light}")).0);
+        let with =
+            |studio: &mut Studio, light: &str| studio.set_recipe(studio_of(light).recipe().clone());
+        timings.extend(frames::timings(name, studio_of(""), with, clock));
+    }
+    timings
+}
+
+/// Times the way from another number of windows to the first frame of the new house.
+fn moved_window(clock: Clock) -> Timing {
+    let recipe = |windows: usize| ALL.recipe(&format!("{HOUSE}&lhouse_windows={windows}")).0;
+    let mut studio = Studio::new(ALL, recipe(3));
+    place(&mut studio, clock);
+    let times = (0..6).map(|k| {
+        let start = clock();
+        studio.set_recipe(recipe(2 + k % 2));
+        place(&mut studio, clock);
+        frame(&mut studio, 0.0, 256, "moving", clock);
+        clock() - start
+    });
+    Timing {
+        name: "from a moved window to the house's first frame".to_owned(),
+        ms: shortest(times),
+    }
+}
+
+/// Times the laying of the house, and of the same house with small bricks; and a thousand bricks of each.
+fn laying(clock: Clock) -> Vec<Timing> {
     let Ok(building) = Building::new(&house()).map(Arc::new) else {
         return Vec::new();
     };

@@ -6,16 +6,16 @@ mod peer;
 #[cfg(target_arch = "wasm32")]
 pub use peer::Pebbles;
 
+use super::frames::{self, place};
 use super::{Clock, Timing, shortest};
 use bubblestone::component::{Component, ComponentKind, Original};
+use bubblestone::generators::ALL;
 use bubblestone::generators::pile::PILE;
-use bubblestone::generators::{ALL, TurnOrder};
 use bubblestone::pile::{
     Body, Dart, Darting, Fate, Kind, Method, Order, RefineParams, Refining, Shape, Turn,
     expected_darts, merge,
 };
 use bubblestone::pile_shape::{PileShape, PiledShape};
-use bubblestone::scene::Camera;
 use bubblestone::studio::Studio;
 use bubblestone::trimesh::{Search, TriMesh};
 use glam::DVec3;
@@ -37,8 +37,6 @@ const PARAMS: RefineParams = RefineParams {
     method: Method::Exact,
     seed: 1,
 };
-/// Milliseconds of a slice of a frame, about as on the page.
-const SLICE: f64 = 10.0;
 /// More than there is to do in one go.
 const ALL_OF_IT: usize = 1 << 30;
 
@@ -125,7 +123,9 @@ pub fn timings(clock: Clock) -> Vec<Timing> {
     }
     searches(clock, &mut timings);
     whole_ways(clock, &mut timings);
-    frames(clock, &mut timings);
+    let with =
+        |studio: &mut Studio, light: &str| studio.set_recipe(rice_ball(light).recipe().clone());
+    timings.extend(frames::timings("rice ball", rice_ball(""), with, clock));
     timings
 }
 
@@ -188,13 +188,6 @@ fn rice_ball(others: &str) -> Studio {
     Studio::new(ALL, ALL.recipe(&format!("{link}{others}")).0)
 }
 
-/// Works until all bodies are in the scene, without the picture.
-fn place(studio: &mut Studio, clock: Clock) {
-    while !["light", "done", "error"].contains(&studio.stage()) {
-        studio.tick(clock, 0.0, u32::MAX);
-    }
-}
-
 /// The ways to find places in the rice ball, with their links: by intervals, and by the paper's golden section, whose
 /// cost looks at the nearest body. If it looks at all bodies, it takes 13 times as long, too long for a benchmark.
 const SEARCHES: [(&str, &str); 2] = [("exact", "&refine=exact"), ("golden", "&refine=golden")];
@@ -242,45 +235,4 @@ fn whole_ways(clock: Clock, timings: &mut Vec<Timing>) {
         clock() - start
     });
     timings.push(timing("recipe to picture, default pavement", times));
-}
-
-/// Times frames of the rice ball: while it turns, and at rest with new shadows.
-fn frames(clock: Clock, timings: &mut Vec<Timing>) {
-    let mut studio = rice_ball("");
-    place(&mut studio, clock);
-    let frame = |studio: &mut Studio, turn: usize, side: usize, how: &str, clock: Clock| {
-        let camera = PILE.camera();
-        let order = TurnOrder {
-            subject: String::new(),
-            camera: Camera {
-                angle: camera.angle + turn as f64,
-                ..camera
-            },
-            size: [side; 2],
-            how: how.to_owned(),
-        };
-        let start = clock();
-        while let Ok(frames) = studio.frames() {
-            match frames.turn(&order, clock, SLICE) {
-                Ok(slice) if !slice.done => {}
-                Ok(_) => break,
-                Err(_) => return f64::NAN,
-            }
-        }
-        clock() - start
-    };
-    // The first frames make the scene and its light.
-    let times = (0..18).map(|k| frame(&mut studio, k, 256, "moving", clock));
-    let times: Vec<f64> = times.skip(3).collect();
-    timings.push(timing("rice ball of 256 x 256, turning", times));
-    let times = (0..6).map(|k| {
-        let light = format!("&az={}", 40 * k);
-        studio.set_recipe(rice_ball(&light).recipe().clone());
-        frame(&mut studio, 0, 512, "still", clock)
-    });
-    let times: Vec<f64> = times.skip(1).collect();
-    timings.push(timing(
-        "rice ball of 512 x 512, still with its shadows",
-        times,
-    ));
 }

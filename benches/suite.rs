@@ -2,6 +2,8 @@
 //! is the shortest of several runs, because other programs have disturbed that one least.
 
 #[cfg(house)]
+mod frames;
+#[cfg(house)]
 pub mod masonry;
 #[cfg(house)]
 pub mod pile;

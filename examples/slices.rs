@@ -1,10 +1,15 @@
-//! `cargo run --release --example slices [-- LINK...]`: prints the longest slice of each stage, for all presets
-//! or for these links, as the best of three runs. Then those of the turntable: the bodies and the first frame,
-//! for a moving, a still and a fine frame, at the size of a phone's or a desktop's screen.
+//! `cargo run --release --example slices [-- [--model [ROLE=]FILE] [--runs N] [--stages] LINK...]`: prints the longest slice of
+//! each stage, for all presets or for these links, as the best of three runs. Then those of the turntable: the bodies
+//! and the first frame, for a moving, a still and a fine frame, at the size of a phone's or a desktop's screen. Each
+//! link gets the model file, if there is one; a refusal is printed. With `--stages`, the turntable is left out.
+
+#[path = "native/model.rs"]
+mod model;
 
 use bubblestone::generators::{ALL, TurnOrder};
 use bubblestone::studio::Studio;
 use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::time::Instant;
 
 /// Frames of the turntable: name, quality, and side in pixels.
@@ -17,8 +22,46 @@ const FRAMES: [(&str, &str, usize); 3] = [
 /// The shortest time of each slice, by its stage and its number in the stage.
 type Best = BTreeMap<(&'static str, u32), f64>;
 
-fn main() {
-    let mut links: Vec<String> = std::env::args().skip(1).collect();
+/// The words of the command line.
+struct Wish {
+    links: Vec<String>,
+    file: Option<OsString>,
+    runs: u32,
+    has_frames: bool,
+}
+
+fn read(mut words: impl Iterator<Item = OsString>) -> Result<Wish, String> {
+    let mut wish = Wish {
+        links: Vec::new(),
+        file: None,
+        runs: 3,
+        has_frames: true,
+    };
+    while let Some(word) = words.next() {
+        let word = word
+            .into_string()
+            .map_err(|word| format!("{} is not text.", word.display()))?;
+        let mut value = || words.next().ok_or_else(|| format!("{word} needs a value."));
+        match word.as_str() {
+            "--model" => wish.file = Some(value()?),
+            "--runs" => {
+                let runs = value()?.to_str().and_then(|runs| runs.parse().ok());
+                wish.runs = runs.ok_or("--runs needs a whole number.")?;
+            }
+            "--stages" => wish.has_frames = false,
+            _ => wish.links.push(word),
+        }
+    }
+    Ok(wish)
+}
+
+fn main() -> Result<(), String> {
+    let Wish {
+        mut links,
+        file,
+        runs,
+        has_frames,
+    } = read(std::env::args_os().skip(1))?;
     if links.is_empty() {
         links = ALL
             .iter()
@@ -28,9 +71,12 @@ fn main() {
     }
     for link in links {
         let (mut best, mut stages): (_, &[&str]) = (Best::new(), &[]);
-        for _ in 0..3 {
+        for _ in 0..runs {
             let (recipe, _) = ALL.recipe(&link);
             let mut studio = Studio::new(ALL, recipe);
+            if let Some(file) = &file {
+                model::open_model(&mut studio, file)?;
+            }
             stages = studio.generator().stages;
             let mut count = BTreeMap::new();
             let mut timed = |stage: &'static str, slice: &mut dyn FnMut() -> bool| {
@@ -47,7 +93,11 @@ fn main() {
                     true
                 });
             }
-            for (stage, how, side) in FRAMES {
+            if let Some(why) = studio.problem() {
+                eprintln!("{why}");
+                break;
+            }
+            for (stage, how, side) in FRAMES.into_iter().filter(|_| has_frames) {
                 let order = TurnOrder {
                     subject: String::new(),
                     camera: studio.generator().camera(),
@@ -65,6 +115,7 @@ fn main() {
         println!("{link}");
         tell(stages, &best);
     }
+    Ok(())
 }
 
 /// The result of a slice, and its milliseconds.

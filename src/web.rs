@@ -148,7 +148,7 @@ impl Bubblestone {
         self.studio.set_live(on);
     }
 
-    /// Runs all stages again, for the same recipe.
+    /// Makes the steps again, and all stages after them, for the same recipe.
     pub fn restart(&mut self) {
         self.studio.restart();
     }

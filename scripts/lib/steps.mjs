@@ -34,7 +34,7 @@ export const steps = {
   'wasm build': () => buildModules(forWasm()),
   'page build': buildSite,
   types,
-  'page in Node': () => nodeTests(['viewing', 'painting'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
+  'page in Node': () => nodeTests(['viewing', 'painting', 'drawing'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
   lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
   'modules as sent': () => nodeTests(['shipped', 'film'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
   'clippy, wasm32': () => wasmLint(forWasm()),
@@ -95,13 +95,14 @@ function wasmLint(env) {
 }
 
 /**
- * Tests for WebAssembly alone: the interface to JavaScript, and `usize` of 32 bits, whose overflow is checked here. Cargo
- * is called as `wasm-pack test --node` calls it, which first builds all other test programs, too.
+ * Tests for WebAssembly alone: the interface to JavaScript, and `usize` of 32 bits, whose overflow is checked here. They
+ * make pavements only, so the first visit's configuration serves, which is built in half the time. Cargo is called as
+ * `wasm-pack test --node` calls it, which first builds all other test programs, too.
  * @param {NodeJS.ProcessEnv} env
  */
 function wasmTest(env) {
   const runner = { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: 'wasm-bindgen-test-runner', WASM_BINDGEN_TEST_ONLY_NODE: '1' };
-  run('cargo', ['test', '--target', wasmTarget, ...testsInWasm], { env: { ...env, ...runner } });
+  run('cargo', ['test', '--target', wasmTarget, '--no-default-features', ...testsInWasm], { env: { ...env, ...runner } });
 }
 
 /** Checks licences, sources and duplicates of dependencies, and that none needs a newer Rust than Cargo.toml does. */

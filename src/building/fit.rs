@@ -211,7 +211,7 @@ mod tests {
             let [low, high] = building.face(id).bounds();
             let middle = low.midpoint(high);
             depths
-                .behind(id, middle.x, middle.y)
+                .behind(id, middle.x, middle.y, f64::INFINITY)
                 .unwrap_or(f64::INFINITY)
         }
     }
@@ -285,7 +285,9 @@ mod tests {
         let wanted = 3.0 * 0.125 - 0.01;
         for face in [FaceId(0), FaceId(1)] {
             let [low, high] = building.face(face).bounds();
-            let depth = depths.behind(face, low.x + 0.1, high.y - 0.1).unwrap();
+            let depth = depths
+                .behind(face, low.x + 0.1, high.y - 0.1, f64::INFINITY)
+                .unwrap();
             assert!((depth - wanted).abs() < 1e-9, "{depth}");
         }
     }

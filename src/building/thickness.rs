@@ -39,14 +39,16 @@ impl WallThickness {
 
     /// The thickness of the wall behind s and t on a face (metres): the way along the inward normal to the first surface
     /// that looks away from the face. That of a face without a back is its own thickness. None if the building is open
-    /// there.
-    pub fn behind(&self, face: FaceId, s: f64, t: f64) -> Option<f64> {
+    /// there, or if the wall is thicker than `most`.
+    pub fn behind(&self, face: FaceId, s: f64, t: f64, most: f64) -> Option<f64> {
         let own = self.building.face(face);
         let frame = own.surface.frame(s, t);
         let way = -frame.normal;
         let from = frame.origin + way * BELOW;
         let is_opposite = |triangle: u32| self.mesh.face_normal(triangle).dot(way) > OPPOSITE;
-        let hit = self.search.ray(&self.mesh, from, way, is_opposite);
+        let search = &self.search;
+        let reach = own.thickness.map_or(most, |_| f64::INFINITY);
+        let hit = search.ray_within(&self.mesh, (from, way), reach, is_opposite);
         hit.map(|hit| hit.along + BELOW).or(own.thickness)
     }
 }

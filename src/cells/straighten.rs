@@ -136,7 +136,7 @@ impl Rings {
             if !self.twins.is_empty() && self.free[vertex] != Freedom::Fixed {
                 self.points[vertex] = on_grain(self.points[vertex]);
             }
-            if !self.is_sound(vertex, old) {
+            if self.points[vertex] != old && !self.is_sound(vertex, old) {
                 self.points[vertex] = old;
             }
             self.follow(vertex);
@@ -173,39 +173,64 @@ impl Rings {
 
     /// Whether the move of a vertex from `old` has turned no corner and no cell inside out.
     fn is_sound(&self, vertex: usize, old: DVec2) -> bool {
-        let at = |k: u32| self.points[k as usize];
-        let before = |k: u32| if k as usize == vertex { old } else { at(k) };
-        self.uses_of(vertex).iter().all(|&[_, cell, place]| {
+        let mut uses = self.uses_of(vertex).iter();
+        uses.all(|&[_, cell, place]| {
             let ring = &self.rings[cell as usize];
-            let n = ring.len();
-            let inside = |q: DVec2, t: [DVec2; 3]| {
-                let turn = |k: usize| cross(t[k], t[(k + 1) % 3], q);
-                let turns = [turn(0), turn(1), turn(2)];
-                turns.iter().all(|&t| t > 0.0) || turns.iter().all(|&t| t < 0.0)
-            };
-            // Neither of its sides may sweep over a fixed corner.
-            let swept = |&k: &u32| {
-                let held = self.free[k as usize] == Freedom::Fixed;
-                let past = |to: u32| to != k && inside(at(k), [old, at(vertex as u32), at(to)]);
-                let ends = [n - 1, 1].map(|shift| ring[(place as usize + shift) % n]);
-                held && k as usize != vertex && ends.into_iter().any(past)
+            let (before, after) = ring.split_at(place as usize);
+            let mut around = after[1..].iter().chain(before);
+            let own = self.points[vertex];
+            let at = |&k: &u32| self.points[k as usize];
+            let (Some(first), Some(second)) = (around.next().map(at), around.next().map(at)) else {
+                return false;
             };
             // Twice the area, as a fan from the vertex.
-            let own = at(vertex as u32);
-            let spans = (1..n - 1).map(|k| [k, k + 1].map(|k| ring[(place as usize + k) % n]));
-            let area: f64 = spans.map(|[a, b]| cross(own, at(a), at(b))).sum();
-            if area <= 0.0 || ring.iter().any(swept) {
-                return false;
+            let mut area = cross(own, first, second);
+            let (mut earlier, mut last) = (first, second);
+            for next in around.map(at) {
+                area += cross(own, last, next);
+                (earlier, last) = (last, next);
             }
             // The turns at the vertex and at its two neighbours.
-            [n - 1, 0, 1].into_iter().all(|shift| {
-                let k = place as usize + shift;
-                let three = [ring[(k + n - 1) % n], ring[k % n], ring[(k + 1) % n]];
-                let [a, b, c] = three.map(at);
-                let [d, e, f] = three.map(before);
-                let (now, then) = (cross(a, b, c), cross(d, e, f));
-                now > 0.0 || now >= then || then.abs() < FLAT * a.distance(b) * b.distance(c)
-            })
+            let turns = [
+                cross(last, own, first),
+                cross(earlier, last, own),
+                cross(own, first, second),
+            ];
+            !(area <= 0.0 || self.sweeps((vertex, old), ring, [last, first]))
+                && (turns.iter().all(|&turn| turn > 0.0)
+                    || self.keeps_turns((vertex, old), ring, place as usize))
+        })
+    }
+
+    /// Whether one of the sides between a moved vertex and its neighbours in a ring has swept over a fixed corner.
+    fn sweeps(&self, (vertex, old): (usize, DVec2), ring: &[u32], ends: [DVec2; 2]) -> bool {
+        let own = self.points[vertex];
+        let inside = |q: DVec2, t: [DVec2; 3]| {
+            let turn = |k: usize| cross(t[k], t[(k + 1) % 3], q);
+            let turns = [turn(0), turn(1), turn(2)];
+            turns.iter().all(|&t| t > 0.0) || turns.iter().all(|&t| t < 0.0)
+        };
+        let is_held =
+            |&&k: &&u32| matches!(self.free[k as usize], Freedom::Fixed) && k as usize != vertex;
+        ring.iter().filter(is_held).any(|&k| {
+            let corner = self.points[k as usize];
+            let past = |end: DVec2| end != corner && inside(corner, [old, own, end]);
+            ends.into_iter().any(past)
+        })
+    }
+
+    /// Whether no turn at a moved vertex and at its two neighbours in a ring has become worse, or was straight.
+    fn keeps_turns(&self, (vertex, old): (usize, DVec2), ring: &[u32], place: usize) -> bool {
+        let n = ring.len();
+        let at = |k: u32| self.points[k as usize];
+        let before = |k: u32| if k as usize == vertex { old } else { at(k) };
+        [n - 1, 0, 1].into_iter().all(|shift| {
+            let k = place + shift;
+            let three = [ring[(k + n - 1) % n], ring[k % n], ring[(k + 1) % n]];
+            let [a, b, c] = three.map(at);
+            let [d, e, f] = three.map(before);
+            let (now, then) = (cross(a, b, c), cross(d, e, f));
+            now > 0.0 || now >= then || then.abs() < FLAT * a.distance(b) * b.distance(c)
         })
     }
 }
@@ -234,11 +259,10 @@ pub(crate) fn rectangle(
         }
         sum / 4.0
     };
-    let shift = (0..4).max_by(|&a, &b| {
-        let total = |s| fit(s).element_sum();
-        total(a).total_cmp(&total(b)).then(b.cmp(&a))
-    })?;
-    let mut half = fit(shift);
+    let fits = [0, 1, 2, 3].map(fit);
+    let total = |shift: usize| fits[shift].element_sum();
+    let shift = (0..4).max_by(|&a, &b| total(a).total_cmp(&total(b)).then(b.cmp(&a)))?;
+    let mut half = fits[shift];
     let least = 0.5 * THINNEST * size;
     if e == DVec2::ZERO || !half.cmpgt(DVec2::splat(least)).all() {
         return None;

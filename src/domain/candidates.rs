@@ -16,12 +16,15 @@ pub(super) struct CandidateGrid {
     spans: Vec<(u32, u32)>,
     list: Vec<u32>,
     all: Vec<u32>,
+    rulers: Vec<Ruler>,
 }
 
 /// Squares along the longer side of the outline's bounding box.
 const SQUARES: f64 = 64.0;
 /// Lists this short are not narrowed any further.
 const FEW: usize = 4;
+/// A generous bound on the rounding errors of distances, as a share of the coordinates.
+const ROUNDING: f64 = 1e-9;
 
 impl CandidateGrid {
     /// For segments that do not change; there must be at least one.
@@ -52,60 +55,91 @@ impl CandidateGrid {
             spans: Vec::new(),
             list: Vec::new(),
             all,
+            rulers: segments.iter().map(Ruler::new).collect(),
         };
-        grid.fill(segments);
+        grid.fill();
         grid
     }
 
     /// Works on the whole grid first, then on its quarters, so that each square tries few segments.
-    fn fill(&mut self, segments: &[[DVec2; 2]]) {
+    fn fill(&mut self) {
         self.spans = vec![(0, 0); self.columns * self.rows];
-        let rulers: Vec<Ruler> = segments.iter().map(Ruler::new).collect();
         let side = self.columns.max(self.rows).next_power_of_two();
-        let all = std::mem::take(&mut self.all);
-        self.divide(&rulers, (0, 0), side, &all);
-        self.all = all;
+        let (mut stack, mut squares) = (self.all.clone(), Vec::new());
+        self.divide((0, 0), side, (&mut stack, 0), &mut squares);
     }
 
-    /// Narrows the candidates for a block of squares, then for its quarters.
+    /// Narrows the candidates for a block of squares, then for its quarters. The candidates stand in a stack, from
+    /// `first` on; `squares` is scratch space.
     fn divide(
         &mut self,
-        rulers: &[Ruler],
         (left, top): (usize, usize),
         side: usize,
-        among: &[u32],
+        (stack, first): (&mut Vec<u32>, usize),
+        squares: &mut Vec<f64>,
     ) {
         if left >= self.columns || top >= self.rows {
             return;
         }
         let corner = DVec2::new(left as f64, top as f64);
         let middle = self.origin + self.step * (corner + DVec2::splat(side as f64 / 2.0));
-        let near = nearest_to(rulers, among, middle, side as f64 * self.step);
-        if side == 1 || near.len() <= FEW {
+        let end = stack.len();
+        self.narrow(middle, side as f64 * self.step, (stack, first), squares);
+        if side == 1 || stack.len() - end <= FEW {
             let first = self.list.len() as u32;
-            self.list.extend(near);
+            self.list.extend_from_slice(&stack[end..]);
             let span = (first, self.list.len() as u32);
             let right = self.columns.min(left + side);
             for row in top..self.rows.min(top + side) {
                 self.spans[row * self.columns + left..row * self.columns + right].fill(span);
             }
-            return;
+        } else {
+            let half = side / 2;
+            for (x, y) in [(0, 0), (half, 0), (0, half), (half, half)] {
+                self.divide((left + x, top + y), half, (stack, end), squares);
+            }
         }
-        let half = side / 2;
-        for (x, y) in [(0, 0), (half, 0), (0, half), (half, half)] {
-            self.divide(rulers, (left + x, top + y), half, &near);
+        stack.truncate(end);
+    }
+
+    /// Pushes those of the candidates that can be nearest to a point of a square with this centre and side.
+    fn narrow(
+        &self,
+        middle: DVec2,
+        side: f64,
+        (stack, first): (&mut Vec<u32>, usize),
+        squares: &mut Vec<f64>,
+    ) {
+        let square_to = |&k: &u32| self.rulers[k as usize].square_to(middle);
+        squares.clear();
+        squares.extend(stack[first..].iter().map(square_to));
+        let least = squares.iter().fold(f64::INFINITY, |m, &d| lesser(m, d));
+        // From the middle to a corner and back is a diagonal.
+        let reach = least.sqrt() + 1.415 * side;
+        for (k, &square) in (first..).zip(&*squares) {
+            if square <= reach * reach {
+                stack.push(stack[k]);
+            }
         }
     }
 
     /// The squared distance, the closest point and the number of the nearest segment.
     pub fn nearest(&self, segments: &[[DVec2; 2]], p: DVec2) -> (f64, DVec2, usize) {
+        // Segments that are farther than the nearest so far by more than rounding errors are left out.
+        let farthest = p.abs().max(self.origin.abs()).max_element() + SQUARES * self.step;
+        let mut reach = f64::INFINITY;
         let mut best = (f64::INFINITY, p, 0);
         for &index in self.candidates(p) {
+            if self.rulers[index as usize].square_to(p) > reach {
+                continue;
+            }
             let [a, b] = segments[index as usize];
             let point = closest_on_segment(p, a, b);
             let square = point.distance_squared(p);
             if square < best.0 {
                 best = (square, point, index as usize);
+                reach = square.sqrt() + ROUNDING * farthest;
+                reach *= reach;
             }
         }
         best
@@ -123,6 +157,7 @@ impl CandidateGrid {
 }
 
 /// Measures the distance to a segment quickly, with rounding errors that the choice of candidates allows.
+#[derive(Clone, Debug)]
 struct Ruler {
     start: DVec2,
     along: DVec2,
@@ -148,17 +183,4 @@ impl Ruler {
         let share = lesser(greater(way.dot(self.along) * self.per_square, 0.0), 1.0);
         way.distance_squared(self.along * share)
     }
-}
-
-/// The segments in `among` that can be nearest to a point of a square with this centre and side.
-fn nearest_to(rulers: &[Ruler], among: &[u32], middle: DVec2, side: f64) -> Vec<u32> {
-    let square_to = |&i: &u32| rulers[i as usize].square_to(middle);
-    let squares: Vec<f64> = among.iter().map(square_to).collect();
-    let least = squares.iter().fold(f64::INFINITY, |m, &d| lesser(m, d));
-    // From the middle to a corner and back is a diagonal.
-    let reach = least.sqrt() + 1.415 * side;
-    let near = among.iter().zip(squares);
-    near.filter(|&(_, d)| d <= reach * reach)
-        .map(|(&i, _)| i)
-        .collect()
 }

@@ -9,6 +9,7 @@
 use super::symmetry::representation;
 use crate::planar::closest_on_segment;
 use glam::DVec2;
+use wide::f64x2;
 
 /// Smaller distances count as this one (picture units), so that the field stays finite.
 const NEAREST: f64 = 0.5;
@@ -30,9 +31,12 @@ const LEAF: usize = 3;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SourceSegment {
     start: DVec2,
+    end: DVec2,
     middle: DVec2,
     along: DVec2,
     length: f64,
+    /// From the middle to a Gauss point.
+    offset: DVec2,
     /// Factor of the weight.
     strength: f64,
     representation: DVec2,
@@ -45,9 +49,11 @@ impl SourceSegment {
         let along = (b - a) / length;
         (length > 0.0).then(|| Self {
             start: a,
+            end: a + length * along,
             middle: a.midpoint(b),
             along,
             length,
+            offset: along * (0.288_675_134_594_812_9 * length),
             strength,
             representation: representation(along, symmetry),
         })
@@ -62,11 +68,10 @@ impl SourceSegment {
     fn weight(&self, p: DVec2, power: u32) -> f64 {
         let middle = self.middle - p;
         if middle.length_squared() > (FAR * self.length) * (FAR * self.length) {
-            let offset = self.along * (0.288_675_134_594_812_9 * self.length);
-            return 0.5
-                * self.length
-                * (inverse_power((middle - offset).length_squared(), power)
-                    + inverse_power((middle + offset).length_squared(), power));
+            let (a, b) = (middle - self.offset, middle + self.offset);
+            let (x, y) = (f64x2::new([a.x, b.x]), f64x2::new([a.y, b.y]));
+            let [a, b] = inverse_powers(x * x + y * y, power).to_array();
+            return 0.5 * self.length * (a + b);
         }
         let h = self.along.perp_dot(p - self.start).abs().max(NEAREST);
         let from = self.along.dot(self.start - p);
@@ -146,7 +151,7 @@ impl Sources {
 
     fn grow(&mut self, first: usize, end: usize) {
         let list = &self.list[first..end];
-        let ends = |s: &SourceSegment| [s.start, s.start + s.length * s.along];
+        let ends = |s: &SourceSegment| [s.start, s.end];
         let mut corners = (list[0].start, list[0].start);
         for p in list.iter().flat_map(ends) {
             corners = (corners.0.min(p), corners.1.max(p));
@@ -202,8 +207,8 @@ impl Sources {
                 at = branch.next;
             } else if at == branch.next {
                 for source in &self.list[branch.first..branch.end] {
-                    let end = source.start + source.length * source.along;
-                    least = least.min(closest_on_segment(p, source.start, end).distance(p));
+                    let place = closest_on_segment(p, source.start, source.end);
+                    least = least.min(place.distance(p));
                 }
             }
         }
@@ -256,6 +261,16 @@ fn inverse_power(square: f64, power: u32) -> f64 {
         2 => 1.0 / square,
         3 => 1.0 / (square * square.sqrt()),
         _ => 1.0 / (square * square),
+    }
+}
+
+/// The same for two distances.
+fn inverse_powers(squares: f64x2, power: u32) -> f64x2 {
+    let one = f64x2::splat(1.0);
+    match power {
+        2 => one / squares,
+        3 => one / (squares * squares.sqrt()),
+        _ => one / (squares * squares),
     }
 }
 

@@ -25,6 +25,10 @@ const MOST_SCALE: usize = 8;
 /// Bytes that a bigger picture takes at most: beside the picture itself, the module's 1 GiB has room for them. If the
 /// stencils of the finest solids would take more than is left of them, solids are coarser.
 const MOST_MEMORY: usize = 800 << 20;
+/// Bytes that a bigger picture and the picture itself take at most, and those of the picture itself for each of its
+/// pixels. Beside a picture of 2048 pixels along a side, a bigger one of 8192 has less than [`MOST_MEMORY`].
+const WITH_PICTURE: usize = 1000 << 20;
+const OWN: usize = 64;
 /// Least and most pixels of a band: the samples of stones are held for these only. A stone is made anew for each of its
 /// bands, so few large ones take less time.
 const BAND: [usize; 2] = [1 << 20, 3 << 20];
@@ -288,7 +292,8 @@ fn rows(scale: usize, side: usize, fit: impl FnOnce(usize) -> usize) -> Result<u
     let [each, in_band, more] = PAINTING;
     let pixels = bigger * bigger;
     let [least, most] = BAND.map(|band| band.min(pixels));
-    let left = MOST_MEMORY.saturating_sub(each * pixels + in_band * least + more);
+    let memory = MOST_MEMORY.min(WITH_PICTURE.saturating_sub(OWN.saturating_mul(side * side)));
+    let left = memory.saturating_sub(each * pixels + in_band * least + more);
     let stencils = fit(left);
     let band = (least + left.saturating_sub(stencils) / in_band).min(most);
     // The planes are two blocks; light and occlusion take what painting has freed.
@@ -303,5 +308,26 @@ fn rows(scale: usize, side: usize, fit: impl FnOnce(usize) -> usize) -> Result<u
     match blocks.all(|(room, bytes)| room.try_reserve_exact(bytes).is_ok()) {
         true => Ok((band / bigger).max(ROWS)),
         false => Err(Notice::new(Code::NoMemory).with("side", bigger)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_and_the_bigger_one_fit_into_the_module() {
+        for (side, scale) in [(1024, 8), (1365, 6), (2047, 4), (2048, 4)] {
+            let mut stencils = 0;
+            let band = rows(scale, side, |most| {
+                stencils = most;
+                most
+            });
+            let pixels = scale * side * scale * side;
+            let in_band = band.expect("room") * scale * side;
+            let painting = PAINTING[1] * in_band + PAINTING[2] + stencils;
+            let all = OWN * side * side + PAINTING[0] * pixels + painting;
+            assert!((800 << 20..1016 << 20).contains(&all), "{side}: {all}");
+        }
     }
 }

@@ -41,8 +41,8 @@ pub trait Engine {
     /// Makes the latest recipe the present one.
     fn take_up(&mut self);
 
-    /// Marks all stages as stale, so that they run again.
-    fn forget(&mut self);
+    /// Marks the stage that makes steps as stale, so that it and all stages after it run again.
+    fn forget_steps(&mut self);
 
     /// Pixels along the side of the present picture.
     fn side(&self) -> usize;

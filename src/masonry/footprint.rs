@@ -269,9 +269,13 @@ impl Footprint {
     /// The area that two polygons share, in square metres.
     pub fn shared_area(&self, other: &Self) -> f64 {
         let ([low, high], [from, to]) = (self.bounds(), other.bounds());
+        let both = high.min(to) - low.max(from);
         // No polygon is as narrow as this.
-        if (high.min(to) - low.max(from)).min_element() < WELD {
+        if both.min_element() < WELD {
             return 0.0;
+        }
+        if self.is_rectangle() && other.is_rectangle() {
+            return both.x * both.y;
         }
         self.intersection(other).map_or(0.0, |part| part.area())
     }

@@ -5,6 +5,7 @@
 
 use super::footprint::{Footprint, HalfPlane};
 use crate::order;
+use std::borrow::Borrow;
 
 /// Overlaps up to this area do not count (square metres).
 pub const TOUCH: f64 = 1e-8;
@@ -20,7 +21,7 @@ pub const MOST_DEPTH: u32 = 3;
 /// follow by falling overlap. Beside an arch the first cut is the only one, and its place decides.
 pub fn clip(
     cell: &Footprint,
-    obstacles: &[Footprint],
+    obstacles: &[impl Borrow<Footprint>],
     inset: f64,
     least: f64,
 ) -> Option<Footprint> {
@@ -62,7 +63,7 @@ fn cut_by<'a>(
 /// `depth` times. Parts below `least` of the cell are dropped.
 pub fn clip_multi(
     cell: &Footprint,
-    obstacles: &[Footprint],
+    obstacles: &[impl Borrow<Footprint>],
     inset: f64,
     (least, depth): (f64, u32),
 ) -> Vec<Footprint> {
@@ -105,12 +106,12 @@ fn split(
 }
 
 /// All of a polygon that no obstacle covers, as convex polygons without overlaps.
-pub fn remainder(polygon: &Footprint, obstacles: &[Footprint]) -> Vec<Footprint> {
+pub fn remainder(polygon: &Footprint, obstacles: &[impl Borrow<Footprint>]) -> Vec<Footprint> {
     let mut parts = vec![polygon.clone()];
     for obstacle in obstacles {
         parts = parts
             .iter()
-            .flat_map(|part| without(part, obstacle))
+            .flat_map(|part| without(part, obstacle.borrow()))
             .collect();
     }
     parts
@@ -132,10 +133,11 @@ fn without(polygon: &Footprint, obstacle: &Footprint) -> Vec<Footprint> {
 }
 
 /// The obstacles that overlap a cell, by falling overlap; the first of equal ones stays first.
-fn by_overlap<'a>(cell: &Footprint, obstacles: &'a [Footprint]) -> Vec<&'a Footprint> {
-    let shares = obstacles
-        .iter()
-        .map(|obstacle| (cell.shared_area(obstacle), obstacle));
+fn by_overlap<'a>(cell: &Footprint, obstacles: &'a [impl Borrow<Footprint>]) -> Vec<&'a Footprint> {
+    let shares = obstacles.iter().map(|obstacle| {
+        let obstacle = obstacle.borrow();
+        (cell.shared_area(obstacle), obstacle)
+    });
     let mut found: Vec<(f64, &Footprint)> = shares.filter(|&(area, _)| area > TOUCH).collect();
     order::sort(&mut found, |&(area, _)| (!order::rank(area), 0));
     found.into_iter().map(|(_, obstacle)| obstacle).collect()

@@ -6,6 +6,7 @@
 //! the order of their numbers.
 
 use super::quadric::Quadric;
+use crate::csr::NONE;
 use crate::order::rank;
 use glam::DVec3;
 use std::cmp::Reverse;
@@ -23,8 +24,10 @@ pub(crate) struct Collapse {
     pub places: Vec<DVec3>,
     pub triangles: Vec<[u32; 3]>,
     pub quadrics: Vec<Quadric>,
-    /// The triangles around each vertex, including some removed ones.
-    around: Vec<Vec<u32>>,
+    /// The first and the last corner in the list of each vertex, which has some removed ones; a corner is three times its
+    /// triangle and its place there. And the corner after each corner.
+    lists: Vec<[u32; 2]>,
+    next: Vec<u32>,
     /// The number of changes of each vertex.
     changes: Vec<u32>,
     edges: BinaryHeap<EdgeCandidate>,
@@ -36,9 +39,10 @@ impl Collapse {
         let count = places.len();
         Self {
             places,
+            next: vec![NONE; 3 * triangles.len()],
             triangles,
             quadrics: vec![Quadric::default(); count],
-            around: vec![Vec::new(); count],
+            lists: vec![[NONE; 2]; count],
             changes: vec![0; count],
             edges: BinaryHeap::new(),
         }
@@ -46,10 +50,31 @@ impl Collapse {
 
     /// Adds the plane of a triangle to its corners.
     pub fn weigh(&mut self, t: usize, plane: &Quadric) {
-        for v in self.triangles[t].map(|v| v as usize) {
-            self.quadrics[v].add(plane);
-            self.around[v].push(t as u32);
+        for (k, v) in self.triangles[t].into_iter().enumerate() {
+            self.quadrics[v as usize].add(plane);
+            self.push(v, 3 * t + k);
         }
+    }
+
+    /// Adds a corner at the end of the list of a vertex.
+    fn push(&mut self, v: u32, corner: usize) {
+        self.next[corner] = NONE;
+        let [first, last] = &mut self.lists[v as usize];
+        match *last {
+            NONE => *first = corner as u32,
+            last => self.next[last as usize] = corner as u32,
+        }
+        *last = corner as u32;
+    }
+
+    /// The corners in the list of a vertex.
+    fn corners(&self, v: u32) -> impl Iterator<Item = usize> {
+        let mut at = self.lists[v as usize][0];
+        std::iter::from_fn(move || {
+            let corner = (at != NONE).then_some(at as usize)?;
+            at = self.next[corner];
+            Some(corner)
+        })
     }
 
     /// Adds a candidate.
@@ -61,48 +86,62 @@ impl Collapse {
     /// Takes the candidate with the least cost. Candidates whose ends have changed since are dropped.
     pub fn pop(&mut self) -> Option<[u32; 2]> {
         loop {
-            let Reverse((_, ends, changes)) = self.edges.pop()?;
-            if self.changed(ends) == changes {
+            let (ends, is_current) = self.take()?;
+            if is_current {
                 return Some(ends);
             }
         }
+    }
+
+    /// Takes the candidate with the least cost, and tells whether its ends are as they were.
+    pub fn take(&mut self) -> Option<([u32; 2], bool)> {
+        let Reverse((_, ends, changes)) = self.edges.pop()?;
+        Some((ends, self.changed(ends) == changes))
     }
 
     fn changed(&self, [a, b]: [u32; 2]) -> u32 {
         self.changes[a as usize] + self.changes[b as usize]
     }
 
-    /// How many triangles a vertex lists, with some removed ones.
-    #[cfg(house)]
-    pub fn around(&self, v: u32) -> usize {
-        self.around[v as usize].len()
+    /// Drops the removed corners from the list of a vertex.
+    fn tidy(&mut self, v: u32) {
+        let mut at = std::mem::replace(&mut self.lists[v as usize], [NONE; 2])[0];
+        while at != NONE {
+            let corner = at as usize;
+            at = self.next[corner];
+            if self.triangles[corner / 3].contains(&v) {
+                self.push(v, corner);
+            }
+        }
     }
 
     /// The triangles around a vertex.
     pub fn living(&self, v: u32) -> impl Iterator<Item = (usize, [u32; 3])> {
-        let around = self.around[v as usize].iter();
-        let all = around.map(|&t| (t as usize, self.triangles[t as usize]));
+        let all = self.corners(v).map(|corner| corner / 3);
+        let all = all.map(|t| (t, self.triangles[t]));
         all.filter(move |(_, triangle)| triangle.contains(&v))
     }
 
     /// Replaces the vertex `gone` by `kept`. Triangles with both become `removed`. Returns the number of these.
     pub fn merge(&mut self, gone: u32, kept: u32, removed: [u32; 3]) -> usize {
         let mut count = 0;
-        for t in std::mem::take(&mut self.around[gone as usize]) {
-            let triangle = &mut self.triangles[t as usize];
-            let Some(corner) = triangle.iter().position(|&v| v == gone) else {
+        let mut at = std::mem::replace(&mut self.lists[gone as usize], [NONE; 2])[0];
+        while at != NONE {
+            let corner = at as usize;
+            at = self.next[corner];
+            let triangle = &mut self.triangles[corner / 3];
+            let Some(place) = triangle.iter().position(|&v| v == gone) else {
                 continue;
             };
             if triangle.contains(&kept) {
                 *triangle = removed;
                 count += 1;
             } else {
-                triangle[corner] = kept;
-                self.around[kept as usize].push(t);
+                triangle[place] = kept;
+                self.push(kept, corner);
             }
         }
-        let triangles = &self.triangles;
-        self.around[kept as usize].retain(|&t| triangles[t as usize].contains(&kept));
+        self.tidy(kept);
         let quadric = self.quadrics[gone as usize];
         self.quadrics[kept as usize].add(&quadric);
         self.changes[gone as usize] += 1;

@@ -255,12 +255,13 @@ impl Studio {
         Ok(said)
     }
 
-    /// Runs all stages again, from the same recipe.
+    /// Makes the steps again, and all stages after them, from the same recipe. Earlier stages keep their results.
     pub fn restart(&mut self) {
         self.drop_draft(true);
         self.take_up();
-        self.engine.forget();
-        self.begin(0);
+        self.engine.forget_steps();
+        let stepping = self.place_of(self.generator.course.stepping);
+        self.begin(stepping.unwrap_or(0));
     }
 
     /// While live, a draft may be shown instead of the stages' results. The draft continues from the present

@@ -64,6 +64,22 @@ impl AlongBones {
     }
 }
 
+/// The distances of the place asked about last to each bone: they bound those of the next place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LastPlace {
+    at: DVec3,
+    near: [f64; MOST],
+}
+
+impl Default for LastPlace {
+    fn default() -> Self {
+        Self {
+            at: DVec3::ZERO,
+            near: [f64::INFINITY; MOST],
+        }
+    }
+}
+
 /// The closest point of a bone.
 #[derive(Clone, Copy, Debug)]
 struct ClosestBonePoint {
@@ -104,7 +120,7 @@ impl Bones {
     fn attached(&self, p: DVec3) -> f64 {
         let mut best = (1.0, 0.0);
         for k in 0..self.bones.len() {
-            let foot = self.foot(k, p);
+            let foot = self.foot(k, p, f64::INFINITY);
             let segment = &self.bones[k][foot.segment];
             let ratio = foot.square / square(mixed(segment.radii, foot.t));
             if ratio < best.0 {
@@ -114,16 +130,17 @@ impl Bones {
         best.1
     }
 
-    fn foot(&self, bone: usize, p: DVec3) -> ClosestBonePoint {
+    /// The closest point of a bone, which is at most `near` away.
+    fn foot(&self, bone: usize, p: DVec3, mut near: f64) -> ClosestBonePoint {
         let mut best = ClosestBonePoint {
             square: f64::INFINITY,
             segment: 0,
             t: 0.0,
         };
-        let mut near = f64::INFINITY;
         let groups = self.balls[bone].iter().zip(self.bones[bone].chunks(GROUP));
         for (g, (&(middle, radius), segments)) in groups.enumerate() {
-            if p.distance_squared(middle) > square(near + radius) {
+            // With reserve for rounding.
+            if p.distance_squared(middle) > square((1.0 + 1e-9) * (near + radius)) {
                 continue;
             }
             for (k, s) in segments.iter().enumerate() {
@@ -137,18 +154,32 @@ impl Bones {
                     };
                 }
             }
-            near = best.square.sqrt();
+            near = near.min(best.square.sqrt());
         }
         best
     }
 
     /// Queries the bones at a place. `said` gets each bone's weight, in sum 1, and its unit direction. A weight is
     /// proportional to exp(-(d / radius)^2), so directions blend smoothly from one bone to the next.
-    pub fn ask(&self, p: DVec3, mut said: impl FnMut(f64, DVec3)) -> BoneConstraint {
+    pub fn ask(&self, p: DVec3, said: impl FnMut(f64, DVec3)) -> BoneConstraint {
+        self.ask_after(&mut LastPlace::default(), p, said)
+    }
+
+    /// The same, faster if the last place was near.
+    pub fn ask_after(
+        &self,
+        last: &mut LastPlace,
+        p: DVec3,
+        mut said: impl FnMut(f64, DVec3),
+    ) -> BoneConstraint {
+        let moved = p.distance(last.at);
+        last.at = p;
         let mut feet = [(f64::INFINITY, 0, 0.0); MOST];
         let mut least = f64::INFINITY;
         for (k, foot_of) in feet.iter_mut().enumerate().take(self.bones.len()) {
-            let foot = self.foot(k, p);
+            let near = &mut last.near[k];
+            let foot = self.foot(k, p, *near + moved);
+            *near = foot.square.sqrt();
             let radius = mixed(self.bones[k][foot.segment].radii, foot.t);
             let ratio = foot.square / square(radius);
             *foot_of = (ratio, foot.segment, foot.t);

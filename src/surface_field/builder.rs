@@ -1,6 +1,6 @@
 //! Builds the fields of a surface in slices.
 
-use super::bones::{BoneSource, Bones};
+use super::bones::{BoneSource, Bones, LastPlace};
 use super::sizes::{self, SizeInputs, Sizes};
 use super::smoothing::Smoothing;
 use super::sources::{self, NO_SOURCE, Sources, bone_source};
@@ -218,8 +218,10 @@ impl SurfaceFieldBuilder {
             return true;
         }
         let end = self.links.len().min(self.heard.len() + amount.max(8) / 8);
+        let mut last = LastPlace::default();
         for v in self.heard.len()..end {
-            let source = bone_source(&self.bones, self.symmetry, &self.mesh, &self.links, v);
+            let (mesh, links) = (&self.mesh, &self.links);
+            let source = bone_source(&self.bones, self.symmetry, (mesh, links), v, &mut last);
             self.heard.push(source);
         }
         end == self.links.len()

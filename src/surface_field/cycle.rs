@@ -1,6 +1,7 @@
 //! A multigrid cycle over all coarser systems, as a preconditioner.
 
-use super::system::{Holding, SystemLevel, seen};
+use super::system::{Holding, SystemLevel, rotated_sum, seen};
+use crate::csr::Csr;
 use glam::DVec2;
 
 /// Sweeps in each direction on the coarsest system.
@@ -15,6 +16,8 @@ pub(super) struct Cycle {
     answer: Vec<Vec<DVec2>>,
     diagonal: Vec<Vec<f64>>,
     inverse: Vec<Vec<f64>>,
+    /// The entries of each row for earlier rows, which are all that a sweep from 0 meets.
+    lower: Vec<Csr<(u32, DVec2)>>,
     level: usize,
     step: CyclePhase,
     at: usize,
@@ -48,6 +51,7 @@ impl Cycle {
                 self.answer.push(Vec::with_capacity(count));
                 self.diagonal.push(Vec::with_capacity(count));
                 self.inverse.push(Vec::with_capacity(count));
+                self.lower.push(Csr::default());
             }
             let end = system.len().min(self.at.saturating_add(*amount));
             *amount -= end - self.at;
@@ -57,6 +61,8 @@ impl Cycle {
                 self.inverse[l].push(if d > 0.0 { 1.0 / d } else { 0.0 });
                 self.right[l].push(DVec2::ZERO);
                 self.answer[l].push(DVec2::ZERO);
+                let earlier = system.entries(v).filter(|&(j, _)| (j as usize) < v);
+                self.lower[l].push(earlier);
             }
             self.at = end;
             if end == system.len() {
@@ -97,7 +103,7 @@ impl Cycle {
             *amount -= end - self.at;
             let right = if l == 0 { right } else { &[] };
             match self.step {
-                CyclePhase::Forward => self.forward(&levels[l], right, end),
+                CyclePhase::Forward => self.forward(right, end),
                 CyclePhase::Restrict => self.restrict(&levels[l], right, end),
                 CyclePhase::Correct => self.correct(&levels[l], end),
                 CyclePhase::Backward => {
@@ -146,17 +152,21 @@ impl Cycle {
     #[inline(always)]
     fn relax(&mut self, level: &SystemLevel, right: &[DVec2], v: usize) {
         let around = level.system.around(v, &self.answer[self.level]);
+        self.answer_row(right, v, around);
+    }
+
+    #[inline(always)]
+    fn answer_row(&mut self, right: &[DVec2], v: usize, around: DVec2) {
         let right = self.right_of(right, v);
         self.answer[self.level][v] = self.inverse[self.level][v] * (right - around);
     }
 
-    /// Sweeps from an answer of 0. Rows from `end` on are still 0.
-    fn forward(&mut self, level: &SystemLevel, right: &[DVec2], end: usize) {
-        if self.at == 0 {
-            self.answer[self.level].fill(DVec2::ZERO);
-        }
+    /// Sweeps from an answer of 0: later rows are still 0 and add nothing.
+    fn forward(&mut self, right: &[DVec2], end: usize) {
         for v in self.at..end {
-            self.relax(level, right, v);
+            let earlier = self.lower[self.level].row(v).iter();
+            let around = rotated_sum(earlier.copied(), &self.answer[self.level]);
+            self.answer_row(right, v, around);
         }
     }
 

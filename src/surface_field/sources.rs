@@ -1,6 +1,6 @@
 //! Constraints of the directions at the vertices.
 
-use super::bones::{BoneSource, Bones};
+use super::bones::{BoneSource, Bones, LastPlace};
 use super::paint::{self, Paint};
 use super::sizes::one_way;
 use super::{DirectionParams, FlowParams};
@@ -218,13 +218,13 @@ fn axis(by: f64, towards: DVec3) -> (f64, DVec3) {
 pub(super) fn bone_source(
     bones: &Bones,
     symmetry: u32,
-    mesh: &TriMesh,
-    links: &Adjacency,
+    (mesh, links): (&TriMesh, &Adjacency),
     v: usize,
+    last: &mut LastPlace,
 ) -> BoneSource {
     let frame = &links.frames[v];
     let mut source = BoneSource::default();
-    let word = bones.ask(mesh.positions()[v], |share, direction| {
+    let word = bones.ask_after(last, mesh.positions()[v], |share, direction| {
         let along = frame.within(direction);
         let square = along.length_squared();
         let weight = share * square * square;

@@ -3,6 +3,7 @@
 use crate::trimesh::adjacency::Adjacency;
 use glam::DVec2;
 use std::ops::Range;
+use wide::f64x2;
 
 /// The complex product of two vectors, the first one conjugated: `b` in the frame of `a`.
 #[inline(always)]
@@ -70,12 +71,26 @@ impl System {
     /// The sum of a row's entries beside the diagonal, times a vector.
     #[inline(always)]
     pub fn around(&self, row: usize, x: &[DVec2]) -> DVec2 {
-        let mut sum = DVec2::ZERO;
-        for (&j, &off) in self.to[self.of(row)].iter().zip(&self.off[self.of(row)]) {
-            sum += off.rotate(x[j as usize]);
-        }
-        sum
+        rotated_sum(self.entries(row), x)
     }
+
+    /// The entries of a row beside the diagonal: columns and rotations.
+    #[inline(always)]
+    pub fn entries(&self, row: usize) -> impl Iterator<Item = (u32, DVec2)> {
+        let to = self.to[self.of(row)].iter().copied();
+        to.zip(self.off[self.of(row)].iter().copied())
+    }
+}
+
+/// The sum of some entries of a row, times a vector.
+#[inline(always)]
+pub(super) fn rotated_sum(entries: impl Iterator<Item = (u32, DVec2)>, x: &[DVec2]) -> DVec2 {
+    let mut sum = f64x2::ZERO;
+    for (j, off) in entries {
+        let DVec2 { x, y } = x[j as usize];
+        sum += f64x2::new([off.x, off.y]) * x + f64x2::new([-off.y, off.x]) * y;
+    }
+    sum.to_array().into()
 }
 
 /// Terms added to the diagonal: constraints, or, in parts without any, a pull towards the current vectors.

@@ -6,6 +6,7 @@
 
 use super::maker::{anchor, sunk};
 use super::{Open, StonesParams};
+use crate::csr::Csr;
 use crate::order::{greater, lesser};
 use crate::solid::{Surface, boundary_edges, normals, simplify_between};
 use crate::trimesh::{NONE, TriMesh};
@@ -13,6 +14,10 @@ use glam::{DVec3, Vec3};
 
 /// About how many triangles a part has.
 const PART: usize = 600;
+/// A part with more triangles than this is cut, so that none takes very long.
+const MOST_PART: usize = 1 << 15;
+/// Triangles in a slice of curvatures and of shared vertices.
+const SLICE: usize = 1 << 16;
 /// The levels of detail: the mesh's triangles for each triangle of a level.
 const DEGREES: [usize; 3] = [4, 16, 64];
 /// The deepest that the ground may be sunk, and the inside of a shell, as parts of the radius of curvature.
@@ -33,11 +38,17 @@ const RIM: f32 = 0.85;
 #[derive(Debug, Default)]
 pub(super) struct GroundMaking {
     curvatures: Vec<[f64; 2]>,
+    /// How many triangles have been measured.
+    measured: usize,
     surface: Surface,
+    is_closed: bool,
     /// Pairs of a part and a triangle, sorted by parts.
     order: Vec<(u32, u32)>,
     /// Marks vertices that several parts use: these lie on borders between parts.
     is_shared: Vec<bool>,
+    /// For each vertex the last part that uses it, as far as these have been looked at.
+    part_of: Vec<u32>,
+    looked_at: usize,
     /// For each vertex its index in the current part.
     places: Vec<u32>,
     next: usize,
@@ -92,35 +103,45 @@ impl Bed {
 impl GroundMaking {
     /// Does one more slice, on the same mesh each time.
     pub fn next(&mut self, mesh: &TriMesh, bed: impl Fn() -> Bed) -> GroundSlice {
-        if self.curvatures.is_empty() {
-            self.curvatures = curvatures(mesh);
+        if self.measured < mesh.triangles().len() {
+            self.curvatures.resize(mesh.positions().len(), [0.0; 2]);
+            let end = mesh.triangles().len().min(self.measured + SLICE);
+            curvatures(mesh, self.measured..end, &mut self.curvatures);
+            self.measured = end;
         } else if self.surface.positions.is_empty() {
             let bed = bed();
             self.has_fine = !bed.is_fine;
             self.far = FAR * bed.sunk;
             self.surface = sheet(mesh, &bed, &self.curvatures);
+        } else if !self.is_closed {
+            close_all(&mut self.surface, mesh, &bed(), &self.curvatures);
+            self.is_closed = true;
         } else if self.order.is_empty() {
             self.order = parts(&self.surface.positions, &self.surface.triangles, PART);
-        } else if self.is_shared.is_empty() {
-            self.is_shared = self.shared();
-            self.places = vec![NONE; self.is_shared.len()];
+        } else if self.looked_at < self.order.len() {
+            self.share();
         } else {
             return self.part();
         }
         GroundSlice::More
     }
 
-    /// For each vertex, whether several parts use it.
-    fn shared(&self) -> Vec<bool> {
-        let mut part_of = vec![NONE; self.surface.positions.len()];
-        let mut is_shared = vec![false; part_of.len()];
-        for &(part, t) in &self.order {
+    /// Finds out which vertices several parts use, for one more slice of triangles.
+    fn share(&mut self) {
+        let count = self.surface.positions.len();
+        self.is_shared.resize(count, false);
+        self.part_of.resize(count, NONE);
+        let end = self.order.len().min(self.looked_at + SLICE);
+        for &(part, t) in &self.order[self.looked_at..end] {
             for v in self.surface.triangles[t as usize].map(|v| v as usize) {
-                is_shared[v] |= part_of[v] != NONE && part_of[v] != part;
-                part_of[v] = part;
+                self.is_shared[v] |= self.part_of[v] != NONE && self.part_of[v] != part;
+                self.part_of[v] = part;
             }
         }
-        is_shared
+        self.looked_at = end;
+        if end == self.order.len() {
+            (self.part_of, self.places) = (Vec::new(), vec![NONE; count]);
+        }
     }
 
     fn part(&mut self) -> GroundSlice {
@@ -178,41 +199,47 @@ impl GroundMaking {
     }
 }
 
-/// The whole ground, in the model's units. Triangles run counter-clockwise seen from outside.
-fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
-    let place = |depth: f64, most_sunk: f64| {
-        let sunk = |(k, (&p, &n)): (usize, (&DVec3, &DVec3))| {
-            let [least, most] = curvatures[k];
-            let limit = match depth > 0.0 {
-                true => lesser(depth, most_sunk / greater(most, 1e-12)),
-                false => greater(depth, most_sunk / lesser(least, -1e-12)),
-            };
-            (p - n * limit).as_vec3()
+/// The places of the surface's vertices, sunk by `depth`, or by `most_sunk` of the radius of curvature.
+fn sunk_places(mesh: &TriMesh, curvatures: &[[f64; 2]], depth: f64, most_sunk: f64) -> Vec<Vec3> {
+    let sunk = |(k, (&p, &n)): (usize, (&DVec3, &DVec3))| {
+        let [least, most] = curvatures[k];
+        let limit = match depth > 0.0 {
+            true => lesser(depth, most_sunk / greater(most, 1e-12)),
+            false => greater(depth, most_sunk / lesser(least, -1e-12)),
         };
-        let all = mesh.positions().iter().zip(mesh.normals()).enumerate();
-        all.map(sunk).collect::<Vec<Vec3>>()
+        (p - n * limit).as_vec3()
     };
-    let mut surface = Surface {
-        positions: place(bed.sunk, MOST_SUNK[0]),
+    let all = mesh.positions().iter().zip(mesh.normals()).enumerate();
+    all.map(sunk).collect()
+}
+
+/// The ground without what closes its openings, in the model's units. Triangles run counter-clockwise seen from outside.
+fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
+    Surface {
+        positions: sunk_places(mesh, curvatures, bed.sunk, MOST_SUNK[0]),
         normals: mesh.normals().iter().map(|n| n.as_vec3()).collect(),
         colours: vec![bed.colour; mesh.positions().len()],
         triangles: mesh.triangles().to_vec(),
-    };
+    }
+}
+
+/// Adds what closes the openings of the ground.
+fn close_all(surface: &mut Surface, mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) {
     let borders = mesh.borders();
     if borders.is_empty() {
-        return surface;
+        return;
     }
     match bed.open {
-        Open::Capped => borders.iter().for_each(|ring| close(&mut surface, ring)),
+        Open::Capped => borders.iter().for_each(|ring| close(surface, ring)),
         Open::Block => {
             let heights = surface.positions.iter().map(|p| p.y);
             let floor = heights.fold(f32::MAX, lesser) - (bed.inside - bed.sunk) as f32;
             for ring in &borders {
-                skirt(&mut surface, ring, floor, shade(bed.colour, RIM));
+                skirt(surface, ring, floor, shade(bed.colour, RIM));
             }
         }
         Open::Shell => {
-            let inner = place(bed.inside, MOST_SUNK[1]);
+            let inner = sunk_places(mesh, curvatures, bed.inside, MOST_SUNK[1]);
             let first = surface.positions.len() as u32;
             surface.positions.extend(inner);
             let inwards = mesh.normals().iter().map(|n| -n.as_vec3());
@@ -224,11 +251,10 @@ fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
                 .triangles
                 .extend(mesh.triangles().iter().map(turned));
             for ring in &borders {
-                rim(&mut surface, ring, first, shade(bed.colour, RIM));
+                rim(surface, ring, first, shade(bed.colour, RIM));
             }
         }
     }
-    surface
 }
 
 fn shade(colour: [u8; 3], by: f32) -> [u8; 3] {
@@ -296,10 +322,9 @@ fn strip(surface: &mut Surface, pairs: &[[Vec3; 2]], colour: [u8; 3]) {
     surface.triangles.extend(all);
 }
 
-/// The least and the greatest curvature along the edges at each vertex.
-fn curvatures(mesh: &TriMesh) -> Vec<[f64; 2]> {
-    let mut found = vec![[0.0f64; 2]; mesh.positions().len()];
-    for triangle in mesh.triangles() {
+/// Widens the least and the greatest curvature along the edges at each vertex by some triangles.
+fn curvatures(mesh: &TriMesh, triangles: std::ops::Range<usize>, found: &mut [[f64; 2]]) {
+    for triangle in &mesh.triangles()[triangles] {
         for k in 0..3 {
             let [a, b] = [triangle[k], triangle[(k + 1) % 3]].map(|v| v as usize);
             let along = mesh.positions()[b] - mesh.positions()[a];
@@ -316,10 +341,12 @@ fn curvatures(mesh: &TriMesh) -> Vec<[f64; 2]> {
             }
         }
     }
-    found
 }
 
-/// Groups triangles by the cubes of a grid, about `each` to a cube. Returns pairs of a part and a triangle, sorted by
+/// Bits of the number of a cube of [`parts`].
+const CUBE_BITS: u32 = 18;
+
+/// Groups triangles by the cubes of a grid, about `each` to a cube and at most [`MOST_PART`] to a group. Returns pairs of a part and a triangle, sorted by
 /// parts.
 pub(crate) fn parts(positions: &[Vec3], triangles: &[[u32; 3]], each: usize) -> Vec<(u32, u32)> {
     let (mut low, mut high) = (Vec3::MAX, Vec3::MIN);
@@ -337,8 +364,14 @@ pub(crate) fn parts(positions: &[Vec3], triangles: &[[u32; 3]], each: usize) -> 
             .map(|v| (v as u32).min(63));
         at[0] << 12 | at[1] << 6 | at[2]
     };
-    let numbered = triangles.iter().map(cube).zip(0..);
-    let mut order: Vec<(u32, u32)> = numbered.collect();
-    order.sort_unstable();
-    order
+    let cubes: Vec<u32> = triangles.iter().map(cube).collect();
+    let order = Csr::from_pairs(
+        1 << CUBE_BITS,
+        cubes.iter().map(|&cube| cube as usize).zip(0u32..),
+    );
+    let runs = (0..1u32 << CUBE_BITS).flat_map(|cube| {
+        let own = order.row(cube as usize).iter().enumerate();
+        own.map(move |(k, &t)| (cube << (32 - CUBE_BITS) | (k / MOST_PART) as u32, t))
+    });
+    runs.collect()
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 /// Triangles or vertices in a slice.
 const SLICE: usize = 1 << 14;
-/// Edges with the same lesser end are compared in pairs up to this count, and sorted by their other end above it.
+/// Edges of one vertex are compared in pairs up to this count, and sorted by their other end above it.
 const MANY: usize = 24;
 
 /// A mesh that is being built.
@@ -16,7 +16,10 @@ pub struct MeshBuilding {
     stage: BuildingPhase,
     /// How many triangles or vertices the current stage has done.
     at: usize,
-    /// Where the edges of each vertex begin in `edges`. An edge belongs to its end with the lesser number.
+    /// How many triangles each vertex has.
+    degrees: Vec<u32>,
+    /// Where the edges of each vertex begin in `edges`. An edge belongs to its end with fewer triangles, so that not even
+    /// the middle of a large fan has many.
     starts: Vec<u32>,
     edges: Vec<u32>,
 }
@@ -46,6 +49,7 @@ impl MeshBuilding {
             },
             stage: BuildingPhase::Check,
             at: 0,
+            degrees: Vec::new(),
             starts: Vec::new(),
             edges: Vec::new(),
         }
@@ -70,9 +74,10 @@ impl MeshBuilding {
                 self.sort(range);
                 Ok(())
             }
-            BuildingPhase::Link => range
-                .into_iter()
-                .try_for_each(|v| link(&mut self.mesh, &mut self.edges[span(&self.starts, v)])),
+            BuildingPhase::Link => range.into_iter().try_for_each(|v| {
+                let edges = &mut self.edges[span(&self.starts, v)];
+                link(&mut self.mesh, v as u32, edges)
+            }),
             BuildingPhase::Faces => {
                 range.for_each(|t| self.mesh.weigh(t));
                 Ok(())
@@ -109,6 +114,7 @@ impl MeshBuilding {
                 BuildingPhase::Sort
             }
             BuildingPhase::Sort => {
+                self.degrees = Vec::new();
                 self.mesh.across = vec![[NONE; 3]; self.mesh.triangles.len()];
                 BuildingPhase::Link
             }
@@ -134,17 +140,27 @@ impl MeshBuilding {
         let is_bad = |t: &[u32; 3]| {
             t.iter().any(|&v| v >= count) || t[0] == t[1] || t[1] == t[2] || t[2] == t[0]
         };
-        match self.mesh.triangles[range].iter().any(is_bad) {
-            true => Err(MeshFault::BadTriangle),
-            false => Ok(()),
+        if self.mesh.triangles[range.clone()].iter().any(is_bad) {
+            return Err(MeshFault::BadTriangle);
         }
+        self.degrees.resize(self.mesh.positions.len(), 0);
+        for &v in self.mesh.triangles[range].iter().flatten() {
+            self.degrees[v as usize] += 1;
+        }
+        Ok(())
+    }
+
+    /// The vertices that the three edges of a triangle belong to.
+    fn owners(&self, t: usize) -> [u32; 3] {
+        let [a, b, c] = self.mesh.triangles[t].map(|v| (self.degrees[v as usize], v));
+        [a.min(b), b.min(c), c.min(a)].map(|(_, v)| v)
     }
 
     // Counts stand two places further on: after the prefix sum, entry v + 1 is where vertex v begins, and filling the
     // list moves it to where v ends.
     fn count(&mut self, range: std::ops::Range<usize>) {
-        for &[a, b, c] in &self.mesh.triangles[range] {
-            for v in [a.min(b), b.min(c), c.min(a)] {
+        for t in range {
+            for v in self.owners(t) {
                 self.starts[v as usize + 2] += 1;
             }
         }
@@ -152,8 +168,7 @@ impl MeshBuilding {
 
     fn sort(&mut self, range: std::ops::Range<usize>) {
         for t in range {
-            let [a, b, c] = self.mesh.triangles[t];
-            for (k, v) in [a.min(b), b.min(c), c.min(a)].into_iter().enumerate() {
+            for (k, v) in self.owners(t).into_iter().enumerate() {
                 let place = &mut self.starts[v as usize + 1];
                 self.edges[*place as usize] = (3 * t + k) as u32;
                 *place += 1;
@@ -174,21 +189,21 @@ fn ends(mesh: &TriMesh, edge: u32) -> [u32; 2] {
     [corners[k], corners[(k + 1) % 3]]
 }
 
-/// Joins edges that have the same two ends. All edges given have the same lesser end.
-fn link(mesh: &mut TriMesh, edges: &mut [u32]) -> Result<(), MeshFault> {
-    let greater = |mesh: &TriMesh, edge: u32| {
-        let [a, b] = ends(mesh, edge);
-        a.max(b)
-    };
+/// Joins edges that have the same two ends. All edges given belong to one vertex.
+fn link(mesh: &mut TriMesh, vertex: u32, edges: &mut [u32]) -> Result<(), MeshFault> {
+    // The sum of both ends less the vertex, by bits.
+    let other_end = |[a, b]: [u32; 2]| a ^ b ^ vertex;
     let sorted = edges.len() > MANY;
     if sorted {
-        order::sort(edges, |&edge| (greater(mesh, edge).into(), edge.into()));
+        order::sort(edges, |&edge| {
+            (other_end(ends(mesh, edge)).into(), edge.into())
+        });
     }
     for (i, &edge) in edges.iter().enumerate() {
         let own = ends(mesh, edge);
         for &other in &edges[i + 1..] {
             let theirs = ends(mesh, other);
-            if sorted && theirs[0].max(theirs[1]) != own[0].max(own[1]) {
+            if sorted && other_end(theirs) != other_end(own) {
                 break;
             }
             if theirs == own {
@@ -255,6 +270,25 @@ impl TriMesh {
             if self.first[v] == NONE || self.across[t][k] == NONE {
                 self.first[v] = (3 * t + k) as u32;
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing;
+    use super::*;
+
+    #[test]
+    fn no_vertex_has_many_edges_to_compare() {
+        for (positions, triangles) in [testing::disc(3000), testing::ball(3)] {
+            let mut building = MeshBuilding::new(positions, triangles);
+            while building.stage != BuildingPhase::Link {
+                assert!(building.advance().is_none());
+            }
+            let vertices = 0..building.mesh.positions.len();
+            let most = vertices.map(|v| span(&building.starts, v).len()).max();
+            assert!(most.is_some_and(|most| most <= MANY), "{most:?}");
         }
     }
 }

@@ -35,6 +35,11 @@ pub struct Sided {
     pub mesh: Arc<TriMesh>,
     /// Whether a part is open.
     pub is_open: bool,
+    /// The area of the largest part.
+    pub largest: f64,
+    /// The sum of the squared edges of all triangles over the area: about 7 for equilateral ones. The boxes of needles
+    /// overlap, and a search looks at about as many of them.
+    pub slenderness: f64,
     /// A remark on parts that were turned, or that look as if they should be.
     pub notice: Option<Notice>,
 }
@@ -46,6 +51,8 @@ struct PartSums {
     triangles: usize,
     /// Twice the area, the sum of area vectors, and the centroid times twice the area.
     area: f64,
+    /// The sum of the squared edges.
+    squares: f64,
     facing: DVec3,
     moment: DVec3,
     /// The flux of the place through the part: of the vector from [`Siding::about`] to a point of the surface.
@@ -60,6 +67,12 @@ impl PartSums {
         let (area, middle) = (facing.length(), (a + b + c) / 3.0);
         self.triangles += 1;
         self.area += area;
+        let edges = [
+            a.distance_squared(b),
+            b.distance_squared(c),
+            c.distance_squared(a),
+        ];
+        self.squares += edges.iter().sum::<f64>();
         self.facing += facing;
         self.moment += area * middle;
         self.flux += middle.dot(facing);
@@ -202,6 +215,7 @@ impl Siding {
     fn sided(&self, mesh: Arc<TriMesh>) -> Sided {
         let wrong = self.parts.iter().filter(|part| part.is_wrong());
         let wrong: usize = wrong.map(|part| part.triangles).sum();
+        let all = |sum: fn(&PartSums) -> f64| self.parts.iter().map(sum).sum::<f64>();
         let code = match self.sides {
             Sides::Given => Some(Code::ModelFacesIn),
             Sides::Guessed => Some(Code::MendedSides),
@@ -210,6 +224,8 @@ impl Siding {
         Sided {
             mesh,
             is_open: self.parts.iter().any(|part| part.is_open),
+            slenderness: 2.0 * all(|part| part.squares) / all(|part| part.area),
+            largest: 0.5 * self.parts.iter().map(|part| part.area).fold(0.0, f64::max),
             notice: code
                 .filter(|_| wrong > 0)
                 .map(|code| Notice::new(code).with("n", wrong)),
@@ -219,7 +235,7 @@ impl Siding {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples;
+    use super::super::{samples, testing};
     use super::*;
 
     fn sided(mesh: &Arc<TriMesh>, sides: Sides) -> Sided {
@@ -246,6 +262,34 @@ mod tests {
         let again = sided(&guessed.mesh, Sides::Guessed);
         assert!(Arc::ptr_eq(&again.mesh, &guessed.mesh));
         assert!(again.notice.is_none() && again.is_open);
+    }
+
+    #[test]
+    fn the_largest_part_is_measured() {
+        let two = Arc::new(testing::mesh(testing::cubes(
+            &[[0; 3], [4, 0, 0], [4, 0, 1]],
+            2,
+        )));
+        let largest = sided(&two, Sides::Guessed).largest;
+        assert!((largest - 10.0).abs() < 1e-12, "{largest}");
+    }
+
+    #[test]
+    fn needles_are_slender_and_other_triangles_are_not() {
+        let slenderness = |soup| sided(&Arc::new(testing::mesh(soup)), Sides::Guessed).slenderness;
+        for soup in [
+            testing::ball(4),
+            testing::flat(30),
+            testing::torus(90, 40, 0.4),
+        ] {
+            let few = slenderness(soup);
+            assert!((6.9..12.0).contains(&few), "{few}");
+        }
+        let [some, many] = [1000, 4000].map(|rim| slenderness(testing::disc(rim)));
+        assert!(
+            some > 600.0 && (3.9..4.1).contains(&(many / some)),
+            "{some} {many}"
+        );
     }
 
     #[test]

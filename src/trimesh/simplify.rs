@@ -24,7 +24,10 @@ const LEAST_QUALITY: f64 = 0.15;
 const SLICE: usize = 1 << 13;
 const LOOKED_AT: usize = 1 << 15;
 /// A vertex with more triangles than this gets its neighbours by sorting.
-const MANY: usize = 64;
+const MANY: u32 = 64;
+/// The edges of a vertex with more triangles than this do not collapse: each collapse looks at all of them, so a large
+/// fan would take the square of its size. The edges round the fan are shorter, and make it smaller.
+const MOST_AROUND: u32 = 1 << 10;
 
 /// A surface that is being simplified.
 pub struct Simplifying {
@@ -32,6 +35,8 @@ pub struct Simplifying {
     origin: DVec3,
     collapse: Collapse,
     is_border: Vec<bool>,
+    /// How many triangles each vertex has.
+    degrees: Vec<u32>,
     stage: SimplifyingPhase,
     at: usize,
     left: usize,
@@ -64,6 +69,7 @@ impl Simplifying {
             origin,
             collapse: Collapse::new(places.collect(), mesh.triangles().to_vec()),
             is_border: vec![false; mesh.positions().len()],
+            degrees: vec![0; mesh.positions().len()],
             stage: SimplifyingPhase::Weigh,
             at: 0,
             left: mesh.triangles().len(),
@@ -128,6 +134,7 @@ impl Simplifying {
         let area = 0.5 * (b - a).cross(c - a).length();
         let quadric = Quadric::of_plane(normal, -normal.dot(a), area);
         self.collapse.weigh(t, &quadric);
+        triangle.iter().for_each(|&v| self.degrees[v as usize] += 1);
         for (k, (from, to)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
             if self.mesh.across(t as u32, k).is_some() {
                 continue;
@@ -156,6 +163,9 @@ impl Simplifying {
         let ends = [a.min(b), a.max(b)];
         let place = self.place(ends);
         let sum = self.sum(ends);
+        if sum.at(place) > self.limit * sum.weight() {
+            return;
+        }
         let [p, q] = self.corners(ends);
         let cost = sum.at(place).max(0.0) + LENGTH * sum.weight() * (p - q).length_squared();
         self.collapse.offer(ends, cost);
@@ -195,19 +205,16 @@ impl Simplifying {
         if self.left <= self.most.max(4) {
             return false;
         }
-        let Some(ends) = self.collapse.pop() else {
+        let Some((ends, is_current)) = self.collapse.take() else {
             return false;
         };
-        let around = ends.map(|v| self.collapse.around(v));
-        *left -= (24 + around[0] + around[1]) as i64;
-        if self.collapse.living(ends[0]).next().is_none() {
+        let degrees = ends.map(|v| self.degrees[v as usize]);
+        *left -= 24;
+        if !is_current || degrees[0] == 0 || degrees[0].max(degrees[1]) > MOST_AROUND {
             return true;
         }
+        *left -= i64::from(degrees[0] + degrees[1]);
         let place = self.place(ends);
-        let sum = self.sum(ends);
-        if sum.at(place) > self.limit * sum.weight() {
-            return true;
-        }
         if self.keeps_the_surface(ends) && self.keeps_upright(ends, place) {
             self.merge(ends, place);
         }
@@ -216,7 +223,7 @@ impl Simplifying {
 
     /// The neighbours of a vertex.
     fn beside(&self, v: u32) -> Vec<u32> {
-        if self.collapse.around(v) > MANY {
+        if self.degrees[v as usize] > MANY {
             let corners = self.collapse.living(v).flat_map(|(_, triangle)| triangle);
             let mut all: Vec<u32> = corners.filter(|&w| w != v).collect();
             all.sort_unstable();
@@ -249,10 +256,8 @@ impl Simplifying {
         let common = self.beside(a).into_iter().filter(|v| beside.contains(v));
         let common: Vec<u32> = common.collect();
         // The collapse takes a triangle from each of these.
-        let has_enough = |&v: &u32| {
-            let least = if self.is_border[v as usize] { 2 } else { 4 };
-            self.collapse.living(v).nth(least - 1).is_some()
-        };
+        let has_enough =
+            |&v: &u32| self.degrees[v as usize] >= if self.is_border[v as usize] { 2 } else { 4 };
         common.len() == shared && common.iter().all(has_enough)
     }
 
@@ -276,6 +281,13 @@ impl Simplifying {
     }
 
     fn merge(&mut self, [a, b]: [u32; 2], place: DVec3) {
+        let shared = self.collapse.living(b).map(|(_, t)| t);
+        let shared: Vec<[u32; 3]> = shared.filter(|t| t.contains(&a)).collect();
+        shared
+            .iter()
+            .flatten()
+            .for_each(|&v| self.degrees[v as usize] -= 1);
+        self.degrees[a as usize] += std::mem::take(&mut self.degrees[b as usize]);
         self.left -= self.collapse.merge(b, a, GONE);
         self.collapse.places[a as usize] = place;
         self.is_border[a as usize] |= self.is_border[b as usize];

@@ -106,6 +106,17 @@ pub fn torus(around: u32, across: u32, thin: f64) -> Soup {
     soup
 }
 
+/// A disc of this many triangles about its middle, vertex 0. It looks up.
+pub fn disc(rim: u32) -> Soup {
+    let place = |k: u32| {
+        let angle = TAU * f64::from(k) / f64::from(rim);
+        DVec3::new(libm::cos(angle), 0.0, -libm::sin(angle))
+    };
+    let positions = std::iter::once(DVec3::ZERO).chain((0..rim).map(place));
+    let triangles = (0..rim).map(|k| [0, 1 + k, 1 + (k + 1) % rim]);
+    (positions.collect(), triangles.collect())
+}
+
 /// The unit ball: an octahedron whose triangles are cut in four, `steps` times.
 pub fn ball(steps: u32) -> Soup {
     let axes = [DVec3::X, DVec3::Y, DVec3::Z];

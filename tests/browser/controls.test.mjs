@@ -19,7 +19,7 @@ const NO_CONTROL = new Set(['poly']);
 // The context in which a parameter has a visible effect, as part of the link.
 const NEEDS = {
   on: 'outline=star',
-  pop: 'start=quadtree',
+  pop: 'start=quadtree&cs=9',
   parts: 'lines=0,0.3,1,0.6',
   cd: 'kind=rectangle&cb=2',
   gd: 'gb=2',
@@ -29,6 +29,9 @@ const NEEDS = {
   sa: 'stone=skin&sc=1.5',
   flow: 'stone=skin&sc=1.5&dir=constant&strokes=0.9,0.5,0.1,0.5',
 };
+
+// A picture of a few cells, as each parameter needs two.
+const FEW = '#size=128&cs=14';
 
 // Values that surely differ; the usual choice, halfway to the end, might not.
 const OTHER = { cs: '21', on: '7', seed: '7', size: '256' };
@@ -46,18 +49,17 @@ function another(parameter, value) {
 }
 
 test('every control reaches the picture', sameEverywhere, async (t) => {
-  const { page, problems, close } = await site.newPage(SMALL);
+  const { page, problems, close } = await site.newPage(FEW);
   await digest(page);
   const schema = await page.evaluate(() => window.bubblestone.schema);
   await all(page);
-  await page.$$eval('details', (groups) => groups.forEach((details) => (details.open = true)));
   for (const parameter of schema) {
     const { key } = parameter;
     if (NO_CONTROL.has(key)) continue;
     await t.test(key, async () => {
       const rule = parameter.shownFor;
       const needs = NEEDS[key] ?? (rule ? `${rule.key}=${rule.words[0]}` : '');
-      await page.evaluate((fragment) => (location.hash = fragment), `${SMALL}&seed=${1 + schema.indexOf(parameter)}&${needs}`);
+      await page.evaluate((fragment) => (location.hash = fragment), `${FEW}&seed=${1 + schema.indexOf(parameter)}&${needs}`);
       await frames(page, 1);
       if (key !== 'seed') assert.ok(await page.$eval(`[data-key="${key}"]`, (control) => !control.hidden), 'the control is hidden');
       const before = { planes: await digest(page), ...(await canvas(page)) };

@@ -119,7 +119,7 @@ test('plain files do the same; an element follows its attributes, and frees what
   await page.evaluate(async () => {
     for (let left = 5; left > 0; left -= 1) await new Promise(requestAnimationFrame);
   });
-  assert.deepEqual(await page.$eval('#near', (stone) => [stone.studio.stage(), window.told.near === undefined]), ['domain', true]);
+  assert.deepEqual(await page.$eval('#near', (stone) => [stone.studio.stage(), window.told.near === undefined]), ['packing', true]);
   await page.$eval('#near', (stone) => (stone.paused = false));
   assert.equal((await told(page, 'near')).kind, 'done');
 

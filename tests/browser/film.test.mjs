@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { createFile } from 'mp4box';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { low, open } from './harness.mjs';
 import { click, digest, message, phone, SMALL } from './page.mjs';
 import { handed, keeping } from './saved.mjs';
 
@@ -23,7 +23,7 @@ const UPRIGHT = [28, 356, 1024];
 /**
  * A page that keeps the files it saves.
  * @param {string} fragment
- * @param {{ shares?: boolean, films?: boolean, viewport?: typeof phone }} [options]
+ * @param {{ shares?: boolean, films?: boolean, viewport?: import('puppeteer-core').Viewport }} [options]
  */
 const opened = (fragment, { shares = false, films = true, viewport } = {}) =>
   site.newPage(fragment, { ...(viewport && { viewport }), before: (fresh) => fresh.evaluateOnNewDocument(keeping).then(() => fresh.evaluateOnNewDocument(able, shares, films)) });
@@ -181,7 +181,7 @@ test('a film of the forming loops from the finished picture to the finished pict
 
 test('a film of the turntable goes round once, and loops', sameEverywhere, async () => {
   // The film is saved as an animation, which has a third of the frames.
-  const { page, problems, close } = await opened('#size=128&cs=26&camera=20,50', { films: false });
+  const { page, problems, close } = await opened('#size=128&cs=26&camera=20,50', { films: false, viewport: low });
   await digest(page);
   await page.waitForSelector('#sheet[data-turn=fine]');
   await click(page, '#save');

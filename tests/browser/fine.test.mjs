@@ -21,7 +21,7 @@ const LINK = '#size=384&cs=32&outline=square';
 const THREE = '1152';
 const CLOSER = '1920';
 
-const retina = { width: 1280, height: 840, deviceScaleFactor: 2 };
+const retina = { width: 1280, height: 872, deviceScaleFactor: 2 };
 
 /**
  * A page with fine pictures, which counts its workers.

@@ -32,61 +32,15 @@ async function area(page, known) {
   return 1e4 * (known ?? (await rings(page))).reduce((total, ring) => total + sum(ring), 0);
 }
 
-test('a drawing becomes what is seen of it', sameEverywhere, async () => {
+// All kinds of drawings are read in node/drawing.test.mjs.
+test('a drawing becomes what is seen of it, with all the points that it gives', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
-  const line = 'fill="none" stroke="currentColor" stroke-width="8"';
-  const bend = 'M20 80V20H80';
-  for (const [what, inner, expected, count] of [
-    ['a stroke with butt ends', `<line x1="20" y1="50" x2="80" y2="50" stroke="#000" stroke-width="8"/>`, 480, 1],
-    ['square ends', `<path d="M20 50H80" ${line} stroke-linecap="square"/>`, 544, 1],
-    ['round ends', `<path d="M20 50H80" ${line} stroke-linecap="round"/>`, 480 + Math.PI * 16, 1],
-    ['a mitre', `<path d="${bend}" ${line}/>`, 960, 1],
-    ['a bevel', `<path d="${bend}" ${line} stroke-linejoin="bevel"/>`, 960 - 8, 1],
-    ['a round join', `<path d="${bend}" ${line} stroke-linejoin="round"/>`, 960 - 16 + Math.PI * 4, 1],
-    ['a circle', `<circle cx="50" cy="50" r="30" ${line}/>`, Math.PI * 2 * 30 * 8, 2],
-    ['a width that is inherited, with a unit, and scaled', `<g stroke-width="3pt" stroke="red" transform="translate(10) scale(2)"><path d="M5 25H35" fill="none"/></g>`, 60 * 8, 1],
-    ['dashes', `<path d="M10 50H90" ${line} stroke-dasharray="10 5"/>`, 8 * (5 * 10 + 5), 6],
-    ['a filling with a stroke', `<rect x="20" y="20" width="60" height="60" stroke="#123" stroke-width="8"/>`, 68 * 68, 1],
-    ['strokes that cross', `<path d="M20 50H80M50 20V80" ${line}/>`, 960 - 64, 1],
-    ['shapes that overlap, one of them run the other way', '<path d="M10 10H60V60H10Z"/><path d="M40 40V90H90V40Z"/>', 2500 + 2500 - 400, 1],
-    ['fill-rule: nonzero', '<path d="M10 10H90V90H10ZM30 30H70V70H30Z"/>', 6400, 1],
-    ['fill-rule: evenodd', '<path fill-rule="evenodd" d="M10 10H90V90H10ZM30 30H70V70H30Z"/>', 4800, 2],
-    ['white over black', '<path d="M10 10H90V90H10Z"/><circle cx="50" cy="50" r="20" fill="#fff"/>', 6400 - Math.PI * 400, 2],
-    ['white alone', '<path d="M10 10H90V90H10Z" fill="white"/>', 6400, 1],
-    ['a page of white paper', '<rect width="100%" height="100%" fill="#fefefe"/><path d="M10 10H90V50H10Z"/>', 3200, 1],
-    ['a clip path in a clip path', '<clipPath id="a"><path d="M0 0H50V100H0Z"/></clipPath><clipPath id="b" clip-path="url(#a)"><path d="M0 0H100V50H0Z"/></clipPath><g clip-path="url(#b)"><path d="M10 10H90V90H10Z"/></g>', 1600, 1],
-    ['a clip path in parts of the shape', '<clipPath id="a" clipPathUnits="objectBoundingBox"><path d="M0 0H.5V.5H0Z"/></clipPath><path clip-path="url(#a)" d="M10 10H90V90H10Z"/>', 1600, 1],
-    ['a rule that hides', '<style>.a, #b { display: none } g > .c { visibility: hidden } .d { fill: none } .e { opacity: 0 }</style><g fill="red"><path class="a" d="M0 0H9V9Z"/><path id="b" d="M0 0H9V9Z"/><path class="c" d="M0 0H9V9Z"/></g><path class="d" d="M0 0H9V9Z"/><g class="e"><path d="M0 0H9V9Z"/></g><path d="M10 10H90V90H10Z"/>', 6400, 1],
-    ['a rule that wins by its weight, and one that is important', '<style>#b { fill: red } .c { fill: none } path { fill: none !important }</style><rect id="b" class="c" x="10" y="10" width="80" height="80"/><path d="M0 0H9V9Z" style="fill: red"/>', 6400, 1],
-    ['a rule for print', '<style>@media print { rect { display: none } } @media screen { path { display: none } }</style><path d="M0 0H9V9Z"/><rect x="10" y="10" width="80" height="80"/>', 6400, 1],
-    ['what reaches over the rim', '<path d="M-50 10H150V50H-50Z"/>', 4000, 1],
-  ]) {
-    await bring(page, svg(inner));
-    assert.deepEqual(await messages(page), [], what);
-    const outline = await rings(page);
-    const found = await area(page, outline);
-    assert.ok(Math.abs(found - expected) <= 0.005 * expected, `${what}: ${found} instead of ${expected}`);
-    assert.equal(outline.length, count, what);
-  }
+  await bring(page, svg('<path d="M20 50H80M50 20V80" fill="none" stroke="currentColor" stroke-width="8"/>'));
+  const crossed = await rings(page);
+  assert.equal(crossed.length, 1);
+  assert.ok(Math.abs((await area(page, crossed)) - (960 - 64)) < 5);
   assert.match(await digest(page), /^[0-9a-f]+$/);
-  assert.deepEqual(problems, []);
-  await close();
-});
-
-test('the icons of a well-known set come as they are drawn', sameEverywhere, async () => {
-  const { page, problems, close } = await site.newPage(SQUARE);
-  await digest(page);
-  const icon = (inner) => `<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24" viewBox="0 0 24 24" fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round" stroke-linejoin="round">${inner}</svg>`;
-  const unit = (100 / 24) ** 2;
-  await bring(page, icon('<circle cx="11" cy="11" r="8"/><line x1="21" y1="21" x2="16.65" y2="16.65"/>'));
-  // The round end of the handle overlaps the ring of the glass by some hundredths only.
-  const expected = unit * (2 * Math.PI * 8 * 2 + Math.hypot(4.35, 4.35) * 2 + Math.PI / 2);
-  assert.ok(Math.abs((await area(page)) / expected - 1) < 0.02, `${await area(page)} instead of ${expected}`);
-  await bring(page, icon('<polyline points="20 6 9 17 4 12"/>'));
-  const check = unit * (2 * (Math.hypot(11, 11) + Math.hypot(5, 5)) + Math.PI - (1 - Math.PI / 4));
-  assert.ok(Math.abs((await area(page)) / check - 1) < 0.01, `${await area(page)} instead of ${check}`);
-  // All given points are used.
   const points = Array.from({ length: 600 }, (_, k) => [50 + 40 * Math.cos((Math.PI * k) / 300), 50 + 40 * Math.sin((Math.PI * k) / 300)]);
   await bring(page, svg(`<polygon points="${points.join(' ')}"/>`));
   assert.deepEqual((await rings(page)).map((ring) => ring.length), [600]);
@@ -217,14 +171,9 @@ test('a drawing that is too much, or makes no sense, gets a sentence or a pictur
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   const before = await link(page);
-  const laughs = Array.from({ length: 9 }, (_, k) => `<g id="a${k + 1}">${`<use href="#a${k}"/>`.repeat(10)}</g>`).join('');
   for (const [text, words] of [
-    [squares(1600, 0.8), /1,600 separate rings, which need 6,400 points; at most 4,096 are allowed\. The outline stays/],
-    [squares(5000, 0.8), /5,000 separate rings, which need 20,000 points/],
-    [svg(`<defs><g id="a0"><rect width="9" height="9"/></g>${laughs}</defs><use href="#a9"/>`), /more than 50,000 shapes/],
-    [svg(`${'<g>'.repeat(9000)}<rect width="9" height="9"/>${'</g>'.repeat(9000)}`), /more than 200 deep/],
+    [squares(5000, 0.8), /5,000 separate rings, which need 20,000 points; at most 4,096 are allowed\. The outline stays/],
     [svg(`<path d="M0 0${'l1 1 1-1'.repeat(400_000)}"/>`), /more than 200,000 points/],
-    [svg('<rect x="NaN" width="1e999" height="9"/><circle r="-5"/><path d="M0 0L1e400 9"/><rect width="0" height="50"/>'), /no path or shape/],
     [svg('<rect width="1e300" height="9" x="1e300"/>'), /1 shape too far away, which cannot be taken/],
     [JSON.stringify(Array.from({ length: 9000 }, (_, k) => [k, (k * k) % 977])), /9,000 points; at most 4,096/],
   ]) {
@@ -232,9 +181,6 @@ test('a drawing that is too much, or makes no sense, gets a sentence or a pictur
     await message(page, 'alert', words);
     assert.equal(await link(page), before);
   }
-  // An element that uses itself is drawn without that use. Numbers that are too small or too large do not hide a square.
-  await bring(page, svg('<g id="a"><rect x="20" y="20" width="50" height="50"/><use href="#a" x="5"/></g><rect x="1e-400" width="1e-300" height="9"/><path transform="scale(0)" d="M0 0H9V9"/>'));
-  assert.ok(Math.abs((await area(page)) - 55 * 50) < 3);
   // The largest number of squares, and twice as many that overlap.
   await bring(page, squares(300, 0.7));
   assert.equal((await rings(page)).length, 300);

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { desk, low, open } from './harness.mjs';
 import { all, BALL, canvas, digest, frames, get, messages, phone, PILE, set, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
@@ -48,7 +48,7 @@ test('every word has its Japanese, with the same values in it', sameEverywhere, 
   }
 });
 
-for (const link of [SMALL, '#v=1&make=surface&size=128&cn=60', PILE]) {
+for (const link of [SMALL, BALL, PILE]) {
   test(`every word of the module has its Japanese: ${link}`, sameEverywhere, async () => {
     const plain = await site.newPage(link);
     const { page, problems, close } = await inJapanese(link);
@@ -132,7 +132,7 @@ async function wordsOnceThey(page, wanted) {
 }
 
 for (const [link, part] of [[SMALL, '#layers-button'], [BALL, '#light-button'], [PILE, '#light-button']]) {
-  test(`a change of the language changes the words, all of them, and nothing else: ${link}`, async () => {
+  test(`a change of the language changes the words, all of them, and nothing else: ${link}`, link === SMALL ? {} : sameEverywhere, async () => {
     const open = async (newPage) => {
       const made = await newPage(link);
       const { page } = made;
@@ -147,8 +147,9 @@ for (const [link, part] of [[SMALL, '#layers-button'], [BALL, '#light-button'], 
       await frames(page, 5);
       return { ...made, words: await wordsOn(page) };
     };
-    const plain = await open((at) => site.newPage(at));
-    const other = await open((at) => inJapanese(at));
+    const viewport = link === SMALL ? desk : low;
+    const plain = await open((at) => site.newPage(at, { viewport }));
+    const other = await open((at) => inJapanese(at, { viewport }));
     for (const [{ page, problems, words: own }, there, codes] of [[plain, other, ['ja', 'en']], [other, plain, ['en', 'ja']]]) {
       const state = () => page.evaluate(() => JSON.stringify([window.bubblestone.status(), window.bubblestone.link(), location.hash, document.querySelector('#sheet').dataset.turn, document.querySelectorAll('dialog[open]').length]));
       const before = [await canvas(page), await digest(page), await state()];
@@ -178,7 +179,7 @@ test('links that are wrong are answered in Japanese', sameEverywhere, async () =
   await close();
 });
 
-for (const [name, viewport] of Object.entries({ desk: { width: 1280, height: 800 }, phone })) {
+for (const [name, viewport] of Object.entries({ desk, phone })) {
   test(`Japanese fits on a ${name}`, async () => {
     const { page, close } = await inJapanese(SMALL, { viewport });
     await digest(page);

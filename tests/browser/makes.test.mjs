@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { kind, sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { low, open } from './harness.mjs';
 import { BALL, canvas, click, digest, frames, get, link, message, reloading, set, SMALL } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -11,7 +11,7 @@ import { BALL, canvas, click, digest, frames, get, link, message, reloading, set
 let site;
 
 before(async () => {
-  site = await open();
+  site = await open({ viewport: low });
 });
 
 after(() => site?.close());
@@ -82,7 +82,7 @@ test('undo, redo, presets, chance and links go from one generator to another', s
 });
 
 test('all generators work without a host once the site is stored', sameEverywhere, async (t) => {
-  const own = await open();
+  const own = await open({ viewport: low });
   t.after(() => own.close());
   const { page, external, close } = await own.newPage(SMALL, { stores: true });
   const pavement = await digest(page);
@@ -143,7 +143,7 @@ test('a generator that does not arrive leaves the picture, and is tried again', 
   assert.deepEqual(await state(page), before);
   await page.evaluate(() => (window.isUp = true));
   await click(page, '[role=alert] .actions button');
-  await made(page, 'surface');
+  await page.waitForSelector('.make[data-make=surface][aria-current]');
   assert.equal(await page.$('[role=alert] .message'), null);
   assert.deepEqual(problems, []);
   await close();
@@ -224,7 +224,7 @@ test('what is compared with may be of another generator', sameEverywhere, async 
   await click(page, '#undo');
   assert.equal(await digest(page), pavement);
   await click(page, '.make[data-make=surface]');
-  await made(page, 'surface');
+  await page.waitForSelector('.make[data-make=surface][aria-current]');
   assert.deepEqual(problems, []);
   await close();
 });
@@ -241,7 +241,7 @@ test('a module that nobody uses any more goes, with its memory', { skip: kind ==
   };
   await digest(page);
   assert.equal(await memories(), 1);
-  await click(page, '.make[data-make=surface]');
+  await page.evaluate((fragment) => (location.hash = fragment), BALL);
   await made(page, 'surface');
   assert.equal(await memories(), 1);
   await close();

@@ -12,13 +12,14 @@ export const SQUARE = `${SMALL}&outline=square`;
 /** Some stones on a ball. */
 export const BALL = '#v=1&make=surface&form=sphere&size=128&cn=60';
 
-/** Some pebbles on a small rice ball. */
-export const PILE = '#v=1&make=pile&size=128&c1=pebble&ps=5';
+/** Some pebbles of one form on a small heap. */
+export const PILE = '#v=1&make=pile&size=128&c1=pebble&variants=1&form=heap&ps=5';
 
 /** A small block of some 150 bricks. */
 export const BRICKS = '#v=1&make=masonry&building=block&block_length=8&block_width=8&block_height=8&size=128&pattern=bricks&ground=none';
 
-export const phone = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
+/** A phone whose pixels are those of the layout: frames of bodies have a quarter of the usual ones. */
+export const phone = { width: 390, height: 844, isMobile: true, hasTouch: true };
 
 /** The digest of the planes, once they are done. @param {Page} page @returns {Promise<string>} */
 export async function digest(page) {

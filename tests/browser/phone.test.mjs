@@ -2,12 +2,10 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, click, digest, edit, frames, get, SMALL, steps } from './page.mjs';
+import { all, click, digest, edit, frames, get, phone, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
-
-const viewport = { width: 390, height: 844, deviceScaleFactor: 2, isMobile: true, hasTouch: true };
 
 before(async () => {
   site = await open();
@@ -16,7 +14,7 @@ before(async () => {
 after(() => site?.close());
 
 /** A page on a phone, or a tablet, with all controls visible. */
-async function unfolded(size = viewport) {
+async function unfolded(size = phone) {
   const opened = await site.newPage(SMALL, { viewport: size });
   await digest(opened.page);
   await all(opened.page);
@@ -35,7 +33,7 @@ const places = (page, ...names) =>
   page.evaluate((all) => all.map((name) => document.querySelector(name).getBoundingClientRect().toJSON()), names);
 
 test('the canvas comes first and as wide as the screen, then presets, transport, tools and the rest', async () => {
-  const { page, close } = await site.newPage(SMALL, { viewport });
+  const { page, close } = await site.newPage(SMALL, { viewport: phone });
   await digest(page);
   const [canvas, rail, play, tools, panel] = await places(page, '#canvas', '#rail', '#play', '#edit-tools', '#panel');
   assert.ok(canvas.width >= 388 && canvas.top < 150, JSON.stringify(canvas));
@@ -45,7 +43,7 @@ test('the canvas comes first and as wide as the screen, then presets, transport,
 });
 
 test('buttons for what is edited stand under the picture, plots above the controls, names of controls beside them', async () => {
-  const { page, close } = await site.newPage(SMALL, { viewport });
+  const { page, close } = await site.newPage(SMALL, { viewport: phone });
   await digest(page);
   await page.tap('[data-tool=outline]');
   await page.waitForSelector('.handle');
@@ -62,7 +60,7 @@ test('buttons for what is edited stand under the picture, plots above the contro
 });
 
 test('on its side the phone shows the whole picture, all the rest beside it', async () => {
-  const { page, close } = await site.newPage(SMALL, { viewport: { ...viewport, width: 844, height: 390 } });
+  const { page, close } = await site.newPage(SMALL, { viewport: { ...phone, width: 844, height: 390 } });
   await digest(page);
   const [sheet, ...rest] = await places(page, '#sheet', '.head', '#rail', '#play', '#edit-tools', '#look-tools', '#panel');
   assert.ok(sheet.top >= 0 && sheet.bottom <= 390 && sheet.height > 300, JSON.stringify(sheet));
@@ -87,14 +85,14 @@ test('nothing is wider than the screen', async () => {
   // Nor do letters of double size, or a screen of 320 pixels.
   for (const [width, size] of [[390, '200%'], [320, '100%']]) {
     await page.evaluate((percent) => document.documentElement.style.setProperty('font-size', percent), size);
-    await page.setViewport({ ...viewport, width });
+    await page.setViewport({ ...phone, width });
     // Layout follows a little later.
     await page.waitForFunction((wide) => document.documentElement.scrollWidth === wide, { timeout: 20_000 }, width);
   }
   await close();
 });
 
-for (const [device, size] of Object.entries({ phone: viewport, 'tablet on its side': { ...viewport, width: 1180, height: 820 } })) test(`everything to touch on a ${device} is at least 44 pixels high and wide`, async () => {
+for (const [device, size] of Object.entries({ phone, 'tablet on its side': { ...phone, width: 1180, height: 820 } })) test(`everything to touch on a ${device} is at least 44 pixels high and wide`, async () => {
   const { page, close } = await unfolded(size);
   await edit(page, 'spots');
   const small = await page.evaluate(() => {
@@ -112,7 +110,7 @@ for (const [device, size] of Object.entries({ phone: viewport, 'tablet on its si
 });
 
 test('a finger pauses, steps and moves a slider', async () => {
-  const { page, problems, close } = await site.newPage(SMALL, { viewport });
+  const { page, problems, close } = await site.newPage(SMALL, { viewport: phone });
   await digest(page);
   await page.tap('#step');
   await page.waitForFunction(() => document.documentElement.dataset.stage === 'packing', { timeout: 60_000 });

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { low, open } from './harness.mjs';
 import { BALL, click, digest, frames, phone, SMALL } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -11,7 +11,7 @@ import { BALL, click, digest, frames, phone, SMALL } from './page.mjs';
 let site;
 
 before(async () => {
-  site = await open();
+  site = await open({ viewport: low });
 });
 
 after(() => site?.close());

@@ -172,8 +172,10 @@ test('a surface is taken away as a picture and a mesh, and compared with another
 });
 
 test('in another page it is seen and turned, with a button beside it', sameEverywhere, async () => {
-  const { page, problems, close } = await site.newPage(`?embed${BALL}&camera=100,30`, { viewport: { width: 480, height: 480 } });
+  const { page, problems, close } = await site.newPage(`?embed${BALL}&camera=100,30`, { viewport: { width: 240, height: 240, deviceScaleFactor: 2 } });
   await turned(page);
+  const { width, height } = await frame(page);
+  assert.deepEqual([width, height], [480, 480], 'the frame has the pixels of the screen');
   assert.match(await told(page), /^\d+ stones, seen from the left, 30 degrees/);
   const play = await box(page, '.embed-play');
   assert.ok(play.width < 60, `the button is ${play.width} wide`);
@@ -245,7 +247,7 @@ test('bodies sway once for a new visitor, and come back to the camera of the lin
   await close();
 });
 
-test('a touch ends the sway, or prevents it; less motion does, too', async () => {
+test('a touch ends the sway, or prevents it; less motion does, too', sameEverywhere, async () => {
   const still = await welcomed({ still: true });
   await turned(still.page);
   assert.ok(!(await states(still.page)).includes('moving'));

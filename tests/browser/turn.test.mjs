@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
-import { desk, low, open } from './harness.mjs';
+import { low, open } from './harness.mjs';
 import { BALL, click, digest, frames, link, message, phone, reloading, set, SMALL } from './page.mjs';
 import { opened, saved } from './saved.mjs';
 import { box, drag, spot } from './sheet.mjs';
@@ -127,7 +127,7 @@ test('the page is scrolled over it, by one finger and by the wheel, and two fing
 
 test('a mouse turns it, moves its ground with Shift, and comes closer to what it points at', async () => {
   // Stones have to be large beside the steps of the pointer.
-  const { page, problems, close } = await site.newPage(`${SMALL}&outline=square&camera=330,45`, { still: true, viewport: desk });
+  const { page, problems, close } = await site.newPage('#size=192&cs=30&outline=square&camera=330,45', { still: true });
   await turned(page);
   /** The body under the pointer at a place; 'none' if there is none. */
   const body = async ({ x, y }) => {
@@ -152,7 +152,7 @@ test('a mouse turns it, moves its ground with Shift, and comes closer to what it
   assert.equal(await page.$eval('.turn-card', (card) => card.querySelector('strong')?.textContent), `Stone ${stone}`);
   for (let k = 0; k < 3; k += 1) await page.mouse.wheel({ deltaY: -100 });
   assert.equal(await body(at), stone);
-  const to = { x: at.x + 80, y: at.y - 40 };
+  const to = { x: at.x + 44, y: at.y - 22 };
   await page.keyboard.down('Shift');
   await drag(page, at, to);
   await page.mouse.up();

@@ -118,7 +118,7 @@ fn pausing_stepping_and_starting_again() {
     run(&mut page);
     let digest = page.digest();
     page.restart();
-    assert_eq!(page.stage(), "domain");
+    assert_eq!(page.stage(), "packing");
     run(&mut page);
     assert_eq!(page.digest(), digest);
 }

@@ -8,7 +8,8 @@ export type Figures = { [word in 'size' | 'wanted' | 'aspect' | 'angle' | 'off' 
 /** Words that tell what numbers cannot, by the word of their kind. */
 export type CellWords = { [kind in 'labels' | 'node']?: string | undefined };
 
-export function cellNumbers(figures: Figures, words: CellWords = {}): [name: string, value: string][] {
+/** Without those that only say the cell's `title`. */
+export function cellNumbers(figures: Figures, words: CellWords = {}, title = ''): [name: string, value: string][] {
   const { size, wanted, aspect, angle, off, sides, neighbours, area } = figures;
   const rows: [string, string][] = [];
   if (is(size) && is(wanted)) rows.push([t('cell_size'), t('cell_size_of', { size: size.toFixed(1), wanted: wanted.toFixed(1) })]);
@@ -18,7 +19,7 @@ export function cellNumbers(figures: Figures, words: CellWords = {}): [name: str
   if (is(sides)) rows.push([t('cell_sides'), String(sides)]);
   if (is(neighbours)) rows.push([t('cell_neighbours'), String(neighbours)]);
   if (is(area)) rows.push([t('cell_area'), area.toFixed(0)]);
-  return [...rows, ...piledNumbers(figures), ...blockNumbers(figures, words)];
+  return [...rows, ...piledNumbers(figures), ...blockNumbers(figures, words)].filter(([, value]) => value !== title);
 }
 
 /** Those of a body in a pile; lengths are in its diagonals. */
@@ -35,13 +36,18 @@ function piledNumbers({ type, layer, slid, inwards, outwards, touches }: Figures
 const FEATURES = ['feature_0', 'feature_1', 'feature_2'] as const;
 const KINDS = ['kind_0', 'kind_1', 'kind_2', 'kind_3', 'kind_4', 'kind_5', 'kind_6', 'kind_7'] as const;
 
+/** The name of a corner, an edge or a face. */
+export function featureName({ feature, number }: Figures): string {
+  return t(FEATURES[feature ?? 2] ?? 'feature_2', { n: number ?? 0 });
+}
+
 /** Those of a block in a wall, in millimetres, and of the feature that it was laid for; or those of a face's map. */
 function blockNumbers({ length, height, depth, sort, course, feature, number, before, after }: Figures, { labels, node }: CellWords): [name: string, value: string][] {
   const rows: [string, string][] = [];
   if (is(sort)) rows.push([t('block_kind'), t(KINDS[sort] ?? 'kind_5')]);
   if (is(length) && is(height) && is(depth)) rows.push([t('block_size'), t('block_size_of', { length, height, depth })]);
   if (is(course)) rows.push([t('block_course'), String(course)]);
-  if (is(feature) && is(number)) rows.push([t('block_feature'), t(FEATURES[feature] ?? 'feature_2', { n: number })]);
+  if (is(feature)) rows.push([t('block_feature'), featureName({ feature, number })]);
   if (is(before) && is(after)) rows.push([t('block_taken'), t('block_taken_of', { before: before.toFixed(1), after: after.toFixed(1) })]);
   if (labels) rows.push([t('block_labels'), labels]);
   if (node) rows.push([t('block_node'), node]);
@@ -57,6 +63,6 @@ function is(figure: number | null | undefined): figure is number {
 }
 
 /** The same as rows of a card. */
-export function cellRows(cell: Figures, words: CellWords = {}): HTMLElement[] {
-  return cellNumbers(cell, words).map(([name, value]) => make('div', {}, make('span', {}, name), make('b', {}, value)));
+export function cellRows(cell: Figures, words: CellWords = {}, title = ''): HTMLElement[] {
+  return cellNumbers(cell, words, title).map(([name, value]) => make('div', {}, make('span', {}, name), make('b', {}, value)));
 }

@@ -94,7 +94,7 @@ export class PictureHost {
     this.loop.redraw();
   }
 
-  /** Runs all stages again. */
+  /** Makes the steps again, and all stages after them. */
   restart(): void {
     this.engine.restart();
     this.loop.changed();
@@ -107,7 +107,7 @@ export class PictureHost {
   }
 
   private isShown(stage: string): boolean {
-    return !this.still || isEnd(stage) || this.loop.paused;
+    return !this.loop.until?.unseen && (!this.still || isEnd(stage) || this.loop.paused);
   }
 
   private worked(stage: string, changed: boolean): void {

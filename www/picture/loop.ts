@@ -268,7 +268,7 @@ export class Loop {
   private work(begin: number): boolean {
     const { engine, watch } = this;
     const { stages, stepping } = engine.generator;
-    const isSeen = !this.painter && stages.indexOf(engine.stage()) >= stages.indexOf(stepping);
+    const isSeen = !this.painter && !this.until?.unseen && stages.indexOf(engine.stage()) >= stages.indexOf(stepping);
     const { rhythm } = this;
     const seen = this.finished || watch ? rhythm.budget : rhythm.first;
     const budget = isSeen ? seen : rhythm.unseen;

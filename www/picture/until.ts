@@ -5,13 +5,18 @@ import type { Engine } from '../state/engine';
 export class Until {
   /** The steps made, once it is paused. */
   made: number | undefined;
+  /** The steps made before the last one; a step may count for several. */
+  before = 0;
   private readonly step: number;
   /** Called when it is paused. */
   readonly held: (steps: number) => void;
+  /** Whether nothing is drawn on the way, which then takes as little time as it can. */
+  readonly unseen: boolean;
 
-  constructor(step: number, held: (steps: number) => void) {
+  constructor(step: number, held: (steps: number) => void, unseen?: 'unseen') {
     this.step = step;
     this.held = held;
+    this.unseen = unseen !== undefined;
   }
 
   /** Works for about `budget` milliseconds and makes at most `steps` steps; true if the picture may have changed. */
@@ -19,16 +24,21 @@ export class Until {
     const end = performance.now() + budget;
     const { stepping } = engine.generator;
     let changed = false;
-    for (let left = steps; performance.now() < end; ) {
+    for (let left = this.unseen ? Infinity : steps; performance.now() < end; ) {
       if (this.isPast(engine)) break;
       // Runs one slice of anything but a packing step. If there is none, a packing step is next, and the count of
       // steps is that of this packing.
-      if (engine.tick(0, 0)) changed = true;
-      else if (engine.stage() !== stepping || engine.status().steps >= this.step) {
-        this.made = engine.status().steps;
+      if (engine.tick(0, 0)) {
+        changed = true;
+        continue;
+      }
+      const { steps: now } = engine.status();
+      if (engine.stage() !== stepping || now >= this.step) {
+        this.made = now;
         break;
       } else if (left >= 1) {
         left -= 1;
+        this.before = now;
         changed = engine.tick(0, 1) || changed;
       } else break;
     }

@@ -89,7 +89,7 @@ export class Watch {
     let changed = false;
     while (engine.stage() === this.stage && performance.now() < end) {
       const { steps } = engine.status();
-      // Before the first step, the count may be that of the run before, which was whole.
+      // Once all bodies have their places, one more slice ends the stage.
       if (steps >= due && steps < all) break;
       changed = engine.tick(0, 1) || changed;
     }

@@ -91,7 +91,7 @@ export class App {
       (tell) => new Ahead(this.store.state.recipe, crashed, tell),
       () => this.told(),
     );
-    this.parts = partsOf(this.work, this.view, this.host);
+    this.parts = partsOf(this.work, this.view, this.host, () => this.leaveForming());
     this.address = new Address(this.work, loop, this.parts.linked, () => this.history.undo());
     this.offer();
     this.transport = this.makeTransport();
@@ -109,10 +109,16 @@ export class App {
     void this.finished.then(() => refine(this.work, this.view));
   }
 
-  /** Builds the panel and the rail. They take long to build, so the first cells are shown before. */
+  /**
+   * Builds the panel and the rail. They take long to build, so the first cells are shown before. The timeline comes after
+   * the first picture, or at a pause.
+   */
   async furnish(): Promise<void> {
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
     await furnish(this);
+    const bring = (): void => void this.parts.timeline.load();
+    this.store.on(['paused'], bring);
+    void this.finished.then(bring);
   }
 
   /**
@@ -214,6 +220,12 @@ export class App {
     this.address.leave();
   }
 
+  /** The same, at the work's own pace. */
+  private leaveForming(): void {
+    this.forming.leave();
+    this.goOn();
+  }
+
   /** Whether no work is left, neither here nor in the compared picture. */
   private isOver(): boolean {
     return isEnd(this.engine.stage()) && isEnd(this.store.state.other);
@@ -245,6 +257,7 @@ export class App {
     }
     this.forming.follow(stage, this.begun);
     this.status.show(stage, status, this.host.loop.watch !== undefined);
+    this.parts.timeline.here?.follow(stage, status);
     const remarks = this.view.remarks(stage);
     this.status.name(this.view.note || (preset ? '' : described(this.engine)), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
     this.report(stage);

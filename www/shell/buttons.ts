@@ -59,6 +59,7 @@ function bindAllKeys(house: House): void {
   bindKeys(
     { keys: [' '], shown: ['Space'], word: 'key_play', act: press('play') },
     { keys: ['s', '.'], word: 'key_step', act: press('step'), repeats: true },
+    { keys: [','], word: 'key_back', act: () => parts.timeline.ask((timeline) => timeline.goBack()), repeats: true },
     { keys: ['r'], word: 'key_restart', act: () => house.again() },
     { keys: ['d'], word: 'key_dice', act: press('dice') },
     { keys: ['x'], word: 'key_throw', act: press('throw') },

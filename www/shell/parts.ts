@@ -17,7 +17,8 @@ export const OFFERED = [
 
 export type Parts = ReturnType<typeof partsOf>;
 
-export function partsOf(work: Work, view: View, host: PictureHost) {
+/** `leave` ends what holds or paces the forming. */
+export function partsOf(work: Work, view: View, host: PictureHost, leave: () => void) {
   const { engine, store } = work;
   const take = (file: File, role?: string): void => given.ask((it) => void it.take(file, role));
   const editor = new Later(async () => new (await import('../editor/editor')).Editor(work, take));
@@ -31,6 +32,7 @@ export function partsOf(work: Work, view: View, host: PictureHost) {
     layers: new Later(async () => new (await import('../look/layers')).Layers(store, view)),
     compare: new Later(async () => new (await import('../look/compare')).Compare(work, view, host.loop)),
     plots: new Later(async () => new (await import('../look/plots')).Plots(engine, view)),
+    timeline: new Later(async () => new (await import('../look/timeline')).Timeline(work, host, leave)),
     turn,
     space,
     take,

@@ -114,7 +114,7 @@ export class Work {
     this.partner?.step();
   }
 
-  /** Runs all stages again. */
+  /** Makes the steps again, and all stages after them. */
   restart(): void {
     this.engine.restart();
     this.partner?.restart();

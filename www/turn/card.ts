@@ -1,7 +1,7 @@
 /** A card with the facts about a body, beside the place that was pointed at. */
 import { t } from '../words/turn';
 import { make } from '../base/dom';
-import { cellNumbers, cellRows } from '../late/cell';
+import { cellNumbers, cellRows, featureName } from '../late/cell';
 import type { Sort } from '../picture/frames/sort';
 import type { Told } from '../picture/frames/source';
 
@@ -14,6 +14,8 @@ interface CardActs {
   how(body: Told): void;
   /** The act that turns the bricks of a corner or an edge; undefined if the body is of another feature. */
   flip(body: Told): (() => void) | undefined;
+  /** The pixels at the top of the frame that hold tools; no card covers them. */
+  tools(): number;
 }
 
 export class Card {
@@ -36,18 +38,19 @@ export class Card {
     const { element } = this;
     this.picked = picked ? body : undefined;
     element.toggleAttribute('data-picked', picked);
-    element.replaceChildren(make('strong', {}, called(body, sort)), ...cellRows(body.figures, body.words));
+    const name = called(body, sort);
+    element.replaceChildren(make('strong', {}, name), ...cellRows(body.figures, body.words, name));
     if (picked && hasSteps(body, sort)) this.offer('turn-how', t('how'), () => this.acts.how(body));
     const flip = picked ? this.acts.flip(body) : undefined;
     if (flip) this.offer('turn-flip', t('flip'), flip);
     element.hidden = false;
     const box = element.parentElement?.getBoundingClientRect();
-    const along = (part: number, room: number, own: number): number => {
+    const along = (part: number, room: number, own: number, least: number): number => {
       const after = part * room + GAP;
-      return Math.max(0, after + own <= room ? after : Math.max(part * room - GAP - own, 0));
+      return Math.max(least, after + own <= room ? after : part * room - GAP - own);
     };
-    element.style.left = `${along(x, box?.width ?? 0, element.offsetWidth)}px`;
-    element.style.top = `${along(y, box?.height ?? 0, element.offsetHeight)}px`;
+    element.style.left = `${along(x, box?.width ?? 0, element.offsetWidth, 0)}px`;
+    element.style.top = `${along(y, box?.height ?? 0, element.offsetHeight, this.acts.tools())}px`;
   }
 
   private offer(id: string, name: string, act: () => void): void {
@@ -64,8 +67,9 @@ export class Card {
 
 /** The card's text as a sentence. */
 export function sentence(body: Told, sort: Sort): string {
-  const numbers = cellNumbers(body.figures, body.words).map((row) => row.join(' '));
-  return [[called(body, sort), ...numbers].join(', '), ...(hasSteps(body, sort) ? [t('how_key')] : [])].join('. ');
+  const name = called(body, sort);
+  const numbers = cellNumbers(body.figures, body.words, name).map((row) => row.join(' '));
+  return [[name, ...numbers].join(', '), ...(hasSteps(body, sort) ? [t('how_key')] : [])].join('. ');
 }
 
 /** An element of a mesh is no body that is made. */
@@ -73,6 +77,6 @@ export function hasSteps({ steps }: Told, sort: Sort): boolean {
   return steps.length > 0 && sort !== 'element';
 }
 
-function called({ id }: Told, sort: Sort): string {
-  return t(sort, { id });
+function called({ id, figures }: Told, sort: Sort): string {
+  return sort === 'feature' ? featureName(figures) : t(sort, { id });
 }

@@ -17,7 +17,7 @@ const SIDES = ['side_0', 'side_1', 'side_2', 'side_3', 'side_4', 'side_5', 'side
 const AROUND = ['around_0', 'around_1', 'around_2', 'around_3', 'around_4', 'around_5', 'around_6', 'around_7'] as const;
 
 /** The words for several bodies; views of the others have words of their own. */
-const MANY = { stone: 'stones', scale: 'scales', body: 'bodies', cell: 'stones', element: 'stones', dart: 'bodies' } as const satisfies Record<Sort, string>;
+const MANY = { stone: 'stones', scale: 'scales', body: 'bodies', block: 'blocks', feature: 'blocks', cell: 'stones', element: 'stones', dart: 'bodies' } as const satisfies Record<Sort, string>;
 
 /** A sentence on the bodies, or on the other content of the view, and on the camera. */
 export function seen({ count, sort, what: view }: Bodies, [angle, height, distance, lens]: Camera, isFramed = false): string {

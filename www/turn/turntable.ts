@@ -105,7 +105,7 @@ export class Turntable {
   constructor(place: Place) {
     this.place = place;
     this.making = new Making({ get: (key) => place.get(key), show: () => this.follow(), end: () => this.all() });
-    this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body) });
+    this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body), tools: () => this.cutTool.end });
     const heard: Heard = {
       frame: (frame, quality, bodies, latest) => this.show(frame, quality, bodies, latest),
       working: (done) => (this.bar.value = done),

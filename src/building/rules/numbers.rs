@@ -66,7 +66,8 @@ numbers! {
         length: "Length in modules", "", 30.0, [4.0, 100.0, 1.0];
         height: "Height in courses", "", 20.0, [3.0, 60.0, 1.0];
         thickness: "Thickness in modules", "", 2.0, [1.0, 6.0, 1.0];
-    }    PLAN {
+    }
+    PLAN {
         height: "Height in courses", "", 24.0, [8.0, 60.0, 1.0];
         thickness: "Thickness in modules", "", 2.0, [2.0, 6.0, 1.0];
     }

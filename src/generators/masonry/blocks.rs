@@ -110,9 +110,10 @@ impl Wall {
     }
 
     fn add(&mut self, cell: &MasonryCell, number: u32) {
-        let key = (self.params.seed, u64::from(number));
+        let mark = cell.mark();
+        let key = (self.params.seed, u64::from(mark));
         let (tint, material) = self.params.colours.of_cell(cell, key, self.params.vary);
-        let Some((body, place)) = self.shape(cell, number, material) else {
+        let Some((body, place)) = self.shape(cell, mark, material) else {
             return;
         };
         self.scene.instances.push(Instance {
@@ -124,7 +125,7 @@ impl Wall {
     }
 
     /// The body of a cell and where it stands; none if its joints take all of it.
-    fn shape(&mut self, cell: &MasonryCell, number: u32, material: u8) -> Option<(u32, Place)> {
+    fn shape(&mut self, cell: &MasonryCell, mark: u32, material: u8) -> Option<(u32, Place)> {
         let is_flat = matches!(cell.sort, CellSort::Sill | CellSort::Tile);
         let is_rough = material == STONE_ROW && !is_flat;
         let cutter = match cell.body.has_rough_sides() {
@@ -132,13 +133,13 @@ impl Wall {
             false => self.cutter.as_mut().filter(|_| is_rough),
         };
         if let Some(cutter) = cutter {
-            let levels = cutter.levels(&cell.body, number)?;
+            let levels = cutter.levels(&cell.body, mark)?;
             let surfaces = levels.iter().map(|level| self.fit_smooth(level));
             let body = Body::new(surfaces.collect(), material);
             return Some((self.push(body), Place::default()));
         }
         let shrunk = cell.body.shrunk()?;
-        let (turn, by) = self.dressing.out_of_true(cell.outwards, number);
+        let (turn, by) = self.dressing.out_of_true(cell.outwards, mark);
         let (body, middle, axes) = match Cuboid::of(&shrunk, cell.outwards) {
             Some(Cuboid {
                 middle,

@@ -114,7 +114,7 @@ impl Colours {
     pub fn of_cell(
         &self,
         cell: &MasonryCell,
-        (seed, number): (u64, u64),
+        (seed, mark): (u64, u64),
         vary: f64,
     ) -> ([u8; 3], u8) {
         if self.walls == "parts" {
@@ -126,7 +126,7 @@ impl Colours {
             (_, false) => self.walls,
         };
         let range = of_word(word);
-        let mut random = Random::new(seed, Purpose::Paint, number);
+        let mut random = Random::new(seed, Purpose::Paint, mark);
         let base = range.bases[random.below(range.bases.len())];
         let tone = 1.0 + vary * range.tone * random.signed();
         (

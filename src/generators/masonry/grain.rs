@@ -46,11 +46,18 @@ pub(super) struct WallGrain {
     ground: &'static str,
     /// Scene units in a metre.
     scale: f32,
+    /// The marks of the blocks, in the order of their ids.
+    marks: Vec<u32>,
 }
 
 impl WallGrain {
     /// The grain of a wall that is drawn at `scale` units in a metre.
-    pub fn new(seed: u64, scale: f64, weather: Weather, ground: &'static str) -> Self {
+    pub fn new(
+        (seed, scale): (u64, f64),
+        weather: Weather,
+        ground: &'static str,
+        marks: Vec<u32>,
+    ) -> Self {
         let (item, side, levels, dimension) = NOISE;
         Self {
             tile: NoiseTile::new(seed, item, side, levels, dimension),
@@ -58,6 +65,7 @@ impl WallGrain {
             weather,
             ground,
             scale: scale as f32,
+            marks,
         }
     }
 
@@ -87,7 +95,8 @@ impl Detail for WallGrain {
             _ => return,
         };
         // Each block reads the noise elsewhere.
-        let own = id.wrapping_mul(0x9E37_79B9);
+        let own = (id as usize).checked_sub(1);
+        let own = own.and_then(|k| self.marks.get(k)).map_or(0, |&mark| mark);
         let away = Vec3::new(
             (own >> 22) as f32,
             ((own >> 11) & 1023) as f32,

@@ -13,6 +13,9 @@ mod figures;
 mod files;
 mod grain;
 mod ground;
+mod kept;
+#[cfg(test)]
+mod kept_tests;
 mod params;
 mod parts;
 mod plan_sentences;

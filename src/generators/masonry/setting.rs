@@ -2,6 +2,7 @@
 //! block again.
 
 use super::grain::WallGrain;
+use super::kept::KeptBlocks;
 use super::params::LookParams;
 use super::site::BuildingSite;
 use super::weather::Weather;
@@ -13,42 +14,58 @@ const REACH: f64 = 0.09;
 /// A scene that grows with a wall.
 pub(crate) struct WallScene {
     scene: Scene,
-    /// How many bodies and instances are the ground's; those of the wall follow.
+    /// How many bodies there are before those of the wall, and how many instances are the ground's.
     ground: [usize; 2],
+    /// How many bodies are the ground's. Those of kept blocks follow.
+    of_ground: usize,
+    /// How many instances at the end are kept blocks.
+    kept: usize,
 }
 
 impl WallScene {
-    /// The ground alone.
-    pub(super) fn new(site: &BuildingSite, ground: &Scene, look: &LookParams) -> Self {
+    /// The ground alone. `marks` are those of all blocks that will be added, in their order; `kept` are blocks that may
+    /// stand in for them.
+    pub(super) fn new(
+        site: &BuildingSite,
+        ground: &Scene,
+        look: &LookParams,
+        (marks, kept): (Vec<u32>, &KeptBlocks),
+    ) -> Self {
         let weather = Weather::new(look.weather, site);
-        let grain = WallGrain::new(look.seed, site.fit.scale, weather, look.ground);
+        let grain = WallGrain::new((look.seed, site.fit.scale), weather, look.ground, marks);
+        let bodies = [&ground.bodies, kept.bodies()].concat();
         Self {
+            ground: [bodies.len(), ground.instances.len()],
+            of_ground: ground.bodies.len(),
+            kept: 0,
             scene: Scene {
-                bodies: ground.bodies.clone(),
+                bodies,
                 instances: ground.instances.clone(),
                 detail: Some(Box::new(grain)),
                 reach: (REACH * site.fit.scale) as f32,
                 ..Scene::default()
             },
-            ground: [ground.bodies.len(), ground.instances.len()],
         }
     }
 
-    /// Adds what the wall has and this scene has not.
-    pub(super) fn follow(&mut self, wall: &Scene) {
+    /// Adds what the wall has and this scene has not. The kept blocks stand beside it.
+    pub(super) fn follow(&mut self, wall: &Scene, kept: &[Instance]) {
         let [bodies, instances] = self.ground;
-        let known = [
-            self.scene.bodies.len() - bodies,
-            self.scene.instances.len() - instances,
-        ];
+        let shown = self.scene.instances.len() - self.kept;
+        self.scene.instances.truncate(shown);
+        let known = [self.scene.bodies.len() - bodies, shown - instances];
         self.scene
             .bodies
             .extend_from_slice(&wall.bodies[known[0]..]);
         let placed = wall.instances[known[1]..].iter();
-        self.scene.instances.extend(placed.map(|instance| Instance {
-            body: instance.body + bodies as u32,
-            ..*instance
-        }));
+        let placed = placed.map(|block| (block, bodies));
+        let stood = kept.iter().map(|block| (block, self.of_ground));
+        let all = placed.chain(stood).map(|(block, first)| Instance {
+            body: block.body + first as u32,
+            ..*block
+        });
+        self.scene.instances.extend(all);
+        self.kept = kept.len();
     }
 
     /// The scene so far.

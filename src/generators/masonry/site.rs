@@ -128,8 +128,9 @@ impl SiteBuild {
 }
 
 impl SiteStep {
-    /// Reads a file, or parses it.
+    /// Reads a file, or parses it. Some programs put a byte order mark first.
     fn read(bytes: &[u8]) -> Result<Self, BuildingFault> {
+        let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
         let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
         match first {
             Some(&JSON) => json::parse(&String::from_utf8_lossy(bytes)).map(Self::Parsed),

@@ -3,6 +3,7 @@
 use super::MASONRY;
 use super::blocks::Wall;
 use super::ground::GroundWork;
+use super::kept::{KeptBlocks, LastWall, marks};
 use super::params::{
     BlockParams, BuildingParams, GroundParams, LookParams, MasonryParams, PatternParams,
 };
@@ -32,6 +33,8 @@ pub(super) const BLOCKS: usize = 3;
 const STEPS: usize = 160;
 /// ... and the most blocks in one step.
 const MOST: usize = 60;
+/// Blocks that look as they did before an edit are laid this many times faster.
+const KEPT: usize = 8;
 /// Words of a scene that are hashed in a slice, about.
 const WORDS_IN_A_SLICE: usize = 400_000;
 
@@ -48,6 +51,10 @@ pub(crate) struct MasonryStages {
     pub(super) laid: Node<BlockParams, Wall, Scene>,
     pub(super) blocks: Node<LookParams, BlocksWork, MadeScene>,
     pub(super) still: StillNode,
+    /// The last finished wall, unless the steps are made again without an edit.
+    last: Option<LastWall>,
+    /// Its blocks that stay in sight while the new wall is laid.
+    pub(super) kept: KeptBlocks,
 }
 
 impl Wiring for MasonryStages {
@@ -90,8 +97,9 @@ impl SceneStages for MasonryStages {
         self.blocks.ask(params.look);
     }
 
-    fn forget(&mut self) {
-        self.site.forget();
+    fn forget_steps(&mut self) {
+        self.laid.forget();
+        self.last = None;
     }
 
     fn remarks(&self) -> Vec<Notice> {
@@ -136,6 +144,8 @@ impl MasonryStages {
             laid: Node::new(params.blocks),
             blocks: Node::new(params.look),
             still: Node::new(still(params)),
+            last: None,
+            kept: KeptBlocks::default(),
         }
     }
 
@@ -179,31 +189,61 @@ impl MasonryStages {
         })
     }
 
-    /// Lays some blocks of one pass, so that each pass ends with a step.
+    /// Lays some blocks of one pass, so that each pass ends with a step. After an edit, blocks that stay as they were take
+    /// no time of their own.
     fn lay(&mut self) -> Option<()> {
         let (site, cells) = (self.site.made()?, self.cells.made()?.cells());
+        if self.begun(&self.laid).is_none() {
+            self.kept = self.standing().unwrap_or_default();
+        }
+        let kept = &self.kept;
+        let mut finished = None;
         self.laid.advance(|params, work| {
             let wall = work.get_or_insert_with(|| Wall::new(site, params));
-            let step = (cells.len() / STEPS).clamp(1, MOST);
-            let left = cells.get(wall.shown()..).unwrap_or_default();
-            let pass = left.first().map(MasonryCell::pass);
-            let own = left.iter().take_while(|cell| Some(cell.pass()) == pass);
-            let end = wall.shown() + own.take(step).count();
+            let end = wall.shown() + in_a_step(cells, wall.shown(), kept);
             wall.lay(cells, end);
-            let is_done = end >= cells.len();
-            let finished = if is_done { work.take() } else { None };
-            Ok(finished.map(Wall::finish))
-        })
+            if end < cells.len() {
+                return Ok(None);
+            }
+            finished = Some(LastWall {
+                marks: marks(cells),
+                params: *params,
+                fit: site.fit,
+            });
+            Ok(work.take().map(Wall::finish))
+        })?;
+        self.last = finished.or(self.last.take());
+        Some(())
+    }
+
+    /// The blocks of the last wall that stand where new ones will.
+    fn standing(&self) -> Option<KeptBlocks> {
+        let (site, cells) = (self.site.made()?, self.cells.made()?.cells());
+        let last = (self.last.as_ref()?, self.laid.made()?);
+        let look = (self.laid.params(), site.fit);
+        Some(KeptBlocks::new(last, cells, look))
+    }
+
+    /// The wall that is being laid, or the laid one.
+    pub(super) fn wall(&self) -> Option<&Scene> {
+        let laid = self.laid.made().filter(|_| self.is_fresh(&self.laid));
+        self.begun(&self.laid).map(Wall::scene).or(laid)
+    }
+
+    /// Whether the last finished blocks may stand in for those to be laid.
+    pub(super) fn has_last(&self) -> bool {
+        self.last.is_some() && self.blocks.made().is_some()
     }
 
     fn make_blocks(&mut self) -> Option<()> {
         let (site, ground) = (self.site.made()?, self.ground.made()?);
-        let wall = self.laid.made()?;
+        let (wall, cells) = (self.laid.made()?, self.cells.made()?.cells());
         let revision = self.laid.revision();
         self.blocks.advance(|look, work| {
             let Some((scene, digest)) = work else {
-                let mut scene = WallScene::new(site, ground, look);
-                scene.follow(wall);
+                let none = KeptBlocks::default();
+                let mut scene = WallScene::new(site, ground, look, (marks(cells), &none));
+                scene.follow(wall, &[]);
                 *work = Some((Rc::new(scene.finish()), SceneDigest::new()));
                 return Ok(None);
             };
@@ -242,4 +282,21 @@ impl MasonryStages {
             _ => self.cells.made().map_or(0, |laying| laying.cells().len()),
         }
     }
+}
+
+/// How many of the cells after the first `shown` are laid in the next step: some of one pass.
+fn in_a_step(cells: &[MasonryCell], shown: usize, kept: &KeptBlocks) -> usize {
+    let most = (cells.len() / STEPS).clamp(1, MOST);
+    let left = cells.get(shown..).unwrap_or_default();
+    let pass = left.first().map(MasonryCell::pass);
+    let own = left.iter().take_while(|cell| Some(cell.pass()) == pass);
+    let mut seen = 0;
+    let laid = own
+        .zip(shown..)
+        .take(KEPT * most)
+        .take_while(|(_, number)| {
+            seen += usize::from(!kept.has(*number));
+            seen <= most
+        });
+    laid.count()
 }

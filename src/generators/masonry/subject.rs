@@ -1,11 +1,13 @@
 //! Scenes of the views of masonry.
 
 use super::diagrams::DiagramWork;
+use super::kept::marks;
 use super::setting::WallScene;
 use super::views::MasonryView;
 use super::{MasonryEngine, diagrams};
 use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
 use crate::graph::Wiring;
+use crate::masonry::laying::Laying;
 use crate::material::Material;
 use crate::scene::Scene;
 use std::rc::Rc;
@@ -71,7 +73,10 @@ impl SceneSource for MasonryEngine {
         Some(match MasonryView::of_words(view) {
             MasonryView::Auto => match made.begun(&made.laid) {
                 Some(_) => key(MasonryView::Auto, true, made.laid.slices()),
-                None if made.has_blocks() => {
+                None if made.wall().is_some() && !made.has_blocks() => {
+                    key(MasonryView::Auto, true, made.laid.slices())
+                }
+                None if made.has_blocks() || made.has_last() => {
                     key(MasonryView::Picture, false, made.blocks.revision())
                 }
                 None => key(MasonryView::Mortar, false, made.site.revision()),
@@ -116,10 +121,12 @@ impl SceneSource for MasonryEngine {
                 Some(WallSubject::Blocks(blocks.scene.clone()))
             }
             MasonryView::Auto => {
-                let (wall, ground) = (made.begun(&made.laid)?, made.ground.made()?);
-                let new = || Box::new(WallScene::new(site, ground, made.blocks.params()));
+                let (wall, ground) = (made.wall()?, made.ground.made()?);
+                let marks = || marks(made.cells.made().map_or(&[], Laying::cells));
+                let look = made.blocks.params();
+                let new = || Box::new(WallScene::new(site, ground, look, (marks(), &made.kept)));
                 let mut scene = making.live.take().unwrap_or_else(new);
-                scene.follow(wall.scene());
+                scene.follow(wall, made.kept.after(made.finished()));
                 Some(WallSubject::Laying(scene, made.pass()))
             }
             MasonryView::Mortar => {

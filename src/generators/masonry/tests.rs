@@ -158,7 +158,10 @@ fn buildings_of_files_are_laid_or_refused_with_a_sentence() {
         Err(Code::BuildingJson)
     );
     let empty = r#"{"version":1,"unit":"m","v":[],"faces":[]}"#;
-    assert_eq!(refused("empty.json", empty), Err(Code::BuildingEmpty));
+    let marked = format!("\u{FEFF}{empty}");
+    for text in [empty, &marked] {
+        assert_eq!(refused("empty.json", text), Err(Code::BuildingEmpty));
+    }
     assert_eq!(
         refused("thin.obj", &box_of([1.0, 1.0, 0.03])),
         Err(Code::MasonryNarrow)

@@ -37,8 +37,8 @@ impl Engine for Pavement {
         self.made.take_up();
     }
 
-    fn forget(&mut self) {
-        self.made.forget();
+    fn forget_steps(&mut self) {
+        self.made.forget_steps();
     }
 
     fn side(&self) -> usize {

@@ -124,9 +124,9 @@ impl Stages {
         }
     }
 
-    /// Makes all stages stale.
-    pub fn forget(&mut self) {
-        self.domain.forget();
+    /// Makes the packing and all stages after it stale.
+    pub fn forget_steps(&mut self) {
+        self.packing.forget();
     }
 
     /// The rings of the outline at work; on a tile, where they do not count, those of the latest recipe.

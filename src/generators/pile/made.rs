@@ -3,7 +3,7 @@
 use super::darting::Placing;
 use super::params::ComponentSource;
 use super::schema::FILE;
-use super::stages::{BODIES, PileStages};
+use super::stages::{BODIES, PileStages, REFINE};
 use crate::graph::Wiring;
 use crate::pile::{Body, Fate, Kind, Refining};
 use glam::DVec3;
@@ -43,10 +43,10 @@ impl PileStages {
         )
     }
 
-    /// The bodies that settle, or the last settled ones.
+    /// The bodies that settle, or the last settled ones; none before the first step.
     pub(super) fn refining(&self) -> Option<&Refining> {
-        let moving = self.begun(&self.settled);
-        moving.or(self.settled.made())
+        let last = self.settled.made().filter(|_| self.at() != Some(REFINE));
+        self.begun(&self.settled).or(last)
     }
 
     /// Whether there is a scene of the present bodies, even if another look is wanted.

@@ -96,10 +96,8 @@ impl SceneStages for PileStages {
         self.bodies.ask(params.bodies);
     }
 
-    fn forget(&mut self) {
-        self.kept.clear();
-        self.components.forget();
-        self.site.forget();
+    fn forget_steps(&mut self) {
+        self.settled.forget();
     }
 
     fn remarks(&self) -> Vec<Notice> {

@@ -65,6 +65,9 @@ impl SceneSource for PileEngine {
             PileView::Auto => match made.begun(&made.settled) {
                 Some(_) => key(PileView::Auto, true, made.settled.slices()),
                 None if made.has_bodies() => key(PileView::Picture, false, made.bodies.revision()),
+                None if made.is_fresh(&made.settled) => {
+                    key(PileView::Auto, true, made.settled.slices())
+                }
                 None => key(PileView::Darts, true, made.placed.slices()),
             },
             PileView::Picture => match made.bodies.made() {
@@ -103,7 +106,7 @@ impl SceneSource for PileEngine {
             return Some(ViewScene::Bodies(bodies.scene.clone()));
         }
         if of.view == PileView::Auto {
-            let (parts, refining) = (made.parts()?, made.settled.work()?);
+            let (parts, refining) = (made.parts()?, made.refining()?);
             let mut heap = making.take().unwrap_or_else(|| Box::new(Heap::new(parts)));
             heap.update_seen(parts, refining.bodies(), refining.history());
             return Some(ViewScene::Settling(heap, made.settled.passes()));

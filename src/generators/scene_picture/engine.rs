@@ -23,8 +23,8 @@ pub(crate) trait SceneStages: Wiring<Stage = usize> {
     /// Notes the parameters of the latest recipe.
     fn ask(&mut self, recipe: &Recipe);
 
-    /// Makes all stages stale.
-    fn forget(&mut self);
+    /// Makes the stage that makes steps stale, and all stages after it.
+    fn forget_steps(&mut self);
 
     /// The files that the recipe names.
     fn files(&self) -> &ModelFiles;
@@ -124,8 +124,8 @@ impl<E: SceneEngine> Engine for E {
         self.made_mut().take_up();
     }
 
-    fn forget(&mut self) {
-        self.made_mut().forget();
+    fn forget_steps(&mut self) {
+        self.made_mut().forget_steps();
     }
 
     fn side(&self) -> usize {

@@ -25,6 +25,12 @@ const SIMPLE: f64 = 6.0;
 /// The greatest error of a simpler surface, in sizes of cells.
 const OFF: f64 = 0.2;
 
+/// If the triangles of a file are more slender than this, and more, stones stand on the simpler surface, too.
+const NEEDLES: f64 = 4000.0;
+
+/// A model is refused at once if its largest part has less area than this, in squares of a cell.
+const SMALL: f64 = 0.25;
+
 /// A surface ready for its fields.
 pub(super) struct Built {
     /// The mesh on which cells are packed.
@@ -57,6 +63,10 @@ pub(super) struct Building {
     search: Option<Search>,
     notices: Vec<Notice>,
     is_open: bool,
+    /// Whether cells are packed on a simpler surface.
+    is_simple: bool,
+    /// Whether the surface of the file has too many needles for stones to stand on it.
+    has_needles: bool,
 }
 
 enum BuildPhase {
@@ -111,6 +121,8 @@ impl Building {
             search: None,
             notices: loaded.notices.clone(),
             is_open: false,
+            is_simple: false,
+            has_needles: false,
         };
         new.step = match (&params.source, loaded.meshes.first()) {
             (MeshSource::Shape(shape, ends, numbers), _) => {
@@ -159,19 +171,24 @@ impl Building {
             },
             BuildPhase::Sides(mut siding) => match siding.advance() {
                 None => BuildPhase::Sides(siding),
+                // Neither closed holes nor a simpler surface make up for this.
+                Some(sided) if sided.largest < SMALL * self.size * self.size => {
+                    return Err(Code::ModelTooSmall.into());
+                }
                 Some(sided) => {
                     self.is_open = sided.is_open;
+                    let count = sided.mesh.triangles().len() as f64;
+                    self.has_needles = sided.slenderness.min(count) > NEEDLES;
                     self.notices.extend(sided.notice);
                     self.sided(params, sided.mesh)
                 }
             },
             BuildPhase::Simplify(mut simplifying) => match simplifying.advance() {
                 None => BuildPhase::Simplify(simplifying),
-                Some(mesh) => {
-                    let whole = self.whole.as_deref().unwrap_or(&mesh);
-                    let search = Search::begin(whole);
-                    BuildPhase::Project(Box::new((mesh, search)))
-                }
+                Some(mesh) => match &self.whole {
+                    Some(whole) => BuildPhase::Project(Box::new((mesh, Search::begin(whole)))),
+                    None => BuildPhase::Fill(Box::new(HoleFilling::new(mesh, self.size))),
+                },
             },
             BuildPhase::Project(mut pair) => {
                 let search = &mut pair.1;
@@ -197,7 +214,7 @@ impl Building {
                 }
             },
             BuildPhase::Refine(mut refining) => match refining.advance(&|_, mean| mean) {
-                None if self.whole.is_none() && self.given.is_some() && refining.has_slivers() => {
+                None if self.may_simplify() && refining.has_slivers() => {
                     self.simplifying(params.sizes.count, refining.into_mesh())
                 }
                 None => BuildPhase::Refine(refining),
@@ -244,9 +261,19 @@ impl Building {
         BuildPhase::Shape(Box::new(shape.making(numbers, edge, *ends)))
     }
 
+    /// Whether the surface is that of a file, as it was given.
+    fn may_simplify(&self) -> bool {
+        self.given.is_some() && !self.is_simple
+    }
+
     /// Packs on a simpler surface than this one. Stones stand on that of the file.
     fn simplifying(&mut self, count: f64, mesh: impl Into<Arc<TriMesh>>) -> BuildPhase {
-        self.whole = self.given.clone();
+        self.is_simple = true;
+        if self.has_needles {
+            self.notices.push(Code::ModelNeedles.into());
+        } else {
+            self.whole = self.given.clone();
+        }
         let simplifying = Simplifying::new(mesh, (SIMPLE * count) as usize, OFF * self.size);
         BuildPhase::Simplify(Box::new(simplifying))
     }

@@ -96,8 +96,8 @@ impl SceneStages for Stages {
         self.stones.ask(params.stones);
     }
 
-    fn forget(&mut self) {
-        self.built.forget();
+    fn forget_steps(&mut self) {
+        self.packing.forget();
     }
 
     fn remarks(&self) -> Vec<Notice> {

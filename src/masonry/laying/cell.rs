@@ -1,6 +1,7 @@
 //! The cells that are laid.
 
 use crate::building::{Building, CornerId, EdgeId, FaceId};
+use crate::hash::Hash;
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::tree::PatternGenerator;
@@ -98,7 +99,23 @@ pub enum LayingPass {
     Faces,
 }
 
+/// Places that differ by less than about this are one (1/m).
+const PLACES: f64 = 1e4;
+/// Keeps the middles of cells, which are multiples of parts of a module, away from the borders of places (metres).
+const AWAY: f64 = 3.17e-5;
+
 impl MasonryCell {
+    /// A number that hangs on the cell's place alone: it stays the same when other cells come or go.
+    pub fn mark(&self) -> u32 {
+        let [low, high] = self.claimed.bounds();
+        let place = (0.5 * (low + high) + AWAY) * PLACES;
+        let mut hash = Hash::new();
+        for step in place.to_array() {
+            hash.add(step.round() as i64 as u64);
+        }
+        hash.number() as u32
+    }
+
     /// The pass of the laying in which it is laid.
     pub fn pass(&self) -> LayingPass {
         LayingPass::of(self.feature, self.generator)

@@ -17,6 +17,8 @@ use glam::DVec2;
 const OBLIQUE: f64 = 0.2;
 /// Bricks of which less than this share of half a brick is free are slivers.
 const SLIVER: f64 = 0.35;
+/// Smaller gaps stay mortar (square metres).
+const LEAST_GAP: f64 = 5e-4;
 /// A brick is whole if its area is this share of its place in the grid.
 const WHOLE: std::ops::RangeInclusive<f64> = 0.97..=1.15;
 
@@ -148,6 +150,26 @@ impl Site {
                 CellSort::Half
             };
             self.face_brick(id, node, (&brick.place, brick.area), sort);
+        }
+        if self.plan.grid(id).stance == Stance::Level && self.is_oblique(id) {
+            self.fill_gaps(id, node, at.0);
+        }
+    }
+
+    /// Lays pieces in the gaps that cut bricks leave in a row of a level face, beside the oblique sides of blocks on its
+    /// corners and edges.
+    fn fill_gaps(&mut self, id: FaceId, node: &GeneratorNode, row: usize) {
+        let grid = self.plan.grid(id);
+        let last = grid.column_lines().len() - 1;
+        let [low, high] = grid.block([0, last], [row, row + 1]);
+        let Some(strip) = Footprint::rectangle(low, high) else {
+            return;
+        };
+        for gap in self.faces[id.index()].gaps_in(&strip) {
+            let area = gap.area();
+            if area > LEAST_GAP {
+                self.face_part(id, node, &gap, (&gap, area, CellSort::Raked));
+            }
         }
     }
 

@@ -241,12 +241,15 @@ impl Site {
             .filter(|(_, on)| **on)
             .map(|(place, _)| place.truncate())
             .collect();
+        if found.len() < 3 {
+            return None;
+        }
         if let (Some(period), Some(&first)) = (surface.period(), found.first()) {
             for place in &mut found {
                 place.x -= period * ((place.x - first.x) / period).round();
             }
         }
-        let hull = Footprint::hull(&found).filter(|_| found.len() > 2)?;
+        let hull = Footprint::hull(&found)?;
         Some((self.home(id, hull), on))
     }
 

@@ -5,6 +5,7 @@ use crate::masonry::footprint::Footprint;
 use crate::masonry::region::Region;
 use crate::order;
 use glam::DVec2;
+use smallvec::SmallVec;
 use std::ops::Range;
 
 /// A place is free if at least this share of its pixels is empty.
@@ -22,6 +23,9 @@ pub enum Coverage {
     /// Nothing: at most 4 % of the pixel centres are empty.
     Occupied,
 }
+
+/// Ranges of pixels. A brick lies on a few rows, whose list needs no allocation.
+type PixelRanges = SmallVec<[Range<usize>; 12]>;
 
 /// A raster of a face's (s, t). A pixel counts as empty by its centre.
 ///
@@ -75,7 +79,7 @@ impl Bitmap {
         let free = self.is_empty.iter().map(|&empty| empty.then_some(None));
         let mut owners: Vec<Option<Option<u32>>> = free.collect();
         for claim in claims {
-            for pixel in self.under(&claim.polygon).flatten() {
+            for pixel in self.under(&claim.polygon).0.into_iter().flatten() {
                 if let Some(owner) = &mut owners[pixel] {
                     *owner = Some(claim.cell);
                 }
@@ -116,58 +120,52 @@ impl Bitmap {
         from..to.max(from)
     }
 
-    /// The rows under a polygon, also beyond the raster, and the span of pixels in each.
-    fn spans<'a>(
-        &'a self,
-        polygon: &'a Footprint,
-    ) -> impl Iterator<Item = (f64, [f64; 2])> + use<'a> {
+    /// The pixels under a polygon, as a range of `is_empty` for each row, and the number of their centres, also of those
+    /// beyond the raster.
+    fn under(&self, polygon: &Footprint) -> (PixelRanges, f64) {
         let [low, high] = polygon.bounds();
         let [from, to] = self.span(self.low.y, [low.y, high.y]);
-        let same = polygon
-            .is_rectangle()
-            .then(|| self.span(self.low.x, [low.x, high.x]));
-        (0..(to - from) as usize).map(move |k| {
-            let row = from + k as f64;
-            let span = same.unwrap_or_else(|| {
-                let t = self.low.y + (row + 0.5) * self.pixel;
-                self.span(self.low.x, chord(polygon, t))
-            });
-            (row, span)
-        })
-    }
-
-    /// The pixels of a span in a row, as a range of `is_empty`; nothing beyond the raster.
-    fn pixels(&self, (row, span): (f64, [f64; 2])) -> Range<usize> {
         let rows = (self.is_empty.len() / self.width) as f64;
-        if row < 0.0 || row >= rows {
-            return 0..0;
+        let inside = [from, to].map(|row| row.clamp(0.0, rows) as usize);
+        let in_row = |row: usize, columns: Range<usize>| {
+            let start = row * self.width;
+            start + columns.start..start + columns.end
+        };
+        if polygon.is_rectangle() {
+            let span = self.span(self.low.x, [low.x, high.x]);
+            let columns = self.within(span);
+            let ranges = (inside[0]..inside[1]).map(|row| in_row(row, columns.clone()));
+            let count = (to - from).max(0.0) * (span[1] - span[0]).max(0.0);
+            return (ranges.collect(), count);
         }
-        let (start, columns) = (row as usize * self.width, self.within(span));
-        start + columns.start..start + columns.end
-    }
-
-    /// The pixels under a polygon, as ranges of `is_empty`.
-    fn under<'a>(&'a self, polygon: &'a Footprint) -> impl Iterator<Item = Range<usize>> + use<'a> {
-        self.spans(polygon).map(|row| self.pixels(row))
+        let (mut ranges, mut count) = (PixelRanges::new(), 0.0);
+        for k in 0..(to - from) as usize {
+            let row = from + k as f64;
+            let t = self.low.y + (row + 0.5) * self.pixel;
+            let span = self.span(self.low.x, chord(polygon, t));
+            count += (span[1] - span[0]).max(0.0);
+            if (0.0..rows).contains(&row) {
+                ranges.push(in_row(row as usize, self.within(span)));
+            }
+        }
+        (ranges, count)
     }
 
     /// Makes the pixels under a polygon occupied.
     pub fn occupy(&mut self, polygon: &Footprint) {
-        let spans: Vec<Range<usize>> = self.under(polygon).collect();
-        for span in spans {
-            self.is_empty[span].fill(false);
+        let (ranges, _) = self.under(polygon);
+        for range in ranges {
+            self.is_empty[range].fill(false);
         }
     }
 
     /// The share of the pixel centres under a polygon that are empty, 0 to 1; none if there are no centres. Centres
     /// beyond the raster count as occupied.
     pub fn empty_share(&self, polygon: &Footprint) -> Option<f64> {
-        let (mut empty, mut whole) = (0, 0.0);
-        for (row, [from, to]) in self.spans(polygon) {
-            let pixels = &self.is_empty[self.pixels((row, [from, to]))];
-            empty += pixels.iter().filter(|&&empty| empty).count();
-            whole += (to - from).max(0.0);
-        }
+        let (ranges, whole) = self.under(polygon);
+        let count =
+            |range: Range<usize>| self.is_empty[range].iter().filter(|&&empty| empty).count();
+        let empty: usize = ranges.into_iter().map(count).sum();
         (whole > 0.0).then(|| (empty as f64 / whole).min(1.0))
     }
 

@@ -81,10 +81,9 @@ impl Claims {
     }
 
     /// The polygons of the claims whose bounding boxes meet that of another polygon.
-    pub fn polygons_near(&self, polygon: &Footprint) -> Vec<Footprint> {
+    pub fn polygons_near(&self, polygon: &Footprint) -> Vec<&Footprint> {
         let near = self.near(polygon.bounds()).into_iter();
-        near.map(|k| self.list[k as usize].polygon.clone())
-            .collect()
+        near.map(|k| &self.list[k as usize].polygon).collect()
     }
 
     /// The area that a polygon shares with claims of other cells, each counted for itself (square metres).

@@ -99,7 +99,7 @@ impl FaceMap {
     }
 
     /// The holes, surroundings and claims that a polygon may meet.
-    pub fn obstacles(&self, polygon: &Footprint) -> Vec<Footprint> {
+    pub fn obstacles(&self, polygon: &Footprint) -> Vec<&Footprint> {
         [
             self.outside.polygons_near(polygon),
             self.claimed_near(polygon),
@@ -108,7 +108,7 @@ impl FaceMap {
     }
 
     /// The claims that a polygon may meet.
-    pub fn claimed_near(&self, polygon: &Footprint) -> Vec<Footprint> {
+    pub fn claimed_near(&self, polygon: &Footprint) -> Vec<&Footprint> {
         self.claims.polygons_near(polygon)
     }
 
@@ -131,11 +131,22 @@ impl FaceMap {
 
     /// The parts of the face under no claim, as convex polygons.
     pub fn gaps(&self) -> Vec<Footprint> {
-        let parts = self
-            .inside
-            .iter()
-            .flat_map(|part| remainder(part, &self.claims.polygons_near(part)));
-        parts.collect()
+        self.unclaimed(self.inside.iter().cloned())
+    }
+
+    /// Those in a polygon.
+    pub fn gaps_in(&self, polygon: &Footprint) -> Vec<Footprint> {
+        self.unclaimed(
+            self.inside
+                .iter()
+                .filter_map(|part| part.intersection(polygon)),
+        )
+    }
+
+    fn unclaimed(&self, parts: impl Iterator<Item = Footprint>) -> Vec<Footprint> {
+        parts
+            .flat_map(|part| remainder(&part, &self.claims.polygons_near(&part)))
+            .collect()
     }
 
     /// The area of the face under no claim, in square metres.

@@ -72,8 +72,9 @@ fn least(thickness: &WallThickness, building: &Building, id: FaceId) -> f64 {
             .flat_map(move |corner| WAYS.map(|way| middle.lerp(corner, way)));
         [middle].into_iter().chain(ways).collect::<Vec<DVec2>>()
     });
-    let found = places
-        .take(MOST)
-        .filter_map(|place| thickness.behind(id, place.x, place.y));
-    found.fold(f64::INFINITY, f64::min)
+    // A place that is not thinner than those before it does not count, so its ray may end early.
+    places.take(MOST).fold(f64::INFINITY, |least, place| {
+        let found = thickness.behind(id, place.x, place.y, least);
+        found.map_or(least, |found| least.min(found))
+    })
 }

@@ -10,6 +10,9 @@ const HOLE: f64 = 4.0;
 /// A hole is closed only if its part of the surface has at least this many times its area: the outer border of a
 /// small patch is not a hole.
 const PART: f64 = 4.0;
+/// A part is as small as one below the area of a cell if its mean width, from border to border, is less than this part
+/// of a cell's side. A cell there would be a needle of thousands of corners.
+const NARROW: f64 = 1.0 / 32.0;
 /// Corners of holes in a slice.
 const CORNERS: usize = 256;
 
@@ -35,6 +38,8 @@ pub struct HoleFilling {
     welds: Vec<[u32; 2]>,
     part: Vec<u32>,
     areas: Vec<f64>,
+    /// The length of the borders of each part.
+    lengths: Vec<f64>,
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     filled: usize,
@@ -62,6 +67,7 @@ impl HoleFilling {
             welds: Vec::new(),
             part: Vec::new(),
             areas: Vec::new(),
+            lengths: Vec::new(),
             positions: Vec::new(),
             triangles: Vec::new(),
             filled: 0,
@@ -74,13 +80,13 @@ impl HoleFilling {
         match self.stage {
             FillingPhase::Parts => {
                 let (part, count) = self.mesh.parts();
-                (self.part, self.areas) = (part, vec![0.0; count]);
+                (self.part, self.areas, self.lengths) = (part, vec![0.0; count], vec![0.0; count]);
                 self.stage = FillingPhase::Areas;
             }
             FillingPhase::Areas => {
                 let count = self.part.len();
                 for t in slice(&mut self.at, count) {
-                    self.areas[self.part[t] as usize] += self.mesh.area_of(t as u32);
+                    self.measure(t);
                 }
                 if self.at == count {
                     (self.stage, self.at) = (FillingPhase::Rings, 0);
@@ -132,6 +138,21 @@ impl HoleFilling {
         }
     }
 
+    fn measure(&mut self, t: usize) {
+        let part = self.part[t] as usize;
+        self.areas[part] += self.mesh.area_of(t as u32);
+        let corners = self.mesh.corners(t as u32);
+        for k in (0..3).filter(|&k| self.mesh.across(t as u32, k).is_none()) {
+            self.lengths[part] += corners[k].distance(corners[(k + 1) % 3]);
+        }
+    }
+
+    /// Whether a part is smaller than a cell, or much narrower.
+    fn is_small(&self, part: usize) -> bool {
+        let area = self.areas[part];
+        area < self.size * self.size || 2.0 * area < NARROW * self.size * self.lengths[part]
+    }
+
     fn fill(&mut self, hole: &Loop) {
         // Seen from the hole, the border runs the other way.
         let ring: Vec<u32> = hole.corners.iter().rev().copied().collect();
@@ -155,6 +176,7 @@ impl HoleFilling {
         self.filled += 1;
         self.welds.extend(&hole.twins);
         self.areas[number] += area;
+        self.lengths[number] -= length;
         if let Some(cut) = polygon::cut(&places, may_join) {
             self.triangles
                 .extend(cut.iter().map(|t| t.map(|k| ring[k])));
@@ -189,9 +211,8 @@ impl HoleFilling {
     }
 
     fn finish(&mut self) -> Result<Filled, Notice> {
-        let cell = self.size * self.size;
-        let is_bare = |part: &u32| self.areas[*part as usize] < cell;
-        let small = self.areas.iter().filter(|&&area| area < cell).count();
+        let is_small: Vec<bool> = (0..self.areas.len()).map(|k| self.is_small(k)).collect();
+        let small = is_small.iter().filter(|&&small| small).count();
         if small == self.areas.len() {
             return Err(Code::ModelTooSmall.into());
         }
@@ -200,7 +221,7 @@ impl HoleFilling {
         Ok(Filled {
             bare: self.part[..self.mesh.triangles().len()]
                 .iter()
-                .map(is_bare)
+                .map(|&part| is_small[part as usize])
                 .collect(),
             mesh: std::mem::replace(&mut self.mesh, TriMesh::none()),
             notices: told
@@ -236,12 +257,13 @@ fn loops(mesh: &TriMesh, ring: &[u32]) -> Vec<Loop> {
         let at = mesh.positions()[ring[*k] as usize] + DVec3::ZERO;
         at.to_array().map(f64::to_bits)
     };
-    let mut order: Vec<usize> = (0..ring.len()).collect();
-    order.sort_unstable_by_key(|k| (place(k), *k));
+    // Sorting by a key that is kept takes a quarter of the time.
+    let mut keyed: Vec<_> = (0..ring.len()).map(|k| (place(&k), k)).collect();
+    keyed.sort_unstable();
     // For each corner the first one at its place, and where that stands in the list of open ones.
     let mut first = vec![0; ring.len()];
-    for same in order.chunk_by(|a, b| place(a) == place(b)) {
-        same.iter().for_each(|&k| first[k] = same[0]);
+    for same in keyed.chunk_by(|a, b| a.0 == b.0) {
+        same.iter().for_each(|&(_, k)| first[k] = same[0].1);
     }
     let mut depth = vec![None; ring.len()];
     let mut open: Vec<(usize, Vec<[u32; 2]>)> = Vec::new();

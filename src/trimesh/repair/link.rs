@@ -5,6 +5,9 @@ use super::{MeshInRepair, NONE, RepairStep, slice};
 use crate::notice::{Code, Notice};
 use crate::order::{self, pair};
 
+/// The triangles of an edge are sorted at once up to this count, and in slices above it.
+const MANY: usize = 1 << 12;
+
 /// Drops duplicate triangles, and joins the triangles at each edge in pairs.
 #[derive(Default)]
 pub(super) struct Linking {
@@ -12,6 +15,8 @@ pub(super) struct Linking {
     at: usize,
     edges: Vec<(u64, u32)>,
     sorting: Option<Sorting>,
+    /// The edges of a large group, being sorted by the corners opposite them.
+    large: Option<Sorting>,
     /// Marks triangles that are duplicates.
     doubled: Vec<bool>,
     /// How many edges have more than two triangles.
@@ -46,11 +51,8 @@ impl RepairStep for Linking {
                 sorted => self.edges = sorted.flatten().unwrap_or_default(),
             },
             LinkingPhase::Doubled | LinkingPhase::Link => {
-                let mut at = range.start;
-                while at < range.end {
-                    at = self.group(work, at);
-                }
-                self.at = at;
+                self.at = range.start;
+                while self.at < range.end && self.group(work) {}
             }
             LinkingPhase::Drop => range.for_each(|t| self.keep(work, t)),
         }
@@ -104,12 +106,18 @@ impl Linking {
         }
     }
 
-    /// Handles the edges from `at` on that have the same ends; returns where the next group begins.
-    fn group(&mut self, work: &mut MeshInRepair, at: usize) -> usize {
-        let key = self.edges[at].0;
-        let same = self.edges[at..].iter().take_while(|e| e.0 == key).count();
-        let edges = at..at + same;
+    /// Handles the next edges that have the same ends. Returns false while a large number of them is being sorted.
+    fn group(&mut self, work: &mut MeshInRepair) -> bool {
+        let key = self.edges[self.at].0;
+        let rest = &self.edges[self.at..];
+        let same = rest.iter().take_while(|e| e.0 == key).count();
+        let edges = self.at..self.at + same;
         match self.stage {
+            LinkingPhase::Doubled if same > MANY => {
+                if !self.sort_large(work, edges) {
+                    return false;
+                }
+            }
             LinkingPhase::Doubled => self.find_doubled(work, edges),
             _ => {
                 if let [(_, a), (_, b)] = self.edges[edges] {
@@ -120,7 +128,32 @@ impl Linking {
                 }
             }
         }
-        at + same
+        self.at += same;
+        true
+    }
+
+    /// Does as [`Linking::find_doubled`], in slices; true when it is done.
+    fn sort_large(&mut self, work: &MeshInRepair, edges: std::ops::Range<usize>) -> bool {
+        let sorting = self.large.get_or_insert_with(|| {
+            let edges = self.edges[edges].iter().map(|&(_, edge)| edge);
+            let thirds = edges.map(|edge| (opposite(work, edge).into(), edge / 3));
+            Sorting::new(thirds.collect())
+        });
+        let Some(thirds) = sorting.advance() else {
+            return false;
+        };
+        self.large = None;
+        self.mark_doubled(&thirds);
+        true
+    }
+
+    /// Marks all triangles but the first one at each opposite corner; they are in order.
+    fn mark_doubled<T: PartialEq>(&mut self, thirds: &[(T, u32)]) {
+        for two in thirds.windows(2) {
+            if two[0].0 == two[1].0 {
+                self.doubled[two[1].1 as usize] = true;
+            }
+        }
     }
 
     fn find_doubled(&mut self, work: &MeshInRepair, edges: std::ops::Range<usize>) {
@@ -132,17 +165,47 @@ impl Linking {
             .map(|&(_, edge)| (opposite(work, edge), edge / 3))
             .collect();
         order::sort(&mut thirds, |&(v, t)| (v.into(), t.into()));
-        for two in thirds.windows(2) {
-            if two[0].0 == two[1].0 {
-                self.doubled[two[1].1 as usize] = true;
-            }
-        }
+        self.mark_doubled(&thirds);
     }
 
     fn keep(&mut self, work: &mut MeshInRepair, t: usize) {
         if !self.doubled[t] {
             work.triangles[self.kept] = work.triangles[t];
             self.kept += 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{MeshRepair, Soup};
+    use super::*;
+    use glam::DVec3;
+
+    /// Triangles that all have one edge, every third one twice.
+    fn book(leaves: usize) -> Soup {
+        let leaf = |k: usize| {
+            let angle = 6.0 * k as f64 / leaves as f64;
+            DVec3::new(libm::cos(angle), 0.5, libm::sin(angle))
+        };
+        let positions = [DVec3::ZERO, DVec3::Y].into_iter();
+        let leaf_of = |k: usize| [0, 1, 2 + k as u32];
+        let doubled = (0..leaves).step_by(3).map(leaf_of);
+        Soup {
+            positions: positions.chain((0..leaves).map(leaf)).collect(),
+            triangles: (0..leaves).map(leaf_of).chain(doubled).collect(),
+        }
+    }
+
+    #[test]
+    fn doubled_triangles_at_an_edge_of_many_are_those_at_one_of_few() {
+        for leaves in [30, 3 * MANY] {
+            let mended = MeshRepair::mend(book(leaves)).expect("a surface");
+            let told = mended.notices.iter().map(|notice| notice.code);
+            assert!(told.eq([Code::MendedDoubled, Code::MendedEdges, Code::MendedVertices]));
+            let doubled = Notice::new(Code::MendedDoubled).with("n", leaves / 3);
+            assert_eq!(mended.notices[0], doubled);
+            assert_eq!(mended.mesh.triangles().len(), leaves);
         }
     }
 }

@@ -371,6 +371,35 @@ fn parts_smaller_than_a_cell_stay_bare() {
 }
 
 #[test]
+fn a_strip_much_narrower_than_a_cell_stays_bare() {
+    let strip = |width: f64| {
+        let (positions, triangles) = testing::flat(20);
+        let narrow = positions
+            .iter()
+            .map(|p| DVec3::new(100.0 * p.x, p.y, width * p.z));
+        HoleFilling::fill_all(testing::mesh((narrow.collect(), triangles)), 2.0)
+    };
+    assert_eq!(
+        strip(0.05).expect_err("no surface").code,
+        Code::ModelTooSmall
+    );
+    assert_eq!(strip(0.1).expect("a surface").notices, []);
+    // The borders of holes that are closed do not count.
+    let (positions, mut triangles) = testing::flat(120);
+    let mut k = 0;
+    triangles.retain(|_| {
+        let [square, half] = [k / 2, k % 2];
+        let is_inside = [square % 120, square / 120].map(|at| at % 2 == 1 && at < 119);
+        k += 1;
+        half == 1 || is_inside != [true, true]
+    });
+    let torn = testing::mesh((positions, triangles));
+    assert_eq!(torn.borders().len(), 59 * 59 + 1);
+    let filled = HoleFilling::fill_all(torn, 0.9).expect("a surface");
+    assert_eq!(said(&filled.notices), [(Code::MendedHoles, 59 * 59)]);
+}
+
+#[test]
 fn a_patch_that_is_itself_small_is_not_closed() {
     let (p, t) = testing::flat(3);
     let mesh = mend((p, t)).mesh;

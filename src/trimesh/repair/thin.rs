@@ -50,6 +50,10 @@ impl RepairStep for Thinning {
     }
 }
 
+/// The most triangles around a corner that are looked at. If there are more, no edge of the corner is flipped, because a
+/// large fan of flat triangles would take the square of its size.
+const MOST_AROUND: usize = 1 << 10;
+
 /// A removed triangle.
 const GONE: [u32; 3] = [NONE; 3];
 
@@ -127,8 +131,8 @@ fn are_joined(work: &MeshInRepair, t: usize, corner: usize, vertex: u32) -> bool
     let first = (t, corner);
     for step in [2, 0] {
         let (mut t, mut corner) = first;
-        loop {
-            if work.triangles[t].contains(&vertex) {
+        for left in (0..MOST_AROUND).rev() {
+            if left == 0 || work.triangles[t].contains(&vertex) {
                 return true;
             }
             let edge = work.across[t][(corner + step) % 3];

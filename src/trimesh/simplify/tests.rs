@@ -90,3 +90,39 @@ fn place_and_size_do_not_matter() {
     let moved = simple(1.0, 64.0);
     assert!((moved.area() / one.area() - 1.0).abs() < 0.01);
 }
+
+/// Slices until a surface is simple.
+fn slices(soup: testing::Soup, most: usize) -> usize {
+    let mut work = Simplifying::new(mesh(soup), most, f64::INFINITY);
+    let mut count = 1;
+    while work.advance().is_none() {
+        count += 1;
+    }
+    count
+}
+
+#[test]
+fn a_fan_takes_time_proportional_to_its_size() {
+    let [few, many] = [1, 4].map(|k| slices(testing::disc(k * 8000), 100));
+    assert!(many < 5 * few, "{few} {many}");
+}
+
+#[test]
+fn each_vertex_knows_its_number_of_triangles() {
+    for soup in [testing::blob(3), testing::disc(500), testing::flat(12)] {
+        let full = mesh(soup);
+        let vertices = full.positions().len() as u32;
+        let mut work = Simplifying::new(full, 40, f64::INFINITY);
+        while work.stage != SimplifyingPhase::Collapse {
+            assert!(work.advance().is_none());
+        }
+        let mut left = i64::MAX;
+        while work.next(&mut left) {
+            for v in 0..vertices {
+                let living = work.collapse.living(v).count();
+                assert_eq!(work.degrees[v as usize] as usize, living);
+            }
+        }
+        assert!(work.left <= 80, "{}", work.left);
+    }
+}

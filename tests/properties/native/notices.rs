@@ -69,18 +69,46 @@ fn too_much_for_a_machine_is_refused() {
 
 /// The codes of why a building's file is refused, or of the remarks on it.
 fn said_of(text: &str, link: &str) -> Vec<Code> {
-    let recipe: Recipe = ALL.recipe(&format!("make=masonry&size=128{link}")).0;
+    let link = format!("make=masonry&size=128{link}");
+    let ends = ["laying", "bodies", "light", "done"];
+    said_of_file(&link, ("building.json", text), &ends)
+}
+
+/// The codes of why a file is refused, or of the remarks on it when one of these stages is reached.
+fn said_of_file(link: &str, (name, text): (&str, &str), ends: &[&str]) -> Vec<Code> {
+    let recipe: Recipe = ALL.recipe(link).0;
     let mut studio = Studio::new(ALL, recipe);
-    let file = GivenFile::whole("building.json", text.as_bytes().to_vec());
+    let file = GivenFile::whole(name, text.as_bytes().to_vec());
     studio.open_file(None, file).expect("a file");
-    while studio.problem().is_none()
-        && !["laying", "bodies", "light", "done"].contains(&studio.stage())
-    {
+    while studio.problem().is_none() && !ends.contains(&studio.stage()) {
         studio.tick(&mut || 0.0, 0.0, u32::MAX);
     }
     let problem = studio.problem().cloned();
     let remarks = studio.engine().remarks();
     codes(&problem.into_iter().chain(remarks).collect::<Vec<Notice>>())
+}
+
+#[test]
+fn a_fan_of_needles_is_paved_on_a_simpler_surface() {
+    use std::fmt::Write;
+    let said = |rim: u32| {
+        let mut text = String::from("v 0 0 0\n");
+        for k in 0..rim {
+            let angle = std::f64::consts::TAU * f64::from(k) / f64::from(rim);
+            let (x, z) = (libm::cos(angle), -libm::sin(angle));
+            writeln!(
+                text,
+                "v {x:.7} 0 {z:.7}\nf 1 {} {}",
+                k + 2,
+                (k + 1) % rim + 2
+            )
+            .expect("text");
+        }
+        let link = "make=surface&form=file&cn=60&size=128";
+        said_of_file(link, ("disc.obj", &text), &["cells", "done"])
+    };
+    assert_eq!(said(30_000), [Code::ModelNeedles]);
+    assert_eq!(said(6_000), []);
 }
 
 /// A building by rule with something changed.

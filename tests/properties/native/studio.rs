@@ -48,8 +48,8 @@ impl Engine for Toy {
         self.working = self.latest.clone();
     }
 
-    fn forget(&mut self) {
-        (self.at, self.slices) = (0, 0);
+    fn forget_steps(&mut self) {
+        (self.at, self.slices) = (PACKING, 0);
     }
 
     fn side(&self) -> usize {
@@ -190,7 +190,8 @@ fn stages_before_the_first_stale_one_do_not_run() {
     }
     studio.restart();
     assert_eq!(studio.finish(&mut || 0.0), Ok(()));
-    assert_eq!(runs(&studio), wanted.map(|runs| runs + 1));
+    wanted[2..].iter_mut().for_each(|runs| *runs += 1);
+    assert_eq!(runs(&studio), wanted);
 }
 
 /// The finisher's work in a pass under 400 ms is not dropped for a newer recipe. Longer work is, and so is work of stages

@@ -3,7 +3,7 @@
  * they are being made. The work pauses while a frame is made; otherwise no frame would ever be finished.
  */
 import type { SceneStudio } from '../../module/scene';
-import { isSettled } from '../../module/stages';
+import { countedBy, isSettled } from '../../module/stages';
 import type { Notice } from '../../module/types';
 import type { Engine } from '../../state/engine';
 import { FrameMaker, type Made } from './maker';
@@ -128,7 +128,7 @@ export class LocalFrames implements FrameSource, Painter {
     const { cells, stones } = engine.status();
     const { stages, seen } = engine.generator;
     const what = view === 'auto' ? seen[stages.indexOf(engine.stage())] : view === 'picture' ? undefined : view;
-    const bodies = { count: what ? cells : stones, sort: sortOf(engine.get('stone'), what), what };
+    const bodies = { count: what ? cells : stones, sort: sortOf(engine.get('stone'), what, countedBy(engine.generator) === 'blocks'), what };
     const frame = await createImageBitmap(new ImageData(pixels, width, height));
     // Browsers may finish a later bitmap earlier.
     if (number < this.shown || !this.wish) { frame.close(); return; }

@@ -1,0 +1,69 @@
+//! After an edit only what changed is laid again.
+
+use super::MasonryEngine;
+use super::kept::marks;
+use super::stages::LAYING;
+use super::tests::{laid, recipe};
+use crate::generators::Engine;
+use std::collections::BTreeSet;
+
+const BEFORE: &str = "make=masonry&building=gabled&pattern=bricks";
+/// The same with segmental heads.
+const AFTER: &str = "make=masonry&building=gabled&pattern=bricks&gabled_head=1";
+
+/// Works up to the end of the laying. Returns the number of its steps, and how many blocks stood still at the first one.
+fn lay(engine: &mut MasonryEngine) -> (usize, usize) {
+    let (mut steps, mut stood) = (0, None);
+    while engine.at().is_some_and(|at| at <= LAYING) {
+        steps += usize::from(engine.is_step());
+        engine.advance();
+        if engine.progress().steps > 0 && stood.is_none() {
+            stood = Some(engine.made.kept.after(0).len());
+        }
+    }
+    (steps, stood.expect("a step"))
+}
+
+#[test]
+fn after_an_edit_blocks_that_stay_stand_still() {
+    let mut engine = laid(BEFORE).expect("a wall");
+    engine.ask(&recipe(AFTER));
+    engine.take_up();
+    let (steps, stood) = lay(&mut engine);
+    let fresh = laid(AFTER).expect("a wall");
+    let all = lay(&mut MasonryEngine::new(&recipe(AFTER)));
+    let count = fresh.progress().cells;
+    assert_eq!(all.1, 0);
+    assert!(2 * stood > count, "{stood} of {count} stood still");
+    assert!(2 * steps < all.0, "{steps} of {} steps", all.0);
+    while engine.at().is_some_and(|at| at < 4) {
+        engine.advance();
+    }
+    assert_eq!(engine.digest(), fresh.digest());
+    // Without an edit all is laid again.
+    engine.forget_steps();
+    assert_eq!(lay(&mut engine), all);
+}
+
+#[test]
+fn another_colour_changes_block_by_block() {
+    let mut engine = laid(BEFORE).expect("a wall");
+    let all = lay(&mut MasonryEngine::new(&recipe(BEFORE)));
+    engine.ask(&recipe(&format!("{BEFORE}&walls=yellow")));
+    engine.take_up();
+    let (steps, stood) = lay(&mut engine);
+    assert_eq!((steps, stood > 0), (all.0, true));
+}
+
+#[test]
+fn marks_tell_the_cells_of_a_house_apart() {
+    let engine = laid("make=masonry&building=lhouse").expect("a house");
+    let all = marks(engine.made.cells.made().expect("cells").cells());
+    let different: BTreeSet<u32> = all.iter().copied().collect();
+    assert!(
+        different.len() + 3 > all.len(),
+        "{} of {}",
+        different.len(),
+        all.len()
+    );
+}
