@@ -39,6 +39,7 @@ fn list(key: Key, random: &mut Random) -> String {
                 );
             }
             keys::PARTS => row.push(random.below(4).to_string()),
+            keys::GIVEN => row.push(random.below(2).to_string()),
             _ => row.extend((0..2 + 2 * random.below(5)).map(|_| place(random))),
         }
         row.join(",")
@@ -68,6 +69,10 @@ fn wild(random: &mut Random) -> Recipe {
     // The finest cells take seconds, so they are rare.
     if recipe.number(keys::CS) < 6.0 && random.below(12) > 0 {
         recipe.set("cs", "8").unwrap();
+    }
+    // Runs that never rest are seen in fewer steps, too.
+    if recipe.number(keys::MOST) > 400.0 {
+        recipe.set("most", "400").unwrap();
     }
     recipe
         .set("seed", &(random.bits() >> 32).to_string())

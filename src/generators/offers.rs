@@ -130,7 +130,7 @@ pub trait Steps {
     /// stages again. [`Steps::reach`] does the work.
     fn hold(&mut self, step: Option<u32>);
 
-    /// Works for about `budget` milliseconds towards the held step; true when it is reached, or none is held.
+    /// Works for about `budget` milliseconds towards the held step; true when it is reached, or no step is held.
     fn reach(&mut self, clock: Clock, budget: f64) -> bool;
 
     /// All packed cells in numbers, by rising ids.

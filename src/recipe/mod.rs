@@ -78,6 +78,7 @@ impl Recipe {
 
     /// The value of a number or whole number; for a choice, the index of its word. The schema must have such
     /// a row, which debug builds check.
+    #[inline(never)]
     pub fn number(&self, key: Key) -> f64 {
         let value = self.value(key);
         debug_assert!(value.is_some(), "no row {}", key.0);
@@ -86,6 +87,7 @@ impl Recipe {
 
     /// The word of a choice; empty for other kinds. The schema must have such a row, which debug builds
     /// check.
+    #[inline(never)]
     pub fn choice(&self, key: Key) -> &'static str {
         let row = self.schema.row(key.0);
         debug_assert!(row.is_some(), "no row {}", key.0);
@@ -94,6 +96,7 @@ impl Recipe {
     }
 
     /// The rows of a text; empty for the keys of other values.
+    #[inline(never)]
     pub fn rows(&self, key: Key) -> &[Vec<i64>] {
         self.value(key).map_or(&[], |value| &value.rows)
     }

@@ -1,7 +1,7 @@
 //! Recipes of skin: some numbers have another default while the stones are skin cells.
 
 use bubblestone::generators::pavement::{self, SCHEMA};
-use bubblestone::recipe::Recipe;
+use bubblestone::recipe::{Parameter, Recipe};
 
 /// The parameters whose default differs for skin: the default for stones, the default for skin.
 const OWN: [(&str, f64, f64); 4] = [
@@ -23,7 +23,8 @@ fn number(recipe: &Recipe, word: &str) -> f64 {
 
 #[test]
 fn the_schema_has_these_defaults_of_skin_and_no_others() {
-    let own = SCHEMA.rows.iter().filter(|row| row.default_while.is_some());
+    let is_own = |row: &&Parameter| row.default_while.is_some_and(|(key, ..)| key.0 == "stone");
+    let own = SCHEMA.rows.iter().filter(is_own);
     assert_eq!(own.count(), OWN.len());
     let (stone, skin) = (pavement::recipe("").0, open("stone=skin"));
     for row in SCHEMA.rows {
