@@ -4,13 +4,13 @@ import type { Trace } from '../figures/figure';
 import { arrow, at, line, momentOf, pick, PULL, PUSH, symbol, text, UNIT, WIDTH, X, type View } from './plate';
 
 /** The height of the centres. */
-export const MIDDLE = 88;
+export const MIDDLE = 96;
 
 /** Below the bubbles, where the next drawing begins. */
-export const BELOW = 184;
+export const BELOW = 194;
 
 /** The length of an arrow for a force of 1. */
-const FORCE = 62;
+const FORCE = 64;
 
 /** A force is drawn if its arrow is longer than a hair. */
 const LEAST = 0.01;
@@ -44,7 +44,7 @@ function forceName(view: View, packing: number): string {
   const kind = way(moment);
   const none = view.language === 'ja' ? '力 0' : 'no force';
   const words = kind === 'none' ? none : `${pick(kind === 'push' ? PUSH : PULL, view.language)} ${number(Math.abs(moment.force), 3)}`;
-  return text(WIDTH / 2, 14, words, `force-name ${kind}`);
+  return text(WIDTH / 2, 20, words, `force-name ${kind}`);
 }
 
 function distance(left: number, right: number, w: number): string {

@@ -3,7 +3,7 @@ import { number, way } from '../figures/words';
 import { at, axisOfW, line, momentOf, path, svg, symbol, text, X, type View } from './plate';
 import { BELOW, bubbles } from './bubbles';
 
-const [TOP, BOTTOM] = [BELOW + 24, BELOW + 178];
+const [TOP, BOTTOM] = [BELOW + 24, BELOW + 200];
 export const HEIGHT = BOTTOM + 24;
 
 const [LOWEST, HIGHEST] = [-0.28, 1.2];

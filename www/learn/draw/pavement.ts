@@ -1,6 +1,7 @@
 /** A pavement taken apart: stones, the cells that they fill, the bubbles that the cells are made of, and two of these. */
 import type { Cell } from '../figures/figure';
-import { arrow, at, svg, WIDTH, type View } from './plate';
+import { number } from '../figures/words';
+import { arrow, at, pick, PULL, PUSH, svg, symbol, text, WIDTH, type View } from './plate';
 
 const SIDE = WIDTH - 16;
 const OFF = 8;
@@ -10,6 +11,9 @@ const TINTS = 4;
 
 /** The radius of the two bubbles that are left. */
 const LARGE = 78;
+
+/** The length of its arrows, which show the way alone. */
+const ARROW = 34;
 
 type Form = 'stones' | 'cells' | 'bubbles' | 'two';
 const FORMS: readonly Form[] = ['stones', 'cells', 'bubbles', 'two'];
@@ -21,8 +25,8 @@ export function pavement(view: View, packing: number): string {
   const pair = pairOf(cells);
   const whole = FORMS[view.step - 1];
   const form = (cell: Cell): Form => whole ?? FORMS[Math.min(3, Math.floor(cell.x * 4))] ?? 'two';
-  const drawn = cells.map((cell) => one(cell, form(cell), pair)).join('');
-  const two = whole === 'two' ? large(pair) : '';
+  const drawn = cells.filter((cell) => whole !== 'two' || !pair.includes(cell)).map((cell) => one(cell, form(cell), pair)).join('');
+  const two = whole === 'two' ? large(view, pair) : '';
   const said = view.language === 'ja' ? '舗装の石と、もとになったバブル' : 'The stones of a pavement and the bubbles they are made of';
   return svg(WIDTH, said, drawn + two);
 }
@@ -30,13 +34,13 @@ export function pavement(view: View, packing: number): string {
 function one(cell: Cell, form: Form, pair: readonly Cell[]): string {
   if (form === 'stones') return stone(cell);
   if (form === 'cells') return `<path class="cell" d="${edges(cell, 1)}"/>`;
-  const kind = form === 'two' ? (pair.includes(cell) ? 'bubble' : 'bubble faint') : 'bubble';
-  return form === 'two' && pair.includes(cell) ? '' : circle(place(cell.x), place(cell.y), cell.radius * SIDE, kind);
+  const kind = form === 'two' && !pair.includes(cell) ? 'bubble faint' : 'bubble';
+  return circle(place(cell.x), place(cell.y), cell.radius * SIDE, kind);
 }
 
 /** A stone: its cell, drawn in and rounded, with a lit edge. */
 function stone(cell: Cell): string {
-  return `<path class="stone tint${cell.id % TINTS}" d="${rounded(cell, 0.9)}"/><path class="lit" d="${rounded(cell, 0.74)}"/>`;
+  return `<path class="joint" d="${edges(cell, 1)}"/><path class="stone tint${cell.id % TINTS}" d="${rounded(cell, 0.9)}"/><path class="lit" d="${rounded(cell, 0.74)}"/>`;
 }
 
 function corners({ x, y, outline }: Cell, share: number): (readonly [number, number])[] {
@@ -72,11 +76,15 @@ function pairOf(cells: readonly Cell[]): readonly Cell[] {
   return first && second ? [first, second] : [];
 }
 
-/** The two that are left, large, as all other figures of the chapter show them. */
-function large(pair: readonly Cell[]): string {
-  if (pair.length < 2) return '';
-  const [middle, apart] = [WIDTH / 2, LARGE * 0.9];
-  const [left, right] = [middle - apart, middle + apart];
-  const ring = [left, right].map((x) => circle(x, middle, LARGE, 'bubble large') + circle(x, middle, 4, 'centre')).join('');
-  return `${ring}${arrow(left, middle, -38, 'push')}${arrow(right, middle, 38, 'push')}`;
+/** The two that are left, large, as all other figures of the chapter show them: their distance and force are their own. */
+function large({ curve, language }: View, [one, other]: readonly Cell[]): string {
+  if (!one || !other) return '';
+  const w = Math.hypot(other.x - one.x, other.y - one.y) / (one.radius + other.radius);
+  const force = curve.reduce((best, point) => (Math.abs(point[0] - w) < Math.abs(best[0] - w) ? point : best), curve[0] ?? [0, 0, 0])[1];
+  const middle = WIDTH / 2;
+  const [left, right] = [middle - LARGE * w, middle + LARGE * w];
+  const kind = force > 0 ? 'push' : 'pull';
+  const rings = [left, right].map((x) => circle(x, middle, LARGE, 'bubble large') + circle(x, middle, 4, 'centre')).join('');
+  const words = `${symbol('w', 'w')} = ${number(w, 2)}: ${pick(force > 0 ? PUSH : PULL, language)}`;
+  return `${rings}${arrow(left, middle, -ARROW * Math.sign(force), kind)}${arrow(right, middle, ARROW * Math.sign(force), kind)}${text(middle, middle - LARGE - 14, words, `force-name ${kind}`)}`;
 }

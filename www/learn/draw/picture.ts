@@ -6,7 +6,7 @@ import { pavement } from './pavement';
 import { WIDEST, WIDTH, X, type CurvePoint, type View } from './plate';
 import type { Bubbles } from './studio';
 import { track } from './track';
-import { BOTTOM, LIFT, POLE, valley, Y } from './valley';
+import { BOTTOM, POLE, valley, Y } from './valley';
 
 /** The steps between two points of a curve. */
 const FINE = 0.02;
@@ -41,6 +41,6 @@ export function gripAt(figure: Figure, plate: number, key: string, view: View): 
   const moment = view.traces[packing]?.moments[view.step];
   if (!moment) return [0, 0];
   const x = X(key === 'mark' ? (view.mark ?? 0) : draw === 'valley' ? moment.w : moment.left + moment.w);
-  const y = draw !== 'valley' ? MIDDLE : key === 'mark' ? BOTTOM - POLE + LIFT : Y(moment.energy) - LIFT;
+  const y = draw !== 'valley' ? MIDDLE : key === 'mark' ? BOTTOM - POLE + 7 : Y(moment.energy);
   return [Math.min(x, WIDTH - 8) / WIDTH, y / HEIGHT];
 }

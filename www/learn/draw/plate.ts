@@ -70,8 +70,8 @@ export const NOTHING: Words = { en: 'nothing', ja: '力なし' };
 export function arrow(x: number, y: number, length: number, kind: string): string {
   const way = Math.sign(length);
   const end = x + length;
-  const head = Math.min(11, Math.abs(length) * 0.7 + 4) * way;
-  return `<g class="arrow ${kind}">${line([x, y], [end - head * 0.5, y], 'shaft')}<path class="head" d="M${at(end)} ${at(y)}l${at(-head)} -6v12z"/></g>`;
+  const head = Math.min(13, Math.abs(length) * 0.7 + 5) * way;
+  return `<g class="arrow ${kind}">${line([x, y], [end - head * 0.5, y], 'shaft')}<path class="head" d="M${at(end)} ${at(y)}l${at(-head)} -7v14z"/></g>`;
 }
 
 /** The axis of w with its numbers, and the bands of push, pull and nothing above it. */

@@ -17,12 +17,17 @@ export function stillOf(module: Bubbles, which: Figure | string, language: Langu
   const zero = zeroOf(module);
   const view: View = { traces: readings, step, last: figure.last, curve: curveOf(module), zero, mark: figure.mark, isZeroShown: false, stops: stopsOf(figure, readings), language };
   const told = figure.told({ traces: readings, step, trials: [], mark: figure.mark ?? 0, zero }, language);
-  const html = markupOf(figure, platesOf(figure, view), told, language);
+  const html = markupOf(platesOf(figure, view), toolsOf(figure, language, (key) => valueOf(readings, step, figure, key)), told);
   for (const reading of readings) reading.free();
   return html;
 }
 
-function markupOf(figure: Figure, plates: readonly string[], told: string, language: Language): string {
+/** The value of a handle at a step. */
+function valueOf([reading]: readonly Reading[], step: number, { mark }: Figure, key: string): string {
+  return key === 'mark' ? String(mark ?? 0) : key === 'w' ? String(reading?.moments[step]?.w ?? 0) : (reading?.value(key) ?? '');
+}
+
+function markupOf(plates: readonly string[], tools: string, told: string): string {
   const boxes = plates.map((plate, k) => `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`).join('');
-  return `<div class="plates plates-${plates.length}">${boxes}</div><div class="figure-tools">${toolsOf(figure, language)}</div><p class="figure-told">${told}</p>`;
+  return `<div class="plates plates-${plates.length}">${boxes}</div><div class="figure-tools">${tools}</div><p class="figure-told">${told}</p>`;
 }

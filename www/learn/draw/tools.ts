@@ -27,8 +27,9 @@ export function stepWords(figure: Figure, step: number, language: Language): str
   return language === 'ja' ? `${figure.last} ステップ中 ${step}` : `step ${step} of ${figure.last}`;
 }
 
-export function toolsOf(figure: Figure, language: Language): string {
-  return `${timeline(figure, language)}${handles(figure, language)}`;
+/** `value` has the value of a handle by its key. */
+export function toolsOf(figure: Figure, language: Language, value: (key: string) => string): string {
+  return `${timeline(figure, language)}${handles(figure, language, value)}`;
 }
 
 function key(name: 'again' | 'back' | 'on', language: Language): string {
@@ -45,8 +46,8 @@ function timeline(figure: Figure, language: Language): string {
   return `<div class="figure-time" role="group" aria-label="${w('time')}">${key('again', language)}${key('back', language)}${play}${key('on', language)}${range}<output class="time-said">${stepWords(figure, figure.opens, language)}</output>${speed}</div><div class="figure-stops" role="group" aria-label="${w('stops')}">${stops}</div>`;
 }
 
-function handles(figure: Figure, language: Language): string {
-  const all = (list: readonly Handle[]): string => list.map((handle) => (handle.kind === 'number' ? numberHandle(figure, handle, language) : choice(figure, handle, language))).join('');
+function handles(figure: Figure, language: Language, value: (key: string) => string): string {
+  const all = (list: readonly Handle[]): string => list.map((handle) => (handle.kind === 'number' ? numberHandle(handle, language, Number(value(handle.key))) : choice(figure, handle, language, value(handle.key)))).join('');
   const more = figure.more.length ? `<details class="more"><summary>${TOOL_WORDS.more[language]}</summary><div class="handle-list">${all(figure.more)}</div></details>` : '';
   return figure.handles.length ? `<div class="figure-handles"><div class="handle-list">${all(figure.handles)}</div>${more}</div>` : '';
 }
@@ -59,14 +60,14 @@ export function nameOf({ name, symbol }: NumberHandle, language: Language): stri
 /** The symbols of the equations, by the letters of handles. */
 const SYMBOLS: Readonly<Record<string, string>> = { w: 'w', c: 'c', m: 'm', 'k₀': 'k0' };
 
-function numberHandle(figure: Figure, handle: NumberHandle, language: Language): string {
+function numberHandle(handle: NumberHandle, language: Language, value: number): string {
   const letters = handle.symbol ? ` <i class="letter"${SYMBOLS[handle.symbol] ? ` data-symbol="${SYMBOLS[handle.symbol] ?? ''}"` : ''}>${handle.symbol}</i>` : '';
-  const bounds = `min="${handle.from}" max="${handle.to}" step="any"`;
+  const bounds = `min="${handle.from}" max="${handle.to}" step="any" value="${value.toFixed(handle.digits)}"`;
   const label = nameOf(handle, language);
-  return `<div class="handle" data-key="${handle.key}" data-figure-of="${figure.name}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}"></div>`;
+  return `<div class="handle" data-key="${handle.key}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}"></div>`;
 }
 
-function choice(figure: Figure, handle: ChoiceHandle, language: Language): string {
-  const buttons = handle.choices.map(({ word, name }) => `<label><input type="radio" name="${figure.name}-${handle.key}" value="${word}"><span>${name[language]}</span></label>`);
+function choice(figure: Figure, handle: ChoiceHandle, language: Language, value: string): string {
+  const buttons = handle.choices.map(({ word, name }) => `<label><input type="radio" name="${figure.name}-${handle.key}" value="${word}"${word === value ? ' checked' : ''}><span>${name[language]}</span></label>`);
   return `<fieldset class="handle choice" data-key="${handle.key}"><legend>${handle.name[language]}</legend>${buttons.join('')}</fieldset>`;
 }

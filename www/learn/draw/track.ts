@@ -5,8 +5,11 @@ import { HEIGHT } from './force';
 
 const [TOP, BOTTOM] = [BELOW + 24, HEIGHT - 24];
 
+/** Where the names of stops stand. */
+const NAMED = 1.62;
+
 /** The least room between the names of two stops. */
-const APART = 13;
+const APART = 11;
 
 export function track(view: View, packing: number, title: string): string {
   const Y = (step: number): number => TOP + (step / view.last) * (BOTTOM - TOP);
@@ -41,8 +44,8 @@ function stops(view: View, packing: number, Y: (step: number) => number): string
       const dot = `<circle class="stop" cx="${at(X(Math.min(w, WIDEST)))}" cy="${at(Y(step))}" r="3"/>`;
       if (packing > 0 || Y(step) < free + APART) return packing > 0 ? '' : dot;
       free = Y(step);
-      const words = text(X(WIDEST), Y(step) + 4, pick(name, view.language), 'stop-name', 'end');
-      return `${dot}${line([X(Math.min(w, WIDEST)) + 8, Y(step)], [X(1.55), Y(step)], 'leader')}${words}`;
+      const words = text(X(NAMED), Y(step) + 4, pick(name, view.language), 'stop-name', 'start');
+      return `${dot}${line([X(Math.min(w, WIDEST)) + 8, Y(step)], [X(NAMED) - 5, Y(step)], 'leader')}${words}`;
     })
     .join('');
 }

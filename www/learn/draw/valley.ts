@@ -1,12 +1,9 @@
 /** The potential of equation (3) as a valley, with the pair as a ball in it and its energy as a level. */
 import { number } from '../figures/words';
-import { at, axisOfW, line, momentOf, path, svg, symbol, text, WIDEST, WIDTH, X, type View } from './plate';
+import { at, axisOfW, line, momentOf, path, svg, symbol, text, WIDEST, WIDTH, X, type CurvePoint, type View } from './plate';
 import { HEIGHT } from './force';
 
 export const [TOP, BOTTOM] = [34, HEIGHT - 24];
-
-/** The ball's centre above the curve. */
-export const LIFT = 7;
 
 /** The height of a mark's pole. */
 export const POLE = 44;
@@ -18,10 +15,18 @@ export const Y = (energy: number): number => Math.max(TOP, BOTTOM - ((energy - L
 
 export function valley(view: View, packing: number): string {
   const moment = momentOf(view, packing);
-  const points = view.curve.filter(([, , psi]) => psi <= HIGHEST).map(([w, , psi]) => [X(w), Y(psi)] as const);
-  const ground = `<path class="ground" d="M${points.map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}L${at(X(WIDEST))} ${BOTTOM}L${at(points[0]?.[0] ?? X(0))} ${BOTTOM}z"/>`;
+  const points = shown(view).map(([w, , psi]) => [X(w), Y(psi)] as const);
+  const ground = `<path class="ground" d="M${at(X(0))} ${TOP}L${points.map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}L${at(X(WIDEST))} ${BOTTOM}L${at(X(0))} ${BOTTOM}z"/>`;
   const said = view.language === 'ja' ? 'ポテンシャル Ψ(w) の谷と、その中のバブルの位置' : 'The valley of the potential Ψ(w), and the place of the pair in it';
   return svg(HEIGHT, said, `${axisOfW(Y(0), TOP, BOTTOM, view.language)}${ground}${path(points, 'curve')}${name()}${zero(view)}${mark(view)}${moment ? ball(moment.w, moment.energy, moment.motion, view) : ''}`);
+}
+
+/** The part of the curve below the top, which it leaves between two points. */
+function shown({ curve }: View): CurvePoint[] {
+  const first = curve.findIndex(([, , psi]) => psi <= HIGHEST);
+  const [[w, , psi] = [0, 0, 0], [above, , higher] = [0, 0, 0]] = [curve[first], curve[first - 1]];
+  const share = (HIGHEST - psi) / (higher - psi);
+  return [[w + share * (above - w), 0, HIGHEST], ...curve.slice(first)];
 }
 
 function name(): string {
@@ -34,7 +39,7 @@ function ball(w: number, energy: number, motion: number, { language }: View): st
   const words = language === 'ja' ? 'エネルギー' : 'energy';
   const high = level > HIGHEST ? '' : `${line([X(0), Y(level)], [X(WIDEST), Y(level)], 'level')}${text(X(WIDEST), Y(level) - 6, `${words} ${number(level, 3)}`, 'level-name', 'end')}`;
   const up = energy > HIGHEST ? text(Math.min(X(w), WIDTH - 20) + 12, TOP + 16, `▲ ${number(energy, 3)}`, 'number', 'start') : '';
-  return `${high}${up}<circle class="here" cx="${at(Math.min(X(w), WIDTH - 6))}" cy="${at(Y(energy) - LIFT)}" r="7"/>`;
+  return `${high}${up}<circle class="here" cx="${at(Math.min(X(w), WIDTH - 6))}" cy="${at(Y(energy))}" r="7"/>`;
 }
 
 /** The reader's mark: a flag on the axis. */

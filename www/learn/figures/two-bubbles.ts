@@ -95,14 +95,15 @@ function told({ traces, step }: Seen, language: Language): string {
   if (!trace || !moment) return '';
   const isHeld = trace.value('held') === '1';
   const who = language === 'ja' ? (isHeld ? 'バブルが二つ、左は固定。' : 'バブルが二つ、どちらも自由。') : isHeld ? 'Two bubbles, the left one held.' : 'Two bubbles, both free.';
-  return joined(language, who, stands(moment, language), moves(moment, language), hint(trace, step, language));
+  return joined(language, who, stands(moment, language), isAtRest(trace, step) ? '' : moves(moment, language), hint(trace, step, language));
 }
 
+const isAtRest = ({ moments }: Trace, step: number): boolean => step > 0 && step >= (rest(moments) ?? Infinity);
+
 /** What to try next. */
-function hint({ moments }: Trace, step: number, language: Language): string {
-  const isAtRest = step >= (rest(moments) ?? Infinity);
+function hint(trace: Trace, step: number, language: Language): string {
   if (step === 0) return language === 'ja' ? '右のバブルを動かすか、「再生」で放してみよう。' : 'Move the right bubble, or press play to let go.';
-  if (isAtRest) return language === 'ja' ? '静止した。ほかの距離から始めてみよう。' : 'This is rest. Try another start.';
+  if (isAtRest(trace, step)) return language === 'ja' ? '静止している。ほかの距離から始めてみよう。' : 'They are at rest. Try another start.';
   return language === 'ja' ? '一歩進めるか戻して、力の向きを見よう。' : 'Step on or back and watch which way the force points.';
 }
 
@@ -151,7 +152,7 @@ const PHYSICS = [MASS, STIFFNESS, TIME_STEP, INTEGRATOR];
 
 export const TWO_BUBBLES: readonly Figure[] = [
   {
-    name: 'top', recipe: 'outline=square&size=256&kind=circle&cs=38&seed=3', packings: [{}], last: 4, opens: 0, steps: 'layer',
+    name: 'top', recipe: 'outline=square&size=256&kind=circle&cs=32&seed=3', packings: [{}], last: 4, opens: 0, steps: 'layer',
     plates: [{ draw: 'pavement', packing: 0 }],
     stops: LAYERS.map(({ key, en, ja }, k) => ({ key, name: { en, ja }, find: () => k })),
     ...NO_PHYSICS, asks: [made], told: toldLayer,
@@ -162,7 +163,7 @@ export const TWO_BUBBLES: readonly Figure[] = [
     stops: [START, TOUCH, TURN, REST], handles: [DISTANCE, HELD], more: [DAMPING, ...PHYSICS], asks: [], told,
   },
   {
-    name: 'let-go', recipe: pair(0.6, 'damp=0.6&move=rk4&dt=0.1'), packings: [{}], last: 200, opens: 160, steps: 'step',
+    name: 'let-go', recipe: pair(0.6, 'damp=0.6&move=rk4&dt=0.1'), packings: [{}], last: 200, opens: 200, steps: 'step',
     plates: [{ draw: 'track', packing: 0 }, { draw: 'valley', packing: 0 }],
     stops: [START, TOUCH, TURN, PARTED, REST, END], handles: [{ ...DISTANCE, plates: [0] }, DAMPING, MARK, HELD], more: PHYSICS,
     mark: 0.3, asks: [far, near], told,
