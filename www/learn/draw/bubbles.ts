@@ -12,6 +12,9 @@ export const BELOW = 194;
 /** The length of an arrow for a force of 1. */
 const FORCE = 64;
 
+/** Arrows begin beside the sign of the centre. */
+const CLEAR = 9;
+
 /** A force is drawn if its arrow is longer than a hair. */
 const LEAST = 0.01;
 
@@ -22,7 +25,8 @@ export function bubbles(view: View, packing: number): string {
   const [left, right] = [X(moment.left), X(moment.left + moment.w)];
   const kind = way(moment);
   const length = moment.force * FORCE;
-  const arrows = Math.abs(moment.force) < LEAST ? '' : `${arrow(left, MIDDLE, -length, kind)}${arrow(right, MIDDLE, length, kind)}`;
+  const clear = CLEAR * Math.sign(length);
+  const arrows = Math.abs(moment.force) < LEAST ? '' : `${arrow(left - clear, MIDDLE, -length, kind)}${arrow(right + clear, MIDDLE, length, kind)}`;
   return `${bubble(left, isHeld(trace))}${bubble(right, false)}${centre(left, isHeld(trace))}${centre(right, false)}${arrows}${forceName(view, packing)}${distance(left, right, moment.w)}${beyond(right, moment.w)}`;
 }
 

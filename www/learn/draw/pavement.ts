@@ -67,12 +67,13 @@ function circle(x: number, y: number, radius: number, kind: string): string {
   return `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius)}"/>`;
 }
 
-/** The cell nearest to the middle of the right quarter, and its nearest neighbour to the right of it. */
+/** The cell nearest to the middle of the right quarter, and its nearest neighbour there. */
 function pairOf(cells: readonly Cell[]): readonly Cell[] {
   const far = (cell: Cell, x: number, y: number): number => Math.hypot(cell.x - x, cell.y - y);
   const nearest = (all: readonly Cell[], x: number, y: number): Cell | undefined => [...all].sort((a, b) => far(a, x, y) - far(b, x, y))[0];
-  const first = nearest(cells, 0.82, 0.5);
-  const second = first && nearest(cells.filter((cell) => cell !== first), first.x, first.y);
+  const right = cells.filter(({ x }) => x > 0.75);
+  const first = nearest(right, 0.86, 0.5);
+  const second = first && nearest(right.filter((cell) => cell !== first), first.x, first.y);
   return first && second ? [first, second] : [];
 }
 

@@ -110,8 +110,9 @@ export class Reading implements Trace {
     return true;
   }
 
-  /** The hash of the state at a step; '' if that is not reached at once. */
+  /** The hash of the state at a step, or of a finished pavement; '' if that is not reached at once. */
   hashAt(step: number): string {
+    if (this.figure.steps === 'layer') return this.studio.stateHash();
     this.studio.hold(step);
     return this.studio.reach(50) ? this.studio.stateHash() : '';
   }

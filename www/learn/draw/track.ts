@@ -34,10 +34,10 @@ function scale({ language, last }: View, Y: (step: number) => number): string {
   return `${bands.join('')}${rest}${marks.join('')}${steps.join('')}${name}${text(X(WIDEST) + 2, BOTTOM + 16, symbol('w', 'w'), 'number', 'end')}`;
 }
 
-/** The stops that are passed, on the track, with their names where there is room. */
+/** The stops that are passed but for the last step, on the track, with their names where there is room. */
 function stops(view: View, packing: number, Y: (step: number) => number): string {
   let free = -Infinity;
-  const passed = view.stops.filter(({ step }) => step > 0 && step <= view.step);
+  const passed = view.stops.filter(({ step }) => step > 0 && step <= view.step && step < view.last);
   return passed
     .map(({ name, step }) => {
       const w = view.traces[packing]?.moments[step]?.w ?? 0;

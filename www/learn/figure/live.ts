@@ -61,9 +61,9 @@ export class Live implements Handled, Timed {
     return { recipe: this.readings[0]?.link ?? this.figure.recipe, step: this.step, mark: this.mark };
   }
 
-  /** The hash of the first packing at the present step. */
+  /** The hashes of all packings at the present step. */
   get hash(): string {
-    return this.isRead ? (this.readings[0]?.hashAt(this.step) ?? '') : '';
+    return this.isRead ? this.readings.map((reading) => reading.hashAt(this.step)).join(' ') : '';
   }
 
   /** A recipe that is not of two bubbles is left for the figure's own. */

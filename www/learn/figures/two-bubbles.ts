@@ -29,7 +29,7 @@ const far: Ask = {
     if (!first || !then || step < 10 || first.w <= REACH || Math.abs(then.w - first.w) > 0.01) return undefined;
     const [w, force] = [number(then.w, 3), number(then.force, 3)];
     return language === 'ja'
-      ? `動きませんでした。w = ${w} での力は ${force} で、10 ステップ後もそこにいます。1.5 より遠くでは引く力も押す力も 0 だからです。`
+      ? `そのまま止まっていました。w = ${w} での力は ${force} で、10 ステップ後もそこにいます。1.5 より遠くでは引く力も押す力も 0 だからです。`
       : `It stayed: at w = ${w} the force is ${force}, and ten steps later it is still there. From 1.5 on nothing pulls and nothing pushes.`;
   },
 };
@@ -94,7 +94,7 @@ function told({ traces, step }: Seen, language: Language): string {
   const moment = trace?.moments[step];
   if (!trace || !moment) return '';
   const isHeld = trace.value('held') === '1';
-  const who = language === 'ja' ? (isHeld ? 'バブルが二つ、左は固定。' : 'バブルが二つ、どちらも自由。') : isHeld ? 'Two bubbles, the left one held.' : 'Two bubbles, both free.';
+  const who = language === 'ja' ? (isHeld ? 'バブルが二つ。左は留めてあります。' : 'バブルが二つ。どちらも自由に動けます。') : isHeld ? 'Two bubbles, the left one held.' : 'Two bubbles, both free.';
   return joined(language, who, stands(moment, language), isAtRest(trace, step) ? '' : moves(moment, language), hint(trace, step, language));
 }
 
@@ -102,17 +102,17 @@ const isAtRest = ({ moments }: Trace, step: number): boolean => step > 0 && step
 
 /** What to try next. */
 function hint(trace: Trace, step: number, language: Language): string {
-  if (step === 0) return language === 'ja' ? '右のバブルを動かすか、「再生」で放してみよう。' : 'Move the right bubble, or press play to let go.';
-  if (isAtRest(trace, step)) return language === 'ja' ? '静止している。ほかの距離から始めてみよう。' : 'They are at rest. Try another start.';
-  return language === 'ja' ? '一歩進めるか戻して、力の向きを見よう。' : 'Step on or back and watch which way the force points.';
+  if (step === 0) return language === 'ja' ? '右のバブルを動かすか、「再生」で放してください。' : 'Move the right bubble, or press play to let go.';
+  if (isAtRest(trace, step)) return language === 'ja' ? '静止しています。ほかの距離からも試してください。' : 'They are at rest. Try another start.';
+  return language === 'ja' ? '一歩ずつ進めたり戻したりして、力の向きを見てください。' : 'Step on or back and watch which way the force points.';
 }
 
 function toldTwice({ traces, step }: Seen, language: Language): string {
   const names = language === 'ja' ? ['陽的オイラー法', 'ルンゲ・クッタ法'] : ['Explicit Euler', 'Runge–Kutta'];
   const parts = traces.map(({ moments }, k) => `${names[k] ?? ''}: w = ${number(moments[step]?.w ?? 0, 3)}`);
   const dt = traces[0]?.value('dt') ?? '';
-  const same = language === 'ja' ? `力も減衰も同じ、時間刻みも同じ ${dt}。` : `The same force, the same damping, the same time step of ${dt}.`;
-  const tryIt = language === 'ja' ? '刻みを 0.2、0.55、1.0 にしてみよう。' : 'Try steps of 0.2, 0.55 and 1.0.';
+  const same = language === 'ja' ? `力も減衰も同じ、時間刻みも同じ ${dt} です。` : `The same force, the same damping, the same time step of ${dt}.`;
+  const tryIt = language === 'ja' ? '刻みを 0.2、0.55、1.0 に変えてみてください。' : 'Try steps of 0.2, 0.55 and 1.0.';
   return joined(language, same, language === 'ja' ? `${parts.join('、')}。` : `${parts.join('; ')}.`, tryIt);
 }
 
@@ -134,11 +134,11 @@ function toldLayer({ traces, step }: Seen, language: Language): string {
     'Two neighbours, alone. All that follows is about these two.',
   ];
   const ja = [
-    `${n} 個の石の舗装を、左から右へほどいていく：石、セル、バブル、そのうちの二つ。一歩ずつ進めてみよう。`,
-    `${n} 個の石。同じ形は一つもなく、目地はぴったり合う。`,
-    `${n} 個のセル。石は一つずつセルを埋める。`,
-    `${n} 個のバブル。セルごとに一つあり、ほぼ接し、少し重なる。`,
-    '隣り合う二つだけを残した。この章はこの二つの話である。',
+    `${n} 個の石からなる石畳を、左から右へ、石、セル、バブル、そのうちの二つへとほどきました。一歩ずつ進めてください。`,
+    `石は ${n} 個。同じ形は一つもなく、目地はぴったり合っています。`,
+    `セルは ${n} 個。石は一つずつセルに収まっています。`,
+    `バブルは ${n} 個。セルごとに一つあり、ほぼ接して、少し重なります。`,
+    '隣り合う二つだけが残りました。これからは、この二つの話です。',
   ];
   return (language === 'ja' ? ja : en)[step] ?? '';
 }

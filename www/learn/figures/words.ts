@@ -23,7 +23,7 @@ export const MARK: NumberHandle = {
 
 export const HELD: ChoiceHandle = {
   kind: 'choice', key: 'held', name: { en: 'Left bubble', ja: '左のバブル' },
-  choices: [{ word: '1', name: { en: 'held', ja: '固定' } }, { word: '0', name: { en: 'free', ja: '自由' } }],
+  choices: [{ word: '1', name: { en: 'held', ja: '留める' } }, { word: '0', name: { en: 'free', ja: '自由' } }],
 };
 
 export const DAMPING: NumberHandle = {
@@ -37,7 +37,7 @@ export const MASS: NumberHandle = {
 };
 
 export const STIFFNESS: NumberHandle = {
-  kind: 'number', key: 'stiff', symbol: 'k₀', name: { en: 'Stiffness', ja: '剛性' }, unit: NONE,
+  kind: 'number', key: 'stiff', symbol: 'k₀', name: { en: 'Stiffness', ja: 'ばね定数' }, unit: NONE,
   from: 0.1, to: 10, stride: 0.1, fine: 0.1, coarse: 1, digits: 1,
 };
 
@@ -64,8 +64,8 @@ export function way({ force }: Moment): 'push' | 'pull' | 'none' {
 export function stands(moment: Moment, language: Language): string {
   const [w, force, kind] = [number(moment.w, 3), number(Math.abs(moment.force), 3), way(moment)];
   if (language === 'ja') {
-    const now = kind === 'push' ? `${force} の力で押し合う` : kind === 'pull' ? `${force} の力で引き合う` : moment.w >= REACH ? '遠すぎて力は働かない' : '力は 0';
-    return `距離 w = ${w}。${now}。`;
+    const now = kind === 'push' ? `${force} の力で押し合っています` : kind === 'pull' ? `${force} の力で引き合っています` : moment.w >= REACH ? '遠すぎて力は働きません' : '力は 0 です';
+    return `距離は w = ${w}。${now}。`;
   }
   const now = kind === 'push' ? `they push each other with ${force}` : kind === 'pull' ? `they pull each other with ${force}` : moment.w >= REACH ? 'they are too far apart: no force' : 'no force';
   return `Distance w = ${w}: ${now}.`;
@@ -74,7 +74,7 @@ export function stands(moment: Moment, language: Language): string {
 /** How the distance changes, as a sentence. */
 export function moves({ speed }: Moment, language: Language): string {
   const text = number(Math.abs(speed), 3);
-  if (Math.abs(speed) < 5e-4) return language === 'ja' ? '止まっている。' : 'They are still.';
-  if (language === 'ja') return `速さ ${text} で${speed > 0 ? '離れていく' : '近づいていく'}。`;
+  if (Math.abs(speed) < 5e-4) return language === 'ja' ? '止まっています。' : 'They are still.';
+  if (language === 'ja') return `速さ ${text} で${speed > 0 ? '離れていきます' : '近づいていきます'}。`;
   return speed > 0 ? `They move apart at ${text}.` : `They come nearer at ${text}.`;
 }
