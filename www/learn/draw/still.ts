@@ -8,9 +8,9 @@ import { zeroOf, type Bubbles } from './studio';
 import { toolsOf } from './tools';
 
 /** The inside of `.figure-stage`. The module must be initialised; its numbers are those that the page will show. */
-export function stillOf(module: Bubbles, which: Figure | string, language: Language): string {
-  const figure = typeof which === 'string' ? figureOf(which) : which;
-  if (!figure) throw new Error(`There is no figure ${String(which)}.`);
+export function stillOf(module: Bubbles, name: string, language: Language): string {
+  const figure = figureOf(name);
+  if (!figure) throw new Error(`There is no figure ${name}.`);
   const readings = figure.packings.map((own) => new Reading(module, figure, figure.recipe, own));
   for (const reading of readings) while (!reading.advance(1000));
   const step = figure.opens;

@@ -9,7 +9,7 @@ import { Link } from '../../state/link';
 import { opening, stateIn, stateWords, type State } from './address';
 import { Live } from './live';
 import { Turns } from './turns';
-import '../figure.css';
+import './figure.css';
 
 /** How far from the window a figure begins to work, and how far away it is freed, in screens. */
 const NEAR = '50%';
@@ -53,8 +53,9 @@ class Place {
 
   private async begin(): Promise<void> {
     const figure = figureOf(this.name);
-    if (this.live || !figure) return;
+    if (!figure) return;
     const module = await this.page.module();
+    // Another call may have begun meanwhile, and the reader may have gone on.
     if (this.live || !this.isNear || !module) return;
     const state = this.state ?? opening(figure);
     const first = { now: true };
