@@ -88,8 +88,8 @@ export const twoBubbles = {
         { value: 'c', text: { en: 'It comes back', ja: '戻ってくる' } },
       ],
       caption: {
-        en: 'A pair that was let go at $w = 0.6$. Its track runs down with time: it swings, and comes to rest where the circles touch.',
-        ja: '$w = 0.6$から放した対。線は上から下へ、距離の時間変化を表します。揺れながら、円が触れ合うところで静止します。',
+        en: 'A pair that was let go at $w = 0.6$. Its track runs down with time: it swings, and comes to [[rest]] where the circles touch.',
+        ja: '$w = 0.6$から放した対。線は上から下へ、距離の時間変化を表します。揺れながら、円が触れ合うところで[[rest|静止]]します。',
       },
     },
     {
@@ -138,8 +138,8 @@ export const twoBubbles = {
           ja: '底は$w = 1$にあり、深さはわずか0.048 $k0$の谷で、1.5から先は平地です。壁の高さは$w = 0.718$で平地と同じになります。減衰がなければエネルギーは失われません。平地より高いところから出発すると、谷を出て戻りません。',
         },
         {
-          en: 'Force moves the bubble by the [[equation-of-motion|equation of motion]], with a [[mass]] $m$ and the damping $c$, which takes energy away until all is at [[rest]]:',
-          ja: 'バブルは[[equation-of-motion|運動方程式]]に従って動きます。$m$は[[mass|質量]]、$c$は減衰で、エネルギーを奪って、やがてバブルを[[rest|静止]]させます。',
+          en: 'Force moves the bubble by the [[equation-of-motion|equation of motion]], with a [[mass]] $m$ and the damping $c$, which takes energy away until all is at rest:',
+          ja: 'バブルは[[equation-of-motion|運動方程式]]に従って動きます。$m$は[[mass|質量]]、$c$は減衰で、エネルギーを奪って、やがてバブルを静止させます。',
         },
         {
           equation: '5',
