@@ -30,9 +30,9 @@ export function glossaryPage(site, language, terms) {
   const rows = terms.map(({ key, symbol, chapter, name, text }) => {
     const at = contents.findIndex((one) => one.name === chapter);
     const sign = symbol ? `<math aria-label="${t.symbol}: ${symbol}">${row(symbol)}</math>` : '';
-    return `<div class="entry" id="${key}"><div class="picture">${site.draw.term(key)}</div>
-<div><dt><span>${name[language]}</span> <span class="other" lang="${other}">${name[other]}</span> ${sign}</dt>
-<dd>${escaped(text[language])} <a class="back" href="../${chapter}/">${t.chapter(at + 1)}</a></dd></div></div>`;
+    return `<div class="entry" id="${key}"><dt><span>${name[language]}</span> <span class="other" lang="${other}">${name[other]}</span> ${sign}</dt>
+<dd class="picture">${site.draw.term(key)}</dd>
+<dd>${escaped(text[language])} <a class="back" href="../${chapter}/">${t.chapter(at + 1)}</a></dd></div>`;
   });
   const body = `<article><header><h1>${t.glossary}</h1><p class="idea">${t.glossaryLead}</p></header><dl class="glossary">${rows.join('')}</dl></article>`;
   return pageFile(site, language, { place: 'glossary', title: t.glossary, description: t.glossaryLead, body });
