@@ -63,6 +63,8 @@ export class Handles {
     if (!box) return;
     const element = document.createElement('div');
     element.className = `grip grip-${handle.key}`;
+    // It is there once it has a value.
+    element.hidden = true;
     element.tabIndex = 0;
     element.role = 'slider';
     element.ariaLabel = nameOf(handle, this.of.language);
@@ -105,6 +107,7 @@ export class Handles {
   private put({ element, handle, plate }: Grip): void {
     const [x, y] = this.of.gripAt(plate, handle.key);
     const value = Number(this.of.value(handle.key));
+    element.hidden = false;
     element.style.left = `${100 * x}%`;
     element.style.top = `${100 * y}%`;
     element.ariaValueMin = String(handle.from);
