@@ -43,7 +43,7 @@ function timeline(figure: Figure, language: Language): string {
   const range = `<div class="time-line"><div class="time-marks" aria-hidden="true"></div><input type="range" class="time" min="0" max="${figure.last}" step="1" value="${figure.opens}" aria-label="${w('time')}"></div>`;
   const speed = `<select class="speed" aria-label="${w('speed')}">${SPEEDS.map(([value, words]) => `<option value="${value}"${value === '1' ? ' selected' : ''}>${words}</option>`).join('')}</select>`;
   const stops = figure.stops.map(({ key: stop, name }) => `<button type="button" data-stop="${stop}">${name[language]}</button>`).join('');
-  return `<div class="figure-time" role="group" aria-label="${w('time')}">${key('again', language)}${key('back', language)}${play}${key('on', language)}${range}<output class="time-said">${stepWords(figure, figure.opens, language)}</output>${speed}</div><div class="figure-stops" role="group" aria-label="${w('stops')}">${stops}</div>`;
+  return `<div class="figure-time" role="group" aria-label="${w('time')}">${key('again', language)}${key('back', language)}${play}${key('on', language)}${speed}${range}<output class="time-said">${stepWords(figure, figure.opens, language)}</output></div><div class="figure-stops" role="group" aria-label="${w('stops')}">${stops}</div>`;
 }
 
 function handles(figure: Figure, language: Language, value: (key: string) => string): string {

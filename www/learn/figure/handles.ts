@@ -19,6 +19,8 @@ export interface Handled {
 
 interface Grip {
   readonly element: HTMLElement;
+  /** As large as its plate, and moved as a whole, so that the layout stays. */
+  readonly carrier: HTMLElement;
   readonly handle: NumberHandle;
   readonly plate: number;
 }
@@ -68,8 +70,11 @@ export class Handles {
     element.tabIndex = 0;
     element.role = 'slider';
     element.ariaLabel = nameOf(handle, this.of.language);
-    box.append(element);
-    this.grips.push({ element, handle, plate });
+    const carrier = document.createElement('div');
+    carrier.className = 'grip-carrier';
+    carrier.append(element);
+    box.append(carrier);
+    this.grips.push({ element, carrier, handle, plate });
     const at = ({ clientX }: MouseEvent): number => {
       const { left, width } = box.getBoundingClientRect();
       return toW(((clientX - left) / width) * WIDTH);
@@ -79,7 +84,7 @@ export class Handles {
     element.addEventListener('pointerup', (event) => element.hasPointerCapture(event.pointerId) && set(at(event), true), { signal });
     element.addEventListener('keydown', (event) => this.onKey(handle, event, false), { signal });
     box.addEventListener('click', (event) => event.target !== element && set(at(event), true), { signal });
-    signal.addEventListener('abort', () => element.remove());
+    signal.addEventListener('abort', () => carrier.remove());
   }
 
   /** Shows the values as they stand. */
@@ -104,12 +109,11 @@ export class Handles {
     }
   }
 
-  private put({ element, handle, plate }: Grip): void {
+  private put({ element, carrier, handle, plate }: Grip): void {
     const [x, y] = this.of.gripAt(plate, handle.key);
     const value = Number(this.of.value(handle.key));
     element.hidden = false;
-    element.style.left = `${100 * x}%`;
-    element.style.top = `${100 * y}%`;
+    carrier.style.transform = `translate(${100 * x}%, ${100 * y}%)`;
     element.ariaValueMin = String(handle.from);
     element.ariaValueMax = String(handle.to);
     element.ariaValueNow = value.toFixed(handle.digits);
