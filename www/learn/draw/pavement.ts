@@ -25,7 +25,7 @@ export function pavement(view: View, packing: number): string {
   const pair = pairOf(cells);
   const whole = FORMS[view.step - 1];
   const form = (cell: Cell): Form => whole ?? FORMS[Math.min(3, Math.floor(cell.x * 4))] ?? 'two';
-  const drawn = cells.filter((cell) => whole !== 'two' || !pair.includes(cell)).map((cell) => one(cell, form(cell), pair)).join('');
+  const drawn = cells.map((cell) => one(cell, form(cell), pair)).join('');
   const two = whole === 'two' ? large(view, pair) : '';
   const said = view.language === 'ja' ? '舗装の石と、もとになったバブル' : 'The stones of a pavement and the bubbles they are made of';
   return svg(WIDTH, said, drawn + two);
@@ -85,7 +85,9 @@ function large({ curve, language }: View, [one, other]: readonly Cell[]): string
   const middle = WIDTH / 2;
   const [left, right] = [middle - LARGE * w, middle + LARGE * w];
   const kind = force > 0 ? 'push' : 'pull';
-  const rings = [left, right].map((x) => circle(x, middle, LARGE, 'bubble large') + circle(x, middle, 4, 'centre')).join('');
-  const words = `${symbol('w', 'w')} = ${number(w, 2)}: ${pick(force > 0 ? PUSH : PULL, language)}`;
-  return `${rings}${arrow(left, middle, -ARROW * Math.sign(force), kind)}${arrow(right, middle, ARROW * Math.sign(force), kind)}${text(middle, middle - LARGE - 14, words, `force-name ${kind}`)}`;
+  const rings = [left, right].map((x) => circle(x, middle, LARGE, 'bubble') + circle(x, middle, 4, 'centre')).join('');
+  const backs = [left, right].map((x) => circle(x, middle, LARGE + 10, 'back')).join('');
+  const words = `${symbol('w', 'w')} = ${number(w, 3)}: ${pick(force > 0 ? PUSH : PULL, language)}`;
+  const back = `<rect class="back" x="${at(middle - 70)}" y="${at(middle - LARGE - 40)}" width="140" height="26" rx="6"/>`;
+  return `${backs}${back}${rings}${arrow(left, middle, -ARROW * Math.sign(force), kind)}${arrow(right, middle, ARROW * Math.sign(force), kind)}${text(middle, middle - LARGE - 22, words, `force-name ${kind}`)}`;
 }

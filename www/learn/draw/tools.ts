@@ -24,7 +24,7 @@ export function icon(name: keyof typeof ICONS): string {
 
 export function stepWords(figure: Figure, step: number, language: Language): string {
   if (figure.steps === 'layer') return language === 'ja' ? `${step + 1} / ${figure.last + 1} 枚目` : `${step + 1} of ${figure.last + 1}`;
-  return language === 'ja' ? `${figure.last} ステップ中 ${step}` : `step ${step} of ${figure.last}`;
+  return language === 'ja' ? `${step} / ${figure.last} ステップ` : `step ${step} of ${figure.last}`;
 }
 
 /** `value` has the value of a handle by its key. */
