@@ -90,7 +90,7 @@ ${site.styles.map((style) => `<link rel="stylesheet" href="${to(style)}">`).join
 <a class="home" href="${to('')}" aria-label="${t.home}">${mark}<span>Bubblestone</span></a>
 <nav class="places" aria-label="${t.learn}">${places.join('')}</nav>
 <div class="tools">
-<button type="button" class="quiet" id="class" aria-pressed="false" title="${t.toClassTitle}" hidden>${t.toClass}</button>
+${kind === 'of-chapter' ? `<button type="button" class="quiet" id="class" aria-pressed="false" title="${t.toClassTitle}" hidden>${t.toClass}</button>` : ''}
 <button type="button" class="quiet" id="print" hidden>${t.print}</button>
 <a class="quiet" id="language" lang="${other}" hreflang="${other}" href="${to(folderOf(other, place))}">${t.language}</a>
 <button type="button" class="quiet sign" id="theme" aria-pressed="false" aria-label="${t.theme}" hidden>${moon}</button>
