@@ -158,10 +158,11 @@ test('on paper a chapter has every figure and every answer, and no handles', sam
     const seen = await page.evaluate(() => ({
       figures: [...document.querySelectorAll('figure')].filter((figure) => figure.querySelector('svg.plate').checkVisibility()).length,
       replies: [...document.querySelectorAll('[data-reply]')].filter((reply) => reply.checkVisibility() && reply.getBoundingClientRect().height > 0).length,
-      tools: [...document.querySelectorAll('.head, .figure-tools, .ask input')].filter((tool) => tool.checkVisibility()).length,
+      arrows: [...document.querySelectorAll('#fig-pair .arrow path')].every((part) => part.checkVisibility()),
+      tools: [...document.querySelectorAll('body > .head, .figure-tools, .ask input')].filter((tool) => tool.checkVisibility()).length,
       ground: getComputedStyle(document.body).backgroundColor,
     }));
-    assert.deepEqual(seen, { figures: 5, replies: 3, tools: 0, ground: 'rgb(255, 255, 255)' });
+    assert.deepEqual(seen, { figures: 5, replies: 3, arrows: true, tools: 0, ground: 'rgb(255, 255, 255)' });
     await close();
   }
 });

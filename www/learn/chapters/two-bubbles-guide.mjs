@@ -104,7 +104,7 @@ export const twoBubblesGuide = {
     { link: state('let-go', 1.6, 'damp=0.6&move=rk4&dt=0.1&step=0'), what: { en: 'Pulled to 1.6, before it is let go', ja: '1.6まで引き、放す前' } },
     { link: state('let-go', 0.9, 'damp=0&move=rk4&dt=0.1&step=0'), what: { en: 'Without damping, from 0.9', ja: '減衰なし、0.9から' } },
     { link: state('let-go', 0.6, 'damp=0&move=rk4&dt=0.1&step=0'), what: { en: 'Without damping, from 0.6: it parts', ja: '減衰なし、0.6から（離れる）' } },
-    { link: state('not-so', 0.9, 'damp=0.5&move=euler&dt=0.2&step=60'), what: { en: 'Euler, step 0.2: rest', ja: 'オイラー法、刻み0.2：静止' } },
+    { link: state('not-so', 0.9, 'damp=0.5&move=euler&dt=0.2&step=100'), what: { en: 'Euler, step 0.2: rest', ja: 'オイラー法、刻み0.2：静止' } },
     { link: state('not-so', 0.9, 'damp=0.5&move=euler&dt=0.55&step=60'), what: { en: 'Euler, step 0.55: it rings', ja: 'オイラー法、刻み0.55：揺れつづける' } },
     { link: state('not-so', 0.9, 'damp=0.5&move=euler&dt=1&step=60'), what: { en: 'Euler, step 1.0: it flies apart', ja: 'オイラー法、刻み1.0：飛び離れる' } },
   ],
