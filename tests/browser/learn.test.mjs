@@ -6,7 +6,7 @@ import { after, before, test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { phone } from './page.mjs';
+import { frames, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -91,8 +91,10 @@ async function seek(page, figure, step) {
 
 /** The middle of an element in the window, scrolled into sight. @param {Page} page @param {string} selector */
 async function middle(page, selector) {
+  await page.$eval(selector, (element) => element.scrollIntoView({ block: 'center', behavior: 'instant' }));
+  // A finger finds what the last frame has drawn.
+  await frames(page, 3);
   return page.$eval(selector, (element) => {
-    element.scrollIntoView({ block: 'center', behavior: 'instant' });
     const { x, y, width, height } = element.getBoundingClientRect();
     return { x: x + width / 2, y: y + height / 2 };
   });
