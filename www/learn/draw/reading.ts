@@ -110,11 +110,12 @@ export class Reading implements Trace {
     return true;
   }
 
-  /** The hash of the state at a step, or of a finished pavement; '' if that is not reached at once. */
+  /** The hash of the state at a step, or of a finished pavement. A kept state is at most ten steps away, and steps of a pair are short. */
   hashAt(step: number): string {
     if (this.figure.steps === 'layer') return this.studio.stateHash();
     this.studio.hold(step);
-    return this.studio.reach(50) ? this.studio.stateHash() : '';
+    while (!this.studio.reach(50));
+    return this.studio.stateHash();
   }
 
   free(): void {

@@ -209,7 +209,7 @@ export class Live implements Handled, Timed {
   /** Keeps how a start without damping ended, and looks whether a question is answered. */
   private look(): void {
     const [reading] = this.readings;
-    const trial = reading && Number(reading.value('damp')) === 0 ? trialOf(reading.moments, this.step) : undefined;
+    const trial = reading && trialOf(reading, this.step);
     if (trial && !this.trials.some(({ w }) => w === trial.w)) this.trials = [...this.trials, trial];
     this.asked.look(this.seen());
   }

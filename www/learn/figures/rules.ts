@@ -1,5 +1,5 @@
 /** What happens to two bubbles, found in the engine's numbers. */
-import type { Moment, Trial } from './figure';
+import type { Moment, Trace, Trial } from './figure';
 
 /** How near to the stable distance, and how slow, a pair at rest is. */
 const NEAR = 0.01;
@@ -34,8 +34,12 @@ export function parting(moments: readonly Moment[]): number | undefined {
   return stepOf(moments, ({ w, speed }) => w > REACH && speed > 0, true);
 }
 
-/** How a start ended as far as this step: parted for good, or come back. */
-export function trialOf(moments: readonly Moment[], step: number): Trial | undefined {
+/** The longest time step with which Runge-Kutta keeps the energy of a start near the border to a thousandth of the valley's depth. */
+const EXACT = 0.2;
+
+/** How a start without damping ended as far as this step: parted for good, or come back. Runs that lose or gain energy do not count. */
+export function trialOf({ moments, value }: Trace, step: number): Trial | undefined {
+  if (Number(value('damp')) > 0 || value('move') !== 'rk4' || Number(value('dt')) > EXACT) return undefined;
   const [first] = moments;
   const [away, back] = [parting(moments), turn(moments)];
   if (!first || first.w >= 1) return undefined;
