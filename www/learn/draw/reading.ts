@@ -18,6 +18,7 @@ export class Reading implements Trace {
   private readonly figure: Figure;
   private readonly own: Readonly<Record<string, string>>;
   private made: Moment[] = [];
+  private readonly found: Cell[] = [];
 
   /** `own` are the values of this packing alone, set after those of the recipe. */
   constructor(module: Bubbles, figure: Figure, recipe: string, own: Readonly<Record<string, string>>) {
@@ -101,13 +102,19 @@ export class Reading implements Trace {
       if (performance.now() > end) return false;
       this.studio.tick(4, 1000);
     }
-    const [numbers, side] = [this.studio.packedCells(), this.studio.side()];
-    this.cells = Array.from({ length: numbers.length / ROW }, (_, k) => {
-      const [id = 0, x = 0, y = 0, size = 0] = numbers.slice(k * ROW, k * ROW + 4);
-      const outline = Array.from(this.studio.probe(x, y)?.outline ?? [], (value) => value / side);
-      return { id, x: x / side, y: y / side, radius: size / 2 / side, outline };
-    });
+    const numbers = this.studio.packedCells();
+    while (this.found.length < numbers.length / ROW) {
+      if (performance.now() > end) return false;
+      this.found.push(this.cell(numbers.subarray(this.found.length * ROW)));
+    }
+    this.cells = this.found;
     return true;
+  }
+
+  private cell([id = 0, x = 0, y = 0, size = 0]: Float64Array): Cell {
+    const side = this.studio.side();
+    const outline = Array.from(this.studio.probe(x, y)?.outline ?? [], (value) => value / side);
+    return { id, x: x / side, y: y / side, radius: size / 2 / side, outline };
   }
 
   /** The hash of the state at a step, or of a finished pavement. A kept state is at most ten steps away, and steps of a pair are short. */
