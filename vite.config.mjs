@@ -4,6 +4,7 @@ import { basename } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, minify } from 'vite';
 import { buildIcons } from './scripts/lib/icons.mjs';
+import { learnFiles, learnSources } from './scripts/lib/learn.mjs';
 import { licences, packages } from './scripts/lib/licences.mjs';
 import { offline } from './scripts/lib/offline.mjs';
 import { buildThumbs, generatorsOf, thumbsOfMore } from './scripts/lib/thumbs.mjs';
@@ -139,6 +140,20 @@ const thumbs = {
   },
 };
 
+/** The pages of the chapters, with scripts and styles of their own. */
+const learn = {
+  name: 'learn',
+  /** @this {import('rolldown').PluginContext} */
+  buildStart() {
+    for (const file of learnSources()) this.addWatchFile(file);
+  },
+  /** @this {import('rolldown').PluginContext} @param {unknown} _ @param {import('rolldown').OutputBundle} bundle */
+  async generateBundle(_, bundle) {
+    const module = addressOf(bundle, `${basename(here('pkg'))}/bubblestone_bg.wasm`).replace('./', '');
+    for (const file of await learnFiles({ module, modules: here('pkg'), plugins: [given] })) this.emitFile({ type: 'asset', ...file });
+  },
+};
+
 // Generated files of the site have to exist before Vite looks for files.
 await buildThumbs();
 await buildIcons();
@@ -154,7 +169,7 @@ export default defineConfig({
   root: here('www'),
   // Relative, so that the site works from any folder of any host.
   base: './',
-  plugins: [words, notices, whole, given, made, begin, thumbs, packages, licences, offline],
+  plugins: [words, notices, whole, given, made, begin, thumbs, learn, packages, licences, offline],
   json: { namedExports: true },
   build: {
     outDir: here('dist'),

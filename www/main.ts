@@ -56,7 +56,7 @@ async function begin(): Promise<void> {
 /** Stores the site for the next visit, after the first picture is done. */
 async function storeSite(): Promise<void> {
   // If this fails because the connection or the page is gone, the next visit stores the site.
-  const offline = await import('./shell/offline').catch(() => undefined);
+  const offline = await import('./base/offline').catch(() => undefined);
   offline?.register((what) => {
     if (what === 'newer') notice('offline', t('offline_newer'));
     // The text in the page's foot is enough; no message is needed.

@@ -22,9 +22,11 @@ export function firstOf(site) {
   return filesOf(site).filter((path) => path === 'index.html' || named.includes(path));
 }
 
+/** The path by which a browser asks for a file: a page's is that of its folder. @param {string} path */
+export const asked = (path) => path.replace(/(^|\/)index\.html$/, '$1');
+
 /** The value of SITE in www/service/sw.ts. @param {string} site */
 export function listOf(site) {
-  const asked = (/** @type {string} */ path) => (path === 'index.html' ? '' : path);
   const files = Object.fromEntries(filesOf(site).map((path) => [asked(path), digest([join(site, path)]).slice(0, 32)]));
   const version = createHash('sha256').update(JSON.stringify(files)).digest('hex').slice(0, 16);
   return { version, files, first: firstOf(site).map(asked) };

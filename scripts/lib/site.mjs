@@ -14,6 +14,9 @@ export const site = join(root, 'dist');
  */
 const visitBudget = 600_000;
 
+/** The most that the scripts and styles of all chapters may have together, and a chapter in one language with its pictures. */
+const learnBudgets = { shared: 45_000, chapter: 60_000 };
+
 /** About how many small pictures of presets are visible at once, on a screen of 1080 lines. */
 const thumbsInSight = 8;
 
@@ -74,6 +77,17 @@ function weigh() {
   const visit = sum([...first, ...language].map((path) => weightOf(path))) + sum(weights.slice(0, thumbsInSight));
   console.log(`${kilobytes(visit)}  a first visit in Japanese (* and ${thumbsInSight} small pictures), of at most ${visitBudget / 1000} kB`);
   if (visit > visitBudget) throw new Stop(`A first visit transfers ${visit} bytes gzipped: at most ${visitBudget} are allowed.`);
+  weighLearn(files);
+}
+
+/** Stops if the chapters' pages are over their budgets. @param {string[]} files of the site */
+function weighLearn(files) {
+  const shared = sum(files.filter((path) => path.startsWith('assets/learn-')).map((path) => weightOf(path)));
+  const pages = files.filter((path) => path.startsWith('learn/')).map((path) => ({ path, weight: weightOf(path) }));
+  console.log(`${kilobytes(shared)}  what chapters share, of at most ${learnBudgets.shared / 1000} kB`);
+  if (shared > learnBudgets.shared) throw new Stop(`Chapters share ${shared} bytes gzipped: at most ${learnBudgets.shared} are allowed.`);
+  const large = pages.find(({ weight }) => weight > learnBudgets.chapter);
+  if (large) throw new Stop(`${large.path} has ${large.weight} bytes gzipped: at most ${learnBudgets.chapter} are allowed.`);
 }
 
 /** The bytes of a file as it is sent: gzipped, unless that makes it larger. @param {string} path of a file @returns {number} */

@@ -8,8 +8,8 @@ import { again } from '../words/words';
 /** The page's own words by language and key. */
 type PageWords = Record<'en' | 'ja', Record<string, string>>;
 
-/** The attributes that hold words. */
-const ATTRIBUTES = ['title', 'aria-label', 'aria-valuetext', 'placeholder', 'label', 'alt'];
+/** The attributes that hold words, or the address of a page in a language. */
+const ATTRIBUTES = ['href', 'title', 'aria-label', 'aria-valuetext', 'placeholder', 'label', 'alt'];
 
 /** This joins texts that were given one by one. */
 const JOINTS = /( [·–+/] |, |: |、|[.?] |[。？])/;

@@ -1,11 +1,14 @@
 /** The rail of presets: the program's own and the papers' figures, each with a small picture. */
 import type { Preset } from '../module/types';
-import { groupIn } from '../words/words';
+import { groupIn, t } from '../words/words';
 import { byId, make } from '../base/dom';
 import { FIRST } from '../state/first';
 
 /** The side of the small pictures (thumbs/NAME.avif, made by the build), in CSS pixels. */
 const THUMB = '72';
+
+/** The presets that a chapter explains (www/learn). */
+const EXPLAINED = ['bubbles', 'packed'];
 
 interface Group {
   readonly heading: HTMLButtonElement;
@@ -43,7 +46,8 @@ export class Presets {
       const own = presets.filter(({ group }) => group === title);
       for (const preset of own) {
         const isAlone = own.filter(({ figure }) => figure === preset.figure).length === 1;
-        list.append(make('li', {}, this.button(preset, isAlone ? preset.figure : '')));
+        const chapter = EXPLAINED.includes(preset.name) ? [make('a', { href: t('chapter_page') }, t('chapter'))] : [];
+        list.append(make('li', {}, this.button(preset, isAlone ? preset.figure : ''), ...chapter));
       }
       const heading = make('button', { type: 'button', 'aria-controls': id }, groupIn(title));
       const group = { heading, list };

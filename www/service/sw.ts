@@ -8,7 +8,7 @@
 /** The build replaces this. */
 declare const SITE: {
   version: string;
-  /** The first half of each file's SHA-256, in hexadecimal, by path; '' is the page. */
+  /** The first half of each file's SHA-256, in hexadecimal, by path; a page has that of its folder, and '' is the studio. */
   files: Record<string, string>;
   /** The files that the page needs at its start. */
   first: string[];
@@ -57,7 +57,7 @@ async function takeOver(): Promise<void> {
 /** The path of a request that may be stored. */
 function pathOf({ method, url }: Request): string | undefined {
   if (method !== 'GET' || !url.startsWith(scope)) return undefined;
-  const path = new URL(url).pathname.slice(new URL(scope).pathname.length).replace(/^index\.html$/, '');
+  const path = new URL(url).pathname.slice(new URL(scope).pathname.length).replace(/(^|\/)index\.html$/, '$1');
   return path in SITE.files || path.startsWith('assets/') ? path : undefined;
 }
 

@@ -1,5 +1,5 @@
-/** Registers the service worker that stores the site, so that the page works offline. */
-import { idle } from '../base/dom';
+/** Registers the service worker that stores the site, so that all its pages work offline. */
+import { idle } from './dom';
 
 /** `stored`: the whole site is available offline. `newer`: the next visit gets a newer build than this page. */
 type Offline = 'stored' | 'newer';
@@ -17,7 +17,7 @@ export function register(tell: (what: Offline) => void): void {
 }
 
 async function begin(): Promise<void> {
-  const registration = await navigator.serviceWorker.register(new URL('sw.js', document.baseURI), { updateViaCache: 'none' });
+  const registration = await navigator.serviceWorker.register(new URL('../sw.js', ownScript()), { updateViaCache: 'none' });
   await registration.update().catch(() => undefined);
   const worker = registration.installing ?? registration.waiting ?? registration.active;
   if (!worker) return;
@@ -25,12 +25,12 @@ async function begin(): Promise<void> {
   const connection = (navigator as { connection?: { saveData?: boolean } }).connection;
   if (connection?.saveData) return;
   await idle(1000);
-  worker.postMessage(new URL(ownScript(), document.baseURI).href.slice(registration.scope.length));
+  worker.postMessage(ownScript().slice(registration.scope.length));
 }
 
-/** The path of the page's script, whose name contains the build's hash. */
+/** The address of the page's script, whose name contains the build's hash. It is in a folder beside the service worker. */
 function ownScript(): string {
-  return document.querySelector('script[type=module]')?.getAttribute('src') ?? '';
+  return document.querySelector<HTMLScriptElement>('script[type=module]')?.src ?? '';
 }
 
 function activated(worker: ServiceWorker): Promise<void> {

@@ -1,0 +1,139 @@
+// A chapter's page.
+import { contents, words } from '../../www/learn/chapters/words.mjs';
+import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
+
+/** @typedef {import('./learn-frame.mjs').Site} Site */
+/** @typedef {import('./learn-frame.mjs').Language} Language */
+/** @typedef {import('./learn-frame.mjs').Words} Words */
+/** @typedef {{ value: string, text: Words, reply?: Words, right?: boolean }} Answer */
+/** @typedef {{ equation: string, math: string, speech: Words }} Equation */
+/**
+ * A part of a chapter.
+ * @typedef {object} Block
+ * @property {string} kind
+ * @property {Words} [heading]
+ * @property {Words} [text]
+ * @property {Words} [ask] the question, where the text is no question
+ * @property {Words} [caption]
+ * @property {string} [figure]
+ * @property {string} [key] of its question
+ * @property {Answer[]} [answers]
+ * @property {(Words | Equation)[]} [parts]
+ * @property {Words[]} [lines]
+ */
+/** @typedef {{ name: string, number: number, title: Words, idea: Words, description: Words, blocks: Block[], sources: Words, guide: any }} Chapter */
+
+/** Writes the blocks of one chapter in one language. */
+class Writer {
+  /** @param {Site} site @param {Language} language @param {Chapter} chapter */
+  constructor(site, language, chapter) {
+    this.site = site;
+    this.language = language;
+    this.chapter = chapter;
+    this.t = words[language];
+    this.folder = folderOf(language, chapter.name);
+    this.glossary = way(this.folder, folderOf(language, 'glossary'));
+    this.figures = 0;
+  }
+
+  /** @param {Words} [text] */
+  prose(text) {
+    return text ? prose(text[this.language], this.language, this.glossary) : '';
+  }
+
+  /** @param {Words} [text] */
+  paragraph(text, kind = '') {
+    return text ? `<p${kind && ` class="${kind}"`}>${this.prose(text)}</p>` : '';
+  }
+
+  /** @param {Block} block */
+  heading({ heading, kind, figure }) {
+    return heading ? `<h2 id="${kind === 'figure' ? figure : kind}">${this.prose(heading)}</h2>` : '';
+  }
+
+  /** @param {Block} block */
+  figure({ figure = '', caption }) {
+    this.figures += 1;
+    const number = `<b>${this.t.figure} ${this.figures}.</b> `;
+    const still = this.site.draw.figure(figure, this.language);
+    return `<figure class="figure" id="fig-${figure}" data-figure="${figure}"><div class="figure-stage">${still}</div><figcaption>${number}${this.prose(caption)}</figcaption></figure>`;
+  }
+
+  /** The answers to a question, and the place of the sentence on what happened. @param {Block} block */
+  ask({ key = '', figure = '', answers = [], text, ask = text }) {
+    const rows = answers.map(({ value, text: words }) => `<label><input type="radio" name="${key}" value="${value}"><span class="letter" aria-hidden="true">${value}</span><span>${this.prose(words)}</span></label>`);
+    const legend = `<legend>${this.prose(ask)}</legend>`;
+    const replies = answers.flatMap(({ value, reply, right }) => (reply ? [`<li data-reply="${value}"${right ? ' data-right' : ''}><span class="letter" aria-hidden="true">${value}</span><span>${this.prose(reply)}</span></li>`] : []));
+    const why = replies.length ? `<details class="answers"><summary>${this.t.answer}</summary><ul>${replies.join('')}</ul></details>` : '';
+    return `<fieldset class="ask" data-ask="${key}" data-of="${figure}">${legend}${rows.join('')}</fieldset>${this.seen(key)}${why}`;
+  }
+
+  seen(key = '') {
+    return `<div class="seen-place" data-wait="${this.t.wait}"><p class="ask-seen" data-seen="${key}" hidden></p></div>`;
+  }
+
+  /** @param {Equation} equation */
+  equation({ equation, math, speech }) {
+    return `<div class="equation" id="eq-${equation}" role="group" aria-label="${this.t.equation} ${equation}" tabindex="0"><math display="block" aria-label="${escaped(speech[this.language])}">${math}</math><span class="number">(${equation})</span></div>`;
+  }
+
+  /** @param {Block[]} blocks */
+  scene(blocks) {
+    return `<section class="scene" data-kind="${blocks[0]?.kind}">${blocks.map((block) => this.block(block)).join('\n')}</section>`;
+  }
+
+  /** @param {Block} block @returns {string} */
+  block(block) {
+    const head = this.heading(block);
+    switch (block.kind) {
+      case 'question':
+        return `<div class="beside"><div>${head}${this.ask(block)}</div>${this.figure(block)}</div>`;
+      case 'figure':
+        return `${head}${this.paragraph(block.text)}${this.figure(block)}`;
+      case 'prediction':
+        return `${head}${this.ask(block)}${this.figure(block)}`;
+      case 'mark':
+        return `${this.paragraph(block.text, 'marking')}${this.seen(block.key)}`;
+      case 'why':
+        return `${head}${(block.parts ?? []).map((part) => ('math' in part ? this.equation(part) : this.paragraph(part))).join('\n')}`;
+      case 'not-so':
+        return `${head}${this.paragraph(block.text)}${this.ask(block)}${this.figure(block)}`;
+      case 'exercise':
+        return `${head}${this.paragraph(block.text)}${this.seen(block.key)}${this.figure(block)}${this.studio(block)}`;
+      default:
+        return `${head}${(block.lines ?? []).map((line) => this.paragraph(line)).join('')}`;
+    }
+  }
+
+  /** @param {Block} block */
+  studio({ figure = '' }) {
+    const href = `${way(this.folder, '')}#${escaped(this.site.draw.link(figure))}`;
+    return `<p><a class="into-studio" data-figure="${figure}" href="${href}">${this.t.studio}</a></p>`;
+  }
+
+  /** Each figure with its questions is a scene, which fills the screen in a class. */
+  scenes() {
+    /** @type {Block[][]} */
+    const scenes = [];
+    for (const block of this.chapter.blocks) {
+      if (block.kind === 'mark') scenes.at(-1)?.push(block);
+      else scenes.push([block]);
+    }
+    return scenes.map((blocks) => this.scene(blocks)).join('\n');
+  }
+}
+
+/** @param {Site} site @param {Language} language @param {Chapter} chapter */
+export function chapterPage(site, language, chapter) {
+  const writer = new Writer(site, language, chapter);
+  const { t } = writer;
+  const next = contents[chapter.number];
+  const to = (/** @type {string} */ place) => way(writer.folder, folderOf(language, place));
+  const body = `<article class="chapter">
+<header><p class="over">${t.chapter(chapter.number)}</p><h1>${chapter.title[language]}</h1><p class="idea">${writer.prose(chapter.idea)}</p></header>
+${writer.scenes()}
+<footer><p class="sources">${t.sources}: ${escaped(chapter.sources[language])}</p>
+<p class="onward"><a href="${to(`${chapter.name}/sheet`)}">${t.sheet}</a><a href="${to('guide')}#${chapter.name}">${t.guide}</a><span>${t.next}: ${next?.title[language]} (${t.coming})</span></p></footer>
+</article>`;
+  return pageFile(site, language, { place: chapter.name, title: chapter.title[language], description: chapter.description[language], body, kind: 'of-chapter' });
+}

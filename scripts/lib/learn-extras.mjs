@@ -1,0 +1,102 @@
+// The pages beside the chapters: contents, glossary, teacher's guide, and the sheet to print of each chapter.
+import { contents, words } from '../../www/learn/chapters/words.mjs';
+import { general } from '../../www/learn/chapters/plans.mjs';
+import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
+import { row } from '../../www/learn/chapters/math.mjs';
+
+/** @typedef {import('./learn-frame.mjs').Site} Site */
+/** @typedef {import('./learn-frame.mjs').Language} Language */
+/** @typedef {import('./learn-frame.mjs').Words} Words */
+/** @typedef {import('./learn-chapter.mjs').Chapter} Chapter */
+/** @typedef {import('../../www/learn/chapters/terms.mjs').Term} Term */
+
+/** @param {Site} site @param {Language} language */
+export function contentsPage(site, language) {
+  const t = words[language];
+  const rows = contents.map(({ name, title, idea }, at) => {
+    const head = name ? `<a href="${name}/">${title[language]}</a>` : `<span>${title[language]}</span> <small>${t.coming}</small>`;
+    return `<li${name ? '' : ' class="coming"'}><span class="number">${at + 1}</span><div><p class="title">${head}</p>${idea ? `<p>${idea[language]}</p>` : ''}</div></li>`;
+  });
+  const body = `<article><header><h1>${t.learn}</h1><p class="idea">${t.lead}</p></header>
+<p>${t.about}</p>
+<h2>${t.chapters}</h2><ol class="contents">${rows.join('')}</ol></article>`;
+  return pageFile(site, language, { place: '', title: t.learn, description: t.lead, body });
+}
+
+/** @param {Site} site @param {Language} language @param {Term[]} terms */
+export function glossaryPage(site, language, terms) {
+  const t = words[language];
+  const other = language === 'en' ? 'ja' : 'en';
+  const rows = terms.map(({ key, symbol, chapter, name, text }) => {
+    const at = contents.findIndex((one) => one.name === chapter);
+    const sign = symbol ? `<math aria-label="${t.symbol}: ${symbol}">${row(symbol)}</math>` : '';
+    return `<div class="entry" id="${key}"><dt><span>${name[language]}</span> <span class="other" lang="${other}">${name[other]}</span> ${sign}</dt>
+<dd class="picture">${site.draw.term(key)}</dd>
+<dd>${escaped(text[language])} <a class="back" href="../${chapter}/">${t.chapter(at + 1)}</a></dd></div>`;
+  });
+  const body = `<article><header><h1>${t.glossary}</h1><p class="idea">${t.glossaryLead}</p></header><dl class="glossary">${rows.join('')}</dl></article>`;
+  return pageFile(site, language, { place: 'glossary', title: t.glossary, description: t.glossaryLead, body });
+}
+
+/** @param {string[]} items */
+const list = (items) => `<ul>${items.map((item) => `<li>${item}</li>`).join('')}</ul>`;
+
+/** @param {Site} site @param {Language} language @param {Chapter[]} chapters */
+export function guidePage(site, language, chapters) {
+  const t = words[language];
+  const glossary = way(folderOf(language, 'guide'), folderOf(language, 'glossary'));
+  const text = (/** @type {Words} */ words) => prose(words[language], language, glossary);
+  const parts = general.map(({ heading, lines }) => `<section><h2>${text(heading)}</h2>${list(lines.map(text))}</section>`);
+  const own = chapters.map((chapter) => guideOf(language, chapter, text));
+  const lead = general[0]?.lead?.[language] ?? '';
+  const body = `<article class="guide"><header><h1>${t.guide}</h1><p class="idea">${lead}</p></header>${parts.join('')}${own.join('')}</article>`;
+  return pageFile(site, language, { place: 'guide', title: t.guide, description: lead, body });
+}
+
+/**
+ * A chapter's part of the guide.
+ * @param {Language} language
+ * @param {Chapter} chapter
+ * @param {(words: Words) => string} text
+ */
+function guideOf(language, { name, number, title, guide }, text) {
+  const t = words[language];
+  const heads = guide.headings;
+  const plans = guide.plans.map((/** @type {any} */ { minutes, steps }) => {
+    const rows = steps.map((/** @type {any} */ [from, what]) => `<tr><th scope="row">${from}</th><td>${text(what)}</td></tr>`);
+    return `<table class="plan"><caption>${minutes} ${text(heads.minutes)}</caption><tbody>${rows.join('')}</tbody></table>`;
+  });
+  const asked = guide.questions.map((/** @type {any} */ { question, right, thoughts }) => {
+    const wrong = thoughts.map((/** @type {any} */ [answer, thought]) => `<li><b>${text(answer)}</b> ${text(thought)}</li>`);
+    return `<li><p class="question">${text(question)}</p><p>${text(right)}</p><ul>${wrong.join('')}</ul></li>`;
+  });
+  const states = guide.states.map((/** @type {any} */ { link, what }) => `<li><a href="../${name}/#${escaped(link)}">${text(what)}</a></li>`);
+  return `<section id="${name}"><h2>${t.chapter(number)}: ${title[language]}</h2>
+<p class="onward"><a href="../${name}/">${title[language]}</a><a href="../${name}/sheet/">${t.sheet}</a></p>
+<h3>${text(heads.aims)}</h3>${list(guide.aims.map(text))}
+<h3>${text(heads.before)}</h3>${list(guide.before.map(text))}
+<h3>${text(heads.plans)}</h3>${plans.join('')}
+<h3>${text(heads.questions)}</h3><ol class="questions">${asked.join('')}</ol>
+<h3>${text(heads.wrong)}</h3>${list(guide.wrong.map(text))}
+<h3>${text(heads.states)}</h3><ul>${states.join('')}</ul></section>`;
+}
+
+/** @param {Site} site @param {Language} language @param {Chapter} chapter */
+export function sheetPage(site, language, chapter) {
+  const t = words[language];
+  const place = `${chapter.name}/sheet`;
+  const glossary = way(folderOf(language, place), folderOf(language, 'glossary'));
+  const text = (/** @type {Words} */ words) => prose(words[language].replace(/\[\[[\w-]+\|([^\]]+)\]\]/g, '$1').replace(/\[\[([\w-]+)\]\]/g, '$1'), language, glossary);
+  const lines = (/** @type {number} */ count) => '<span class="line"></span>'.repeat(count);
+  const asked = chapter.blocks.filter(({ key, kind }) => key && kind !== 'exercise');
+  const parts = asked.map(({ text: words, ask = words, answers = [], figure }, at) => {
+    const boxes = answers.map(({ value, text: answer }) => `<li><span class="box" aria-hidden="true"></span>${value}. ${text(answer)}</li>`);
+    const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p>w = <span class="blank"></span></p>`;
+    // A pupil does not see the end of what is asked.
+    const picture = figure === 'top' ? `<div class="picture">${site.draw.figure('top', language)}</div>` : '';
+    return `<section class="asked"><h2><span>${t.order[0]} ${at + 1}</span> ${ask ? text(ask) : ''}</h2>${picture}
+<h3>${t.order[1]}</h3>${guess}<h3>${t.order[2]}</h3>${lines(2)}<h3>${t.order[3]}</h3>${lines(2)}</section>`;
+  });
+  const body = `<article class="sheet"><header><p class="over">${t.chapter(chapter.number)}</p><h1>${chapter.title[language]}</h1><p class="fill">${t.name} <span class="blank"></span> ${t.date} <span class="blank"></span></p></header>${parts.join('')}</article>`;
+  return pageFile(site, language, { place, title: `${t.sheet}: ${chapter.title[language]}`, description: chapter.description[language], body, kind: 'of-sheet' });
+}

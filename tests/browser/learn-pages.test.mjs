@@ -1,0 +1,224 @@
+// The pages of the chapters in a browser: without scripts, without a connection, in both languages, on paper, in class.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { sameEverywhere } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { digest, frames, phone, SMALL } from './page.mjs';
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+const CHAPTERS = ['learn/two-bubbles/', 'learn/ja/two-bubbles/'];
+const PAGES = ['', 'glossary/', 'guide/', 'two-bubbles/', 'two-bubbles/sheet/'].flatMap((place) => [`learn/${place}`, `learn/ja/${place}`]);
+
+/** The state of a figure in an address. */
+const STATE = '#fig=pair&outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0&mend=0&most=1000&given=0.25,0.5,1;0.45,0.5,0&damp=0.5&move=rk4&dt=0.1&step=3';
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** Whether the scripts have begun: they show what is of no use without them. */
+const begun = (page) => page.waitForSelector('#theme:not([hidden])');
+
+/** Texts that are cut off, or stick out of the window. A formula may scroll in its own box. */
+const lost = (page) =>
+  page.evaluate(() => {
+    const found = [];
+    if (document.documentElement.scrollWidth > innerWidth) found.push(`the page is ${document.documentElement.scrollWidth} wide`);
+    for (const element of document.querySelectorAll('main :is(p, h1, h2, h3, li, label, figcaption, dt, dd, th, td, button)')) {
+      if (!element.checkVisibility() || element.closest('.equation')) continue;
+      const { left, right, height } = element.getBoundingClientRect();
+      const isCut = element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).overflowX !== 'visible';
+      if (left < -1 || right > innerWidth + 1 || isCut || height === 0) found.push(`${element.localName}: ${element.textContent.trim().slice(0, 40)} ${Math.round(left)} to ${Math.round(right)}`);
+    }
+    return found;
+  });
+
+for (const path of CHAPTERS) {
+  test(`without scripts the text and the pictures are whole: ${path}`, sameEverywhere, async () => {
+    const { page, problems, close } = await site.newPage(path, { before: (fresh) => fresh.setJavaScriptEnabled(false) });
+    await page.setJavaScriptEnabled(true);
+    const seen = await page.evaluate(() => ({
+      text: document.querySelector('main').innerText,
+      pictures: [...document.querySelectorAll('figure')].map((figure) => [...figure.querySelectorAll('svg.plate, .figure-stage svg')].filter((svg) => svg.getBoundingClientRect().width > 200).length),
+      formulas: [...document.querySelectorAll('math')].every((formula) => formula.getBoundingClientRect().width > 0),
+      tools: [...document.querySelectorAll('.head button')].some((button) => button.checkVisibility({ visibilityProperty: true })),
+    }));
+    assert.ok(seen.text.length > (path.includes('/ja/') ? 1000 : 2500), `${seen.text.length}`);
+    assert.ok(seen.pictures.length === 5 && seen.pictures.every((count) => count > 0), String(seen.pictures));
+    assert.ok(seen.formulas);
+    assert.equal(seen.tools, false, 'a button is shown that can do nothing');
+    assert.deepEqual(problems, []);
+    await close();
+  });
+}
+
+test('each page opens without an error, and asks nobody else', async () => {
+  for (const path of PAGES) {
+    const { page, problems, external, close } = await site.newPage(path);
+    await begun(page);
+    assert.deepEqual([problems, external], [[], []], path);
+    await close();
+  }
+});
+
+test('after a visit to the studio all pages open without a host', async (t) => {
+  const own = await open();
+  t.after(() => own.close());
+  const { page, problems, close } = await own.newPage(SMALL, { stores: true });
+  await page.waitForFunction(() => document.documentElement.dataset.offline === 'stored', { timeout: 120_000 });
+  own.stop();
+  for (const path of PAGES) {
+    await page.goto(own.address + path, { waitUntil: 'load' });
+    await begun(page);
+    assert.equal(await page.$eval('link[rel=stylesheet]', (link) => link.sheet.cssRules.length > 50), true, path);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a visit to a chapter stores the site, too', async (t) => {
+  const own = await open();
+  t.after(() => own.close());
+  const { page, close } = await own.newPage(CHAPTERS[0], { stores: true });
+  await page.waitForFunction(() => document.documentElement.dataset.offline === 'stored', { timeout: 120_000 });
+  own.stop();
+  await page.goto(own.address + CHAPTERS[1], { waitUntil: 'load' });
+  await begun(page);
+  await close();
+});
+
+test('the other language opens with the same state', async () => {
+  const { page, close } = await site.newPage(CHAPTERS[0] + STATE);
+  await begun(page);
+  const fragment = await page.evaluate(() => location.hash);
+  await Promise.all([page.waitForNavigation({ waitUntil: 'load' }), page.evaluate(() => document.querySelector('#language').click())]);
+  assert.equal(await page.evaluate(() => location.pathname.split('/').slice(-4).join('/')), 'learn/ja/two-bubbles/');
+  assert.equal(decodeURIComponent(await page.evaluate(() => location.hash)), decodeURIComponent(fragment));
+  assert.equal(await page.evaluate(() => document.documentElement.lang), 'ja');
+  await close();
+});
+
+test('the studio leads to the chapters in its language', async () => {
+  const { page, close } = await site.newPage(SMALL);
+  await digest(page);
+  const addresses = () => page.evaluate(() => ['#learn', '[data-preset=bubbles] + a'].map((link) => document.querySelector(link).getAttribute('href')));
+  assert.deepEqual(await addresses(), ['learn/', 'learn/two-bubbles/']);
+  await page.select('#language', 'ja');
+  await page.waitForFunction(() => document.querySelector('#learn').textContent === '学ぶ');
+  assert.deepEqual(await addresses(), ['learn/ja/', 'learn/ja/two-bubbles/']);
+  await page.select('#language', 'en');
+  await page.waitForFunction(() => document.querySelector('#learn').textContent === 'Learn');
+  assert.deepEqual(await addresses(), ['learn/', 'learn/two-bubbles/']);
+  await close();
+});
+
+for (const dark of [false, true]) {
+  test(`axe finds nothing: ${dark ? 'dark' : 'light'}`, sameEverywhere, async () => {
+    for (const path of PAGES) {
+      const { page, close } = await site.newPage(path, { dark, viewport: dark ? phone : undefined });
+      await begun(page);
+      await page.evaluate(axe);
+      const found = await page.evaluate(async () => {
+        const { violations } = await window.axe.run(document, { runOnly: { type: 'tag', values: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] } });
+        return violations.flatMap(({ id, nodes }) => nodes.map(({ html, any }) => `${id}: ${html.slice(0, 140)} ${any.map(({ message }) => message).join(' ')}`));
+      });
+      assert.deepEqual(found, [], path);
+      await close();
+    }
+  });
+}
+
+test('390 px and text of 200 % lose nothing', sameEverywhere, async () => {
+  for (const path of PAGES) {
+    const { page, close } = await site.newPage(path, { viewport: phone });
+    await begun(page);
+    assert.deepEqual(await lost(page), [], path);
+    await page.setViewport({ width: 1280, height: 800 });
+    await page.evaluate(() => document.documentElement.style.setProperty('font-size', '200%'));
+    await frames(page, 2);
+    assert.deepEqual(await lost(page), [], `${path} at 200 %`);
+    await close();
+  }
+});
+
+test('on paper a chapter has every figure and every answer, and no handles', sameEverywhere, async () => {
+  for (const path of CHAPTERS) {
+    const { page, close } = await site.newPage(path, { dark: true });
+    await begun(page);
+    await page.emulateMediaType('print');
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    const seen = await page.evaluate(() => ({
+      figures: [...document.querySelectorAll('figure')].filter((figure) => figure.querySelector('svg.plate').checkVisibility()).length,
+      replies: [...document.querySelectorAll('[data-reply]')].filter((reply) => reply.checkVisibility() && reply.getBoundingClientRect().height > 0).length,
+      arrows: [...document.querySelectorAll('#fig-pair .arrow path')].every((part) => part.checkVisibility()),
+      tools: [...document.querySelectorAll('body > .head, .figure-tools, .ask input')].filter((tool) => tool.checkVisibility()).length,
+      ground: getComputedStyle(document.body).backgroundColor,
+    }));
+    assert.deepEqual(seen, { figures: 5, replies: 3, arrows: true, tools: 0, ground: 'rgb(255, 255, 255)' });
+    await close();
+  }
+});
+
+test('choosing an answer opens what is said on the answers', async () => {
+  const { page, close } = await site.newPage(CHAPTERS[0]);
+  await begun(page);
+  assert.equal(await page.$eval('.answers', (fold) => fold.open), false);
+  await page.$eval('[data-ask=made] input[value=a]', (answer) => answer.click());
+  assert.deepEqual(await page.$$eval('[data-chosen]', (all) => all.map((reply) => reply.dataset.reply)), ['a']);
+  assert.equal(await page.$eval('.answers', (fold) => fold.open), true);
+  await close();
+});
+
+test('a symbol of a formula and that of a figure mark each other', async () => {
+  const { page, close } = await site.newPage(CHAPTERS[0]);
+  await begun(page);
+  const marked = () => page.evaluate(() => [...new Set([...document.querySelectorAll('.marked')].map((one) => one.dataset.symbol))]);
+  await page.$eval('#eq-5 [data-symbol=c]', (symbol) => symbol.dispatchEvent(new PointerEvent('pointerover', { bubbles: true })));
+  assert.deepEqual(await marked(), ['c']);
+  const places = await page.evaluate(() => [...document.querySelectorAll('.marked')].map((one) => (one.closest('figure') ? 'figure' : 'text')));
+  assert.deepEqual([...new Set(places)].sort(), ['figure', 'text']);
+  await page.$eval('#eq-5 [data-symbol=c]', (symbol) => symbol.dispatchEvent(new PointerEvent('pointerout', { bubbles: true })));
+  assert.deepEqual(await marked(), []);
+  await close();
+});
+
+test('in class one question or figure fills the screen, by keys, and hands are counted', async () => {
+  const viewport = { width: 1024, height: 768 };
+  const { page, close } = await site.newPage(CHAPTERS[0], { viewport });
+  await begun(page);
+  const shown = () => page.evaluate(() => ['h2', '.ask', '.plates'].map((part) => [...document.querySelectorAll(`main ${part}`)].filter((one) => one.checkVisibility()).length));
+  await page.focus('#class');
+  await page.keyboard.press('Enter');
+  // The question on top, then its figure.
+  assert.deepEqual(await shown(), [1, 1, 0]);
+  await page.focus('.hands');
+  await page.keyboard.type('12');
+  assert.equal(await page.$eval('.hands', (box) => box.value), '12');
+  // Arrows belong to the box.
+  await page.keyboard.press('ArrowRight');
+  assert.deepEqual(await shown(), [1, 1, 0]);
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press('ArrowRight');
+  assert.deepEqual(await shown(), [0, 0, 1]);
+  const { width, bottom } = await page.evaluate(() => {
+    const box = [...document.querySelectorAll('.plates')].find((one) => one.checkVisibility()).getBoundingClientRect();
+    return { width: box.width, bottom: box.bottom };
+  });
+  assert.ok(width > 400 && bottom < viewport.height, `${width} wide, down to ${bottom}`);
+  await page.keyboard.press('ArrowLeft');
+  assert.deepEqual(await shown(), [1, 1, 0]);
+  for (let k = 0; k < 12; k += 1) await page.keyboard.press('ArrowRight');
+  assert.deepEqual(await shown(), [1, 0, 0], 'the last is the text on ours and theirs');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.evaluate(() => document.documentElement.hasAttribute('data-class')), false);
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'class');
+  await close();
+});

@@ -1,0 +1,380 @@
+// The figures of the chapters: stops, handles, questions, addresses.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { goldenStops } from '../common/figures.mjs';
+import { kind, sameEverywhere } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { frames, phone } from './page.mjs';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** The chapter in each language. */
+const CHAPTER = { en: 'learn/two-bubbles/', ja: 'learn/ja/two-bubbles/' };
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
+async function chapter(fragment = '', { language = 'en', ...options } = {}) {
+  return site.newPage(`${CHAPTER[language]}${fragment}`, options);
+}
+
+/** Brings a figure into sight and waits until it works. @param {Page} page @param {string} name */
+async function at(page, name) {
+  await page.$eval(`#fig-${name}`, (figure) => figure.scrollIntoView({ block: 'center', behavior: 'instant' }));
+  await page.waitForSelector(`#fig-${name}[data-live][data-step][data-hash]`);
+  return `#fig-${name}`;
+}
+
+/** The state that a figure shows. @param {Page} page @param {string} figure */
+function shown(page, figure) {
+  return page.$eval(figure, (element) => ({
+    step: Number(element.dataset.step),
+    hash: element.dataset.hash,
+    said: element.querySelector('.time-said')?.textContent,
+    told: element.querySelector('.figure-told')?.textContent ?? '',
+    picture: [...element.querySelectorAll('.plate-svg')].map((plate) => plate.innerHTML).join(''),
+  }));
+}
+
+/** The number in a handle's box. @param {Page} page @param {string} figure @param {string} key */
+const boxed = (page, figure, key) => page.$eval(`${figure} .handle[data-key="${key}"] input[type="number"]`, (box) => Number(box.value));
+
+/** Waits until a handle's box has a number near this one. @param {Page} page @param {string} figure @param {string} key @param {number} wanted @param {number} [by] */
+async function boxHas(page, figure, key, wanted, by = 0.0015) {
+  await page.waitForFunction(
+    (selector, value, apart) => Math.abs(Number(document.querySelector(selector).value) - value) < apart,
+    {},
+    `${figure} .handle[data-key="${key}"] input[type="number"]`,
+    wanted,
+    by,
+  );
+}
+
+/** Types a number into a handle's box. @param {Page} page @param {string} figure @param {string} key @param {number} value */
+async function type(page, figure, key, value) {
+  await page.$eval(
+    `${figure} .handle[data-key="${key}"] input[type="number"]`,
+    (box, text) => {
+      for (let fold = box.closest('details'); fold; fold = null) fold.open = true;
+      box.focus();
+      box.value = text;
+      box.dispatchEvent(new Event('change', { bubbles: true }));
+    },
+    String(value),
+  );
+  await boxHas(page, figure, key, value);
+}
+
+/** Goes to a step by the timeline and waits for it. @param {Page} page @param {string} figure @param {number} step */
+async function seek(page, figure, step) {
+  await page.$eval(
+    `${figure} input.time`,
+    (slider, to) => {
+      slider.value = String(to);
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+    },
+    step,
+  );
+  await page.waitForSelector(`${figure}[data-step="${step}"]`);
+}
+
+/** The middle of an element in the window, scrolled into sight. @param {Page} page @param {string} selector */
+async function middle(page, selector) {
+  await page.$eval(selector, (element) => element.scrollIntoView({ block: 'center', behavior: 'instant' }));
+  // A finger finds what the last frame has drawn.
+  await frames(page, 3);
+  return page.$eval(selector, (element) => {
+    const { x, y, width, height } = element.getBoundingClientRect();
+    return { x: x + width / 2, y: y + height / 2 };
+  });
+}
+
+/** The sentence of an answered question; '' while it is open. @param {Page} page @param {string} key */
+const answer = (page, key) => page.$eval(`[data-seen="${key}"]`, (place) => (place.hidden ? '' : (place.textContent ?? '')));
+
+/** @param {Page} page @param {string} key */
+const answered = (page, key) => page.waitForSelector(`[data-seen="${key}"]:not([hidden])`);
+
+test('each stop of each figure has the golden state', async () => {
+  const { page, problems, close } = await chapter();
+  for (const { figure: name, stop, step, hash } of goldenStops()) {
+    const figure = await at(page, name);
+    await page.click(`${figure} [data-stop="${stop}"]`);
+    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the distance follows the mouse, the keys, a tap and the box; figure, text and numbers follow it', async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'pair');
+  const first = await shown(page, figure);
+  const grip = `${figure} .plate-box[data-plate="0"] .grip-w`;
+
+  const from = await middle(page, grip);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 60, from.y, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForFunction((selector) => Number(document.querySelector(selector).value) > 0.9, {}, `${figure} .handle[data-key="w"] input[type="number"]`);
+  const dragged = await shown(page, figure);
+  const w = (await boxed(page, figure, 'w')).toFixed(3);
+  assert.ok(dragged.picture !== first.picture && dragged.hash !== first.hash);
+  assert.ok(dragged.told.includes(w) && dragged.picture.includes(w), dragged.told);
+
+  await page.focus(grip);
+  for (const [key, shift, by] of /** @type {const} */ ([['ArrowRight', false, 0.01], ['ArrowLeft', true, -0.001], ['PageUp', false, 0.1]])) {
+    const now = await boxed(page, figure, 'w');
+    if (shift) await page.keyboard.down('Shift');
+    await page.keyboard.press(key);
+    if (shift) await page.keyboard.up('Shift');
+    await boxHas(page, figure, 'w', now + by);
+  }
+  assert.match((await page.$eval(grip, (slider) => slider.ariaValueText)) ?? '', /^\d\.\d{3} stable distances$/);
+
+  const plate = await page.$eval(`${figure} .plate-box[data-plate="1"]`, (box) => {
+    const { x, y, width, height } = box.getBoundingClientRect();
+    return { x, y, width, height };
+  });
+  await page.mouse.click(plate.x + (plate.width * (72 + 130 * 1.3)) / 400, plate.y + plate.height / 2);
+  await boxHas(page, figure, 'w', 1.3, 0.01);
+  assert.match((await shown(page, figure)).told, /pull/);
+
+  await type(page, figure, 'w', 1.7);
+  assert.match((await shown(page, figure)).told, /no force/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a tap moves the bubble; a finger on its grip moves it and not the page', sameEverywhere, async () => {
+  const { page, problems, close } = await chapter('', { viewport: phone });
+  const figure = await at(page, 'pair');
+  const plate = await middle(page, `${figure} .plate-box[data-plate="1"] .plate-svg`);
+  await page.touchscreen.tap(plate.x, plate.y);
+  await boxHas(page, figure, 'w', (200 - 72) / 130, 0.02);
+  const from = await middle(page, `${figure} .plate-box[data-plate="0"] .grip-w`);
+  const top = await page.evaluate(() => scrollY);
+  await page.touchscreen.touchStart(from.x, from.y);
+  for (let k = 1; k <= 5; k += 1) await page.touchscreen.touchMove(from.x + 12 * k, from.y + 8 * k);
+  await page.touchscreen.touchEnd();
+  await page.waitForFunction((selector) => Number(document.querySelector(selector).value) > 1.2, {}, `${figure} .handle[data-key="w"] input[type="number"]`);
+  assert.equal(await page.evaluate(() => scrollY), top);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('every handle works by keys, by a press on its slider, and by its box or its buttons', async () => {
+  const { page, problems, close } = await chapter();
+  for (const name of ['pair', 'let-go', 'not-so', 'exercise']) {
+    const figure = await at(page, name);
+    await page.$$eval(`${figure} details`, (folds) => folds.forEach((fold) => (fold.open = true)));
+    for (const key of await page.$$eval(`${figure} .handle:not(.choice)`, (handles) => handles.map((handle) => handle.dataset.key ?? ''))) {
+      const slider = `${figure} .handle[data-key="${key}"] input[type="range"]`;
+      const place = await page.$eval(slider, (range) => {
+        range.scrollIntoView({ block: 'center', behavior: 'instant' });
+        const { x, y, width, height } = range.getBoundingClientRect();
+        return { x: x + width * 0.4, y: y + height / 2, wanted: Number(range.min) + 0.4 * (Number(range.max) - Number(range.min)), range: Number(range.max) - Number(range.min) };
+      });
+      await page.mouse.click(place.x, place.y);
+      await boxHas(page, figure, key, place.wanted, 0.06 * place.range);
+      const now = await boxed(page, figure, key);
+      await page.keyboard.press('ArrowRight');
+      await page.waitForFunction((selector, old) => Number(document.querySelector(selector).value) > old, {}, `${figure} .handle[data-key="${key}"] input[type="number"]`, now);
+      assert.ok(await page.$eval(slider, (range) => range.getAttribute('aria-valuetext')), key);
+      await type(page, figure, key, 0.7);
+    }
+    await seek(page, figure, 20);
+    for (const choice of await page.$$(`${figure} .handle.choice input:not(:checked)`)) {
+      const before = (await shown(page, figure)).hash;
+      await choice.evaluate((button) => button.closest('label')?.click());
+      await page.waitForFunction((selector, hash) => document.querySelector(selector).dataset.hash !== hash, {}, figure, before);
+    }
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the timeline steps on and back, plays, pauses and starts again', async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'let-go');
+  const first = await shown(page, figure);
+  await seek(page, figure, 12);
+  const there = await shown(page, figure);
+  assert.equal(there.said, 'step 12 of 200');
+  await page.click(`${figure} [data-do="on"]`);
+  await page.waitForSelector(`${figure}[data-step="13"]`);
+  await page.click(`${figure} [data-do="back"]`);
+  await page.waitForSelector(`${figure}[data-step="12"]`);
+  const again = await shown(page, figure);
+  assert.deepEqual(again, there);
+  await page.click(`${figure} [data-do="play"]`);
+  await page.waitForFunction((selector) => Number(document.querySelector(selector).dataset.step) > 14, {}, figure);
+  assert.equal(await page.$eval(`${figure} .figure-told`, (text) => text.getAttribute('aria-live')), 'off');
+  await page.click(`${figure} [data-do="play"]`);
+  await page.waitForSelector(`${figure} .figure-told[aria-live="polite"]`);
+  await type(page, figure, 'damp', 1.5);
+  await page.click(`${figure} [data-do="again"]`);
+  await page.waitForSelector(`${figure}[data-step="200"][data-hash="${first.hash}"]`);
+  assert.deepEqual(await shown(page, figure), first);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('with less motion a run goes from stop to stop', sameEverywhere, async () => {
+  const { page, close } = await chapter('', { still: true });
+  const figure = await at(page, 'let-go');
+  await page.evaluate((selector) => {
+    window.steps = [];
+    new MutationObserver(() => window.steps.push(Number(document.querySelector(selector).dataset.step))).observe(document.querySelector(selector), { attributeFilter: ['data-step'] });
+  }, figure);
+  await page.select(`${figure} select.speed`, '4');
+  await page.click(`${figure} [data-do="play"]`);
+  await page.waitForFunction(() => window.steps.length > 2 && window.steps.at(-1) === 200);
+  const stops = goldenStops().filter((stop) => stop.figure === 'let-go').map(({ step }) => Number(step));
+  assert.deepEqual([...new Set(await page.evaluate(() => window.steps))], stops);
+  await close();
+});
+
+test('each question is answered by doing what it asks', async () => {
+  const { page, problems, close } = await chapter();
+  for (const name of ['top', 'pair', 'let-go', 'not-so', 'exercise']) await at(page, name);
+  for (const key of ['made', 'far', 'near', 'broken', 'still']) assert.equal(await answer(page, key), '', key);
+
+  await at(page, 'top');
+  await page.click('#fig-top [data-stop="two"]');
+  await answered(page, 'made');
+
+  await at(page, 'let-go');
+  await page.$eval('[data-ask="far"] input[value="c"]', (button) => button.click());
+  await type(page, '#fig-let-go', 'w', 1.6);
+  await page.waitForSelector('#fig-let-go[data-step="0"]');
+  assert.equal(await answer(page, 'far'), '');
+  await seek(page, '#fig-let-go', 10);
+  await answered(page, 'far');
+  assert.match(await answer(page, 'far'), /^You expected that it comes back\. It stayed: at w = 1\.600 the force is 0\.000/);
+
+  await type(page, '#fig-let-go', 'damp', 0);
+  await type(page, '#fig-let-go', 'mark', 0.5);
+  for (const w of [0.71, 0.74, 0.725]) {
+    assert.equal(await answer(page, 'near'), '');
+    await type(page, '#fig-let-go', 'w', w);
+    await page.waitForSelector('#fig-let-go[data-step="0"]');
+    await seek(page, '#fig-let-go', 200);
+  }
+  await answered(page, 'near');
+  assert.match(await answer(page, 'near'), /^Your mark is at 0\.500\. From 0\.710 it parted for good, from 0\.725 it came back.*0\.718/);
+  await page.click('#fig-let-go [data-do="back"]');
+  await page.waitForSelector('#fig-let-go .zero');
+
+  await at(page, 'not-so');
+  await type(page, '#fig-not-so', 'dt', 0.2);
+  await seek(page, '#fig-not-so', 100);
+  assert.equal(await answer(page, 'broken'), '');
+  await type(page, '#fig-not-so', 'dt', 1);
+  await answered(page, 'broken');
+
+  await at(page, 'exercise');
+  await type(page, '#fig-exercise', 'damp', 1);
+  await seek(page, '#fig-exercise', 50);
+  assert.equal(await answer(page, 'still'), '');
+  await type(page, '#fig-exercise', 'damp', 2);
+  await answered(page, 'still');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('an address opens the same state in a fresh page, in both languages', async () => {
+  const one = await chapter();
+  const figure = await at(one.page, 'let-go');
+  await type(one.page, figure, 'w', 0.83);
+  await type(one.page, figure, 'damp', 0.35);
+  await type(one.page, figure, 'mark', 0.64);
+  await seek(one.page, figure, 47);
+  await one.page.waitForFunction(() => location.hash.includes('step=47') && location.hash.includes('at=0.640'));
+  const fragment = await one.page.evaluate(() => location.hash);
+  const first = await shown(one.page, figure);
+  await one.close();
+  for (const language of /** @type {const} */ (['en', 'ja'])) {
+    const { page, problems, close } = await chapter(fragment, { language });
+    await page.waitForSelector(`${figure}[data-step="47"][data-hash="${first.hash}"]`);
+    if (language === 'en') assert.deepEqual(await shown(page, figure), first);
+    assert.ok(await page.$eval(figure, (element) => element.getBoundingClientRect().top < innerHeight && element.getBoundingClientRect().bottom > 0));
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
+test('an address that fits no figure, or has no pair, opens what there is', async () => {
+  for (const fragment of ['#fig=none&step=3', '#fig=pair&kind=square&step=99999', '#fig=pair&given=0.1,0.5,0&step=x&at=y']) {
+    const { page, problems, close } = await chapter(fragment);
+    const figure = await at(page, 'pair');
+    assert.match((await shown(page, figure)).told, /w = [01]\.\d{3}/);
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
+test('nothing shifts, and figures out of sight have no frames', { skip: kind !== 'chromium' && 'only Chromium tells shifts' }, async () => {
+  const { page, close } = await chapter('', {
+    before: (page) =>
+      page.evaluateOnNewDocument(() => {
+        window.shifts = [];
+        window.asked = 0;
+        new PerformanceObserver((list) => window.shifts.push(...list.getEntries().map(({ value, sources }) => [value, ...sources.map(({ node }) => node?.outerHTML?.slice(0, 120) ?? node?.textContent)].join(' ')))).observe({ type: 'layout-shift', buffered: true });
+        const frame = requestAnimationFrame.bind(window);
+        window.plainFrame = frame;
+        window.requestAnimationFrame = (act) => {
+          window.asked += 1;
+          return frame(act);
+        };
+      }),
+  });
+  for (const name of ['top', 'pair', 'let-go', 'not-so', 'exercise']) await at(page, name);
+  const figure = await at(page, 'let-go');
+  await page.click(`${figure} [data-do="play"]`);
+  await page.waitForFunction((selector) => Number(document.querySelector(selector).dataset.step) > 20, {}, figure);
+  await page.$eval('#fig-top', (top) => top.scrollIntoView({ block: 'center', behavior: 'instant' }));
+  const counts = await page.evaluate(async () => {
+    const frames = async (/** @type {number} */ n) => {
+      for (let k = 0; k < n; k += 1) await new Promise((done) => window.plainFrame(done));
+    };
+    await frames(10);
+    const before = window.asked;
+    await frames(30);
+    return window.asked - before;
+  });
+  assert.equal(counts, 0);
+  assert.deepEqual(await page.evaluate(() => window.shifts), []);
+  await close();
+});
+
+for (const language of /** @type {const} */ (['en', 'ja'])) {
+  for (const dark of [false, true]) {
+    test(`axe finds nothing in the figures: ${language}, ${dark ? 'dark' : 'light'}`, sameEverywhere, async () => {
+      const { page, close } = await chapter('', { language, dark, ...(dark ? { viewport: phone } : {}) });
+      for (const name of ['top', 'pair', 'let-go', 'not-so', 'exercise']) {
+        await at(page, name);
+        await page.$$eval(`#fig-${name} details`, (folds) => folds.forEach((fold) => (fold.open = true)));
+      }
+      await page.evaluate(axe);
+      const found = await page.evaluate(async () => {
+        const { violations } = await window.axe.run('figure[data-figure]');
+        return violations.flatMap(({ id, nodes }) => nodes.map(({ html, any, all, none }) => `${id}: ${html.slice(0, 140)} ${[...any, ...all, ...none].map(({ message }) => message).join(' ')}`));
+      });
+      assert.deepEqual(found, []);
+      await close();
+    });
+  }
+}

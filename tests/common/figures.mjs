@@ -1,0 +1,51 @@
+// The figures of the chapters, measured by a module in Node, and the golden list of their numbers.
+import { readFileSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+const list = new URL('../learn.txt', import.meta.url);
+const entry = fileURLToPath(new URL('figures-entry.mjs', import.meta.url));
+
+/** The figures, their stops and their readings, as the page has them. */
+export async function figuresCode() {
+  const own = { write: false, ssr: true, target: 'es2022', rolldownOptions: { input: entry, output: /** @type {const} */ ({ format: 'es' }) } };
+  const { output } = /** @type {any} */ (await build({ configFile: false, publicDir: false, logLevel: 'warn', build: own }));
+  return import(`data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`);
+}
+
+/**
+ * A line for each stop of each figure: its name, the stop, its step, the hashes of the states, and the numbers of all bits.
+ * @param {any} module
+ * @returns {Promise<string[]>}
+ */
+export async function measured(module) {
+  const { FIGURES, Reading, stopsOf } = await figuresCode();
+  return FIGURES.flatMap((/** @type {any} */ figure) => {
+    const readings = figure.packings.map((/** @type {any} */ own) => new Reading(module, figure, figure.recipe, own));
+    for (const reading of readings) while (!reading.advance(1000));
+    const lines = stopsOf(figure, readings).map((/** @type {any} */ { key, step }) => {
+      const states = readings.flatMap((/** @type {any} */ reading) => {
+        const { w, force, energy, motion } = reading.moments[step] ?? {};
+        const numbers = w === undefined ? [reading.cells.length] : [w, force, energy, motion];
+        return [reading.hashAt(step), ...numbers];
+      });
+      return [figure.name, key, step, ...states].join(' ');
+    });
+    for (const reading of readings) reading.free();
+    return lines;
+  });
+}
+
+/** The golden lines. */
+export const golden = () => readFileSync(list, 'utf8').trim().split('\n');
+
+/** @param {string[]} lines */
+export const writeGolden = (lines) => writeFileSync(list, `${lines.join('\n')}\n`);
+
+/** The stops of each figure with the hashes of their states. */
+export function goldenStops() {
+  return golden().map((line) => {
+    const [figure = '', stop = '', step = '', ...rest] = line.split(' ');
+    return { figure, stop, step, hash: rest.filter((word) => /^[0-9a-f]{16}$/.test(word)).join(' ') };
+  });
+}

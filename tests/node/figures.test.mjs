@@ -1,0 +1,74 @@
+// The figures of the chapters, by the numbers of the shipped module. After an intended change:
+// `BUBBLESTONE_UPDATE=1 node --test tests/node/figures.test.mjs`.
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { moduleIn } from '../../scripts/lib/headless.mjs';
+import { pageModule } from '../../scripts/lib/wasm.mjs';
+import { figuresCode, golden, measured, writeGolden } from '../common/figures.mjs';
+
+/** @type {any} */
+let module;
+/** @type {any} */
+let code;
+
+before(async () => {
+  module = await moduleIn(pageModule);
+  code = await figuresCode();
+});
+
+/** The numbers of a figure with other values. @param {string} name @param {Record<string, string>} [values] */
+function reading(name, values = {}) {
+  const figure = code.FIGURES.find((/** @type {any} */ one) => one.name === name);
+  const [made] = figure.packings.map((/** @type {any} */ own) => new code.Reading(module, figure, figure.recipe, own));
+  for (const [key, text] of Object.entries(values)) made.change(key, text);
+  while (!made.advance(1000));
+  return made;
+}
+
+test('each figure has the golden numbers at each stop', async () => {
+  const lines = await measured(module);
+  if (process.env.BUBBLESTONE_UPDATE) writeGolden(lines);
+  assert.deepEqual(lines, golden());
+  assert.equal(new Set(lines.map((line) => line.split(' ')[0])).size, code.FIGURES.length);
+});
+
+test('a start beyond 1.5 stays, and one at 0.6 with damping comes to rest', () => {
+  const far = reading('let-go', { w: '1.6' });
+  assert.ok(far.moments.every((/** @type {any} */ { w, force }) => Math.abs(w - 1.6) < 1e-4 && force === 0));
+  const { moments } = reading('let-go');
+  assert.ok(code.rest(moments) > code.turn(moments) && code.turn(moments) > code.touch(moments));
+});
+
+test('without damping the border between parting and coming back is where the potential is 0', () => {
+  const trial = (/** @type {number} */ w, values = {}) => code.trialOf(reading('let-go', { damp: '0', w: String(w), ...values }), 200);
+  const [parts, stays] = [trial(0.71), trial(0.725)];
+  assert.ok(parts.parted && !stays.parted);
+  assert.deepEqual(code.between([parts, stays], 0.02), [parts.w, stays.w]);
+  assert.equal(code.between([parts, trial(0.8)], 0.02), undefined);
+  // Explicit Euler gains energy, and damping takes it: neither tells where the border is.
+  for (const values of [{ move: 'euler' }, { dt: '0.5' }, { damp: '0.1' }]) assert.equal(trial(0.7, values), undefined);
+});
+
+test('hands change the recipe: held or free, mass, stiffness', () => {
+  const free = reading('pair', { held: '0' });
+  assert.equal(free.value('held'), '0');
+  assert.ok(free.moments[20].left < -0.01);
+  const held = reading('pair');
+  assert.ok(held.moments.every((/** @type {any} */ { left }) => left === 0));
+  const heavy = reading('pair', { mass: '4' });
+  assert.ok(heavy.moments[10].w < held.moments[10].w);
+  assert.ok(reading('pair', { stiff: '4' }).moments[10].w > held.moments[10].w);
+});
+
+test('no question is answered by the state that a figure opens with', () => {
+  for (const figure of code.FIGURES) {
+    const traces = figure.packings.map((/** @type {any} */ own) => {
+      const made = new code.Reading(module, figure, figure.recipe, own);
+      while (!made.advance(1000));
+      return made;
+    });
+    const seen = { traces, step: figure.opens, trials: [], mark: figure.mark ?? 0, zero: 0.718 };
+    for (const ask of figure.asks) assert.equal(ask.seen(seen, 'en'), undefined, ask.key);
+    for (const language of ['en', 'ja']) assert.ok(figure.told(seen, language).length > 10);
+  }
+});

@@ -1,0 +1,204 @@
+// The pages of the chapters as they were built: both languages have the same parts, and nothing in them is loose.
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { join, posix } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { selectAll, selectOne } from 'css-select';
+import { DomUtils, parseDocument } from 'htmlparser2';
+import { moduleIn } from '../../scripts/lib/headless.mjs';
+import { filesOf } from '../../scripts/lib/offline.mjs';
+import { terms } from '../../www/learn/chapters/terms.mjs';
+import { twoBubblesGuide } from '../../www/learn/chapters/two-bubbles-guide.mjs';
+import { contents } from '../../www/learn/chapters/words.mjs';
+
+const root = fileURLToPath(new URL('../../', import.meta.url));
+const site = join(root, 'dist');
+const files = filesOf(site);
+
+const pages = files.filter((path) => path.startsWith('learn/') && path.endsWith('.html'));
+const chapters = contents.flatMap(({ name }) => (name ? [name] : []));
+const languages = ['en', 'ja'];
+
+const source = (path) => readFileSync(join(site, path), 'utf8');
+const read = (path) => parseDocument(source(path));
+const chapter = (name, language) => read(`learn/${language === 'ja' ? 'ja/' : ''}${name}/index.html`);
+
+/** What people read: without formulas, drawings, handles, and what depends on the numbers. */
+function textOf(node) {
+  if (node.type === 'text') return node.data;
+  const { class: kind = '' } = node.attribs ?? {};
+  if (['math', 'svg', 'script', 'style'].includes(node.name) || /figure-(tools|told)/.test(kind)) return ' ';
+  return (node.children ?? []).map(textOf).join(node.name === 'span' || node.name === 'a' ? '' : ' ');
+}
+
+const words = (node) => textOf(node).match(/[\p{L}\d]+(?:[.’'-][\p{L}\d]+)*/gu) ?? [];
+const keys = (page, selector, name) => selectAll(selector, page).map((element) => element.attribs[name]);
+
+test('each page is there in both languages', () => {
+  for (const place of ['', 'glossary/', 'guide/', ...chapters.flatMap((name) => [`${name}/`, `${name}/sheet/`])]) {
+    for (const language of languages) {
+      const path = `learn/${language === 'ja' ? 'ja/' : ''}${place}index.html`;
+      assert.ok(pages.includes(path), path);
+      assert.equal(selectOne('html', read(path)).attribs.lang, language);
+    }
+  }
+  assert.equal(pages.length, 2 * (3 + 2 * chapters.length));
+});
+
+test('the contents have fourteen chapters, and links to those that are there', () => {
+  for (const path of ['learn/index.html', 'learn/ja/index.html']) {
+    const rows = selectAll('.contents > li', read(path));
+    assert.equal(rows.length, 14);
+    assert.deepEqual(rows.map((row) => selectOne('a', row)?.attribs.href ?? ''), contents.map(({ name }) => (name ? `${name}/` : '')));
+  }
+});
+
+for (const name of chapters) {
+  test(`${name}: at most 900 English words`, () => {
+    const count = words(selectOne('article', chapter(name, 'en'))).length;
+    assert.ok(count > 400 && count <= 900, `${count} words`);
+  });
+
+  test(`${name}: both languages have the same figures, questions, answers, terms and equations`, () => {
+    const [en, ja] = languages.map((language) => chapter(name, language));
+    const parts = [
+      ['figure', 'data-figure'],
+      ['.ask', 'data-ask'],
+      ['.ask input', 'value'],
+      ['.ask-seen', 'data-seen'],
+      ['[data-reply]', 'data-reply'],
+      ['.equation', 'id'],
+      ['.into-studio', 'data-figure'],
+      ['math [data-symbol]', 'data-symbol'],
+    ];
+    for (const [selector, attribute] of parts) {
+      const own = keys(en, selector, attribute);
+      assert.ok(own.length > 0, selector);
+      // Sentences have their symbols in an order of their own.
+      assert.deepEqual(keys(ja, selector, attribute).sort(), own.sort(), selector);
+    }
+    const links = (page) => keys(page, 'a.term', 'href').map((href) => href.split('#')[1]).sort();
+    assert.deepEqual(links(ja), links(en));
+    assert.doesNotMatch(textOf(selectOne('article', ja)), /\$|\[\[|undefined/);
+    assert.doesNotMatch(textOf(selectOne('article', en)), /\$|\[\[|undefined|[ぁ-ん]/);
+  });
+
+  test(`${name}: each question has the picture that shows its answer, and a place for what happened`, () => {
+    const page = chapter(name, 'en');
+    for (const ask of selectAll('.ask', page)) {
+      assert.ok(selectOne(`#fig-${ask.attribs['data-of']}`, page), ask.attribs['data-ask']);
+      assert.ok(selectOne(`[data-seen=${ask.attribs['data-ask']}]`, page), ask.attribs['data-ask']);
+      const answers = selectAll('label', ask);
+      assert.ok(answers.length >= 2 && answers.length <= 4);
+    }
+    for (const figure of selectAll('figure', page)) {
+      assert.ok(selectOne('.figure-stage svg', figure), figure.attribs.id);
+      assert.ok(words(selectOne('figcaption', figure)).length > 5, figure.attribs.id);
+    }
+    // The first figure comes before any equation.
+    const html = DomUtils.getOuterHTML(page);
+    assert.ok(html.indexOf('<figure') < html.indexOf('class="equation"'));
+  });
+
+  test(`${name}: every term of the glossary is linked from its first use`, () => {
+    for (const language of languages) {
+      const page = chapter(name, language);
+      const own = terms.filter((term) => term.chapter === name);
+      assert.deepEqual(keys(page, 'a.term', 'href').map((href) => href.split('#')[1]).sort(), own.map(({ key }) => key).sort());
+      if (language === 'ja') continue;
+      // Answers and headings have no links; texts and captions do.
+      const prose = selectAll('section > p, section > * > p, figcaption', page);
+      for (const { key, name: names } of own) {
+        const word = names.en.replace(/ \(.*/, '');
+        const first = prose.find((part) => new RegExp(`\\b${word}\\b`, 'i').test(textOf(part)));
+        if (first) assert.ok(selectOne(`a.term[href$="#${key}"]`, first), `${key} is used before its link`);
+      }
+    }
+  });
+}
+
+test('the glossary has each term once, with a picture and its name in the other language', () => {
+  for (const path of ['learn/glossary/index.html', 'learn/ja/glossary/index.html']) {
+    const page = read(path);
+    const entries = selectAll('.entry', page);
+    assert.deepEqual(entries.map(({ attribs }) => attribs.id), terms.map(({ key }) => key));
+    for (const entry of entries) {
+      assert.ok(selectOne('svg path, svg circle', entry), entry.attribs.id);
+      assert.notEqual(textOf(selectOne('.other', entry)).trim(), '');
+      if (terms.find(({ key }) => key === entry.attribs.id).symbol) assert.ok(selectOne('math', entry), entry.attribs.id);
+    }
+  }
+});
+
+test('every formula has speech in the page’s language', () => {
+  for (const path of pages) {
+    const isJapanese = path.startsWith('learn/ja/');
+    for (const formula of selectAll('math', read(path))) {
+      const speech = formula.attribs['aria-label'] ?? '';
+      assert.notEqual(speech.trim(), '', path);
+      if (formula.attribs.display === 'block') assert.equal(/[ァ-ン]/.test(speech), isJapanese, speech);
+      assert.doesNotMatch(speech, /undefined|[<>{}]/);
+    }
+  }
+});
+
+test('links stay in the site, and lead to something', () => {
+  for (const path of [...pages, 'index.html']) {
+    for (const [, name, address] of source(path).matchAll(/ (href|src|data-first)="([^"]*)"/g)) {
+      assert.doesNotMatch(address, /^(\w+:|\/)/, `${path}: ${address}`);
+      const [plain, fragment = ''] = address.split('#');
+      const target = plain === '' ? path : posix.join(posix.dirname(path), plain);
+      const file = plain === '' || !/(^|\/)$|\.\.$/.test(target) ? target : posix.join(target, 'index.html');
+      const found = file === './index.html' ? 'index.html' : file;
+      assert.ok(files.includes(found), `${path}: ${name} ${address} is no file`);
+      // A fragment is a place in the page, or the words of a state.
+      if (fragment && !fragment.includes('=')) assert.ok(selectOne(`[id="${fragment}"]`, read(found)), `${path}: ${address}`);
+    }
+  }
+});
+
+test('the policy allows the page’s own scripts alone', () => {
+  for (const path of pages) {
+    const page = read(path);
+    const policy = selectOne('meta[http-equiv]', page).attribs.content;
+    const inside = selectAll('script', page).filter(({ attribs }) => !attribs.src);
+    assert.equal(inside.length, 1);
+    const digest = createHash('sha256').update(DomUtils.textContent(inside[0])).digest('base64');
+    assert.ok(policy.includes(`'sha256-${digest}'`), path);
+    assert.doesNotMatch(source(path), / (style|on\w+)="/, path);
+  }
+});
+
+test('the numbers in the texts are the engine’s', async () => {
+  const { bubbleCurve } = await moduleIn(join(root, 'pkg'));
+  const [force, potential] = [0, 1].map((column) => (w) => bubbleCurve(w)[column]);
+  assert.equal(force(0), 9 / 8);
+  assert.equal((-force(19 / 15)).toFixed(3), '0.145');
+  // An eighth of the strongest push.
+  assert.equal(Math.round(force(0) / -force(19 / 15)), 8);
+  assert.equal((-potential(1)).toFixed(3), '0.048');
+  assert.ok(potential(0.7175) > 0 && potential(0.7185) < 0);
+  for (const language of languages) {
+    const text = DomUtils.textContent(selectOne('article', chapter('two-bubbles', language)));
+    for (const number of ['9/8', '0.145', '0.048', '0.718', '19/15']) assert.ok(text.includes(number), `${language}: ${number}`);
+  }
+});
+
+test('the guide has plans that fill their time, and a thought behind each wrong answer', () => {
+  const { plans, questions, states } = twoBubblesGuide;
+  assert.deepEqual(plans.map(({ minutes }) => minutes), [20, 60, 180]);
+  for (const { minutes, steps } of plans) {
+    const times = steps.map(([time]) => time.split('–').map(Number));
+    assert.equal(times[0][0], 0);
+    assert.equal(times.at(-1)[1], minutes);
+    times.slice(1).forEach(([from], k) => assert.equal(from, times[k][1]));
+  }
+  const asked = selectAll('.ask', chapter('two-bubbles', 'en'));
+  assert.equal(questions.length, asked.length + 1, 'the mark on the curve is a question, too');
+  const wrong = questions.filter(({ right }) => /^[abc]\./.test(right.en)).map(({ thoughts }) => thoughts.length + 1);
+  assert.deepEqual(wrong, asked.map((ask) => selectAll('label', ask).length));
+  const figures = keys(chapter('two-bubbles', 'en'), 'figure', 'data-figure');
+  for (const { link } of states) assert.ok(figures.includes(new URLSearchParams(link).get('fig')), link);
+});

@@ -1,0 +1,42 @@
+/** The force of equation (2) below its two bubbles, with their place on it. */
+import { number, way } from '../figures/words';
+import { at, axisOfW, line, momentOf, path, svg, symbol, text, X, type View } from './plate';
+import { BELOW, bubbles } from './bubbles';
+
+const [TOP, BOTTOM] = [BELOW + 24, BELOW + 200];
+export const HEIGHT = BOTTOM + 24;
+
+const [LOWEST, HIGHEST] = [-0.28, 1.2];
+
+const Y = (force: number): number => BOTTOM - ((force - LOWEST) / (HIGHEST - LOWEST)) * (BOTTOM - TOP);
+
+/** The distance of the strongest pull, where the slope of eq. (2) is 0. */
+const STRONGEST = 19 / 15;
+
+export function force(view: View, packing: number): string {
+  const curve = view.curve.map(([w, f]) => [X(w), Y(f)] as const);
+  const content = `${axisOfW(Y(0), TOP, BOTTOM, view.language)}${strongest(view)}${path(curve, 'curve')}${name()}${here(view, packing)}${bubbles(view, packing)}`;
+  const said = view.language === 'ja' ? '二つのバブルと、力 f(w) の曲線の上の位置' : 'Two bubbles, and their place on the curve of the force f(w)';
+  return svg(HEIGHT, said, content);
+}
+
+function name(): string {
+  return text(X(0) - 8, TOP + 12, `${symbol('f', 'f')}(${symbol('w', 'w')})`, 'curve-name', 'end');
+}
+
+/** The strongest push and the strongest pull, with their numbers. */
+function strongest(view: View): string {
+  const most = view.curve[0]?.[1] ?? 0;
+  const least = Math.min(...view.curve.map(([, f]) => f));
+  const dot = (w: number, f: number): string => `<circle class="extreme" cx="${at(X(w))}" cy="${at(Y(f))}" r="2.5"/>`;
+  return `${dot(0, most)}${text(X(0) - 8, Y(most) + 18, number(most, 3), 'number', 'end')}${dot(STRONGEST, least)}${text(X(STRONGEST), Y(least) + 15, number(least, 3), 'number')}`;
+}
+
+/** The place of the pair on the curve, its force as a bar from the axis, and the line down from the bubble. */
+function here(view: View, packing: number): string {
+  const moment = momentOf(view, packing);
+  if (!moment) return '';
+  const [x, kind] = [X(moment.w), way(moment)];
+  const guide = moment.left === 0 ? line([x, BELOW - 8], [x, BOTTOM], 'guide') : '';
+  return `${guide}${line([x, Y(0)], [x, Y(moment.force)], `bar ${kind}`)}<circle class="here" cx="${at(x)}" cy="${at(Y(moment.force))}" r="5.5"/>`;
+}

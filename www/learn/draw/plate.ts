@@ -1,0 +1,90 @@
+/**
+ * Pieces of SVG as text. A plate is 400 units wide, and all plates have the distance w on the same horizontal axis, so that a
+ * bubble, its place on a curve and its track stand above each other. Colours come from classes alone: the page's style sheet
+ * has them for light, dark and paper.
+ */
+import type { Language, Moment, Trace, Words } from '../figures/figure';
+
+export const WIDTH = 400;
+
+/** The place of w = 0, and the length of a stable distance. */
+const ORIGIN = 72;
+export const UNIT = 130;
+
+/** The largest distance on the axis. */
+export const WIDEST = (WIDTH - 16 - ORIGIN) / UNIT;
+
+export const X = (w: number): number => ORIGIN + UNIT * w;
+
+export const toW = (x: number): number => (x - ORIGIN) / UNIT;
+
+/** A point of the curves: the distance, the force, the potential. */
+export type CurvePoint = readonly [w: number, force: number, potential: number];
+
+/** All that a drawing may show. */
+export interface View {
+  readonly traces: readonly Trace[];
+  readonly step: number;
+  readonly last: number;
+  readonly curve: readonly CurvePoint[];
+  readonly zero: number;
+  readonly mark: number | undefined;
+  /** Whether the place where the potential is 0 is shown. */
+  readonly isZeroShown: boolean;
+  /** The stops on the way, with their steps. */
+  readonly stops: readonly { readonly name: Words; readonly step: number }[];
+  readonly language: Language;
+}
+
+/** A number for an attribute: hundredths are finer than a pixel of any screen. */
+export const at = (value: number): string => String(Math.round(value * 100) / 100);
+
+export function momentOf(view: View, packing: number): Moment | undefined {
+  return view.traces[packing]?.moments[view.step];
+}
+
+export function line(from: readonly [number, number], to: readonly [number, number], name: string): string {
+  return `<path class="${name}" d="M${at(from[0])} ${at(from[1])}L${at(to[0])} ${at(to[1])}"/>`;
+}
+
+export function path(points: readonly (readonly [number, number])[], name: string): string {
+  return points.length < 2 ? '' : `<path class="${name}" d="M${points.map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}"/>`;
+}
+
+export function text(x: number, y: number, words: string, name = '', anchor = 'middle'): string {
+  return `<text x="${at(x)}" y="${at(y)}" text-anchor="${anchor}"${name && ` class="${name}"`}>${words}</text>`;
+}
+
+/** A symbol, which the page marks together with the same one in equations. */
+export function symbol(name: string, letters: string): string {
+  return `<tspan class="letter" data-symbol="${name}">${letters}</tspan>`;
+}
+
+export const pick = (words: Words, language: Language): string => words[language];
+
+export const PUSH: Words = { en: 'push', ja: '押す' };
+export const PULL: Words = { en: 'pull', ja: '引く' };
+export const NOTHING: Words = { en: 'nothing', ja: '力なし' };
+
+/** An arrow from a point along the axis; its head is open if it pulls, so that colour is not needed. */
+export function arrow(x: number, y: number, length: number, kind: string): string {
+  const way = Math.sign(length);
+  const end = x + length;
+  const head = Math.min(13, Math.abs(length) * 0.7 + 5) * way;
+  return `<g class="arrow ${kind}">${line([x, y], [end - head * 0.5, y], 'shaft')}<path class="head" d="M${at(end)} ${at(y)}l${at(-head)} -7v14z"/></g>`;
+}
+
+/** The axis of w with its numbers, and the bands of push, pull and nothing above it. */
+export function axisOfW(y: number, top: number, bottom: number, language: Language): string {
+  const marks = [0, 0.5, 1, 1.5, 2].map((w) => `${line([X(w), y - 3], [X(w), y + 3], 'tick')}${text(X(w), bottom + 16, String(w), 'number')}`);
+  const names = [[0, 1, 'push', PUSH], [1, 1.5, 'pull', PULL], [1.5, WIDEST, 'none', NOTHING]] as const;
+  const bands = names.map(([from, to, kind, words]) => {
+    const middle = text(X((from + to) / 2), top - 6, pick(words, language), `band-name ${kind}`);
+    return `<rect class="band ${kind}" x="${at(X(from))}" y="${at(top)}" width="${at(UNIT * (to - from))}" height="${at(bottom - top)}"/>${middle}`;
+  });
+  return `${bands.join('')}${line([X(0), y], [X(WIDEST), y], 'axis')}${marks.join('')}${text(X(WIDEST) + 2, bottom + 16, symbol('w', 'w'), 'number', 'end')}`;
+}
+
+export function svg(height: number, said: string, content: string): string {
+  return `<svg class="plate" viewBox="0 0 ${WIDTH} ${height}" width="${WIDTH}" height="${height}" role="img" aria-label="${said}">${content}</svg>`;
+}

@@ -1,0 +1,47 @@
+/** The questions of a figure: when its numbers show what was asked, a sentence says it beside the prediction. */
+import type { Ask, Figure, Language, Seen } from '../figures/figure';
+
+export class Asked {
+  private readonly figure: Figure;
+  private readonly language: Language;
+  private readonly found = new Set<Ask>();
+
+  constructor(figure: Figure, language: Language) {
+    [this.figure, this.language] = [figure, language];
+  }
+
+  /** Whether a question that shows the place of no potential is answered. */
+  get showsZero(): boolean {
+    return [...this.found].some((ask) => ask.showsZero);
+  }
+
+  /** Looks at the numbers; true if a question was answered for the first time. */
+  look(seen: Seen): boolean {
+    let isNew = false;
+    for (const ask of this.figure.asks) {
+      const sentence = ask.seen(seen, this.language);
+      if (sentence === undefined) continue;
+      isNew ||= !this.found.has(ask);
+      this.found.add(ask);
+      this.tell(ask, sentence);
+    }
+    return isNew;
+  }
+
+  private tell(ask: Ask, sentence: string): void {
+    const place = document.querySelector<HTMLElement>(`[data-seen="${ask.key}"]`);
+    if (!place) return;
+    const words = `${this.expected(ask)}${sentence}`;
+    if (place.textContent === words && !place.hidden) return;
+    place.setAttribute('aria-live', 'polite');
+    place.hidden = false;
+    place.textContent = words;
+  }
+
+  private expected({ key, answers }: Ask): string {
+    const chosen = document.querySelector<HTMLInputElement>(`[data-ask="${key}"] input:checked`)?.value ?? '';
+    const answer = answers[chosen]?.[this.language];
+    if (!answer) return '';
+    return this.language === 'ja' ? `あなたの予想は「${answer}」。` : `You expected that ${answer}. `;
+  }
+}

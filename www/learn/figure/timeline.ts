@@ -1,0 +1,90 @@
+/** The timeline of a figure: again, back, play, on, a slider with marks at the stops, the stops by name, and the speed. */
+import { icon, stepWords, TOOL_WORDS } from '../draw/tools';
+import type { Figure, Language } from '../figures/figure';
+
+/** What the timeline may do. */
+export interface Timed {
+  readonly figure: Figure;
+  readonly language: Language;
+  again(): void;
+  play(): void;
+  /** Goes by some steps. */
+  by(steps: number): void;
+  seek(step: number): void;
+}
+
+interface Stopped {
+  readonly key: string;
+  readonly step: number;
+}
+
+export class Timeline {
+  private readonly of: Timed;
+  private readonly range: HTMLInputElement;
+  private readonly place: HTMLElement;
+  private stops: readonly Stopped[] = [];
+  private isPlaying: boolean | undefined;
+
+  constructor(of: Timed, place: HTMLElement, signal: AbortSignal) {
+    [this.of, this.place] = [of, place];
+    this.range = place.querySelector('input.time') as HTMLInputElement;
+    const acts: Record<string, () => void> = { again: () => of.again(), play: () => of.play(), back: () => of.by(-1), on: () => of.by(1) };
+    place.querySelectorAll<HTMLElement>('[data-do]').forEach((button) => button.addEventListener('click', () => acts[button.dataset.do ?? '']?.(), { signal }));
+    place.querySelectorAll<HTMLElement>('[data-stop]').forEach((button) => button.addEventListener('click', () => this.go(button.dataset.stop ?? ''), { signal }));
+    this.range.addEventListener('input', () => of.seek(this.range.valueAsNumber), { signal });
+    this.range.addEventListener('keydown', (event) => this.onKey(event), { signal });
+  }
+
+  /** The factor of the speed. */
+  get speed(): number {
+    return Number(this.place.querySelector<HTMLSelectElement>('select.speed')?.value ?? 1);
+  }
+
+  private go(key: string): void {
+    const stop = this.stops.find((one) => one.key === key);
+    if (stop) this.of.seek(stop.step);
+  }
+
+  /** Page keys go from stop to stop. */
+  private onKey(event: KeyboardEvent): void {
+    const now = this.range.valueAsNumber;
+    const steps = this.stops.map(({ step }) => step);
+    const next = event.key === 'PageUp' ? steps.find((step) => step > now) : event.key === 'PageDown' ? steps.findLast((step) => step < now) : undefined;
+    if (next === undefined) return;
+    event.preventDefault();
+    this.of.seek(next);
+  }
+
+  show(step: number, isPlaying: boolean, stops: readonly Stopped[]): void {
+    const { figure, language } = this.of;
+    if (stops !== this.stops) this.mark(stops);
+    const said = stepWords(figure, step, language);
+    this.range.value = String(step);
+    this.range.setAttribute('aria-valuetext', said);
+    this.range.style.setProperty('--share', String(step / figure.last));
+    (this.place.querySelector('.time-said') as HTMLElement).textContent = said;
+    this.place.querySelectorAll<HTMLElement>('[data-stop]').forEach((button) => {
+      const at = stops.find(({ key }) => key === button.dataset.stop);
+      button.ariaCurrent = at?.step === step ? 'step' : null;
+    });
+    if (isPlaying !== this.isPlaying) this.name(isPlaying);
+  }
+
+  private name(isPlaying: boolean): void {
+    this.isPlaying = isPlaying;
+    const button = this.place.querySelector('[data-do="play"]') as HTMLElement;
+    const name = isPlaying ? 'pause' : 'play';
+    button.innerHTML = `${icon(name)}<span>${TOOL_WORDS[name][this.of.language]}</span>`;
+  }
+
+  private mark(stops: readonly Stopped[]): void {
+    this.stops = stops;
+    const marks = stops.map(({ step }) => {
+      const mark = document.createElement('span');
+      mark.style.setProperty('--share', String(step / this.of.figure.last));
+      return mark;
+    });
+    (this.place.querySelector('.time-marks') as HTMLElement).replaceChildren(...marks);
+    this.place.querySelectorAll<HTMLButtonElement>('[data-stop]').forEach((button) => (button.disabled = !stops.some(({ key }) => key === button.dataset.stop)));
+  }
+}

@@ -1,0 +1,184 @@
+/**
+ * The figures of chapter 1, "Two bubbles" (Miyata, Itoh and Shimada, A Method for Generating Pavement Textures Using the
+ * Square Packing Technique, 2001, sections 4.2 and 4.3, equations (2), (3) and (5)). All packings have circles of side 64 in
+ * a picture of side 256, without walls; no cell comes or goes, and no run ends by itself.
+ */
+import type { Ask, Figure, Language, Seen, Stop, Trace } from './figure';
+import { between, parting, REACH, rest, start, touch, turn } from './rules';
+import { DAMPING, DISTANCE, HELD, INTEGRATOR, MARK, MASS, moves, number, STIFFNESS, stands, TIME_STEP } from './words';
+
+const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0&mend=0&most=1000';
+
+/** The left bubble at a quarter of the picture, and the right one this many stable distances from it. */
+const pair = (w: number, values: string): string => `${PAIR}&given=0.25,0.5,1;${0.25 + w / 4},0.5,0&${values}`;
+
+const START: Stop = { key: 'start', name: { en: 'Start', ja: '開始' }, find: start };
+const TOUCH: Stop = { key: 'touch', name: { en: 'First touch', ja: '最初に接する' }, find: touch };
+const TURN: Stop = { key: 'turn', name: { en: 'Turning', ja: '折り返し' }, find: turn };
+const REST: Stop = { key: 'rest', name: { en: 'Rest', ja: '静止' }, find: rest };
+const PARTED: Stop = { key: 'parted', name: { en: 'Apart for good', ja: '離れきる' }, find: parting };
+const END: Stop = { key: 'end', name: { en: 'Last step', ja: '最後' }, find: (moments) => moments.at(-1)?.step };
+
+/** The answer that was chosen, which the runtime puts before what happened. */
+const far: Ask = {
+  key: 'far',
+  answers: { a: { en: 'it drifts off', ja: '離れていく' }, b: { en: 'it stays', ja: 'そのまま止まっている' }, c: { en: 'it comes back', ja: '戻ってくる' } },
+  seen: ({ traces, step }, language) => {
+    const moments = traces[0]?.moments ?? [];
+    const [first, then] = [moments[0], moments[10]];
+    if (!first || !then || step < 10 || first.w <= REACH || Math.abs(then.w - first.w) > 0.01) return undefined;
+    const [w, force] = [number(then.w, 3), number(then.force, 3)];
+    return language === 'ja'
+      ? `そのまま止まっていました。w = ${w} での力は ${force} で、10 ステップ後もそこにいます。1.5 より遠くでは引く力も押す力も 0 だからです。`
+      : `It stayed: at w = ${w} the force is ${force}, and ten steps later it is still there. From 1.5 on nothing pulls and nothing pushes.`;
+  },
+};
+
+const near: Ask = {
+  key: 'near',
+  showsZero: true,
+  answers: {},
+  seen: ({ trials, mark, zero }, language) => {
+    const found = between(trials, 0.02);
+    if (!found) return undefined;
+    const [parted, kept, own, level] = [...found, mark, zero].map((value) => number(value, 3));
+    return language === 'ja'
+      ? `あなたの印は ${own}。${parted ?? ''} からは離れきり、${kept ?? ''} からは戻りました。境目はその間です。Ψ は w = ${level ?? ''} で 0 です。減衰がなければエネルギーは減らず、0 より上から始まると谷を越えて出ていきます。`
+      : `Your mark is at ${own}. From ${parted ?? ''} it parted for good, from ${kept ?? ''} it came back, so the border lies between. Ψ is 0 at w = ${level ?? ''}: without damping no energy is lost, and whoever starts above 0 leaves the valley.`;
+  },
+};
+
+const broken: Ask = {
+  key: 'broken',
+  answers: { a: { en: 'it rests', ja: '静止する' }, b: { en: 'it rings for ever', ja: '揺れ続ける' }, c: { en: 'it flies apart', ja: '飛び離れる' } },
+  seen: ({ traces, step }, language) => {
+    const [euler, kutta] = traces.map(({ moments }) => moments[step]);
+    if (!euler || !kutta || step < 20 || euler.w <= REACH || Math.abs(kutta.w - 1) > 0.02) return undefined;
+    const [away, stays, dt] = [number(euler.w, 3), number(kutta.w, 3), traces[0]?.value('dt') ?? ''];
+    return language === 'ja'
+      ? `刻み ${dt} では、陽的オイラー法のバブルは w = ${away} まで飛び離れ、ルンゲ・クッタ法のバブルは w = ${stays} で静止しました。力は同じです。長い刻みの間に力は変わるのに、オイラー法は最初の力で押し続けるからです。`
+      : `With a step of ${dt}, explicit Euler has thrown the bubble to w = ${away}; Runge–Kutta has it at rest at w = ${stays}. The force is the same. It changes during a long step, but Euler goes on with the force of the step's beginning.`;
+  },
+};
+
+const still: Ask = {
+  key: 'still',
+  answers: {},
+  seen: ({ traces, step }, language) => {
+    const [trace] = traces;
+    const moments = trace?.moments ?? [];
+    const at = rest(moments);
+    if (!trace || step < 30 || at === undefined || at > 30 || moments.some(({ w }) => w > 1.01)) return undefined;
+    const c = trace.value('damp');
+    return language === 'ja'
+      ? `できました。減衰 c = ${c} では、行き過ぎずに ${at} ステップで静止します。2 より小さいと行き過ぎ、大きいとのろくなります。`
+      : `Done: with c = ${c} it is at rest after ${at} steps and never swings past. Much less than 2 swings past, much more is slow.`;
+  },
+};
+
+const made: Ask = {
+  key: 'made',
+  answers: { a: { en: 'stones that were cut one by one', ja: '一つずつ切った石' }, b: { en: 'bubbles that push and pull', ja: '押し合い引き合うバブル' }, c: { en: 'a photograph', ja: '写真' } },
+  seen: ({ step, traces }, language) => {
+    if (step < 4) return undefined;
+    const n = traces[0]?.cells.length ?? 0;
+    return language === 'ja'
+      ? `この ${n} 個の石は、それぞれ一つのバブルから作られました。バブルは隣を押したり引いたりして自分の場所を見つけます。二つだけ残すと、力は一つの曲線で決まります。`
+      : `Each of the ${n} stones was made around a bubble. The bubbles found their places by pushing and pulling their neighbours. With two of them left, one curve decides.`;
+  },
+};
+
+/** The text under a figure with one pair. */
+function told({ traces, step }: Seen, language: Language): string {
+  const [trace] = traces;
+  const moment = trace?.moments[step];
+  if (!trace || !moment) return '';
+  const isHeld = trace.value('held') === '1';
+  const who = language === 'ja' ? (isHeld ? 'バブルが二つ。左は留めてあります。' : 'バブルが二つ。どちらも自由に動けます。') : isHeld ? 'Two bubbles, the left one held.' : 'Two bubbles, both free.';
+  return joined(language, who, stands(moment, language), isAtRest(trace, step) ? '' : moves(moment, language), hint(trace, step, language));
+}
+
+const isAtRest = ({ moments }: Trace, step: number): boolean => step > 0 && step >= (rest(moments) ?? Infinity);
+
+/** What to try next. */
+function hint(trace: Trace, step: number, language: Language): string {
+  if (step === 0) return language === 'ja' ? '右のバブルを動かすか、「再生」で放してください。' : 'Move the right bubble, or press play to let go.';
+  if (isAtRest(trace, step)) return language === 'ja' ? '静止しています。ほかの距離からも試してください。' : 'They are at rest. Try another start.';
+  return language === 'ja' ? '一歩ずつ進めたり戻したりして、力の向きを見てください。' : 'Step on or back and watch which way the force points.';
+}
+
+function toldTwice({ traces, step }: Seen, language: Language): string {
+  const names = language === 'ja' ? ['陽的オイラー法', 'ルンゲ・クッタ法'] : ['Explicit Euler', 'Runge–Kutta'];
+  const parts = traces.map(({ moments }, k) => `${names[k] ?? ''}: w = ${number(moments[step]?.w ?? 0, 3)}`);
+  const dt = traces[0]?.value('dt') ?? '';
+  const same = language === 'ja' ? `力も減衰も同じ、時間刻みも同じ ${dt} です。` : `The same force, the same damping, the same time step of ${dt}.`;
+  const tryIt = language === 'ja' ? '刻みを 0.2、0.55、1.0 に変えてみてください。' : 'Try steps of 0.2, 0.55 and 1.0.';
+  return joined(language, same, language === 'ja' ? `${parts.join('、')}。` : `${parts.join('; ')}.`, tryIt);
+}
+
+const LAYERS: readonly { readonly key: string; readonly en: string; readonly ja: string }[] = [
+  { key: 'across', en: 'From stones to bubbles', ja: '石からバブルへ' },
+  { key: 'stones', en: 'Stones', ja: '石' },
+  { key: 'cells', en: 'Cells', ja: 'セル' },
+  { key: 'bubbles', en: 'Bubbles', ja: 'バブル' },
+  { key: 'two', en: 'Two bubbles', ja: '二つのバブル' },
+];
+
+function toldLayer({ traces, step }: Seen, language: Language): string {
+  const n = traces[0]?.cells.length ?? 0;
+  const en = [
+    `A pavement of ${n} stones, taken apart from left to right: stones, cells, bubbles, and two of them. Step through it.`,
+    `${n} stones. No two are alike, and the joints fit.`,
+    `${n} cells: each stone fills one.`,
+    `${n} bubbles, one in each cell. They almost touch, and they overlap a little.`,
+    'Two neighbours, alone. All that follows is about these two.',
+  ];
+  const ja = [
+    `${n} 個の石からなる石畳を、左から右へ、石、セル、バブル、そのうちの二つへとほどきました。一歩ずつ進めてください。`,
+    `石は ${n} 個。同じ形は一つもなく、目地はぴったり合っています。`,
+    `セルは ${n} 個。石は一つずつセルに収まっています。`,
+    `バブルは ${n} 個。セルごとに一つあり、ほぼ接して、少し重なります。`,
+    '隣り合う二つだけが残りました。これからは、この二つの話です。',
+  ];
+  return (language === 'ja' ? ja : en)[step] ?? '';
+}
+
+function joined(language: Language, ...sentences: string[]): string {
+  return sentences.filter(Boolean).join(language === 'ja' ? '' : ' ');
+}
+
+const NO_PHYSICS = { handles: [], more: [] };
+const PHYSICS = [MASS, STIFFNESS, TIME_STEP, INTEGRATOR];
+
+export const TWO_BUBBLES: readonly Figure[] = [
+  {
+    name: 'top', recipe: 'outline=square&size=256&kind=circle&cs=32&seed=3', packings: [{}], last: 4, opens: 0, steps: 'layer',
+    plates: [{ draw: 'pavement', packing: 0 }],
+    stops: LAYERS.map(({ key, en, ja }, k) => ({ key, name: { en, ja }, find: () => k })),
+    ...NO_PHYSICS, asks: [made], told: toldLayer,
+  },
+  {
+    name: 'pair', recipe: pair(0.7, 'damp=0.5&move=rk4&dt=0.1'), packings: [{}], last: 160, opens: 0, steps: 'step',
+    plates: [{ draw: 'force', packing: 0 }, { draw: 'valley', packing: 0 }],
+    stops: [START, TOUCH, TURN, REST], handles: [DISTANCE, HELD], more: [DAMPING, ...PHYSICS], asks: [], told,
+  },
+  {
+    name: 'let-go', recipe: pair(0.6, 'damp=0.6&move=rk4&dt=0.1'), packings: [{}], last: 200, opens: 200, steps: 'step',
+    plates: [{ draw: 'track', packing: 0 }, { draw: 'valley', packing: 0 }],
+    stops: [START, TOUCH, TURN, PARTED, REST, END], handles: [{ ...DISTANCE, plates: [0] }, DAMPING, MARK, HELD], more: PHYSICS,
+    mark: 0.3, asks: [far, near], told,
+  },
+  {
+    name: 'not-so', recipe: pair(0.9, 'damp=0.5&move=euler&dt=0.55'), packings: [{}, { move: 'rk4' }], last: 100, opens: 60, steps: 'step',
+    plates: [
+      { draw: 'track', packing: 0, title: { en: 'Explicit Euler', ja: '陽的オイラー法' } },
+      { draw: 'track', packing: 1, title: { en: 'Runge–Kutta', ja: 'ルンゲ・クッタ法' } },
+    ],
+    stops: [START, TOUCH, TURN, PARTED, REST, END], handles: [TIME_STEP, { ...DISTANCE, plates: [0] }, DAMPING], more: [MASS, STIFFNESS], asks: [broken], told: toldTwice,
+  },
+  {
+    name: 'exercise', recipe: pair(0.8, 'damp=0.3&move=rk4&dt=0.2'), packings: [{}], last: 60, opens: 40, steps: 'step',
+    plates: [{ draw: 'track', packing: 0 }, { draw: 'valley', packing: 0 }],
+    stops: [START, TOUCH, TURN, REST, END], handles: [DAMPING, { ...DISTANCE, plates: [0] }], more: PHYSICS, asks: [still], told,
+  },
+];

@@ -1,0 +1,87 @@
+/** The view for a class: one question or one figure fills the screen, and raised hands are counted beside each answer. */
+import { make } from '../base/dom';
+
+const HANDS = { en: 'Raised hands', ja: '挙手の数' };
+
+/** Elements that use the arrow keys themselves. */
+const OWN_KEYS = 'input, select, textarea, [role=slider], [role=application], summary';
+
+export function bindClass(language: 'en' | 'ja'): void {
+  const scenes = [...document.querySelectorAll<HTMLElement>('.scene')];
+  const button = document.getElementById('class');
+  if (!button || !scenes.length) return;
+  const lesson = new Lesson(scenes, button);
+  button.hidden = false;
+  button.addEventListener('click', () => lesson.toggle());
+  document.addEventListener('keydown', (event) => lesson.key(event));
+  for (const label of document.querySelectorAll('.ask label')) count(label, HANDS[language]);
+}
+
+/** Adds a box for a number beside an answer. Pupils' hands are counted in class alone. */
+function count(label: Element, word: string): void {
+  const answer = label.querySelector('span:last-child')?.textContent ?? '';
+  const box = make('input', { type: 'number', class: 'hands', min: '0', max: '99', inputmode: 'numeric', 'aria-label': `${word}: ${answer}`, placeholder: '0' });
+  label.after(box);
+}
+
+const WAYS: Readonly<Record<string, number>> = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
+
+/** What fills the screen: a scene's question with its answers, or its figure. */
+interface Slide {
+  readonly scene: HTMLElement;
+  readonly part: 'ask' | 'figure';
+}
+
+function slidesOf(scene: HTMLElement): Slide[] {
+  const hasFigure = scene.querySelector('.figure') !== null;
+  const ask: Slide[] = !hasFigure || scene.querySelector('.ask') ? [{ scene, part: 'ask' }] : [];
+  return hasFigure ? [...ask, { scene, part: 'figure' }] : ask;
+}
+
+class Lesson {
+  private readonly slides: readonly Slide[];
+  private at = -1;
+
+  constructor(private readonly scenes: readonly HTMLElement[], private readonly button: HTMLElement) {
+    this.slides = scenes.flatMap(slidesOf);
+  }
+
+  /** Begins at the scene in sight, or ends where it was. */
+  toggle(): void {
+    if (this.at >= 0) this.end();
+    else this.show(Math.max(0, this.slides.findIndex(({ scene }) => scene.getBoundingClientRect().bottom > innerHeight / 3)));
+  }
+
+  key(event: KeyboardEvent): void {
+    if (this.at < 0 || event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === 'Escape') this.end();
+    const way = WAYS[event.key];
+    if (way === undefined || (event.target instanceof Element && event.target.closest(OWN_KEYS))) return;
+    event.preventDefault();
+    this.show(Math.min(this.slides.length - 1, Math.max(0, this.at + way)));
+  }
+
+  private show(at: number): void {
+    this.mark(at);
+    const scene = this.slides[at]?.scene;
+    scene?.setAttribute('tabindex', '-1');
+    scene?.focus({ preventScroll: true });
+    scrollTo(0, 0);
+  }
+
+  private end(): void {
+    const scene = this.slides[this.at]?.scene;
+    this.mark(-1);
+    scene?.scrollIntoView();
+    this.button.focus({ preventScroll: true });
+  }
+
+  private mark(at: number): void {
+    this.at = at;
+    const slide = this.slides[at];
+    document.documentElement.toggleAttribute('data-class', slide !== undefined);
+    document.documentElement.dataset['part'] = slide?.part ?? '';
+    this.button.setAttribute('aria-pressed', String(slide !== undefined));
+    for (const scene of this.scenes) scene.toggleAttribute('data-now', scene === slide?.scene);
+  }
+}
