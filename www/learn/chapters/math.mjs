@@ -39,10 +39,13 @@ export const over = (above, below) => `<mfrac>${row(above)}${row(below)}</mfrac>
 /** @param {string} base @param {number} power */
 export const raised = (base, power) => `<msup>${part(base)}<mn>${power}</mn></msup>`;
 
+/** Something with fractions, in parentheses as tall. @param {string} inner */
+export const fenced = (inner) => `<mrow><mo class="tall" stretchy="false" form="prefix">(</mo>${inner}<mo class="tall" stretchy="false" form="postfix">)</mo></mrow>`;
+
 /** A value by cases, each with its condition. @param {[string, string][]} all */
 export const cases = (all) => {
   const rows = all.map(([value, when]) => `<mtr><mtd>${value}</mtd><mtd>${when}</mtd></mtr>`);
-  return `<mrow><mo class="brace" stretchy="true" form="prefix">{</mo><mtable class="cases">${rows.join('')}</mtable></mrow>`;
+  return `<mrow><mo class="brace" stretchy="false" form="prefix">{</mo><mtable class="cases">${rows.join('')}</mtable></mrow>`;
 };
 
 /** A formula in a line of text, spoken from its words. @param {string} words @param {'en' | 'ja'} language */

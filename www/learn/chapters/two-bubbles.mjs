@@ -1,5 +1,5 @@
 // Chapter 1. In a text, [[term|words]] leads to a term of the glossary, and $w = 1$ is a formula.
-import { cases, over, raised, row } from './math.mjs';
+import { cases, fenced, over, raised, row } from './math.mjs';
 
 const w3 = raised('w', 3);
 const w2 = raised('w', 2);
@@ -111,7 +111,7 @@ export const twoBubbles = {
         },
         {
           equation: '2',
-          math: `${row('f ( w ) =')}${cases([[`${over('k0', 'l0')}<mrow><mo>(</mo>${over('5', '4')}${w3}<mo>−</mo>${over('19', '8')}${w2}<mo>+</mo>${over('9', '8')}<mo>)</mo></mrow><mo>,</mo>`, near], ['<mn>0</mn><mo>,</mo>', far]])}`,
+          math: `${row('f ( w ) =')}${cases([[`${over('k0', 'l0')}${fenced(`${over('5', '4')}${w3}<mo>−</mo>${over('19', '8')}${w2}<mo>+</mo>${over('9', '8')}`)}<mo>,</mo>`, near], ['<mn>0</mn><mo>,</mo>', far]])}`,
           speech: {
             en: 'f of w equals k zero over l zero, times the bracket: five quarters w cubed, minus nineteen eighths w squared, plus nine eighths, for w from 0 to 1.5; and 0 for w from 1.5 on.',
             ja: 'エフ・オブ・ダブリューは、ダブリューが0から1.5までのとき、エル・ゼロ分のケー・ゼロかける、かっこ、4分の5ダブリューの3乗、引く8分の19ダブリューの2乗、足す8分の9、かっことじ。1.5以上のとき0。',
@@ -127,7 +127,7 @@ export const twoBubbles = {
         },
         {
           equation: '3',
-          math: `${row('psi ( w ) =')}${cases([[`<mo>−</mo>${row('k0')}<mrow><mo>(</mo>${over('5', '16')}${raised('w', 4)}<mo>−</mo>${over('19', '24')}${w3}<mo>+</mo>${over('9', '8')}${row('w')}<mo>−</mo>${over('153', '256')}<mo>)</mo></mrow><mo>,</mo>`, near], ['<mn>0</mn><mo>,</mo>', far]])}`,
+          math: `${row('psi ( w ) =')}${cases([[`<mo>−</mo>${row('k0')}${fenced(`${over('5', '16')}${raised('w', 4)}<mo>−</mo>${over('19', '24')}${w3}<mo>+</mo>${over('9', '8')}${row('w')}<mo>−</mo>${over('153', '256')}`)}<mo>,</mo>`, near], ['<mn>0</mn><mo>,</mo>', far]])}`,
           speech: {
             en: 'psi of w equals minus k zero times the bracket: five sixteenths w to the fourth, minus nineteen twenty-fourths w cubed, plus nine eighths w, minus 153 over 256, for w from 0 to 1.5; and 0 for w from 1.5 on.',
             ja: 'プサイ・オブ・ダブリューは、ダブリューが0から1.5までのとき、マイナス、ケー・ゼロかける、かっこ、16分の5ダブリューの4乗、引く24分の19ダブリューの3乗、足す8分の9ダブリュー、引く256分の153、かっことじ。1.5以上のとき0。',
