@@ -71,8 +71,8 @@ fn wild(random: &mut Random) -> Recipe {
         recipe.set("cs", "8").unwrap();
     }
     // Runs that never rest are seen in fewer steps, too.
-    if recipe.number(keys::MOST) > 400.0 {
-        recipe.set("most", "400").unwrap();
+    if recipe.number(keys::MOST) > 200.0 {
+        recipe.set("most", "200").unwrap();
     }
     recipe
         .set("seed", &(random.bits() >> 32).to_string())
@@ -232,7 +232,7 @@ fn whatever_is_asked_for_the_work_ends_well() {
     );
     let (tried, refused) = try_all(count, seed, u64::MAX, ends_well);
     assert!(
-        refused * 4 < tried,
+        refused * 4 <= tried,
         "{refused} of {tried} recipes were refused"
     );
 }
