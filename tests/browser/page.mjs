@@ -109,7 +109,7 @@ export async function set(page, key, value) {
     const changed = (element) => element.dispatchEvent(new Event('change', { bubbles: true }));
     if (!box) return false;
     const radio = /** @type {HTMLElement | null} */ (box.querySelector(`[type=radio][value="${text}"]`));
-    const field = /** @type {HTMLInputElement} */ (box.matches('input') ? box : box.querySelector('select, [type=number]'));
+    const field = /** @type {HTMLInputElement} */ (box.matches('input') ? box : box.querySelector('select, [type=number], [type=text]'));
     if (radio) radio.click();
     else {
       field.value = text;
