@@ -59,16 +59,21 @@ impl Pair {
     /// The frame of two cells: the mean of the first one's axis and the second one's, turned by symmetry to
     /// be nearest. Forces are then reciprocal.
     pub fn new(a: &Particle, b: &Particle) -> Self {
-        Self::seen(a, b, IdentityTransport)
+        Self::seen(a, b, IdentityTransport, CornerBubbles::PAPERS)
     }
 
     /// The same on any domain, in the first one's frame.
     #[inline(always)]
-    pub(crate) fn seen<P>(a: &Particle<P>, b: &Particle<P>, turn: impl ParallelTransport) -> Self {
+    pub(crate) fn seen<P>(
+        a: &Particle<P>,
+        b: &Particle<P>,
+        turn: impl ParallelTransport,
+        bubbles: CornerBubbles,
+    ) -> Self {
         let sizes = (a.size, b.size);
         let axes = (a.axis, turn.apply(b.axis));
         if a.kind == CellKind::Square && b.kind == CellKind::Square {
-            return Self::squares(axes, sizes);
+            return Self::squares(axes, sizes, bubbles);
         }
         let stretch = (a.kind.is_stretched() || b.kind.is_stretched()).then(|| Stretch {
             shapes: (CellShape::of(a), CellShape::of(b).seen(turn)),
@@ -84,25 +89,24 @@ impl Pair {
             axis,
             sizes,
             corners,
-            bubbles: CornerBubbles::PAPERS,
+            bubbles,
             stretch,
         }
     }
 
     /// The same pair with other corner bubbles.
-    #[inline(always)]
     pub fn with(self, bubbles: CornerBubbles) -> Self {
         Self { bubbles, ..self }
     }
 
     /// The frame of two squares.
     #[inline(always)]
-    pub(super) fn squares(axes: (DVec2, DVec2), sizes: (f64, f64)) -> Self {
+    pub(super) fn squares(axes: (DVec2, DVec2), sizes: (f64, f64), bubbles: CornerBubbles) -> Self {
         Self {
             axis: mean_axis(axes.0, axes.1, 4),
             sizes,
             corners: (true, true),
-            bubbles: CornerBubbles::PAPERS,
+            bubbles,
             stretch: None,
         }
     }
@@ -259,7 +263,7 @@ pub(super) fn force_between<P>(
     (r, turn): (DVec2, impl ParallelTransport),
     corners: CornerBubbles,
 ) -> DVec2 {
-    Pair::seen(a, b, turn).with(corners).force(r)
+    Pair::seen(a, b, turn, corners).force(r)
 }
 
 /// The potential of two cells of any kinds.
@@ -273,7 +277,7 @@ pub(super) fn potential_between<P>(
     if !CellShape::of(a).may_touch(&seen, r, (corners.square_reach(), 0.0)) {
         return 0.0;
     }
-    Pair::seen(a, b, turn).with(corners).potential(r)
+    Pair::seen(a, b, turn, corners).potential(r)
 }
 
 /// The mean of a vector and another one, turned by the multiple of 1/`symmetry` (2 or 4) of a circle that

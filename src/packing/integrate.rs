@@ -307,9 +307,8 @@ impl<P: Copy> Motion<P> {
                     continue;
                 }
                 let force = if a.is_square && b.is_square {
-                    Pair::squares((a.axis, turn.apply(b.axis)), (a.size, b.size))
-                        .with(corners)
-                        .force(r)
+                    let axes = (a.axis, turn.apply(b.axis));
+                    Pair::squares(axes, (a.size, b.size), corners).force(r)
                 } else {
                     force_between(&body.particle, &bodies[j].particle, (r, turn), corners)
                 };

@@ -1,5 +1,6 @@
 //! The stress on each packed cell: the depth of overlap with its neighbours, and the share of free sides.
 
+use super::CornerBubbles;
 use super::Particle;
 use super::force::Pair;
 use super::packing_domain::{MetricSpace, SpatialHash};
@@ -108,7 +109,7 @@ impl<'a, S: MetricSpace> Surroundings<'a, S> {
                 return false;
             };
             if r.length_squared() < far * far && !ground.is_parted(centre, r) {
-                let pair = Pair::seen(particle, other, turn);
+                let pair = Pair::seen(particle, other, turn, CornerBubbles::PAPERS);
                 depth = depth.max(pair.penetration(r));
                 let stable = 2.0 * pair.stable_distance() / particle.size;
                 let q = DVec2::new(r.dot(e) / e.length_squared(), r.dot(f) / f.length_squared());
