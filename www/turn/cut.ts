@@ -43,12 +43,6 @@ export class CutTool {
     this.show(undefined, true);
   }
 
-  /** The place where the tool ends, in pixels from the top; 0 while it is hidden. */
-  get end(): number {
-    const { offsetTop, offsetHeight } = this.element;
-    return offsetTop + offsetHeight;
-  }
-
   /** Shows the present plane, or that there is none. */
   show(cut: Cut | undefined, hidden: boolean): void {
     this.cut = cut;

@@ -86,6 +86,8 @@ export class Turntable {
   private readonly gestures: Gestures;
   /** Shown until the visitor has dragged once. */
   private readonly hint = make('p', { class: 'turn-hint', 'aria-hidden': 'true' }, t('drag'));
+  /** What stands at the top of the frame. */
+  private readonly tools: HTMLElement[] = [];
   private readonly cutTool = new CutTool({ camera: () => this.camera, take: (cut, moving) => this.slice(cut, moving) });
   private bodies: Bodies = { count: 0, sort: 'stone' };
   private readonly sway = new Sway(() => this.follow());
@@ -105,7 +107,7 @@ export class Turntable {
   constructor(place: Place) {
     this.place = place;
     this.making = new Making({ get: (key) => place.get(key), show: () => this.follow(), end: () => this.all() });
-    this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body), tools: () => this.cutTool.end });
+    this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body), tools: () => Math.max(0, ...this.tools.map(({ offsetTop, offsetHeight }) => offsetTop + offsetHeight)) });
     const heard: Heard = {
       frame: (frame, quality, bodies, latest) => this.show(frame, quality, bodies, latest),
       working: (done) => (this.bar.value = done),
@@ -132,8 +134,9 @@ export class Turntable {
     );
     this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
     if (!place.alone && !kept(DRAGGED)) this.root.append(this.hint);
-    if (place.slice) this.root.append(this.cutTool.element);
-    if (place.leave) this.root.append(planes((plane) => this.choose(plane)), this.wayOut());
+    if (place.slice) this.tools.push(this.cutTool.element);
+    if (place.leave) this.tools.push(planes((plane) => this.choose(plane)), this.wayOut());
+    this.root.append(...this.tools);
     this.stand.ariaLabel = this.isFramed ? `${t('name_space')}. ${t('keys_space')}` : `${t('name')}. ${t('keys')}`;
     // The keys of the steps and of the way back also work while the frame has the focus.
     this.stand.addEventListener('keydown', (event) => !event.defaultPrevented && this.making.step(event.key) && event.preventDefault());
