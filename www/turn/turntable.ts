@@ -86,7 +86,7 @@ export class Turntable {
   private readonly gestures: Gestures;
   /** Shown until the visitor has dragged once. */
   private readonly hint = make('p', { class: 'turn-hint', 'aria-hidden': 'true' }, t('drag'));
-  /** What stands at the top of the frame. */
+  /** Tools at the top of the frame; a card keeps clear of them. */
   private readonly tools: HTMLElement[] = [];
   private readonly cutTool = new CutTool({ camera: () => this.camera, take: (cut, moving) => this.slice(cut, moving) });
   private bodies: Bodies = { count: 0, sort: 'stone' };
