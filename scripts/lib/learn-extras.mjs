@@ -92,7 +92,7 @@ export function sheetPage(site, language, chapter) {
   const parts = asked.map(({ text: words, ask = words, answers = [], figure }, at) => {
     const boxes = answers.map(({ value, text: answer }) => `<li><span class="box" aria-hidden="true"></span>${value}. ${text(answer)}</li>`);
     const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p>w = <span class="blank"></span></p>`;
-    // A pupil does not see the end of what is asked.
+    // The sheet does not show the answer to its question.
     const picture = figure === 'top' ? `<div class="picture">${site.draw.figure('top', language)}</div>` : '';
     return `<section class="asked"><h2><span>${t.order[0]} ${at + 1}</span> ${ask ? text(ask) : ''}</h2>${picture}
 <h3>${t.order[1]}</h3>${guess}<h3>${t.order[2]}</h3>${lines(2)}<h3>${t.order[3]}</h3>${lines(2)}</section>`;

@@ -5,7 +5,7 @@ import { inLine } from '../../www/learn/chapters/math.mjs';
 /** @typedef {'en' | 'ja'} Language */
 /** @typedef {{ en: string, ja: string }} Words */
 /**
- * What pages need of the site.
+ * Parts of the site that pages refer to.
  * @typedef {object} Site
  * @property {string} module the module's address in the site
  * @property {{ code: string, digest: string }} start

@@ -76,7 +76,7 @@ export async function learnFiles({ module, modules, plugins = [] }) {
   return [...own.map(({ fileName, source }) => ({ fileName, source })), ...made];
 }
 
-/** What pages draw, by the module in a folder. @param {string} modules */
+/** Drawings of the pages, made by the module in a folder. @param {string} modules */
 async function drawnIn(modules) {
   const [built, module] = [await drawing(), await moduleIn(modules)];
   return {

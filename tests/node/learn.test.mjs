@@ -25,7 +25,7 @@ const source = (path) => readFileSync(join(site, path), 'utf8');
 const read = (path) => parseDocument(source(path));
 const chapter = (name, language) => read(`learn/${language === 'ja' ? 'ja/' : ''}${name}/index.html`);
 
-/** What people read: without formulas, drawings, handles, and what depends on the numbers. */
+/** The words of a page as people read them, without formulas, drawings, handles, and numbers that the run decides. */
 function textOf(node) {
   if (node.type === 'text') return node.data;
   const { class: kind = '' } = node.attribs ?? {};

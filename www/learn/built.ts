@@ -1,4 +1,4 @@
-/** What the build takes of the figures: their still pictures, the small ones of the glossary, and links to the studio. */
+/** Figures for the build: their still pictures, the small ones of the glossary, and links to the studio. */
 import { stillOf } from './draw/still';
 import { termOf } from './draw/terms';
 import { FIGURES, figureOf } from './figures/figures';

@@ -26,7 +26,7 @@ function count(label: Element, word: string): void {
 
 const WAYS: Readonly<Record<string, number>> = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
 
-/** What fills the screen: a scene's question with its answers, or its figure. */
+/** The content of one screen: a scene's question with its answers, or its figure. */
 interface Slide {
   readonly scene: HTMLElement;
   readonly part: 'ask' | 'figure';

@@ -25,7 +25,7 @@ function keepState(link: HTMLAnchorElement): void {
   for (const event of ['pointerdown', 'focus', 'click']) link.addEventListener(event, follow);
 }
 
-/** Choosing an answer opens what is said on the answers, and marks the chosen one. */
+/** Choosing an answer marks it and opens the discussion of the answers. */
 function openReplies(ask: Element): void {
   const key = ask.getAttribute('data-ask') ?? '';
   const replies = document.querySelector<HTMLDetailsElement>(`[data-ask="${key}"] ~ details.answers`);

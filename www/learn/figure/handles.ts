@@ -5,7 +5,7 @@ import type { Figure, Language, NumberHandle } from '../figures/figure';
 import { number } from '../figures/words';
 import { afterKey, within } from './strides';
 
-/** What handles need of their figure. */
+/** Parts of the figure that handles use. */
 export interface Handled {
   readonly figure: Figure;
   readonly language: Language;

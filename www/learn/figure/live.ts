@@ -1,5 +1,5 @@
 /**
- * A figure at work: it reads the numbers of its packings in slices, plays, and shows a step. What it shows is made of its state
+ * A figure at work: it reads the numbers of its packings in slices, plays, and shows a step. The picture is made from its state
  * alone, by the drawing that made the still picture.
  */
 import { curveOf, gripAt, platesOf, stopsOf } from '../draw/picture';

@@ -2,7 +2,7 @@
 import { icon, stepWords, TOOL_WORDS } from '../draw/tools';
 import type { Figure, Language } from '../figures/figure';
 
-/** What the timeline may do. */
+/** Actions that the timeline takes on its figure. */
 export interface Timed {
   readonly figure: Figure;
   readonly language: Language;

@@ -1,4 +1,4 @@
-/** What happens to two bubbles, found in the engine's numbers. */
+/** The fate of two bubbles, found in the engine's numbers. */
 import type { Moment, Trace, Trial } from './figure';
 
 /** How near to the stable distance, and how slow, a pair at rest is. */

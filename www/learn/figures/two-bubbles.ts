@@ -100,7 +100,7 @@ function told({ traces, step }: Seen, language: Language): string {
 
 const isAtRest = ({ moments }: Trace, step: number): boolean => step > 0 && step >= (rest(moments) ?? Infinity);
 
-/** What to try next. */
+/** A hint at something to try next. */
 function hint(trace: Trace, step: number, language: Language): string {
   if (step === 0) return language === 'ja' ? '右のバブルを動かすか、「再生」で放してください。' : 'Move the right bubble, or press play to let go.';
   if (isAtRest(trace, step)) return language === 'ja' ? '静止しています。ほかの距離からも試してください。' : 'They are at rest. Try another start.';
