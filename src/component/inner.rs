@@ -14,6 +14,9 @@ const SHORTER: f64 = 0.94;
 const TOLERANCE: f64 = 0.05;
 /// The least radius of a sphere, as a share of the diagonal.
 const LEAST: f64 = 1e-4;
+/// Up to this many triangles, a slice finds as many balls as its amount. A search from the middle of a round body
+/// visits all triangles, so larger bodies get fewer balls in a slice.
+const LIGHT: usize = 400;
 
 /// How far the surface lies outside the spheres, in radii of the largest one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -106,12 +109,12 @@ impl InnerMaking {
                 let done = self.sampling.advance(&self.mesh, amount);
                 done.then_some(InnerPhase::Pool)
             }
-            InnerPhase::Pool => self.fill(amount).then_some(InnerPhase::Climb),
+            InnerPhase::Pool => self.fill(self.balls(amount)).then_some(InnerPhase::Climb),
             InnerPhase::Climb => {
                 if self.largest.is_none() {
                     return Some(None);
                 }
-                self.climb(amount).then_some(InnerPhase::Choose)
+                self.climb(self.balls(amount)).then_some(InnerPhase::Choose)
             }
             InnerPhase::Choose => {
                 if self.choose(amount) {
@@ -124,6 +127,12 @@ impl InnerMaking {
             (self.phase, self.at) = (next, 0);
         }
         None
+    }
+
+    /// The number of balls to find in a slice.
+    fn balls(&self, amount: usize) -> usize {
+        let share = self.mesh.triangles().len().div_ceil(LIGHT).max(1);
+        (amount / share).max(1)
     }
 
     /// Finds medial balls; true after the last one.

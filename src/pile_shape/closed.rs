@@ -1,7 +1,7 @@
 //! Rice ball and block: closed surfaces.
 
 use super::cuboid::cuboid;
-use super::edges;
+use super::edges::{self, StepSearch};
 use super::piled::PiledShape;
 use crate::trimesh::Soup;
 use glam::DVec3;
@@ -75,17 +75,66 @@ impl Onigiri {
         )
     }
 
-    /// A box that is drawn onto the form, with squares of about this size.
-    fn mesh(&self, lo: DVec3, hi: DVec3, step: f64) -> Soup {
-        let (half, middle) = (0.5 * (hi - lo), 0.5 * (lo + hi));
-        let (mut soup, _) = cuboid(half, 0.9 * half.min_element(), step);
-        let onto = |p: DVec3| p / self.norm(p);
-        soup.positions
-            .iter_mut()
-            .for_each(|p| *p = onto(*p + middle));
-        for _ in 0..EASINGS {
-            ease(&mut soup, onto);
+    /// A point, moved onto the form along its ray.
+    fn onto(&self, p: DVec3) -> DVec3 {
+        p / self.norm(p)
+    }
+}
+
+/// A rice ball in progress.
+pub(super) struct RiceBallBuilding {
+    form: Onigiri,
+    bounds: [DVec3; 2],
+    scale: f64,
+    search: StepSearch,
+    /// The triangles of the present step, and how often they have been eased.
+    soup: Option<Soup>,
+    eased: usize,
+}
+
+impl RiceBallBuilding {
+    /// Starts the rice ball for the numbers `[thick, round]`.
+    pub fn new(n: &[f64], edge: f64) -> Self {
+        let (form, lo, hi) = Onigiri::new(n);
+        let scale = 1.0 / (hi - lo).max_element();
+        Self {
+            form,
+            bounds: [lo, hi],
+            scale,
+            search: StepSearch::new(edge / scale, FRAC_1_SQRT_2),
+            soup: None,
+            eased: 0,
         }
+    }
+
+    /// Eases the triangles once, or begins with those of the next step; returns the shape in the end.
+    pub fn advance(&mut self) -> Option<PiledShape> {
+        let Some(soup) = &mut self.soup else {
+            (self.soup, self.eased) = (Some(self.draw()), 0);
+            return None;
+        };
+        if self.eased < EASINGS {
+            ease(soup, |p| self.form.onto(p));
+            self.eased += 1;
+            return None;
+        }
+        let mut soup = self.soup.take()?;
+        if !self.search.takes(&soup) {
+            return None;
+        }
+        let low = self.bounds[0].y * DVec3::Y;
+        let places = soup.positions.iter_mut();
+        places.for_each(|p| *p = (*p - low) * self.scale);
+        Some(PiledShape::free(soup))
+    }
+
+    /// A box that is drawn onto the form, with squares of about the size of a step.
+    fn draw(&self) -> Soup {
+        let [lo, hi] = self.bounds;
+        let (half, middle) = (0.5 * (hi - lo), 0.5 * (lo + hi));
+        let (mut soup, _) = cuboid(half, 0.9 * half.min_element(), self.search.step);
+        let places = soup.positions.iter_mut();
+        places.for_each(|p| *p = self.form.onto(*p + middle));
         soup
     }
 }
@@ -102,14 +151,4 @@ fn ease(soup: &mut Soup, onto: impl Fn(DVec3) -> DVec3) {
     for (p, (sum, count)) in soup.positions.iter_mut().zip(sums) {
         *p = onto(sum / count);
     }
-}
-
-/// The rice ball for the numbers `[thick, round]`.
-pub(super) fn rice_ball(n: &[f64], edge: f64) -> PiledShape {
-    let (form, lo, hi) = Onigiri::new(n);
-    let scale = 1.0 / (hi - lo).max_element();
-    let mut soup = edges::within(edge / scale, FRAC_1_SQRT_2, |step| form.mesh(lo, hi, step));
-    let places = soup.positions.iter_mut();
-    places.for_each(|p| *p = (*p - lo.y * DVec3::Y) * scale);
-    PiledShape::free(soup)
 }

@@ -20,6 +20,7 @@ mod tests;
 pub use piled::{PiledShape, Vessel};
 
 use crate::shapes::ShapeNumber;
+use closed::RiceBallBuilding;
 
 /// A shape to heap bodies on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,23 +85,55 @@ impl PileShape {
         Self::ALL.into_iter().find(|shape| shape.word() == word)
     }
 
-    /// Makes the shape. `numbers` are those of [`Self::numbers`]: they are clamped to their ranges, and defaults stand
+    /// Starts the shape. `numbers` are those of [`Self::numbers`]: they are clamped to their ranges, and defaults stand
     /// for missing ones. `edge` is the wanted length of the longest edges, as a share of 1; it is clamped to
     /// 0.004..0.25.
-    pub fn build(self, numbers: &[f64], edge: f64) -> PiledShape {
+    pub fn building(self, numbers: &[f64], edge: f64) -> PileShapeBuilding {
         let each = self.numbers().iter().enumerate();
         let n: Vec<f64> = each
             .map(|(k, number)| number.fitted(numbers.get(k).copied().unwrap_or(number.default)))
             .collect();
         let edge = if edge.is_finite() { edge } else { EDGES[1] };
         let edge = edge.clamp(EDGES[0], EDGES[1]);
-        match self {
+        let made = match self {
+            Self::RiceBall => {
+                let building = RiceBallBuilding::new(&n, edge);
+                return PileShapeBuilding(Part::RiceBall(Box::new(building)));
+            }
             Self::Heap => open::heap(&n, edge),
             Self::Dome => open::dome(&n, edge),
-            Self::RiceBall => closed::rice_ball(&n, edge),
             Self::Block => closed::block(&n, edge),
             Self::Bowl => bowl::bowl(&n, edge),
             Self::OpenBox => open_box::open_box(&n, edge),
+        };
+        PileShapeBuilding(Part::Made(Some(made)))
+    }
+
+    /// Makes the shape at once ([`Self::building`]).
+    pub fn build(self, numbers: &[f64], edge: f64) -> PiledShape {
+        let mut building = self.building(numbers, edge);
+        loop {
+            if let Some(made) = building.advance() {
+                return made;
+            }
+        }
+    }
+}
+
+/// A shape in progress, made in slices.
+pub struct PileShapeBuilding(Part);
+
+enum Part {
+    RiceBall(Box<RiceBallBuilding>),
+    Made(Option<PiledShape>),
+}
+
+impl PileShapeBuilding {
+    /// Does one slice; returns the shape in the end, once.
+    pub fn advance(&mut self) -> Option<PiledShape> {
+        match &mut self.0 {
+            Part::RiceBall(building) => building.advance(),
+            Part::Made(made) => made.take(),
         }
     }
 }

@@ -4,7 +4,7 @@ use super::params::{SiteParams, SiteSource};
 use crate::generators::scene_picture::Loaded;
 use crate::notice::{Code, Notice};
 use crate::pile::Wall;
-use crate::pile_shape::Vessel;
+use crate::pile_shape::{PileShapeBuilding, PiledShape, Vessel};
 use crate::shapes::{Ends, Shape, ShapeMaking};
 use crate::surface_stones::Fit;
 use crate::trimesh::{MeshBuilding, Search, TriMesh};
@@ -30,6 +30,7 @@ pub(super) struct Site {
 /// A shape in progress.
 pub(super) enum SiteMaking {
     Shape(Box<ShapeMaking>),
+    Pile(Box<PileShapeBuilding>),
     Mesh(Box<MeshBuilding>, Surroundings),
     Tree(Box<Site>),
 }
@@ -70,6 +71,10 @@ impl SiteMaking {
                     )
                 }
             },
+            Some(Self::Pile(mut building)) => match building.advance() {
+                None => Self::Pile(building),
+                Some(made) => Self::piled(made.scaled(2.0 * params.half)),
+            },
             Some(Self::Mesh(mut building, around)) => match building.advance() {
                 None => Self::Mesh(building, around),
                 Some(mesh) => {
@@ -91,16 +96,7 @@ impl SiteMaking {
     fn begin(params: &SiteParams, loaded: &Loaded) -> Result<Self, Notice> {
         let by = 2.0 * params.half;
         Ok(match &params.source {
-            SiteSource::Pile(shape, numbers) => {
-                let made = shape.build(numbers, EDGE).scaled(by);
-                let building = MeshBuilding::new(made.surface.positions, made.surface.triangles);
-                let around = Surroundings {
-                    walls: made.walls,
-                    vessel: made.vessel,
-                    is_ground: false,
-                };
-                Self::Mesh(Box::new(building), around)
-            }
+            SiteSource::Pile(shape, numbers) => Self::Pile(Box::new(shape.building(numbers, EDGE))),
             SiteSource::Shape(shape, numbers) => {
                 Self::Shape(Box::new(shape.making(numbers, EDGE, Ends::Round)))
             }
@@ -115,6 +111,16 @@ impl SiteMaking {
                 Self::Mesh(Box::new(building), Surroundings::default())
             }
         })
+    }
+
+    fn piled(made: PiledShape) -> Self {
+        let building = MeshBuilding::new(made.surface.positions, made.surface.triangles);
+        let around = Surroundings {
+            walls: made.walls,
+            vessel: made.vessel,
+            is_ground: false,
+        };
+        Self::Mesh(Box::new(building), around)
     }
 
     fn tree(mesh: Arc<TriMesh>, around: Surroundings) -> Self {
