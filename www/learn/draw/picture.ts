@@ -1,9 +1,12 @@
 /** The plates of a figure at a step. The build makes the still picture with it, and the page every later one. */
-import type { Figure, Trace } from '../figures/figure';
+import type { Figure, Plate, Trace, View } from '../figures/figure';
+import { bars } from './bars';
 import { MIDDLE } from './bubbles';
+import { crowd, SIDE } from './crowd';
 import { force, HEIGHT } from './force';
 import { pavement } from './pavement';
-import { WIDEST, WIDTH, X, type CurvePoint, type View } from './plate';
+import { toW, WIDEST, WIDTH, X, type CurvePoint, type Drawn } from './plate';
+import { plot } from './plot';
 import type { Bubbles } from './studio';
 import { track } from './track';
 import { BOTTOM, POLE, valley, Y } from './valley';
@@ -19,28 +22,63 @@ export function curveOf(module: Bubbles): CurvePoint[] {
   });
 }
 
+/** Plates whose horizontal axis is the distance of a pair. */
+const ofPair = (draw: (view: View, packing: number, title: string) => string, y: (view: View, plate: Plate, key: string) => number): Drawn => ({
+  height: HEIGHT,
+  draw: (view, { packing, title }) => draw(view, packing, title?.[view.language] ?? ''),
+  grip: (view, plate, key, [w = 0]) => {
+    const left = draw === valley || key === 'mark' ? 0 : (view.traces[plate.packing]?.moments[view.step]?.left ?? 0);
+    return [Math.min(X(left + w), WIDTH - 8), y(view, plate, key)];
+  },
+  numbers: (x) => [toW(x)],
+});
+
+const ballAt = (view: View, { packing }: Plate, key: string): number => (key === 'mark' ? BOTTOM - POLE + 7 : Y(view.traces[packing]?.moments[view.step]?.energy ?? 0));
+
+/** The ways to draw a plate, by their words in the data of figures. */
+const DRAWN: Readonly<Record<Plate['draw'], Drawn>> = {
+  force: ofPair(force, () => MIDDLE),
+  track: ofPair(track, () => MIDDLE),
+  valley: ofPair(valley, ballAt),
+  pavement: { height: WIDTH, draw: (view, { packing }) => pavement(view, packing) },
+  crowd: { height: SIDE, draw: crowd, grip: (_view, _plate, _key, [x = 0, y = 0]) => [x * SIDE, y * SIDE], numbers: (x, y) => [x / SIDE, y / SIDE] },
+  plot: { height: SIDE, draw: plot },
+  bars: { height: SIDE, draw: bars },
+};
+
 export function platesOf(figure: Figure, view: View): string[] {
-  const drawn = { force, valley, pavement, track };
-  return figure.plates.map(({ draw, packing, title }) => drawn[draw](view, packing, title?.[view.language] ?? ''));
+  return figure.plates.map((plate) => DRAWN[plate.draw].draw(view, plate));
 }
 
-/** The stops that these moments have, in the order of their steps; of two at one step, the first. */
+/** The notes beside the plates' titles; `undefined` where there is none. */
+export function notesOf(figure: Figure, view: View): (string | undefined)[] {
+  return figure.plates.map(({ note }) => note?.(view, view.language));
+}
+
+/** The stops that these packings have, in the order of their steps; of two at one step, the first. */
 export function stopsOf(figure: Figure, traces: readonly Trace[]): { key: string; name: Figure['stops'][number]['name']; step: number }[] {
-  const moments = traces[0]?.moments ?? [];
   const found = figure.stops.flatMap(({ key, name, find }) => {
-    const step = find(moments);
+    const step = find(traces);
     return step === undefined ? [] : [{ key, name, step }];
   });
   return found.filter(({ step }, k) => found.findIndex((other) => other.step === step) === k).sort((a, b) => a.step - b.step);
 }
 
+/** The last step of the longest run. */
+export function lastStepOf(figure: Figure, traces: readonly Trace[]): number {
+  return figure.steps === 'layer' ? figure.last : Math.max(0, ...traces.map(({ steps }) => steps.length - 1));
+}
 
 /** The place of a handle's grip on a plate, in shares of the plate's width and height. */
-export function gripAt(figure: Figure, plate: number, key: string, view: View): readonly [number, number] {
-  const { draw = 'force', packing = 0 } = figure.plates[plate] ?? {};
-  const moment = view.traces[packing]?.moments[view.step];
-  if (!moment) return [0, 0];
-  const x = X(key === 'mark' ? (view.mark ?? 0) : draw === 'valley' ? moment.w : moment.left + moment.w);
-  const y = draw !== 'valley' ? MIDDLE : key === 'mark' ? BOTTOM - POLE + 7 : Y(moment.energy);
-  return [Math.min(x, WIDTH - 8) / WIDTH, y / HEIGHT];
+export function gripAt(figure: Figure, plate: number, key: string, numbers: readonly number[], view: View): readonly [number, number] {
+  const own = figure.plates[plate];
+  const drawn = own && DRAWN[own.draw];
+  const [x, y] = (own && drawn?.grip?.(view, own, key, numbers)) ?? [0, 0];
+  return [x / WIDTH, y / (drawn?.height ?? 1)];
+}
+
+/** The numbers of a handle at a place of a plate, in shares of its width and height. */
+export function numbersAt(figure: Figure, plate: number, [x, y]: readonly [number, number]): readonly number[] {
+  const drawn = DRAWN[figure.plates[plate]?.draw ?? 'crowd'];
+  return drawn.numbers?.(x * WIDTH, y * drawn.height) ?? [];
 }

@@ -1,9 +1,8 @@
 /** A figure as it stands in the static page: its picture at the opening step, its tools, and the text of its state. */
 import { figureOf } from '../figures/figures';
-import type { Figure, Language } from '../figures/figure';
-import { curveOf, platesOf, stopsOf } from './picture';
-import type { View } from './plate';
-import { Reading } from './reading';
+import type { Figure, Language, View } from '../figures/figure';
+import { curveOf, lastStepOf, notesOf, platesOf, stopsOf } from './picture';
+import { Reading, shownPoints, shownValue } from './reading';
 import { zeroOf, type Bubbles } from './studio';
 import { toolsOf } from './tools';
 
@@ -13,21 +12,30 @@ export function stillOf(module: Bubbles, name: string, language: Language): stri
   if (!figure) throw new Error(`There is no figure ${name}.`);
   const readings = figure.packings.map((own) => new Reading(module, figure, figure.recipe, own));
   for (const reading of readings) while (!reading.advance(1000));
-  const step = figure.opens;
-  const zero = zeroOf(module);
-  const view: View = { traces: readings, step, last: figure.last, curve: curveOf(module), zero, mark: figure.mark, isZeroShown: false, stops: stopsOf(figure, readings), language };
-  const told = figure.told({ traces: readings, step, trials: [], mark: figure.mark ?? 0, zero }, language);
-  const html = markupOf(platesOf(figure, view), toolsOf(figure, language, (key) => valueOf(readings, step, figure, key)), told);
+  const html = markupOf(figure, viewOf(module, figure, readings, language), readings);
   for (const reading of readings) reading.free();
   return html;
 }
 
-/** The value of a handle at a step. */
-function valueOf([reading]: readonly Reading[], step: number, { mark }: Figure, key: string): string {
-  return key === 'mark' ? String(mark ?? 0) : key === 'w' ? String(reading?.moments[step]?.w ?? 0) : (reading?.value(key) ?? '');
+function viewOf(module: Bubbles, figure: Figure, readings: readonly Reading[], language: Language): View {
+  const last = lastStepOf(figure, readings);
+  const step = Math.min(figure.opens, last);
+  const stops = stopsOf(figure, readings);
+  return { traces: readings, step, last, furthest: step, curve: curveOf(module), zero: zeroOf(module), at: figure.at, trials: [], isZeroShown: false, stops, language };
 }
 
-function markupOf(plates: readonly string[], tools: string, told: string): string {
-  const boxes = plates.map((plate, k) => `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`).join('');
-  return `<div class="plates plates-${plates.length}">${boxes}</div><div class="figure-tools">${tools}</div><p class="figure-told">${told}</p>`;
+function markupOf(figure: Figure, view: View, readings: readonly Reading[]): string {
+  const { step, last, at, language } = view;
+  const notes = notesOf(figure, view);
+  const boxes = platesOf(figure, view).map((plate, k) => titled(figure, k, notes[k], language, `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`));
+  const tools = toolsOf(figure, language, { step, last, value: (key) => shownValue(readings, step, at, key), points: (handle) => shownPoints(readings, step, at, handle) });
+  return `<div class="plates plates-${boxes.length}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${figure.told(view, language)}</p>`;
+}
+
+/** A plate with its title, unless the drawing has it; its note follows the steps. */
+function titled({ plates }: Figure, k: number, note: string | undefined, language: Language, box: string): string {
+  const { title, draw } = plates[k] ?? {};
+  if (!title || draw === 'track') return box;
+  const follows = note === undefined ? '' : ` <output class="plate-note" data-plate="${k}">${note}</output>`;
+  return `<div class="plate-cell ${draw ?? ''}"><p class="plate-name"><b>${title[language]}</b>${follows}</p>${box}</div>`;
 }
