@@ -4,10 +4,13 @@ import { bars } from './bars';
 import { MIDDLE } from './bubbles';
 import { crowd, SIDE } from './crowd';
 import { force, HEIGHT } from './force';
+import { held, HEIGHT as HELD } from './held';
 import { pavement } from './pavement';
 import { toW, WIDEST, WIDTH, X, type CurvePoint, type Drawn } from './plate';
 import { plot } from './plot';
+import { population, HEIGHT as POPULATION } from './population';
 import type { Bubbles } from './studio';
+import { gripOf, numbersOf, thresholds } from './thresholds';
 import { track } from './track';
 import { BOTTOM, POLE, valley, Y } from './valley';
 
@@ -43,6 +46,9 @@ const DRAWN: Readonly<Record<Plate['draw'], Drawn>> = {
   pavement: { height: WIDTH, draw: (view, { packing }) => pavement(view, packing) },
   crowd: { height: SIDE, draw: crowd, grip: (_view, _plate, _key, [x = 0, y = 0]) => [x * SIDE, y * SIDE], numbers: (x, y) => [x / SIDE, y / SIDE] },
   plot: { height: SIDE, draw: plot },
+  population: { height: POPULATION, draw: population },
+  thresholds: { height: POPULATION, draw: thresholds, grip: (_view, _plate, key, [value = 0]) => gripOf(key, value), numbers: numbersOf },
+  held: { height: HELD, draw: held },
   bars: { height: SIDE, draw: bars },
 };
 

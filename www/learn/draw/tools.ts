@@ -97,7 +97,7 @@ export function nameOf({ name, symbol }: NumberHandle, language: Language): stri
 }
 
 /** The symbols of the equations, by the letters of handles. */
-const SYMBOLS: Readonly<Record<string, string>> = { w: 'w', c: 'c', m: 'm', 'k₀': 'k0' };
+const SYMBOLS: Readonly<Record<string, string>> = { w: 'w', c: 'c', m: 'm', n: 'n', a: 'crowd', b: 'room', 'k₀': 'k0' };
 
 function numberHandle(handle: NumberHandle, language: Language, value: number): string {
   const letters = handle.symbol ? ` <i class="letter"${SYMBOLS[handle.symbol] ? ` data-symbol="${SYMBOLS[handle.symbol] ?? ''}"` : ''}>${handle.symbol}</i>` : '';

@@ -10,6 +10,7 @@ import { opening, stateIn, stateWords, type State } from './address';
 import { Live } from './live';
 import { Turns } from './turns';
 import './figure.css';
+import './population.css';
 
 /** How far from the window a figure begins to work, and how far away it is freed, in screens. */
 const NEAR = '50%';

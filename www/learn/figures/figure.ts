@@ -179,7 +179,7 @@ export interface Bar {
 
 /** A drawing of a figure, and the packing that it shows. */
 export interface Plate {
-  readonly draw: 'force' | 'track' | 'valley' | 'pavement' | 'crowd' | 'plot' | 'bars';
+  readonly draw: 'force' | 'track' | 'valley' | 'pavement' | 'crowd' | 'plot' | 'bars' | 'population' | 'thresholds' | 'held';
   readonly packing: number;
   readonly title?: Words;
   /** A short text beside the title, made of the numbers at this step. */
@@ -191,6 +191,8 @@ export interface Plate {
   readonly axis?: Words;
   readonly digits?: number;
   readonly bars?: (seen: Seen, language: Language) => readonly Bar[];
+  /** A population: whether the steps that are still to come are shown, too. */
+  readonly isAhead?: boolean;
 }
 
 /** A start that was let go of, and how it ended. */

@@ -1,8 +1,9 @@
 /** The figures of all chapters, by name. */
 import type { Figure } from './figure';
+import { HOW_MANY } from './how-many';
 import { TWO_BUBBLES } from './two-bubbles';
 
-export const FIGURES: readonly Figure[] = TWO_BUBBLES;
+export const FIGURES: readonly Figure[] = [...TWO_BUBBLES, ...HOW_MANY];
 
 export function figureOf(name: string): Figure | undefined {
   return FIGURES.find((figure) => figure.name === name);
