@@ -2,7 +2,7 @@
 import { chapters } from '../../www/learn/chapters/contents.mjs';
 import { differences } from '../../www/learn/chapters/papers.mjs';
 import { words } from '../../www/learn/chapters/words.mjs';
-import { escaped, folderOf, pageFile, way } from './learn-frame.mjs';
+import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
 
 /** @typedef {import('./learn-frame.mjs').Site} Site */
 /** @typedef {import('./learn-frame.mjs').Language} Language */
@@ -26,13 +26,14 @@ function seeing(language, { chapter = '', see }) {
 /** @param {Language} language @param {Difference} difference */
 function rowOf(language, difference) {
   const t = words[language];
+  const text = (/** @type {import('./learn-frame.mjs').Words} */ words) => prose(words[language], language, way(folderOf(language, 'papers'), folderOf(language, 'glossary')));
   const { key, isMisprint, heading, from, printed, ours, note, task } = difference;
   const mark = isMisprint ? ` <small class="misprint">${t.misprint}</small>` : '';
-  const exercise = task ? `<div class="task"><p><b>${t.task}.</b> ${escaped(task.question[language])}</p><details class="answers"><summary>${t.solution}</summary><p>${escaped(task.answer[language])}</p></details></div>` : '';
+  const exercise = task ? `<div class="task"><p><b>${t.task}</b> ${text(task.question)}</p><details class="answers"><summary>${t.solution}</summary><p>${text(task.answer)}</p></details></div>` : '';
   return `<section class="difference" id="${key}"><h2>${escaped(heading[language])}${mark}</h2>
 <p class="sources">${escaped(from[language])}</p>
 <div class="sides">${sideOf(language, t.printed, printed)}${sideOf(language, t.ours, ours)}</div>
-<p>${escaped(note[language])}</p>${exercise}${seeing(language, difference)}</section>`;
+<p>${text(note)}</p>${exercise}${seeing(language, difference)}</section>`;
 }
 
 /** Rows on chapters that are still to come wait for their figures. @param {Site} site @param {Language} language */

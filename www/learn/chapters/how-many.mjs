@@ -121,8 +121,8 @@ export const howMany = {
           },
         },
         {
-          en: 'Places are tried where a neighbour would touch: four round a square, six round a bubble. With $a$ well below $b$ there is peace between them. If they cross, a new cell is crowded as soon as it comes, and its going makes room again. For round cells our own $b$, 0.63, is below $a$, 0.74: ten steps pass between looks, and in these all six neighbours make room.',
-          ja: '調べるのは、隣が触れ合うはずの場所です。正方形なら四つ、円なら六つあります。$a$が$b$より十分に小さければ、その間は平穏です。逆転すると、増えたとたんに混みすぎで去り、去ったあとがまた空きます。円では、本プログラムの$b$は0.63で、$a$の0.74より小さくなっています。次に調べるまでの10ステップの間に、まわりの六つが場所を空けるからです。',
+          en: 'Places are tried where a neighbour would touch: four round a square, six round a bubble. With $a$ well below $b$ there is peace between them. If they cross, a cell between them is too near and too far at once: it must go, and it calls for another. For round cells our own $b$, 0.63, is below $a$, 0.74: ten steps pass between looks, and in these all six neighbours make room.',
+          ja: '調べるのは、隣が触れ合うはずの場所です。正方形なら四つ、円なら六つあります。$a$が$b$より十分に小さければ、その間は平穏です。逆転すると、その間のセルは近すぎると同時に遠すぎることになり、自分は去って、別のセルを呼びます。円では、本プログラムの$b$は0.63で、$a$の0.74より小さくなっています。次に調べるまでの10ステップの間に、まわりの六つが場所を空けるからです。',
         },
       ],
     },

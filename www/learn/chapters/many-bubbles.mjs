@@ -24,8 +24,8 @@ export const manyBubbles = {
         ja: '三つのバブルが一列に触れ合っています。一番目と三番目の距離は$w = 2$です。三番目は一番目に何をするでしょう。',
       },
       caption: {
-        en: 'A crowd at its start. Each bubble sums the pushes and pulls of its [[neighbour|neighbours]] to one arrow, its [[net-force|net force]]; a [[wall]] pushes back who leaves.',
-        ja: '動き出す前の群れ。バブルは[[neighbour|近接粒子]]からの斥力と引力を一本の矢印、[[net-force|合力]]にまとめます。[[wall|壁]]は、外へ出るものを押し戻します。',
+        en: 'A crowd at its start. Each bubble sums the pushes and pulls of its [[neighbour|neighbours]] to one arrow, its [[net-force|net force]]. A [[wall]] acts by the same curve.',
+        ja: '動き出す前の群れ。バブルは[[neighbour|近接粒子]]からの斥力と引力を一本の矢印、[[net-force|合力]]にまとめます。[[wall|壁]]も同じ曲線に従って力を及ぼします。',
       },
       answers: [
         {
@@ -70,8 +70,8 @@ export const manyBubbles = {
         { value: 'c', text: { en: 'Two pictures, two energies', ja: '絵もエネルギーも違う' }, right: true },
       ],
       caption: {
-        en: 'Two crowds with other [[first-places|first places]] in one outline, side by side. Below each stands the [[energy]] of its pairs.',
-        ja: '同じ輪郭の中で、[[first-places|初期位置]]だけが違う二つの群れ。それぞれの下に、対の[[energy|エネルギー]]の和を示します。',
+        en: 'Two crowds with other [[first-places|first places]] in one outline, side by side, and their [[energy|energies]] step by step.',
+        ja: '同じ輪郭の中で、[[first-places|初期位置]]だけが違う二つの群れと、ステップごとの[[energy|エネルギー]]。',
       },
     },
     {
@@ -157,8 +157,8 @@ export const manyBubbles = {
         { value: 'b', text: { en: 'No: another start ends lower', ja: 'いいえ。別の初期位置から、もっと低い谷に着く' }, right: true },
       ],
       caption: {
-        en: 'A packing at rest, and its energy. Another start may end lower: try some.',
-        ja: '静止した充填とそのエネルギー。初期位置を変えると、もっと低いところに落ち着くかもしれません。',
+        en: 'A packing at rest, and the energy at which each start that you tried has ended.',
+        ja: '静止した充填と、これまでに試した初期位置が行き着いたエネルギー。',
       },
     },
     {
@@ -167,8 +167,8 @@ export const manyBubbles = {
       key: 'quiet',
       heading: { en: 'Your turn', ja: '練習' },
       text: {
-        en: 'This crowd swings too long. Choose the damping so that it comes to rest in time.',
-        ja: 'この群れは、いつまでも揺れています。減衰を選んで、早く静止させてください。',
+        en: 'This crowd swings too long. Choose the damping so that it comes to rest within 40 steps.',
+        ja: 'この群れは、いつまでも揺れています。減衰を選んで、40ステップ以内に静止させてください。',
       },
       caption: { en: 'Too little damping: the crowd still moves at the last step.', ja: '減衰が足りず、最後のステップでもまだ動いている群れ。' },
     },

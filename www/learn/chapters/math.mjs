@@ -25,6 +25,7 @@ const symbols = {
   psi4: low('corner', 'Ψ', '<msub><mi>P</mi><mn>4</mn></msub>'),
   l: '<mi>l</mi>',
   l0: low('l0', 'l', zero),
+  'l0²': '<msubsup data-symbol="l0"><mi>l</mi><mn>0</mn><mn>2</mn></msubsup>',
   k0: low('k0', 'k', zero),
   r0: low('r0', 'r', zero),
   cw: rootLessOne('cw'),
@@ -58,11 +59,11 @@ const symbols = {
 /** How the words of a row are spoken, beside numbers and letters. */
 const spoken = {
   en: {
-    psi: 'psi', psi0: 'psi P zero', psi1: 'psi P one', l0: 'l zero', k0: 'k zero', r0: 'r zero', wij: 'w i j', Fi: 'f i', cw: 'root 2 minus 1', cr: 'root 2 minus 1', root2: 'root 2', 'd²': 'd squared',
+    psi: 'psi', psi0: 'psi P zero', psi1: 'psi P one', l0: 'l zero', k0: 'k zero', r0: 'r zero', wij: 'w i j', Fi: 'f i', cw: 'root 2 minus 1', cr: 'root 2 minus 1', root2: 'root 2', 'd²': 'd squared', 'l0²': 'l zero squared',
     '=': 'equals', '/': 'over', '<': 'is less than', '>': 'is greater than', '≈': 'is about', '−': 'minus', '′': 'prime',
   },
   ja: {
-    psi: 'プサイ', psi0: 'プサイ・ピー・ゼロ', psi1: 'プサイ・ピー・いち', l0: 'エル・ゼロ', k0: 'ケー・ゼロ', r0: 'アール・ゼロ', wij: 'ダブリュー・アイ・ジェー', Fi: 'エフ・アイ', cw: 'ルート2引く1', cr: 'ルート2引く1', root2: 'ルート2', 'd²': 'ディーの2乗',
+    psi: 'プサイ', psi0: 'プサイ・ピー・ゼロ', psi1: 'プサイ・ピー・いち', l0: 'エル・ゼロ', k0: 'ケー・ゼロ', r0: 'アール・ゼロ', wij: 'ダブリュー・アイ・ジェー', Fi: 'エフ・アイ', cw: 'ルート2引く1', cr: 'ルート2引く1', root2: 'ルート2', 'd²': 'ディーの2乗', 'l0²': 'エル・ゼロの2乗',
     '=': 'イコール', '/': '割る', '<': '小なり', '>': '大なり', '≈': 'およそ', '−': '引く', '′': 'プライム',
   },
 };

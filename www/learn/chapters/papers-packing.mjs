@@ -16,16 +16,16 @@ export const packingDifferences = [
     from: { en: `${PAVEMENTS.en}4.2, eq. (4); ${SKINS.en}5.1`, ja: `${PAVEMENTS.ja}4.2節 式(4)。${SKINS.ja}5.1節` },
     printed: { math: CORNERS, speech: CORNERS_SPEECH },
     ours: {
-      math: `${CORNERS}<mo>,</mo><mspace width="0.6em"/>${row('root2 r0 = cr r0 + r0')}`,
-      speech: { en: `${CORNERS_SPEECH.en} And root 2 r zero equals root 2 minus 1, times r zero, plus r zero.`, ja: `${CORNERS_SPEECH.ja}また、ルート2アール・ゼロは、かっこルート2引く1アール・ゼロ足すアール・ゼロ。` },
+      math: row('root2 r0 = cr r0 + r0'),
+      speech: { en: 'Root 2 r zero equals root 2 minus 1, times r zero, plus r zero.', ja: 'ルート2アール・ゼロは、かっこルート2引く1アール・ゼロ足すアール・ゼロ。' },
     },
     note: {
-      en: 'The equation stands. The text of 2003 adds the corners “to the original potential field Ψ”, where it means the central one. The paper gives a corner bubble the radius (√2 − 1) r0; we read from it that a corner and a neighbour’s centre are at rest at √2 r0, their distance when the edges touch. For two sizes ours takes the mean of both views.',
-      ja: '式はこのままです。2003年の本文は四隅を「もとのポテンシャル場Ψに」足すと書いていますが、もとの場は中央のΨのことです。論文は四隅のバブルの半径を(√2 − 1) r0とします。これを、隅と隣の中心とがつり合う距離が√2 r0、つまり辺が触れ合うときの距離になる、と読みました。大きさが違う対では、両方から見た平均をとります。',
+      en: 'The equation stands as it is; ours adds what its radius means. The text of 2003 adds the corners “to the original potential field Ψ”, where it means the central one. The paper gives a corner bubble the radius $cr r0$; we read from it that a corner and a neighbour’s centre are at rest at $root2 r0$, their distance when the edges touch. For two sizes ours takes the mean of both views.',
+      ja: '式はこのままで、半径の意味だけを補います。2003年の本文は四隅を「もとのポテンシャル場Ψに」足すと書いていますが、もとの場は中央のΨのことです。論文は四隅のバブルの半径を$cr r0$とします。これを、隅と隣の中心とがつり合う距離が$root2 r0$、つまり辺が触れ合うときの距離になる、と読みました。大きさが違う対では、両方から見た平均をとります。',
     },
     task: {
-      question: { en: 'A square with half side r0 touches another along an edge. How far is its centre from the nearest corner of the other?', ja: '一辺の半分がr0の正方形が、もう一つと辺で触れ合っています。その中心から、相手の最も近い隅までの距離は。' },
-      answer: { en: 'r0 along and r0 across: √2 r0.', ja: '縦にr0、横にr0なので、√2 r0です。' },
+      question: { en: 'A square with half side $r0$ touches another along an edge. How far is its centre from the nearest corner of the other?', ja: '一辺の半分が$r0$の正方形が、もう一つと辺で触れ合っています。その中心から、相手の最も近い隅までの距離は。' },
+      answer: { en: '$r0$ along and $r0$ across: $root2 r0$.', ja: '縦に$r0$、横に$r0$なので、$root2 r0$です。' },
     },
     see: { figure: 'wells', words: { en: 'The landscape round a square', ja: '正方形のまわりの地形' } },
   },
@@ -61,7 +61,7 @@ export const packingDifferences = [
     heading: { en: 'Cells on the boundary', ja: '領域境界線上の粒子' },
     from: at(JAPANESE, '4', '4章'),
     printed: { text: { en: 'Particles are put on the boundary lines, too, and these do not move.', ja: '「領域境界線上の粒子は不動であり、領域内部の粒子は可動である」。' } },
-    ours: { text: { en: 'By default a soft wall keeps the edges of the cells on the boundary, and every cell moves. Walls then have an energy of their own.', ja: '既定では、柔らかい壁がセルの縁を境界線上に保ち、すべてのセルが動きます。そのため、壁のエネルギーも数えます。' } },
+    ours: { text: { en: 'By default a soft wall keeps the edges of the cells on the boundary, by the curve of a pair and twice as strong, and every cell moves. Walls then have an energy of their own.', ja: '既定では、対と同じ曲線で二倍の強さの柔らかい壁が、セルの縁を境界線上に保ち、すべてのセルが動きます。そのため、壁のエネルギーも数えます。' } },
     note: {
       en: 'Fixed particles (edge=on) fit triangle meshes, whose nodes lie on the boundary. Stones should end there instead.',
       ja: '固定した粒子（edge=on）は、境界線上に節点をもつ三角形メッシュに向いています。石は境界で終わるほうが自然です。',

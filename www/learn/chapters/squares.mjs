@@ -70,8 +70,8 @@ export const squares = {
         { value: 'c', text: { en: 'From any weight above 0', ja: '0より大きければいくつでも' }, right: true },
       ],
       caption: {
-        en: 'The potential round a held square, as a landscape with [[contour|contour lines]]. At each edge lies a [[well]]. Drop the other square anywhere and watch where it slides.',
-        ja: '留めた正方形のまわりのポテンシャルを、[[contour|等値曲線]]の地形として描いたもの。四つの辺の先に[[well|井戸]]があります。もう一つの正方形を置いて、滑る先を見てください。',
+        en: 'The potential round a held square, as a map with [[contour|contour lines]] and as a relief. At each edge lies a [[well]]. Drop the second square anywhere and watch it slide.',
+        ja: '留めた正方形のまわりのポテンシャルを、[[contour|等値曲線]]の地図と立体の地形に描いたもの。四つの辺の先に[[well|井戸]]があります。二つ目の正方形を置いて、滑る先を見てください。',
       },
     },
     {
@@ -137,8 +137,8 @@ export const squares = {
         { value: 'c', text: { en: 'At $w = 1$, as before', ja: '前と同じ$w = 1$' }, right: true },
       ],
       caption: {
-        en: 'The potential along a line through the middle of an edge. The weight moves the well down, the radius moves it sideways.',
-        ja: '辺の真ん中を通る直線に沿ったポテンシャル。重みを変えると井戸は下がり、半径を変えると横に動きます。',
+        en: 'The landscape from above, and cut through the middle of an edge. More weight lowers the well; another radius shifts it.',
+        ja: '上から見た地形と、辺の真ん中を通る断面。重みを増すと井戸は下がり、半径を変えると横に動きます。',
       },
     },
     {
