@@ -5,10 +5,14 @@ import { MIDDLE } from './bubbles';
 import { crowd, SIDE } from './crowd';
 import { force, HEIGHT } from './force';
 import { held, HEIGHT as HELD } from './held';
+import { map } from './map';
 import { pavement } from './pavement';
 import { toW, WIDEST, WIDTH, X, type CurvePoint, type Drawn } from './plate';
 import { plot } from './plot';
 import { population, HEIGHT as POPULATION } from './population';
+import { relief, HEIGHT as RELIEF } from './relief';
+import { section } from './section';
+import { squares } from './squares';
 import type { Bubbles } from './studio';
 import { gripOf, numbersOf, thresholds } from './thresholds';
 import { track } from './track';
@@ -38,17 +42,24 @@ const ofPair = (draw: (view: View, packing: number, title: string) => string, y:
 
 const ballAt = (view: View, { packing }: Plate, key: string): number => (key === 'mark' ? BOTTOM - POLE + 7 : Y(view.traces[packing]?.moments[view.step]?.energy ?? 0));
 
+/** Plates that show the picture as a whole. */
+const ofPlaces = (draw: Drawn['draw']): Drawn => ({ height: SIDE, draw, grip: (_view, _plate, _key, [x = 0, y = 0]) => [x * SIDE, y * SIDE], numbers: (x, y) => [x / SIDE, y / SIDE] });
+
 /** The ways to draw a plate, by their words in the data of figures. */
 const DRAWN: Readonly<Record<Plate['draw'], Drawn>> = {
   force: ofPair(force, () => MIDDLE),
   track: ofPair(track, () => MIDDLE),
   valley: ofPair(valley, ballAt),
   pavement: { height: WIDTH, draw: (view, { packing }) => pavement(view, packing) },
-  crowd: { height: SIDE, draw: crowd, grip: (_view, _plate, _key, [x = 0, y = 0]) => [x * SIDE, y * SIDE], numbers: (x, y) => [x / SIDE, y / SIDE] },
+  crowd: ofPlaces(crowd),
   plot: { height: SIDE, draw: plot },
   population: { height: POPULATION, draw: population },
   thresholds: { height: POPULATION, draw: thresholds, grip: (_view, _plate, key, [value = 0]) => gripOf(key, value), numbers: numbersOf },
   held: { height: HELD, draw: held },
+  squares: ofPlaces(squares),
+  landscape: ofPlaces(map),
+  relief: { height: RELIEF, draw: relief },
+  section: { height: HEIGHT, draw: section },
   bars: { height: SIDE, draw: bars },
 };
 

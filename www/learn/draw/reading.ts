@@ -1,6 +1,7 @@
 /** Reads a packing's numbers at all its steps, in slices. */
 import { crowdAt, momentOf, packedOf, ROW } from '../figures/crowds';
-import type { Cell, Coming, Crowd, Figure, Moment, NearCell, PointHandle, PointList, Trace } from '../figures/figure';
+import type { Cell, Coming, Crowd, Figure, Landscape, Moment, NearCell, PointHandle, PointList, Trace } from '../figures/figure';
+import { Survey } from './landscape';
 import { listText, movedIn, pointsIn, rowsOf } from './lists';
 import type { Bubbles, Studio } from './studio';
 
@@ -23,6 +24,7 @@ export class Reading implements Trace {
   isOver = false;
   readonly side: number;
   private readonly studio: Studio;
+  private readonly survey: Survey | undefined;
   private readonly figure: Figure;
   private readonly own: Readonly<Record<string, string>>;
   private made: Crowd[] = [];
@@ -34,11 +36,16 @@ export class Reading implements Trace {
     this.studio = new module.Bubblestone(recipe);
     for (const [key, text] of Object.entries(own)) this.studio.set(key, text);
     this.side = this.studio.side();
+    if (figure.hasLandscape) this.survey = new Survey(module);
   }
 
   readonly value = (key: string): string => (key === 'held' ? String(this.given()[2] ?? 0) : this.studio.get(key));
 
   readonly points = (list: PointList): readonly (readonly [number, number])[] => pointsIn(this.studio.list(list), list);
+
+  get landscape(): Landscape | undefined {
+    return this.survey?.of(this.value('cw'), this.value('cr'));
+  }
 
   get link(): string {
     return this.studio.link();
@@ -82,6 +89,11 @@ export class Reading implements Trace {
   advance(budget: number): boolean {
     const end = performance.now() + budget;
     if (this.figure.steps === 'layer') return this.readCells(end);
+    if (!this.readSteps(budget, end)) return false;
+    return this.survey?.advance(this.value('cw'), this.value('cr'), end - performance.now()) ?? true;
+  }
+
+  private readSteps(budget: number, end: number): boolean {
     this.studio.hold(this.made.length);
     while (BEFORE.includes(this.studio.stage())) {
       if (performance.now() > end) return false;
@@ -187,6 +199,7 @@ export class Reading implements Trace {
 
   free(): void {
     this.studio.free();
+    this.survey?.free();
   }
 }
 

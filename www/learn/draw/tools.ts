@@ -103,7 +103,12 @@ function numberHandle(handle: NumberHandle, language: Language, value: number): 
   const letters = handle.symbol ? ` <i class="letter"${SYMBOLS[handle.symbol] ? ` data-symbol="${SYMBOLS[handle.symbol] ?? ''}"` : ''}>${handle.symbol}</i>` : '';
   const bounds = `min="${handle.from}" max="${handle.to}" step="any" value="${value.toFixed(handle.digits)}"`;
   const label = nameOf(handle, language);
-  return `<div class="handle" data-key="${handle.key}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}"></div>`;
+  return `<div class="handle" data-key="${handle.key}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}">${marksOf(handle)}</div>`;
+}
+
+/** Buttons for the values that have a name, which stand in the equations for the handle. */
+function marksOf({ key: symbol, marks = [] }: NumberHandle): string {
+  return marks.map(({ value, name }) => `<button type="button" class="mark-key" data-symbol="${symbol}" data-value="${value}">${name}</button>`).join('');
 }
 
 function choice(figure: Figure, handle: ChoiceHandle, language: Language, value: string): string {

@@ -55,6 +55,7 @@ export class Handles {
       if (!isBox) input.addEventListener('input', () => set(Number(input.value), false), { signal });
       input.addEventListener('change', () => (Number.isFinite(input.valueAsNumber) ? set(input.valueAsNumber, true) : this.show()), { signal });
     }
+    for (const mark of box.querySelectorAll<HTMLElement>('.mark-key')) mark.addEventListener('click', () => set(Number(mark.dataset.value), true), { signal });
     for (const plate of handle.plates ?? []) this.grip(handle, plate, set);
   }
 
@@ -166,7 +167,9 @@ export class Handles {
     fillNumber(input, value.toFixed(handle.digits));
     if (input.type !== 'range') return;
     input.setAttribute('aria-valuetext', spoken(handle, value, this.of.language));
-    input.style.setProperty('--share', String((value - handle.from) / (handle.to - handle.from)));
+    const share = (place: number): string => String((place - handle.from) / (handle.to - handle.from));
+    input.style.setProperty('--share', share(value));
+    for (const mark of handle.marks ?? []) input.style.setProperty('--mark', share(mark.value));
   }
 
   private fillPoint(handle: PointHandle, box: HTMLElement): void {

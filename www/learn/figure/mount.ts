@@ -11,6 +11,7 @@ import { Live } from './live';
 import { Turns } from './turns';
 import './figure.css';
 import './population.css';
+import './squares.css';
 
 /** How far from the window a figure begins to work, and how far away it is freed, in screens. */
 const NEAR = '50%';

@@ -8,7 +8,7 @@ const PLANE: Readonly<Record<string, readonly [number, number]>> = {
   ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1], End: [1, 0], Home: [-1, 0], PageUp: [0, -1], PageDown: [0, 1],
 };
 
-type Strides = Pick<NumberHandle | PointHandle, 'from' | 'to' | 'stride' | 'fine' | 'coarse'>;
+type Strides = Pick<NumberHandle | PointHandle, 'from' | 'to' | 'stride' | 'fine' | 'coarse'> & Pick<NumberHandle, 'marks'>;
 
 function strideOf({ stride, fine, coarse }: Strides, { key, shiftKey }: KeyboardEvent): number {
   return key.startsWith('Arrow') ? (shiftKey ? fine : stride) : coarse;
@@ -29,8 +29,10 @@ export function pointAfterKey(handle: PointHandle, [x, y]: readonly [number, num
   return way && [within(handle, x + way[0] * stride), within(handle, y + way[1] * stride)];
 }
 
-/** The nearest value that the handle can have. */
-export function within({ from, to, fine }: Strides, value: number): number {
+/** The nearest value that the handle can have: a mark, or a whole number of fine strides. */
+export function within({ from, to, fine, marks }: Strides, value: number): number {
+  const mark = marks?.find((one) => Math.abs(one.value - value) <= fine / 2);
+  if (mark) return mark.value;
   const near = Math.round(value / fine) * fine;
   return Number(Math.max(from, Math.min(to, near)).toFixed(6));
 }

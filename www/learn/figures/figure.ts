@@ -73,6 +73,20 @@ export interface Cell {
   readonly outline: readonly number[];
 }
 
+/** A place on a line from a square's centre, by its distance w, and the energy of a second square there, in k0. */
+export interface Lowest {
+  readonly w: number;
+  readonly energy: number;
+}
+
+/** The potential around a held square, on a grid of columns and rows that count from its centre, in k0. */
+export interface Landscape {
+  readonly at: (column: number, row: number) => number;
+  /** The lowest place straight beyond an edge, and straight beyond a corner: between two wells lies a pass. */
+  readonly well: Lowest;
+  readonly pass: Lowest;
+}
+
 /** The lists of a recipe whose rows are points: given bubbles, and the corners of the outline. */
 export type PointList = 'given' | 'poly';
 
@@ -92,6 +106,8 @@ export interface Trace {
   readonly link: string;
   /** The value of a parameter in the recipe; that of `held` is 1 if the first given bubble is held, else 0. */
   readonly value: (key: string) => string;
+  /** The potential around a held square, for figures that show it. */
+  readonly landscape: Landscape | undefined;
   /** The rings of the outline, in shares of the picture's side: x, y, x, y, ... */
   readonly outline: readonly (readonly number[])[];
   /** The points of a list, in shares of the picture's side. */
@@ -125,6 +141,8 @@ export interface NumberHandle {
   readonly fine: number;
   readonly coarse: number;
   readonly digits: number;
+  /** Values with a name, which the handle takes exactly. */
+  readonly marks?: readonly { readonly value: number; readonly name: string }[];
   /** The plates that have a grip for it. */
   readonly plates?: readonly number[];
 }
@@ -179,7 +197,7 @@ export interface Bar {
 
 /** A drawing of a figure, and the packing that it shows. */
 export interface Plate {
-  readonly draw: 'force' | 'track' | 'valley' | 'pavement' | 'crowd' | 'plot' | 'bars' | 'population' | 'thresholds' | 'held';
+  readonly draw: 'force' | 'track' | 'valley' | 'pavement' | 'crowd' | 'plot' | 'bars' | 'population' | 'thresholds' | 'held' | 'landscape' | 'relief' | 'section' | 'squares';
   readonly packing: number;
   readonly title?: Words;
   /** A short text beside the title, made of the numbers at this step. */
@@ -190,6 +208,8 @@ export interface Plate {
   readonly lines?: readonly Line[];
   readonly axis?: Words;
   readonly digits?: number;
+  /** A landscape: the name of its ground, which other plates of the figure use. */
+  readonly ground?: string;
   readonly bars?: (seen: Seen, language: Language) => readonly Bar[];
   /** A population: whether the steps that are still to come are shown, too. */
   readonly isAhead?: boolean;
@@ -256,6 +276,8 @@ export interface Figure {
   /** Handles in a fold. */
   readonly more: readonly Handle[];
   readonly at: readonly number[];
+  /** Whether plates show the potential around the first cell. */
+  readonly hasLandscape?: boolean;
   /** How a start ended, as soon as that is seen; kept for questions on several starts. */
   readonly trial?: (trace: Trace, step: number) => Trial | undefined;
   readonly asks: readonly Ask[];

@@ -1,9 +1,10 @@
 /** The figures of all chapters, by name. */
 import type { Figure } from './figure';
 import { HOW_MANY } from './how-many';
+import { SQUARES } from './squares';
 import { TWO_BUBBLES } from './two-bubbles';
 
-export const FIGURES: readonly Figure[] = [...TWO_BUBBLES, ...HOW_MANY];
+export const FIGURES: readonly Figure[] = [...TWO_BUBBLES, ...SQUARES, ...HOW_MANY];
 
 export function figureOf(name: string): Figure | undefined {
   return FIGURES.find((figure) => figure.name === name);

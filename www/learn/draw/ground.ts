@@ -1,0 +1,73 @@
+/** The ground of a landscape as bands of equal potential: a quarter of each, which a drawing uses four times. */
+import type { Landscape } from '../figures/figure';
+import { inside, regions, simplified, type Point } from './contours';
+import { FINE, HALF } from './landscape';
+import { WIDTH } from './plate';
+
+/** The length of a stable distance on a map. */
+export const UNIT = WIDTH / 4;
+
+/** Bands below 0 every 0.005 k0, and a few above it, where the hill is steep. */
+export const STEP = 0.005;
+const BELOW = 24;
+const ABOVE = [0.02, 0.06, 0.15, 0.3, 0.45];
+export const LEVELS = [...Array.from({ length: BELOW }, (_, k) => (k - BELOW) * STEP), ...ABOVE];
+
+/** The number of the first band above 0. */
+export const FOOT = BELOW;
+
+/** Below 0 every second border is drawn as a line. */
+const isDrawn = (band: number): boolean => band >= BELOW || band % 2 === 0;
+
+/** How far a line may be from its place, in units of the grid. */
+const TOLERANCE = 0.04;
+
+/** Bands reach this far over the quarter's edges, and each a little farther than the band below it: so edges do not show. */
+const OVER = -1;
+const FARTHER = 0.05;
+
+const MIRRORS = ['1 1', '-1 1', '1 -1', '-1 -1'];
+
+/** The paths of a quarter's bands, and of its lines. */
+interface Paths {
+  readonly bands: readonly string[];
+  readonly lines: string;
+}
+
+/** The paths of landscapes: steps of one run have the same ground. */
+const made = new WeakMap<Landscape, Paths>();
+
+function pathsOf(landscape: Landscape): Paths {
+  const known = made.get(landscape);
+  if (known) return known;
+  const all = regions(landscape.at, [OVER, HALF], LEVELS);
+  const lines = all.filter((_, band) => isDrawn(band)).flat().flatMap((border) => inside(border, [0, HALF]));
+  const paths = { bands: all.map((borders, band) => borders.map((border) => closed(border, band)).join('')), lines: lines.map(pathOf).join('') };
+  made.set(landscape, paths);
+  return paths;
+}
+
+/** The quarter's bands and lines, for `quarters` by a name. */
+export function definitions(landscape: Landscape, name: string): string {
+  const { bands, lines } = pathsOf(landscape);
+  const all = bands.map((path, band) => `<path class="card" id="${name}-${band}" d="${path}"/>`);
+  return `<defs>${all.join('')}<path class="card" id="${name}-lines" d="${lines}"/></defs>`;
+}
+
+/** A part of the ground, four times. */
+export function quarters(name: string, part: string, kind: string, transform: string): string {
+  const one = (mirror: string): string => `<use href="#${name}-${part}" transform="${transform} scale(${mirror})"/>`;
+  return `<g${kind && ` class="${kind}"`}>${MIRRORS.map(one).join('')}</g>`;
+}
+
+function pathOf(line: readonly Point[]): string {
+  const scale = UNIT / FINE;
+  return `M${simplified(line, TOLERANCE).map(([x, y]) => `${tenth(x * scale)} ${tenth(y * scale)}`).join('L')}`;
+}
+
+function closed(border: readonly Point[], band: number): string {
+  const out = (value: number): number => (value <= OVER + 0.01 ? value - band * FARTHER : value);
+  return `${pathOf(border.map(([x, y]) => [out(x), out(y)]))}z`;
+}
+
+const tenth = (value: number): string => String(Math.round(value * 10) / 10);
