@@ -1,14 +1,14 @@
-/** The cells of a packing in their outline, with the force on each, or the forces of the neighbours on the one looked at. */
+/** The cells of a packing in their outline, with the net force on each. */
 import { crowdAt, nearestTo, packedOf } from '../figures/crowds';
-import type { NearCell, PackedCell, Plate, Trace, View } from '../figures/figure';
-import { arrowTo, at, line, svg, WIDTH } from './plate';
+import type { PackedCell, Plate, Trace, View } from '../figures/figure';
+import { arrowTo, at, svg, WIDTH } from './plate';
 
 /** The side of the picture on the plate. */
 export const SIDE = WIDTH;
 
 /** The length of an arrow for a force of 1, in sizes of its cell, and the longest arrow. */
-const FORCE = 4;
-const LONGEST = 1.4;
+const FORCE = 2;
+const LONGEST = 1;
 
 /** A force is drawn if its arrow is longer than this, in units of the plate. */
 const LEAST = 1.5;
@@ -18,8 +18,8 @@ export function crowd(view: View, { packing, forces, title }: Plate): string {
   const now = trace && crowdAt(trace, view.step);
   if (!trace || !now) return svg(SIDE, '', '');
   const cells = packedOf(now, trace.side);
-  const own = forces === 'one' ? nearestTo(cells, view.at) : undefined;
-  const arrows = forces === 'all' ? cells.map(whole).join('') : own ? onOne(own, cells, trace.neighbours(now.step, own.id)) : '';
+  const own = view.at.length > 1 ? nearestTo(cells, view.at) : undefined;
+  const arrows = forces ? cells.map(arrowOf).join('') : '';
   const shapes = trace.value('kind') === 'circle' ? [] : trace.shapes(now.step);
   const drawn = cells.map((cell, k) => cellShape(cell, shapes[k], cell === own ? 'bubble own' : 'bubble')).join('');
   const said = view.language === 'ja' ? `輪郭の中の ${cells.length} 個のバブル` : `${cells.length} bubbles in their outline`;
@@ -43,23 +43,9 @@ export function cellShape({ x, y, size }: PackedCell, outline: readonly number[]
   return `<circle class="${kind}" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="${at((size / 2) * SIDE)}"/>`;
 }
 
-type Arrow = readonly [x: number, y: number];
-
-/** The arrow of a force on a cell, from its centre; '' if it is too short to see. */
-function arrowOf({ x, y, size }: PackedCell, [fx, fy]: Arrow, kind: string): string {
+/** The arrow of the net force on a cell, from its centre; '' if it is too short to see. */
+function arrowOf({ x, y, size, force: [fx, fy] }: PackedCell): string {
   const length = Math.hypot(fx, fy);
   const drawn = Math.min(LONGEST, FORCE * length) * size * SIDE;
-  return drawn < LEAST ? '' : arrowTo([x * SIDE, y * SIDE], [(fx / length) * drawn, (fy / length) * drawn], kind);
+  return drawn < LEAST ? '' : arrowTo([x * SIDE, y * SIDE], [(fx / length) * drawn, (fy / length) * drawn], 'sum');
 }
-
-const whole = (cell: PackedCell): string => arrowOf(cell, cell.force, 'sum');
-
-/** The force of each neighbour, the walls' force, and their sum. */
-function onOne(own: PackedCell, cells: readonly PackedCell[], near: readonly NearCell[]): string {
-  const links = near.map(({ id }) => cells.find((cell) => cell.id === id)).map((cell) => (cell ? link(own, cell) : ''));
-  const arrows = near.map(({ w, force }) => arrowOf(own, force, w < 1 ? 'push' : 'pull'));
-  const rest = near.reduce<Arrow>(([x, y], { force }) => [x - force[0], y - force[1]], own.force);
-  return `${links.join('')}${arrowOf(own, rest, 'wall')}${arrows.join('')}${whole(own)}`;
-}
-
-const link = (one: PackedCell, other: PackedCell): string => line([one.x * SIDE, one.y * SIDE], [other.x * SIDE, other.y * SIDE], 'link');

@@ -1,10 +1,11 @@
 /** The plates of a figure at a step. The build makes the still picture with it, and the page every later one. */
 import type { Figure, Plate, Trace, View } from '../figures/figure';
-import { bars } from './bars';
 import { MIDDLE } from './bubbles';
 import { crowd, SIDE } from './crowd';
 import { force, HEIGHT } from './force';
 import { held, HEIGHT as HELD } from './held';
+import { lens } from './lens';
+import { levels } from './levels';
 import { map } from './map';
 import { pavement } from './pavement';
 import { toW, WIDEST, WIDTH, X, type CurvePoint, type Drawn } from './plate';
@@ -53,6 +54,8 @@ const DRAWN: Readonly<Record<Plate['draw'], Drawn>> = {
   pavement: { height: WIDTH, draw: (view, { packing }) => pavement(view, packing) },
   crowd: ofPlaces(crowd),
   plot: { height: SIDE, draw: plot },
+  lens: { height: WIDTH, draw: lens },
+  levels: { height: SIDE, draw: levels },
   population: { height: POPULATION, draw: population },
   thresholds: { height: POPULATION, draw: thresholds, grip: (_view, _plate, key, [value = 0]) => gripOf(key, value), numbers: numbersOf },
   held: { height: HELD, draw: held },
@@ -60,7 +63,6 @@ const DRAWN: Readonly<Record<Plate['draw'], Drawn>> = {
   landscape: ofPlaces(map),
   relief: { height: RELIEF, draw: relief },
   section: { height: HEIGHT, draw: section },
-  bars: { height: SIDE, draw: bars },
 };
 
 export function platesOf(figure: Figure, view: View): string[] {

@@ -5,15 +5,16 @@ import { number } from '../figures/words';
 import { SIDE } from './crowd';
 import { at, line, path, pick, svg, text, WIDTH } from './plate';
 
-const [LEFT, RIGHT, TOP, BOTTOM] = [52, WIDTH - 16, 96, SIDE - 40];
+const [LEFT, RIGHT, BOTTOM] = [56, WIDTH - 16, SIDE - 44];
 
 /** The height of a row of the key. */
 const ROW_OF_KEY = 18;
 
-/** The number of marks on the vertical axis. */
-const MARKS = 4;
+/** The most strides between marks of the vertical axis. */
+const MARKS = 6;
 
 interface Axes {
+  readonly top: number;
   readonly x: (step: number) => number;
   readonly y: (value: number) => number;
   readonly marks: readonly number[];
@@ -21,11 +22,11 @@ interface Axes {
 
 export function plot(view: View, { lines = [], axis, digits = 2, title }: Plate): string {
   const values = lines.map((own) => valuesOf(view, own));
-  const axes = axesOf(view, values.flat());
+  const axes = axesOf(view, values.flat(), 28 + ROW_OF_KEY * lines.length);
   const drawn = values.map((row, k) => path(row.map((value, step) => [axes.x(step), axes.y(value)] as const), `line line-${k}`));
-  const shown = axis ? text(LEFT - 44, TOP - 14, pick(axis, view.language), 'number', 'start') : '';
+  const shown = axis ? text(LEFT - 44, axes.top - 10, pick(axis, view.language), 'number', 'start') : '';
   const said = [title?.[view.language] ?? '', ...lines.map(({ name }) => name[view.language])].filter(Boolean).join(', ');
-  return svg(SIDE, said, `${scale(view, axes, digits)}${shown}${drawn.join('')}${now(view, lines, axes)}${key(view, lines, digits)}`);
+  return svg(SIDE, said, `${scale(view, axes)}${shown}${drawn.join('')}${now(view, lines, axes)}${key(view, lines, digits)}`);
 }
 
 /** The numbers of a line up to the furthest step that was seen; later ones would tell how the run goes on. */
@@ -33,18 +34,19 @@ function valuesOf({ traces, furthest }: View, { packing, of }: Line): number[] {
   return (traces[packing]?.steps ?? []).slice(0, furthest + 1).map(of);
 }
 
-function axesOf({ last }: View, values: readonly number[]): Axes {
+function axesOf({ last }: View, values: readonly number[], top: number): Axes {
   const marks = marksOf(Math.min(0, ...values), Math.max(0, ...values));
   const [low = 0, high = 1] = [marks[0], marks.at(-1)];
   return {
+    top,
     x: (step) => LEFT + (step / Math.max(1, last)) * (RIGHT - LEFT),
-    y: (value) => BOTTOM - ((value - low) / (high - low)) * (BOTTOM - TOP),
+    y: (value) => BOTTOM - ((value - low) / (high - low)) * (BOTTOM - top),
     marks,
   };
 }
 
 /** Round numbers that hold a range. */
-function marksOf(low: number, high: number): number[] {
+export function marksOf(low: number, high: number): number[] {
   const wide = Math.max(high - low, 1e-3) / MARKS;
   const power = 10 ** Math.floor(Math.log10(wide));
   const stride = ([1, 2, 5].find((factor) => factor * power >= wide) ?? 10) * power;
@@ -53,16 +55,22 @@ function marksOf(low: number, high: number): number[] {
   return Array.from({ length: count + 1 }, (_, k) => (first + k) * stride);
 }
 
-function scale({ last, language }: View, { x, y, marks }: Axes, digits: number): string {
-  const rows = marks.map((value) => `${line([LEFT, y(value)], [RIGHT, y(value)], value === 0 ? 'axis' : 'grid')}${text(LEFT - 6, y(value) + 4, number(value, Math.min(digits, 2)), 'number', 'end')}`);
+/** The digits that tell marks apart. */
+export function digitsOf([first = 0, second = 1]: readonly number[]): number {
+  return Math.max(0, -Math.floor(Math.log10(second - first) + 1e-9));
+}
+
+function scale({ last, language }: View, { x, y, marks }: Axes): string {
+  const digits = digitsOf(marks);
+  const rows = marks.map((value) => `${line([LEFT, y(value)], [RIGHT, y(value)], value === 0 ? 'axis' : 'grid')}${text(LEFT - 6, y(value) + 4, number(value, digits), 'number', 'end')}`);
   const steps = [0, Math.round(last / 2), last].map((step) => text(x(step), BOTTOM + 18, String(step), 'number'));
   const name = text((LEFT + RIGHT) / 2, BOTTOM + 34, language === 'ja' ? 'ステップ' : 'step', 'number');
   return `${rows.join('')}${steps.join('')}${name}`;
 }
 
 /** The present step, with a dot on each line. */
-function now(view: View, lines: readonly Line[], { x, y }: Axes): string {
-  const pole = line([x(view.step), TOP], [x(view.step), BOTTOM], 'now');
+function now(view: View, lines: readonly Line[], { top, x, y }: Axes): string {
+  const pole = line([x(view.step), top], [x(view.step), BOTTOM], 'now');
   const dots = lines.map(({ packing, of }, k) => {
     const trace = view.traces[packing];
     const crowd = trace && crowdAt(trace, view.step);

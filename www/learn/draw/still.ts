@@ -1,6 +1,6 @@
 /** A figure as it stands in the static page: its picture at the opening step, its tools, and the text of its state. */
 import { figureOf } from '../figures/figures';
-import type { Figure, Language, View } from '../figures/figure';
+import type { Figure, Language, Trial, View } from '../figures/figure';
 import { curveOf, lastStepOf, notesOf, platesOf, stopsOf } from './picture';
 import { Reading, shownPoints, shownValue } from './reading';
 import { zeroOf, type Bubbles } from './studio';
@@ -21,7 +21,13 @@ function viewOf(module: Bubbles, figure: Figure, readings: readonly Reading[], l
   const last = lastStepOf(figure, readings);
   const step = Math.min(figure.opens, last);
   const stops = stopsOf(figure, readings);
-  return { traces: readings, step, last, furthest: step, curve: curveOf(module), zero: zeroOf(module), at: figure.at, trials: [], isZeroShown: false, stops, language };
+  return { traces: readings, step, last, furthest: step, curve: curveOf(module), zero: zeroOf(module), at: figure.at, trials: trialsOf(figure, readings, step), isStill: true, isZeroShown: false, stops, language };
+}
+
+/** The start that the figure opens with, if it is seen how that ends. */
+export function trialsOf({ trial }: Figure, [reading]: readonly Reading[], step: number): Trial[] {
+  const own = reading && trial?.(reading, step);
+  return own ? [own] : [];
 }
 
 function markupOf(figure: Figure, view: View, readings: readonly Reading[]): string {
@@ -37,5 +43,6 @@ function titled({ plates }: Figure, k: number, note: string | undefined, languag
   const { title, draw } = plates[k] ?? {};
   if (!title || draw === 'track') return box;
   const follows = note === undefined ? '' : ` <output class="plate-note" data-plate="${k}">${note}</output>`;
-  return `<div class="plate-cell ${draw ?? ''}"><p class="plate-name"><b>${title[language]}</b>${follows}</p>${box}</div>`;
+  const isTwin = plates.some((other, at) => at !== k && other.draw === draw);
+  return `<div class="plate-cell${isTwin ? ' twin' : ''}"><p class="plate-name"><b>${title[language]}</b>${follows}</p>${box}</div>`;
 }

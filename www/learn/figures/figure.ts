@@ -197,13 +197,13 @@ export interface Bar {
 
 /** A drawing of a figure, and the packing that it shows. */
 export interface Plate {
-  readonly draw: 'force' | 'track' | 'valley' | 'pavement' | 'crowd' | 'plot' | 'bars' | 'population' | 'thresholds' | 'held' | 'landscape' | 'relief' | 'section' | 'squares';
+  readonly draw: 'force' | 'track' | 'valley' | 'pavement' | 'crowd' | 'lens' | 'plot' | 'levels' | 'population' | 'thresholds' | 'held' | 'landscape' | 'relief' | 'section' | 'squares';
   readonly packing: number;
   readonly title?: Words;
   /** A short text beside the title, made of the numbers at this step. */
   readonly note?: (seen: Seen, language: Language) => string;
-  /** A crowd: an arrow for each cell's force, or for each neighbour's force on the cell that is looked at. */
-  readonly forces?: 'all' | 'one';
+  /** A crowd: whether each cell has an arrow for the net force on it. */
+  readonly forces?: boolean;
   /** A plot: its lines, told apart by dash and name, the name of its axis, and digits of its numbers. */
   readonly lines?: readonly Line[];
   readonly axis?: Words;
@@ -232,6 +232,8 @@ export interface Seen {
   readonly at: readonly number[];
   /** The distance, apart from rest, at which the potential is 0. */
   readonly zero: number;
+  /** Whether the reader has stopped at this step. */
+  readonly isStill: boolean;
 }
 
 /** All that a drawing may show. */

@@ -4,8 +4,8 @@
  * a picture of side 256, without walls; no cell comes or goes, and no run ends by itself.
  */
 import type { Ask, Figure, Language, Moment, Seen, Stop, Trace } from './figure';
-import { between, isPair, parting, REACH, rest, start, touch, trialOf, turn } from './rules';
-import { DAMPING, DISTANCE, HELD, INTEGRATOR, MARK, MASS, moves, number, STIFFNESS, stands, TIME_STEP } from './words';
+import { between, isPair, parting, REACH, rest, touch, trialOf, turn } from './rules';
+import { DAMPING, DISTANCE, HELD, INTEGRATOR, joined, MARK, MASS, moves, number, START, STIFFNESS, stands, TIME_STEP } from './words';
 
 const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0&mend=0&most=1000';
 
@@ -15,7 +15,6 @@ const pair = (w: number, values: string): string => `${PAIR}&given=0.25,0.5,1;${
 /** A stop of the first pair. */
 const ofPair = (find: (moments: readonly Moment[]) => number | undefined): Stop['find'] => ([trace]) => find(trace?.moments ?? []);
 
-const START: Stop = { key: 'start', name: { en: 'Start', ja: '開始' }, find: start };
 const TOUCH: Stop = { key: 'touch', name: { en: 'First touch', ja: '最初に接する' }, find: ofPair(touch) };
 const TURN: Stop = { key: 'turn', name: { en: 'Turning', ja: '折り返し' }, find: ofPair(turn) };
 const REST: Stop = { key: 'rest', name: { en: 'Rest', ja: '静止' }, find: ofPair(rest) };
@@ -144,10 +143,6 @@ function toldLayer({ traces, step }: Seen, language: Language): string {
     '隣り合う二つだけが残りました。これからは、この二つの話です。',
   ];
   return (language === 'ja' ? ja : en)[step] ?? '';
-}
-
-function joined(language: Language, ...sentences: string[]): string {
-  return sentences.filter(Boolean).join(language === 'ja' ? '' : ' ');
 }
 
 /** A pavement that is quickly made. */
