@@ -112,7 +112,7 @@ function here(view: View, trace: Trace, x: (step: number) => number, y: (count: 
   const count = countOf(now);
   const isLate = x(now.step) > RIGHT - 30;
   const words = text(x(now.step) + (isLate ? -8 : 8), y(count) - 5, String(count), 'key', isLate ? 'end' : 'start');
-  return `${line([x(view.step), TOP - 4], [x(view.step), WENT + 4], 'now')}<circle class="here" cx="${at(x(now.step))}" cy="${at(y(count))}" r="4.5"/>${words}`;
+  return `${line([x(view.step), TOP - 6], [x(view.step), FLOOR], 'now')}<circle class="here" cx="${at(x(now.step))}" cy="${at(y(count))}" r="4.5"/>${words}`;
 }
 
 function rowNames({ language }: View): string {
