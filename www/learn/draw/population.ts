@@ -9,6 +9,9 @@ import { at, line, path, svg, symbol, text, WIDTH } from './plate';
 const SHARE = 0.79;
 export const BELOW = SHARE * SIDE + 6;
 
+/** Room above for cells that stick out of the outline; below it the outline leaves enough. */
+const TOP_ROOM = 8;
+
 /** The strip: names of its rows, its first and last step, the curve, and the rows of those that came and went. */
 const [LEFT, RIGHT, TOP, FLOOR] = [62, WIDTH - 24, BELOW + 36, BELOW + 78];
 const [CAME, WENT] = [FLOOR + 18, FLOOR + 34];
@@ -31,7 +34,7 @@ export function population(view: View, { packing, title, isAhead = false }: Plat
 
 /** Drawings at the places of the picture, in its outline. */
 export function inOutline(trace: Trace, content: string): string {
-  return `<g transform="translate(${at((WIDTH - SHARE * SIDE) / 2)} 0) scale(${SHARE})">${outlineOf(trace)}${content}</g>`;
+  return `<g transform="translate(${at((WIDTH - SHARE * SIDE) / 2)} ${TOP_ROOM}) scale(${SHARE})">${outlineOf(trace)}${content}</g>`;
 }
 
 function spoken({ language }: View, { cells, leaving, empty }: Marks): string {

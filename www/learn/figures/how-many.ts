@@ -108,11 +108,11 @@ function toldNever({ traces: [trace], step }: Seen, language: Language): string 
   const isCrossed = Number(trace.value('crowd')) > Number(trace.value('room'));
   const end = isAtRest(trace, step);
   if (language === 'ja') {
-    const last = look ? `ステップ ${look.step} の調査では ${look.came.length} 個増えて ${look.went.length} 個去りました。` : '';
+    const last = look ? `ステップ ${look.step} の調査で ${look.came.length} 個増え、${look.went.length} 個去りました。` : '';
     const hint = isCrossed ? 'しきい値が交差しています。調査のたびに何が起きるか見てください。' : end ? '静止しました。しきい値を交差させてみてください。' : '最後まで進めてみてください。';
     return `${numberAt(trace, step)} 個。最も近い隣までの w が ${crowd ?? ''} 未満なら去り、${room ?? ''} 以上ならそばにもう一つ増えます。いまは ${least ?? ''} から ${most ?? ''} です。${last}${hint}`;
   }
-  const last = look ? `At the look of step ${look.step} ${look.came.length} came and ${look.went.length} went.` : '';
+  const last = look ? `Step ${look.step}: ${look.came.length} came, ${look.went.length} went.` : '';
   const hint = isCrossed ? 'The thresholds cross: watch each look.' : end ? 'It is at rest. Let the thresholds cross.' : 'Go on to the end.';
   return sentences(language, `${numberAt(trace, step)} cells. A cell goes if its nearest neighbour is below w = ${crowd ?? ''}, and another comes beside it from ${room ?? ''} on; now it is ${least ?? ''} to ${most ?? ''}.`, last, hint);
 }
@@ -127,11 +127,11 @@ const never: Ask = {
     const isCrossed = Number(trace.value('crowd')) > Number(trace.value('room'));
     if (language === 'ja') {
       const rows = looks.map((look) => `ステップ ${look.step} に ${look.came.length} 個増えて ${look.went.length} 個去り`).join('、');
-      const why = isCrossed ? `w が ${room ?? ''} から ${crowd ?? ''} のセルは、去らなければならず、しかも一つ増やさなければなりません。` : `静止したセルの w は ${crowd ?? ''} から ${room ?? ''} の間に収まりきりません。`;
+      const why = isCrossed ? `w が ${room ?? ''} から ${crowd ?? ''} のセルは、過密であり、しかも孤立してもいます。` : `静止したセルの w は ${crowd ?? ''} から ${room ?? ''} の間に収まりきりません。`;
       return `静止しませんでした。${rows}ました。${why}調査がステップ 100 で打ち切られるまで続きます。`;
     }
-    const rows = looks.map((look) => `at step ${look.step} ${look.came.length} came and ${look.went.length} went`).join(', ');
-    const why = isCrossed ? `A cell between w = ${room ?? ''} and ${crowd ?? ''} must go and must bring another one.` : `The cells of a packing at rest do not all fit between w = ${crowd ?? ''} and ${room ?? ''}.`;
+    const rows = looks.map((look) => `${look.came.length} came and ${look.went.length} went at step ${look.step}`).join(', ');
+    const why = isCrossed ? `A cell between w = ${room ?? ''} and ${crowd ?? ''} is crowded and lonely at once.` : `The cells of a packing at rest do not all fit between w = ${crowd ?? ''} and ${room ?? ''}.`;
     return `It never rests: ${rows}. ${why} Only the end of all looks, at step 100, stops it.`;
   },
 };
