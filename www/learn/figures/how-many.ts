@@ -109,7 +109,7 @@ function toldNever({ traces: [trace], step }: Seen, language: Language): string 
   const end = isAtRest(trace, step);
   if (language === 'ja') {
     const last = look ? `ステップ ${look.step} の調査で ${look.came.length} 個増え、${look.went.length} 個去りました。` : '';
-    const hint = isCrossed ? 'しきい値が交差しています。調査のたびに何が起きるか見てください。' : end ? '静止しました。しきい値を交差させてみてください。' : '最後まで進めてみてください。';
+    const hint = isCrossed ? 'しきい値が逆転しています。調査のたびに何が起きるか見てください。' : end ? '静止しました。しきい値を逆転させてみてください。' : '最後まで進めてみてください。';
     return `${numberAt(trace, step)} 個。最も近い隣までの w が ${crowd ?? ''} 未満なら去り、${room ?? ''} 以上ならそばにもう一つ増えます。いまは ${least ?? ''} から ${most ?? ''} です。${last}${hint}`;
   }
   const last = look ? `Step ${look.step}: ${look.came.length} came, ${look.went.length} went.` : '';
