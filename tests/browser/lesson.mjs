@@ -1,6 +1,10 @@
 // The figures of a chapter in a browser: their state, handles, timeline and questions.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 
 /** @typedef {import('puppeteer-core').Page} Page */
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 /** Brings a figure into sight and waits until it works. @param {Page} page @param {string} name */
 export async function at(page, name) {
@@ -64,3 +68,13 @@ export const answer = (page, key) => page.$eval(`[data-seen="${key}"]`, (place) 
 
 /** @param {Page} page @param {string} key */
 export const answered = (page, key) => page.waitForSelector(`[data-seen="${key}"]:not([hidden])`);
+
+/** The findings of axe in the figures of a page, with all folds open. @param {Page} page @returns {Promise<string[]>} */
+export async function violations(page) {
+  await page.$$eval('figure details', (folds) => folds.forEach((fold) => fold.setAttribute('open', '')));
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const found = await /** @type {any} */ (window).axe.run('figure[data-figure]');
+    return found.violations.flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ { html }) => `${id}: ${html.slice(0, 160)}`));
+  });
+}
