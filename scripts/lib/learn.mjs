@@ -20,8 +20,8 @@ export function learnSources() {
   return files.map(({ parentPath, name }) => join(parentPath, name));
 }
 
-/** Where the pages' files stand in the site. */
-const files = { entryFileNames: 'assets/learn-[hash].js', chunkFileNames: 'assets/learn-[hash].js', assetFileNames: 'assets/learn-[hash][extname]' };
+/** Where the pages' files stand in the site. The figures of a chapter are a script of its own, learn-of-CHAPTER. */
+const files = { entryFileNames: 'assets/learn-[hash].js', chunkFileNames: 'assets/learn-[name]-[hash].js', assetFileNames: 'assets/learn-[hash][extname]' };
 
 /**
  * The bundle of the pages' scripts and styles, as files.

@@ -147,8 +147,8 @@ export const squares = {
       key: 'slide',
       heading: { en: 'Your turn', ja: '練習' },
       text: {
-        en: 'One thing is left to do here: find a place from which the square slides into the well on the left.',
-        ja: '残る仕事は一つです。左の井戸に滑り込む場所を見つけて、正方形を置いてください。',
+        en: 'One thing is left to do here: find a place, at least half a side away, from which the square slides into the well on the left.',
+        ja: '残る仕事は一つです。左の井戸から半辺以上離れていて、そこへ滑り込む場所を見つけ、正方形を置いてください。',
       },
       caption: { en: 'A square that slid to the nearest well. Where must it start to end on the left?', ja: '最も近い井戸に滑り込んだ正方形。左に行き着くのは、どこから始めたときでしょう。' },
     },
