@@ -3,7 +3,7 @@
  * bubble, its place on a curve and its track stand above each other. Colours come from classes alone: the page's style sheet
  * has them for light, dark and paper.
  */
-import type { Language, Moment, Plate, View, Words } from '../figures/figure';
+import type { Figure, Language, Moment, Plate, View, Words } from '../figures/figure';
 
 export const WIDTH = 400;
 
@@ -90,6 +90,15 @@ export interface Drawn {
   /** The numbers of a handle at a place. */
   readonly numbers?: (x: number, y: number) => readonly number[];
 }
+
+/** The figures of a chapter, and the ways to draw their plates by their words in the figures' data. */
+export interface Drawings {
+  readonly figures: readonly Figure[];
+  readonly drawn: Readonly<Partial<Record<Plate['draw'], Drawn>>>;
+}
+
+/** A plate that shows the picture as a whole. */
+export const ofPlaces = (draw: Drawn['draw']): Drawn => ({ height: WIDTH, draw, grip: (_view, _plate, _key, [x = 0, y = 0]) => [x * WIDTH, y * WIDTH], numbers: (x, y) => [x / WIDTH, y / WIDTH] });
 
 export function svg(height: number, said: string, content: string): string {
   return `<svg class="plate" viewBox="0 0 ${WIDTH} ${height}" width="${WIDTH}" height="${height}" role="img" aria-label="${said}">${content}</svg>`;

@@ -1,18 +1,18 @@
 /** A figure as it stands in the static page: its picture at the opening step, its tools, and the text of its state. */
-import { figureOf } from '../figures/figures';
 import type { Figure, Language, Trial, View } from '../figures/figure';
-import { curveOf, lastStepOf, notesOf, platesOf, stopsOf } from './picture';
+import { shownOf } from './chapters';
+import { curveOf, lastStepOf, notesOf, platesOf, stopsOf, type Shown } from './picture';
 import { Reading, shownPoints, shownValue } from './reading';
 import { zeroOf, type Bubbles } from './studio';
 import { toolsOf } from './tools';
 
 /** The inside of `.figure-stage`. The module must be initialised; its numbers are those that the page will show. */
 export function stillOf(module: Bubbles, name: string, language: Language): string {
-  const figure = figureOf(name);
-  if (!figure) throw new Error(`There is no figure ${name}.`);
+  const shown = shownOf(name);
+  const { figure } = shown;
   const readings = figure.packings.map((own) => new Reading(module, figure, figure.recipe, own));
   for (const reading of readings) while (!reading.advance(1000));
-  const html = markupOf(figure, viewOf(module, figure, readings, language), readings);
+  const html = markupOf(shown, viewOf(module, figure, readings, language), readings);
   for (const reading of readings) reading.free();
   return html;
 }
@@ -30,12 +30,13 @@ export function trialsOf({ trial }: Figure, [reading]: readonly Reading[], step:
   return own ? [own] : [];
 }
 
-function markupOf(figure: Figure, view: View, readings: readonly Reading[]): string {
+function markupOf(shown: Shown & { readonly chapter: string }, view: View, readings: readonly Reading[]): string {
+  const { figure, chapter } = shown;
   const { step, last, at, language } = view;
   const notes = notesOf(figure, view);
-  const boxes = platesOf(figure, view).map((plate, k) => titled(figure, k, notes[k], language, `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`));
+  const boxes = platesOf(shown, view).map((plate, k) => titled(figure, k, notes[k], language, `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`));
   const tools = toolsOf(figure, language, { step, last, value: (key) => shownValue(readings, step, at, key), points: (handle) => shownPoints(readings, step, at, handle) });
-  return `<div class="plates plates-${boxes.length}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${figure.told(view, language)}</p>`;
+  return `<div class="plates plates-${boxes.length}" data-chapter="${chapter}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${figure.told(view, language)}</p>`;
 }
 
 /** A plate with its title, unless the drawing has it; its note follows the steps. */

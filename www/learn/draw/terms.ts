@@ -1,8 +1,8 @@
 /** The small pictures of the glossary: pairs, curves and tracks by the same numbers as the figures. */
-import { figureOf } from '../figures/figures';
 import { way } from '../figures/words';
 import type { Moment } from '../figures/figure';
 import { arrow, at, line, path } from './plate';
+import { shownOf } from './chapters';
 import { curveOf } from './picture';
 import { Reading } from './reading';
 import type { Bubbles } from './studio';
@@ -47,8 +47,7 @@ const curve = (which: keyof typeof CURVES, over: (x: (w: number) => number, y: (
 
 /** The distance of a pair over time, with a dot for each step if there are few. */
 const track = (figure: string, values: Readonly<Record<string, string>>, steps: number): Draw => (module) => {
-  const own = figureOf(figure);
-  if (!own) return '';
+  const { figure: own } = shownOf(figure);
   const reading = new Reading(module, { ...own, last: steps }, own.recipe, values);
   while (!reading.advance(1000));
   const points = reading.moments.map(placed(steps));

@@ -1,5 +1,4 @@
 /** The state of a figure in the address: its name, the words of its recipe, a step, and the place that is looked at. */
-import { figureOf } from '../figures/figures';
 import type { Figure } from '../figures/figure';
 
 export interface State {
@@ -15,15 +14,20 @@ export function stateWords(name: string, { recipe, step, at }: State): string {
   return [`fig=${name}`, recipe, `step=${step}`, ...(at.length ? [`at=${at.map((value) => value.toFixed(3)).join(',')}`] : [])].join('&');
 }
 
-/** The figure that a fragment opens, and its state. */
-export function stateIn(fragment: string): { readonly figure: Figure; readonly state: State } | undefined {
-  const pairs = new Map(fragment.split('&').map((word) => [word.split('=')[0] ?? '', word.slice(word.indexOf('=') + 1)]));
-  const figure = figureOf(pairs.get('fig') ?? '');
-  if (!figure) return undefined;
+/** The name of the figure that a fragment opens; '' if it opens none. */
+export function figureIn(fragment: string): string {
+  return wordsOf(fragment).get('fig') ?? '';
+}
+
+/** A figure's state in a fragment. */
+export function stateIn(fragment: string, figure: Figure): State {
+  const words = wordsOf(fragment);
   const recipe = fragment.split('&').filter((word) => word && !OWN.includes(word.split('=')[0] ?? '')).join('&');
-  const step = whole(pairs.get('step'), figure.opens, figure.last);
-  const at = placeIn(pairs.get('at'), figure);
-  return { figure, state: { recipe: recipe || figure.recipe, step, at } };
+  return { recipe: recipe || figure.recipe, step: whole(words.get('step'), figure.opens, figure.last), at: placeIn(words.get('at'), figure) };
+}
+
+function wordsOf(fragment: string): ReadonlyMap<string, string> {
+  return new Map(fragment.split('&').map((word) => [word.split('=')[0] ?? '', word.slice(word.indexOf('=') + 1)]));
 }
 
 function whole(text: string | undefined, otherwise: number, most: number): number {

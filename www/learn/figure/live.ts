@@ -2,7 +2,7 @@
  * A figure at work: it reads the numbers of its packings in slices, plays, and shows a step. The picture is made from its state
  * alone, by the drawing that made the still picture.
  */
-import { curveOf, gripAt, lastStepOf, notesOf, numbersAt, platesOf, stopsOf } from '../draw/picture';
+import { curveOf, gripAt, lastStepOf, notesOf, numbersAt, platesOf, stopsOf, type Shown } from '../draw/picture';
 import type { CurvePoint } from '../draw/plate';
 import { Reading, shownPoints, shownValue } from '../draw/reading';
 import { zeroOf, type Bubbles } from '../draw/studio';
@@ -10,6 +10,7 @@ import type { Figure, Language, PointHandle, Trial, View } from '../figures/figu
 import { opening, type State } from './address';
 import { Asked } from './asked';
 import { Handles, type Handled } from './handles';
+import { Layers } from './layers';
 import { Timeline, type Timed } from './timeline';
 import type { Turns } from './turns';
 
@@ -22,6 +23,7 @@ const AT_STOP = 1400;
 
 export class Live implements Handled, Timed {
   readonly figure: Figure;
+  private readonly shown: Shown;
   readonly language: Language;
   private readonly module: Bubbles;
   private readonly place: HTMLElement;
@@ -31,6 +33,7 @@ export class Live implements Handled, Timed {
   private readonly handles: Handles;
   private readonly timeline: Timeline;
   private readonly questions: Asked;
+  private readonly layers = new Layers();
   private readonly curve: CurvePoint[];
   private readonly zero: number;
   private readings: Reading[] = [];
@@ -42,6 +45,8 @@ export class Live implements Handled, Timed {
   private furthest = 0;
   private at: readonly number[];
   private isRead = false;
+  /** Whether a hand has changed the recipe: the picture follows it while the numbers are read. */
+  private isInHand = false;
   private isPlaying = false;
   private isInSight = true;
   /** The time of the last frame that played, and the part of a step that is still to come. */
@@ -49,8 +54,9 @@ export class Live implements Handled, Timed {
   private part = 0;
   private frame = 0;
 
-  constructor(place: HTMLElement, figure: Figure, language: Language, module: Bubbles, state: State, turns: Turns, changed: (state: State) => void) {
-    [this.place, this.figure, this.language, this.module, this.turns, this.changed] = [place, figure, language, module, turns, changed];
+  constructor(place: HTMLElement, shown: Shown, language: Language, module: Bubbles, state: State, turns: Turns, changed: (state: State) => void) {
+    const { figure } = shown;
+    [this.shown, this.place, this.figure, this.language, this.module, this.turns, this.changed] = [shown, place, figure, language, module, turns, changed];
     [this.asked, this.at, this.last] = [state.step, state.at, figure.last];
     [this.curve, this.zero] = [curveOf(module), zeroOf(module)];
     this.questions = new Asked(figure, language);
@@ -78,6 +84,7 @@ export class Live implements Handled, Timed {
     const { figure, module } = this;
     const made = (from: string): Reading[] => figure.packings.map((own) => new Reading(module, figure, from, own));
     this.free();
+    this.isInHand = false;
     this.readings = made(recipe);
     if (!this.readings.every((reading) => figure.fits(reading))) {
       this.free();
@@ -123,16 +130,17 @@ export class Live implements Handled, Timed {
   private alter(act: (reading: Reading) => void, isOver: boolean): void {
     if (this.isPlaying) this.pause();
     this.readings.forEach(act);
+    this.isInHand = true;
     this.read();
     this.show(isOver);
   }
 
   gripAt(plate: number, key: string, numbers: readonly number[]): readonly [number, number] {
-    return gripAt(this.figure, plate, key, numbers, this.view());
+    return gripAt(this.shown, plate, key, numbers, this.view());
   }
 
   numbersAt(plate: number, place: readonly [number, number]): readonly number[] {
-    return numbersAt(this.figure, plate, place);
+    return numbersAt(this.shown, plate, place);
   }
 
   again(): void {
@@ -207,8 +215,8 @@ export class Live implements Handled, Timed {
 
   /** A crowd that is read anew is shown as far as it is: its outline follows the hand. */
   private preview(): void {
-    const isBegun = this.readings.every(({ steps, moments }) => steps.length > 0 && !moments.length);
-    if (!isBegun) return;
+    const isBegun = this.readings.every(({ steps, moments, landscape }) => steps.length > 0 && (landscape !== undefined || !moments.length));
+    if (!isBegun || !this.isInHand) return;
     this.draw();
     this.handles.show();
   }
@@ -247,9 +255,9 @@ export class Live implements Handled, Timed {
 
   private draw(): void {
     const view = this.view();
-    platesOf(this.figure, view).forEach((plate, k) => {
+    platesOf(this.shown, view).forEach((plate, k) => {
       const place = this.place.querySelector(`.plate-box[data-plate="${k}"] .plate-svg`);
-      if (place) place.innerHTML = plate;
+      if (place) this.layers.put(place, plate);
     });
     notesOf(this.figure, view).forEach((note, k) => {
       const place = this.place.querySelector(`.plate-note[data-plate="${k}"]`);
