@@ -6,6 +6,7 @@ import { shownOf } from './chapters';
 import { curveOf } from './picture';
 import { Reading } from './reading';
 import type { Bubbles } from './studio';
+import { CROWD_TERMS } from './term-crowds';
 
 const [WIDTH, HEIGHT, MIDDLE] = [120, 80, 40];
 
@@ -82,7 +83,7 @@ const DRAWN: Readonly<Record<string, Draw>> = {
 
 /** The picture of a term. The module must be initialised. */
 export function termOf(module: Bubbles, term: string): string {
-  const draw = DRAWN[term];
+  const draw = DRAWN[term] ?? CROWD_TERMS[term];
   if (!draw) throw new Error(`The term ${term} has no picture.`);
   return `<svg class="plate small" viewBox="0 0 ${WIDTH} ${HEIGHT}" width="${WIDTH}" height="${HEIGHT}" aria-hidden="true">${draw(module)}</svg>`;
 }
