@@ -120,7 +120,7 @@ test('thresholds that cross: it never rests, whichever way they are moved', same
     await page.keyboard.press('PageDown');
     await boxHas(page, figure, 'room', wanted);
   }
-  assert.equal(await drawn(page, figure, 1, '.both'), 1);
+  await page.waitForSelector(`${plate} svg .both`);
   await toEnd(page, figure);
   await answered(page, 'never');
   assert.match(await answer(page, 'never'), /It never rests: \d came and \d went at step 10, \d came and \d went at step 20, \d came and \d went at step 30\./);
