@@ -113,10 +113,10 @@ for (const name of chapters) {
       assert.deepEqual(keys(page, 'a.term', 'href').map((href) => href.split('#')[1]).sort(), own.map(({ key }) => key).sort());
       if (language === 'ja') continue;
       // Answers and headings have no links; texts and captions do.
-      const prose = selectAll('section > p, section > * > p, figcaption', page);
+      const prose = selectAll('section > p, section > * > p, legend, figcaption', page);
       for (const { key, name: names } of own) {
         const word = names.en.replace(/ \(.*/, '');
-        const first = prose.find((part) => new RegExp(`\\b${word}\\b`, 'i').test(textOf(part)));
+        const first = prose.find((part) => new RegExp(`\\b${word}s?\\b`, 'i').test(textOf(part)));
         if (first) assert.ok(selectOne(`a.term[href$="#${key}"]`, first), `${key} is used before its link`);
       }
     }

@@ -1,4 +1,10 @@
 // The contents: the chapters that are there, and those to come.
+import { howMany } from './how-many.mjs';
+import { howManyGuide } from './how-many-guide.mjs';
+import { manyBubbles } from './many-bubbles.mjs';
+import { manyBubblesGuide } from './many-bubbles-guide.mjs';
+import { squares } from './squares.mjs';
+import { squaresGuide } from './squares-guide.mjs';
 import { twoBubbles } from './two-bubbles.mjs';
 import { twoBubblesGuide } from './two-bubbles-guide.mjs';
 
@@ -7,15 +13,15 @@ import { twoBubblesGuide } from './two-bubbles-guide.mjs';
 /** The chapters that are there, with their parts of the teacher's guide. */
 export const chapters = [
   { ...twoBubbles, guide: twoBubblesGuide },
+  { ...manyBubbles, guide: manyBubblesGuide },
+  { ...squares, guide: squaresGuide },
+  { ...howMany, guide: howManyGuide },
 ];
 
 /** Those to come, by number. @type {Record<number, { title: Words, idea?: Words }>} */
 const coming = {
-  2: { title: { en: 'Many bubbles', ja: 'たくさんのバブル' }, idea: { en: 'The same force, summed over neighbours, brings a crowd to rest.', ja: '隣どうしの力を足し合わせると、群れ全体が静止します。' } },
   3: { title: { en: 'From bubbles to a mesh', ja: 'バブルからメッシュへ' }, idea: { en: 'To join points is easy; to have good points is the work.', ja: '点を結ぶのは簡単です。良い点を置くのが仕事です。' } },
-  4: { title: { en: 'Why squares line up', ja: '正方形はなぜ並ぶのか' }, idea: { en: 'Four small bubbles on the corners turn a ring of rest into four wells.', ja: '四隅の小さなバブルが、静止の輪を四つの井戸に変えます。' } },
   5: { title: { en: 'Which way?', ja: 'どちら向き？' }, idea: { en: 'A square looks alike after a quarter turn, so directions cannot be averaged as arrows.', ja: '正方形は90度回しても同じなので、向きを矢印として平均することはできません。' } },
-  6: { title: { en: 'How many?', ja: 'いくつ置くのか' }, idea: { en: 'Nobody says how many cells: the crowded leave, room is filled.', ja: '数はだれも決めません。混めば減り、空けば増えます。' } },
   7: { title: { en: 'Stretch', ja: '引き伸ばす' } },
   8: { title: { en: 'Cells', ja: 'セル' } },
   9: { title: { en: 'A stone', ja: '石をつくる' } },

@@ -20,8 +20,8 @@ export const howMany = {
       figure: 'crowded',
       heading: { en: 'One is taken out', ja: '一つ抜き取ると' },
       text: {
-        en: 'Round bubbles stand in a honeycomb, each at $w = 1$ from six others. One is taken out. What do its six neighbours do?',
-        ja: '円いバブルが蜂の巣状に並び、それぞれ六つの隣と$w = 1$で触れ合っています。一つを抜き取ると、まわりの六つはどうするでしょう。',
+        en: 'Round bubbles stand in a [[honeycomb]], each at $w = 1$ from six others. One is taken out. What do its six neighbours do?',
+        ja: '円いバブルが[[honeycomb|蜂の巣状]]に並び、それぞれ六つの隣と$w = 1$で触れ合っています。一つを抜き取ると、まわりの六つはどうするでしょう。',
       },
       caption: {
         en: 'Too few at the start, and too many. The [[crowded]] ones go, an [[empty-place|empty place]] is filled. Below: who came and who went.',
@@ -110,7 +110,7 @@ export const howMany = {
         },
         {
           en: 'The most crowded go first, and never two neighbours at once: where one goes, the other has room. For coming, the paper of 2003 turns the test round: beside a cell whose smallest $w$ is larger than a value. But cells at a hole touch others behind them, so their smallest $w$ stays near 1. The test finds who is lonely. A hole is not lonely. So ours asks the place $p$ itself:',
-          ja: '最も混んだものから去り、隣り合う二つが同時に去ることはありません。一つが去れば、もう一つには余裕ができるからです。増やすときは、2003年の論文はこれを裏返し、$w$の最小値がある値より大きいセルのそばに置きます。けれども、穴の縁のセルは後ろの隣と触れ合っているので、最小値は1の近くにとどまります。この規則で見つかるのは孤立したセルで、穴ではありません。そこで本プログラムは、場所$p$そのものを調べます。',
+          ja: '最も混んだものから去り、隣り合う二つが同時に去ることはありません。一つが去れば、もう一つには余裕ができるからです。増やすときは、2003年の論文はこれを裏返し、$w$の最小値がある値より大きいセルのそばに置きます。けれども、穴の縁のセルは後ろの隣と触れ合っているので、$w$の最小値は1の近くにとどまります。この規則で見つかるのは孤立したセルで、穴ではありません。そこで本プログラムは、場所$p$そのものを調べます。',
         },
         {
           equation: 'b',
@@ -132,8 +132,8 @@ export const howMany = {
       figure: 'count',
       heading: { en: 'Not so: “the number is area over size squared”', ja: '「個数は面積÷大きさの2乗」ではありません' },
       text: {
-        en: 'Far from all walls it would nearly do: a square takes $d²$, a round cell in a [[honeycomb]] 0.87 of it. But cells come whole. An arm of the outline that is a little too narrow for two rows holds one, and the rest of its area holds nothing. With smaller cells it suddenly holds two. Area knows nothing of that.',
-        ja: '壁から遠ければ、だいたい合います。正方形一つの面積は$d²$、[[honeycomb|蜂の巣状の並び]]の円ではその0.87倍です。けれども、セルは丸ごとしか置けません。二列には少し狭い腕には一列しか入らず、残りの面積は使えません。セルを小さくすると、急に二列入ります。面積だけでは、それは分かりません。',
+        en: 'Far from all walls it would nearly do: a square takes $d²$, a round cell in a honeycomb 0.87 of it. But cells come whole. An arm of the outline that is a little too narrow for two rows holds one, and the rest of its area holds nothing. With smaller cells it suddenly holds two. Area knows nothing of that.',
+        ja: '壁から遠ければ、だいたい合います。正方形一つの面積は$d²$、蜂の巣状に並んだ円ではその0.87倍です。けれども、セルは丸ごとしか置けません。二列には少し狭い腕には一列しか入らず、残りの面積は使えません。セルを小さくすると、急に二列入ります。面積だけでは、それは分かりません。',
       },
       ask: { en: 'A U and a square have the same area. With size 34 the U holds 13 cells and the square 19. With size 28 the U holds …', ja: 'U字形と正方形の面積は同じです。大きさ34では、U字形に13個、正方形に19個入ります。28にすると、U字形に入るのは正方形と比べて…' },
       answers: [

@@ -61,8 +61,8 @@ export const manyBubbles = {
       figure: 'two-starts',
       heading: { en: 'Will both end alike?', ja: '同じところに落ち着くでしょうか' },
       text: {
-        en: 'The same outline, the same forces, as many bubbles: only the first places differ. Let both run until they rest. What will you see?',
-        ja: '輪郭も力も数も同じで、初めの場所だけが違います。両方を静止するまで動かすと、どうなるでしょう。',
+        en: 'The same outline, the same forces, as many bubbles: only the [[first-places|first places]] differ. Let both run until they rest. What will you see?',
+        ja: '輪郭も力も数も同じで、[[first-places|初期位置]]だけが違います。両方を静止するまで動かすと、どうなるでしょう。',
       },
       answers: [
         { value: 'a', text: { en: 'The same picture twice', ja: '同じ絵が二つ' } },
@@ -70,8 +70,8 @@ export const manyBubbles = {
         { value: 'c', text: { en: 'Two pictures, two energies', ja: '絵もエネルギーも違う' }, right: true },
       ],
       caption: {
-        en: 'Two crowds with other [[first-places|first places]] in one outline, side by side, and their [[energy|energies]] step by step.',
-        ja: '同じ輪郭の中で、[[first-places|初期位置]]だけが違う二つの群れと、ステップごとの[[energy|エネルギー]]。',
+        en: 'Two crowds with other first places in one outline, side by side, and their [[energy]] step by step.',
+        ja: '同じ輪郭の中で、初期位置だけが違う二つの群れと、ステップごとの[[energy|エネルギー]]。',
       },
     },
     {
@@ -126,7 +126,7 @@ export const manyBubbles = {
         },
         {
           en: 'That rest must come is seen from one number. Add the energy of all pairs, of walls and of motion to $E$. By (5) it changes only through the damping:',
-          ja: 'なぜ必ず静止するのかは、一つの数で分かります。対、壁、運動のエネルギーをすべて足して$E$とします。(5)から、$E$を変えるのは減衰だけです。',
+          ja: 'なぜ必ず静止するのかは、一つの数で分かります。対、壁、運動のエネルギーをすべて足して$E$とします。(5)から、それを変えるのは減衰だけです。',
         },
         {
           equation: 'b',

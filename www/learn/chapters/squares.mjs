@@ -24,8 +24,8 @@ export const squares = {
         ja: '第1章の力は距離だけで決まりました。バブルを一つ留めます。もう一つが触れ合って静止できる場所は、そのまわりのどこでしょう。',
       },
       caption: {
-        en: 'Nine [[square-cell|square cells]] from one start. Without corner bubbles they come to rest as circles would; with them they [[alignment|line up]].',
-        ja: '同じところから始めた九つの[[square-cell|四角形粒子]]。四隅のバブルがなければ円と同じように静止し、あれば格子状に[[alignment|整列]]します。',
+        en: 'Nine [[square-cell|square cells]] from one start. Without [[corner-bubble|corner bubbles]] they come to rest as circles would; with them they [[alignment|line up]].',
+        ja: '同じところから始めた九つの[[square-cell|四角形粒子]]。[[corner-bubble|隅のバブル]]がなければ円と同じように静止し、あれば格子状に[[alignment|整列]]します。',
       },
       answers: [
         {
@@ -61,8 +61,8 @@ export const squares = {
       figure: 'wells',
       heading: { en: 'From which weight on?', ja: 'どれだけの重みから' },
       text: {
-        en: 'Each square carries four small bubbles on its corners. They count with a weight between 0 and 1. From which weight on does a neighbour find four places of rest, and no ring?',
-        ja: '正方形の四隅に小さなバブルを置きます。その重みは0から1まで選べます。重みがいくつからなら、静止できる場所は輪でなく四か所になるでしょう。',
+        en: 'Each square carries four small bubbles on its corners. They count with a [[corner-weight|weight]] between 0 and 1. From which weight on does a neighbour find four places of rest, and no ring?',
+        ja: '正方形の四隅に小さなバブルを置きます。その[[corner-weight|重み]]は0から1まで選べます。重みがいくつからなら、静止できる場所は輪でなく四か所になるでしょう。',
       },
       answers: [
         { value: 'a', text: { en: 'From 0.41 on, which is √2 − 1', ja: '0.41（√2 − 1）から' } },
@@ -79,8 +79,8 @@ export const squares = {
       heading: { en: 'Why', ja: 'なぜ' },
       parts: [
         {
-          en: 'Potentials are numbers, so they can be laid over each other: their [[superposition]] is the sum at each place. A square has one at its centre, $psi0$, as a circle has. Four weaker ones, its [[corner-bubble|corner bubbles]], sit on the corners:',
-          ja: 'ポテンシャルは数なので、場所ごとに足して[[superposition|重ね合わせ]]ることができます。正方形の中心には、円と同じ$psi0$があります。そこに、四隅の弱いポテンシャル、[[corner-bubble|隅のバブル]]を加えます。',
+          en: 'Potentials are numbers, so they can be laid over each other: their [[superposition]] is the sum at each place. A square has one at its centre, $psi0$, as a circle has. Four weaker ones, its corner bubbles, sit on the corners:',
+          ja: 'ポテンシャルは数なので、場所ごとに足して[[superposition|重ね合わせ]]ることができます。正方形の中心には、円と同じ$psi0$があります。そこに、四隅の弱いポテンシャル、つまり隅のバブルを加えます。',
         },
         {
           equation: '4',
@@ -91,8 +91,8 @@ export const squares = {
           },
         },
         {
-          en: 'The factor is their [[corner-weight|weight]]. Their [[corner-radius|radius]] is $cr r0$, where $r0$ is half a side. Now let a neighbour touch along an edge. Its centre is $r0$ along and $r0$ across from each near corner, and this is exactly where a corner bubble leaves it alone:',
-          ja: '係数はその[[corner-weight|重み]]です。[[corner-radius|半径]]は$cr r0$で、$r0$は一辺の半分です。隣が辺で触れ合うとき、その中心は近い二つの隅から縦横に$r0$ずつ離れています。ちょうどその距離で、隅のバブルの力は0になります。',
+          en: 'The factor is their weight. Their [[corner-radius|radius]] is $cr r0$, where $r0$ is half a side. Now let a neighbour touch along an edge. Its centre is $r0$ along and $r0$ across from each near corner, and this is exactly where a corner bubble leaves it alone:',
+          ja: '係数はその重みです。[[corner-radius|半径]]は$cr r0$で、$r0$は一辺の半分です。隣が辺で触れ合うとき、その中心は近い二つの隅から縦に$r0$、横に$r0$離れています。ちょうどその距離で、隅のバブルの力は0になります。',
         },
         {
           equation: 'a',
@@ -104,7 +104,7 @@ export const squares = {
         },
         {
           en: 'So at the middle of an edge nothing pushes and nothing pulls, whatever the weight. Go round to 45°, and the centre comes much too near to one corner, which pushes it off. Between two wells there is now a [[barrier]]: 0.046 $k0$ high with the papers’ weight, 0.009 $k0$ with 0.05, and 0 without. Any weight makes four wells. More weight makes them steeper, and deeper: 0.076 $k0$ instead of 0.048.',
-          ja: 'つまり辺の真ん中では、重みがいくつでも、押す力も引く力もありません。45°の方向へ回ると、中心は一つの隅に近づきすぎて押し出されます。井戸と井戸の間に[[barrier|障壁]]ができたのです。その高さは、論文の重みで0.046 $k0$、重み0.05で0.009 $k0$、重み0では0です。どんな重みでも井戸は四つできます。重みを増すと、井戸は急に、深くなります（0.048 $k0$から0.076 $k0$へ）。',
+          ja: 'つまり辺の真ん中では、重みがいくつでも、押す力も引く力もありません。45°の方向へ回ると、中心は一つの隅に近づきすぎて押し出されます。井戸と井戸の間に[[barrier|障壁]]ができたのです。その高さは、論文の重みで0.046 $k0$、重み0.05で0.009 $k0$、重み0では0です。どんな重みでも井戸は四つできます。重みを増すと、井戸は急に、深くなります（0.048から0.076 $k0$へ）。',
         },
       ],
     },
