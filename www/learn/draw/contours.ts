@@ -8,15 +8,18 @@ export type Heights = (column: number, row: number) => number;
 /** The first and the last column, which are those of the rows, too. */
 export type Range = readonly [first: number, last: number];
 
-/** A part of a border through one grid square: its ends, and the name of the side that it goes to. */
+/** A part of a border through one grid square: its ends, and the number of the side that it goes to. */
 interface Part {
   readonly from: Point;
   readonly to: Point;
-  readonly side: string;
+  readonly side: number;
 }
 
-/** The parts of a border, by the names of the sides that they come from. */
-type Parts = Map<string, Part[]>;
+/** The parts of a border, by the numbers of the sides that they come from. */
+type Parts = Map<number, Part[]>;
+
+/** More columns than any grid has. */
+const WIDE = 4096;
 
 /** The corners of a grid square in a circle. Side k joins corner k with the next one. */
 const CORNERS: readonly Point[] = [[0, 0], [1, 0], [1, 1], [0, 1]];
@@ -26,31 +29,38 @@ const SIDES = [0, 1, 2, 3];
 const DEEP = -1e9;
 
 /** The borders of the ground at each level and above, all closed: beside the grid it falls. Levels rise. */
-export function regions(heights: Heights, [first, last]: Range, levels: readonly number[]): Point[][][] {
-  const all = levels.map((): Parts => new Map());
+export function regions(heights: Heights, range: Range, levels: readonly number[]): Point[][][] {
+  const work = tracing(heights, range, levels);
+  for (;;) {
+    const { done, value } = work.next();
+    if (done) return value;
+  }
+}
+
+/** The same in parts, a row of the grid each. */
+export function* tracing(heights: Heights, [first, last]: Range, levels: readonly number[]): Generator<undefined, Point[][][]> {
+  const all = levels.map((level) => ({ level, parts: new Map<number, Part[]>() }));
   const high = (column: number, row: number): number => (column < first || row < first || column > last || row > last ? DEEP : heights(column, row));
   for (let row = first - 1; row <= last; row++) {
     let [below, above] = [high(first - 1, row), high(first - 1, row + 1)];
     for (let column = first - 1; column <= last; column++) {
       const [nextBelow, nextAbove] = [high(column + 1, row), high(column + 1, row + 1)];
-      const corners = [below, nextBelow, nextAbove, above];
       const [least, most] = [Math.min(below, nextBelow, nextAbove, above), Math.max(below, nextBelow, nextAbove, above)];
-      for (let k = 0; k < levels.length; k++) {
-        const level = levels[k] ?? 0;
+      for (const { level, parts } of all) {
         if (level > most) break;
-        if (level > least) cross(corners, level, [column, row], all[k] ?? new Map());
+        if (level > least) cross([below, nextBelow, nextAbove, above], level, [column, row], parts);
       }
       [below, above] = [nextBelow, nextAbove];
     }
+    yield;
   }
-  return all.map(linked);
+  return all.map(({ parts }) => linked(parts));
 }
 
 /** Adds the parts of a border through one grid square: higher ground lies to the left. */
 function cross(corners: readonly number[], level: number, square: Point, parts: Parts): void {
-  const isHigh = SIDES.map((k) => (corners[k] ?? 0) >= level);
-  const ends = SIDES.filter((k) => isHigh[k] && !isHigh[(k + 1) % 4]);
-  SIDES.filter((k) => !isHigh[k] && isHigh[(k + 1) % 4]).forEach((side, k) => {
+  const ends = SIDES.filter((k) => rises(corners, level, k, false));
+  SIDES.filter((k) => rises(corners, level, k, true)).forEach((side, k) => {
     const end = ends[k] ?? 0;
     const name = nameOf(square, side);
     const part = { from: crossing(corners, level, square, side), to: crossing(corners, level, square, end), side: nameOf(square, end) };
@@ -59,8 +69,14 @@ function cross(corners: readonly number[], level: number, square: Point, parts: 
 }
 
 /** Two neighbours name their common side alike. */
-function nameOf([column, row]: Point, side: number): string {
-  return `${column + (side === 1 ? 1 : 0)} ${row + (side === 2 ? 1 : 0)} ${side % 2}`;
+function nameOf([column, row]: Point, side: number): number {
+  return ((row + (side === 2 ? 1 : 0)) * WIDE + column + (side === 1 ? 1 : 0)) * 2 + (side % 2);
+}
+
+/** Whether the ground rises past a level along a side, or falls past it. */
+function rises(corners: readonly number[], level: number, side: number, isUp: boolean): boolean {
+  const [from, to] = [(corners[side] ?? 0) >= level, (corners[(side + 1) % 4] ?? 0) >= level];
+  return from !== to && to === isUp;
 }
 
 function crossing(corners: readonly number[], level: number, [column, row]: Point, side: number): Point {
@@ -82,7 +98,7 @@ function linked(parts: Parts): Point[][] {
 }
 
 /** A part that comes from this side, which no other border has then. */
-function taken(name: string, parts: Parts): Part | undefined {
+function taken(name: number, parts: Parts): Part | undefined {
   const list = parts.get(name) ?? [];
   const part = list.pop();
   if (!list.length) parts.delete(name);

@@ -1,8 +1,11 @@
 /** The ground of a landscape as bands of equal potential: a quarter of each, which a drawing uses four times. */
 import type { Landscape } from '../figures/figure';
-import { inside, regions, simplified, type Point } from './contours';
-import { FINE, HALF } from './landscape';
+import { inside, simplified, tracing, type Heights, type Point } from './contours';
 import { WIDTH } from './plate';
+
+/** The points of a landscape's grid for one stable distance, and along half its side. */
+export const FINE = 32;
+export const HALF = 2 * FINE;
 
 /** The length of a stable distance on a map. */
 export const UNIT = WIDTH / 4;
@@ -28,30 +31,27 @@ const FARTHER = 0.05;
 
 const MIRRORS = ['1 1', '-1 1', '1 -1', '-1 -1'];
 
-/** The paths of a quarter's bands, and of its lines. */
-interface Paths {
-  readonly bands: readonly string[];
-  readonly lines: string;
-}
-
-/** The paths of landscapes: steps of one run have the same ground. */
-const made = new WeakMap<Landscape, Paths>();
-
-function pathsOf(landscape: Landscape): Paths {
-  const known = made.get(landscape);
-  if (known) return known;
-  const all = regions(landscape.at, [OVER, HALF], LEVELS);
-  const lines = all.filter((_, band) => isDrawn(band)).flat().flatMap((border) => inside(border, [0, HALF]));
-  const paths = { bands: all.map((borders, band) => borders.map((border) => closed(border, band)).join('')), lines: lines.map(pathOf).join('') };
-  made.set(landscape, paths);
-  return paths;
+/** The paths of a quarter's bands and lines, in parts. */
+export function* drawing(heights: Heights): Generator<undefined, Landscape['ground']> {
+  const all = yield* tracing(heights, [OVER, HALF], LEVELS);
+  const [bands, lines]: [string[], string[]] = [[], []];
+  for (const [band, borders] of all.entries()) {
+    bands.push(borders.map((border) => closed(border, band)).join(''));
+    if (isDrawn(band)) lines.push(...borders.flatMap((border) => inside(border, [0, HALF])).map(pathOf));
+    yield;
+  }
+  return { bands, lines: lines.join('') };
 }
 
 /** The quarter's bands and lines, for `quarters` by a name. */
-export function definitions(landscape: Landscape, name: string): string {
-  const { bands, lines } = pathsOf(landscape);
+export function definitions({ ground: { bands, lines } }: Landscape, name: string): string {
   const all = bands.map((path, band) => `<path class="card" id="${name}-${band}" d="${path}"/>`);
   return `<defs>${all.join('')}<path class="card" id="${name}-lines" d="${lines}"/></defs>`;
+}
+
+/** A layer over a ground, for what moves. */
+export function over(content: string): string {
+  return `<svg class="plate over" viewBox="0 0 ${WIDTH} ${WIDTH}" width="${WIDTH}" height="${WIDTH}" aria-hidden="true">${content}</svg>`;
 }
 
 /** A part of the ground, four times. */

@@ -5,14 +5,9 @@
  */
 import { ROW } from '../figures/crowds';
 import type { Landscape, Lowest } from '../figures/figure';
+import type { Heights } from './contours';
+import { drawing, FINE, HALF } from './ground';
 import type { Bubbles, Studio } from './studio';
-
-/** How far the grid reaches from the centre, and the points for one stable distance. */
-export const REACH = 2;
-export const FINE = 32;
-
-/** Points along half a side of the grid. */
-export const HALF = REACH * FINE;
 
 /** A picture of 64 stable distances: places are kept to a 256th of one. */
 const SIDE = 64;
@@ -44,21 +39,22 @@ const NEAREST = Math.round(0.7 * FINE);
 /** Landscapes that are kept. */
 const KEPT = 16;
 
-/** A landscape of the energies at the points of the eighth. */
-function landscapeOf(eighth: Float64Array, well: Lowest, pass: Lowest): Landscape {
-  const at = (column: number, row: number): number => {
+/** The energy at a column and a row, of the energies at the points of the eighth. */
+function heightsOf(eighth: Float64Array): Heights {
+  return (column, row) => {
     const [i, j] = [Math.abs(column), Math.abs(row)];
     return eighth[place(Math.max(i, j), Math.min(i, j))] ?? 0;
   };
-  return { at, well, pass };
 }
 
 /** Reads landscapes, in slices, and keeps those that it has read last. */
 export class Survey {
+  /** The landscape that was read last. */
+  latest: Landscape | undefined;
   private readonly studio: Studio;
   private readonly kept = new Map<string, Landscape>();
   private readonly energies = new Float64Array(EIGHTH.length);
-  private done = 0;
+  private work: Generator<undefined, Landscape> | undefined;
   private name = '';
 
   constructor({ Bubblestone }: Bubbles) {
@@ -70,33 +66,36 @@ export class Survey {
     return this.kept.get(`${weight} ${radius}`);
   }
 
-  /** Works for about `budget` milliseconds on a landscape; true once it is there. */
+  /** Works for about `budget` milliseconds on a landscape; true once it is there. One that was begun is ended first. */
   advance(weight: string, radius: string, budget: number): boolean {
     const end = performance.now() + budget;
-    if (this.of(weight, radius)) return true;
-    this.begin(weight, radius);
-    while (this.done < EIGHTH.length) {
-      this.energies.set(this.measure(EIGHTH.slice(this.done, this.done + PAIRS)), this.done);
-      this.done = Math.min(EIGHTH.length, this.done + PAIRS);
-      if (performance.now() > end) return false;
+    while (!this.of(weight, radius)) {
+      this.work ??= this.read(weight, radius);
+      const { done, value } = this.work.next();
+      if (done) this.keep(value);
+      if (performance.now() > end) return this.of(weight, radius) !== undefined;
     }
-    this.keep();
     return true;
   }
 
-  private begin(weight: string, radius: string): void {
-    const name = `${weight} ${radius}`;
-    if (this.name === name) return;
-    [this.name, this.done] = [name, 0];
-    this.studio.set('cw', weight);
-    this.studio.set('cr', radius);
+  private keep(landscape: Landscape): void {
+    this.work = undefined;
+    this.latest = landscape;
+    if (this.kept.size >= KEPT) this.kept.delete(this.kept.keys().next().value ?? '');
+    this.kept.set(this.name, landscape);
   }
 
-  private keep(): void {
-    const eighth = this.energies.slice();
-    if (this.kept.size >= KEPT) this.kept.delete(this.kept.keys().next().value ?? '');
-    this.kept.set(this.name, landscapeOf(eighth, this.lowest(0), this.lowest(1)));
-    this.name = '';
+  private *read(weight: string, radius: string): Generator<undefined, Landscape> {
+    this.name = `${weight} ${radius}`;
+    this.studio.set('cw', weight);
+    this.studio.set('cr', radius);
+    for (let done = 0; done < EIGHTH.length; done += PAIRS) {
+      this.energies.set(this.measure(EIGHTH.slice(done, done + PAIRS)), done);
+      yield;
+    }
+    const at = heightsOf(this.energies.slice());
+    const [well, pass] = [this.lowest(0), this.lowest(1)];
+    return { at, well, pass, ground: yield* drawing(at) };
   }
 
   /** The lowest place on the line where y is `slope` times x: first on the grid, then as fine as places are kept. */

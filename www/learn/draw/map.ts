@@ -2,7 +2,7 @@
 import { crowdAt, packedOf } from '../figures/crowds';
 import type { Landscape, PackedCell, Plate, Trace, View } from '../figures/figure';
 import { SIDE } from './crowd';
-import { definitions, LEVELS, quarters, UNIT } from './ground';
+import { definitions, LEVELS, over, quarters, UNIT } from './ground';
 import { arrowTo, at, path, svg } from './plate';
 import { bubblesOf, square } from './squares';
 
@@ -23,7 +23,7 @@ export function map(view: View, { packing, ground = '' }: Plate): string {
   const said = view.language === 'ja' ? '留めた正方形のまわりの地形を上から見た図と、滑る正方形' : 'The landscape around a held square from above, and a square that slides';
   const land = trace.landscape ? `${definitions(trace.landscape, ground)}${bands(ground)}${marks(trace.landscape)}` : '';
   const first = `${square(held, 'outlined held')}${bubblesOf(held, trace)}${nail(held)}`;
-  return svg(SIDE, said, `${land}${first}${wayOf(trace, view.step)}${square(free, 'outlined')}${bubblesOf(free, trace)}${forceOn(free)}`);
+  return `${svg(SIDE, said, `${land}${first}`)}${over(`${wayOf(trace, view.step)}${square(free, 'outlined')}${bubblesOf(free, trace)}${forceOn(free)}`)}`;
 }
 
 function bands(ground: string): string {

@@ -11,6 +11,9 @@ const BEFORE = ['domain', 'fields'];
 /** The stages up to the cells. */
 const UP_TO_CELLS = [...BEFORE, 'packing', 'mesh', 'cells'];
 
+/** Milliseconds of a slice for a landscape, which follows the hand. */
+const LAND = 12;
+
 /** The numbers of a change of the population, and of a neighbour. */
 const CHANGE = 5;
 const NEAR = 4;
@@ -43,8 +46,9 @@ export class Reading implements Trace {
 
   readonly points = (list: PointList): readonly (readonly [number, number])[] => pointsIn(this.studio.list(list), list);
 
+  /** The last one while the next is read. */
   get landscape(): Landscape | undefined {
-    return this.survey?.of(this.value('cw'), this.value('cr'));
+    return this.survey?.of(this.value('cw'), this.value('cr')) ?? this.survey?.latest;
   }
 
   get link(): string {
@@ -89,8 +93,9 @@ export class Reading implements Trace {
   advance(budget: number): boolean {
     const end = performance.now() + budget;
     if (this.figure.steps === 'layer') return this.readCells(end);
-    if (!this.readSteps(budget, end)) return false;
-    return this.survey?.advance(this.value('cw'), this.value('cr'), end - performance.now()) ?? true;
+    // The landscape first: it follows a hand at the weight, while the steps come later.
+    if (this.survey?.advance(this.value('cw'), this.value('cr'), LAND) === false) return false;
+    return this.readSteps(budget, end);
   }
 
   private readSteps(budget: number, end: number): boolean {

@@ -1,7 +1,7 @@
 /** The landscape as a relief in light: a card for each band, cut along its border, laid on those below it, and seen from above a corner. */
 import type { Plate, Trace, View } from '../figures/figure';
 import { neighbourAt } from '../figures/neighbour';
-import { FOOT, LEVELS, quarters, STEP, UNIT } from './ground';
+import { FOOT, LEVELS, over, quarters, STEP, UNIT } from './ground';
 import { at, path, svg, WIDTH } from './plate';
 
 /** How much the view shortens depth, the thickness of a card, and how far the square is turned. */
@@ -9,9 +9,8 @@ const FLAT = 0.76;
 const THICK = 3.4;
 const TURN = 45;
 
-/** The place of the centre at the height of no energy, and the height of the plate. */
-const MIDDLE = 178;
-export const HEIGHT = 372;
+/** The place of the centre at the height of no energy. */
+const MIDDLE = 186;
 
 /** The radii of the round piece of ground, and the height of its edge. */
 const [WIDE, DEEP, EDGE] = [194, 194 * FLAT, 26];
@@ -30,12 +29,12 @@ function spot(x: number, y: number, energy: number): readonly [number, number] {
 
 export function relief(view: View, { packing, ground = '' }: Plate): string {
   const trace = view.traces[packing];
-  if (!trace?.landscape) return svg(HEIGHT, '', '');
+  if (!trace?.landscape) return svg(WIDTH, '', '');
   const { well, pass } = trace.landscape;
   const said = view.language === 'ja' ? '同じ地形を斜め上から見た模型。正方形の中心が玉になって転がる' : 'The same landscape as a model seen from above one corner; the centre of the square is a ball in it';
   const round = `<clipPath id="${ground}-round"><ellipse cx="${WIDTH / 2}" cy="${MIDDLE}" rx="${WIDE}" ry="${DEEP}"/></clipPath>`;
   const edge = `<path class="block" d="M${WIDTH / 2 - WIDE} ${MIDDLE}v${EDGE}a${WIDE} ${DEEP} 0 0 0 ${2 * WIDE} 0v${-EDGE}z"/>`;
-  return svg(HEIGHT, said, `${round}${edge}<g clip-path="url(#${ground}-round)">${cards(ground, Math.min(well.energy, pass.energy))}</g>${ball(trace, view.step)}`);
+  return `${svg(WIDTH, said, `${round}${edge}<g clip-path="url(#${ground}-round)">${cards(ground, Math.min(well.energy, pass.energy))}</g>`)}${over(ball(trace, view.step))}`;
 }
 
 /** The cards from the lowest that is seen: each has a dark rim in front, a lit one behind, and its top. */

@@ -2,11 +2,10 @@
 import type { Landscape, Plate, View } from '../figures/figure';
 import { neighbourAt } from '../figures/neighbour';
 import { number } from '../figures/words';
-import { HEIGHT } from './force';
-import { FINE, HALF } from './landscape';
-import { at, line, path, svg, symbol, text, X } from './plate';
+import { FINE, HALF } from './ground';
+import { at, line, path, svg, symbol, text, WIDTH, X } from './plate';
 
-const [TOP, BOTTOM] = [34, HEIGHT - 24];
+const [TOP, BOTTOM] = [34, WIDTH - 24];
 
 const [LOWEST, HIGHEST] = [-0.13, 0.09];
 
@@ -20,9 +19,9 @@ const END = 2;
 export function section(view: View, { packing }: Plate): string {
   const trace = view.traces[packing];
   const land = trace?.landscape;
-  if (!trace || !land) return svg(HEIGHT, '', '');
+  if (!trace || !land) return svg(WIDTH, '', '');
   const said = view.language === 'ja' ? '辺の真ん中と角を通る直線に沿ったポテンシャル' : 'The potential along the lines through the middle of an edge and through a corner';
-  return svg(HEIGHT, said, `${axes(view)}${path(over(land, 0), 'curve')}${path(over(land, 1), 'curve dashed')}${names(view)}${lowest(land)}${here(view, packing)}`);
+  return svg(WIDTH, said, `${axes(view)}${path(over(land, 0), 'curve')}${path(over(land, 1), 'curve dashed')}${names(view)}${lowest(land)}${here(view, packing)}`);
 }
 
 /** The points of a curve from where it leaves the plate. */

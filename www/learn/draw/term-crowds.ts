@@ -1,7 +1,8 @@
 /** The small pictures of the terms of crowds, squares and populations, by the module's numbers. Places are units of 120 x 80. */
 import type { Landscape } from '../figures/figure';
 import { inside, regions, simplified } from './contours';
-import { FINE, HALF, Survey } from './landscape';
+import { FINE, HALF } from './ground';
+import { Survey } from './landscape';
 import { arrowTo, at, line, path } from './plate';
 import type { Bubbles, Studio } from './studio';
 

@@ -85,6 +85,8 @@ export interface Landscape {
   /** The lowest place straight beyond an edge, and straight beyond a corner: between two wells lies a pass. */
   readonly well: Lowest;
   readonly pass: Lowest;
+  /** A quarter of the ground for drawings: the paths of its bands, from the lowest, and of its lines. */
+  readonly ground: { readonly bands: readonly string[]; readonly lines: string };
 }
 
 /** The lists of a recipe whose rows are points: given bubbles, and the corners of the outline. */

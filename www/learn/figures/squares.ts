@@ -147,7 +147,7 @@ function toldPair(hint: { readonly en: string; readonly ja: string }) {
 /** How many neighbours share an edge. */
 function sharing(trace: Trace | undefined, step: number): { readonly edges: number; readonly neighbours: number } {
   const crowd = trace && crowdAt(trace, step);
-  const { edges, neighbours } = edgesOf(crowd && trace ? packedOf(crowd, trace.side) : []);
+  const { edges, neighbours } = edgesOf(crowd ? packedOf(crowd, trace.side) : []);
   return { edges: edges.length, neighbours };
 }
 
