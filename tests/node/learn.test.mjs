@@ -190,6 +190,34 @@ test('the numbers in the texts are the engine’s', async () => {
   }
 });
 
+test('the numbers of the landscape and of both outlines are the engine’s', async () => {
+  const { Bubblestone } = await moduleIn(join(root, 'pkg'));
+  const studio = new Bubblestone('outline=square&size=256&kind=square&cs=64&dir=constant&edge=open&pop=off&fend=0&mend=0');
+  const energy = (x, y) => {
+    studio.set('given', `0.5,0.5,1;${0.5 + x / 4},${0.5 + y / 4},0`);
+    studio.hold(0);
+    while (['domain', 'fields'].includes(studio.stage())) studio.tick(10, 0);
+    while (!studio.reach(10));
+    return studio.energyParts()[0];
+  };
+  const ways = Array.from({ length: 81 }, (_, k) => 0.9 + k / 200);
+  const lowest = (at) => ways.map((w) => [at(w), w]).reduce((least, one) => (one[0] < least[0] ? one : least));
+  for (const [weight, depth, barrier] of [['0', '0.048', '0.000'], ['0.05', '0.052', '0.009'], [String(Math.SQRT2 - 1), '0.076', '0.046']]) {
+    studio.set('cw', weight);
+    const [[well, w], [pass]] = [lowest((far) => energy(far, 0)), lowest((far) => energy(far * Math.SQRT1_2, far * Math.SQRT1_2))];
+    assert.deepEqual([(-well).toFixed(3), w.toFixed(2), (pass - well).toFixed(3)], [depth, '1.00', barrier], weight);
+  }
+  studio.free();
+  const counts = readFileSync(join(root, 'tests/learn.txt'), 'utf8').match(/^count rest \S+ [0-9a-f]{16} (\d+) .* [0-9a-f]{16} (\d+) /m);
+  assert.deepEqual(counts?.slice(1), ['13', '19']);
+  const round = (Math.sqrt(3) / 2).toFixed(2);
+  for (const language of languages) {
+    const [square, many] = ['squares', 'how-many'].map((name) => DomUtils.textContent(selectOne('article', chapter(name, language))));
+    for (const number of ['0.048', '0.076', '0.009', '0.046']) assert.ok(square.includes(number), `${language}: ${number}`);
+    for (const number of ['13', '19', round]) assert.ok(many.includes(number), `${language}: ${number}`);
+  }
+});
+
 for (const { name, guide } of made) {
   test(`${name}: the guide has plans that fill their time, and a thought behind each wrong answer`, () => {
     const { plans, questions, states } = guide;

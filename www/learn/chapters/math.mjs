@@ -37,6 +37,8 @@ const symbols = {
   t: '<mi>t</mi>',
   n: '<mi data-symbol="n">n</mi>',
   i: '<mi>i</mi>',
+  j: '<mi>j</mi>',
+  p: '<mi>p</mi>',
   A: '<mi data-symbol="area">A</mi>',
   d: '<mi>d</mi>',
   'd²': '<msup><mi>d</mi><mn>2</mn></msup>',
