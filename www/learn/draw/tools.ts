@@ -62,7 +62,7 @@ function handles(figure: Figure, language: Language, standing: Standing): string
 
 function handleOf(figure: Figure, handle: Handle, language: Language, { value, points }: Standing): string {
   if (handle.kind === 'point') return pointHandle(handle, language, points(handle));
-  return handle.kind === 'number' ? numberHandle(handle, language, Number(value(handle.key))) : choice(figure, handle, language, value(handle.key));
+  return handle.kind === 'number' ? numberHandle(figure, handle, language, Number(value(handle.key))) : choice(figure, handle, language, value(handle.key));
 }
 
 /** A point's coordinates as they are shown. */
@@ -80,6 +80,12 @@ export function pointName({ name }: PointHandle, language: Language, row: number
   return count > 1 ? `${name[language]} ${row + 1}` : name[language];
 }
 
+/** A number for a box: 0 has no minus. */
+export function fixed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? text.replace('-', '') : text;
+}
+
 /** Two number boxes, and the choice of a point if there are several. */
 function pointHandle(handle: PointHandle, language: Language, points: readonly (readonly [number, number])[]): string {
   const { key, name, from, to, digits } = handle;
@@ -87,7 +93,7 @@ function pointHandle(handle: PointHandle, language: Language, points: readonly (
   const options = rows.map((row) => `<option value="${row}">${row + 1}</option>`).join('');
   const choice = rows.length > 1 ? `<select class="which" aria-label="${name[language]}">${options}</select>` : '';
   const shown = shownOf(handle, points[rows[0] ?? 0] ?? handle.origin);
-  const boxes = (['x', 'y'] as const).map((axis, k) => `<label><i class="letter">${axis}</i> <input type="number" inputmode="decimal" data-axis="${k}" min="${from}" max="${to}" step="any" value="${(shown[k] ?? 0).toFixed(digits)}" aria-label="${name[language]} ${axis}"></label>`);
+  const boxes = (['x', 'y'] as const).map((axis, k) => `<label><i class="letter">${axis}</i> <input type="number" inputmode="decimal" data-axis="${k}" min="${from}" max="${to}" step="any" value="${fixed(shown[k] ?? 0, digits)}" aria-label="${name[language]} ${axis}"></label>`);
   return `<div class="handle point" data-key="${key}"><span class="handle-name">${name[language]}</span>${choice}${boxes.join('')}</div>`;
 }
 
@@ -99,16 +105,18 @@ export function nameOf({ name, symbol }: NumberHandle, language: Language): stri
 /** The symbols of the equations, by the letters of handles. */
 const SYMBOLS: Readonly<Record<string, string>> = { w: 'w', c: 'c', m: 'm', n: 'n', a: 'crowd', b: 'room', 'k₀': 'k0' };
 
-function numberHandle(handle: NumberHandle, language: Language, value: number): string {
+function numberHandle({ name: figure }: Figure, handle: NumberHandle, language: Language, value: number): string {
   const letters = handle.symbol ? ` <i class="letter"${SYMBOLS[handle.symbol] ? ` data-symbol="${SYMBOLS[handle.symbol] ?? ''}"` : ''}>${handle.symbol}</i>` : '';
   const bounds = `min="${handle.from}" max="${handle.to}" step="any" value="${value.toFixed(handle.digits)}"`;
   const label = nameOf(handle, language);
-  return `<div class="handle" data-key="${handle.key}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}">${marksOf(handle)}</div>`;
+  return `<div class="handle" data-key="${handle.key}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds}${handle.marks ? ` list="${figure}-${handle.key}"` : ''} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}">${marksOf(figure, handle)}</div>`;
 }
 
-/** Buttons for the values that have a name, which stand in the equations for the handle. */
-function marksOf({ key: symbol, marks = [] }: NumberHandle): string {
-  return marks.map(({ value, name }) => `<button type="button" class="mark-key" data-symbol="${symbol}" data-value="${value}">${name}</button>`).join('');
+/** Ticks on the slider at the values that have a name, and buttons with these names, which stand in the equations for the handle. */
+function marksOf(figure: string, { key: symbol, marks }: NumberHandle): string {
+  if (!marks) return '';
+  const ticks = `<datalist id="${figure}-${symbol}">${marks.map(({ value }) => `<option value="${value}"></option>`).join('')}</datalist>`;
+  return `${ticks}${marks.map(({ value, name }) => `<button type="button" class="mark-key" data-symbol="${symbol}" data-value="${value}">${name}</button>`).join('')}`;
 }
 
 function choice(figure: Figure, handle: ChoiceHandle, language: Language, value: string): string {

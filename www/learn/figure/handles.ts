@@ -1,5 +1,5 @@
 /** The handles of a figure: a slider with a number box, buttons of a choice, points with two number boxes, and grips on plates. */
-import { nameOf, pointName, rowsFor, shownOf } from '../draw/tools';
+import { fixed, nameOf, pointName, rowsFor, shownOf } from '../draw/tools';
 import type { Figure, Handle, Language, NumberHandle, PointHandle } from '../figures/figure';
 import { number } from '../figures/words';
 import { Grips } from './grips';
@@ -167,14 +167,12 @@ export class Handles {
     fillNumber(input, value.toFixed(handle.digits));
     if (input.type !== 'range') return;
     input.setAttribute('aria-valuetext', spoken(handle, value, this.of.language));
-    const share = (place: number): string => String((place - handle.from) / (handle.to - handle.from));
-    input.style.setProperty('--share', share(value));
-    for (const mark of handle.marks ?? []) input.style.setProperty('--mark', share(mark.value));
+    input.style.setProperty('--share', String((value - handle.from) / (handle.to - handle.from)));
   }
 
   private fillPoint(handle: PointHandle, box: HTMLElement): void {
     const shown = this.shown(handle, this.row(handle));
-    box.querySelectorAll('input').forEach((input, axis) => fillNumber(input, (shown[axis] ?? 0).toFixed(handle.digits)));
+    box.querySelectorAll('input').forEach((input, axis) => fillNumber(input, fixed(shown[axis] ?? 0, handle.digits)));
   }
 }
 
