@@ -192,7 +192,7 @@ test('the numbers in the texts are the engine’s', async () => {
 
 test('the numbers of the landscape and of both outlines are the engine’s', async () => {
   const { Bubblestone } = await moduleIn(join(root, 'pkg'));
-  const studio = new Bubblestone('outline=square&size=256&kind=square&cs=64&dir=constant&edge=open&pop=off&fend=0&mend=0');
+  const studio = new Bubblestone('outline=square&size=128&kind=square&cs=32&dir=constant&edge=open&pop=off&fend=0&mend=0');
   const energy = (x, y) => {
     studio.set('given', `0.5,0.5,1;${0.5 + x / 4},${0.5 + y / 4},0`);
     studio.hold(0);
