@@ -126,6 +126,7 @@ test('thresholds that cross: it never rests, whichever way they are moved', same
   assert.match(await answer(page, 'never'), /It never rests: \d came and \d went at step 10, \d came and \d went at step 20, \d came and \d went at step 30\./);
   assert.match((await shown(page, figure)).told, /The thresholds cross/);
   const state = await shown(page, figure);
+  await page.waitForFunction((step) => ['pop=opposite', 'room=0.85', `step=${step}`].every((word) => location.hash.includes(word)), {}, state.step);
   const fragment = await page.evaluate(() => location.hash);
   await close();
 
