@@ -8,3 +8,4 @@ export { between, parting, rest, touch, trialOf, turn } from '../../www/learn/fi
 export { inside, regions, simplified } from '../../www/learn/draw/contours';
 export { Survey } from '../../www/learn/draw/landscape';
 export { edgesOf, neighbourAt, reachesEdge, restsAt } from '../../www/learn/figures/neighbour';
+export { isCrowded, looksOf, marksAt, restless } from '../../www/learn/figures/population';
