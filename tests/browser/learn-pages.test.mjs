@@ -5,7 +5,7 @@ import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
 import { chapters } from '../../www/learn/chapters/contents.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
+import { desk, open } from './harness.mjs';
 import { digest, frames, phone, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
@@ -88,25 +88,30 @@ async function losesNothing(page, path) {
   await page.setViewport({ width: phone.width, height: phone.height });
   await frames(page, 2);
   assert.deepEqual(await lost(page), [], `${path} on a phone`);
-  await page.setViewport({ width: 1280, height: 800 });
+  await page.setViewport(desk);
   await page.evaluate(() => document.documentElement.style.setProperty('font-size', '200%'));
   await frames(page, 2);
   assert.deepEqual(await lost(page), [], `${path} at 200 %`);
 }
 
-// Light and dark by turns, so that each language has both.
-PAGES.forEach((path, k) => {
-  const dark = k % 4 > 0 && k % 4 < 3;
-  test(`a page opens without an error, asks nobody else, is accessible and loses nothing: ${path}, ${dark ? 'dark' : 'light'}`, async () => {
-    const { page, problems, external, close } = await site.newPage(path, { dark });
+test('each page opens without an error, asks nobody else, is accessible and loses nothing', async () => {
+  const { page, problems, external, close } = await site.newPage(PAGES[0]);
+  for (const [k, path] of PAGES.entries()) {
+    if (kind === 'chromium') {
+      // Light and dark by turns, in both languages.
+      await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: (k + (k >> 2)) % 2 ? 'dark' : 'light' }]);
+      await page.setViewport(desk);
+    }
+    await page.goto(site.address + path, { waitUntil: 'load' });
     await begun(page);
     if (kind === 'chromium') {
-      assert.deepEqual(await faults(page), []);
+      // The sheets of all chapters are of one make.
+      if (!/(?<!two-bubbles)\/sheet\/$/.test(path)) assert.deepEqual(await faults(page), [], path);
       await losesNothing(page, path);
     }
-    assert.deepEqual([problems, external], [[], []]);
-    await close();
-  });
+    assert.deepEqual([problems, external], [[], []], path);
+  }
+  await close();
 });
 
 test('after a visit to the studio all pages open without a host', async (t) => {

@@ -22,7 +22,8 @@ const chapters = made.map(({ name }) => name);
 const languages = ['en', 'ja'];
 
 const source = (path) => readFileSync(join(site, path), 'utf8');
-const read = (path) => parseDocument(source(path));
+const parsed = new Map();
+const read = (path) => parsed.get(path) ?? parsed.set(path, parseDocument(source(path))).get(path);
 const chapter = (name, language) => read(`learn/${language === 'ja' ? 'ja/' : ''}${name}/index.html`);
 
 /** The words of a page as people read them, without formulas, drawings, handles, and numbers that the run decides. */

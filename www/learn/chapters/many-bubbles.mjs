@@ -137,7 +137,7 @@ export const manyBubbles = {
           },
         },
         {
-          en: 'Squares are never negative: $E$ can only fall. A part of it may rise. A moving bubble runs a little way up the next slope, as a swing does, and turns motion into energy of pairs. What falls for ever, on a ground with a floor, ends: in a valley, called a [[local-minimum|local minimum]].',
+          en: 'Squares are never negative: $E$ can only fall. A part of it may rise. A moving bubble runs a little way up the next slope, as a swing does, and turns motion into energy of pairs. An energy that only falls, on a ground with a floor, ends somewhere: in a valley, called a [[local-minimum|local minimum]].',
           ja: '2乗は負にならないので、$E$は減るばかりです。ただし、その一部は増えることがあります。動いているバブルは、ブランコのように次の坂を少し駆け上がり、運動を対のエネルギーに変えます。底のあるところで減りつづければ、いつか終わります。行き着く谷を[[local-minimum|極小解]]といいます。',
         },
       ],
@@ -148,7 +148,7 @@ export const manyBubbles = {
       figure: 'best',
       heading: { en: 'Not so: “the program finds the best packing”', ja: '「プログラムは最良の充填を見つける」のではありません' },
       text: {
-        en: 'There are many valleys, and the crowd stops in the first. To find the deepest, one would have to know them all; other methods search for hours. The paper of 2001 says it plainly: a local minimum is enough, since stones look alike in each, and it is there after 30 to 200 [[iteration|iterations]]. Find a better one by hand.',
+        en: 'There are many valleys, and the crowd stops in the first. To find the deepest, one would have to know them all; other methods search for hours. The paper of 2001 says it plainly: a local minimum is enough, since the impression hardly differs, and it is there after 30 to 200 [[iteration|iterations]]. Find a better one by hand.',
         ja: '谷はたくさんあり、群れは最初に行き着いた谷で止まります。最も深い谷を知るには、すべての谷を調べなければなりません。何時間もかける手法もあります。2001年の論文は、石畳には極小解で十分だとはっきり述べています。見た目の印象は変わらず、30〜200回の[[iteration|反復計算]]で得られるからです。もっと良い谷を、手で探してみてください。',
       },
       ask: { en: 'Is the packing in the figure the best one?', ja: '図の充填は最良でしょうか。' },
