@@ -1,4 +1,4 @@
-/** The ground of a landscape as bands of equal potential: a quarter of each, which a drawing uses four times. */
+/** The ground of a landscape as bands of equal potential: a quarter of each with its mirrors, which drawings use. */
 import type { Landscape } from '../figures/figure';
 import { inside, simplified, tracing, type Heights, type Point } from './contours';
 import { WIDTH } from './plate';
@@ -29,7 +29,7 @@ const TOLERANCE = 0.04;
 const OVER = -1;
 const FARTHER = 0.05;
 
-const MIRRORS = ['1 1', '-1 1', '1 -1', '-1 -1'];
+const MIRRORS = ['-1 1', '1 -1', '-1 -1'];
 
 /** The paths of a quarter's bands and lines, in parts. */
 export function* drawing(heights: Heights): Generator<undefined, Landscape['ground']> {
@@ -43,21 +43,32 @@ export function* drawing(heights: Heights): Generator<undefined, Landscape['grou
   return { bands, lines: lines.join('') };
 }
 
-/** The quarter's bands and lines, for `quarters` by a name. */
-export function definitions({ ground: { bands, lines } }: Landscape, name: string): string {
-  const all = bands.map((path, band) => `<path class="card" id="${name}-${band}" d="${path}"/>`);
-  return `<defs>${all.join('')}<path class="card" id="${name}-lines" d="${lines}"/></defs>`;
+/** The lowest band that is seen, and those above it: their numbers with their levels. */
+export function seenBands({ well, pass }: Landscape): (readonly [band: number, level: number])[] {
+  const lowest = Math.min(well.energy, pass.energy);
+  return LEVELS.map((level, band) => [band, level] as const).filter(([, level]) => level > lowest - STEP);
+}
+
+/** The bands and the lines by a name: a quarter of each, and its three mirrors. */
+export function definitions(landscape: Landscape, name: string): string {
+  const { bands, lines } = landscape.ground;
+  const all = seenBands(landscape).map(([band]) => whole(`${name}-${band}`, bands[band] ?? ''));
+  return `<defs>${all.join('')}${whole(`${name}-lines`, lines)}</defs>`;
+}
+
+function whole(id: string, path: string): string {
+  const mirrors = MIRRORS.map((scale) => `<use href="#${id}-quarter" transform="scale(${scale})"/>`);
+  return `<g id="${id}"><path class="card" id="${id}-quarter" d="${path}"/>${mirrors.join('')}</g>`;
+}
+
+/** A band or the lines, by the name of the ground. */
+export function part(name: string, of: string, kind: string, transform: string): string {
+  return `<use${kind && ` class="${kind}"`} href="#${name}-${of}" transform="${transform}"/>`;
 }
 
 /** A layer over a ground, for what moves. */
 export function over(content: string): string {
   return `<svg class="plate over" viewBox="0 0 ${WIDTH} ${WIDTH}" width="${WIDTH}" height="${WIDTH}" aria-hidden="true">${content}</svg>`;
-}
-
-/** A part of the ground, four times. */
-export function quarters(name: string, part: string, kind: string, transform: string): string {
-  const one = (mirror: string): string => `<use href="#${name}-${part}" transform="${transform} scale(${mirror})"/>`;
-  return `<g${kind && ` class="${kind}"`}>${MIRRORS.map(one).join('')}</g>`;
 }
 
 function pathOf(line: readonly Point[]): string {

@@ -2,7 +2,7 @@
 import { crowdAt, packedOf } from '../figures/crowds';
 import type { Landscape, PackedCell, Plate, Trace, View } from '../figures/figure';
 import { SIDE } from './crowd';
-import { definitions, LEVELS, over, quarters, UNIT } from './ground';
+import { definitions, over, part, seenBands, UNIT } from './ground';
 import { arrowTo, at, path, svg } from './plate';
 import { bubblesOf, square } from './squares';
 
@@ -21,14 +21,15 @@ export function map(view: View, { packing, ground = '' }: Plate): string {
   const [held, free] = now ? packedOf(now, trace.side) : [];
   if (!trace || !held || !free) return svg(SIDE, '', '');
   const said = view.language === 'ja' ? '留めた正方形のまわりの地形を上から見た図と、滑る正方形' : 'The landscape around a held square from above, and a square that slides';
-  const land = trace.landscape ? `${definitions(trace.landscape, ground)}${bands(ground)}${marks(trace.landscape)}` : '';
+  const land = trace.landscape ? `${definitions(trace.landscape, ground)}${bands(trace.landscape, ground)}${marks(trace.landscape)}` : '';
   const first = `${square(held, 'outlined held')}${bubblesOf(held, trace)}${nail(held)}`;
   return `${svg(SIDE, said, `${land}${first}`)}${over(`${wayOf(trace, view.step)}${square(free, 'outlined')}${bubblesOf(free, trace)}${forceOn(free)}`)}`;
 }
 
-function bands(ground: string): string {
-  const all = LEVELS.map((_, band) => quarters(ground, String(band), `tier${band}`, CENTRE));
-  return `<rect class="tier0" width="${SIDE}" height="${SIDE}"/>${all.join('')}${quarters(ground, 'lines', 'level-line', CENTRE)}`;
+function bands(landscape: Landscape, ground: string): string {
+  const seen = seenBands(landscape);
+  const all = seen.map(([band]) => part(ground, String(band), `tier${band}`, CENTRE));
+  return `<rect class="tier${seen[0]?.[0] ?? 0}" width="${SIDE}" height="${SIDE}"/>${all.join('')}${part(ground, 'lines', 'level-line', CENTRE)}`;
 }
 
 /** The wells, and the passes between them, if they are not all one ring. */

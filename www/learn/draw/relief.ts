@@ -1,7 +1,7 @@
 /** The landscape as a relief in light: a card for each band, cut along its border, laid on those below it, and seen from above a corner. */
-import type { Plate, Trace, View } from '../figures/figure';
+import type { Landscape, Plate, Trace, View } from '../figures/figure';
 import { neighbourAt } from '../figures/neighbour';
-import { FOOT, LEVELS, over, quarters, STEP, UNIT } from './ground';
+import { FOOT, over, part, seenBands, STEP, UNIT } from './ground';
 import { at, path, svg, WIDTH } from './plate';
 
 /** How much the view shortens depth, the thickness of a card, and how far the square is turned. */
@@ -30,23 +30,21 @@ function spot(x: number, y: number, energy: number): readonly [number, number] {
 export function relief(view: View, { packing, ground = '' }: Plate): string {
   const trace = view.traces[packing];
   if (!trace?.landscape) return svg(WIDTH, '', '');
-  const { well, pass } = trace.landscape;
   const said = view.language === 'ja' ? '同じ地形を斜め上から見た模型。正方形の中心が玉になって転がる' : 'The same landscape as a model seen from above one corner; the centre of the square is a ball in it';
   const round = `<clipPath id="${ground}-round"><ellipse cx="${WIDTH / 2}" cy="${MIDDLE}" rx="${WIDE}" ry="${DEEP}"/></clipPath>`;
   const edge = `<path class="block" d="M${WIDTH / 2 - WIDE} ${MIDDLE}v${EDGE}a${WIDE} ${DEEP} 0 0 0 ${2 * WIDE} 0v${-EDGE}z"/>`;
-  return `${svg(WIDTH, said, `${round}${edge}<g clip-path="url(#${ground}-round)">${cards(ground, Math.min(well.energy, pass.energy))}</g>`)}${over(ball(trace, view.step))}`;
+  return `${svg(WIDTH, said, `${round}${edge}<g clip-path="url(#${ground}-round)">${cards(trace.landscape, ground)}</g>`)}${over(ball(trace, view.step))}`;
 }
 
 /** The cards from the lowest that is seen: each has a dark rim in front, a lit one behind, and its top. */
-function cards(ground: string, lowest: number): string {
-  const first = Math.max(0, LEVELS.findIndex((level) => level > lowest) - 1);
-  return LEVELS.slice(first, FOOT + 1).map((level, k) => card(ground, first + k, level)).join('');
+function cards(landscape: Landscape, ground: string): string {
+  return seenBands(landscape).filter(([band]) => band <= FOOT).map(([band, level]) => card(ground, band, level)).join('');
 }
 
 function card(ground: string, band: number, level: number): string {
   const up = THICK * cardsUp(level);
   const laid = (kind: string, aside: number, down: number): string =>
-    quarters(ground, String(band), kind, `translate(${at(WIDTH / 2 + aside)} ${at(MIDDLE - up + down)}) scale(1 ${FLAT}) rotate(${TURN})`);
+    part(ground, String(band), kind, `translate(${at(WIDTH / 2 + aside)} ${at(MIDDLE - up + down)}) scale(1 ${FLAT}) rotate(${TURN})`);
   return `<g class="tier${band}">${laid('rim-dark', RIM, THICK)}${laid('rim-lit', -RIM, -RIM)}${laid('', 0, 0)}</g>`;
 }
 
