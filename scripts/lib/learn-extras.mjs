@@ -91,11 +91,11 @@ export function sheetPage(site, language, chapter) {
   const text = (/** @type {Words} */ words) => prose(words[language].replace(/\[\[[\w-]+\|([^\]]+)\]\]/g, '$1').replace(/\[\[([\w-]+)\]\]/g, '$1'), language, glossary);
   const lines = (/** @type {number} */ count) => '<span class="line"></span>'.repeat(count);
   const asked = chapter.blocks.filter(({ key, kind }) => key && kind !== 'exercise');
-  const parts = asked.map(({ kind, text: words, ask = words, answers = [], figure = '' }, at) => {
+  const parts = asked.map(({ kind, key = '', text: words, ask = words, answers = [], figure = '' }, at) => {
     const boxes = answers.map(({ value, text: answer }) => `<li><span class="box" aria-hidden="true"></span>${value}. ${text(answer)}</li>`);
     const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p>w = <span class="blank"></span></p>`;
-    // The sheet does not show the answer to its question.
-    const picture = kind === 'question' ? `<div class="picture">${site.draw.figure(figure, language)}</div>` : '';
+    // The sheet does not show the answer to its question, nor a picture of something else.
+    const picture = kind === 'question' && site.draw.asks(figure, key) ? `<div class="picture">${site.draw.figure(figure, language)}</div>` : '';
     return `<section class="asked"><h2><span>${t.order[0]} ${at + 1}</span> ${ask ? text(ask) : ''}</h2>${picture}
 <h3>${t.order[1]}</h3>${guess}<h3>${t.order[2]}</h3>${lines(2)}<h3>${t.order[3]}</h3>${lines(2)}</section>`;
   });
