@@ -8,7 +8,7 @@ import { digitsOf, marksOf } from './plot';
 const [LEFT, RIGHT, TOP, BOTTOM] = [64, WIDTH - 24, 44, SIDE - 44];
 
 /** The room of a level, and the most levels: earlier ones make room for later ones. */
-const ROOM = 44;
+const ROOM = 52;
 const MOST = Math.floor((RIGHT - LEFT) / ROOM);
 
 /** The least height of the axis, so that small differences stay small. */

@@ -3,7 +3,7 @@ import { crowdAt } from '../figures/crowds';
 import type { Line, Plate, View } from '../figures/figure';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
-import { at, line, path, pick, svg, text, WIDTH } from './plate';
+import { at, line, path, pick, svg, symbol, text, WIDTH } from './plate';
 
 const [LEFT, RIGHT, BOTTOM] = [56, WIDTH - 16, SIDE - 44];
 
@@ -82,12 +82,12 @@ function now(view: View, lines: readonly Line[], { top, x, y }: Axes): string {
 /** The names of the lines with a piece of each, and their numbers at the present step. */
 function key({ traces, step, language }: View, lines: readonly Line[], digits: number): string {
   return lines
-    .map(({ name, packing, of }, k) => {
+    .map(({ name, symbol: letters, packing, of }, k) => {
       const y = 20 + ROW_OF_KEY * k;
       const trace = traces[packing];
       const crowd = trace && crowdAt(trace, step);
       const value = crowd ? text(RIGHT, y, number(of(crowd), digits), `key key-${k}`, 'end') : '';
-      return `${line([LEFT - 40, y - 4], [LEFT - 8, y - 4], `line line-${k}`)}${text(LEFT, y, pick(name, language), 'key', 'start')}${value}`;
+      return `${line([LEFT - 40, y - 4], [LEFT - 8, y - 4], `line line-${k}`)}${text(LEFT, y, `${pick(name, language)}${letters ? ` ${symbol(letters, letters)}` : ''}`, 'key', 'start')}${value}`;
     })
     .join('');
 }

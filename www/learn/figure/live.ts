@@ -61,8 +61,8 @@ export class Live implements Handled, Timed {
     [this.curve, this.zero] = [curveOf(module), zeroOf(module)];
     this.questions = new Asked(figure, language);
     this.timeline = new Timeline(this, place, this.ended.signal);
-    this.handles = new Handles(this, place, this.ended.signal);
     this.open(state.recipe);
+    this.handles = new Handles(this, place, this.ended.signal);
   }
 
   get state(): State {

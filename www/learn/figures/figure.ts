@@ -185,6 +185,7 @@ export type Handle = NumberHandle | ChoiceHandle | PointHandle;
 /** A number over steps. */
 export interface Line {
   readonly name: Words;
+  readonly symbol?: string;
   readonly packing: number;
   readonly of: (crowd: Crowd) => number;
 }

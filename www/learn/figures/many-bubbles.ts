@@ -206,7 +206,7 @@ const quiet: Ask = {
 
 const lineOf = (name: Words, of: (crowd: Crowd) => number, packing = 0): Line => ({ name, packing, of });
 
-const SUM = lineOf({ en: 'sum E', ja: '和 E' }, energyOf);
+const SUM: Line = { ...lineOf({ en: 'sum', ja: '和' }, energyOf), symbol: 'E' };
 const PAIRS = lineOf({ en: 'pairs', ja: '対' }, ({ pairs }) => pairs);
 const WALLS = lineOf({ en: 'walls', ja: '壁' }, ({ walls }) => walls);
 const MOTION = lineOf({ en: 'motion', ja: '運動' }, ({ motion }) => motion);
