@@ -85,7 +85,7 @@ const bump: Ask = {
     const now = trace && neighbourAt(trace, step);
     const isPapers = Math.abs(Number(trace?.value('cr')) - PAPERS) < 1e-3;
     if (!trace || !now || weightOf(trace) < 0.9 || !isPapers || step === 0 || !isAtEdge(now)) return undefined;
-    const [w, weight, deep] = [number(now.w, 3), number(weightOf(trace), 2), number(now.energy, 3)];
+    const [w, weight, deep] = [number(now.w, 3), number(weightOf(trace), 2), number(-now.energy, 3)];
     return inWords(
       language,
       `With a weight of ${weight} it rests at w = ${w}, as before: the well is deeper, ${deep} k0, and has not moved. Corners that bump would push it away. Now change the radius.`,
@@ -131,7 +131,7 @@ function movesTo(now: Neighbour, step: number, language: Language): string {
 function landIn(trace: Trace, language: Language): string {
   const { landscape: land } = trace;
   if (!land) return '';
-  const [weight, deep, high] = [number(weightOf(trace), 3), number(land.well.energy, 4), number(land.pass.energy - land.well.energy, 4)];
+  const [weight, deep, high] = [number(weightOf(trace), 3), number(-land.well.energy, 4), number(land.pass.energy - land.well.energy, 4)];
   if (weightOf(trace) === 0) return inWords(language, `Without corner bubbles all places at w = 1 are alike: a ring, ${deep} k0 deep.`, `隅のバブルがなければ、w = 1 の場所はどこも同じで、深さ ${deep} k0 の輪になります。`);
   return inWords(language, `With a corner weight of ${weight} there are four wells at w = ${number(land.well.w, 2)}, ${deep} k0 deep, and a barrier of ${high} between two.`, `隅の重み ${weight} では、w = ${number(land.well.w, 2)} に深さ ${deep} k0 の井戸が四つあり、間の障壁は ${high} です。`);
 }
