@@ -92,7 +92,7 @@ test('wells: a square at 45 degrees stays at weight 0 and slides at 0.05, which 
   await boxHas(page, figure, 'cw', 0);
   await changed(page, figure, hash);
   await toEnd(page, figure);
-  assert.match((await shown(page, figure)).told, /a ring, −0\.0482 k0 deep.*4\d° from the middle of the nearest edge\. It rests there/);
+  assert.match((await shown(page, figure)).told, /a ring, 0\.0482 k0 deep.*4\d° from the middle of the nearest edge\. It rests there/);
   assert.equal(await answer(page, 'from'), '');
 
   await page.focus(`${figure} .handle[data-key="cw"] input[type="range"]`);
@@ -168,7 +168,7 @@ test('bump: the weight leaves the well where it is, and the radius moves it', as
   const heavy = (await shown(page, figure)).hash;
   await page.click(`${figure} .handle[data-key="cw"] .mark-key`);
   await changed(page, figure, heavy);
-  assert.match((await shown(page, figure)).told, /four wells at w = 1\.00, −0\.0764 k0 deep, and a barrier of 0\.0460/);
+  assert.match((await shown(page, figure)).told, /four wells at w = 1\.00, 0\.0764 k0 deep, and a barrier of 0\.0460/);
   const papers = (await shown(page, figure)).hash;
   await type(page, figure, 'cr', 0.7);
   await changed(page, figure, papers);
