@@ -1,5 +1,7 @@
 // A chapter's page.
-import { contents, words } from '../../www/learn/chapters/words.mjs';
+import { contents } from '../../www/learn/chapters/contents.mjs';
+import { differences } from '../../www/learn/chapters/papers.mjs';
+import { words } from '../../www/learn/chapters/words.mjs';
 import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
 
 /** @typedef {import('./learn-frame.mjs').Site} Site */
@@ -65,10 +67,17 @@ class Writer {
     const legend = `<legend>${this.prose(ask)}</legend>`;
     const replies = answers.flatMap(({ value, reply, right }) => (reply ? [`<li data-reply="${value}"${right ? ' data-right' : ''}><span class="letter" aria-hidden="true">${value}</span><span>${this.prose(reply)}</span></li>`] : []));
     const why = replies.length ? `<details class="answers"><summary>${this.t.answer}</summary><ul>${replies.join('')}</ul></details>` : '';
-    return `<fieldset class="ask" data-ask="${key}" data-of="${figure}">${legend}${rows.join('')}</fieldset>${this.seen(key)}${why}`;
+    return `<fieldset class="ask" data-ask="${key}" data-of="${figure}">${legend}${rows.join('')}</fieldset>${this.seen(key, figure, replies.length > 0)}${why}`;
   }
 
-  seen(key = '') {
+  /**
+   * The place of the sentence on what happened. A question that the figure does not answer must have its replies in the text.
+   */
+  seen(key = '', figure = '', isReplied = false) {
+    if (!this.site.draw.asks(figure, key)) {
+      if (isReplied) return '';
+      throw new Error(`${this.chapter.name}: the figure ${figure} has no question ${key}.`);
+    }
     return `<div class="seen-place" data-wait="${this.t.wait}"><p class="ask-seen" data-seen="${key}" hidden></p></div>`;
   }
 
@@ -93,16 +102,23 @@ class Writer {
       case 'prediction':
         return `${head}${this.ask(block)}${this.figure(block)}`;
       case 'mark':
-        return `${this.paragraph(block.text, 'marking')}${this.seen(block.key)}`;
+        return `${this.paragraph(block.text, 'marking')}${this.seen(block.key, block.figure)}`;
       case 'why':
         return `${head}${(block.parts ?? []).map((part) => ('math' in part ? this.equation(part) : this.paragraph(part))).join('\n')}`;
       case 'not-so':
         return `${head}${this.paragraph(block.text)}${this.ask(block)}${this.figure(block)}`;
       case 'exercise':
-        return `${head}${this.paragraph(block.text)}${this.seen(block.key)}${this.figure(block)}${this.studio(block)}`;
+        return `${head}${this.paragraph(block.text)}${this.seen(block.key, block.figure)}${this.figure(block)}${this.studio(block)}`;
       default:
-        return `${head}${(block.lines ?? []).map((line) => this.paragraph(line)).join('')}`;
+        return `${head}${(block.lines ?? []).map((line) => this.paragraph(line)).join('')}${this.papers()}`;
     }
+  }
+
+  /** The way to what the papers print and the program reads. */
+  papers() {
+    const first = differences.find(({ chapter }) => chapter === this.chapter.name);
+    const href = way(this.folder, folderOf(this.language, 'papers'));
+    return first ? `<p><a href="${href}#${first.key}">${this.t.more}</a></p>` : '';
   }
 
   /** @param {Block} block */
@@ -127,13 +143,26 @@ class Writer {
 export function chapterPage(site, language, chapter) {
   const writer = new Writer(site, language, chapter);
   const { t } = writer;
-  const next = contents[chapter.number];
   const to = (/** @type {string} */ place) => way(writer.folder, folderOf(language, place));
+  const neighbours = [neighbour(t.previous, contents[chapter.number - 2], language, to), neighbour(t.next, contents[chapter.number], language, to)];
   const body = `<article class="chapter">
 <header><p class="over">${t.chapter(chapter.number)}</p><h1>${chapter.title[language]}</h1><p class="idea">${writer.prose(chapter.idea)}</p></header>
 ${writer.scenes()}
 <footer><p class="sources">${t.sources}: ${escaped(chapter.sources[language])}</p>
-<p class="onward"><a href="${to(`${chapter.name}/sheet`)}">${t.sheet}</a><a href="${to('guide')}#${chapter.name}">${t.guide}</a><span>${t.next}: ${next?.title[language]} (${t.coming})</span></p></footer>
+<p class="onward"><a href="${to(`${chapter.name}/sheet`)}">${t.sheet}</a><a href="${to('guide')}#${chapter.name}">${t.guide}</a>${neighbours.join('')}</p></footer>
 </article>`;
   return pageFile(site, language, { place: chapter.name, title: chapter.title[language], description: chapter.description[language], body, kind: 'of-chapter' });
+}
+
+/**
+ * The way to the chapter before or after.
+ * @param {string} word
+ * @param {import('../../www/learn/chapters/contents.mjs').Row | undefined} row
+ * @param {Language} language
+ * @param {(place: string) => string} to
+ */
+function neighbour(word, row, language, to) {
+  if (!row) return '';
+  const { name, title } = row;
+  return name ? `<a href="${to(name)}">${word}: ${title[language]}</a>` : `<span>${word}: ${title[language]} (${words[language].coming})</span>`;
 }

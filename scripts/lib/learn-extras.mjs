@@ -1,6 +1,7 @@
 // The pages beside the chapters: contents, glossary, teacher's guide, and the sheet to print of each chapter.
-import { contents, words } from '../../www/learn/chapters/words.mjs';
-import { general } from '../../www/learn/chapters/plans.mjs';
+import { contents } from '../../www/learn/chapters/contents.mjs';
+import { words } from '../../www/learn/chapters/words.mjs';
+import { general, headings as heads } from '../../www/learn/chapters/plans.mjs';
 import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
 import { row } from '../../www/learn/chapters/math.mjs';
 
@@ -19,7 +20,8 @@ export function contentsPage(site, language) {
   });
   const body = `<article><header><h1>${t.learn}</h1><p class="idea">${t.lead}</p></header>
 <p>${t.about}</p>
-<h2>${t.chapters}</h2><ol class="contents">${rows.join('')}</ol></article>`;
+<h2>${t.chapters}</h2><ol class="contents">${rows.join('')}</ol>
+<p class="onward"><a href="papers/">${t.papers}</a><span>${t.papersLead}</span></p></article>`;
   return pageFile(site, language, { place: '', title: t.learn, description: t.lead, body });
 }
 
@@ -47,7 +49,7 @@ export function guidePage(site, language, chapters) {
   const glossary = way(folderOf(language, 'guide'), folderOf(language, 'glossary'));
   const text = (/** @type {Words} */ words) => prose(words[language], language, glossary);
   const parts = general.map(({ heading, lines }) => `<section><h2>${text(heading)}</h2>${list(lines.map(text))}</section>`);
-  const own = chapters.map((chapter) => guideOf(language, chapter, text));
+  const own = chapters.map((chapter) => guideOf(site, language, chapter, text));
   const lead = general[0]?.lead?.[language] ?? '';
   const body = `<article class="guide"><header><h1>${t.guide}</h1><p class="idea">${lead}</p></header>${parts.join('')}${own.join('')}</article>`;
   return pageFile(site, language, { place: 'guide', title: t.guide, description: lead, body });
@@ -55,13 +57,13 @@ export function guidePage(site, language, chapters) {
 
 /**
  * A chapter's part of the guide.
+ * @param {Site} site
  * @param {Language} language
  * @param {Chapter} chapter
  * @param {(words: Words) => string} text
  */
-function guideOf(language, { name, number, title, guide }, text) {
+function guideOf(site, language, { name, number, title, guide }, text) {
   const t = words[language];
-  const heads = guide.headings;
   const plans = guide.plans.map((/** @type {any} */ { minutes, steps }) => {
     const rows = steps.map((/** @type {any} */ [from, what]) => `<tr><th scope="row">${from}</th><td>${text(what)}</td></tr>`);
     return `<table class="plan"><caption>${minutes} ${text(heads.minutes)}</caption><tbody>${rows.join('')}</tbody></table>`;
@@ -70,7 +72,7 @@ function guideOf(language, { name, number, title, guide }, text) {
     const wrong = thoughts.map((/** @type {any} */ [answer, thought]) => `<li><b>${text(answer)}</b> ${text(thought)}</li>`);
     return `<li><p class="question">${text(question)}</p><p>${text(right)}</p><ul>${wrong.join('')}</ul></li>`;
   });
-  const states = guide.states.map((/** @type {any} */ { link, what }) => `<li><a href="../${name}/#${escaped(link)}">${text(what)}</a></li>`);
+  const states = guide.states.map((/** @type {any} */ { link, figure, values = {}, what }) => `<li><a href="../${name}/#${escaped(link ?? site.draw.state(figure, values))}">${text(what)}</a></li>`);
   return `<section id="${name}"><h2>${t.chapter(number)}: ${title[language]}</h2>
 <p class="onward"><a href="../${name}/">${title[language]}</a><a href="../${name}/sheet/">${t.sheet}</a></p>
 <h3>${text(heads.aims)}</h3>${list(guide.aims.map(text))}
@@ -89,11 +91,11 @@ export function sheetPage(site, language, chapter) {
   const text = (/** @type {Words} */ words) => prose(words[language].replace(/\[\[[\w-]+\|([^\]]+)\]\]/g, '$1').replace(/\[\[([\w-]+)\]\]/g, '$1'), language, glossary);
   const lines = (/** @type {number} */ count) => '<span class="line"></span>'.repeat(count);
   const asked = chapter.blocks.filter(({ key, kind }) => key && kind !== 'exercise');
-  const parts = asked.map(({ text: words, ask = words, answers = [], figure }, at) => {
+  const parts = asked.map(({ kind, key = '', text: words, ask = words, answers = [], figure = '' }, at) => {
     const boxes = answers.map(({ value, text: answer }) => `<li><span class="box" aria-hidden="true"></span>${value}. ${text(answer)}</li>`);
     const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p>w = <span class="blank"></span></p>`;
-    // The sheet does not show the answer to its question.
-    const picture = figure === 'top' ? `<div class="picture">${site.draw.figure('top', language)}</div>` : '';
+    // The sheet does not show the answer to its question, nor a picture of something else.
+    const picture = kind === 'question' && site.draw.asks(figure, key) ? `<div class="picture">${site.draw.figure(figure, language)}</div>` : '';
     return `<section class="asked"><h2><span>${t.order[0]} ${at + 1}</span> ${ask ? text(ask) : ''}</h2>${picture}
 <h3>${t.order[1]}</h3>${guess}<h3>${t.order[2]}</h3>${lines(2)}<h3>${t.order[3]}</h3>${lines(2)}</section>`;
   });

@@ -4,9 +4,12 @@ import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { build, minify } from 'vite';
+import { chapters } from '../../www/learn/chapters/contents.mjs';
+import { terms } from '../../www/learn/chapters/terms.mjs';
 import { chapterPage } from './learn-chapter.mjs';
 import { contentsPage, glossaryPage, guidePage, sheetPage } from './learn-extras.mjs';
 import { moduleIn } from './headless.mjs';
+import { papersPage } from './learn-papers.mjs';
 import { root } from './run.mjs';
 
 const folder = join(root, 'www', 'learn');
@@ -17,8 +20,8 @@ export function learnSources() {
   return files.map(({ parentPath, name }) => join(parentPath, name));
 }
 
-/** Where the pages' files stand in the site. */
-const files = { entryFileNames: 'assets/learn-[hash].js', chunkFileNames: 'assets/learn-[hash].js', assetFileNames: 'assets/learn-[hash][extname]' };
+/** Where the pages' files stand in the site. The figures of a chapter are a script of its own, learn-of-CHAPTER. */
+const files = { entryFileNames: 'assets/learn-[hash].js', chunkFileNames: 'assets/learn-[name]-[hash].js', assetFileNames: 'assets/learn-[hash][extname]' };
 
 /**
  * The bundle of the pages' scripts and styles, as files.
@@ -66,11 +69,11 @@ export async function learnFiles({ module, modules, plugins = [] }) {
     styles: own.filter(({ fileName }) => fileName.endsWith('.css')).map(({ fileName }) => fileName),
     draw,
   };
-  const { chapters, terms } = await texts();
   const made = /** @type {const} */ (['en', 'ja']).flatMap((language) => [
     contentsPage(site, language),
     glossaryPage(site, language, terms),
     guidePage(site, language, chapters),
+    papersPage(site, language),
     ...chapters.flatMap((chapter) => [chapterPage(site, language, chapter), sheetPage(site, language, chapter)]),
   ]);
   return [...own.map(({ fileName, source }) => ({ fileName, source })), ...made];
@@ -82,16 +85,23 @@ async function drawnIn(modules) {
   return {
     figure: (/** @type {string} */ name, /** @type {string} */ language) => built.stillOf(module, name, language),
     link: (/** @type {string} */ name) => built.studioLinkOf(name),
+    state: (/** @type {string} */ name, /** @type {Record<string, string>} */ values) => stateOf(figureIn(built, name), values),
+    asks: (/** @type {string} */ name, /** @type {string} */ key) => figureIn(built, name).asks.some((/** @type {any} */ ask) => ask.key === key),
     term: (/** @type {string} */ key) => built.termOf(module, key),
   };
 }
 
-/** The chapters' texts. */
-async function texts() {
-  const [{ twoBubbles }, { twoBubblesGuide }, { terms }] = await Promise.all([
-    import('../../www/learn/chapters/two-bubbles.mjs'),
-    import('../../www/learn/chapters/two-bubbles-guide.mjs'),
-    import('../../www/learn/chapters/terms.mjs'),
-  ]);
-  return { chapters: [{ ...twoBubbles, guide: twoBubblesGuide }], terms };
+/** @param {any} built @param {string} name */
+function figureIn({ FIGURES }, name) {
+  const found = FIGURES.find((/** @type {any} */ figure) => figure.name === name);
+  if (!found) throw new Error(`There is no figure ${name}.`);
+  return found;
+}
+
+/** A figure's state in an address: its recipe with other values, and perhaps a step. @param {any} figure @param {Record<string, string>} values */
+function stateOf({ name, recipe }, { step, ...values }) {
+  const words = new Map(recipe.split('&').map((/** @type {string} */ word) => word.split(/=(.*)/s)));
+  for (const [key, value] of Object.entries(values)) words.set(key, value);
+  const changed = [...words].map(([key, value]) => `${key}=${value}`);
+  return [`fig=${name}`, ...(Object.keys(values).length ? changed : []), ...(step === undefined ? [] : [`step=${step}`])].join('&');
 }

@@ -1,5 +1,11 @@
 // The parts of the figures that tests need, in one file for the bundler.
-export { FIGURES } from '../../www/learn/figures/figures';
-export { stopsOf } from '../../www/learn/draw/picture';
+export { FIGURES } from '../../www/learn/draw/chapters';
+export { countOf, crowdAt, nearestTo, packedOf } from '../../www/learn/figures/crowds';
+export { lastStepOf, stopsOf } from '../../www/learn/draw/picture';
 export { Reading } from '../../www/learn/draw/reading';
+export { stillOf } from '../../www/learn/draw/still';
 export { between, parting, rest, touch, trialOf, turn } from '../../www/learn/figures/rules';
+export { inside, regions, simplified } from '../../www/learn/draw/contours';
+export { Survey } from '../../www/learn/draw/landscape';
+export { edgesOf, neighbourAt, reachesEdge, restsAt } from '../../www/learn/figures/neighbour';
+export { isCrowded, looksOf, marksAt, restless } from '../../www/learn/figures/population';

@@ -19,15 +19,16 @@ export async function figuresCode() {
  * @returns {Promise<string[]>}
  */
 export async function measured(module) {
-  const { FIGURES, Reading, stopsOf } = await figuresCode();
+  const { FIGURES, Reading, countOf, crowdAt, stopsOf } = await figuresCode();
   return FIGURES.flatMap((/** @type {any} */ figure) => {
     const readings = figure.packings.map((/** @type {any} */ own) => new Reading(module, figure, figure.recipe, own));
     for (const reading of readings) while (!reading.advance(1000));
     const lines = stopsOf(figure, readings).map((/** @type {any} */ { key, step }) => {
       const states = readings.flatMap((/** @type {any} */ reading) => {
         const { w, force, energy, motion } = reading.moments[step] ?? {};
-        const numbers = w === undefined ? [reading.cells.length] : [w, force, energy, motion];
-        return [reading.hashAt(step), ...numbers];
+        const crowd = crowdAt(reading, step);
+        const ofCrowd = crowd ? [countOf(crowd), crowd.pairs, crowd.walls, crowd.motion, crowd.move] : [reading.cells.length];
+        return [reading.hashAt(step), ...(w === undefined ? ofCrowd : [w, force, energy, motion])];
       });
       return [figure.name, key, step, ...states].join(' ');
     });

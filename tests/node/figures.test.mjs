@@ -43,7 +43,7 @@ test('without damping the border between parting and coming back is where the po
   const trial = (/** @type {number} */ w, values = {}) => code.trialOf(reading('let-go', { damp: '0', w: String(w), ...values }), 200);
   const [parts, stays] = [trial(0.71), trial(0.725)];
   assert.ok(parts.parted && !stays.parted);
-  assert.deepEqual(code.between([parts, stays], 0.02), [parts.w, stays.w]);
+  assert.deepEqual(code.between([parts, stays], 0.02), [parts.value, stays.value]);
   assert.equal(code.between([parts, trial(0.8)], 0.02), undefined);
   // Explicit Euler gains energy, and damping takes it: neither tells where the border is.
   for (const values of [{ move: 'euler' }, { dt: '0.5' }, { damp: '0.1' }]) assert.equal(trial(0.7, values), undefined);
@@ -67,7 +67,7 @@ test('no question is answered by the state that a figure opens with', () => {
       while (!made.advance(1000));
       return made;
     });
-    const seen = { traces, step: figure.opens, trials: [], mark: figure.mark ?? 0, zero: 0.718 };
+    const seen = { traces, step: Math.min(figure.opens, code.lastStepOf(figure, traces)), trials: [], at: figure.at, zero: 0.718 };
     for (const ask of figure.asks) assert.equal(ask.seen(seen, 'en'), undefined, ask.key);
     for (const language of ['en', 'ja']) assert.ok(figure.told(seen, language).length > 10);
   }

@@ -9,20 +9,21 @@ import { selectAll, selectOne } from 'css-select';
 import { DomUtils, parseDocument } from 'htmlparser2';
 import { moduleIn } from '../../scripts/lib/headless.mjs';
 import { filesOf } from '../../scripts/lib/offline.mjs';
+import { chapters as made, contents } from '../../www/learn/chapters/contents.mjs';
+import { differences } from '../../www/learn/chapters/papers.mjs';
 import { terms } from '../../www/learn/chapters/terms.mjs';
-import { twoBubblesGuide } from '../../www/learn/chapters/two-bubbles-guide.mjs';
-import { contents } from '../../www/learn/chapters/words.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 const site = join(root, 'dist');
 const files = filesOf(site);
 
 const pages = files.filter((path) => path.startsWith('learn/') && path.endsWith('.html'));
-const chapters = contents.flatMap(({ name }) => (name ? [name] : []));
+const chapters = made.map(({ name }) => name);
 const languages = ['en', 'ja'];
 
 const source = (path) => readFileSync(join(site, path), 'utf8');
-const read = (path) => parseDocument(source(path));
+const parsed = new Map();
+const read = (path) => parsed.get(path) ?? parsed.set(path, parseDocument(source(path))).get(path);
 const chapter = (name, language) => read(`learn/${language === 'ja' ? 'ja/' : ''}${name}/index.html`);
 
 /** The words of a page as people read them, without formulas, drawings, handles, and numbers that the run decides. */
@@ -37,14 +38,14 @@ const words = (node) => textOf(node).match(/[\p{L}\d]+(?:[.’'-][\p{L}\d]+)*/gu
 const keys = (page, selector, name) => selectAll(selector, page).map((element) => element.attribs[name]);
 
 test('each page is there in both languages', () => {
-  for (const place of ['', 'glossary/', 'guide/', ...chapters.flatMap((name) => [`${name}/`, `${name}/sheet/`])]) {
+  for (const place of ['', 'glossary/', 'guide/', 'papers/', ...chapters.flatMap((name) => [`${name}/`, `${name}/sheet/`])]) {
     for (const language of languages) {
       const path = `learn/${language === 'ja' ? 'ja/' : ''}${place}index.html`;
       assert.ok(pages.includes(path), path);
       assert.equal(selectOne('html', read(path)).attribs.lang, language);
     }
   }
-  assert.equal(pages.length, 2 * (3 + 2 * chapters.length));
+  assert.equal(pages.length, 2 * (4 + 2 * chapters.length));
 });
 
 test('the contents have fourteen chapters, and links to those that are there', () => {
@@ -89,7 +90,9 @@ for (const name of chapters) {
     const page = chapter(name, 'en');
     for (const ask of selectAll('.ask', page)) {
       assert.ok(selectOne(`#fig-${ask.attribs['data-of']}`, page), ask.attribs['data-ask']);
-      assert.ok(selectOne(`[data-seen=${ask.attribs['data-ask']}]`, page), ask.attribs['data-ask']);
+      // A question that the figure does not answer has its replies in the text.
+      const isSeen = selectOne(`[data-seen=${ask.attribs['data-ask']}]`, page);
+      assert.ok(isSeen || selectAll('[data-reply]', ask.parent).length === selectAll('label', ask).length, ask.attribs['data-ask']);
       const answers = selectAll('label', ask);
       assert.ok(answers.length >= 2 && answers.length <= 4);
     }
@@ -97,7 +100,9 @@ for (const name of chapters) {
       assert.ok(selectOne('.figure-stage svg', figure), figure.attribs.id);
       assert.ok(words(selectOne('figcaption', figure)).length > 5, figure.attribs.id);
     }
-    // The first figure comes before any equation.
+    // The first figure stands beside the first question, and so before any equation.
+    const [first] = selectAll('.scene', page);
+    assert.ok(selectOne('.beside .ask', first) && selectOne('.beside figure', first));
     const html = DomUtils.getOuterHTML(page);
     assert.ok(html.indexOf('<figure') < html.indexOf('class="equation"'));
   });
@@ -109,10 +114,10 @@ for (const name of chapters) {
       assert.deepEqual(keys(page, 'a.term', 'href').map((href) => href.split('#')[1]).sort(), own.map(({ key }) => key).sort());
       if (language === 'ja') continue;
       // Answers and headings have no links; texts and captions do.
-      const prose = selectAll('section > p, section > * > p, figcaption', page);
+      const prose = selectAll('section > p, section > * > p, legend, figcaption', page);
       for (const { key, name: names } of own) {
         const word = names.en.replace(/ \(.*/, '');
-        const first = prose.find((part) => new RegExp(`\\b${word}\\b`, 'i').test(textOf(part)));
+        const first = prose.find((part) => new RegExp(`\\b${word}s?\\b`, 'i').test(textOf(part)));
         if (first) assert.ok(selectOne(`a.term[href$="#${key}"]`, first), `${key} is used before its link`);
       }
     }
@@ -186,19 +191,77 @@ test('the numbers in the texts are the engine’s', async () => {
   }
 });
 
-test('the guide has plans that fill their time, and a thought behind each wrong answer', () => {
-  const { plans, questions, states } = twoBubblesGuide;
-  assert.deepEqual(plans.map(({ minutes }) => minutes), [20, 60, 180]);
-  for (const { minutes, steps } of plans) {
-    const times = steps.map(([time]) => time.split('–').map(Number));
-    assert.equal(times[0][0], 0);
-    assert.equal(times.at(-1)[1], minutes);
-    times.slice(1).forEach(([from], k) => assert.equal(from, times[k][1]));
+test('the numbers of the landscape and of both outlines are the engine’s', async () => {
+  const { Bubblestone } = await moduleIn(join(root, 'pkg'));
+  const studio = new Bubblestone('outline=square&size=128&kind=square&cs=32&dir=constant&edge=open&pop=off&fend=0&mend=0');
+  const energy = (x, y) => {
+    studio.set('given', `0.5,0.5,1;${0.5 + x / 4},${0.5 + y / 4},0`);
+    studio.hold(0);
+    while (['domain', 'fields'].includes(studio.stage())) studio.tick(10, 0);
+    while (!studio.reach(10));
+    return studio.energyParts()[0];
+  };
+  const ways = Array.from({ length: 81 }, (_, k) => 0.9 + k / 200);
+  const lowest = (at) => ways.map((w) => [at(w), w]).reduce((least, one) => (one[0] < least[0] ? one : least));
+  for (const [weight, depth, barrier] of [['0', '0.048', '0.000'], ['0.05', '0.052', '0.009'], [String(Math.SQRT2 - 1), '0.076', '0.046']]) {
+    studio.set('cw', weight);
+    const [[well, w], [pass]] = [lowest((far) => energy(far, 0)), lowest((far) => energy(far * Math.SQRT1_2, far * Math.SQRT1_2))];
+    assert.deepEqual([(-well).toFixed(3), w.toFixed(2), (pass - well).toFixed(3)], [depth, '1.00', barrier], weight);
   }
-  const asked = selectAll('.ask', chapter('two-bubbles', 'en'));
-  assert.equal(questions.length, asked.length + 1, 'the mark on the curve is a question, too');
-  const wrong = questions.filter(({ right }) => /^[abc]\./.test(right.en)).map(({ thoughts }) => thoughts.length + 1);
-  assert.deepEqual(wrong, asked.map((ask) => selectAll('label', ask).length));
-  const figures = keys(chapter('two-bubbles', 'en'), 'figure', 'data-figure');
-  for (const { link } of states) assert.ok(figures.includes(new URLSearchParams(link).get('fig')), link);
+  studio.free();
+  const counts = readFileSync(join(root, 'tests/learn.txt'), 'utf8').match(/^count rest \S+ [0-9a-f]{16} (\d+) .* [0-9a-f]{16} (\d+) /m);
+  assert.deepEqual(counts?.slice(1), ['13', '19']);
+  const round = (Math.sqrt(3) / 2).toFixed(2);
+  for (const language of languages) {
+    const [square, many] = ['squares', 'how-many'].map((name) => DomUtils.textContent(selectOne('article', chapter(name, language))));
+    for (const number of ['0.048', '0.076', '0.009', '0.046']) assert.ok(square.includes(number), `${language}: ${number}`);
+    for (const number of ['13', '19', round]) assert.ok(many.includes(number), `${language}: ${number}`);
+  }
+});
+
+for (const { name, guide } of made) {
+  test(`${name}: the guide has plans that fill their time, and a thought behind each wrong answer`, () => {
+    const { plans, questions, states } = guide;
+    assert.deepEqual(plans.map(({ minutes }) => minutes), [20, 60, 180]);
+    for (const { minutes, steps } of plans) {
+      const times = steps.map(([time]) => time.split('–').map(Number));
+      assert.equal(times[0][0], 0);
+      assert.equal(times.at(-1)[1], minutes);
+      times.slice(1).forEach(([from], k) => assert.equal(from, times[k][1]));
+    }
+    const page = chapter(name, 'en');
+    const asked = selectAll('.ask', page);
+    assert.equal(questions.length, asked.length + selectAll('.marking', page).length, 'a mark on a curve is a question, too');
+    const ofLetters = questions.filter(({ right }) => /^[a-d]\./.test(right.en));
+    assert.deepEqual(ofLetters.map(({ thoughts }) => thoughts.length + 1), asked.map((ask) => selectAll('label', ask).length));
+    // The letter that is right in the guide is right in the chapter, too.
+    const rights = made.find((one) => one.name === name).blocks.flatMap(({ answers = [] }) => answers.filter(({ right }) => right).map(({ value }) => value));
+    assert.deepEqual(ofLetters.map(({ right }) => right.en[0]), rights);
+    assert.deepEqual(ofLetters.map(({ right }) => right.ja[0]), rights);
+    const figures = keys(page, 'figure', 'data-figure');
+    assert.ok(states.length > 3);
+    const links = selectAll(`#${name} li a[href*="#fig="]`, read('learn/guide/index.html')).map(({ attribs }) => attribs.href);
+    assert.equal(links.length, states.length);
+    for (const link of links) assert.ok(link.startsWith(`../${name}/#`) && figures.includes(new URLSearchParams(link.split('#')[1]).get('fig')), link);
+  });
+}
+
+test('printed equations stand beside ours, and each is seen in a figure that is there, or in the studio', () => {
+  for (const [path, isJapanese] of [['learn/papers/index.html', false], ['learn/ja/papers/index.html', true]]) {
+    const page = read(path);
+    const rows = selectAll('.difference', page);
+    const there = differences.filter(({ chapter: name }) => !name || chapters.includes(name));
+    assert.deepEqual(rows.map(({ attribs }) => attribs.id), there.map(({ key }) => key));
+    for (const [k, row] of rows.entries()) {
+      assert.equal(selectAll('.side', row).length, 2);
+      assert.equal(selectAll('.misprint', row).length, Number(Boolean(there[k].isMisprint)));
+      // A misprint is an exercise, with its answer.
+      assert.equal(selectAll('.task', row).length, Number(Boolean(there[k].isMisprint)), there[k].key);
+      const { href } = selectOne('.see a', row).attribs;
+      const figure = new URLSearchParams(href.split('#')[1]).get('fig');
+      if (figure) assert.ok(selectOne(`#fig-${figure}`, chapter(there[k].chapter, isJapanese ? 'ja' : 'en')), href);
+      else assert.match(href, /^(\.\.\/)+#v=1&/);
+    }
+  }
+  for (const { name } of made) assert.ok(differences.some(({ chapter: own }) => own === name), `${name} has no difference`);
 });

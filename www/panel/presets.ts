@@ -7,8 +7,13 @@ import { FIRST } from '../state/first';
 /** The side of the small pictures (thumbs/NAME.avif, made by the build), in CSS pixels. */
 const THUMB = '72';
 
-/** The presets that a chapter explains (www/learn). */
-const EXPLAINED = ['bubbles', 'packed'];
+/** The presets that a chapter explains, with its number and its page (www/learn). */
+const EXPLAINED: Readonly<Record<string, readonly [number: number, page: string]>> = {
+  bubbles: [1, 'two-bubbles'],
+  packed: [2, 'many-bubbles'],
+  whirl: [4, 'squares'],
+  eye: [6, 'how-many'],
+};
 
 interface Group {
   readonly heading: HTMLButtonElement;
@@ -46,7 +51,8 @@ export class Presets {
       const own = presets.filter(({ group }) => group === title);
       for (const preset of own) {
         const isAlone = own.filter(({ figure }) => figure === preset.figure).length === 1;
-        const chapter = EXPLAINED.includes(preset.name) ? [make('a', { href: t('chapter_page') }, t('chapter'))] : [];
+        const [number, page = ''] = EXPLAINED[preset.name] ?? [];
+        const chapter = number ? [make('a', { href: t('chapter_page', { page }) }, t('chapter', { n: number }))] : [];
         list.append(make('li', {}, this.button(preset, isAlone ? preset.figure : ''), ...chapter));
       }
       const heading = make('button', { type: 'button', 'aria-controls': id }, groupIn(title));

@@ -52,3 +52,14 @@ export const general = [
     ],
   },
 ];
+
+/** The headings of each chapter’s part. */
+export const headings = {
+  aims: { en: 'Aims', ja: 'ねらい' },
+  before: { en: 'What pupils should know before', ja: '前提となる知識' },
+  plans: { en: 'Plans', ja: '授業案' },
+  minutes: { en: 'minutes', ja: '分' },
+  questions: { en: 'Questions, and the thoughts behind the answers', ja: '問題と、答えの背後にある考え' },
+  wrong: { en: 'What goes wrong in class', ja: 'つまずきやすいところ' },
+  states: { en: 'Prepared states', ja: '準備済みの状態' },
+};

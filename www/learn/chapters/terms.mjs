@@ -1,9 +1,10 @@
 // The glossary, in the order in which chapters use the terms.
+import { chapters } from './contents.mjs';
 
 /** @typedef {{ key: string, symbol?: string, chapter: string, name: { en: string, ja: string }, text: { en: string, ja: string } }} Term */
 
-/** @type {Term[]} */
-export const terms = [
+/** Those of chapters to come, too. @type {Term[]} */
+const all = [
   {
     key: 'bubble', chapter: 'two-bubbles',
     name: { en: 'bubble', ja: 'バブル（粒子）' },
@@ -79,4 +80,122 @@ export const terms = [
     name: { en: 'Runge–Kutta (fourth order)', ja: 'ルンゲ・クッタ法（4次）' },
     text: { en: 'A step that looks at the force four times: at its start, twice in its middle, at its end. The papers use it.', ja: '刻みの初め、途中で二度、終わりの計四回、力を求めて進む方法。論文で使われている。' },
   },
+  {
+    key: 'neighbour', symbol: 'w', chapter: 'many-bubbles',
+    name: { en: 'neighbour', ja: '近接粒子（隣）' },
+    text: { en: 'A bubble that is nearer than 1.5 stable distances, so that a force acts.', ja: '安定距離の1.5倍より近く、力の及ぶバブル。' },
+  },
+  {
+    key: 'net-force', symbol: 'f', chapter: 'many-bubbles',
+    name: { en: 'net force', ja: '合力' },
+    text: { en: 'The sum of all forces on one bubble, as an arrow. At rest it is 0.', ja: '一つのバブルが受けるすべての力の和。矢印で表す。静止していれば0。' },
+  },
+  {
+    key: 'wall', chapter: 'many-bubbles',
+    name: { en: 'wall', ja: '壁（領域境界線）' },
+    text: { en: 'The boundary of the outline. By the force of a pair it pushes who sticks out, and holds who is near.', ja: '領域の境界。対と同じ力で、はみ出したバブルを押し、近くのバブルを引き留める。' },
+  },
+  {
+    key: 'first-places', symbol: 'x', chapter: 'many-bubbles',
+    name: { en: 'first places', ja: '初期位置' },
+    text: { en: 'Where the bubbles stand at step 0. Which valley a crowd ends in depends on them.', ja: 'ステップ0でのバブルの場所。群れがどの谷に行き着くかは、これで変わる。' },
+  },
+  {
+    key: 'energy', symbol: 'E', chapter: 'many-bubbles',
+    name: { en: 'energy', ja: 'エネルギー' },
+    text: { en: 'That of the pairs is the sum of all potentials. With that of walls and motion it falls until all is at rest.', ja: '対のエネルギーは、ポテンシャルの和。壁と運動の分を加えた合計は、静止するまで減りつづける。' },
+  },
+  {
+    key: 'local-minimum', chapter: 'many-bubbles',
+    name: { en: 'local minimum', ja: '極小解' },
+    text: { en: 'The floor of one valley: any small move costs energy. Another valley may be deeper.', ja: '一つの谷の底。少しでも動けばエネルギーが増える。ほかにもっと深い谷があるかもしれない。' },
+  },
+  {
+    key: 'iteration', chapter: 'many-bubbles',
+    name: { en: 'iteration', ja: '反復計算' },
+    text: { en: 'One round of the same work: all forces, then all moves. Also called a step.', ja: 'すべての力を求め、すべてを動かす計算の一回分。ステップともいう。' },
+  },
+  {
+    key: 'square-cell', chapter: 'squares',
+    name: { en: 'square cell', ja: '四角形粒子' },
+    text: { en: 'A cell with a direction and four corners. Its centre moves; its sides follow the direction field.', ja: '向きと四隅をもつ粒子。動くのは中心で、辺の向きはベクトル場に従う。' },
+  },
+  {
+    key: 'alignment', chapter: 'squares',
+    name: { en: 'line up (alignment)', ja: '整列' },
+    text: { en: 'To stand in rows and columns, side by side.', ja: '縦横に、格子状に並ぶこと。' },
+  },
+  {
+    key: 'contour', chapter: 'squares',
+    name: { en: 'contour line', ja: '等値曲線' },
+    text: { en: 'All places of one height: here, of one potential.', ja: '同じ高さの場所を結んだ線。ここではポテンシャルの値が等しい。' },
+  },
+  {
+    key: 'well', symbol: 'psi', chapter: 'squares',
+    name: { en: 'well', ja: '井戸' },
+    text: { en: 'A place of least potential, with higher ground on all sides.', ja: 'まわりのどこよりもポテンシャルが低い場所。' },
+  },
+  {
+    key: 'superposition', symbol: 'psi', chapter: 'squares',
+    name: { en: 'superposition', ja: '重ね合わせ' },
+    text: { en: 'Several potentials in one place, added.', ja: '同じ場所のいくつかのポテンシャルを足し合わせること。' },
+  },
+  {
+    key: 'corner-bubble', symbol: 'psi1', chapter: 'squares',
+    name: { en: 'corner bubble', ja: '隅のバブル（副ポテンシャル）' },
+    text: { en: 'A small potential on a corner of a square. It acts on the centres of neighbours.', ja: '正方形の隅に置く小さなポテンシャル。隣の中心に作用する。' },
+  },
+  {
+    key: 'corner-weight', symbol: 'cw', chapter: 'squares',
+    name: { en: 'weight (of the corners)', ja: '重み（隅の）' },
+    text: { en: 'By how much corner bubbles count. It makes the wells deep.', ja: '隅のバブルの効き方。井戸の深さを決める。' },
+  },
+  {
+    key: 'corner-radius', symbol: 'cr', chapter: 'squares',
+    name: { en: 'radius (of the corners)', ja: '半径（隅の）' },
+    text: { en: 'How large corner bubbles are, in half sides. It says where the wells are.', ja: '隅のバブルの大きさ。一辺の半分を単位とする。井戸の場所を決める。' },
+  },
+  {
+    key: 'barrier', chapter: 'squares',
+    name: { en: 'barrier', ja: '障壁' },
+    text: { en: 'The lowest height that must be passed from one well to the next.', ja: '一つの井戸から次の井戸へ移るために越える、最も低い峠の高さ。' },
+  },
+  {
+    key: 'crowded', symbol: 'crowd', chapter: 'how-many',
+    name: { en: 'crowded', ja: '過密' },
+    text: { en: 'Too near to a neighbour: the smallest w is below a threshold.', ja: '隣に近すぎること。wの最小値がしきい値より小さい。' },
+  },
+  {
+    key: 'empty-place', symbol: 'room', chapter: 'how-many',
+    name: { en: 'empty place', ja: '空いた場所' },
+    text: { en: 'A place beside a cell where another would touch, and far enough from all.', ja: '隣のセルと触れ合う場所で、ほかのどのセルからも十分に遠いところ。' },
+  },
+  {
+    key: 'smallest-w', symbol: 'wij', chapter: 'how-many',
+    name: { en: 'smallest w', ja: 'wの最小値' },
+    text: { en: 'The distance to the nearest neighbour, in stable distances.', ja: '最も近い隣までの距離を安定距離で割った値。' },
+  },
+  {
+    key: 'threshold', chapter: 'how-many',
+    name: { en: 'threshold', ja: 'しきい値' },
+    text: { en: 'A number with which another is compared, to decide yes or no.', ja: 'はい・いいえを決めるために比べる値。' },
+  },
+  {
+    key: 'population', symbol: 'n', chapter: 'how-many',
+    name: { en: 'population', ja: '個数' },
+    text: { en: 'How many cells there are. It changes while they move.', ja: 'セルの数。動いている間に増減する。' },
+  },
+  {
+    key: 'quadtree', chapter: 'how-many',
+    name: { en: 'quadtree', ja: '四分木' },
+    text: { en: 'A square cut into four, and each part again where needed: a quick first guess.', ja: '正方形を四つに分け、必要なところをさらに四つに分けていく木。初めの配置の見当に使う。' },
+  },
+  {
+    key: 'honeycomb', chapter: 'how-many',
+    name: { en: 'honeycomb', ja: '蜂の巣状の並び' },
+    text: { en: 'Round cells with six around each: the closest packing in a plane.', ja: '円のまわりに六つずつ並ぶ配置。平面での最密充填。' },
+  },
 ];
+
+/** Those of the chapters that are there. */
+export const terms = all.filter(({ chapter }) => chapters.some(({ name }) => name === chapter));

@@ -6,15 +6,6 @@ const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0
 const state = (figure, w, values) => `fig=${figure}&${PAIR}&given=0.25,0.5,1;${0.25 + w / 4},0.5,0&${values}`;
 
 export const twoBubblesGuide = {
-  headings: {
-    aims: { en: 'Aims', ja: 'ねらい' },
-    before: { en: 'What pupils should know before', ja: '前提となる知識' },
-    plans: { en: 'Plans', ja: '授業案' },
-    minutes: { en: 'minutes', ja: '分' },
-    questions: { en: 'Questions, and the thoughts behind the answers', ja: '問題と、答えの背後にある考え' },
-    wrong: { en: 'What goes wrong in class', ja: 'つまずきやすいところ' },
-    states: { en: 'Prepared states', ja: '準備済みの状態' },
-  },
   aims: [
     { en: 'Say from the curve whether a pair pushes, pulls or does nothing.', ja: '曲線から、二つが押し合うか、引き合うか、何もしないかを言える。' },
     { en: 'Tell force and potential apart, and read one from the other.', ja: '力とポテンシャルを区別し、一方から他方を読み取れる。' },

@@ -29,8 +29,8 @@ export const twoBubbles = {
         ja: '石を描いた人はいません。プログラムは、まず何を置いたのでしょうか。',
       },
       caption: {
-        en: 'A finished pavement, taken apart from left to right: stones, cells, bubbles, and at last two of them.',
-        ja: 'できあがった石畳を、左から右へほどきました。石、セル、バブル、そして最後に二つのバブルが残ります。',
+        en: 'A finished pavement, taken apart from left to right: stones, cells, [[bubble|bubbles]], and at last two of them.',
+        ja: 'できあがった石畳を、左から右へほどきました。石、セル、[[bubble|バブル]]、そして最後に二つのバブルが残ります。',
       },
       answers: [
         {
@@ -65,8 +65,8 @@ export const twoBubbles = {
       figure: 'pair',
       heading: { en: 'The pair', ja: 'バブルの対' },
       text: {
-        en: 'A [[bubble]] is a point with a [[force]] around it. Its circle shows the room it wants. Move one bubble, and watch the arrows.',
-        ja: '[[bubble|バブル]]は、まわりに[[force|力]]を及ぼす点です。円は、そのバブルの求める広さを表します。片方を動かして、矢印を見てください。',
+        en: 'A bubble is a point with a [[force]] around it. Its circle shows the room it wants. Move one bubble, and watch the arrows.',
+        ja: 'バブルは、まわりに[[force|力]]を及ぼす点です。円は、そのバブルの求める広さを表します。片方を動かして、矢印を見てください。',
       },
       caption: {
         en: 'Two bubbles and the force on each; below them the force over the distance $w$, then the [[potential]]. The dot is this pair.',

@@ -1,22 +1,4 @@
-// The words that all pages of the chapters share, and the contents.
-
-/** The chapters in their order. One without a name is still to come. */
-export const contents = [
-  { name: 'two-bubbles', title: { en: 'Two bubbles', ja: '二つのバブル' } },
-  { title: { en: 'Many bubbles', ja: 'たくさんのバブル' }, idea: { en: 'The same force, summed over neighbours, brings a crowd to rest.', ja: '隣どうしの力を足し合わせると、群れ全体が静止します。' } },
-  { title: { en: 'From bubbles to a mesh', ja: 'バブルからメッシュへ' }, idea: { en: 'To join points is easy; to have good points is the work.', ja: '点を結ぶのは簡単です。良い点を置くのが仕事です。' } },
-  { title: { en: 'Why squares line up', ja: '正方形はなぜ並ぶのか' }, idea: { en: 'Four small bubbles on the corners turn a ring of rest into four wells.', ja: '四隅の小さなバブルが、静止の輪を四つの井戸に変えます。' } },
-  { title: { en: 'Which way?', ja: 'どちら向き？' }, idea: { en: 'A square looks alike after a quarter turn, so directions cannot be averaged as arrows.', ja: '正方形は90度回しても同じなので、向きを矢印として平均することはできません。' } },
-  { title: { en: 'How many?', ja: 'いくつ置くのか' }, idea: { en: 'Nobody says how many cells: the crowded leave, room is filled.', ja: '数はだれも決めません。混めば減り、空けば増えます。' } },
-  { title: { en: 'Stretch', ja: '引き伸ばす' } },
-  { title: { en: 'Cells', ja: 'セル' } },
-  { title: { en: 'A stone', ja: '石をつくる' } },
-  { title: { en: 'Light', ja: '光' } },
-  { title: { en: 'Surfaces', ja: '曲面' } },
-  { title: { en: 'Piles', ja: '山積み' } },
-  { title: { en: 'Walls', ja: '壁' } },
-  { title: { en: 'The whole', ja: '全体' } },
-];
+// The words that all pages of the chapters share.
 
 export const words = {
   en: {
@@ -45,6 +27,16 @@ export const words = {
     figure: 'Figure',
     equation: 'Equation',
     next: 'Next chapter',
+    previous: 'Chapter before',
+    papers: 'Papers and differences',
+    papersLead: 'Equations as the papers print them, and as the program reads them.',
+    printed: 'Printed',
+    ours: 'Our reading',
+    misprint: 'Misprint',
+    task: 'Exercise',
+    solution: 'Answer',
+    see: 'See it',
+    more: 'Printed and ours, side by side',
     symbol: 'Symbol',
     name: 'Name',
     date: 'Date',
@@ -78,6 +70,16 @@ export const words = {
     figure: '図',
     equation: '式',
     next: '次の章',
+    previous: '前の章',
+    papers: '論文との違い',
+    papersLead: '論文に印刷された式と、本プログラムでの読み方。',
+    printed: '論文の式',
+    ours: '本プログラム',
+    misprint: '誤植',
+    task: '練習',
+    solution: '答え',
+    see: '図で見る',
+    more: '論文の式と並べて見る',
     symbol: '記号',
     name: '名前',
     date: '日付',

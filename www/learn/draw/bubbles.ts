@@ -1,7 +1,7 @@
 /** Two bubbles with their forces as arrows and the distance between their centres. */
 import { number, way } from '../figures/words';
-import type { Trace } from '../figures/figure';
-import { arrow, at, line, momentOf, pick, PULL, PUSH, symbol, text, UNIT, WIDTH, X, type View } from './plate';
+import type { Trace, View } from '../figures/figure';
+import { arrow, at, line, momentOf, pick, PULL, PUSH, symbol, text, UNIT, WIDTH, X } from './plate';
 
 /** The height of the centres. */
 export const MIDDLE = 96;

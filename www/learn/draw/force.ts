@@ -1,6 +1,7 @@
 /** The force of equation (2) below its two bubbles, with their place on it. */
+import type { View } from '../figures/figure';
 import { number, way } from '../figures/words';
-import { at, axisOfW, line, momentOf, path, svg, symbol, text, X, type View } from './plate';
+import { at, axisOfW, line, momentOf, path, svg, symbol, text, X } from './plate';
 import { BELOW, bubbles } from './bubbles';
 
 const [TOP, BOTTOM] = [BELOW + 24, BELOW + 200];

@@ -1,7 +1,7 @@
 /** A pavement taken apart: stones, the cells that they fill, the bubbles that the cells are made of, and two of these. */
-import type { Cell } from '../figures/figure';
+import type { Cell, View } from '../figures/figure';
 import { number } from '../figures/words';
-import { arrow, at, pick, PULL, PUSH, svg, symbol, text, WIDTH, type View } from './plate';
+import { arrow, at, pick, PULL, PUSH, svg, symbol, text, WIDTH } from './plate';
 
 const SIDE = WIDTH - 16;
 const OFF = 8;

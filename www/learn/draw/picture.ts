@@ -1,12 +1,19 @@
 /** The plates of a figure at a step. The build makes the still picture with it, and the page every later one. */
-import type { Figure, Trace } from '../figures/figure';
-import { MIDDLE } from './bubbles';
-import { force, HEIGHT } from './force';
-import { pavement } from './pavement';
-import { WIDEST, WIDTH, X, type CurvePoint, type View } from './plate';
+import type { Figure, Trace, View } from '../figures/figure';
+import { WIDEST, WIDTH, type CurvePoint, type Drawings, type Drawn } from './plate';
 import type { Bubbles } from './studio';
-import { track } from './track';
-import { BOTTOM, POLE, valley, Y } from './valley';
+
+/** A figure with the ways to draw its plates. */
+export interface Shown {
+  readonly figure: Figure;
+  readonly drawn: Drawings['drawn'];
+}
+
+/** A figure among the drawings of its chapter. */
+export function shownIn({ figures, drawn }: Drawings, name: string): Shown | undefined {
+  const figure = figures.find((one) => one.name === name);
+  return figure && { figure, drawn };
+}
 
 /** The steps between two points of a curve. */
 const FINE = 0.02;
@@ -19,28 +26,43 @@ export function curveOf(module: Bubbles): CurvePoint[] {
   });
 }
 
-export function platesOf(figure: Figure, view: View): string[] {
-  const drawn = { force, valley, pavement, track };
-  return figure.plates.map(({ draw, packing, title }) => drawn[draw](view, packing, title?.[view.language] ?? ''));
+function drawnAt({ figure, drawn }: Shown, plate: number): Drawn | undefined {
+  const own = figure.plates[plate];
+  return own && drawn[own.draw];
 }
 
-/** The stops that these moments have, in the order of their steps; of two at one step, the first. */
+export function platesOf(shown: Shown, view: View): string[] {
+  return shown.figure.plates.map((plate, k) => drawnAt(shown, k)?.draw(view, plate) ?? '');
+}
+
+/** The notes beside the plates' titles; `undefined` where there is none. */
+export function notesOf(figure: Figure, view: View): (string | undefined)[] {
+  return figure.plates.map(({ note }) => note?.(view, view.language));
+}
+
+/** The stops that these packings have, in the order of their steps; of two at one step, the first. */
 export function stopsOf(figure: Figure, traces: readonly Trace[]): { key: string; name: Figure['stops'][number]['name']; step: number }[] {
-  const moments = traces[0]?.moments ?? [];
   const found = figure.stops.flatMap(({ key, name, find }) => {
-    const step = find(moments);
+    const step = find(traces);
     return step === undefined ? [] : [{ key, name, step }];
   });
   return found.filter(({ step }, k) => found.findIndex((other) => other.step === step) === k).sort((a, b) => a.step - b.step);
 }
 
+/** The last step of the longest run. */
+export function lastStepOf(figure: Figure, traces: readonly Trace[]): number {
+  return figure.steps === 'layer' ? figure.last : Math.max(0, ...traces.map(({ steps }) => steps.length - 1));
+}
 
 /** The place of a handle's grip on a plate, in shares of the plate's width and height. */
-export function gripAt(figure: Figure, plate: number, key: string, view: View): readonly [number, number] {
-  const { draw = 'force', packing = 0 } = figure.plates[plate] ?? {};
-  const moment = view.traces[packing]?.moments[view.step];
-  if (!moment) return [0, 0];
-  const x = X(key === 'mark' ? (view.mark ?? 0) : draw === 'valley' ? moment.w : moment.left + moment.w);
-  const y = draw !== 'valley' ? MIDDLE : key === 'mark' ? BOTTOM - POLE + 7 : Y(moment.energy);
-  return [Math.min(x, WIDTH - 8) / WIDTH, y / HEIGHT];
+export function gripAt(shown: Shown, plate: number, key: string, numbers: readonly number[], view: View): readonly [number, number] {
+  const [own, drawn] = [shown.figure.plates[plate], drawnAt(shown, plate)];
+  const [x, y] = (own && drawn?.grip?.(view, own, key, numbers)) ?? [0, 0];
+  return [x / WIDTH, y / (drawn?.height ?? 1)];
+}
+
+/** The numbers of a handle at a place of a plate, in shares of its width and height. */
+export function numbersAt(shown: Shown, plate: number, [x, y]: readonly [number, number]): readonly number[] {
+  const drawn = drawnAt(shown, plate);
+  return drawn?.numbers?.(x * WIDTH, y * drawn.height) ?? [];
 }

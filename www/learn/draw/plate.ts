@@ -3,7 +3,7 @@
  * bubble, its place on a curve and its track stand above each other. Colours come from classes alone: the page's style sheet
  * has them for light, dark and paper.
  */
-import type { Language, Moment, Trace, Words } from '../figures/figure';
+import type { Figure, Language, Moment, Plate, View, Words } from '../figures/figure';
 
 export const WIDTH = 400;
 
@@ -19,22 +19,7 @@ export const X = (w: number): number => ORIGIN + UNIT * w;
 export const toW = (x: number): number => (x - ORIGIN) / UNIT;
 
 /** A point of the curves: the distance, the force, the potential. */
-export type CurvePoint = readonly [w: number, force: number, potential: number];
-
-/** All that a drawing may show. */
-export interface View {
-  readonly traces: readonly Trace[];
-  readonly step: number;
-  readonly last: number;
-  readonly curve: readonly CurvePoint[];
-  readonly zero: number;
-  readonly mark: number | undefined;
-  /** Whether the place where the potential is 0 is shown. */
-  readonly isZeroShown: boolean;
-  /** The stops on the way, with their steps. */
-  readonly stops: readonly { readonly name: Words; readonly step: number }[];
-  readonly language: Language;
-}
+export type CurvePoint = View['curve'][number];
 
 /** A number for an attribute: hundredths are finer than a pixel of any screen. */
 export const at = (value: number): string => String(Math.round(value * 100) / 100);
@@ -74,6 +59,17 @@ export function arrow(x: number, y: number, length: number, kind: string): strin
   return `<g class="arrow ${kind}">${line([x, y], [end - head * 0.5, y], 'shaft')}<path class="head" d="M${at(end)} ${at(y)}l${at(-head)} -7v14z"/></g>`;
 }
 
+/** An arrow in any direction; its head is open if it pulls. */
+export function arrowTo([x, y]: readonly [number, number], [dx, dy]: readonly [number, number], kind: string): string {
+  const length = Math.hypot(dx, dy);
+  const head = Math.min(9, length * 0.6 + 2);
+  const [ux, uy] = [dx / length, dy / length];
+  const [bx, by] = [x + dx - head * ux, y + dy - head * uy];
+  const side = head * 0.5;
+  const shaft = line([x, y], [x + dx - 0.6 * head * ux, y + dy - 0.6 * head * uy], 'shaft');
+  return `<g class="arrow small ${kind}">${shaft}<path class="head" d="M${at(x + dx)} ${at(y + dy)}L${at(bx - side * uy)} ${at(by + side * ux)}L${at(bx + side * uy)} ${at(by - side * ux)}z"/></g>`;
+}
+
 /** The axis of w with its numbers, and the bands of push, pull and nothing above it. */
 export function axisOfW(y: number, top: number, bottom: number, language: Language): string {
   const marks = [0, 0.5, 1, 1.5, 2].map((w) => `${line([X(w), y - 3], [X(w), y + 3], 'tick')}${text(X(w), bottom + 16, String(w), 'number')}`);
@@ -84,6 +80,25 @@ export function axisOfW(y: number, top: number, bottom: number, language: Langua
   });
   return `${bands.join('')}${line([X(0), y], [X(WIDEST), y], 'axis')}${marks.join('')}${text(X(WIDEST) + 2, bottom + 16, symbol('w', 'w'), 'number', 'end')}`;
 }
+
+/** A way to draw a plate. Places on it are in units of its width of 400. */
+export interface Drawn {
+  readonly height: number;
+  readonly draw: (view: View, plate: Plate) => string;
+  /** The place of a grip: `numbers` are those of its handle, two for a point. */
+  readonly grip?: (view: View, plate: Plate, key: string, numbers: readonly number[]) => readonly [x: number, y: number];
+  /** The numbers of a handle at a place. */
+  readonly numbers?: (x: number, y: number) => readonly number[];
+}
+
+/** The figures of a chapter, and the ways to draw their plates by their words in the figures' data. */
+export interface Drawings {
+  readonly figures: readonly Figure[];
+  readonly drawn: Readonly<Partial<Record<Plate['draw'], Drawn>>>;
+}
+
+/** A plate that shows the picture as a whole. */
+export const ofPlaces = (draw: Drawn['draw']): Drawn => ({ height: WIDTH, draw, grip: (_view, _plate, _key, [x = 0, y = 0]) => [x * WIDTH, y * WIDTH], numbers: (x, y) => [x / WIDTH, y / WIDTH] });
 
 export function svg(height: number, said: string, content: string): string {
   return `<svg class="plate" viewBox="0 0 ${WIDTH} ${height}" width="${WIDTH}" height="${height}" role="img" aria-label="${said}">${content}</svg>`;

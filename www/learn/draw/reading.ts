@@ -1,9 +1,9 @@
 /** Reads a packing's numbers at all its steps, in slices. */
-import type { Cell, Figure, Moment, Trace } from '../figures/figure';
+import { crowdAt, momentOf, packedOf, ROW } from '../figures/crowds';
+import type { Cell, Coming, Crowd, Figure, Landscape, Moment, NearCell, PointHandle, PointList, Trace } from '../figures/figure';
+import { Survey } from './landscape';
+import { listText, movedIn, pointsIn, rowsOf } from './lists';
 import type { Bubbles, Studio } from './studio';
-
-/** The numbers of a cell in `packedCells`. */
-const ROW = 11;
 
 /** The stages before the first step. */
 const BEFORE = ['domain', 'fields'];
@@ -11,13 +11,26 @@ const BEFORE = ['domain', 'fields'];
 /** The stages up to the cells. */
 const UP_TO_CELLS = [...BEFORE, 'packing', 'mesh', 'cells'];
 
+/** Milliseconds of a slice for a landscape, which follows the hand. */
+const LAND = 12;
+
+/** The numbers of a change of the population, and of a neighbour. */
+const CHANGE = 5;
+const NEAR = 4;
+
 export class Reading implements Trace {
+  steps: readonly Crowd[] = [];
   moments: readonly Moment[] = [];
   cells: readonly Cell[] = [];
+  outline: readonly (readonly number[])[] = [];
+  comings: readonly Coming[] = [];
+  isOver = false;
+  readonly side: number;
   private readonly studio: Studio;
+  private readonly survey: Survey | undefined;
   private readonly figure: Figure;
   private readonly own: Readonly<Record<string, string>>;
-  private made: Moment[] = [];
+  private made: Crowd[] = [];
   private readonly found: Cell[] = [];
 
   /** `own` are the values of this packing alone, set after those of the recipe. */
@@ -25,23 +38,27 @@ export class Reading implements Trace {
     [this.figure, this.own] = [figure, own];
     this.studio = new module.Bubblestone(recipe);
     for (const [key, text] of Object.entries(own)) this.studio.set(key, text);
+    this.side = this.studio.side();
+    if (figure.hasLandscape) this.survey = new Survey(module);
   }
 
   readonly value = (key: string): string => (key === 'held' ? String(this.given()[2] ?? 0) : this.studio.get(key));
+
+  readonly points = (list: PointList): readonly (readonly [number, number])[] => pointsIn(this.studio.list(list), list);
+
+  /** The last one while the next is read. */
+  get landscape(): Landscape | undefined {
+    return this.survey?.of(this.value('cw'), this.value('cr')) ?? this.survey?.latest;
+  }
 
   get link(): string {
     return this.studio.link();
   }
 
-  /** The present distance at the start, in stable distances. */
+  /** The present distance of two given bubbles at the start, in stable distances. */
   get distance(): number {
     const [x = 0, , , other = 0] = this.given();
-    return ((other - x) * this.studio.side()) / Number(this.studio.get('cs'));
-  }
-
-  /** Whether the recipe has two given bubbles and no others. */
-  get isPair(): boolean {
-    return this.given().length === 6 && this.studio.get('pop') === 'off';
+    return ((other - x) * this.side) / Number(this.studio.get('cs'));
   }
 
   private given(): Float64Array {
@@ -55,9 +72,20 @@ export class Reading implements Trace {
     this.made = [];
   }
 
+  /** Moves a point of a list. Given bubbles that have moved by this step start from their places there. */
+  move(list: PointList, row: number, to: readonly [number, number], step: number): void {
+    if (list in this.own) return;
+    const rows = rowsOf(this.studio.list(list), list);
+    const cells = (list === 'given' && step > 0 && this.steps[step]?.rows) || new Float64Array();
+    const isWhole = cells.length === rows.length * ROW;
+    const placed = isWhole ? rows.map(([, , held = 0], k) => [(cells[k * ROW + 1] ?? 0) / this.side, (cells[k * ROW + 2] ?? 0) / this.side, held]) : rows;
+    this.studio.set(list, listText(movedIn(placed, row, to), list));
+    this.made = [];
+  }
+
   private place(w: number, held: string): void {
     const [x = 0.25, y = 0.5] = this.given();
-    const other = x + (w * Number(this.studio.get('cs'))) / this.studio.side();
+    const other = x + (w * Number(this.studio.get('cs'))) / this.side;
     this.studio.set('given', `${x},${y},${held};${other.toFixed(9)},${y},0`);
   }
 
@@ -65,6 +93,12 @@ export class Reading implements Trace {
   advance(budget: number): boolean {
     const end = performance.now() + budget;
     if (this.figure.steps === 'layer') return this.readCells(end);
+    // The landscape first: it follows a hand at the weight, while the steps come later.
+    if (this.survey?.advance(this.value('cw'), this.value('cr'), LAND) === false) return false;
+    return this.readSteps(budget, end);
+  }
+
+  private readSteps(budget: number, end: number): boolean {
     this.studio.hold(this.made.length);
     while (BEFORE.includes(this.studio.stage())) {
       if (performance.now() > end) return false;
@@ -73,28 +107,50 @@ export class Reading implements Trace {
     while (this.made.length <= this.figure.last) {
       this.studio.hold(this.made.length);
       if (!this.studio.reach(budget)) return false;
-      this.made.push(this.moment());
+      if (this.studio.status().steps < this.made.length) return this.finish();
+      this.push(this.crowd());
       if (performance.now() > end) break;
     }
-    const isWhole = this.made.length > this.figure.last;
-    if (isWhole) this.moments = this.made;
-    return isWhole;
+    return this.made.length > this.figure.last && this.finish();
   }
 
-  private moment(): Moment {
-    const numbers = this.studio.packedCells();
-    const [pairs = 0, , motion = 0] = this.studio.energyParts();
-    const at = (place: number): number => numbers[place] ?? 0;
-    const size = at(3);
-    return {
-      step: this.made.length,
-      left: (at(1) - (this.given()[0] ?? 0) * this.studio.side()) / size,
-      w: (at(ROW + 1) - at(1)) / size,
-      speed: at(ROW + 5) - at(5),
-      force: at(ROW + 7),
-      energy: pairs,
-      motion,
-    };
+  /** The first step of a run brings its outline. */
+  private push(crowd: Crowd): void {
+    this.made.push(crowd);
+    if (this.made.length > 1) return;
+    [this.steps, this.outline, this.comings, this.isOver] = [this.made, this.readOutline(), [], false];
+  }
+
+  private finish(): true {
+    const { steps, converged } = this.studio.status();
+    this.isOver = converged && steps === this.steps.length - 1;
+    this.comings = this.readComings();
+    const from = (this.given()[0] ?? 0) * this.side;
+    const isPair = this.steps.every(({ rows }) => rows.length === 2 * ROW);
+    this.moments = isPair ? this.steps.map((crowd) => momentOf(crowd, from)) : [];
+    return true;
+  }
+
+  private crowd(): Crowd {
+    const [pairs = 0, walls = 0, motion = 0] = this.studio.energyParts();
+    return { step: this.made.length, rows: this.studio.packedCells(), pairs, walls, motion, move: this.studio.status().largestMove };
+  }
+
+  private readComings(): Coming[] {
+    const numbers = this.studio.populationChanges();
+    return Array.from({ length: numbers.length / CHANGE }, (_, k) => {
+      const [step = 0, id = 0, x = 0, y = 0, came = 0] = numbers.subarray(k * CHANGE, (k + 1) * CHANGE);
+      return { step, id, x: x / this.side, y: y / this.side, came: came === 1 };
+    });
+  }
+
+  private readOutline(): number[][] {
+    const { points, rings } = this.studio.outline();
+    let from = 0;
+    return Array.from(rings, (length) => {
+      const ring = points.subarray(2 * from, 2 * (from += length));
+      return Array.from(ring, (value) => value / this.side);
+    });
   }
 
   private readCells(end: number): boolean {
@@ -112,20 +168,57 @@ export class Reading implements Trace {
   }
 
   private cell([id = 0, x = 0, y = 0, size = 0]: Float64Array): Cell {
-    const side = this.studio.side();
-    const outline = Array.from(this.studio.probe(x, y)?.outline ?? [], (value) => value / side);
-    return { id, x: x / side, y: y / side, radius: size / 2 / side, outline };
+    return { id, x: x / this.side, y: y / this.side, radius: size / 2 / this.side, outline: this.outlineAt(x, y) };
   }
 
-  /** The hash of the state at a step, or of a finished pavement. A kept state is at most ten steps away, and steps of a pair are short. */
-  hashAt(step: number): string {
-    if (this.figure.steps === 'layer') return this.studio.stateHash();
+  private outlineAt(x: number, y: number): number[] {
+    return Array.from(this.studio.probe(x, y)?.outline ?? [], (value) => value / this.side);
+  }
+
+  /** Goes to a step. A kept state is at most ten steps away, and steps of few cells are short. */
+  private go(step: number): void {
     this.studio.hold(step);
     while (!this.studio.reach(50));
-    return this.studio.stateHash();
   }
+
+  readonly neighbours = (step: number, id: number): readonly NearCell[] => {
+    this.go(step);
+    const numbers = this.studio.neighbours(id);
+    return Array.from({ length: numbers.length / NEAR }, (_, k) => {
+      const [other = 0, w = 0, x = 0, y = 0] = numbers.subarray(k * NEAR, (k + 1) * NEAR);
+      return { id: other, w, force: [x, y] };
+    });
+  };
+
+  readonly shapes = (step: number): readonly (readonly number[])[] => {
+    this.go(step);
+    const rows = this.studio.packedCells();
+    return Array.from({ length: rows.length / ROW }, (_, k) => this.outlineAt(rows[k * ROW + 1] ?? 0, rows[k * ROW + 2] ?? 0));
+  };
+
+  /** The hash of the state at a step, or of a finished pavement. */
+  readonly hashAt = (step: number): string => {
+    if (this.figure.steps === 'step') this.go(step);
+    return this.studio.stateHash();
+  };
 
   free(): void {
     this.studio.free();
+    this.survey?.free();
   }
+}
+
+/** The value of a number or a choice as a figure shows it at a step: a distance moves, and a mark is no part of the recipe. */
+export function shownValue([reading]: readonly Reading[], step: number, at: readonly number[], key: string): string {
+  if (key === 'mark') return String(at[0] ?? 0);
+  return key === 'w' ? String(reading?.moments[step]?.w ?? reading?.distance ?? 0) : (reading?.value(key) ?? '');
+}
+
+/** The points of a handle at a step, in shares of the picture's side: given bubbles are where they have moved to. */
+export function shownPoints([reading]: readonly Reading[], step: number, at: readonly number[], { key }: PointHandle): readonly (readonly [number, number])[] {
+  if (key === 'at') return [[at[0] ?? 0, at[1] ?? 0]];
+  const points = reading?.points(key) ?? [];
+  const crowd = key === 'given' && reading ? crowdAt(reading, step) : undefined;
+  const cells = crowd && reading ? packedOf(crowd, reading.side) : [];
+  return cells.length === points.length ? cells.map(({ x, y }) => [x, y]) : points;
 }

@@ -1,33 +1,49 @@
 /** A figure as it stands in the static page: its picture at the opening step, its tools, and the text of its state. */
-import { figureOf } from '../figures/figures';
-import type { Figure, Language } from '../figures/figure';
-import { curveOf, platesOf, stopsOf } from './picture';
-import type { View } from './plate';
-import { Reading } from './reading';
+import type { Figure, Language, Trial, View } from '../figures/figure';
+import { shownOf } from './chapters';
+import { curveOf, lastStepOf, notesOf, platesOf, stopsOf, type Shown } from './picture';
+import { Reading, shownPoints, shownValue } from './reading';
 import { zeroOf, type Bubbles } from './studio';
 import { toolsOf } from './tools';
 
 /** The inside of `.figure-stage`. The module must be initialised; its numbers are those that the page will show. */
 export function stillOf(module: Bubbles, name: string, language: Language): string {
-  const figure = figureOf(name);
-  if (!figure) throw new Error(`There is no figure ${name}.`);
+  const shown = shownOf(name);
+  const { figure } = shown;
   const readings = figure.packings.map((own) => new Reading(module, figure, figure.recipe, own));
   for (const reading of readings) while (!reading.advance(1000));
-  const step = figure.opens;
-  const zero = zeroOf(module);
-  const view: View = { traces: readings, step, last: figure.last, curve: curveOf(module), zero, mark: figure.mark, isZeroShown: false, stops: stopsOf(figure, readings), language };
-  const told = figure.told({ traces: readings, step, trials: [], mark: figure.mark ?? 0, zero }, language);
-  const html = markupOf(platesOf(figure, view), toolsOf(figure, language, (key) => valueOf(readings, step, figure, key)), told);
+  const html = markupOf(shown, viewOf(module, figure, readings, language), readings);
   for (const reading of readings) reading.free();
   return html;
 }
 
-/** The value of a handle at a step. */
-function valueOf([reading]: readonly Reading[], step: number, { mark }: Figure, key: string): string {
-  return key === 'mark' ? String(mark ?? 0) : key === 'w' ? String(reading?.moments[step]?.w ?? 0) : (reading?.value(key) ?? '');
+function viewOf(module: Bubbles, figure: Figure, readings: readonly Reading[], language: Language): View {
+  const last = lastStepOf(figure, readings);
+  const step = Math.min(figure.opens, last);
+  const stops = stopsOf(figure, readings);
+  return { traces: readings, step, last, furthest: step, curve: curveOf(module), zero: zeroOf(module), at: figure.at, trials: trialsOf(figure, readings, step), isStill: true, isZeroShown: false, stops, language };
 }
 
-function markupOf(plates: readonly string[], tools: string, told: string): string {
-  const boxes = plates.map((plate, k) => `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`).join('');
-  return `<div class="plates plates-${plates.length}">${boxes}</div><div class="figure-tools">${tools}</div><p class="figure-told">${told}</p>`;
+/** The start that the figure opens with, if it is seen how that ends. */
+export function trialsOf({ trial }: Figure, [reading]: readonly Reading[], step: number): Trial[] {
+  const own = reading && trial?.(reading, step);
+  return own ? [own] : [];
+}
+
+function markupOf(shown: Shown & { readonly chapter: string }, view: View, readings: readonly Reading[]): string {
+  const { figure, chapter } = shown;
+  const { step, last, at, language } = view;
+  const notes = notesOf(figure, view);
+  const boxes = platesOf(shown, view).map((plate, k) => titled(figure, k, notes[k], language, `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`));
+  const tools = toolsOf(figure, language, { step, last, value: (key) => shownValue(readings, step, at, key), points: (handle) => shownPoints(readings, step, at, handle) });
+  return `<div class="plates plates-${boxes.length}" data-chapter="${chapter}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${figure.told(view, language)}</p>`;
+}
+
+/** A plate with its title, unless the drawing has it; its note follows the steps. */
+function titled({ plates }: Figure, k: number, note: string | undefined, language: Language, box: string): string {
+  const { title, draw } = plates[k] ?? {};
+  if (!title || draw === 'track') return box;
+  const follows = note === undefined ? '' : ` <output class="plate-note" data-plate="${k}">${note}</output>`;
+  const isTwin = plates.some((other, at) => at !== k && other.draw === draw);
+  return `<div class="plate-cell${isTwin ? ' twin' : ''}"><p class="plate-name"><b>${title[language]}</b>${follows}</p>${box}</div>`;
 }

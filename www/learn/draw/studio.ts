@@ -7,6 +7,7 @@ export interface Studio {
   set(key: string, text: string): { readonly refused: boolean };
   link(): string;
   list(key: string): { readonly numbers: Float64Array };
+  outline(): { readonly points: Float64Array; readonly rings: Uint32Array };
   side(): number;
   hold(step?: number | null): void;
   reach(budget: number): boolean;
@@ -14,6 +15,9 @@ export interface Studio {
   stage(): string;
   packedCells(): Float64Array;
   energyParts(): Float64Array;
+  populationChanges(): Float64Array;
+  neighbours(id: number): Float64Array;
+  status(): { readonly steps: number; readonly largestMove: number; readonly converged: boolean };
   stateHash(): string;
   probe(x: number, y: number): { readonly outline: Float64Array } | undefined;
 }

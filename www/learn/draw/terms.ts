@@ -1,11 +1,12 @@
 /** The small pictures of the glossary: pairs, curves and tracks by the same numbers as the figures. */
-import { figureOf } from '../figures/figures';
 import { way } from '../figures/words';
 import type { Moment } from '../figures/figure';
 import { arrow, at, line, path } from './plate';
+import { shownOf } from './chapters';
 import { curveOf } from './picture';
 import { Reading } from './reading';
 import type { Bubbles } from './studio';
+import { CROWD_TERMS } from './term-crowds';
 
 const [WIDTH, HEIGHT, MIDDLE] = [120, 80, 40];
 
@@ -47,8 +48,7 @@ const curve = (which: keyof typeof CURVES, over: (x: (w: number) => number, y: (
 
 /** The distance of a pair over time, with a dot for each step if there are few. */
 const track = (figure: string, values: Readonly<Record<string, string>>, steps: number): Draw => (module) => {
-  const own = figureOf(figure);
-  if (!own) return '';
+  const { figure: own } = shownOf(figure);
   const reading = new Reading(module, { ...own, last: steps }, own.recipe, values);
   while (!reading.advance(1000));
   const points = reading.moments.map(placed(steps));
@@ -83,7 +83,7 @@ const DRAWN: Readonly<Record<string, Draw>> = {
 
 /** The picture of a term. The module must be initialised. */
 export function termOf(module: Bubbles, term: string): string {
-  const draw = DRAWN[term];
+  const draw = DRAWN[term] ?? CROWD_TERMS[term];
   if (!draw) throw new Error(`The term ${term} has no picture.`);
   return `<svg class="plate small" viewBox="0 0 ${WIDTH} ${HEIGHT}" width="${WIDTH}" height="${HEIGHT}" aria-hidden="true">${draw(module)}</svg>`;
 }

@@ -1,5 +1,5 @@
 /** The timeline, the handles and the text of a figure as HTML. The build writes them, so that nothing shifts when they work. */
-import type { ChoiceHandle, Figure, Handle, Language, NumberHandle, Words } from '../figures/figure';
+import type { ChoiceHandle, Figure, Handle, Language, NumberHandle, PointHandle, Words } from '../figures/figure';
 
 export const TOOL_WORDS = {
   time: { en: 'Timeline', ja: 'タイムライン' },
@@ -22,14 +22,22 @@ export function icon(name: keyof typeof ICONS): string {
   return `<svg class="icon icon-${name}" viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`;
 }
 
-export function stepWords(figure: Figure, step: number, language: Language): string {
-  if (figure.steps === 'layer') return language === 'ja' ? `${step + 1} / ${figure.last + 1} 枚目` : `${step + 1} of ${figure.last + 1}`;
-  return language === 'ja' ? `${step} / ${figure.last} ステップ` : `step ${step} of ${figure.last}`;
+export function stepWords({ steps }: Figure, step: number, last: number, language: Language): string {
+  if (steps === 'layer') return language === 'ja' ? `${step + 1} / ${last + 1} 枚目` : `${step + 1} of ${last + 1}`;
+  return language === 'ja' ? `${step} / ${last} ステップ` : `step ${step} of ${last}`;
 }
 
-/** `value` has the value of a handle by its key. */
-export function toolsOf(figure: Figure, language: Language, value: (key: string) => string): string {
-  return `${timeline(figure, language)}${handles(figure, language, value)}`;
+/** The values of handles, and the step with the last one. */
+export interface Standing {
+  readonly step: number;
+  readonly last: number;
+  readonly value: (key: string) => string;
+  /** The points of a handle, in shares of the picture's side. */
+  readonly points: (handle: PointHandle) => readonly (readonly [number, number])[];
+}
+
+export function toolsOf(figure: Figure, language: Language, standing: Standing): string {
+  return `${timeline(figure, language, standing)}${handles(figure, language, standing)}`;
 }
 
 function key(name: 'again' | 'back' | 'on', language: Language): string {
@@ -37,19 +45,56 @@ function key(name: 'again' | 'back' | 'on', language: Language): string {
   return `<button type="button" class="time-key" data-do="${name}" aria-label="${words}" title="${words}">${icon(name)}</button>`;
 }
 
-function timeline(figure: Figure, language: Language): string {
+function timeline(figure: Figure, language: Language, { step, last }: Standing): string {
   const w = (name: keyof typeof TOOL_WORDS): string => TOOL_WORDS[name][language];
   const play = `<button type="button" class="time-key play" data-do="play">${icon('play')}<span>${w('play')}</span></button>`;
-  const range = `<div class="time-line"><div class="time-marks" aria-hidden="true"></div><input type="range" class="time" min="0" max="${figure.last}" step="1" value="${figure.opens}" aria-label="${w('time')}"></div>`;
+  const range = `<div class="time-line"><div class="time-marks" aria-hidden="true"></div><input type="range" class="time" min="0" max="${last}" step="1" value="${step}" aria-label="${w('time')}"></div>`;
   const speed = `<select class="speed" aria-label="${w('speed')}">${SPEEDS.map(([value, words]) => `<option value="${value}"${value === '1' ? ' selected' : ''}>${words}</option>`).join('')}</select>`;
   const stops = figure.stops.map(({ key: stop, name }) => `<button type="button" data-stop="${stop}">${name[language]}</button>`).join('');
-  return `<div class="figure-time" role="group" aria-label="${w('time')}">${key('again', language)}${key('back', language)}${play}${key('on', language)}${speed}${range}<output class="time-said">${stepWords(figure, figure.opens, language)}</output></div><div class="figure-stops" role="group" aria-label="${w('stops')}">${stops}</div>`;
+  return `<div class="figure-time" role="group" aria-label="${w('time')}">${key('again', language)}${key('back', language)}${play}${key('on', language)}${speed}${range}<output class="time-said">${stepWords(figure, step, last, language)}</output></div><div class="figure-stops" role="group" aria-label="${w('stops')}">${stops}</div>`;
 }
 
-function handles(figure: Figure, language: Language, value: (key: string) => string): string {
-  const all = (list: readonly Handle[]): string => list.map((handle) => (handle.kind === 'number' ? numberHandle(handle, language, Number(value(handle.key))) : choice(figure, handle, language, value(handle.key)))).join('');
+function handles(figure: Figure, language: Language, standing: Standing): string {
+  const all = (list: readonly Handle[]): string => list.map((handle) => handleOf(figure, handle, language, standing)).join('');
   const more = figure.more.length ? `<details class="more"><summary>${TOOL_WORDS.more[language]}</summary><div class="handle-list">${all(figure.more)}</div></details>` : '';
   return figure.handles.length ? `<div class="figure-handles"><div class="handle-list">${all(figure.handles)}</div>${more}</div>` : '';
+}
+
+function handleOf(figure: Figure, handle: Handle, language: Language, { value, points }: Standing): string {
+  if (handle.kind === 'point') return pointHandle(handle, language, points(handle));
+  return handle.kind === 'number' ? numberHandle(figure, handle, language, Number(value(handle.key))) : choice(figure, handle, language, value(handle.key));
+}
+
+/** A point's coordinates as they are shown. */
+export function shownOf({ origin, scale }: PointHandle, point: readonly [number, number]): readonly [number, number] {
+  return [(point[0] - origin[0]) / scale, (point[1] - origin[1]) / scale];
+}
+
+/** The rows of a list that a handle moves. */
+export function rowsFor({ rows }: PointHandle, count: number): readonly number[] {
+  return rows ?? Array.from({ length: count }, (_, row) => row);
+}
+
+/** The name of a point; points of a list have their numbers. */
+export function pointName({ name }: PointHandle, language: Language, row: number, count: number): string {
+  return count > 1 ? `${name[language]} ${row + 1}` : name[language];
+}
+
+/** A number for a box: 0 has no minus. */
+export function fixed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? text.replace('-', '') : text;
+}
+
+/** Two number boxes, and the choice of a point if there are several. */
+function pointHandle(handle: PointHandle, language: Language, points: readonly (readonly [number, number])[]): string {
+  const { key, name, from, to, digits } = handle;
+  const rows = rowsFor(handle, points.length);
+  const options = rows.map((row) => `<option value="${row}">${row + 1}</option>`).join('');
+  const choice = rows.length > 1 ? `<select class="which" aria-label="${name[language]}">${options}</select>` : '';
+  const shown = shownOf(handle, points[rows[0] ?? 0] ?? handle.origin);
+  const boxes = (['x', 'y'] as const).map((axis, k) => `<label><i class="letter">${axis}</i> <input type="number" inputmode="decimal" data-axis="${k}" min="${from}" max="${to}" step="any" value="${fixed(shown[k] ?? 0, digits)}" aria-label="${name[language]} ${axis}"></label>`);
+  return `<div class="handle point" data-key="${key}"><span class="handle-name">${name[language]}</span>${choice}${boxes.join('')}</div>`;
 }
 
 /** The name of a handle with its symbol. */
@@ -58,13 +103,20 @@ export function nameOf({ name, symbol }: NumberHandle, language: Language): stri
 }
 
 /** The symbols of the equations, by the letters of handles. */
-const SYMBOLS: Readonly<Record<string, string>> = { w: 'w', c: 'c', m: 'm', 'k₀': 'k0' };
+const SYMBOLS: Readonly<Record<string, string>> = { w: 'w', c: 'c', m: 'm', n: 'n', a: 'crowd', b: 'room', 'k₀': 'k0' };
 
-function numberHandle(handle: NumberHandle, language: Language, value: number): string {
+function numberHandle({ name: figure }: Figure, handle: NumberHandle, language: Language, value: number): string {
   const letters = handle.symbol ? ` <i class="letter"${SYMBOLS[handle.symbol] ? ` data-symbol="${SYMBOLS[handle.symbol] ?? ''}"` : ''}>${handle.symbol}</i>` : '';
   const bounds = `min="${handle.from}" max="${handle.to}" step="any" value="${value.toFixed(handle.digits)}"`;
   const label = nameOf(handle, language);
-  return `<div class="handle" data-key="${handle.key}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}"></div>`;
+  return `<div class="handle" data-key="${handle.key}"><span class="handle-name">${handle.name[language]}${letters}</span><input type="range" ${bounds}${handle.marks ? ` list="${figure}-${handle.key}"` : ''} aria-label="${label}"><input type="number" inputmode="decimal" ${bounds} aria-label="${label}">${marksOf(figure, handle)}</div>`;
+}
+
+/** Ticks on the slider at the values that have a name, and buttons with these names, which stand in the equations for the handle. */
+function marksOf(figure: string, { key: symbol, marks }: NumberHandle): string {
+  if (!marks) return '';
+  const ticks = `<datalist id="${figure}-${symbol}">${marks.map(({ value }) => `<option value="${value}"></option>`).join('')}</datalist>`;
+  return `${ticks}${marks.map(({ value, name }) => `<button type="button" class="mark-key" data-symbol="${symbol}" data-value="${value}">${name}</button>`).join('')}`;
 }
 
 function choice(figure: Figure, handle: ChoiceHandle, language: Language, value: string): string {

@@ -1,5 +1,6 @@
 /** Two bubbles, and below the right one the track of its distance: time goes down. */
-import { at, line, momentOf, NOTHING, path, pick, PULL, PUSH, svg, symbol, text, WIDEST, WIDTH, X, type View } from './plate';
+import type { View } from '../figures/figure';
+import { at, line, momentOf, NOTHING, path, pick, PULL, PUSH, svg, symbol, text, WIDEST, WIDTH, X } from './plate';
 import { BELOW, bubbles } from './bubbles';
 import { HEIGHT } from './force';
 

@@ -1,6 +1,7 @@
 /** The potential of equation (3) as a valley, with the pair as a ball in it and its energy as a level. */
+import type { View } from '../figures/figure';
 import { number } from '../figures/words';
-import { at, axisOfW, line, momentOf, path, svg, symbol, text, WIDEST, WIDTH, X, type CurvePoint, type View } from './plate';
+import { at, axisOfW, line, momentOf, path, svg, symbol, text, WIDEST, WIDTH, X, type CurvePoint } from './plate';
 import { HEIGHT } from './force';
 
 export const [TOP, BOTTOM] = [34, HEIGHT - 24];
@@ -43,7 +44,7 @@ function ball(w: number, energy: number, motion: number, { language }: View): st
 }
 
 /** The reader's mark: a flag on the axis. */
-function mark({ mark: place, language }: View): string {
+function mark({ at: [place], language }: View): string {
   if (place === undefined) return '';
   const x = X(place);
   return `<g class="mark">${line([x, BOTTOM], [x, BOTTOM - POLE], 'pole')}<path class="flag" d="M${at(x)} ${BOTTOM - POLE}h26l-6 7l6 7h-26z"/>${text(x + 4, BOTTOM - POLE - 6, `${language === 'ja' ? '印' : 'mark'} ${number(place, 3)}`, 'number', 'start')}</g>`;

@@ -2,15 +2,15 @@
  * A figure at work: it reads the numbers of its packings in slices, plays, and shows a step. The picture is made from its state
  * alone, by the drawing that made the still picture.
  */
-import { curveOf, gripAt, platesOf, stopsOf } from '../draw/picture';
-import type { CurvePoint, View } from '../draw/plate';
-import { Reading } from '../draw/reading';
+import { curveOf, gripAt, lastStepOf, notesOf, numbersAt, platesOf, stopsOf, type Shown } from '../draw/picture';
+import type { CurvePoint } from '../draw/plate';
+import { Reading, shownPoints, shownValue } from '../draw/reading';
 import { zeroOf, type Bubbles } from '../draw/studio';
-import type { Figure, Language, Seen, Trial } from '../figures/figure';
-import { trialOf } from '../figures/rules';
+import type { Figure, Language, PointHandle, Trial, View } from '../figures/figure';
 import { opening, type State } from './address';
 import { Asked } from './asked';
 import { Handles, type Handled } from './handles';
+import { Layers } from './layers';
 import { Timeline, type Timed } from './timeline';
 import type { Turns } from './turns';
 
@@ -23,6 +23,7 @@ const AT_STOP = 1400;
 
 export class Live implements Handled, Timed {
   readonly figure: Figure;
+  private readonly shown: Shown;
   readonly language: Language;
   private readonly module: Bubbles;
   private readonly place: HTMLElement;
@@ -31,34 +32,46 @@ export class Live implements Handled, Timed {
   private readonly ended = new AbortController();
   private readonly handles: Handles;
   private readonly timeline: Timeline;
-  private readonly asked: Asked;
+  private readonly questions: Asked;
+  private readonly layers = new Layers();
   private readonly curve: CurvePoint[];
   private readonly zero: number;
   private readings: Reading[] = [];
   private stops: ReturnType<typeof stopsOf> = [];
   private trials: Trial[] = [];
-  private step: number;
-  private mark: number | undefined;
+  /** The step asked for, the last one that there is, and the furthest one that was seen. */
+  private asked = 0;
+  private last = 0;
+  private furthest = 0;
+  private at: readonly number[];
   private isRead = false;
+  /** Whether a hand has changed the recipe: the picture follows it while the numbers are read. */
+  private isInHand = false;
   private isPlaying = false;
   private isInSight = true;
   /** The time of the last frame that played, and the part of a step that is still to come. */
-  private last = 0;
+  private played = 0;
   private part = 0;
   private frame = 0;
 
-  constructor(place: HTMLElement, figure: Figure, language: Language, module: Bubbles, state: State, turns: Turns, changed: (state: State) => void) {
-    [this.place, this.figure, this.language, this.module, this.turns, this.changed] = [place, figure, language, module, turns, changed];
-    [this.step, this.mark] = [state.step, state.mark];
+  constructor(place: HTMLElement, shown: Shown, language: Language, module: Bubbles, state: State, turns: Turns, changed: (state: State) => void) {
+    const { figure } = shown;
+    [this.shown, this.place, this.figure, this.language, this.module, this.turns, this.changed] = [shown, place, figure, language, module, turns, changed];
+    [this.asked, this.at, this.last] = [state.step, state.at, figure.last];
     [this.curve, this.zero] = [curveOf(module), zeroOf(module)];
-    this.asked = new Asked(figure, language);
+    this.questions = new Asked(figure, language);
     this.timeline = new Timeline(this, place, this.ended.signal);
-    this.handles = new Handles(this, place, this.ended.signal);
     this.open(state.recipe);
+    this.handles = new Handles(this, place, this.ended.signal);
   }
 
   get state(): State {
-    return { recipe: this.readings[0]?.link ?? this.figure.recipe, step: this.step, mark: this.mark };
+    return { recipe: this.readings[0]?.link ?? this.figure.recipe, step: this.step, at: this.at };
+  }
+
+  /** The step that is shown: a run that ended earlier stays at its end. */
+  private get step(): number {
+    return Math.min(this.asked, this.last);
   }
 
   /** The hashes of all packings at the present step. */
@@ -66,57 +79,82 @@ export class Live implements Handled, Timed {
     return this.isRead ? this.readings.map((reading) => reading.hashAt(this.step)).join(' ') : '';
   }
 
-  /** A recipe that is not of two bubbles is left for the figure's own. */
+  /** A recipe that does not fit is left for the figure's own. */
   private open(recipe: string): void {
     const { figure, module } = this;
     const made = (from: string): Reading[] => figure.packings.map((own) => new Reading(module, figure, from, own));
     this.free();
+    this.isInHand = false;
     this.readings = made(recipe);
-    if (figure.steps === 'step' && !this.readings.every(({ isPair }) => isPair)) {
+    if (!this.readings.every((reading) => figure.fits(reading))) {
       this.free();
       this.readings = made(figure.recipe);
     }
     this.read();
   }
 
+  /** Reads all numbers anew, because the recipe has changed: only the step that is shown has been seen. */
   private read(): void {
     this.isRead = false;
+    this.furthest = 0;
     this.wake();
   }
 
   value(key: string): string {
-    if (key === 'mark') return String(this.mark ?? 0);
-    if (key !== 'w') return this.readings[0]?.value(key) ?? '';
-    return String((this.isRead ? this.readings[0]?.moments[this.step]?.w : undefined) ?? this.readings[0]?.distance ?? 0);
+    return shownValue(this.readings, this.isRead ? this.step : Infinity, this.at, key);
+  }
+
+  points(handle: PointHandle): readonly (readonly [number, number])[] {
+    return shownPoints(this.readings, this.step, this.at, handle);
   }
 
   change(key: string, text: string, isOver: boolean): void {
-    if (this.isPlaying && key !== 'mark') this.pause();
-    if (key === 'mark') this.mark = Number(text);
-    else {
-      if (key === 'w') this.step = 0;
-      for (const reading of this.readings) reading.change(key, text);
-      this.read();
-    }
+    if (key === 'mark') return this.look([Number(text)], isOver);
+    if (key === 'w') this.asked = 0;
+    this.alter((reading) => reading.change(key, text), isOver);
+  }
+
+  move(handle: PointHandle, row: number, to: readonly [number, number], isOver: boolean): void {
+    const { key } = handle;
+    if (key === 'at') return this.look(to, isOver);
+    const { step } = this;
+    if (key === 'given') this.asked = 0;
+    this.alter((reading) => reading.move(key, row, to, step), isOver);
+  }
+
+  private look(at: readonly number[], isOver: boolean): void {
+    this.at = at;
     this.show(isOver);
   }
 
-  gripAt(plate: number, key: string): readonly [number, number] {
-    return gripAt(this.figure, plate, key, this.view());
+  private alter(act: (reading: Reading) => void, isOver: boolean): void {
+    if (this.isPlaying) this.pause();
+    this.readings.forEach(act);
+    this.isInHand = true;
+    this.read();
+    this.show(isOver);
+  }
+
+  gripAt(plate: number, key: string, numbers: readonly number[]): readonly [number, number] {
+    return gripAt(this.shown, plate, key, numbers, this.view());
+  }
+
+  numbersAt(plate: number, place: readonly [number, number]): readonly number[] {
+    return numbersAt(this.shown, plate, place);
   }
 
   again(): void {
     this.isPlaying = false;
     const state = opening(this.figure);
-    [this.step, this.mark] = [state.step, state.mark];
+    [this.asked, this.at] = [state.step, state.at];
     this.open(state.recipe);
     this.show(true);
   }
 
   play(): void {
     if (this.isPlaying) return this.pause();
-    if (this.step >= this.figure.last) this.step = 0;
-    [this.isPlaying, this.last, this.part] = [true, performance.now(), 0];
+    if (this.step >= this.last) this.asked = 0;
+    [this.isPlaying, this.played, this.part] = [true, performance.now(), 0];
     this.show(false);
     this.wake();
   }
@@ -132,14 +170,19 @@ export class Live implements Handled, Timed {
 
   seek(step: number): void {
     this.isPlaying = false;
-    this.step = Math.max(0, Math.min(this.figure.last, step));
+    this.go(step);
     this.show(true);
+  }
+
+  /** The end stays the end when a later change makes the run longer. */
+  private go(step: number): void {
+    this.asked = step >= this.last ? this.figure.last : Math.max(0, step);
   }
 
   /** Works and plays in sight only. */
   sight(isInSight: boolean): void {
     this.isInSight = isInSight;
-    this.last = performance.now();
+    this.played = performance.now();
     if (isInSight) this.wake();
     else this.turns.leave(this);
   }
@@ -161,63 +204,85 @@ export class Live implements Handled, Timed {
 
   private work(): void {
     const slice = SLICE / this.readings.length;
-    if (!this.readings.map((reading) => reading.advance(slice)).every(Boolean)) return;
+    if (!this.readings.map((reading) => reading.advance(slice)).every(Boolean)) return this.preview();
     this.isRead = true;
     this.stops = stopsOf(this.figure, this.readings);
-    this.last = performance.now();
+    this.last = lastStepOf(this.figure, this.readings);
+    this.go(this.asked);
+    this.played = performance.now();
     this.show(!this.isPlaying);
+  }
+
+  /** A crowd that is read anew is shown as far as it is: its outline follows the hand. */
+  private preview(): void {
+    const isBegun = this.readings.every(({ steps, moments, landscape }) => steps.length > 0 && (landscape !== undefined || !moments.length));
+    if (!isBegun || !this.isInHand) return;
+    this.draw();
+    this.handles.show();
   }
 
   /** Goes on by the time that has passed; with less motion, from stop to stop. */
   private advance(now: number): void {
-    const { figure, timeline, stops } = this;
+    const { figure, timeline, stops, last } = this;
     const isStill = figure.steps === 'layer' || matchMedia('(prefers-reduced-motion: reduce)').matches;
-    this.part += (Math.min(100, now - this.last) * timeline.speed) / (isStill ? AT_STOP : RUN / figure.last);
-    this.last = now;
+    this.part += (Math.min(100, now - this.played) * timeline.speed) / (isStill ? AT_STOP : RUN / figure.last);
+    this.played = now;
     const whole = Math.floor(this.part);
     if (whole < 1) return;
     this.part -= whole;
-    this.step = isStill ? (stops.find(({ step }) => step > this.step)?.step ?? figure.last) : Math.min(figure.last, this.step + whole);
-    if (this.step >= figure.last) this.isPlaying = false;
+    this.go(isStill ? (stops.find(({ step }) => step > this.step)?.step ?? last) : this.step + whole);
+    if (this.step >= last) this.isPlaying = false;
     this.show(!this.isPlaying || isStill);
   }
 
   private view(): View {
-    const { readings, step, figure, curve, zero, mark, language, stops } = this;
-    return { traces: readings, step, last: figure.last, curve, zero, mark, isZeroShown: this.asked.showsZero, stops, language };
-  }
-
-  private seen(): Seen {
-    return { traces: this.readings, step: this.step, trials: this.trials, mark: this.mark ?? 0, zero: this.zero };
+    const { readings, step, last, furthest, trials, curve, zero, at, language, stops } = this;
+    return { traces: readings, step, last, furthest, trials, curve, zero, at, isStill: !this.isPlaying, isZeroShown: this.questions.showsZero, stops, language };
   }
 
   /** Shows the state. At rest the text is spoken, and the address follows. */
   private show(isAtRest: boolean): void {
     if (!this.isRead) return this.handles.show();
-    this.look();
-    platesOf(this.figure, this.view()).forEach((plate, k) => {
-      const place = this.place.querySelector(`.plate-box[data-plate="${k}"] .plate-svg`);
-      if (place) place.innerHTML = plate;
-    });
-    this.timeline.show(this.step, this.isPlaying, this.stops);
+    this.furthest = Math.max(this.furthest, this.step);
+    this.ask();
+    this.draw();
+    this.timeline.show(this.step, this.last, this.isPlaying, this.offered());
     this.handles.show();
     this.tell(isAtRest);
     this.place.dataset.step = String(this.step);
     if (isAtRest) this.changed(this.state);
   }
 
-  /** Keeps how a start without damping ended, and looks whether a question is answered. */
-  private look(): void {
+  private draw(): void {
+    const view = this.view();
+    platesOf(this.shown, view).forEach((plate, k) => {
+      const place = this.place.querySelector(`.plate-box[data-plate="${k}"] .plate-svg`);
+      if (place) this.layers.put(place, plate);
+    });
+    notesOf(this.figure, view).forEach((note, k) => {
+      const place = this.place.querySelector(`.plate-note[data-plate="${k}"]`);
+      if (place && note !== undefined) place.textContent = note;
+    });
+  }
+
+  /** The stops that tell nothing about a run that the reader has not seen, while there is something to predict. */
+  private offered(): typeof this.stops {
+    const { steps, asks } = this.figure;
+    return steps === 'layer' || !asks.length ? this.stops : this.stops.filter(({ step }) => step <= this.furthest);
+  }
+
+  /** Keeps how a start ended, and looks whether a question is answered. */
+  private ask(): void {
     const [reading] = this.readings;
-    const trial = reading && trialOf(reading, this.step);
-    if (trial && !this.trials.some(({ w }) => w === trial.w)) this.trials = [...this.trials, trial];
-    this.asked.look(this.seen());
+    const trial = reading && this.figure.trial?.(reading, this.step);
+    if (trial && !this.trials.some(({ start }) => start === trial.start)) this.trials = [...this.trials, trial];
+    this.questions.look(this.view());
   }
 
   private tell(isAtRest: boolean): void {
     const place = this.place.querySelector('.figure-told') as HTMLElement;
     place.setAttribute('aria-live', isAtRest ? 'polite' : 'off');
-    const words = this.figure.told(this.seen(), this.language);
+    const words = this.figure.told(this.view(), this.language);
     if (place.textContent !== words) place.textContent = words;
   }
 

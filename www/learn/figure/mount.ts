@@ -2,14 +2,17 @@
  * Puts the figures of a page to work: each near the window, with the module that the first of them loads. One that is far
  * away is freed and keeps its picture and its state.
  */
-import { figureOf } from '../figures/figures';
 import type { Language } from '../figures/figure';
 import type { Bubbles } from '../draw/studio';
 import { Link } from '../../state/link';
-import { opening, stateIn, stateWords, type State } from './address';
+import { shownIn, type Shown } from '../draw/picture';
+import { figureIn, opening, stateIn, stateWords, type State } from './address';
+import { drawingsOf } from './chapters';
 import { Live } from './live';
 import { Turns } from './turns';
 import './figure.css';
+import './population.css';
+import './squares.css';
 
 /** How far from the window a figure begins to work, and how far away it is freed, in screens. */
 const NEAR = '50%';
@@ -21,6 +24,8 @@ class Place {
   private readonly page: Page;
   private live: Live | undefined;
   private state: State | undefined;
+  /** A fragment of the address that is to be opened. */
+  private asked: string | undefined;
   private isNear = false;
   private isInSight = false;
 
@@ -44,28 +49,33 @@ class Place {
   }
 
   /** Opens a state of the address, and shows the figure. */
-  open(state: State): void {
+  open(fragment: string): void {
     this.leave();
-    this.state = state;
+    this.asked = fragment;
     this.element.scrollIntoView({ block: 'center' });
     if (this.isNear) void this.begin();
   }
 
   private async begin(): Promise<void> {
-    const figure = figureOf(this.name);
-    if (!figure) return;
-    const module = await this.page.module();
+    const [shown, module] = await Promise.all([this.shown(), this.page.module()]);
     // Another call may have begun meanwhile, and the reader may have gone on.
-    if (this.live || !this.isNear || !module) return;
-    const state = this.state ?? opening(figure);
+    if (this.live || !this.isNear || !module || !shown) return;
+    const state = this.asked === undefined ? (this.state ?? opening(shown.figure)) : stateIn(this.asked, shown.figure);
+    this.asked = undefined;
     const first = { now: true };
-    this.live = new Live(this.element, figure, this.page.language, module, state, this.page.turns, (now) => {
+    this.live = new Live(this.element, shown, this.page.language, module, state, this.page.turns, (now) => {
       this.state = now;
       this.follow(now, first.now);
       first.now = false;
     });
     this.live.sight(this.isInSight);
     this.element.dataset.live = '';
+  }
+
+  private async shown(): Promise<Shown | undefined> {
+    const chapter = this.element.querySelector<HTMLElement>('[data-chapter]')?.dataset.chapter ?? '';
+    const drawings = await drawingsOf(chapter);
+    return drawings && shownIn(drawings, this.name);
   }
 
   /** The address and the link into the studio have the present state. The state that a figure opens with is not written. */
@@ -109,8 +119,7 @@ class Page {
   }
 
   private open(fragment: string): void {
-    const asked = stateIn(fragment);
-    if (asked) this.places.find((place) => place.is(asked.figure.name))?.open(asked.state);
+    this.places.find((place) => place.is(figureIn(fragment)))?.open(fragment);
   }
 }
 

@@ -24,6 +24,8 @@ export class Timeline {
   private readonly place: HTMLElement;
   private stops: readonly Stopped[] = [];
   private isPlaying: boolean | undefined;
+  /** The stops that are marked, in words. */
+  private marked = '';
 
   constructor(of: Timed, place: HTMLElement, signal: AbortSignal) {
     [this.of, this.place] = [of, place];
@@ -55,13 +57,14 @@ export class Timeline {
     this.of.seek(next);
   }
 
-  show(step: number, isPlaying: boolean, stops: readonly Stopped[]): void {
+  show(step: number, last: number, isPlaying: boolean, stops: readonly Stopped[]): void {
     const { figure, language } = this.of;
-    if (stops !== this.stops) this.mark(stops);
-    const said = stepWords(figure, step, language);
+    this.mark(stops, last);
+    const said = stepWords(figure, step, last, language);
+    this.range.max = String(last);
     this.range.value = String(step);
     this.range.setAttribute('aria-valuetext', said);
-    this.range.style.setProperty('--share', String(step / figure.last));
+    this.range.style.setProperty('--share', String(step / (last || 1)));
     (this.place.querySelector('.time-said') as HTMLElement).textContent = said;
     this.place.querySelectorAll<HTMLElement>('[data-stop]').forEach((button) => {
       const at = stops.find(({ key }) => key === button.dataset.stop);
@@ -77,11 +80,14 @@ export class Timeline {
     button.innerHTML = `${icon(name)}<span>${TOOL_WORDS[name][this.of.language]}</span>`;
   }
 
-  private mark(stops: readonly Stopped[]): void {
+  private mark(stops: readonly Stopped[], last: number): void {
+    const words = `${last}: ${stops.map(({ key, step }) => `${key} ${step}`).join(' ')}`;
+    if (words === this.marked) return;
+    this.marked = words;
     this.stops = stops;
     const marks = stops.map(({ step }) => {
       const mark = document.createElement('span');
-      mark.style.setProperty('--share', String(step / this.of.figure.last));
+      mark.style.setProperty('--share', String(step / (last || 1)));
       return mark;
     });
     (this.place.querySelector('.time-marks') as HTMLElement).replaceChildren(...marks);

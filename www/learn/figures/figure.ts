@@ -5,6 +5,49 @@
 export type Language = 'en' | 'ja';
 export type Words = Readonly<Record<Language, string>>;
 
+/** A packing at a step, as the engine gives it. */
+export interface Crowd {
+  readonly step: number;
+  /** The numbers of all cells by rising ids, a row of `ROW` numbers for each: see `packedOf`. */
+  readonly rows: Float64Array;
+  /** The energy of the pairs, of the walls, and of the motion, in units of the mean k0. */
+  readonly pairs: number;
+  readonly walls: number;
+  readonly motion: number;
+  /** The largest move of the step that led here, in sizes. */
+  readonly move: number;
+}
+
+/** A cell of a crowd. Places and the size are in shares of the picture's side, y down; speed and force in sizes, energy in k0. */
+export interface PackedCell {
+  readonly id: number;
+  readonly x: number;
+  readonly y: number;
+  readonly size: number;
+  readonly isHeld: boolean;
+  readonly speed: readonly [x: number, y: number];
+  readonly force: readonly [x: number, y: number];
+  readonly energy: number;
+  /** The smallest w to a neighbour; 0 without neighbours. */
+  readonly least: number;
+}
+
+/** A neighbour of a cell: how far it is, and its force on the cell. */
+export interface NearCell {
+  readonly id: number;
+  readonly w: number;
+  readonly force: readonly [x: number, y: number];
+}
+
+/** A cell that came or went at a step. */
+export interface Coming {
+  readonly step: number;
+  readonly id: number;
+  readonly x: number;
+  readonly y: number;
+  readonly came: boolean;
+}
+
 /** Two bubbles at a step. Lengths are in stable distances, energies in k0, both as the engine gives them. */
 export interface Moment {
   readonly step: number;
@@ -30,20 +73,60 @@ export interface Cell {
   readonly outline: readonly number[];
 }
 
+/** A place on a line from a square's centre, by its distance w, and the energy of a second square there, in k0. */
+export interface Lowest {
+  readonly w: number;
+  readonly energy: number;
+}
+
+/** The potential around a held square, on a grid of columns and rows that count from its centre, in k0. */
+export interface Landscape {
+  readonly at: (column: number, row: number) => number;
+  /** The lowest place straight beyond an edge, and straight beyond a corner: between two wells lies a pass. */
+  readonly well: Lowest;
+  readonly pass: Lowest;
+  /** A quarter of the ground for drawings: the paths of its bands, from the lowest, and of its lines. */
+  readonly ground: { readonly bands: readonly string[]; readonly lines: string };
+}
+
+/** The lists of a recipe whose rows are points: given bubbles, and the corners of the outline. */
+export type PointList = 'given' | 'poly';
+
 /** The numbers of one packing at all its steps, as far as they are made; the cells of a pavement, once it is finished. */
 export interface Trace {
+  /** The steps up to the end of the run, or to the figure's last. */
+  readonly steps: readonly Crowd[];
+  /** Whether the run has ended by itself. */
+  readonly isOver: boolean;
+  readonly comings: readonly Coming[];
+  /** The same steps as those of a pair; none if there are not two cells. */
   readonly moments: readonly Moment[];
   readonly cells: readonly Cell[];
-  /** The value of a parameter in the recipe; that of `held` is 1 if the left bubble is held, else 0. */
+  /** Pixels along the picture's side, the unit of places in rows. */
+  readonly side: number;
+  /** The words of the recipe. */
+  readonly link: string;
+  /** The value of a parameter in the recipe; that of `held` is 1 if the first given bubble is held, else 0. */
   readonly value: (key: string) => string;
+  /** The potential around a held square, for figures that show it. */
+  readonly landscape: Landscape | undefined;
+  /** The rings of the outline, in shares of the picture's side: x, y, x, y, ... */
+  readonly outline: readonly (readonly number[])[];
+  /** The points of a list, in shares of the picture's side. */
+  readonly points: (list: PointList) => readonly (readonly [x: number, y: number])[];
+  /** The neighbours of a cell at a step, by rising ids. */
+  readonly neighbours: (step: number, id: number) => readonly NearCell[];
+  /** The outlines of all cells at a step by rising ids, in shares of the picture's side: x, y, x, y, ... */
+  readonly shapes: (step: number) => readonly (readonly number[])[];
+  readonly hashAt: (step: number) => string;
 }
 
 /** A step with a name. */
 export interface Stop {
   readonly key: string;
   readonly name: Words;
-  /** The step, if there is one in these moments. */
-  readonly find: (moments: readonly Moment[]) => number | undefined;
+  /** The step, if there is one in these packings. */
+  readonly find: (traces: readonly Trace[]) => number | undefined;
 }
 
 /** A number with a slider, a box and, on some plates, a grip. `key` is a parameter's, or `w`, or `mark`. */
@@ -60,6 +143,8 @@ export interface NumberHandle {
   readonly fine: number;
   readonly coarse: number;
   readonly digits: number;
+  /** Values with a name, which the handle takes exactly. */
+  readonly marks?: readonly { readonly value: number; readonly name: string }[];
   /** The plates that have a grip for it. */
   readonly plates?: readonly number[];
 }
@@ -71,19 +156,74 @@ export interface ChoiceHandle {
   readonly choices: readonly { readonly word: string; readonly name: Words }[];
 }
 
-export type Handle = NumberHandle | ChoiceHandle;
+/**
+ * Points with a grip each on plates and two number boxes: those of a list of the recipe, or `at`, the place looked at. A given
+ * bubble that is moved at a later step starts a new run from the places of that step. Coordinates are shown from `origin` in
+ * units of `scale` shares of the picture's side, and so are limits and strides. A tap on a plate moves the grip that was
+ * tapped before, or else the nearest one of the first handle there.
+ */
+export interface PointHandle {
+  readonly kind: 'point';
+  readonly key: PointList | 'at';
+  readonly name: Words;
+  readonly unit: Words;
+  readonly origin: readonly [x: number, y: number];
+  readonly scale: number;
+  readonly from: number;
+  readonly to: number;
+  readonly stride: number;
+  readonly fine: number;
+  readonly coarse: number;
+  readonly digits: number;
+  readonly plates: readonly number[];
+  /** The rows of the list that can be moved; all if it is left out. */
+  readonly rows?: readonly number[];
+}
+
+export type Handle = NumberHandle | ChoiceHandle | PointHandle;
+
+/** A number over steps. */
+export interface Line {
+  readonly name: Words;
+  readonly symbol?: string;
+  readonly packing: number;
+  readonly of: (crowd: Crowd) => number;
+}
+
+/** A bar with its name and its number. */
+export interface Bar {
+  readonly name: string;
+  readonly value: number;
+  /** Whether it is told apart from the others. */
+  readonly isMarked?: boolean;
+}
 
 /** A drawing of a figure, and the packing that it shows. */
 export interface Plate {
-  readonly draw: 'force' | 'track' | 'valley' | 'pavement';
+  readonly draw: 'force' | 'track' | 'valley' | 'pavement' | 'crowd' | 'lens' | 'plot' | 'levels' | 'population' | 'thresholds' | 'held' | 'landscape' | 'relief' | 'section' | 'squares';
   readonly packing: number;
   readonly title?: Words;
+  /** A short text beside the title, made of the numbers at this step. */
+  readonly note?: (seen: Seen, language: Language) => string;
+  /** A crowd: whether each cell has an arrow for the net force on it. */
+  readonly forces?: boolean;
+  /** A plot: its lines, told apart by dash and name, the name of its axis, and digits of its numbers. */
+  readonly lines?: readonly Line[];
+  readonly axis?: Words;
+  readonly digits?: number;
+  /** A landscape: the name of its ground, which other plates of the figure use. */
+  readonly ground?: string;
+  readonly bars?: (seen: Seen, language: Language) => readonly Bar[];
+  /** A population: whether the steps that are still to come are shown, too. */
+  readonly isAhead?: boolean;
 }
 
-/** A start that was let go of, and how it ended; `undefined` until that is seen. */
+/** A start that was let go of, and how it ended. */
 export interface Trial {
-  readonly w: number;
-  readonly parted: boolean;
+  /** Tells starts apart. */
+  readonly start: string;
+  readonly value: number;
+  readonly parted?: boolean;
 }
 
 /** All that a rule may look at. */
@@ -91,10 +231,26 @@ export interface Seen {
   readonly traces: readonly Trace[];
   readonly step: number;
   readonly trials: readonly Trial[];
-  /** The mark on the curve. */
-  readonly mark: number;
+  /** The place looked at: one number for a mark on a curve, two for a point of the picture. */
+  readonly at: readonly number[];
   /** The distance, apart from rest, at which the potential is 0. */
   readonly zero: number;
+  /** Whether the reader has stopped at this step. */
+  readonly isStill: boolean;
+}
+
+/** All that a drawing may show. */
+export interface View extends Seen {
+  /** The last step of the longest run, and the furthest one that was seen. */
+  readonly last: number;
+  readonly furthest: number;
+  /** The distance, the force, the potential. */
+  readonly curve: readonly (readonly [w: number, force: number, potential: number])[];
+  /** Whether the place where the potential is 0 is shown. */
+  readonly isZeroShown: boolean;
+  /** The stops on the way, with their steps. */
+  readonly stops: readonly { readonly name: Words; readonly step: number }[];
+  readonly language: Language;
 }
 
 /** A question that the figure answers by its numbers. */
@@ -110,10 +266,12 @@ export interface Ask {
 
 export interface Figure {
   readonly name: string;
+  /** Whether a recipe from elsewhere is one that the figure can show. */
+  readonly fits: (trace: Trace) => boolean;
   /** The words of the recipe, and what each packing has of its own. */
   readonly recipe: string;
   readonly packings: readonly Readonly<Record<string, string>>[];
-  /** The last step, the one that the figure opens at, and what its steps are called. */
+  /** The last step of the longest run, the step that the figure opens at or the end before it, and what its steps are called. */
   readonly last: number;
   readonly opens: number;
   readonly steps: 'step' | 'layer';
@@ -122,7 +280,11 @@ export interface Figure {
   readonly handles: readonly Handle[];
   /** Handles in a fold. */
   readonly more: readonly Handle[];
-  readonly mark?: number;
+  readonly at: readonly number[];
+  /** Whether plates show the potential around the first cell. */
+  readonly hasLandscape?: boolean;
+  /** How a start ended, as soon as that is seen; kept for questions on several starts. */
+  readonly trial?: (trace: Trace, step: number) => Trial | undefined;
   readonly asks: readonly Ask[];
   readonly told: (seen: Seen, language: Language) => string;
 }

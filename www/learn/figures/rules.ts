@@ -9,6 +9,9 @@ export const REACH = 1.5;
 
 export const start = (): number => 0;
 
+/** Whether a recipe has two given bubbles and no others. */
+export const isPair = ({ points, value }: Trace): boolean => points('given').length === 2 && value('pop') === 'off';
+
 /** The first step past the stable distance, where the two circles touch. */
 export function touch(moments: readonly Moment[]): number | undefined {
   const from = moments[0]?.w ?? 1;
@@ -43,14 +46,16 @@ export function trialOf({ moments, value }: Trace, step: number): Trial | undefi
   const [first] = moments;
   const [away, back] = [parting(moments), turn(moments)];
   if (!first || first.w >= 1) return undefined;
-  if (away !== undefined && away <= step) return { w: first.w, parted: true };
-  return back !== undefined && back <= step && away === undefined ? { w: first.w, parted: false } : undefined;
+  if (away !== undefined && away <= step) return { ...kept(first.w), parted: true };
+  return back !== undefined && back <= step && away === undefined ? { ...kept(first.w), parted: false } : undefined;
 }
+
+const kept = (w: number): Trial => ({ start: String(w), value: w });
 
 /** The nearest pair of trials that ended differently, if they are less than `apart` from each other. */
 export function between(trials: readonly Trial[], apart: number): readonly [parted: number, kept: number] | undefined {
-  const parted = Math.max(...trials.filter((one) => one.parted).map(({ w }) => w));
-  const kept = Math.min(...trials.filter((one) => !one.parted).map(({ w }) => w));
+  const parted = Math.max(...trials.filter((one) => one.parted).map(({ value }) => value));
+  const kept = Math.min(...trials.filter((one) => !one.parted).map(({ value }) => value));
   return kept > parted && kept - parted < apart ? [parted, kept] : undefined;
 }
 

@@ -3,21 +3,23 @@
  * Square Packing Technique, 2001, sections 4.2 and 4.3, equations (2), (3) and (5)). All packings have circles of side 64 in
  * a picture of side 256, without walls; no cell comes or goes, and no run ends by itself.
  */
-import type { Ask, Figure, Language, Seen, Stop, Trace } from './figure';
-import { between, parting, REACH, rest, start, touch, turn } from './rules';
-import { DAMPING, DISTANCE, HELD, INTEGRATOR, MARK, MASS, moves, number, STIFFNESS, stands, TIME_STEP } from './words';
+import type { Ask, Figure, Language, Moment, Seen, Stop, Trace } from './figure';
+import { between, isPair, parting, REACH, rest, touch, trialOf, turn } from './rules';
+import { DAMPING, DISTANCE, HELD, INTEGRATOR, joined, MARK, MASS, moves, number, START, STIFFNESS, stands, TIME_STEP } from './words';
 
 const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0&mend=0&most=1000';
 
 /** The left bubble at a quarter of the picture, and the right one this many stable distances from it. */
 const pair = (w: number, values: string): string => `${PAIR}&given=0.25,0.5,1;${0.25 + w / 4},0.5,0&${values}`;
 
-const START: Stop = { key: 'start', name: { en: 'Start', ja: '開始' }, find: start };
-const TOUCH: Stop = { key: 'touch', name: { en: 'First touch', ja: '最初に接する' }, find: touch };
-const TURN: Stop = { key: 'turn', name: { en: 'Turning', ja: '折り返し' }, find: turn };
-const REST: Stop = { key: 'rest', name: { en: 'Rest', ja: '静止' }, find: rest };
-const PARTED: Stop = { key: 'parted', name: { en: 'Apart for good', ja: '離れきる' }, find: parting };
-const END: Stop = { key: 'end', name: { en: 'Last step', ja: '最後' }, find: (moments) => moments.at(-1)?.step };
+/** A stop of the first pair. */
+const ofPair = (find: (moments: readonly Moment[]) => number | undefined): Stop['find'] => ([trace]) => find(trace?.moments ?? []);
+
+const TOUCH: Stop = { key: 'touch', name: { en: 'First touch', ja: '最初に接する' }, find: ofPair(touch) };
+const TURN: Stop = { key: 'turn', name: { en: 'Turning', ja: '折り返し' }, find: ofPair(turn) };
+const REST: Stop = { key: 'rest', name: { en: 'Rest', ja: '静止' }, find: ofPair(rest) };
+const PARTED: Stop = { key: 'parted', name: { en: 'Apart for good', ja: '離れきる' }, find: ofPair(parting) };
+const END: Stop = { key: 'end', name: { en: 'Last step', ja: '最後' }, find: ofPair((moments) => moments.at(-1)?.step) };
 
 /** The answer that was chosen, which the runtime puts before what happened. */
 const far: Ask = {
@@ -38,10 +40,10 @@ const near: Ask = {
   key: 'near',
   showsZero: true,
   answers: {},
-  seen: ({ trials, mark, zero }, language) => {
+  seen: ({ trials, at, zero }, language) => {
     const found = between(trials, 0.02);
     if (!found) return undefined;
-    const [parted, kept, own, level] = [...found, mark, zero].map((value) => number(value, 3));
+    const [parted, kept, own, level] = [...found, at[0] ?? 0, zero].map((value) => number(value, 3));
     return language === 'ja'
       ? `あなたの印は ${own}。${parted ?? ''} からは離れきり、${kept ?? ''} からは戻りました。境目はその間です。Ψ は w = ${level ?? ''} で 0 です。減衰がなければエネルギーは減らず、0 より上から始まると谷を越えて出ていきます。`
       : `Your mark is at ${own}. From ${parted ?? ''} it parted for good, from ${kept ?? ''} it came back, so the border lies between. Ψ is 0 at w = ${level ?? ''}: without damping no energy is lost, and whoever starts above 0 leaves the valley.`;
@@ -143,33 +145,32 @@ function toldLayer({ traces, step }: Seen, language: Language): string {
   return (language === 'ja' ? ja : en)[step] ?? '';
 }
 
-function joined(language: Language, ...sentences: string[]): string {
-  return sentences.filter(Boolean).join(language === 'ja' ? '' : ' ');
-}
+/** A pavement that is quickly made. */
+const isSmall = ({ value }: Trace): boolean => Number(value('cs')) >= 20 && Number(value('size')) <= 512;
 
 const NO_PHYSICS = { handles: [], more: [] };
 const PHYSICS = [MASS, STIFFNESS, TIME_STEP, INTEGRATOR];
 
 export const TWO_BUBBLES: readonly Figure[] = [
   {
-    name: 'top', recipe: 'outline=square&size=256&kind=circle&cs=32&seed=3', packings: [{}], last: 4, opens: 0, steps: 'layer',
+    name: 'top', fits: isSmall, at: [], recipe: 'outline=square&size=256&kind=circle&cs=32&seed=3', packings: [{}], last: 4, opens: 0, steps: 'layer',
     plates: [{ draw: 'pavement', packing: 0 }],
-    stops: LAYERS.map(({ key, en, ja }, k) => ({ key, name: { en, ja }, find: () => k })),
+    stops: LAYERS.map(({ key, en, ja }, k) => ({ key, name: { en, ja }, find: (): number => k })),
     ...NO_PHYSICS, asks: [made], told: toldLayer,
   },
   {
-    name: 'pair', recipe: pair(0.7, 'damp=0.5&move=rk4&dt=0.1'), packings: [{}], last: 160, opens: 0, steps: 'step',
+    name: 'pair', fits: isPair, at: [], recipe: pair(0.7, 'damp=0.5&move=rk4&dt=0.1'), packings: [{}], last: 160, opens: 0, steps: 'step',
     plates: [{ draw: 'force', packing: 0 }, { draw: 'valley', packing: 0 }],
     stops: [START, TOUCH, TURN, REST], handles: [DISTANCE, HELD], more: [DAMPING, ...PHYSICS], asks: [], told,
   },
   {
-    name: 'let-go', recipe: pair(0.6, 'damp=0.6&move=rk4&dt=0.1'), packings: [{}], last: 200, opens: 200, steps: 'step',
+    name: 'let-go', fits: isPair, at: [0.3], recipe: pair(0.6, 'damp=0.6&move=rk4&dt=0.1'), packings: [{}], last: 200, opens: 200, steps: 'step',
     plates: [{ draw: 'track', packing: 0 }, { draw: 'valley', packing: 0 }],
     stops: [START, TOUCH, TURN, PARTED, REST, END], handles: [{ ...DISTANCE, plates: [0] }, DAMPING, MARK, HELD], more: PHYSICS,
-    mark: 0.3, asks: [far, near], told,
+    trial: trialOf, asks: [far, near], told,
   },
   {
-    name: 'not-so', recipe: pair(0.9, 'damp=0.5&move=euler&dt=0.55'), packings: [{}, { move: 'rk4' }], last: 100, opens: 60, steps: 'step',
+    name: 'not-so', fits: isPair, at: [], recipe: pair(0.9, 'damp=0.5&move=euler&dt=0.55'), packings: [{}, { move: 'rk4' }], last: 100, opens: 60, steps: 'step',
     plates: [
       { draw: 'track', packing: 0, title: { en: 'Explicit Euler', ja: '陽的オイラー法' } },
       { draw: 'track', packing: 1, title: { en: 'Runge–Kutta', ja: 'ルンゲ・クッタ法' } },
@@ -177,7 +178,7 @@ export const TWO_BUBBLES: readonly Figure[] = [
     stops: [START, TOUCH, TURN, PARTED, REST, END], handles: [TIME_STEP, { ...DISTANCE, plates: [0] }, DAMPING], more: [MASS, STIFFNESS], asks: [broken], told: toldTwice,
   },
   {
-    name: 'exercise', recipe: pair(0.8, 'damp=0.3&move=rk4&dt=0.2'), packings: [{}], last: 60, opens: 40, steps: 'step',
+    name: 'exercise', fits: isPair, at: [], recipe: pair(0.8, 'damp=0.3&move=rk4&dt=0.2'), packings: [{}], last: 60, opens: 40, steps: 'step',
     plates: [{ draw: 'track', packing: 0 }, { draw: 'valley', packing: 0 }],
     stops: [START, TOUCH, TURN, REST, END], handles: [DAMPING, { ...DISTANCE, plates: [0] }], more: PHYSICS, asks: [still], told,
   },

@@ -1,6 +1,6 @@
 /** Numbers and sentences that the figures of all chapters share. */
-import type { ChoiceHandle, Language, Moment, NumberHandle, Words } from './figure';
-import { REACH } from './rules';
+import type { ChoiceHandle, Language, Moment, NumberHandle, Stop, Words } from './figure';
+import { REACH, start } from './rules';
 
 /** A number with a true minus. */
 export function number(value: number, digits: number): string {
@@ -54,6 +54,12 @@ export const INTEGRATOR: ChoiceHandle = {
     { word: 'euler', name: { en: 'explicit Euler', ja: '陽的オイラー' } },
   ],
 };
+
+export const START: Stop = { key: 'start', name: { en: 'Start', ja: '開始' }, find: start };
+
+export function joined(language: Language, ...sentences: string[]): string {
+  return sentences.filter(Boolean).join(language === 'ja' ? '' : ' ');
+}
 
 /** Whether the two push, pull or leave each other alone. */
 export function way({ force }: Moment): 'push' | 'pull' | 'none' {

@@ -1,0 +1,179 @@
+// The figures of the chapter on the number of cells: marks, thresholds, questions.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { goldenStops } from '../common/figures.mjs';
+import { sameEverywhere } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { answer, answered, at, boxHas, seek, shown, type, violations } from './lesson.mjs';
+import { frames, phone } from './page.mjs';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+const FIGURES = ['crowded', 'hole', 'never', 'count', 'right-number'];
+
+const CHAPTER = { en: 'learn/how-many/', ja: 'learn/ja/how-many/' };
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
+async function chapter(fragment = '', { language = 'en', ...options } = {}) {
+  return site.newPage(`${CHAPTER[language]}${fragment}`, options);
+}
+
+/** How often parts of a plate are drawn. @param {Page} page @param {string} figure @param {number} plate @param {string} selector */
+const drawn = (page, figure, plate, selector) => page.$$eval(`${figure} .plate-box[data-plate="${plate}"] svg ${selector}`, (all) => all.length);
+
+/** Goes to the end of the runs, however long they are. @param {Page} page @param {string} figure */
+async function toEnd(page, figure) {
+  await page.focus(`${figure} input.time`);
+  await page.keyboard.press('End');
+  await page.waitForFunction((selector) => document.querySelector(selector).dataset.step === document.querySelector(`${selector} input.time`).max, {}, figure);
+}
+
+/** Waits until a change has been read. @param {Page} page @param {string} figure @param {string} before the hash of the state before */
+const changed = (page, figure, before) => page.waitForFunction((selector, hash) => document.querySelector(selector).dataset.hash !== hash, {}, figure, before);
+
+test('each stop has the golden state', async () => {
+  const { page, problems, close } = await chapter();
+  const stops = goldenStops().filter(({ figure }) => FIGURES.includes(figure));
+  assert.deepEqual([...new Set(stops.map(({ figure }) => figure))], FIGURES);
+  for (const { figure: name, stop, step, hash } of stops) {
+    const figure = await at(page, name);
+    // A run that was seen to its end offers all its stops.
+    if (stop === 'start') await toEnd(page, figure);
+    await page.click(`${figure} [data-stop="${stop}"]`);
+    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('crosses and empty places say who goes and who comes at the next look', async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'crowded');
+  await seek(page, figure, 9);
+  const [crosses, places] = [await drawn(page, figure, 1, 'g .goes'), await drawn(page, figure, 1, 'g .empty')];
+  assert.ok(await drawn(page, figure, 1, 'g .crowded') >= crosses && await drawn(page, figure, 1, 'g .crowded + .hatch') >= crosses);
+  assert.equal(await drawn(page, figure, 0, 'g .goes'), 0);
+  await seek(page, figure, 10);
+  assert.match((await shown(page, figure)).told, new RegExp(`Right: 60 at the start, ${places} came, ${crosses} went: ${60 + places - crosses} now`));
+  assert.equal(await drawn(page, figure, 1, 'g .fresh'), places);
+
+  // All that are hatched are nearer than the threshold, and all others are not: without one nobody is.
+  const { hash } = await shown(page, figure);
+  await type(page, figure, 'crowd', 0.5);
+  await changed(page, figure, hash);
+  assert.ok(await drawn(page, figure, 1, 'g .hatch') < 10);
+  await toEnd(page, figure);
+  assert.match((await shown(page, figure)).told, /Right: 60 at the start/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a hole: the papers’ rule brings none, ours brings one', async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'hole');
+  assert.equal(await answer(page, 'hole'), '');
+  await page.$eval('[data-ask="hole"] input[value="a"]', (button) => button.click());
+  await toEnd(page, figure);
+  await answered(page, 'hole');
+  assert.match(await answer(page, 'hole'), /^You expected that one comes\. Both are at rest: 36 cells by the papers’ rule, 37 by ours/);
+  const { hash } = await shown(page, figure);
+  await type(page, figure, 'room', 0.97);
+  await changed(page, figure, hash);
+  await seek(page, figure, 10);
+  // The other rule has a threshold of its own.
+  assert.match((await shown(page, figure)).told, /The papers’ rule: 40 cells.*Our rule: 37 cells/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('thresholds that cross: it never rests, whichever way they are moved', sameEverywhere, async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'never');
+  assert.equal(await answer(page, 'never'), '');
+  assert.equal(await drawn(page, figure, 1, '.cell-dot'), 31);
+
+  // By the mouse on the flag ...
+  const plate = `${figure} .plate-box[data-plate="1"]`;
+  await page.$eval(plate, (box) => box.scrollIntoView({ block: 'center', behavior: 'instant' }));
+  await frames(page, 3);
+  const { x, y, width } = await page.$eval(`${plate} .grip-crowd`, (grip) => {
+    const own = grip.getBoundingClientRect();
+    return { x: own.x + own.width / 2, y: own.y + own.height / 2, width: grip.closest('.plate-box').getBoundingClientRect().width };
+  });
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + (width * 81) / 400, y, { steps: 4 });
+  await page.mouse.up();
+  await boxHas(page, figure, 'crowd', 0.95, 0.011);
+  // ... and by the keys of the other one.
+  await page.focus(`${plate} .grip-room`);
+  for (const wanted of [0.95, 0.85]) {
+    await page.keyboard.press('PageDown');
+    await boxHas(page, figure, 'room', wanted);
+  }
+  await page.waitForSelector(`${plate} svg .both`);
+  await toEnd(page, figure);
+  await answered(page, 'never');
+  assert.match(await answer(page, 'never'), /It never rests: \d came and \d went at step 10, \d came and \d went at step 20, \d came and \d went at step 30\./);
+  assert.match((await shown(page, figure)).told, /The thresholds cross/);
+  const state = await shown(page, figure);
+  await page.waitForFunction((step) => ['pop=opposite', 'room=0.85', `step=${step}`].every((word) => location.hash.includes(word)), {}, state.step);
+  const fragment = await page.evaluate(() => location.hash);
+  await close();
+
+  const other = await chapter(fragment);
+  await other.page.waitForSelector(`${figure}[data-step="${state.step}"][data-hash="${state.hash}"]`);
+  assert.equal((await shown(other.page, figure)).told, state.told);
+  assert.deepEqual([...problems, ...other.problems], []);
+  await other.close();
+});
+
+test('outlines of the same area: a smaller size turns the order round; the right number needs no correction', async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'count');
+  assert.equal(await answer(page, 'count'), '');
+  assert.match((await shown(page, figure)).told, /Left 13 cells, right 19; area over size squared is 17\.3/);
+  await type(page, figure, 'cs', 28);
+  await answered(page, 'count');
+  assert.match(await answer(page, 'count'), /At size 28 the left holds 30, the right 29; the formula says 25\.5/);
+  const { hash } = await shown(page, figure);
+  await page.$$eval(`${figure} .handle[data-key="poly"] input`, (buttons) => buttons[1]?.click());
+  await changed(page, figure, hash);
+  assert.match((await shown(page, figure)).told, /right 29;/);
+
+  const exercise = await at(page, 'right-number');
+  for (const count of [34, 37, 36]) {
+    assert.equal(await answer(page, 'right'), '');
+    const before = (await shown(page, exercise)).hash;
+    await type(page, exercise, 'count', count);
+    await changed(page, exercise, before);
+    await toEnd(page, exercise);
+  }
+  await answered(page, 'right');
+  assert.match(await answer(page, 'right'), /^Done: from 36 cells/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+for (const { language, ...look } of /** @type {const} */ ([{ language: 'en' }, { language: 'ja', dark: true, viewport: phone }])) {
+  test(`axe finds nothing in the figures, and nothing is wider than the page: ${language}`, sameEverywhere, async () => {
+    const { page, problems, close } = await chapter('', { language, ...look });
+    for (const name of FIGURES) {
+      const figure = await at(page, name);
+      assert.match((await shown(page, figure)).told, language === 'ja' ? /個/ : /cells|now/);
+    }
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    assert.deepEqual(await violations(page), []);
+    assert.deepEqual(problems, []);
+    await close();
+  });
+}

@@ -1,0 +1,207 @@
+// The figures of the chapter on squares: the landscape around one, squares that slide, questions.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { goldenStops } from '../common/figures.mjs';
+import { sameEverywhere } from './browsers.mjs';
+import { open } from './harness.mjs';
+import { answer, answered, at, boxHas, shown, type, violations } from './lesson.mjs';
+import { frames, phone } from './page.mjs';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/** @type {Awaited<ReturnType<typeof open>>} */
+let site;
+
+const FIGURES = ['nine', 'wells', 'sixty', 'bump', 'slide'];
+
+const CHAPTER = { en: 'learn/squares/', ja: 'learn/ja/squares/' };
+
+before(async () => {
+  site = await open();
+});
+
+after(() => site?.close());
+
+/** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
+async function chapter(fragment = '', { language = 'en', ...options } = {}) {
+  return site.newPage(`${CHAPTER[language]}${fragment}`, options);
+}
+
+/** Goes to the end of the run, however long it is. @param {Page} page @param {string} figure */
+async function toEnd(page, figure) {
+  await page.focus(`${figure} input.time`);
+  await page.keyboard.press('End');
+  await page.waitForFunction((selector) => document.querySelector(selector).dataset.step === document.querySelector(`${selector} input.time`).max, {}, figure);
+}
+
+/** Waits until a change has been read. @param {Page} page @param {string} figure @param {string} before the hash of the state before */
+const changed = (page, figure, before) => page.waitForFunction((selector, hash) => document.querySelector(selector).dataset.hash !== hash, {}, figure, before);
+
+/** A place on a map in pixels of the page, from its middle in stable distances, y up. @param {Page} page @param {string} figure @param {number} x @param {number} y */
+async function onMap(page, figure, x, y) {
+  const plate = `${figure} .plate-box[data-plate="0"]`;
+  await page.$eval(plate, (box) => box.scrollIntoView({ block: 'center', behavior: 'instant' }));
+  await frames(page, 3);
+  const { left, top, width } = await page.$eval(plate, (box) => {
+    const own = box.getBoundingClientRect();
+    return { left: own.left, top: own.top, width: own.width };
+  });
+  return /** @type {const} */ ([left + width * (0.5 + x / 4), top + width * (0.5 - y / 4)]);
+}
+
+/** Waits until the boxes show a place. @param {Page} page @param {string} figure @param {number} x @param {number} y y up */
+async function stands(page, figure, x, y) {
+  const boxes = `${figure} .handle[data-key="given"] input`;
+  await page.waitForFunction(
+    (selector, wanted) => [...document.querySelectorAll(selector)].every((box, axis) => Math.abs(Number(box.value) - wanted[axis]) < 0.03),
+    {},
+    boxes,
+    [x, -y],
+  );
+}
+
+/** Drops the second square by a tap. @param {Page} page @param {string} figure @param {number} x @param {number} y y up */
+async function drop(page, figure, x, y) {
+  const { hash } = await shown(page, figure);
+  await page.mouse.click(...(await onMap(page, figure, x, y)));
+  await changed(page, figure, hash);
+  await stands(page, figure, x, y);
+}
+
+test('each stop has the golden state', sameEverywhere, async () => {
+  const { page, problems, close } = await chapter();
+  const stops = goldenStops().filter(({ figure }) => FIGURES.includes(figure));
+  assert.deepEqual([...new Set(stops.map(({ figure }) => figure))], FIGURES);
+  for (const { figure: name, stop, step, hash } of stops) {
+    const figure = await at(page, name);
+    await page.click(`${figure} [data-stop="${stop}"]`);
+    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('wells: a square at 45 degrees stays at weight 0 and slides at 0.05, which answers the question', sameEverywhere, async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'wells');
+  assert.equal(await answer(page, 'from'), '');
+  await page.$eval('[data-ask="from"] input[value="a"]', (button) => button.click());
+  const { hash, picture } = await shown(page, figure);
+  await page.focus(`${figure} .handle[data-key="cw"] input[type="range"]`);
+  await page.keyboard.press('Home');
+  await boxHas(page, figure, 'cw', 0);
+  await changed(page, figure, hash);
+  await toEnd(page, figure);
+  assert.match((await shown(page, figure)).told, /a ring, 0\.0482 k0 deep.*4\d° from the middle of the nearest edge\. It rests there/);
+  assert.equal(await answer(page, 'from'), '');
+
+  await page.focus(`${figure} .handle[data-key="cw"] input[type="range"]`);
+  await page.keyboard.press('ArrowRight');
+  await boxHas(page, figure, 'cw', 0.05);
+  await page.waitForFunction((selector) => document.querySelector(`${selector} .figure-told`).textContent?.includes('0.0090'), {}, figure);
+  await toEnd(page, figure);
+  await answered(page, 'from');
+  assert.match(await answer(page, 'from'), /^You expected that there are four wells from 0\.41 on\. At weight 0 it stayed.*only 0\.0090 k0 higher/);
+  assert.notEqual((await shown(page, figure)).picture, picture);
+
+  const state = await shown(page, figure);
+  const fragment = await page.evaluate(() => location.hash);
+  await page.click(`${figure} [data-do="again"]`);
+  await page.waitForSelector(`${figure}[data-hash="${hash}"]`);
+  await boxHas(page, figure, 'cw', Math.SQRT2 - 1);
+  await close();
+
+  const other = await chapter(fragment);
+  await other.page.waitForSelector(`${figure}[data-step="${state.step}"][data-hash="${state.hash}"]`);
+  assert.equal((await shown(other.page, figure)).told, state.told);
+  assert.deepEqual([...problems, ...other.problems], []);
+  await other.close();
+});
+
+test('the second square is dropped by mouse, tap and keys, and its ground stays while it slides', async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'wells');
+  await drop(page, figure, -0.9, 0.7);
+  assert.equal((await shown(page, figure)).step, 0);
+  await page.$eval(`${figure} .plate-svg`, (plate) => plate.firstElementChild?.setAttribute('data-kept', ''));
+  await toEnd(page, figure);
+  await stands(page, figure, -1, 0);
+  assert.equal((await page.$$(`${figure} .plate-svg [data-kept]`)).length, 1);
+
+  const before = (await shown(page, figure)).hash;
+  await page.mouse.move(...(await onMap(page, figure, -1, 0)));
+  await page.mouse.down();
+  await page.mouse.move(...(await onMap(page, figure, 0.2, 1.3)), { steps: 4 });
+  await page.mouse.up();
+  await changed(page, figure, before);
+  await stands(page, figure, 0.2, 1.3);
+
+  await page.focus(`${figure} .grip-given`);
+  const [x, y] = await page.$$eval(`${figure} .handle[data-key="given"] input`, (boxes) => boxes.map((box) => Number(box.value)));
+  const strides = /** @type {const} */ ([['ArrowRight', 0.05], ['Shift+ArrowRight', 0.01], ['End', 0.5]]);
+  let wanted = x ?? 0;
+  for (const [keys, stride] of strides) {
+    const [key = '', modifier] = keys.split('+').reverse();
+    if (modifier) await page.keyboard.down(/** @type {any} */ (modifier));
+    await page.keyboard.press(/** @type {any} */ (key));
+    if (modifier) await page.keyboard.up(/** @type {any} */ (modifier));
+    wanted += stride;
+    await page.waitForFunction((selector, value) => Math.abs(Number(document.querySelector(selector).value) - value) < 0.006, {}, `${figure} .handle[data-key="given"] input[data-axis="0"]`, wanted);
+  }
+  await stands(page, figure, wanted, -(y ?? 0));
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('bump: the weight leaves the well where it is, and the radius moves it', async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'bump');
+  const { hash } = await shown(page, figure);
+  assert.equal(await answer(page, 'bump'), '');
+  await page.$eval('[data-ask="bump"] input[value="c"]', (button) => button.click());
+  await type(page, figure, 'cw', 1);
+  await changed(page, figure, hash);
+  await toEnd(page, figure);
+  await answered(page, 'bump');
+  assert.match(await answer(page, 'bump'), /^You expected that it rests at w = 1, as before\. With a weight of 1\.00 it rests at w = 1\.000/);
+
+  const heavy = (await shown(page, figure)).hash;
+  await page.click(`${figure} .handle[data-key="cw"] .mark-key`);
+  await changed(page, figure, heavy);
+  assert.match((await shown(page, figure)).told, /four wells at w = 1\.00, 0\.0764 k0 deep, and a barrier of 0\.0460/);
+  const papers = (await shown(page, figure)).hash;
+  await type(page, figure, 'cr', 0.7);
+  await changed(page, figure, papers);
+  await toEnd(page, figure);
+  assert.match((await shown(page, figure)).told, /four wells at w = 1\.08/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('slide: the exercise is done by a square that slides into the left well', async () => {
+  const { page, problems, close } = await chapter('', { viewport: phone });
+  const figure = await at(page, 'slide');
+  for (const [x, y] of [[0.9, 0.6], [-0.9, -0.7]]) {
+    assert.equal(await answer(page, 'slide'), '');
+    await drop(page, figure, x ?? 0, y ?? 0);
+    await toEnd(page, figure);
+  }
+  await answered(page, 'slide');
+  assert.match(await answer(page, 'slide'), /^Done: from x = −0\.\d\d, y = −0\.\d\d/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+for (const { language, ...look } of /** @type {const} */ ([{ language: 'en' }, { language: 'ja', dark: true, viewport: phone }])) {
+  test(`axe finds nothing in the figures, and nothing is wider than the page: ${language}`, sameEverywhere, async () => {
+    const { page, problems, close } = await chapter('', { language, ...look });
+    for (const name of FIGURES) {
+      const figure = await at(page, name);
+      assert.match((await shown(page, figure)).told, language === 'ja' ? /正方形/ : /square/);
+    }
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    assert.deepEqual(await violations(page), []);
+    assert.deepEqual(problems, []);
+    await close();
+  });
+}

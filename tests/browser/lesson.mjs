@@ -1,0 +1,80 @@
+// The figures of a chapter in a browser: their state, handles, timeline and questions.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** Brings a figure into sight and waits until it works. @param {Page} page @param {string} name */
+export async function at(page, name) {
+  await page.$eval(`#fig-${name}`, (figure) => figure.scrollIntoView({ block: 'center', behavior: 'instant' }));
+  await page.waitForSelector(`#fig-${name}[data-live][data-step][data-hash]`);
+  return `#fig-${name}`;
+}
+
+/** The state that a figure shows. @param {Page} page @param {string} figure */
+export function shown(page, figure) {
+  return page.$eval(figure, (element) => ({
+    step: Number(element.getAttribute('data-step')),
+    hash: element.getAttribute('data-hash') ?? '',
+    said: element.querySelector('.time-said')?.textContent,
+    told: element.querySelector('.figure-told')?.textContent ?? '',
+    picture: [...element.querySelectorAll('.plate-svg')].map((plate) => plate.innerHTML).join(''),
+  }));
+}
+
+/** Waits until the box of a handle has a number near this one. @param {Page} page @param {string} figure @param {string} key @param {number} wanted @param {number} [by] */
+export async function boxHas(page, figure, key, wanted, by = 0.0015) {
+  await page.waitForFunction(
+    (selector, value, apart) => Math.abs(Number(/** @type {HTMLInputElement} */ (document.querySelector(selector)).value) - value) < apart,
+    {},
+    `${figure} .handle[data-key="${key}"] input[type="number"]`,
+    wanted,
+    by,
+  );
+}
+
+/** Types a number into the box of a handle. @param {Page} page @param {string} figure @param {string} key @param {number} value */
+export async function type(page, figure, key, value) {
+  await page.$eval(
+    `${figure} .handle[data-key="${key}"] input[type="number"]`,
+    (box, text) => {
+      for (let fold = box.closest('details'); fold; fold = null) fold.open = true;
+      box.focus();
+      box.value = text;
+      box.dispatchEvent(new Event('change', { bubbles: true }));
+    },
+    String(value),
+  );
+  await boxHas(page, figure, key, value);
+}
+
+/** Goes to a step and waits for it. @param {Page} page @param {string} figure @param {number} step */
+export async function seek(page, figure, step) {
+  await page.$eval(
+    `${figure} input.time`,
+    (slider, to) => {
+      slider.value = String(to);
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+    },
+    step,
+  );
+  await page.waitForSelector(`${figure}[data-step="${step}"]`);
+}
+
+/** The sentence of an answered question; '' while it is open. @param {Page} page @param {string} key */
+export const answer = (page, key) => page.$eval(`[data-seen="${key}"]`, (place) => (place.hasAttribute('hidden') ? '' : (place.textContent ?? '')));
+
+/** @param {Page} page @param {string} key */
+export const answered = (page, key) => page.waitForSelector(`[data-seen="${key}"]:not([hidden])`);
+
+/** The findings of axe in the figures of a page, with all folds open. @param {Page} page @returns {Promise<string[]>} */
+export async function violations(page) {
+  await page.$$eval('figure details', (folds) => folds.forEach((fold) => fold.setAttribute('open', '')));
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const found = await /** @type {any} */ (window).axe.run('figure[data-figure]');
+    return found.violations.flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ { html }) => `${id}: ${html.slice(0, 160)}`));
+  });
+}

@@ -1,0 +1,84 @@
+/** The ground of a landscape as bands of equal potential: a quarter of each with its mirrors, which drawings use. */
+import type { Landscape } from '../figures/figure';
+import { inside, simplified, tracing, type Heights, type Point } from './contours';
+import { WIDTH } from './plate';
+
+/** The points of a landscape's grid for one stable distance, and along half its side. */
+export const FINE = 32;
+export const HALF = 2 * FINE;
+
+/** The length of a stable distance on a map. */
+export const UNIT = WIDTH / 4;
+
+/** Bands below 0 every 0.005 k0, and a few above it, where the hill is steep. */
+export const STEP = 0.005;
+const BELOW = 24;
+const ABOVE = [0.02, 0.06, 0.15, 0.3, 0.45];
+export const LEVELS = [...Array.from({ length: BELOW }, (_, k) => (k - BELOW) * STEP), ...ABOVE];
+
+/** The number of the first band above 0. */
+export const FOOT = BELOW;
+
+/** Below 0 every second border is drawn as a line. */
+const isDrawn = (band: number): boolean => band >= BELOW || band % 2 === 0;
+
+/** How far a line may be from its place, in units of the grid. */
+const TOLERANCE = 0.04;
+
+/** Bands reach this far over the quarter's edges, and each a little farther than the band below it: so edges do not show. */
+const OVER = -1;
+const FARTHER = 0.05;
+
+const MIRRORS = ['-1 1', '1 -1', '-1 -1'];
+
+/** The paths of a quarter's bands and lines, in parts. */
+export function* drawing(heights: Heights): Generator<undefined, Landscape['ground']> {
+  const all = yield* tracing(heights, [OVER, HALF], LEVELS);
+  const [bands, lines]: [string[], string[]] = [[], []];
+  for (const [band, borders] of all.entries()) {
+    bands.push(borders.map((border) => closed(border, band)).join(''));
+    if (isDrawn(band)) lines.push(...borders.flatMap((border) => inside(border, [0, HALF])).map(pathOf));
+    yield;
+  }
+  return { bands, lines: lines.join('') };
+}
+
+/** The lowest band that is seen, and those above it: their numbers with their levels. */
+export function seenBands({ well, pass }: Landscape): (readonly [band: number, level: number])[] {
+  const lowest = Math.min(well.energy, pass.energy);
+  return LEVELS.map((level, band) => [band, level] as const).filter(([, level]) => level > lowest - STEP);
+}
+
+/** The bands and the lines by a name: a quarter of each, and its three mirrors. */
+export function definitions(landscape: Landscape, name: string): string {
+  const { bands, lines } = landscape.ground;
+  const all = seenBands(landscape).map(([band]) => whole(`${name}-${band}`, bands[band] ?? ''));
+  return `<defs>${all.join('')}${whole(`${name}-lines`, lines)}</defs>`;
+}
+
+function whole(id: string, path: string): string {
+  const mirrors = MIRRORS.map((scale) => `<use href="#${id}-quarter" transform="scale(${scale})"/>`);
+  return `<g id="${id}"><path class="card" id="${id}-quarter" d="${path}"/>${mirrors.join('')}</g>`;
+}
+
+/** A band or the lines, by the name of the ground. */
+export function part(name: string, of: string, kind: string, transform: string): string {
+  return `<use${kind && ` class="${kind}"`} href="#${name}-${of}" transform="${transform}"/>`;
+}
+
+/** A layer over a ground, for what moves. */
+export function over(content: string): string {
+  return `<svg class="plate over" viewBox="0 0 ${WIDTH} ${WIDTH}" width="${WIDTH}" height="${WIDTH}" aria-hidden="true">${content}</svg>`;
+}
+
+function pathOf(line: readonly Point[]): string {
+  const scale = UNIT / FINE;
+  return `M${simplified(line, TOLERANCE).map(([x, y]) => `${tenth(x * scale)} ${tenth(y * scale)}`).join('L')}`;
+}
+
+function closed(border: readonly Point[], band: number): string {
+  const out = (value: number): number => (value <= OVER + 0.01 ? value - band * FARTHER : value);
+  return `${pathOf(border.map(([x, y]) => [out(x), out(y)]))}z`;
+}
+
+const tenth = (value: number): string => String(Math.round(value * 10) / 10);

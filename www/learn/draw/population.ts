@@ -1,0 +1,130 @@
+/** The cells of a packing with those that are crowded, those that go, those that come, and below them a strip of all looks. */
+import { countOf, crowdAt } from '../figures/crowds';
+import type { PackedCell, Plate, Trace, View } from '../figures/figure';
+import { isCrowded, looksUpTo, marksAt, type Look, type Marks } from '../figures/population';
+import { cellShape, outlineOf, SIDE } from './crowd';
+import { at, line, path, svg, symbol, text, WIDTH } from './plate';
+
+/** The picture fills this share of the plate's width, so that there is room below it. */
+const SHARE = 0.79;
+export const BELOW = SHARE * SIDE + 6;
+
+/** Room above for cells that stick out of the outline; below it the outline leaves enough. */
+const TOP_ROOM = 8;
+
+/** The strip: names of its rows, its first and last step, the curve, and the rows of those that came and went. */
+const [LEFT, RIGHT, TOP, FLOOR] = [62, WIDTH - 24, BELOW + 36, BELOW + 78];
+const [CAME, WENT] = [FLOOR + 18, FLOOR + 34];
+
+export const HEIGHT = WENT + 10;
+
+/** Half the arm of a sign, in units of the plate. */
+const ARM = 6;
+
+/** Between two lines of a hatching. */
+const HATCH = 5;
+
+export function population(view: View, { packing, title, isAhead = false }: Plate): string {
+  const trace = view.traces[packing];
+  if (!trace) return svg(HEIGHT, '', '');
+  const marks = marksAt(trace, view.step);
+  const said = [title?.[view.language] ?? '', spoken(view, marks)].filter(Boolean).join('. ');
+  return svg(HEIGHT, said, `${inOutline(trace, cellsOf(trace, marks))}${legend(view)}${strip(view, trace, isAhead)}`);
+}
+
+/** Drawings at the places of the picture, in its outline. */
+export function inOutline(trace: Trace, content: string): string {
+  return `<g transform="translate(${at((WIDTH - SHARE * SIDE) / 2)} ${TOP_ROOM}) scale(${SHARE})">${outlineOf(trace)}${content}</g>`;
+}
+
+function spoken({ language }: View, { cells, leaving, empty }: Marks): string {
+  return language === 'ja' ? `輪郭の中の ${cells.length} 個のバブル。次の調査で ${leaving.size} 個が去り、${empty.length} 個が増えます` : `${cells.length} bubbles in their outline; next ${leaving.size} leave and ${empty.length} come`;
+}
+
+function cellsOf(trace: Trace, { cells, leaving, fresh, empty }: Marks): string {
+  const size = cells[0]?.size ?? 0;
+  const kind = (cell: PackedCell): string => `bubble${isCrowded(trace, cell) ? ' crowded' : ''}${fresh.has(cell.id) ? ' fresh' : ''}`;
+  const drawn = cells.map((cell) => `${cellShape(cell, undefined, kind(cell))}${isCrowded(trace, cell) ? hatching(cell) : ''}`);
+  const signs = cells.map((cell) => (leaving.has(cell.id) ? cross(cell.x * SIDE, cell.y * SIDE) : fresh.has(cell.id) ? plus(cell.x * SIDE, cell.y * SIDE) : ''));
+  const places = empty.map(({ x, y }) => `<circle class="empty" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="${at((size / 2) * SIDE)}"/>${plus(x * SIDE, y * SIDE)}`);
+  return `${drawn.join('')}${places.join('')}${signs.join('')}`;
+}
+
+/** Slanted lines in a circle. */
+function chords(x: number, y: number, r: number): string {
+  const count = Math.floor(r / HATCH);
+  const chord = (off: number): string => {
+    const half = Math.sqrt(r * r - off * off) / Math.SQRT2;
+    const [cx, cy] = [x + off / Math.SQRT2, y + off / Math.SQRT2];
+    return `M${at(cx - half)} ${at(cy + half)}L${at(cx + half)} ${at(cy - half)}`;
+  };
+  return `<path class="hatch" d="${Array.from({ length: 2 * count + 1 }, (_, k) => chord((k - count) * HATCH)).join('')}"/>`;
+}
+
+const hatching = ({ x, y, size }: PackedCell): string => chords(x * SIDE, y * SIDE, (size / 2) * SIDE);
+
+function cross(x: number, y: number, arm = ARM): string {
+  return `<path class="sign goes" d="M${at(x - arm)} ${at(y - arm)}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}"/>`;
+}
+
+function plus(x: number, y: number, arm = ARM + 1): string {
+  return `<path class="sign comes" d="M${at(x - arm)} ${at(y)}h${2 * arm}m${-arm} ${-arm}v${2 * arm}"/>`;
+}
+
+/** The key of the signs. */
+function legend({ language }: View): string {
+  const y = BELOW + 10;
+  const dot = (x: number, kind: string): string => `<circle class="${kind}" cx="${x}" cy="${y}" r="7"/>`;
+  const words = (x: number, en: string, ja: string): string => text(x, y + 4, language === 'ja' ? ja : en, 'number', 'start');
+  const crowded = `${dot(22, 'bubble crowded')}${chords(22, y, 7)}${words(34, 'crowded', '過密')}`;
+  const goes = `${cross(112, y, 5)}${words(124, 'goes next', '次に去る')}`;
+  const comes = `${dot(206, 'empty')}${plus(206, y, 4)}${words(218, 'comes next', '次に増える')}`;
+  const came = `${dot(308, 'bubble fresh')}${plus(308, y, 4)}${words(320, 'just came', '今増えた')}`;
+  return `${crowded}${goes}${comes}${came}`;
+}
+
+/** The number of cells over the steps, and at each look how many came and went. */
+function strip(view: View, trace: Trace, isAhead: boolean): string {
+  const x = (step: number): number => LEFT + (step / Math.max(1, view.last)) * (RIGHT - LEFT);
+  const most = Math.max(1, ...view.traces.flatMap(({ steps }) => steps.map(countOf)));
+  const y = (count: number): number => FLOOR - (count / most) * (FLOOR - TOP);
+  const points = stairs(trace, x, y);
+  const seen = isAhead ? view.step : view.furthest;
+  const past = points.slice(0, 2 * seen + 2);
+  const ahead = isAhead && seen < view.last ? `${path(points.slice(2 * seen + 1), 'line ahead')}${endOf(trace, x, y)}` : '';
+  const looks = looksUpTo(trace, isAhead ? view.last : view.furthest).map((look) => changes(look, x(look.step), look.step > seen));
+  const name = text(LEFT - 8, (TOP + FLOOR) / 2 + 4, `${view.language === 'ja' ? '個数' : 'cells'} ${symbol('n', 'n')}`, 'number', 'end');
+  return `${line([LEFT, FLOOR], [RIGHT, FLOOR], 'axis')}${name}${rowNames(view)}${looks.join('')}${ahead}${path(past, 'line line-0')}${here(view, trace, x, y)}`;
+}
+
+/** The number of cells changes at a step, not between two. */
+function stairs({ steps }: Trace, x: (step: number) => number, y: (count: number) => number): (readonly [number, number])[] {
+  return steps.flatMap((crowd, k) => [[x(crowd.step), y(countOf(steps[k - 1] ?? crowd))], [x(crowd.step), y(countOf(crowd))]] as const);
+}
+
+/** The number of cells at the end of a run. */
+function endOf({ steps }: Trace, x: (step: number) => number, y: (count: number) => number): string {
+  const last = steps.at(-1);
+  return last ? text(x(last.step) + 3, y(countOf(last)) + 4, String(countOf(last)), 'number', 'start') : '';
+}
+
+/** The present step, and the number of cells there. */
+function here(view: View, trace: Trace, x: (step: number) => number, y: (count: number) => number): string {
+  const now = crowdAt(trace, view.step);
+  if (!now) return '';
+  const count = countOf(now);
+  const isLate = x(now.step) > RIGHT - 30;
+  const words = text(x(now.step) + (isLate ? -8 : 8), y(count) - 5, String(count), 'key', isLate ? 'end' : 'start');
+  return `${line([x(view.step), TOP - 6], [x(view.step), FLOOR], 'now')}<circle class="here" cx="${at(x(now.step))}" cy="${at(y(count))}" r="4.5"/>${words}`;
+}
+
+function rowNames({ language }: View): string {
+  const names = language === 'ja' ? ['増', '減'] : ['came', 'went'];
+  return `${text(LEFT - 8, CAME, names[0] ?? '', 'number', 'end')}${text(LEFT - 8, WENT, names[1] ?? '', 'number', 'end')}`;
+}
+
+function changes({ came, went }: Look, x: number, isAhead: boolean): string {
+  const kind = isAhead ? ' ahead' : '';
+  const one = (y: number, count: number, sign: string, way: string): string => (count ? text(x, y, `${sign}${count}`, `change ${way}${kind}`) : '');
+  return `${line([x, FLOOR], [x, FLOOR + 5], 'tick')}${one(CAME, came.length, '+', 'came')}${one(WENT, went.length, '−', 'went')}`;
+}

@@ -1,0 +1,99 @@
+/** The smallest w of each cell on one axis, and the thresholds from which a cell goes or brings another one. */
+import { crowdAt, packedOf } from '../figures/crowds';
+import type { Plate, Trace, View } from '../figures/figure';
+import { isCrowded, isLonely } from '../figures/population';
+import { number } from '../figures/words';
+import { at, line, svg, symbol, text, WIDTH } from './plate';
+import { HEIGHT } from './population';
+
+const [LEFT, RIGHT, TOP, FLOOR] = [24, WIDTH - 24, 112, HEIGHT - 64];
+
+/** The ends of the axis. */
+const [LOWEST, HIGHEST] = [0.6, 1.25];
+
+/** Cells whose w is in one bin stand on each other. */
+const BIN = 0.02;
+
+/** The heights of both flags, so that their words have room beside each other. */
+const FLAGS: Readonly<Record<string, number>> = { crowd: 34, room: 66 };
+
+const X = (w: number): number => LEFT + ((Math.max(LOWEST, Math.min(HIGHEST, w)) - LOWEST) / (HIGHEST - LOWEST)) * (RIGHT - LEFT);
+
+const toW = (x: number): number => LOWEST + ((x - LEFT) / (RIGHT - LEFT)) * (HIGHEST - LOWEST);
+
+/** The places of the grips, and the number at a place. */
+export const gripOf = (key: string, value: number): readonly [number, number] => [X(value), FLAGS[key] ?? TOP];
+export const numbersOf = (x: number): readonly number[] => [toW(x)];
+
+export function thresholds(view: View, { packing, title }: Plate): string {
+  const trace = view.traces[packing];
+  const now = trace && crowdAt(trace, view.step);
+  if (!trace || !now) return svg(HEIGHT, '', '');
+  const [crowd, room] = [Number(trace.value('crowd')), Number(trace.value('room'))];
+  const words = view.language === 'ja' ? '各バブルの最小の w と、二つのしきい値' : 'The smallest w of each bubble, and both thresholds';
+  const said = title ? `${title[view.language]}. ${words}` : words;
+  return svg(HEIGHT, said, `${bands(view, crowd, room)}${axis(view)}${dots(trace, view)}${flag(view, 'crowd', crowd)}${flag(view, 'room', room)}${sums(trace, view)}`);
+}
+
+/** The bands of those that go and of those that bring another; where they overlap, both patterns show. */
+function bands({ language }: View, crowd: number, room: number): string {
+  const band = (from: number, to: number, kind: string): string => `<rect class="band ${kind}" x="${at(X(from))}" y="${TOP}" width="${at(Math.max(0, X(to) - X(from)))}" height="${FLOOR - TOP}"/>`;
+  const both = room < crowd ? `${slant(room, crowd)}${text((X(room) + X(crowd)) / 2, TOP + 16, language === 'ja' ? '両方' : 'both', 'both')}` : '';
+  return `${band(LOWEST, crowd, 'push')}${band(room, HIGHEST, 'pull')}${both}`;
+}
+
+/** Slanted lines where a cell goes and brings another one. */
+function slant(from: number, to: number): string {
+  const [left, right] = [X(from), X(to)];
+  const rows = Array.from({ length: Math.floor((FLOOR - TOP) / 9) }, (_, k) => TOP + 9 * (k + 1));
+  return `<path class="hatch" d="${rows.map((y) => `M${at(left)} ${at(y)}L${at(right)} ${at(y - Math.min(9, right - left))}`).join('')}"/>`;
+}
+
+function axis({ language }: View): string {
+  const marks = [0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2].map((w) => `${line([X(w), FLOOR], [X(w), FLOOR + 4], 'tick')}${text(X(w), FLOOR + 17, w > LOWEST ? number(w, 1) : `≤ ${number(w, 1)}`, 'number')}`);
+  const name = `${language === 'ja' ? '最も近い隣までの' : 'nearest neighbour at'} ${symbol('w', 'w')}`;
+  return `${line([LEFT, FLOOR], [RIGHT, FLOOR], 'axis')}${marks.join('')}${text(WIDTH / 2, FLOOR + 34, name, 'number')}`;
+}
+
+/** A dot for each cell: a cross goes, a plus brings another, a star does both. */
+function dots(trace: Trace, { step }: View): string {
+  const now = crowdAt(trace, step);
+  const heights = new Map<number, number>();
+  const cells = now ? packedOf(now, trace.side) : [];
+  const r = ((RIGHT - LEFT) / (HIGHEST - LOWEST)) * BIN * 0.46;
+  return cells
+    .map((cell) => {
+      const bin = Math.round((Math.max(LOWEST, Math.min(HIGHEST, cell.least || HIGHEST))) / BIN);
+      const height = heights.get(bin) ?? 0;
+      heights.set(bin, height + 1);
+      const [x, y] = [X(bin * BIN), FLOOR - r - 2 - height * 2 * r];
+      const kind = `${isCrowded(trace, cell) ? ' crowded' : ''}${isLonely(trace, cell) ? ' lonely' : ''}`;
+      return `<circle class="cell-dot${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(r)}"/>${kind ? sign(x, y, r * 0.6, kind) : ''}`;
+    })
+    .join('');
+}
+
+function sign(x: number, y: number, arm: number, kind: string): string {
+  const slanted = kind.includes('crowded') ? `M${at(x - arm)} ${at(y - arm)}l${at(2 * arm)} ${at(2 * arm)}m0 ${at(-2 * arm)}l${at(-2 * arm)} ${at(2 * arm)}` : '';
+  const upright = kind.includes('lonely') ? `M${at(x - arm)} ${at(y)}h${at(2 * arm)}M${at(x)} ${at(y - arm)}v${at(2 * arm)}` : '';
+  return `<path class="sign" d="${slanted}${upright}"/>`;
+}
+
+/** A threshold as a pole with a flag to the side on which it works; its words stand where there is room for them. */
+function flag({ language }: View, key: 'crowd' | 'room', value: number): string {
+  const [x, y] = gripOf(key, value);
+  const way = key === 'crowd' ? -1 : 1;
+  const words = key === 'crowd' ? (language === 'ja' ? '去る' : 'goes below') : language === 'ja' ? '増える' : 'comes from';
+  const isBehind = way < 0 ? x < LEFT + 150 : x > RIGHT - 140;
+  const side = isBehind ? -way : way;
+  const label = text(x + side * (isBehind ? 18 : 36), y + 5, `${words} ${symbol(key, key === 'crowd' ? 'a' : 'b')} = ${number(value, 2)}`, 'key', side < 0 ? 'end' : 'start');
+  return `<g class="threshold ${key}" data-symbol="${key}">${line([x, y], [x, FLOOR], 'pole')}<path class="flag" d="M${at(x)} ${y - 8}h${22 * way}l${6 * way} 8l${-6 * way} 8h${-22 * way}z"/>${label}</g>`;
+}
+
+function sums(trace: Trace, { step, language }: View): string {
+  const now = crowdAt(trace, step);
+  const cells = now ? packedOf(now, trace.side) : [];
+  const [goes, brings] = [cells.filter((cell) => isCrowded(trace, cell)).length, cells.filter((cell) => isLonely(trace, cell)).length];
+  const words = language === 'ja' ? `${cells.length} 個のうち、過密 ${goes} 個、孤立 ${brings} 個` : `of ${cells.length} cells, ${goes} crowded, ${brings} lonely`;
+  return text(WIDTH / 2, HEIGHT - 8, words, 'key');
+}
