@@ -73,7 +73,7 @@ for (const chapter of BY_TURNS) {
   });
 }
 
-/** What axe finds on a page. */
+/** Faults that axe finds on a page. */
 async function faults(page) {
   await page.evaluate(axe);
   return page.evaluate(async () => {

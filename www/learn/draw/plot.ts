@@ -1,4 +1,4 @@
-/** Numbers over the steps of a run: lines that are told apart by dash and name, and the present step. */
+/** Numbers over the steps of a run: lines that differ by dash and name, and the present step. */
 import { crowdAt } from '../figures/crowds';
 import type { Line, Plate, View } from '../figures/figure';
 import { number } from '../figures/words';

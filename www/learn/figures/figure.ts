@@ -194,7 +194,7 @@ export interface Line {
 export interface Bar {
   readonly name: string;
   readonly value: number;
-  /** Whether it is told apart from the others. */
+  /** Whether it stands out from the others. */
   readonly isMarked?: boolean;
 }
 
