@@ -92,6 +92,8 @@ class Place {
     this.live?.end();
     this.live = undefined;
     delete this.element.dataset.live;
+    delete this.element.dataset.hash;
+    delete this.element.dataset.step;
   }
 }
 
