@@ -114,6 +114,11 @@ export class Reading implements Trace {
     return this.made.length > this.figure.last && this.finish();
   }
 
+  /** Whether the steps are those of the present recipe; until then no step of it can be gone to. */
+  get isBegun(): boolean {
+    return this.made.length > 0;
+  }
+
   /** The first step of a run brings its outline. */
   private push(crowd: Crowd): void {
     this.made.push(crowd);

@@ -215,7 +215,7 @@ export class Live implements Handled, Timed {
 
   /** A crowd that is read anew is shown as far as it is: its outline follows the hand. */
   private preview(): void {
-    const isBegun = this.readings.every(({ steps, moments, landscape }) => steps.length > 0 && (landscape !== undefined || !moments.length));
+    const isBegun = this.readings.every(({ isBegun, moments, landscape }) => isBegun && (landscape !== undefined || !moments.length));
     if (!isBegun || !this.isInHand) return;
     this.draw();
     this.handles.show();
