@@ -31,6 +31,15 @@ const symbols = {
   cw: rootLessOne('cw'),
   cr: rootLessOne('cr'),
   root2: '<msqrt><mn>2</mn></msqrt>',
+  alpha: '<mi data-symbol="alpha">α</mi>',
+  beta: '<mi data-symbol="beta">β</mi>',
+  gamma: '<mi data-symbol="gamma">γ</mi>',
+  sin: '<mi>sin</mi>',
+  s: '<mi data-symbol="shortest">s</mi>',
+  R: '<mi data-symbol="R">R</mi>',
+  v4: low('v4', 'v', '<mn>4</mn>', vector),
+  q: '<mi data-symbol="turns">q</mi>',
+  k: '<mi data-symbol="corners">k</mi>',
   m: '<mi data-symbol="m">m</mi>',
   c: '<mi data-symbol="c">c</mi>',
   E: '<mi data-symbol="E">E</mi>',
@@ -42,12 +51,11 @@ const symbols = {
   A: '<mi data-symbol="area">A</mi>',
   d: '<mi>d</mi>',
   'd²': '<msup><mi>d</mi><mn>2</mn></msup>',
-  di: '<msub><mi>d</mi><mi>i</mi></msub>',
+  'di²': '<msubsup data-symbol="distance"><mi>d</mi><mi>i</mi><mn>2</mn></msubsup>',
   a: '<mi data-symbol="crowd">a</mi>',
   b: '<mi data-symbol="room">b</mi>',
-  v: `<mi${vector}>v</mi>`,
-  vi: `<msub><mi${vector}>v</mi>${i}</msub>`,
-  si: `<msub><mi${vector}>s</mi>${i}</msub>`,
+  v: `<mi data-symbol="v"${vector}>v</mi>`,
+  si: low('segment', 's', i, vector),
   nij: `<msub><mi${vector}>n</mi>${ij}</msub>`,
   x: '<mi data-symbol="x" class="vector">x</mi>',
   'x.': '<mi data-symbol="x" class="vector">ẋ</mi>',
@@ -61,12 +69,13 @@ const symbols = {
 /** How the words of a row are spoken, beside numbers and letters. */
 const spoken = {
   en: {
-    psi: 'psi', psi0: 'psi P zero', psi1: 'psi P one', l0: 'l zero', k0: 'k zero', r0: 'r zero', wij: 'w i j', Fi: 'f i', cw: 'root 2 minus 1', cr: 'root 2 minus 1', root2: 'root 2', 'd²': 'd squared', 'l0²': 'l zero squared',
-    '=': 'equals', '/': 'over', '<': 'is less than', '>': 'is greater than', '≈': 'is about', '−': 'minus', '′': 'prime',
+    v4: 'v four', si: 's i', psi: 'psi', psi0: 'psi P zero', psi1: 'psi P one', l0: 'l zero', k0: 'k zero', r0: 'r zero', wij: 'w i j', Fi: 'f i', cw: 'root 2 minus 1', cr: 'root 2 minus 1', root2: 'root 2', 'd²': 'd squared', 'l0²': 'l zero squared',
+    '=': 'equals', '/': 'over', '<': 'is less than', '>': 'is greater than', '≈': 'is about', '≤': 'is at most', '+': 'plus', '−': 'minus', '′': 'prime',
   },
   ja: {
+    alpha: 'アルファ', beta: 'ベータ', gamma: 'ガンマ', sin: 'サイン', v: 'ブイ', v4: 'ブイ・フォー', si: 'エス・アイ', q: 'キュー', k: 'ケー', s: 'エス', R: 'アール',
     psi: 'プサイ', psi0: 'プサイ・ピー・ゼロ', psi1: 'プサイ・ピー・いち', l0: 'エル・ゼロ', k0: 'ケー・ゼロ', r0: 'アール・ゼロ', wij: 'ダブリュー・アイ・ジェー', Fi: 'エフ・アイ', cw: 'ルート2引く1', cr: 'ルート2引く1', root2: 'ルート2', 'd²': 'ディーの2乗', 'l0²': 'エル・ゼロの2乗',
-    '=': 'イコール', '/': '割る', '<': '小なり', '>': '大なり', '≈': 'およそ', '−': '引く', '′': 'プライム',
+    '=': 'イコール', '/': '割る', '<': '小なり', '>': '大なり', '≈': 'およそ', '≤': '小なりイコール', '+': '足す', '−': '引く', '′': 'プライム',
   },
 };
 

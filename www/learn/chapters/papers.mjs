@@ -1,6 +1,8 @@
 // Papers and differences: equations and rules of sections 4 and 5 as they are printed, and as the program reads them.
-import { at, JAPANESE, PAVEMENTS, SKINS } from './cite.mjs';
-import { cases, fenced, over, raised, row, under } from './math.mjs';
+import { at, PAVEMENTS, SKINS } from './cite.mjs';
+import { cases, fenced, over, raised, row } from './math.mjs';
+import { directionDifferences } from './papers-direction.mjs';
+import { meshDifferences } from './papers-mesh.mjs';
 import { packingDifferences } from './papers-packing.mjs';
 
 /** @typedef {{ en: string, ja: string }} Words */
@@ -25,53 +27,9 @@ const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0
 /** @param {number} w */
 const pair = (w) => `fig=pair&${PAIR}&given=0.25,0.5,1;${0.25 + w / 4},0.5,0&damp=0.5&move=rk4&dt=0.1&step=0`;
 
-/** The length of segment i, over the squared distance. */
-const SCALAR = '<mfrac><mrow><mo stretchy="false">|</mo><msub><mi class="vector">s</mi><mi>i</mi></msub><mo stretchy="false">|</mo></mrow><msubsup><mi>d</mi><mi>i</mi><mn>2</mn></msubsup></mfrac>';
-const VECTOR = '<mfrac><msub><mi class="vector">s</mi><mi>i</mi></msub><msubsup><mi>d</mi><mi>i</mi><mn>2</mn></msubsup></mfrac>';
-const TURNED = '<mrow><mo stretchy="false">(</mo><mi>cos</mi><mn>4</mn><msub><mi>θ</mi><mi>i</mi></msub><mo>,</mo><mi>sin</mi><mn>4</mn><msub><mi>θ</mi><mi>i</mi></msub><mo stretchy="false">)</mo></mrow>';
-const FOURFOLD = `${row('v 4 =')}${under('∑', 'i')}${TURNED}<munder><mo>∫</mo><msub><mi class="vector">s</mi><mi>i</mi></msub></munder><mfrac><mrow><mi>d</mi><mi>s</mi></mrow><msup><mi>r</mi><mn>4</mn></msup></mfrac>`.replace(row('v 4 ='), `<msub><mi class="vector">v</mi><mn>4</mn></msub><mo>=</mo>`);
-const MEAN = `${row('v =')}${over('1', 'n')}${under('∑', 'i')}`;
-const FOURFOLD_SPEECH = {
-  en: 'v four equals the sum over the segments i of the vector cosine four theta i, sine four theta i, times the integral along segment i of one over r to the fourth.',
-  ja: 'ブイ・フォーは、各線分アイについて、ベクトル、コサイン4シータ・アイ、サイン4シータ・アイに、線分に沿うアールの4乗分の1の積分をかけたものの和。',
-};
-
 /** In the order of the equations. @type {Difference[]} */
 export const differences = [
-  {
-    key: 'direction',
-    heading: { en: 'Equation (1): the direction at a point', ja: '式(1)：一点での整列方向' },
-    from: at(PAVEMENTS, '4.1, eq. (1)', '4.1節 式(1)'),
-    printed: {
-      math: `${MEAN}${VECTOR}`,
-      speech: { en: 'v equals one over n times the sum over i of the vector s i over d i squared.', ja: 'ブイは、エヌ分の1かける、アイについての、ディー・アイの2乗分のベクトル、エス・アイの和。' },
-    },
-    ours: { math: FOURFOLD, speech: FOURFOLD_SPEECH },
-    note: {
-      en: 'The segments run round the outline, so the two sides of a road have opposite arrows and cancel in its middle. Ours turns each arrow into its four-fold angle first, as a square looks alike after a quarter turn, and weights it along the whole segment: to cut a side into pieces changes nothing.',
-      ja: '線分は輪郭を一周するので、道の両側の矢印は逆向きで、中央で打ち消し合います。正方形は90度回しても同じなので、本プログラムはまず角度を4倍し、線分全体に沿って重みをかけます。辺を細かく切っても結果は変わりません。',
-    },
-    see: { link: 'v=1&outline=road_s&dir=printed&view=direction', words: { en: 'The printed sum on a road, in the studio', ja: '印刷された式による道の整列方向（スタジオ）' } },
-  },
-  {
-    key: 'scalar-sum', isMisprint: true,
-    heading: { en: 'The same equation with lengths: a sum without direction', ja: '同じ式で、長さの和：向きのない和' },
-    from: at(JAPANESE, '4, eq. (1)', '4章 式(1)'),
-    printed: {
-      math: `${MEAN}${SCALAR}`,
-      speech: { en: 'v equals one over n times the sum over i of the length of s i over d i squared.', ja: 'ブイは、エヌ分の1かける、アイについての、ディー・アイの2乗分のエス・アイの長さの和。' },
-    },
-    ours: { math: FOURFOLD, speech: FOURFOLD_SPEECH },
-    note: {
-      en: 'The text says that |s| is the length of a segment. Lengths are numbers, so their sum is a number, and no vector v can come of it. The paper of 2000 has the vectors themselves.',
-      ja: '本文によれば|s|は線分の長さです。長さは数なので、和も数になり、ベクトルvは得られません。2000年の論文では、線分のベクトルそのものを足しています。',
-    },
-    task: {
-      question: { en: 'A point stands in the middle of a square. Work out both sums of (1), with lengths and with vectors.', ja: '正方形の中心に点があります。式(1)の和を、長さの場合とベクトルの場合について求めましょう。' },
-      answer: { en: 'With side s and distance s/2 each term is 4/s: lengths give 4/s, a number; the four vectors go round and give 0. Neither tells a direction.', ja: '辺をs、距離をs/2とすると各項の大きさは4/s。長さの和は数4/sになり、四つのベクトルは一周して0になります。どちらからも向きは分かりません。' },
-    },
-    see: { link: 'v=1&outline=square&dir=printed&view=direction', words: { en: 'A square with the printed directions, in the studio', ja: '印刷された式による正方形の整列方向（スタジオ）' } },
-  },
+  ...directionDifferences,
   {
     key: 'force', chapter: 'two-bubbles', isMisprint: true,
     heading: { en: 'Equation (2): the force, and its slope', ja: '式(2)：力とその傾き' },
@@ -136,4 +94,5 @@ export const differences = [
     see: { link: pair(0.5), words: { en: 'The pair at w = 0.5', ja: 'w = 0.5の対' } },
   },
   ...packingDifferences,
+  ...meshDifferences,
 ];
