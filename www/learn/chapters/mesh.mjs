@@ -163,8 +163,8 @@ export const mesh = {
       heading: { en: 'Ours and theirs', ja: '論文と本プログラム' },
       lines: [
         {
-          en: 'Corners of cells are the centres of triangles, not those of circles as in Voronoi’s: the paper of 2003 says pseudo-Voronoi, and ours does the same.',
-          ja: 'セルの角は、外接円の中心（ボロノイ）でなく三角形の中心に置きます。2003年の論文の疑似ボロノイ分割と同じです。',
+          en: 'The paper of 2003 puts the corners of cells in the centres of triangles, not of circles, and says pseudo-Voronoi. Ours does so, and moves them away from larger bubbles.',
+          ja: '2003年の論文は、外接円の中心でなく三角形の中心をセルの角とし、疑似ボロノイ分割と呼びます。本プログラムも同様で、さらに大きいバブルから遠ざけます。',
         },
         {
           en: 'The papers of 2000 and 2001 do without Voronoi cells, as these are hard to line up along a road. Ours has them to compare.',

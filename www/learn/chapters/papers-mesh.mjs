@@ -24,10 +24,10 @@ export const meshDifferences = [
     heading: { en: 'Voronoi cells, or nearly', ja: 'ボロノイ領域か、その仲間か' },
     from: at(SKINS, '5.2, figs. 3, 7', '5.2節 図3、図7'),
     printed: { text: { en: 'A pseudo-Voronoi tessellation joins “the center of each mesh element to the centers of all adjacent mesh elements”. The captions of the figures say Voronoi.', ja: '疑似ボロノイ分割は「各メッシュ要素の中心と、隣り合う要素の中心」を結ぶ。図の説明ではボロノイと呼んでいる（原文は英語）。' } },
-    ours: { text: { en: 'The same: corners are the means of an element’s corners. Voronoi cells are made, too, to compare (cells=voronoi).', ja: '同じです。セルの角は、要素の頂点の平均に置きます。比較のために、ボロノイ領域も作れます（cells=voronoi）。' } },
+    ours: { text: { en: 'A cell’s corner is the mean of an element’s corners. Where sizes differ, it lies farther from the larger cells. Voronoi cells are made, too, to compare (cells=voronoi).', ja: 'セルの角は、要素の頂点の平均に置きます。大きさが違えば、大きい粒子から遠ざけます。比較のために、ボロノイ領域も作れます（cells=voronoi）。' } },
     note: {
-      en: 'The corners of a Voronoi cell are the centres of the circles through three points. In a triangle with an obtuse angle this centre lies outside. The mean of the corners lies always inside. In an equilateral triangle both are one point: the better the points, the smaller the difference.',
-      ja: 'ボロノイ領域の角は、三点を通る円の中心です。鈍角三角形では、その中心は三角形の外に出ます。頂点の平均は必ず内側にあります。正三角形では両者は一致します。点の配置が良いほど、差は小さくなります。',
+      en: 'The corners of a Voronoi cell are the centres of the circles through three points. In a triangle with an obtuse angle this centre lies outside. The mean, weighted or not, always lies inside. In an equilateral triangle both are one point: the better the points, the smaller the difference.',
+      ja: 'ボロノイ領域の角は、三点を通る円の中心です。鈍角三角形では、その中心は三角形の外に出ます。頂点の平均は、重みを付けても必ず内側にあります。正三角形では、外接円の中心と頂点の平均は一致します。点の配置が良いほど、差は小さくなります。',
     },
     see: { figure: 'dual', words: { en: 'A mesh and its cells', ja: 'メッシュとセル' } },
   },
