@@ -4,7 +4,7 @@
 //! are interpolated. The result is 0.02 to 0.14 degrees off the plain sum. A second layer of directions is
 //! made only if parts have kinds with another symmetry.
 
-use super::follow::{layers, ray};
+use super::follow::{base, layers};
 use super::formulas;
 use super::grid::{COARSE, SampleGrid};
 use super::lattice::{Lattice, fitted};
@@ -23,9 +23,6 @@ const ALIKE: f64 = 0.8;
 
 /// Margin of the grid outside the outline, in grid steps: no cell is ever farther out.
 const OUTSIDE: f64 = 1.5;
-
-/// Where walls at right angles cancel exactly, this small share of the x axis decides the direction.
-const TIE: f64 = 1e-6;
 
 /// Makes [`Fields`] a few rows of the grid at a time: first the coarse nodes, then those between, which take
 /// the mean of their neighbours where the direction is smooth.
@@ -230,16 +227,8 @@ impl FieldBuilder {
             layers[0].nodes[at] = printed_vector(domain.segments(), p);
             return 0.0;
         }
-        let mut feature_size = f64::INFINITY;
-        let base = match params.direction {
-            Direction::Constant => Some(*along),
-            Direction::Spiral => {
-                let (ray, distance) = ray(self.space, params, p);
-                feature_size = feature_size.min(distance);
-                Some(ray.rotate(*along))
-            }
-            _ => None,
-        };
+        let base = base(self.space, params, *along, p);
+        let mut feature_size = base.map_or(f64::INFINITY, |(_, distance)| distance);
         let mut coherence = 1.0_f64;
         for ((layer, sources), last) in layers.iter_mut().zip(&self.sources).zip(&mut self.last) {
             let most = last.1 + last.0.distance(p) + 1e-6;
@@ -249,16 +238,16 @@ impl FieldBuilder {
             *last = (p, nearest);
             feature_size = feature_size.min(nearest);
             let mut sum = Sum::default();
-            if let Some(base) = base {
+            if let Some((base, _)) = base {
                 let weight = line_weight(params.reach, params.power);
                 sum.add(weight, representation(base, layer.symmetry));
             }
             for image in images.clone() {
                 sources.sum(image, nearest, params.power, &mut sum);
             }
-            sum.add(TIE * sum.weight, DVec2::X);
+            sum.break_tie();
             layer.nodes[at] = sum.vector.normalize_or_zero();
-            coherence = coherence.min(sum.vector.length() / sum.weight);
+            coherence = coherence.min(sum.coherence());
         }
         feature_size * coherence
     }

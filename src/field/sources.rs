@@ -24,6 +24,9 @@ const NEGLIGIBLE: f64 = 8.0;
 /// From this many of its radii on, a branch counts as one source with moments.
 const OPENING: f64 = 3.0;
 
+/// Where walls at right angles cancel exactly, this small share of the x axis decides the direction.
+const TIE: f64 = 1e-6;
+
 /// Most sources of a branch without children.
 const LEAF: usize = 3;
 
@@ -111,6 +114,16 @@ impl Sum {
     pub fn add(&mut self, weight: f64, representation: DVec2) {
         self.vector += weight * representation;
         self.weight += weight;
+    }
+
+    /// Adds a small share of the x axis.
+    pub fn break_tie(&mut self) {
+        self.add(TIE * self.weight, DVec2::X);
+    }
+
+    /// How much the sources agree: 1 if all have one direction, 0 if they cancel.
+    pub fn coherence(&self) -> f64 {
+        self.vector.length() / self.weight
     }
 }
 
@@ -277,11 +290,16 @@ fn inverse_powers(squares: f64x2, power: u32) -> f64x2 {
 /// Equation (1) as printed: the mean of s_i / d_i^2, d_i the distance to the segment.
 pub(super) fn printed_vector(segments: &[[DVec2; 2]], p: DVec2) -> DVec2 {
     let mut sum = DVec2::ZERO;
-    for &[a, b] in segments {
-        let square = closest_on_segment(p, a, b).distance_squared(p);
-        sum += (b - a) / square.max(NEAREST * NEAREST);
+    for &segment in segments {
+        sum += printed_term(segment, p);
     }
     sum / segments.len().max(1) as f64
+}
+
+/// The term s_i / d_i^2 of a segment.
+pub(super) fn printed_term([a, b]: [DVec2; 2], p: DVec2) -> DVec2 {
+    let square = closest_on_segment(p, a, b).distance_squared(p);
+    (b - a) / square.max(NEAREST * NEAREST)
 }
 
 #[cfg(test)]

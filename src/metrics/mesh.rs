@@ -58,20 +58,16 @@ pub struct TriangleQuality {
     pub min: f64,
 }
 
-/// Classes of smallest angles, each of 2 degrees.
-pub const ANGLE_CLASSES: usize = 30;
-
-/// Counts the triangles of a mesh by their smallest angle: 0..2 degrees, 2..4, up to 58..60.
-pub fn smallest_angles(domain: &Domain, mesh: &Mesh) -> [u32; ANGLE_CLASSES] {
-    let mut counts = [0; ANGLE_CLASSES];
+/// The smallest angle of each triangle of a mesh in degrees, at most 60, in the order of its elements.
+pub fn smallest_angles(domain: &Domain, mesh: &Mesh) -> Vec<f64> {
+    let mut angles = Vec::new();
     for face in &mesh.faces {
         let polygon = polygon(domain, mesh, face);
         if polygon.len() == 3 {
-            let class = (smallest_angle(&polygon) / 2.0) as usize;
-            counts[class.min(ANGLE_CLASSES - 1)] += 1;
+            angles.push(smallest_angle(&polygon));
         }
     }
-    counts
+    angles
 }
 
 /// The smallest angle of a triangle in degrees, at most 60.
