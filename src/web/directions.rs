@@ -15,10 +15,10 @@ impl Bubblestone {
         let place = DVec2::new(x, y);
         let mut numbers = Vec::new();
         if let Some((domain, _)) = self.ground() {
-            numbers.extend(printed_sum(domain, place).to_array());
+            numbers.extend_from_slice(&printed_sum(domain, place).to_array());
             for PrintedTerm { segment, vector } in printed_terms(domain, place) {
                 let [a, b] = segment;
-                numbers.extend([a.x, a.y, b.x, b.y, vector.x, vector.y]);
+                numbers.extend_from_slice(&[a.x, a.y, b.x, b.y, vector.x, vector.y]);
             }
         }
         numbers
@@ -49,7 +49,7 @@ impl Bubblestone {
         let mut numbers = Vec::new();
         if let Some((domain, fields)) = self.ground() {
             for Singularity { point, index } in fields.singularities(domain) {
-                numbers.extend([point.x, point.y, index]);
+                numbers.extend_from_slice(&[point.x, point.y, index]);
             }
         }
         numbers

@@ -1,8 +1,9 @@
 //! The steps of a packing, forward and back, and its numbers.
 
 use super::Bubblestone;
-use crate::generators::{Joined, Steps};
-use crate::packing::{CellNumbers, NeighbourNumbers, PopulationChange, force};
+use crate::cells::Cell;
+use crate::generators::{JoinedTriangle, Steps};
+use crate::packing::{CellNumbers, NeighbourNumbers, Particle, PopulationChange, force};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -31,61 +32,53 @@ impl Bubblestone {
         steps.is_none_or(|steps| steps.join(&mut || clock.now(), budget))
     }
 
-    /// The joined points, 3 numbers each: id, x, y.
-    #[wasm_bindgen(js_name = joinedPoints)]
-    pub fn joined_points(&mut self) -> Vec<f64> {
-        self.of_joined(&|joined, numbers| {
-            for point in &joined.points {
-                numbers.extend([point.id.into(), point.centre.x, point.centre.y]);
-            }
-        })
-    }
-
-    /// The elements of their mesh, 4 ids each; the last one is -1 in a triangle.
-    #[wasm_bindgen(js_name = meshFaces)]
-    pub fn mesh_faces(&mut self) -> Vec<f64> {
-        self.of_joined(&|joined, numbers| {
-            for face in &joined.mesh.faces {
-                let id = |k| face.nodes().get(k).map_or(-1.0, |&k| joined.id(k).into());
-                numbers.extend([id(0), id(1), id(2), id(3)]);
-            }
-        })
-    }
-
-    /// The smallest angles of the mesh's triangles in degrees: their median, then their counts in 30 classes from 0 to
-    /// 60. Empty without triangles.
-    #[wasm_bindgen(js_name = smallestAngles)]
-    pub fn smallest_angles(&mut self) -> Vec<f64> {
-        self.of_joined(&|joined, numbers| {
-            numbers.extend(joined.middle_angle);
-            numbers.extend(joined.angles.counts.iter().map(|&count| f64::from(count)));
-        })
-    }
-
-    /// The triangles of their plain Delaunay triangulation, 6 numbers each: three ids, and the circle through the
-    /// corners as x, y and radius.
-    #[wasm_bindgen(js_name = delaunayTriangles)]
-    pub fn delaunay_triangles(&mut self) -> Vec<f64> {
-        self.of_joined(&|joined, numbers| {
-            for triangle in &joined.triangles {
-                let [a, b, c] = triangle.ids.map(f64::from);
-                let circle = triangle.circle;
-                numbers.extend([a, b, c, circle.x, circle.y, triangle.radius]);
-            }
-        })
-    }
-
-    /// The polygons of the joined cells one after the other: id, number of corners, and x, y of each corner.
-    #[wasm_bindgen(js_name = joinedCells)]
-    pub fn joined_cells(&mut self) -> Vec<f64> {
-        self.of_joined(&|joined, numbers| {
-            for cell in &joined.cells {
-                numbers.extend([cell.id.into(), cell.ring.len() as f64]);
-                for corner in &cell.ring {
-                    numbers.extend([corner.x, corner.y]);
+    /// Numbers of what was joined, by a word. 'points': 3 each, id, x, y. 'faces', the elements of the mesh of these
+    /// points: 4 ids each, of which the last is -1 in a triangle. 'angles', the smallest ones of the mesh's triangles in
+    /// degrees: their median, then their counts in 30 classes from 0 to 60; empty without triangles. 'triangles', those of
+    /// the plain Delaunay triangulation: 6 each, three ids, and the circle through the corners as x, y and radius.
+    /// 'cells', the polygons one after the other: id, number of corners, and x, y of each corner.
+    pub fn joined(&mut self, part: &str) -> Vec<f64> {
+        let mut numbers = Vec::new();
+        let Some(joined) = self.steps().and_then(|steps| steps.joined()) else {
+            return numbers;
+        };
+        match part {
+            "points" => {
+                for Particle { id, centre, .. } in &joined.points {
+                    numbers.extend_from_slice(&[f64::from(*id), centre.x, centre.y]);
                 }
             }
-        })
+            "faces" => {
+                for face in &joined.mesh.faces {
+                    let nodes = face.nodes();
+                    let id = |k| nodes.get(k).map_or(-1.0, |&k| joined.id(k).into());
+                    numbers.extend_from_slice(&[0, 1, 2, 3].map(id));
+                }
+            }
+            "angles" => {
+                numbers.extend(joined.middle_angle);
+                for &count in &joined.angles.counts {
+                    numbers.push(count.into());
+                }
+            }
+            "triangles" => {
+                for triangle in &joined.triangles {
+                    let JoinedTriangle { circle, radius, .. } = triangle;
+                    numbers.extend_from_slice(&triangle.ids.map(f64::from));
+                    numbers.extend_from_slice(&[circle.x, circle.y, *radius]);
+                }
+            }
+            "cells" => {
+                for Cell { id, ring, .. } in &joined.cells {
+                    numbers.extend_from_slice(&[f64::from(*id), ring.len() as f64]);
+                    for corner in ring {
+                        numbers.extend_from_slice(&[corner.x, corner.y]);
+                    }
+                }
+            }
+            _ => {}
+        }
+        numbers
     }
 
     /// All packed cells by rising ids, 11 numbers each: id, x, y, size, 1 if held, velocity x and y, force x and y,
@@ -150,15 +143,6 @@ impl Bubblestone {
     pub fn state_hash(&mut self) -> String {
         self.steps()
             .map_or(String::new(), |steps| steps.state_hash())
-    }
-
-    /// Numbers of what was joined last.
-    fn of_joined(&mut self, add: &dyn Fn(&Joined, &mut Vec<f64>)) -> Vec<f64> {
-        let mut numbers = Vec::new();
-        if let Some(joined) = self.steps().and_then(|steps| steps.joined()) {
-            add(joined, &mut numbers);
-        }
-        numbers
     }
 
     fn steps(&mut self) -> Option<&mut dyn Steps> {
