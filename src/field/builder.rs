@@ -24,6 +24,9 @@ const ALIKE: f64 = 0.8;
 /// Margin of the grid outside the outline, in grid steps: no cell is ever farther out.
 const OUTSIDE: f64 = 1.5;
 
+/// Where walls at right angles cancel exactly, this small share of the x axis decides the direction.
+const TIE: f64 = 1e-6;
+
 /// Makes [`Fields`] a few rows of the grid at a time: first the coarse nodes, then those between, which take
 /// the mean of their neighbours where the direction is smooth.
 #[derive(Clone, Debug)]
@@ -245,9 +248,9 @@ impl FieldBuilder {
             for image in images.clone() {
                 sources.sum(image, nearest, params.power, &mut sum);
             }
-            sum.break_tie();
+            sum.add(TIE * sum.weight, DVec2::X);
             layer.nodes[at] = sum.vector.normalize_or_zero();
-            coherence = coherence.min(sum.coherence());
+            coherence = coherence.min(sum.vector.length() / sum.weight);
         }
         feature_size * coherence
     }

@@ -42,7 +42,7 @@ mod singular;
 mod sources;
 pub(crate) mod symmetry;
 
-pub use at_point::{DirectionSum, PrintedTerm, printed_sum, printed_terms};
+pub use at_point::{DirectionSum, SegmentTerm, WalkPlace, printed_sum};
 pub use builder::FieldBuilder;
 pub use kind::CellKind;
 pub use params::{Direction, FieldParams};
@@ -116,24 +116,19 @@ impl Fields {
     /// Unit vector along one side of a cell at this point, or zero where the field vanishes. It is defined up
     /// to turns that leave the cell's kind unchanged ([`CellKind::symmetry`]).
     pub fn direction(&self, p: DVec2) -> DVec2 {
-        let Some(layer) = self.layer(p) else {
-            return self.along;
+        let layer = match self.layers.as_slice() {
+            [] => return self.along,
+            [only] => only,
+            [first, second, ..] => {
+                if first.symmetry == self.kind(p).symmetry() {
+                    first
+                } else {
+                    second
+                }
+            }
         };
         let r = self.grid.interpolated(&layer.nodes, p).normalize_or_zero();
         symmetry::direction_of(r, layer.symmetry)
-    }
-
-    /// The sampled directions of cells at this point; `None` if the direction is constant.
-    #[inline]
-    fn layer(&self, p: DVec2) -> Option<&Layer> {
-        match self.layers.as_slice() {
-            [] => None,
-            [only] => Some(only),
-            [first, second, ..] => {
-                let is_first = first.symmetry == self.kind(p).symmetry();
-                Some(if is_first { first } else { second })
-            }
-        }
     }
 
     /// The kind of a cell at this point.

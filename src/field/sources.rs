@@ -24,9 +24,6 @@ const NEGLIGIBLE: f64 = 8.0;
 /// From this many of its radii on, a branch counts as one source with moments.
 const OPENING: f64 = 3.0;
 
-/// Where walls at right angles cancel exactly, this small share of the x axis decides the direction.
-const TIE: f64 = 1e-6;
-
 /// Most sources of a branch without children.
 const LEAF: usize = 3;
 
@@ -114,16 +111,6 @@ impl Sum {
     pub fn add(&mut self, weight: f64, representation: DVec2) {
         self.vector += weight * representation;
         self.weight += weight;
-    }
-
-    /// Adds a small share of the x axis.
-    pub fn break_tie(&mut self) {
-        self.add(TIE * self.weight, DVec2::X);
-    }
-
-    /// How much the sources agree: 1 if all have one direction, 0 if they cancel.
-    pub fn coherence(&self) -> f64 {
-        self.vector.length() / self.weight
     }
 }
 

@@ -81,7 +81,7 @@ pub struct Joined {
     pub points: Vec<Particle>,
     /// Their mesh; see [`Mesh::build`].
     pub mesh: Mesh,
-    /// Their plain Delaunay triangulation within the outline. On a tile it does not reach over the seams.
+    /// Their plain Delaunay triangulation, out to the convex hull. On a tile it does not reach over the seams.
     pub triangles: Vec<JoinedTriangle>,
     /// The polygons, by rising ids.
     pub cells: Vec<Cell>,
@@ -96,6 +96,10 @@ pub struct Joined {
 pub struct JoinedTriangle {
     /// The ids of its corners.
     pub ids: [u32; 3],
+    /// Its angles there, in degrees.
+    pub angles: [f64; 3],
+    /// Its shortest side.
+    pub shortest: f64,
     /// The circle's centre.
     pub circle: DVec2,
     /// The circle's radius.

@@ -62,23 +62,21 @@ pub struct TriangleQuality {
 pub fn smallest_angles(domain: &Domain, mesh: &Mesh) -> Vec<f64> {
     let mut angles = Vec::new();
     for face in &mesh.faces {
-        let polygon = polygon(domain, mesh, face);
-        if polygon.len() == 3 {
-            angles.push(smallest_angle(&polygon));
+        if let [a, b, c] = polygon(domain, mesh, face)[..] {
+            let [a, b, c] = angles_of([a, b, c]);
+            angles.push(a.min(b).min(c));
         }
     }
     angles
 }
 
-/// The smallest angle of a triangle in degrees, at most 60.
-fn smallest_angle(corners: &[DVec2]) -> f64 {
-    let at = |k: usize| {
-        let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 3]);
-        let (along, across) = (b - a, c - a);
+/// The angles of a triangle at its corners, in degrees.
+pub(crate) fn angles_of([a, b, c]: [DVec2; 3]) -> [f64; 3] {
+    [[a, b, c], [b, c, a], [c, a, b]].map(|[at, next, last]| {
+        let (along, across) = (next - at, last - at);
         let turn = libm::atan2(along.perp_dot(across).abs(), along.dot(across));
         turn.to_degrees()
-    };
-    at(0).min(at(1)).min(at(2))
+    })
 }
 
 /// The corners of an element. On a torus an element without images lies where its first node does.

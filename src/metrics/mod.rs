@@ -12,6 +12,7 @@ pub use cells::CellMetrics;
 pub use cover::Cover;
 pub use figure::Figure;
 pub(crate) use figure::symmetry_angle;
+pub(crate) use mesh::angles_of;
 pub use mesh::{Jacobian, MeshMetrics, TriangleQuality, smallest_angles};
 
 use crate::cells::Cell;

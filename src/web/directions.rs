@@ -2,45 +2,71 @@
 
 use super::Bubblestone;
 use crate::domain::Domain;
-use crate::field::{Fields, PrintedTerm, Singularity, printed_sum, printed_terms};
+use crate::field::{DirectionSum, Fields, SegmentTerm, Singularity, WalkPlace, printed_sum};
 use glam::DVec2;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Bubblestone {
-    /// Equation (1) as printed (Miyata, Itoh, Shimada 2000) at a place: the sum, x and y, then its terms by the
-    /// boundary's segments, 6 numbers each: the ends of the segment as x, y, x, y, and the term, x and y.
-    #[wasm_bindgen(js_name = printedTerms)]
-    pub fn printed_terms(&self, x: f64, y: f64) -> Vec<f64> {
+    /// The terms of the boundary's segments in the direction at a place, 9 numbers each: the ends of the segment as x, y,
+    /// x, y, its distance, its term of equation (1) as printed (Miyata, Itoh, Shimada 2000), x and y, and its term of our
+    /// sum, x and y. That one is a vector at four times the angle for squares, at twice the angle for other cells, and all
+    /// of them add up to at most 1. Before them stand the printed sum, x and y, and its length over those of its terms.
+    #[wasm_bindgen(js_name = segmentTerms)]
+    pub fn segment_terms(&self, x: f64, y: f64) -> Vec<f64> {
+        let Some((domain, fields)) = self.ground() else {
+            return Vec::new();
+        };
         let place = DVec2::new(x, y);
-        let mut numbers = Vec::new();
-        if let Some((domain, _)) = self.ground() {
-            numbers.extend_from_slice(&printed_sum(domain, place).to_array());
-            for PrintedTerm { segment, vector } in printed_terms(domain, place) {
-                let [a, b] = segment;
-                numbers.extend_from_slice(&[a.x, a.y, b.x, b.y, vector.x, vector.y]);
-            }
+        let sum = printed_sum(domain, place);
+        let mut numbers = vec![sum.x, sum.y, 0.0];
+        let mut lengths = 0.0;
+        for term in fields.segment_terms(domain, place) {
+            let SegmentTerm {
+                segment: [a, b],
+                distance,
+                printed,
+                turned,
+            } = term;
+            lengths += printed.length();
+            numbers.extend_from_slice(&[a.x, a.y, b.x, b.y, distance]);
+            numbers.extend_from_slice(&[printed.x, printed.y, turned.x, turned.y]);
+        }
+        if lengths > 0.0 {
+            numbers[2] = sum.length() / lengths;
         }
         numbers
     }
 
-    /// The direction at a place by its sources, for cells that look the same after a quarter or a half turn: x and y of
-    /// a unit vector, and its certainty, from 0 where the sources cancel to 1 where all agree.
+    /// The direction at a place by the plain sum of all sources: a unit vector, x and y, and its certainty, from 0 where
+    /// the sources cancel to 1 where all agree.
     #[wasm_bindgen(js_name = directionAt)]
     pub fn direction_at(&self, x: f64, y: f64) -> Vec<f64> {
         let ground = self.ground();
-        let at = ground.map(|(domain, fields)| fields.direction_sum(domain, DVec2::new(x, y)));
-        at.map_or(Vec::new(), |sum| {
-            vec![sum.direction.x, sum.direction.y, sum.certainty]
-        })
+        let sum = ground.map(|(domain, fields)| fields.direction_sum(domain, DVec2::new(x, y)));
+        sum.map_or(
+            Vec::new(),
+            |DirectionSum {
+                 direction,
+                 certainty,
+             }| { vec![direction.x, direction.y, certainty] },
+        )
     }
 
-    /// How far the direction has turned at each point (x, y, x, y, ...) of a closed walk, in whole turns, clockwise on
-    /// screen, and at last back at the first point: the index of the walk. Empty if the direction vanishes on the way.
-    pub fn turns(&self, walk: &[f64]) -> Vec<f64> {
+    /// The direction along a closed walk, given as x, y, x, y, ...: 4 numbers for each of its places and, back at the
+    /// first one, once more. They are the numbers of `directionAt`, and how far the direction has turned on the way, in whole turns, clockwise on screen: at last the index of
+    /// the walk. Empty if the walk leaves the outline, or the direction vanishes on the way.
+    #[wasm_bindgen(js_name = directionsAlong)]
+    pub fn directions_along(&self, walk: &[f64]) -> Vec<f64> {
         let walk: Vec<DVec2> = walk.chunks_exact(2).map(DVec2::from_slice).collect();
-        let ground = self.ground();
-        ground.map_or(Vec::new(), |(_, fields)| fields.turns(&walk))
+        let mut numbers = Vec::new();
+        if let Some((domain, fields)) = self.ground() {
+            for WalkPlace { sum, turns } in fields.along_walk(domain, &walk) {
+                let direction = sum.direction;
+                numbers.extend_from_slice(&[direction.x, direction.y, sum.certainty, turns]);
+            }
+        }
+        numbers
     }
 
     /// The singular points of the direction, 3 numbers each: x, y, and the index in whole turns.

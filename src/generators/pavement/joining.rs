@@ -7,10 +7,9 @@ use super::Pavement;
 use super::params::CellParams;
 use super::shaping::{CellsProgress, Packed};
 use crate::cells::{Cell, circumcentre};
-use crate::domain::Domain;
 use crate::generators::{Clock, Histogram, Joined, JoinedTriangle, until};
 use crate::mesh::{Mesh, triangulate};
-use crate::metrics::{median, smallest_angles};
+use crate::metrics::{angles_of, median, smallest_angles};
 use crate::packing::Particle;
 
 /// At most this many cells are joined.
@@ -57,7 +56,7 @@ impl Joining {
         let angles = smallest_angles(from.domain, &mesh);
         let counts = Histogram::new((0.0, 60.0), &mut angles.iter().copied());
         Joined {
-            triangles: triangles(from.domain, &points),
+            triangles: triangles(&points),
             points,
             mesh,
             cells,
@@ -74,22 +73,22 @@ fn scattered(from: Packed, cells: &[Cell]) -> Vec<Particle> {
         .collect()
 }
 
-/// Delaunay's triangles whose middle lies in the outline.
-fn triangles(domain: &Domain, points: &[Particle]) -> Vec<JoinedTriangle> {
+/// Delaunay's triangles.
+fn triangles(points: &[Particle]) -> Vec<JoinedTriangle> {
     let places: Vec<_> = points.iter().map(|point| point.centre).collect();
-    let mut triangles = Vec::new();
-    for nodes in triangulate(&places) {
+    let triangle = |nodes: [u32; 3]| {
         let corners = nodes.map(|k| places[k as usize]);
         let [a, b, c] = corners;
-        if domain.contains((a + b + c) / 3.0) {
-            triangles.push(JoinedTriangle {
-                ids: nodes.map(|k| points[k as usize].id),
-                circle: circumcentre(corners),
-                radius: circumcentre(corners).distance(a),
-            });
+        let circle = circumcentre(corners);
+        JoinedTriangle {
+            ids: nodes.map(|k| points[k as usize].id),
+            angles: angles_of(corners),
+            shortest: a.distance(b).min(b.distance(c)).min(c.distance(a)),
+            circle,
+            radius: circle.distance(a),
         }
-    }
-    triangles
+    };
+    triangulate(&places).into_iter().map(triangle).collect()
 }
 
 impl Pavement {

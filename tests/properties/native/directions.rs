@@ -1,9 +1,7 @@
 //! The direction at a point: equation (1) as printed beside our sum, and the index of a walk.
 
 use bubblestone::domain::{Domain, Outline};
-use bubblestone::field::{
-    Direction, FieldBuilder, FieldParams, Fields, printed_sum, printed_terms,
-};
+use bubblestone::field::{Direction, FieldBuilder, FieldParams, Fields, printed_sum};
 use bubblestone::generators::ALL;
 use glam::DVec2;
 use std::f64::consts::TAU;
@@ -62,20 +60,24 @@ fn apart(a: DVec2, b: DVec2) -> f64 {
 #[test]
 fn the_printed_sum_vanishes_in_the_middle_of_a_road() {
     let road = domain(road());
+    let fields = fields(&road);
     assert!(printed_sum(&road, DVec2::splat(256.0)).length() < 1e-12);
     for k in 0..=200 {
         let place = DVec2::new(156.0 + f64::from(k), 256.0);
-        let terms = printed_terms(&road, place);
+        let terms = fields.segment_terms(&road, place);
         assert_eq!(terms.len(), 4);
-        let vectors = terms.iter().map(|term| term.vector);
+        assert_eq!((terms[0].distance, terms[2].distance), (40.0, 40.0));
+        let vectors = terms.iter().map(|term| term.printed);
         let sum = printed_sum(&road, place);
         assert!(vectors.clone().sum::<DVec2>().distance(sum) < 1e-12);
         let lengths: f64 = vectors.map(DVec2::length).sum();
         assert!(sum.length() < 0.02 * lengths, "{place}");
+        // Our sum is certain there, and is that of its terms.
+        let ours = fields.direction_sum(&road, place);
+        assert!(apart(ours.direction, DVec2::X) < 1e-9 && ours.certainty > 1.0 - 1e-9);
+        let turned: DVec2 = terms.iter().map(|term| term.turned).sum();
+        assert!(turned.distance(DVec2::X) < 1e-9, "{turned}");
     }
-    // Our sum is certain there.
-    let ours = fields(&road).direction_sum(&road, DVec2::splat(256.0));
-    assert!(apart(ours.direction, DVec2::X) < 1e-6 && ours.certainty > 0.999);
 }
 
 #[test]
@@ -124,7 +126,10 @@ fn the_sampled_direction_is_that_of_the_sum() {
             let sum = fields.direction_sum(&skew, p);
             assert!((0.0..=1.0 + 1e-12).contains(&sum.certainty));
             let turn = apart(sum.direction, fields.direction(p));
-            assert!(sum.certainty < 0.5 || turn < 1.5, "{direction:?} {p}: {turn}");
+            assert!(
+                sum.certainty < 0.5 || turn < 1.5,
+                "{direction:?} {p}: {turn}"
+            );
         }
     }
     // Beside the printed sum stands that of the boundary.
@@ -136,57 +141,97 @@ fn the_sampled_direction_is_that_of_the_sum() {
 }
 
 #[test]
+fn directions_that_cancel_are_certain_to_nothing() {
+    // Lines halfway between 10 and 80 degrees point to 0 or 90; halfway between 10 and 55 nothing is left.
+    let square = domain(cut(&circle(240.0, 4), 1));
+    let stroke = |middle: DVec2, degrees: f64| {
+        let turn = degrees.to_radians();
+        let half = 30.0 * DVec2::new(libm::cos(turn), libm::sin(turn));
+        vec![middle - half, middle + half]
+    };
+    let between = |first, second| {
+        let params = FieldParams {
+            direction: Direction::Strokes,
+            strokes: vec![
+                stroke(DVec2::new(196.0, 316.0), first),
+                stroke(DVec2::new(316.0, 196.0), second),
+            ],
+            ..FieldParams::default()
+        };
+        FieldBuilder::build(&square, params).direction_sum(&square, DVec2::splat(256.0))
+    };
+    let sum = between(10.0, 80.0);
+    assert!(apart(sum.direction, DVec2::X) < 1e-9, "{sum:?}");
+    assert!((0.7..0.8).contains(&sum.certainty), "{sum:?}");
+    assert!(between(10.0, 55.0).certainty < 0.1);
+    let disc = domain(circle(200.0, 96));
+    let middle = fields(&disc).direction_sum(&disc, DVec2::splat(256.0));
+    assert!(middle.certainty < 1e-12, "{middle:?}");
+}
+
+/// The turns of the direction along a walk.
+fn turns(domain: &Domain, walk: &[DVec2]) -> Vec<f64> {
+    let places = fields(domain).along_walk(domain, walk);
+    places.iter().map(|place| place.turns).collect()
+}
+
+#[test]
 fn a_walk_around_all_singular_points_of_a_disc_counts_four_quarter_turns() {
     let disc = domain(circle(200.0, 96));
-    let fields = fields(&disc);
-    let points = fields.singularities(&disc);
+    let points = fields(&disc).singularities(&disc);
     let whole: f64 = points.iter().map(|point| point.index).sum();
     assert_eq!(whole, 1.0, "{points:?}");
-    let turns = fields.turns(&circle(160.0, 24));
-    assert_eq!(turns.len(), 25);
-    assert_eq!((turns[0], turns[24]), (0.0, 1.0));
-    // It turns evenly: by symmetry, half of it on half the way.
-    assert!((turns[12] - 0.5).abs() < 0.01, "{turns:?}");
-    let back: Vec<DVec2> = circle(160.0, 24).into_iter().rev().collect();
-    assert_eq!(fields.turns(&back)[24], -1.0);
-    // A walk around one of them has its index.
-    for point in &points {
-        let middle = DVec2::splat(256.0);
-        let small = circle(24.0, 12);
-        let around: Vec<DVec2> = small.iter().map(|p| *p - middle + point.point).collect();
-        assert_eq!(fields.turns(&around).last(), Some(&point.index));
+    let walk = circle(160.0, 24);
+    let places = fields(&disc).along_walk(&disc, &walk);
+    assert_eq!(places.len(), 25);
+    assert_eq!((places[0].turns, places[24].turns), (0.0, 1.0));
+    assert_eq!(places[0].sum, places[24].sum);
+    for (place, at) in places.iter().zip(&walk) {
+        assert_eq!(place.sum, fields(&disc).direction_sum(&disc, *at));
     }
+    // It turns evenly: by symmetry, half of it on half the way.
+    assert!((places[12].turns - 0.5).abs() < 1e-9, "{places:?}");
+    let back: Vec<DVec2> = walk.into_iter().rev().collect();
+    assert_eq!(turns(&disc, &back)[24], -1.0);
+    // Beside the middle nothing is counted.
+    let beside = circle(50.0, 72)
+        .into_iter()
+        .map(|p| p + DVec2::new(110.0, 0.0));
+    assert_eq!(turns(&disc, &beside.collect::<Vec<_>>())[72], 0.0);
 }
 
 #[test]
-fn a_ring_turns_once_around_its_hole_and_a_square_never() {
-    let of = |link: &str| {
+fn a_ring_turns_once_around_its_hole_a_square_never_and_a_fork_against_the_walk() {
+    let of = |link: &str, middle: [f64; 2], radius: f64| {
         let domain = Domain::from_checked(&ALL.recipe(link).0.outline());
-        let fields = fields(&domain);
-        let walk: Vec<DVec2> = circle(150.0, 24);
-        fields.turns(&walk).last().copied()
+        let by = 512.0 * DVec2::from(middle) - DVec2::splat(256.0);
+        let walk: Vec<DVec2> = circle(512.0 * radius, 72).iter().map(|p| *p + by).collect();
+        turns(&domain, &walk).last().copied()
     };
-    assert_eq!(of("outline=annulus"), Some(1.0));
-    assert_eq!(of("outline=square"), Some(0.0));
+    let middle = [0.5, 0.5];
+    assert_eq!(of("outline=annulus", middle, 0.35), Some(1.0));
+    assert_eq!(of("outline=square", middle, 0.35), Some(0.0));
+    assert_eq!(of("outline=y_fork", [0.5, 0.43], 0.1), Some(-0.5));
+    // A walk that leaves the outline has no index.
+    assert_eq!(of("outline=annulus", middle, 0.1), None);
+    assert_eq!(of("outline=square", [0.9, 0.5], 0.3), None);
 }
 
 #[test]
-fn walks_without_an_index_have_no_turns() {
-    let square = domain(vec![
-        DVec2::new(100.0, 100.0),
-        DVec2::new(400.0, 100.0),
-        DVec2::new(400.0, 400.0),
-        DVec2::new(100.0, 400.0),
-    ]);
-    let fields = fields(&square);
-    // Far outside there is no direction.
-    assert_eq!(fields.turns(&circle(240.0, 8)), []);
-    assert_eq!(fields.turns(&[]), [0.0]);
-    assert_eq!(fields.turns(&[DVec2::splat(250.0)]), [0.0, 0.0]);
+fn short_walks_and_constant_directions_turn_by_nothing() {
+    let square = domain(circle(200.0, 4));
     let constant = FieldParams {
         direction: Direction::Constant,
+        angle: 0.5,
         ..FieldParams::default()
     };
     let constant = FieldBuilder::build(&square, constant);
-    assert_eq!(constant.turns(&circle(100.0, 3)), [0.0; 4]);
+    for count in [1, 2, 9] {
+        let places = constant.along_walk(&square, &circle(80.0, count));
+        assert_eq!(places.len() as u32, count + 1);
+        assert!(places.iter().all(|place| place.turns == 0.0));
+        let along = DVec2::new(libm::cos(0.5), libm::sin(0.5));
+        assert!(apart(places[0].sum.direction, along) < 1e-9);
+    }
+    assert_eq!(constant.along_walk(&square, &[]), []);
 }

@@ -2,7 +2,7 @@
 
 use crate::common::finished;
 use bubblestone::domain::signed_area;
-use bubblestone::generators::{ALL, Joined};
+use bubblestone::generators::{ALL, Joined, JoinedTriangle};
 use bubblestone::studio::Studio;
 use glam::DVec2;
 
@@ -37,7 +37,11 @@ const CIRCLES: &str = "size=256&cs=16&outline=square&kind=circle&start=random";
 
 #[test]
 fn the_last_step_has_the_mesh_and_the_cells_of_the_stages() {
-    for link in [CIRCLES, "size=256&cs=18&outline=star", "size=128&cs=16&tile=1"] {
+    for link in [
+        CIRCLES,
+        "size=256&cs=18&outline=star",
+        "size=128&cs=16&tile=1",
+    ] {
         let mut studio = finished(link);
         let (joined, slices) = join(&mut studio, Some(u32::MAX));
         let products = studio.pavement();
@@ -82,6 +86,26 @@ fn no_point_lies_in_the_circle_of_a_triangle() {
             assert!(far > triangle.radius - 1e-9);
             assert!(!is_corner || far < triangle.radius + 1e-9);
         }
+        // The smallest angle is that over the shortest side.
+        let least = triangle
+            .angles
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        let sine = triangle.shortest / (2.0 * triangle.radius);
+        assert!((libm::sin(least.to_radians()) - sine).abs() < 1e-12);
+        assert!((triangle.angles.iter().sum::<f64>() - 180.0).abs() < 1e-9);
+        // The angles that face an inner edge add up to 180 degrees at most.
+        for other in &joined.triangles {
+            let facing = |one: &JoinedTriangle, of: &JoinedTriangle| {
+                let apart = (0..3).filter(|&k| !of.ids.contains(&one.ids[k]));
+                let apart: Vec<usize> = apart.collect();
+                (apart.len() == 1).then(|| one.angles[apart[0]])
+            };
+            if let (Some(a), Some(b)) = (facing(triangle, other), facing(other, triangle)) {
+                assert!(a + b <= 180.0 + 1e-9);
+            }
+        }
     }
 }
 
@@ -96,13 +120,20 @@ fn scattered_points_are_joined_as_they_are_relaxed() {
         assert_eq!(joined.points.len(), packing.points.len());
     }
     let middles = [&none, &few, &many, &packing].map(|joined| joined.middle_angle);
-    assert!(middles.is_sorted() && middles[0] < Some(35.0), "{middles:?}");
+    assert!(
+        middles.is_sorted() && middles[0] < Some(35.0),
+        "{middles:?}"
+    );
 }
 
 #[test]
 fn polygons_surround_their_points() {
     let joined = joined(CIRCLES, Some(20));
-    let area: f64 = joined.cells.iter().map(|cell| signed_area(&cell.ring)).sum();
+    let area: f64 = joined
+        .cells
+        .iter()
+        .map(|cell| signed_area(&cell.ring))
+        .sum();
     let outline = ALL.recipe(CIRCLES).0.outline();
     assert!((area / signed_area(&outline.rings[0]) - 1.0).abs() < 1e-6);
     for cell in &joined.cells {
@@ -117,7 +148,13 @@ fn too_many_cells_and_none_are_not_joined() {
     assert_eq!(many, Joined::default());
     let outside = "size=128&cs=24&outline=square&edge=open&pop=off&given=-0.2,0.5,0";
     assert_eq!(joined(outside, Some(0)), Joined::default());
-    let one = joined("size=128&cs=24&outline=square&pop=off&given=0.5,0.5,1", None);
-    assert_eq!((one.points.len(), one.mesh.faces.len(), one.cells.len()), (1, 0, 1));
+    let one = joined(
+        "size=128&cs=24&outline=square&pop=off&given=0.5,0.5,1",
+        None,
+    );
+    assert_eq!(
+        (one.points.len(), one.mesh.faces.len(), one.cells.len()),
+        (1, 0, 1)
+    );
     assert_eq!((one.middle_angle, one.angles.counts.len()), (None, 0));
 }
