@@ -89,7 +89,8 @@ fn pieces_of_a_side_change_the_printed_direction_and_not_ours() {
         let mut printed_turns = 0.0_f64;
         for p in inside(&whole, 20.0) {
             let [a, b] = [&whole, &pieces].map(|domain| printed_sum(domain, p));
-            printed_turns = printed_turns.max(a.angle_to(b).to_degrees().abs());
+            let turn = libm::atan2(a.perp_dot(b), a.dot(b)).to_degrees();
+            printed_turns = printed_turns.max(turn.abs());
             let sums = [
                 both[0].direction_sum(&whole, p),
                 both[1].direction_sum(&pieces, p),
