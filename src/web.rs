@@ -6,6 +6,7 @@
 #[cfg(feature = "bench")]
 mod bench;
 mod catalogue;
+mod directions;
 mod files;
 #[cfg(house)]
 mod given;

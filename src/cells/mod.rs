@@ -49,6 +49,7 @@ pub use packed::packed;
 pub(crate) use straighten::{PACE, ROOM, ROUNDS, rectangle};
 #[cfg(house)]
 pub(crate) use vertices::CORNER;
+pub(crate) use voronoi::circumcentre;
 pub use voronoi::{Scatter, ScatterParams};
 
 use crate::field::CellKind;

@@ -157,7 +157,7 @@ fn links(triangles: &[[u32; 3]], real: usize) -> Csr<u32> {
 }
 
 /// The circumcentre of three points; their mean if they are collinear.
-pub(super) fn circumcentre([a, b, c]: [DVec2; 3]) -> DVec2 {
+pub(crate) fn circumcentre([a, b, c]: [DVec2; 3]) -> DVec2 {
     let (u, v) = (b - a, c - a);
     let from_a =
         (u.length_squared() * v.perp() - v.length_squared() * u.perp()) / (-2.0 * u.perp_dot(v));

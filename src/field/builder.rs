@@ -4,7 +4,7 @@
 //! are interpolated. The result is 0.02 to 0.14 degrees off the plain sum. A second layer of directions is
 //! made only if parts have kinds with another symmetry.
 
-use super::follow::{layers, ray};
+use super::follow::{base, layers};
 use super::formulas;
 use super::grid::{COARSE, SampleGrid};
 use super::lattice::{Lattice, fitted};
@@ -230,16 +230,8 @@ impl FieldBuilder {
             layers[0].nodes[at] = printed_vector(domain.segments(), p);
             return 0.0;
         }
-        let mut feature_size = f64::INFINITY;
-        let base = match params.direction {
-            Direction::Constant => Some(*along),
-            Direction::Spiral => {
-                let (ray, distance) = ray(self.space, params, p);
-                feature_size = feature_size.min(distance);
-                Some(ray.rotate(*along))
-            }
-            _ => None,
-        };
+        let base = base(self.space, params, *along, p);
+        let mut feature_size = base.map_or(f64::INFINITY, |(_, distance)| distance);
         let mut coherence = 1.0_f64;
         for ((layer, sources), last) in layers.iter_mut().zip(&self.sources).zip(&mut self.last) {
             let most = last.1 + last.0.distance(p) + 1e-6;
@@ -249,7 +241,7 @@ impl FieldBuilder {
             *last = (p, nearest);
             feature_size = feature_size.min(nearest);
             let mut sum = Sum::default();
-            if let Some(base) = base {
+            if let Some((base, _)) = base {
                 let weight = line_weight(params.reach, params.power);
                 sum.add(weight, representation(base, layer.symmetry));
             }

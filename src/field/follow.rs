@@ -11,7 +11,7 @@ const FAINT: f64 = 0.02;
 
 /// The unit vector of the spiral's ray, and the distance to the nearest point where it is undefined. On a
 /// torus rays from one point do not repeat; the rays of the sines do, with singular points half a side apart.
-pub(super) fn ray(space: Space, params: &FieldParams, p: DVec2) -> (DVec2, f64) {
+fn ray(space: Space, params: &FieldParams, p: DVec2) -> (DVec2, f64) {
     let from = p - params.centre;
     let Some(side) = space.period() else {
         return (from.normalize_or_zero(), from.length());
@@ -23,6 +23,24 @@ pub(super) fn ray(space: Space, params: &FieldParams, p: DVec2) -> (DVec2, f64) 
         ray.normalize_or_zero(),
         (from - half * (from / half).round()).length(),
     )
+}
+
+/// The direction that the sources are added to, and the distance to the nearest point where it is undefined.
+/// `along` is the constant direction, or the direction to the rays.
+pub(super) fn base(
+    space: Space,
+    params: &FieldParams,
+    along: DVec2,
+    p: DVec2,
+) -> Option<(DVec2, f64)> {
+    match params.direction {
+        Direction::Constant => Some((along, f64::INFINITY)),
+        Direction::Spiral => {
+            let (ray, distance) = ray(space, params, p);
+            Some((ray.rotate(along), distance))
+        }
+        _ => None,
+    }
 }
 
 /// The layers of the direction: the symmetry of each and its sources; empty if the direction is constant.

@@ -28,6 +28,7 @@
 //! assert!(along.x.abs().max(along.y.abs()) > 0.99);
 //! ```
 
+mod at_point;
 mod builder;
 mod ends;
 mod follow;
@@ -41,6 +42,7 @@ mod singular;
 mod sources;
 pub(crate) mod symmetry;
 
+pub use at_point::{DirectionSum, SegmentTerm, WalkPlace, printed_sum};
 pub use builder::FieldBuilder;
 pub use kind::CellKind;
 pub use params::{Direction, FieldParams};

@@ -18,7 +18,7 @@ pub struct Singularity {
 /// between its four nodes.
 const TOGETHER: f64 = 2.9;
 /// Two representation vectors with a smaller cosine lie on opposite sides of a tear.
-const TORN: f64 = -0.985;
+pub(super) const TORN: f64 = -0.985;
 
 impl Fields {
     /// The singular points of the direction inside the outline, from top to bottom. Tears, the lines where

@@ -277,11 +277,16 @@ fn inverse_powers(squares: f64x2, power: u32) -> f64x2 {
 /// Equation (1) as printed: the mean of s_i / d_i^2, d_i the distance to the segment.
 pub(super) fn printed_vector(segments: &[[DVec2; 2]], p: DVec2) -> DVec2 {
     let mut sum = DVec2::ZERO;
-    for &[a, b] in segments {
-        let square = closest_on_segment(p, a, b).distance_squared(p);
-        sum += (b - a) / square.max(NEAREST * NEAREST);
+    for &segment in segments {
+        sum += printed_term(segment, p);
     }
     sum / segments.len().max(1) as f64
+}
+
+/// The term s_i / d_i^2 of a segment.
+pub(super) fn printed_term([a, b]: [DVec2; 2], p: DVec2) -> DVec2 {
+    let square = closest_on_segment(p, a, b).distance_squared(p);
+    (b - a) / square.max(NEAREST * NEAREST)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::field::{CellKind, Fields};
 use crate::heightfield::Planes;
 use crate::mesh::Mesh;
 use crate::metrics::Metrics;
-use crate::packing::Packing;
+use crate::packing::{Packing, Particle};
 use crate::solid::StoneParams;
 use glam::DVec2;
 
@@ -71,6 +71,47 @@ impl Histogram {
             counts[(class.max(0.0) as usize).min(CLASSES - 1)] += 1;
         }
         Self { from, to, counts }
+    }
+}
+
+/// Points that are joined to a mesh and to polygons: packed cells at a step, or as many scattered points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Joined {
+    /// The points in the order of the mesh's vertices.
+    pub points: Vec<Particle>,
+    /// Their mesh; see [`Mesh::build`].
+    pub mesh: Mesh,
+    /// Their plain Delaunay triangulation, out to the convex hull. On a tile it does not reach over the seams.
+    pub triangles: Vec<JoinedTriangle>,
+    /// The polygons, by rising ids.
+    pub cells: Vec<Cell>,
+    /// The smallest angles of the mesh's triangles in degrees, counted.
+    pub angles: Histogram,
+    /// The median of these angles; `None` without triangles.
+    pub middle_angle: Option<f64>,
+}
+
+/// A triangle of a Delaunay triangulation with the circle through its corners, in which no other point lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JoinedTriangle {
+    /// The ids of its corners.
+    pub ids: [u32; 3],
+    /// Its angles there, in degrees.
+    pub angles: [f64; 3],
+    /// Its shortest side.
+    pub shortest: f64,
+    /// The circle's centre.
+    pub circle: DVec2,
+    /// The circle's radius.
+    pub radius: f64,
+}
+
+impl Joined {
+    /// The id of the point at a vertex of the mesh; on a tile that of an image is the point's.
+    pub fn id(&self, vertex: u32) -> u32 {
+        let vertex = vertex as usize;
+        let image = vertex.checked_sub(self.points.len());
+        self.points[image.map_or(vertex, |image| self.mesh.images[image] as usize)].id
     }
 }
 

@@ -2,7 +2,7 @@
 //! from the method of [`super::Engine`] for that trait.
 
 use super::Clock;
-use super::inspection::{Histogram, Probe};
+use super::inspection::{Histogram, Joined, Probe};
 use crate::domain::Outline;
 use crate::export::{Map, MapKind, MeshOrder, MeshSize};
 use crate::notice::Notice;
@@ -132,6 +132,13 @@ pub trait Steps {
 
     /// Works for about `budget` milliseconds towards the held step; true when it is reached, or no step is held.
     fn reach(&mut self, clock: Clock, budget: f64) -> bool;
+
+    /// Works for about `budget` milliseconds on the mesh and the polygons of the packing that is shown; true when they
+    /// are made. There are none without a packing, and none of more than 400 cells.
+    fn join(&mut self, clock: Clock, budget: f64) -> bool;
+
+    /// What [`Steps::join`] has made.
+    fn joined(&self) -> Option<&Joined>;
 
     /// All packed cells in numbers, by rising ids.
     fn numbers(&mut self) -> Vec<CellNumbers>;

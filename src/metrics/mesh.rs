@@ -58,31 +58,25 @@ pub struct TriangleQuality {
     pub min: f64,
 }
 
-/// Classes of smallest angles, each of 2 degrees.
-pub const ANGLE_CLASSES: usize = 30;
-
-/// Counts the triangles of a mesh by their smallest angle: 0..2 degrees, 2..4, up to 58..60.
-pub fn smallest_angles(domain: &Domain, mesh: &Mesh) -> [u32; ANGLE_CLASSES] {
-    let mut counts = [0; ANGLE_CLASSES];
+/// The smallest angle of each triangle of a mesh in degrees, at most 60, in the order of its elements.
+pub fn smallest_angles(domain: &Domain, mesh: &Mesh) -> Vec<f64> {
+    let mut angles = Vec::new();
     for face in &mesh.faces {
-        let polygon = polygon(domain, mesh, face);
-        if polygon.len() == 3 {
-            let class = (smallest_angle(&polygon) / 2.0) as usize;
-            counts[class.min(ANGLE_CLASSES - 1)] += 1;
+        if let [a, b, c] = polygon(domain, mesh, face)[..] {
+            let [a, b, c] = angles_of([a, b, c]);
+            angles.push(a.min(b).min(c));
         }
     }
-    counts
+    angles
 }
 
-/// The smallest angle of a triangle in degrees, at most 60.
-fn smallest_angle(corners: &[DVec2]) -> f64 {
-    let at = |k: usize| {
-        let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 3]);
-        let (along, across) = (b - a, c - a);
+/// The angles of a triangle at its corners, in degrees.
+pub(crate) fn angles_of([a, b, c]: [DVec2; 3]) -> [f64; 3] {
+    [[a, b, c], [b, c, a], [c, a, b]].map(|[at, next, last]| {
+        let (along, across) = (next - at, last - at);
         let turn = libm::atan2(along.perp_dot(across).abs(), along.dot(across));
         turn.to_degrees()
-    };
-    at(0).min(at(1)).min(at(2))
+    })
 }
 
 /// The corners of an element. On a torus an element without images lies where its first node does.

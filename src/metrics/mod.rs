@@ -12,7 +12,8 @@ pub use cells::CellMetrics;
 pub use cover::Cover;
 pub use figure::Figure;
 pub(crate) use figure::symmetry_angle;
-pub use mesh::{ANGLE_CLASSES, Jacobian, MeshMetrics, TriangleQuality, smallest_angles};
+pub(crate) use mesh::angles_of;
+pub use mesh::{Jacobian, MeshMetrics, TriangleQuality, smallest_angles};
 
 use crate::cells::Cell;
 use crate::domain::Domain;
@@ -89,7 +90,7 @@ impl Tally {
 }
 
 /// The median; for an even count the mean of the two in the middle.
-fn median(mut numbers: Vec<f64>) -> Option<f64> {
+pub(crate) fn median(mut numbers: Vec<f64>) -> Option<f64> {
     order::sort(&mut numbers, |&x| (order::rank(x), 0));
     let n = numbers.len();
     let upper = *numbers.get(n / 2)?;

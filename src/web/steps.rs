@@ -1,8 +1,9 @@
 //! The steps of a packing, forward and back, and its numbers.
 
 use super::Bubblestone;
-use crate::generators::Steps;
-use crate::packing::{CellNumbers, NeighbourNumbers, PopulationChange, force};
+use crate::cells::Cell;
+use crate::generators::{JoinedTriangle, Steps};
+use crate::packing::{CellNumbers, NeighbourNumbers, Particle, PopulationChange, force};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -20,6 +21,70 @@ impl Bubblestone {
         let clock = &self.clock;
         let steps = self.studio.engine_mut().steps();
         steps.is_none_or(|steps| steps.reach(&mut || clock.now(), budget))
+    }
+
+    /// Works for about `budget` milliseconds on the mesh and the polygons of the packing that is shown, at most 400
+    /// cells; true when they are made. If the recipe's cells are those of scattered points, these are joined.
+    #[wasm_bindgen(js_name = joinCells)]
+    pub fn join_cells(&mut self, budget: f64) -> bool {
+        let clock = &self.clock;
+        let steps = self.studio.engine_mut().steps();
+        steps.is_none_or(|steps| steps.join(&mut || clock.now(), budget))
+    }
+
+    /// Numbers of what was joined, by a word. 'points': 3 each, id, x, y. 'faces', the elements of the mesh of these
+    /// points: 4 ids each, of which the last is -1 in a triangle. 'angles', the smallest ones of the mesh's triangles in
+    /// degrees: their median, then their counts in 30 classes from 0 to 60; empty without triangles. 'triangles', those of
+    /// the plain Delaunay triangulation: 10 each, three ids, the angles there in degrees, the shortest side, and the circle
+    /// through the corners as x, y and radius. 'cells', the polygons one after the other: id, number of corners, and x, y of each corner.
+    pub fn joined(&mut self, part: &str) -> Vec<f64> {
+        let mut numbers = Vec::new();
+        let Some(joined) = self.steps().and_then(|steps| steps.joined()) else {
+            return numbers;
+        };
+        match part {
+            "points" => {
+                for Particle { id, centre, .. } in &joined.points {
+                    numbers.extend_from_slice(&[f64::from(*id), centre.x, centre.y]);
+                }
+            }
+            "faces" => {
+                for face in &joined.mesh.faces {
+                    let nodes = face.nodes();
+                    let id = |k| nodes.get(k).map_or(-1.0, |&k| joined.id(k).into());
+                    numbers.extend_from_slice(&[0, 1, 2, 3].map(id));
+                }
+            }
+            "angles" => {
+                numbers.extend(joined.middle_angle);
+                for &count in &joined.angles.counts {
+                    numbers.push(count.into());
+                }
+            }
+            "triangles" => {
+                for triangle in &joined.triangles {
+                    let JoinedTriangle {
+                        shortest,
+                        circle,
+                        radius,
+                        ..
+                    } = triangle;
+                    numbers.extend_from_slice(&triangle.ids.map(f64::from));
+                    numbers.extend_from_slice(&triangle.angles);
+                    numbers.extend_from_slice(&[*shortest, circle.x, circle.y, *radius]);
+                }
+            }
+            "cells" => {
+                for Cell { id, ring, .. } in &joined.cells {
+                    numbers.extend_from_slice(&[f64::from(*id), ring.len() as f64]);
+                    for corner in ring {
+                        numbers.extend_from_slice(&[corner.x, corner.y]);
+                    }
+                }
+            }
+            _ => {}
+        }
+        numbers
     }
 
     /// All packed cells by rising ids, 11 numbers each: id, x, y, size, 1 if held, velocity x and y, force x and y,

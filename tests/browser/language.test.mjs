@@ -37,7 +37,7 @@ test('every word has its Japanese, with the same values in it', sameEverywhere, 
   // Signs and names of formats are the same in both languages.
   const same = (text) => !/[a-z]{3}/.test(text.replace(/\{\w+\}|PNG|OBJ|GLB|SVG|GIF|JSON|Bubblestone/g, ''));
   // The last files are those of lazy parts, with both languages in one file.
-  const parts = [...['page', 'words'].map((part) => [english[part], japanese[part]]), ...['take', 'look', 'turn', 'space', 'editor'].map(words).map(({ en, ja }) => [en, ja])];
+  const parts = [...['page', 'words'].map((part) => [english[part], japanese[part]]), ...['take', 'look', 'turn', 'space', 'editor', 'keys'].map(words).map(({ en, ja }) => [en, ja])];
   for (const [en, ja] of parts) {
     assert.deepEqual(Object.keys(ja).sort(), Object.keys(en).sort());
     for (const [key, text] of Object.entries(en)) {

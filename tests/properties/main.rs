@@ -16,6 +16,7 @@ mod native {
     mod bad_links;
     mod bigger;
     mod coats;
+    mod directions;
     mod even;
     mod export;
     mod fields;
@@ -24,6 +25,7 @@ mod native {
     mod house;
     mod inspect;
     mod islands;
+    mod joined;
     mod line_cells;
     mod lines;
     mod links;

@@ -1,8 +1,9 @@
-/** Keys that work anywhere on the page unless the focused element needs them itself, and the list of them. */
-import { t, type Word } from '../words/words';
-import { byId, byIdAs, closeFromBeside, make } from './dom';
+/** Keys that work anywhere on the page unless the focused element needs them itself. */
+import type { Word } from '../words/keys';
+import { byId } from './dom';
+import { Later } from './later';
 
-interface Binding {
+export interface Binding {
   /** `KeyboardEvent.key` in lower case, after `ctrl+` and `shift+`. `ctrl+` means Ctrl or Cmd. */
   keys: string[];
   /** The keys as the list shows them, where capitals are not enough. */
@@ -18,26 +19,12 @@ interface Binding {
 
 const bindings: Binding[] = [];
 
+const list = new Later(() => import('./key-list'));
+
 /** Adds keys. The list shows them in this order. */
 export function bindKeys(...more: Binding[]): void {
   bindings.push(...more);
 }
-
-/** Keys that work only on the picture, or while points are edited, with their parts. The same list shows them. */
-const ON_PICTURE: readonly [shown: string[], word: Word, part: string][] = [
-  [['← ↑ → ↓'], 'key_walk', 'probe'],
-  [['← ↑ → ↓'], 'key_orbit', 'turn'],
-  [['← ↑ → ↓'], 'key_around', 'space'],
-  [['← ↑ → ↓'], 'key_move', 'outline'],
-  [['Shift'], 'key_far', 'outline'],
-  [['Shift'], 'key_snap', 'outline'],
-  [['Ctrl'], 'key_whole', 'outline'],
-  [['Insert'], 'key_insert', 'outline'],
-  [['Delete'], 'key_delete', 'outline'],
-  [['Enter'], 'key_turn', 'outline'],
-  [['Enter'], 'key_finish', 'outline'],
-  [['Esc'], 'key_escape', 'outline'],
-];
 
 /** Starts to listen, and shows the list under `?` and its button. */
 export function listenToKeys(): void {
@@ -50,25 +37,13 @@ export function listenToKeys(): void {
     event.preventDefault();
     if (!event.repeat || binding.repeats) binding.act(event.key.toLowerCase());
   });
-  const dialog = byIdAs('keys', HTMLDialogElement);
-  const show = (): void => {
-    const row = (shown: string[], word: Word): HTMLElement =>
-      make('div', {}, make('dt', {}, ...shown.flatMap((key, k) => [...(k ? [' '] : []), make('kbd', {}, key)])), make('dd', {}, t(word)));
-    byId('keys-list').replaceChildren(
-      ...bindings.filter(({ part }) => isOffered(part)).map(({ keys, shown, word }) => row(shown ?? keys.map((key) => key.toUpperCase()), word)),
-      ...ON_PICTURE.filter(([, , part]) => isOffered(part)).map(([shown, word]) => row([...shown], word)),
-    );
-    dialog.showModal();
-    // The focused close button may be below the visible part.
-    dialog.scrollTop = 0;
-  };
-  bindKeys({ keys: ['?'], word: 'key_keys', act: show });
+  const show = (): void => list.ask(({ showKeys }) => showKeys(bindings));
+  bindKeys({ keys: ['?'], word: 'keys', act: show });
   byId('keys-button').addEventListener('click', show);
-  closeFromBeside(dialog);
 }
 
 /** Whether the page offers this part now. */
-function isOffered(part?: string): boolean {
+export function isOffered(part?: string): boolean {
   return part === undefined || (document.documentElement.dataset['offers'] ?? '').split(' ').includes(part);
 }
 

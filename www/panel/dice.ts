@@ -1,28 +1,15 @@
 /** The buttons that randomise: one for everything that is not locked, and a dice and a lock for each group. */
-import type { Parameter } from '../module/types';
 import { groupIn, t } from '../words/words';
 import { byId, make } from '../base/dom';
 import { Later } from '../base/later';
-import { clear, offerOf } from '../base/messages';
-import { valuesIn } from '../state/link';
 import { isLocked, onLocks, toggleLock } from '../state/locks';
-import { recipeOf } from '../state/rules';
-import type { Store } from '../state/store';
 import type { Work } from '../state/work';
 import type { Panel } from './panel';
-import { SEED } from './seed';
-
-/** The group of patterns, and the keys of colours in other groups. */
-const PATTERNS = 'Colour';
-const PAINTS = ['palette', 'vary', 'ground', 'f1', 'f2', 'f3', 'f4'];
 
 export class Dice {
   private readonly work: Work;
   private readonly push: () => void;
-  private readonly ranges = new Later(async () => {
-    const [{ thrown }, { drawnIn }, { CHANCES }] = await Promise.all([import('./chance'), import('./drawn'), import('./ranges')]);
-    return { thrown, drawnIn, table: (word: string) => CHANCES[word] ?? {} };
-  });
+  private readonly throws = new Later(() => import('./throws'));
   private groups: { name: string; dice: HTMLButtonElement; lock: HTMLButtonElement }[] = [];
 
   /** `push` is called before a change that the browser's Back button should undo. */
@@ -30,7 +17,7 @@ export class Dice {
     this.work = work;
     this.push = push;
     byId('throw').addEventListener('click', () => this.throw(this.groups.map(({ name }) => name)));
-    byId('throw-colours').addEventListener('click', () => this.colours());
+    byId('throw-colours').addEventListener('click', () => this.throws.ask(({ colours }) => colours(work, push)));
     onLocks(work.store, () => this.show());
   }
 
@@ -47,16 +34,6 @@ export class Dice {
     this.show();
   }
 
-  /** Says that the visitor's own work was kept, and offers new values for it, too. */
-  private tellKept(groups: readonly string[]): void {
-    const too = make('button', { type: 'button', id: 'throw-drawn' }, t('throw_drawn'));
-    too.addEventListener('click', () => {
-      clear('value');
-      this.throw(groups, true);
-    });
-    offerOf('value', t('drawn_kept'), too);
-  }
-
   private show(): void {
     for (const { name, dice, lock } of this.groups) {
       const locked = isLocked(this.work.store, name);
@@ -65,40 +42,9 @@ export class Dice {
     }
   }
 
-  /** New colours alone. */
-  private colours(): void {
-    const { engine, store } = this.work;
-    this.ranges.ask(({ thrown, drawnIn, table }) => {
-      const isPaint = ({ key, group }: Parameter): boolean => group === PATTERNS || PAINTS.includes(key);
-      const groups = [...new Set(engine.schema.filter(isPaint).map(({ group }) => group))];
-      const stay = drawnIn(recipeOf(engine), presetIn(store));
-      for (const row of engine.schema) if (!isPaint(row)) stay.add(row.key);
-      const values = thrown(table(engine.generator.chance), Math.random, groups, engine.schema, (key) => engine.get(key), stay);
-      this.push();
-      this.work.setAll(values);
-    });
+  private throw(groups: readonly string[]): void {
+    this.throws.ask((throws) => throws.groups(this.work, this.push, groups));
   }
-
-  /** New values for these groups. The visitor's own work stays, unless `all` is true. */
-  private throw(groups: readonly string[], all = false): void {
-    const { engine, store } = this.work;
-    this.ranges.ask(({ thrown, drawnIn, table }) => {
-      const free = groups.filter((group) => !isLocked(store, group));
-      const stay = all ? new Set<string>() : drawnIn(recipeOf(engine), presetIn(store));
-      const values = thrown(table(engine.generator.chance), Math.random, free, engine.schema, (key) => engine.get(key), stay);
-      if (groups.length > 1 && !isLocked(store, SEED)) values.push([SEED, String(engine.randomSeed())]);
-      this.push();
-      this.work.setAll(values);
-      if (engine.schema.some(({ key, kind, group }) => kind === 'text' && stay.has(key) && free.includes(group))) this.tellKept(groups);
-      // After all groups were randomised, the recipe is no variant of its preset.
-      if (groups.length > 1) store.update({ preset: undefined });
-    });
-  }
-}
-
-/** The values of the recipe's preset. */
-function presetIn({ state }: Store): string[] {
-  return valuesIn(state.preset?.recipe ?? '');
 }
 
 /** A button with the icon of another button of the page. */

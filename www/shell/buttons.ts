@@ -57,17 +57,17 @@ function bindAllKeys(house: House): void {
   const { work: { engine, store }, parts, view } = house;
   const press = (id: string) => () => byId(id).click();
   bindKeys(
-    { keys: [' '], shown: ['Space'], word: 'key_play', act: press('play') },
-    { keys: ['s', '.'], word: 'key_step', act: press('step'), repeats: true },
-    { keys: [','], word: 'key_back', act: () => parts.timeline.ask((timeline) => timeline.goBack()), repeats: true },
-    { keys: ['r'], word: 'key_restart', act: () => house.again() },
-    { keys: ['d'], word: 'key_dice', act: press('dice') },
-    { keys: ['x'], word: 'key_throw', act: press('throw') },
-    { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'key_undo', act: press('undo'), repeats: true },
-    { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'key_redo', act: press('redo'), repeats: true },
-    { keys: ['c'], word: 'key_copy', act: () => void copyLink(engine.link()) },
-    { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'key_view', act: (key) => store.update({ view: view.bases[Number(key)] ?? 'auto' }) },
-    { keys: ['e'], word: 'key_edit', part: 'outline', act: () => parts.editor.ask((editor) => editor.toggle()) },
+    { keys: [' '], shown: ['Space'], word: 'play', act: press('play') },
+    { keys: ['s', '.'], word: 'step', act: press('step'), repeats: true },
+    { keys: [','], word: 'back', act: () => parts.timeline.ask((timeline) => timeline.goBack()), repeats: true },
+    { keys: ['r'], word: 'restart', act: () => house.again() },
+    { keys: ['d'], word: 'dice', act: press('dice') },
+    { keys: ['x'], word: 'throw', act: press('throw') },
+    { keys: ['ctrl+z'], shown: ['Ctrl+Z'], word: 'undo', act: press('undo'), repeats: true },
+    { keys: ['ctrl+shift+z', 'ctrl+y'], shown: ['Ctrl+Shift+Z', 'Ctrl+Y'], word: 'redo', act: press('redo'), repeats: true },
+    { keys: ['c'], word: 'copy', act: () => void copyLink(engine.link()) },
+    { keys: '0123456789'.split(''), shown: ['0', '–', '9'], word: 'view', act: (key) => store.update({ view: view.bases[Number(key)] ?? 'auto' }) },
+    { keys: ['e'], word: 'edit', part: 'outline', act: () => parts.editor.ask((editor) => editor.toggle()) },
   );
   listenToKeys();
 }

@@ -75,14 +75,14 @@ function bind(): void {
     byId('turn-button').click();
   };
   bindKeys(
-    { keys: ['+', '=', '-'], shown: ['+', '-'], word: 'key_zoom', act: (key) => byId(key === '-' ? 'zoom-out' : 'zoom-in').click(), repeats: true },
-    { keys: ['f'], word: 'key_fit', act: press('zoom-fit') },
-    { keys: ['l'], word: 'key_light', act: press('light-button') },
-    { keys: ['o'], word: 'key_layers', part: 'layers', act: press('layers-button') },
-    { keys: ['g'], word: 'key_slant', part: 'turn', act: turn },
-    { keys: ['t'], word: 'key_repeat', part: 'tiles', act: press('tile-button') },
-    { keys: ['v'], word: 'key_compare', part: 'compare', act: press('compare-button') },
-    { keys: ['p'], word: 'key_plots', part: 'plots', act: press('plots-button') },
+    { keys: ['+', '=', '-'], shown: ['+', '-'], word: 'zoom', act: (key) => byId(key === '-' ? 'zoom-out' : 'zoom-in').click(), repeats: true },
+    { keys: ['f'], word: 'fit', act: press('zoom-fit') },
+    { keys: ['l'], word: 'light', act: press('light-button') },
+    { keys: ['o'], word: 'layers', part: 'layers', act: press('layers-button') },
+    { keys: ['g'], word: 'slant', part: 'turn', act: turn },
+    { keys: ['t'], word: 'repeat', part: 'tiles', act: press('tile-button') },
+    { keys: ['v'], word: 'compare', part: 'compare', act: press('compare-button') },
+    { keys: ['p'], word: 'plots', part: 'plots', act: press('plots-button') },
   );
 }
 

@@ -7,6 +7,7 @@ mod absence;
 mod draft;
 mod engine;
 mod files;
+mod joining;
 mod look;
 mod made;
 mod outline;
@@ -105,6 +106,8 @@ pub struct Pavement {
     draft: Option<Draft>,
     /// The packing, held at one of its steps.
     held: Option<stepping::Held>,
+    /// Its mesh and its polygons.
+    joining: Option<joining::Joining>,
     /// The unfinished mesh file.
     saving: Option<files::Saving>,
     /// The unfinished bigger picture.
@@ -145,6 +148,7 @@ impl Pavement {
             is_live: false,
             draft: None,
             held: None,
+            joining: None,
             saving: None,
             bigger: None,
             boxes: probe::Boxes::default(),

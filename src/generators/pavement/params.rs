@@ -17,9 +17,6 @@ use crate::packing::{
 use crate::recipe::{Key, Recipe, points};
 use glam::DVec2;
 
-/// Rounds of Lloyd's relaxation: further ones improve little.
-const LLOYD_ROUNDS: u32 = 50;
-
 /// Where the domain comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum DomainParams {
@@ -303,7 +300,7 @@ fn cells(recipe: &Recipe) -> CellParams {
     match recipe.choice(keys::CELLS) {
         "packed" => CellParams::Packed,
         "voronoi" => scattered(0),
-        "lloyd" => scattered(LLOYD_ROUNDS),
+        "lloyd" => scattered(recipe.number(keys::ROUNDS) as u32),
         _ => CellParams::Fitted,
     }
 }

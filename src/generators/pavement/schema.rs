@@ -145,6 +145,9 @@ rows! {
         choice("Cells", choices![
             fitted: "Fitted", packed: "As packed", voronoi: "Voronoi", lloyd: "Lloyd",
         ]).group("Packing");
+    rounds ROUNDS: "Rounds of Lloyd's relaxation; more than 50 improve little." =>
+        int("", "Lloyd's rounds").range(0.0, 50.0, 1.0, 50.0).group("Packing").steady()
+            .only_for(keys::CELLS, &["lloyd"]);
 
     count COUNT: "How many cells start at random places; 0 takes as many as have room." =>
         int("", "Cells at first").range(0.0, 2000.0, 1.0, 0.0).group("Physics").steady()

@@ -25,7 +25,7 @@ pub(super) struct Packed<'a> {
 
 impl Packed<'_> {
     /// The packed cells in the outline.
-    fn packed(&self) -> Vec<Particle> {
+    pub fn packed(&self) -> Vec<Particle> {
         self.packing.particles_within(self.domain)
     }
 }

@@ -4,7 +4,7 @@
 use super::stages::Stages;
 use super::{Pavement, Stage};
 use crate::domain::Domain;
-use crate::generators::{Clock, Engine, Steps, until};
+use crate::generators::{Clock, Engine, Joined, Steps, until};
 use crate::graph::Wiring;
 use crate::packing::{
     CellNumbers, EnergyParts, History, Packing, PackingParams, Placing, PopulationChange,
@@ -129,6 +129,14 @@ impl Steps for Pavement {
         until(clock, budget, || {
             held.as_mut().is_none_or(|held| held.advance(made))
         })
+    }
+
+    fn join(&mut self, clock: Clock, budget: f64) -> bool {
+        self.join_shown(clock, budget)
+    }
+
+    fn joined(&self) -> Option<&Joined> {
+        self.joining.as_ref()?.made.as_ref()
     }
 
     fn numbers(&mut self) -> Vec<CellNumbers> {
