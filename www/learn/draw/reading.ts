@@ -1,6 +1,7 @@
 /** Reads a packing's numbers at all its steps, in slices. */
 import { crowdAt, momentOf, packedOf, ROW } from '../figures/crowds';
 import type { Cell, Coming, Crowd, Figure, Landscape, Moment, NearCell, PointHandle, PointList, Trace } from '../figures/figure';
+import { markAt } from '../figures/marks';
 import { Survey } from './landscape';
 import { listText, movedIn, pointsIn, rowsOf } from './lists';
 import type { Bubbles, Studio } from './studio';
@@ -215,7 +216,8 @@ export class Reading implements Trace {
 
 /** The value of a number or a choice as a figure shows it at a step: a distance moves, and a mark is no part of the recipe. */
 export function shownValue([reading]: readonly Reading[], step: number, at: readonly number[], key: string): string {
-  if (key === 'mark') return String(at[0] ?? 0);
+  const mark = markAt(key);
+  if (mark !== undefined) return String(at[mark] ?? 0);
   return key === 'w' ? String(reading?.moments[step]?.w ?? reading?.distance ?? 0) : (reading?.value(key) ?? '');
 }
 

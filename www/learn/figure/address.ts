@@ -1,5 +1,6 @@
 /** The state of a figure in the address: its name, the words of its recipe, a step, and the place that is looked at. */
 import type { Figure } from '../figures/figure';
+import { markAt } from '../figures/marks';
 
 export interface State {
   readonly recipe: string;
@@ -36,12 +37,19 @@ function whole(text: string | undefined, otherwise: number, most: number): numbe
 }
 
 /** The place looked at: the numbers of the address, as far as the figure's handle can have them. */
-function placeIn(text: string | undefined, { at, handles }: Figure): readonly number[] {
-  const handle = handles.find(({ key }) => key === 'mark' || key === 'at');
+function placeIn(text: string | undefined, figure: Figure): readonly number[] {
   const numbers = text?.split(',').map(Number) ?? [];
-  if (!handle || handle.kind === 'choice' || numbers.length !== at.length || !numbers.every(Number.isFinite)) return at;
-  const [from, to] = handle.kind === 'point' ? [0, 1] : [handle.from, handle.to];
-  return numbers.map((value) => Math.max(from, Math.min(to, value)));
+  if (numbers.length !== figure.at.length || !numbers.every(Number.isFinite)) return figure.at;
+  return numbers.map((value, k) => {
+    const [from, to] = limitsOf(figure, k);
+    return Math.max(from, Math.min(to, value));
+  });
+}
+
+/** The limits of a number of the place looked at: those of its handle, or the sides of the picture. */
+function limitsOf({ handles, more }: Figure, k: number): readonly [from: number, to: number] {
+  const handle = [...handles, ...more].find(({ key }) => markAt(key) === k);
+  return handle?.kind === 'number' ? [handle.from, handle.to] : [0, 1];
 }
 
 /** The state of a figure before anything is done. */

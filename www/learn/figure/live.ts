@@ -7,6 +7,7 @@ import type { CurvePoint } from '../draw/plate';
 import { Reading, shownPoints, shownValue } from '../draw/reading';
 import { zeroOf, type Bubbles } from '../draw/studio';
 import type { Figure, Language, PointHandle, Trial, View } from '../figures/figure';
+import { markAt } from '../figures/marks';
 import { opening, type State } from './address';
 import { Asked } from './asked';
 import { Handles, type Handled } from './handles';
@@ -109,14 +110,15 @@ export class Live implements Handled, Timed {
   }
 
   change(key: string, text: string, isOver: boolean): void {
-    if (key === 'mark') return this.look([Number(text)], isOver);
+    const mark = markAt(key);
+    if (mark !== undefined) return this.look(this.at.with(mark, Number(text)), isOver);
     if (key === 'w') this.asked = 0;
     this.alter((reading) => reading.change(key, text), isOver);
   }
 
   move(handle: PointHandle, row: number, to: readonly [number, number], isOver: boolean): void {
     const { key } = handle;
-    if (key === 'at') return this.look(to, isOver);
+    if (key === 'at') return this.look([...to, ...this.at.slice(2)], isOver);
     const { step } = this;
     if (key === 'given') this.asked = 0;
     this.alter((reading) => reading.move(key, row, to, step), isOver);

@@ -129,7 +129,7 @@ export interface Stop {
   readonly find: (traces: readonly Trace[]) => number | undefined;
 }
 
-/** A number with a slider, a box and, on some plates, a grip. `key` is a parameter's, or `w`, or `mark`. */
+/** A number with a slider, a box and, on some plates, a grip. `key` is a parameter's, or `w`, or a mark's: see `markAt`. */
 export interface NumberHandle {
   readonly kind: 'number';
   readonly key: string;
@@ -231,7 +231,7 @@ export interface Seen {
   readonly traces: readonly Trace[];
   readonly step: number;
   readonly trials: readonly Trial[];
-  /** The place looked at: one number for a mark on a curve, two for a point of the picture. */
+  /** The place looked at: a number for each mark on a curve, or two for a point of the picture; see `markAt`. */
   readonly at: readonly number[];
   /** The distance, apart from rest, at which the potential is 0. */
   readonly zero: number;
