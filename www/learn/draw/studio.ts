@@ -19,6 +19,12 @@ export interface Studio {
   neighbours(id: number): Float64Array;
   status(): { readonly steps: number; readonly largestMove: number; readonly converged: boolean };
   stateHash(): string;
+  joinCells(budget: number): boolean;
+  joined(part: string): Float64Array;
+  segmentTerms(x: number, y: number): Float64Array;
+  directionAt(x: number, y: number): Float64Array;
+  directionsAlong(walk: Float64Array): Float64Array;
+  singularPoints(): Float64Array;
   probe(x: number, y: number): { readonly outline: Float64Array } | undefined;
 }
 

@@ -1,16 +1,11 @@
 /** The small pictures of the terms of crowds, squares and populations, by the module's numbers. Places are units of 120 x 80. */
 import type { Landscape } from '../figures/figure';
-import { inside, regions, simplified } from './contours';
+import { inside, regions, simplified, type Point } from './contours';
 import { FINE, HALF } from './ground';
 import { Survey } from './landscape';
 import { arrowTo, at, line, path } from './plate';
+import { asked, circle, dot, HEIGHT, MIDDLE, square, WIDTH, type Draw } from './small';
 import type { Bubbles, Studio } from './studio';
-
-type Draw = (module: Bubbles) => string;
-type Point = readonly [x: number, y: number];
-
-const [WIDTH, HEIGHT] = [120, 80];
-const MIDDLE: Point = [WIDTH / 2, HEIGHT / 2];
 
 /** The numbers of a cell in `packedCells`. */
 const ROW = 11;
@@ -18,27 +13,11 @@ const ROW = 11;
 /** The papers' weight and radius of the corner bubbles. */
 const PAPERS = String(Math.SQRT2 - 1);
 
-const circle = ([x, y]: Point, radius: number, kind = 'bubble'): string => `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius)}"/>`;
-const dot = (place: Point, kind = 'centre', radius = 2.5): string => circle(place, radius, kind);
-const square = ([x, y]: Point, half: number, kind = 'bubble'): string => `<path class="${kind}" d="M${at(x - half)} ${at(y - half)}h${at(2 * half)}v${at(2 * half)}h${at(-2 * half)}z"/>`;
 const plus = ([x, y]: Point, arm: number): string => `<path class="sign comes" d="M${at(x - arm)} ${at(y)}h${2 * arm}M${at(x)} ${at(y - arm)}v${2 * arm}"/>`;
 const cross = ([x, y]: Point, arm: number): string => `<path class="sign goes" d="M${at(x - arm)} ${at(y - arm)}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}"/>`;
 
 /** Six places around the middle, at a distance. */
 const around = (far: number): Point[] => Array.from({ length: 6 }, (_, k) => [MIDDLE[0] + far * Math.cos((k * Math.PI) / 3), MIDDLE[1] + far * Math.sin((k * Math.PI) / 3)]);
-
-/** Something that a packing is asked at each of its first steps. */
-function asked<T>(module: Bubbles, recipe: string, steps: number, ask: (studio: Studio) => T): T[] {
-  const studio = new module.Bubblestone(recipe);
-  while (['domain', 'fields'].includes(studio.stage())) studio.tick(100, 0);
-  const answers = Array.from({ length: steps }, (_, step) => {
-    studio.hold(step);
-    while (!studio.reach(100));
-    return ask(studio);
-  });
-  studio.free();
-  return answers;
-}
 
 const CROWD = 'outline=square&size=256&kind=circle&cs=40&seed=3&damp=1';
 

@@ -5,8 +5,11 @@ import { arrow, at, line, path } from './plate';
 import { shownOf } from './chapters';
 import { curveOf } from './picture';
 import { Reading } from './reading';
+import type { Draw } from './small';
 import type { Bubbles } from './studio';
 import { CROWD_TERMS } from './term-crowds';
+import { MESH_TERMS } from './term-mesh';
+import { WAY_TERMS } from './term-ways';
 
 const [WIDTH, HEIGHT, MIDDLE] = [120, 80, 40];
 
@@ -15,8 +18,6 @@ const [UNIT, ALONG] = [36, 48];
 
 /** The force and the potential as curves: their column, the height of 1, and that of the axis. */
 const CURVES = { force: [1, 40, 52], potential: [2, 90, 58] } as const;
-
-type Draw = (module: Bubbles) => string;
 
 const circle = (x: number, radius = UNIT / 2): string => `<circle class="bubble" cx="${at(x)}" cy="${MIDDLE}" r="${at(radius)}"/>`;
 const centre = (x: number, radius = 3): string => `<circle class="centre" cx="${at(x)}" cy="${MIDDLE}" r="${radius}"/>`;
@@ -83,7 +84,7 @@ const DRAWN: Readonly<Record<string, Draw>> = {
 
 /** The picture of a term. The module must be initialised. */
 export function termOf(module: Bubbles, term: string): string {
-  const draw = DRAWN[term] ?? CROWD_TERMS[term];
+  const draw = DRAWN[term] ?? CROWD_TERMS[term] ?? MESH_TERMS[term] ?? WAY_TERMS[term];
   if (!draw) throw new Error(`The term ${term} has no picture.`);
   return `<svg class="plate small" viewBox="0 0 ${WIDTH} ${HEIGHT}" width="${WIDTH}" height="${HEIGHT}" aria-hidden="true">${draw(module)}</svg>`;
 }
