@@ -3,7 +3,7 @@ import { contents } from '../../www/learn/chapters/contents.mjs';
 import { words } from '../../www/learn/chapters/words.mjs';
 import { general, headings as heads } from '../../www/learn/chapters/plans.mjs';
 import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
-import { row } from '../../www/learn/chapters/math.mjs';
+import { row, speechOf } from '../../www/learn/chapters/math.mjs';
 
 /** @typedef {import('./learn-frame.mjs').Site} Site */
 /** @typedef {import('./learn-frame.mjs').Language} Language */
@@ -31,7 +31,7 @@ export function glossaryPage(site, language, terms) {
   const other = language === 'en' ? 'ja' : 'en';
   const rows = terms.map(({ key, symbol, chapter, name, text }) => {
     const at = contents.findIndex((one) => one.name === chapter);
-    const sign = symbol ? `<math aria-label="${t.symbol}: ${symbol}">${row(symbol)}</math>` : '';
+    const sign = symbol ? `<math aria-label="${t.symbol}: ${speechOf(symbol, language)}">${row(symbol)}</math>` : '';
     return `<div class="entry" id="${key}"><dt><span>${name[language]}</span> <span class="other" lang="${other}">${name[other]}</span> ${sign}</dt>
 <dd class="picture">${site.draw.term(key)}</dd>
 <dd>${escaped(text[language])} <a class="back" href="../${chapter}/">${t.chapter(at + 1)}</a></dd></div>`;
@@ -91,9 +91,9 @@ export function sheetPage(site, language, chapter) {
   const text = (/** @type {Words} */ words) => prose(words[language].replace(/\[\[[\w-]+\|([^\]]+)\]\]/g, '$1').replace(/\[\[([\w-]+)\]\]/g, '$1'), language, glossary);
   const lines = (/** @type {number} */ count) => '<span class="line"></span>'.repeat(count);
   const asked = chapter.blocks.filter(({ key, kind }) => key && kind !== 'exercise');
-  const parts = asked.map(({ kind, key = '', text: words, ask = words, answers = [], figure = '' }, at) => {
+  const parts = asked.map(({ kind, key = '', text: words, ask = words, answers = [], blanks = [], figure = '' }, at) => {
     const boxes = answers.map(({ value, text: answer }) => `<li><span class="box" aria-hidden="true"></span>${value}. ${text(answer)}</li>`);
-    const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p>w = <span class="blank"></span></p>`;
+    const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p class="fill">${blanks.map((words) => `${text(words)} <span class="blank"></span>`).join(' ')}</p>`;
     // The sheet does not show the answer to its question, nor a picture of something else.
     const picture = kind === 'question' && site.draw.asks(figure, key) ? `<div class="picture">${site.draw.figure(figure, language)}</div>` : '';
     return `<section class="asked"><h2><span>${t.order[0]} ${at + 1}</span> ${ask ? text(ask) : ''}</h2>${picture}

@@ -69,7 +69,7 @@ const symbols = {
 /** How the words of a row are spoken, beside numbers and letters. */
 const spoken = {
   en: {
-    v4: 'v four', si: 's i', psi: 'psi', psi0: 'psi P zero', psi1: 'psi P one', l0: 'l zero', k0: 'k zero', r0: 'r zero', wij: 'w i j', Fi: 'f i', cw: 'root 2 minus 1', cr: 'root 2 minus 1', root2: 'root 2', 'd²': 'd squared', 'l0²': 'l zero squared',
+    v4: 'v four', si: 's i', F: 'f', psi: 'psi', psi0: 'psi P zero', psi1: 'psi P one', l0: 'l zero', k0: 'k zero', r0: 'r zero', wij: 'w i j', Fi: 'f i', cw: 'root 2 minus 1', cr: 'root 2 minus 1', root2: 'root 2', 'd²': 'd squared', 'l0²': 'l zero squared',
     '=': 'equals', '/': 'over', '<': 'is less than', '>': 'is greater than', '≈': 'is about', '≤': 'is at most', '+': 'plus', '−': 'minus', '′': 'prime',
   },
   ja: {
@@ -107,9 +107,11 @@ export const cases = (all) => {
   return `<mrow><mo class="brace" stretchy="false" form="prefix">{</mo><mtable class="cases">${rows.join('')}</mtable></mrow>`;
 };
 
-/** A formula in a line of text, spoken from its words. @param {string} words @param {'en' | 'ja'} language */
-export function inLine(words, language) {
+/** How a row is spoken. @param {string} words @param {'en' | 'ja'} language */
+export function speechOf(words, language) {
   const says = /** @type {Record<string, string>} */ (spoken[language]);
-  const speech = words.split(' ').map((word) => says[word] ?? word);
-  return `<math aria-label="${speech.join(' ')}">${row(words)}</math>`;
+  return words.split(' ').map((word) => says[word] ?? word).join(' ');
 }
+
+/** A formula in a line of text, spoken from its words. @param {string} words @param {'en' | 'ja'} language */
+export const inLine = (words, language) => `<math aria-label="${speechOf(words, language)}">${row(words)}</math>`;

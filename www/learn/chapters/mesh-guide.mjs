@@ -54,7 +54,7 @@ export const meshGuide = {
     },
     {
       question: { en: 'Where are the three middles after 20 rounds, and at rest?', ja: 'ロイド法20回と静止のあと、三つの中央値はどこか' },
-      right: { en: 'Random about 30°, Lloyd about 49°, packed about 56°.', ja: 'ランダムは約30°、ロイド法は約49°、充填は約56°。' },
+      right: { en: 'Random about 32°, Lloyd about 48°, packed about 56°.', ja: 'ランダムは約32°、ロイド法は約48°、充填は約56°。' },
       thoughts: [
         [{ en: 'All three alike:', ja: '三つとも同じ：' }, { en: 'thinks that the rule of joining makes the triangles.', ja: '結び方の規則が三角形を決めると考えている。' }],
         [{ en: 'Packed at 60°:', ja: '充填が60°：' }, { en: 'has the honeycomb in mind; walls and places between grains spoil some triangles.', ja: '蜂の巣を思い浮かべている。壁や、並びの境目では三角形がくずれる。' }],

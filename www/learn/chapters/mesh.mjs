@@ -76,6 +76,7 @@ export const mesh = {
         en: 'Mark where the three middles will be after 20 rounds, and when the bubbles rest. Then let both run.',
         ja: 'ロイド法を20回くり返し、バブルが静止したとき、三つの中央値はどこにあるでしょう。印を付けてから、動かしてください。',
       },
+      blanks: [{ en: 'random, in degrees:', ja: 'ランダム（度）：' }, { en: 'Lloyd:', ja: 'ロイド法：' }, { en: 'bubbles:', ja: 'バブル：' }],
     },
     {
       kind: 'prediction',

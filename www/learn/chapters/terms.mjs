@@ -1,5 +1,6 @@
 // The glossary, in the order in which chapters use the terms.
 import { chapters } from './contents.mjs';
+import { meshTerms, wayTerms } from './terms-mesh-way.mjs';
 
 /** @typedef {{ key: string, symbol?: string, chapter: string, name: { en: string, ja: string }, text: { en: string, ja: string } }} Term */
 
@@ -115,6 +116,7 @@ const all = [
     name: { en: 'iteration', ja: '反復計算' },
     text: { en: 'One round of the same work: all forces, then all moves. Also called a step.', ja: 'すべての力を求め、すべてを動かす計算の一回分。ステップともいう。' },
   },
+  ...meshTerms,
   {
     key: 'square-cell', chapter: 'squares',
     name: { en: 'square cell', ja: '四角形粒子' },
@@ -160,13 +162,14 @@ const all = [
     name: { en: 'barrier', ja: '障壁' },
     text: { en: 'The lowest height that must be passed from one well to the next.', ja: '一つの井戸から次の井戸へ移るために越える、最も低い峠の高さ。' },
   },
+  ...wayTerms,
   {
-    key: 'crowded', symbol: 'crowd', chapter: 'how-many',
+    key: 'crowded', symbol: 'a', chapter: 'how-many',
     name: { en: 'crowded', ja: '過密' },
     text: { en: 'Too near to a neighbour: the smallest w is below a threshold.', ja: '隣に近すぎること。wの最小値がしきい値より小さい。' },
   },
   {
-    key: 'empty-place', symbol: 'room', chapter: 'how-many',
+    key: 'empty-place', symbol: 'b', chapter: 'how-many',
     name: { en: 'empty place', ja: '空いた場所' },
     text: { en: 'A place beside a cell where another would touch, and far enough from all.', ja: '隣のセルと触れ合う場所で、ほかのどのセルからも十分に遠いところ。' },
   },

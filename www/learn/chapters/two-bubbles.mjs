@@ -100,6 +100,7 @@ export const twoBubbles = {
         en: 'Now without [[damping]]: how near may they start and not part for good? Mark it on the curve. Then try.',
         ja: '次は[[damping|減衰]]なしです。どこまで近くから放しても、離れてしまわないでしょうか。曲線に印を付けてから、試してください。',
       },
+      blanks: [{ en: '$w =$', ja: '$w =$' }],
     },
     {
       kind: 'why',
