@@ -1,12 +1,12 @@
 /** Points in the lists of a recipe: rows of given bubbles are x, y, held; the outline is one row of its corners. */
-import type { PointList } from '../figures/figure';
+import type { PlaceList, PointList } from '../figures/figure';
 
 interface Rows {
   readonly numbers: Float64Array;
 }
 
 /** The numbers of a point. */
-const WIDTHS: Readonly<Record<PointList, number>> = { given: 3, poly: 2 };
+const WIDTHS: Readonly<Record<PlaceList, number>> = { given: 3, poly: 2, strokes: 2 };
 
 /** The sign between two points in the text of a list. */
 const BETWEEN: Readonly<Record<PointList, string>> = { given: ';', poly: ',' };
@@ -15,12 +15,12 @@ const BETWEEN: Readonly<Record<PointList, string>> = { given: ';', poly: ',' };
 const DIGITS = 9;
 
 /** The points with all their numbers. */
-export function rowsOf({ numbers }: Rows, list: PointList): number[][] {
+export function rowsOf({ numbers }: Rows, list: PlaceList): number[][] {
   const width = WIDTHS[list];
   return Array.from({ length: numbers.length / width }, (_, k) => Array.from(numbers.subarray(k * width, (k + 1) * width)));
 }
 
-export function pointsIn(rows: Rows, list: PointList): (readonly [number, number])[] {
+export function pointsIn(rows: Rows, list: PlaceList): (readonly [number, number])[] {
   return rowsOf(rows, list).map(([x = 0, y = 0]) => [x, y]);
 }
 

@@ -51,7 +51,7 @@ export function stopsOf(figure: Figure, traces: readonly Trace[]): { key: string
 
 /** The last step of the longest run. */
 export function lastStepOf(figure: Figure, traces: readonly Trace[]): number {
-  return figure.steps === 'layer' ? figure.last : Math.max(0, ...traces.map(({ steps }) => steps.length - 1));
+  return figure.steps !== 'step' ? figure.last : Math.max(0, ...traces.map(({ steps }) => steps.length - 1));
 }
 
 /** The place of a handle's grip on a plate, in shares of the plate's width and height. */
@@ -62,7 +62,7 @@ export function gripAt(shown: Shown, plate: number, key: string, numbers: readon
 }
 
 /** The numbers of a handle at a place of a plate, in shares of its width and height. */
-export function numbersAt(shown: Shown, plate: number, [x, y]: readonly [number, number]): readonly number[] {
+export function numbersAt(shown: Shown, plate: number, key: string, [x, y]: readonly [number, number], view: View): readonly number[] {
   const drawn = drawnAt(shown, plate);
-  return drawn?.numbers?.(x * WIDTH, y * drawn.height) ?? [];
+  return drawn?.numbers?.(x * WIDTH, y * drawn.height, key, view) ?? [];
 }

@@ -88,7 +88,7 @@ export interface Drawn {
   /** The place of a grip: `numbers` are those of its handle, two for a point. */
   readonly grip?: (view: View, plate: Plate, key: string, numbers: readonly number[]) => readonly [x: number, y: number];
   /** The numbers of a handle at a place. */
-  readonly numbers?: (x: number, y: number) => readonly number[];
+  readonly numbers?: (x: number, y: number, key: string, view: View) => readonly number[];
 }
 
 /** The figures of a chapter, and the ways to draw their plates by their words in the figures' data. */

@@ -1,7 +1,11 @@
 /** Reads a packing's numbers at all its steps, in slices. */
 import { crowdAt, momentOf, packedOf, ROW } from '../figures/crowds';
-import type { Cell, Coming, Crowd, Figure, Landscape, Moment, NearCell, PointHandle, PointList, Trace } from '../figures/figure';
+import type { Cell, Coming, Crowd, Figure, Landscape, Listed, Moment, NearCell, PlaceList, PointHandle, PointList, Trace } from '../figures/figure';
+import type { Flip, JoinedCells } from '../figures/joined';
 import { markAt } from '../figures/marks';
+import { Flips } from './flips';
+import { DirectionReading } from './directions';
+import { joinedBy } from './joined';
 import { Survey } from './landscape';
 import { listText, movedIn, pointsIn, rowsOf } from './lists';
 import type { Bubbles, Studio } from './studio';
@@ -27,12 +31,15 @@ export class Reading implements Trace {
   comings: readonly Coming[] = [];
   isOver = false;
   readonly side: number;
+  readonly directions: DirectionReading;
   private readonly studio: Studio;
   private readonly survey: Survey | undefined;
+  private readonly flips: Flips | undefined;
+  private readonly joins = new Map<number, JoinedCells>();
   private readonly figure: Figure;
   private readonly own: Readonly<Record<string, string>>;
   private made: Crowd[] = [];
-  private readonly found: Cell[] = [];
+  private found: Cell[] = [];
 
   /** `own` are the values of this packing alone, set after those of the recipe. */
   constructor(module: Bubbles, figure: Figure, recipe: string, own: Readonly<Record<string, string>>) {
@@ -40,12 +47,24 @@ export class Reading implements Trace {
     this.studio = new module.Bubblestone(recipe);
     for (const [key, text] of Object.entries(own)) this.studio.set(key, text);
     this.side = this.studio.side();
+    this.directions = new DirectionReading(this.studio, this.side);
     if (figure.hasLandscape) this.survey = new Survey(module);
+    if (figure.hasFlips) this.flips = new Flips(module, recipe);
   }
 
-  readonly value = (key: string): string => (key === 'held' ? String(this.given()[2] ?? 0) : this.studio.get(key));
+  readonly value = (key: string): string => {
+    const listed = this.listed(key);
+    if (listed) return String(listed.read(this.points(listed.list)));
+    return key === 'held' ? String(this.given()[2] ?? 0) : this.studio.get(key);
+  };
 
-  readonly points = (list: PointList): readonly (readonly [number, number])[] => pointsIn(this.studio.list(list), list);
+  /** How a list has the number of a handle. */
+  private listed(key: string): Listed | undefined {
+    const handle = [...this.figure.handles, ...this.figure.more].find((one) => one.key === key);
+    return handle?.kind === 'number' ? handle.listed : undefined;
+  }
+
+  readonly points = (list: PlaceList): readonly (readonly [number, number])[] => pointsIn(this.studio.list(list), list);
 
   /** The last one while the next is read. */
   get landscape(): Landscape | undefined {
@@ -69,8 +88,20 @@ export class Reading implements Trace {
   /** Sets a parameter, the distance `w` or whether the left bubble is `held`. The numbers must be read again. */
   change(key: string, text: string): void {
     if (key === 'w' || key === 'held') this.place(key === 'w' ? Number(text) : this.distance, key === 'held' ? text : this.value('held'));
-    else if (!(key in this.own)) this.studio.set(key, text);
-    this.made = [];
+    else for (const [own, words] of Object.entries(this.written(key, text))) if (!(own in this.own)) this.studio.set(own, words);
+    this.forget();
+  }
+
+  /** The words of the recipe that a number or a choice changes. */
+  private written(key: string, text: string): Readonly<Record<string, string>> {
+    const listed = this.listed(key);
+    return listed ? listed.write(Number(text), this.points(listed.list)) : { [key]: text };
+  }
+
+  private forget(): void {
+    this.directions.clear();
+    [this.made, this.found] = [[], []];
+    this.joins.clear();
   }
 
   /** Moves a point of a list. Given bubbles that have moved by this step start from their places there. */
@@ -81,7 +112,7 @@ export class Reading implements Trace {
     const isWhole = cells.length === rows.length * ROW;
     const placed = isWhole ? rows.map(([, , held = 0], k) => [(cells[k * ROW + 1] ?? 0) / this.side, (cells[k * ROW + 2] ?? 0) / this.side, held]) : rows;
     this.studio.set(list, listText(movedIn(placed, row, to), list));
-    this.made = [];
+    this.forget();
   }
 
   private place(w: number, held: string): void {
@@ -96,15 +127,28 @@ export class Reading implements Trace {
     if (this.figure.steps === 'layer') return this.readCells(end);
     // The landscape first: it follows a hand at the weight, while the steps come later.
     if (this.survey?.advance(this.value('cw'), this.value('cr'), LAND) === false) return false;
-    return this.readSteps(budget, end);
+    if (this.figure.steps === 'walk') return this.readFields(budget, end);
+    return this.readSteps(budget, end) && (this.flips?.advance({ places: this.points('given'), joined: this.joined(0) }, end) ?? true);
   }
 
-  private readSteps(budget: number, end: number): boolean {
+  /** Goes on to the packing; true once that begins. */
+  private toPacking(budget: number, end: number): boolean {
     this.studio.hold(this.made.length);
     while (BEFORE.includes(this.studio.stage())) {
       if (performance.now() > end) return false;
       this.studio.tick(budget, 0);
     }
+    return true;
+  }
+
+  private readFields(budget: number, end: number): boolean {
+    if (!this.toPacking(budget, end) || !this.directions.advance(this.figure.across ?? 0, end)) return false;
+    this.outline = this.readOutline();
+    return true;
+  }
+
+  private readSteps(budget: number, end: number): boolean {
+    if (!this.toPacking(budget, end)) return false;
     while (this.made.length <= this.figure.last) {
       this.studio.hold(this.made.length);
       if (!this.studio.reach(budget)) return false;
@@ -208,9 +252,23 @@ export class Reading implements Trace {
     return this.studio.stateHash();
   };
 
+  readonly joined = (step: number): JoinedCells => {
+    const kept = this.joins.get(step);
+    if (kept) return kept;
+    if (this.figure.steps === 'step') this.go(step);
+    const made = joinedBy(this.studio, this.side);
+    this.joins.set(step, made);
+    return made;
+  };
+
+  get flip(): Flip | undefined {
+    return this.flips?.latest;
+  }
+
   free(): void {
     this.studio.free();
     this.survey?.free();
+    this.flips?.free();
   }
 }
 

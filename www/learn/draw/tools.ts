@@ -23,6 +23,7 @@ export function icon(name: keyof typeof ICONS): string {
 }
 
 export function stepWords({ steps }: Figure, step: number, last: number, language: Language): string {
+  if (steps === 'walk') return `${Math.round((360 * step) / last)}° ${language === 'ja' ? '/' : 'of'} 360°`;
   if (steps === 'layer') return language === 'ja' ? `${step + 1} / ${last + 1} 枚目` : `${step + 1} of ${last + 1}`;
   return language === 'ja' ? `${step} / ${last} ステップ` : `step ${step} of ${last}`;
 }
@@ -47,6 +48,7 @@ function key(name: 'again' | 'back' | 'on', language: Language): string {
 
 function timeline(figure: Figure, language: Language, { step, last }: Standing): string {
   const w = (name: keyof typeof TOOL_WORDS): string => TOOL_WORDS[name][language];
+  if (!figure.last) return `<div class="figure-time"><button type="button" class="time-key" data-do="again">${icon('again')}<span>${w('again')}</span></button></div>`;
   const play = `<button type="button" class="time-key play" data-do="play">${icon('play')}<span>${w('play')}</span></button>`;
   const range = `<div class="time-line"><div class="time-marks" aria-hidden="true"></div><input type="range" class="time" min="0" max="${last}" step="1" value="${step}" aria-label="${w('time')}"></div>`;
   const speed = `<select class="speed" aria-label="${w('speed')}">${SPEEDS.map(([value, words]) => `<option value="${value}"${value === '1' ? ' selected' : ''}>${words}</option>`).join('')}</select>`;

@@ -20,7 +20,7 @@ export interface Handled {
   move(handle: PointHandle, row: number, to: Pair, isOver: boolean): void;
   /** The place of a grip, in shares of its plate, and the numbers of a handle there. */
   gripAt(plate: number, key: string, numbers: readonly number[]): Pair;
-  numbersAt(plate: number, place: Pair): readonly number[];
+  numbersAt(plate: number, key: string, place: Pair): readonly number[];
 }
 
 export class Handles {
@@ -75,7 +75,7 @@ export class Handles {
       plate,
       label: nameOf(handle, of.language),
       place: () => of.gripAt(plate, key, [value()]),
-      move: (place, isOver) => set(of.numbersAt(plate, place)[0] ?? value(), isOver),
+      move: (place, isOver) => set(of.numbersAt(plate, key, place)[0] ?? value(), isOver),
       onKey: (event) => this.onKey(handle, event),
       said: () => ({ words: spoken(handle, value(), of.language), now: value().toFixed(digits), from, to }),
     });
@@ -109,7 +109,7 @@ export class Handles {
       label: pointName(handle, of.language, row, count),
       place: () => of.gripAt(plate, key, of.points(handle)[row] ?? handle.origin),
       move: (place, isOver) => {
-        const [x = 0, y = 0] = of.numbersAt(plate, place);
+        const [x = 0, y = 0] = of.numbersAt(plate, key, place);
         this.put(handle, row, shownOf(handle, [x, y]), isOver);
       },
       onKey: (event) => {
@@ -141,8 +141,9 @@ export class Handles {
 
   /** Moves a point to coordinates as they are shown. */
   private put(handle: PointHandle, row: number, [x, y]: Pair, isOver: boolean): void {
-    const { origin, scale } = handle;
-    this.of.move(handle, row, [origin[0] + scale * within(handle, x), origin[1] + scale * within(handle, y)], isOver);
+    const { origin, scale, from, to, area = [from, from, to, to] } = handle;
+    const limited = (value: number, axis: 0 | 1): number => within({ ...handle, from: area[axis], to: area[axis + 2] ?? to }, value);
+    this.of.move(handle, row, [origin[0] + scale * limited(x, 0), origin[1] + scale * limited(y, 1)], isOver);
   }
 
   private spokenPoint(handle: PointHandle, row: number): string {

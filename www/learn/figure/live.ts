@@ -141,8 +141,8 @@ export class Live implements Handled, Timed {
     return gripAt(this.shown, plate, key, numbers, this.view());
   }
 
-  numbersAt(plate: number, place: readonly [number, number]): readonly number[] {
-    return numbersAt(this.shown, plate, place);
+  numbersAt(plate: number, key: string, place: readonly [number, number]): readonly number[] {
+    return numbersAt(this.shown, plate, key, place, this.view());
   }
 
   again(): void {

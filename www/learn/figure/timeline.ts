@@ -20,7 +20,8 @@ interface Stopped {
 
 export class Timeline {
   private readonly of: Timed;
-  private readonly range: HTMLInputElement;
+  /** The slider; a figure without steps has none. */
+  private readonly range: HTMLInputElement | null;
   private readonly place: HTMLElement;
   private stops: readonly Stopped[] = [];
   private isPlaying: boolean | undefined;
@@ -29,12 +30,13 @@ export class Timeline {
 
   constructor(of: Timed, place: HTMLElement, signal: AbortSignal) {
     [this.of, this.place] = [of, place];
-    this.range = place.querySelector('input.time') as HTMLInputElement;
+    this.range = place.querySelector('input.time');
     const acts: Record<string, () => void> = { again: () => of.again(), play: () => of.play(), back: () => of.by(-1), on: () => of.by(1) };
     place.querySelectorAll<HTMLElement>('[data-do]').forEach((button) => button.addEventListener('click', () => acts[button.dataset.do ?? '']?.(), { signal }));
     place.querySelectorAll<HTMLElement>('[data-stop]').forEach((button) => button.addEventListener('click', () => this.go(button.dataset.stop ?? ''), { signal }));
-    this.range.addEventListener('input', () => of.seek(this.range.valueAsNumber), { signal });
-    this.range.addEventListener('keydown', (event) => this.onKey(event), { signal });
+    const { range } = this;
+    range?.addEventListener('input', () => of.seek(range.valueAsNumber), { signal });
+    range?.addEventListener('keydown', (event) => this.onKey(event, range.valueAsNumber), { signal });
   }
 
   /** The factor of the speed. */
@@ -48,8 +50,7 @@ export class Timeline {
   }
 
   /** Page keys go from stop to stop. */
-  private onKey(event: KeyboardEvent): void {
-    const now = this.range.valueAsNumber;
+  private onKey(event: KeyboardEvent, now: number): void {
     const steps = this.stops.map(({ step }) => step);
     const next = event.key === 'PageUp' ? steps.find((step) => step > now) : event.key === 'PageDown' ? steps.findLast((step) => step < now) : undefined;
     if (next === undefined) return;
@@ -58,13 +59,14 @@ export class Timeline {
   }
 
   show(step: number, last: number, isPlaying: boolean, stops: readonly Stopped[]): void {
-    const { figure, language } = this.of;
+    const { of: { figure, language }, range } = this;
+    if (!range) return;
     this.mark(stops, last);
     const said = stepWords(figure, step, last, language);
-    this.range.max = String(last);
-    this.range.value = String(step);
-    this.range.setAttribute('aria-valuetext', said);
-    this.range.style.setProperty('--share', String(step / (last || 1)));
+    range.max = String(last);
+    range.value = String(step);
+    range.setAttribute('aria-valuetext', said);
+    range.style.setProperty('--share', String(step / (last || 1)));
     (this.place.querySelector('.time-said') as HTMLElement).textContent = said;
     this.place.querySelectorAll<HTMLElement>('[data-stop]').forEach((button) => {
       const at = stops.find(({ key }) => key === button.dataset.stop);

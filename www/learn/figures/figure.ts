@@ -2,6 +2,10 @@
  * A figure as data. The drawing (`learn/draw`) and the runtime (`learn/figure`) follow it, and have no code for any single
  * figure. The state of a figure is its recipe, a step, and the place that is looked at; nothing else is kept.
  */
+import type { Directions } from './directions';
+
+import type { Flip, JoinedCells } from './joined';
+
 export type Language = 'en' | 'ja';
 export type Words = Readonly<Record<Language, string>>;
 
@@ -92,6 +96,9 @@ export interface Landscape {
 /** The lists of a recipe whose rows are points: given bubbles, and the corners of the outline. */
 export type PointList = 'given' | 'poly';
 
+/** Those and the ends of strokes. */
+export type PlaceList = PointList | 'strokes';
+
 /** The numbers of one packing at all its steps, as far as they are made; the cells of a pavement, once it is finished. */
 export interface Trace {
   /** The steps up to the end of the run, or to the figure's last. */
@@ -110,15 +117,21 @@ export interface Trace {
   readonly value: (key: string) => string;
   /** The potential around a held square, for figures that show it. */
   readonly landscape: Landscape | undefined;
+  /** The directions in its fields. */
+  readonly directions: Directions;
   /** The rings of the outline, in shares of the picture's side: x, y, x, y, ... */
   readonly outline: readonly (readonly number[])[];
   /** The points of a list, in shares of the picture's side. */
-  readonly points: (list: PointList) => readonly (readonly [x: number, y: number])[];
+  readonly points: (list: PlaceList) => readonly (readonly [x: number, y: number])[];
   /** The neighbours of a cell at a step, by rising ids. */
   readonly neighbours: (step: number, id: number) => readonly NearCell[];
   /** The outlines of all cells at a step by rising ids, in shares of the picture's side: x, y, x, y, ... */
   readonly shapes: (step: number) => readonly (readonly number[])[];
   readonly hashAt: (step: number) => string;
+  /** The cells of a step as a mesh and as polygons; those of the last step if the figure has layers. */
+  readonly joined: (step: number) => JoinedCells;
+  /** The last flip of an edge by hand, for figures that look for it. */
+  readonly flip: Flip | undefined;
 }
 
 /** A step with a name. */
@@ -127,6 +140,13 @@ export interface Stop {
   readonly name: Words;
   /** The step, if there is one in these packings. */
   readonly find: (traces: readonly Trace[]) => number | undefined;
+}
+
+/** A number that the points of a list have: how it is read, and the words of the recipe that it changes. */
+export interface Listed {
+  readonly list: PlaceList;
+  readonly read: (points: readonly (readonly [x: number, y: number])[]) => number;
+  readonly write: (value: number, points: readonly (readonly [x: number, y: number])[]) => Readonly<Record<string, string>>;
 }
 
 /** A number with a slider, a box and, on some plates, a grip. `key` is a parameter's, or `w`, or a mark's: see `markAt`. */
@@ -147,6 +167,8 @@ export interface NumberHandle {
   readonly marks?: readonly { readonly value: number; readonly name: string }[];
   /** The plates that have a grip for it. */
   readonly plates?: readonly number[];
+  /** How a list has it, if it is no parameter. */
+  readonly listed?: Listed;
 }
 
 export interface ChoiceHandle {
@@ -178,6 +200,8 @@ export interface PointHandle {
   readonly plates: readonly number[];
   /** The rows of the list that can be moved; all if it is left out. */
   readonly rows?: readonly number[];
+  /** Closer limits of both coordinates. */
+  readonly area?: readonly [left: number, top: number, right: number, bottom: number];
 }
 
 export type Handle = NumberHandle | ChoiceHandle | PointHandle;
@@ -198,9 +222,26 @@ export interface Bar {
   readonly isMarked?: boolean;
 }
 
+/** An arrow of a dial: its angle clockwise from the right, and its length in radii. A ghost is where one was. */
+export interface Hand {
+  readonly degrees: number;
+  readonly length: number;
+  readonly kind: 'ghost' | 'term' | 'sum';
+  readonly name: string;
+}
+
+/** Counts of smallest angles: those of a packing at a step, or at the present one. */
+export interface AngleRow {
+  readonly name: Words;
+  /** The letter of the reader's mark. */
+  readonly letter: string;
+  readonly packing: number;
+  readonly always?: number;
+}
+
 /** A drawing of a figure, and the packing that it shows. */
 export interface Plate {
-  readonly draw: 'force' | 'track' | 'valley' | 'pavement' | 'crowd' | 'lens' | 'plot' | 'levels' | 'population' | 'thresholds' | 'held' | 'landscape' | 'relief' | 'section' | 'squares';
+  readonly draw: 'force' | 'track' | 'valley' | 'pavement' | 'crowd' | 'lens' | 'plot' | 'levels' | 'population' | 'thresholds' | 'held' | 'landscape' | 'relief' | 'section' | 'squares' | 'dual' | 'mesh' | 'angles' | 'delaunay' | 'facing' | 'inscribed' | 'turned' | 'dial' | 'arrows' | 'four-fold' | 'walk' | 'turns' | 'strokes';
   readonly packing: number;
   readonly title?: Words;
   /** A short text beside the title, made of the numbers at this step. */
@@ -214,6 +255,14 @@ export interface Plate {
   /** A landscape: the name of its ground, which other plates of the figure use. */
   readonly ground?: string;
   readonly bars?: (seen: Seen, language: Language) => readonly Bar[];
+  /** A dial: its arrows. */
+  readonly hands?: (seen: Seen, language: Language) => readonly Hand[];
+  /** A mesh: the step that it always shows, if it is not the present one. */
+  readonly always?: number;
+  /** Smallest angles: their rows, from the top. */
+  readonly angles?: readonly AngleRow[];
+  /** Points by hand: whether the edge that is looked at is marked, or the triangle with the smallest angle. */
+  readonly marked?: 'edge' | 'smallest';
   /** A population: whether the steps that are still to come are shown, too. */
   readonly isAhead?: boolean;
 }
@@ -271,18 +320,25 @@ export interface Figure {
   /** The words of the recipe, and what each packing has of its own. */
   readonly recipe: string;
   readonly packings: readonly Readonly<Record<string, string>>[];
-  /** The last step of the longest run, the step that the figure opens at or the end before it, and what its steps are called. */
+  /**
+   * The last step of the longest run, the step that the figure opens at or the end before it, and what its steps are called.
+   * Those of a walk need the fields alone, and no step of a packing. A figure whose last step is 0 has no timeline.
+   */
   readonly last: number;
   readonly opens: number;
-  readonly steps: 'step' | 'layer';
+  readonly steps: 'step' | 'layer' | 'walk';
   readonly plates: readonly Plate[];
   readonly stops: readonly Stop[];
   readonly handles: readonly Handle[];
   /** Handles in a fold. */
   readonly more: readonly Handle[];
   readonly at: readonly number[];
+  /** Plates that show the field: its places along the picture's side. */
+  readonly across?: number;
   /** Whether plates show the potential around the first cell. */
   readonly hasLandscape?: boolean;
+  /** Whether flips of edges are looked for. */
+  readonly hasFlips?: boolean;
   /** How a start ended, as soon as that is seen; kept for questions on several starts. */
   readonly trial?: (trace: Trace, step: number) => Trial | undefined;
   readonly asks: readonly Ask[];

@@ -1,0 +1,119 @@
+/**
+ * Finds the moment at which an edge flips while points are moved by hand: the way between two states that were shown is halved,
+ * and the module joins the points there, until the four corners lie on one circle.
+ */
+import { acrossOf, edgeKey, edgesOf, innerEdges, sumOf, type Flip, type InnerEdge, type JoinedCells, type Spot } from '../figures/joined';
+import { joinedBy } from './joined';
+import { listText } from './lists';
+import type { Bubbles, Studio } from './studio';
+
+/** A state that was shown. */
+interface ShownPoints {
+  readonly places: readonly Spot[];
+  readonly joined: JoinedCells;
+}
+
+/** How often a way is halved at most, and the sum of facing angles that is half a turn, to a hundredth of a degree. */
+const HALVINGS = 16;
+const HALF_TURN = 179.99;
+
+/** The facing angles of a flip come at least as near to half a turn. */
+const NEARLY = 179.9;
+
+const BEFORE = ['domain', 'fields'];
+
+export class Flips {
+  /** The flip on the way to the state that was shown last, if there was one alone. */
+  latest: Flip | undefined;
+  private readonly studio: Studio;
+  private shown: ShownPoints | undefined;
+  private work: Generator<undefined, Flip | undefined> | undefined;
+
+  constructor({ Bubblestone }: Bubbles, recipe: string) {
+    this.studio = new Bubblestone(recipe);
+  }
+
+  /** Works until `end` on the way to a state that is shown; true once it is looked through. One that was begun is ended first. */
+  advance(now: ShownPoints, end: number): boolean {
+    while (this.work || this.isNew(now)) {
+      if (performance.now() > end) return false;
+      if (this.work) this.go();
+      else this.begin(now);
+    }
+    return true;
+  }
+
+  private isNew({ places }: ShownPoints): boolean {
+    return String(places) !== String(this.shown?.places);
+  }
+
+  private begin(now: ShownPoints): void {
+    const { shown } = this;
+    this.shown = now;
+    this.latest = undefined;
+    if (shown?.places.length === now.places.length) this.work = this.search(shown, now);
+  }
+
+  private go(): void {
+    const { done, value } = this.work?.next() ?? { done: true };
+    if (!done) return;
+    this.latest = value ?? undefined;
+    this.work = undefined;
+  }
+
+  private *search(from: ShownPoints, to: ShownPoints): Generator<undefined, Flip | undefined> {
+    const edges = String([...edgesOf(from.joined)].sort());
+    if (edges === String([...edgesOf(to.joined)].sort())) return undefined;
+    let [low, high, before, after] = [0, 1, from.joined, to.joined];
+    for (let k = 0; k < HALVINGS && sumOfFlip(before, after) < HALF_TURN; k++) {
+      const middle = (low + high) / 2;
+      const joined = this.join(between(from.places, to.places, middle));
+      if (String([...edgesOf(joined)].sort()) === edges) [low, before] = [middle, joined];
+      else [high, after] = [middle, joined];
+      yield;
+    }
+    const flip = flipOf(before, after);
+    const stays = flip && !edgesOf(to.joined).has(edgeKey(...flip.before.ends)) && edgesOf(to.joined).has(edgeKey(...acrossOf(flip.before)));
+    return stays && flip.sum > NEARLY ? flip : undefined;
+  }
+
+  private join(places: readonly Spot[]): JoinedCells {
+    const { studio } = this;
+    studio.set('given', listText(places.map(([x, y]) => [x, y, 0]), 'given'));
+    studio.hold(0);
+    while (BEFORE.includes(studio.stage())) studio.tick(8, 0);
+    studio.hold(0);
+    while (!studio.reach(8));
+    return joinedBy(studio, studio.side());
+  }
+
+  free(): void {
+    this.studio.free();
+  }
+}
+
+function between(from: readonly Spot[], to: readonly Spot[], share: number): Spot[] {
+  return from.map(([x, y], k) => {
+    const [u, v] = to[k] ?? [x, y];
+    return [x + share * (u - x), y + share * (v - y)];
+  });
+}
+
+/** The edge that goes when the other diagonal of its two triangles comes, if these two are all the difference. */
+function flippedEdge(before: JoinedCells, after: JoinedCells): InnerEdge | undefined {
+  const [old, now] = [edgesOf(before), edgesOf(after)];
+  const [gone, come] = [[...old].filter((key) => !now.has(key)), [...now].filter((key) => !old.has(key))];
+  if (gone.length !== 1 || come.length !== 1) return undefined;
+  return innerEdges(before).find((edge) => edgeKey(...edge.ends) === gone[0] && edgeKey(...acrossOf(edge)) === come[0]);
+}
+
+function sumOfFlip(before: JoinedCells, after: JoinedCells): number {
+  const edge = flippedEdge(before, after);
+  return edge ? sumOf(edge) : 0;
+}
+
+function flipOf(before: JoinedCells, after: JoinedCells): Flip | undefined {
+  const edge = flippedEdge(before, after);
+  const triangle = edge && before.triangles.find(({ ids }) => edge.ends.every((id) => ids.includes(id)));
+  return edge && triangle && { before: edge, sum: sumOf(edge), points: before.points, centre: triangle.centre, radius: triangle.radius };
+}
