@@ -67,7 +67,7 @@ test('wells: a square at 45 degrees stays at weight 0 and slides at 0.05, which 
   await boxHas(page, figure, 'cw', 0);
   await changed(page, figure, hash);
   await toEnd(page, figure);
-  assert.match((await shown(page, figure)).told, /a ring, 0\.0482 k0 deep.*4\d° from the middle of the nearest edge\. It rests there/);
+  assert.match((await shown(page, figure)).told, /a ring, 0\.0482 k₀ deep.*4\d° from the middle of the nearest edge\. It rests there/);
   assert.equal(await answer(page, 'from'), '');
 
   await page.focus(`${figure} .handle[data-key="cw"] input[type="range"]`);
@@ -76,7 +76,7 @@ test('wells: a square at 45 degrees stays at weight 0 and slides at 0.05, which 
   await page.waitForFunction((selector) => document.querySelector(`${selector} .figure-told`).textContent?.includes('0.0090'), {}, figure);
   await toEnd(page, figure);
   await answered(page, 'from');
-  assert.match(await answer(page, 'from'), /^You expected that there are four wells from 0\.41 on\. At weight 0 it stayed.*only 0\.0090 k0 higher/);
+  assert.match(await answer(page, 'from'), /^You expected that there are four wells from 0\.41 on\. At weight 0 it stayed.*only 0\.0090 k₀ higher/);
   assert.notEqual((await shown(page, figure)).picture, picture);
 
   const state = await shown(page, figure);
@@ -145,7 +145,7 @@ test('bump: the weight leaves the well where it is, and the radius moves it', as
   const heavy = (await shown(page, figure)).hash;
   await page.click(`${figure} .handle[data-key="cw"] .mark-key`);
   await changed(page, figure, heavy);
-  assert.match((await shown(page, figure)).told, /four wells at w = 1\.00, 0\.0764 k0 deep, and a barrier of 0\.0460/);
+  assert.match((await shown(page, figure)).told, /four wells at w = 1\.00, 0\.0764 k₀ deep, and a barrier of 0\.0460/);
   const papers = (await shown(page, figure)).hash;
   await type(page, figure, 'cr', 0.7);
   await changed(page, figure, papers);

@@ -108,7 +108,7 @@ test('the questions of the squares are answered by what they ask for', () => {
   const seen = (/** @type {any[]} */ trials) => ring?.figure.asks[0].seen({ traces: [little?.made], step: 200, trials, at: [] }, 'en');
   assert.equal(seen([ring?.found]), undefined);
   assert.equal(seen([ring?.found, papers?.found]), undefined);
-  assert.match(seen([ring?.found, little?.found]), /at 0\.05 it slid to an edge.*0\.0090 k0/);
+  assert.match(seen([ring?.found, little?.found]), /at 0\.05 it slid to an edge.*0\.0090 k₀/);
 
   const ask = (/** @type {string} */ name, /** @type {Record<string, string>} */ values, /** @type {[number, number] | undefined} */ place = undefined) => {
     const { figure, made } = reading(name, values, place);

@@ -212,7 +212,7 @@ const WALLS = lineOf({ en: 'walls', ja: '壁' }, ({ walls }) => walls);
 const MOTION = lineOf({ en: 'motion', ja: '運動' }, ({ motion }) => motion);
 const MOVE = lineOf({ en: 'largest move', ja: '最大の移動量' }, ({ move }) => move);
 
-const ENERGY: Words = { en: 'Energy in k0', ja: 'エネルギー（単位 k0）' };
+const ENERGY: Words = { en: 'Energy in k₀', ja: 'エネルギー（単位 k₀）' };
 
 /** The first packing at rest and those that were tried since; the lowest is marked. */
 function levels({ trials }: Seen): Bar[] {

@@ -72,8 +72,8 @@ const from: Ask = {
     const barrier = land && traces[0] && weightOf(traces[0]) === slid.value ? number(land.pass.energy - land.well.energy, 4) : undefined;
     return inWords(
       language,
-      `At weight 0 it stayed at 45°; at ${weight} it slid to an edge. ${barrier ? `The pass at 45° is only ${barrier} k0 higher than the wells, but it is higher. ` : ''}Any weight above 0 makes four wells out of the ring.`,
-      `重み 0 では 45° にとどまり、重み ${weight} では辺へ滑りました。${barrier ? `45° の峠は井戸よりわずか ${barrier} k0 高いだけですが、それで十分です。` : ''}0 より大きければ、どんな重みでも輪は四つの井戸に分かれます。`,
+      `At weight 0 it stayed at 45°; at ${weight} it slid to an edge. ${barrier ? `The pass at 45° is only ${barrier} k₀ higher than the wells, but it is higher. ` : ''}Any weight above 0 makes four wells out of the ring.`,
+      `重み 0 では 45° にとどまり、重み ${weight} では辺へ滑りました。${barrier ? `45° の峠は井戸よりわずか ${barrier} k₀ 高いだけですが、それで十分です。` : ''}0 より大きければ、どんな重みでも輪は四つの井戸に分かれます。`,
     );
   },
 };
@@ -88,8 +88,8 @@ const bump: Ask = {
     const [w, weight, deep] = [number(now.w, 3), number(weightOf(trace), 2), number(-now.energy, 3)];
     return inWords(
       language,
-      `With a weight of ${weight} it rests at w = ${w}, as before: the well is deeper, ${deep} k0, and has not moved. Corners that bump would push it away. Now change the radius.`,
-      `重み ${weight} でも、静止するのは前と同じ w = ${w} です。井戸は ${deep} k0 まで深くなりましたが、動いてはいません。角どうしがぶつかるのなら、遠ざかるはずです。次は半径を変えてください。`,
+      `With a weight of ${weight} it rests at w = ${w}, as before: the well is deeper, ${deep} k₀, and has not moved. Corners that bump would push it away. Now change the radius.`,
+      `重み ${weight} でも、静止するのは前と同じ w = ${w} です。井戸は ${deep} k₀ まで深くなりましたが、動いてはいません。角どうしがぶつかるのなら、遠ざかるはずです。次は半径を変えてください。`,
     );
   },
 };
@@ -132,8 +132,8 @@ function landIn(trace: Trace, language: Language): string {
   const { landscape: land } = trace;
   if (!land) return '';
   const [weight, deep, high] = [number(weightOf(trace), 3), number(-land.well.energy, 4), number(land.pass.energy - land.well.energy, 4)];
-  if (weightOf(trace) === 0) return inWords(language, `Without corner bubbles all places at w = 1 are alike: a ring, ${deep} k0 deep.`, `隅のバブルがなければ、w = 1 の場所はどこも同じで、深さ ${deep} k0 の輪になります。`);
-  return inWords(language, `With a corner weight of ${weight} there are four wells at w = ${number(land.well.w, 2)}, ${deep} k0 deep, and a barrier of ${high} between two.`, `隅の重み ${weight} では、w = ${number(land.well.w, 2)} に深さ ${deep} k0 の井戸が四つあり、間の障壁は ${high} です。`);
+  if (weightOf(trace) === 0) return inWords(language, `Without corner bubbles all places at w = 1 are alike: a ring, ${deep} k₀ deep.`, `隅のバブルがなければ、w = 1 の場所はどこも同じで、深さ ${deep} k₀ の輪になります。`);
+  return inWords(language, `With a corner weight of ${weight} there are four wells at w = ${number(land.well.w, 2)}, ${deep} k₀ deep, and a barrier of ${high} between two.`, `隅の重み ${weight} では、w = ${number(land.well.w, 2)} に深さ ${deep} k₀ の井戸が四つあり、間の障壁は ${high} です。`);
 }
 
 function toldPair(hint: { readonly en: string; readonly ja: string }) {
@@ -201,7 +201,7 @@ function heights({ traces: [trace] }: Seen, language: Language): string {
 
 function barrier({ traces: [trace] }: Seen, language: Language): string {
   const { well, pass } = trace?.landscape ?? {};
-  return well && pass ? `${inWords(language, 'barrier', '障壁')} ${number(pass.energy - well.energy, 4)} k0` : '';
+  return well && pass ? `${inWords(language, 'barrier', '障壁')} ${number(pass.energy - well.energy, 4)} k₀` : '';
 }
 
 const mapOf = (ground: string): Plate => ({ draw: 'landscape', packing: 0, ground, title: { en: 'From above', ja: '真上から' }, note: heights });

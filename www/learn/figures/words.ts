@@ -27,7 +27,7 @@ export const HELD: ChoiceHandle = {
 };
 
 export const DAMPING: NumberHandle = {
-  kind: 'number', key: 'damp', symbol: 'c', name: { en: 'Damping', ja: '減衰' }, unit: { en: 'in √(m k0) / l0', ja: '√(m k0) / l0' },
+  kind: 'number', key: 'damp', symbol: 'c', name: { en: 'Damping', ja: '減衰' }, unit: { en: 'in √(m k₀) / l₀', ja: '√(m k₀) / l₀' },
   from: 0, to: 4, stride: 0.05, fine: 0.05, coarse: 0.5, digits: 2,
 };
 
@@ -42,7 +42,7 @@ export const STIFFNESS: NumberHandle = {
 };
 
 export const TIME_STEP: NumberHandle = {
-  kind: 'number', key: 'dt', symbol: 'Δt', name: { en: 'Time step', ja: '時間刻み' }, unit: { en: 'in l0 √(m / k0)', ja: 'l0 √(m / k0)' },
+  kind: 'number', key: 'dt', symbol: 'Δt', name: { en: 'Time step', ja: '時間刻み' }, unit: { en: 'in l₀ √(m / k₀)', ja: 'l₀ √(m / k₀)' },
   from: 0.01, to: 2, stride: 0.05, fine: 0.01, coarse: 0.2, digits: 2,
 };
 
