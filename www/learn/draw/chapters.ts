@@ -1,12 +1,13 @@
 /** All chapters with their figures, for the build. Pages load their own alone (`figure/chapters.ts`). */
 import { drawings as howMany } from './of-how-many';
 import { drawings as manyBubbles } from './of-many-bubbles';
+import { drawings as mesh } from './of-mesh';
 import { drawings as squares } from './of-squares';
 import { drawings as twoBubbles } from './of-two-bubbles';
 import { shownIn, type Shown } from './picture';
 import type { Drawings } from './plate';
 
-const CHAPTERS: Readonly<Record<string, Drawings>> = { 'two-bubbles': twoBubbles, 'many-bubbles': manyBubbles, squares, 'how-many': howMany };
+const CHAPTERS: Readonly<Record<string, Drawings>> = { 'two-bubbles': twoBubbles, 'many-bubbles': manyBubbles, mesh, squares, 'how-many': howMany };
 
 /** The figures of all chapters in their order. */
 export const FIGURES = Object.values(CHAPTERS).flatMap(({ figures }) => figures);

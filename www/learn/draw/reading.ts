@@ -213,7 +213,7 @@ export class Reading implements Trace {
       if (performance.now() > end) return false;
       this.found.push(this.cell(numbers.subarray(this.found.length * ROW)));
     }
-    this.cells = this.found;
+    [this.cells, this.outline] = [this.found, this.readOutline()];
     return true;
   }
 

@@ -4,6 +4,7 @@ import type { Drawings } from '../draw/plate';
 const CHAPTERS: Readonly<Record<string, () => Promise<{ readonly drawings: Drawings }>>> = {
   'two-bubbles': () => import('../draw/of-two-bubbles'),
   'many-bubbles': () => import('../draw/of-many-bubbles'),
+  mesh: () => import('../draw/of-mesh'),
   squares: () => import('../draw/of-squares'),
   'how-many': () => import('../draw/of-how-many'),
 };

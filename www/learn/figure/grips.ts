@@ -2,6 +2,7 @@
  * Grips on plates. A grip takes the finger, and elsewhere the page scrolls. A tap on a plate moves a grip there: the one that
  * was tapped before, or else the nearest of those that belong to the plate's first handle.
  */
+import { markAt } from '../figures/marks';
 
 type Place = readonly [x: number, y: number];
 
@@ -128,8 +129,10 @@ export class Grips {
   }
 }
 
+/** The nearest grip of the first handle; marks stand in rows, so that the one of the row is the nearest. */
 function nearest(grips: readonly Grip[], [x, y]: Place): Grip | undefined {
-  const first = grips[0]?.of.key;
-  const far = ({ of }: Grip): number => Math.hypot(of.place()[0] - x, of.place()[1] - y);
-  return grips.filter(({ of }) => of.key === first).sort((a, b) => far(a) - far(b))[0];
+  const first = grips[0]?.of.key ?? '';
+  const areMarks = markAt(first) !== undefined;
+  const far = ({ of }: Grip): number => Math.hypot(areMarks ? 0 : of.place()[0] - x, of.place()[1] - y);
+  return grips.filter(({ of }) => of.key === first || (areMarks && markAt(of.key) !== undefined)).sort((a, b) => far(a) - far(b))[0];
 }

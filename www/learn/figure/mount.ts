@@ -11,6 +11,7 @@ import { drawingsOf } from './chapters';
 import { Live } from './live';
 import { Turns } from './turns';
 import './figure.css';
+import './mesh.css';
 import './population.css';
 import './squares.css';
 

@@ -1,0 +1,97 @@
+/**
+ * Points by hand with the edges of Delaunay's triangulation. Marked is the edge that is looked at, with the angles that face it
+ * and the circle of one of its triangles; or the triangle with the smallest angle, with its circle.
+ */
+import type { Plate, View } from '../figures/figure';
+import { acrossOf, nearestEdge, placeOf, triangleAt, worstOf, type Flip, type InnerEdge, type JoinedCells, type Spot, type Triangle } from '../figures/joined';
+import { number } from '../figures/words';
+import { SIDE } from './crowd';
+import { linesOf, loop, onPlate, tinted } from './mesh';
+import { at, line, svg, symbol, text } from './plate';
+
+/** The radius of an angle's sector, and how far beyond the corner its number stands. */
+const SECTOR = 40;
+const NAMED = 18;
+
+/** The radius of a point. */
+const NODE = 8.5;
+
+export function delaunay(view: View, { packing, marked, title }: Plate): string {
+  const { language } = view;
+  const trace = view.traces[packing];
+  const joined = trace?.joined(0);
+  if (!trace || !joined) return svg(SIDE, '', '');
+  const [n, count] = [joined.points.size, joined.triangles.length];
+  const said = language === 'ja' ? `${n}個の点と${count}個の三角形` : `${n} points and ${count} triangles`;
+  const inside = marked === 'smallest' ? smallest(joined) : looked(joined, [view.at[0] ?? 0.5, view.at[1] ?? 0.5], trace.flip);
+  return svg(SIDE, `${title ? `${title[language]}. ` : ''}${said}`, `${inside}${nodes(joined)}`);
+}
+
+/** The points with their numbers, as the handles name them. */
+function nodes({ points }: JoinedCells): string {
+  return [...points].map(([id, place]) => {
+    const [x, y] = onPlate(place);
+    return `<circle class="numbered" cx="${at(x)}" cy="${at(y)}" r="${NODE}"/>${text(x, y + 4, String(id + 1), 'node-number')}`;
+  }).join('');
+}
+
+export function circle(centre: Spot, radius: number, kind: string): string {
+  const [x, y] = onPlate(centre);
+  return `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius * SIDE)}"/>`;
+}
+
+const edges = ({ points, triangles }: JoinedCells): string => linesOf(points, triangles.map(({ ids }) => ids), 'mesh-edge');
+
+function smallest(joined: JoinedCells): string {
+  const worst = worstOf(joined);
+  const filled = tinted(joined, joined.triangles);
+  return `${filled}${edges(joined)}${worst ? `${circle(worst.centre, worst.radius, 'empty-circle')}${outlined(joined, worst)}` : ''}`;
+}
+
+const outlined = ({ points }: JoinedCells, { ids }: Triangle): string => `<path class="looked-at" d="${loop(ids.map((id) => placeOf(points, id)))}"/>`;
+
+function looked(joined: JoinedCells, to: Spot, flip: Flip | undefined): string {
+  const edge = nearestEdge(joined, to);
+  if (!edge) return edges(joined);
+  const triangle = triangleAt(joined, edge, to);
+  const both = joined.triangles.filter(({ ids }) => edge.ends.every((id) => ids.includes(id)));
+  const filled = both.map(({ ids }) => `<path class="beside-edge" d="${loop(ids.map((id) => placeOf(joined.points, id)))}"/>`).join('');
+  const round = triangle && !flip ? circle(triangle.centre, triangle.radius, 'empty-circle') : '';
+  const [a, b] = edge.ends.map((id) => onPlate(placeOf(joined.points, id)));
+  const own = a && b ? line(a, b, 'own-edge') : '';
+  const sectors = edge.facing.map(({ id, angle }, k) => sector(joined, edge, id, angle, k ? 'beta' : 'alpha')).join('');
+  return `${filled}${edges(joined)}${round}${flip ? moment(flip) : ''}${own}${sectors}`;
+}
+
+/** The moment of a flip: the circle through all four corners, and the edge that went. */
+function moment({ centre, radius, before, points }: Flip): string {
+  const [a, b] = before.ends.map((id) => onPlate(placeOf(points, id)));
+  const four = [...before.ends, ...acrossOf(before)].map((id) => circle(placeOf(points, id), (NODE + 4) / SIDE, 'of-four')).join('');
+  return `${circle(centre, radius, 'empty-circle of-flip')}${a && b ? line(a, b, 'gone-edge') : ''}${four}`;
+}
+
+/** The angle at a corner that faces an edge, with its number. */
+function sector({ points }: JoinedCells, { ends }: InnerEdge, id: number, angle: number, name: 'alpha' | 'beta'): string {
+  const corner = onPlate(placeOf(points, id));
+  const [from, to] = ends.map((end) => unit(corner, onPlate(placeOf(points, end))));
+  if (!from || !to) return '';
+  const [mx, my] = middleOf(from, to);
+  const letter = symbol(name, name === 'alpha' ? 'α' : 'β');
+  const anchor = mx > 0.3 ? 'end' : mx < -0.3 ? 'start' : 'middle';
+  return `<path class="sector ${name}" d="${sectorPath(corner, from, to, SECTOR)}"/>${text(corner[0] - mx * NAMED, corner[1] - my * (NAMED + 6) + 5, `${letter} ${number(angle, 1)}°`, 'angle-name', anchor)}`;
+}
+
+/** The direction from a place to another. */
+export function unit([x, y]: Spot, [u, v]: Spot): Spot {
+  const far = Math.hypot(u - x, v - y) || 1;
+  return [(u - x) / far, (v - y) / far];
+}
+
+/** The direction halfway between two others. */
+export const middleOf = ([x, y]: Spot, [u, v]: Spot): Spot => unit([0, 0], [x + u, y + v]);
+
+/** A sector at a corner between two directions. */
+export function sectorPath([x, y]: Spot, [a, b]: Spot, [u, v]: Spot, radius: number): string {
+  const sweep = a * v - b * u > 0 ? 1 : 0;
+  return `M${at(x)} ${at(y)}L${at(x + radius * a)} ${at(y + radius * b)}A${radius} ${radius} 0 0 ${sweep} ${at(x + radius * u)} ${at(y + radius * v)}z`;
+}

@@ -1,0 +1,75 @@
+/** The triangle with the smallest angle, magnified until its circle has one size: its shortest side, its radius, its angle. */
+import type { Plate, View } from '../figures/figure';
+import { LARGEST, placeOf, smallestOf, worstOf, type JoinedCells, type Spot, type Triangle } from '../figures/joined';
+import { number } from '../figures/words';
+import { SIDE } from './crowd';
+import { middleOf, sectorPath, unit } from './delaunay';
+import { tintOf } from './mesh';
+import { at, line, svg, symbol, text, WIDTH } from './plate';
+
+const MIDDLE: Spot = [WIDTH / 2, 156];
+const RADIUS = 128;
+
+/** The bar: its ends and its top. */
+const [LEFT, RIGHT, TOP, TALL] = [40, WIDTH - 40, 336, 16];
+
+/** An angle below this is bad. */
+const BAD = 30;
+
+export function inscribed(view: View, { packing, title }: Plate): string {
+  const joined = view.traces[packing]?.joined(0);
+  const worst = joined && worstOf(joined);
+  if (!joined || !worst) return svg(SIDE, '', '');
+  const [angle, s, radius] = [number(smallestOf(worst), 1), number(worst.shortest, 3), number(worst.radius, 3)];
+  const said = view.language === 'ja' ? `最小角${angle}°の三角形。最も短い辺${s}、外接円の半径${radius}` : `The triangle with the smallest angle, ${angle}°. Shortest side ${s}, radius ${radius}`;
+  const names = `${text(WIDTH / 2 - 12, 312, `${symbol('shortest', 's')} = ${s}`, 'key', 'end')}${text(WIDTH / 2 + 12, 312, `${symbol('R', 'R')} = ${radius}`, 'key', 'start')}`;
+  return svg(SIDE, `${title ? `${title[view.language]}. ` : ''}${said}`, `${inCircle(joined, worst)}${names}${bar(smallestOf(worst))}`);
+}
+
+/** The corners as seen from the circle's centre. */
+function cornersOf({ points }: JoinedCells, { ids, centre, radius }: Triangle): Spot[] {
+  return ids.map((id) => {
+    const [x, y] = placeOf(points, id);
+    return [MIDDLE[0] + ((x - centre[0]) / radius) * RADIUS, MIDDLE[1] + ((y - centre[1]) / radius) * RADIUS];
+  });
+}
+
+function inCircle(joined: JoinedCells, worst: Triangle): string {
+  const corners = cornersOf(joined, worst);
+  const least = worst.angles.indexOf(smallestOf(worst));
+  const [at0, one, other] = [0, 1, 2].map((k) => corners[(least + k) % 3] ?? MIDDLE) as [Spot, Spot, Spot];
+  const shape = `M${[at0, one, other].map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}z`;
+  const round = `<circle class="empty-circle" cx="${MIDDLE[0]}" cy="${MIDDLE[1]}" r="${RADIUS}"/>`;
+  const side = `${line(one, other, 'shortest-side')}${beside([(one[0] + other[0]) / 2, (one[1] + other[1]) / 2], MIDDLE, symbol('shortest', 's'))}`;
+  return `${round}<path class="triangle tint-${tintOf(smallestOf(worst))}" d="${shape}"/><path class="looked-at" d="${shape}"/>${radiusTo(one)}${side}${angleAt(at0, one, other, smallestOf(worst))}`;
+}
+
+/** The radius to a corner, with its letter halfway. */
+function radiusTo(corner: Spot): string {
+  const [x, y] = unit(MIDDLE, corner);
+  const half: Spot = [MIDDLE[0] + (x * RADIUS) / 2 - y * 13, MIDDLE[1] + (y * RADIUS) / 2 + x * 13 + 5];
+  return `${line(MIDDLE, corner, 'radius')}<circle class="centre" cx="${MIDDLE[0]}" cy="${MIDDLE[1]}" r="3.5"/>${text(half[0], half[1], symbol('R', 'R'), 'letter-of')}`;
+}
+
+/** A letter beside a place, on the side away from another. */
+function beside(place: Spot, from: Spot, letter: string): string {
+  const [x, y] = unit(from, place);
+  return text(place[0] + 18 * x, place[1] + 18 * y + 5, letter, 'letter-of');
+}
+
+/** The smallest angle at its corner. */
+function angleAt(corner: Spot, one: Spot, other: Spot, angle: number): string {
+  const [from, to] = [unit(corner, one), unit(corner, other)];
+  const [x, y] = middleOf(from, to);
+  const name = text(corner[0] - 22 * x, corner[1] - 22 * y + 5, symbol('gamma', 'γ'), 'letter-of');
+  return `<path class="sector gamma" d="${sectorPath(corner, from, to, angle < BAD ? 84 : 44)}"/>${name}`;
+}
+
+/** The smallest angle from 0 to its largest value, with a mark at 30 degrees. */
+function bar(angle: number): string {
+  const x = (value: number): number => LEFT + (value / LARGEST) * (RIGHT - LEFT);
+  const marks = [0, BAD, LARGEST].map((value) => `${line([x(value), TOP - 4], [x(value), TOP + TALL + 5], value === BAD ? 'median' : 'tick')}${text(x(value), TOP + TALL + 19, `${value}°`, 'number')}`);
+  const isLong = angle > 48;
+  const value = text(x(angle) + (isLong ? -8 : 8), TOP + 13, `${symbol('gamma', 'γ')} = ${number(angle, 1)}°`, 'angle-value', isLong ? 'end' : 'start');
+  return `<rect class="angle-rail" x="${LEFT}" y="${TOP}" width="${RIGHT - LEFT}" height="${TALL}"/><rect class="angle-bar tint-${tintOf(angle)}" x="${LEFT}" y="${TOP}" width="${at(x(angle) - LEFT)}" height="${TALL}"/>${marks.join('')}${value}`;
+}
