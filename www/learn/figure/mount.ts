@@ -14,6 +14,7 @@ import './figure.css';
 import './mesh.css';
 import './population.css';
 import './squares.css';
+import './ways.css';
 
 /** How far from the window a figure begins to work, and how far away it is freed, in screens. */
 const NEAR = '50%';

@@ -1,0 +1,155 @@
+/**
+ * The sides of an outline at a point, and below them the term of each with their sum: as printed, or at four times the angle.
+ * The terms of a side that is cut stand one behind the other. All lengths are shares of the lengths of all terms.
+ */
+import type { SegmentTerm, SegmentTerms } from '../figures/directions';
+import type { Plate, Trace, View } from '../figures/figure';
+import { number } from '../figures/words';
+import { ringPath, SIDE } from './crowd';
+import { arrowTo, at, line, svg, symbol, text, WIDTH } from './plate';
+import { crosses, lettered, strokesOf, type Onto } from './ways';
+
+export const HEIGHT = 300;
+
+/** The row of the picture's middle. */
+const MIDDLE = 62;
+
+/** The first row of terms, the height of a row, where their arrows begin, and the length of all together. */
+const [FIRST, ROW, ORIGIN, WHOLE] = [138, 28, 198, 132];
+
+/** Shorter arrows have no head. */
+const SHORT = 4;
+
+/** The length of all terms in the picture, where their sum stands at the point. */
+const AT_POINT = 84;
+
+type Place = readonly [x: number, y: number];
+type Kind = 'printed' | 'turned';
+
+export const toPlate: Onto = ([x, y]) => [x * SIDE, (y - 0.5) * SIDE + MIDDLE];
+
+/** The place of the picture at a point of the plate; `undefined` among the terms. */
+export function toPicture(x: number, y: number): Place | undefined {
+  return y > FIRST - ROW ? undefined : [x / SIDE, (y - MIDDLE) / SIDE + 0.5];
+}
+
+export const sidesOf = (kind: Kind) => (view: View, { packing, title }: Plate): string => {
+  const trace = view.traces[packing];
+  if (!trace) return svg(HEIGHT, '', '');
+  const terms = trace.directions.terms(view.at);
+  const groups = groupsOf(terms.list);
+  const said = [title?.[view.language] ?? '', ...groups.map((group) => `${nameOf(group)} ${number(lengthOf(sumOf(group, kind)), 3)}`)].join(', ');
+  return svg(HEIGHT, said, `${kind === 'printed' ? arrowsIn(trace, terms, groups, view) : crossIn(trace, view)}${rowsOf(groups, kind)}${total(terms, kind)}`);
+};
+
+/** Segments in a line with their numbers. */
+interface Straight {
+  readonly first: number;
+  readonly terms: readonly SegmentTerm[];
+}
+
+/** Two vectors whose directions differ by less have one direction. */
+const ALIKE = 1e-3;
+
+function groupsOf(list: readonly SegmentTerm[]): Straight[] {
+  const groups: { first: number; terms: SegmentTerm[] }[] = [];
+  for (const [k, term] of list.entries()) {
+    const last = groups.at(-1);
+    const before = last?.terms.at(-1);
+    if (last && before && isStraight(before, term)) last.terms.push(term);
+    else groups.push({ first: k, terms: [term] });
+  }
+  return groups;
+}
+
+function isStraight(a: SegmentTerm, b: SegmentTerm): boolean {
+  const [[u, v], [p, q]] = [vectorOf(a), vectorOf(b)];
+  return Math.abs(u * q - v * p) < ALIKE * Math.hypot(u, v) * Math.hypot(p, q) && u * p + v * q > 0;
+}
+
+const vectorOf = ({ from, to }: SegmentTerm): Place => [to[0] - from[0], to[1] - from[1]];
+const lengthOf = ([x, y]: Place): number => Math.hypot(x, y);
+
+function sumOf({ terms }: Straight, kind: Kind): Place {
+  return terms.reduce<Place>(([x, y], term) => [x + term[kind][0], y + term[kind][1]], [0, 0]);
+}
+
+const numbersOf = ({ first, terms }: Straight): string => (terms.length > 1 ? `${first + 1}–${first + terms.length}` : String(first + 1));
+const nameOf = (group: Straight): string => `s ${numbersOf(group)}`;
+
+/** The outline as its arrows, the nearest place of each, and the sum at the point. */
+function arrowsIn({ outline }: Trace, { list, printed }: SegmentTerms, groups: readonly Straight[], { at: looked }: View): string {
+  const point = toPlate([looked[0] ?? 0, looked[1] ?? 0]);
+  const ground = outline.map((ring) => `<path class="floor" d="${ringPath(ring)}"/>`).join('');
+  const near = list.map(({ from, to }) => line(point, nearest(toPlate(from), toPlate(to), point), 'reach')).join('');
+  const arrows = list.map(({ from, to }) => arrowTo(toPlate(from), minus(toPlate(to), toPlate(from)), 'side')).join('');
+  return `<g transform="translate(0 ${MIDDLE - SIDE / 2})">${ground}</g>${near}${arrows}${groups.map(named).join('')}${sumAt(point, printed)}`;
+}
+
+function sumAt([x, y]: Place, [u, v]: Place): string {
+  const isSeen = Math.hypot(u, v) * AT_POINT > 1.5;
+  return `${isSeen ? arrowTo([x, y], [u * AT_POINT, v * AT_POINT], 'total') : ''}<circle class="looked" cx="${at(x)}" cy="${at(y)}" r="4"/>`;
+}
+
+const minus = ([x, y]: Place, [u, v]: Place): Place => [x - u, y - v];
+
+/** The place of a segment that is nearest to a point. */
+function nearest([ax, ay]: Place, [bx, by]: Place, [x, y]: Place): Place {
+  const [dx, dy] = [bx - ax, by - ay];
+  const share = Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+  return [ax + share * dx, ay + share * dy];
+}
+
+/** The name of a side beside its middle: above or below it, and inside of an upright one, which has no room outside. */
+function named(group: Straight): string {
+  const [first, last] = [group.terms[0], group.terms.at(-1)];
+  if (!first || !last) return '';
+  const [from, to] = [toPlate(first.from), toPlate(last.to)];
+  const [dx, dy] = minus(to, from);
+  const length = Math.hypot(dx, dy) || 1;
+  const isUpright = Math.abs(dy) > Math.abs(dx);
+  const [x, y] = [(from[0] + to[0]) / 2 - (18 * dy) / length, (from[1] + to[1]) / 2 - (14 * dx) / length];
+  return lettered(x, isUpright ? y - 8 : y + 4, 'segment', 's', numbersOf(group));
+}
+
+/** The cross of the direction at the point, and those all over the outline. */
+function crossIn({ outline, directions }: Trace, { at: looked }: View): string {
+  const { place, along } = directions.at(looked);
+  const [x, y] = toPlate(place);
+  const ground = outline.map((ring) => `<path class="outline" d="${ringPath(ring)}"/>`).join('');
+  const marked = strokesOf([x, y], along, 17);
+  return `${crosses(directions.field, 6, toPlate)}<g transform="translate(0 ${MIDDLE - SIDE / 2})">${ground}</g><g class="carried present"><path class="back" d="${marked}"/><path class="arms" d="${marked}"/></g>`;
+}
+
+/** A row for each side: the terms of its pieces one behind the other, and their length. */
+function rowsOf(groups: readonly Straight[], kind: Kind): string {
+  return groups
+    .map((group, row) => {
+      const y = FIRST + row * ROW;
+      const name = lettered(16, y + 4, 'segment', 's', numbersOf(group), 'side-name', 'start');
+      return `${name}${chained(group, kind, y)}${text(WIDTH - 14, y + 4, number(lengthOf(sumOf(group, kind)), 3), 'number', 'end')}`;
+    })
+    .join('');
+}
+
+function chained(group: Straight, kind: Kind, y: number): string {
+  const [, down] = sumOf(group, kind);
+  let [x, here] = [ORIGIN, y - (down * WHOLE) / 2];
+  const arrows = group.terms.map((term) => {
+    const [dx, dy] = [term[kind][0] * WHOLE, term[kind][1] * WHOLE];
+    const arrow = Math.hypot(dx, dy) < SHORT ? line([x, here], [x + dx, here + dy], 'bit') : arrowTo([x, here], [dx, dy], 'term');
+    [x, here] = [x + dx, here + dy];
+    return arrow;
+  });
+  return `<circle class="origin" cx="${ORIGIN}" cy="${at(y - (down * WHOLE) / 2)}" r="2"/>${arrows.join('')}`;
+}
+
+/** The sum of all rows. */
+function total({ list, printed }: SegmentTerms, kind: Kind): string {
+  const y = HEIGHT - 26;
+  const [u, v] = kind === 'printed' ? printed : sumOf({ first: 0, terms: list }, 'turned');
+  const length = Math.hypot(u, v);
+  const name = kind === 'printed' ? symbol('v', 'v') : `${symbol('v4', 'v')}<tspan class="low" dy="3">4</tspan>`;
+  const arrow = length * WHOLE < 1 ? '' : arrowTo([ORIGIN, y - (v * WHOLE) / 2], [u * WHOLE, v * WHOLE], 'total');
+  return `${line([14, y - 22], [WIDTH - 14, y - 22], 'axis')}${text(16, y + 4, name, 'side-name sum-name', 'start')}<circle class="looked" cx="${ORIGIN}" cy="${at(y - (v * WHOLE) / 2)}" r="3.5"/>${arrow}${text(WIDTH - 14, y + 5, number(length, 3), 'key marked', 'end')}`;
+}

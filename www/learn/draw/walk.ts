@@ -1,0 +1,76 @@
+/** A walk in an outline: the field as crosses, and the cross that was carried along the way, with one of its arms marked. */
+import { degreesOf, STEPS, type Turned } from '../figures/directions';
+import type { Plate, Trace, View } from '../figures/figure';
+import { number } from '../figures/words';
+import { outlineOf, SIDE } from './crowd';
+import { over } from './ground';
+import { arrowTo, at, path, svg, text } from './plate';
+import { cornersOf, crosses, inOutline, onto, strokesOf } from './ways';
+
+/** The half of a cross in the field, and of the one on the walk. */
+const [SMALL, PAST, LARGE] = [7, 9, 18];
+
+/** Crosses of the way are this far apart at least; they stand at each of so many steps. */
+const APART = 34;
+const EVERY = [3, 6, 9, 12, 18];
+
+export function walk(view: View, { packing, ground: name = '' }: Plate): string {
+  const trace = view.traces[packing];
+  if (!trace) return svg(SIDE, '', '');
+  const said = view.language === 'ja' ? '輪郭の中の向きの場と、一周する道筋' : 'The directions in an outline, and a walk';
+  const ground = `${inOutline(trace, name, crosses(trace.directions.field, SMALL))}${outlineOf(trace)}${cornersOf(trace)}`;
+  return `${svg(SIDE, said, ground)}${over(`${singular(trace, view)}${circle(view, trace)}`)}`;
+}
+
+/** The circle of the walk, and the part that was gone, with its crosses. */
+function circle(view: View, trace: Trace): string {
+  const [x = 0, y = 0, radius = 0] = view.at;
+  const way = trace.directions.walk(view.at);
+  const now = way[view.step];
+  const ring = `<circle class="round${now ? '' : ' broken'}" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="${at(radius * SIDE)}"/>`;
+  if (!now) return ring;
+  const gone = way.slice(0, view.step + 1);
+  const stride = (2 * Math.PI * radius * SIDE) / STEPS;
+  const every = EVERY.find((steps) => steps * stride >= APART) ?? STEPS;
+  const marks = gone.filter((_, k) => k % every === 0 && k < view.step).map((one) => carried(one, way, PAST, 'past'));
+  return `${ring}${path(gone.map(({ place }) => onto(place)), 'gone')}${marks.join('')}${onward(now, [x, y])}${carried(now, way, LARGE, 'present')}`;
+}
+
+/** The way that the walk goes, at its present place. */
+function onward({ place }: Turned, [x, y]: readonly [number, number]): string {
+  const [dx, dy] = [place[0] - x, place[1] - y];
+  const length = Math.hypot(dx, dy) || 1;
+  return arrowTo(onto(place), [(-dy / length) * 34, (dx / length) * 34], 'onward');
+}
+
+/** A cross with the arm that began along the first direction. */
+function carried({ place, along, quarters }: Turned, [first]: readonly Turned[], half: number, kind: string): string {
+  const [x, y] = onto(place);
+  const angle = ((degreesOf(first?.along ?? along) + 90 * quarters) * Math.PI) / 180;
+  const [u, v] = [half * Math.cos(angle), half * Math.sin(angle)];
+  return `<g class="carried ${kind}">${kind === 'present' ? `<path class="back" d="${strokesOf([x, y], along, half)}"/>` : ''}<path class="arms" d="${strokesOf([x, y], along, half)}"/><path class="arm" d="M${at(x)} ${at(y)}l${at(u)} ${at(v)}"/><circle class="tip" cx="${at(x + u)}" cy="${at(y + v)}" r="${kind === 'present' ? 4.5 : 2.5}"/></g>`;
+}
+
+/** The singular points; those inside a whole walk have their index, if it is theirs together. */
+function singular({ directions }: Trace, { at: [x = 0, y = 0, radius = 0], step, last }: View): string {
+  const all = directions.singular();
+  const inside = all.filter(({ place }) => Math.hypot(place[0] - x, place[1] - y) < radius);
+  const count = directions.walk([x, y, radius]).at(-1)?.quarters;
+  const isTold = step === last && count === inside.reduce((sum, { index }) => sum + index, 0);
+  return all
+    .map((one) => {
+      const [px, py] = onto(one.place);
+      const name = isTold && inside.includes(one) ? text(...beside([px, py], inside.map(({ place }) => onto(place))), number(one.index, 0), 'index halo') : '';
+      return `<path class="singular" d="M${at(px)} ${at(py - 6)}l6 6l-6 6l-6 -6z"/>${name}`;
+    })
+    .join('');
+}
+
+/** The place of a name: away from the middle of all. */
+function beside([x, y]: readonly [number, number], all: readonly (readonly [number, number])[]): [number, number] {
+  const middle = (axis: 0 | 1): number => all.reduce((sum, place) => sum + place[axis], 0) / all.length;
+  const [dx, dy] = [x - middle(0), y - middle(1)];
+  const length = Math.hypot(dx, dy);
+  const [u, v] = length < 1 ? [0.7, -0.7] : [dx / length, dy / length];
+  return [x + 17 * u, y + 17 * v + 5];
+}

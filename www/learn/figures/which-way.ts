@@ -1,0 +1,272 @@
+/**
+ * The figures of chapter 5, "Which way?" (Miyata, Itoh and Shimada 2000, section 4.1, equation (1), and 2001, section 4). They
+ * need the fields of a recipe alone. Places are in shares of the picture's side.
+ */
+import { asSquare, degreesOf, STEPS } from './directions';
+import type { Ask, Figure, Hand, Language, Plate, Seen, Stop, Trace } from './figure';
+import { ANGLE, angleIn, CENTRE, HEIGHT, IN_ROAD, OUTLINE, PIECES, POWER, ROUND, roadOf, STROKES, strokesAt, WALK_RADIUS } from './which-way-handles';
+import { joined, number } from './words';
+
+const inWords = (language: Language, en: string, ja: string): string => (language === 'ja' ? ja : en);
+
+const whole = (value: number): string => number(value, 0);
+
+const OF_FIELDS = { packings: [{}], last: 0, opens: 0, steps: 'walk', stops: [], more: [], asks: [] } as const;
+
+/** The angle at which squares stand at a place, and its certainty. */
+function standsAt(trace: Trace, place: readonly number[]): { readonly degrees: number; readonly certainty: number } {
+  const { along, certainty } = trace.directions.at(place);
+  return { degrees: asSquare(degreesOf(along)), certainty };
+}
+
+// A square that is turned.
+
+const angleOf = (trace: Trace): number => Number(trace.value('angle'));
+
+function fourFold({ traces: [trace] }: Seen): Hand[] {
+  const degrees = trace ? angleOf(trace) : 0;
+  const ghost: Hand = { degrees: 0, length: 1, kind: 'ghost', name: '' };
+  return [ghost, { degrees: 4 * degrees, length: 1, kind: 'sum', name: `4 × ${whole(degrees)}° = ${whole(4 * degrees)}°` }];
+}
+
+function toldSquare({ traces: [trace] }: Seen, language: Language): string {
+  if (!trace) return '';
+  const degrees = angleOf(trace);
+  const isAlike = degrees % 90 === 0;
+  const now = inWords(language, `The square and its arrow are turned by ${whole(degrees)}°, the four-fold arrow by ${whole(4 * degrees)}°.`, `正方形と矢印は${whole(degrees)}°、四倍角の矢印は${whole(4 * degrees)}°回っています。`);
+  const alike = isAlike
+    ? inWords(language, 'The square looks as at 0°, wells and all, and the four-fold arrow is where it was.', '正方形は井戸も含めて0°のときと同じに見え、四倍角の矢印も元の位置にあります。')
+    : inWords(language, 'The square does not look as at 0°, and the four-fold arrow is elsewhere, too.', '正方形は0°のときとは違って見え、四倍角の矢印も別の位置にあります。');
+  const arrow = isAlike && degrees !== 0 ? inWords(language, 'The plain arrow is not.', 'ふつうの矢印は違います。') : '';
+  return joined(language, now, alike, arrow, inWords(language, 'Turn it on to 90°.', '90°まで回してみてください。'));
+}
+
+// A road.
+
+/** The middle half of the road. */
+const MIDDLE_HALF = 0.225;
+
+/** A sum below this share of its terms' lengths points nowhere. */
+const NOWHERE = 0.02;
+
+const isInMiddle = ([x = 0]: readonly number[]): boolean => Math.abs(x - 0.5) <= MIDDLE_HALF;
+
+function wayOf([x, y]: readonly [number, number], share: number, language: Language): string {
+  if (share < 0.0005) return inWords(language, 'it points nowhere', 'どちらも向きません');
+  return Math.abs(x) > Math.abs(y) ? inWords(language, 'it points along the road', '道に沿う向きです') : inWords(language, 'it points across the road', '道を横切る向きです');
+}
+
+function toldRoad(hint: { readonly en: string; readonly ja: string }) {
+  return ({ traces: [trace], at }: Seen, language: Language): string => {
+    if (!trace) return '';
+    const { printed, share } = trace.directions.terms(at);
+    const { degrees, certainty } = standsAt(trace, at);
+    const [x, y] = [number(at[0] ?? 0, 3), number(at[1] ?? 0, 3)];
+    const count = Number(trace.value('pieces'));
+    const cut = count > 1 ? inWords(language, `The upper side is cut into ${count} pieces.`, `上の辺は${count}個に切ってあります。`) : '';
+    const sum = inWords(language, `At (${x}, ${y}) the printed sum has ${number(share, 3)} of its terms’ lengths: ${wayOf(printed, share, language)}.`, `点(${x}, ${y})で、論文の式による和は各項の長さの合計の${number(share, 3)}で、${wayOf(printed, share, language)}。`);
+    const ours = inWords(language, `The four-fold sum has ${number(certainty, 3)}: squares stand at ${whole(degrees)}°.`, `四倍角の和は${number(certainty, 3)}で、正方形の向きは${whole(degrees)}°です。`);
+    return joined(language, cut, sum, ours, hint[language]);
+  };
+}
+
+const shareNote = ({ traces: [trace], at }: Seen, language: Language): string => (trace ? inWords(language, `sum ${number(trace.directions.terms(at).share, 3)}`, `和 ${number(trace.directions.terms(at).share, 3)}`) : '');
+
+const certaintyNote = ({ traces: [trace], at }: Seen, language: Language): string => (trace ? inWords(language, `certainty ${number(standsAt(trace, at).certainty, 3)}`, `確かさ ${number(standsAt(trace, at).certainty, 3)}`) : '');
+
+const ROAD_PLATES: readonly Plate[] = [
+  { draw: 'arrows', packing: 0, title: { en: 'As printed', ja: '論文の式' }, note: shareNote },
+  { draw: 'four-fold', packing: 0, title: { en: 'At four times the angle', ja: '角度を四倍して' }, note: certaintyNote },
+];
+
+const isRoad = (trace: Trace): boolean => trace.value('outline') === 'polygon' && trace.value('kind') === 'square' && trace.points('poly').length >= 4 && trace.points('poly').length <= 13;
+
+const middle: Ask = {
+  key: 'middle',
+  answers: { a: { en: 'it points along the road', ja: '道に沿う' }, b: { en: 'it points across the road', ja: '道を横切る' }, c: { en: 'it points nowhere', ja: 'どちらも向かない' } },
+  seen: ({ traces: [trace], at }, language) => {
+    if (!trace || !isInMiddle(at)) return undefined;
+    const { printed, share } = trace.directions.terms(at);
+    if (share >= NOWHERE) return undefined;
+    const { certainty } = standsAt(trace, at);
+    const isRest = share >= 0.0005 && Math.abs(printed[1]) > Math.abs(printed[0]);
+    return joined(
+      language,
+      inWords(language, `In the middle ${number(share, 3)} of the arrows’ lengths is left: the sum points nowhere.`, `真ん中では、矢印の長さの合計の${number(share, 3)}しか残らず、和はどちらも向きません。`),
+      isRest ? inWords(language, 'The small rest comes from the ends and points across.', 'わずかな残りは両端の分で、道を横切る向きです。') : '',
+      inWords(language, `Its four-fold neighbour has certainty ${number(certainty, 2)}, along the road.`, `四倍角の和は確かさ${number(certainty, 2)}で、道に沿っています。`),
+    );
+  },
+};
+
+const MOST_PIECES = 10;
+
+const pieces: Ask = {
+  key: 'pieces',
+  answers: { a: { en: 'neither changes', ja: 'どちらも変わらない' }, b: { en: 'the printed one changes', ja: '論文の式による和' }, c: { en: 'both change', ja: '両方' } },
+  seen: ({ traces: [trace, uncut], at }, language) => {
+    if (!trace || !uncut || Number(trace.value('pieces')) !== MOST_PIECES || !isInMiddle(at)) return undefined;
+    const [before, now] = [uncut, trace].map((one) => number(one.directions.terms(at).share, 2));
+    const turn = Math.abs(asSquare(standsAt(trace, at).degrees - standsAt(uncut, at).degrees));
+    const way = wayOf(trace.directions.terms(at).printed, 1, language);
+    return inWords(
+      language,
+      `The same shape, and yet the printed sum went from ${before} to ${now} of its arrows’ lengths: ${way}. The four-fold direction changed by ${number(turn, 1)}°.`,
+      `形は同じなのに、論文の式による和は、矢印の長さの合計の${before}から${now}になり、${way}。四倍角の向きの変化は${number(turn, 1)}°です。`,
+    );
+  },
+};
+
+// A walk.
+
+/** The count of a whole walk; `undefined` if it leaves the outline. */
+const countOf = (trace: Trace, at: readonly number[]): number | undefined => trace.directions.walk(at).at(-1)?.quarters;
+
+const surrounds = (trace: Trace, [x = 0, y = 0, radius = 0]: readonly number[]): boolean => trace.directions.singular().every(({ place }) => Math.hypot(place[0] - x, place[1] - y) < radius);
+
+const turns: Ask = {
+  key: 'turns',
+  answers: { a: { en: 'it would not turn', ja: '0回' }, b: { en: 'it would turn by one quarter', ja: '1回' }, c: { en: 'it would turn by four quarters', ja: '4回' } },
+  seen: ({ traces: [trace], at, step }, language) => {
+    const isWhole = trace && step === STEPS && trace.value('outline') === 'polygon' && surrounds(trace, at);
+    const count = isWhole ? countOf(trace, at) : undefined;
+    if (count !== 4) return undefined;
+    return inWords(language, 'At the end the cross has turned by 360°: four quarter turns. All singular points together have index 4.', '一周すると、十字は360°、つまり90°を4回分回りました。特異点の指数は、合わせて4です。');
+  },
+};
+
+const fork: Ask = {
+  key: 'fork',
+  answers: {},
+  seen: ({ traces: [trace], at, step }, language) => {
+    const count = trace && step === STEPS ? countOf(trace, at) : undefined;
+    if (!count) return undefined;
+    return inWords(
+      language,
+      `Done: ${whole(count)}, ${whole(-count)} quarter turns against the walk. 4 − 6 = −2: all there is.`,
+      `できました。${whole(count)}回、道筋と逆に90°を${whole(-count)}回分です。4 − 6 = −2で、これがすべてです。`,
+    );
+  },
+};
+
+const leastOf = (trace: Trace, at: readonly number[]): number => Math.min(...trace.directions.walk(at).map(({ certainty }) => certainty));
+
+function toldWalk({ traces: [trace], at, step }: Seen, language: Language): string {
+  if (!trace) return '';
+  const [x, y, radius] = at.map((value) => number(value, 3));
+  const way = inWords(language, `A walk round (${x ?? ''}, ${y ?? ''}) with radius ${radius ?? ''}.`, `中心(${x ?? ''}, ${y ?? ''})、半径${radius ?? ''}の道筋です。`);
+  const now = trace.directions.walk(at)[step];
+  if (!now) return joined(language, way, inWords(language, 'It leaves the outline, or runs over a singular point: it counts nothing.', '輪郭の外に出るか、特異点の上を通るので、数えません。'), inWords(language, 'Move it inside.', '内側へ動かしてください。'));
+  const turned = inWords(language, `After ${whole((360 * step) / STEPS)}° the cross has turned by ${number(90 * now.quarters, 0)}°, ${number(now.quarters, 2)} quarter turns.`, `${whole((360 * step) / STEPS)}°進んで、十字は${number(90 * now.quarters, 0)}°（90°の${number(now.quarters, 2)}回分）回りました。`);
+  const least = inWords(language, `The certainty on it is at least ${number(leastOf(trace, at), 3)}.`, `途中の確かさは${number(leastOf(trace, at), 3)}以上です。`);
+  return joined(language, way, turned, least, inWords(language, 'Move it, or make it larger.', '動かすか、大きくしてみてください。'));
+}
+
+const turnedNote = ({ traces: [trace], at, step }: Seen, language: Language): string => {
+  const now = trace?.directions.walk(at)[step];
+  return now ? inWords(language, `${number(now.quarters, step === STEPS ? 0 : 2)} quarter turns`, `90°の${number(now.quarters, step === STEPS ? 0 : 2)}回分`) : inWords(language, 'no count', '数えない');
+};
+
+const countedNote = ({ traces: [trace] }: Seen, language: Language): string => {
+  const count = trace?.directions.singular().length ?? 0;
+  return inWords(language, `${count} singular ${count === 1 ? 'point' : 'points'} ◆`, `特異点 ◆ ${count}個`);
+};
+
+const walkPlates = (ground: string): readonly Plate[] => [
+  { draw: 'walk', packing: 0, ground, title: { en: 'A walk', ja: '道筋' }, note: countedNote },
+  { draw: 'turns', packing: 0, title: { en: 'The cross has turned by', ja: '十字の回った角度' }, note: turnedNote },
+];
+
+const reached = (share: number): Stop['find'] => () => STEPS * share;
+
+const WALK_STOPS: readonly Stop[] = [
+  { key: 'start', name: { en: 'Start', ja: '出発' }, find: reached(0) },
+  { key: 'quarter', name: { en: 'A quarter of the way', ja: '四分の一' }, find: reached(0.25) },
+  { key: 'half', name: { en: 'Half the way', ja: '半周' }, find: reached(0.5) },
+  { key: 'end', name: { en: 'Once around', ja: '一周' }, find: reached(1) },
+];
+
+const WALK = { packings: [{}], last: STEPS, opens: STEPS, steps: 'walk', across: 18, stops: WALK_STOPS, told: toldWalk } as const;
+
+// Two strokes.
+
+/** Half the way from one stroke to the other. */
+const HALFWAY = [0.5, 0.5];
+
+const bothAngles = (trace: Trace): readonly [number, number] => [angleIn(trace.points('strokes'), 0), angleIn(trace.points('strokes'), 1)];
+
+const halfway: Ask = {
+  key: 'halfway',
+  answers: { a: { en: 'squares stand at 45°', ja: '45°' }, b: { en: 'squares stand at 0°, which is also 90°', ja: '0°（90°でも同じ）' }, c: { en: 'squares stand anyhow', ja: '決まらない' } },
+  seen: ({ traces: [trace] }, language) => {
+    if (!trace) return undefined;
+    const [one, other] = bothAngles(trace);
+    const { degrees, certainty } = standsAt(trace, HALFWAY);
+    const apart = Math.abs(one - other);
+    if (apart < 60 || apart > 80 || Math.abs(degrees) > 3) return undefined;
+    const large = Math.max(one, other);
+    return inWords(
+      language,
+      `Halfway stands ${whole(degrees)}°: to a square ${large}° is ${whole(large - 90)}°. The certainty is ${number(certainty, 2)}.`,
+      `中間の向きは${whole(degrees)}°です。正方形にとって${large}°は${whole(large - 90)}°と同じです。確かさは${number(certainty, 2)}です。`,
+    );
+  },
+};
+
+function toldStrokes({ traces: [trace] }: Seen, language: Language): string {
+  if (!trace) return '';
+  const [one, other] = bothAngles(trace);
+  const { degrees, certainty } = standsAt(trace, HALFWAY);
+  const strokes = inWords(language, `The lower stroke is at ${one}°, the upper one at ${other}°; their mean as numbers is ${number((one + other) / 2, 1)}°.`, `下の線は${one}°、上の線は${other}°で、数としての平均は${number((one + other) / 2, 1)}°です。`);
+  const stand = inWords(language, `Halfway squares stand at ${number(degrees, 1)}°, with certainty ${number(certainty, 2)}.`, `中間で正方形の向きは${number(degrees, 1)}°、確かさは${number(certainty, 2)}です。`);
+  const unsure = certainty < 0.1 ? inWords(language, 'That is hardly decided: the strokes are 45° apart.', 'ほとんど決まりません。二本の線は45°離れています。') : '';
+  return joined(language, strokes, stand, unsure, inWords(language, 'Turn a stroke.', '線を回してみてください。'));
+}
+
+/** The strokes at four times their angles, and the sum halfway, as long as it is certain. */
+function strokeHands({ traces: [trace] }: Seen, language: Language): Hand[] {
+  if (!trace) return [];
+  const terms = bothAngles(trace).map((degrees): Hand => ({ degrees: 4 * degrees, length: 1, kind: 'term', name: `4 × ${degrees}°` }));
+  const { degrees, certainty } = standsAt(trace, HALFWAY);
+  return [...terms, { degrees: 4 * degrees, length: certainty, kind: 'sum', name: `${inWords(language, 'sum', '和')}: 4 × ${number(degrees, 1)}° = ${whole(4 * degrees)}°` }];
+}
+
+const halfwayNote = ({ traces: [trace] }: Seen, language: Language): string => (trace ? inWords(language, `halfway ${number(standsAt(trace, HALFWAY).degrees, 1)}°`, `中間 ${number(standsAt(trace, HALFWAY).degrees, 1)}°`) : '');
+
+const sureNote = ({ traces: [trace] }: Seen, language: Language): string => (trace ? inWords(language, `certainty ${number(standsAt(trace, HALFWAY).certainty, 2)}`, `確かさ ${number(standsAt(trace, HALFWAY).certainty, 2)}`) : '');
+
+export const WHICH_WAY: readonly Figure[] = [
+  {
+    ...OF_FIELDS, name: 'quarter', fits: (trace) => trace.value('kind') === 'square' && trace.value('dir') === 'constant' && trace.value('cs') === '64' && trace.side === 256, at: [], hasLandscape: true,
+    recipe: 'outline=square&size=256&kind=square&dir=constant&cs=64&edge=open&pop=off&given=0.5,0.5,1&angle=30',
+    plates: [
+      { draw: 'turned', packing: 0, ground: 'quarter', title: { en: 'A square with its wells', ja: '正方形と井戸' }, note: ({ traces: [trace] }) => (trace ? `${whole(angleOf(trace))}°` : '') },
+      { draw: 'dial', packing: 0, hands: fourFold, title: { en: 'Its four-fold arrow', ja: '四倍角の矢印' }, note: ({ traces: [trace] }) => (trace ? `${whole(4 * angleOf(trace))}°` : '') },
+    ],
+    handles: [ANGLE], told: toldSquare,
+  },
+  {
+    ...OF_FIELDS, name: 'road', fits: isRoad, at: [0.5, 0.455], recipe: `outline=polygon&size=256&kind=square&poly=${roadOf(1)}`, across: 20, plates: ROAD_PLATES, handles: [IN_ROAD], more: [POWER], asks: [middle],
+    told: toldRoad({ en: 'Move the point to the middle.', ja: '点を真ん中へ動かしてください。' }),
+  },
+  {
+    ...OF_FIELDS, name: 'pieces', fits: isRoad, at: [0.5, 0.5], recipe: `outline=polygon&size=256&kind=square&poly=${roadOf(1)}`, packings: [{}, { poly: roadOf(1) }], across: 20, plates: ROAD_PLATES, handles: [IN_ROAD, PIECES], more: [POWER], asks: [pieces],
+    told: toldRoad({ en: 'Cut the upper side, or move the point.', ja: '上の辺を切るか、点を動かしてください。' }),
+  },
+  {
+    ...WALK, name: 'walk', fits: (trace) => OUTLINE.choices.some(({ word }) => word === trace.value('outline')) && trace.value('kind') === 'square', at: [0.7, 0.5, 0.1], recipe: `outline=polygon&size=256&kind=square&poly=${ROUND}`,
+    plates: walkPlates('walk'), handles: [CENTRE, WALK_RADIUS, OUTLINE], more: [HEIGHT], asks: [turns],
+  },
+  {
+    ...OF_FIELDS, name: 'halfway', fits: (trace) => trace.points('strokes').length === 4 && trace.value('dir') === 'strokes' && trace.value('kind') === 'square', at: [], recipe: `outline=square&size=256&kind=square&dir=strokes&strokes=${strokesAt(10, 30)}`, across: 18,
+    plates: [
+      { draw: 'strokes', packing: 0, title: { en: 'Between two strokes', ja: '二本の線の間' }, note: halfwayNote },
+      { draw: 'dial', packing: 0, hands: strokeHands, title: { en: 'At four times the angle', ja: '角度を四倍して' }, note: sureNote },
+    ],
+    handles: STROKES, asks: [halfway], told: toldStrokes,
+  },
+  {
+    ...WALK, name: 'fork', fits: (trace) => trace.value('outline') === 'y_fork' && trace.value('kind') === 'square', at: [0.5, 0.72, 0.08], recipe: 'outline=y_fork&size=256&kind=square',
+    plates: walkPlates('fork'), handles: [CENTRE, WALK_RADIUS], more: [], asks: [fork],
+  },
+];
