@@ -4,10 +4,11 @@ import { drawings as manyBubbles } from './of-many-bubbles';
 import { drawings as mesh } from './of-mesh';
 import { drawings as squares } from './of-squares';
 import { drawings as twoBubbles } from './of-two-bubbles';
+import { drawings as whichWay } from './of-which-way';
 import { shownIn, type Shown } from './picture';
 import type { Drawings } from './plate';
 
-const CHAPTERS: Readonly<Record<string, Drawings>> = { 'two-bubbles': twoBubbles, 'many-bubbles': manyBubbles, mesh, squares, 'how-many': howMany };
+const CHAPTERS: Readonly<Record<string, Drawings>> = { 'two-bubbles': twoBubbles, 'many-bubbles': manyBubbles, mesh, squares, 'which-way': whichWay, 'how-many': howMany };
 
 /** The figures of all chapters in their order. */
 export const FIGURES = Object.values(CHAPTERS).flatMap(({ figures }) => figures);

@@ -6,6 +6,7 @@ const CHAPTERS: Readonly<Record<string, () => Promise<{ readonly drawings: Drawi
   'many-bubbles': () => import('../draw/of-many-bubbles'),
   mesh: () => import('../draw/of-mesh'),
   squares: () => import('../draw/of-squares'),
+  'which-way': () => import('../draw/of-which-way'),
   'how-many': () => import('../draw/of-how-many'),
 };
 

@@ -11,6 +11,9 @@ const inWords = (language: Language, en: string, ja: string): string => (languag
 
 const whole = (value: number): string => number(value, 0);
 
+/** Quarter turns; hundredths only where they are not whole. */
+const quarterTurns = (value: number): string => number(value, Math.abs(value - Math.round(value)) < 0.005 ? 0 : 2);
+
 const OF_FIELDS = { packings: [{}], last: 0, opens: 0, steps: 'walk', stops: [], more: [], asks: [] } as const;
 
 /** The angle at which squares stand at a place, and its certainty. */
@@ -157,14 +160,14 @@ function toldWalk({ traces: [trace], at, step }: Seen, language: Language): stri
   const way = inWords(language, `A walk round (${x ?? ''}, ${y ?? ''}) with radius ${radius ?? ''}.`, `中心(${x ?? ''}, ${y ?? ''})、半径${radius ?? ''}の道筋です。`);
   const now = trace.directions.walk(at)[step];
   if (!now) return joined(language, way, inWords(language, 'It leaves the outline, or runs over a singular point: it counts nothing.', '輪郭の外に出るか、特異点の上を通るので、数えません。'), inWords(language, 'Move it inside.', '内側へ動かしてください。'));
-  const turned = inWords(language, `After ${whole((360 * step) / STEPS)}° the cross has turned by ${number(90 * now.quarters, 0)}°, ${number(now.quarters, 2)} quarter turns.`, `${whole((360 * step) / STEPS)}°進んで、十字は${number(90 * now.quarters, 0)}°（90°の${number(now.quarters, 2)}回分）回りました。`);
+  const turned = inWords(language, `After ${whole((360 * step) / STEPS)}° the cross has turned by ${number(90 * now.quarters, 0)}°, ${quarterTurns(now.quarters)} quarter turns.`, `${whole((360 * step) / STEPS)}°進んで、十字は${number(90 * now.quarters, 0)}°（90°の${quarterTurns(now.quarters)}回分）回りました。`);
   const least = inWords(language, `The certainty on it is at least ${number(leastOf(trace, at), 3)}.`, `途中の確かさは${number(leastOf(trace, at), 3)}以上です。`);
   return joined(language, way, turned, least, inWords(language, 'Move it, or make it larger.', '動かすか、大きくしてみてください。'));
 }
 
 const turnedNote = ({ traces: [trace], at, step }: Seen, language: Language): string => {
   const now = trace?.directions.walk(at)[step];
-  return now ? inWords(language, `${number(now.quarters, step === STEPS ? 0 : 2)} quarter turns`, `90°の${number(now.quarters, step === STEPS ? 0 : 2)}回分`) : inWords(language, 'no count', '数えない');
+  return now ? inWords(language, `${quarterTurns(now.quarters)} quarter turns`, `90°の${quarterTurns(now.quarters)}回分`) : inWords(language, 'no count', '数えない');
 };
 
 const countedNote = ({ traces: [trace] }: Seen, language: Language): string => {
