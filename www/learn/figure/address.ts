@@ -48,8 +48,14 @@ function placeIn(text: string | undefined, figure: Figure): readonly number[] {
 
 /** The limits of a number of the place looked at: those of its handle, or the sides of the picture. */
 function limitsOf({ handles, more }: Figure, k: number): readonly [from: number, to: number] {
-  const handle = [...handles, ...more].find(({ key }) => markAt(key) === k);
-  return handle?.kind === 'number' ? [handle.from, handle.to] : [0, 1];
+  const all = [...handles, ...more];
+  const own = all.find(({ key }) => markAt(key) === k);
+  if (own?.kind === 'number') return [own.from, own.to];
+  const point = all.find(({ key }) => key === 'at');
+  if (point?.kind !== 'point' || !point.area) return [0, 1];
+  const { origin, scale, area } = point;
+  const share = (axis: number, shown: number): number => (origin[axis] ?? 0) + scale * shown;
+  return k ? [share(1, area[1]), share(1, area[3])] : [share(0, area[0]), share(0, area[2])];
 }
 
 /** The state of a figure before anything is done. */
