@@ -99,9 +99,25 @@ function figureIn({ FIGURES }, name) {
 }
 
 /** A figure's state in an address: its recipe with other values, and perhaps a step. @param {any} figure @param {Record<string, string>} values */
-function stateOf({ name, recipe }, { step, ...values }) {
-  const words = new Map(recipe.split('&').map((/** @type {string} */ word) => word.split(/=(.*)/s)));
-  for (const [key, value] of Object.entries(values)) words.set(key, value);
+function stateOf(figure, { step, ...values }) {
+  const words = new Map(figure.recipe.split('&').map((/** @type {string} */ word) => word.split(/=(.*)/s)));
+  for (const [key, value] of Object.entries(values)) for (const word of wordsOf(figure, words, key, value)) words.set(...word);
   const changed = [...words].map(([key, value]) => `${key}=${value}`);
-  return [`fig=${name}`, ...(Object.keys(values).length ? changed : []), ...(step === undefined ? [] : [`step=${step}`])].join('&');
+  return [`fig=${figure.name}`, ...(Object.keys(values).length ? changed : []), ...(step === undefined ? [] : [`step=${step}`])].join('&');
+}
+
+/**
+ * The words of a recipe for a value of a handle, which may be kept in a list.
+ * @param {any} figure
+ * @param {Map<string, string>} words the recipe's
+ * @param {string} key
+ * @param {string} value
+ * @returns {[string, string][]}
+ */
+function wordsOf(figure, words, key, value) {
+  const listed = figure.handles.find((/** @type {any} */ handle) => handle.key === key)?.listed;
+  if (!listed) return [[key, value]];
+  const numbers = (words.get(listed.list) ?? '').split(',').map(Number);
+  const points = Array.from({ length: numbers.length / 2 }, (_, k) => [numbers[2 * k], numbers[2 * k + 1]]);
+  return Object.entries(listed.write(Number(value), points));
 }

@@ -11,7 +11,11 @@ const THUMB = '72';
 const EXPLAINED: Readonly<Record<string, readonly [number: number, page: string]>> = {
   bubbles: [1, 'two-bubbles'],
   packed: [2, 'many-bubbles'],
+  voronoi: [3, 'mesh'],
+  lloyd: [3, 'mesh'],
   whirl: [4, 'squares'],
+  'fig15-a': [5, 'which-way'],
+  'fig16-b': [5, 'which-way'],
   eye: [6, 'how-many'],
 };
 

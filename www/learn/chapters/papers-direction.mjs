@@ -5,7 +5,7 @@ import { arrowSum, fourFoldSum, lengthSum } from './sums.mjs';
 /** @type {import('./papers.mjs').Difference[]} */
 export const directionDifferences = [
   {
-    key: 'direction',
+    key: 'direction', chapter: 'which-way',
     heading: { en: 'Equation (1): the direction at a point', ja: '式(1)：一点での整列方向' },
     from: at(PAVEMENTS, '4.1, eq. (1), fig. 5', '4.1節 式(1) 図5'),
     printed: arrowSum,
@@ -14,10 +14,10 @@ export const directionDifferences = [
       en: 'The segments run round the outline, so the two sides of a road have opposite arrows and cancel in its middle. Ours turns each arrow into its four-fold angle first, as a square looks alike after a quarter turn, and weights it along the whole segment. The printed weight takes the nearest place for all of a segment, so it changes when a side is cut into pieces; ours does not. The printed power is 2; ours is 4, and can be set to 2 or 3 (dp).',
       ja: '線分は輪郭を一周するので、道の両側の矢印は逆向きで、中央で打ち消し合います。正方形は90度回しても同じなので、本プログラムはまず角度を4倍し、線分全体に沿って重みをかけます。論文の重みは、線分全体を最も近い点の距離で測るため、辺を細かく切ると変わります。本プログラムの重みは変わりません。論文のべき指数は2、本プログラムは4で、2と3も選べます（dp）。',
     },
-    see: { link: 'v=1&outline=road_s&dir=printed&view=direction', words: { en: 'The printed sum on a road, in the studio', ja: '印刷された式による道の整列方向（スタジオ）' } },
+    see: { figure: 'road', words: { en: 'Both sums in a road', ja: '道の中での二つの和' } },
   },
   {
-    key: 'scalar-sum', isMisprint: true,
+    key: 'scalar-sum', chapter: 'which-way', isMisprint: true,
     heading: { en: 'The same equation with lengths: a sum without direction', ja: '同じ式で、長さの和：向きのない和' },
     from: at(JAPANESE, '4, eq. (1)', '4章 式(1)'),
     printed: lengthSum,
