@@ -14,7 +14,7 @@ export async function figuresCode() {
 }
 
 /**
- * A line for each stop of each figure: its name, the stop, its step, the hashes of the states, and the numbers of all bits.
+ * A line for each stop of each figure, or for its opening if it has none: its name, the stop, its step, the hashes of the states, and the numbers of all bits.
  * @param {any} module
  * @returns {Promise<string[]>}
  */
@@ -23,8 +23,10 @@ export async function measured(module) {
   return FIGURES.flatMap((/** @type {any} */ figure) => {
     const readings = figure.packings.map((/** @type {any} */ own) => new Reading(module, figure, figure.recipe, own));
     for (const reading of readings) while (!reading.advance(1000));
-    const lines = stopsOf(figure, readings).map((/** @type {any} */ { key, step }) => {
+    const stops = stopsOf(figure, readings);
+    const lines = (stops.length ? stops : [{ key: 'opens', step: figure.opens }]).map((/** @type {any} */ { key, step }) => {
       const states = readings.flatMap((/** @type {any} */ reading) => {
+        if (figure.steps === 'walk') return [reading.hashAt(step), ...directionsIn(reading, figure.at, step)];
         const { w, force, energy, motion } = reading.moments[step] ?? {};
         const crowd = crowdAt(reading, step);
         const ofCrowd = crowd ? [countOf(crowd), crowd.pairs, crowd.walls, crowd.motion, crowd.move] : [reading.cells.length];
@@ -35,6 +37,18 @@ export async function measured(module) {
     for (const reading of readings) reading.free();
     return lines;
   });
+}
+
+/**
+ * The direction at the place that is looked at, or else in the middle, with its certainty; how much is left of the printed sum,
+ * or the quarter turns of a walk up to a step.
+ * @param {any} reading @param {number[]} at @param {number} step
+ * @returns {number[]}
+ */
+function directionsIn({ directions }, at, step) {
+  const place = at.length ? at : [0.5, 0.5];
+  const { along, certainty } = directions.at(place);
+  return [...along, certainty, at.length > 2 ? directions.walk(at)[step].quarters : directions.terms(place).share];
 }
 
 /** The golden lines. */
