@@ -5,10 +5,10 @@ import { number } from '../figures/words';
 import { tintOf } from './mesh';
 import { at, line, svg, symbol, text, WIDTH } from './plate';
 
-const [LEFT, RIGHT, TOP, ROW, TALL] = [80, WIDTH - 18, 16, 58, 34];
+const [LEFT, RIGHT, TOP, ROW, TALL] = [80, WIDTH - 18, 16, 61, 38];
 
 /** The height of the flag above its row's floor. */
-const POLE = 48;
+const POLE = 51;
 
 export const X = (angle: number): number => LEFT + (angle / LARGEST) * (RIGHT - LEFT);
 

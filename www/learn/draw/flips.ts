@@ -2,7 +2,7 @@
  * Finds the moment at which an edge flips while points are moved by hand: the way between two states that were shown is halved,
  * and the module joins the points there, until the four corners lie on one circle.
  */
-import { acrossOf, edgeKey, edgesOf, innerEdges, sumOf, type Flip, type InnerEdge, type JoinedCells, type Spot } from '../figures/joined';
+import { acrossOf, distance, edgeKey, edgesOf, innerEdges, placeOf, sumOf, type Flip, type InnerEdge, type JoinedCells, type Spot } from '../figures/joined';
 import { joinedBy } from './joined';
 import { listText } from './lists';
 import type { Bubbles, Studio } from './studio';
@@ -20,10 +20,13 @@ const HALF_TURN = 179.99;
 /** The facing angles of a flip come at least as near to half a turn. */
 const NEARLY = 179.9;
 
+/** Places are the same within a hair. */
+const SAME = 1e-6;
+
 const BEFORE = ['domain', 'fields'];
 
 export class Flips {
-  /** The flip on the way to the state that was shown last, if there was one alone. */
+  /** The last flip, until another edge changes or a second one of its four corners is moved. */
   latest: Flip | undefined;
   private readonly studio: Studio;
   private shown: ShownPoints | undefined;
@@ -50,8 +53,8 @@ export class Flips {
   private begin(now: ShownPoints): void {
     const { shown } = this;
     this.shown = now;
-    this.latest = undefined;
     if (shown?.places.length === now.places.length) this.work = this.search(shown, now);
+    else this.latest = undefined;
   }
 
   private go(): void {
@@ -63,7 +66,7 @@ export class Flips {
 
   private *search(from: ShownPoints, to: ShownPoints): Generator<undefined, Flip | undefined> {
     const edges = String([...edgesOf(from.joined)].sort());
-    if (edges === String([...edgesOf(to.joined)].sort())) return undefined;
+    if (edges === String([...edgesOf(to.joined)].sort())) return this.latest && holds(this.latest, to.joined) ? this.latest : undefined;
     let [low, high, before, after] = [0, 1, from.joined, to.joined];
     for (let k = 0; k < HALVINGS && sumOfFlip(before, after) < HALF_TURN; k++) {
       const middle = (low + high) / 2;
@@ -90,6 +93,11 @@ export class Flips {
   free(): void {
     this.studio.free();
   }
+}
+
+/** Whether all but one of a flip's four corners are where they were. */
+function holds({ before, points }: Flip, now: JoinedCells): boolean {
+  return [...before.ends, ...acrossOf(before)].filter((id) => distance(placeOf(points, id), placeOf(now.points, id)) > SAME).length < 2;
 }
 
 function between(from: readonly Spot[], to: readonly Spot[], share: number): Spot[] {
