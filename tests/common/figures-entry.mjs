@@ -9,3 +9,4 @@ export { inside, regions, simplified } from '../../www/learn/draw/contours';
 export { Survey } from '../../www/learn/draw/landscape';
 export { edgesOf, neighbourAt, reachesEdge, restsAt } from '../../www/learn/figures/neighbour';
 export { isCrowded, looksOf, marksAt, restless } from '../../www/learn/figures/population';
+export { asSquare, degreesOf, placesOn, unitAt } from '../../www/learn/figures/directions';
