@@ -12,6 +12,7 @@ import { filesOf } from '../../scripts/lib/offline.mjs';
 import { chapters as made, contents } from '../../www/learn/chapters/contents.mjs';
 import { differences } from '../../www/learn/chapters/papers.mjs';
 import { terms } from '../../www/learn/chapters/terms.mjs';
+import { figuresCode } from '../common/figures.mjs';
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 const site = join(root, 'dist');
@@ -217,6 +218,97 @@ test('the numbers of the landscape and of both outlines are the engine’s', asy
     for (const number of ['0.048', '0.076', '0.009', '0.046']) assert.ok(square.includes(number), `${language}: ${number}`);
     for (const number of ['13', '19', round]) assert.ok(many.includes(number), `${language}: ${number}`);
   }
+});
+
+/** The engine at a recipe's first step, or at another one, with its cells joined. */
+function joinedAt({ Bubblestone }, recipe, step = 0) {
+  const studio = new Bubblestone(recipe);
+  while (['domain', 'fields'].includes(studio.stage())) studio.tick(10, 0);
+  studio.hold(step);
+  while (!studio.reach(10));
+  while (!studio.joinCells(10));
+  return studio;
+}
+
+/** Delaunay's triangles: the smallest angle, the shortest side, the radius. */
+function trianglesOf(studio) {
+  const numbers = studio.joined('triangles');
+  return Array.from({ length: numbers.length / 10 }, (_, k) => [Math.min(...numbers.slice(10 * k + 3, 10 * k + 6)), numbers[10 * k + 6], numbers[10 * k + 9]]);
+}
+
+const hasNumbers = (name, numbers) => {
+  for (const language of languages) {
+    const text = DomUtils.textContent(selectOne('article', chapter(name, language)));
+    for (const number of numbers) assert.ok(text.includes(number), `${name}, ${language}: ${number}`);
+  }
+};
+
+test('the numbers of meshes are the engine’s', async () => {
+  const module = await moduleIn(join(root, 'pkg'));
+  const { FIGURES } = await figuresCode();
+  const recipeOf = (name) => FIGURES.find((figure) => figure.name === name).recipe;
+  // Both diagonals of a square are felt, and those behind the neighbours of a honeycomb are not.
+  assert.ok(module.bubbleCurve(Math.SQRT2)[0] !== 0 && module.bubbleCurve(Math.sqrt(3))[0] === 0);
+  const least = ['close', 'place'].map((name) => {
+    const triangles = trianglesOf(joinedAt(module, recipeOf(name)));
+    for (const [angle, shortest, radius] of triangles) assert.ok(Math.abs(Math.sin((angle * Math.PI) / 180) - shortest / (2 * radius)) < 1e-12);
+    return Math.min(...triangles.map(([angle]) => angle));
+  });
+  assert.ok(least[0] >= 44 && least[0] < 45 && Math.round(least[1]) === 8, String(least));
+  // The shortest side is the radius at 30°; in a honeycomb the angle is 60°.
+  const [[even, side, radius]] = trianglesOf(joinedAt(module, 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&given=0.3,0.4,0;0.7,0.4,0;0.5,0.7464,0'));
+  assert.deepEqual([even.toFixed(1), (radius / side).toFixed(2)], ['60.0', '0.58']);
+  const three = recipeOf('three').replace('rounds=4', 'rounds=20');
+  const middles = [[three, 0], [`${three}&cells=lloyd`, 0], [three, 200]].map(([recipe, step]) => Math.round(joinedAt(module, recipe, step).joined('angles')[0]));
+  assert.deepEqual(middles, [32, 48, 56]);
+  hasNumbers('mesh', ['1.41', '1.73', '1.5', '180°', '30°', '60°', '0.58', '44°', '8°']);
+  const { en, ja } = made.find(({ name }) => name === 'mesh').guide.questions[1].right;
+  for (const middle of middles) assert.ok(en.includes(`${middle}°`) && ja.includes(`${middle}°`), `${middle}`);
+});
+
+/** The engine with the fields of a recipe, and places in shares of its side. */
+function fieldsOf({ Bubblestone }, recipe) {
+  const studio = new Bubblestone(recipe);
+  while (['domain', 'fields'].includes(studio.stage())) studio.tick(10, 0);
+  const side = studio.side();
+  return {
+    printed: (x, y) => studio.segmentTerms(x * side, y * side)[2],
+    /** The direction of squares, from -45 to 45 degrees. */
+    direction: (x, y) => {
+      const [along, across] = studio.directionAt(x * side, y * side);
+      const degrees = (Math.atan2(across, along) * 180) / Math.PI;
+      return degrees - 90 * Math.round(degrees / 90);
+    },
+    /** Quarter turns on a walk round a place. */
+    quarters: (x, y, radius) => {
+      const places = Array.from({ length: 72 }, (_, k) => (k * Math.PI) / 36).flatMap((angle) => [side * (x + radius * Math.cos(angle)), side * (y + radius * Math.sin(angle))]);
+      return Math.round(4 * (studio.directionsAlong(Float64Array.from(places)).at(-1) ?? NaN)) + 0;
+    },
+  };
+}
+
+test('the numbers of directions are the engine’s', async () => {
+  const module = await moduleIn(join(root, 'pkg'));
+  const { FIGURES } = await figuresCode();
+  const of = (name) => fieldsOf(module, FIGURES.find((figure) => figure.name === name).recipe);
+  const road = of('road');
+  for (let x = 0.275; x <= 0.7251; x += 0.025) assert.ok(road.printed(x, 0.5) < 0.02, `${x}`);
+  const [disc, square, ring, fork] = [of('walk'), fieldsOf(module, 'outline=square&size=256&kind=square'), fieldsOf(module, 'size=256&kind=square'), of('fork')];
+  assert.deepEqual([disc.quarters(0.5, 0.5, 0.3), disc.quarters(0.7, 0.5, 0.1), square.quarters(0.5, 0.5, 0.2)], [4, 0, 0]);
+  assert.deepEqual([ring.quarters(0.5, 0.5, 0.35), ring.quarters(0.5, 0.15, 0.05)], [4, 0]);
+  assert.deepEqual([fork.quarters(0.5, 0.43, 0.1), fork.quarters(0.5, 0.72, 0.08)], [4 - 6, 0]);
+  const { recipe, handles } = FIGURES.find(({ name }) => name === 'halfway');
+  const halfway = (...angles) => {
+    const [, text] = recipe.match(/strokes=([^&]*)/);
+    const points = (words) => words.split(/[;,]/).map(Number).reduce((pairs, number, k) => (k % 2 ? [...pairs.slice(0, -1), [pairs.at(-1)[0], number]] : [...pairs, [number]]), []);
+    const strokes = angles.reduce((words, angle, k) => handles[k].listed.write(angle, points(words)).strokes, text);
+    return fieldsOf(module, recipe.replace(text, strokes)).direction(0.5, 0.5);
+  };
+  assert.equal(Math.round(halfway(10, 30)), 20);
+  assert.equal(halfway(10, 80).toFixed(6).replace('-', ''), '0.000000');
+  hasNumbers('which-way', ['10°', '80°', '45°', '0°', '20°', '30°', '90°']);
+  const { questions } = made.find(({ name }) => name === 'which-way').guide;
+  for (const language of languages) assert.ok(questions[1].right[language].includes('2') && questions[4].thoughts[0][1][language].includes(`${45 - 10}°`));
 });
 
 for (const { name, guide } of made) {
