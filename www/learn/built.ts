@@ -2,11 +2,12 @@
 import { FIGURES, shownOf } from './draw/chapters';
 import { stillOf } from './draw/still';
 import { termOf } from './draw/terms';
+import { studioWords } from './figure/address';
 
 /** The studio's link with the state that a figure opens with. */
 function studioLinkOf(name: string): string {
   const { figure } = shownOf(name);
-  return `v=1&${figure.recipe}&view=packed${figure.steps === 'step' ? `&step=${figure.opens}` : ''}`;
+  return `v=1&${studioWords(figure, { recipe: figure.recipe, step: figure.opens })}`;
 }
 
 export { FIGURES, stillOf, studioLinkOf, termOf };

@@ -15,6 +15,12 @@ export function stateWords(name: string, { recipe, step, at }: State): string {
   return [`fig=${name}`, recipe, `step=${step}`, ...(at.length ? [`at=${at.map((value) => value.toFixed(3)).join(',')}`] : [])].join('&');
 }
 
+/** The words of a figure's state for the studio: at the step of the packing, or with the directions. */
+export function studioWords({ steps }: Figure, { recipe, step }: Pick<State, 'recipe' | 'step'>): string {
+  if (steps === 'walk') return `${recipe}&view=direction`;
+  return `${recipe}&view=packed${steps === 'step' ? `&step=${step}` : ''}`;
+}
+
 /** The name of the figure that a fragment opens; '' if it opens none. */
 export function figureIn(fragment: string): string {
   return wordsOf(fragment).get('fig') ?? '';

@@ -6,7 +6,7 @@ import type { Language } from '../figures/figure';
 import type { Bubbles } from '../draw/studio';
 import { Link } from '../../state/link';
 import { shownIn, type Shown } from '../draw/picture';
-import { figureIn, opening, stateIn, stateWords, type State } from './address';
+import { figureIn, opening, stateIn, stateWords, studioWords, type State } from './address';
 import { drawingsOf } from './chapters';
 import { Live } from './live';
 import { Turns } from './turns';
@@ -83,10 +83,10 @@ class Place {
   /** The address and the link into the studio have the present state. The state that a figure opens with is not written. */
   private follow(state: State, isFirst: boolean): void {
     if (!isFirst) this.page.write(stateWords(this.name, state));
-    this.element.dataset.hash = this.live?.hash ?? '';
-    for (const link of document.querySelectorAll<HTMLAnchorElement>(`a.into-studio[data-figure="${this.name}"]`)) {
-      link.hash = `${state.recipe}&view=packed&step=${state.step}`;
-    }
+    if (!this.live) return;
+    this.element.dataset.hash = this.live.hash;
+    const words = studioWords(this.live.figure, state);
+    for (const link of document.querySelectorAll<HTMLAnchorElement>(`a.into-studio[data-figure="${this.name}"]`)) link.hash = words;
   }
 
   private leave(): void {
