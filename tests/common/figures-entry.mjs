@@ -7,6 +7,7 @@ export { stillOf } from '../../www/learn/draw/still';
 export { between, parting, rest, touch, trialOf, turn } from '../../www/learn/figures/rules';
 export { inside, regions, simplified } from '../../www/learn/draw/contours';
 export { Survey } from '../../www/learn/draw/landscape';
+export { acrossOf, distance, innerEdges, lengthOf, nearestEdge, sumOf, triangleAt } from '../../www/learn/figures/joined';
 export { edgesOf, neighbourAt, reachesEdge, restsAt } from '../../www/learn/figures/neighbour';
 export { isCrowded, looksOf, marksAt, restless } from '../../www/learn/figures/population';
 export { asSquare, degreesOf, placesOn, unitAt } from '../../www/learn/figures/directions';

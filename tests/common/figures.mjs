@@ -6,6 +6,9 @@ import { build } from 'vite';
 const list = new URL('../learn.txt', import.meta.url);
 const entry = fileURLToPath(new URL('figures-entry.mjs', import.meta.url));
 
+/** Plates that show joined cells. */
+const JOINED = new Set(['dual', 'mesh', 'delaunay']);
+
 /** The figures, their stops and their readings, as the page has them. */
 export async function figuresCode() {
   const own = { write: false, ssr: true, target: 'es2022', rolldownOptions: { input: entry, output: /** @type {const} */ ({ format: 'es' }) } };
@@ -30,13 +33,20 @@ export async function measured(module) {
         const { w, force, energy, motion } = reading.moments[step] ?? {};
         const crowd = crowdAt(reading, step);
         const ofCrowd = crowd ? [countOf(crowd), crowd.pairs, crowd.walls, crowd.motion, crowd.move] : [reading.cells.length];
-        return [reading.hashAt(step), ...(w === undefined ? ofCrowd : [w, force, energy, motion])];
+        const ofJoined = figure.plates.some(({ draw }) => JOINED.has(draw)) ? joinedIn(reading, step) : [];
+        return [reading.hashAt(step), ...(w === undefined ? ofCrowd : [w, force, energy, motion]), ...ofJoined];
       });
       return [figure.name, key, step, ...states].join(' ');
     });
     for (const reading of readings) reading.free();
     return lines;
   });
+}
+
+/** The number of Delaunay's triangles, the median of the mesh's smallest angles, and the smallest angle. @param {any} reading @param {number} step */
+function joinedIn(reading, step) {
+  const { triangles, median } = reading.joined(Math.min(step, Math.max(0, reading.steps.length - 1)));
+  return [triangles.length, median, Math.min(...triangles.flatMap((/** @type {any} */ { angles }) => angles))];
 }
 
 /**

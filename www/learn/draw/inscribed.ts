@@ -41,14 +41,22 @@ function inCircle(joined: JoinedCells, worst: Triangle): string {
   const shape = `M${[at0, one, other].map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}z`;
   const round = `<circle class="empty-circle" cx="${MIDDLE[0]}" cy="${MIDDLE[1]}" r="${RADIUS}"/>`;
   const side = `${line(one, other, 'shortest-side')}${beside([(one[0] + other[0]) / 2, (one[1] + other[1]) / 2], MIDDLE, symbol('shortest', 's'))}`;
-  return `${round}<path class="triangle tint-${tintOf(smallestOf(worst))}" d="${shape}"/><path class="looked-at" d="${shape}"/>${radiusTo(one)}${side}${angleAt(at0, one, other, smallestOf(worst))}`;
+  return `${round}<path class="triangle tint-${tintOf(smallestOf(worst))}" d="${shape}"/><path class="looked-at" d="${shape}"/>${radiusTo(smallestOf(worst) < BAD ? clearOf(at0, one, other) : one)}${side}${angleAt(at0, one, other, smallestOf(worst))}`;
 }
 
-/** The radius to a corner, with its letter halfway. */
-function radiusTo(corner: Spot): string {
-  const [x, y] = unit(MIDDLE, corner);
+/** A place that is away from a thin triangle: straight to the side of its long axis. */
+function clearOf(corner: Spot, one: Spot, other: Spot): Spot {
+  const far: Spot = [(one[0] + other[0]) / 2, (one[1] + other[1]) / 2];
+  const [x, y] = unit(corner, far);
+  const side = x * (MIDDLE[1] - corner[1]) - y * (MIDDLE[0] - corner[0]) < 0 ? -1 : 1;
+  return [MIDDLE[0] - side * y * RADIUS, MIDDLE[1] + side * x * RADIUS];
+}
+
+/** The radius to a place on the circle, with its letter halfway. */
+function radiusTo(end: Spot): string {
+  const [x, y] = unit(MIDDLE, end);
   const half: Spot = [MIDDLE[0] + (x * RADIUS) / 2 - y * 13, MIDDLE[1] + (y * RADIUS) / 2 + x * 13 + 5];
-  return `${line(MIDDLE, corner, 'radius')}<circle class="centre" cx="${MIDDLE[0]}" cy="${MIDDLE[1]}" r="3.5"/>${text(half[0], half[1], symbol('R', 'R'), 'letter-of')}`;
+  return `${line(MIDDLE, end, 'radius')}<circle class="centre" cx="${MIDDLE[0]}" cy="${MIDDLE[1]}" r="3.5"/>${text(half[0], half[1], symbol('R', 'R'), 'letter-of')}`;
 }
 
 /** A letter beside a place, on the side away from another. */
