@@ -97,8 +97,10 @@ impl PileShape {
         let edge = edge.clamp(EDGES[0], EDGES[1]);
         let made = match self {
             Self::RiceBall => {
-                let building = RiceBallBuilding::new(&n, edge);
-                return PileShapeBuilding(Part::RiceBall(Box::new(building)));
+                return PileShapeBuilding {
+                    rice_ball: Some(Box::new(RiceBallBuilding::new(&n, edge))),
+                    made: None,
+                };
             }
             Self::Heap => open::heap(&n, edge),
             Self::Dome => open::dome(&n, edge),
@@ -106,7 +108,10 @@ impl PileShape {
             Self::Bowl => bowl::bowl(&n, edge),
             Self::OpenBox => open_box::open_box(&n, edge),
         };
-        PileShapeBuilding(Part::Made(Some(made)))
+        PileShapeBuilding {
+            rice_ball: None,
+            made: Some(made),
+        }
     }
 
     /// Makes the shape at once ([`Self::building`]).
@@ -121,19 +126,19 @@ impl PileShape {
 }
 
 /// A shape in progress, made in slices.
-pub struct PileShapeBuilding(Part);
-
-enum Part {
-    RiceBall(Box<RiceBallBuilding>),
-    Made(Option<PiledShape>),
+pub struct PileShapeBuilding {
+    /// A rice ball takes several slices.
+    rice_ball: Option<Box<RiceBallBuilding>>,
+    /// Any other shape is made at once.
+    made: Option<PiledShape>,
 }
 
 impl PileShapeBuilding {
     /// Does one slice; returns the shape in the end, once.
     pub fn advance(&mut self) -> Option<PiledShape> {
-        match &mut self.0 {
-            Part::RiceBall(building) => building.advance(),
-            Part::Made(made) => made.take(),
+        match &mut self.rice_ball {
+            Some(building) => building.advance(),
+            None => self.made.take(),
         }
     }
 }

@@ -1,44 +1,19 @@
 // The figures of the chapter on the number of cells: marks, thresholds, questions.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
-import { answer, answered, at, boxHas, seek, shown, type, violations } from './lesson.mjs';
+import { answer, answered, at, boxHas, changed, chapterPages, seek, shown, toEnd, type, violations } from './lesson.mjs';
 import { frames, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
-/** @type {Awaited<ReturnType<typeof open>>} */
-let site;
-
 const FIGURES = ['crowded', 'hole', 'never', 'count', 'right-number'];
 
-const CHAPTER = { en: 'learn/how-many/', ja: 'learn/ja/how-many/' };
-
-before(async () => {
-  site = await open();
-});
-
-after(() => site?.close());
-
-/** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
-async function chapter(fragment = '', { language = 'en', ...options } = {}) {
-  return site.newPage(`${CHAPTER[language]}${fragment}`, options);
-}
+const chapter = chapterPages('how-many');
 
 /** How often parts of a plate are drawn. @param {Page} page @param {string} figure @param {number} plate @param {string} selector */
 const drawn = (page, figure, plate, selector) => page.$$eval(`${figure} .plate-box[data-plate="${plate}"] svg ${selector}`, (all) => all.length);
-
-/** Goes to the end of the runs, however long they are. @param {Page} page @param {string} figure */
-async function toEnd(page, figure) {
-  await page.focus(`${figure} input.time`);
-  await page.keyboard.press('End');
-  await page.waitForFunction((selector) => document.querySelector(selector).dataset.step === document.querySelector(`${selector} input.time`).max, {}, figure);
-}
-
-/** Waits until a change has been read. @param {Page} page @param {string} figure @param {string} before the hash of the state before */
-const changed = (page, figure, before) => page.waitForFunction((selector, hash) => document.querySelector(selector).dataset.hash !== hash, {}, figure, before);
 
 test('each stop has the golden state', async () => {
   const { page, problems, close } = await chapter();

@@ -1,41 +1,16 @@
 // The figures of the chapter on many bubbles: points as handles, runs that end, stops, questions.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
-import { answer, answered, at, seek, shown, type, violations } from './lesson.mjs';
-import { frames, phone } from './page.mjs';
+import { answer, answered, at, changed, chapterPages, middle, seek, shown, toEnd, type, violations } from './lesson.mjs';
+import { phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
-/** @type {Awaited<ReturnType<typeof open>>} */
-let site;
-
 const FIGURES = ['crowd', 'two-starts', 'energy', 'best', 'quiet'];
 
-const CHAPTER = { en: 'learn/many-bubbles/', ja: 'learn/ja/many-bubbles/' };
-
-before(async () => {
-  site = await open();
-});
-
-after(() => site?.close());
-
-/** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
-async function chapter(fragment = '', { language = 'en', ...options } = {}) {
-  return site.newPage(`${CHAPTER[language]}${fragment}`, options);
-}
-
-/** Goes to the end of the runs, however long they are. @param {Page} page @param {string} figure */
-async function toEnd(page, figure) {
-  await page.focus(`${figure} input.time`);
-  await page.keyboard.press('End');
-  await page.waitForFunction((selector) => document.querySelector(selector).dataset.step === document.querySelector(`${selector} input.time`).max, {}, figure);
-}
-
-/** Waits until a change has been read. @param {Page} page @param {string} figure @param {string} before the hash of the state before */
-const changed = (page, figure, before) => page.waitForFunction((selector, hash) => document.querySelector(selector).dataset.hash !== hash, {}, figure, before);
+const chapter = chapterPages('many-bubbles');
 
 /** The coordinates in the boxes of a point. @param {Page} page @param {string} figure @param {string} key */
 const pointOf = (page, figure, key) => page.$$eval(`${figure} .handle[data-key="${key}"] input`, (boxes) => boxes.map((box) => Number(box.value)));
@@ -49,17 +24,6 @@ async function pointHas(page, figure, key, wanted, by = 0.0015) {
     wanted,
     by,
   );
-}
-
-/** The middle of an element in the window, scrolled into sight. @param {Page} page @param {string} selector */
-async function middle(page, selector) {
-  await page.$eval(selector, (element) => element.scrollIntoView({ block: 'center', behavior: 'instant' }));
-  // A finger finds what the last frame has drawn.
-  await frames(page, 3);
-  return page.$eval(selector, (element) => {
-    const { x, y, width, height } = element.getBoundingClientRect();
-    return { x: x + width / 2, y: y + height / 2 };
-  });
 }
 
 /** A place of a plate in the window, by shares of the plate. @param {Page} page @param {string} figure @param {number} x @param {number} y */

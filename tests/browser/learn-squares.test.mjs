@@ -1,41 +1,16 @@
 // The figures of the chapter on squares: the landscape around one, squares that slide, questions.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
-import { answer, answered, at, boxHas, shown, type, violations } from './lesson.mjs';
+import { answer, answered, at, boxHas, changed, chapterPages, shown, toEnd, type, violations } from './lesson.mjs';
 import { frames, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
-/** @type {Awaited<ReturnType<typeof open>>} */
-let site;
-
 const FIGURES = ['nine', 'wells', 'sixty', 'bump', 'slide'];
 
-const CHAPTER = { en: 'learn/squares/', ja: 'learn/ja/squares/' };
-
-before(async () => {
-  site = await open();
-});
-
-after(() => site?.close());
-
-/** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
-async function chapter(fragment = '', { language = 'en', ...options } = {}) {
-  return site.newPage(`${CHAPTER[language]}${fragment}`, options);
-}
-
-/** Goes to the end of the run, however long it is. @param {Page} page @param {string} figure */
-async function toEnd(page, figure) {
-  await page.focus(`${figure} input.time`);
-  await page.keyboard.press('End');
-  await page.waitForFunction((selector) => document.querySelector(selector).dataset.step === document.querySelector(`${selector} input.time`).max, {}, figure);
-}
-
-/** Waits until a change has been read. @param {Page} page @param {string} figure @param {string} before the hash of the state before */
-const changed = (page, figure, before) => page.waitForFunction((selector, hash) => document.querySelector(selector).dataset.hash !== hash, {}, figure, before);
+const chapter = chapterPages('squares');
 
 /** A place on a map in pixels of the page, from its middle in stable distances, y up. @param {Page} page @param {string} figure @param {number} x @param {number} y */
 async function onMap(page, figure, x, y) {

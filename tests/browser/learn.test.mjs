@@ -1,44 +1,17 @@
 // The figures of the chapters: stops, handles, questions, addresses.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
-import { open } from './harness.mjs';
-import { answer, answered, at, boxHas, seek, shown, type, violations } from './lesson.mjs';
-import { frames, phone } from './page.mjs';
+import { answer, answered, at, boxHas, chapterPages, middle, seek, shown, type, violations } from './lesson.mjs';
+import { phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
-/** @type {Awaited<ReturnType<typeof open>>} */
-let site;
-
-/** The chapter in each language. */
-const CHAPTER = { en: 'learn/two-bubbles/', ja: 'learn/ja/two-bubbles/' };
-
-before(async () => {
-  site = await open();
-});
-
-after(() => site?.close());
-
-/** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
-async function chapter(fragment = '', { language = 'en', ...options } = {}) {
-  return site.newPage(`${CHAPTER[language]}${fragment}`, options);
-}
+const chapter = chapterPages('two-bubbles');
 
 /** The number in a handle's box. @param {Page} page @param {string} figure @param {string} key */
 const boxed = (page, figure, key) => page.$eval(`${figure} .handle[data-key="${key}"] input[type="number"]`, (box) => Number(box.value));
-
-/** The middle of an element in the window, scrolled into sight. @param {Page} page @param {string} selector */
-async function middle(page, selector) {
-  await page.$eval(selector, (element) => element.scrollIntoView({ block: 'center', behavior: 'instant' }));
-  // A finger finds what the last frame has drawn.
-  await frames(page, 3);
-  return page.$eval(selector, (element) => {
-    const { x, y, width, height } = element.getBoundingClientRect();
-    return { x: x + width / 2, y: y + height / 2 };
-  });
-}
 
 const FIGURES = ['top', 'pair', 'let-go', 'not-so', 'exercise'];
 

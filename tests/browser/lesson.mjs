@@ -1,10 +1,28 @@
 // The figures of a chapter in a browser: their state, handles, timeline and questions.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { after, before } from 'node:test';
+import { open } from './harness.mjs';
+import { frames } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/**
+ * Opens the site before the tests of a file, and closes it after them. Returns a function that opens a chapter in a page.
+ * @param {string} name of the chapter
+ */
+export function chapterPages(name) {
+  /** @type {Awaited<ReturnType<typeof open>>} */
+  let site;
+  before(async () => {
+    site = await open();
+  });
+  after(() => site?.close());
+  /** @param {string} [fragment] @param {import('./harness.mjs').PageOptions & { language?: 'en' | 'ja' }} [options] */
+  return (fragment = '', { language = 'en', ...options } = {}) => site.newPage(`learn/${language === 'ja' ? 'ja/' : ''}${name}/${fragment}`, options);
+}
 
 /** Brings a figure into sight and waits until it works. @param {Page} page @param {string} name */
 export async function at(page, name) {
@@ -61,6 +79,32 @@ export async function seek(page, figure, step) {
     step,
   );
   await page.waitForSelector(`${figure}[data-step="${step}"]`);
+}
+
+/** Goes to the end of the runs, however long they are. @param {Page} page @param {string} figure */
+export async function toEnd(page, figure) {
+  await page.focus(`${figure} input.time`);
+  await page.keyboard.press('End');
+  await page.waitForFunction(
+    (selector) => document.querySelector(selector)?.getAttribute('data-step') === document.querySelector(`${selector} input.time`)?.getAttribute('max'),
+    {},
+    figure,
+  );
+}
+
+/** Waits until a change has been read. @param {Page} page @param {string} figure @param {string} before the hash of the state before */
+export const changed = (page, figure, before) =>
+  page.waitForFunction((selector, hash) => document.querySelector(selector)?.getAttribute('data-hash') !== hash, {}, figure, before);
+
+/** The middle of an element in the window, scrolled into sight. @param {Page} page @param {string} selector */
+export async function middle(page, selector) {
+  await page.$eval(selector, (element) => element.scrollIntoView({ block: 'center', behavior: 'instant' }));
+  // A finger finds what the last frame has drawn.
+  await frames(page, 3);
+  return page.$eval(selector, (element) => {
+    const { x, y, width, height } = element.getBoundingClientRect();
+    return { x: x + width / 2, y: y + height / 2 };
+  });
 }
 
 /** The sentence of an answered question; '' while it is open. @param {Page} page @param {string} key */
