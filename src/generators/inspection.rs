@@ -76,7 +76,7 @@ impl Histogram {
 
 /// Points that are joined to a mesh and to polygons: packed cells at a step, or as many scattered points.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Joined {
+pub struct JoinedCells {
     /// The points in the order of the mesh's vertices.
     pub points: Vec<Particle>,
     /// Their mesh; see [`Mesh::build`].
@@ -106,7 +106,7 @@ pub struct JoinedTriangle {
     pub radius: f64,
 }
 
-impl Joined {
+impl JoinedCells {
     /// The id of the point at a vertex of the mesh; on a tile that of an image is the point's.
     pub fn id(&self, vertex: u32) -> u32 {
         let vertex = vertex as usize;

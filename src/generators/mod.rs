@@ -39,7 +39,7 @@ pub use engine::{Engine, Progress};
 pub use given::{FileDigest, GivenFile, MissingFile};
 #[cfg(house)]
 pub use in_space::{Files, Frames, ModelFacts};
-pub use inspection::{Histogram, Joined, JoinedTriangle, Polygon, Probe, Products};
+pub use inspection::{Histogram, JoinedCells, JoinedTriangle, Polygon, Probe, Products};
 pub use offers::{Drafts, Inspect, Maps, MeshSlice, Meshes, Outlines, PictureSlice, Steps};
 pub use preset::{MeasuredPart, Preset, Timing};
 #[cfg(house)]

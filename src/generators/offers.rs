@@ -2,7 +2,7 @@
 //! from the method of [`super::Engine`] for that trait.
 
 use super::Clock;
-use super::inspection::{Histogram, Joined, Probe};
+use super::inspection::{Histogram, JoinedCells, Probe};
 use crate::domain::Outline;
 use crate::export::{Map, MapKind, MeshOrder, MeshSize};
 use crate::notice::Notice;
@@ -137,8 +137,8 @@ pub trait Steps {
     /// are made. There are none without a packing, and none of more than 400 cells.
     fn join(&mut self, clock: Clock, budget: f64) -> bool;
 
-    /// What [`Steps::join`] has made.
-    fn joined(&self) -> Option<&Joined>;
+    /// The mesh and the polygons that [`Steps::join`] has made.
+    fn joined(&self) -> Option<&JoinedCells>;
 
     /// All packed cells in numbers, by rising ids.
     fn numbers(&mut self) -> Vec<CellNumbers>;

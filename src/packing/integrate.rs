@@ -3,14 +3,15 @@
 use super::body::MovingParticle;
 use super::energy::PairEnergies;
 use super::force::{Pair, force_between};
-use super::packing_domain::{MetricSpace, PackingDomain, SpatialHash};
+use super::neighbour_list::NeighbourList;
+use super::packing_domain::{MetricSpace, PackingDomain};
 use super::physics::CornerBubbles;
+use super::runge_kutta::RungeKutta;
 use super::shape::CellShape;
 use super::step_rule::StepRule;
 use super::transport::ParallelTransport;
 use super::wall::{stays_clear, wall_force};
 use super::{Integrator, Particle};
-use crate::csr::Csr;
 use crate::field::CellKind;
 use crate::order::greater;
 use glam::DVec2;
@@ -21,10 +22,6 @@ const LONGEST_MOVE: f64 = 0.25;
 /// No cell is faster than this, in sizes for a unit of time. No sensible run comes near; numbers stay finite in
 /// one that explodes.
 const FASTEST: f64 = 1e3;
-/// Margin of the neighbour list beyond the reach of forces, in the largest size. The list is renewed when a
-/// cell has moved half as far (Verlet 1967).
-const VERLET_MARGIN: f64 = 0.25;
-
 /// Moves below this share of a cell's size are not made: a cell rests while neither it nor any of its
 /// neighbours moves. The remaining force is far below the limit at which a run ends.
 const fn least_move(kind: CellKind) -> f64 {
@@ -51,38 +48,18 @@ enum Doing<P> {
     Moves(usize, Vec<DVec2>),
 }
 
-/// The classical Runge-Kutta scheme on (x, v), in progress. Velocities and their slopes stay in the frames of
-/// the starting places.
-#[derive(Clone, Debug)]
-struct RungeKutta<P> {
-    /// The number of the evaluation, from 0.
-    stage: usize,
-    start: Vec<(P, DVec2)>,
-    velocity: Vec<DVec2>,
-    /// Offsets from the start at which forces are evaluated.
-    ahead: Vec<DVec2>,
-    sums: Vec<(DVec2, DVec2)>,
-}
-
-/// Weights of the evaluations.
-const WEIGHTS: [f64; 4] = [1.0, 2.0, 2.0, 1.0];
-
 /// The neighbour list and the forces.
 #[derive(Clone, Debug)]
 pub(super) struct Motion<P> {
     doing: Doing<P>,
     /// The largest move and the largest force of the step so far.
     largest: (f64, f64),
-    /// For each body, its neighbours with higher numbers.
-    near: Csr<u32>,
+    list: NeighbourList<P>,
     /// Bodies that are not at rest.
     awake: Vec<bool>,
     forces: Vec<DVec2>,
     /// A lower bound of each body's distance to the walls at the start of the step.
     clear: Vec<f64>,
-    /// The places of the bodies when the list was made.
-    made_at: Vec<P>,
-    margin: f64,
     pair_data: Vec<PairData<P>>,
     energies: PairEnergies,
 }
@@ -92,12 +69,10 @@ impl<P> Default for Motion<P> {
         Self {
             doing: Doing::default(),
             largest: (0.0, 0.0),
-            near: Csr::default(),
+            list: NeighbourList::default(),
             awake: Vec::new(),
             forces: Vec::new(),
             clear: Vec::new(),
-            made_at: Vec::new(),
-            margin: 0.0,
             pair_data: Vec::new(),
             energies: PairEnergies::default(),
         }
@@ -136,7 +111,7 @@ impl<P: Copy> PairData<P> {
 impl<P: Copy> Motion<P> {
     /// Invalidates the list after a change of the bodies.
     pub fn forget(&mut self) {
-        self.made_at.clear();
+        self.list.forget();
     }
 
     /// Frees what the next step makes anew. Only between steps.
@@ -150,92 +125,25 @@ impl<P: Copy> Motion<P> {
         !matches!(self.doing, Doing::Neighbours)
     }
 
-    /// Whether the neighbour list is still valid.
-    fn is_fresh<S: MetricSpace<Place = P>>(&self, bodies: &[MovingParticle<P>], metric: S) -> bool {
-        let limit = 0.25 * self.margin * self.margin;
-        let mut each = bodies.iter().zip(&self.made_at);
-        self.made_at.len() == bodies.len()
-            && each.all(|(body, &at)| !metric.has_left(at, body.particle.centre, limit))
-    }
-
-    /// Renews the neighbour list if it may be outdated; true if it was renewed. The bodies are first sorted
-    /// by the grid's buckets, so that neighbours are close in memory, too.
+    /// Renews the neighbour list if it may be outdated; true if it was renewed. The bodies are then in another order.
     pub fn refresh<S: MetricSpace<Place = P>>(
         &mut self,
         bodies: &mut [MovingParticle<P>],
         metric: S,
         corners: CornerBubbles,
     ) -> bool {
-        if bodies.is_empty() || self.is_fresh(bodies, metric) {
-            return false;
+        let renewed = self.list.refresh(bodies, metric, corners.square_reach());
+        if renewed {
+            self.energies.forget();
+            self.forces.resize(bodies.len(), DVec2::ZERO);
+            self.clear.resize(bodies.len(), 0.0);
         }
-        let (mut largest, mut longest, mut root) = (0.0_f64, 0.0_f64, 1.0_f64);
-        for body in bodies.iter() {
-            let shape = CellShape::of(&body.particle);
-            largest = largest.max(shape.size);
-            longest = longest.max(shape.length());
-            root = root.max(shape.root);
-        }
-        let margin = VERLET_MARGIN * largest;
-        // A move counts for more across a stretched cell than along it.
-        self.margin = margin / root;
-        let square = corners.square_reach();
-        let reach = square * longest + margin;
-        let grid = metric.grid_around(bodies.iter().map(|b| b.particle.centre), reach / 2.0);
-        let firsts = sort_by_bucket(bodies, &grid);
-        self.made_at = bodies.iter().map(|b| b.particle.centre).collect();
-        self.forces.resize(bodies.len(), DVec2::ZERO);
-        self.clear.resize(bodies.len(), 0.0);
-        self.collect_pairs(bodies, metric, (&grid, &firsts), (reach, square, margin));
-        true
-    }
-
-    /// The bodies are sorted by bucket, so a range of buckets is a range of bodies. Only bodies after the
-    /// body itself are looked at.
-    fn collect_pairs<S: MetricSpace<Place = P>>(
-        &mut self,
-        bodies: &[MovingParticle<P>],
-        metric: S,
-        (grid, firsts): (&S::Hash, &[u32]),
-        (reach, square, margin): (f64, f64, f64),
-    ) {
-        self.near.clear();
-        self.energies.forget();
-        let mut near = Vec::new();
-        for (i, body) in bodies.iter().enumerate() {
-            let centre = body.particle.centre;
-            let shape = CellShape::of(&body.particle);
-            for image in metric.images(centre, reach) {
-                for run in grid.runs_near(image, reach) {
-                    let end = firsts[run.end] as usize;
-                    let first = (firsts[run.start] as usize).max(i + 1).min(end);
-                    for (other, j) in bodies[first..end].iter().zip(first as u32..) {
-                        let Some((r, turn)) = metric.log_from(image, other.particle.centre, reach)
-                        else {
-                            continue;
-                        };
-                        let seen = CellShape::of(&other.particle).seen(turn);
-                        if shape.may_touch(&seen, r, (square, margin))
-                            && !is_walled_off(body, other, r, metric)
-                        {
-                            near.push(j);
-                        }
-                    }
-                }
-            }
-            self.near.push(near.drain(..));
-        }
+        renewed
     }
 
     /// The pairs that may touch, each once.
-    pub fn pairs<'a>(
-        &'a self,
-        bodies: &'a [MovingParticle<P>],
-    ) -> impl Iterator<Item = (usize, usize)> + 'a {
-        (0..bodies.len()).flat_map(|i| {
-            let near = self.near.row(i).iter();
-            near.map(move |&j| (i, j as usize))
-        })
+    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.list.pairs()
     }
 
     /// The sum of the potentials of all pairs.
@@ -245,7 +153,7 @@ impl<P: Copy> Motion<P> {
         metric: S,
         corners: CornerBubbles,
     ) -> f64 {
-        self.energies.sum(&self.near, bodies, metric, corners)
+        self.energies.sum(&self.list.near, bodies, metric, corners)
     }
 
     /// Wakes the bodies that have moved, and their neighbours; all if none may sleep.
@@ -254,7 +162,7 @@ impl<P: Copy> Motion<P> {
         self.awake
             .extend(bodies.iter().map(|b| b.has_moved || !may_sleep));
         for (i, body) in bodies.iter().enumerate() {
-            for &j in self.near.row(i) {
+            for &j in self.list.near.row(i) {
                 self.awake[i] |= bodies[j as usize].has_moved;
                 self.awake[j as usize] |= body.has_moved;
             }
@@ -292,7 +200,7 @@ impl<P: Copy> Motion<P> {
         for (i, body) in these.clone().zip(&bodies[these]) {
             let (a, a_awake) = (self.pair_data[i], self.awake[i]);
             let mut total = DVec2::ZERO;
-            for &j in self.near.row(i) {
+            for &j in self.list.near.row(i) {
                 let j = j as usize;
                 let b = &self.pair_data[j];
                 if !(a_awake || self.awake[j]) {
@@ -465,7 +373,7 @@ impl<P: Copy> Motion<P> {
         .collect()
     }
 
-    /// Prepares the next evaluation, or the moves after the last one.
+    /// Goes on to the next evaluation, or to the moves after the last one.
     fn runge_kutta<G: PackingDomain<Place = P>>(
         &mut self,
         bodies: &mut [MovingParticle<P>],
@@ -473,84 +381,10 @@ impl<P: Copy> Motion<P> {
         rule: &StepRule,
         mut scheme: RungeKutta<P>,
     ) -> Doing<P> {
-        let h = rule.pace * rule.time_step;
-        let (stage, weight) = (scheme.stage, WEIGHTS[scheme.stage]);
-        let further = if stage == 2 { h } else { 0.5 * h };
-        for (i, body) in bodies.iter_mut().enumerate() {
-            if !self.awake[i] {
-                continue;
-            }
-            let (start, velocity) = scheme.start[i];
-            let mut force = self.forces[i];
-            if stage > 0 {
-                force = ground.metric().exp(start, scheme.ahead[i]).1.undo(force);
-            }
-            let slope = scheme.velocity[i];
-            let drag = rule.damping(body.particle.kind) * slope;
-            let pull = (force - drag) / rule.physics.mass;
-            scheme.sums[i].0 += weight / 6.0 * slope;
-            scheme.sums[i].1 += weight / 6.0 * pull;
-            if stage < 3 {
-                scheme.ahead[i] = further * slope;
-                let (there, _) = ground.metric().exp(start, scheme.ahead[i]);
-                body.place(there, ground.fields());
-                scheme.velocity[i] = velocity + further * pull;
-            }
+        if scheme.advance(bodies, (&self.forces, &self.awake), ground, rule) {
+            return Doing::Moves(0, scheme.finish(bodies, rule));
         }
-        if stage < 3 {
-            scheme.stage += 1;
-            self.begin_forces(bodies, rule.physics.corners);
-            return Doing::Forces(0, Some(scheme));
-        }
-        let each = bodies.iter_mut().zip(scheme.start).zip(scheme.sums);
-        let moves = each.map(|((body, (centre, v)), (slope, pull))| {
-            body.particle.centre = centre;
-            body.velocity = v + h * pull;
-            h * slope
-        });
-        Doing::Moves(0, moves.collect())
+        self.begin_forces(bodies, rule.physics.corners);
+        Doing::Forces(0, Some(scheme))
     }
-}
-
-impl<P: Copy> RungeKutta<P> {
-    /// Starts from bodies whose first evaluation is done.
-    fn new(bodies: &[MovingParticle<P>]) -> Self {
-        let start = bodies.iter().map(|b| (b.particle.centre, b.velocity));
-        Self {
-            stage: 0,
-            start: start.collect(),
-            velocity: bodies.iter().map(|b| b.velocity).collect(),
-            ahead: vec![DVec2::ZERO; bodies.len()],
-            sums: vec![(DVec2::ZERO, DVec2::ZERO); bodies.len()],
-        }
-    }
-}
-
-/// Whether a wall separates two cells at offset `r`. Cells fixed on a constraint line see both its sides.
-fn is_walled_off<S: MetricSpace>(
-    body: &MovingParticle<S::Place>,
-    other: &MovingParticle<S::Place>,
-    r: DVec2,
-    metric: S,
-) -> bool {
-    let (a, b) = (&body.particle, &other.particle);
-    let sees_over = a.fixed || b.fixed;
-    metric.is_gap_between(a.centre, b.centre) || (!sees_over && metric.crosses_line(a.centre, r))
-}
-
-/// Sorts bodies by bucket, and within a bucket by id. Gives the start of each bucket.
-fn sort_by_bucket<P: Copy>(
-    bodies: &mut [MovingParticle<P>],
-    grid: &impl SpatialHash<P>,
-) -> Vec<u32> {
-    let pairs = bodies.iter().map(|b| (grid.bucket(b.particle.centre), *b));
-    let mut sorted = Csr::from_pairs(grid.buckets(), pairs);
-    for bucket in 0..grid.buckets() {
-        sorted
-            .row_mut(bucket)
-            .sort_unstable_by_key(|b| b.particle.id);
-    }
-    let (firsts, sorted) = sorted.into_parts();
-    bodies.copy_from_slice(&sorted);
-    firsts
 }

@@ -97,7 +97,7 @@ impl<P: Copy> Run<P> {
         ),
     ) {
         self.refresh_pairs(metric);
-        for (i, j) in self.motion.pairs(&self.bodies) {
+        for (i, j) in self.motion.pairs() {
             let (a, b) = (&self.bodies[i], &self.bodies[j]);
             if let Some(way) = metric.log(a.particle.centre, b.particle.centre) {
                 visit(a, b, way, (i, j));

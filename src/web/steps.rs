@@ -32,7 +32,7 @@ impl Bubblestone {
         steps.is_none_or(|steps| steps.join(&mut || clock.now(), budget))
     }
 
-    /// Numbers of what was joined, by a word. 'points': 3 each, id, x, y. 'faces', the elements of the mesh of these
+    /// Numbers of the joined cells, by a word. 'points': 3 each, id, x, y. 'faces', the elements of the mesh of these
     /// points: 4 ids each, of which the last is -1 in a triangle. 'angles', the smallest ones of the mesh's triangles in
     /// degrees: their median, then their counts in 30 classes from 0 to 60; empty without triangles. 'triangles', those of
     /// the plain Delaunay triangulation: 10 each, three ids, the angles there in degrees, the shortest side, and the circle

@@ -7,7 +7,7 @@ use super::Pavement;
 use super::params::CellParams;
 use super::shaping::{CellsProgress, Packed};
 use crate::cells::{Cell, circumcentre};
-use crate::generators::{Clock, Histogram, Joined, JoinedTriangle, until};
+use crate::generators::{Clock, Histogram, JoinedCells, JoinedTriangle, until};
 use crate::mesh::{Mesh, triangulate};
 use crate::metrics::{angles_of, median, smallest_angles};
 use crate::packing::Particle;
@@ -15,14 +15,14 @@ use crate::packing::Particle;
 /// At most this many cells are joined.
 const MOST: usize = 400;
 
-/// What the joined cells are made of: the packing's state, the recipe's cells, and the revisions of domain and fields.
+/// The inputs of joined cells: the packing's state, the recipe's cells, and the revisions of domain and fields.
 type JoinedOf = (String, CellParams, [u64; 2]);
 
 /// Cells that are being joined.
 pub(super) struct Joining {
     of: JoinedOf,
     work: Option<CellsProgress>,
-    pub made: Option<Joined>,
+    pub made: Option<JoinedCells>,
 }
 
 impl Joining {
@@ -41,13 +41,13 @@ impl Joining {
                 Ok(None) => None,
                 Ok(Some(cells)) => Some(self.joined(from, cells)),
                 // There are no cells.
-                Err(_) => Some(Joined::default()),
+                Err(_) => Some(JoinedCells::default()),
             };
         }
         self.made.is_some()
     }
 
-    fn joined(&self, from: Packed, cells: Vec<Cell>) -> Joined {
+    fn joined(&self, from: Packed, cells: Vec<Cell>) -> JoinedCells {
         let points = match self.of.1 {
             CellParams::Scattered { .. } => scattered(from, &cells),
             CellParams::Fitted | CellParams::Packed => from.packed(),
@@ -55,7 +55,7 @@ impl Joining {
         let mesh = Mesh::build(from.domain, &points);
         let angles = smallest_angles(from.domain, &mesh);
         let counts = Histogram::new((0.0, 60.0), &mut angles.iter().copied());
-        Joined {
+        JoinedCells {
             triangles: triangles(&points),
             points,
             mesh,

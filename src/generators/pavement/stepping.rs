@@ -4,7 +4,7 @@
 use super::stages::Stages;
 use super::{Pavement, Stage};
 use crate::domain::Domain;
-use crate::generators::{Clock, Engine, Joined, Steps, until};
+use crate::generators::{Clock, Engine, JoinedCells, Steps, until};
 use crate::graph::Wiring;
 use crate::packing::{
     CellNumbers, EnergyParts, History, Packing, PackingParams, Placing, PopulationChange,
@@ -135,7 +135,7 @@ impl Steps for Pavement {
         self.join_shown(clock, budget)
     }
 
-    fn joined(&self) -> Option<&Joined> {
+    fn joined(&self) -> Option<&JoinedCells> {
         self.joining.as_ref()?.made.as_ref()
     }
 

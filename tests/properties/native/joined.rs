@@ -2,7 +2,8 @@
 
 use crate::common::finished;
 use bubblestone::domain::signed_area;
-use bubblestone::generators::{ALL, Joined, JoinedTriangle};
+use bubblestone::generators::pavement::PavementRecipe;
+use bubblestone::generators::{ALL, JoinedCells, JoinedTriangle};
 use bubblestone::studio::Studio;
 use glam::DVec2;
 
@@ -18,7 +19,7 @@ fn packed(link: &str) -> Studio {
 }
 
 /// Joins the cells of a step, and says in how many slices.
-fn join(studio: &mut Studio, step: Option<u32>) -> (Joined, u32) {
+fn join(studio: &mut Studio, step: Option<u32>) -> (JoinedCells, u32) {
     let steps = studio.engine_mut().steps().unwrap();
     steps.hold(step);
     while !steps.reach(&mut || 0.0, 0.0) {}
@@ -29,7 +30,7 @@ fn join(studio: &mut Studio, step: Option<u32>) -> (Joined, u32) {
     (steps.joined().cloned().unwrap_or_default(), slices)
 }
 
-fn joined(link: &str, step: Option<u32>) -> Joined {
+fn joined(link: &str, step: Option<u32>) -> JoinedCells {
     join(&mut packed(link), step).0
 }
 
@@ -44,7 +45,7 @@ fn the_last_step_has_the_mesh_and_the_cells_of_the_stages() {
     ] {
         let mut studio = finished(link);
         let (joined, slices) = join(&mut studio, Some(u32::MAX));
-        let products = studio.pavement();
+        let products = studio.engine().products().unwrap();
         assert_eq!(Some(&joined.mesh), products.mesh, "{link}");
         assert_eq!(joined.cells, products.cells, "{link}");
         assert!(slices > 2);
@@ -65,7 +66,7 @@ fn each_step_has_a_mesh_of_its_own() {
     assert!(!first.points.is_empty() && !first.cells.is_empty());
     // The packing brings good angles.
     assert!(first.middle_angle < last.middle_angle && last.middle_angle > Some(40.0));
-    let counts = |joined: &Joined| joined.angles.counts.iter().sum::<u32>() as usize;
+    let counts = |joined: &JoinedCells| joined.angles.counts.iter().sum::<u32>() as usize;
     assert_eq!(counts(&last), last.mesh.faces.len());
     // The same step again is there at once, and has the same bits.
     assert_eq!(join(&mut studio, Some(u32::MAX)), (last, 1));
@@ -145,9 +146,9 @@ fn polygons_surround_their_points() {
 #[test]
 fn too_many_cells_and_none_are_not_joined() {
     let many = joined("size=512&cs=12&outline=square", Some(0));
-    assert_eq!(many, Joined::default());
+    assert_eq!(many, JoinedCells::default());
     let outside = "size=128&cs=24&outline=square&edge=open&pop=off&given=-0.2,0.5,0";
-    assert_eq!(joined(outside, Some(0)), Joined::default());
+    assert_eq!(joined(outside, Some(0)), JoinedCells::default());
     let one = joined(
         "size=128&cs=24&outline=square&pop=off&given=0.5,0.5,1",
         None,
