@@ -6,6 +6,7 @@ import { after, before, test } from 'node:test';
 import { chapters } from '../../www/learn/chapters/contents.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
 import { desk, open } from './harness.mjs';
+import { at } from './lesson.mjs';
 import { digest, frames, phone, SMALL } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
@@ -20,9 +21,12 @@ const PAGES = PLACES.flatMap((place) => [`learn/${place}`, `learn/ja/${place}`])
 /** Each chapter once, by turns in English and in Japanese: its parts are the same in both (tests/node/learn.test.mjs). */
 const BY_TURNS = chapters.map((chapter, k) => ({ ...chapter, path: `learn/${k % 2 ? 'ja/' : ''}${chapter.name}/` }));
 
+/** The names of a chapter's figures. */
+const figuresOf = ({ blocks }) => blocks.flatMap(({ figure, kind: part }) => (figure && part !== 'mark' ? [figure] : []));
+
 /** The figures of a chapter, and the replies in its text. */
 const partsOf = ({ blocks }) => ({
-  figures: blocks.filter(({ figure, kind: part }) => figure && part !== 'mark').length,
+  figures: figuresOf({ blocks }).length,
   replies: blocks.flatMap(({ answers = [] }) => answers.filter(({ reply }) => reply)).length,
 });
 
@@ -113,6 +117,38 @@ test('each page opens without an error, asks nobody else, is accessible and lose
   }
   await close();
 });
+
+/** Counts what shifts while a page is open. */
+const watchShifts = (page) =>
+  page.evaluateOnNewDocument(() => {
+    window.shifts = [];
+    const said = ({ node }) => node?.outerHTML?.slice(0, 120) ?? node?.textContent;
+    new PerformanceObserver((list) => window.shifts.push(...list.getEntries().map(({ value, sources }) => [value, ...sources.map(said)].join(' ')))).observe({ type: 'layout-shift', buffered: true });
+  });
+
+for (const chapter of BY_TURNS) {
+  test(`while the figures begin nothing shifts: ${chapter.path}`, { skip: kind !== 'chromium' && 'only Chromium tells shifts' }, async () => {
+    const { page, close } = await site.newPage(chapter.path, { before: watchShifts });
+    for (const name of figuresOf(chapter)) await at(page, name);
+    assert.deepEqual(await page.evaluate(() => window.shifts), []);
+    await close();
+  });
+
+  test(`every slider and every grip has keys: ${chapter.path}`, sameEverywhere, async () => {
+    const { page, close } = await site.newPage(chapter.path);
+    for (const name of figuresOf(chapter)) {
+      const figure = await at(page, name);
+      await page.$$eval(`${figure} details`, (folds) => folds.forEach((fold) => fold.setAttribute('open', '')));
+      for (const slider of await page.$$(`${figure} :is(.grip, .handle input[type="range"])`)) {
+        await slider.focus();
+        const [said, isLast] = await slider.evaluate((element) => [element.ariaValueText, element.localName === 'input' && element.value === element.max]);
+        await page.keyboard.press(isLast ? 'ArrowLeft' : 'ArrowRight');
+        await page.waitForFunction((element, before) => element === document.activeElement && element.ariaValueText !== before, {}, slider, said);
+      }
+    }
+    await close();
+  });
+}
 
 test('after a visit to the studio all pages open without a host', async (t) => {
   const own = await open();
