@@ -174,7 +174,7 @@ const place: Ask = {
     const made = joinedOf(seen);
     if (!made || leastOf(made) < WANTED) return undefined;
     const angle = number(leastOf(made), 1);
-    return inWords(language, `Done: the smallest angle is ${angle}° now. The point stands where the hole was, far from its neighbours: that is where bubbles go.`, `できました。最小角は${angle}°になりました。点は、隣から離れた、穴のあったところにあります。バブルが行くのも、そこです。`);
+    return inWords(language, `Done: the smallest angle is ${angle}° now. The point has gone into the hole, where a bubble would come.`, `できました。最小角は${angle}°です。点は穴の中、バブルなら増えるはずの場所に入りました。`);
   },
 };
 
