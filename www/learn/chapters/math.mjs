@@ -37,6 +37,7 @@ const symbols = {
   sin: '<mi>sin</mi>',
   s: '<mi data-symbol="shortest">s</mi>',
   R: '<mi data-symbol="R">R</mi>',
+  r: '<mi>r</mi>',
   v4: low('v4', 'v', '<mn>4</mn>', vector),
   q: '<mi data-symbol="turns">q</mi>',
   k: '<mi data-symbol="corners">k</mi>',
@@ -73,7 +74,7 @@ const spoken = {
     '=': 'equals', '/': 'over', '<': 'is less than', '>': 'is greater than', '≈': 'is about', '≤': 'is at most', '+': 'plus', '−': 'minus', '′': 'prime',
   },
   ja: {
-    alpha: 'アルファ', beta: 'ベータ', gamma: 'ガンマ', sin: 'サイン', v: 'ブイ', v4: 'ブイ・フォー', si: 'エス・アイ', q: 'キュー', k: 'ケー', s: 'エス', R: 'アール',
+    alpha: 'アルファ', beta: 'ベータ', gamma: 'ガンマ', sin: 'サイン', v: 'ブイ', v4: 'ブイ・フォー', si: 'エス・アイ', q: 'キュー', k: 'ケー', s: 'エス', R: 'アール', r: 'アール',
     psi: 'プサイ', psi0: 'プサイ・ピー・ゼロ', psi1: 'プサイ・ピー・いち', l0: 'エル・ゼロ', k0: 'ケー・ゼロ', r0: 'アール・ゼロ', wij: 'ダブリュー・アイ・ジェー', Fi: 'エフ・アイ', cw: 'ルート2引く1', cr: 'ルート2引く1', root2: 'ルート2', 'd²': 'ディーの2乗', 'l0²': 'エル・ゼロの2乗',
     '=': 'イコール', '/': '割る', '<': '小なり', '>': '大なり', '≈': 'およそ', '≤': '小なりイコール', '+': '足す', '−': '引く', '′': 'プライム',
   },

@@ -16,7 +16,7 @@ export const meshGuide = {
       steps: [
         ['0–4', { en: 'Free play: bubbles, mesh, cells, step by step.', ja: '自由に遊ぶ。バブル、メッシュ、セルを順に見る。' }],
         ['4–7', { en: 'Do the lines cross?', ja: '線は交わるか。' }],
-        ['7–15', { en: 'Three ways to place points: mark the middles, argue, run.', ja: '点の置き方三通り。中央値に印を付け、討論、実験。' }],
+        ['7–15', { en: 'Three ways to place points: mark the middles, argue, run.', ja: '点の三通りの置き方。中央値に印を付け、討論、実験。' }],
         ['15–20', { en: 'Push two points together: does Delaunay make good triangles?', ja: '二つの点を近づける。ドロネーは良い三角形を作るか。' }],
       ],
     },
@@ -25,7 +25,7 @@ export const meshGuide = {
       steps: [
         ['0–8', { en: 'Free play with the mesh and its cells. Count sides.', ja: 'メッシュとセルの図で遊び、辺を数える。' }],
         ['8–13', { en: 'Do the lines cross?', ja: '線は交わるか。' }],
-        ['13–27', { en: 'Three ways to place points: mark, argue, run.', ja: '点の置き方三通り。印、討論、実験。' }],
+        ['13–27', { en: 'Three ways to place points: mark, argue, run.', ja: '点の三通りの置き方。印、討論、実験。' }],
         ['27–40', { en: 'When does an edge flip? Predict, argue, drag slowly.', ja: '辺はいつ入れ替わるか。予想、討論、ゆっくり動かす。' }],
         ['40–50', { en: 'Both equations, at the board, with one triangle and its circle.', ja: '二つの式を、一つの三角形とその外接円で、板書で。' }],
         ['50–60', { en: 'Push two points together. The exercise is homework.', ja: '二つの点を近づける。練習は宿題。' }],
@@ -35,7 +35,7 @@ export const meshGuide = {
       minutes: 180,
       steps: [
         ['0–30', { en: 'Dots on paper: join them to triangles by eye, and measure the smallest angle. Then free play.', ja: '紙に点を打ち、目で三角形に結び、最小角を測る。それから自由に遊ぶ。' }],
-        ['30–60', { en: 'Do the lines cross, and three ways to place points, with the sheet.', ja: '線は交わるか、点の置き方三通りを、プリントで。' }],
+        ['30–60', { en: 'Do the lines cross, and three ways to place points, with the sheet.', ja: '線は交わるか、点の三通りの置き方を、プリントで。' }],
         ['60–95', { en: 'When does an edge flip? Then compasses: test each triangle of one’s own paper.', ja: '辺はいつ入れ替わるか。次にコンパスで、自分の紙の三角形を調べる。' }],
         ['95–125', { en: 'Derive equation (b) by the angle at the centre; find 30° from s = R.', ja: '中心角から式(b)を導き、s = Rのとき30°になることを確かめる。' }],
         ['125–150', { en: 'Push two points together; the exercise.', ja: '二つの点を近づける。練習。' }],

@@ -58,14 +58,14 @@ export const mesh = {
     {
       kind: 'figure',
       figure: 'three',
-      heading: { en: 'Three ways to place points', ja: '点の置き方三通り' },
+      heading: { en: 'Three ways to place points', ja: '点の三通りの置き方' },
       text: {
-        en: 'As many points in one outline, joined by one rule. The first are thrown at random. The second are evened out by [[lloyd|Lloyd’s rounds]]: in each, every point moves to the middle of its [[voronoi|Voronoi cell]]. The third are bubbles.',
+        en: 'Three times one outline and one number of points, joined by one rule. The first points are thrown at random. The second are evened out by [[lloyd|Lloyd’s rounds]]: in each, every point moves to the middle of its [[voronoi|Voronoi cell]]. The third are bubbles.',
         ja: '同じ輪郭に、同じ数の点を置き、同じ規則で結びます。一つ目はランダムに置いたまま。二つ目は[[lloyd|ロイド法]]でならしたもので、一回ごとに、どの点も自分の[[voronoi|ボロノイ領域]]の中心へ動きます。三つ目はバブルです。',
       },
       caption: {
         en: 'Seventy-two points three times: at random, after four rounds, after five steps of packing. Below, the triangles are counted by their [[smallest-angle|smallest angle]], with the [[median|middle]] as a line: half of them lie below it.',
-        ja: '七十二個の点を三通りに置きました。ランダム、ロイド法四回、充填5ステップです。下は三角形を[[smallest-angle|最小角]]で数えたもので、線は[[median|中央値]]で、半数がそれより下にあります。',
+        ja: '七十二個の点を三通りに置きました。ランダム、ロイド法四回、充填5ステップです。下は三角形を[[smallest-angle|最小角]]ごとに数えたもの。線は[[median|中央値]]で、半数がそれより下にあります。',
       },
     },
     {
@@ -73,8 +73,8 @@ export const mesh = {
       key: 'middles',
       figure: 'three',
       text: {
-        en: 'Mark where the three middles will be after 20 rounds, and when the bubbles rest. Then let both run.',
-        ja: 'ロイド法を20回くり返し、バブルが静止したとき、三つの中央値はどこにあるでしょう。印を付けてから、動かしてください。',
+        en: 'Mark where the three middles will be after 20 rounds, and when the bubbles rest. Then raise the rounds, and press play.',
+        ja: 'ロイド法を20回くり返し、バブルが静止したとき、三つの中央値はどこにあるでしょう。印を付けてから、回数を上げ、再生してください。',
       },
       blanks: [{ en: 'random, in degrees:', ja: 'ランダム（度）：' }, { en: 'Lloyd:', ja: 'ロイド法：' }, { en: 'bubbles:', ja: 'バブル：' }],
     },
@@ -84,8 +84,8 @@ export const mesh = {
       figure: 'flip',
       heading: { en: 'When does an edge flip?', ja: '辺はいつ入れ替わるでしょう' },
       text: {
-        en: 'Two triangles share an edge, a diagonal of their four corners. Drag a point slowly: at one moment the edge jumps to the other diagonal. When?',
-        ja: '二つの三角形に共通の辺は、四つの頂点の対角線です。点をゆっくり動かすと、あるとき、もう一方の対角線に入れ替わります。それはいつでしょう。',
+        en: 'Two triangles share an edge, a diagonal of their four corners. Move one of the four slowly: at one moment the edge jumps to the other diagonal. When?',
+        ja: '二つの三角形に共通の辺は、四つの頂点の対角線です。頂点の一つをゆっくり動かすと、あるとき、もう一方の対角線に入れ替わります。それはいつでしょう。',
       },
       answers: [
         { value: 'a', text: { en: 'When the other diagonal is the shorter one', ja: 'もう一方の対角線のほうが短くなったとき' } },
@@ -111,7 +111,7 @@ export const mesh = {
           speech: { en: 'Alpha plus beta is at most 180 degrees.', ja: 'アルファ足すベータは180度以下。' },
         },
         {
-          en: 'With all four corners on one circle the sum is 180°, and both diagonals are right. One step on, the other one is. Lengths do not decide. Among all ways to join given points, this one has the largest smallest angle. How large can that be? In a triangle with the shortest side $s$ and a circle of radius $R$ the smallest angle $gamma$ faces $s$, so',
+          en: 'With all four corners on one circle the sum is 180°, and both diagonals are right. A little farther, only the other one is. Lengths do not decide. Among all ways to join given points, this one has the largest smallest angle. How large can that be? In a triangle with the shortest side $s$ and a circle of radius $R$ the smallest angle $gamma$ faces $s$, so',
           ja: '四つの頂点が一つの円に乗れば和は180°で、どちらの対角線でもかまいません。その先では、もう一方に替わります。長さは関係ありません。与えられた点の結び方のうち、最も小さい角が最も大きくなるのが、この規則です。では、どこまで大きくなるのでしょう。最も短い辺を$s$、外接円の半径を$R$とすると、最小角$gamma$は$s$に向かい合うので、次の式が成り立ちます。',
         },
         {
@@ -121,7 +121,7 @@ export const mesh = {
         },
         {
           en: 'Read it with bubbles. $s$ says how near two of them are: the push keeps it large. The circle is empty, so $R$ is the size of a hole: where there is room, a bubble comes. If no hole has a radius larger than the shortest side, no angle is below 30°. In a honeycomb the radius is 0.58 of the side, and every angle 60°. Random points have close pairs and wide holes, and so thin triangles.',
-          ja: 'バブルの言葉で読んでみます。$s$は二つの近さで、斥力が大きく保ちます。円の中は空なので、$R$は穴の大きさです。空きがあれば、バブルが増えます。穴の半径が最も短い辺を超えなければ、30°より小さい角はできません。蜂の巣の並びでは半径は辺の0.58倍で、角はすべて60°です。ランダムな点には、近すぎる対も大きな穴もあるので、細い三角形ができます。',
+          ja: 'バブルの言葉で読んでみます。$s$は二つのバブルの間隔で、縮みすぎるのを斥力が防ぎます。円の中は空なので、$R$は穴の大きさです。空きがあれば、バブルが増えます。穴の半径が最も短い辺を超えなければ、30°より小さい角はできません。蜂の巣の並びでは半径は辺の0.58倍で、角はすべて60°です。ランダムな点には、近すぎる対も大きな穴もあるので、細い三角形ができます。',
         },
         {
           en: 'Then comes the dual. A bubble with six edges gets a cell with six sides. In a large mesh of triangles the mean is about six, even for random points; good points have six nearly everywhere.',

@@ -53,6 +53,6 @@ export const meshDifferences = [
       en: 'Lloyd’s rounds make good triangles in the end, too, by many small steps. But a point that moves to the middle of its cell knows no direction, so no rows come of it.',
       ja: 'ロイド法も、少しずつ回数を重ねれば良い三角形になります。しかし、領域の中心へ動く点に向きはなく、列は生まれません。',
     },
-    see: { figure: 'three', words: { en: 'Three ways to place points', ja: '点の置き方三通り' } },
+    see: { figure: 'three', words: { en: 'Three ways to place points', ja: '点の三通りの置き方' } },
   },
 ];

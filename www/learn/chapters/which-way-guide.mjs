@@ -37,7 +37,7 @@ export const whichWayGuide = {
         ['0–25', { en: 'Paper squares and paper arrows on pins: turn them, and note which turns can be seen. Then free play.', ja: '紙の正方形と矢印をピンで留めて回し、見分けられる回転を書き出す。それから自由に遊ぶ。' }],
         ['25–60', { en: 'Where are the wells, the middle of the road, ten pieces, with the sheet.', ja: '井戸の場所、道の真ん中、十に切る、をプリントで。' }],
         ['60–95', { en: 'Equation (1) by hand: a road of 5 by 1, its middle, then with one side cut into ten.', ja: '式(1)を手で計算する。5×1の道の真ん中、次に一辺を十等分した場合。' }],
-        ['95–130', { en: 'Once around: walk round the classroom along its walls with a paper cross. Count. Then the figure and equation (b).', ja: '紙の十字を持って教室の壁沿いに一周し、数える。次に図と式(b)。' }],
+        ['95–130', { en: 'Once around: walk round the classroom along its walls with a paper cross. Count. Then equation (b) and the figure: an oval pulls four singular points apart, and the count stays.', ja: '紙の十字を持って教室の壁沿いに一周し、数える。次に式(b)と図。楕円にすると特異点は四つに分かれるが、数は変わらない。' }],
         ['130–155', { en: 'Halfway between 10° and 80°; which pairs have no halfway?', ja: '10°と80°の中間。中間の決まらない組はどれか。' }],
         ['155–180', { en: 'The exercise. Hexagons look alike after 60°: how does the chapter go for them?', ja: '練習。六角形は60°で元に戻る。この章はどう変わるか。' }],
       ],
@@ -90,7 +90,7 @@ export const whichWayGuide = {
     { en: 'On the middle line, but off the centre, a small arrow is left, and pupils cry “across”. Read its length beside the lengths of the terms.', ja: '中央線の上でも中心を外れると小さな矢印が残り、「横切る」と思う。長さを、各項の長さと比べて読ませる。' },
     { en: 'The walk runs over a singular point, and its count is not whole or jumps. Choose another radius.', ja: '道筋が特異点の上を通り、数が整数にならなかったり跳んだりする。半径を変える。' },
     { en: 'In the ring a walk around the hole counts four, and pupils look for singular points in the ring. They belong to the hole: inside of the ring there are none.', ja: '環で穴を囲んで一周すると4回になり、環の中に特異点を探してしまう。この4回は穴のもので、環の中に特異点はない。' },
-    { en: 'Angles are counted clockwise on screen in the studio. In this chapter only their differences matter.', ja: 'スタジオの角度は画面上の時計回り。この章では、角度の差だけが問題になる。' },
+    { en: 'Angles are counted clockwise on screen, here as in the studio; pupils may expect the other sense. Only differences matter.', ja: '角度は、図でもスタジオでも画面上の時計回り。反対回りと思う生徒がいる。大切なのは角度の差だけである。' },
   ],
   states: [
     { figure: 'quarter', values: { angle: '0' }, what: { en: 'The square before it is turned', ja: '回す前の正方形' } },

@@ -25,8 +25,8 @@ export const whichWay = {
         ja: '正方形には、四つの辺の先に井戸がありました。中心のまわりに90°回すと、井戸はどこにあるでしょう。',
       },
       caption: {
-        en: 'A square, its wells and its arrow, turned. Beside it the [[four-fold|four-fold arrow]], which turns four times as fast. After 90° the square looks alike, and only this arrow does, too.',
-        ja: '正方形を井戸や矢印ごと回したところ。隣は、四倍の速さで回る[[four-fold|四倍角の矢印]]です。90°回すと正方形は元と同じに見え、この矢印も元に戻ります。',
+        en: 'A square with its wells and its arrow, turned, and its [[four-fold|four-fold arrow]], which turns four times as fast. After 90° the square looks alike. Of the two arrows only this one does, too.',
+        ja: '井戸や矢印ごと回した正方形と、四倍の速さで回る[[four-fold|四倍角の矢印]]。90°回すと正方形は元と同じに見えます。二つの矢印のうち元に戻るのは、四倍角の矢印だけです。',
       },
       answers: [
         {
@@ -42,7 +42,7 @@ export const whichWay = {
           text: { en: 'Where they were', ja: '元の場所' },
           right: true,
           reply: {
-            en: 'Yes. A neighbour cannot tell the turned square from the old one. An arrow on it could.',
+            en: 'Yes. A neighbour cannot tell the turned square from the old one. An arrow drawn on it would show the turn.',
             ja: 'そのとおり。隣から見れば、回す前の正方形と区別できません。矢印なら区別できます。',
           },
         },
@@ -62,7 +62,7 @@ export const whichWay = {
       figure: 'road',
       heading: { en: 'Along, across, nowhere?', ja: '沿うか、横切るか、それとも' },
       text: {
-        en: 'A [[direction-field]] has a direction for squares at each place. The paper of 2000 makes it of the sides: as arrows, one behind the other round the outline, each over its squared distance, they are added. In the middle of a straight road the sum points …',
+        en: 'A [[direction-field|direction field]] has a direction for squares at each place. The paper of 2000 takes the sides as arrows, one behind the other round the outline, divides each by its squared distance, and adds them. In the middle of a straight road the sum points …',
         ja: '[[direction-field|ベクトル場]]は、各点で正方形の向きを定めます。2000年の論文は、輪郭を一周する辺を矢印とみなし、距離の2乗で割って足します。まっすぐな道の真ん中で、この和はどちらを向くでしょう。',
       },
       answers: [
@@ -71,8 +71,8 @@ export const whichWay = {
         { value: 'c', text: { en: 'nowhere', ja: 'どちらも向かない' }, right: true },
       ],
       caption: {
-        en: 'A road, five times as long as wide, and a point near one side: the arrow of each [[segment]], their sum as printed, and the four-fold sum beside it. Move the point to the middle.',
-        ja: '長さが幅の5倍の道と、片側に近い点。各[[segment|線分]]の矢印と、論文の式による和、隣は四倍角の和です。点を真ん中へ動かしてください。',
+        en: 'A road, five times as long as wide, and a point near one side: the arrow of each [[segment]], their sum as printed, and the four-fold sum. Move the point to the middle.',
+        ja: '長さが幅の5倍の道と、片側に近い点。各[[segment|線分]]の矢印と、論文の式による和、そして四倍角の和。点を真ん中へ動かしてください。',
       },
     },
     {
@@ -109,8 +109,8 @@ export const whichWay = {
         { value: 'c', text: { en: 'Four', ja: '4回' }, right: true },
       ],
       caption: {
-        en: 'A walk in a round place, the cross on it, and below how far it has turned. This walk leaves the middle outside, and counts 0.',
-        ja: '円い広場での一周と、その上の十字。下は、回った角度です。この道筋は中心を囲まず、0回です。',
+        en: 'A walk in a round place, the cross on it, and how far it has turned. This walk leaves the middle outside, and counts 0.',
+        ja: '円い広場での一周と、その上の十字、そして十字の回った角度。この道筋は中心を囲まず、0回です。',
       },
     },
     {
@@ -120,7 +120,7 @@ export const whichWay = {
         { en: 'This is the printed sum:', ja: '論文の式はこうです。' },
         { equation: '1', ...arrowSum },
         {
-          en: 'The two sides of a road are opposite arrows. In the middle both are equally near and cancel. Only the ends leave a little, and that points across. Nor is it a matter of shape: $si$ counts as a whole, at the distance of its nearest place. Cut it, and the far pieces count less. Both faults go if the angle is multiplied by four, and each bit of a side has its own distance $r$:',
+          en: 'The two sides of a road are opposite arrows. In the middle both are equally near and cancel. Only the ends leave a little, and that points across. Nor does the shape alone decide: $si$ counts as a whole, at the distance of its nearest place. Cut it, and the far pieces count less. Both faults go if the angle is multiplied by four, and each bit of a side has its own distance $r$:',
           ja: '道の両側の矢印は逆向きで、真ん中では距離が等しく、打ち消し合います。残るのは両端のわずかな分で、道を横切る向きです。また、この和は形だけでは決まりません。$si$は、最も近い点の距離で丸ごと数えられるので、切れば遠い部分の重みが減ります。角度を4倍し、辺のどの部分にもその場所の距離$r$を使えば、どちらの問題もなくなります。',
         },
         { equation: 'a', ...fourFoldSum },
@@ -152,11 +152,11 @@ export const whichWay = {
       answers: [
         { value: 'a', text: { en: 'at 45°', ja: '45°' } },
         { value: 'b', text: { en: 'at 0°, which is also 90°', ja: '0°（90°でも同じ）' }, right: true },
-        { value: 'c', text: { en: 'anyhow: they cannot agree', ja: '決まらない' } },
+        { value: 'c', text: { en: 'in any direction: they cannot agree', ja: '決まらない' } },
       ],
       caption: {
-        en: 'Strokes at 10° and 30°, and squares between them at about 20°, as with arrows. Turn the second stroke on to 80°.',
-        ja: '10°と30°の線と、その間におよそ20°で並ぶ正方形。ここまでは矢印と同じです。二本目を80°まで回してください。',
+        en: 'Strokes at 10° and 30°, and squares between them at about 20°, as with arrows. Turn the upper stroke on to 80°.',
+        ja: '10°と30°の線と、その間におよそ20°で並ぶ正方形。ここまでは矢印と同じです。上の線を80°まで回してください。',
       },
     },
     {

@@ -200,7 +200,7 @@ const bothAngles = (trace: Trace): readonly [number, number] => [angleIn(trace.p
 
 const halfway: Ask = {
   key: 'halfway',
-  answers: { a: { en: 'squares stand at 45°', ja: '45°' }, b: { en: 'squares stand at 0°, which is also 90°', ja: '0°（90°でも同じ）' }, c: { en: 'squares stand anyhow', ja: '決まらない' } },
+  answers: { a: { en: 'squares stand at 45°', ja: '45°' }, b: { en: 'squares stand at 0°, which is also 90°', ja: '0°（90°でも同じ）' }, c: { en: 'squares stand in any direction', ja: '決まらない' } },
   seen: ({ traces: [trace] }, language) => {
     if (!trace) return undefined;
     const [one, other] = bothAngles(trace);
@@ -210,7 +210,7 @@ const halfway: Ask = {
     const large = Math.max(one, other);
     return inWords(
       language,
-      `Halfway stands ${whole(degrees)}°: to a square ${large}° is ${whole(large - 90)}°. The certainty is ${number(certainty, 2)}.`,
+      `Halfway squares stand at ${whole(degrees)}°: to a square ${large}° is ${whole(large - 90)}°. The certainty is ${number(certainty, 2)}.`,
       `中間の向きは${whole(degrees)}°です。正方形にとって${large}°は${whole(large - 90)}°と同じです。確かさは${number(certainty, 2)}です。`,
     );
   },
