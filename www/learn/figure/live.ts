@@ -111,7 +111,7 @@ export class Live implements Handled, Timed {
 
   change(key: string, text: string, isOver: boolean): void {
     const mark = markAt(key);
-    if (mark !== undefined) return this.look(this.at.with(mark, Number(text)), isOver);
+    if (mark !== undefined) return this.look(this.at.map((value, k) => (k === mark ? Number(text) : value)), isOver);
     if (key === 'w') this.asked = 0;
     this.alter((reading) => reading.change(key, text), isOver);
   }

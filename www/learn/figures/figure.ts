@@ -3,7 +3,6 @@
  * figure. The state of a figure is its recipe, a step, and the place that is looked at; nothing else is kept.
  */
 import type { Directions } from './directions';
-
 import type { Flip, JoinedCells } from './joined';
 
 export type Language = 'en' | 'ja';
