@@ -10,7 +10,17 @@ const BEFORE = 3;
 
 const QUARTERS = 4;
 
+/** The place whose terms are hashed. */
+const LOOKED = [0.4, 0.45];
+
 const rows = (numbers: Float64Array, width: number, from = 0): Float64Array[] => Array.from({ length: (numbers.length - from) / width }, (_, k) => numbers.subarray(from + k * width, from + (k + 1) * width));
+
+/** A hash of all bits (FNV-1a): 32 bits of the upper halves of the numbers, and 32 of the lower ones. */
+function hashOf(numbers: readonly number[]): string {
+  const halves = [...new Uint32Array(Float64Array.from(numbers).buffer)];
+  const sum = (from: number): number => halves.reduce((hash, half, k) => (k % 2 === from ? Math.imul(hash ^ half, 0x01000193) : hash), 0x811c9dc5);
+  return [1, 0].map((from) => (sum(from) >>> 0).toString(16).padStart(8, '0')).join('');
+}
 
 export class DirectionReading implements Directions {
   field: readonly Direction[] = [];
@@ -56,6 +66,14 @@ export class DirectionReading implements Directions {
     });
 
   readonly singular = (): readonly Singular[] => this.once('singular', () => rows(this.studio.singularPoints(), SINGULAR).map(([x = 0, y = 0, index = 0]) => ({ place: [x / this.side, y / this.side], index: QUARTERS * index })));
+
+  /** A hash of an outline with the directions in it. */
+  readonly hash = (outline: readonly (readonly number[])[]): string =>
+    this.once('hash', () => {
+      const [x, y] = LOOKED.map((share) => share * this.side) as [number, number];
+      const field = this.field.flatMap(({ along, certainty }) => [...along, certainty]);
+      return hashOf([...outline.flat(), ...field, ...this.studio.directionAt(x, y), ...this.studio.segmentTerms(x, y)]);
+    });
 
   private once<T>(name: string, read: () => T): T {
     if (!this.kept.has(name)) this.kept.set(name, read());

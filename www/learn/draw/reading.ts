@@ -246,8 +246,9 @@ export class Reading implements Trace {
     return Array.from({ length: rows.length / ROW }, (_, k) => this.outlineAt(rows[k * ROW + 1] ?? 0, rows[k * ROW + 2] ?? 0));
   };
 
-  /** The hash of the state at a step, or of a finished pavement. */
+  /** The hash of the state at a step, of a finished pavement, or of the directions where no step is read. */
   readonly hashAt = (step: number): string => {
+    if (this.figure.steps === 'walk') return this.directions.hash(this.outline);
     if (this.figure.steps === 'step') this.go(step);
     return this.studio.stateHash();
   };
