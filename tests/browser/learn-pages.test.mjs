@@ -118,7 +118,7 @@ test('each page opens without an error, asks nobody else, is accessible and lose
   await close();
 });
 
-/** Counts what shifts while a page is open. */
+/** Records the shifts of a page’s layout from its beginning on. */
 const watchShifts = (page) =>
   page.evaluateOnNewDocument(() => {
     window.shifts = [];
