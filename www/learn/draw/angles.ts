@@ -10,7 +10,7 @@ const [LEFT, RIGHT, TOP, ROW, TALL] = [80, WIDTH - 18, 16, 61, 38];
 /** The height of the flag above its row's floor. */
 const POLE = 51;
 
-export const X = (angle: number): number => LEFT + (angle / LARGEST) * (RIGHT - LEFT);
+const X = (angle: number): number => LEFT + (angle / LARGEST) * (RIGHT - LEFT);
 
 export const angleAt = (x: number): number => ((x - LEFT) / (RIGHT - LEFT)) * LARGEST;
 

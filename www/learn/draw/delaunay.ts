@@ -35,7 +35,7 @@ function nodes({ points }: JoinedCells): string {
   }).join('');
 }
 
-export function circle(centre: Spot, radius: number, kind: string): string {
+function circle(centre: Spot, radius: number, kind: string): string {
   const [x, y] = onPlate(centre);
   return `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius * SIDE)}"/>`;
 }

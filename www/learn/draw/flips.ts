@@ -2,7 +2,7 @@
  * Finds the moment at which an edge flips while points are moved by hand: the way between two states that were shown is halved,
  * and the module joins the points there, until the four corners lie on one circle.
  */
-import { acrossOf, distance, edgeKey, edgesOf, innerEdges, placeOf, sumOf, type Flip, type InnerEdge, type JoinedCells, type Spot } from '../figures/joined';
+import { acrossOf, distance, edgeKey, edgeKeys, innerEdges, placeOf, sumOf, type Flip, type InnerEdge, type JoinedCells, type Spot } from '../figures/joined';
 import { joinedBy } from './joined';
 import { listText } from './lists';
 import type { Bubbles, Studio } from './studio';
@@ -65,18 +65,19 @@ export class Flips {
   }
 
   private *search(from: ShownPoints, to: ShownPoints): Generator<undefined, Flip | undefined> {
-    const edges = String([...edgesOf(from.joined)].sort());
-    if (edges === String([...edgesOf(to.joined)].sort())) return this.latest && holds(this.latest, to.joined) ? this.latest : undefined;
+    const edges = namesOf(from.joined);
+    if (edges === namesOf(to.joined)) return this.latest && holds(this.latest, to.joined) ? this.latest : undefined;
     let [low, high, before, after] = [0, 1, from.joined, to.joined];
     for (let k = 0; k < HALVINGS && sumOfFlip(before, after) < HALF_TURN; k++) {
       const middle = (low + high) / 2;
       const joined = this.join(between(from.places, to.places, middle));
-      if (String([...edgesOf(joined)].sort()) === edges) [low, before] = [middle, joined];
+      if (namesOf(joined) === edges) [low, before] = [middle, joined];
       else [high, after] = [middle, joined];
       yield;
     }
     const flip = flipOf(before, after);
-    const stays = flip && !edgesOf(to.joined).has(edgeKey(...flip.before.ends)) && edgesOf(to.joined).has(edgeKey(...acrossOf(flip.before)));
+    const now = edgeKeys(to.joined);
+    const stays = flip && !now.has(edgeKey(...flip.before.ends)) && now.has(edgeKey(...acrossOf(flip.before)));
     return stays && flip.sum > NEARLY ? flip : undefined;
   }
 
@@ -95,6 +96,9 @@ export class Flips {
   }
 }
 
+/** All edges as one text, to compare. */
+const namesOf = (joined: JoinedCells): string => [...edgeKeys(joined)].sort().join();
+
 /** Whether all but one of a flip's four corners are where they were. */
 function holds({ before, points }: Flip, now: JoinedCells): boolean {
   return [...before.ends, ...acrossOf(before)].filter((id) => distance(placeOf(points, id), placeOf(now.points, id)) > SAME).length < 2;
@@ -109,7 +113,7 @@ function between(from: readonly Spot[], to: readonly Spot[], share: number): Spo
 
 /** The edge that goes when the other diagonal of its two triangles comes, if these two are all the difference. */
 function flippedEdge(before: JoinedCells, after: JoinedCells): InnerEdge | undefined {
-  const [old, now] = [edgesOf(before), edgesOf(after)];
+  const [old, now] = [edgeKeys(before), edgeKeys(after)];
   const [gone, come] = [[...old].filter((key) => !now.has(key)), [...now].filter((key) => !old.has(key))];
   if (gone.length !== 1 || come.length !== 1) return undefined;
   return innerEdges(before).find((edge) => edgeKey(...edge.ends) === gone[0] && edgeKey(...acrossOf(edge)) === come[0]);

@@ -6,7 +6,7 @@ import { outlineOf, SIDE } from './crowd';
 import { at, svg } from './plate';
 
 /** The tints, from the thinnest triangles to those with three equal angles. */
-export const TINTS = 6;
+const TINTS = 6;
 
 export const tintOf = (angle: number): number => Math.min(TINTS - 1, Math.floor((angle / LARGEST) * TINTS));
 

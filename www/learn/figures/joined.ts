@@ -75,7 +75,7 @@ function facingBy(triangles: readonly Triangle[]): Map<string, { readonly id: nu
 }
 
 /** The keys of all edges. */
-export const edgesOf = ({ triangles }: JoinedCells): ReadonlySet<string> => new Set(facingBy(triangles).keys());
+export const edgeKeys = ({ triangles }: JoinedCells): ReadonlySet<string> => new Set(facingBy(triangles).keys());
 
 export function innerEdges({ triangles }: JoinedCells): InnerEdge[] {
   return [...facingBy(triangles)].flatMap(([key, [one, other]]) => {
@@ -132,7 +132,7 @@ export function edgesAt({ faces }: JoinedCells, id: number): number {
   return new Set(faces.filter((face) => face.includes(id)).flatMap((face) => face.filter((other) => other !== id))).size;
 }
 
-/** The points of the mesh's elements around a point, if these go all the way round it. */
+/** Whether the mesh's elements go all the way round a point. */
 export function isInner({ faces }: JoinedCells, id: number): boolean {
   const own = faces.filter((face) => face.includes(id));
   return own.length > 2 && own.length === new Set(own.flatMap((face) => face.filter((other) => other !== id))).size;
