@@ -41,7 +41,8 @@ function toldSquare({ traces: [trace] }: Seen, language: Language): string {
     ? inWords(language, 'The square looks as at 0°, wells and all, and the four-fold arrow is where it was.', '正方形は井戸も含めて0°のときと同じに見え、四倍角の矢印も元の位置にあります。')
     : inWords(language, 'The square does not look as at 0°, and the four-fold arrow is elsewhere, too.', '正方形は0°のときとは違って見え、四倍角の矢印も別の位置にあります。');
   const arrow = isAlike && degrees !== 0 ? inWords(language, 'The plain arrow is not.', 'ふつうの矢印は違います。') : '';
-  return joined(language, now, alike, arrow, inWords(language, 'Turn it on to 90°.', '90°まで回してみてください。'));
+  const hint = isAlike && degrees !== 0 ? inWords(language, 'Try 45°, too.', '45°でも試してみてください。') : inWords(language, 'Turn it on to 90°.', '90°まで回してみてください。');
+  return joined(language, now, alike, arrow, hint);
 }
 
 // A road.
@@ -184,8 +185,8 @@ const reached = (share: number): Stop['find'] => () => STEPS * share;
 
 const WALK_STOPS: readonly Stop[] = [
   { key: 'start', name: { en: 'Start', ja: '出発' }, find: reached(0) },
-  { key: 'quarter', name: { en: 'A quarter of the way', ja: '四分の一' }, find: reached(0.25) },
-  { key: 'half', name: { en: 'Half the way', ja: '半周' }, find: reached(0.5) },
+  { key: 'quarter', name: { en: 'A quarter', ja: '四分の一' }, find: reached(0.25) },
+  { key: 'half', name: { en: 'Half', ja: '半周' }, find: reached(0.5) },
   { key: 'end', name: { en: 'Once around', ja: '一周' }, find: reached(1) },
 ];
 
