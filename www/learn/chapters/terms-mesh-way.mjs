@@ -74,7 +74,7 @@ export const wayTerms = [
   {
     key: 'index', symbol: 'q', chapter: 'which-way',
     name: { en: 'index', ja: '指数' },
-    text: { en: 'By how many quarter turns the direction has turned after one walk around. Positive: the way the walk goes.', ja: '一周する間に向きが回った、90°回転の数。道筋と同じ回り方なら正。' },
+    text: { en: 'By how many quarter turns the direction has turned after one walk around. Positive: the way the walk goes. The studio counts whole turns: −1/2 there is −2 here.', ja: '一周する間に向きが回った、90°回転の数。道筋と同じ回り方なら正。スタジオでは一回転を1とするので、この−2は−1/2になる。' },
   },
   {
     key: 'stroke', chapter: 'which-way',
