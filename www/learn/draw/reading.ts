@@ -40,6 +40,8 @@ export class Reading implements Trace {
   private readonly own: Readonly<Record<string, string>>;
   private made: Crowd[] = [];
   private found: Cell[] = [];
+  /** Whether all steps are made. */
+  private isRead = false;
 
   /** `own` are the values of this packing alone, set after those of the recipe. */
   constructor(module: Bubbles, figure: Figure, recipe: string, own: Readonly<Record<string, string>>) {
@@ -102,6 +104,7 @@ export class Reading implements Trace {
     this.directions.clear();
     [this.made, this.found] = [[], []];
     this.joins.clear();
+    this.isRead = false;
   }
 
   /** Moves a point of a list. Given bubbles that have moved by this step start from their places there. */
@@ -128,7 +131,7 @@ export class Reading implements Trace {
     // The landscape first: it follows a hand at the weight, while the steps come later.
     if (this.survey?.advance(this.value('cw'), this.value('cr'), LAND) === false) return false;
     if (this.figure.steps === 'walk') return this.readFields(budget, end);
-    return this.readSteps(budget, end) && (this.flips?.advance({ places: this.points('given'), joined: this.joined(0) }, end) ?? true);
+    return (this.isRead || this.readSteps(budget, end)) && this.joinFirst(budget) && (this.flips?.advance({ places: this.points('given'), joined: this.joined(0) }, end) ?? true);
   }
 
   /** Goes on to the packing; true once that begins. */
@@ -172,6 +175,7 @@ export class Reading implements Trace {
   }
 
   private finish(): true {
+    this.isRead = true;
     const { steps, converged } = this.studio.status();
     this.isOver = converged && steps === this.steps.length - 1;
     this.comings = this.readComings();
@@ -252,6 +256,15 @@ export class Reading implements Trace {
     if (this.figure.steps === 'step') this.go(step);
     return this.studio.stateHash();
   };
+
+  /** Joins the cells of the first step in slices: rounds of points may take longer than a frame has. */
+  private joinFirst(budget: number): boolean {
+    if (!this.figure.joinsFirst || this.joins.has(0)) return true;
+    this.go(0);
+    if (!this.studio.joinCells(budget)) return false;
+    this.joined(0);
+    return true;
+  }
 
   readonly joined = (step: number): JoinedCells => {
     const kept = this.joins.get(step);

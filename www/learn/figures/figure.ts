@@ -336,6 +336,8 @@ export interface Figure {
   readonly across?: number;
   /** Whether plates show the potential around the first cell. */
   readonly hasLandscape?: boolean;
+  /** Whether the cells of the first step are joined in slices, before the figure is shown. */
+  readonly joinsFirst?: boolean;
   /** Whether flips of edges are looked for. */
   readonly hasFlips?: boolean;
   /** How a start ended, as soon as that is seen; kept for questions on several starts. */

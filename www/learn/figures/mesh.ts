@@ -217,7 +217,7 @@ export const MESHES: readonly Figure[] = [
   {
     name: 'three', fits: (trace) => isCrowd(trace) && Number(trace.value('cs')) >= 24 && trace.value('start') === 'random' && Number(trace.value('count')) <= 80, at: [0, 0, 0],
     recipe: 'outline=square&size=256&kind=circle&cs=28&seed=1&start=random&count=72&pop=off&damp=1&rounds=4', packings: [{}, { cells: 'lloyd', most: '1' }],
-    last: 200, opens: 5, steps: 'step',
+    last: 200, opens: 5, steps: 'step', joinsFirst: true,
     plates: [
       { draw: 'mesh', packing: 0, always: 0, title: { en: 'At random', ja: 'ランダム' } },
       { draw: 'mesh', packing: 1, always: 0, title: { en: 'Lloyd', ja: 'ロイド法' }, note: (seen, language) => inWords(language, `${roundsOf(seen)} rounds`, `${roundsOf(seen)}回`) },
