@@ -137,8 +137,12 @@ test('road: the point in the middle answers the question, and a link opens there
   const road = await onPlate(page, figure, 0.5, 62 / 300);
   await page.mouse.click(road.x, road.y);
   await stands(page, figure, 0.5, 0.5, 0.006);
+  await put(page, figure, 0, 0.7);
+  await put(page, figure, 1, 0.5);
+  await stands(page, figure, 0.7, 0.5, 0.001);
   const state = await shown(page, figure);
-  const fragment = await addressWith(page, 'dp=2');
+  const fragment = await addressWith(page, 'at=0.700,0.500');
+  assert.match(fragment, /dp=2/);
   await page.click(`${figure} [data-do="again"]`);
   await stands(page, figure, 0.5, 0.455, 0.001);
   await page.waitForFunction((selector, picture) => [...document.querySelectorAll(`${selector} .plate-svg`)].map((plate) => plate.innerHTML).join('') === picture, {}, figure, first.picture);
