@@ -251,7 +251,7 @@ export interface Plate {
   readonly lines?: readonly Line[];
   readonly axis?: Words;
   readonly digits?: number;
-  /** A landscape: the name of its ground, which other plates of the figure use. */
+  /** The name of its ground, which is drawn once, and used by its other layers and by other plates of the figure. */
   readonly ground?: string;
   readonly bars?: (seen: Seen, language: Language) => readonly Bar[];
   /** A dial: its arrows. */
