@@ -251,7 +251,7 @@ export const WHICH_WAY: readonly Figure[] = [
   },
   {
     ...OF_FIELDS, name: 'road', fits: isRoad, at: [0.5, 0.455], recipe: `outline=polygon&size=256&kind=square&poly=${roadOf(1)}`, across: 20, plates: ROAD_PLATES, handles: [IN_ROAD], more: [POWER], asks: [middle],
-    told: toldRoad({ en: 'Move the point to the middle.', ja: '点を真ん中へ動かしてください。' }),
+    told: toldRoad({ en: 'Move the point to the middle of the road, and along it.', ja: '点を道の真ん中へ、さらに道に沿って動かしてください。' }),
   },
   {
     ...OF_FIELDS, name: 'pieces', fits: isRoad, at: [0.5, 0.5], recipe: `outline=polygon&size=256&kind=square&poly=${roadOf(1)}`, packings: [{}, { poly: roadOf(1) }], across: 20, plates: ROAD_PLATES, handles: [IN_ROAD, PIECES], more: [POWER], asks: [pieces],
