@@ -1,9 +1,13 @@
 //! Inner spheres: few balls that fill a component, chosen from its medial balls.
 
-use super::pool::{Inside, Sampling, Sphere};
+use super::pool::{Inside, Sampling, Sphere, WIDER};
+use crate::order::rank;
 use crate::random::{Purpose, Random, SEED};
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::collections::binary_heap::PeekMut;
 use std::sync::Arc;
 
 /// Steps of the search for the largest ball.
@@ -181,7 +185,7 @@ impl InnerMaking {
                 search: &self.search,
                 least: best.radius,
             };
-            match larger.ball(best.centre + *step * by) {
+            match larger.large_ball(best.centre + *step * by) {
                 Some(ball) => *best = ball,
                 None => *step *= SHORTER,
             }
@@ -227,6 +231,10 @@ impl InnerMaking {
     }
 }
 
+/// The rank of an upper bound of a ball's gain, with the ball's number and for how many spheres it was computed. The first
+/// of equally promising balls comes first.
+type BallGain = (u64, Reverse<(u32, u32)>);
+
 /// The greedy choice of balls, by the squares of gaps, so that the greatest gaps shrink first. A ball's gain can only
 /// shrink as others are chosen, so most gains need not be computed again (Minoux 1978, Accelerated
 /// Greedy Algorithms for Maximizing Submodular Set Functions).
@@ -236,15 +244,17 @@ struct Choice {
     /// The gap at each place.
     gaps: Vec<f64>,
     spheres: Vec<Sphere>,
-    /// An upper bound of the gain of each ball, and for how many spheres it was computed.
-    gains: Vec<(f64, usize)>,
+    /// The balls that are left, the most promising first: see [`BallGain`].
+    gains: BinaryHeap<BallGain>,
 }
 
 impl Choice {
     fn new(places: Vec<DVec3>, balls: usize) -> Self {
         Self {
             gaps: vec![f64::INFINITY; places.len()],
-            gains: vec![(f64::INFINITY, 0); balls],
+            gains: (0..balls as u32)
+                .map(|ball| (rank(f64::INFINITY), Reverse((ball, 0))))
+                .collect(),
             places,
             spheres: Vec::new(),
         }
@@ -281,38 +291,38 @@ impl Choice {
 
     /// Computes the gain of the most promising ball, or takes it; false if no ball gains anything.
     fn advance(&mut self, pool: &[Sphere]) -> bool {
-        let bounds = self.gains.iter().enumerate();
-        let best = bounds.fold(
-            None,
-            |best: Option<(usize, f64)>, (k, &(gain, _))| match best {
-                Some((_, most)) if most >= gain => best,
-                _ => Some((k, gain)),
-            },
-        );
-        let Some((k, gain)) = best else { return false };
-        if gain <= 0.0 {
+        let known = self.spheres.len() as u32;
+        let Some(mut best) = self.gains.peek_mut().filter(|best| best.0 > rank(0.0)) else {
             return false;
-        }
-        if self.gains[k].1 == self.spheres.len() {
-            self.gains[k].0 = 0.0;
-            self.take(pool[k]);
+        };
+        let (ball, known_at) = best.1.0;
+        if known_at == known {
+            PeekMut::pop(best);
+            self.take(pool[ball as usize]);
         } else {
-            self.gains[k] = (self.gain(&pool[k]), self.spheres.len());
+            let gain = gain(&self.gaps, &self.places, &pool[ball as usize]);
+            *best = (rank(gain), Reverse((ball, known)));
         }
         true
     }
+}
 
-    fn gain(&self, ball: &Sphere) -> f64 {
-        let pairs = self.gaps.iter().zip(&self.places);
-        let gains = pairs.map(|(&gap, place)| {
-            let own = place.distance(ball.centre) - ball.radius;
-            let own = own.max(0.0);
-            if own < gap {
-                gap * gap - own * own
-            } else {
-                0.0
-            }
-        });
-        gains.sum()
-    }
+/// By how much a ball would reduce the sum of the squares of the gaps.
+fn gain(gaps: &[f64], places: &[DVec3], ball: &Sphere) -> f64 {
+    let pairs = gaps.iter().zip(places);
+    let gains = pairs.map(|(&gap, place)| {
+        let square = place.distance_squared(ball.centre);
+        let reach = (gap + ball.radius) * WIDER;
+        // Most places are far beyond the ball: they need no root.
+        if square > reach * reach {
+            return 0.0;
+        }
+        let own = (square.sqrt() - ball.radius).max(0.0);
+        if own < gap {
+            gap * gap - own * own
+        } else {
+            0.0
+        }
+    });
+    gains.sum()
 }

@@ -1,6 +1,7 @@
 //! Medial balls of a closed mesh: the largest balls inside it at many places.
 
 use crate::random::{Purpose, Random};
+use crate::trimesh::search::nearest_in;
 use crate::trimesh::{Search, SurfacePoint, TriMesh};
 use glam::DVec3;
 
@@ -27,6 +28,8 @@ const STEPS: usize = 30;
 const TOUCHES: f64 = 0.99;
 /// Radii are less than the exact distance by this factor, so balls lie strictly inside.
 const INSIDE: f64 = 1.0 - 1e-9;
+/// Rounding makes no distance larger by this factor.
+pub(super) const WIDER: f64 = 1.0 + 1e-6;
 /// A vertex's normal is used where it is this near to that of the triangle.
 const SMOOTH: f64 = 0.9;
 /// The cosine of an angle that counts as none.
@@ -44,7 +47,20 @@ pub(super) struct Inside<'a> {
 impl Inside<'_> {
     /// The largest ball around a point; `None` outside.
     pub fn ball(&self, centre: DVec3) -> Option<Sphere> {
-        let nearest = self.search.closest(self.mesh, centre);
+        self.ball_at(centre, self.search.closest(self.mesh, centre))
+    }
+
+    /// The same, found faster where many balls are too small.
+    pub fn large_ball(&self, centre: DVec3) -> Option<Sphere> {
+        let is_near = |t: u32| {
+            let at = nearest_in(self.mesh.corners(t), centre);
+            at.distance(centre) * INSIDE <= self.least
+        };
+        let is_small = self.search.any_within(centre, self.least * WIDER, is_near);
+        if is_small { None } else { self.ball(centre) }
+    }
+
+    fn ball_at(&self, centre: DVec3, nearest: SurfacePoint) -> Option<Sphere> {
         let radius = nearest.at.distance(centre) * INSIDE;
         if radius <= self.least {
             return None;
@@ -92,7 +108,12 @@ impl Inside<'_> {
             }
             radius = next;
         }
-        self.ball(sample.at - radius * sample.normal)
+        let centre = sample.at - radius * sample.normal;
+        // The sample is a place of the surface at this distance.
+        let nearest = self
+            .search
+            .closest_within(self.mesh, centre, radius * WIDER);
+        self.ball_at(centre, nearest?)
     }
 }
 

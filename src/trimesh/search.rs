@@ -18,6 +18,9 @@ const SLACK: f64 = 1.0 + 1e-12;
 /// distance to a place on it.
 const ROUNDING: f64 = 1e-14;
 
+/// Room for the open nodes of a search: one on each level, in the largest tree.
+const DEEP: usize = 24;
+
 /// A point is not moved to the back of a thin sheet while its front is at most this many times as far away.
 const BACK: f64 = 4.0;
 
@@ -76,6 +79,34 @@ enum TreeStage {
     /// The boxes of the tree are made, from the leaves up.
     Up,
     Done,
+}
+
+/// Nodes that are still to be searched, each with how far it is at least.
+struct OpenNodes(Vec<(f64, usize)>);
+
+impl OpenNodes {
+    /// The root.
+    fn new() -> Self {
+        let mut nodes = Vec::with_capacity(DEEP);
+        nodes.push((0.0, 1));
+        Self(nodes)
+    }
+
+    /// Opens the children of a node, the nearer one to be searched first. Those at infinity are left out.
+    fn split(&mut self, node: usize, far: impl Fn(usize) -> f64) {
+        let (a, b) = (2 * node, 2 * node + 1);
+        let (to_a, to_b) = (far(a), far(b));
+        let (farther, nearer) = if to_a < to_b {
+            ((to_b, b), (to_a, a))
+        } else {
+            ((to_a, a), (to_b, b))
+        };
+        for child in [farther, nearer] {
+            if child.0 < f64::INFINITY {
+                self.0.push(child);
+            }
+        }
+    }
 }
 
 const NOTHING: (DVec3, DVec3) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
@@ -215,17 +246,14 @@ impl Search {
         mut best: Found,
         wanted: impl Fn(u32) -> bool,
     ) -> Found {
-        let mut open = vec![(0.0, 1)];
+        let mut open = OpenNodes::new();
         let leaves = self.boxes.len() / 2;
-        while let Some((near, node)) = open.pop() {
+        while let Some((near, node)) = open.0.pop() {
             if near > best.square * SLACK {
                 continue;
             }
             if node < leaves {
-                let [a, b] = [2 * node, 2 * node + 1].map(|k| (self.square(k, p), k));
-                // The nearer child is searched first.
-                let (far, near) = if a.0 < b.0 { (b, a) } else { (a, b) };
-                open.extend([far, near].into_iter().filter(|n| n.0 < f64::INFINITY));
+                open.split(node, |child| self.square(child, p));
                 continue;
             }
             for &t in self.leaf(node - leaves).iter().filter(|&&t| wanted(t)) {
@@ -298,16 +326,14 @@ impl Search {
     ) -> Option<Hit> {
         let inverse = along.recip();
         let mut best = (most, NONE, DVec3::ZERO);
-        let mut open = vec![(0.0, 1)];
+        let mut open = OpenNodes::new();
         let leaves = self.boxes.len() / 2;
-        while let Some((near, node)) = open.pop() {
+        while let Some((near, node)) = open.0.pop() {
             if near > best.0 {
                 continue;
             }
             if node < leaves {
-                let [a, b] = [2 * node, 2 * node + 1].map(|k| (self.entry(k, from, inverse), k));
-                let (far, near) = if a.0 < b.0 { (b, a) } else { (a, b) };
-                open.extend([far, near].into_iter().filter(|n| n.0 < f64::INFINITY));
+                open.split(node, |child| self.entry(child, from, inverse));
                 continue;
             }
             for &t in self.leaf(node - leaves) {

@@ -32,6 +32,15 @@ pub fn formed(link: &str) -> Studio {
     studio
 }
 
+/// A studio whose packing has ended, or has failed.
+pub fn packed(link: &str) -> Studio {
+    let mut studio = Studio::new(ALL, recipe(link));
+    while ["domain", "fields", "packing"].contains(&studio.stage()) {
+        studio.tick(&mut || 0.0, 0.0, u32::MAX);
+    }
+    studio
+}
+
 /// The finished picture of a recipe.
 pub fn finished_recipe(recipe: &Recipe) -> Studio {
     finish(Studio::new(ALL, recipe.clone()))

@@ -27,7 +27,7 @@ function opened(name, values = {}) {
   return { figure, traces, directions: traces[0].directions };
 }
 
-/** What a question says of a state. @param {any} opened @param {number[]} at @param {number} [step] */
+/** The sentence of a question on a state. @param {any} opened @param {number[]} at @param {number} [step] */
 const asked = ({ figure, traces }, at, step = figure.last) => figure.asks[0].seen({ traces, step, trials: [], at, zero: 0.718, isStill: true }, 'en');
 
 test('in the middle of a road the printed sum vanishes, and the four-fold one is certain', () => {

@@ -1,22 +1,11 @@
 //! Cells of any step, joined: the mesh, Delaunay's triangles, the polygons and the angles, when they are asked for.
 
-use crate::common::finished;
+use crate::common::{finished, packed};
 use bubblestone::domain::signed_area;
 use bubblestone::generators::pavement::PavementRecipe;
 use bubblestone::generators::{ALL, JoinedCells, JoinedTriangle};
 use bubblestone::studio::Studio;
 use glam::DVec2;
-
-/// A studio that has packed its cells.
-fn packed(link: &str) -> Studio {
-    let (recipe, notices) = ALL.recipe(link);
-    assert_eq!(notices, [], "{link}");
-    let mut studio = Studio::new(ALL, recipe);
-    while ["domain", "fields", "packing"].contains(&studio.stage()) {
-        studio.tick(&mut || 0.0, 0.0, u32::MAX);
-    }
-    studio
-}
 
 /// Joins the cells of a step, and says in how many slices.
 fn join(studio: &mut Studio, step: Option<u32>) -> (JoinedCells, u32) {

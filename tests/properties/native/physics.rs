@@ -1,5 +1,6 @@
 //! The physics of packings: pairs of bubbles, the integrators, and the forces and potentials they follow.
 
+use crate::common::packed;
 use bubblestone::domain::{Domain, Outline};
 use bubblestone::field::{CellKind, FieldBuilder, FieldParams, Fields};
 use bubblestone::generators::ALL;
@@ -432,17 +433,6 @@ fn any_step_has_the_same_state_forward_and_back() {
             furthest = furthest.max(step);
         }
     }
-}
-
-/// A studio whose packing has ended, or has failed.
-fn packed(link: &str) -> Studio {
-    let (recipe, notices) = ALL.recipe(link);
-    assert_eq!(notices, [], "{link}");
-    let mut studio = Studio::new(ALL, recipe);
-    while ["domain", "fields", "packing"].contains(&studio.stage()) {
-        studio.tick(&mut || 0.0, 0.0, u32::MAX);
-    }
-    studio
 }
 
 #[test]

@@ -13,7 +13,7 @@ const MIDDLE = SIDE / 2;
 export const ARROW = 132;
 const ARC = 76;
 
-/** The ground farther away has no potential. Without this plain the edges of what is turned would show. */
+/** The ground farther away has no potential. This plain hides the edges of the turned ground. */
 const FAR = 186;
 const PLAIN = `<path class="tier${FOOT - 1} plain" d="M0 0h${SIDE}v${SIDE}h${-SIDE}zM${MIDDLE - FAR} ${MIDDLE}a${FAR} ${FAR} 0 1 0 ${2 * FAR} 0a${FAR} ${FAR} 0 1 0 ${-2 * FAR} 0z"/>`;
 

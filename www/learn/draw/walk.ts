@@ -10,7 +10,7 @@ import { cornersOf, crosses, inOutline, onto, strokesOf } from './ways';
 /** The half of a cross in the field, and of the one on the walk. */
 const [SMALL, PAST, LARGE] = [7, 9, 18];
 
-/** Crosses of the way are this far apart at least; they stand at each of so many steps. */
+/** The least distance of crosses on the way, and the numbers of steps between two of them. */
 const APART = 34;
 const EVERY = [3, 6, 9, 12, 18];
 
