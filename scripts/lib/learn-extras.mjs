@@ -1,7 +1,7 @@
 // The pages beside the chapters: contents, glossary, teacher's guide, and the sheet to print of each chapter.
 import { contents } from '../../www/learn/chapters/contents.mjs';
 import { words } from '../../www/learn/chapters/words.mjs';
-import { general, headings as heads } from '../../www/learn/chapters/plans.mjs';
+import { general, headings as heads, plans as across } from '../../www/learn/chapters/plans.mjs';
 import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
 import { row, speechOf } from '../../www/learn/chapters/math.mjs';
 
@@ -49,10 +49,25 @@ export function guidePage(site, language, chapters) {
   const glossary = way(folderOf(language, 'guide'), folderOf(language, 'glossary'));
   const text = (/** @type {Words} */ words) => prose(words[language], language, glossary);
   const parts = general.map(({ heading, lines }) => `<section><h2>${text(heading)}</h2>${list(lines.map(text))}</section>`);
+  const plans = across.map((plan) => planTable(plan, language, text));
   const own = chapters.map((chapter) => guideOf(site, language, chapter, text));
   const lead = general[0]?.lead?.[language] ?? '';
-  const body = `<article class="guide"><header><h1>${t.guide}</h1><p class="idea">${lead}</p></header>${parts.join('')}${own.join('')}</article>`;
+  const body = `<article class="guide"><header><h1>${t.guide}</h1><p class="idea">${lead}</p></header>${parts.join('')}<section id="plans"><h2>${text(heads.across)}</h2>${plans.join('')}</section>${own.join('')}</article>`;
   return pageFile(site, language, { place: 'guide', title: t.guide, description: lead, body });
+}
+
+/**
+ * A plan as a table; a step of another chapter leads there.
+ * @param {{ minutes: number, steps: [string, Words, string?][] }} plan
+ * @param {Language} language
+ * @param {(words: Words) => string} text
+ */
+function planTable({ minutes, steps }, language, text) {
+  const rows = steps.map(([from, what, name]) => {
+    const link = name ? ` <a class="back" href="../${name}/">${words[language].chapter(contents.findIndex((one) => one.name === name) + 1)}</a>` : '';
+    return `<tr><th scope="row">${from}</th><td>${text(what)}${link}</td></tr>`;
+  });
+  return `<table class="plan"><caption>${minutes} ${text(heads.minutes)}</caption><tbody>${rows.join('')}</tbody></table>`;
 }
 
 /**
@@ -64,10 +79,7 @@ export function guidePage(site, language, chapters) {
  */
 function guideOf(site, language, { name, number, title, guide }, text) {
   const t = words[language];
-  const plans = guide.plans.map((/** @type {any} */ { minutes, steps }) => {
-    const rows = steps.map((/** @type {any} */ [from, what]) => `<tr><th scope="row">${from}</th><td>${text(what)}</td></tr>`);
-    return `<table class="plan"><caption>${minutes} ${text(heads.minutes)}</caption><tbody>${rows.join('')}</tbody></table>`;
-  });
+  const plans = guide.plans.map((/** @type {any} */ plan) => planTable(plan, language, text));
   const asked = guide.questions.map((/** @type {any} */ { question, right, thoughts }) => {
     const wrong = thoughts.map((/** @type {any} */ [answer, thought]) => `<li><b>${text(answer)}</b> ${text(thought)}</li>`);
     return `<li><p class="question">${text(question)}</p><p>${text(right)}</p><ul>${wrong.join('')}</ul></li>`;

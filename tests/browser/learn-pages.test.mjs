@@ -126,26 +126,46 @@ const watchShifts = (page) =>
     new PerformanceObserver((list) => window.shifts.push(...list.getEntries().map(({ value, sources }) => [value, ...sources.map(said)].join(' ')))).observe({ type: 'layout-shift', buffered: true });
   });
 
-for (const chapter of BY_TURNS) {
-  test(`while the figures begin nothing shifts: ${chapter.path}`, { skip: kind !== 'chromium' && 'only Chromium tells shifts' }, async () => {
-    const { page, close } = await site.newPage(chapter.path, { before: watchShifts });
-    for (const name of figuresOf(chapter)) await at(page, name);
-    assert.deepEqual(await page.evaluate(() => window.shifts), []);
-    await close();
+/** Keeps hold of the memory of a page’s modules from its beginning on. */
+const watchMemory = (page) =>
+  page.evaluateOnNewDocument(() => {
+    window.memories = [];
+    for (const name of ['instantiate', 'instantiateStreaming']) {
+      const own = WebAssembly[name].bind(WebAssembly);
+      WebAssembly[name] = async (...given) => {
+        const made = await own(...given);
+        window.memories.push((made.instance ?? made).exports.memory);
+        return made;
+      };
+    }
   });
 
-  test(`every slider and every grip has keys: ${chapter.path}`, sameEverywhere, async () => {
-    const { page, close } = await site.newPage(chapter.path);
-    for (const name of figuresOf(chapter)) {
-      const figure = await at(page, name);
-      await page.$$eval(`${figure} details`, (folds) => folds.forEach((fold) => fold.setAttribute('open', '')));
-      for (const slider of await page.$$(`${figure} :is(.grip, .handle input[type="range"])`)) {
-        await slider.focus();
-        const [said, isLast] = await slider.evaluate((element) => [element.ariaValueText, element.localName === 'input' && element.value === element.max]);
-        await page.keyboard.press(isLast ? 'ArrowLeft' : 'ArrowRight');
-        await page.waitForFunction((element, before) => element === document.activeElement && element.ariaValueText !== before, {}, slider, said);
-      }
-    }
+/** Presses a key on every slider and every grip of a figure, and waits for another value. */
+async function hasKeys(page, figure) {
+  await page.$$eval(`${figure} details`, (folds) => folds.forEach((fold) => fold.setAttribute('open', '')));
+  for (const slider of await page.$$(`${figure} :is(.grip, .handle input[type="range"])`)) {
+    await slider.focus();
+    const [said, isLast] = await slider.evaluate((element) => [element.ariaValueText, element.localName === 'input' && element.value === element.max]);
+    await page.keyboard.press(isLast ? 'ArrowLeft' : 'ArrowRight');
+    await page.waitForFunction((element, before) => element === document.activeElement && element.ariaValueText !== before, {}, slider, said);
+  }
+}
+
+/** The most memory that the module may have at the end of a chapter, in bytes. */
+const MOST_MEMORY = 64 * 2 ** 20;
+
+for (const chapter of BY_TURNS) {
+  test(`figures begin without a shift, have keys, and take little memory: ${chapter.path}`, sameEverywhere, async () => {
+    const before = async (page) => {
+      await watchShifts(page);
+      await watchMemory(page);
+    };
+    const { page, close } = await site.newPage(chapter.path, { before });
+    for (const name of figuresOf(chapter)) await at(page, name);
+    assert.deepEqual(await page.evaluate(() => window.shifts), []);
+    for (const name of figuresOf(chapter)) await hasKeys(page, await at(page, name));
+    const sizes = await page.evaluate(() => window.memories.map(({ buffer }) => buffer.byteLength));
+    assert.ok(sizes.length > 0 && sizes.every((size) => size <= MOST_MEMORY), String(sizes));
     await close();
   });
 }
@@ -203,10 +223,33 @@ test('the studio leads to the chapters in its language', async () => {
   await close();
 });
 
-test('on paper a chapter has every figure and every answer, and no handles', sameEverywhere, async () => {
+/** The window of a class. */
+const projector = { width: 1024, height: 768 };
+
+/** Goes through all screens of a class, and back. Returns the figures that do not fit with their handles. */
+const tooHighInClass = (page) =>
+  page.evaluate(() => {
+    const found = [];
+    const press = (key) => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
+    const now = () => `${[...document.querySelectorAll('.scene')].findIndex((scene) => scene.hasAttribute('data-now'))} ${document.documentElement.dataset.part}`;
+    document.querySelector('#class').click();
+    for (let before = ''; before !== now(); press('ArrowRight')) {
+      before = now();
+      const figure = document.documentElement.dataset.part === 'figure' && document.querySelector('[data-now] .figure');
+      const bottom = figure ? figure.querySelector('.figure-tools').getBoundingClientRect().bottom : 0;
+      if (bottom > innerHeight) found.push(`${figure.id} down to ${Math.round(bottom)}`);
+    }
+    press('Escape');
+    return found;
+  });
+
+test('in class every figure fits the screen; on paper a chapter has every figure and every answer, and no handles', sameEverywhere, async () => {
   for (const chapter of BY_TURNS) {
     const { page, close } = await site.newPage(chapter.path, { dark: true });
     await begun(page);
+    await page.setViewport(projector);
+    assert.deepEqual(await tooHighInClass(page), [], chapter.path);
+    await page.setViewport(desk);
     await page.emulateMediaType('print');
     await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
     const seen = await page.evaluate(() => ({
@@ -245,8 +288,7 @@ test('a symbol of a formula and that of a figure mark each other', async () => {
 });
 
 test('in class one question or figure fills the screen, by keys, and hands are counted', async () => {
-  const viewport = { width: 1024, height: 768 };
-  const { page, close } = await site.newPage(CHAPTERS[0], { viewport });
+  const { page, close } = await site.newPage(CHAPTERS[0], { viewport: projector });
   await begun(page);
   const shown = () => page.evaluate(() => ['h2', '.ask', '.plates'].map((part) => [...document.querySelectorAll(`main ${part}`)].filter((one) => one.checkVisibility()).length));
   await page.focus('#class');
@@ -266,7 +308,7 @@ test('in class one question or figure fills the screen, by keys, and hands are c
     const box = [...document.querySelectorAll('.plates')].find((one) => one.checkVisibility()).getBoundingClientRect();
     return { width: box.width, bottom: box.bottom };
   });
-  assert.ok(width > 400 && bottom < viewport.height, `${width} wide, down to ${bottom}`);
+  assert.ok(width > 400 && bottom < projector.height, `${width} wide, down to ${bottom}`);
   await page.keyboard.press('ArrowLeft');
   assert.deepEqual(await shown(), [1, 1, 0]);
   for (let k = 0; k < 12; k += 1) await page.keyboard.press('ArrowRight');

@@ -1,9 +1,10 @@
 // The figures of a chapter in a browser: their state, handles, timeline and questions.
+import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before } from 'node:test';
 import { open } from './harness.mjs';
-import { frames } from './page.mjs';
+import { frames, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -30,6 +31,17 @@ export async function at(page, name) {
   await page.waitForSelector(`#fig-${name}[data-live][data-step][data-hash]`);
   return `#fig-${name}`;
 }
+
+/** Follows a link to a state on the open page. @param {Page} page @param {string} fragment */
+export const follow = (page, fragment) =>
+  page.evaluate(
+    (to) =>
+      new Promise((followed) => {
+        addEventListener('hashchange', () => followed(undefined), { once: true });
+        location.hash = to;
+      }),
+    fragment,
+  );
 
 /** The state that a figure shows. @param {Page} page @param {string} figure */
 export function shown(page, figure) {
@@ -113,12 +125,31 @@ export const answer = (page, key) => page.$eval(`[data-seen="${key}"]`, (place) 
 /** @param {Page} page @param {string} key */
 export const answered = (page, key) => page.waitForSelector(`[data-seen="${key}"]:not([hidden])`);
 
-/** The findings of axe in the figures of a page, with all folds open. @param {Page} page @returns {Promise<string[]>} */
+/** The findings of axe in the figures of a page, with all folds open, and whether something is wider than it. @param {Page} page @returns {Promise<string[]>} */
 export async function violations(page) {
+  const wide = await page.evaluate(() => (document.documentElement.scrollWidth > innerWidth ? [`${document.documentElement.scrollWidth} of ${innerWidth} pixels`] : []));
   await page.$$eval('figure details', (folds) => folds.forEach((fold) => fold.setAttribute('open', '')));
   await page.evaluate(axe);
-  return page.evaluate(async () => {
+  const faults = await page.evaluate(async () => {
     const found = await /** @type {any} */ (window).axe.run('figure[data-figure]');
     return found.violations.flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ { html }) => `${id}: ${html.slice(0, 160)}`));
   });
+  return [...wide, ...faults];
+}
+
+/**
+ * On a dark phone, in Japanese, each figure has its text, axe finds nothing in it, and nothing is wider than the page.
+ * @param {ReturnType<typeof chapterPages>} chapter
+ * @param {readonly string[]} figures
+ * @param {RegExp} told
+ */
+export async function isSoundOnPhone(chapter, figures, told) {
+  const { page, problems, close } = await chapter('', { language: 'ja', dark: true, viewport: phone });
+  for (const name of figures) {
+    const figure = await at(page, name);
+    assert.match((await shown(page, figure)).told, told);
+  }
+  assert.deepEqual(await violations(page), []);
+  assert.deepEqual(problems, []);
+  await close();
 }

@@ -79,7 +79,7 @@ const count = (directions, circle) => directions.walk(circle).at(-1)?.quarters;
 test('a walk counts four in a disc and round the hole of a ring, none in a square, and minus two in a fork', () => {
   const disc = opened('walk').directions;
   assert.deepEqual([[0.5, 0.5, 0.2], [0.5, 0.5, 0.35], [0.6, 0.55, 0.3], [0.7, 0.5, 0.1]].map((circle) => Math.abs(count(disc, circle))), [4, 4, 4, 0]);
-  assert.equal(disc.singular().reduce((/** @type {number} */ sum, /** @type {any} */ { index }) => sum + index, 0), 4);
+  assert.equal(disc.singular().reduce((/** @type {number} */ sum, /** @type {any} */ { quarters }) => sum + quarters, 0), 4);
   const ring = opened('walk', { outline: 'annulus' }).directions;
   assert.deepEqual([[0.5, 0.5, 0.35], [0.5, 0.17, 0.06]].map((circle) => Math.abs(count(ring, circle))), [4, 0]);
   assert.deepEqual(ring.singular(), []);
@@ -108,7 +108,7 @@ test('an oval pulls the four singular points apart, and a walk round one of them
   const { directions, traces } = opened('walk', { outline: 'square', height: '0.85' });
   assert.deepEqual([traces[0].value('outline'), traces[0].value('height')], ['polygon', '0.85']);
   const singular = directions.singular();
-  assert.deepEqual(singular.map((/** @type {any} */ { index }) => index), [1, 1, 1, 1]);
+  assert.deepEqual(singular.map((/** @type {any} */ { quarters }) => quarters), [1, 1, 1, 1]);
   const [x, y] = singular.find((/** @type {any} */ { place }) => place[0] > 0.57 && place[0] < 0.65).place;
   assert.deepEqual([count(directions, [x, y, 0.04]), count(directions, [0.5, 0.5, 0.3])], [1, 4]);
 });

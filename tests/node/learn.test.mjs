@@ -11,6 +11,7 @@ import { moduleIn } from '../../scripts/lib/headless.mjs';
 import { filesOf } from '../../scripts/lib/offline.mjs';
 import { chapters as made, contents } from '../../www/learn/chapters/contents.mjs';
 import { differences } from '../../www/learn/chapters/papers.mjs';
+import { plans as across } from '../../www/learn/chapters/plans.mjs';
 import { terms } from '../../www/learn/chapters/terms.mjs';
 import { figuresCode } from '../common/figures.mjs';
 
@@ -311,16 +312,34 @@ test('the numbers of directions are the engine’s', async () => {
   for (const language of languages) assert.ok(questions[1].right[language].includes('2') && questions[4].thoughts[0][1][language].includes(`${45 - 10}°`));
 });
 
+/** Plans of three lengths, without a gap. */
+function fillTheirTime(plans) {
+  assert.deepEqual(plans.map(({ minutes }) => minutes), [20, 60, 180]);
+  for (const { minutes, steps } of plans) {
+    const times = steps.map(([time]) => time.split('–').map(Number));
+    assert.equal(times[0][0], 0);
+    assert.equal(times.at(-1)[1], minutes);
+    times.slice(1).forEach(([from], k) => assert.equal(from, times[k][1]));
+  }
+}
+
+test('the guide has plans over several chapters, which begin with free play and lead there', () => {
+  fillTheirTime(across);
+  for (const [path, play] of [['learn/guide/index.html', /^Free play/], ['learn/ja/guide/index.html', /自由に遊ぶ/]]) {
+    const tables = selectAll('#plans .plan', read(path));
+    assert.equal(tables.length, across.length);
+    for (const table of tables) {
+      assert.match(textOf(selectOne('td', table)).trim(), play);
+      const names = keys(table, 'a', 'href').map((href) => href.split('/')[1]);
+      assert.ok(new Set(names).size > 3 && names.every((name) => chapters.includes(name)), String(names));
+    }
+  }
+});
+
 for (const { name, guide } of made) {
   test(`${name}: the guide has plans that fill their time, and a thought behind each wrong answer`, () => {
     const { plans, questions, states } = guide;
-    assert.deepEqual(plans.map(({ minutes }) => minutes), [20, 60, 180]);
-    for (const { minutes, steps } of plans) {
-      const times = steps.map(([time]) => time.split('–').map(Number));
-      assert.equal(times[0][0], 0);
-      assert.equal(times.at(-1)[1], minutes);
-      times.slice(1).forEach(([from], k) => assert.equal(from, times[k][1]));
-    }
+    fillTheirTime(plans);
     const page = chapter(name, 'en');
     const asked = selectAll('.ask', page);
     assert.equal(questions.length, asked.length + selectAll('.marking', page).length, 'a mark on a curve is a question, too');

@@ -60,7 +60,7 @@ export const mesh = {
       figure: 'three',
       heading: { en: 'Three ways to place points', ja: '点の三通りの置き方' },
       text: {
-        en: 'Three times one outline and one number of points, joined by one rule. The first points are thrown at random. The second are evened out by [[lloyd|Lloyd’s rounds]]: in each, every point moves to the middle of its [[voronoi|Voronoi cell]]. The third are bubbles.',
+        en: 'Three times one outline and one number of points, joined by one rule. The first points are thrown at random. The second are evened out by [[lloyd|Lloyd’s rounds]]: in each, every point moves to the centre of its [[voronoi|Voronoi cell]]. The third are bubbles.',
         ja: '同じ輪郭に、同じ数の点を置き、同じ規則で結びます。一つ目はランダムに置いたまま。二つ目は[[lloyd|ロイド法]]でならしたもので、一回ごとに、どの点も自分の[[voronoi|ボロノイ領域]]の中心へ動きます。三つ目はバブルです。',
       },
       caption: {
@@ -154,7 +154,7 @@ export const mesh = {
       key: 'place',
       heading: { en: 'Your turn', ja: '練習' },
       text: {
-        en: 'Be the bubble: eleven points stay where they are. Move the last so that no angle is below 30°.',
+        en: 'Be the bubble: eleven points stay where they are. Move the other one so that no angle is below 30°.',
         ja: 'バブルになってみましょう。十一個の点は動きません。残る一つを動かして、30°より小さい角をなくしてください。',
       },
       caption: { en: 'Eleven points, and one in a bad place: the smallest angle is 8°.', ja: '十一個の点と、悪い場所にある一つ。最小角は8°です。' },

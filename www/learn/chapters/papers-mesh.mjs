@@ -50,7 +50,7 @@ export const meshDifferences = [
     printed: { text: { en: 'With the Voronoi diagram “it is difficult to align each divided subarea”; it is isotropic in general, and for isotropic stones it may take the place of the packing.', ja: '「一般に等方的な分割パターンの生成となり」、目的を満たさない。等方的な石畳なら、充填の代わりに使える。' } },
     ours: { text: { en: 'The packing. Voronoi cells of random points are there to compare, plain or evened out by Lloyd’s rounds (cells=voronoi, cells=lloyd).', ja: '充填を使います。比較のため、ランダムな点のボロノイ領域と、それをロイド法でならしたものも作れます（cells=voronoi、cells=lloyd）。' } },
     note: {
-      en: 'Lloyd’s rounds make good triangles in the end, too, by many small steps. But a point that moves to the middle of its cell knows no direction, so no rows come of it.',
+      en: 'Lloyd’s rounds make good triangles in the end, too, by many small steps. But a point that moves to the centre of its cell knows no direction, so no rows come of it.',
       ja: 'ロイド法も、少しずつ回数を重ねれば良い三角形になります。しかし、領域の中心へ動く点に向きはなく、列は生まれません。',
     },
     see: { figure: 'three', words: { en: 'Three ways to place points', ja: '点の三通りの置き方' } },

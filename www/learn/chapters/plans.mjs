@@ -9,8 +9,8 @@ export const general = [
     },
     lines: [
       {
-        en: 'Let pupils play first, without a task. Whoever has moved a bubble asks better questions.',
-        ja: 'まず課題を出さずに、自由に触らせます。自分で動かした生徒は、よい問いをもちます。',
+        en: 'Let pupils play first, without a task: three minutes of twenty, eight of sixty. Whoever has moved a bubble asks better questions.',
+        ja: 'まず課題を出さずに、自由に触らせます。20分の授業なら3分、60分なら8分です。自分で動かした生徒は、よい問いをもちます。',
       },
       {
         en: 'Read the question aloud and have hands raised for each answer. The row beside each answer counts them. Do not comment yet.',
@@ -53,11 +53,53 @@ export const general = [
   },
 ];
 
+/**
+ * Plans that go over several chapters. A step has its minutes, the work, and its chapter.
+ * @type {{ minutes: number, steps: [string, { en: string, ja: string }, string?][] }[]}
+ */
+export const plans = [
+  {
+    minutes: 20,
+    steps: [
+      ['0–3', { en: 'Free play: a finished pavement, taken apart layer by layer.', ja: '自由に遊ぶ。できあがった石畳を、一枚ずつ分解する。' }, 'two-bubbles'],
+      ['3–10', { en: 'Two bubbles at w = 1.6 are let go: predict, argue, run.', ja: 'w = 1.6で放した二つのバブル。予想、討論、実験。' }, 'two-bubbles'],
+      ['10–13', { en: 'A crowd: bend the outline, and watch it come to rest.', ja: '群れ。輪郭を曲げ、静止するまで見る。' }, 'many-bubbles'],
+      ['13–17', { en: 'Bubbles, mesh, cells: do the lines cross?', ja: 'バブル、メッシュ、セル。線は交わるか。' }, 'mesh'],
+      ['17–20', { en: 'Nine squares with and without corners. Then the pavement once more: who can name its layers?', ja: '隅のある正方形とない正方形、九個ずつ。最後にもう一度石畳を見て、一枚一枚が何かを言わせる。' }, 'squares'],
+    ],
+  },
+  {
+    minutes: 60,
+    steps: [
+      ['0–8', { en: 'Free play: the pavement’s layers, then the pair.', ja: '自由に遊ぶ。石畳の図、次にバブルの対。' }, 'two-bubbles'],
+      ['8–18', { en: 'What will it do? Predict, argue, run.', ja: 'どうなるか。予想、討論、実験。' }, 'two-bubbles'],
+      ['18–29', { en: 'Other first places: will both end alike? Predict, argue, run.', ja: '初期位置だけを変える。同じところに落ち着くか。予想、討論、実験。' }, 'many-bubbles'],
+      ['29–41', { en: 'Three ways to place points: mark the middles, argue, run.', ja: '点の三通りの置き方。中央値に印を付け、討論、実験。' }, 'mesh'],
+      ['41–52', { en: 'From which weight on are there four wells? Predict, argue, drop the square.', ja: 'どれだけの重みから井戸は四つか。予想、討論、正方形を落とす。' }, 'squares'],
+      ['52–60', { en: 'One cell is missing: does the rule see the hole? Show it.', ja: 'セルが一つ足りない。規則は穴に気づくか。教師が見せる。' }, 'how-many'],
+    ],
+  },
+  {
+    minutes: 180,
+    steps: [
+      ['0–25', { en: 'Free play in pairs, with the first figure of each chapter. Each pair writes down one question of its own.', ja: '二人一組で、各章の最初の図で自由に遊ぶ。組ごとに問いを一つ書く。' }],
+      ['25–55', { en: 'Both predictions on the pair, with the sheet; then equations (2) and (3) on the curves.', ja: '対についての二つの予想をプリントで。次に、曲線の上で式(2)と(3)。' }, 'two-bubbles'],
+      ['55–80', { en: 'Will both end alike, and is it downhill all the way?', ja: '同じところに落ち着くか。ずっと下り坂か。' }, 'many-bubbles'],
+      ['80–105', { en: 'Three ways to place points, and two points pushed together. Then a break, if there is one.', ja: '点の三通りの置き方と、二つの点を近づける実験。休憩を入れるならこのあと。' }, 'mesh'],
+      ['105–130', { en: 'From which weight on, and whether corners bump into each other.', ja: 'どれだけの重みからか。角と角はぶつかるのか。' }, 'squares'],
+      ['130–150', { en: 'The middle of the road, and halfway between 10° and 80°.', ja: '道の真ん中と、10°と80°の中間。' }, 'which-way'],
+      ['150–165', { en: 'Does the rule see the hole? Then break it.', ja: '規則は穴に気づくか。次に壊してみる。' }, 'how-many'],
+      ['165–180', { en: 'Into the studio: each pair makes a pavement, shows where each chapter can be seen in it, and answers its own question.', ja: 'スタジオで組ごとに石畳を作り、各章がどこに見えるかを示して、初めの問いに答える。' }],
+    ],
+  },
+];
+
 /** The headings of each chapter’s part. */
 export const headings = {
   aims: { en: 'Aims', ja: 'ねらい' },
   before: { en: 'What pupils should know before', ja: '前提となる知識' },
   plans: { en: 'Plans', ja: '授業案' },
+  across: { en: 'Plans over several chapters', ja: '複数の章にわたる授業案' },
   minutes: { en: 'minutes', ja: '分' },
   questions: { en: 'Questions, and the thoughts behind the answers', ja: '問題と、答えの背後にある考え' },
   wrong: { en: 'What goes wrong in class', ja: 'つまずきやすいところ' },

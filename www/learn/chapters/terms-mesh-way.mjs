@@ -15,7 +15,7 @@ export const meshTerms = [
   {
     key: 'lloyd', chapter: 'mesh',
     name: { en: 'Lloyd’s rounds (relaxation)', ja: 'ロイド法' },
-    text: { en: 'Every point moves to the middle of its Voronoi cell; then again, and again. It evens points out.', ja: 'どの点も自分のボロノイ領域の重心へ動かす、をくり返す方法。点の配置が均等になっていく。' },
+    text: { en: 'Every point moves to the centre of its Voronoi cell; then again, and again. It evens points out.', ja: 'どの点も自分のボロノイ領域の重心へ動かす、をくり返す方法。点の配置が均等になっていく。' },
   },
   {
     key: 'voronoi', chapter: 'mesh',
@@ -74,7 +74,7 @@ export const wayTerms = [
   {
     key: 'index', symbol: 'q', chapter: 'which-way',
     name: { en: 'index', ja: '指数' },
-    text: { en: 'By how many quarter turns the direction has turned after one walk around. Positive: the way the walk goes. The studio counts whole turns: −1/2 there is −2 here.', ja: '一周する間に向きが回った、90°回転の数。道筋と同じ回り方なら正。スタジオでは一回転を1とするので、この−2は−1/2になる。' },
+    text: { en: 'By how much the direction turns on one walk around, in whole turns. Positive: the way the walk goes. With q quarter turns it is q/4.', ja: '一周する間に向きが回った量。一回転を1とし、道筋と同じ回り方なら正。90°回転がq回分なら、指数はq/4。' },
   },
   {
     key: 'stroke', chapter: 'which-way',

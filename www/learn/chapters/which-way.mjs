@@ -25,7 +25,7 @@ export const whichWay = {
         ja: '正方形には、四つの辺の先に井戸がありました。中心のまわりに90°回すと、井戸はどこにあるでしょう。',
       },
       caption: {
-        en: 'A square with its wells and its arrow, turned, and its [[four-fold|four-fold arrow]], which turns four times as fast. After 90° the square looks alike. Of the two arrows only this one does, too.',
+        en: 'A square with its wells and its arrow, turned, and its [[four-fold|four-fold arrow]], which turns four times as fast. After 90° the square looks as before. Of the two arrows only the four-fold one does, too.',
         ja: '井戸や矢印ごと回した正方形と、四倍の速さで回る[[four-fold|四倍角の矢印]]。90°回すと正方形は元と同じに見えます。二つの矢印のうち元に戻るのは、四倍角の矢印だけです。',
       },
       answers: [
@@ -125,8 +125,8 @@ export const whichWay = {
         },
         { equation: 'a', ...fourFoldSum },
         {
-          en: 'Opposite arrows, and those at right angles, are now one arrow. A quarter of the sum’s angle is the direction. Its [[certainty]] is the length of the sum over those of its terms: 1 where all agree, 0 where nothing is decided. Such a place is a [[singular-point|singular point]]. A walk around it counts whole quarter turns, the [[index]]. Around all that lie in an outline without holes, the count is',
-          ja: 'これで、逆向きの矢印も直角の矢印も、同じ一本になります。和の角度を4で割ったものが向きです。和の長さを各項の長さの合計で割ると[[certainty|確かさ]]になり、すべてが一致すれば1、決まらなければ0です。0になる点が[[singular-point|特異点]]です。そのまわりを一周すると、90°回転の数、つまり[[index|指数]]が整数で得られます。穴のない輪郭の中の特異点をすべて囲むと、その数は次のとおりです。',
+          en: 'Opposite arrows, and those at right angles, are now one arrow. A quarter of the sum’s angle is the direction. Its [[certainty]] is the length of the sum over those of its terms: 1 where all agree, 0 where nothing is decided. Such a place is a [[singular-point|singular point]]. A walk around it counts $q$ quarter turns, a whole number; its [[index]] is $q / 4$. Around all that lie in an outline without holes, the count is',
+          ja: 'これで、逆向きの矢印も直角の矢印も、同じ一本になります。和の角度を4で割ったものが向きです。和の長さを各項の長さの合計で割ると[[certainty|確かさ]]になり、すべてが一致すれば1、決まらなければ0です。0になる点が[[singular-point|特異点]]です。そのまわりを一周して数えた90°回転の回数$q$は整数で、$q / 4$を[[index|指数]]といいます。穴のない輪郭の中の特異点をすべて囲むと、回数は次のとおりです。',
         },
         {
           equation: 'b',

@@ -3,7 +3,7 @@
  * and the circle of one of its triangles; or the triangle with the smallest angle, with its circle.
  */
 import type { Plate, View } from '../figures/figure';
-import { acrossOf, nearestEdge, placeOf, triangleAt, worstOf, type Flip, type InnerEdge, type JoinedCells, type Spot, type Triangle } from '../figures/joined';
+import { acrossOf, distance, nearestEdge, placeOf, triangleAt, worstOf, type Flip, type InnerEdge, type JoinedCells, type Spot, type Triangle } from '../figures/joined';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
 import { linesOf, loop, onPlate, tinted } from './mesh';
@@ -13,8 +13,9 @@ import { at, line, svg, symbol, text } from './plate';
 const SECTOR = 40;
 const NAMED = 18;
 
-/** The radius of a point. */
+/** The radius of a point with its number inside, and of one with its number beside it, and how far away that is. */
 const NODE = 8.5;
+const [DOT, BESIDE] = [3.5, 13];
 
 export function delaunay(view: View, { packing, marked, title }: Plate): string {
   const { language } = view;
@@ -27,12 +28,16 @@ export function delaunay(view: View, { packing, marked, title }: Plate): string 
   return svg(SIDE, `${title ? `${title[language]}. ` : ''}${said}`, `${inside}${nodes(joined)}`);
 }
 
-/** The points with their numbers, as the handles name them. */
+/** The points with their numbers, as the handles name them; the numbers of two that nearly touch stand beside them. */
 function nodes({ points }: JoinedCells): string {
-  return [...points].map(([id, place]) => {
-    const [x, y] = onPlate(place);
-    return `<circle class="numbered" cx="${at(x)}" cy="${at(y)}" r="${NODE}"/>${text(x, y + 4, String(id + 1), 'node-number')}`;
-  }).join('');
+  const all = [...points].map(([id, place]) => [id, onPlate(place)] as const);
+  return all.map(([id, place]) => node(id, place, all.find(([other, near]) => other !== id && distance(near, place) < 2 * NODE)?.[1])).join('');
+}
+
+function node(id: number, [x, y]: Spot, near: Spot | undefined): string {
+  const [u, v] = near ? unit(near, [x, y]) : [0, 0];
+  const name = text(x + BESIDE * u, y + BESIDE * v + 4, String(id + 1), `node-number${near ? ' halo' : ''}`);
+  return `<circle class="numbered" cx="${at(x)}" cy="${at(y)}" r="${near ? DOT : NODE}"/>${name}`;
 }
 
 function circle(centre: Spot, radius: number, kind: string): string {

@@ -65,7 +65,7 @@ export class DirectionReading implements Directions {
       return rows(numbers, WALK).map(([x = 0, y = 0, certainty = 0, turns = 0], k) => ({ place: places[k % places.length] ?? [0, 0], along: [x, y], certainty, quarters: QUARTERS * turns }) as const);
     });
 
-  readonly singular = (): readonly Singular[] => this.once('singular', () => rows(this.studio.singularPoints(), SINGULAR).map(([x = 0, y = 0, index = 0]) => ({ place: [x / this.side, y / this.side], index: QUARTERS * index })));
+  readonly singular = (): readonly Singular[] => this.once('singular', () => rows(this.studio.singularPoints(), SINGULAR).map(([x = 0, y = 0, index = 0]) => ({ place: [x / this.side, y / this.side], quarters: QUARTERS * index })));
 
   /** A hash of an outline with the directions in it. */
   readonly hash = (outline: readonly (readonly number[])[]): string =>

@@ -16,7 +16,7 @@ const STRONGEST = 19 / 15;
 
 export function force(view: View, packing: number): string {
   const curve = view.curve.map(([w, f]) => [X(w), Y(f)] as const);
-  const content = `${axisOfW(Y(0), TOP, BOTTOM, view.language)}${strongest(view)}${path(curve, 'curve')}${name()}${here(view, packing)}${bubbles(view, packing)}`;
+  const content = `${axisOfW(Y(0), TOP, BOTTOM, view.language)}${path(curve, 'curve')}${name()}${here(view, packing)}${strongest(view)}${bubbles(view, packing)}`;
   const said = view.language === 'ja' ? '二つのバブルと、力 f(w) の曲線の上の位置' : 'Two bubbles, and their place on the curve of the force f(w)';
   return svg(HEIGHT, said, content);
 }
@@ -30,7 +30,7 @@ function strongest(view: View): string {
   const most = view.curve[0]?.[1] ?? 0;
   const least = Math.min(...view.curve.map(([, f]) => f));
   const dot = (w: number, f: number): string => `<circle class="extreme" cx="${at(X(w))}" cy="${at(Y(f))}" r="2.5"/>`;
-  return `${dot(0, most)}${text(X(0) - 8, Y(most) + 18, number(most, 3), 'number', 'end')}${dot(STRONGEST, least)}${text(X(STRONGEST), Y(least) + 15, number(least, 3), 'number')}`;
+  return `${dot(0, most)}${text(X(0) - 8, Y(most) + 18, number(most, 3), 'number', 'end')}${dot(STRONGEST, least)}${text(X(STRONGEST), Y(least) + 15, number(least, 3), 'number halo')}`;
 }
 
 /** The place of the pair on the curve, its force as a bar from the axis, and the line down from the bubble. */

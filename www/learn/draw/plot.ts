@@ -26,7 +26,12 @@ export function plot(view: View, { lines = [], axis, digits = 2, title }: Plate)
   const drawn = values.map((row, k) => path(row.map((value, step) => [axes.x(step), axes.y(value)] as const), `line line-${k}`));
   const shown = axis ? text(LEFT - 44, axes.top - 10, pick(axis, view.language), 'number', 'start') : '';
   const said = [title?.[view.language] ?? '', ...lines.map(({ name }) => name[view.language])].filter(Boolean).join(', ');
-  return svg(SIDE, said, `${scale(view, axes)}${shown}${drawn.join('')}${now(view, lines, axes)}${key(view, lines, digits)}`);
+  return svg(SIDE, said, `${scale(view, axes)}${shown}${drawn.join('')}${view.furthest === 0 ? toCome(view, axes) : ''}${now(view, lines, axes)}${key(view, lines, digits)}`);
+}
+
+/** A word where lines will come: no step has been seen yet. */
+function toCome({ language }: View, { top }: Axes): string {
+  return text((LEFT + RIGHT) / 2, (top + BOTTOM) / 2, language === 'ja' ? '再生すると、ここに線が伸びます' : 'Press play: the lines are drawn here', 'to-come halo');
 }
 
 /** The numbers of a line up to the furthest step that was seen; later ones would tell how the run goes on. */

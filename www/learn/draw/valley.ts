@@ -47,7 +47,7 @@ function ball(w: number, energy: number, motion: number, { language }: View): st
 function mark({ at: [place], language }: View): string {
   if (place === undefined) return '';
   const x = X(place);
-  return `<g class="mark">${line([x, BOTTOM], [x, BOTTOM - POLE], 'pole')}<path class="flag" d="M${at(x)} ${BOTTOM - POLE}h26l-6 7l6 7h-26z"/>${text(x + 4, BOTTOM - POLE - 6, `${language === 'ja' ? '印' : 'mark'} ${number(place, 3)}`, 'number', 'start')}</g>`;
+  return `<g class="mark">${line([x, BOTTOM], [x, BOTTOM - POLE], 'pole')}<path class="flag" d="M${at(x)} ${BOTTOM - POLE}h26l-6 7l6 7h-26z"/>${text(x + 4, BOTTOM - POLE - 6, `${language === 'ja' ? '印' : 'mark'} ${number(place, 3)}`, 'number halo', 'start')}</g>`;
 }
 
 /** The distance at which the potential is 0, once that is found. */

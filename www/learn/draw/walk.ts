@@ -51,16 +51,16 @@ function carried({ place, along, quarters }: Turned, [first]: readonly Turned[],
   return `<g class="carried ${kind}">${kind === 'present' ? `<path class="back" d="${strokesOf([x, y], along, half)}"/>` : ''}<path class="arms" d="${strokesOf([x, y], along, half)}"/><path class="arm" d="M${at(x)} ${at(y)}l${at(u)} ${at(v)}"/><circle class="tip" cx="${at(x + u)}" cy="${at(y + v)}" r="${kind === 'present' ? 4.5 : 2.5}"/></g>`;
 }
 
-/** The singular points; those inside a whole walk have their index, if it is theirs together. */
+/** The singular points; those inside a whole walk have their quarter turns, if the count is theirs together. */
 function singular({ directions }: Trace, { at: [x = 0, y = 0, radius = 0], step, last }: View): string {
   const all = directions.singular();
   const inside = all.filter(({ place }) => Math.hypot(place[0] - x, place[1] - y) < radius);
   const count = directions.walk([x, y, radius]).at(-1)?.quarters;
-  const isTold = step === last && count === inside.reduce((sum, { index }) => sum + index, 0);
+  const isTold = step === last && count === inside.reduce((sum, { quarters }) => sum + quarters, 0);
   return all
     .map((one) => {
       const [px, py] = onto(one.place);
-      const name = isTold && inside.includes(one) ? text(...beside([px, py], inside.map(({ place }) => onto(place))), number(one.index, 0), 'index halo') : '';
+      const name = isTold && inside.includes(one) ? text(...beside([px, py], inside.map(({ place }) => onto(place))), number(one.quarters, 0), 'quarters halo') : '';
       return `<path class="singular" d="M${at(px)} ${at(py - 6)}l6 6l-6 6l-6 -6z"/>${name}`;
     })
     .join('');

@@ -32,7 +32,7 @@ export interface Turned extends Direction {
 /** A place without a direction, and the quarter turns around it. */
 export interface Singular {
   readonly place: Pair;
-  readonly index: number;
+  readonly quarters: number;
 }
 
 export interface Directions {

@@ -211,7 +211,7 @@ export const MESHES: readonly Figure[] = [
   {
     name: 'dual', fits: (trace) => isCrowd(trace) && Number(trace.value('cs')) >= 32, at: [0.5, 0.5], recipe: 'outline=square&size=256&kind=circle&cs=38&seed=2&start=random&damp=1',
     packings: [{}], last: 4, opens: 4, steps: 'layer', plates: [{ draw: 'dual', packing: 0 }],
-    stops: [layer('bubbles', 0, 'Bubbles', 'バブル'), layer('mesh', 1, 'Mesh', 'メッシュ'), layer('one', 2, 'One cell', '一つのセル'), layer('around', 3, 'Those around it', 'まわりのセル'), layer('all', 4, 'All', 'すべて')],
+    stops: [layer('bubbles', 0, 'Bubbles', 'バブル'), layer('mesh', 1, 'Mesh', 'メッシュ'), layer('one', 2, 'One cell', '一つ'), layer('around', 3, 'Around it', 'まわり'), layer('all', 4, 'All', 'すべて')],
     handles: [LOOK], more: [SIZE, SEED], asks: [], told: toldDual,
   },
   {

@@ -12,7 +12,10 @@ const inWords = (language: Language, en: string, ja: string): string => (languag
 const whole = (value: number): string => number(value, 0);
 
 /** Quarter turns; hundredths only where they are not whole. */
-const quarterTurns = (value: number): string => number(value, Math.abs(value - Math.round(value)) < 0.005 ? 0 : 2);
+function quarterTurns(value: number, language: Language): string {
+  const turns = number(value, Math.abs(value - Math.round(value)) < 0.005 ? 0 : 2);
+  return inWords(language, `${turns} quarter ${/^−?1$/.test(turns) ? 'turn' : 'turns'}`, `90°の${turns}回分`);
+}
 
 const OF_FIELDS = { packings: [{}], last: 0, opens: 0, steps: 'walk', stops: [], more: [], asks: [] } as const;
 
@@ -94,10 +97,12 @@ const middle: Ask = {
     if (share >= NOWHERE) return undefined;
     const { certainty } = standsAt(trace, at);
     const isRest = share >= 0.0005 && Math.abs(printed[1]) > Math.abs(printed[0]);
+    const left = number(share, 3);
     return joined(
       language,
-      inWords(language, `In the middle ${number(share, 3)} of the arrows’ lengths is left: the sum points nowhere.`, `真ん中では、矢印の長さの合計の${number(share, 3)}しか残らず、和はどちらも向きません。`),
-      isRest ? inWords(language, 'The small rest comes from the ends and points across.', 'わずかな残りは両端の分で、道を横切る向きです。') : '',
+      isRest
+        ? inWords(language, `In the middle ${left} of the arrows’ lengths is left, next to nothing. The small rest comes from the ends and points across.`, `真ん中では、矢印の長さの合計の${left}しか残りません。わずかな残りは両端の分で、道を横切る向きです。`)
+        : inWords(language, `In the middle ${left} of the arrows’ lengths is left: the sum points nowhere.`, `真ん中では、矢印の長さの合計の${left}しか残らず、和はどちらも向きません。`),
       inWords(language, `Its four-fold neighbour has certainty ${number(certainty, 2)}, along the road.`, `四倍角の和は確かさ${number(certainty, 2)}で、道に沿っています。`),
     );
   },
@@ -135,7 +140,7 @@ const turns: Ask = {
     const isWhole = trace && step === STEPS && trace.value('outline') === 'polygon' && surrounds(trace, at);
     const count = isWhole ? countOf(trace, at) : undefined;
     if (count !== 4) return undefined;
-    return inWords(language, 'At the end the cross has turned by 360°: four quarter turns. All singular points together have index 4.', '一周すると、十字は360°、つまり90°を4回分回りました。特異点の指数は、合わせて4です。');
+    return inWords(language, 'At the end the cross has turned by 360°: four quarter turns. All singular points together count four: index 1.', '一周すると、十字は360°、つまり90°を4回分回りました。特異点は合わせて4回分、指数は1です。');
   },
 };
 
@@ -161,14 +166,14 @@ function toldWalk({ traces: [trace], at, step }: Seen, language: Language): stri
   const way = inWords(language, `A walk round (${x ?? ''}, ${y ?? ''}) with radius ${radius ?? ''}.`, `中心(${x ?? ''}, ${y ?? ''})、半径${radius ?? ''}の道筋です。`);
   const now = trace.directions.walk(at)[step];
   if (!now) return joined(language, way, inWords(language, 'It leaves the outline, or runs over a singular point: it counts nothing.', '輪郭の外に出るか、特異点の上を通るので、数えません。'), inWords(language, 'Move it inside.', '内側へ動かしてください。'));
-  const turned = inWords(language, `After ${whole((360 * step) / STEPS)}° the cross has turned by ${number(90 * now.quarters, 0)}°, ${quarterTurns(now.quarters)} quarter turns.`, `${whole((360 * step) / STEPS)}°進んで、十字は${number(90 * now.quarters, 0)}°（90°の${quarterTurns(now.quarters)}回分）回りました。`);
+  const turned = inWords(language, `After ${whole((360 * step) / STEPS)}° the cross has turned by ${number(90 * now.quarters, 0)}°, ${quarterTurns(now.quarters, language)}.`, `${whole((360 * step) / STEPS)}°進んで、十字は${number(90 * now.quarters, 0)}°（${quarterTurns(now.quarters, language)}）回りました。`);
   const least = inWords(language, `The certainty on it is at least ${number(leastOf(trace, at), 3)}.`, `途中の確かさは${number(leastOf(trace, at), 3)}以上です。`);
   return joined(language, way, turned, least, inWords(language, 'Move it, or make it larger.', '動かすか、大きくしてみてください。'));
 }
 
 const turnedNote = ({ traces: [trace], at, step }: Seen, language: Language): string => {
   const now = trace?.directions.walk(at)[step];
-  return now ? inWords(language, `${quarterTurns(now.quarters)} quarter turns`, `90°の${quarterTurns(now.quarters)}回分`) : inWords(language, 'no count', '数えない');
+  return now ? quarterTurns(now.quarters, language) : inWords(language, 'no count', '数えない');
 };
 
 const countedNote = ({ traces: [trace] }: Seen, language: Language): string => {
