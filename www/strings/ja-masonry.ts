@@ -14,7 +14,7 @@ const BUILDINGS: Record<string, Record<string, string>> = {
   tower: { around: '周の長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）', windows: '窓の数', width: '窓の幅（半枚の数）' },
   ring: { walls: '壁の数', side: '壁の長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）' },
   sheet: { length: '長さ（半枚の数）', height: '高さ（段の数）', thickness: '厚み（半枚の数）' },
-  plan: { height: '高さ（段の数）', thickness: '厚み（半枚の数）' },
+  plan: { height: '高さ（段の数）', thickness: '厚み（半枚の数）', pitch: '屋根の勾配（0なら屋根なし）' },
 };
 
 const numbers = Object.entries(BUILDINGS).flatMap(([building, rows]) => Object.entries(rows).map(([word, name]) => [`masonry.${building}_${word}`, { name, help: '建物を決める数の一つ。' }] as const));

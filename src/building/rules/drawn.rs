@@ -90,7 +90,11 @@ impl DrawnPlan {
                 (&own, checked.expect("the rule's own plan fits"))
             }
         };
-        let walls = WallLine::new(module, checked.line, [n[0], n[1]]);
+        let mut walls = WallLine::new(module, checked.line, [n[0], n[1]]);
+        let is_roofed = n[2] > 0.0 && walls.set_roof(n[2]);
+        if n[2] > 0.0 && !is_roofed {
+            faults.push(DrawnFault::Roofless);
+        }
         let mut openings: Vec<PlacedOpening> = Vec::new();
         for (k, row) in plan.openings.iter().enumerate() {
             let mut tell = |why| {
@@ -113,7 +117,7 @@ impl DrawnPlan {
             .map(|placed| (placed.wall, placed.opening))
             .collect();
         let mut to = Drafting::default();
-        walls.build(&mut to, &openings, false);
+        walls.build(&mut to, &openings, is_roofed);
         (to.on_ground(), faults)
     }
 

@@ -10,7 +10,7 @@ pub const LEAST_PIER: f64 = 2.0;
 pub const LEAST_OVER: f64 = 4.0;
 
 /// A fault of a plan. Corners, walls and openings are counted from 1. After faults of the line other than
-/// [`DrawnFault::Far`], the rule's own plan stands.
+/// [`DrawnFault::Far`] and [`DrawnFault::Roofless`], the rule's own plan stands.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DrawnFault {
     /// There are too few corners.
@@ -44,6 +44,8 @@ pub enum DrawnFault {
         /// Their number.
         corners: usize,
     },
+    /// There should be a roof, but the plan is open, or its corners turn both ways.
+    Roofless,
     /// An opening has a fault.
     Opening {
         /// The opening.

@@ -1,7 +1,7 @@
 //! Properties of drawn plans: their walls, and their faults.
 
 use super::{DrawnFault, DrawnPlan, Module, OpeningFault, Rule};
-use crate::building::{Bend, Building, Draft};
+use crate::building::{Bend, Building, Draft, labels};
 
 /// A plan of corners and openings.
 fn plan(corners: &[[i64; 2]], openings: &[[i64; 6]]) -> DrawnPlan {
@@ -104,6 +104,46 @@ fn walls_that_go_on_straight_are_one() {
     let (other, _) = drawn(&YARD, &[[1, 14, 8, 6, 8, 0], [1, 4, 8, 4, 8, 0]]);
     assert_eq!(faults, []);
     assert_eq!(draft.vertices.len(), other.vertices.len());
+}
+
+#[test]
+fn closed_plans_that_turn_one_way_may_have_a_roof() {
+    let turned: Vec<[i64; 2]> = YARD.iter().rev().copied().collect();
+    let square = [[0, 0], [20, 0], [20, -20], [0, -20], [0, 0]];
+    let bays = [[0, 0], [30, 0], [38, -9], [30, -20], [0, -20], [0, 0]];
+    let window = [[1, 4, 8, 6, 8, 0]];
+    for corners in [&YARD[..], &turned, &square, &bays] {
+        let walls = corners.len() - 1;
+        let (draft, faults) = plan(corners, &window).draft(&Module::NORMAL, &[24.0, 2.0, 40.0]);
+        assert_eq!(faults, []);
+        let building = Building::new(&draft).expect("a building");
+        assert!(building.edges().iter().all(|edge| edge.bend != Bend::Open));
+        assert!(building.warnings().is_empty());
+        let roof = draft
+            .faces
+            .iter()
+            .filter(|face| face.labels == [labels::ROOF]);
+        // A slope over each wall, and the ceiling.
+        assert_eq!(roof.count(), walls + 1);
+        // Two sides of each wall, the ground, and the window's reveal.
+        assert_eq!(draft.faces.len(), 3 * walls + 1 + 1 + 4);
+        assert!(draft.extras.iter().any(|extra| extra.name == "pane"));
+    }
+    let angle = [
+        [0, 0],
+        [30, 0],
+        [30, -30],
+        [15, -30],
+        [15, -15],
+        [0, -15],
+        [0, 0],
+    ];
+    for corners in [&YARD[..4], &angle] {
+        let numbers = [24.0, 2.0, 40.0];
+        let (draft, faults) = plan(corners, &window).draft(&Module::NORMAL, &numbers);
+        assert_eq!(faults, [DrawnFault::Roofless]);
+        assert_eq!(draft, drawn(corners, &window).0);
+    }
 }
 
 #[test]

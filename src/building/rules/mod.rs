@@ -13,6 +13,7 @@ mod drawn_fault;
 #[cfg(test)]
 mod drawn_tests;
 mod gabled;
+mod hipped;
 mod lhouse;
 pub(crate) mod numbers;
 mod openings;

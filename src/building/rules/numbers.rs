@@ -70,5 +70,6 @@ numbers! {
     PLAN {
         height: "Height in courses", "", 24.0, [8.0, 60.0, 1.0];
         thickness: "Thickness in modules", "", 2.0, [2.0, 6.0, 1.0];
+        pitch: "Pitch of a roof; 0 for none", "°", 0.0, [0.0, 60.0, 1.0];
     }
 }

@@ -36,6 +36,13 @@ impl PlanLine {
         (!is_end).then(|| [(corner + count - 1) % count, corner % count].map(|k| self.way(k)))
     }
 
+    /// Whether it is closed and turns to the left at all corners, or to the right at all.
+    pub fn is_convex(&self) -> bool {
+        let turns = (0..self.corners.len()).map(|k| self.turn(k).map(|[a, b]| a.perp_dot(b)));
+        let turns: Option<Vec<f64>> = turns.collect();
+        turns.is_some_and(|turns| turns.iter().all(|turn| turn * turns[0] > 0.0))
+    }
+
     /// Where a line to the left of a part, at this distance, begins and ends along it (metres from the part's first
     /// corner). It meets those of its neighbours; the ends of an open line come in by `free`.
     pub fn span(&self, wall: usize, distance: f64, free: f64) -> [f64; 2] {

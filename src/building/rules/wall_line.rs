@@ -3,9 +3,12 @@
 
 use super::Module;
 use super::drafting::Drafting;
+use super::hipped::slopes;
 use super::openings::{Opening, Reveal, WallPlane};
-use super::plain::over;
+use super::plain::{over, turned};
 use super::plan_line::PlanLine;
+use crate::building::labels::ROOF;
+use crate::domain::signed_area;
 use crate::trimesh::polygon;
 use glam::{DVec2, DVec3};
 
@@ -16,6 +19,8 @@ pub(super) struct WallLine<'a> {
     /// The distances of fronts and backs from the line (metres).
     distances: [f64; 2],
     top: f64,
+    /// The tangent of the pitch of their roof, if there is one.
+    pitch: Option<f64>,
 }
 
 /// A place on the front of walls, and that behind it on their back.
@@ -38,7 +43,15 @@ impl<'a> WallLine<'a> {
             line,
             distances,
             top: module.top(height),
+            pitch: None,
         }
+    }
+
+    /// Puts the walls under a hipped roof of a pitch in degrees. False if their line is not convex: they stay without.
+    pub fn set_roof(&mut self, pitch: f64) -> bool {
+        let (sin, cos) = libm::sincos(pitch.to_radians());
+        self.pitch = self.line.is_convex().then_some(sin / cos);
+        self.pitch.is_some()
     }
 
     /// One straight wall of a length in modules.
@@ -97,8 +110,13 @@ impl<'a> WallLine<'a> {
         }
         self.ends(to);
         let none = vec![Vec::new(); gates.len()];
-        for (strip, is_ring) in self.strips(&none) {
-            to.flat(&[], &loops(&strip, is_ring, self.top));
+        match self.pitch {
+            Some(pitch) => self.roof(to, pitch),
+            None => {
+                for (strip, is_ring) in self.strips(&none) {
+                    to.flat(&[], &loops(&strip, is_ring, self.top));
+                }
+            }
         }
         for (strip, is_ring) in self.strips(&gates) {
             let mut below = loops(&strip, is_ring, 0.0);
@@ -153,6 +171,26 @@ impl<'a> WallLine<'a> {
                 to.panel(&[], &corners, plane.along * (2.0 * end as f64 - 1.0));
             }
         }
+    }
+
+    /// Adds a hipped roof from the outer faces of walls around a yard, and the ceiling between the inner ones.
+    fn roof(&self, to: &mut Drafting, pitch: f64) {
+        let rings = self
+            .distances
+            .map(|distance| self.line.beside(distance, 0.0));
+        let turns_left = signed_area(&rings[0]) > 0.0;
+        let [mut outer, mut inner] = rings;
+        if !turns_left {
+            (outer, inner) = (inner, outer);
+            outer.reverse();
+            inner.reverse();
+        }
+        for slope in slopes(&outer) {
+            let corners = slope.iter();
+            let corners = corners.map(|(p, off)| over(*p, self.top + off * pitch));
+            to.flat(&[ROOF], &[corners.collect()]);
+        }
+        to.flat(&[ROOF], &[turned(&inner, self.top)]);
     }
 
     /// The ground under the walls between gates, from place to place along them, and whether it goes all around.

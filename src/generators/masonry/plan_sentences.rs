@@ -38,6 +38,7 @@ fn sentence(fault: &DrawnFault) -> Notice {
         Fault::Far { corners } => Notice::new(Code::DrawnFar)
             .with("n", corners)
             .with("most", FARTHEST_CORNER.to_string()),
+        Fault::Roofless => Notice::new(Code::DrawnRoofless),
         Fault::Opening { opening, ref why } => of_opening(why).with("opening", opening),
     }
 }

@@ -10,11 +10,13 @@ use super::params::{
 use super::sentences;
 use super::setting::WallScene;
 use super::site::{BuildingSite, SiteBuild};
+use crate::building::Building;
 use crate::generators::scene_picture::{
     MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
 use crate::graph::{Node, Task, Wiring, task};
 use crate::masonry::laying::{Laying, MasonryCell};
+use crate::masonry::plan::{PlanFault, PlanMaking};
 use crate::notice::Notice;
 use crate::recipe::Recipe;
 use crate::scene::{Scene, SceneDigest};
@@ -41,11 +43,45 @@ const WORDS_IN_A_SLICE: usize = 400_000;
 /// The finished scene, while its digest is made.
 type BlocksWork = (Rc<Scene>, SceneDigest);
 
+/// Cells in the making.
+pub(super) enum CellsWork {
+    /// The plan of this building.
+    Plan(Arc<Building>, PlanMaking),
+    /// The cells themselves.
+    Cells(Laying),
+}
+
+impl CellsWork {
+    /// Begins with the plan of the building, some of whose bricks are turned by hand.
+    fn begun(site: &BuildingSite, params: &PatternParams) -> Self {
+        let flips = &params.flips;
+        let building = Arc::new(site.building.flipped(&flips.corners, &flips.edges));
+        let depths = site.thickness.iter().map(|thickness| 0.5 * thickness);
+        let plan = PlanMaking::new(building.clone(), params.laying.module, depths.collect());
+        Self::Plan(building, plan)
+    }
+
+    /// Goes on with a plan, or begins with the cells of a whole one.
+    fn plan(
+        building: Arc<Building>,
+        mut plan: PlanMaking,
+        params: &PatternParams,
+    ) -> Result<Self, PlanFault> {
+        Ok(match plan.advance()? {
+            Some(plan) => {
+                let tree = params.tree.tree();
+                Self::Cells(Laying::planned(building, tree, params.laying, plan))
+            }
+            None => Self::Plan(building, plan),
+        })
+    }
+}
+
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct MasonryStages {
     files: ModelFiles,
     pub(super) site: Node<BuildingParams, SiteBuild, BuildingSite>,
-    pub(super) cells: Node<PatternParams, Laying, Laying>,
+    pub(super) cells: Node<PatternParams, CellsWork, Laying>,
     pub(super) ground: Node<GroundParams, GroundWork, Scene>,
     /// The bodies of the wall alone.
     pub(super) laid: Node<BlockParams, Wall, Scene>,
@@ -164,20 +200,19 @@ impl MasonryStages {
     fn make_cells(&mut self) -> Option<()> {
         let site = self.site.made()?;
         self.cells.advance(|params, work| {
-            if work.is_none() {
-                let tree = params.tree.tree();
-                let thickness = |face: crate::building::FaceId| site.thickness[face.index()];
-                let flips = &params.flips;
-                let building = Arc::new(site.building.flipped(&flips.corners, &flips.edges));
-                let laying = Laying::new(building, tree, params.laying, thickness);
-                *work = Some(
-                    laying
-                        .map_err(|fault| sentences::refusal(&fault, params.laying.module.half))?,
-                );
-                return Ok(None);
-            }
-            let done = work.as_mut().is_some_and(|laying| laying.advance(1));
-            Ok(if done { work.take() } else { None })
+            let next = match work.take() {
+                None => CellsWork::begun(site, params),
+                Some(CellsWork::Plan(building, plan)) => CellsWork::plan(building, plan, params)
+                    .map_err(|fault| sentences::refusal(&fault, params.laying.module.half))?,
+                Some(CellsWork::Cells(mut laying)) => {
+                    if laying.advance(1) {
+                        return Ok(Some(laying));
+                    }
+                    CellsWork::Cells(laying)
+                }
+            };
+            *work = Some(next);
+            Ok(None)
         })
     }
 

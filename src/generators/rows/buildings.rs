@@ -64,5 +64,6 @@ lists! {
         sheet_thickness SHEET_THICKNESS: "One of the numbers that the building is made by." => number_row(&numbers::SHEET[2], &["sheet"]);
         plan_height PLAN_HEIGHT: "One of the numbers that the building is made by." => number_row(&numbers::PLAN[0], &["plan"]);
         plan_thickness PLAN_THICKNESS: "One of the numbers that the building is made by." => number_row(&numbers::PLAN[1], &["plan"]);
+        plan_pitch PLAN_PITCH: "One of the numbers that the building is made by." => number_row(&numbers::PLAN[2], &["plan"]);
     }
 }

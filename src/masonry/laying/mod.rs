@@ -126,13 +126,23 @@ impl Laying {
         thickness: impl Fn(FaceId) -> f64,
     ) -> Result<Self, PlanFault> {
         let plan = Plan::new(&building, params.module, |face| 0.5 * thickness(face))?;
+        Ok(Self::planned(building, tree, params, plan))
+    }
+
+    /// Begins with a plan for the module of `params`.
+    pub fn planned(
+        building: Arc<Building>,
+        tree: PatternTree,
+        params: LayingParams,
+        plan: Plan,
+    ) -> Self {
         let corners = building.corner_ids().map(Feature::Corner);
         let edges = building.edge_ids().map(Feature::Edge);
         let faces = building.face_ids().map(Feature::Face);
         let order = corners.chain(edges).chain(faces).collect();
         let site = Site::new(building, plan, PIXELS);
         let phases = PhaseWork::new(&site);
-        Ok(Self {
+        Self {
             order,
             site,
             open: vec![Box::new(phases), Box::new(MapWork)],
@@ -142,7 +152,7 @@ impl Laying {
             next: 0,
             textured: Vec::new(),
             warnings: Vec::new(),
-        })
+        }
     }
 
     /// Does `amount` parts of the work, at least one: each makes a face's map, or lays an edge, a corner, or a row of a

@@ -6,7 +6,7 @@ use super::{
 use crate::building::{Building, Draft, EdgeId, Misfit, Module, Rule};
 use crate::masonry::module::{ASHLAR, BLOCK};
 use crate::masonry::plan::{FaceGrid, PlanFault, is_wall, thicknesses};
-use crate::masonry::tree::{PRESETS, PatternTree};
+use crate::masonry::tree::{PRESETS, PatternGenerator, PatternTree};
 use std::sync::Arc;
 
 /// The paper's three trees with their modules.
@@ -110,6 +110,30 @@ fn ashlar_fills_walls_nearly_without_overlaps() {
             found.gap <= 0.005 && found.shared_volume <= 0.003,
             "{rule:?} {found:?}"
         );
+    }
+}
+
+/// With stone quoins, the arch of a gate has an odd number of stones on both sides of the wall.
+#[test]
+fn arches_beside_quoins_are_of_stone() {
+    let draft = draft(Rule::Gate, &Module::NORMAL);
+    let laying = laid(&draft, (3, Module::NORMAL), 1);
+    let found = Measures::new(&laying);
+    assert!(
+        found.gap < 0.0015 && found.shared_volume < 3e-4,
+        "{found:?}"
+    );
+    let springing = 16.0 * Module::NORMAL.course;
+    for side in [1.0, -1.0] {
+        let stones = laying.cells().iter().filter(|cell| {
+            cell.generator == PatternGenerator::ArchStones
+                && cell.claimed.bounds()[1].y > springing + 0.01
+                && side * cell.outwards.z > 0.5
+        });
+        let heights: Vec<f64> = stones.map(|cell| cell.claimed.bounds()[1].y).collect();
+        let highest = heights.iter().copied().fold(f64::MIN, f64::max);
+        let keystones = heights.iter().filter(|&&y| y == highest).count();
+        assert_eq!((heights.len(), keystones), (15, 1), "{heights:?}");
     }
 }
 

@@ -1,7 +1,7 @@
 //! The lines of a plan, for those who draw it.
 
 use super::face_grid::{NEAR, edges, fixed_lines, joints, place};
-use super::making::{Plan, is_of_opening};
+use super::whole::{Plan, is_of_opening};
 use crate::building::{Building, FaceId};
 
 /// A line of a face's grid.

@@ -5,50 +5,18 @@ use super::face_grid::{
 };
 use super::fault::{PlanFault, PlanWarning};
 use super::lines::{CourseMark, Courses, divided};
-use super::parity::{Change, PhaseEdge, PhasePlan, repair};
-use crate::building::{Bend, Building, EdgeId, Face, FaceId, Module, Stance, Surface, labels};
-
+use super::parity::{Columns, PhaseEdge, PhasePlan};
+use super::repair::{Change, RepairWork};
+use super::whole::{Plan, is_of_opening, is_wall};
+use crate::building::{Bend, Building, EdgeId, Face, FaceId, Module, Stance};
 use crate::masonry::module;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-/// The cosine within which the direction of a wall is upwards.
-const UPRIGHT: f64 = 0.999;
 /// Ratios of columns and modules beyond this give a warning.
 const RATIOS: std::ops::RangeInclusive<f64> = 0.8..=1.25;
-
-/// The plan of a building: what several features must agree on before the first cell is laid.
-#[derive(Clone, Debug)]
-pub struct Plan {
-    /// The module.
-    pub module: Module,
-    /// The grid of each face.
-    pub grids: Vec<FaceGrid>,
-    /// For each face the first of those walls that must be shifted by a column together with it.
-    pub phase_sets: Vec<FaceId>,
-    /// The edges at which bricks do not alternate.
-    pub conflicts: Vec<EdgeId>,
-    /// The changes of columns that have removed conflicts; walls are numbered as faces.
-    pub changes: Vec<Change>,
-    /// Warnings about what may look wrong.
-    pub warnings: Vec<PlanWarning>,
-}
-
-/// Whether a face is a wall: its t is the height above a level.
-pub fn is_wall(face: &Face) -> bool {
-    match &face.surface {
-        Surface::Sweep(sweep) => face.stance() == Stance::Upright && sweep.direction().y > UPRIGHT,
-        Surface::Disk(_) => false,
-    }
-}
-
-/// Whether an edge belongs to a window, a door or an arch.
-pub(super) fn is_of_opening(building: &Building, edge: EdgeId) -> bool {
-    const OPENINGS: [&str; 4] = [labels::WINDOW, labels::DOOR, labels::ARCH, labels::SILL];
-    let labels = &building.edge(edge).labels;
-    labels
-        .iter()
-        .any(|label| OPENINGS.contains(&label.as_str()))
-}
+/// Faces or edges in a slice of the work.
+const SLICE: usize = 64;
 
 /// The height at which t of a wall is 0 (metres).
 fn base(face: &Face) -> f64 {
@@ -62,87 +30,150 @@ impl Plan {
     /// # Errors
     /// If the module does not suit the building.
     pub fn new(
-        building: &Building,
+        building: &Arc<Building>,
         module: Module,
         depth: impl Fn(FaceId) -> f64,
     ) -> Result<Self, PlanFault> {
-        module::check(&module).map_err(PlanFault::Module)?;
-        let thin = building
-            .fits(&module, |face| 2.0 * depth(face))
-            .map_err(PlanFault::Misfit)?;
-        let mut making = PlanMaking::new(building, module);
-        making
-            .warnings
-            .extend(thin.into_iter().map(PlanWarning::Thin));
-        making.find_courses();
-        let (changes, phases) = making.find_phases();
-        making.tell_columns();
-        Ok(making.finish(changes, &phases, depth))
-    }
-
-    /// The grid of a face.
-    pub fn grid(&self, face: FaceId) -> &FaceGrid {
-        &self.grids[face.index()]
+        let depths = building.face_ids().map(depth).collect();
+        let mut making = PlanMaking::new(building.clone(), module, depths);
+        loop {
+            if let Some(plan) = making.advance()? {
+                return Ok(plan);
+            }
+        }
     }
 }
 
-struct PlanMaking<'a> {
-    building: &'a Building,
+/// A plan that is made in slices.
+pub struct PlanMaking {
+    building: Arc<Building>,
     module: Module,
+    /// How deep cells of each face may reach (metres).
+    depths: Vec<f64>,
     /// The fixed lines of each face, along s and along t.
     fixed: Vec<[Vec<f64>; 2]>,
     /// For each wall the first wall that it hangs together with.
     groups: Vec<FaceId>,
     /// The columns of each face; those of walls count.
     columns: Vec<WallColumns>,
+    /// The heights in each group of walls, by its first wall.
+    marks: BTreeMap<FaceId, Vec<CourseMark>>,
     courses: BTreeMap<FaceId, Courses>,
     warnings: Vec<PlanWarning>,
+    step: PlanStep,
 }
 
-impl<'a> PlanMaking<'a> {
-    fn new(building: &'a Building, module: Module) -> Self {
-        let fixed: Vec<[Vec<f64>; 2]> = building
-            .face_ids()
-            .map(|id| fixed_lines(building, id))
-            .collect();
-        let columns = building.faces().iter().zip(&fixed);
+/// The progress of the work.
+#[derive(Default)]
+enum PlanStep {
+    #[default]
+    Begun,
+    Checked,
+    /// The lines and the heights of faces are collected.
+    Lines,
+    /// The courses of groups are found, the first group first.
+    Courses,
+    /// The edges at which bricks alternate are collected, up to this edge.
+    Edges(Vec<PhaseEdge>, usize),
+    /// Conflicts are mended by changes of these columns.
+    Conflicts(RepairWork, Vec<Columns>),
+    /// The grids of faces are made.
+    Grids(Vec<FaceGrid>, Vec<Change>, PhasePlan),
+}
+
+impl PlanMaking {
+    /// Begins. `depths` are those to which cells of each face may reach: half of the wall's thickness (metres).
+    pub fn new(building: Arc<Building>, module: Module, depths: Vec<f64>) -> Self {
         Self {
             building,
             module,
-            columns: columns
-                .map(|(face, fixed)| WallColumns::new(face, fixed[0].clone(), &module))
-                .collect(),
-            groups: groups(building),
-            fixed,
+            depths,
+            fixed: Vec::new(),
+            groups: Vec::new(),
+            columns: Vec::new(),
+            marks: BTreeMap::new(),
             courses: BTreeMap::new(),
             warnings: Vec::new(),
+            step: PlanStep::Begun,
         }
     }
 
-    /// The walls of each group, by its first wall.
-    fn walls(&self) -> BTreeMap<FaceId, Vec<FaceId>> {
-        let mut walls: BTreeMap<FaceId, Vec<FaceId>> = BTreeMap::new();
-        for id in self
-            .building
-            .face_ids()
-            .filter(|&id| is_wall(self.building.face(id)))
-        {
-            walls.entry(self.groups[id.index()]).or_default().push(id);
-        }
-        walls
+    /// Does a slice of the work. Returns the plan at the end.
+    ///
+    /// # Errors
+    /// If the module does not suit the building.
+    pub fn advance(&mut self) -> Result<Option<Plan>, PlanFault> {
+        self.step = match std::mem::take(&mut self.step) {
+            PlanStep::Begun => {
+                self.check()?;
+                PlanStep::Checked
+            }
+            PlanStep::Checked => {
+                self.groups = groups(&self.building);
+                PlanStep::Lines
+            }
+            PlanStep::Lines => self.find_lines(),
+            PlanStep::Courses => self.find_courses(),
+            PlanStep::Edges(edges, from) => self.find_edges(edges, from),
+            PlanStep::Conflicts(mut work, mut columns) => match work.advance(&mut columns) {
+                Some((changes, phases)) => self.mended(columns, changes, phases),
+                None => PlanStep::Conflicts(work, columns),
+            },
+            PlanStep::Grids(grids, changes, phases) if grids.len() == self.fixed.len() => {
+                return Ok(Some(self.finish(grids, changes, &phases)));
+            }
+            PlanStep::Grids(mut grids, changes, phases) => {
+                let ids = self.building.face_ids().skip(grids.len()).take(SLICE);
+                grids.extend(ids.map(|id| self.grid(id, &phases)));
+                PlanStep::Grids(grids, changes, phases)
+            }
+        };
+        Ok(None)
     }
 
-    fn find_courses(&mut self) {
-        for (face, walls) in self.walls() {
-            let marks: Vec<CourseMark> = walls.iter().flat_map(|&wall| self.marks(wall)).collect();
-            let courses = Courses::new(&marks, self.module.course);
-            let told = courses
-                .warnings
-                .iter()
-                .map(|&what| PlanWarning::Courses { face, what });
-            self.warnings.extend(told);
-            self.courses.insert(face, courses);
+    /// Checks whether the module suits the building.
+    fn check(&mut self) -> Result<(), PlanFault> {
+        module::check(&self.module).map_err(PlanFault::Module)?;
+        let thickness = |face: FaceId| 2.0 * self.depths[face.index()];
+        let thin = self.building.fits(&self.module, thickness);
+        let thin = thin.map_err(PlanFault::Misfit)?.into_iter();
+        self.warnings.extend(thin.map(PlanWarning::Thin));
+        Ok(())
+    }
+
+    /// Finds the fixed lines of some faces, and the heights of those that are walls.
+    fn find_lines(&mut self) -> PlanStep {
+        let building = self.building.clone();
+        for id in building.face_ids().skip(self.fixed.len()).take(SLICE) {
+            let (face, fixed) = (building.face(id), fixed_lines(&building, id));
+            let columns = WallColumns::new(face, fixed[0].clone(), &self.module);
+            self.columns.push(columns);
+            self.fixed.push(fixed);
+            if is_wall(face) {
+                let marks = self.marks(id);
+                let group = self.groups[id.index()];
+                self.marks.entry(group).or_default().extend(marks);
+            }
         }
+        match self.fixed.len() < building.faces().len() {
+            true => PlanStep::Lines,
+            false => PlanStep::Courses,
+        }
+    }
+
+    /// Finds the courses of a group of walls.
+    fn find_courses(&mut self) -> PlanStep {
+        let Some((face, marks)) = self.marks.pop_first() else {
+            return PlanStep::Edges(Vec::new(), 0);
+        };
+        let courses = Courses::new(&marks, self.module.course);
+        let told = courses
+            .warnings
+            .iter()
+            .map(|&what| PlanWarning::Courses { face, what });
+        self.warnings.extend(told);
+        self.courses.insert(face, courses);
+        PlanStep::Courses
     }
 
     /// The heights of a wall's corners, springings and bounds. Those at an opening are marked so.
@@ -160,8 +191,8 @@ impl<'a> PlanMaking<'a> {
             },
         ];
         for edge in edges(face) {
-            let is_opening = is_of_opening(self.building, edge);
-            let places = joints(self.building, edge).into_iter();
+            let is_opening = is_of_opening(&self.building, edge);
+            let places = joints(&self.building, edge).into_iter();
             marks.extend(places.map(|(p, is_springing)| CourseMark {
                 y: p.y,
                 is_opening: is_opening || is_springing,
@@ -170,23 +201,31 @@ impl<'a> PlanMaking<'a> {
         marks
     }
 
-    /// Solves the phases of walls; the columns that this changes are changed in `columns`.
-    fn find_phases(&mut self) -> (Vec<Change>, PhasePlan) {
-        let edges: Vec<PhaseEdge> = self
-            .building
-            .edge_ids()
-            .filter_map(|id| self.phase_edge(id))
-            .collect();
-        let mut columns: Vec<_> = self
-            .columns
-            .iter()
-            .map(|wall| wall.columns.clone())
-            .collect();
-        let found = repair(&mut columns, &edges, self.module.half);
+    /// Collects some edges at which the bricks of two walls must alternate.
+    fn find_edges(&self, mut edges: Vec<PhaseEdge>, from: usize) -> PlanStep {
+        let ids = self.building.edge_ids().skip(from).take(SLICE);
+        edges.extend(ids.filter_map(|id| self.phase_edge(id)));
+        if from + SLICE < self.building.edges().len() {
+            return PlanStep::Edges(edges, from + SLICE);
+        }
+        let columns = self.columns.iter().map(|wall| wall.columns.clone());
+        let columns: Vec<Columns> = columns.collect();
+        let work = RepairWork::new(&columns, edges, self.module.half);
+        PlanStep::Conflicts(work, columns)
+    }
+
+    /// Takes over the columns that have been changed, and the phases.
+    fn mended(
+        &mut self,
+        columns: Vec<Columns>,
+        changes: Vec<Change>,
+        phases: PhasePlan,
+    ) -> PlanStep {
         for (wall, columns) in self.columns.iter_mut().zip(columns) {
             wall.columns = columns;
         }
-        found
+        self.tell_columns();
+        PlanStep::Grids(Vec::new(), changes, phases)
     }
 
     /// An edge at which the bricks of two walls must alternate.
@@ -232,17 +271,7 @@ impl<'a> PlanMaking<'a> {
         }
     }
 
-    fn finish(
-        mut self,
-        changes: Vec<Change>,
-        phases: &PhasePlan,
-        depth: impl Fn(FaceId) -> f64,
-    ) -> Plan {
-        let grids = self
-            .building
-            .face_ids()
-            .map(|id| self.grid(id, phases, depth(id)))
-            .collect();
+    fn finish(&mut self, grids: Vec<FaceGrid>, changes: Vec<Change>, phases: &PhasePlan) -> Plan {
         let conflicts: Vec<EdgeId> = phases.conflicts.iter().map(|&edge| EdgeId(edge)).collect();
         self.warnings
             .extend(conflicts.iter().map(|&edge| PlanWarning::Conflict(edge)));
@@ -252,11 +281,11 @@ impl<'a> PlanMaking<'a> {
             phase_sets: phases.roots.iter().map(|&root| FaceId(root)).collect(),
             conflicts,
             changes,
-            warnings: self.warnings,
+            warnings: std::mem::take(&mut self.warnings),
         }
     }
 
-    fn grid(&self, id: FaceId, phases: &PhasePlan, depth: f64) -> FaceGrid {
+    fn grid(&self, id: FaceId, phases: &PhasePlan) -> FaceGrid {
         let face = self.building.face(id);
         let [fixed_s, fixed_t] = &self.fixed[id.index()];
         let width = self.module.half;
@@ -285,7 +314,7 @@ impl<'a> PlanMaking<'a> {
             t,
             first_course,
             phase,
-            depth,
+            depth: self.depths[id.index()],
         }
     }
 
@@ -318,8 +347,11 @@ impl<'a> PlanMaking<'a> {
 /// For each wall the first of the walls that vertical edges join it to.
 fn groups(building: &Building) -> Vec<FaceId> {
     let mut firsts: Vec<FaceId> = building.face_ids().collect();
-    let root = |firsts: &[FaceId], mut id: FaceId| {
+    let root = |firsts: &mut [FaceId], mut id: FaceId| {
         while firsts[id.index()] != id {
+            // Halves the way for the next search.
+            let above = firsts[id.index()];
+            firsts[id.index()] = firsts[above.index()];
             id = firsts[id.index()];
         }
         id
@@ -329,9 +361,36 @@ fn groups(building: &Building) -> Vec<FaceId> {
             continue;
         };
         if is_wall(building.face(a)) && is_wall(building.face(b)) {
-            let [a, b] = [a, b].map(|id| root(&firsts, id));
+            let [a, b] = [a, b].map(|id| root(&mut firsts, id));
             firsts[a.max(b).index()] = a.min(b);
         }
     }
-    building.face_ids().map(|id| root(&firsts, id)).collect()
+    building
+        .face_ids()
+        .map(|id| root(&mut firsts, id))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::building::Rule;
+
+    /// Each slice looks at some faces, at some edges or at one group of walls.
+    #[test]
+    fn plans_are_made_in_short_slices() {
+        let draft = Rule::LHouse.draft(&Module::NORMAL, &[]);
+        let building = Arc::new(Building::new(&draft).expect("a building"));
+        let depths = vec![f64::INFINITY; building.faces().len()];
+        let mut making = PlanMaking::new(building.clone(), Module::NORMAL, depths);
+        let mut slices = 1;
+        while making.advance().expect("a plan").is_none() {
+            slices += 1;
+        }
+        let groups = making.courses.len();
+        let faces = building.faces().len().div_ceil(SLICE);
+        let edges = building.edges().len().div_ceil(SLICE);
+        assert!(faces > 1 && edges > 2, "{faces} {edges}");
+        assert!(slices > 2 * faces + edges + groups, "{slices} slices");
+    }
 }

@@ -6,12 +6,10 @@
 //! `phase(A) xor phase(B) = 1 xor parity(c(A) + c(B))`.
 //!
 //! Legakis, Dorsey, Gortler (2001), section 5.2, flip the bricks of edges by hand, with a bit for each edge. Here a
-//! union-find with parities finds the phases. Where a ring of walls has no solution, [`repair`] makes one column more
-//! or less.
+//! union-find with parities finds the phases. Where a ring of walls has no solution, [`super::RepairWork`] makes one
+//! column more or less.
 
 use super::lines::pieces;
-use crate::order;
-use std::collections::BTreeSet;
 
 /// A vertical edge between two walls. Each end names the wall, and the column line of the edge there as the number of
 /// fixed lines before it: line 0 is the wall's first.
@@ -62,7 +60,7 @@ impl Columns {
     }
 
     /// |ln(column width / module)| of interval `k` with `by` columns more.
-    fn cost(&self, k: usize, by: isize, module: f64) -> f64 {
+    pub(super) fn cost(&self, k: usize, by: isize, module: f64) -> f64 {
         let count = self.counts[k].wrapping_add_signed(by);
         libm::log(self.widths[k] / (count as f64 * module)).abs()
     }
@@ -91,12 +89,15 @@ impl Phases {
     }
 
     /// The root of a wall's set, and whether the phases of the two differ.
-    fn root(&self, mut wall: u32) -> (u32, bool) {
+    fn root(&mut self, mut wall: u32) -> (u32, bool) {
         let mut odd = false;
         while self.parents[wall as usize].0 != wall {
             let (parent, differs) = self.parents[wall as usize];
-            odd ^= differs;
-            wall = parent;
+            let (above, more) = self.parents[parent as usize];
+            // Halves the way for the next search.
+            self.parents[wall as usize] = (above, differs ^ more);
+            odd ^= differs ^ more;
+            wall = above;
         }
         (wall, odd)
     }
@@ -151,117 +152,29 @@ fn differ(columns: &[Columns], edge: &PhaseEdge) -> bool {
     (before(0) + before(1)).is_multiple_of(2)
 }
 
-/// A change that [`repair`] has made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Change {
-    /// The wall.
-    pub wall: u32,
-    /// The interval between its fixed lines.
-    pub interval: u32,
-    /// One column more or less.
-    pub by: i8,
-}
-
-/// Changes the columns of single intervals by one until no conflict is left, or no change makes fewer. It takes the
-/// change with the fewest conflicts left, then the least |ln(column width / module)|, then the first. Sets of walls that
-/// hang together are changed one after the other, each for itself. Returns the changes and the phases.
-pub fn repair(
-    columns: &mut [Columns],
-    edges: &[PhaseEdge],
-    module: f64,
-) -> (Vec<Change>, PhasePlan) {
-    let plan = solve(columns, edges);
-    let root = |edge: &PhaseEdge| plan.roots[edge.walls[0] as usize];
-    let in_conflict = edges
-        .iter()
-        .filter(|edge| plan.conflicts.contains(&edge.edge));
-    let roots: BTreeSet<u32> = in_conflict.map(root).collect();
-    let mut changes = Vec::new();
-    for set in roots {
-        let own: Vec<PhaseEdge> = edges
-            .iter()
-            .copied()
-            .filter(|edge| root(edge) == set)
-            .collect();
-        let walls = (0u32..).zip(&plan.roots).filter(|(_, root)| **root == set);
-        let walls: Vec<u32> = walls.map(|(wall, _)| wall).collect();
-        let mut left = conflicts(columns, &own);
-        while left > 0 {
-            let Some((change, fewer)) = best_change(columns, (&walls, &own), module, left) else {
-                break;
-            };
-            apply(columns, change);
-            changes.push(change);
-            left = fewer;
-        }
-    }
-    let plan = match changes.is_empty() {
-        true => plan,
-        false => solve(columns, edges),
-    };
-    (changes, plan)
-}
-
 /// The number of edges that contradict those before them.
-fn conflicts(columns: &[Columns], edges: &[PhaseEdge]) -> usize {
+pub(super) fn count_conflicts(columns: &[Columns], edges: &[PhaseEdge]) -> usize {
     let mut phases = Phases::new(columns.len());
     let contradicts = |edge: &&PhaseEdge| !phases.join(edge.walls, differ(columns, edge));
     edges.iter().filter(contradicts).count()
 }
 
-fn apply(columns: &mut [Columns], change: Change) {
-    let count = &mut columns[change.wall as usize].counts[change.interval as usize];
-    *count = count.wrapping_add_signed(change.by.into());
-}
-
-/// The best change of some walls that leaves fewer than `most` conflicts at their edges, and how many it leaves.
-fn best_change(
-    columns: &mut [Columns],
-    (walls, edges): (&[u32], &[PhaseEdge]),
-    module: f64,
-    most: usize,
-) -> Option<(Change, usize)> {
-    let mut best: Option<((usize, u64), Change)> = None;
-    for change in changes(columns, walls) {
-        let wall = &columns[change.wall as usize];
-        let cost = wall.cost(change.interval as usize, change.by.into(), module);
-        apply(columns, change);
-        let left = conflicts(columns, edges);
-        apply(
-            columns,
-            Change {
-                by: -change.by,
-                ..change
-            },
-        );
-        let key = (left, order::rank(cost));
-        if left < most && best.as_ref().is_none_or(|(least, _)| key < *least) {
-            best = Some((key, change));
-        }
-    }
-    best.map(|((left, _), change)| (change, left))
-}
-
-/// All changes of some walls that may be tried. A cylinder stays even, and no interval loses its only column.
-fn changes(columns: &[Columns], walls: &[u32]) -> Vec<Change> {
-    let all = walls.iter().map(|&wall| (wall, &columns[wall as usize]));
-    let all = all.filter(|(_, columns)| !columns.is_closed);
-    let all = all.flat_map(|(wall, columns)| {
-        let intervals = (0u32..).zip(&columns.counts);
-        intervals.flat_map(move |(interval, &count)| {
-            let signs = if count > 1 { &[1, -1][..] } else { &[] };
-            signs.iter().map(move |&by| Change { wall, interval, by })
-        })
-    });
-    all.collect()
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::repair::{Change, RepairWork};
     use super::*;
     use crate::random::{Purpose, Random};
 
     const W: f64 = 0.125;
+
+    fn repair(columns: &mut [Columns], edges: &[PhaseEdge]) -> (Vec<Change>, PhasePlan) {
+        let mut work = RepairWork::new(columns, edges.to_vec(), W);
+        loop {
+            if let Some(found) = work.advance(columns) {
+                return found;
+            }
+        }
+    }
 
     /// A closed ring of walls: the end of each is the start of the next.
     fn ring(lengths: &[f64]) -> (Vec<Columns>, Vec<PhaseEdge>) {
@@ -318,7 +231,7 @@ mod tests {
             let plan = solve(&columns, &edges);
             assert_eq!(plan.conflicts.len(), 1);
             check(&columns, &edges, &plan);
-            let (changes, plan) = repair(&mut columns, &edges, W);
+            let (changes, plan) = repair(&mut columns, &edges);
             assert_eq!((changes.len(), plan.conflicts.len()), (1, 0));
             check(&columns, &edges, &plan);
             let totals: usize = columns.iter().map(Columns::total).sum();
@@ -331,7 +244,7 @@ mod tests {
         let lengths = [8.5, 8.5, 8.5, 20.45, 8.5].map(|n| n * W);
         let (mut columns, edges) = ring(&lengths);
         assert_eq!(columns[0].counts, [9]);
-        let (changes, plan) = repair(&mut columns, &edges, W);
+        let (changes, plan) = repair(&mut columns, &edges);
         assert!(plan.conflicts.is_empty());
         for change in &changes {
             let wall = &columns[change.wall as usize];
@@ -342,7 +255,7 @@ mod tests {
         let (mut single, mut edges) = ring(&[2.0 * W; 3]);
         single.fill(Columns::new(&[W, W], W, false));
         edges.iter_mut().for_each(|edge| edge.lines[0] = 2);
-        let (changes, plan) = repair(&mut single, &edges, W);
+        let (changes, plan) = repair(&mut single, &edges);
         assert_eq!((changes, plan.conflicts), (vec![], vec![2]));
     }
 

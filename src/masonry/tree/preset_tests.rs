@@ -146,6 +146,28 @@ fn features_go_where_the_paper_sends_them() {
     assert_eq!(both[1].0, "cases.Column.face.vertical.children.1");
 }
 
+/// A tree with stones over straight heads goes round arches, too.
+#[test]
+fn trees_that_know_windows_know_arches() {
+    use PatternGenerator::{ArchBricks, ArchStones};
+    for preset in &PRESETS {
+        let reaches = |labels: &[&'static str], window| {
+            let edge = FeatureView {
+                kind: FeatureKind::Edge,
+                labels: labels.to_vec(),
+                window,
+                ..FeatureView::FACE
+            };
+            let found = reached(preset.name, &edge);
+            let mut found = found.iter().map(|found| found.1);
+            found.any(|found| [ArchStones, ArchBricks].contains(&found))
+        };
+        let is_head = reaches(&["Window"], WindowPart::Top);
+        let is_arch = reaches(&["Arch", "Window"], WindowPart::Side);
+        assert_eq!(is_head, is_arch, "{}", preset.name);
+    }
+}
+
 #[test]
 fn corners_and_orientations_are_told_apart() {
     let text = r#"{"type":"ByCorner","cases":[

@@ -114,6 +114,12 @@ pub static PRESETS: [TreePreset; 7] = [
         json: r#"{
   "type": "ByLabel",
   "cases": {
+    "Arch": {
+      "type": "ByFeature",
+      "corner": {"type": "None"},
+      "edge": {"type": "ArchStones", "rows": [[0.25, 0.2, 0]], "keystone": 0.08, "tag": 1},
+      "face": {"type": "Bricks"}
+    },
     "Glass": {"type": "None"},
     "Roof": {
       "type": "ByFeature",

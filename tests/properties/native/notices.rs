@@ -334,6 +334,9 @@ fn faults_of_plans_are_told() {
     ] {
         assert_eq!(said_of_plan(plan, ""), [code]);
     }
+    for (plan, told) in [(YARD, vec![]), ("0,0,30,0", vec![Code::DrawnRoofless])] {
+        assert_eq!(said_of_plan(plan, "1,4,8,6,8,0&plan_pitch=30"), told);
+    }
     for (opening, code) in [
         ("1,4,8,6,3,0", Code::DrawnNumber),
         ("5,4,8,6,8,0", Code::DrawnNoWall),
