@@ -40,7 +40,7 @@ const chromiumFlags = [
   // Chromium prepares an internal page behind each window, which costs a quarter of a test.
   '--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup',
   // A test's page lives for seconds: only the busiest functions of the module are compiled a second time, to run faster.
-  `--js-flags=${process.env.JSF ?? '--wasm-tiering-budget=200000000'}`, ...(process.env.CF ?? '').split(' ').filter(Boolean),
+  '--js-flags=--wasm-tiering-budget=200000000',
   // Pages go on painting while another page is in front.
   '--disable-background-timer-throttling',
   '--disable-backgrounding-occluded-windows',
