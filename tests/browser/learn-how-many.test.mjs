@@ -1,9 +1,8 @@
 // The figures of the chapter on the number of cells: marks, thresholds, questions.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
-import { answer, answered, at, boxHas, changed, chapterPages, isSoundOnPhone, seek, shown, toEnd, type, violations } from './lesson.mjs';
+import { answer, answered, at, boxHas, changed, chapterPages, hasGoldenStates, isSoundOnPhone, seek, shown, toEnd, type } from './lesson.mjs';
 import { frames } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -15,21 +14,7 @@ const chapter = chapterPages('how-many');
 /** How often parts of a plate are drawn. @param {Page} page @param {string} figure @param {number} plate @param {string} selector */
 const drawn = (page, figure, plate, selector) => page.$$eval(`${figure} .plate-box[data-plate="${plate}"] svg ${selector}`, (all) => all.length);
 
-test('each stop has the golden state', async () => {
-  const { page, problems, close } = await chapter();
-  const stops = goldenStops().filter(({ figure }) => FIGURES.includes(figure));
-  assert.deepEqual([...new Set(stops.map(({ figure }) => figure))], FIGURES);
-  for (const { figure: name, stop, step, hash } of stops) {
-    const figure = await at(page, name);
-    // A run that was seen to its end offers all its stops.
-    if (stop === 'start') await toEnd(page, figure);
-    await page.click(`${figure} [data-stop="${stop}"]`);
-    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
-  }
-  assert.deepEqual(await violations(page), []);
-  assert.deepEqual(problems, []);
-  await close();
-});
+test('each stop has the golden state', () => hasGoldenStates(chapter, FIGURES));
 
 test('crosses and empty places say who goes and who comes at the next look', async () => {
   const { page, problems, close } = await chapter();

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
-import { answer, answered, at, changed, chapterPages, follow, isSoundOnPhone, middle, seek, shown, toEnd, type, violations } from './lesson.mjs';
+import { answer, answered, at, changed, chapterPages, follow, hasGoldenStates, isSoundOnPhone, middle, seek, shown, toEnd, type } from './lesson.mjs';
 import { phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -47,21 +47,10 @@ const corner = (figure, corner) => `${figure} .grip-carrier:nth-child(${corner +
 /** The walls as they are drawn. @param {Page} page @param {string} figure */
 const walls = (page, figure) => page.$eval(`${figure} .plate .outline`, (path) => path.getAttribute('d') ?? '');
 
-test('each stop has the golden state, and a run ends where it is at rest', async () => {
-  const { page, problems, close } = await chapter();
-  const stops = goldenStops().filter(({ figure }) => FIGURES.includes(figure));
-  assert.deepEqual([...new Set(stops.map(({ figure }) => figure))], FIGURES);
-  for (const { figure: name, stop, step, hash } of stops) {
-    const figure = await at(page, name);
-    if (stop === 'start') await toEnd(page, figure);
-    await page.click(`${figure} [data-stop="${stop}"]`);
-    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
+test('each stop has the golden state, and a run ends where it is at rest', () =>
+  hasGoldenStates(chapter, FIGURES, async (page, figure, { stop, step }) => {
     if (stop === 'rest') assert.equal((await shown(page, figure)).said, `step ${step} of ${step}`);
-  }
-  assert.deepEqual(await violations(page), []);
-  assert.deepEqual(problems, []);
-  await close();
-});
+  }));
 
 test('a corner follows the mouse, the keys, taps and its boxes; walls, bubbles and text follow it', async () => {
   const { page, problems, close } = await chapter();

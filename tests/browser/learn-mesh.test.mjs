@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
-import { answer, answered, at, boxHas, changed, chapterPages, follow, isSoundOnPhone, middle, shown, toEnd, type, violations } from './lesson.mjs';
+import { answer, answered, at, boxHas, changed, chapterPages, follow, hasGoldenStates, isSoundOnPhone, middle, shown, toEnd, type } from './lesson.mjs';
 import { frames, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -62,21 +62,7 @@ async function write(page, figure, x, y) {
   }
 }
 
-test('each stop has the golden state', sameEverywhere, async () => {
-  const { page, problems, close } = await chapter();
-  const stops = goldenStops().filter(({ figure }) => FIGURES.includes(figure));
-  assert.deepEqual([...new Set(stops.map(({ figure }) => figure))], FIGURES);
-  for (const { figure: name, stop, step, hash } of stops) {
-    const figure = await at(page, name);
-    // A run that was seen to its end offers all its stops.
-    if (name === 'three' && stop === 'start') await toEnd(page, figure);
-    if (stop !== 'opens') await page.click(`${figure} [data-stop="${stop}"]`);
-    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
-  }
-  assert.deepEqual(await violations(page), []);
-  assert.deepEqual(problems, []);
-  await close();
-});
+test('each stop has the golden state', sameEverywhere, () => hasGoldenStates(chapter, FIGURES));
 
 test('dual: the layers come one after another, and the cell that is looked at follows mouse, tap, keys and boxes', async () => {
   const { page, problems, close } = await chapter();

@@ -1,9 +1,8 @@
 // The figures of the chapter on squares: the landscape around one, squares that slide, questions.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
-import { answer, answered, at, boxHas, changed, chapterPages, isSoundOnPhone, shown, toEnd, type, violations } from './lesson.mjs';
+import { answer, answered, at, boxHas, changed, chapterPages, hasGoldenStates, isSoundOnPhone, shown, toEnd, type } from './lesson.mjs';
 import { frames, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -43,19 +42,7 @@ async function drop(page, figure, x, y) {
   await stands(page, figure, x, y);
 }
 
-test('each stop has the golden state', sameEverywhere, async () => {
-  const { page, problems, close } = await chapter();
-  const stops = goldenStops().filter(({ figure }) => FIGURES.includes(figure));
-  assert.deepEqual([...new Set(stops.map(({ figure }) => figure))], FIGURES);
-  for (const { figure: name, stop, step, hash } of stops) {
-    const figure = await at(page, name);
-    await page.click(`${figure} [data-stop="${stop}"]`);
-    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
-  }
-  assert.deepEqual(await violations(page), []);
-  assert.deepEqual(problems, []);
-  await close();
-});
+test('each stop has the golden state', sameEverywhere, () => hasGoldenStates(chapter, FIGURES));
 
 test('wells: a square at 45 degrees stays at weight 0 and slides at 0.05, which answers the question', sameEverywhere, async () => {
   const { page, problems, close } = await chapter();

@@ -1,9 +1,8 @@
 // The figures of the chapter on directions: a square that is turned, a road and its pieces, walks, strokes, questions.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
-import { answer, answered, at, boxHas, changed, chapterPages, isSoundOnPhone, middle, shown, type, violations } from './lesson.mjs';
+import { answer, answered, at, boxHas, changed, chapterPages, hasGoldenStates, isSoundOnPhone, middle, shown, type } from './lesson.mjs';
 import { frames, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -60,20 +59,10 @@ async function addressWith(page, words, before = '') {
   return page.evaluate(() => location.hash);
 }
 
-test('each figure opens, and stops, at its golden state', sameEverywhere, async () => {
-  const { page, problems, close } = await chapter();
-  const stops = goldenStops().filter(({ figure }) => FIGURES.includes(figure));
-  assert.deepEqual([...new Set(stops.map(({ figure }) => figure))], FIGURES);
-  for (const { figure: name, stop, step, hash } of stops) {
-    const figure = await at(page, name);
-    if (stop !== 'opens') await page.click(`${figure} [data-stop="${stop}"]`);
-    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
-    assert.equal(await page.$(`${figure} input.time`) === null, stop === 'opens');
-  }
-  assert.deepEqual(await violations(page), []);
-  assert.deepEqual(problems, []);
-  await close();
-});
+test('each figure opens, and stops, at its golden state', sameEverywhere, () =>
+  hasGoldenStates(chapter, FIGURES, async (page, figure, { stop }) => {
+    assert.equal((await page.$(`${figure} input.time`)) === null, stop === 'opens');
+  }));
 
 test('quarter: the square is turned by keys, box, tap and hand, and is alike at 90°', sameEverywhere, async () => {
   const { page, problems, close } = await chapter();

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before } from 'node:test';
+import { goldenStops } from '../common/figures.mjs';
 import { open } from './harness.mjs';
 import { frames, phone } from './page.mjs';
 
@@ -135,6 +136,29 @@ export async function violations(page) {
     return found.violations.flatMap((/** @type {any} */ { id, nodes }) => nodes.map((/** @type {any} */ { html }) => `${id}: ${html.slice(0, 160)}`));
   });
   return [...wide, ...faults];
+}
+
+/**
+ * Each figure has the golden state at each of its stops, and axe finds nothing in it.
+ * @param {ReturnType<typeof chapterPages>} chapter
+ * @param {readonly string[]} figures
+ * @param {(page: Page, figure: string, golden: { stop: string, step: string }) => Promise<void>} [look] at each stop
+ */
+export async function hasGoldenStates(chapter, figures, look) {
+  const { page, problems, close } = await chapter();
+  const stops = goldenStops().filter(({ figure }) => figures.includes(figure));
+  assert.deepEqual([...new Set(stops.map(({ figure }) => figure))], figures);
+  for (const { figure: name, stop, step, hash } of stops) {
+    const figure = await at(page, name);
+    // A run that was seen to its end offers all its stops.
+    if (stop === 'start') await toEnd(page, figure);
+    if (stop !== 'opens') await page.click(`${figure} [data-stop="${stop}"]`);
+    await page.waitForSelector(`${figure}[data-step="${step}"][data-hash="${hash}"]`);
+    await look?.(page, figure, { stop, step });
+  }
+  assert.deepEqual(await violations(page), []);
+  assert.deepEqual(problems, []);
+  await close();
 }
 
 /**
