@@ -6,9 +6,7 @@
 import { AT_REST, ofFirst, restOf } from './crowds';
 import type { AngleRow, Ask, Figure, Language, NumberHandle, PointHandle, Seen, Stop, Trace, Words } from './figure';
 import { acrossOf, edgesAt, isInner, leastOf, lengthOf, nearestEdge, nearestPoint, sumOf, worstOf, type JoinedCells } from './joined';
-import { DAMPING, joined, number, START } from './words';
-
-const inWords = (language: Language, en: string, ja: string): string => (language === 'ja' ? ja : en);
+import { DAMPING, inWords, joined, number, START } from './words';
 
 const SHARES: Words = { en: 'picture sides', ja: '（画像の一辺を1とする）' };
 

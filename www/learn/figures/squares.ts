@@ -6,7 +6,7 @@
 import { AT_REST, crowdAt, lastOf, ofAll, ofFirst, OVER, packedOf } from './crowds';
 import type { Ask, Figure, Language, NumberHandle, Plate, PointHandle, Seen, Stop, Trace, Trial } from './figure';
 import { edgesOf, isAtCorner, isAtEdge, isStill, neighbourAt, reachesEdge, restsAt, type Neighbour } from './neighbour';
-import { DAMPING, number, TIME_STEP } from './words';
+import { DAMPING, inWords, number, TIME_STEP } from './words';
 
 const OPEN = 'outline=square&size=256&kind=square&dir=constant&edge=open&pop=off&move=rk4&most=1000';
 
@@ -43,8 +43,6 @@ const START: Stop = { key: 'start', name: { en: 'Start', ja: '開始' }, find: (
 const EDGE: Stop = { key: 'edge', name: { en: 'Before an edge', ja: '辺の前' }, find: ofFirst(reachesEdge) };
 const STILL: Stop = { key: 'rest', name: { en: 'Rest', ja: '静止' }, find: ofFirst(restsAt) };
 const HALFWAY: Stop = { key: 'halfway', name: { en: 'On the way', ja: '途中' }, find: (traces) => Math.round((ofAll(lastOf)(traces) ?? 0) / 6) };
-
-const inWords = (language: Language, en: string, ja: string): string => (language === 'ja' ? ja : en);
 
 const weightOf = (trace: Trace): number => Number(trace.value('cw'));
 

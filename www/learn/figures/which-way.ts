@@ -5,9 +5,7 @@
 import { asSquare, degreesOf, STEPS } from './directions';
 import type { Ask, Figure, Hand, Language, Plate, Seen, Stop, Trace } from './figure';
 import { ANGLE, angleIn, CENTRE, HEIGHT, IN_ROAD, OUTLINE, PIECES, POWER, ROUND, roadOf, STROKES, strokesAt, WALK_RADIUS } from './which-way-handles';
-import { joined, number } from './words';
-
-const inWords = (language: Language, en: string, ja: string): string => (language === 'ja' ? ja : en);
+import { inWords, joined, number } from './words';
 
 const whole = (value: number): string => number(value, 0);
 

@@ -8,6 +8,9 @@ export function number(value: number, digits: number): string {
   return (Number(text) === 0 ? text.replace('-', '') : text).replace('-', '−');
 }
 
+/** The sentence in a language. */
+export const inWords = (language: Language, en: string, ja: string): string => (language === 'ja' ? ja : en);
+
 const LENGTH: Words = { en: 'stable distances', ja: '安定距離' };
 const NONE: Words = { en: '', ja: '' };
 
