@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 
 const list = new URL('../learn.txt', import.meta.url);
+const linkList = new URL('../learn-links.txt', import.meta.url);
 const entry = fileURLToPath(new URL('figures-entry.mjs', import.meta.url));
 
 /** Plates that show joined cells. */
@@ -43,6 +44,27 @@ export async function measured(module) {
   });
 }
 
+/**
+ * A line for each packing of each figure, for the native test of the same list: its name, what its steps are, the place that is
+ * looked at, and its link.
+ * @param {any} module
+ * @returns {Promise<string[]>}
+ */
+export async function linked(module) {
+  const { FIGURES, Reading } = await figuresCode();
+  return FIGURES.flatMap((/** @type {any} */ figure) =>
+    figure.packings.map((/** @type {any} */ own) => {
+      const reading = new Reading(module, figure, figure.recipe, own);
+      const { link } = reading;
+      reading.free();
+      return [figure.name, figure.steps, placeOf(figure.at).join(','), link].join(' ');
+    }),
+  );
+}
+
+/** The place that is looked at, or else the middle, in sides of the picture. @param {number[]} at */
+const placeOf = ([x = 0.5, y = 0.5]) => [x, y];
+
 /** The number of Delaunay's triangles, the median of the mesh's smallest angles, and the smallest angle. @param {any} reading @param {number} step */
 function joinedIn(reading, step) {
   const { triangles, median } = reading.joined(Math.min(step, Math.max(0, reading.steps.length - 1)));
@@ -56,16 +78,25 @@ function joinedIn(reading, step) {
  * @returns {number[]}
  */
 function directionsIn({ directions }, at, step) {
-  const place = at.length ? at : [0.5, 0.5];
+  const place = placeOf(at);
   const { along, certainty } = directions.at(place);
   return [...along, certainty, at.length > 2 ? directions.walk(at)[step].quarters : directions.terms(place).share];
 }
 
-/** The golden lines. */
-export const golden = () => readFileSync(list, 'utf8').trim().split('\n');
+/** @param {URL} file */
+const linesOf = (file) => readFileSync(file, 'utf8').trim().split('\n');
 
-/** @param {string[]} lines */
-export const writeGolden = (lines) => writeFileSync(list, `${lines.join('\n')}\n`);
+/** The golden lines. */
+export const golden = () => linesOf(list);
+
+/** The golden links. */
+export const goldenLinks = () => linesOf(linkList);
+
+/** @param {string[]} lines @param {string[]} links */
+export function writeGolden(lines, links) {
+  writeFileSync(list, `${lines.join('\n')}\n`);
+  writeFileSync(linkList, `${links.join('\n')}\n`);
+}
 
 /** The stops of each figure with the hashes of their states. */
 export function goldenStops() {

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { moduleIn } from '../../scripts/lib/headless.mjs';
 import { pageModule } from '../../scripts/lib/wasm.mjs';
-import { figuresCode, golden, measured, writeGolden } from '../common/figures.mjs';
+import { figuresCode, golden, goldenLinks, linked, measured, writeGolden } from '../common/figures.mjs';
 
 /** @type {any} */
 let module;
@@ -26,9 +26,10 @@ function reading(name, values = {}) {
 }
 
 test('each figure has the golden numbers at each stop', async () => {
-  const lines = await measured(module);
-  if (process.env.BUBBLESTONE_UPDATE) writeGolden(lines);
+  const [lines, links] = [await measured(module), await linked(module)];
+  if (process.env.BUBBLESTONE_UPDATE) writeGolden(lines, links);
   assert.deepEqual(lines, golden());
+  assert.deepEqual(links, goldenLinks());
   assert.equal(new Set(lines.map((line) => line.split(' ')[0])).size, code.FIGURES.length);
 });
 

@@ -26,6 +26,7 @@ mod native {
     mod inspect;
     mod islands;
     mod joined;
+    mod lessons;
     mod line_cells;
     mod lines;
     mod links;
