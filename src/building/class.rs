@@ -1,5 +1,5 @@
-//! How faces meet along edges, and classes of corners (Legakis, Dorsey, Gortler 2001, section 5.5): the valence, the number of convex and concave
-//! edges, and the direction of a single convex or concave one.
+//! How faces meet along edges, and classes of corners (Legakis, Dorsey, Gortler 2001, section 5.5): the valence, the
+//! number of convex and concave edges, and the direction of a single convex or concave one.
 
 use glam::DVec3;
 

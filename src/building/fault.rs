@@ -57,8 +57,8 @@ pub enum BuildingFault {
         /// How many there are.
         faces: usize,
     },
-    /// Loops have more than [`MOST_SIDES`] sides, or there are more vertices, arcs, or triangles of extra meshes than that;
-    /// or arcs are cut to more than twice as many.
+    /// Loops have more than [`MOST_SIDES`] sides, or there are more vertices, arcs, or triangles of extra meshes than
+    /// that; or arcs are cut to more than twice as many.
     TooManySides {
         /// How many there are.
         sides: usize,

@@ -86,9 +86,9 @@ impl BuildingMaking {
 impl Building {
     /// Checks a draft, and makes both meshes of it.
     ///
-    /// Vertices within 0.2 mm are welded. A side of a loop belongs to an edge with all those next to it that have the same
-    /// two faces and go on within 28 degrees; other vertices are corners. A side at which a face meets itself, as the
-    /// seam of a cylinder, is dropped.
+    /// Vertices within 0.2 mm are welded. A side of a loop belongs to an edge with all those next to it that have the
+    /// same two faces and go on within 28 degrees; other vertices are corners. A side at which a face meets itself,
+    /// as the seam of a cylinder, is dropped.
     ///
     /// # Errors
     /// The first fault of the draft.

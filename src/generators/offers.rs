@@ -93,8 +93,8 @@ pub trait Meshes {
     /// The size of such a file; `None` before there are bodies.
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize>;
 
-    /// The places of the finished bodies as a table in CSV; empty before there are any, and `None` if each body has a mesh
-    /// of its own.
+    /// The places of the finished bodies as a table in CSV; empty before there are any, and `None` if each body has a
+    /// mesh of its own.
     fn places(&self) -> Option<String> {
         None
     }

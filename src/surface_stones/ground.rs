@@ -346,8 +346,8 @@ fn curvatures(mesh: &TriMesh, triangles: std::ops::Range<usize>, found: &mut [[f
 /// Bits of the number of a cube of [`parts`].
 const CUBE_BITS: u32 = 18;
 
-/// Groups triangles by the cubes of a grid, about `each` to a cube and at most [`MOST_PART`] to a group. Returns pairs of a part and a triangle, sorted by
-/// parts.
+/// Groups triangles by the cubes of a grid, about `each` to a cube and at most [`MOST_PART`] to a group. Returns
+/// pairs of a part and a triangle, sorted by parts.
 pub(crate) fn parts(positions: &[Vec3], triangles: &[[u32; 3]], each: usize) -> Vec<(u32, u32)> {
     let (mut low, mut high) = (Vec3::MAX, Vec3::MIN);
     for &p in positions {

@@ -34,9 +34,10 @@ impl Bubblestone {
 
     /// Numbers of the joined cells, by a word. 'points': 3 each, id, x, y. 'faces', the elements of the mesh of these
     /// points: 4 ids each, of which the last is -1 in a triangle. 'angles', the smallest ones of the mesh's triangles in
-    /// degrees: their median, then their counts in 30 classes from 0 to 60; empty without triangles. 'triangles', those of
-    /// the plain Delaunay triangulation: 10 each, three ids, the angles there in degrees, the shortest side, and the circle
-    /// through the corners as x, y and radius. 'cells', the polygons one after the other: id, number of corners, and x, y of each corner.
+    /// degrees: their median, then their counts in 30 classes from 0 to 60; empty without triangles. 'triangles',
+    /// those of the plain Delaunay triangulation: 10 each, three ids, the angles there in degrees, the shortest side,
+    /// and the circle through the corners as x, y and radius. 'cells', the polygons one after the other: id, number
+    /// of corners, and x, y of each corner.
     pub fn joined(&mut self, part: &str) -> Vec<f64> {
         let mut numbers = Vec::new();
         let Some(joined) = self.steps().and_then(|steps| steps.joined()) else {

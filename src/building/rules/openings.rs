@@ -55,8 +55,8 @@ pub(super) struct Opening {
     pub is_door: bool,
 }
 
-/// The plane of a wall seen from outside: u to the right, y upwards. u is 0 at a line of the grid: half a joint before the
-/// wall's left end, or half a joint behind it where the wall begins in an inner corner.
+/// The plane of a wall seen from outside: u to the right, y upwards. u is 0 at a line of the grid: half a joint
+/// before the wall's left end, or half a joint behind it where the wall begins in an inner corner.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WallPlane {
     pub origin: DVec3,

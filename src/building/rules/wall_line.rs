@@ -86,8 +86,8 @@ impl<'a> WallLine<'a> {
         [front[0].max(back[0]), front[1].min(back[1])]
     }
 
-    /// Adds the walls with openings, each with the number of its wall. Those that begin on the ground have no sill. Others
-    /// are closed with panes, if these are wished.
+    /// Adds the walls with openings, each with the number of its wall. Those that begin on the ground have no sill.
+    /// Others are closed with panes, if these are wished.
     pub fn build(&self, to: &mut Drafting, openings: &[(usize, Opening)], has_panes: bool) {
         let of = |wall: usize| {
             let own = openings.iter().filter(move |of| of.0 == wall);

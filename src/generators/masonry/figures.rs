@@ -65,7 +65,8 @@ impl MasonryEngine {
         }
     }
 
-    /// The percentages of a face's pixels that are occupied before and after its own cells are laid, while maps are shown.
+    /// The percentages of a face's pixels that are occupied before and after its own cells are laid, while maps are
+    /// shown.
     fn taken(&self, feature: Feature) -> Vec<(&'static str, f64)> {
         let shown = self.picture.shown().map(|(key, _)| key.view);
         match (feature, self.made.cells.made()) {

@@ -105,8 +105,8 @@ pub(super) fn refusal(fault: &PlanFault, module: f64) -> Notice {
     }
 }
 
-/// Remarks on what may look wrong. Buildings by rule suit their module, so conflicts and narrow panels are all that can be
-/// wrong there; `is_given` marks a file's building. `gone` features turned by hand are not in the building.
+/// Remarks on what may look wrong. Buildings by rule suit their module, so conflicts and narrow panels are all that
+/// can be wrong there; `is_given` marks a file's building. `gone` features turned by hand are not in the building.
 pub(super) fn remarks(laying: &Laying, (gone, is_given): (usize, bool)) -> Vec<Notice> {
     let (building, plan) = (laying.building(), laying.plan());
     let of_building = building.warnings().iter().filter(|_| is_given);

@@ -224,8 +224,8 @@ impl MasonryStages {
         })
     }
 
-    /// Lays some blocks of one pass, so that each pass ends with a step. After an edit, blocks that stay as they were take
-    /// no time of their own.
+    /// Lays some blocks of one pass, so that each pass ends with a step. After an edit, blocks that stay as they were
+    /// take no time of their own.
     fn lay(&mut self) -> Option<()> {
         let (site, cells) = (self.site.made()?, self.cells.made()?.cells());
         if self.begun(&self.laid).is_none() {

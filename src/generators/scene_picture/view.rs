@@ -45,8 +45,8 @@ pub(crate) fn prepare<S: SceneSource>(
     slice.done
 }
 
-/// The view of the first known word among words joined by '+'; the first view if there is none. `words` and `views` are in
-/// the same order.
+/// The view of the first known word among words joined by '+'; the first view if there is none. `words` and `views`
+/// are in the same order.
 pub(crate) fn view_of<const N: usize, V: Copy>(asked: &str, words: [&str; N], views: [V; N]) -> V {
     let place = |word: &str| words.iter().position(|own| *own == word);
     asked

@@ -92,7 +92,8 @@ impl Stages {
         moving.or(self.packing.made())
     }
 
-    /// The packing in progress, or the last one, and its site. The packing is mutable because it caches measures such as its energy.
+    /// The packing in progress, or the last one, and its site. The packing is mutable because it caches measures such
+    /// as its energy.
     pub(super) fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &PackingMesh)> {
         let (work, made) = self.packing.both_mut();
         let moving = work.and_then(PackingProgress::moving_mut);

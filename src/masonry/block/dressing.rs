@@ -27,8 +27,8 @@ impl Dressing {
         seed: crate::random::SEED,
     };
 
-    /// How cell number `cell`, which looks towards `outwards` (unit vector), lies out of true: a turn about its middle, and
-    /// a way (metres).
+    /// How cell number `cell`, which looks towards `outwards` (unit vector), lies out of true: a turn about its
+    /// middle, and a way (metres).
     pub fn out_of_true(&self, outwards: DVec3, cell: u32) -> (DQuat, DVec3) {
         let mut random = Random::new(self.seed, Purpose::Turn, u64::from(cell));
         let angle = 0.5 * self.turn * random.signed();

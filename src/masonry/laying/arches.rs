@@ -215,8 +215,8 @@ impl Site {
         }
     }
 
-    /// The obstacles that a stone of an arch must not overlap. The chord of its inner side lies in the opening, so the opening
-    /// itself does not count at the innermost row.
+    /// The obstacles that a stone of an arch must not overlap. The chord of its inner side lies in the opening, so
+    /// the opening itself does not count at the innermost row.
     fn wall_obstacles(&self, wall: FaceId, place: &Footprint, is_inner: bool) -> Vec<&Footprint> {
         let map = &self.faces[wall.index()];
         if is_inner {

@@ -16,8 +16,8 @@ pub struct Pointing {
 }
 
 impl Laying {
-    /// The rows of all upright convex edges between two walls, edge by edge: a stretcher of two columns on one wall, and a
-    /// header of one column on the other.
+    /// The rows of all upright convex edges between two walls, edge by edge: a stretcher of two columns on one wall,
+    /// and a header of one column on the other.
     pub fn pointings(&self) -> Vec<Pointing> {
         let edges = self.building().edge_ids();
         edges

@@ -198,7 +198,8 @@ impl Site {
         Room { width, is_shared }
     }
 
-    /// The reach of a cell into one face: `count` columns, or as many as there is room for. If there are three columns between two convex edges, a long cell leaves one for the other edge; two columns, or one, are shared.
+    /// The reach of a cell into one face: `count` columns, or as many as there is room for. If there are three
+    /// columns between two convex edges, a long cell leaves one for the other edge; two columns, or one, are shared.
     pub fn limited_reach(&self, run: &Run, side: usize, count: usize, along: f64) -> f64 {
         let side = &run.sides[side];
         let room = self.room(side, along);

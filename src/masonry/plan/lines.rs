@@ -77,7 +77,8 @@ pub struct Courses {
 }
 
 impl Courses {
-    /// The lines through the marks, with courses of about this height (metres, above 0) between them. Another mark is dropped if it is nearer to a line than 0.3 courses.
+    /// The lines through the marks, with courses of about this height (metres, above 0) between them. Another mark is
+    /// dropped if it is nearer to a line than 0.3 courses.
     pub fn new(marks: &[CourseMark], height: f64) -> Self {
         let fixed = fixed_lines(marks, height);
         let counts: Vec<usize> = fixed

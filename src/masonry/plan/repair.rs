@@ -75,8 +75,8 @@ impl RepairWork {
         }
     }
 
-    /// Tries some changes of `columns`, which must always be the same ones. Returns the changes made and the phases at the
-    /// end.
+    /// Tries some changes of `columns`, which must always be the same ones. Returns the changes made and the phases
+    /// at the end.
     pub fn advance(&mut self, columns: &mut [Columns]) -> Option<(Vec<Change>, PhasePlan)> {
         let Some(set) = self.sets.last_mut() else {
             let plan = match self.changes.is_empty() {

@@ -1,8 +1,9 @@
 //! The steps of making a stone on a surface, as surfaces that can be drawn.
 //!
-//! The polygon of a cell is laid into its tangent plane. The steps of the plane follow there ([`crate::solid::steps_to`]).
-//! Then the level of detail keeps some of the triangles, and the stone is bent back onto the surface. Each step is made
-//! by the code that makes the stone itself. The finished stone is that of the scene, and has no shape here.
+//! The polygon of a cell is laid into its tangent plane. The steps of the plane follow there
+//! ([`crate::solid::steps_to`]). Then the level of detail keeps some of the triangles, and the stone is bent back
+//! onto the surface. Each step is made by the code that makes the stone itself. The finished stone is that of the
+//! scene, and has no shape here.
 //!
 //! All shapes are in the axes and units of a picture, as those of the steps in a plane. The height `anchor` of the bend
 //! lies on the surface.

@@ -1,4 +1,5 @@
-//! Several generators: their links, a studio that goes from one to another, and the native program, which writes files of each.
+//! Several generators: their links, a studio that goes from one to another, and the native program, which writes
+//! files of each.
 
 #[path = "../../../examples/native/mod.rs"]
 mod native;

@@ -66,8 +66,8 @@ pub(in crate::generators::masonry) fn clipped(
         .collect()
 }
 
-/// Adds the cells of a range: clipped ones in the colours of their sorts, others pale. The parts that were cut off lie over them in the
-/// colour of the feature that is in the way. Ids are those of the cells.
+/// Adds the cells of a range: clipped ones in the colours of their sorts, others pale. The parts that were cut off
+/// lie over them in the colour of the feature that is in the way. Ids are those of the cells.
 pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit, cells: Range<usize>) {
     add_coloured(scene, laying, (fit, cells.clone()), |cell| {
         match cell.unclipped {
