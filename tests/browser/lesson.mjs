@@ -26,8 +26,9 @@ export function chapterPages(name) {
   return (fragment = '', { language = 'en', ...options } = {}) => site.newPage(`learn/${language === 'ja' ? 'ja/' : ''}${name}/${fragment}`, options);
 }
 
-/** Brings a figure into sight and waits until it works. @param {Page} page @param {string} name */
+/** Brings a figure of a page that has all its scenes into sight and waits until it works. @param {Page} page @param {string} name */
 export async function at(page, name) {
+  await page.waitForSelector('html:not([data-opening])');
   await page.$eval(`#fig-${name}`, (figure) => figure.scrollIntoView({ block: 'center', behavior: 'instant' }));
   await page.waitForSelector(`#fig-${name}[data-live][data-step][data-hash]`);
   return `#fig-${name}`;

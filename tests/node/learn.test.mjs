@@ -88,6 +88,16 @@ for (const name of chapters) {
     assert.doesNotMatch(textOf(selectOne('article', en)), /\$|\[\[|undefined|[ぁ-ん]/);
   });
 
+  // Chapters of which some symbols are of the whole calculation are left out.
+  if (['mesh', 'which-way', 'how-many'].includes(name))
+    test(`${name}: each symbol of an equation is in a figure`, () => {
+      const page = chapter(name, 'en');
+      const shown = keys(page, '.figure-stage [data-symbol]', 'data-symbol');
+      const symbols = keys(page, '.equation [data-symbol]', 'data-symbol');
+      assert.ok(symbols.length > 2);
+      assert.deepEqual(symbols.filter((symbol) => !shown.includes(symbol)), []);
+    });
+
   test(`${name}: each question has the picture that shows its answer, and a place for what happened`, () => {
     const page = chapter(name, 'en');
     for (const ask of selectAll('.ask', page)) {

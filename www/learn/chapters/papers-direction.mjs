@@ -28,9 +28,9 @@ export const directionDifferences = [
     },
     task: {
       question: { en: 'A point stands in the middle of a square. Work out both sums of (1), with lengths and with vectors.', ja: '正方形の中心に点があります。式(1)の和を、長さの場合とベクトルの場合について求めましょう。' },
-      answer: { en: 'With side s and distance s/2 each term is 4/s: lengths give 4/s, a number; the four vectors go round and give 0. Neither tells a direction.', ja: '辺をs、距離をs/2とすると各項の大きさは4/s。長さの和は数4/sになり、四つのベクトルは一周して0になります。どちらからも向きは分かりません。' },
+      answer: { en: 'With side s and distance s/2 each term is 4/s: lengths give 4/s, a number; the four vectors go round and give 0. Neither tells a direction. In the figure each term has a quarter of the whole.', ja: '辺をs、距離をs/2とすると各項の大きさは4/s。長さの和は数4/sになり、四つのベクトルは一周して0になります。どちらからも向きは分かりません。図では、各項の長さは全体の4分の1です。' },
     },
-    see: { link: 'v=1&outline=square&dir=printed&view=direction', words: { en: 'A square with the printed directions, in the studio', ja: '印刷された式による正方形の整列方向（スタジオ）' } },
+    see: { link: 'fig=pieces&outline=polygon&size=256&kind=square&poly=0.4,0.4,0.6,0.4,0.6,0.6,0.4,0.6&at=0.5,0.5', words: { en: 'Four equal lengths in the middle of a square, and the sum of the vectors', ja: '正方形の中心での等しい四つの長さと、ベクトルの和' } },
   },
   {
     key: 'between-nodes', chapter: 'which-way',

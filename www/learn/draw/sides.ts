@@ -2,7 +2,7 @@
  * The sides of an outline at a point, and below them the term of each with their sum: as printed, or at four times the angle.
  * The terms of a side that is cut stand one behind the other. All lengths are shares of the lengths of all terms.
  */
-import type { SegmentTerm, SegmentTerms } from '../figures/directions';
+import { degreesOf, type SegmentTerm, type SegmentTerms } from '../figures/directions';
 import type { Plate, Trace, View } from '../figures/figure';
 import { number } from '../figures/words';
 import { ringPath, SIDE } from './crowd';
@@ -16,6 +16,12 @@ const MIDDLE = 62;
 
 /** The first row of terms, the height of a row, where their arrows begin, and the length of all together. */
 const [FIRST, ROW, ORIGIN, WHOLE] = [138, 28, 198, 132];
+
+/** The share of a distance at which its name stands. */
+const BEYOND = 0.7;
+
+/** Where the angle of a side stands. */
+const ANGLE = 82;
 
 /** Shorter arrows have no head. */
 const SHORT = 4;
@@ -81,9 +87,21 @@ const nameOf = (group: Straight): string => `s ${numbersOf(group)}`;
 function arrowsIn({ outline }: Trace, { list, printed }: SegmentTerms, groups: readonly Straight[], { at: looked }: View): string {
   const point = toPlate([looked[0] ?? 0, looked[1] ?? 0]);
   const ground = outline.map((ring) => `<path class="floor" d="${ringPath(ring)}"/>`).join('');
-  const near = list.map(({ from, to }) => line(point, nearest(toPlate(from), toPlate(to), point), 'reach')).join('');
+  const ends = list.map(({ from, to }) => nearest(toPlate(from), toPlate(to), point));
+  const near = `<g data-symbol="distance">${ends.map((end) => line(point, end, 'reach')).join('')}</g>${distanceTo(point, ends)}`;
   const arrows = list.map(({ from, to }) => arrowTo(toPlate(from), minus(toPlate(to), toPlate(from)), 'side')).join('');
   return `<g transform="translate(0 ${MIDDLE - SIDE / 2})">${ground}</g>${near}${arrows}${groups.map(named).join('')}${sumAt(point, printed)}`;
+}
+
+/** The name of the longest distance, which has the most room: on its side towards the middle, beyond the arrow of the sum. */
+function distanceTo(point: Place, ends: readonly Place[]): string {
+  const lengths = ends.map((end) => lengthOf(minus(end, point)));
+  const longest = lengths.indexOf(Math.max(...lengths));
+  const [x, y] = ends[longest] ?? point;
+  const [dx, dy] = [BEYOND * (x - point[0]), BEYOND * (y - point[1])];
+  const isUpright = Math.abs(dy) > Math.abs(dx);
+  const [right, down] = isUpright ? [14, 2] : [0, point[1] < MIDDLE ? 15 : -9];
+  return lettered(point[0] + dx + right, point[1] + dy + down, 'distance', 'd', String(longest + 1));
 }
 
 function sumAt([x, y]: Place, [u, v]: Place): string {
@@ -121,15 +139,23 @@ function crossIn({ outline, directions }: Trace, { at: looked }: View): string {
   return `${crosses(directions.field, 6, toPlate)}<g transform="translate(0 ${MIDDLE - SIDE / 2})">${ground}</g><g class="carried present"><path class="back" d="${marked}"/><path class="arms" d="${marked}"/></g>`;
 }
 
-/** A row for each side: the terms of its pieces one behind the other, and their length. */
+/** A row for each side: the terms of its pieces one behind the other, and their length; with four-fold angles its own angle, too. */
 function rowsOf(groups: readonly Straight[], kind: Kind): string {
   return groups
     .map((group, row) => {
       const y = FIRST + row * ROW;
       const name = lettered(16, y + 4, 'segment', 's', numbersOf(group), 'side-name', 'start');
-      return `${name}${chained(group, kind, y)}${text(WIDTH - 14, y + 4, number(lengthOf(sumOf(group, kind)), 3), 'number', 'end')}`;
+      const length = number(lengthOf(sumOf(group, kind)), 3);
+      const [angle, shown] = kind === 'turned' ? [angleOf(group, y + 4), `<tspan data-symbol="weight">${length}</tspan>`] : ['', length];
+      return `${name}${angle}${chained(group, kind, y)}${text(WIDTH - 14, y + 4, shown, 'number', 'end')}`;
     })
     .join('');
+}
+
+/** The angle of a side, from 0 to 360 degrees. */
+function angleOf({ terms: [first] }: Straight, y: number): string {
+  const degrees = first ? (Math.round(degreesOf(vectorOf(first))) + 360) % 360 : 0;
+  return text(ANGLE, y, `${symbol('theta', 'θ')} = ${degrees}°`, 'number', 'start');
 }
 
 function chained(group: Straight, kind: Kind, y: number): string {
