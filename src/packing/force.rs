@@ -10,7 +10,8 @@ use super::shape::{CUT, CellShape};
 use super::transport::{IdentityTransport, ParallelTransport};
 use crate::field::CellKind;
 use crate::order::{greater, lesser};
-use glam::DVec2;
+use glam::{DVec2, Vec2Swizzles};
+use wide::f64x2;
 
 /// Equation (2) in units of k0 / l0: positive repels (w < 1), negative attracts (1 < w < 1.5).
 pub fn bubble_force(w: f64) -> f64 {
@@ -215,22 +216,20 @@ impl Pair {
         let q = local.abs();
         let (x, y) = (greater(q.x, q.y), lesser(q.x, q.y));
         let per_reach = 1.0 / reach;
-        let radial = |x: f64, y: f64| radial_strength(x * x + y * y, per_reach);
-        let (above, below) = (radial(x - half, y - half), radial(x - half, y + half));
-        let mut along = (above + below) * (x - half);
-        let mut across = above * (y - half) + below * (y + half);
+        let ys = f64x2::new([y - half, y + half]);
+        // The force of the two corners at a distance `x` along the first axis.
+        let column = |x: f64| {
+            let strengths = two_strengths(f64x2::splat(x * x) + ys * ys, per_reach);
+            let [above, below] = strengths.to_array();
+            let [near, far] = (strengths * ys).to_array();
+            DVec2::new((above + below) * x, near + far)
+        };
+        let mut sum = column(x - half);
         // The far corners are mostly out of reach.
         if x + half < CUT * reach {
-            let (above, below) = (radial(x + half, y - half), radial(x + half, y + half));
-            along += (above + below) * (x + half);
-            across += above * (y - half) + below * (y + half);
+            sum += column(x + half);
         }
-        let sum = l0
-            * if q.x >= q.y {
-                DVec2::new(along, across)
-            } else {
-                DVec2::new(across, along)
-            };
+        let sum = l0 * if q.x >= q.y { sum } else { sum.yx() };
         DVec2::new(
             if local.x < 0.0 { -sum.x } else { sum.x },
             if local.y < 0.0 { -sum.y } else { sum.y },
@@ -243,17 +242,29 @@ impl Pair {
         let half = 0.5 * size;
         // By symmetry, works in the first quadrant.
         let q = local.abs();
-        let radial = |x: f64, y: f64| {
-            let square = DVec2::new(q.x - x, q.y - y).length_squared();
-            if square < CUT * CUT * reach * reach {
-                bubble_potential(square.sqrt() / reach)
-            } else {
-                0.0
-            }
-        };
-        let front = radial(half, half) + radial(half, -half);
-        l0 * reach * (front + radial(-half, half) + radial(-half, -half))
+        let ys = f64x2::new([q.y - half, q.y + half]);
+        let farthest = CUT * CUT * reach * reach;
+        // The two corners at a distance `x` along the first axis.
+        let column = |x: f64| two_potentials(f64x2::splat(x * x) + ys * ys, reach, farthest);
+        let [above, below] = column(q.x - half);
+        let mut sum = above + below;
+        // The far corners are mostly out of reach.
+        let x = q.x + half;
+        if x * x < farthest {
+            let [above, below] = column(x);
+            sum = sum + above + below;
+        }
+        l0 * reach * sum
     }
+}
+
+/// [`bubble_potential`] at two distances, given squared, over `reach`; zero from the squared distance `farthest` on.
+#[inline(always)]
+fn two_potentials(squares: f64x2, reach: f64, farthest: f64) -> [f64; 2] {
+    let w = squares.sqrt() / f64x2::splat(reach);
+    let is_felt = squares.simd_lt(f64x2::splat(farthest)) & w.simd_lt(f64x2::splat(CUT));
+    let cubic = ((w * 0.3125 - 19.0 / 24.0) * w * w + 1.125) * w - 153.0 / 256.0;
+    (-cubic & is_felt).to_array()
 }
 
 /// The force on the second of two cells of any kinds, `r` from the first, in the first one's frame.
@@ -305,4 +316,13 @@ fn radial_strength(square: f64, per_reach: f64) -> f64 {
     let square = lesser(square * (per_reach * per_reach), CUT * CUT);
     let w = greater(square, f64::MIN_POSITIVE).sqrt();
     (1.25 * square - 2.375 * w + 1.125 / w) * per_reach
+}
+
+/// [`radial_strength`] at two distances, given squared. Compilers vectorise only a part of the scalar code.
+#[inline(always)]
+fn two_strengths(squares: f64x2, per_reach: f64) -> f64x2 {
+    let all = f64x2::splat;
+    let squares = (squares * all(per_reach * per_reach)).fast_min(all(CUT * CUT));
+    let w = squares.fast_max(all(f64::MIN_POSITIVE)).sqrt();
+    (squares * 1.25 - w * 2.375 + all(1.125) / w) * per_reach
 }

@@ -85,23 +85,21 @@ impl<P: Copy> NeighbourList<P> {
     ) {
         self.near.clear();
         let mut near = Vec::new();
-        for (i, body) in bodies.iter().enumerate() {
-            let centre = body.particle.centre;
-            let shape = CellShape::of(&body.particle);
+        let cells = bodies.iter().map(|b| &b.particle);
+        let cells: Vec<_> = cells.map(|p| (p.centre, CellShape::of(p))).collect();
+        for (i, &(centre, shape)) in cells.iter().enumerate() {
             for image in metric.images(centre, reach) {
                 for run in grid.runs_near(image, reach) {
                     let end = firsts[run.end] as usize;
                     let first = (firsts[run.start] as usize).max(i + 1).min(end);
-                    for (other, j) in bodies[first..end].iter().zip(first as u32..) {
-                        let Some((r, turn)) = metric.log_from(image, other.particle.centre, reach)
-                        else {
+                    for (&(there, other), j) in cells[first..end].iter().zip(first..) {
+                        let Some((r, turn)) = metric.log_from(image, there, reach) else {
                             continue;
                         };
-                        let seen = CellShape::of(&other.particle).seen(turn);
-                        if shape.may_touch(&seen, r, (square, margin))
-                            && !is_walled_off(body, other, r, metric)
+                        if shape.may_touch(&other.seen(turn), r, (square, margin))
+                            && !is_walled_off(&bodies[i], &bodies[j], r, metric)
                         {
-                            near.push(j);
+                            near.push(j as u32);
                         }
                     }
                 }
@@ -136,14 +134,16 @@ fn sort_by_bucket<P: Copy>(
     bodies: &mut [MovingParticle<P>],
     grid: &impl SpatialHash<P>,
 ) -> Vec<u32> {
-    let pairs = bodies.iter().map(|b| (grid.bucket(b.particle.centre), *b));
-    let mut sorted = Csr::from_pairs(grid.buckets(), pairs);
+    let buckets = bodies.iter().map(|b| grid.bucket(b.particle.centre));
+    let buckets: Vec<usize> = buckets.collect();
+    // Numbers are sorted, because bodies are large.
+    let mut order = Csr::from_pairs(grid.buckets(), buckets.iter().copied().zip(0..));
     for bucket in 0..grid.buckets() {
-        sorted
-            .row_mut(bucket)
-            .sort_unstable_by_key(|b| b.particle.id);
+        let row = order.row_mut(bucket);
+        row.sort_unstable_by_key(|&k: &u32| bodies[k as usize].particle.id);
     }
-    let (firsts, sorted) = sorted.into_parts();
+    let (firsts, order) = order.into_parts();
+    let sorted: Vec<_> = order.iter().map(|&k| bodies[k as usize]).collect();
     bodies.copy_from_slice(&sorted);
     firsts
 }

@@ -8,7 +8,9 @@ use super::Particle;
 use super::cell_fields::CellFields;
 use super::transport::ParallelTransport;
 use crate::field::CellKind;
+use crate::order::{greater, lesser};
 use glam::DVec2;
+use wide::f64x2;
 
 /// End of the bubble force, in stable distances.
 pub(super) const CUT: f64 = 1.5;
@@ -22,6 +24,8 @@ pub(crate) struct CellShape {
     /// The root of the aspect ratio; 1 if the direction field vanishes, so that there is nothing to stretch
     /// along.
     pub root: f64,
+    /// 1 over the root.
+    per_root: f64,
 }
 
 const EDGES: &[[f64; 2]] = &[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
@@ -125,16 +129,20 @@ impl CellShape {
         }
     }
 
+    #[inline]
     fn new(kind: CellKind, axis: DVec2, size: f64, aspect: f64) -> Self {
         let is_stretched = kind.is_stretched() && axis != DVec2::ZERO;
+        let root = if is_stretched { aspect.sqrt() } else { 1.0 };
         Self {
             kind,
             axis,
             size,
-            root: if is_stretched { aspect.sqrt() } else { 1.0 },
+            root,
+            per_root: if is_stretched { 1.0 / root } else { 1.0 },
         }
     }
 
+    #[inline]
     pub fn of<P>(particle: &Particle<P>) -> Self {
         let &Particle {
             kind,
@@ -157,11 +165,17 @@ impl CellShape {
 
     /// The length of a vector in diameters of the cell along it.
     pub fn cells_along(&self, r: DVec2) -> f64 {
+        self.square_along(r).sqrt() / self.size
+    }
+
+    /// The squared length of a vector in the frame in which the cell is as wide as long.
+    #[inline]
+    fn square_along(&self, r: DVec2) -> f64 {
         if self.root == 1.0 {
-            return r.length() / self.size;
+            return r.length_squared();
         }
         let local = DVec2::new(self.axis.dot(r), self.axis.perp_dot(r));
-        (local * DVec2::new(1.0 / self.root, self.root)).length() / self.size
+        (local * DVec2::new(self.per_root, self.root)).length_squared()
     }
 
     /// Gives it another direction.
@@ -200,11 +214,12 @@ impl CellShape {
         }
         let (x, y) = (self.axis.dot(along).abs(), self.axis.perp_dot(along).abs());
         let support = 0.5 * self.size * (x * self.root + y / self.root);
-        support.min(POKE * round)
+        lesser(support, POKE * round)
     }
 
     /// Whether the forces of two cells could reach each other after they approach by `margin`. A square has the
     /// reach `square`, in stable distances.
+    #[inline]
     pub fn may_touch(&self, other: &CellShape, r: DVec2, (square, margin): (f64, f64)) -> bool {
         let reach = if self.kind.has_corners() || other.kind.has_corners() {
             square
@@ -221,6 +236,7 @@ impl CellShape {
     }
 
     /// Whether their distance is below `w` stable distances.
+    #[inline]
     pub fn is_closer(&self, other: &CellShape, r: DVec2, w: f64) -> bool {
         if self.root == 1.0 && other.root == 1.0 {
             let reach = w * (0.5 * (self.size + other.size));
@@ -232,13 +248,16 @@ impl CellShape {
     /// The distance of two cells over their stable distance: w of eq. (2), by effective distances (Itoh,
     /// Miyata, Shimada 2003, section 5.1). The stable distance is the sum of the two lengths that the cells'
     /// ellipses cut out of the line between the centres.
+    #[inline]
     pub fn normalised_distance(&self, other: &CellShape, r: DVec2) -> f64 {
         if self.root == 1.0 && other.root == 1.0 {
             return r.length() / (0.5 * (self.size + other.size));
         }
-        let (a, b) = (self.cells_along(r), other.cells_along(r));
+        // Both of `cells_along` at once.
+        let squares = f64x2::new([self.square_along(r), other.square_along(r)]);
+        let [a, b] = (squares.sqrt() / f64x2::new([self.size, other.size])).to_array();
         // Each ellipse cuts half a diameter out of the line: 1 / w = 1 / (2 a) + 1 / (2 b).
-        2.0 * a * b / (a + b).max(f64::MIN_POSITIVE)
+        2.0 * a * b / greater(a + b, f64::MIN_POSITIVE)
     }
 }
 

@@ -4,6 +4,7 @@ use super::body::MovingParticle;
 use super::force::{bubble_force, bubble_potential};
 use super::packing_domain::{Boundary, ClosestPoint};
 use super::shape::{CUT, CellShape};
+use crate::order::lesser;
 use glam::DVec2;
 
 /// Strength of a wall relative to a neighbour.
@@ -26,7 +27,7 @@ pub(super) fn wall_force<W: Boundary>(
 ) -> (DVec2, f64) {
     let centre = body.particle.centre;
     let shape = CellShape::of(&body.particle);
-    let reach = reach(shape.length()).min(walls.reach());
+    let reach = lesser(reach(shape.length()), walls.reach());
     if !walls.is_near(centre) {
         return (DVec2::ZERO, reach);
     }
