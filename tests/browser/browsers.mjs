@@ -29,6 +29,9 @@ export const kind = process.env.BROWSER === 'firefox' ? 'firefox' : 'chromium';
  */
 export const sameEverywhere = { skip: kind !== 'chromium' && 'the same scripts work it out in every browser' };
 
+/** The settings of the tests of one kind: all but the first are marked. @param {number} at the place among them */
+export const firstEverywhere = (at) => (at ? sameEverywhere : {});
+
 const chromiumFlags = [
   '--no-sandbox',
   '--disable-gpu',

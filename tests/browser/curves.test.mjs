@@ -207,7 +207,7 @@ test('corners stay corners: straight sides beside a corner stay straight, a poly
   await close();
 });
 
-test('a corner is made round and a corner again, by the keyboard and by its button', async () => {
+test('a corner is made round and a corner again, by the keyboard and by its button', sameEverywhere, async () => {
   const { page, close } = await site.newPage(`${SMALL}&outline=square`);
   await digest(page);
   await look(page);

@@ -118,7 +118,7 @@ test('a line is added, moved, lengthened and removed by the keyboard alone', asy
   await close();
 });
 
-test('a finger moves a point of a line', async () => {
+test('a finger moves a point of a line', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(LINED, { viewport: phone });
   await digest(page);
   await edit(page, 'lines');

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { sameEverywhere } from './browsers.mjs';
+import { firstEverywhere, sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
 import { all, canvas, click, digest, frames, get, phone, reloading, resize, SMALL, tool } from './page.mjs';
 
@@ -66,8 +66,8 @@ const sight = (page) =>
     return { left, top, right, bottom, width, height, free: over?.closest('#frame') !== null };
   });
 
-for (const [device, viewport] of Object.entries({ phone, 'small phone': small, 'upright tablet': tablet, 'phone on its side': lying })) {
-  test(`every slider moves with the picture in sight: ${device}`, async () => {
+for (const [at, [device, viewport]] of Object.entries({ phone, 'small phone': small, 'upright tablet': tablet, 'phone on its side': lying }).entries()) {
+  test(`every slider moves with the picture in sight: ${device}`, firstEverywhere(at), async () => {
     const { page, problems, close } = await site.newPage(SMALL, { viewport });
     await digest(page);
     const { width, height } = viewport;
@@ -95,8 +95,8 @@ for (const [device, viewport] of Object.entries({ phone, 'small phone': small, '
 /** The head's height. @param {Page} page */
 const headHeight = async (page) => (await place(page, '#head')).height;
 
-for (const [kind, screens] of Object.entries(KINDS)) {
-  test(`the head keeps its height when the work is stored, on screens that are ${kind}`, async () => {
+for (const [at, [kind, screens]] of Object.entries(KINDS).entries()) {
+  test(`the head keeps its height when the work is stored, on screens that are ${kind}`, firstEverywhere(at), async () => {
     await onEach('#size=192&cs=16&seed=2', screens, async (page, where) => {
       const word = await page.$('#stored');
       // Text of another size and width stands for the fonts of other machines. The last style is the page's own: large text
@@ -167,7 +167,7 @@ test('a keyboard on the screen leaves the picture and the controls in sight', as
   await close();
 });
 
-for (const [device, viewport] of Object.entries({ phone, 'upright tablet': tablet })) test(`a tool wants the picture large, with its buttons below: ${device}`, async () => {
+for (const [at, [device, viewport]] of Object.entries({ phone, 'upright tablet': tablet }).entries()) test(`a tool wants the picture large, with its buttons below: ${device}`, firstEverywhere(at), async () => {
   const { page, problems, close } = await site.newPage(SMALL, { viewport });
   await digest(page);
   const large = (await sight(page)).width;
@@ -189,8 +189,8 @@ for (const [device, viewport] of Object.entries({ phone, 'upright tablet': table
   await close();
 });
 
-for (const [device, viewport] of Object.entries({ phone, 'upright tablet': tablet })) {
-  test(`language and help come first, presets before tools: ${device}`, async () => {
+for (const [at, [device, viewport]] of Object.entries({ phone, 'upright tablet': tablet }).entries()) {
+  test(`language and help come first, presets before tools: ${device}`, firstEverywhere(at), async () => {
     const { page, close } = await site.newPage(SMALL, { viewport });
     await digest(page);
     const order = ['#about-button', '#canvas', '#rail', '#play', '#edit-tools', '#look-tools', '#caption', '#panel'];
@@ -208,8 +208,8 @@ for (const [device, viewport] of Object.entries({ phone, 'upright tablet': table
   });
 }
 
-for (const [kind, screens] of Object.entries(KINDS)) {
-  test(`tools have words, on screens that are ${kind}`, async () => {
+for (const [at, [kind, screens]] of Object.entries(KINDS).entries()) {
+  test(`tools have words, on screens that are ${kind}`, firstEverywhere(at), async () => {
     await onEach(`${SMALL}&kind=ellipse&lines=0.2,0.5,0.8,0.5`, screens, async (page, where) => {
       if (await page.$eval('#more-tools', (button) => button.getAttribute('aria-expanded') === 'false')) await page.$eval('#more-tools', (button) => button.click());
       const words = await page.$$eval(':is(.edit-tools, .look-tools) .key', (buttons) =>
@@ -264,8 +264,8 @@ const PAGES = {
   dark: { ground: 'rgb(25, 23, 21)', scheme: 'dark', told: ['#191715'], pressed: 'true' },
 };
 
-for (const dark of [false, true]) {
-  test(`the page is as the ${dark ? 'dark' : 'light'} system is, until it is switched`, async () => {
+for (const [at, dark] of [true, false].entries()) {
+  test(`the page is as the ${dark ? 'dark' : 'light'} system is, until it is switched`, firstEverywhere(at), async () => {
     const [own, other] = dark ? [PAGES.dark, PAGES.light] : [PAGES.light, PAGES.dark];
     const { page, problems, close } = await site.newPage(SMALL, { dark });
     await digest(page);

@@ -87,7 +87,7 @@ test('a tap moves the bubble; a finger on its grip moves it and not the page', s
   await close();
 });
 
-test('every handle works by keys, by a press on its slider, and by its box or its buttons', async () => {
+test('every handle works by keys, by a press on its slider, and by its box or its buttons', sameEverywhere, async () => {
   const { page, problems, close } = await chapter();
   for (const name of ['pair', 'let-go', 'not-so', 'exercise']) {
     const figure = await at(page, name);
@@ -231,7 +231,7 @@ test('an address opens the same state in a fresh page, in both languages', async
   }
 });
 
-test('an address that fits no figure, or has no pair, opens what there is', async () => {
+test('an address that fits no figure, or has no pair, opens what there is', sameEverywhere, async () => {
   const { page, problems, close } = await chapter('#fig=none&step=3');
   for (const fragment of ['#fig=pair&kind=square&step=99999', '#fig=pair&given=0.1,0.5,0&step=x&at=y', '']) {
     const figure = await at(page, 'pair');

@@ -67,7 +67,7 @@ test('an outline becomes free when its points are dragged by the mouse', async (
   await close();
 });
 
-test('points are moved, added and removed by the keyboard, and an edge takes a point by double click', async () => {
+test('points are moved, added and removed by the keyboard, and an edge takes a point by double click', sameEverywhere, async () => {
   const { page, close } = await site.newPage(SQUARE);
   await digest(page);
   await page.keyboard.press('e');

@@ -76,6 +76,9 @@ test('every part that is loaded late comes, with its styles', sameEverywhere, as
   await click(page, '#save');
   await click(page, '#save-maps');
   await message(page, 'status', /maps-opengl\.zip is saved/);
+  // The model keeps the few cells of this surface.
+  await page.evaluate((fragment) => (location.hash = fragment), BALL);
+  await page.waitForSelector('.make[data-make=surface][aria-current]');
   await drop(page, 'wedge.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n', '');
   await message(page, 'status', /wedge\.obj is open/);
   // A compared surface is drawn by frames in a canvas of its own.

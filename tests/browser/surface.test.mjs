@@ -52,7 +52,7 @@ test('a surface shows its stones and nothing else, and is not left', sameEverywh
   await close();
 });
 
-test('it is turned while the cells are packed, held, and packed on', async () => {
+test('it is turned while the cells are packed, held, and packed on', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(`${BALL}&pace=0.05`);
   await page.waitForFunction(() => document.documentElement.dataset['stage'] === 'packing');
   await click(page, '#play');

@@ -290,7 +290,7 @@ test('lines, strokes and spots are drawn by dragging', async () => {
   await close();
 });
 
-test('the tools are used by the keyboard alone', async () => {
+test('the tools are used by the keyboard alone', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(SQUARE);
   await digest(page);
   await page.focus('[data-tool=outline]');

@@ -23,7 +23,7 @@ before(async () => {
 
 after(() => site?.close());
 
-test('it is turned by keys, tells where it is seen from, and is no step of the recipe', async () => {
+test('it is turned by keys, tells where it is seen from, and is no step of the recipe', sameEverywhere, async () => {
   const { page, problems, external, close } = await site.newPage(SMALL);
   const planes = await digest(page);
   const recipe = await link(page);
