@@ -162,7 +162,7 @@ test('stops are offered as far as a run was seen', sameEverywhere, async () => {
   await close();
 });
 
-test('each question is answered by doing what it asks', sameEverywhere, async () => {
+test('each question is answered by doing what it asks', async () => {
   const { page, problems, close } = await chapter();
   for (const name of FIGURES) await at(page, name);
   for (const key of ['same', 'falls', 'best', 'quiet']) assert.equal(await answer(page, key), '', key);
@@ -201,7 +201,7 @@ test('each question is answered by doing what it asks', sameEverywhere, async ()
   await close();
 });
 
-test('an address opens the same state in a fresh page, in both languages', sameEverywhere, async () => {
+test('an address opens the same state in a fresh page, in both languages', async () => {
   const one = await chapter();
   const figure = await at(one.page, 'crowd');
   const from = await middle(one.page, corner(figure, 3));

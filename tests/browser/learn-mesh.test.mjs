@@ -104,7 +104,7 @@ test('dual: the layers come one after another, and the cell that is looked at fo
   await close();
 });
 
-test('three: the question is answered after twenty rounds and at rest, beside the marks; a link and start again', sameEverywhere, async () => {
+test('three: the question is answered after twenty rounds and at rest, beside the marks; a link and start again', async () => {
   const { page, problems, close } = await chapter();
   const figure = await at(page, 'three');
   const first = await shown(page, figure);
@@ -196,7 +196,7 @@ test('flip: an edge flips while a point is moved by keys, at the moment when fou
   await other.close();
 });
 
-test('close: two points pushed together make thin triangles, by mouse and by boxes', sameEverywhere, async () => {
+test('close: two points pushed together make thin triangles, by mouse and by boxes', async () => {
   const { page, problems, close } = await chapter();
   const figure = await at(page, 'close');
   const first = await shown(page, figure);

@@ -118,7 +118,7 @@ test('the second square is dropped by mouse, tap and keys, and its ground stays 
   await close();
 });
 
-test('bump: the weight leaves the well where it is, and the radius moves it', sameEverywhere, async () => {
+test('bump: the weight leaves the well where it is, and the radius moves it', async () => {
   const { page, problems, close } = await chapter();
   const figure = await at(page, 'bump');
   const { hash } = await shown(page, figure);
@@ -143,7 +143,7 @@ test('bump: the weight leaves the well where it is, and the radius moves it', sa
   await close();
 });
 
-test('slide: the exercise is done by a square that slides into the left well', sameEverywhere, async () => {
+test('slide: the exercise is done by a square that slides into the left well', async () => {
   const { page, problems, close } = await chapter('', { viewport: phone });
   const figure = await at(page, 'slide');
   for (const [x, y] of [[0.9, 0.6], [-0.9, -0.7]]) {
