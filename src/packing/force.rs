@@ -102,7 +102,7 @@ impl Pair {
 
     /// The frame of two squares.
     #[inline(always)]
-    pub(super) fn squares(axes: (DVec2, DVec2), sizes: (f64, f64), bubbles: CornerBubbles) -> Self {
+    fn squares(axes: (DVec2, DVec2), sizes: (f64, f64), bubbles: CornerBubbles) -> Self {
         Self {
             axis: mean_axis(axes.0, axes.1, 4),
             sizes,
@@ -318,9 +318,9 @@ fn radial_strength(square: f64, per_reach: f64) -> f64 {
     (1.25 * square - 2.375 * w + 1.125 / w) * per_reach
 }
 
-/// [`radial_strength`] at two distances, given squared. Compilers vectorise only a part of the scalar code.
+/// [`radial_strength`] in two lanes. Compilers vectorise only a part of the scalar code.
 #[inline(always)]
-fn two_strengths(squares: f64x2, per_reach: f64) -> f64x2 {
+pub(super) fn two_strengths(squares: f64x2, per_reach: f64) -> f64x2 {
     let all = f64x2::splat;
     let squares = (squares * all(per_reach * per_reach)).fast_min(all(CUT * CUT));
     let w = squares.fast_max(all(f64::MIN_POSITIVE)).sqrt();

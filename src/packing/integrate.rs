@@ -1,17 +1,17 @@
 //! The equation of motion m x'' + c x' = f (Miyata, Itoh, Shimada 2000, eq. 5), with the constants of `physics`.
 
+use super::Integrator;
 use super::body::MovingParticle;
 use super::energy::PairEnergies;
-use super::force::{Pair, force_between};
 use super::neighbour_list::NeighbourList;
 use super::packing_domain::{MetricSpace, PackingDomain};
+use super::pair_forces::{PairData, Touching, forces_on};
 use super::physics::CornerBubbles;
 use super::runge_kutta::RungeKutta;
 use super::shape::CellShape;
 use super::step_rule::StepRule;
 use super::transport::ParallelTransport;
 use super::wall::{stays_clear, wall_force};
-use super::{Integrator, Particle};
 use crate::field::CellKind;
 use crate::order::greater;
 use glam::DVec2;
@@ -75,35 +75,6 @@ impl<P> Default for Motion<P> {
             clear: Vec::new(),
             pair_data: Vec::new(),
             energies: PairEnergies::default(),
-        }
-    }
-}
-
-/// The inputs to the force of most pairs, close together in memory.
-#[derive(Clone, Copy, Debug)]
-struct PairData<P> {
-    centre: P,
-    axis: DVec2,
-    size: f64,
-    /// Two cells do not touch if they are farther apart than the sum of their reaches.
-    reach: f64,
-    is_square: bool,
-}
-
-impl<P: Copy> PairData<P> {
-    /// `square_reach` is in stable distances.
-    fn of(particle: &Particle<P>, square_reach: f64) -> Self {
-        let stretched = particle.kind.is_stretched();
-        Self {
-            centre: particle.centre,
-            axis: particle.axis,
-            size: particle.size,
-            reach: if stretched {
-                f64::INFINITY
-            } else {
-                square_reach * 0.5 * particle.size
-            },
-            is_square: particle.kind == CellKind::Square,
         }
     }
 }
@@ -196,34 +167,18 @@ impl<P: Copy> Motion<P> {
         ground: G,
         (corners, first): (CornerBubbles, bool),
     ) {
-        let mut near_walls = Vec::new();
+        let (mut near_walls, mut touching) = (Vec::new(), Vec::new());
         for (i, body) in these.clone().zip(&bodies[these]) {
-            let (a, a_awake) = (self.pair_data[i], self.awake[i]);
+            self.find_touching(i, ground.metric(), &mut touching);
             let mut total = DVec2::ZERO;
-            for &j in self.list.near.row(i) {
-                let j = j as usize;
-                let b = &self.pair_data[j];
-                if !(a_awake || self.awake[j]) {
-                    continue;
+            for pairs in touching.chunks(2) {
+                let forces = forces_on((i, bodies), pairs, &self.pair_data, corners);
+                for (&(j, _, turn), force) in pairs.iter().zip(forces) {
+                    self.forces[j] += turn.undo(force);
+                    total -= force;
                 }
-                let reach = a.reach + b.reach;
-                let way = ground.metric().log_within(a.centre, b.centre, reach);
-                let Some((r, turn)) = way else {
-                    continue;
-                };
-                if r.length_squared() >= reach * reach {
-                    continue;
-                }
-                let force = if a.is_square && b.is_square {
-                    let axes = (a.axis, turn.apply(b.axis));
-                    Pair::squares(axes, (a.size, b.size), corners).force(r)
-                } else {
-                    force_between(&body.particle, &bodies[j].particle, (r, turn), corners)
-                };
-                self.forces[j] += turn.undo(force);
-                total -= force;
             }
-            if a_awake {
+            if self.awake[i] {
                 let (force, distance) = wall_force(body, ground.walls(), &mut near_walls);
                 total += force;
                 if first {
@@ -231,6 +186,31 @@ impl<P: Copy> Motion<P> {
                 }
             }
             self.forces[i] += total;
+        }
+    }
+
+    /// The later bodies that are within reach of one, if one of both is awake, with their offsets.
+    #[inline(always)]
+    fn find_touching<S: MetricSpace<Place = P>>(
+        &self,
+        i: usize,
+        metric: S,
+        touching: &mut Vec<Touching<S::Transport>>,
+    ) {
+        touching.clear();
+        let (a, a_awake) = (&self.pair_data[i], self.awake[i]);
+        for &j in self.list.near.row(i) {
+            let j = j as usize;
+            if !(a_awake || self.awake[j]) {
+                continue;
+            }
+            let b = &self.pair_data[j];
+            let reach = a.reach + b.reach;
+            if let Some((r, turn)) = metric.log_within(a.centre, b.centre, reach)
+                && r.length_squared() < reach * reach
+            {
+                touching.push((j, r, turn));
+            }
         }
     }
 
