@@ -48,6 +48,32 @@ impl Collapse {
         }
     }
 
+    /// The same without vertices and triangles, with room for some.
+    #[cfg(house)]
+    pub fn with_room(vertices: usize, triangles: usize) -> Self {
+        Self {
+            places: Vec::with_capacity(vertices),
+            next: Vec::with_capacity(3 * triangles),
+            triangles: Vec::with_capacity(triangles),
+            quadrics: Vec::with_capacity(vertices),
+            lists: Vec::with_capacity(vertices),
+            changes: Vec::with_capacity(vertices),
+            edges: BinaryHeap::new(),
+        }
+    }
+
+    /// Adds vertices and triangles.
+    #[cfg(house)]
+    pub fn extend(&mut self, places: impl Iterator<Item = DVec3>, triangles: &[[u32; 3]]) {
+        self.places.extend(places);
+        let count = self.places.len();
+        self.quadrics.resize(count, Quadric::default());
+        self.lists.resize(count, [NONE; 2]);
+        self.changes.resize(count, 0);
+        self.triangles.extend_from_slice(triangles);
+        self.next.resize(3 * self.triangles.len(), NONE);
+    }
+
     /// Adds the plane of a triangle to its corners.
     pub fn weigh(&mut self, t: usize, plane: &Quadric) {
         for (k, v) in self.triangles[t].into_iter().enumerate() {
@@ -99,12 +125,13 @@ impl Collapse {
         Some((ends, self.changed(ends) == changes))
     }
 
-    fn changed(&self, [a, b]: [u32; 2]) -> u32 {
+    /// How often two vertices have changed.
+    pub fn changed(&self, [a, b]: [u32; 2]) -> u32 {
         self.changes[a as usize] + self.changes[b as usize]
     }
 
     /// Drops the removed corners from the list of a vertex.
-    fn tidy(&mut self, v: u32) {
+    pub fn tidy(&mut self, v: u32) {
         let mut at = std::mem::replace(&mut self.lists[v as usize], [NONE; 2])[0];
         while at != NONE {
             let corner = at as usize;
@@ -113,6 +140,12 @@ impl Collapse {
                 self.push(v, corner);
             }
         }
+    }
+
+    /// The number of corners in the list of a vertex, removed ones included.
+    #[cfg(test)]
+    pub fn listed(&self, v: u32) -> usize {
+        self.corners(v).count()
     }
 
     /// The triangles around a vertex.

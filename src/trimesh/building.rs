@@ -98,6 +98,18 @@ impl MeshBuilding {
         })
     }
 
+    /// Does all the work at once.
+    ///
+    /// # Errors
+    /// A fault of the triangles.
+    pub fn finish(mut self) -> Result<TriMesh, MeshFault> {
+        loop {
+            if let Some(mesh) = self.advance() {
+                return mesh;
+            }
+        }
+    }
+
     /// Goes to the next stage; true after the last one.
     fn is_last(&mut self) -> bool {
         self.at = 0;
@@ -229,12 +241,7 @@ impl TriMesh {
     /// # Errors
     /// A fault of the triangles, see [`MeshFault`].
     pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshFault> {
-        let mut building = MeshBuilding::new(positions, triangles);
-        loop {
-            if let Some(mesh) = building.advance() {
-                return mesh;
-            }
-        }
+        MeshBuilding::new(positions, triangles).finish()
     }
 
     /// An empty mesh: the placeholder that a builder keeps when its mesh is taken out.

@@ -6,6 +6,9 @@
 //! ends have no common neighbours but those opposite it: Dey, Edelsbrunner, Guha, Nekhayev 1999) and where no
 //! triangle turns over. Borders stay borders and keep their shape. Edges of equal cost go by number.
 
+mod postponed;
+
+use self::postponed::PostponedEdges;
 use super::{MeshBuilding, NONE, TriMesh};
 use crate::solid::{Collapse, LENGTH, Quadric};
 use glam::DVec3;
@@ -34,6 +37,7 @@ pub struct Simplifying {
     /// Coordinates are relative to the first vertex: sums about a near place lose fewer digits.
     origin: DVec3,
     collapse: Collapse,
+    postponed: PostponedEdges,
     is_border: Vec<bool>,
     /// How many triangles each vertex has.
     degrees: Vec<u32>,
@@ -49,6 +53,7 @@ pub struct Simplifying {
 
 #[derive(Clone, Copy, PartialEq)]
 enum SimplifyingPhase {
+    Copy,
     Weigh,
     Offer,
     Collapse,
@@ -63,14 +68,13 @@ impl Simplifying {
     /// more than about `error`, in its units. `error` may be infinite.
     pub fn new(mesh: impl Into<Arc<TriMesh>>, most: usize, error: f64) -> Self {
         let mesh = mesh.into();
-        let origin = mesh.positions().first().copied().unwrap_or_default();
-        let places = mesh.positions().iter().map(|&p| p - origin);
         Self {
-            origin,
-            collapse: Collapse::new(places.collect(), mesh.triangles().to_vec()),
+            origin: mesh.positions().first().copied().unwrap_or_default(),
+            collapse: Collapse::with_room(mesh.positions().len(), mesh.triangles().len()),
+            postponed: PostponedEdges::default(),
             is_border: vec![false; mesh.positions().len()],
             degrees: vec![0; mesh.positions().len()],
-            stage: SimplifyingPhase::Weigh,
+            stage: SimplifyingPhase::Copy,
             at: 0,
             left: mesh.triangles().len(),
             most,
@@ -85,6 +89,11 @@ impl Simplifying {
         let count = self.collapse.triangles.len();
         let range = self.at..count.min(self.at + SLICE);
         match self.stage {
+            SimplifyingPhase::Copy => {
+                if self.copy() {
+                    (self.stage, self.at) = (SimplifyingPhase::Weigh, 0);
+                }
+            }
             SimplifyingPhase::Weigh => {
                 self.at = range.end;
                 range.for_each(|t| self.weigh(t));
@@ -124,6 +133,18 @@ impl Simplifying {
                 return mesh;
             }
         }
+    }
+
+    /// Copies a slice of the vertices and triangles; true after the last one.
+    fn copy(&mut self) -> bool {
+        let (all, triangles) = (self.mesh.positions(), self.mesh.triangles());
+        let end = self.at + SLICE;
+        let places = &all[self.at.min(all.len())..end.min(all.len())];
+        let places = places.iter().map(|&p| p - self.origin);
+        let some = &triangles[self.at.min(triangles.len())..end.min(triangles.len())];
+        self.collapse.extend(places, some);
+        self.at = end;
+        end >= all.len().max(triangles.len())
     }
 
     /// Adds the plane of a triangle to its corners, and upright planes along the border.
@@ -168,7 +189,7 @@ impl Simplifying {
         }
         let [p, q] = self.corners(ends);
         let cost = sum.at(place).max(0.0) + LENGTH * sum.weight() * (p - q).length_squared();
-        self.collapse.offer(ends, cost);
+        self.postponed.offer(&mut self.collapse, ends, cost);
     }
 
     fn corners<const N: usize>(&self, which: [u32; N]) -> [DVec3; N] {
@@ -206,7 +227,8 @@ impl Simplifying {
             return false;
         }
         let Some((ends, is_current)) = self.collapse.take() else {
-            return false;
+            *left = 0;
+            return self.postponed.refill(&mut self.collapse);
         };
         let degrees = ends.map(|v| self.degrees[v as usize]);
         *left -= 24;
@@ -253,8 +275,12 @@ impl Simplifying {
             return false;
         }
         let beside = self.beside(b);
-        let common = self.beside(a).into_iter().filter(|v| beside.contains(v));
-        let common: Vec<u32> = common.collect();
+        let is_sorted = self.degrees[b as usize] > MANY;
+        let has = |v: &u32| match is_sorted {
+            true => beside.binary_search(v).is_ok(),
+            false => beside.contains(v),
+        };
+        let common: Vec<u32> = self.beside(a).into_iter().filter(has).collect();
         // The collapse takes a triangle from each of these.
         let has_enough =
             |&v: &u32| self.degrees[v as usize] >= if self.is_border[v as usize] { 2 } else { 4 };
@@ -289,6 +315,13 @@ impl Simplifying {
             .for_each(|&v| self.degrees[v as usize] -= 1);
         self.degrees[a as usize] += std::mem::take(&mut self.degrees[b as usize]);
         self.left -= self.collapse.merge(b, a, GONE);
+        // A large fan drops the removed triangles from its list each time that half of its triangles are gone.
+        for &v in shared.iter().flatten().filter(|&&v| v != a && v != b) {
+            let degree = self.degrees[v as usize];
+            if degree >= MANY && degree.is_power_of_two() {
+                self.collapse.tidy(v);
+            }
+        }
         self.collapse.places[a as usize] = place;
         self.is_border[a as usize] |= self.is_border[b as usize];
         for v in self.beside(a) {

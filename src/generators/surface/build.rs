@@ -1,6 +1,7 @@
 //! The first stage: a surface fit for cells of the wanted sizes.
 
 use super::params::{MeshSource, PackingTarget, Sizes, SurfaceParams};
+use super::reduce::{Reducing, leaving_out, without};
 use super::tracing;
 use crate::generators::scene_picture::Loaded;
 use crate::notice::{Code, Notice};
@@ -20,6 +21,8 @@ use std::sync::Arc;
 const VARIES: f64 = 0.6;
 /// If there are more triangles for a cell than this, a simpler surface is packed.
 const PLENTY: f64 = 60.0;
+/// A huge surface is first made coarser, to this many triangles or to [`PLENTY`] for each cell.
+const FEW: usize = 1 << 15;
 /// Triangles for a cell on a simpler surface, before its edges are divided.
 const SIMPLE: f64 = 6.0;
 /// The greatest error of a simpler surface, in sizes of cells.
@@ -56,7 +59,7 @@ pub(super) struct Building {
     step: BuildPhase,
     /// The mean size of cells.
     size: f64,
-    /// The mesh of the file.
+    /// The mesh of the file, or a coarser one in place of a huge one.
     given: Option<Arc<TriMesh>>,
     /// The mesh for stones, if it differs from the current one.
     whole: Option<Arc<TriMesh>>,
@@ -76,9 +79,11 @@ enum BuildPhase {
     Shape(Box<ShapeMaking>),
     ShapeMesh(Box<MeshBuilding>),
     Sides(Box<Siding>),
+    Reduce(Box<Reducing>),
     Simplify(Box<Simplifying>),
     Project(Box<(TriMesh, Search)>),
     Fill(Box<HoleFilling>),
+    LeaveOut(Box<MeshBuilding>),
     Refine(Box<Refining>),
     Size(TriMesh),
     Search(Box<(Arc<TriMesh>, Search)>),
@@ -141,13 +146,26 @@ impl Building {
     /// A far finer surface than the cells need is simplified for their packing.
     fn sided(&mut self, params: &SurfaceParams, mesh: Arc<TriMesh>) -> BuildPhase {
         let count = params.sizes.count;
-        let is_fine = mesh.triangles().len() as f64 > PLENTY * count;
-        self.given = Some(mesh.clone());
+        let plenty = PLENTY * count;
+        let is_fine = mesh.triangles().len() as f64 > plenty;
         if params.on == PackingTarget::Simple || (params.on == PackingTarget::Fit && is_fine) {
+            let most = FEW.max(plenty as usize);
+            if let Some(reducing) = Reducing::begin(&mesh, most, self.size) {
+                return BuildPhase::Reduce(Box::new(reducing));
+            }
+            self.given = Some(mesh.clone());
             return self.simplifying(count, mesh);
         }
-        let mesh = mesh.as_ref().clone();
+        self.given = Some(mesh.clone());
         BuildPhase::Fill(Box::new(HoleFilling::new(mesh, self.size)))
+    }
+
+    /// Goes on with a coarser surface in place of a huge one.
+    fn reduced(&mut self, count: f64, (mesh, notices): (TriMesh, Vec<Notice>)) -> BuildPhase {
+        self.notices.extend(notices);
+        let mesh = Arc::new(mesh);
+        self.given = Some(mesh.clone());
+        self.simplifying(count, mesh)
     }
 
     fn next(&mut self, params: &SurfaceParams, step: BuildPhase) -> Result<BuildPhase, Notice> {
@@ -183,6 +201,10 @@ impl Building {
                     self.sided(params, sided.mesh)
                 }
             },
+            BuildPhase::Reduce(mut reducing) => match reducing.advance() {
+                None => BuildPhase::Reduce(reducing),
+                Some(reduced) => self.reduced(params.sizes.count, reduced),
+            },
             BuildPhase::Simplify(mut simplifying) => match simplifying.advance() {
                 None => BuildPhase::Simplify(simplifying),
                 Some(mesh) => match &self.whole {
@@ -209,9 +231,18 @@ impl Building {
                 Some(filled) => {
                     let filled = filled?;
                     self.notices.extend(filled.notices);
-                    let mesh = without(filled.mesh, &filled.bare);
-                    BuildPhase::Refine(Box::new(self.refining(mesh)))
+                    match leaving_out(&filled.mesh, &filled.bare) {
+                        None => {
+                            let mesh = Arc::unwrap_or_clone(filled.mesh);
+                            BuildPhase::Refine(Box::new(self.refining(mesh)))
+                        }
+                        Some(building) => BuildPhase::LeaveOut(Box::new(building)),
+                    }
                 }
+            },
+            BuildPhase::LeaveOut(mut building) => match building.advance() {
+                None => BuildPhase::LeaveOut(building),
+                Some(mesh) => BuildPhase::Refine(Box::new(self.refining(built(mesh)?))),
             },
             BuildPhase::Refine(mut refining) => match refining.advance(&|_, mean| mean) {
                 None if self.may_simplify() && refining.has_slivers() => {
@@ -327,7 +358,7 @@ impl Building {
                     cuts.iter().any(|cut| cut.has(middle, whole.face_normal(t)))
                 };
                 let bare: Vec<bool> = (0..whole.triangles().len()).map(is_cut).collect();
-                without(whole.as_ref().clone(), &bare)
+                without(&whole, &bare)
             }
             _ => whole.as_ref().clone(),
         };
@@ -427,25 +458,4 @@ fn bones(shape: Shape, numbers: &[f64]) -> Vec<Bone> {
         Bone { points, radii }
     };
     shape.bones(numbers).into_iter().map(open).collect()
-}
-
-/// The mesh without parts that are smaller than a cell.
-fn without(mesh: TriMesh, bare: &[bool]) -> TriMesh {
-    if !bare.contains(&true) {
-        return mesh;
-    }
-    let all = mesh.triangles().iter().zip(bare);
-    let kept: Vec<[u32; 3]> = all.filter(|(_, bare)| !**bare).map(|(t, _)| *t).collect();
-    let mut number = vec![u32::MAX; mesh.positions().len()];
-    let mut positions = Vec::new();
-    let mut renamed = |v: u32| {
-        let own = &mut number[v as usize];
-        if *own == u32::MAX {
-            *own = positions.len() as u32;
-            positions.push(mesh.positions()[v as usize]);
-        }
-        *own
-    };
-    let triangles: Vec<[u32; 3]> = kept.iter().map(|t| t.map(&mut renamed)).collect();
-    TriMesh::new(positions, triangles).unwrap_or(mesh)
 }

@@ -16,6 +16,7 @@ mod paving;
 mod presets;
 #[cfg(test)]
 mod quality;
+mod reduce;
 mod rules;
 mod schema;
 mod stages;

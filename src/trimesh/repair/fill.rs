@@ -4,6 +4,7 @@ use super::super::{MeshBuilding, TriMesh, polygon};
 use super::slice;
 use crate::notice::{Code, Notice};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// A hole is closed if its border is shorter than this many cells.
 const HOLE: f64 = 4.0;
@@ -19,8 +20,8 @@ const CORNERS: usize = 256;
 /// A surface without small holes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Filled {
-    /// The surface: its old vertices and triangles come first, in their order.
-    pub mesh: TriMesh,
+    /// The surface: its old vertices and triangles come first, in their order. It is the given one if no hole is closed.
+    pub mesh: Arc<TriMesh>,
     /// For each triangle, whether its part of the surface is smaller than a cell and therefore has none.
     pub bare: Vec<bool>,
     /// Notices of the changes, and of small parts.
@@ -29,7 +30,7 @@ pub struct Filled {
 
 /// Closes holes of a surface.
 pub struct HoleFilling {
-    mesh: TriMesh,
+    mesh: Arc<TriMesh>,
     size: f64,
     stage: FillingPhase,
     at: usize,
@@ -57,9 +58,9 @@ enum FillingPhase {
 
 impl HoleFilling {
     /// Starts with a surface and the side of a cell of mean size.
-    pub fn new(mesh: TriMesh, size: f64) -> Self {
+    pub fn new(mesh: impl Into<Arc<TriMesh>>, size: f64) -> Self {
         Self {
-            mesh,
+            mesh: mesh.into(),
             size,
             stage: FillingPhase::Parts,
             at: 0,
@@ -116,7 +117,7 @@ impl HoleFilling {
                 let mesh = self.building.as_mut()?.advance()?;
                 // No edge was added where one exists, so this is a mesh.
                 match mesh {
-                    Ok(mesh) => self.mesh = mesh,
+                    Ok(mesh) => self.mesh = Arc::new(mesh),
                     Err(_) => self.filled = 0,
                 }
                 return Some(self.finish());
@@ -223,7 +224,7 @@ impl HoleFilling {
                 .iter()
                 .map(|&part| is_small[part as usize])
                 .collect(),
-            mesh: std::mem::replace(&mut self.mesh, TriMesh::none()),
+            mesh: std::mem::replace(&mut self.mesh, Arc::new(TriMesh::none())),
             notices: told
                 .map(|(code, n)| Notice::new(code).with("n", n))
                 .collect(),

@@ -108,7 +108,7 @@ fn a_fan_takes_time_proportional_to_its_size() {
 }
 
 #[test]
-fn each_vertex_knows_its_number_of_triangles() {
+fn each_vertex_knows_its_triangles_and_few_removed_ones() {
     for soup in [testing::blob(3), testing::disc(500), testing::flat(12)] {
         let full = mesh(soup);
         let vertices = full.positions().len() as u32;
@@ -121,6 +121,11 @@ fn each_vertex_knows_its_number_of_triangles() {
             for v in 0..vertices {
                 let living = work.collapse.living(v).count();
                 assert_eq!(work.degrees[v as usize] as usize, living);
+                let listed = work.collapse.listed(v);
+                assert!(
+                    listed <= (2 * living).max(MANY as usize),
+                    "{listed} {living}"
+                );
             }
         }
         assert!(work.left <= 80, "{}", work.left);

@@ -111,6 +111,26 @@ fn a_fan_of_needles_is_paved_on_a_simpler_surface() {
     assert_eq!(said(6_000), []);
 }
 
+#[test]
+fn a_huge_model_is_made_coarser() {
+    use std::fmt::Write;
+    let said = |squares: usize| {
+        let mut text = String::new();
+        let side = squares + 1;
+        for k in 0..side * side {
+            writeln!(text, "v {} 0 {}", k % side, k / side).expect("text");
+        }
+        for k in (0..squares * side).filter(|k| k % side < squares) {
+            let [a, b, c, d] = [k, k + side, k + side + 1, k + 1].map(|v| v + 1);
+            writeln!(text, "f {a} {b} {c} {d}").expect("text");
+        }
+        let link = "make=surface&form=file&cn=60&size=128";
+        said_of_file(link, ("flat.obj", &text), &["packing", "done"])
+    };
+    assert_eq!(said(255), []);
+    assert_eq!(said(257), [Code::ModelCoarser]);
+}
+
 /// A building by rule with something changed.
 fn changed(rule: Rule, change: impl FnOnce(&mut Draft)) -> Vec<Code> {
     let mut draft = rule.draft(&Module::NORMAL, &[]);
