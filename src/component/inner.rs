@@ -1,13 +1,10 @@
 //! Inner spheres: few balls that fill a component, chosen from its medial balls.
 
-use super::pool::{Inside, Sampling, Sphere, WIDER};
-use crate::order::rank;
+use super::choice::Choice;
+use super::pool::{Inside, Sampling, Sphere};
 use crate::random::{Purpose, Random, SEED};
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-use std::collections::binary_heap::PeekMut;
 use std::sync::Arc;
 
 /// Steps of the search for the largest ball.
@@ -199,14 +196,14 @@ impl InnerMaking {
         let Some(largest) = self.largest else {
             return true;
         };
-        if self.choice.spheres.is_empty() {
+        if self.choice.spheres().is_empty() {
             let places = self.sampling.samples.iter().map(|sample| sample.at);
             self.choice = Choice::new(places.collect(), self.pool.len());
             self.choice.take(largest);
         }
         let tolerance = TOLERANCE * largest.radius;
         for _ in 0..amount {
-            let is_enough = self.choice.spheres.len() >= self.effort.most
+            let is_enough = self.choice.spheres().len() >= self.effort.most
                 || self.choice.greatest() <= tolerance;
             if is_enough || !self.choice.advance(&self.pool) {
                 return true;
@@ -217,112 +214,15 @@ impl InnerMaking {
 
     fn chosen(&mut self) -> Inner {
         let choice = std::mem::take(&mut self.choice);
-        let largest = choice.spheres[0].radius;
-        let sum: f64 = choice.gaps.iter().sum();
+        let largest = choice.spheres()[0].radius;
         Inner {
             beyond: choice.beyond(),
             gaps: Gaps {
                 greatest: choice.greatest() / largest,
-                mean: sum / choice.gaps.len() as f64 / largest,
+                mean: choice.mean() / largest,
             },
-            spheres: choice.spheres,
+            spheres: choice.spheres().to_vec(),
             pool: std::mem::take(&mut self.pool),
         }
     }
-}
-
-/// The rank of an upper bound of a ball's gain, with the ball's number and for how many spheres it was computed. The first
-/// of equally promising balls comes first.
-type BallGain = (u64, Reverse<(u32, u32)>);
-
-/// The greedy choice of balls, by the squares of gaps, so that the greatest gaps shrink first. A ball's gain can only
-/// shrink as others are chosen, so most gains need not be computed again (Minoux 1978, Accelerated
-/// Greedy Algorithms for Maximizing Submodular Set Functions).
-#[derive(Default)]
-struct Choice {
-    places: Vec<DVec3>,
-    /// The gap at each place.
-    gaps: Vec<f64>,
-    spheres: Vec<Sphere>,
-    /// The balls that are left, the most promising first: see [`BallGain`].
-    gains: BinaryHeap<BallGain>,
-}
-
-impl Choice {
-    fn new(places: Vec<DVec3>, balls: usize) -> Self {
-        Self {
-            gaps: vec![f64::INFINITY; places.len()],
-            gains: (0..balls as u32)
-                .map(|ball| (rank(f64::INFINITY), Reverse((ball, 0))))
-                .collect(),
-            places,
-            spheres: Vec::new(),
-        }
-    }
-
-    fn greatest(&self) -> f64 {
-        self.gaps.iter().copied().fold(0.0, f64::max)
-    }
-
-    /// For each sphere the greatest gap at places to which it is the nearest one.
-    fn beyond(&self) -> Vec<f64> {
-        let mut beyond = vec![0.0_f64; self.spheres.len()];
-        for (place, &gap) in self.places.iter().zip(&self.gaps) {
-            let away = |k: &usize| {
-                let sphere = &self.spheres[*k];
-                place.distance(sphere.centre) - sphere.radius
-            };
-            let all = 0..self.spheres.len();
-            let nearest = all.min_by(|a, b| away(a).total_cmp(&away(b)));
-            if let Some(k) = nearest {
-                beyond[k] = beyond[k].max(gap);
-            }
-        }
-        beyond
-    }
-
-    fn take(&mut self, ball: Sphere) {
-        for (gap, place) in self.gaps.iter_mut().zip(&self.places) {
-            let own = place.distance(ball.centre) - ball.radius;
-            *gap = gap.min(own.max(0.0));
-        }
-        self.spheres.push(ball);
-    }
-
-    /// Computes the gain of the most promising ball, or takes it; false if no ball gains anything.
-    fn advance(&mut self, pool: &[Sphere]) -> bool {
-        let known = self.spheres.len() as u32;
-        let Some(mut best) = self.gains.peek_mut().filter(|best| best.0 > rank(0.0)) else {
-            return false;
-        };
-        let (ball, known_at) = best.1.0;
-        if known_at == known {
-            PeekMut::pop(best);
-            self.take(pool[ball as usize]);
-        } else {
-            let gain = gain(&self.gaps, &self.places, &pool[ball as usize]);
-            *best = (rank(gain), Reverse((ball, known)));
-        }
-        true
-    }
-}
-
-/// By how much a ball would reduce the sum of the squares of the gaps.
-fn gain(gaps: &[f64], places: &[DVec3], ball: &Sphere) -> f64 {
-    let pairs = gaps.iter().zip(places);
-    let gains = pairs.map(|(&gap, place)| {
-        let square = place.distance_squared(ball.centre);
-        let reach = (gap + ball.radius) * WIDER;
-        // Most places are far beyond the ball: they need no root.
-        if square > reach * reach {
-            return 0.0;
-        }
-        let own = (square.sqrt() - ball.radius).max(0.0);
-        if own < gap {
-            gap * gap - own * own
-        } else {
-            0.0
-        }
-    });
-    gains.sum()
 }

@@ -10,6 +10,7 @@
 //!
 //! [`OriginalMaking`] and [`VariantMaking`] work in slices. Their results do not depend on the division.
 
+mod choice;
 mod crossing;
 mod fault;
 mod finishes;

@@ -1,5 +1,7 @@
 //! Which part of a line is blocked, as a union of intervals.
 
+use crate::order::{greater, lesser};
+
 /// A union of open intervals, of which only that within the range from `lo` to `hi` matters.
 ///
 /// The union does not depend on the order of adding, not even in its last bit.
@@ -18,6 +20,18 @@ impl Blocked {
         Self { lo, hi, intervals }
     }
 
+    /// The same of a part of the range.
+    pub fn within(&self, (lo, hi): (f64, f64)) -> Self {
+        if (lo, hi) == (self.lo, self.hi) {
+            return self.clone();
+        }
+        let mut part = Self::new(lo, hi);
+        for &(from, to) in &self.intervals {
+            part.add(from, to);
+        }
+        part
+    }
+
     /// Blocks the interval between `from` and `to`.
     pub fn add(&mut self, mut from: f64, mut to: f64) {
         if to <= self.lo || from >= self.hi || from >= to {
@@ -26,8 +40,8 @@ impl Blocked {
         let first = self.intervals.iter().take_while(|i| i.1 < from).count();
         let end = self.intervals.iter().take_while(|i| i.0 <= to).count();
         for &(a, b) in &self.intervals[first..end] {
-            from = from.min(a);
-            to = to.max(b);
+            from = lesser(from, a);
+            to = greater(to, b);
         }
         self.intervals.splice(first..end, [(from, to)]);
     }

@@ -6,6 +6,7 @@ use crate::random::{Purpose, Random};
 use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::DVec3;
+use std::cell::OnceCell;
 use std::cmp::Reverse;
 
 /// Darts thrown on the whole surface first, for each square of the least distance.
@@ -97,6 +98,8 @@ struct Accepted {
     hash: SurfaceHash,
     square: f64,
     spacing: f64,
+    /// The number of the dart that has covered a fragment last. It often covers the next one, too.
+    covering: usize,
 }
 
 impl Darting {
@@ -196,13 +199,14 @@ impl Darting {
         let end = cover.now.len().min(cover.at + amount.max(1));
         for k in cover.at..end {
             let fragment = cover.now[k];
-            if self.accepted.covers(mesh, &fragment) {
+            let corners = fragment.places(mesh);
+            if self.accepted.covers(mesh, &fragment, corners) {
                 continue;
             }
             let weights = fragment.draw(&mut self.random);
             self.accepted
                 .offer(SurfacePoint::new(mesh, fragment.triangle, weights));
-            if fragment.longest(mesh) > SHORTEST * self.spacing {
+            if longest(corners) > SHORTEST * self.spacing {
                 cover.next.extend(fragment.quarters());
             }
         }
@@ -264,17 +268,15 @@ impl Fragment {
         p + a * (q - p) + b * (r - p)
     }
 
-    fn places(&self, mesh: &TriMesh) -> [SurfacePoint; 3] {
+    fn places(&self, mesh: &TriMesh) -> [DVec3; 3] {
+        let corners = mesh.corners(self.triangle);
         self.corners
-            .map(|weights| SurfacePoint::new(mesh, self.triangle, weights))
+            .map(|w| corners[0] * w.x + corners[1] * w.y + corners[2] * w.z)
     }
 
-    fn longest(&self, mesh: &TriMesh) -> f64 {
-        let [a, b, c] = self.places(mesh).map(|p| p.at);
-        a.distance_squared(b)
-            .max(b.distance_squared(c))
-            .max(c.distance_squared(a))
-            .sqrt()
+    fn normals(&self, mesh: &TriMesh) -> [DVec3; 3] {
+        self.corners
+            .map(|weights| mesh.normal_at(self.triangle, weights))
     }
 
     fn quarters(&self) -> [Self; 4] {
@@ -284,6 +286,14 @@ impl Fragment {
     }
 }
 
+/// The longest side of a triangle.
+fn longest([a, b, c]: [DVec3; 3]) -> f64 {
+    a.distance_squared(b)
+        .max(b.distance_squared(c))
+        .max(c.distance_squared(a))
+        .sqrt()
+}
+
 impl Accepted {
     fn new(mesh: &TriMesh, spacing: f64) -> Self {
         Self {
@@ -291,6 +301,7 @@ impl Accepted {
             hash: SurfaceHash::new(mesh.bounds(), spacing),
             square: spacing * spacing,
             spacing,
+            covering: 0,
         }
     }
 
@@ -307,16 +318,27 @@ impl Accepted {
         }
     }
 
-    /// Whether the disk of a single dart covers the fragment.
-    fn covers(&self, mesh: &TriMesh, fragment: &Fragment) -> bool {
-        let corners = fragment.places(mesh);
+    /// Whether the disk of a single dart covers the fragment, which has these corners.
+    fn covers(&mut self, mesh: &TriMesh, fragment: &Fragment, corners: [DVec3; 3]) -> bool {
+        let normals = OnceCell::new();
+        let points = &self.points;
         let reaches = |k: usize| {
-            let dart = &self.points[k];
-            let mut all = corners.iter();
-            all.all(|c| {
-                dart.at.distance_squared(c.at) < self.square && same_side(dart.normal, c.normal)
-            })
+            let dart = &points[k];
+            let is_near = |c: &DVec3| dart.at.distance_squared(*c) < self.square;
+            let normals = || normals.get_or_init(|| fragment.normals(mesh)).iter();
+            corners.iter().all(is_near) && normals().all(|&n| same_side(dart.normal, n))
         };
-        self.hash.any_near(corners[0].at, self.spacing, reaches)
+        if self.covering < points.len() && reaches(self.covering) {
+            return true;
+        }
+        let mut covering = self.covering;
+        let found = self.hash.any_near(corners[0], self.spacing, |k| {
+            covering = k;
+            reaches(k)
+        });
+        if found {
+            self.covering = covering;
+        }
+        found
     }
 }

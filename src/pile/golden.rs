@@ -1,7 +1,9 @@
 //! The paper's own search for a body's place (section 4.2.1 to 4.2.3).
 
+use super::settled::Neighbour;
 use super::{Body, Shape};
 use crate::component::Sphere;
+use crate::order::greater;
 use glam::DVec3;
 
 /// The weight of the way in the cost, for a way as long as the range. The penalty of eq. (1) is lost in our text. This
@@ -19,16 +21,6 @@ pub enum Reading {
     All,
 }
 
-/// A settled body.
-pub struct Neighbour<'a> {
-    /// Its origin.
-    pub place: DVec3,
-    /// R.
-    pub radius: f64,
-    /// Its inner spheres.
-    pub spheres: &'a [Sphere],
-}
-
 impl Neighbour<'_> {
     /// The implicit function of eq. (2) without its offset, in units of R: the depth inside of the nearest sphere,
     /// greater than 0 inside.
@@ -37,7 +29,7 @@ impl Neighbour<'_> {
         self.spheres
             .iter()
             .map(depth)
-            .fold(f64::NEG_INFINITY, f64::max)
+            .fold(f64::NEG_INFINITY, greater)
             / self.radius
     }
 }
@@ -91,12 +83,12 @@ impl<'a> Golden<'a> {
             settled
                 .iter()
                 .map(|s| s.depth(*p + way))
-                .fold(f64::NEG_INFINITY, f64::max)
+                .fold(f64::NEG_INFINITY, greater)
         };
         self.points
             .iter()
             .map(deepest)
-            .fold(f64::NEG_INFINITY, f64::max)
+            .fold(f64::NEG_INFINITY, greater)
             - self.offset
     }
 

@@ -24,7 +24,9 @@ mod layers;
 mod measures;
 mod merge;
 mod refine;
+mod settled;
 mod sliding;
+mod sliding_line;
 mod turn;
 mod walls;
 

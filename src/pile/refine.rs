@@ -1,13 +1,13 @@
 //! The refinement: bodies settle one after the other along the surface's normal (section 4.2).
 
 use super::darts::scan_key;
-use super::golden::{Golden, Neighbour, Reading};
+use super::golden::{Golden, Reading};
+use super::settled::Settled;
 use super::sliding::Sliding;
+use super::sliding_line::SlidingLine;
 use super::{Body, Dart, Fate, Kind, Wall};
-use crate::component::Sphere;
 use crate::order::rank;
 use crate::random::{Purpose, Random};
-use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
@@ -77,23 +77,6 @@ pub struct Refining {
     settled: Settled,
 }
 
-/// The bodies that have settled.
-struct Settled {
-    hash: SurfaceHash,
-    /// The greatest distance of a surface from its body's origin, over all types.
-    reach: f64,
-    bodies: Vec<SettledBody>,
-    spheres: Vec<Sphere>,
-}
-
-struct SettledBody {
-    place: DVec3,
-    bound: f64,
-    radius: f64,
-    /// The range of its spheres.
-    spheres: std::ops::Range<usize>,
-}
-
 impl Refining {
     /// Begins with one body for each dart; `stays` tells which darts are left after merging.
     pub fn new(
@@ -154,6 +137,7 @@ impl Refining {
         let whole = range(mesh, search, &body, kind);
         body.fate = Fate::Walls;
         let mut fits = 0;
+        let mut line = None;
         for _ in 0..WALL_TRIES + self.params.retries as usize {
             body.turn = kind.turn.draw(body.normal, &mut random);
             let Some(range) = self.before_walls(&body, whole) else {
@@ -161,7 +145,7 @@ impl Refining {
             };
             body.range = range;
             body.fate = Fate::Removed;
-            if let Some(t) = self.place(&body) {
+            if let Some(t) = self.place(&body, whole, &mut line) {
                 body.t = t;
                 body.fate = Fate::Kept;
                 break;
@@ -181,11 +165,16 @@ impl Refining {
         }
         let shape = body.shape(&self.kinds);
         let slack = WALL_SLACK * body.radius(&self.kinds);
+        let ball = (body.at, shape.bound * body.scale);
+        let is_free = |wall: &Wall| wall.is_free(ball, body.normal, range);
+        let walls: Vec<&Wall> = self.walls.iter().filter(|wall| !is_free(wall)).collect();
+        if walls.is_empty() {
+            return Some(range);
+        }
         for &point in &shape.points {
             let at = body.at + body.turn * (body.scale * point);
-            for wall in &self.walls {
-                let free = wall.free_range(at, body.normal, slack);
-                range = (range.0.max(free.0), range.1.min(free.1));
+            for wall in &walls {
+                range = wall.narrowed((at, body.normal), slack, range);
             }
             if range.0 > range.1 {
                 return None;
@@ -195,88 +184,51 @@ impl Refining {
         (pushed <= PUSHED * shape.diagonal * body.scale).then_some(range)
     }
 
-    fn place(&self, body: &Body) -> Option<f64> {
-        let near = self
-            .settled
-            .near(body, body.shape(&self.kinds).bound * body.scale);
-        let RefineParams {
-            offset, removal, ..
-        } = self.params;
+    /// Its place in its range. `line` is kept for the next orientation.
+    fn place(&self, body: &Body, whole: (f64, f64), line: &mut Option<SlidingLine>) -> Option<f64> {
         match self.params.method {
             Method::Exact => {
-                let shape = body.shape(&self.kinds);
-                let mut sliding = Sliding::new(body, &shape.spheres, body.radius(&self.kinds));
-                for &k in &near {
-                    let other = &self.settled.bodies[k as usize];
-                    sliding.meet(&self.settled.spheres[other.spheres.clone()], other.radius);
-                }
-                let deeper = || (removal > 0.0).then(|| sliding.free_place(offset + removal));
-                sliding.free_place(offset).or_else(|| deeper().flatten())
+                let line = line.get_or_insert_with(|| self.line(body, whole));
+                self.exact_place(body, line)
             }
             Method::Golden {
                 iterations,
                 reading,
             } => {
-                let settled = near.iter().map(|&k| self.settled.neighbour(k)).collect();
-                let golden = Golden::new(body, body.shape(&self.kinds), settled, offset);
-                golden.place(iterations, reading, removal)
+                let shape = body.shape(&self.kinds);
+                let near = self
+                    .settled
+                    .near(body, shape.bound * body.scale, body.range);
+                let golden = Golden::new(body, shape, near, self.params.offset);
+                golden.place(iterations, reading, self.params.removal)
             }
         }
     }
-}
 
-impl Settled {
-    fn new(mesh: &TriMesh, kinds: &[Kind]) -> Self {
-        let reach = kinds.iter().map(Kind::bound).fold(0.0, f64::max);
-        let (lo, hi) = mesh.bounds();
-        let margin = DVec3::splat(reach);
-        Self {
-            hash: SurfaceHash::new((lo - margin, hi + margin), reach),
-            reach,
-            bodies: Vec::new(),
-            spheres: Vec::new(),
+    fn line(&self, body: &Body, whole: (f64, f64)) -> SlidingLine {
+        let shape = body.shape(&self.kinds);
+        let bound = shape.bound * body.scale;
+        let core = shape.spheres.first().filter(|s| s.centre == DVec3::ZERO);
+        let core = core.map_or(0.0, |s| body.scale * s.radius);
+        let size = (body.radius(&self.kinds), core, bound);
+        SlidingLine::new(body, whole, size, &self.settled.near(body, bound, whole))
+    }
+
+    /// The place at which spheres overlap by at most T, or else by at most T + D.
+    fn exact_place(&self, body: &Body, line: &SlidingLine) -> Option<f64> {
+        let RefineParams {
+            offset, removal, ..
+        } = self.params;
+        let deeper = offset + removal;
+        let may_touch = line.blocked(body.range, offset, 0);
+        let may_overlap = || line.blocked(body.range, deeper, 1);
+        if may_touch.nearest_to_zero().is_none() && may_overlap().nearest_to_zero().is_none() {
+            return None;
         }
-    }
-
-    fn add(&mut self, body: &Body, kinds: &[Kind]) {
-        let first = self.spheres.len();
-        self.spheres.extend(body.spheres(kinds));
-        self.hash.push_at(body.place());
-        self.bodies.push(SettledBody {
-            place: body.place(),
-            bound: body.shape(kinds).bound * body.scale,
-            radius: body.radius(kinds),
-            spheres: first..self.spheres.len(),
-        });
-    }
-
-    /// The settled bodies that a body may meet in its range, in the order in which they settled.
-    fn near(&self, body: &Body, bound: f64) -> Vec<u32> {
-        let (lo, hi) = body.range;
-        let middle = body.at + 0.5 * (lo + hi) * body.normal;
-        let half = 0.5 * (hi - lo);
-        let mut near = Vec::new();
-        self.hash.any_near(middle, half + bound + self.reach, |k| {
-            let other = &self.bodies[k];
-            let away = other.place - middle;
-            let along = away.dot(body.normal).clamp(-half, half);
-            let reach = bound + other.bound;
-            if away.distance_squared(along * body.normal) < reach * reach {
-                near.push(k as u32);
-            }
-            false
-        });
-        near.sort_unstable();
-        near
-    }
-
-    fn neighbour(&self, k: u32) -> Neighbour<'_> {
-        let body = &self.bodies[k as usize];
-        Neighbour {
-            place: body.place,
-            radius: body.radius,
-            spheres: &self.spheres[body.spheres.clone()],
-        }
+        let mut sliding = Sliding::new(line, body, &body.shape(&self.kinds).spheres);
+        let touching = sliding.free_place(offset, may_touch);
+        let mut overlapping = || sliding.free_place(deeper, may_overlap());
+        touching.or_else(|| if removal > 0.0 { overlapping() } else { None })
     }
 }
 

@@ -23,19 +23,51 @@ pub enum Wall {
 }
 
 impl Wall {
+    /// Whether a ball is free all along a part of the line p + t n. The places where it is are convex, so both ends
+    /// decide.
+    pub fn is_free(&self, (p, radius): (DVec3, f64), n: DVec3, range: (f64, f64)) -> bool {
+        [range.0, range.1].iter().all(|&t| {
+            let centre = p + t * n;
+            match *self {
+                Self::Plane { normal, offset } => normal.dot(centre) + radius <= offset,
+                Self::Bowl { lowest, curve } => {
+                    let d = centre - lowest;
+                    let across = (d.x * d.x + d.z * d.z).sqrt() + radius;
+                    curve * across * across + radius <= d.y
+                }
+            }
+        })
+    }
+
     /// The part of the line p + t n that is free, as least and greatest t, and `slack` more. A range whose end is less
     /// than its start is empty.
     pub fn free_range(&self, p: DVec3, n: DVec3, slack: f64) -> (f64, f64) {
-        // The room before the wall is a + b t - c t², with c ≥ 0.
-        let (a, b, c) = match *self {
+        let (a, b, c) = self.room(p, n);
+        roots(a + slack, b, c)
+    }
+
+    /// The part of a range that is free, with a slack above 0.
+    pub fn narrowed(&self, (p, n): (DVec3, DVec3), slack: f64, (lo, hi): (f64, f64)) -> (f64, f64) {
+        let (a, b, c) = self.room(p, n);
+        let is_free = |t: f64| a + (b - c * t) * t >= 0.0;
+        // With the slack, the ends of the free part are clearly beyond those of the range.
+        if is_free(lo) && is_free(hi) {
+            return (lo, hi);
+        }
+        let free = roots(a + slack, b, c);
+        (lo.max(free.0), hi.min(free.1))
+    }
+
+    /// The room before the wall at p + t n: a + b t - c t², with c ≥ 0.
+    fn room(&self, p: DVec3, n: DVec3) -> (f64, f64, f64) {
+        match *self {
             Self::Plane { normal, offset } => (offset - normal.dot(p), -normal.dot(n), 0.0),
             Self::Bowl { lowest, curve } => {
                 let d = p - lowest;
                 let flat = |a: DVec3, b: DVec3| curve * (a.x * b.x + a.z * b.z);
                 (d.y - flat(d, d), n.y - 2.0 * flat(d, n), flat(n, n))
             }
-        };
-        roots(a + slack, b, c)
+        }
     }
 }
 

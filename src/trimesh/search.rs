@@ -5,6 +5,7 @@
 
 use super::sorting::Sorting;
 use super::{NONE, SurfacePoint, TriMesh};
+use crate::order::{greater, lesser};
 use glam::DVec3;
 
 /// Triangles in a leaf.
@@ -361,8 +362,8 @@ impl Search {
                     (lo[k] - from[k]) * inverse[k],
                     (hi[k] - from[k]) * inverse[k],
                 );
-                first = first.max(a.min(b) / SLACK);
-                last = last.min(a.max(b) * SLACK);
+                first = greater(first, lesser(a, b) / SLACK);
+                last = lesser(last, greater(a, b) * SLACK);
             } else if from[k] < lo[k] || from[k] > hi[k] {
                 return f64::INFINITY;
             }

@@ -1,0 +1,183 @@
+//! The greedy choice of inner spheres among medial balls.
+
+use super::pool::Sphere;
+use crate::order::{greater, rank, set_bits};
+use glam::DVec3;
+use std::array::from_fn;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::collections::binary_heap::PeekMut;
+use wide::f32x4;
+
+/// The greatest error of squares in single precision, in units of the body.
+const COARSE: f32 = 1e-4;
+/// Where places are that only fill up four, in units of the body: no ball is near.
+const FAR: DVec3 = DVec3::splat(1e3);
+
+/// The rank of an upper bound of a ball's gain, with the ball's number and for how many spheres it was computed. The first
+/// of equally promising balls comes first.
+type BallGain = (u64, Reverse<(u32, u32)>);
+
+/// The greedy choice of balls, by the squares of gaps, so that the greatest gaps shrink first. A ball's gain can only
+/// shrink as others are chosen, so most gains need not be computed again (Minoux 1978, Accelerated
+/// Greedy Algorithms for Maximizing Submodular Set Functions).
+#[derive(Default)]
+pub(super) struct Choice {
+    gaps: GapPlaces,
+    spheres: Vec<Sphere>,
+    /// The balls that are left, the most promising first: see [`BallGain`].
+    gains: BinaryHeap<BallGain>,
+}
+
+/// Places with the gap at each: its distance from the nearest sphere.
+#[derive(Default)]
+struct GapPlaces {
+    places: Vec<DVec3>,
+    gaps: Vec<f64>,
+    greatest: f64,
+    /// The same four by four, relative to a corner of the body and in units of its longest side.
+    fours: Vec<FourPlaces>,
+    origin: DVec3,
+    unit: f64,
+}
+
+/// Four places with their gaps, in single precision.
+struct FourPlaces {
+    at: [f32x4; 3],
+    gaps: f32x4,
+}
+
+fn four(number: impl Fn(usize) -> f64) -> f32x4 {
+    f32x4::new(from_fn(|k| number(k) as f32))
+}
+
+impl FourPlaces {
+    fn new(places: &[DVec3]) -> Self {
+        let place = |k: usize| places.get(k).copied().unwrap_or(FAR);
+        Self {
+            at: [0, 1, 2].map(|axis| four(|k| place(k)[axis])),
+            gaps: f32x4::ZERO,
+        }
+    }
+
+    /// A bit for each place at which a ball may reduce the gap.
+    fn near(&self, centre: [f32x4; 3], radius: f32x4) -> u32 {
+        let square = |v: f32x4| v * v;
+        let [x, y, z] = from_fn(|axis| square(self.at[axis] - centre[axis]));
+        let room = square(self.gaps + radius) + f32x4::splat(COARSE);
+        (x + y + z).simd_le(room).to_bitmask()
+    }
+}
+
+impl GapPlaces {
+    fn new(places: Vec<DVec3>) -> Self {
+        let wider = |(lo, hi): (DVec3, DVec3), &p: &DVec3| (lo.min(p), hi.max(p));
+        let none = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (origin, high) = places.iter().fold(none, wider);
+        let unit = (high - origin).max_element().max(f64::MIN_POSITIVE);
+        let near: Vec<DVec3> = places.iter().map(|&p| (p - origin) / unit).collect();
+        Self {
+            gaps: vec![f64::INFINITY; places.len()],
+            greatest: f64::INFINITY,
+            fours: near.chunks(4).map(FourPlaces::new).collect(),
+            origin,
+            unit,
+            places,
+        }
+    }
+
+    fn take(&mut self, ball: Sphere) {
+        self.greatest = 0.0;
+        for (gap, place) in self.gaps.iter_mut().zip(&self.places) {
+            let own = place.distance(ball.centre) - ball.radius;
+            *gap = gap.min(own.max(0.0));
+            self.greatest = greater(self.greatest, *gap);
+        }
+        for (four_places, gaps) in self.fours.iter_mut().zip(self.gaps.chunks(4)) {
+            four_places.gaps = four(|k| gaps.get(k).map_or(0.0, |gap| gap / self.unit));
+        }
+    }
+
+    /// By how much a ball would reduce the sum of the squares of the gaps.
+    fn gain(&self, ball: &Sphere) -> f64 {
+        let coarse = |v: f64| f32x4::splat((v / self.unit) as f32);
+        let centre = (ball.centre - self.origin).to_array().map(coarse);
+        let radius = coarse(ball.radius);
+        let mut gain = 0.0;
+        for (first, four) in (0..).step_by(4).zip(&self.fours) {
+            for k in set_bits(four.near(centre, radius)).map(|lane| first + lane) {
+                let gap = self.gaps[k];
+                let own = (self.places[k].distance(ball.centre) - ball.radius).max(0.0);
+                if own < gap {
+                    gain += gap * gap - own * own;
+                }
+            }
+        }
+        gain
+    }
+}
+
+impl Choice {
+    /// Begins to choose among a number of balls, by the gaps at places.
+    pub fn new(places: Vec<DVec3>, balls: usize) -> Self {
+        let unknown = |ball| (rank(f64::INFINITY), Reverse((ball, 0)));
+        Self {
+            gaps: GapPlaces::new(places),
+            gains: (0..balls as u32).map(unknown).collect(),
+            spheres: Vec::new(),
+        }
+    }
+
+    /// The spheres in the order of choice.
+    pub fn spheres(&self) -> &[Sphere] {
+        &self.spheres
+    }
+
+    /// The greatest gap.
+    pub fn greatest(&self) -> f64 {
+        self.gaps.greatest
+    }
+
+    /// The mean gap.
+    pub fn mean(&self) -> f64 {
+        let gaps = &self.gaps.gaps;
+        gaps.iter().sum::<f64>() / gaps.len() as f64
+    }
+
+    /// For each sphere the greatest gap at places to which it is the nearest one.
+    pub fn beyond(&self) -> Vec<f64> {
+        let mut beyond = vec![0.0_f64; self.spheres.len()];
+        for (place, &gap) in self.gaps.places.iter().zip(&self.gaps.gaps) {
+            let away = |sphere: &Sphere| place.distance(sphere.centre) - sphere.radius;
+            let all = self.spheres.iter().map(away).enumerate();
+            let nearest = all.min_by(|a, b| a.1.total_cmp(&b.1));
+            if let Some((k, _)) = nearest {
+                beyond[k] = beyond[k].max(gap);
+            }
+        }
+        beyond
+    }
+
+    /// Takes a ball.
+    pub fn take(&mut self, ball: Sphere) {
+        self.gaps.take(ball);
+        self.spheres.push(ball);
+    }
+
+    /// Computes the gain of the most promising ball, or takes it; false if no ball gains anything.
+    pub fn advance(&mut self, pool: &[Sphere]) -> bool {
+        let known = self.spheres.len() as u32;
+        let Some(mut best) = self.gains.peek_mut().filter(|best| best.0 > rank(0.0)) else {
+            return false;
+        };
+        let (ball, known_at) = best.1.0;
+        if known_at == known {
+            PeekMut::pop(best);
+            self.take(pool[ball as usize]);
+        } else {
+            let gain = self.gaps.gain(&pool[ball as usize]);
+            *best = (rank(gain), Reverse((ball, known)));
+        }
+        true
+    }
+}
