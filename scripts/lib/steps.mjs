@@ -129,34 +129,26 @@ function tool(name, program, args) {
   run(process.execPath, [join(root, 'node_modules', name, program), ...args]);
 }
 
-/** The files that take longest in a browser: each process begins with some of them, so that all end at about the same time. */
-const LONGEST = {
-  chromium: ['learn-pages', 'surface', 'axe', 'pile', 'turn', 'masonry', 'fine', 'controls', 'models', 'film', 'layout', 'import'],
-  firefox: ['layout', 'offline', 'history', 'film', 'learn', 'opening', 'digests', 'tools', 'turn', 'learn-pages', 'learn-many-bubbles', 'fine'],
-};
+// The longest tests start first, so that none of them runs alone at the end.
+const long = ['import', 'axe', 'turn', 'controls', 'surface', 'tools', 'share', 'layout', 'models', 'offline', 'film'].map((name) => `${name}.test.mjs`);
 
 /**
- * The number of processes that share the test files of a browser. Each process starts its own browsers; Firefox has one
- * process at each place, because each setting of the system is a browser of its own, which takes five seconds to start.
+ * The number of processes that share the test files of a browser. Each process starts its own browsers; Firefox has fewer
+ * processes, because it takes five seconds to start.
  */
-const PROCESSES = { chromium: 12, firefox: 3 };
-
-/** Deals files to processes there and back, as the first ones take longest. @param {string[]} files @param {number} count */
-function dealt(files, count) {
-  const place = (/** @type {number} */ at) => (Math.floor(at / count) % 2 ? count - 1 - (at % count) : at % count);
-  return Array.from({ length: count }, (_, k) => files.filter((_, at) => place(at) === k));
-}
+const PROCESSES = { chromium: 12, firefox: 6 };
 
 /** @param {import('./browser.mjs').Kind} kind */
 async function browserTests(kind) {
   const folder = join(root, 'tests', 'browser');
-  const longest = LONGEST[kind].map((name) => `${name}.test.mjs`);
-  const others = readdirSync(folder).filter((file) => file.endsWith('.test.mjs') && !longest.includes(file));
+  const others = readdirSync(folder).filter((file) => file.endsWith('.test.mjs') && !long.includes(file));
   process.env.BROWSER = kind;
   const made = join(targetDir, 'browser-tests');
   rmSync(made, { recursive: true, force: true });
   mkdirSync(made, { recursive: true });
-  const files = dealt([...longest, ...others], PROCESSES[kind]).map((names, k) => {
+  const count = PROCESSES[kind];
+  const bundles = Array.from({ length: count }, (_, k) => [...long, ...others].filter((_, at) => at % count === k));
+  const files = bundles.map((names, k) => {
     const file = join(made, `${kind}-${k}.test.mjs`);
     writeFileSync(file, names.map((name) => `import '${pathToFileURL(join(folder, name)).href}';\n`).join(''));
     return file;

@@ -47,6 +47,8 @@ export async function open({ files = dist, viewport: usual = desk, serve = (aske
     const key = kind === 'firefox' ? JSON.stringify(system) : '';
     const browser = launched.get(key) ?? launch(system);
     launched.set(key, browser);
+    // A start that failed is tried again for the next page, and leaves nothing to close.
+    browser.catch(() => launched.delete(key));
     return (await browser).browser;
   };
   return {

@@ -42,7 +42,7 @@ const parts = [
   { name: 'compare', act: (page) => click(page, '#compare-button'), of: '#divider', styles: { position: 'absolute', marginLeft: '0px' }, close: '#compare-button' },
   { name: 'turn', act: (page) => click(page, '#turn-button'), of: '#sheet[data-turn=fine] .turn', styles: { position: 'absolute' }, close: '#turn-end' },
   { name: 'frame', act: (page) => page.evaluate(() => window.bubblestone.frame()), of: '#sheet', styles: {} },
-  { name: 'keys', act: (page) => click(page, '#keys-button'), of: '#keys', styles: { position: 'fixed' }, close: '#keys form button' },
+  { name: 'keys', act: (page) => click(page, '#keys-button'), of: '#keys[open]', styles: { position: 'fixed' }, close: '#keys form button' },
   { name: 'share', act: (page) => click(page, '#share'), of: '#share-dialog', styles: { position: 'fixed', width: '560px' }, close: '[data-close]' },
   { name: 'save', act: (page) => click(page, '#save'), of: '#save-dialog', styles: { position: 'fixed', width: '560px' }, close: '[data-close]' },
   { name: 'letters', act: (page) => tool(page, 'text'), of: '#text-dialog', styles: { position: 'fixed' }, close: '#leave-letters' },
