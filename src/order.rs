@@ -68,6 +68,16 @@ mod tests {
     }
 
     #[test]
+    fn bits_are_numbered_from_the_lowest() {
+        assert_eq!(set_bits(0b1010_0001).collect::<Vec<_>>(), [0, 5, 7]);
+        assert_eq!(set_bits(0).count(), 0);
+        assert_eq!(
+            set_bits(u32::MAX).collect::<Vec<_>>(),
+            (0..32).collect::<Vec<_>>()
+        );
+    }
+
+    #[test]
     fn equal_items_keep_their_order() {
         let mut items: Vec<(u32, usize)> = (0..100).map(|k| ((k * 37 % 10) as u32, k)).collect();
         let mut wanted = items.clone();

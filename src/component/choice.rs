@@ -181,3 +181,41 @@ impl Choice {
         true
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Purpose, Random};
+
+    #[test]
+    fn a_gain_is_the_sum_over_all_places() {
+        let mut random = Random::new(1, Purpose::Scatter, 0);
+        let mut draw = || DVec3::new(random.unit(), random.unit(), random.unit());
+        // Far from the origin, as places of a file may be.
+        let home = DVec3::splat(5_000.0);
+        let places: Vec<DVec3> = (0..203).map(|_| home + 3.0 * draw()).collect();
+        let mut gaps = GapPlaces::new(places);
+        for _ in 0..20 {
+            let [centre, size] = [draw(), draw()];
+            let ball = Sphere {
+                centre: home + 3.0 * centre,
+                radius: size.x,
+            };
+            let reduced = |(place, gap): (&DVec3, &f64)| {
+                let own = (place.distance(ball.centre) - ball.radius).max(0.0);
+                if own < *gap {
+                    gap * gap - own * own
+                } else {
+                    0.0
+                }
+            };
+            if gaps.greatest < f64::INFINITY {
+                let all: f64 = gaps.places.iter().zip(&gaps.gaps).map(reduced).sum();
+                assert_eq!(gaps.gain(&ball), all);
+            }
+            gaps.take(ball);
+            let greatest = gaps.gaps.iter().copied().fold(0.0, f64::max);
+            assert_eq!(gaps.greatest, greatest);
+        }
+    }
+}

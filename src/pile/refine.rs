@@ -6,7 +6,8 @@ use super::settled::Settled;
 use super::sliding::Sliding;
 use super::sliding_line::SlidingLine;
 use super::{Body, Dart, Fate, Kind, Wall};
-use crate::order::rank;
+use crate::component::Sphere;
+use crate::order::{greater, rank};
 use crate::random::{Purpose, Random};
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
@@ -210,7 +211,9 @@ impl Refining {
         let bound = shape.bound * body.scale;
         let core = shape.spheres.first().filter(|s| s.centre == DVec3::ZERO);
         let core = core.map_or(0.0, |s| body.scale * s.radius);
-        let size = (body.radius(&self.kinds), core, bound);
+        let reach = |s: &Sphere| s.centre.length() + s.radius;
+        let reach = shape.spheres.iter().map(reach).fold(0.0, greater);
+        let size = (body.radius(&self.kinds), core, body.scale * reach);
         SlidingLine::new(body, whole, size, &self.settled.near(body, bound, whole))
     }
 

@@ -110,6 +110,37 @@ mod tests {
     }
 
     #[test]
+    fn a_range_is_narrowed_to_its_free_part() {
+        let walls = [
+            Wall::Plane {
+                normal: DVec3::new(0.6, -0.8, 0.0),
+                offset: 0.5,
+            },
+            Wall::Bowl {
+                lowest: DVec3::new(0.2, -1.5, 0.1),
+                curve: 0.7,
+            },
+        ];
+        let mut all_free = 0;
+        for k in 0..2000 {
+            let mut random = Random::new(7, Purpose::Dart, k);
+            let mut draw = || DVec3::new(random.signed(), random.signed(), random.signed());
+            let (centre, n, beside) = (2.0 * draw(), draw().normalize(), draw());
+            let (p, range) = (centre + 0.3 * beside, (-0.4_f64, 0.5_f64));
+            for wall in &walls {
+                let free = wall.free_range(p, n, 0.05);
+                let wanted = (range.0.max(free.0), range.1.min(free.1));
+                assert_eq!(wall.narrowed((p, n), 0.05, range), wanted);
+                if wall.is_free((centre, 0.3 * beside.length()), n, range) {
+                    assert_eq!(wanted, range, "{centre} {n} {beside}");
+                    all_free += 1;
+                }
+            }
+        }
+        assert!(all_free > 200, "{all_free}");
+    }
+
+    #[test]
     fn a_bowl_is_free_between_its_sides() {
         let bowl = Wall::Bowl {
             lowest: DVec3::new(1.0, -2.0, 0.0),
