@@ -131,7 +131,7 @@ impl<'a> Sliding<'a> {
         Some(best)
     }
 
-    /// A sphere as it is seen from the body at t, in single precision, with its radius less by what is allowed.
+    /// A sphere relative to the body at t, in single precision. The allowed overlap is taken off its radius.
     fn there(&self, other: &Met, allowed: f64, t: f64) -> [f32x4; 4] {
         let Along {
             u,
