@@ -7,7 +7,7 @@ use super::raster::{Corner, PixelGrid};
 use glam::Vec3;
 
 /// Pixels that cost about as much as one triangle.
-const PIXELS: usize = 32;
+pub(super) const PIXELS: usize = 32;
 
 /// A corner in the view and on the screen, and the planes it is outside of.
 #[derive(Clone, Copy)]

@@ -13,6 +13,10 @@ use glam::Vec3;
 
 /// The ratio of the shadow map's side to the side of one of the six maps around a lamp.
 const LAMP_SIDE: usize = 2;
+/// If bodies fill the texels of the shadow maps more often than this, the maps of later samples have fewer texels: the
+/// side is halved, at most [`HALVINGS`] times.
+const MOST_LAYERS: usize = 16;
+const HALVINGS: usize = 2;
 /// The share of the sky's light on the floor under a lamp, which shines at night.
 const NIGHT: f32 = 0.4;
 /// The finish of a scene without materials.
@@ -60,13 +64,13 @@ impl Sharpness {
         }
     }
 
-    /// Shadow maps that are still to be drawn.
-    fn shadows(self, scene: &Scene, lamp: Lamp) -> ShadowMaps {
+    /// Shadow maps that are still to be drawn, with their side halved some times.
+    fn shadows(self, scene: &Scene, lamp: Lamp, halvings: usize) -> ShadowMaps {
         let side = match lamp {
             Lamp::Sun(_) => self.texels(),
             Lamp::Bulb { .. } => self.texels() / LAMP_SIDE,
         };
-        ShadowMaps::new(scene, lamp, side, self == Self::Coarse)
+        ShadowMaps::new(scene, lamp, side >> halvings, self == Self::Coarse)
     }
 }
 
@@ -96,7 +100,7 @@ impl Lighting {
             params: *params,
             finishes: materials.iter().map(finish).collect(),
             tone: Tone::new(),
-            shadows: sharpness.shadows(scene, lamp),
+            shadows: sharpness.shadows(scene, lamp, 0),
             contact: FloorContact::new(scene),
             sharpness,
             is_ready: false,
@@ -105,12 +109,15 @@ impl Lighting {
 
     /// The same with the lamp at another place.
     pub(super) fn with_lamp(&self, scene: &Scene, lamp: Lamp) -> Self {
+        let layers = self.shadows.layers();
+        let is_much = |halvings: &usize| layers >> (2 * halvings) > MOST_LAYERS;
+        let halvings = (0..HALVINGS).take_while(is_much).count();
         let light = Self {
             lamp,
             params: self.params,
             finishes: self.finishes.clone(),
             tone: self.tone.clone(),
-            shadows: self.sharpness.shadows(scene, lamp),
+            shadows: self.sharpness.shadows(scene, lamp, halvings),
             contact: self.contact.clone(),
             sharpness: self.sharpness,
             is_ready: false,
@@ -246,5 +253,79 @@ impl Lighting {
     #[inline(always)]
     pub(super) fn screen(&self, light: Vec3) -> [u8; 3] {
         light.to_array().map(|v| self.tone.screen(v))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Body, Instance, Place};
+    use super::*;
+    use crate::light::Light;
+    use crate::solid::Surface;
+
+    /// Squares above each other.
+    fn pile_of_squares(count: u32) -> Scene {
+        let mut surface = Surface::default();
+        for k in 0..count {
+            let y = k as f32 / 1024.0;
+            for [x, z] in [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]] {
+                surface.positions.push(Vec3::new(x, y, z));
+                surface.normals.push(Vec3::Y);
+                surface.colours.push([128; 3]);
+            }
+            let [a, b, c, d] = [0, 1, 2, 3].map(|corner| 4 * k + corner);
+            surface.triangles.extend([[a, b, c], [a, c, d]]);
+        }
+        Scene {
+            bodies: vec![Body::new(vec![surface], 0)],
+            instances: vec![Instance {
+                body: 0,
+                place: Place::default(),
+                id: 1,
+                paint: None,
+            }],
+            ..Scene::default()
+        }
+    }
+
+    /// The slices of the shadow maps of the first sample, and of one with the lamp at another place.
+    fn slices_of(scene: &Scene) -> [usize; 2] {
+        let params = ShadeParams {
+            light: Light::Parallel {
+                azimuth: 0.0,
+                elevation: 1.5,
+            },
+            ambient: 1.0,
+            diffuse: 1.0,
+            specular: 1.0,
+            shininess: 1.0,
+            shadow: 1.0,
+            occlusion: 1.0,
+        };
+        let up = Lamp::Sun(Vec3::Y);
+        let first = ready(
+            Lighting::new(scene, up, (&params, &[]), Sharpness::Small),
+            scene,
+        );
+        let beside = Lamp::Sun(Vec3::new(0.1, 1.0, 0.0).normalize());
+        let second = ready(first.0.with_lamp(scene, beside), scene);
+        [first.1, second.1]
+    }
+
+    /// Lighting with its shadow maps, and the number of slices of these.
+    fn ready(mut light: Lighting, scene: &Scene) -> (Lighting, usize) {
+        let mut slices = 0;
+        while !light.advance(scene, 20_000) {
+            slices += 1;
+        }
+        (light, slices)
+    }
+
+    #[test]
+    fn later_samples_save_work_where_bodies_cover_each_other_many_times() {
+        let [first, second] = slices_of(&pile_of_squares(20));
+        assert!(second > first / 2, "{first} {second}");
+        let [first, second] = slices_of(&pile_of_squares(100));
+        assert!(second < first / 2, "{first} {second}");
     }
 }

@@ -5,7 +5,7 @@
 //! through which bodies may be seen. A map depends on bodies and light only, so it is kept while the camera moves.
 
 use super::cut::{Cut, Left};
-use super::fill::{Fill, Vertex, some_of};
+use super::fill::{Fill, PIXELS, Vertex, some_of};
 use super::four_pixels::{LANES, four_of};
 use super::raster::Corner;
 use super::visibility::level_of;
@@ -34,6 +34,8 @@ const ROOM: usize = 64;
 struct ShadowMap {
     side: usize,
     way: ShadowProjection,
+    /// The work of filling texels, in triangles.
+    filled: usize,
     /// For each texel how near the first surface is; greater is nearer to the lamp. The lowest number where there is
     /// none.
     near: Vec<f32>,
@@ -91,6 +93,13 @@ impl ShadowMaps {
             at: [0; 3],
             corners: Vec::new(),
         }
+    }
+
+    /// How many times all texels of all maps have been filled, those of tiny triangles left out.
+    pub fn layers(&self) -> usize {
+        let filled: usize = self.maps.iter().map(|map| map.filled).sum();
+        let texels: usize = self.maps.iter().map(|map| map.side * map.side).sum();
+        filled / (texels / PIXELS).max(1)
     }
 
     /// For each texel of [`ShadowMaps::upright`] how near the first surface is, from the middle; the lowest number where
@@ -249,6 +258,7 @@ impl ShadowMap {
         Self {
             side,
             way,
+            filled: 0,
             near: Vec::with_capacity(side * side + LANES - 1),
         }
     }
@@ -486,6 +496,7 @@ impl ShadowMap {
                 }
             })
         });
+        self.filled += drawn - (end - next);
         (work + drawn, (end < surface.triangles.len()).then_some(end))
     }
 }
