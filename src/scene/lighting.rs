@@ -315,7 +315,7 @@ mod tests {
     /// Lighting with its shadow maps, and the number of slices of these.
     fn ready(mut light: Lighting, scene: &Scene) -> (Lighting, usize) {
         let mut slices = 0;
-        while !light.advance(scene, 1000) {
+        while !light.advance(scene, 20_000) {
             slices += 1;
         }
         (light, slices)
