@@ -40,6 +40,7 @@ pub(crate) fn lesser<T: PartialOrd>(a: T, b: T) -> T {
 }
 
 /// The numbers of the bits that are set, from the lowest.
+#[cfg(house)]
 pub(crate) fn set_bits(mut bits: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let bit = bits.trailing_zeros();
@@ -67,6 +68,7 @@ mod tests {
         assert!(numbers.windows(2).all(|w| rank(w[0]) < rank(w[1])));
     }
 
+    #[cfg(house)]
     #[test]
     fn bits_are_numbered_from_the_lowest() {
         assert_eq!(set_bits(0b1010_0001).collect::<Vec<_>>(), [0, 5, 7]);
