@@ -6,7 +6,7 @@
 
 use super::body::MovingParticle;
 use super::force::{force_between, potential_between};
-use super::packing_domain::{Boundary, MetricSpace};
+use super::packing_domain::{Boundary, MetricSpace, PackingDomain};
 use super::run::Run;
 use super::shape::CellShape;
 use super::transport::ParallelTransport;
@@ -49,16 +49,16 @@ impl<P: Copy> Run<P> {
     /// cell's k0, from the last row of the record; computed if there is none.
     pub fn energy<S: MetricSpace<Place = P>>(&mut self, metric: S) -> f64 {
         match self.samples.last() {
-            Some(last) => last.energy,
+            Some(last) => last.energy.pairs,
             None => self.sum_energy(metric),
         }
     }
 
     /// Adds a row to the record if it is due. The record depends on nothing but the run.
-    pub(super) fn sample<S: MetricSpace<Place = P>>(&mut self, metric: S) {
+    pub(super) fn sample<G: PackingDomain<Place = P>>(&mut self, ground: G) {
         let report = self.report;
         if report.cells <= MANY || report.step.is_multiple_of(STRIDE) || report.done {
-            let energy = self.sum_energy(metric);
+            let energy = self.energy_parts(ground.metric(), ground.walls());
             self.samples.push(Sample {
                 step: report.step,
                 energy,

@@ -70,11 +70,11 @@ mod warm_start;
 pub(crate) use grid::Grid;
 pub use history::History;
 pub use measures::{Alignment, NetForce};
-pub use numbers::{CellNumbers, EnergyParts, NeighbourNumbers};
+pub use numbers::{CellNumbers, NeighbourNumbers};
 pub use params::{BoundaryCondition, GivenCell, Integrator, PackingParams, Population, Start};
 pub use physics::{CornerBubbles, Physics};
 pub use placement::Placing;
-pub use report::{PopulationChange, Sample, StepReport};
+pub use report::{EnergyParts, PopulationChange, Sample, StepReport};
 #[cfg(house)]
 pub(crate) use stress::{BEYOND, stress_on};
 pub use stress::{Stress, stress};

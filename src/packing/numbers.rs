@@ -8,7 +8,7 @@ use super::physics::Physics;
 use super::run::Run;
 use super::shape::CellShape;
 use super::wall::{wall_force, wall_potential};
-use super::{Packing, PopulationChange};
+use super::{EnergyParts, Packing, PopulationChange};
 use crate::domain::Domain;
 use crate::hash::Hash;
 use crate::order;
@@ -54,24 +54,6 @@ pub struct NeighbourNumbers {
     pub force: DVec2,
 }
 
-/// The energy of a packing by parts, in units of the mean cell's k0.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct EnergyParts {
-    /// The potentials of all pairs (eq. 4).
-    pub pairs: f64,
-    /// The potentials of the walls.
-    pub walls: f64,
-    /// The kinetic energy m v^2 / 2 of all cells.
-    pub motion: f64,
-}
-
-impl EnergyParts {
-    /// The sum of the parts, which damping alone changes.
-    pub fn sum(&self) -> f64 {
-        self.pairs + self.walls + self.motion
-    }
-}
-
 impl<P: Copy> Run<P> {
     /// The sum of the squared sizes over the number of cells: the mean k0.
     pub(super) fn mean_stiffness(&self) -> f64 {
@@ -81,7 +63,7 @@ impl<P: Copy> Run<P> {
         mean.max(f64::MIN_POSITIVE)
     }
 
-    fn energy_parts<S: MetricSpace<Place = P>, W: Boundary<Place = P>>(
+    pub(super) fn energy_parts<S: MetricSpace<Place = P>, W: Boundary<Place = P>>(
         &mut self,
         metric: S,
         walls: W,

@@ -26,13 +26,31 @@ pub struct StepReport {
     pub converged: bool,
 }
 
+/// The energy of a packing by parts, in units of the mean cell's k0.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EnergyParts {
+    /// The potentials of all pairs (eq. 4).
+    pub pairs: f64,
+    /// The potentials of the walls.
+    pub walls: f64,
+    /// The kinetic energy m v^2 / 2 of all cells.
+    pub motion: f64,
+}
+
+impl EnergyParts {
+    /// The sum of the parts, which damping alone changes.
+    pub fn sum(&self) -> f64 {
+        self.pairs + self.walls + self.motion
+    }
+}
+
 /// One row of a run's record.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     /// Steps made.
     pub step: u32,
-    /// See [`super::Packing::energy`].
-    pub energy: f64,
+    /// The energy of pairs, of walls and of motion.
+    pub energy: EnergyParts,
     /// The largest move of a cell in this step, in its size.
     pub largest_move: f64,
 }

@@ -167,7 +167,7 @@ impl<P: Copy> Run<P> {
         self.report.converged = self.is_small::<G>() && !changed;
         let most = self.params.physics.most_steps;
         self.report.done = self.report.converged || self.report.step >= most;
-        self.sample(ground.metric());
+        self.sample(ground);
         true
     }
 

@@ -47,9 +47,13 @@ pub(super) fn wall_potential<W: Boundary>(
     walls: W,
     near: &mut Vec<W::ClosestPoint>,
 ) -> f64 {
+    let centre = body.particle.centre;
+    if !walls.is_near(centre) {
+        return 0.0;
+    }
     let shape = CellShape::of(&body.particle);
-    let reach = reach(shape.length()).min(walls.reach());
-    walls.closest_points(body.particle.centre, reach, near);
+    let reach = lesser(reach(shape.length()), walls.reach());
+    walls.closest_points(centre, reach, near);
     let potential = |wall: &W::ClosestPoint| {
         let half = shape.half_extent(wall.inward());
         STIFFNESS * 2.0 * half * half * bubble_potential(wall.distance() / half)

@@ -52,7 +52,10 @@ export interface Probe {
 /** The progress of the packing so far: lists of the same length, by increasing steps. */
 export interface Series {
   step: Float64Array;
+  /** The energy of the pairs, of the walls and of motion, in k0 of the mean cell. */
   energy: Float64Array;
+  walls: Float64Array;
+  motion: Float64Array;
   /** The greatest move of the step, in cell sizes. */
   move: Float64Array;
 }
@@ -161,7 +164,9 @@ pub(super) fn series(rows: &[Sample]) -> Object {
     };
     object(&[
         ("step", column(|row| row.step.into())),
-        ("energy", column(|row| row.energy)),
+        ("energy", column(|row| row.energy.pairs)),
+        ("walls", column(|row| row.energy.walls)),
+        ("motion", column(|row| row.energy.motion)),
         ("move", column(|row| row.largest_move)),
     ])
 }

@@ -231,6 +231,7 @@ test('plots follow the packing, in points and in words', sameEverywhere, async (
   const taken = await steps(page);
   assert.ok((await said('plot-energy')).startsWith(`After ${taken} steps`));
   assert.match(await said('plot-size'), /^\d+ % of \d+ cells/);
+  assert.deepEqual(await page.$$eval('#plot-energy .plot-key span', (names) => names.map((name) => name.textContent)), ['sum', 'pairs', 'walls', 'motion']);
   const before = await inked('plot-energy');
   await click(page, '#step');
   await page.waitForFunction(() => window.bubblestone.stage !== 'done' && document.documentElement.dataset.stage === 'packing');

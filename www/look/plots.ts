@@ -24,6 +24,23 @@ interface Drawn {
   readonly said: string;
 }
 
+/** A line of a plot. Several differ by their dashes, too. */
+interface LineStyle {
+  readonly colour: string;
+  readonly dash: number[];
+  readonly width: number;
+}
+
+const LINE: LineStyle = { colour: '--accent', dash: [], width: 1.5 };
+
+/** The energy and its parts, with their names. */
+const ENERGIES: readonly (LineStyle & { readonly word: Word })[] = [
+  { word: 'energy_sum', colour: '--text', dash: [], width: 2 },
+  { word: 'energy_pairs', colour: '--accent', dash: [7, 3], width: 1.5 },
+  { word: 'energy_walls', colour: '--accent', dash: [2, 3], width: 1.5 },
+  { word: 'energy_motion', colour: '--soft', dash: [9, 3, 2, 3], width: 1.5 },
+];
+
 interface Plot {
   readonly place: HTMLElement;
   readonly said: HTMLElement;
@@ -43,11 +60,12 @@ export class Plots {
   constructor(engine: Engine, view: View) {
     this.engine = engine;
     this.plots = [
-      this.plot('plot_energy', lines('axis_step'), () => {
-        const { step, energy } = seriesOf(engine);
-        return { data: [step, energy], said: said('plot_energy_said', step, energy) };
-      }),
-      this.plot('plot_move', lines('axis_step', true), () => {
+      this.plot('plot_energy', lines('axis_step', ENERGIES), () => {
+        const { step, energy, walls, motion } = seriesOf(engine);
+        const sum = energy.map((pairs, k) => pairs + (walls[k] ?? 0) + (motion[k] ?? 0));
+        return { data: [step, sum, energy, walls, motion], said: said('plot_energy_said', step, sum) };
+      }, ENERGIES),
+      this.plot('plot_move', lines('axis_step', [LINE], true), () => {
         const { step, move } = seriesOf(engine);
         return { data: [step, move.map((v) => Math.max(v, 1e-6))], said: said('plot_move_said', step, move) };
       }),
@@ -88,10 +106,10 @@ export class Plots {
     else byId('panel').prepend(this.section);
   }
 
-  private plot(word: Word, make_: Plot['make'], read: Plot['read']): Plot {
+  private plot(word: Word, make_: Plot['make'], read: Plot['read'], named: typeof ENERGIES = []): Plot {
     const place = make('div', { class: 'plot', 'aria-hidden': 'true' });
     const text = make('span', { class: 'plot-said' });
-    this.section.append(make('figure', { id: word.replace('_', '-') }, make('figcaption', {}, make('b', {}, t(word)), ' ', text), place));
+    this.section.append(make('figure', { id: word.replace('_', '-') }, make('figcaption', {}, make('b', {}, t(word)), ' ', text), ...(named.length ? [key(named)] : []), place));
     return { place, said: text, read, make: make_ };
   }
 
@@ -142,7 +160,18 @@ function decades(_: uPlot, marks: number[]): (number | null)[] {
 
 const still = { cursor: { show: false }, legend: { show: false }, height: HEIGHT, padding: [6, 8, 0, 0] as uPlot.Padding };
 
-function lines(word: Word, log = false): Plot['make'] {
+/** The names of lines, each with a piece of its line. */
+function key(lines: typeof ENERGIES): HTMLElement {
+  const pieces = lines.map(({ word, colour: name, dash, width }) => {
+    const piece = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    piece.setAttribute('viewBox', '0 0 26 8');
+    piece.innerHTML = `<path d="M0 4h26" stroke="var(${name})" stroke-width="${width}" stroke-dasharray="${dash.join(' ')}"/>`;
+    return make('span', {}, piece, t(word));
+  });
+  return make('p', { class: 'plot-key' }, ...pieces);
+}
+
+function lines(word: Word, styles: readonly LineStyle[], log = false): Plot['make'] {
   return (width) => ({
     ...still,
     width,
@@ -150,7 +179,7 @@ function lines(word: Word, log = false): Plot['make'] {
     // eslint-disable-next-line @typescript-eslint/no-unsafe-enum-assignment
     scales: { x: { time: false }, y: log ? { distr: 3 } : {} },
     axes: axes(word, log),
-    series: [{}, { stroke: colour('--accent'), width: 1.5, points: { show: false } }],
+    series: [{}, ...styles.map(({ colour: name, dash, width: wide }) => ({ stroke: colour(name), width: wide, dash, points: { show: false } }))],
   });
 }
 
@@ -166,7 +195,8 @@ function bars(word: Word): Plot['make'] {
 
 /** The progress of the packing so far. */
 function seriesOf(engine: Engine): Series {
-  const none = { step: new Float64Array(), energy: new Float64Array(), move: new Float64Array() };
+  const empty = new Float64Array();
+  const none = { step: empty, energy: empty, walls: empty, motion: empty, move: empty };
   return engine.ask((studio) => studio.series(), none);
 }
 
