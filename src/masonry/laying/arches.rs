@@ -188,7 +188,10 @@ impl Site {
         for k in 0..count {
             let ends = [k, k + 1].map(|k| ring.length * k as f64 / count as f64);
             let is_key = is_arc && 2 * k + 1 == count;
-            let top = off + row.length + if is_key { rows.keystone } else { 0.0 };
+            let mut top = off + row.length;
+            if is_key && rows.keystone > 0.0 {
+                top = self.keystone_top(ring, ends, top + rows.keystone);
+            }
             let corners = [
                 (ends[0], off),
                 (ends[1], off),
@@ -213,6 +216,20 @@ impl Site {
             draft.extrude = row.extrude;
             self.place(Feature::Edge(id), node, draft);
         }
+    }
+
+    /// How far from the edge a keystone ends: at the course line nearest to `top`, if it stands upright.
+    fn keystone_top(&self, ring: &RimPiece, ends: [f64; 2], top: f64) -> f64 {
+        let middle = 0.5 * (ends[0] + ends[1]);
+        let up = ring.curve.at(middle, 1.0).y - ring.curve.at(middle, 0.0).y;
+        if up < 0.999 {
+            return top;
+        }
+        let [low, high] = [top, top + 1.0].map(|off| ring.curve.at(ends[0], off).y);
+        let lines = self.plan.grid(ring.wall).t.iter();
+        let steps = lines.map(|line| (line - low) / (high - low));
+        let nearest = |a: f64, b: f64| if b.abs() < a.abs() { b } else { a };
+        top + steps.reduce(nearest).unwrap_or(0.0)
     }
 
     /// The obstacles that a stone of an arch must not overlap. The chord of its inner side lies in the opening, so
