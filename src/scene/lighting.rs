@@ -260,7 +260,6 @@ impl Lighting {
 mod tests {
     use super::super::{Body, Instance, Place};
     use super::*;
-    use crate::light::Light;
     use crate::solid::Surface;
 
     /// Squares above each other.
@@ -290,18 +289,7 @@ mod tests {
 
     /// The slices of the shadow maps of the first sample, and of one with the lamp at another place.
     fn slices_of(scene: &Scene) -> [usize; 2] {
-        let params = ShadeParams {
-            light: Light::Parallel {
-                azimuth: 0.0,
-                elevation: 1.5,
-            },
-            ambient: 1.0,
-            diffuse: 1.0,
-            specular: 1.0,
-            shininess: 1.0,
-            shadow: 1.0,
-            occlusion: 1.0,
-        };
+        let params = ShadeParams::DEFAULT;
         let up = Lamp::Sun(Vec3::Y);
         let first = ready(
             Lighting::new(scene, up, (&params, &[]), Sharpness::Small),

@@ -303,12 +303,7 @@ pub(super) const PARAMS: ShadeParams = ShadeParams {
         azimuth: 3.9,
         elevation: 0.7,
     },
-    ambient: 1.0,
-    diffuse: 1.0,
-    specular: 1.0,
-    shininess: 1.0,
-    shadow: 1.0,
-    occlusion: 1.0,
+    ..ShadeParams::DEFAULT
 };
 
 pub(super) fn sun(x: f32, y: f32, z: f32) -> Lamp {
