@@ -5,8 +5,8 @@ import { kind } from './browsers.mjs';
 export const skip = kind !== 'chromium' && 'only Chromium tells what tasks cost';
 
 /**
- * The longest task on the page's own thread during an action, as a multiple of a fixed task that takes about 50 milliseconds on
- * a common machine. A slow machine needs longer for both. Only processor time counts, so other programs do not matter.
+ * The longest task on the page's own thread during an action, as a multiple of 50 milliseconds, or of the time of a fixed task
+ * if that is longer: a slow machine needs longer for both. Only processor time counts, so other programs do not matter.
  * @param {import('puppeteer-core').Page} page
  * @param {() => Promise<unknown>} act
  */
@@ -21,7 +21,7 @@ export async function longestTask(page, act) {
   const tasks = traceEvents.filter(({ name, ph, pid, tid }) => name.endsWith('RunTask') && ph === 'X' && pid === mark?.pid && tid === mark.tid);
   const measure = tasks.find(({ ts, dur }) => mark && ts <= mark.ts && mark.ts <= ts + dur);
   if (!measure || tasks.length < 20) throw new Error(`Of ${tasks.length} tasks none can be measured.`);
-  return Math.max(...tasks.filter((task) => task !== measure).map(({ tdur = 0 }) => tdur)) / (measure.tdur ?? 0);
+  return Math.max(...tasks.filter((task) => task !== measure).map(({ tdur = 0 }) => tdur)) / Math.max(measure.tdur ?? 0, 50_000);
 }
 
 function yardstick() {
