@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, 
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import * as apt from './apt.mjs';
-import { browsers, findBrowser } from './browser.mjs';
+import { browsers, findBrowser, fonts } from './browser.mjs';
 import { ask, isProgram, root, run, say, Stop, tryRun, which } from './run.mjs';
 import {
   cargoBin,
@@ -227,7 +227,8 @@ export function browser(kind) {
   if (found) return found;
   const named = process.env[variable];
   if (named) throw new Stop(`${variable} names ${named}, which is not a program: name that of ${title}, or unset it.`);
-  if (apt.canInstall()) apt.install(packages);
+  const there = apt.canInstall() ? packages.find((name) => apt.hasPackage(name)) : undefined;
+  if (there) apt.install([there, ...fonts]);
   const installed = findBrowser(kind);
   if (!installed) throw new Stop(`The tests need ${title}: install it, or name its program in ${variable}.`);
   return installed;

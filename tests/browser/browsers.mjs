@@ -50,7 +50,7 @@ const chromiumFlags = [
   '--disable-renderer-backgrounding',
 ];
 
-/** Firefox takes from its preferences the settings that Chromium takes for each page. @param {System} system */
+/** Firefox has the system's settings for all pages at once, and Chromium for each page. @param {System} system */
 const firefoxPreferences = ({ dark, still, touch }) => ({
   'ui.systemUsesDarkTheme': dark ? 1 : 0,
   'ui.prefersReducedMotion': still ? 1 : 0,
@@ -59,7 +59,6 @@ const firefoxPreferences = ({ dark, still, touch }) => ({
   'ui.allPointerCapabilities': touch ? 1 : 6,
   // Scroll bars of a phone take no room.
   'ui.useOverlayScrollbars': touch ? 1 : 0,
-  'dom.events.testing.asyncClipboard': true,
 });
 
 /**
@@ -79,10 +78,9 @@ async function remove(folder) {
 
 /**
  * Starts a browser with an empty profile.
- * @param {System} system only Firefox needs it now
  * @returns {Promise<{ browser: Browser, close: () => Promise<void> }>}
  */
-export async function launch(system) {
+export async function launch() {
   const executablePath = findBrowser(kind);
   if (!executablePath) throw new Error(`No ${browsers[kind].title}: name its program in ${browsers[kind].variable}.`);
   const profile = mkdtempSync(join(tmpdir(), 'bubblestone-browser-'));
@@ -93,7 +91,9 @@ export async function launch(system) {
       userDataDir: profile,
       protocolTimeout: 240_000,
       timeout: 120_000,
-      ...(kind === 'firefox' ? { extraPrefsFirefox: firefoxPreferences(system) } : { args: chromiumFlags }),
+      ...(kind === 'firefox'
+        ? { args: ['--remote-allow-system-access'], extraPrefsFirefox: { 'dom.events.testing.asyncClipboard': true } }
+        : { headless: 'shell', args: chromiumFlags }),
     })
     .catch(async (error) => {
       await remove(profile);
@@ -106,6 +106,20 @@ export async function launch(system) {
       await remove(profile);
     },
   };
+}
+
+/**
+ * Gives all pages of a Firefox other settings of the system: they are preferences, which a script may set that runs in the
+ * browser's own window.
+ * @param {Browser} browser @param {System} system
+ */
+export async function setSystem(browser, system) {
+  /** The connection to Firefox, which this library has for its own use. @type {{ send: (method: string, params: object) => Promise<{ result: any }> }} */
+  const connection = /** @type {any} */ (browser).connection;
+  const { result } = await connection.send('browsingContext.getTree', { 'moz:scope': 'chrome' });
+  const expression = Object.entries(firefoxPreferences(system)).map(([name, value]) => `Services.prefs.setIntPref('${name}', ${value});`).join('');
+  const answer = await connection.send('script.evaluate', { target: { context: result.contexts[0].context }, awaitPromise: false, expression });
+  if (answer.result.type !== 'success') throw new Error(`Firefox refuses the settings of the system: ${JSON.stringify(answer.result)}`);
 }
 
 /** A page in its own context. @param {Browser} browser @param {System} system */

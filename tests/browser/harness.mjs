@@ -7,7 +7,7 @@
 //   await site.close();
 import { fileURLToPath } from 'node:url';
 import { host } from '../../scripts/lib/host.mjs';
-import { allowClipboard, blankPage, kind, launch } from './browsers.mjs';
+import { allowClipboard, blankPage, kind, launch, setSystem } from './browsers.mjs';
 
 /** The window of pages that ask for no other one. */
 export const desk = { width: 1280, height: 800 };
@@ -24,11 +24,51 @@ const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 const folder = '/any/folder/';
 
 /**
- * The browsers that all open sites share: one Chromium, and one Firefox for each setting of the system.
- * @type {Map<string, ReturnType<typeof launch>>}
+ * A browser that has the system's settings of its pages, these settings, and the number of its open pages.
+ * @typedef {{ started: ReturnType<typeof launch>, system: string, pages: number }} Shared
  */
-const launched = new Map();
+
+/**
+ * The browsers that all open sites share. All pages of a Firefox have the same settings of the system, so a page with other
+ * settings needs another Firefox as long as one is open.
+ * @type {Set<Shared>}
+ */
+const launched = new Set();
 let sites = 0;
+
+/**
+ * Opens a page in a browser with these settings.
+ * @template {{ close: () => Promise<void> }} T
+ * @param {import('./browsers.mjs').System} system
+ * @param {(browser: import('puppeteer-core').Browser) => Promise<T>} opened
+ * @returns {Promise<T>}
+ */
+async function sharing(system, opened) {
+  const wanted = kind === 'firefox' ? JSON.stringify(system) : '';
+  const all = [...launched];
+  const shared = all.find((one) => one.system === wanted) ?? all.find((one) => !one.pages) ?? { started: launch(), system: '', pages: 0 };
+  launched.add(shared);
+  shared.pages += 1;
+  if (shared.system !== wanted) {
+    shared.system = wanted;
+    shared.started = shared.started.then(async (one) => {
+      await setSystem(one.browser, system);
+      return one;
+    });
+  }
+  // A start that failed is tried again for the next page, and leaves nothing to close.
+  shared.started.catch(() => launched.delete(shared));
+  const page = await opened((await shared.started).browser);
+  let open = true;
+  return {
+    ...page,
+    close: async () => {
+      await page.close();
+      if (open) shared.pages -= 1;
+      open = false;
+    },
+  };
+}
 
 /**
  * Serves dist/. A browser with an empty profile is started for the first page, and closed with the last site.
@@ -42,15 +82,6 @@ export async function open({ files = dist, viewport: usual = desk, serve = (aske
   const requests = [];
   const { origin, address, stop } = await serve((path) => requests.push(path));
   sites += 1;
-  /** @param {import('./browsers.mjs').System} system */
-  const browserFor = async (system) => {
-    const key = kind === 'firefox' ? JSON.stringify(system) : '';
-    const browser = launched.get(key) ?? launch(system);
-    launched.set(key, browser);
-    // A start that failed is tried again for the next page, and leaves nothing to close.
-    browser.catch(() => launched.delete(key));
-    return (await browser).browser;
-  };
   return {
     origin,
     requests,
@@ -66,7 +97,7 @@ export async function open({ files = dist, viewport: usual = desk, serve = (aske
     newPage: async (fragment = '', options = {}) => {
       const { dark = false, still = false, viewport = usual } = options;
       const system = { dark, still, touch: viewport.hasTouch ?? false };
-      return newPage(await browserFor(system), system, address, fragment, { ...options, viewport });
+      return sharing(system, (browser) => newPage(browser, system, address, fragment, { ...options, viewport }));
     },
     /** @param {import('puppeteer-core').Page} page */
     allowClipboard: (page) => allowClipboard(page, origin),
@@ -74,9 +105,9 @@ export async function open({ files = dist, viewport: usual = desk, serve = (aske
       stop();
       sites -= 1;
       if (sites) return;
-      const browsers = [...launched.values()];
+      const browsers = [...launched];
       launched.clear();
-      for (const browser of browsers) await (await browser).close();
+      for (const { started } of browsers) await (await started).close();
     },
   };
 }
