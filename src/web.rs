@@ -327,14 +327,14 @@ pub fn random_seed() -> u32 {
     getrandom::u32().unwrap_or_else(|_| Date::now() as u64 as u32)
 }
 
-/// The digest of a link's planes, computed in one call; the sentence of the problem if there are none. For
+/// The digest of a link's planes or bodies, computed in one call; the sentence of the problem if there are none. For
 /// programs that compare results between machines.
 #[wasm_bindgen]
 pub fn digest_of_link(link: &str) -> String {
     let (recipe, _) = ALL.recipe(link);
     let mut studio = Studio::new(ALL, recipe);
-    match studio.finish(&mut || 0.0) {
-        Ok(()) => studio.digest(),
+    match studio.form(&mut || 0.0) {
+        Ok(()) => studio.engine().digest(),
         Err(why) => why.to_string(),
     }
 }

@@ -362,9 +362,24 @@ impl Studio {
     ///
     /// The reason why it cannot be made.
     pub fn finish(&mut self, clock: Clock) -> Result<(), Notice> {
+        self.work_before(self.generator.stages.len(), clock)
+    }
+
+    /// Works until the planes or bodies are made, or fails: their picture is not drawn.
+    ///
+    /// # Errors
+    ///
+    /// The reason why they cannot be made.
+    pub fn form(&mut self, clock: Clock) -> Result<(), Notice> {
+        self.work_before(self.last_stage(), clock)
+    }
+
+    /// Does the work of all stages before this one.
+    fn work_before(&mut self, end: usize, clock: Clock) -> Result<(), Notice> {
         self.set_live(false);
-        while self.at_work().is_some() {
-            self.tick(clock, f64::INFINITY, u32::MAX);
+        while self.at_work().is_some_and(|stage| stage < end) {
+            // One slice at a time, so that none of a later stage begins.
+            self.tick(clock, 0.0, u32::MAX);
         }
         let failure = self.engine.failure();
         failure.map_or(Ok(()), |why| Err(why.clone()))

@@ -25,10 +25,7 @@ pub fn finished(link: &str) -> Studio {
 /// The finished bodies of a link without faults, in space; their picture is not drawn.
 pub fn formed(link: &str) -> Studio {
     let mut studio = Studio::new(ALL, recipe(link));
-    while !["light", "done"].contains(&studio.stage()) {
-        assert_eq!(studio.problem(), None, "{link}");
-        studio.tick(&mut || 0.0, 0.0, u32::MAX);
-    }
+    assert_eq!(studio.form(&mut || 0.0), Ok(()), "{link}");
     studio
 }
 

@@ -20,6 +20,8 @@ const LINES: usize = 40;
 struct Solid {
     mesh: TriMesh,
     search: Search,
+    /// The mesh's box.
+    bounds: (DVec3, DVec3),
     points: Vec<DVec3>,
 }
 
@@ -47,6 +49,7 @@ fn solids(engine: &PileEngine) -> Vec<Vec<Solid>> {
         Solid {
             points: points.iter().map(|point| point.at).collect(),
             search: Search::new(&mesh),
+            bounds: mesh.bounds(),
             mesh,
         }
     };
@@ -92,6 +95,11 @@ impl Placed<'_> {
                 continue;
             }
             let local = self.local(at);
+            // No point is deeper in the mesh than in its box.
+            let (low, high) = self.solid.bounds;
+            if (local - low).min(high - local).min_element() * self.scale <= most {
+                continue;
+            }
             let nearest = self.solid.search.closest(&self.solid.mesh, local);
             if nearest.normal.dot(local - nearest.at) < 0.0 {
                 most = most.max(nearest.at.distance(local) * self.scale);
