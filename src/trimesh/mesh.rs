@@ -128,55 +128,6 @@ impl TriMesh {
         first != NONE && self.across[(first / 3) as usize][(first % 3) as usize] == NONE
     }
 
-    /// The borders as closed rings of vertices. Seen from outside, the surface lies on their left.
-    pub fn borders(&self) -> Vec<Vec<u32>> {
-        let mut next: Vec<u32> = vec![NONE; self.positions.len()];
-        for (t, triangle) in self.triangles.iter().enumerate() {
-            for k in 0..3 {
-                if self.across[t][k] == NONE {
-                    next[triangle[k] as usize] = triangle[(k + 1) % 3];
-                }
-            }
-        }
-        let mut rings = Vec::new();
-        for start in 0..next.len() as u32 {
-            let mut ring = Vec::new();
-            let mut at = start;
-            while next[at as usize] != NONE {
-                ring.push(at);
-                at = std::mem::replace(&mut next[at as usize], NONE);
-            }
-            if !ring.is_empty() {
-                rings.push(ring);
-            }
-        }
-        rings
-    }
-
-    /// Connected components over edges: the number of each triangle's component, and how many there are.
-    pub fn parts(&self) -> (Vec<u32>, usize) {
-        let mut part = vec![NONE; self.triangles.len()];
-        let mut count = 0;
-        for start in 0..part.len() {
-            if part[start] != NONE {
-                continue;
-            }
-            let mut open = vec![start as u32];
-            part[start] = count;
-            while let Some(t) = open.pop() {
-                for &edge in &self.across[t as usize] {
-                    let other = edge / 3;
-                    if edge != NONE && part[other as usize] == NONE {
-                        part[other as usize] = count;
-                        open.push(other);
-                    }
-                }
-            }
-            count += 1;
-        }
-        (part, count as usize)
-    }
-
     /// The Euler characteristic: vertices in use, minus edges, plus triangles.
     pub fn euler(&self) -> i64 {
         let vertices = self.first.iter().filter(|&&first| first != NONE).count() as i64;

@@ -18,6 +18,7 @@
 pub(crate) use crate::csr::NONE;
 
 pub(crate) mod adjacency;
+mod borders;
 mod building;
 mod closed;
 pub mod curvature;

@@ -1,6 +1,8 @@
 //! Closes holes that are small beside a cell, and finds parts that are.
 
+use super::super::borders::PartSearch;
 use super::super::{MeshBuilding, TriMesh, polygon};
+use super::loops::{Loop, LoopCutting};
 use super::slice;
 use crate::notice::{Code, Notice};
 use glam::DVec3;
@@ -34,6 +36,8 @@ pub struct HoleFilling {
     size: f64,
     stage: FillingPhase,
     at: usize,
+    parts: PartSearch,
+    cutting: LoopCutting,
     loops: Vec<Loop>,
     /// Pairs of vertices to merge.
     welds: Vec<[u32; 2]>,
@@ -64,6 +68,8 @@ impl HoleFilling {
             size,
             stage: FillingPhase::Parts,
             at: 0,
+            parts: PartSearch::default(),
+            cutting: LoopCutting::default(),
             loops: Vec::new(),
             welds: Vec::new(),
             part: Vec::new(),
@@ -80,9 +86,13 @@ impl HoleFilling {
     pub fn advance(&mut self) -> Option<Result<Filled, Notice>> {
         match self.stage {
             FillingPhase::Parts => {
-                let (part, count) = self.mesh.parts();
-                (self.part, self.areas, self.lengths) = (part, vec![0.0; count], vec![0.0; count]);
-                self.stage = FillingPhase::Areas;
+                if self.parts.advance(&self.mesh) {
+                    let parts = std::mem::take(&mut self.parts);
+                    self.part = parts.part;
+                    self.areas = vec![0.0; parts.count];
+                    self.lengths = vec![0.0; parts.count];
+                    self.stage = FillingPhase::Areas;
+                }
             }
             FillingPhase::Areas => {
                 let count = self.part.len();
@@ -94,8 +104,8 @@ impl HoleFilling {
                 }
             }
             FillingPhase::Rings => {
-                let rings = self.mesh.borders();
-                self.loops = rings.iter().flat_map(|r| loops(&self.mesh, r)).collect();
+                self.loops = self.cutting.advance(&self.mesh)?;
+                self.cutting = LoopCutting::default();
                 self.stage = FillingPhase::Fill;
             }
             FillingPhase::Fill => {
@@ -164,13 +174,17 @@ impl HoleFilling {
             .map(|k| (places[next(k)] - places[k]).length())
             .collect();
         let length: f64 = lengths.iter().sum();
+        // This comes first: the border of a whole part may have as many corners as its file.
+        if length >= HOLE * self.size || ring.len() < 3 {
+            return;
+        }
         let Some((beside, _)) = self.mesh.fan(ring[0]).next() else {
             return;
         };
         let area = 0.5 * polygon::across(&places).length();
         let number = self.part[beside as usize] as usize;
         let part = self.areas[number];
-        if !(length < HOLE * self.size && part > PART * area) || ring.len() < 3 {
+        if part <= PART * area {
             return;
         }
         let may_join = |i: usize, j: usize| !hole.are_joined(&self.mesh, ring[i], ring[j]);
@@ -232,14 +246,6 @@ impl HoleFilling {
     }
 }
 
-/// A piece of a border that ends where it began.
-#[derive(Default)]
-struct Loop {
-    corners: Vec<u32>,
-    /// Pairs of vertices at one place, which are merged when the loop is filled.
-    twins: Vec<[u32; 2]>,
-}
-
 impl Loop {
     /// Whether an edge joins two of the loop's corners or their twins.
     fn are_joined(&self, mesh: &TriMesh, a: u32, b: u32) -> bool {
@@ -249,47 +255,6 @@ impl Loop {
         };
         all(a).any(|a| all(b).any(|b| are_joined(mesh, a, b)))
     }
-}
-
-/// Cuts a ring of the border at places that it passes twice: holes may touch each other or the outer border there.
-fn loops(mesh: &TriMesh, ring: &[u32]) -> Vec<Loop> {
-    // Adding 0 turns -0 into 0.
-    let place = |k: &usize| {
-        let at = mesh.positions()[ring[*k] as usize] + DVec3::ZERO;
-        at.to_array().map(f64::to_bits)
-    };
-    // Sorting by a key that is kept takes a quarter of the time.
-    let mut keyed: Vec<_> = (0..ring.len()).map(|k| (place(&k), k)).collect();
-    keyed.sort_unstable();
-    // For each corner the first one at its place, and where that stands in the list of open ones.
-    let mut first = vec![0; ring.len()];
-    for same in keyed.chunk_by(|a, b| a.0 == b.0) {
-        same.iter().for_each(|&(_, k)| first[k] = same[0].1);
-    }
-    let mut depth = vec![None; ring.len()];
-    let mut open: Vec<(usize, Vec<[u32; 2]>)> = Vec::new();
-    let mut made = Vec::new();
-    for k in 0..ring.len() {
-        let mut twins = Vec::new();
-        if let Some(from) = depth[first[k]] {
-            let closed = open.split_off(from);
-            let pair = [ring[closed[0].0], ring[k]];
-            let inner = closed[1..].iter().flat_map(|(_, twins)| twins);
-            made.push(Loop {
-                corners: closed.iter().map(|&(k, _)| ring[k]).collect(),
-                twins: inner.copied().chain([pair]).collect(),
-            });
-            closed.iter().for_each(|&(k, _)| depth[first[k]] = None);
-            twins.extend(closed[0].1.iter().copied().chain([pair]));
-        }
-        depth[first[k]] = Some(open.len());
-        open.push((k, twins));
-    }
-    made.push(Loop {
-        corners: open.iter().map(|&(k, _)| ring[k]).collect(),
-        twins: open.iter().flat_map(|(_, twins)| twins).copied().collect(),
-    });
-    made
 }
 
 /// The vertex that each of `count` vertices becomes: the least of those that are merged.
@@ -305,7 +270,11 @@ fn welded(count: usize, welds: &[[u32; 2]]) -> Vec<u32> {
         let (a, b) = (root(&into, a), root(&into, b));
         into[a.max(b) as usize] = a.min(b);
     }
-    (0..count as u32).map(|v| root(&into, v)).collect()
+    // A vertex leads to a lesser one, which leads to the least one by now.
+    for v in 0..count {
+        into[v] = into[into[v] as usize];
+    }
+    into
 }
 
 /// Whether an edge joins two vertices.

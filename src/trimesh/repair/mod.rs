@@ -10,6 +10,7 @@ mod checks;
 mod crease;
 mod fill;
 mod link;
+mod loops;
 mod orient;
 mod split;
 mod thin;

@@ -399,6 +399,30 @@ fn a_strip_much_narrower_than_a_cell_stays_bare() {
     assert_eq!(said(&filled.notices), [(Code::MendedHoles, 59 * 59)]);
 }
 
+/// All triangles of these surfaces lie on the border: each pass over its corners is cut into slices.
+#[test]
+fn a_long_border_takes_many_slices() {
+    let length = 1 << 16;
+    let strip = testing::grid(1, length, |u, v| DVec3::new(u, 0.0, -f64::from(length) * v));
+    let dust = testing::apart(&strip);
+    for (raw, borders) in [(strip, 1), (dust, 2 * length as usize)] {
+        let mesh = testing::mesh(raw);
+        assert_eq!(mesh.borders().len(), borders);
+        let count = mesh.triangles().len();
+        let mut filling = HoleFilling::new(mesh, 0.1);
+        let mut slices = 1;
+        let filled = loop {
+            match filling.advance() {
+                Some(filled) => break filled.expect("a surface"),
+                None => slices += 1,
+            }
+        };
+        assert_eq!(filled.notices, []);
+        // Parts, their areas, edges, rings, keys, places and loops.
+        assert!(slices > 7 * (count / SLICE), "{slices} slices");
+    }
+}
+
 #[test]
 fn a_patch_that_is_itself_small_is_not_closed() {
     let (p, t) = testing::flat(3);
