@@ -4,6 +4,9 @@ use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
 
+/// Triangles near one, of which a slice compares as many for each of its amount. Needles have all others near them.
+const NEAR: usize = 400;
+
 /// The crossings found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Crossings {
@@ -22,24 +25,30 @@ pub struct CrossingSearch {
 }
 
 impl CrossingSearch {
-    /// Compares at most `amount` triangles with those near them; returns the crossings after the last one.
+    /// Compares at most `amount` triangles with those near them, fewer where these are many; returns the crossings after
+    /// the last one.
     pub fn advance(&mut self, mesh: &TriMesh, search: &Search, amount: usize) -> Option<Crossings> {
         let count = mesh.triangles().len();
-        let end = count.min(self.at + amount.max(1));
-        for t in self.at..end {
-            self.compare(mesh, search, t as u32);
+        let end = count.min(self.at.saturating_add(amount.max(1)));
+        let most = amount.saturating_mul(NEAR);
+        let mut near = 0;
+        while self.at < end && near <= most {
+            near += self.compare(mesh, search, self.at as u32);
+            self.at += 1;
         }
-        self.at = end;
-        (end == count).then_some(self.found)
+        (self.at == count).then_some(self.found)
     }
 
-    fn compare(&mut self, mesh: &TriMesh, search: &Search, t: u32) {
+    /// Returns how many triangles are near.
+    fn compare(&mut self, mesh: &TriMesh, search: &Search, t: u32) -> usize {
         let corners = mesh.corners(t);
         let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
         let reach = corners.map(|p| p.distance(middle));
         let reach = reach.into_iter().fold(0.0, f64::max);
         let (low, high) = bounds(corners);
+        let mut near = 0;
         search.any_within(middle, reach, |other| {
+            near += 1;
             if other > t {
                 let (l, h) = bounds(mesh.corners(other));
                 let is_near = l.cmple(high).all() && low.cmple(h).all();
@@ -50,6 +59,7 @@ impl CrossingSearch {
             }
             false
         });
+        near
     }
 }
 

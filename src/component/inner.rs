@@ -1,7 +1,7 @@
 //! Inner spheres: few balls that fill a component, chosen from its medial balls.
 
 use super::choice::Choice;
-use super::pool::{Inside, Sampling, Sphere};
+use super::pool::{BallSearch, Inside, Sampling, Sphere};
 use crate::random::{Purpose, Random, SEED};
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
@@ -15,9 +15,8 @@ const SHORTER: f64 = 0.94;
 const TOLERANCE: f64 = 0.05;
 /// The least radius of a sphere, as a share of the diagonal.
 const LEAST: f64 = 1e-4;
-/// Up to this many triangles, a slice finds as many balls as its amount. A search from the middle of a round body
-/// visits all triangles, so larger bodies get fewer balls in a slice.
-const LIGHT: usize = 400;
+/// A slice looks at this many triangles for each ball of its amount.
+const LOOKED_AT: usize = 400;
 
 /// How far the surface lies outside the spheres, in radii of the largest one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -73,6 +72,8 @@ pub(super) struct InnerMaking {
     at: usize,
     pool: Vec<Sphere>,
     largest: Option<Sphere>,
+    /// The ball under work.
+    ball: Option<BallSearch>,
     climb: (f64, Random),
     choice: Choice,
 }
@@ -89,6 +90,7 @@ impl InnerMaking {
             at: 0,
             pool: Vec::new(),
             largest: None,
+            ball: None,
             climb: (0.0, Random::new(SEED, Purpose::Scatter, 0)),
             choice: Choice::default(),
             mesh,
@@ -110,12 +112,12 @@ impl InnerMaking {
                 let done = self.sampling.advance(&self.mesh, amount);
                 done.then_some(InnerPhase::Pool)
             }
-            InnerPhase::Pool => self.fill(self.balls(amount)).then_some(InnerPhase::Climb),
+            InnerPhase::Pool => self.fill(looked_at(amount)).then_some(InnerPhase::Climb),
             InnerPhase::Climb => {
                 if self.largest.is_none() {
                     return Some(None);
                 }
-                self.climb(self.balls(amount)).then_some(InnerPhase::Choose)
+                self.climb(looked_at(amount)).then_some(InnerPhase::Choose)
             }
             InnerPhase::Choose => {
                 if self.choose(amount) {
@@ -130,14 +132,8 @@ impl InnerMaking {
         None
     }
 
-    /// The number of balls to find in a slice.
-    fn balls(&self, amount: usize) -> usize {
-        let share = self.mesh.triangles().len().div_ceil(LIGHT).max(1);
-        (amount / share).max(1)
-    }
-
     /// Finds medial balls; true after the last one.
-    fn fill(&mut self, amount: usize) -> bool {
+    fn fill(&mut self, mut amount: usize) -> bool {
         let inside = Inside {
             mesh: &self.mesh,
             search: &self.search,
@@ -147,15 +143,19 @@ impl InnerMaking {
             Some(known) => known.len(),
             None => self.sampling.samples.len().div_ceil(self.effort.every),
         };
-        let end = count.min(self.at + amount);
-        for k in self.at..end {
-            let ball = match &self.known {
-                Some(known) => inside.ball(known[k]),
-                None => inside.medial(
-                    &self.sampling.samples[k * self.effort.every],
-                    0.5 * self.size,
-                ),
+        while self.at < count {
+            let search = self.ball.get_or_insert_with(|| match &self.known {
+                Some(known) => BallSearch::around(known[self.at]),
+                None => {
+                    let sample = self.sampling.samples[self.at * self.effort.every];
+                    BallSearch::medial(sample, 0.5 * self.size)
+                }
+            });
+            let Some(ball) = search.advance(&inside, &mut amount) else {
+                return false;
             };
+            self.ball = None;
+            self.at += 1;
             let Some(ball) = ball else { continue };
             if self
                 .largest
@@ -166,29 +166,42 @@ impl InnerMaking {
             }
             self.pool.push(ball);
         }
-        self.at = end;
-        end == count
+        true
     }
 
     /// Moves the largest ball to where it can grow; true after the last step.
-    fn climb(&mut self, amount: usize) -> bool {
-        let end = CLIMBS.min(self.at + amount);
+    fn climb(&mut self, mut amount: usize) -> bool {
         let (step, random) = &mut self.climb;
-        for _ in self.at..end {
-            let by = DVec3::from([0; 3].map(|_| random.signed()));
+        while self.at < CLIMBS {
             let Some(best) = &mut self.largest else { break };
             let larger = Inside {
                 mesh: &self.mesh,
                 search: &self.search,
                 least: best.radius,
             };
-            match larger.large_ball(best.centre + *step * by) {
+            if self.ball.is_none() {
+                if amount == 0 {
+                    return false;
+                }
+                let by = DVec3::from([0; 3].map(|_| random.signed()));
+                let centre = best.centre + *step * by;
+                if larger.has_room(centre, &mut amount) {
+                    self.ball = Some(BallSearch::around(centre));
+                }
+            }
+            let found = match &mut self.ball {
+                Some(search) => search.advance(&larger, &mut amount),
+                None => Some(None),
+            };
+            let Some(found) = found else { return false };
+            match found {
                 Some(ball) => *best = ball,
                 None => *step *= SHORTER,
             }
+            self.ball = None;
+            self.at += 1;
         }
-        self.at = end;
-        end == CLIMBS
+        true
     }
 
     /// Chooses spheres; true when there are enough.
@@ -224,5 +237,55 @@ impl InnerMaking {
             spheres: choice.spheres().to_vec(),
             pool: std::mem::take(&mut self.pool),
         }
+    }
+}
+
+/// How many triangles a slice looks at.
+fn looked_at(amount: usize) -> usize {
+    amount.saturating_mul(LOOKED_AT)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trimesh::testing;
+
+    /// In the middle of a ball, all triangles of its surface are about equally near: a slice ends within the search for
+    /// one sphere.
+    #[test]
+    fn a_sphere_in_a_fine_ball_takes_many_slices() {
+        let mesh = Arc::new(testing::mesh(testing::ball(6)));
+        let effort = Effort {
+            samples: 20,
+            every: 1,
+            most: 3,
+        };
+        let made = |amount: usize| {
+            let mut making = InnerMaking::new(mesh.clone(), effort, None);
+            let mut slices = [0; 2];
+            loop {
+                let is_sliced = [InnerPhase::Pool, InnerPhase::Climb].map(|at| at == making.phase);
+                let amount = if is_sliced == [false; 2] {
+                    usize::MAX
+                } else {
+                    amount
+                };
+                for (count, is_its) in slices.iter_mut().zip(is_sliced) {
+                    *count += usize::from(is_its);
+                }
+                if let Some(made) = making.advance(amount) {
+                    break (slices, made.expect("room for spheres"));
+                }
+            }
+        };
+        let (all_at_once, whole) = made(usize::MAX);
+        let (slices, same) = made(1);
+        assert_eq!((whole.pool, whole.spheres), (same.pool, same.spheres));
+        let most = mesh.triangles().len() / LOOKED_AT;
+        assert_eq!(all_at_once, [1, 1]);
+        assert!(
+            slices[0] > 20 * most && slices[1] > most,
+            "{slices:?} {most}"
+        );
     }
 }

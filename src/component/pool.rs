@@ -1,7 +1,7 @@
 //! Medial balls of a closed mesh: the largest balls inside it at many places.
 
 use crate::random::{Purpose, Random};
-use crate::trimesh::search::nearest_in;
+use crate::trimesh::search::{NearestWalk, nearest_in};
 use crate::trimesh::{Search, SurfacePoint, TriMesh};
 use glam::DVec3;
 
@@ -45,19 +45,15 @@ pub(super) struct Inside<'a> {
 }
 
 impl Inside<'_> {
-    /// The largest ball around a point; `None` outside.
-    pub fn ball(&self, centre: DVec3) -> Option<Sphere> {
-        self.ball_at(centre, self.search.closest(self.mesh, centre))
-    }
-
-    /// The same, found faster where many balls are too small.
-    pub fn large_ball(&self, centre: DVec3) -> Option<Sphere> {
+    /// Whether no place is so near to a point that a ball around it is too small. Each triangle that is looked at takes
+    /// one off `amount`.
+    pub fn has_room(&self, centre: DVec3, amount: &mut usize) -> bool {
         let is_near = |t: u32| {
+            *amount = amount.saturating_sub(1);
             let at = nearest_in(self.mesh.corners(t), centre);
             at.distance(centre) * INSIDE <= self.least
         };
-        let is_small = self.search.any_within(centre, self.least * WIDER, is_near);
-        if is_small { None } else { self.ball(centre) }
+        !self.search.any_within(centre, self.least * WIDER, is_near)
     }
 
     fn ball_at(&self, centre: DVec3, nearest: SurfacePoint) -> Option<Sphere> {
@@ -83,37 +79,75 @@ impl Inside<'_> {
         let hit = self.search.ray(self.mesh, centre, along, |_| true)?;
         Some(outward(hit.point.triangle, along) > 0.0)
     }
+}
 
-    /// The medial ball that touches the surface at a sample (Ma, Bae, Choi 2012, 3D Medial Axis Point Approximation
-    /// Using Nearest Neighbors and the Normal Field): a ball there shrinks until nothing is inside. `largest` is the
-    /// radius to begin with.
-    pub fn medial(&self, sample: &SurfaceSample, largest: f64) -> Option<Sphere> {
-        let mut radius = largest;
-        for _ in 0..STEPS {
-            let centre = sample.at - radius * sample.normal;
-            let Some(nearest) = self
-                .search
-                .closest_within(self.mesh, centre, TOUCHES * radius)
-            else {
-                break;
-            };
+/// The search for one ball, which can be cut into slices: in the middle of a round body, each step looks at all
+/// triangles.
+pub(super) struct BallSearch {
+    centre: DVec3,
+    /// The sample that a medial ball touches, and the ball's radius.
+    touched: Option<(SurfaceSample, f64)>,
+    /// How often the ball may still shrink.
+    steps: usize,
+    walk: NearestWalk,
+}
+
+impl BallSearch {
+    /// Starts the search for the largest ball around a point.
+    pub fn around(centre: DVec3) -> Self {
+        Self {
+            centre,
+            touched: None,
+            steps: 0,
+            walk: NearestWalk::new(centre, f64::INFINITY),
+        }
+    }
+
+    /// Starts the search for the medial ball that touches the surface at a sample (Ma, Bae, Choi 2012, 3D Medial Axis
+    /// Point Approximation Using Nearest Neighbors and the Normal Field): a ball there shrinks until nothing is inside.
+    /// `largest` is the radius to begin with.
+    pub fn medial(sample: SurfaceSample, largest: f64) -> Self {
+        let centre = sample.at - largest * sample.normal;
+        Self {
+            centre,
+            touched: Some((sample, largest)),
+            steps: STEPS,
+            walk: NearestWalk::new(centre, TOUCHES * largest),
+        }
+    }
+
+    /// Goes on until `amount` is used up, see [`NearestWalk::advance`]. Returns the ball in the end; `None` in place of
+    /// one that is too small or outside.
+    pub fn advance(&mut self, inside: &Inside, amount: &mut usize) -> Option<Option<Sphere>> {
+        while self.walk.advance(inside.search, inside.mesh, amount) {
+            let nearest = self.walk.found(inside.mesh);
+            if self.steps == 0 {
+                return Some(nearest.and_then(|nearest| inside.ball_at(self.centre, nearest)));
+            }
+            self.shrink(nearest);
+        }
+        None
+    }
+
+    /// Makes the ball as small as the place nearest to its centre wants it, or ends with it.
+    fn shrink(&mut self, nearest: Option<SurfacePoint>) {
+        let Some((sample, radius)) = &mut self.touched else {
+            return;
+        };
+        let smaller = nearest.and_then(|nearest| {
             let off = sample.at - nearest.at;
             let depth = off.dot(sample.normal);
-            if depth <= 0.0 {
-                break;
-            }
             let next = off.length_squared() / (2.0 * depth);
-            if next >= radius {
-                break;
-            }
-            radius = next;
+            (depth > 0.0 && next < *radius).then_some(next)
+        });
+        match smaller {
+            Some(next) => (*radius, self.steps) = (next, self.steps - 1),
+            None => self.steps = 0,
         }
-        let centre = sample.at - radius * sample.normal;
-        // The sample is a place of the surface at this distance.
-        let nearest = self
-            .search
-            .closest_within(self.mesh, centre, radius * WIDER);
-        self.ball_at(centre, nearest?)
+        self.centre = sample.at - *radius * sample.normal;
+        // In the end, the sample is a place of the surface at this distance.
+        let factor = if self.steps == 0 { WIDER } else { TOUCHES };
+        self.walk = NearestWalk::new(self.centre, factor * *radius);
     }
 }
 

@@ -238,6 +238,19 @@ fn slices_do_not_matter() {
     assert_eq!(digest(&made.unwrap()), digest(&variants[0]));
 }
 
+/// Needles from end to end of a tube are all near each other.
+#[test]
+fn needles_are_compared_in_short_slices() {
+    let mesh = testing::mesh(testing::tube(1000, 1));
+    let search = Search::new(&mesh);
+    let mut crossing = CrossingSearch::default();
+    let mut slices = 1;
+    while crossing.advance(&mesh, &search, 100).is_none() {
+        slices += 1;
+    }
+    assert!(slices > 2 * mesh.triangles().len() / 100, "{slices}");
+}
+
 fn soup((positions, triangles): (Vec<DVec3>, Vec<[u32; 3]>)) -> Soup {
     Soup {
         positions,

@@ -110,6 +110,87 @@ impl OpenNodes {
     }
 }
 
+/// A search for the place nearest to a point, which can be cut into slices.
+pub(crate) struct NearestWalk {
+    p: DVec3,
+    open: OpenNodes,
+    best: Found,
+}
+
+impl NearestWalk {
+    /// Starts at a point. Only places nearer than `radius` count.
+    pub fn new(p: DVec3, radius: f64) -> Self {
+        let limit = Found {
+            square: radius * radius,
+            ..Found::NONE
+        };
+        Self::below(p, limit)
+    }
+
+    fn below(p: DVec3, best: Found) -> Self {
+        let open = OpenNodes::new();
+        Self { p, open, best }
+    }
+
+    /// Goes on among all triangles; true at the end. Each box and triangle that is looked at takes one off `amount`, and
+    /// the search pauses when nothing is left of it.
+    pub fn advance(&mut self, search: &Search, mesh: &TriMesh, amount: &mut usize) -> bool {
+        self.pass(search, mesh, amount, |_| true)
+    }
+
+    /// The place, once the search is at its end.
+    pub fn found(&self, mesh: &TriMesh) -> Option<SurfacePoint> {
+        (self.best.triangle != NONE).then(|| self.best.point(mesh))
+    }
+
+    /// The same among the triangles for which `wanted` is true.
+    fn pass(
+        &mut self,
+        search: &Search,
+        mesh: &TriMesh,
+        amount: &mut usize,
+        wanted: impl Fn(u32) -> bool,
+    ) -> bool {
+        let (p, best) = (self.p, &mut self.best);
+        let leaves = search.boxes.len() / 2;
+        while *amount > 0 {
+            let Some((near, node)) = self.open.0.pop() else {
+                return true;
+            };
+            *amount -= 1;
+            if near > best.square * SLACK {
+                continue;
+            }
+            if node < leaves {
+                self.open.split(node, |child| search.square(child, p));
+                continue;
+            }
+            let leaf = search.leaf(node - leaves);
+            *amount = amount.saturating_sub(leaf.len());
+            for &t in leaf.iter().filter(|&&t| wanted(t)) {
+                let corners = mesh.corners(t);
+                // A triangle is no nearer than its plane.
+                let off = p - corners[0];
+                let height = mesh.face_normal(t).dot(off);
+                if height * height > best.square * SLACK + ROUNDING * off.length_squared() {
+                    continue;
+                }
+                let weights = nearest_weights(corners, p);
+                let at = corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z;
+                let square = at.distance_squared(p);
+                if square < best.square || (square == best.square && t < best.triangle) {
+                    *best = Found {
+                        square,
+                        triangle: t,
+                        weights,
+                    };
+                }
+            }
+        }
+        self.open.0.is_empty()
+    }
+}
+
 const NOTHING: (DVec3, DVec3) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
 
 impl Search {
@@ -212,16 +293,6 @@ impl Search {
         self.nearest(mesh, p, Found::NONE, |_| true).point(mesh)
     }
 
-    /// The same if it is nearer than `radius`, found faster.
-    pub fn closest_within(&self, mesh: &TriMesh, p: DVec3, radius: f64) -> Option<SurfacePoint> {
-        let limit = Found {
-            square: radius * radius,
-            ..Found::NONE
-        };
-        let found = self.nearest(mesh, p, limit, |_| true);
-        (found.triangle != NONE).then(|| found.point(mesh))
-    }
-
     /// The nearest place among triangles that face the same side as `normal`, unless all of them are much farther
     /// away. So a point stays on its side of a thin sheet. A zero normal allows all triangles.
     pub fn closest_facing(&self, mesh: &TriMesh, p: DVec3, normal: DVec3) -> SurfacePoint {
@@ -244,40 +315,12 @@ impl Search {
         &self,
         mesh: &TriMesh,
         p: DVec3,
-        mut best: Found,
+        best: Found,
         wanted: impl Fn(u32) -> bool,
     ) -> Found {
-        let mut open = OpenNodes::new();
-        let leaves = self.boxes.len() / 2;
-        while let Some((near, node)) = open.0.pop() {
-            if near > best.square * SLACK {
-                continue;
-            }
-            if node < leaves {
-                open.split(node, |child| self.square(child, p));
-                continue;
-            }
-            for &t in self.leaf(node - leaves).iter().filter(|&&t| wanted(t)) {
-                let corners = mesh.corners(t);
-                // A triangle is no nearer than its plane.
-                let off = p - corners[0];
-                let height = mesh.face_normal(t).dot(off);
-                if height * height > best.square * SLACK + ROUNDING * off.length_squared() {
-                    continue;
-                }
-                let weights = nearest_weights(corners, p);
-                let at = corners[0] * weights.x + corners[1] * weights.y + corners[2] * weights.z;
-                let square = at.distance_squared(p);
-                if square < best.square || (square == best.square && t < best.triangle) {
-                    best = Found {
-                        square,
-                        triangle: t,
-                        weights,
-                    };
-                }
-            }
-        }
-        best
+        let mut walk = NearestWalk::below(p, best);
+        walk.pass(self, mesh, &mut { usize::MAX }, wanted);
+        walk.best
     }
 
     /// Whether `test` is true for a triangle near `p`. It is called at least for all triangles that are at most
@@ -494,6 +537,22 @@ mod tests {
                 let first = mesh.fan(v as u32).map(|(t, _)| t).min().unwrap();
                 assert_eq!(search.closest(&mesh, p).triangle, first);
             }
+        }
+    }
+
+    #[test]
+    fn a_search_can_be_cut_anywhere() {
+        // All triangles of a ball are as far from its middle.
+        let mesh = samples::ball(3);
+        let (search, count) = (Search::new(&mesh), mesh.triangles().len());
+        for (p, least) in [(DVec3::ZERO, count / 50), (DVec3::new(2.0, 0.1, 0.3), 1)] {
+            let mut walk = NearestWalk::new(p, f64::INFINITY);
+            let mut slices = 1;
+            while !walk.advance(&search, &mesh, &mut { 50 }) {
+                slices += 1;
+            }
+            assert_eq!(walk.found(&mesh), Some(search.closest(&mesh, p)));
+            assert!((least..=count / 10).contains(&slices), "{slices}");
         }
     }
 
