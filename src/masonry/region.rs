@@ -1,7 +1,7 @@
 //! A face's outline with holes, and its parts and complement as convex polygons.
 
 use super::footprint::Footprint;
-use crate::planar::{orientation, triangulate_lines};
+use crate::planar::{Delaunay, LineTriangulation, orientation};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
@@ -60,8 +60,37 @@ impl Region {
     /// The region as convex polygons that do not overlap, and its complement in a box as others. A convex hole is one
     /// polygon. The box is the bounding box, wider by `margin` along s and t (metres, at least 0).
     pub fn convex_parts(&self, margin: DVec2) -> [Vec<Footprint>; 2] {
-        let Some([low, high]) = self.bounds() else {
-            return [Vec::new(), Vec::new()];
+        let mut work = PartsWork::new(self, margin);
+        loop {
+            if let Some(parts) = work.advance(self, &mut { usize::MAX }) {
+                return parts;
+            }
+        }
+    }
+}
+
+/// The convex parts of a region and of its complement, made in slices: see [`Region::convex_parts`].
+pub struct PartsWork {
+    lines: Vec<[DVec2; 2]>,
+    step: PartsStep,
+}
+
+/// The progress of the work.
+enum PartsStep {
+    /// The lines are triangulated.
+    Lines(LineTriangulation),
+    /// Triangles are merged.
+    Merge(Pieces),
+    /// Nothing is left.
+    Done,
+}
+
+impl PartsWork {
+    /// Begins with a region, in a box that is wider by `margin` along s and t (metres, at least 0).
+    pub fn new(region: &Region, margin: DVec2) -> Self {
+        let Some([low, high]) = region.bounds() else {
+            let (lines, step) = (Vec::new(), PartsStep::Done);
+            return Self { lines, step };
         };
         let (low, high) = (low - margin, high + margin);
         let frame = [
@@ -71,16 +100,33 @@ impl Region {
             DVec2::new(low.x, high.y),
         ];
         let around = (0..4).map(|k| [frame[k], frame[(k + 1) % 4]]);
-        let lines: Vec<[DVec2; 2]> = self.sides().chain(around).collect();
-        let mut pieces = Pieces::new(&lines);
-        let is_inside = pieces.sides_of(|p| self.contains(p));
-        pieces.merge(|a, b| is_inside[a] == is_inside[b]);
-        let mut parts = [Vec::new(), Vec::new()];
-        for (ring, inside) in pieces.rings.iter().zip(is_inside) {
-            let places: Vec<DVec2> = ring.iter().map(|&v| pieces.places[v as usize]).collect();
-            parts[usize::from(!inside)].extend(Footprint::new(&places));
+        let lines: Vec<[DVec2; 2]> = region.sides().chain(around).collect();
+        let scaled = lines.iter().map(|line| line.map(|p| p * SCALE));
+        let step = PartsStep::Lines(LineTriangulation::new(scaled, lines.len()));
+        Self { lines, step }
+    }
+
+    /// Goes on with the same region. Each point, line or diagonal takes one off `amount`, and the work pauses when nothing is
+    /// left of it. Returns the parts at the end, once.
+    pub fn advance(&mut self, region: &Region, amount: &mut usize) -> Option<[Vec<Footprint>; 2]> {
+        if let PartsStep::Lines(lines) = &mut self.step {
+            if !lines.advance(amount) {
+                return None;
+            }
+            if let PartsStep::Lines(lines) = std::mem::replace(&mut self.step, PartsStep::Done) {
+                let pieces = Pieces::new(lines.finish(), &self.lines, |p| region.contains(p));
+                self.step = PartsStep::Merge(pieces);
+            }
         }
-        parts
+        if let PartsStep::Merge(pieces) = &mut self.step
+            && !pieces.merge(amount)
+        {
+            return None;
+        }
+        match std::mem::replace(&mut self.step, PartsStep::Done) {
+            PartsStep::Merge(pieces) => Some(pieces.parts()),
+            _ => Some([Vec::new(), Vec::new()]),
+        }
     }
 }
 
@@ -97,13 +143,21 @@ struct Pieces {
     rings: Vec<Vec<u32>>,
     /// Sides between two triangles that are no lines, each in one direction.
     diagonals: Vec<([u32; 2], [usize; 2])>,
+    /// Whether each triangle lies inside of the region.
+    is_inside: Vec<bool>,
+    /// For each triangle, one whose piece it belongs to; the last of such a chain is itself.
+    joined: Vec<usize>,
+    /// How many diagonals have been tried.
+    tried: usize,
 }
 
 impl Pieces {
-    /// The triangles of a constrained triangulation of these lines.
-    fn new(lines: &[[DVec2; 2]]) -> Self {
-        let scaled = lines.iter().map(|line| line.map(|p| p * SCALE));
-        let (mesh, walls) = triangulate_lines(scaled, lines.len());
+    /// The triangles of a constrained triangulation of these lines, with the edges that these have become.
+    fn new(
+        (mesh, walls): (Delaunay, Vec<[u32; 2]>),
+        lines: &[[DVec2; 2]],
+        is_inside: impl Fn(DVec2) -> bool,
+    ) -> Self {
         let key = |p: DVec2| p.to_array().map(|v| (v * 4096.0).round() as i64);
         // Rounding moves a point by less than a cell of this grid, so its own coordinates are in this cell or beside
         // it.
@@ -133,11 +187,26 @@ impl Pieces {
             .filter(|&(&[a, b], _)| a < b && !is_wall([a, b]));
         let diagonals =
             pairs.filter_map(|(&[a, b], &one)| Some(([a, b], [one, *owners.get(&[b, a])?])));
-        Self {
+        let mut pieces = Self {
             diagonals: diagonals.collect(),
+            is_inside: Vec::new(),
+            joined: (0..rings.len()).collect(),
+            tried: 0,
             places,
             rings,
+        };
+        pieces.is_inside = pieces.sides_of(is_inside);
+        pieces
+    }
+
+    /// The pieces inside of the region, and those outside.
+    fn parts(self) -> [Vec<Footprint>; 2] {
+        let mut parts = [Vec::new(), Vec::new()];
+        for (ring, inside) in self.rings.iter().zip(self.is_inside) {
+            let places: Vec<DVec2> = ring.iter().map(|&v| self.places[v as usize]).collect();
+            parts[usize::from(!inside)].extend(Footprint::new(&places));
         }
+        parts
     }
 
     fn middle(&self, ring: &[u32]) -> DVec2 {
@@ -169,26 +238,32 @@ impl Pieces {
         found.into_iter().map(|side| side == Some(true)).collect()
     }
 
-    /// Removes each diagonal whose pieces may be joined and make a convex polygon together.
-    fn merge(&mut self, may_join: impl Fn(usize, usize) -> bool) {
-        let mut joined: Vec<usize> = (0..self.rings.len()).collect();
-        let find = |joined: &[usize], mut k: usize| {
-            while joined[k] != k {
-                k = joined[k];
-            }
-            k
-        };
-        for (side, owners) in std::mem::take(&mut self.diagonals) {
-            let [one, other] = owners.map(|k| find(&joined, k));
-            if one == other || !may_join(one, other) {
+    /// Removes each diagonal whose pieces lie on one side and make a convex polygon together. Each takes one off `amount`,
+    /// until nothing is left of it; true after the last one.
+    fn merge(&mut self, amount: &mut usize) -> bool {
+        while self.tried < self.diagonals.len() && *amount > 0 {
+            let (side, owners) = self.diagonals[self.tried];
+            *amount -= 1;
+            self.tried += 1;
+            let [one, other] = owners.map(|k| self.piece(k));
+            if one == other || self.is_inside[one] != self.is_inside[other] {
                 continue;
             }
             if let Some(ring) = self.union(side, one, other) {
                 self.rings[one] = ring;
                 self.rings[other].clear();
-                joined[other] = one;
+                self.joined[other] = one;
             }
         }
+        self.tried == self.diagonals.len()
+    }
+
+    /// The piece that a triangle belongs to.
+    fn piece(&self, mut k: usize) -> usize {
+        while self.joined[k] != k {
+            k = self.joined[k];
+        }
+        k
     }
 
     /// Two pieces as one, without the side between them; none if that is not convex.
@@ -270,6 +345,30 @@ mod tests {
         let all: Vec<&Footprint> = parts.iter().flatten().collect();
         for (k, a) in all.iter().enumerate() {
             assert!(all[..k].iter().all(|b| a.shared_area(b) < 1e-9));
+        }
+    }
+
+    #[test]
+    fn slices_do_not_matter() {
+        let corner = |k: usize| {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * k as f64 / 200.0);
+            (cos, sin)
+        };
+        let disc = Region {
+            loops: vec![ring(&(0..200).map(corner).collect::<Vec<_>>())],
+        };
+        for (region, least) in [(wall(), 40), (disc, 600), (Region::default(), 1)] {
+            let whole = region.convex_parts(DVec2::splat(0.5));
+            let mut work = PartsWork::new(&region, DVec2::splat(0.5));
+            let mut slices = 1;
+            let parts = loop {
+                match work.advance(&region, &mut { 1 }) {
+                    Some(parts) => break parts,
+                    None => slices += 1,
+                }
+            };
+            assert_eq!(parts, whole);
+            assert!(slices >= least, "{slices}");
         }
     }
 

@@ -18,7 +18,7 @@ pub use space::Space;
 use crate::order;
 use glam::DVec2;
 use robust::{Coord, orient2d};
-use snap::snap;
+use snap::{Snapped, snap};
 use spade::handles::FixedVertexHandle;
 use spade::{
     ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation as _,
@@ -48,24 +48,70 @@ pub(crate) fn triangulate_lines(
     lines: impl Iterator<Item = [DVec2; 2]>,
     walls: usize,
 ) -> (Delaunay, Vec<[u32; 2]>) {
-    let lines: Vec<[DVec2; 2]> = lines.filter_map(clipped).map(|l| l.map(on_grain)).collect();
-    let snapped = snap(&lines);
-    let mut mesh = Delaunay::new();
-    let points = snapped.points.iter();
-    let handles: Vec<Option<FixedVertexHandle>> = points
-        .map(|p| insert(&mut mesh, Point2::new(p.x, p.y)))
-        .collect();
-    let mut edges = Vec::new();
-    for (line, piece) in snapped.pieces {
-        if let [Some(a), Some(b)] = piece.map(|k| handles[k as usize]) {
-            mesh.add_constraint(a, b);
-            if (line as usize) < walls {
-                edges.push(edge_of(a, b));
-            }
+    let mut work = LineTriangulation::new(lines, walls);
+    work.advance(&mut { usize::MAX });
+    work.finish()
+}
+
+/// The same in slices.
+pub(crate) struct LineTriangulation {
+    snapped: Snapped,
+    walls: usize,
+    mesh: Delaunay,
+    /// The vertices of the points that are inserted by now.
+    handles: Vec<Option<FixedVertexHandle>>,
+    /// How many pieces of lines are constraints by now.
+    pieces: usize,
+    edges: Vec<[u32; 2]>,
+}
+
+impl LineTriangulation {
+    /// Starts with all lines, of which the first `walls` give edges.
+    pub fn new(lines: impl Iterator<Item = [DVec2; 2]>, walls: usize) -> Self {
+        let lines: Vec<[DVec2; 2]> = lines.filter_map(clipped).map(|l| l.map(on_grain)).collect();
+        Self {
+            snapped: snap(&lines),
+            walls,
+            mesh: Delaunay::new(),
+            handles: Vec::new(),
+            pieces: 0,
+            edges: Vec::new(),
         }
     }
-    order::sort(&mut edges, |e| (order::pair(e[0], e[1]), 0));
-    (mesh, edges)
+
+    /// Inserts points, then pieces of lines, each of which takes one off `amount`, until nothing is left of it; true at
+    /// the end.
+    pub fn advance(&mut self, amount: &mut usize) -> bool {
+        loop {
+            let point = self.snapped.points.get(self.handles.len());
+            let piece = self.snapped.pieces.get(self.pieces);
+            if *amount == 0 {
+                return point.is_none() && piece.is_none();
+            }
+            *amount -= 1;
+            if let Some(p) = point {
+                let handle = insert(&mut self.mesh, Point2::new(p.x, p.y));
+                self.handles.push(handle);
+                continue;
+            }
+            let Some(&(line, ends)) = piece else {
+                return true;
+            };
+            if let [Some(a), Some(b)] = ends.map(|k| self.handles[k as usize]) {
+                self.mesh.add_constraint(a, b);
+                if (line as usize) < self.walls {
+                    self.edges.push(edge_of(a, b));
+                }
+            }
+            self.pieces += 1;
+        }
+    }
+
+    /// The triangulation and the edges, see [`triangulate_lines`].
+    pub fn finish(mut self) -> (Delaunay, Vec<[u32; 2]>) {
+        order::sort(&mut self.edges, |e| (order::pair(e[0], e[1]), 0));
+        (self.mesh, self.edges)
+    }
 }
 
 /// The numbers of two vertices, the smaller first.

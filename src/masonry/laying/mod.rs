@@ -145,7 +145,7 @@ impl Laying {
         Self {
             order,
             site,
-            open: vec![Box::new(phases), Box::new(MapWork)],
+            open: vec![Box::new(phases), Box::new(MapWork::default())],
             nodes: Vec::new(),
             tree,
             params,

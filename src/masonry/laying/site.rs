@@ -7,7 +7,7 @@ use crate::masonry::block::{Plane, Polyhedron};
 use crate::masonry::footprint::Footprint;
 use crate::masonry::occupancy::{EdgeMap, FaceMap};
 use crate::masonry::plan::{Plan, region};
-use crate::masonry::region::Region;
+use crate::masonry::region::{PartsWork, Region};
 use crate::masonry::tree::GeneratorNode;
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
@@ -72,13 +72,24 @@ impl Site {
         }
     }
 
-    /// Makes the map of the next face, and finds the faces near it.
-    pub fn add_map(&mut self) {
+    /// The unit of the pattern for maps of faces (metres).
+    fn unit(&self) -> f64 {
+        self.plan.module.half.min(self.plan.module.course)
+    }
+
+    /// Begins with the convex parts of the next face without a map.
+    pub fn next_parts(&self) -> PartsWork {
         let id = FaceId(self.faces.len() as u32);
-        let module = self.plan.module.half.min(self.plan.module.course);
+        let margin = FaceMap::margin(self.unit(), self.face(id).surface.period());
+        PartsWork::new(&self.regions[id.index()], margin)
+    }
+
+    /// Makes the map of the next face, with its convex parts, and finds the faces near it.
+    pub fn add_map(&mut self, parts: [Vec<Footprint>; 2]) {
+        let id = FaceId(self.faces.len() as u32);
         let (region, own) = (&self.regions[id.index()], &self.boxes[id.index()]);
         let period = self.face(id).surface.period();
-        let map = FaceMap::new(region, (module, self.pixels), period);
+        let map = FaceMap::with_parts(region, parts, (self.unit(), self.pixels), period);
         let ids = self.building.face_ids();
         let near = ids
             .filter(|id| meet(own, &self.boxes[id.index()]))

@@ -24,11 +24,25 @@ impl FaceMap {
     /// The map of a face with this outline. `module` is the pattern's unit W (metres, above 0), and `pixels` of them
     /// lie along it. On a whole cylinder the region covers one `period` of s.
     pub fn new(region: &Region, (module, pixels): (f64, f64), period: Option<f64>) -> Self {
-        let bounds = region.bounds().unwrap_or_default();
+        let parts = region.convex_parts(Self::margin(module, period));
+        Self::with_parts(region, parts, (module, pixels), period)
+    }
+
+    /// How much wider than the region the box is in which the map knows obstacles (metres along s and t).
+    pub fn margin(module: f64, period: Option<f64>) -> DVec2 {
         // Obstacles need to be as wide as anything that may be laid across the border.
         let margin = 8.0 * module;
-        let margin = DVec2::new(if period.is_some() { 0.0 } else { margin }, margin);
-        let [inside, around] = region.convex_parts(margin);
+        DVec2::new(if period.is_some() { 0.0 } else { margin }, margin)
+    }
+
+    /// The map for the convex parts of the region and of its complement, in a box that is wider by [`Self::margin`].
+    pub fn with_parts(
+        region: &Region,
+        [inside, around]: [Vec<Footprint>; 2],
+        (module, pixels): (f64, f64),
+        period: Option<f64>,
+    ) -> Self {
+        let bounds = region.bounds().unwrap_or_default();
         let mut outside = Claims::new(bounds);
         let mut map = Self {
             period,

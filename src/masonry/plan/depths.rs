@@ -2,6 +2,8 @@
 
 use super::face_grid::region;
 use crate::building::{Building, FaceId, WallThickness};
+use crate::masonry::footprint::Footprint;
+use crate::masonry::region::{PartsWork, Region};
 use crate::trimesh::MeshFault;
 use glam::DVec2;
 use std::sync::Arc;
@@ -12,8 +14,10 @@ const MOST: usize = 64;
 /// Where it is measured on the way from the middle of a part to a corner.
 const WAYS: [f64; 2] = [0.5, 0.94];
 
-/// Faces in a slice of the work.
+/// Faces in a slice of the work, ...
 const SLICE: usize = 4;
+/// ... and the corners, sides and diagonals of their convex parts.
+const PARTS: usize = 200;
 
 /// The least thickness of the wall behind each face, in the order of the building's faces (metres); infinite where the
 /// building is open. It is measured at the middles of the face's convex parts, and on the ways from there to their
@@ -35,6 +39,8 @@ pub struct ThicknessWork {
     building: Arc<Building>,
     thickness: WallThickness,
     found: Vec<f64>,
+    /// The next face's region, and its convex parts in the making.
+    parts: Option<(Region, PartsWork)>,
 }
 
 impl ThicknessWork {
@@ -47,24 +53,31 @@ impl ThicknessWork {
             thickness: WallThickness::new(building.clone())?,
             building,
             found: Vec::new(),
+            parts: None,
         })
     }
 
     /// Measures some faces. Returns the thicknesses behind all of them at the end.
     pub fn advance(&mut self) -> Option<Vec<f64>> {
-        let ids = self.building.face_ids().skip(self.found.len());
-        let more = ids
-            .take(SLICE)
-            .map(|id| least(&self.thickness, &self.building, id));
-        self.found.extend(more);
+        let mut amount = PARTS;
+        for id in self.building.face_ids().skip(self.found.len()).take(SLICE) {
+            let (region, work) = self.parts.get_or_insert_with(|| {
+                let region = region(self.building.face(id));
+                let work = PartsWork::new(&region, DVec2::ZERO);
+                (region, work)
+            });
+            let [parts, _] = work.advance(region, &mut amount)?;
+            self.parts = None;
+            let least = least(&self.thickness, &parts, id);
+            self.found.push(least);
+        }
         let is_done = self.found.len() == self.building.faces().len();
         is_done.then(|| std::mem::take(&mut self.found))
     }
 }
 
-/// The least thickness of the wall behind a face (metres).
-fn least(thickness: &WallThickness, building: &Building, id: FaceId) -> f64 {
-    let [parts, _] = region(building.face(id)).convex_parts(DVec2::ZERO);
+/// The least thickness of the wall behind a face with these convex parts (metres).
+fn least(thickness: &WallThickness, parts: &[Footprint], id: FaceId) -> f64 {
     let places = parts.iter().flat_map(|part| {
         let middle = part.centre();
         let ways = part
