@@ -4,7 +4,7 @@
  * It loads the module when it first comes near the window, and works only while it is visible. After its removal it frees
  * all its memory. Attributes: `link`, `view`, `paused`, `label`. Events: `done`, `error`.
  */
-import { Bubblestone, isEnd, load, type Status } from './index.js';
+import { Bubblestone, drawWhole, isEnd, load, type Status } from './index.js';
 
 /** Milliseconds and packing steps per frame: few steps, so that the viewer sees bubbles settle. */
 const SLICE = 8;
@@ -235,9 +235,7 @@ export class BubbleStone extends Base {
   #draw(studio: Bubblestone): void {
     const canvas = this.#canvas;
     const context = canvas.getContext('2d');
-    const side = studio.side();
-    if (canvas.width !== side || canvas.height !== side) canvas.width = canvas.height = side;
-    if (context) studio.draw(context, this.view);
+    if (context) drawWhole(studio, canvas, context, this.view);
     this.#due = false;
   }
 

@@ -77,15 +77,22 @@ export async function paint(canvas: HTMLCanvasElement | OffscreenCanvas, link: s
     if (problem) throw new Error(problem.text);
     while (!studio.prepare(view, SLICE)) await pause();
     signal?.throwIfAborted();
-    canvas.width = canvas.height = studio.side();
     const context = canvas.getContext('2d');
     if (!context) throw new Error('The canvas has no context for two dimensions.');
     // Only methods are called that both kinds of canvas have.
-    studio.draw(context as CanvasRenderingContext2D, view);
+    drawWhole(studio, canvas, context as CanvasRenderingContext2D, view);
     return { link: studio.link(), digest: studio.digest(), status: studio.status(), notices: studio.notices().map(({ text }) => text) };
   } finally {
     studio.free();
   }
+}
+
+/** Draws a view on a canvas, which gets its size: a drawing may have more pixels than the recipe's picture. */
+export function drawWhole(studio: Bubblestone, canvas: HTMLCanvasElement | OffscreenCanvas, context: CanvasRenderingContext2D, view: string): void {
+  const side = studio.draw(context, view);
+  if (canvas.width === side && canvas.height === side) return;
+  canvas.width = canvas.height = side;
+  studio.draw(context, view);
 }
 
 /** Whether there is no work left. */

@@ -182,13 +182,17 @@ impl Bubblestone {
     /// Draws a view at the context's upper left corner. A view is words joined by '+': at most one base
     /// ('auto', 'picture', 'paper', 'height', 'normals', 'albedo', 'roughness', 'ao', 'ids', 'potential') and
     /// any overlays ('size', 'packed', 'energy', 'cells', 'mesh', 'anisotropy', 'direction', 'forces',
-    /// 'singularities'; without a base they are drawn on paper). Unknown words are ignored.
-    pub fn draw(&mut self, context: &CanvasRenderingContext2d, view: &str) {
-        let side = self.studio.side() as u32;
+    /// 'singularities'; without a base they are drawn on paper). The words 'x2' and 'x3' ask for two or three pixels
+    /// along each unit of the picture's side: drawings have them, if they are not more than 2048 along a side. With
+    /// 'potential' and 'size' there are at most two. Unknown words are ignored. Returns the pixels along the drawing's
+    /// side.
+    pub fn draw(&mut self, context: &CanvasRenderingContext2d, view: &str) -> u32 {
         let frame = self.studio.engine_mut().view(view);
+        let side = (frame.len() / 4).isqrt() as u32;
         let image = ImageData::new_with_u8_clamped_array_and_sh(Clamped(frame), side, side);
         // A lost context draws nothing; the next frame tries again.
         let _ = image.and_then(|image| context.put_image_data(&image, 0.0, 0.0));
+        side
     }
 
     /// Prepares the large parts of a view for about `budget` milliseconds; true when only the rest is left to

@@ -1,4 +1,4 @@
-//! Renders layers to pixels, antialiased, with tiny-skia. A picture unit is a pixel.
+//! Renders layers to pixels, antialiased, with tiny-skia. A picture unit is one pixel or more along each side.
 
 use super::colour::Colour;
 use super::layer::{Layer, Pen};
@@ -11,23 +11,35 @@ use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, PixmapMut, Sh
 #[derive(Clone, Debug)]
 pub struct Board {
     pixmap: Pixmap,
+    /// Pixels along a picture unit, at least 1.
+    scale: usize,
     /// Whether shapes that cross an edge continue at the opposite one.
     tile: bool,
-    /// The rows to draw on; all others stay unchanged.
+    /// The rows of pixels to draw on; all others stay unchanged.
     rows: Range<usize>,
 }
 
 impl Board {
-    /// A blank board of `side` x `side` pixels, at least 1.
+    /// A blank board of `side` x `side` picture units, at least 1, with a pixel each.
     ///
     /// # Panics
     /// If a picture of that size does not fit into memory.
     pub fn new(side: usize, ground: Colour) -> Self {
-        let side = side.max(1) as u32;
+        Self::scaled(side, 1, ground)
+    }
+
+    /// The same with `scale` x `scale` pixels for each unit, at least 1.
+    ///
+    /// # Panics
+    /// If a picture of that size does not fit into memory.
+    pub fn scaled(side: usize, scale: usize, ground: Colour) -> Self {
+        let scale = scale.max(1);
+        let side = (side.max(1) * scale) as u32;
         let mut pixmap = Pixmap::new(side, side).expect("a picture fits into memory");
         pixmap.fill(skia_colour(ground));
         Self {
             pixmap,
+            scale,
             tile: false,
             rows: 0..side as usize,
         }
@@ -38,12 +50,26 @@ impl Board {
         self.pixmap.width() as usize
     }
 
+    /// Pixels along a picture unit.
+    pub fn scale(&self) -> usize {
+        self.scale
+    }
+
+    /// Picture units along a side.
+    fn units(&self) -> f64 {
+        self.in_units(self.side())
+    }
+
+    fn in_units(&self, pixels: usize) -> f64 {
+        pixels as f64 / self.scale as f64
+    }
+
     /// From now on, shapes that cross an edge continue at the opposite one.
     pub fn repeat(&mut self) {
         self.tile = true;
     }
 
-    /// Draws on these rows only.
+    /// Draws on these rows of pixels only.
     pub fn within(&mut self, rows: Range<usize>, draw: impl FnOnce(&mut Self)) {
         let all = 0..self.side();
         self.rows = rows.start.min(all.end)..rows.end.min(all.end);
@@ -119,12 +145,12 @@ impl Board {
         }
     }
 
-    /// Whether a ring, or on a tile an image of it, reaches within `by` pixels of the rows to draw on.
+    /// Whether a ring, or on a tile an image of it, reaches within `by` units of the rows to draw on.
     fn reaches(&self, ring: &[DVec2], by: f64) -> bool {
-        let side = self.side() as f64;
+        let side = self.units();
         let lo = ring.iter().fold(f64::INFINITY, |lo, p| lo.min(p.y)) - by;
         let hi = ring.iter().fold(f64::NEG_INFINITY, |hi, p| hi.max(p.y)) + by;
-        let (from, to) = (self.rows.start as f64, self.rows.end as f64);
+        let [from, to] = [self.rows.start, self.rows.end].map(|row| self.in_units(row));
         let images: &[f64] = if self.tile {
             &[0.0, side, -side]
         } else {
@@ -135,14 +161,15 @@ impl Board {
 
     /// Adds rings to a path, and on a tile their copies. The first ring encloses the others.
     fn trace(&self, builder: &mut PathBuilder, rings: &[&[DVec2]]) {
-        let side = self.side() as f64;
+        let side = self.units();
         let around = rings.first().filter(|_| self.tile);
         let copies = around.map_or_else(Vec::new, |ring| copies(ring, side));
-        let origin = DVec2::new(0.0, self.rows.start as f64);
+        let origin = DVec2::new(0.0, self.in_units(self.rows.start));
+        let scale = self.scale as f64;
         for shift in std::iter::once(DVec2::ZERO).chain(copies) {
             rings
                 .iter()
-                .for_each(|ring| trace(builder, ring, shift - origin));
+                .for_each(|ring| trace(builder, ring, shift - origin, scale));
         }
     }
 
@@ -163,16 +190,66 @@ impl Board {
         pixels[..length].copy_from_slice(&rgba[..length]);
     }
 
-    /// Whether the board has `side` pixels along a side.
+    /// Whether the board has `side` picture units along a side.
     pub fn fits(&self, side: usize) -> bool {
-        self.side() == side
+        self.side() == side * self.scale
+    }
+
+    /// The same picture with at least `scale` pixels along a unit. Colours between its own pixels are interpolated.
+    #[must_use]
+    pub fn enlarged(&self, scale: usize) -> Self {
+        let by = scale / self.scale;
+        if by < 2 {
+            return self.clone();
+        }
+        let side = self.side();
+        let mut larger = Self::scaled(side, by, [0.0; 4]);
+        larger.scale = self.scale * by;
+        let mut wide = [(); 2].map(|()| vec![0; 4 * side * by]);
+        let mut held = [side; 2];
+        let rows = larger.pixmap.data_mut().chunks_exact_mut(4 * side * by);
+        for (y, row) in rows.enumerate() {
+            let (pair, below) = around(y, by, side);
+            if pair != held {
+                held = pair;
+                for (y, wide) in pair.into_iter().zip(&mut wide) {
+                    widen(&self.rgba()[4 * side * y..][..4 * side], by, wide);
+                }
+            }
+            let [upper, lower] = &wide;
+            for ((value, a), b) in row.iter_mut().zip(upper).zip(lower) {
+                *value = ((a * (256 - below) + b * below + (1 << 15)) >> 16) as u8;
+            }
+        }
+        larger
     }
 }
 
-/// Adds a closed ring to a path, moved by `shift`.
-fn trace(builder: &mut PathBuilder, ring: &[DVec2], shift: DVec2) {
+/// A row of pixels with `by` for each, in 65,280ths.
+fn widen(row: &[u8], by: usize, wide: &mut [u32]) {
+    for (x, values) in wide.chunks_exact_mut(4).enumerate() {
+        let ([left, right], share) = around(x, by, row.len() / 4);
+        let pairs = row[4 * left..].iter().zip(&row[4 * right..]);
+        for (value, (&a, &b)) in values.iter_mut().zip(pairs) {
+            *value = u32::from(a) * (256 - share) + u32::from(b) * share;
+        }
+    }
+}
+
+/// The two pixels around the middle of the finer pixel `k`, of which there are `by` in a pixel, and the share of the
+/// second one, in 256ths.
+fn around(k: usize, by: usize, side: usize) -> ([usize; 2], u32) {
+    let middle = 2 * k + 1 + by;
+    let (second, share) = (middle / (2 * by), middle % (2 * by));
+    let share = (256 * share + by) / (2 * by);
+    ([second.max(1) - 1, second.min(side - 1)], share as u32)
+}
+
+/// Adds a closed ring to a path, moved by `shift`, with `scale` pixels along a unit.
+fn trace(builder: &mut PathBuilder, ring: &[DVec2], shift: DVec2, scale: f64) {
     for (k, &p) in ring.iter().enumerate() {
-        let (x, y) = ((p + shift).x as f32, (p + shift).y as f32);
+        let p = scale * (p + shift);
+        let (x, y) = (p.x as f32, p.y as f32);
         if k == 0 {
             builder.move_to(x, y);
         } else {
@@ -310,6 +387,86 @@ mod tests {
             assert!(others.len() < 400, "{} bytes", others.len());
             assert!(others.iter().all(|&d| d <= 17), "{others:?}");
         }
+    }
+
+    /// The mean of `by` x `by` pixels for each pixel of a picture.
+    fn averaged(board: &Board, by: usize) -> Vec<u8> {
+        let fine = board.side();
+        let side = fine / by;
+        let value = |k: usize| {
+            let (x, y) = (k / 4 % side, k / 4 / side);
+            let at = |n: usize| 4 * ((by * y + n / by) * fine + by * x + n % by) + k % 4;
+            let sum: usize = (0..by * by).map(|n| usize::from(board.rgba()[at(n)])).sum();
+            (sum / (by * by)) as u8
+        };
+        (0..4 * side * side).map(value).collect()
+    }
+
+    #[test]
+    fn more_pixels_show_the_same_drawing() {
+        let layers = [
+            Layer::fill(vec![round(DVec2::new(60.0, 55.0), 23.7)], WHITE, 0.0),
+            Layer::fill(vec![square(5.3, 20.6)], PAPER.line, 4.0),
+            edges(vec![square(-10.2, 33.3)], PAPER.surround, 2.3, 4.0),
+            line([(3.0, 61.7), (50.0, 9.1)], PAPER.line, 0.7),
+        ];
+        for tile in [false, true] {
+            let [plain, two, three] = [1, 2, 3].map(|scale| {
+                let mut board = Board::scaled(64, scale, PAPER.bed);
+                board.tile = tile;
+                board.draw(&layers);
+                assert!(board.fits(64) && !board.fits(64 * scale + 1));
+                board
+            });
+            for (fine, by) in [(&two, 2), (&three, 3)] {
+                assert_eq!(fine.side(), 64 * by);
+                let pairs = averaged(fine, by)
+                    .into_iter()
+                    .zip(plain.rgba().iter().copied());
+                let off: Vec<u8> = pairs.map(|(a, b)| a.abs_diff(b)).collect();
+                let sum: usize = off.iter().map(|&d| usize::from(d)).sum();
+                assert!(off.iter().all(|&d| d < 40), "{by}: {:?}", off.iter().max());
+                assert!(sum < off.len(), "{by}: {sum} of {}", off.len());
+            }
+        }
+    }
+
+    #[test]
+    fn rows_of_a_finer_drawing_are_those_of_the_whole() {
+        let draw = |board: &mut Board| {
+            board.fill(&[&square(10.0, 50.0)], WHITE, 0.0);
+            board.draw(&[line([(10.0, 60.0), (50.0, 60.0)], PAPER.line, 2.0)]);
+        };
+        for scale in [2, 3] {
+            let [mut whole, mut pieces] = [(); 2].map(|()| Board::scaled(64, scale, PAPER.bed));
+            draw(&mut whole);
+            for from in (0..64 * scale).step_by(16) {
+                pieces.within(from..from + 16, draw);
+            }
+            assert_eq!(whole.rgba(), pieces.rgba());
+        }
+    }
+
+    #[test]
+    fn an_enlarged_picture_is_the_same_with_colours_between() {
+        let mut board = Board::new(64, PAPER.surround);
+        for (k, pixel) in board.rgba_mut().chunks_exact_mut(4).enumerate() {
+            pixel[0] = 3 * (k % 64) as u8;
+            pixel[1] = 2 * (k / 64) as u8;
+        }
+        for by in [2, 3] {
+            let large = board.enlarged(by);
+            assert_eq!((large.side(), large.scale()), (64 * by, by));
+            let pairs = averaged(&large, by)
+                .into_iter()
+                .zip(board.rgba().iter().copied());
+            assert!(pairs.clone().all(|(a, b)| a.abs_diff(b) < 2));
+            let row: Vec<u8> = large.rgba().chunks(4).take(64 * by).map(|p| p[0]).collect();
+            assert!(row.is_sorted() && row.iter().zip(&row[1..]).all(|(a, b)| b - a < 3));
+            assert_eq!([row[0], row[64 * by - 1]], [0, 189]);
+            assert_eq!(large.enlarged(by).rgba(), large.rgba());
+        }
+        assert_eq!(board.enlarged(1).rgba(), board.rgba());
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Drawings of the net force on each packed cell, and of its potential energy.
 
 use super::layer::CASING;
-use super::over::{fill_by_scale, lines_of, scale, shapes};
+use super::over::{self, fill_by_scale, lines_of, shapes};
 use super::stages::{line_width, mean};
 use super::{Colour, Layer};
 use crate::packing::{NetForce, Particle};
@@ -65,15 +65,16 @@ fn is_seen(particle: &Particle, load: &NetForce) -> bool {
     !particle.fixed && load.force.length() >= LEAST
 }
 
-/// Each cell filled by its energy: blue if its neighbours hold it, red if they press it.
-pub fn energy(loads: &[(Particle, NetForce)]) -> Vec<Layer> {
-    let rings = shapes(&mut loads.iter().map(|(p, _)| p), 0.94);
+/// Each cell filled by its energy: blue if its neighbours hold it, red if they press it. Curves suit a board with `scale`
+/// pixels along a unit.
+pub fn energy(loads: &[(Particle, NetForce)], scale: usize) -> Vec<Layer> {
+    let rings = shapes(&mut loads.iter().map(|(p, _)| p), 0.94, scale);
     let share = |(particle, load): &(Particle, NetForce)| {
         let rest = REST[usize::from(!particle.kind.has_corners())];
         (1.0 - load.energy / rest) as f32
     };
     let shares: Vec<f32> = loads.iter().map(share).collect();
-    let filled = fill_by_scale(&rings, &shares, &scale([HELD, HALF, PUSHED], STEPS));
+    let filled = fill_by_scale(&rings, &shares, &over::scale([HELD, HALF, PUSHED], STEPS));
     let width = line_width(mean(loads.iter().map(|(p, _)| p.size)));
     vec![filled, Layer::lines(lines_of(&rings), CASING, 0.8 * width)]
 }

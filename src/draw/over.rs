@@ -2,7 +2,7 @@
 //! be distinguished.
 
 use super::shapes::closed;
-use super::stages::{elements, line_width, mean, mean_size, mesh_width};
+use super::stages::{around, elements, line_width, mean, mean_size, mesh_width};
 use super::{Colour, DrawnPath, Layer, blend};
 use crate::cells::Cell;
 use crate::domain::Domain;
@@ -61,21 +61,24 @@ pub(super) fn scale([low, middle, high]: [Colour; 3], steps: usize) -> Vec<Colou
     (0..=steps).map(colour).collect()
 }
 
-/// The shapes of particles.
+/// The shapes of particles, for a board with `scale` pixels along a unit.
 pub(super) fn shapes(
     particles: &mut dyn Iterator<Item = &Particle>,
     factor: f64,
+    scale: usize,
 ) -> Vec<Vec<DVec2>> {
-    particles.map(|p| p.ring(factor, 16)).collect()
+    let points = around(scale);
+    particles.map(|p| p.ring(factor, points)).collect()
 }
 
-/// Packed cells as outlines, red where neighbours overlap them and blue where they are alone.
-pub fn packed(particles: &[Particle], stress: &[Stress]) -> Vec<Layer> {
-    let rings = shapes(&mut particles.iter(), 1.0);
+/// Packed cells as outlines, red where neighbours overlap them and blue where they are alone. Curves suit a board with
+/// `scale` pixels along a unit.
+pub fn packed(particles: &[Particle], stress: &[Stress], scale: usize) -> Vec<Layer> {
+    let rings = shapes(&mut particles.iter(), 1.0, scale);
     // From 0 for alone to 1 for deep overlap.
     let share = |s: &Stress| 0.5 + 0.5 * (s.pressed - if s.pressed > 0.0 { 0.0 } else { s.alone });
     let shares: Vec<f32> = stress.iter().map(share).collect();
-    let filled = fill_by_scale(&rings, &shares, &scale([ALONE, FREE, PRESSED], STEPS));
+    let filled = fill_by_scale(&rings, &shares, &self::scale([ALONE, FREE, PRESSED], STEPS));
     let width = line_width(mean(particles.iter().map(|p| p.size)));
     with_lines(filled, Layer::cased(lines_of(&rings), PACKED, width))
 }
@@ -96,8 +99,9 @@ pub fn mesh(mesh: &Mesh, fields: &Fields) -> Vec<Layer> {
     with_lines(filled, Layer::cased(lines, MESH, mesh_width(&elements)))
 }
 
-/// The aspect ratio field as shapes of equal area on a grid, deeper in colour the longer they are.
-pub fn anisotropy(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
+/// The aspect ratio field as shapes of equal area on a grid, deeper in colour the longer they are. Curves suit a board
+/// with `scale` pixels along a unit.
+pub fn anisotropy(domain: &Domain, fields: &Fields, side: f64, scale: usize) -> Vec<Layer> {
     let step = (side / 20.0).max(14.0);
     let count = (side / step) as usize;
     let margin = (side - step * count as f64) / 2.0;
@@ -112,11 +116,15 @@ pub fn anisotropy(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
     let longest = shapes.iter().map(|s| s.aspect).fold(1.0, f64::max);
     let size = 0.80 * step / longest.sqrt().max(1.2);
     shapes.iter_mut().for_each(|shape| shape.size = size);
-    let rings = self::shapes(&mut shapes.iter(), 1.0);
+    let rings = self::shapes(&mut shapes.iter(), 1.0, scale);
     let longer = |s: &Particle| (libm::log2(s.aspect) / libm::log2(5.0)) as f32;
     let longer: Vec<f32> = shapes.iter().map(longer).collect();
     let middle = blend(EVEN, STRETCHED, 0.5);
-    let filled = fill_by_scale(&rings, &longer, &scale([EVEN, middle, STRETCHED], STEPS));
+    let filled = fill_by_scale(
+        &rings,
+        &longer,
+        &self::scale([EVEN, middle, STRETCHED], STEPS),
+    );
     let width = (side / 460.0).clamp(0.9, 3.0);
     with_lines(filled, Layer::rimmed(lines_of(&rings), RIM, width))
 }

@@ -49,7 +49,7 @@ pub fn potential(
     };
     let pair = Pair::new(&cell, &cell).with(corners);
     let height = |r: DVec2| pair.potential(r) / (cell.size * cell.size);
-    contours(board, side as usize, |r| level(height(r)));
+    contours(board, |r| level(height(r)));
     board.draw(&figures(
         &cell,
         wells(&cell, height),
@@ -91,11 +91,12 @@ fn level(height: f64) -> f64 {
 }
 
 /// Paints the levels, which are the same in all four quarters of the picture.
-fn contours(board: &mut Board, side: usize, level: impl Fn(DVec2) -> f64) {
+fn contours(board: &mut Board, level: impl Fn(DVec2) -> f64) {
+    let (side, scale) = (board.side(), board.scale() as f64);
     let half = side.div_ceil(2);
     let row = |y: usize| -> Vec<f64> {
         let at = |x: usize| DVec2::new((half - x) as f64 - 0.5, (half - y) as f64 - 0.5);
-        (0..=half).map(|x| level(at(x.min(half)))).collect()
+        (0..=half).map(|x| level(at(x.min(half)) / scale)).collect()
     };
     let rgba = board.rgba_mut();
     let mut here = row(0);
@@ -107,7 +108,7 @@ fn contours(board: &mut Board, side: usize, level: impl Fn(DVec2) -> f64) {
             let from_line = ((v - v.floor()) - 0.5).abs();
             let band = (v + 0.5).floor();
             let colour = shade(0.6 * band + 0.4 * v);
-            let dark = (1.0 - from_line / slope).clamp(0.0, 1.0) as f32;
+            let dark = (0.5 * scale + 0.5 - from_line / slope).clamp(0.0, 1.0) as f32;
             let colour = blend(colour, INK, 0.38 * dark);
             let bytes = colour.map(|c| (255.0 * c + 0.5) as u8);
             for (x, y) in [

@@ -36,6 +36,12 @@ impl Sketch {
         self.rows == side
     }
 
+    /// The same, drawn at once: edges may differ a little where rows of slices meet.
+    pub fn whole(mut self) -> Board {
+        self.board.draw(&self.layers);
+        self.board
+    }
+
     /// The finished drawing.
     pub fn finish(mut self) -> Board {
         while !self.advance() {}

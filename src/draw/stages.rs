@@ -33,14 +33,14 @@ pub fn bed(rings: &[&[DVec2]], paper: &Paper) -> Layer {
 }
 
 /// The packed cells in the tones of their future stones: redder with deeper overlap, cooler with more free
-/// sides.
-pub fn packed(domain: &Domain, particles: &[Particle], tones: &Tones) -> Layer {
+/// sides. Curves suit a board with `scale` pixels along a unit.
+pub fn packed(domain: &Domain, particles: &[Particle], tones: &Tones, scale: usize) -> Layer {
     let cells = particles.iter().zip(stress(domain, particles));
     let cells = cells.map(|(particle, stress)| {
         let own = tones.stone(particle.id);
         let own = lit(own, if particle.fixed { FIXED } else { 1.0 });
         let inside = stressed(own, stress);
-        let ring = particle.ring(1.0, 16);
+        let ring = particle.ring(1.0, around(scale));
         DrawnPath::fill(vec![ring], inside, ROUND * particle.size)
     });
     let size = mean(particles.iter().map(|p| p.size));
@@ -51,6 +51,11 @@ pub fn packed(domain: &Domain, particles: &[Particle], tones: &Tones) -> Layer {
 pub(crate) fn stressed(own: Colour, stress: Stress) -> Colour {
     let inside = blend(own, ALONE, MOST_ALONE * stress.alone * stress.alone.sqrt());
     blend(inside, PRESSED, MOST_PRESSED * stress.pressed)
+}
+
+/// Points around a curved cell, on a board with `scale` pixels along a unit.
+pub(super) fn around(scale: usize) -> u32 {
+    16 * scale as u32
 }
 
 /// Lines of small cells are thinner, so that they do not hide the cells.

@@ -66,6 +66,8 @@ pub struct PavementView {
     pub base: Base,
     /// The overlays, a bit for each, by their indices in [`Overlay::ALL`].
     over: u16,
+    /// Pixels that are asked for along a picture unit, 1 to 3.
+    pub scale: u8,
 }
 
 impl Base {
@@ -145,31 +147,38 @@ impl Overlay {
 
 impl From<Base> for PavementView {
     fn from(base: Base) -> Self {
-        Self { base, over: 0 }
+        Self {
+            base,
+            over: 0,
+            scale: 1,
+        }
     }
 }
 
 impl PavementView {
     /// The view of words joined by '+': at most one base, and overlays. Unknown words and further bases are ignored.
     /// Overlays without a base are drawn on paper, the first of them (in drawing order) in full colours if it is the
-    /// packing, the cells, the mesh or the direction. Without any known word it is [`Base::Auto`].
+    /// packing, the cells, the mesh or the direction. Without any known word it is [`Base::Auto`]. The words 'x2' and
+    /// 'x3' ask for two or three pixels along a picture unit.
     pub fn of_words(words: &str) -> PavementView {
-        let (mut base, mut over) = (None, 0);
+        let (mut base, mut over, mut scale) = (None, 0, 1);
         for word in words.split('+') {
-            if let Some((overlay, _)) = Overlay::ALL.iter().find(|(_, w)| *w == word) {
+            if let [b'x', digit @ b'2'..=b'3'] = word.as_bytes() {
+                scale = digit - b'0';
+            } else if let Some((overlay, _)) = Overlay::ALL.iter().find(|(_, w)| *w == word) {
                 over |= overlay.bit();
             } else if base.is_none() {
                 let found = Base::ALL.iter().find(|(_, w)| *w == word);
                 base = found.map(|&(base, _)| base);
             }
         }
-        let view = |base: Base, over: u16| PavementView { base, over };
+        let view = |base: Base, over: u16| PavementView { base, over, scale };
         match base {
             // The potential is that of one cell: nothing of the picture lies over it.
-            Some(Base::Potential) => Base::Potential.into(),
+            Some(Base::Potential) => view(Base::Potential, 0),
             Some(base) => view(base, over),
             None => match view(Base::Paper, over).overlays().next() {
-                None => Base::Auto.into(),
+                None => view(Base::Auto, 0),
                 Some(first) => match first.on_paper() {
                     None => view(Base::Paper, over),
                     Some(base) => view(base, over & !first.bit()),
@@ -181,7 +190,12 @@ impl PavementView {
     /// The overlays in the order in which they are drawn.
     pub fn overlays(self) -> impl Iterator<Item = Overlay> {
         let all = Overlay::ALL.iter().map(|&(overlay, _)| overlay);
-        all.filter(move |overlay| self.over & overlay.bit() != 0)
+        all.filter(move |&overlay| self.has(overlay))
+    }
+
+    /// Whether an overlay is drawn.
+    pub fn has(self, overlay: Overlay) -> bool {
+        self.over & overlay.bit() != 0
     }
 
     /// Whether nothing is drawn over the base.

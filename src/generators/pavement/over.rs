@@ -1,14 +1,20 @@
 //! Overlays, which are drawn over a base.
 
 use super::{Overlay, Pavement, PavementView, Stage};
-use crate::draw::{self, Board, size::HeatMap};
+use crate::draw::{self, Board, Sketch, size::HeatMap};
 use crate::generators::Engine;
 use crate::packing::{Packing, stress};
 
 impl Pavement {
-    /// Draws the overlays of a view. Each one appears as soon as the present pavement has something to show in it.
-    pub(super) fn draw_over(&mut self, view: PavementView, board: &mut Board, heat: &mut HeatMap) {
-        let side = self.side();
+    /// The overlays of a view on a board. Each one appears as soon as the present pavement has something to show in it.
+    pub(super) fn sketch_over(
+        &mut self,
+        view: PavementView,
+        mut board: Board,
+        heat: &mut HeatMap,
+    ) -> Sketch {
+        let mut layers = Vec::new();
+        let (side, scale) = (self.side(), board.scale());
         let [meshed, celled] = [Stage::Mesh, Stage::Cells].map(|stage| self.is_past(stage));
         let packs = self.packs();
         let domain = self.made.domain.made();
@@ -23,44 +29,45 @@ impl Pavement {
             let loads = loads.map(|(packing, domain)| packing.net_forces(domain));
             let made = &self.made;
             let Some((domain, fields)) = made.ground() else {
-                return;
+                break;
             };
             match overlay {
                 Overlay::Size => {
                     // In a new domain the last fields keep their colours.
                     let revision = made.fields.revision();
-                    heat.draw(board, revision, side, domain, fields);
+                    heat.draw(&mut board, revision, side, domain, fields);
                 }
                 Overlay::Packed => {
                     let packing = self.held().or(made.shown_packing()).filter(|_| packs);
                     let particles = packing.map_or(Vec::new(), Packing::particles);
                     let stress = stress(domain, &particles);
-                    board.draw(&draw::over::packed(&particles, &stress));
+                    layers.extend(draw::over::packed(&particles, &stress, scale));
                 }
                 Overlay::Energy | Overlay::Forces => {
-                    let of_loads = match overlay {
-                        Overlay::Energy => draw::forces::energy,
-                        _ => draw::forces::forces,
-                    };
-                    board.draw(&of_loads(&loads.unwrap_or_default()));
+                    let loads = loads.unwrap_or_default();
+                    layers.extend(match overlay {
+                        Overlay::Energy => draw::forces::energy(&loads, scale),
+                        _ => draw::forces::forces(&loads),
+                    });
                 }
-                Overlay::Cells if celled => board.draw(&draw::over::cells(made.cells())),
+                Overlay::Cells if celled => layers.extend(draw::over::cells(made.cells())),
                 Overlay::Mesh if meshed => {
                     if let Some(mesh) = made.mesh() {
-                        board.draw(&draw::over::mesh(mesh, fields));
+                        layers.extend(draw::over::mesh(mesh, fields));
                     }
                 }
                 Overlay::Cells | Overlay::Mesh => {}
                 Overlay::Anisotropy => {
-                    board.draw(&draw::over::anisotropy(domain, fields, side as f64));
+                    layers.extend(draw::over::anisotropy(domain, fields, side as f64, scale));
                 }
                 Overlay::Direction => {
-                    board.draw(&draw::field::direction_over(domain, fields, side as f64));
+                    layers.extend(draw::field::direction_over(domain, fields, side as f64));
                 }
                 Overlay::Singularities => {
-                    board.draw(&draw::field::singularities(domain, fields, side as f64));
+                    layers.extend(draw::field::singularities(domain, fields, side as f64));
                 }
             }
         }
+        Sketch::new(board, layers)
     }
 }

@@ -211,3 +211,60 @@ fn bands_make_the_whole() {
         }
     }
 }
+
+/// The mean difference between a view and its larger drawing, whose pixels are averaged, in 255ths.
+fn off(plain: &[u8], fine: &[u8], scale: usize) -> f64 {
+    let side = (plain.len() / 4).isqrt();
+    let mean = |k: usize| {
+        let (x, y) = (scale * (k / 4 % side), scale * (k / 4 / side));
+        let at = |n: usize| 4 * ((y + n / scale) * scale * side + x + n % scale) + k % 4;
+        let sum: f64 = (0..scale * scale).map(|n| f64::from(fine[at(n)])).sum();
+        sum / (scale * scale) as f64
+    };
+    let apart = plain.iter().enumerate();
+    let apart: f64 = apart.map(|(k, &v)| (mean(k) - f64::from(v)).abs()).sum();
+    apart / plain.len() as f64
+}
+
+/// Maps have the recipe's pixels alone. All else has those that are asked for.
+#[test]
+fn drawings_have_more_pixels_and_the_same_content() {
+    let (recipe, _) = ALL.recipe("size=128&cs=24&kind=ellipse&ca=2&spots=0.5,0.5,0.3,1.5");
+    let mut studio = Studio::new(ALL, recipe);
+    studio.finish(&mut || 0.0).unwrap();
+    let drawn = "paper packed cells mesh direction potential picture+mesh height+cells paper+size paper+energy+forces \
+                 picture+anisotropy+singularities+packed";
+    for view in drawn.split(' ').filter(|view| !view.is_empty()) {
+        for scale in [2, 3] {
+            let engine = studio.engine_mut();
+            let plain = engine.view(view).to_vec();
+            let words = format!("{view}+x{scale}");
+            let is_computed = view == "potential" || view.contains("size");
+            let scale = scale.min(if is_computed { 2 } else { 3 });
+            while !engine.prepare(&words, &mut || 0.0, 1.0) {}
+            let fine = engine.view(&words).to_vec();
+            assert_eq!(fine.len(), plain.len() * scale * scale, "{words}");
+            let off = off(&plain, &fine, scale);
+            // A picture's grain is softer when it is enlarged.
+            let most = match view.starts_with("picture") {
+                true => 5.0,
+                false => 2.0,
+            };
+            assert!(off < most, "{words}: {off}");
+            assert_eq!(engine.view(view), plain, "{words} changed {view}");
+        }
+    }
+    for view in "auto picture height normals ids albedo roughness ao".split(' ') {
+        let plain = studio.engine_mut().view(view).to_vec();
+        assert_eq!(studio.engine_mut().view(&format!("{view}+x3")), plain);
+    }
+}
+
+#[test]
+fn a_drawing_is_never_too_large_for_memory() {
+    let (recipe, _) = ALL.recipe("size=1024");
+    let mut studio = Studio::new(ALL, recipe);
+    for (words, side) in [("paper+x3", 2048), ("paper+x2", 2048), ("paper+x4", 1024)] {
+        assert_eq!(studio.engine_mut().view(words).len(), 4 * side * side);
+    }
+}

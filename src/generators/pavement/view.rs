@@ -1,7 +1,7 @@
-//! Views as pictures of the recipe's size.
+//! Views as pictures of the recipe's size, and drawings with more pixels.
 
 use super::files::map_of;
-use super::look::{Base, PavementView};
+use super::look::{Base, Overlay, PavementView};
 use super::{Pavement, Stage};
 use crate::cells::Cell;
 use crate::draw::{self, Board, Layer, Paper, SHEET, Sketch, Tones};
@@ -12,16 +12,23 @@ use crate::heightfield::{Planes, row_slopes};
 use crate::order;
 use glam::DVec2;
 
+/// Most pixels along the side of a drawing that is larger than the recipe's picture: two of them are 32 MiB.
+const MOST_SIDE: usize = 2048;
+
+/// Pixels along a unit, the base, and the state of the pavement that it is drawn from.
+type DrawnKey = (usize, Base, u64);
+
 /// The last frame, and the data for the next one.
 #[derive(Default)]
 pub(super) struct Gallery {
     frame: Option<Board>,
-    drawn: Option<(Base, u64)>,
+    drawn: Option<DrawnKey>,
     /// The unfinished drawing of the next frame, with its key.
-    begun: Option<((Base, u64, ProgressView), Sketch)>,
+    begun: Option<((DrawnKey, ProgressView), Sketch)>,
     preview: Preview,
-    /// The frame with overlays.
+    /// The frame with overlays, and an unfinished one.
     over: Option<Board>,
+    begun_over: Option<((PavementView, u64), Sketch)>,
     drawn_over: Option<(PavementView, u64)>,
     heat: draw::size::HeatMap,
 }
@@ -52,34 +59,53 @@ enum ProgressView {
 
 impl Pavement {
     /// The picture of a view. While a stage has nothing to show yet, the last one stays, or the bare outline is
-    /// shown.
+    /// shown. A drawing has the pixels that are asked for, unless they are too many. A picture has those of the recipe;
+    /// it is enlarged where a drawing lies over it.
     pub(super) fn look_at(&mut self, view: PavementView) -> &[u8] {
-        let stamp = self.stamp();
+        let of = (view, self.stamp());
         let mut gallery = std::mem::take(&mut self.gallery);
-        let side = self.side();
-        gallery.frame = gallery.frame.filter(|board| board.fits(side));
-        if gallery.drawn != Some((view.base, stamp)) || gallery.frame.is_none() {
-            let sketch = self.sketch(view.base, &mut gallery);
-            self.draw(view.base, &mut gallery, sketch);
-            gallery.drawn = Some((view.base, stamp));
-            gallery.drawn_over = None;
-        }
+        self.draw_base(self.key(view), &mut gallery);
         if view.is_plain() {
-            (gallery.over, gallery.drawn_over) = (None, None);
-        } else if gallery.drawn_over != Some((view, stamp)) {
-            let mut board = gallery.frame.clone();
-            if let Some(board) = &mut board {
-                self.draw_over(view, board, &mut gallery.heat);
-            }
-            gallery.over = board;
-            gallery.drawn_over = Some((view, stamp));
+            (gallery.over, gallery.begun_over, gallery.drawn_over) = (None, None, None);
+        } else if gallery.drawn_over != Some(of) {
+            // Edges of slices change a few values: overlays of the recipe's size have been drawn without slices so far.
+            let sketch = self.begin_over(of, &mut gallery);
+            gallery.over = sketch.map(|sketch| match of.0.scale {
+                1 => sketch.whole(),
+                _ => sketch.finish(),
+            });
+            gallery.drawn_over = Some(of);
         }
         self.gallery = gallery;
         let shown = self.gallery.over.as_ref().or(self.gallery.frame.as_ref());
         shown.map_or(&[], Board::rgba)
     }
 
-    /// Draws a piece of the frame in advance. Work on the recipe in between makes it start again.
+    /// Draws the base, unless it is drawn.
+    fn draw_base(&self, key: DrawnKey, gallery: &mut Gallery) {
+        let side = self.side();
+        gallery.frame = gallery.frame.take().filter(|board| board.fits(side));
+        if gallery.drawn != Some(key) || gallery.frame.is_none() {
+            let sketch = self.sketch(key, gallery);
+            self.draw(key, gallery, sketch);
+            gallery.drawn = Some(key);
+            gallery.drawn_over = None;
+        }
+    }
+
+    /// The overlays of a view on its base, as far as they were begun.
+    fn begin_over(&mut self, of: (PavementView, u64), gallery: &mut Gallery) -> Option<Sketch> {
+        match gallery.begun_over.take() {
+            Some((begun, sketch)) if begun == of => Some(sketch),
+            _ => {
+                let board = gallery.frame.as_ref()?.enlarged(self.key(of.0).0);
+                Some(self.sketch_over(of.0, board, &mut gallery.heat))
+            }
+        }
+    }
+
+    /// Draws a piece of the frame in advance, and of the overlays of a larger one. Work on the recipe in between makes it
+    /// start again.
     pub(super) fn draw_beforehand(
         &mut self,
         view: PavementView,
@@ -88,16 +114,25 @@ impl Pavement {
     ) -> bool {
         let budget = Budget::new(clock, budget);
         let mut gallery = std::mem::take(&mut self.gallery);
-        let key = (view.base, self.stamp(), self.way(view.base, &gallery));
-        let is_drawn = gallery.drawn == Some((view.base, self.stamp()));
-        let mut sketch = match is_drawn {
+        let key = self.key(view);
+        let way = self.way(view.base, &gallery);
+        let mut sketch = match gallery.drawn == Some(key) {
             true => None,
-            false => self.sketch(view.base, &mut gallery),
+            false => self.sketch(key, &mut gallery),
         };
-        let ready = sketch
+        let mut ready = sketch
             .as_mut()
             .is_none_or(|sketch| budget.until(clock, || sketch.advance()));
-        gallery.begun = sketch.map(|sketch| (key, sketch));
+        gallery.begun = sketch.map(|sketch| ((key, way), sketch));
+        let of = (view, key.2);
+        if ready && view.scale > 1 && !view.is_plain() && gallery.drawn_over != Some(of) {
+            self.draw_base(key, &mut gallery);
+            let sketch = self.begin_over(of, &mut gallery);
+            gallery.begun_over = sketch.map(|mut sketch| {
+                ready = budget.until(clock, || sketch.advance());
+                (of, sketch)
+            });
+        }
         self.gallery = gallery;
         ready
     }
@@ -107,57 +142,64 @@ impl Pavement {
         self.changes + self.made.slices()
     }
 
+    /// Potentials and sizes are computed pixel by pixel in one slice: they have fewer pixels, so that it stays short.
+    fn key(&self, view: PavementView) -> DrawnKey {
+        let is_computed = view.base == Base::Potential || view.has(Overlay::Size);
+        let most = (MOST_SIDE / self.side()).clamp(1, if is_computed { 2 } else { 3 });
+        (most.min(view.scale.into()), view.base, self.stamp())
+    }
+
     /// The base drawing of a view, as far as it was begun; `None` if the base is no drawing.
-    fn sketch(&self, base: Base, gallery: &mut Gallery) -> Option<Sketch> {
-        let key = (base, self.stamp(), self.way(base, gallery));
+    fn sketch(&self, key: DrawnKey, gallery: &mut Gallery) -> Option<Sketch> {
+        let way = self.way(key.1, gallery);
         match gallery.begun.take() {
-            Some((of, sketch)) if of == key => Some(sketch),
-            _ => self.new_sketch(base, gallery),
+            Some((of, sketch)) if of == (key, way) => Some(sketch),
+            _ => self.new_sketch(key, gallery),
         }
     }
 
-    fn new_sketch(&self, base: Base, gallery: &Gallery) -> Option<Sketch> {
+    fn new_sketch(&self, (scale, base, _): DrawnKey, gallery: &Gallery) -> Option<Sketch> {
         let made = &self.made;
         Some(match base {
             Base::Auto | Base::Picture => match self.way(base, gallery) {
-                ProgressView::Bare => self.bare(),
-                ProgressView::Packed => self.packed(),
+                ProgressView::Bare => self.bare(scale),
+                ProgressView::Packed => self.packed(scale),
                 ProgressView::Cells => {
                     let tones = self.tones();
                     let cells = draw::stages::cells(made.cells(), &tones);
-                    self.on_paper(&tones.paper, vec![cells])
+                    self.on_paper(scale, &tones.paper, vec![cells])
                 }
                 ProgressView::Stones if !self.goes_on(&gallery.preview) => self.bedded()?,
                 ProgressView::Stones | ProgressView::Stays | ProgressView::Picture => return None,
             },
-            Base::Paper => self.on_paper(&SHEET, Vec::new()),
-            Base::Packed => self.packed(),
-            Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(),
+            Base::Paper => self.on_paper(scale, &SHEET, Vec::new()),
+            Base::Packed => self.packed(scale),
+            Base::Cells | Base::Mesh if self.draft().is_some() => self.packed(scale),
             Base::Cells => {
                 let tones = self.tones();
                 let mut layers = vec![draw::stages::cells(made.cells(), &tones)];
                 layers.extend(self.lines());
-                self.on_paper(&tones.paper, layers)
+                self.on_paper(scale, &tones.paper, layers)
             }
             Base::Mesh => {
                 let both = made.mesh().zip(made.fields.made());
                 let mesh = both.map(|(mesh, fields)| draw::stages::mesh(mesh, fields));
                 let mut layers = Vec::from_iter(mesh);
                 layers.extend(self.lines());
-                self.on_paper(&SHEET, layers)
+                self.on_paper(scale, &SHEET, layers)
             }
             _ => return None,
         })
     }
 
     /// Draws a new frame, or keeps the last one if it should stay.
-    fn draw(&self, base: Base, gallery: &mut Gallery, sketch: Option<Sketch>) {
+    fn draw(&self, (scale, base, _): DrawnKey, gallery: &mut Gallery, sketch: Option<Sketch>) {
         let planes = self.planes_to_show();
         let of_planes = |draw: fn(&Planes) -> Vec<u8>| {
             let mut board = Board::new(self.side(), SHEET.surround);
             match planes {
                 Some(planes) => board.show(&draw(planes)),
-                None => return self.bare().finish(),
+                None => return self.bare(scale).finish(),
             }
             board
         };
@@ -171,7 +213,7 @@ impl Pavement {
             },
             Base::Paper | Base::Packed | Base::Cells | Base::Mesh => sketched,
             Base::Direction => {
-                let mut board = self.on_paper(&SHEET, Vec::new()).finish();
+                let mut board = self.on_paper(scale, &SHEET, Vec::new()).finish();
                 let shown = self.shown();
                 if let (Some(domain), Some(fields)) = (shown.domain, shown.fields) {
                     let side = self.side() as f64;
@@ -180,7 +222,7 @@ impl Pavement {
                 Some(board)
             }
             Base::Potential => {
-                let mut board = Board::new(self.side(), SHEET.bed);
+                let mut board = Board::scaled(self.side(), scale, SHEET.bed);
                 let asked = self.made.fields.params();
                 draw::potential::potential(
                     &mut board,
@@ -205,7 +247,7 @@ impl Pavement {
     /// A map of the present planes.
     fn map_shown(&self, kind: MapKind) -> Board {
         let Some(planes) = self.planes_to_show() else {
-            return self.bare().finish();
+            return self.bare(1).finish();
         };
         let mut board = Board::new(self.side(), SHEET.surround);
         let map = map_of(kind, planes, self.light());
@@ -248,6 +290,7 @@ impl Pavement {
     }
 
     fn picture_on(&self, frame: Option<Board>) -> Board {
+        let frame = frame.filter(|board| board.scale() == 1);
         let mut board = frame.unwrap_or_else(|| Board::new(self.side(), SHEET.surround));
         board.show(self.made.picture());
         board
@@ -268,8 +311,9 @@ impl Pavement {
     }
 
     /// Layers over the area to pave: the outline, or the whole of a tile.
-    fn on_paper(&self, paper: &Paper, layers: Vec<Layer>) -> Sketch {
-        self.on_board(Board::new(self.side(), paper.surround), paper, layers)
+    fn on_paper(&self, scale: usize, paper: &Paper, layers: Vec<Layer>) -> Sketch {
+        let board = Board::scaled(self.side(), scale, paper.surround);
+        self.on_board(board, paper, layers)
     }
 
     fn on_board(&self, mut board: Board, paper: &Paper, layers: Vec<Layer>) -> Sketch {
@@ -291,20 +335,20 @@ impl Pavement {
         Some(draw::stages::lines(domain, self.side() as f64))
     }
 
-    fn bare(&self) -> Sketch {
-        self.on_paper(&self.tones().paper, Vec::new())
+    fn bare(&self, scale: usize) -> Sketch {
+        self.on_paper(scale, &self.tones().paper, Vec::new())
     }
 
-    fn packed(&self) -> Sketch {
+    fn packed(&self, scale: usize) -> Sketch {
         let shown = self.shown();
         let (Some(packing), Some(domain)) = (shown.packing, shown.domain) else {
-            return self.bare();
+            return self.bare(scale);
         };
         let tones = self.tones();
-        let packed = draw::stages::packed(domain, &packing.particles(), &tones);
+        let packed = draw::stages::packed(domain, &packing.particles(), &tones, scale);
         let mut layers = vec![packed];
         layers.extend(self.lines());
-        self.on_paper(&tones.paper, layers)
+        self.on_paper(scale, &tones.paper, layers)
     }
 
     /// Whether the preview shows the stones in progress.
