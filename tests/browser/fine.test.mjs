@@ -1,4 +1,4 @@
-// The finished picture in the screen's own pixels, over the canvas.
+// The finished picture and drawings in the screen's own pixels, over the canvas.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
@@ -50,6 +50,13 @@ function count() {
 
 /** Waits for the fine picture with this many pixels along a side. */
 const fine = (page, side = THREE) => page.waitForSelector(`#sheet[data-fine="${side}"]`);
+
+/** The number of fine pictures at once after a key. */
+const leftAfter = (page, key) =>
+  page.evaluate((pressed) => {
+    document.body.dispatchEvent(new KeyboardEvent('keydown', { key: pressed, bubbles: true }));
+    return document.querySelectorAll('.fine, [data-fine]').length;
+  }, key);
 
 /** The number and the size of fine pictures. */
 const there = (page) => page.evaluate(() => [document.querySelectorAll('.fine').length, document.querySelector('#sheet').dataset.fine ?? null]);
@@ -122,8 +129,9 @@ test('it goes with the first change, and comes back once the picture stands stil
   }
   await fine(page);
   assert.deepEqual(await page.evaluate(() => [window.begun, window.ended]), [2, 2]);
-  // Views other than the picture, and overlays.
-  await page.keyboard.press('4');
+  // Views other than the picture, and overlays. A map has no finer pixels.
+  assert.equal(await leftAfter(page, '6'), 0);
+  await frames(page, 40);
   assert.deepEqual(await there(page), [0, null]);
   await page.keyboard.press('1');
   await fine(page);
@@ -246,8 +254,96 @@ test('the picture alone in another page is fine, too', sameEverywhere, async () 
   await page.waitForFunction(() => !document.querySelector('.fine'));
   await fine(page);
   assert.equal(await page.evaluate(() => window.begun), 2);
-  await page.evaluate((fragment) => (location.hash = fragment), `${LINK}&view=cells`);
+  await page.evaluate((fragment) => (location.hash = fragment), `${LINK}&view=height`);
   await page.waitForFunction(() => !document.querySelector('.fine'));
+  await page.evaluate((fragment) => (location.hash = fragment), `${LINK}&view=cells`);
+  await fine(page);
+  assert.equal(await page.evaluate(() => window.begun), 2);
   assert.deepEqual(problems, []);
+  await close();
+});
+
+/**
+ * The canvas and the fine drawing over it: their sides, the mean difference of their values if the fine ones are averaged, and
+ * the sum of the squared differences of neighbours along a row: it would be a third if the fine ones were enlarged.
+ */
+const drawings = (page) =>
+  page.evaluate(() => {
+    const [coarse, finer] = ['#canvas', '.fine'].map((name) => {
+      const from = document.querySelector(name);
+      const copy = new OffscreenCanvas(from.width, from.width).getContext('2d');
+      copy.drawImage(from, 0, 0);
+      return { side: from.width, data: copy.getImageData(0, 0, from.width, from.width).data };
+    });
+    const scale = finer.side / coarse.side;
+    let apart = 0;
+    for (let k = 0; k < coarse.data.length; k += 1) {
+      const [x, y] = [Math.floor(k / 4) % coarse.side, Math.floor(k / 4 / coarse.side)];
+      let sum = 0;
+      for (let v = 0; v < scale; v += 1) for (let u = 0; u < scale; u += 1) sum += finer.data[4 * ((y * scale + v) * finer.side + x * scale + u) + (k % 4)];
+      apart += Math.abs(sum / scale ** 2 - coarse.data[k]);
+    }
+    const edges = ({ side, data }) => data.reduce((sum, value, k) => (k % (4 * side) < 4 ? sum : sum + (value - data[k - 4]) ** 2), 0) / side;
+    return { sides: [coarse.side, finer.side], apart: apart / coarse.data.length, sharp: edges(finer) / edges(coarse) };
+  });
+
+test('a drawing, and one over the picture, has the pixels of the screen and the same marks', sameEverywhere, async () => {
+  for (const [view, side, most, least] of [['mesh', 1152, 2, 0.7], ['packed', 1152, 2, 0.7], ['potential', 768, 2, 0.7], ['size+cells', 768, 3, 0.7], ['auto+direction', 1152, 5, 0.6]]) {
+    const { page, problems, close } = await opened(`${LINK}&view=${view}`);
+    await digest(page);
+    await fine(page, String(side));
+    const { sides, apart, sharp } = await drawings(page);
+    assert.deepEqual(sides, [384, side], view);
+    assert.ok(apart < most, `${view}: ${apart} apart`);
+    assert.ok(sharp > least, `${view}: ${sharp} of the edges`);
+    assert.equal(await page.evaluate(() => window.begun), 0, 'a worker was begun for a drawing');
+    assert.deepEqual(problems, []);
+    await close();
+  }
+});
+
+test('a drawing follows the screen up to three pixels for one', sameEverywhere, async () => {
+  const { page, problems, close } = await opened('#size=192&cs=16&outline=square&view=cells', { viewport: { width: 420, height: 800, deviceScaleFactor: 1 } });
+  await page.waitForSelector('.fine');
+  const needed = await page.$eval('.fine', ({ clientWidth, width }) => [Math.min(3, Math.ceil(clientWidth / 192 / 1.04)), width / 192]);
+  assert.equal(needed[1], needed[0]);
+  await page.setViewport({ width: 420, height: 800, deviceScaleFactor: 3 });
+  await fine(page, '576');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a paused packing is fine, and each step brings the next drawing', sameEverywhere, async () => {
+  const { page, problems, close } = await opened(`${LINK}&step=5`);
+  await page.waitForFunction(() => window.bubblestone.status().steps === 5);
+  await fine(page);
+  const before = await drawings(page);
+  assert.ok(before.apart < 2, `${before.apart} apart`);
+  const { hash } = await canvas(page);
+  await page.keyboard.press('.');
+  while ((await canvas(page)).hash === hash) await frames(page, 1);
+  await fine(page);
+  const { apart } = await drawings(page);
+  assert.ok(apart < 2, `${apart} apart after a step`);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('the page is not held while a drawing comes', { skip }, async () => {
+  const { page, close } = await opened('#size=512&cs=16&view=mesh+cells+forces+direction', { still: false });
+  await fine(page, '1536');
+  const runs = [];
+  while (runs.length < 3 && !(runs.at(-1) < 1)) {
+    await page.keyboard.press('6');
+    await page.waitForSelector('#sheet:not([data-fine])');
+    runs.push(
+      await longestTask(page, async () => {
+        await page.keyboard.press(runs.length % 2 ? '3' : '4');
+        await fine(page, '1536');
+        await frames(page, 40);
+      }),
+    );
+  }
+  assert.ok(runs.at(-1) < 1, `the page was held for ${runs.join(', ')} of 50 ms`);
   await close();
 });

@@ -300,6 +300,17 @@ test('in class every figure fits the screen; on paper a chapter has every figure
   }
 });
 
+test('figures have lines and areas alone, still and at work: they are sharp on any screen', sameEverywhere, async () => {
+  for (const { path, ...chapter } of BY_TURNS) {
+    const { page, close } = await site.newPage(path, { viewport: { ...desk, deviceScaleFactor: 2 } });
+    await begun(page);
+    await page.waitForSelector('.figure[data-live]');
+    const found = await page.$$eval('.figure', (all) => all.map((figure) => [figure.querySelectorAll('canvas, img, image, foreignObject').length, figure.querySelectorAll('svg.plate').length > 0]));
+    assert.deepEqual(found, figuresOf(chapter).map(() => [0, true]), path);
+    await close();
+  }
+});
+
 test('choosing an answer opens what is said on the answers', sameEverywhere, async () => {
   const { page, close } = await site.newPage(CHAPTERS[0]);
   await begun(page);

@@ -106,7 +106,7 @@ export class App {
     keepInSight(this.store);
     if (newcomer) this.forming.begin(true);
     this.address.show(words, () => loop.begin());
-    void this.finished.then(() => refine(this.work, this.view));
+    refine(this.work, this.view, this.finished);
   }
 
   /**

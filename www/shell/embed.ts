@@ -10,7 +10,7 @@ import { alertOf, clear } from '../base/messages';
 import { Arrivals } from '../state/arrivals';
 import { fragment, pageAddress } from '../state/link';
 import { read, written } from '../state/asked-view';
-import { isPicture, wantsFine } from '../state/fine';
+import { wantsFine } from '../state/fine';
 import { joined, parted, WHOLE, type Camera, type Cut } from '../state/viewing';
 import type { Fine } from '../look/fine';
 import type { Turntables } from '../turn/turntables';
@@ -44,7 +44,7 @@ export class Embed {
     this.host = new PictureHost(recipe, {
       canvas,
       view: () => this.view,
-      worked: (stage) => this.worked(stage),
+      worked: (stage, _changed, drawn) => this.worked(stage, drawn),
       crashed: (error, link) => this.crashed(error, link),
     });
     const { engine, loop } = this.host;
@@ -73,14 +73,15 @@ export class Embed {
     tellCrash(error, link);
   }
 
-  private worked(stage: string): void {
+  private worked(stage: string, drawn: boolean): void {
     const { scripts } = this;
     document.documentElement.dataset['stage'] = stage;
     if (stage === 'done') {
       scripts.done();
       this.refine();
     }
-    this.fine?.follow();
+    if (drawn) this.fine?.redrawn();
+    else this.fine?.follow();
     if (stage === 'error') {
       const problem = this.host.engine.problem();
       alertOf('trouble', problem);
@@ -92,12 +93,13 @@ export class Embed {
   private refine(): void {
     if (this.refining) return;
     this.refining = true;
-    const { canvas, host: { engine } } = this;
+    const { canvas, host: { engine, loop } } = this;
     import('../look/fine').then(
-      ({ Fine }) =>
-        (this.fine = new Fine(canvas, () => {
-          const isPlain = isPicture(this.view) && engine.stage() === 'done' && !this.camera && !engine.offers('frames');
-          return isPlain ? { link: engine.link(), side: engine.side(), zoom: this.zoom.scale } : undefined;
+      ({ Fine, standing }) =>
+        (this.fine = new Fine(canvas, engine, () => {
+          if (this.camera || engine.offers('frames')) return undefined;
+          const still = standing(engine, this.view, { stage: engine.stage(), isPaused: loop.paused });
+          return still && { link: engine.link(), side: engine.side(), zoom: this.zoom.scale, ...still };
         })),
       () => undefined,
     );

@@ -1,13 +1,22 @@
-/** Loads the smoothing of the finished picture, if the visitor wants it. Without it the plain picture stays. */
+/**
+ * Loads what lays finer pixels over the canvas, if the visitor wants that: with the first finished picture, or at a pause,
+ * when a drawing stands still. Without it the plain canvas stays.
+ */
 import type { View } from '../picture/view';
 import type { Work } from '../state/work';
 
-export function refine(work: Work, view: View): void {
+export function refine(work: Work, view: View, finished: Promise<unknown>): void {
   const { store } = work;
   let coming: Promise<unknown> | undefined;
+  let isStill = false;
   const bring = (): void => {
-    if (store.state.fine) coming ??= import('../look/fine').then(({ keepFine }) => keepFine(work, view), () => (coming = undefined));
+    if (isStill && store.state.fine) coming ??= import('../look/fine').then(({ keepFine }) => keepFine(work, view), () => (coming = undefined));
+  };
+  const rest = (): void => {
+    isStill = true;
+    bring();
   };
   store.on(['fine'], bring);
-  bring();
+  store.on(['paused'], rest);
+  void finished.then(rest);
 }

@@ -180,9 +180,9 @@ export class Engine {
     return this.ask((core) => core.prepare(view, budget), true);
   }
 
-  /** Draws a view: words joined by '+', at most one base and any overlays; see `draw` of the module. */
-  draw(context: CanvasRenderingContext2D, view: string): void {
-    this.ask((core) => core.draw(context, view), undefined);
+  /** Draws a view: words joined by '+', at most one base and any overlays; see `draw` of the module. Returns the pixels along its side. */
+  draw(context: CanvasRenderingContext2D, view: string): number {
+    return this.ask((core) => core.draw(context, view), 0);
   }
 
 
