@@ -183,9 +183,9 @@ impl Bubblestone {
     /// ('auto', 'picture', 'paper', 'height', 'normals', 'albedo', 'roughness', 'ao', 'ids', 'potential') and
     /// any overlays ('size', 'packed', 'energy', 'cells', 'mesh', 'anisotropy', 'direction', 'forces',
     /// 'singularities'; without a base they are drawn on paper). The words 'x2' and 'x3' ask for two or three pixels
-    /// along each unit of the picture's side: drawings have them, if they are not more than 2048 along a side. With
-    /// 'potential' and 'size' there are at most two. Unknown words are ignored. Returns the pixels along the drawing's
-    /// side.
+    /// along each unit of the picture's side: drawings have them, if they are not more than 2048 along a side. The
+    /// potential has at most two, and nothing has more with 'size'. Unknown words are ignored. Returns the pixels along
+    /// the drawing's side.
     pub fn draw(&mut self, context: &CanvasRenderingContext2d, view: &str) -> u32 {
         let frame = self.studio.engine_mut().view(view);
         let side = (frame.len() / 4).isqrt() as u32;

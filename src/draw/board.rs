@@ -205,35 +205,26 @@ impl Board {
         let side = self.side();
         let mut larger = Self::scaled(side, by, [0.0; 4]);
         larger.scale = self.scale * by;
-        let mut wide = [(); 2].map(|()| vec![0; 4 * side * by]);
-        let mut held = [side; 2];
+        // Columns lie as rows do.
+        let places: Vec<_> = (0..side * by).map(|k| around(k, by, side)).collect();
         let rows = larger.pixmap.data_mut().chunks_exact_mut(4 * side * by);
-        for (y, row) in rows.enumerate() {
-            let (pair, below) = around(y, by, side);
-            if pair != held {
-                held = pair;
-                for (y, wide) in pair.into_iter().zip(&mut wide) {
-                    widen(&self.rgba()[4 * side * y..][..4 * side], by, wide);
+        for (row, &(pair, below)) in rows.zip(&places) {
+            let [upper, lower] = pair.map(|y| &self.rgba()[4 * side * y..][..4 * side]);
+            for (pixel, &([left, right], beside)) in row.chunks_exact_mut(4).zip(&places) {
+                for (k, value) in pixel.iter_mut().enumerate() {
+                    let of_row = |row: &[u8]| mixed(row[4 * left + k], row[4 * right + k], beside);
+                    let [a, b] = [upper, lower].map(of_row);
+                    *value = ((a * (256 - below) + b * below + (1 << 15)) >> 16) as u8;
                 }
-            }
-            let [upper, lower] = &wide;
-            for ((value, a), b) in row.iter_mut().zip(upper).zip(lower) {
-                *value = ((a * (256 - below) + b * below + (1 << 15)) >> 16) as u8;
             }
         }
         larger
     }
 }
 
-/// A row of pixels with `by` for each, in 65,280ths.
-fn widen(row: &[u8], by: usize, wide: &mut [u32]) {
-    for (x, values) in wide.chunks_exact_mut(4).enumerate() {
-        let ([left, right], share) = around(x, by, row.len() / 4);
-        let pairs = row[4 * left..].iter().zip(&row[4 * right..]);
-        for (value, (&a, &b)) in values.iter_mut().zip(pairs) {
-            *value = u32::from(a) * (256 - share) + u32::from(b) * share;
-        }
-    }
+/// The mean of two values with a share of the second one in 256ths, 256 times as large.
+fn mixed(a: u8, b: u8, share: u32) -> u32 {
+    u32::from(a) * (256 - share) + u32::from(b) * share
 }
 
 /// The two pixels around the middle of the finer pixel `k`, of which there are `by` in a pixel, and the share of the

@@ -12,34 +12,36 @@ const LEAST_ROWS: usize = 16;
 pub struct Sketch {
     board: Board,
     layers: Vec<Layer>,
-    /// The number of finished rows.
+    /// The number of finished rows, and that of a slice.
     rows: usize,
+    at_a_time: usize,
 }
 
 impl Sketch {
     /// Layers to be drawn on a board, each over those before it.
     pub fn new(board: Board, layers: Vec<Layer>) -> Self {
         Self {
+            rows: 0,
+            at_a_time: (AT_A_TIME / board.side()).max(LEAST_ROWS),
             board,
             layers,
-            rows: 0,
         }
     }
 
     /// Draws the next rows; true when there are no more.
     pub fn advance(&mut self) -> bool {
         let side = self.board.side();
-        let to = (self.rows + (AT_A_TIME / side).max(LEAST_ROWS)).min(side);
+        let to = (self.rows + self.at_a_time).min(side);
         let layers = &self.layers;
         self.board.within(self.rows..to, |board| board.draw(layers));
         self.rows = to;
         self.rows == side
     }
 
-    /// The same, drawn at once: edges may differ a little where rows of slices meet.
+    /// The same, drawn at once if nothing is drawn yet: edges may differ a little where rows of slices meet.
     pub fn whole(mut self) -> Board {
-        self.board.draw(&self.layers);
-        self.board
+        self.at_a_time = self.board.side();
+        self.finish()
     }
 
     /// The finished drawing.

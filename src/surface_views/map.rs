@@ -326,7 +326,7 @@ impl Detail for Scale {
         let pixel = CONTOURS * slope * spread;
         // Contours that would touch each other are not drawn.
         let clear = (1.5 - 3.0 * pixel).clamp(0.0, 1.0);
-        let dark = INK * contour(share, greater(pixel, 1e-6), 1.0) * clear;
+        let dark = INK * contour(share, greater(pixel, 1e-6)) * clear;
         surfel.colour = surfel.colour.map(|v| v * (1.0 - dark));
     }
 }

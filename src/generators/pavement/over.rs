@@ -27,46 +27,35 @@ impl Pavement {
                 _ => None,
             };
             let loads = loads.map(|(packing, domain)| packing.net_forces(domain));
+            let loads = loads.unwrap_or_default();
             let made = &self.made;
             let Some((domain, fields)) = made.ground() else {
                 break;
             };
-            match overlay {
+            layers.extend(match overlay {
                 Overlay::Size => {
                     // In a new domain the last fields keep their colours.
                     let revision = made.fields.revision();
                     heat.draw(&mut board, revision, side, domain, fields);
+                    Vec::new()
                 }
                 Overlay::Packed => {
                     let packing = self.held().or(made.shown_packing()).filter(|_| packs);
                     let particles = packing.map_or(Vec::new(), Packing::particles);
                     let stress = stress(domain, &particles);
-                    layers.extend(draw::over::packed(&particles, &stress, scale));
+                    draw::over::packed(&particles, &stress, scale)
                 }
-                Overlay::Energy | Overlay::Forces => {
-                    let loads = loads.unwrap_or_default();
-                    layers.extend(match overlay {
-                        Overlay::Energy => draw::forces::energy(&loads, scale),
-                        _ => draw::forces::forces(&loads),
-                    });
-                }
-                Overlay::Cells if celled => layers.extend(draw::over::cells(made.cells())),
-                Overlay::Mesh if meshed => {
-                    if let Some(mesh) = made.mesh() {
-                        layers.extend(draw::over::mesh(mesh, fields));
-                    }
-                }
-                Overlay::Cells | Overlay::Mesh => {}
-                Overlay::Anisotropy => {
-                    layers.extend(draw::over::anisotropy(domain, fields, side as f64, scale));
-                }
-                Overlay::Direction => {
-                    layers.extend(draw::field::direction_over(domain, fields, side as f64));
-                }
-                Overlay::Singularities => {
-                    layers.extend(draw::field::singularities(domain, fields, side as f64));
-                }
-            }
+                Overlay::Energy => draw::forces::energy(&loads, scale),
+                Overlay::Forces => draw::forces::forces(&loads),
+                Overlay::Cells if celled => draw::over::cells(made.cells()).into(),
+                Overlay::Mesh if meshed => made
+                    .mesh()
+                    .map_or(Vec::new(), |mesh| draw::over::mesh(mesh, fields)),
+                Overlay::Cells | Overlay::Mesh => Vec::new(),
+                Overlay::Anisotropy => draw::over::anisotropy(domain, fields, side as f64, scale),
+                Overlay::Direction => draw::field::direction_over(domain, fields, side as f64),
+                Overlay::Singularities => draw::field::singularities(domain, fields, side as f64),
+            });
         }
         Sketch::new(board, layers)
     }

@@ -232,15 +232,14 @@ fn drawings_have_more_pixels_and_the_same_content() {
     let (recipe, _) = ALL.recipe("size=128&cs=24&kind=ellipse&ca=2&spots=0.5,0.5,0.3,1.5");
     let mut studio = Studio::new(ALL, recipe);
     studio.finish(&mut || 0.0).unwrap();
-    let drawn = "paper packed cells mesh direction potential picture+mesh height+cells paper+size paper+energy+forces \
+    let drawn = "paper packed cells mesh direction potential picture+mesh height+cells paper+energy+forces \
                  picture+anisotropy+singularities+packed";
     for view in drawn.split(' ').filter(|view| !view.is_empty()) {
         for scale in [2, 3] {
             let engine = studio.engine_mut();
             let plain = engine.view(view).to_vec();
             let words = format!("{view}+x{scale}");
-            let is_computed = view == "potential" || view.contains("size");
-            let scale = scale.min(if is_computed { 2 } else { 3 });
+            let scale = scale.min(if view == "potential" { 2 } else { 3 });
             while !engine.prepare(&words, &mut || 0.0, 1.0) {}
             let fine = engine.view(&words).to_vec();
             assert_eq!(fine.len(), plain.len() * scale * scale, "{words}");
@@ -254,7 +253,7 @@ fn drawings_have_more_pixels_and_the_same_content() {
             assert_eq!(engine.view(view), plain, "{words} changed {view}");
         }
     }
-    for view in "auto picture height normals ids albedo roughness ao".split(' ') {
+    for view in "auto picture height normals ids albedo roughness ao paper+size".split(' ') {
         let plain = studio.engine_mut().view(view).to_vec();
         assert_eq!(studio.engine_mut().view(&format!("{view}+x3")), plain);
     }

@@ -84,7 +84,8 @@ impl Pavement {
     /// Draws the base, unless it is drawn.
     fn draw_base(&self, key: DrawnKey, gallery: &mut Gallery) {
         let side = self.side();
-        gallery.frame = gallery.frame.take().filter(|board| board.fits(side));
+        let fits = |board: &Board| board.fits(side) && board.scale() <= key.0;
+        gallery.frame = gallery.frame.take().filter(fits);
         if gallery.drawn != Some(key) || gallery.frame.is_none() {
             let sketch = self.sketch(key, gallery);
             self.draw(key, gallery, sketch);
@@ -142,10 +143,13 @@ impl Pavement {
         self.changes + self.made.slices()
     }
 
-    /// Potentials and sizes are computed pixel by pixel in one slice: they have fewer pixels, so that it stays short.
+    /// Sizes have the recipe's pixels. A potential is computed pixel by pixel in one slice, which is to stay short.
     fn key(&self, view: PavementView) -> DrawnKey {
-        let is_computed = view.base == Base::Potential || view.has(Overlay::Size);
-        let most = (MOST_SIDE / self.side()).clamp(1, if is_computed { 2 } else { 3 });
+        let most = match view.base {
+            _ if view.has(Overlay::Size) => 1,
+            Base::Potential => 2,
+            _ => (MOST_SIDE / self.side()).max(1),
+        };
         (most.min(view.scale.into()), view.base, self.stamp())
     }
 
