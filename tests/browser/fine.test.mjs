@@ -315,7 +315,7 @@ test('a drawing follows the screen up to three pixels for one', sameEverywhere, 
 
 test('a paused packing is fine, and each step brings the next drawing', sameEverywhere, async () => {
   const { page, problems, close } = await opened(`${LINK}&step=5`);
-  await page.waitForFunction(() => window.bubblestone.status().steps === 5);
+  await page.waitForFunction(() => window.bubblestone?.status().steps === 5);
   await fine(page);
   const before = await drawings(page);
   assert.ok(before.apart < 2, `${before.apart} apart`);

@@ -84,7 +84,7 @@ impl Pavement {
     /// Draws the base, unless it is drawn.
     fn draw_base(&self, key: DrawnKey, gallery: &mut Gallery) {
         let side = self.side();
-        let fits = |board: &Board| board.fits(side) && board.scale() <= key.0;
+        let fits = |board: &Board| board.fits(side) && key.0.is_multiple_of(board.scale());
         gallery.frame = gallery.frame.take().filter(fits);
         if gallery.drawn != Some(key) || gallery.frame.is_none() {
             let sketch = self.sketch(key, gallery);
