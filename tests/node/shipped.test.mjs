@@ -74,7 +74,9 @@ function lookAt(studio) {
     assert.equal(canvas.pixels.data.length, 4 * side * side, view);
     studio.absences(view);
   }
-  for (const [view, scale] of /** @type {const} */ ([['mesh+x2', 2], ['picture+packed+x3', 3], ['paper+size+x3', 1], ['height+x3', 1]])) {
+  // A map has the picture's pixels; the outline stands for it before it is made.
+  const maps = studio.stage() === 'done' ? [['height+x3', 1]] : [];
+  for (const [view, scale] of /** @type {[string, number][]} */ ([['mesh+x2', 2], ['picture+packed+x3', 3], ['paper+size+x3', 1], ...maps])) {
     studio.prepare(view, 1);
     assert.equal(studio.draw(canvas, view), scale * side, view);
     assert.equal(canvas.pixels.data.length, 4 * (scale * side) ** 2, view);
