@@ -86,9 +86,18 @@ pub struct FootprintCorner {
 ///
 /// It is the space that a cell claims. The geometry of the cell is smaller, by the inset of each side (Legakis,
 /// Dorsey, Gortler 2001, Feature-based cellular texturing for architectural models, section 3.3).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Footprint {
     corners: FootprintCorners,
+}
+
+impl Clone for Footprint {
+    fn clone(&self) -> Self {
+        // A copy of all corners at once: the list's own way is one by one.
+        Self {
+            corners: SmallVec::from_slice(&self.corners),
+        }
+    }
 }
 
 /// Most polygons have four corners, and a list of up to six needs no allocation.
@@ -100,20 +109,29 @@ impl Footprint {
     /// # Errors
     /// If the corners make no convex polygon.
     pub fn new(corners: &[DVec2]) -> Result<Self, FootprintFault> {
+        let polygon = Self::joined(corners)?;
+        let is_convex = polygon.is_convex();
+        is_convex
+            .then_some(polygon)
+            .ok_or(FootprintFault::NotConvex)
+    }
+
+    /// The polygon with these corners, which may not be convex.
+    fn joined(corners: &[DVec2]) -> Result<Self, FootprintFault> {
         if corners.iter().any(|p| !p.is_finite()) {
             return Err(FootprintFault::NotFinite);
         }
         let corners = corners.iter().map(|&at| FootprintCorner { at, inset: 0.0 });
-        let polygon = Self::welded(corners.collect()).ok_or(FootprintFault::Flat)?;
-        let count = polygon.corners.len();
+        Self::welded(corners.collect()).ok_or(FootprintFault::Flat)
+    }
+
+    fn is_convex(&self) -> bool {
+        let count = self.corners.len();
         let turns = (0..count).map(|k| {
-            let [a, b, c] = [k, k + 1, k + 2].map(|k| polygon.corners[k % count].at);
+            let [a, b, c] = [k, k + 1, k + 2].map(|k| self.corners[k % count].at);
             (b - a).normalize().perp_dot(c - b)
         });
-        let is_convex = turns.fold(f64::MAX, f64::min) >= -WELD;
-        is_convex
-            .then_some(polygon)
-            .ok_or(FootprintFault::NotConvex)
+        turns.fold(f64::MAX, f64::min) >= -WELD
     }
 
     /// The rectangle between two corners; none if it has no area.
@@ -135,20 +153,26 @@ impl Footprint {
     /// The convex hull of points, with no insets (Andrew 1979, Another efficient algorithm for convex hulls in two
     /// dimensions); none without area.
     pub fn hull(points: &[DVec2]) -> Option<Self> {
-        let mut sorted = points.to_vec();
-        order::sort(&mut sorted, |p| (order::rank(p.x), order::rank(p.y)));
-        let lower = chain(sorted.iter().copied());
-        let upper = chain(sorted.iter().rev().copied());
-        let corners = [
-            &lower[..lower.len().saturating_sub(1)],
-            &upper[..upper.len().saturating_sub(1)],
-        ]
-        .concat();
-        Self::new(&corners).ok()
+        let sorted = sorted(points);
+        let mut corners = chain(sorted.iter().copied());
+        corners.pop();
+        corners.extend(chain(sorted.iter().rev().copied()));
+        corners.pop();
+        let hull = Self::joined(&corners).ok()?;
+        // All turns are to the left, exactly, as long as no corners are joined.
+        let is_convex = hull.corners.len() == corners.len() || hull.is_convex();
+        is_convex.then_some(hull)
     }
 
     /// Joins repeated corners; none without area.
-    fn welded(mut corners: FootprintCorners) -> Option<Self> {
+    fn welded(corners: FootprintCorners) -> Option<Self> {
+        let mut polygon = Self { corners };
+        polygon.weld().then_some(polygon)
+    }
+
+    /// Joins repeated corners; false without area.
+    fn weld(&mut self) -> bool {
+        let corners = &mut self.corners;
         // The later corner of two carries the side that is left.
         let is_short =
             |a: &FootprintCorner, b: &FootprintCorner| a.at.distance_squared(b.at) < WELD * WELD;
@@ -162,8 +186,7 @@ impl Footprint {
         if corners.len() > 1 && is_short(&corners[0], &corners[corners.len() - 1]) {
             corners.pop();
         }
-        let polygon = Self { corners };
-        (polygon.corners.len() > 2 && polygon.area() > LEAST_AREA).then_some(polygon)
+        corners.len() > 2 && self.area() > LEAST_AREA
     }
 
     /// The corners, counter-clockwise.
@@ -241,6 +264,16 @@ impl Footprint {
 
     /// The part in a half-plane; the new side gets this inset (metres). None if no area is left.
     pub fn clip(&self, half: HalfPlane, inset: f64) -> Option<Self> {
+        let mut part = self.clone();
+        part.cut(half, inset).then_some(part)
+    }
+
+    /// Cuts off what lies beyond a half-plane, as [`Self::clip`]; false if no area is left.
+    fn cut(&mut self, half: HalfPlane, inset: f64) -> bool {
+        let distance = |corner: FootprintCorner| half.distance(corner.at);
+        if self.corners.iter().all(|&corner| distance(corner) >= 0.0) {
+            return self.weld();
+        }
         let mut corners = FootprintCorners::new();
         let crossing =
             |(a, da): (FootprintCorner, f64), (b, db): (FootprintCorner, f64)| FootprintCorner {
@@ -248,52 +281,68 @@ impl Footprint {
                 // A side that leaves the half-plane ends here, where the cut begins.
                 inset: if da >= 0.0 { inset } else { a.inset },
             };
-        cut_polygon(
-            &self.corners,
-            |corner| half.distance(corner.at),
-            crossing,
-            |c| corners.push(c),
-        );
-        Self::welded(corners)
+        cut_polygon(&self.corners, distance, crossing, |c| corners.push(c));
+        self.corners = corners;
+        self.weld()
     }
 
     /// The part that two polygons share, with the insets of the first; the sides of the second get none.
     pub fn intersection(&self, other: &Self) -> Option<Self> {
         let mut part = self.clone();
-        for half in other.half_planes() {
-            part = part.clip(half, 0.0)?;
-        }
-        Some(part)
+        let is_left = other.half_planes().all(|half| part.cut(half, 0.0));
+        is_left.then_some(part)
     }
 
     /// The area that two polygons share, in square metres.
     pub fn shared_area(&self, other: &Self) -> f64 {
-        let ([low, high], [from, to]) = (self.bounds(), other.bounds());
-        let both = high.min(to) - low.max(from);
-        // No polygon is as narrow as this.
-        if both.min_element() < WELD {
-            return 0.0;
+        match shared_box(self.bounds(), other.bounds()) {
+            None => 0.0,
+            Some(both) if self.is_rectangle() && other.is_rectangle() => both.x * both.y,
+            Some(_) if self.lies_beside(other) || other.lies_beside(self) => 0.0,
+            Some(_) => self.intersection(other).map_or(0.0, |part| part.area()),
         }
-        if self.is_rectangle() && other.is_rectangle() {
-            return both.x * both.y;
-        }
-        self.intersection(other).map_or(0.0, |part| part.area())
+    }
+
+    /// Whether a side of another polygon has all of this one on its outer side. Rounding decides only where what they
+    /// share is so narrow that it counts as nothing.
+    fn lies_beside(&self, other: &Self) -> bool {
+        let mut sides = (0..other.corners.len()).map(|k| other.side(k));
+        sides.any(|[a, b]| self.places().all(|p| (b - a).perp_dot(p - a) <= 0.0))
     }
 
     /// The polygon with each side moved in by its inset, as the paper's cells are shrunk for mortar; none if nothing
     /// is left.
     pub fn shrunk(&self) -> Option<Self> {
         let mut part = self.clone();
-        for (half, corner) in self.half_planes().zip(&self.corners) {
-            part = part.clip(half.inset(corner.inset), 0.0)?;
-        }
-        Some(part)
+        let mut sides = self.half_planes().zip(&self.corners);
+        let is_left = sides.all(|(half, corner)| part.cut(half.inset(corner.inset), 0.0));
+        is_left.then_some(part)
     }
 }
 
+/// The sizes of the box that two boxes share; none if no polygon is as narrow.
+pub(super) fn shared_box([low, high]: [DVec2; 2], [from, to]: [DVec2; 2]) -> Option<DVec2> {
+    let both = high.min(to) - low.max(from);
+    (both.min_element() >= WELD).then_some(both)
+}
+
+/// Points of which a list of up to eight, as a block has, needs no allocation.
+type Points = SmallVec<[DVec2; 8]>;
+
+/// Points by their s, then by their t. There are few, so each goes to its place in those before it.
+fn sorted(points: &[DVec2]) -> Points {
+    let key = |p: &DVec2| (order::rank(p.x), order::rank(p.y));
+    let mut sorted = Points::new();
+    for p in points {
+        let at = sorted.partition_point(|known| key(known) <= key(p));
+        sorted.insert(at, *p);
+    }
+    sorted
+}
+
 /// The points of a sorted list at which its hull turns left, its ends included.
-fn chain(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
-    let mut chain: Vec<DVec2> = Vec::new();
+fn chain(points: impl Iterator<Item = DVec2>) -> Points {
+    let mut chain = Points::new();
     for p in points {
         while let [.., a, b] = chain[..]
             && orientation(a, b, p) <= 0.0

@@ -108,11 +108,13 @@ fn split(
 /// All of a polygon that no obstacle covers, as convex polygons without overlaps.
 pub fn remainder(polygon: &Footprint, obstacles: &[impl Borrow<Footprint>]) -> Vec<Footprint> {
     let mut parts = vec![polygon.clone()];
-    for obstacle in obstacles {
-        parts = parts
-            .iter()
-            .flat_map(|part| without(part, obstacle.borrow()))
-            .collect();
+    for obstacle in obstacles.iter().map(Borrow::borrow) {
+        if parts.iter().any(|part| part.shared_area(obstacle) != 0.0) {
+            parts = parts
+                .iter()
+                .flat_map(|part| without(part, obstacle))
+                .collect();
+        }
     }
     parts
 }
