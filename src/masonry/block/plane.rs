@@ -24,19 +24,21 @@ impl Plane {
     /// The mean plane of a ring of points, which is counter-clockwise seen from outside (Newell's normal; Sutherland,
     /// Sproull, Schumacker 1974, A Characterization of Ten Hidden-Surface Algorithms). None without area.
     pub fn of_ring(ring: impl ExactSizeIterator<Item = DVec3> + Clone) -> Option<Self> {
-        let origin = ring.clone().next()?;
-        let twice = ring
-            .clone()
-            .zip(ring.clone().skip(1))
-            .map(|(a, b)| (a - origin).cross(b - origin))
-            .sum::<DVec3>();
-        let normal = twice.try_normalize()?;
+        let normal = Self::normal_of(ring.clone())?;
         let count = ring.len();
         let offsets = ring.map(|p| normal.dot(p));
         Some(Self {
             normal,
             offset: offsets.sum::<f64>() / count as f64,
         })
+    }
+
+    /// Its normal alone.
+    pub(super) fn normal_of(mut ring: impl Iterator<Item = DVec3>) -> Option<DVec3> {
+        let origin = ring.next()?;
+        let mut from = DVec3::ZERO;
+        let spans = ring.map(|p| std::mem::replace(&mut from, p - origin).cross(p - origin));
+        spans.sum::<DVec3>().try_normalize()
     }
 
     /// Signed distance of a point, positive outside (metres).

@@ -15,7 +15,7 @@ const LEAST_VOLUME: f64 = 1e-12;
 pub type SideCorners = SmallVec<[u32; 8]>;
 
 /// A side of a block.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Side {
     /// The numbers of its corners, counter-clockwise seen from outside.
     pub corners: SideCorners,
@@ -23,6 +23,16 @@ pub struct Side {
     pub inset: f64,
     /// The height of its bumps (metres); 0 is smooth. Generators mark the polygons of their cells so (section 5.5).
     pub roughness: f64,
+}
+
+impl Clone for Side {
+    fn clone(&self) -> Self {
+        // A copy of all corners at once: the list's own way is one by one.
+        Self {
+            corners: SmallVec::from_slice(&self.corners),
+            ..*self
+        }
+    }
 }
 
 /// A convex polyhedron: closed, each side outwards. On curved walls its sides are nearly plane.
@@ -42,8 +52,9 @@ impl Polyhedron {
         [below, above]: [f64; 2],
         map: impl Fn(DVec2, f64) -> DVec3,
     ) -> Self {
-        let end = |z: f64| base.places().map(|p| map(p, z)).collect::<Vec<DVec3>>();
-        let mut body = Self::between(&[end(low), end(high)]);
+        let end = |z: f64| base.corners().iter().map(move |corner| (corner.at, z));
+        let places = end(low).chain(end(high));
+        let mut body = Self::of_rings(places.map(|(p, z)| map(p, z)).collect());
         let walls = base.corners().iter().map(|corner| corner.inset);
         for (side, inset) in body
             .sides
@@ -59,7 +70,12 @@ impl Polyhedron {
     /// and the quadrilaterals between them. The second ring is counter-clockwise seen from outside, the first one
     /// clockwise.
     pub fn between([low, high]: &[Vec<DVec3>; 2]) -> Self {
-        let count = low.len() as u32;
+        Self::of_rings([&low[..], &high[..]].concat())
+    }
+
+    /// The same with the vertices of both rings in one list.
+    fn of_rings(vertices: Vec<DVec3>) -> Self {
+        let count = vertices.len() as u32 / 2;
         let walls = (0..count).map(|k| {
             let next = (k + 1) % count;
             smallvec![k, next, count + next, count + k]
@@ -67,7 +83,7 @@ impl Polyhedron {
         let ends = [(0..count).rev().collect(), (count..2 * count).collect()];
         let sides = ends.into_iter().chain(walls);
         Self {
-            vertices: [&low[..], &high[..]].concat(),
+            vertices,
             sides: sides
                 .map(|corners| Side {
                     corners,
@@ -80,7 +96,7 @@ impl Polyhedron {
 
     /// Whether the body has a volume and each side an area, so that it can be cut.
     pub fn is_sound(&self) -> bool {
-        let has_area = |side: &Side| Plane::of_ring(self.ring(side)).is_some();
+        let has_area = |side: &Side| Plane::normal_of(self.ring(side)).is_some();
         self.sides.len() > 3 && self.sides.iter().all(has_area) && self.volume() > LEAST_VOLUME
     }
 
@@ -206,7 +222,7 @@ impl Polyhedron {
     /// The part behind a plane; the new side gets this inset (metres). None if no volume is left.
     pub fn cut(&self, plane: Plane, inset: f64) -> Option<Self> {
         let on_plane = |distance: f64| if distance.abs() < ON { 0.0 } else { distance };
-        let inwards: Vec<f64> = self
+        let inwards: SmallVec<[f64; 16]> = self
             .vertices
             .iter()
             .map(|&p| on_plane(-plane.distance(p)))
@@ -219,10 +235,13 @@ impl Polyhedron {
         }
         let mut cutting = Cutting {
             inwards,
-            body: self.clone(),
-            crossings: Vec::new(),
+            body: Self {
+                vertices: self.vertices.clone(),
+                sides: Vec::with_capacity(self.sides.len() + 1),
+            },
+            crossings: SmallVec::new(),
         };
-        cutting.cut_sides();
+        cutting.cut_sides(&self.sides);
         let rim = cutting.rim();
         if rim.len() > 2 {
             cutting.body.sides.push(Side {
@@ -237,8 +256,8 @@ impl Polyhedron {
 
     /// The same without unused vertices.
     fn compacted(mut self) -> Self {
-        let mut numbers = vec![None; self.vertices.len()];
-        let mut kept = Vec::new();
+        let mut numbers: SmallVec<[Option<u32>; 24]> = smallvec![None; self.vertices.len()];
+        let mut kept = Vec::with_capacity(self.vertices.len());
         for v in self.sides.iter_mut().flat_map(|side| &mut side.corners) {
             *v = *numbers[*v as usize].get_or_insert_with(|| {
                 kept.push(self.vertices[*v as usize]);
@@ -269,10 +288,10 @@ impl Polyhedron {
     /// Most patterns claim all space, and shrink their cells to leave gaps for mortar (Legakis, Dorsey, Gortler 2001,
     /// section 3.3).
     pub fn shrunk(&self) -> Option<Self> {
-        let mut sides = self.planes().zip(&self.sides);
-        sides.try_fold(self.clone(), |body, (plane, side)| match side.inset {
-            0.0 => Some(body),
-            inset => body.cut(plane.inset(inset), 0.0),
+        let sides = self.planes().zip(&self.sides);
+        let mut joints = sides.filter(|(_, side)| side.inset != 0.0);
+        joints.try_fold(self.clone(), |body, (plane, side)| {
+            body.cut(plane.inset(side.inset), 0.0)
         })
     }
 
@@ -293,15 +312,14 @@ impl Polyhedron {
 struct Cutting {
     body: Polyhedron,
     /// Distance of each old vertex from the plane, positive where it stays.
-    inwards: Vec<f64>,
+    inwards: SmallVec<[f64; 16]>,
     /// The new vertices by the ends of their edges, the smaller number first.
-    crossings: Vec<([u32; 2], u32)>,
+    crossings: SmallVec<[([u32; 2], u32); 8]>,
 }
 
 impl Cutting {
     /// Cuts each side and drops those without a corner inside.
-    fn cut_sides(&mut self) {
-        let sides = std::mem::take(&mut self.body.sides);
+    fn cut_sides(&mut self, sides: &[Side]) {
         for side in sides {
             let is_inner = side.corners.iter().any(|&v| self.inwards[v as usize] > 0.0);
             // A corner of the new side is an old one twice, or the ends of the edge that is cut.
@@ -321,7 +339,7 @@ impl Cutting {
                 corners.pop();
             }
             if is_inner && corners.len() > 2 {
-                self.body.sides.push(Side { corners, ..side });
+                self.body.sides.push(Side { corners, ..*side });
             }
         }
     }
@@ -346,14 +364,16 @@ impl Cutting {
         v
     }
 
-    /// The ring of the new side: the edges that have one side only, backwards.
+    /// The ring of the new side: the edges in the plane that have one side only, backwards.
     fn rim(&self) -> SideCorners {
         let edges = self.body.sides.iter().flat_map(|side| {
             let next = side.corners.iter().cycle().skip(1);
             side.corners.iter().zip(next).map(|(&a, &b)| [a, b])
         });
-        let edges: Vec<[u32; 2]> = edges.collect();
-        let mut open: Vec<[u32; 2]> = edges
+        let is_on = |v: u32| self.inwards.get(v as usize).is_none_or(|&d| d == 0.0);
+        let edges = edges.filter(|&[a, b]| is_on(a) && is_on(b));
+        let edges: SmallVec<[[u32; 2]; 16]> = edges.collect();
+        let mut open: SmallVec<[[u32; 2]; 16]> = edges
             .iter()
             .filter(|&&[a, b]| !edges.contains(&[b, a]))
             .map(|&[a, b]| [b, a])
