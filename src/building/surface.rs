@@ -34,15 +34,18 @@ const WHOLE: f64 = 1e-6;
 pub struct Sweep {
     profile: Path,
     direction: DVec3,
-    /// The profile's start and tangent if it is a single line, so that flat faces need no more.
-    line: Option<[DVec3; 2]>,
+    /// The profile's start and tangent, and the normal, if it is a single line: flat faces need no more.
+    line: Option<[DVec3; 3]>,
 }
 
 impl Sweep {
     /// A profile, in a plane normal to the unit vector `direction`.
     pub fn new(profile: Path, direction: DVec3) -> Self {
         let line = match profile.pieces() {
-            [line @ Piece::Line { from, .. }] => Some([*from, line.tangent(0.0)]),
+            [line @ Piece::Line { from, .. }] => {
+                let tangent = line.tangent(0.0);
+                Some([*from, tangent, tangent.cross(direction)])
+            }
             _ => None,
         };
         Self {
@@ -70,29 +73,37 @@ impl Sweep {
         }
     }
 
+    #[inline]
     fn frame(&self, s: f64, t: f64) -> SurfaceFrame {
-        let (point, tangent) = match self.line {
-            Some([from, tangent]) => (from + tangent * s, tangent),
-            None => (self.profile.point(s), self.profile.tangent(s)),
+        let (point, tangent, normal) = match self.line {
+            Some([from, tangent, normal]) => (from + tangent * s, tangent, normal),
+            None => {
+                let tangent = self.profile.tangent(s);
+                (
+                    self.profile.point(s),
+                    tangent,
+                    tangent.cross(self.direction),
+                )
+            }
         };
         SurfaceFrame {
             origin: point + self.direction * t,
             s: tangent,
             t: self.direction,
-            normal: tangent.cross(self.direction),
+            normal,
         }
     }
 
     fn project(&self, p: DVec3) -> DVec3 {
         let start = match self.line {
-            Some([from, _]) => from,
+            Some([from, ..]) => from,
             None => self.profile.point(0.0),
         };
         let t = (p - start).dot(self.direction);
         let in_plane = p - self.direction * t;
         let s = match self.line {
             // Without a sign of zero, as where the line is one of several pieces.
-            Some([from, tangent]) => 0.0 + (in_plane - from).dot(tangent),
+            Some([from, tangent, _]) => 0.0 + (in_plane - from).dot(tangent),
             None => self.profile.project(in_plane),
         };
         let frame = self.frame(s, 0.0);

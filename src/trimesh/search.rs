@@ -381,9 +381,9 @@ impl Search {
                 continue;
             }
             for &t in self.leaf(node - leaves) {
-                if let Some((far, w)) = meets(mesh.corners(t), from, along)
+                if wanted(t)
+                    && let Some((far, w)) = meets(mesh.corners(t), from, along)
                     && (far < best.0 || (far == best.0 && t < best.1))
-                    && wanted(t)
                 {
                     best = (far, t, w);
                 }
