@@ -202,9 +202,7 @@ impl Site {
             let Some(whole) = Footprint::hull(&corners) else {
                 continue;
             };
-            let obstacles = self.wall_obstacles(ring.wall, &whole, off == 0.0);
-            let inset = 0.5 * self.plan.module.joint;
-            let Some(part) = clip(&whole, &obstacles, inset, LEAST_SHARE) else {
+            let Some(part) = self.beside_obstacles(ring.wall, &whole, off == 0.0) else {
                 continue;
             };
             let sort = if part.area() < 0.97 * whole.area() {
@@ -232,15 +230,22 @@ impl Site {
         top + steps.reduce(nearest).unwrap_or(0.0)
     }
 
-    /// The obstacles that a stone of an arch must not overlap. The chord of its inner side lies in the opening, so
-    /// the opening itself does not count at the innermost row.
-    fn wall_obstacles(&self, wall: FaceId, place: &Footprint, is_inner: bool) -> Vec<&Footprint> {
+    /// The part of a stone of an arch that overlaps nothing. The chord of its inner side lies in the opening, so the
+    /// opening itself does not count at the innermost row.
+    fn beside_obstacles(
+        &self,
+        wall: FaceId,
+        place: &Footprint,
+        is_inner: bool,
+    ) -> Option<Footprint> {
         let map = &self.faces[wall.index()];
-        if is_inner {
+        let obstacles = if is_inner {
             map.claimed_near(place)
         } else {
             map.obstacles(place)
-        }
+        };
+        let inset = 0.5 * self.plan.module.joint;
+        clip(place, &obstacles, inset, LEAST_SHARE)
     }
 
     /// The parts of an edge that are not upright, between a wall and a reveal. `depth` is how deep their stones should

@@ -6,6 +6,7 @@ use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::tree::PatternGenerator;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// A feature of the building. Cells are stored with the feature for which they were made (Legakis, Dorsey, Gortler
 /// 2001, section 3.3).
@@ -74,15 +75,15 @@ pub struct MasonryCell {
     /// Its sort.
     pub sort: CellSort,
     /// The space that it fills; sides at joints have insets, exposed ones have none.
-    pub claimed: Polyhedron,
-    /// The same, with what stands out of the wall: its shape before it is shrunk.
-    pub body: Polyhedron,
+    pub claimed: Arc<Polyhedron>,
+    /// The same, with what stands out of the wall: its shape before it is shrunk. Most cells have one body for both.
+    pub body: Arc<Polyhedron>,
     /// The unit vector in which its front looks.
     pub outwards: DVec3,
     /// The space that it claims on faces.
     pub claims: Vec<(FaceId, Footprint)>,
     /// The place on its face that was clipped to the free space, if something was cut off.
-    pub unclipped: Option<Footprint>,
+    pub unclipped: Option<Box<Footprint>>,
 }
 
 /// The passes of the laying, in their order (Legakis, Dorsey, Gortler 2001, section 4.2). Panels of all faces come before
@@ -143,7 +144,7 @@ pub(super) struct CellDraft {
     /// How far the exposed sides towards `fronts` stand out (metres).
     pub extrude: f64,
     /// The place on its face before it was clipped, if something was cut off.
-    pub unclipped: Option<Footprint>,
+    pub unclipped: Option<Box<Footprint>>,
     /// The directions of the sides that stand out, `outwards` alone at first (unit vectors).
     pub fronts: [DVec3; 2],
 }

@@ -9,10 +9,15 @@ pub(super) const ON: f64 = 2e-3;
 /// The longest chord of an arc in (s, t) when an edge is claimed (metres).
 const CHORD: f64 = 0.06;
 
+/// The chords of an edge on a face.
+pub(super) struct EdgeChords {
+    pub id: EdgeId,
+    pub chords: Vec<Chord>,
+}
+
 /// A chord of an edge on a face.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chord {
-    pub edge: EdgeId,
     /// Its ends by arc length (metres).
     pub span: [f64; 2],
     /// Its ends in the face's (s, t).
@@ -20,16 +25,19 @@ pub(super) struct Chord {
 }
 
 /// The chords of a face's edges, in the order of its loops.
-pub(super) fn face_chords(building: &Building, face: &Face) -> Vec<Chord> {
+pub(super) fn face_chords(building: &Building, face: &Face) -> Vec<EdgeChords> {
     let edges = face.loops.iter().flatten().map(|walk| walk.edge);
-    let found = edges.flat_map(|id| {
+    let found = edges.map(|id| {
         let edge = building.edge(id);
         let place = |at: f64| face.surface.project(edge.path.point(at)).truncate();
-        chords(edge).into_iter().map(move |span| Chord {
-            edge: id,
+        let chords = chords(edge).into_iter().map(|span| Chord {
             span,
             ends: span.map(place),
-        })
+        });
+        EdgeChords {
+            id,
+            chords: chords.collect(),
+        }
     });
     found.collect()
 }

@@ -12,9 +12,8 @@ use crate::masonry::occupancy::Coverage;
 use crate::masonry::plan::{FaceGrid, is_wall};
 use crate::masonry::tree::GeneratorNode;
 use glam::DVec2;
+use smallvec::SmallVec;
 
-/// Sides of a face longer than this are no chords of an arc (metres).
-const OBLIQUE: f64 = 0.2;
 /// Bricks of which less than this share of half a brick is free are slivers.
 const SLIVER: f64 = 0.35;
 /// Smaller gaps stay mortar (square metres).
@@ -143,7 +142,7 @@ impl Site {
         bond: &BrickBond,
         at: (usize, usize),
     ) {
-        for brick in self.without_slivers(id, &self.row_bricks(id, bond, at)) {
+        for brick in self.without_slivers(id, self.row_bricks(id, bond, at)) {
             let sort = if brick.is_pair || !bond.are_paired() {
                 bond.sort
             } else {
@@ -175,29 +174,29 @@ impl Site {
 
     /// The bricks of a row, without those of which only a sliver is free: the wider one of its neighbours takes its
     /// place as well.
-    fn without_slivers(&self, id: FaceId, bricks: &[GridBrick]) -> Vec<GridBrick> {
+    fn without_slivers(&self, id: FaceId, mut bricks: Vec<GridBrick>) -> Vec<GridBrick> {
         let least = SLIVER * self.plan.module.half * self.plan.module.course;
         let free: Vec<f64> = bricks
             .iter()
             .map(|brick| self.free_area(id, &brick.place))
             .collect();
-        let mut kept: Vec<Option<GridBrick>> = bricks.iter().cloned().map(Some).collect();
-        for (k, brick) in bricks.iter().enumerate() {
-            if free[k] < TOUCH || free[k] >= least {
-                continue;
-            }
+        let is_sliver = |k: usize| (TOUCH..least).contains(&free[k]);
+        let mut taken = Vec::new();
+        for k in (0..bricks.len()).filter(|&k| is_sliver(k)) {
             let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten();
             let beside = beside.filter(|&j| j < bricks.len());
             let wider = beside.reduce(|a, b| if free[b] > free[a] { b } else { a });
             if let Some(j) = wider.filter(|&j| free[j] >= least)
-                && let Some(other) = &mut kept[j]
-                && let Some(place) = both(&other.place, &brick.place)
+                && let Some(place) = both(&bricks[j].place, &bricks[k].place)
             {
-                other.place = place;
-                kept[k] = None;
+                bricks[j].place = place;
+                taken.push(k);
             }
         }
-        kept.into_iter().flatten().collect()
+        for k in taken.into_iter().rev() {
+            bricks.remove(k);
+        }
+        bricks
     }
 
     /// The area of a place on a face that is free, exactly (square metres).
@@ -223,37 +222,31 @@ impl Site {
         sort: CellSort,
     ) {
         let place = &self.home(id, place.clone());
-        let map = &self.faces[id.index()];
-        if map.coverage(place) == Coverage::Occupied {
+        if self.faces[id.index()].coverage(place) == Coverage::Occupied {
             return;
         }
-        let obstacles = map.obstacles(place);
-        let inset = 0.5 * self.plan.module.joint;
-        let parts = match self.is_oblique(id) {
-            true => clip_multi(place, &obstacles, inset, (LEAST_SHARE, MOST_DEPTH)),
-            false => clip(place, &obstacles, inset, LEAST_SHARE)
-                .into_iter()
-                .collect(),
-        };
-        for part in parts {
+        for part in self.free_parts(id, place) {
             self.face_part(id, node, &part, (place, area, sort));
+        }
+    }
+
+    /// The free parts of a brick that are laid.
+    fn free_parts(&self, id: FaceId, place: &Footprint) -> SmallVec<[Footprint; 1]> {
+        let obstacles = self.faces[id.index()].obstacles(place);
+        let inset = 0.5 * self.plan.module.joint;
+        if self.is_oblique(id) {
+            clip_multi(place, &obstacles, inset, (LEAST_SHARE, MOST_DEPTH)).into()
+        } else {
+            clip(place, &obstacles, inset, LEAST_SHARE)
+                .into_iter()
+                .collect()
         }
     }
 
     /// Whether long sides of a face run across its grid. There the single cuts of a brick leave gaps, and it is cut
     /// into several parts.
     fn is_oblique(&self, id: FaceId) -> bool {
-        self.slopes(id).next().is_some()
-    }
-
-    /// The directions of the long sides of a face that run across its grid.
-    fn slopes(&self, id: FaceId) -> impl Iterator<Item = DVec2> + '_ {
-        let ways = self.regions[id.index()].sides().map(|[a, b]| b - a);
-        let is_oblique = |way: &DVec2| {
-            let size = way.abs();
-            size.min_element() > 0.1 * size.max_element() && way.length() > OBLIQUE
-        };
-        ways.filter(is_oblique).map(DVec2::normalize)
+        !self.slopes[id.index()].is_empty()
     }
 
     /// Whether a part of a brick has a side along a slope of its face.
@@ -262,8 +255,8 @@ impl Site {
             let [a, b] = part.side(k);
             (b - a).normalize_or_zero().perp_dot(slope).abs() < 1e-3
         };
-        let mut slopes = self.slopes(id);
-        slopes.any(|slope| (0..part.corners().len()).any(|k| is_along(k, slope)))
+        let mut slopes = self.slopes[id.index()].iter();
+        slopes.any(|&slope| (0..part.corners().len()).any(|k| is_along(k, slope)))
     }
 
     /// Lays the part of a brick that is left of its whole place.
@@ -284,7 +277,7 @@ impl Site {
         };
         let depth = self.depth(id);
         let mut draft = self.face_draft(id, part, depth, sort);
-        draft.unclipped = (share < *WHOLE.start()).then(|| whole.clone());
+        draft.unclipped = (share < *WHOLE.start()).then(|| Box::new(whole.clone()));
         if let Some(body) = self.mitred(id, draft.claimed, depth) {
             draft.claimed = body;
             self.place(Feature::Face(id), node, draft);
@@ -294,6 +287,9 @@ impl Site {
     /// How many bricks a row of a face's grid has, edges not counted, and how many of them are cut.
     pub fn row_pieces(&self, id: FaceId, row: usize, shift: usize) -> [usize; 2] {
         let bricks = self.row_bricks(id, &BrickBond::BRICKS, (row, shift));
+        if self.is_clear(id, row) {
+            return [bricks.len(), 0];
+        }
         let shares = bricks
             .iter()
             .map(|brick| self.free_area(id, &brick.place) / brick.area);
@@ -302,6 +298,17 @@ impl Site {
         there.fold([0, 0], |[all, cut], share| {
             [all + 1, cut + usize::from(is_cut(share))]
         })
+    }
+
+    /// Whether nothing lies in a row of a face that does not go round.
+    fn is_clear(&self, id: FaceId, row: usize) -> bool {
+        let grid = self.plan.grid(id);
+        let last = grid.column_lines().len() - 1;
+        let [low, high] = grid.block([0, last], [row, row + 1]);
+        let strip = Footprint::rectangle(low, high);
+        let strip = strip.filter(|_| self.face(id).surface.period().is_none());
+        let bitmap = self.faces[id.index()].bitmap();
+        strip.is_some_and(|strip| bitmap.empty_share(&strip) == Some(1.0))
     }
 
     /// How many bricks of a row of a face's grid have a free place.

@@ -3,7 +3,7 @@
 
 use super::cell::Feature;
 use super::site::Site;
-use crate::building::{Bend, EdgeId, FaceId};
+use crate::building::{EdgeId, FaceId};
 use crate::masonry::block::{Plane, Polyhedron};
 
 /// Cells whose bounding spheres are nearer to an edge than this, in depths of the cell, are cut (the depth is doubled
@@ -16,18 +16,15 @@ impl Site {
     pub fn mitred(&self, face: FaceId, body: Polyhedron, depth: f64) -> Option<Polyhedron> {
         let [low, high] = body.bounds();
         let (middle, reach) = (low.midpoint(high), low.distance(high) + NEAR * depth);
-        let edges = self.face(face).loops.iter().flatten().map(|walk| walk.edge);
-        let convex = edges.filter(|&id| {
-            let [from, to] = self.edge_boxes[id.index()];
-            let is_near = middle.clamp(from, to).distance(middle) < reach;
-            is_near && self.edge(id).bend == Bend::Convex
-        });
-        convex
-            .into_iter()
-            .try_fold(body, |body, id| match self.mitre(face, id, &body, depth) {
+        let edges = self.convex[face.index()].iter();
+        let near =
+            edges.filter(|(_, [from, to])| middle.clamp(*from, *to).distance(middle) < reach);
+        near.into_iter().try_fold(body, |body, &(id, _)| {
+            match self.mitre(face, id, &body, depth) {
                 Some(plane) => body.cut(plane, 0.0),
                 None => Some(body),
-            })
+            }
+        })
     }
 
     /// The plane that halves the angle of an edge beside a body, if the edge has no cells there.

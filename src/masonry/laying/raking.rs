@@ -59,10 +59,11 @@ impl Site {
         (wall, brick): (FaceId, &Footprint),
     ) {
         let module = self.plan.module;
-        let obstacles = self.faces[wall.index()].obstacles(brick);
-        let Some(part) = clip(brick, &obstacles, 0.5 * module.joint, LEAST_SHARE) else {
-            return;
+        let clipped = {
+            let obstacles = self.faces[wall.index()].obstacles(brick);
+            clip(brick, &obstacles, 0.5 * module.joint, LEAST_SHARE)
         };
+        let Some(part) = clipped else { return };
         let is_whole = part.area() > 0.9 * module.half * module.course;
         let sort = if is_whole {
             CellSort::Whole

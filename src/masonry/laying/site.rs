@@ -1,8 +1,8 @@
 //! The site: the building with the occupancy maps of its features, and the cells laid so far.
 
 use super::cell::{CellDraft, Feature, MasonryCell};
-use super::chords::{Chord, ON, chords, covered, face_chords, same_turn};
-use crate::building::{Building, Edge, EdgeId, Face, FaceId};
+use super::chords::{EdgeChords, ON, chords, covered, face_chords, same_turn};
+use crate::building::{Bend, Building, Edge, EdgeId, Face, FaceId};
 use crate::masonry::block::{Plane, Polyhedron};
 use crate::masonry::footprint::Footprint;
 use crate::masonry::occupancy::{EdgeMap, FaceMap};
@@ -10,6 +10,8 @@ use crate::masonry::plan::{Plan, region};
 use crate::masonry::region::{PartsWork, Region};
 use crate::masonry::tree::GeneratorNode;
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// The least share of a claim that must lie on a face.
@@ -17,11 +19,15 @@ const LEAST_SHARE: f64 = 0.05;
 /// Sides whose normals have a greater cosine with the way in which a cell looks are its fronts: both sides of a stone
 /// at a corner are.
 const FRONT: f64 = 0.45;
+/// Sides of a face longer than this are no chords of an arc (metres).
+const OBLIQUE: f64 = 0.2;
 
 /// The pixels along a module.
 pub(super) const PIXELS: f64 = 8.0;
 
 type Bounds = [DVec3; 2];
+/// Whether each vertex of a body lies on a face.
+type Flags = SmallVec<[bool; 16]>;
 
 /// The building and what is laid on it.
 pub(super) struct Site {
@@ -30,16 +36,20 @@ pub(super) struct Site {
     pub faces: Vec<FaceMap>,
     pub edges: Vec<EdgeMap>,
     pub regions: Vec<Region>,
+    /// The directions of each face's long sides that run across its grid.
+    pub slopes: Vec<Vec<DVec2>>,
     pub cells: Vec<MasonryCell>,
     /// The number of the node that lays cells now, among those that the feature has reached.
     pub reached: usize,
     boxes: Vec<Bounds>,
-    /// The chords of each face's edges.
-    chords: Vec<Vec<Chord>>,
+    /// The chords of each face's edges, edge by edge.
+    chords: Vec<Vec<EdgeChords>>,
     /// The bounding boxes of the edges, so that most of them need no further test.
     pub edge_boxes: Vec<Bounds>,
     /// For each face, the faces whose bounding boxes meet its own.
     near: Vec<Vec<FaceId>>,
+    /// The convex edges of each face, with their bounding boxes.
+    pub convex: Vec<Vec<(EdgeId, Bounds)>>,
     /// How many pixels lie along a module in the maps of faces.
     pub pixels: f64,
 }
@@ -56,15 +66,18 @@ impl Site {
             .iter()
             .map(|face| bounds(&building, face))
             .collect();
+        let regions: Vec<Region> = building.faces().iter().map(region).collect();
         Self {
             faces: Vec::new(),
             edge_boxes: building.edges().iter().map(edge_bounds).collect(),
             edges: edges.collect(),
             near: Vec::new(),
+            convex: Vec::new(),
             chords: Vec::new(),
             cells: Vec::new(),
             reached: 0,
-            regions: building.faces().iter().map(region).collect(),
+            slopes: regions.iter().map(slopes).collect(),
+            regions,
             building,
             plan,
             boxes,
@@ -97,6 +110,10 @@ impl Site {
         self.faces.push(map);
         self.chords.push(face_chords(&self.building, self.face(id)));
         self.near.push(near);
+        let edges = self.face(id).loops.iter().flatten().map(|walk| walk.edge);
+        let convex = edges.filter(|&id| self.edge(id).bend == Bend::Convex);
+        let convex = convex.map(|id| (id, self.edge_boxes[id.index()])).collect();
+        self.convex.push(convex);
     }
 
     /// Whether each face has its map.
@@ -128,17 +145,9 @@ impl Site {
         if !draft.claimed.is_sound() {
             return false;
         }
-        let found = self.claims(feature, &draft.claimed);
-        let claimed = self.with_joints(draft.claimed, &found);
-        let claims = found
-            .into_iter()
-            .map(|(face, footprint, _)| (face, footprint));
-        self.settle(
-            feature,
-            node,
-            CellDraft { claimed, ..draft },
-            claims.collect(),
-        );
+        let (claims, on) = self.claims(feature, &draft.claimed);
+        let claimed = self.with_joints(draft.claimed, &on);
+        self.settle(feature, node, CellDraft { claimed, ..draft }, claims);
         true
     }
 
@@ -156,7 +165,7 @@ impl Site {
             self.faces[face.index()].claim(footprint, number);
             self.claim_edges(*face, footprint, (number, &around));
         }
-        let claimed = draft.claimed;
+        let claimed = Arc::new(draft.claimed);
         let is_front = |plane: &Plane| {
             draft
                 .fronts
@@ -175,7 +184,10 @@ impl Site {
             reached: self.reached,
             tag: node.count("tag") as u8,
             sort: draft.sort,
-            body: claimed.clone().raised(&fronts, draft.extrude),
+            body: match fronts.is_empty() {
+                true => claimed.clone(),
+                false => Arc::new(claimed.as_ref().clone().raised(&fronts, draft.extrude)),
+            },
             claimed,
             outwards: draft.outwards,
             claims,
@@ -184,74 +196,65 @@ impl Site {
     }
 
     /// Half a joint at each side that does not lie on a face.
-    fn with_joints(
-        &self,
-        body: Polyhedron,
-        claims: &[(FaceId, Footprint, Vec<bool>)],
-    ) -> Polyhedron {
+    fn with_joints(&self, body: Polyhedron, on_faces: &[Flags]) -> Polyhedron {
         let half = 0.5 * self.plan.module.joint;
         body.with_insets_of(|side| {
-            let mut claims = claims.iter();
-            let is_exposed = claims.any(|(.., on)| side.corners.iter().all(|&v| on[v as usize]));
+            let lies_on = |on: &Flags| side.corners.iter().all(|&v| on[v as usize]);
+            let is_exposed = on_faces.iter().any(lies_on);
             if is_exposed { 0.0 } else { half }
         })
     }
 
-    /// The faces that a cell may lie on.
-    fn candidates(&self, feature: Feature) -> Vec<FaceId> {
-        let own: Vec<FaceId> = match feature {
-            Feature::Face(face) => vec![face],
-            Feature::Edge(edge) => self.edge(edge).faces.into_iter().flatten().collect(),
-            Feature::Corner(corner) => self
-                .building
-                .corner(corner)
-                .faces
-                .iter()
-                .flatten()
-                .copied()
-                .collect(),
+    /// The faces that a cell may lie on, rising.
+    fn candidates(&self, feature: Feature) -> Cow<'_, [FaceId]> {
+        let own = match feature {
+            Feature::Face(face) => return Cow::Borrowed(&self.near[face.index()]),
+            Feature::Edge(edge) => &self.edge(edge).faces[..],
+            Feature::Corner(corner) => &self.building.corner(corner).faces[..],
         };
-        let mut all: Vec<FaceId> = own
-            .iter()
-            .flat_map(|face| self.near[face.index()].iter().copied())
-            .collect();
+        let near = own.iter().flatten().map(|face| &self.near[face.index()]);
+        let mut all: Vec<FaceId> = near.flatten().copied().collect();
         all.sort_unstable();
         all.dedup();
-        all
+        Cow::Owned(all)
     }
 
-    /// The claim of a body on each face: the hull of its vertices that lie on it, if there are three, with the flags of
-    /// these vertices. The paper claims on the faces beside the feature (section 3.3). Thin slabs need all faces.
-    fn claims(&self, feature: Feature, body: &Polyhedron) -> Vec<(FaceId, Footprint, Vec<bool>)> {
+    /// The claim of a body on each face: the hull of its vertices that lie on it, if there are three; beside it the flags
+    /// of these vertices. The paper claims on the faces beside the feature (section 3.3). Thin slabs need all faces.
+    fn claims(
+        &self,
+        feature: Feature,
+        body: &Polyhedron,
+    ) -> (Vec<(FaceId, Footprint)>, SmallVec<[Flags; 4]>) {
         let around = body.bounds();
-        let near = self
-            .candidates(feature)
-            .into_iter()
-            .filter(|id| meet(&around, &self.boxes[id.index()]));
-        near.filter_map(|id| {
-            let (footprint, on) = self.footprint(id, body)?;
+        let (mut claims, mut flags) = (Vec::new(), SmallVec::new());
+        for &id in &*self.candidates(feature) {
+            if !meet(&around, &self.boxes[id.index()]) {
+                continue;
+            }
+            let Some((footprint, on)) = self.footprint(id, body) else {
+                continue;
+            };
             let is_own = feature == Feature::Face(id);
-            let is_there = is_own || self.faces[id.index()].share_inside(&footprint) > LEAST_SHARE;
-            is_there.then_some((id, footprint, on))
-        })
-        .collect()
+            if is_own || self.faces[id.index()].share_inside(&footprint) > LEAST_SHARE {
+                claims.push((id, footprint));
+                flags.push(on);
+            }
+        }
+        (claims, flags)
     }
 
     /// The hull of a body's vertices on a face, in its (s, t).
-    fn footprint(&self, id: FaceId, body: &Polyhedron) -> Option<(Footprint, Vec<bool>)> {
+    fn footprint(&self, id: FaceId, body: &Polyhedron) -> Option<(Footprint, Flags)> {
         let surface = &self.face(id).surface;
-        let places: Vec<DVec3> = body
-            .vertices()
-            .iter()
-            .map(|&p| surface.project(p))
-            .collect();
-        let on: Vec<bool> = places.iter().map(|place| place.z.abs() < ON).collect();
-        let mut found: Vec<DVec2> = places
-            .iter()
-            .zip(&on)
-            .filter(|(_, on)| **on)
-            .map(|(place, _)| place.truncate())
-            .collect();
+        let mut found: SmallVec<[DVec2; 8]> = SmallVec::new();
+        let is_on = |&p: &DVec3| {
+            let place = surface.project(p);
+            let is_on = place.z.abs() < ON;
+            found.extend(is_on.then_some(place.truncate()));
+            is_on
+        };
+        let on: Flags = body.vertices().iter().map(is_on).collect();
         if found.len() < 3 {
             return None;
         }
@@ -284,16 +287,28 @@ impl Site {
     /// Claims the parts of a face's edges that lie in or along a claim. `around` is the bounding box of the cell.
     fn claim_edges(&mut self, id: FaceId, footprint: &Footprint, (cell, around): (u32, &Bounds)) {
         let (period, middle) = (self.face(id).surface.period(), footprint.centre());
-        let chords = self.chords[id.index()].iter();
-        for chord in chords.filter(|chord| meet(around, &self.edge_boxes[chord.edge.index()])) {
-            let ends = same_turn(chord.ends, middle, period);
-            if let Some(part) = covered(footprint, ends) {
-                let [from, to] = chord.span;
-                let span = part.map(|part| from + part * (to - from));
-                self.edges[chord.edge.index()].claim(span, cell);
+        let edges = self.chords[id.index()].iter();
+        for edge in edges.filter(|edge| meet(around, &self.edge_boxes[edge.id.index()])) {
+            for chord in &edge.chords {
+                let ends = same_turn(chord.ends, middle, period);
+                if let Some(part) = covered(footprint, ends) {
+                    let [from, to] = chord.span;
+                    let span = part.map(|part| from + part * (to - from));
+                    self.edges[edge.id.index()].claim(span, cell);
+                }
             }
         }
     }
+}
+
+/// The directions of the long sides of a region that run across its grid.
+fn slopes(region: &Region) -> Vec<DVec2> {
+    let ways = region.sides().map(|[a, b]| b - a);
+    let is_oblique = |way: &DVec2| {
+        let size = way.abs();
+        size.min_element() > 0.1 * size.max_element() && way.length() > OBLIQUE
+    };
+    ways.filter(is_oblique).map(DVec2::normalize).collect()
 }
 
 /// The bounding box of a face.
@@ -319,5 +334,6 @@ fn edge_bounds(edge: &Edge) -> Bounds {
 
 /// Whether two boxes meet, or nearly.
 pub(super) fn meet([low, high]: &Bounds, [from, to]: &Bounds) -> bool {
-    !((*from - *high).max_element() > 20.0 * ON || (*low - *to).max_element() > 20.0 * ON)
+    let slack = DVec3::splat(20.0 * ON);
+    !((*from - *high).cmpgt(slack).any() || (*low - *to).cmpgt(slack).any())
 }

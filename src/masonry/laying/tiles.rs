@@ -207,7 +207,7 @@ impl Site {
             let along = path.project(middle);
             let is_beside = (0.0..=path.length()).contains(&along)
                 && path.point(along).distance(middle) < 2.0 * far;
-            match self.half_way(face, id).filter(|_| is_beside) {
+            match is_beside.then(|| self.half_way(face, id)).flatten() {
                 Some(plane) => body.cut(plane, 0.0),
                 None => Some(body),
             }

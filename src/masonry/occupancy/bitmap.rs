@@ -5,7 +5,6 @@ use crate::masonry::footprint::Footprint;
 use crate::masonry::region::Region;
 use crate::order;
 use glam::DVec2;
-use smallvec::SmallVec;
 use std::ops::Range;
 
 /// A place is free if at least this share of its pixels is empty.
@@ -24,8 +23,8 @@ pub enum Coverage {
     Occupied,
 }
 
-/// Ranges of pixels. A brick lies on a few rows, whose list needs no allocation.
-type PixelRanges = SmallVec<[Range<usize>; 12]>;
+/// Bits in a word.
+const WORD: usize = u64::BITS as usize;
 
 /// A raster of a face's (s, t). A pixel counts as empty by its centre.
 ///
@@ -33,74 +32,27 @@ type PixelRanges = SmallVec<[Range<usize>; 12]>;
 /// all of them: a bitmap of the same resolution is quicker and smaller.
 #[derive(Clone, Debug)]
 pub struct Bitmap {
-    low: DVec2,
-    pixel: f64,
-    width: usize,
-    is_empty: Vec<bool>,
+    raster: Raster,
+    /// A bit for each pixel, set where it is empty. Each row begins with a word of its own.
+    bits: Vec<u64>,
 }
 
-impl Bitmap {
-    /// The raster of a region with pixels of this side (metres, above 0), usually an eighth of the pattern's module.
-    /// All is occupied but the region.
-    pub fn new(region: &Region, pixel: f64) -> Self {
-        let [low, high] = region.bounds().unwrap_or_default();
-        let size = ((high - low) / pixel).ceil().max(DVec2::ONE);
-        let (width, height) = (size.x as usize, size.y as usize);
-        let mut map = Self {
-            low,
-            pixel,
-            width,
-            is_empty: vec![false; width * height],
-        };
-        for row in 0..height {
-            map.empty_row(region, row);
-        }
-        map
-    }
+/// Where the pixels lie.
+#[derive(Clone, Copy, Debug)]
+struct Raster {
+    low: DVec2,
+    /// The side of a pixel (metres).
+    pixel: f64,
+    /// Pixels in a row.
+    width: usize,
+    /// Rows.
+    height: usize,
+}
 
-    /// Makes the pixels of a row empty that lie between each pair of crossings with the region's sides.
-    fn empty_row(&mut self, region: &Region, row: usize) {
-        let t = self.centre(row);
-        let cut = region.sides().filter(|[a, b]| (a.y > t) != (b.y > t));
-        let mut places: Vec<f64> = cut
-            .map(|[a, b]| a.x + (b.x - a.x) * ((t - a.y) / (b.y - a.y)))
-            .collect();
-        order::sort(&mut places, |&s| (order::rank(s), 0));
-        for pair in places.chunks_exact(2) {
-            for pixel in self.columns([pair[0], pair[1]]) {
-                self.is_empty[row * self.width + pixel] = true;
-            }
-        }
-    }
-
-    /// For each pixel, row by row from the least t: none if it is occupied, else the number of the last of these claims
-    /// that covers it. Also the number of pixels in a row.
-    pub(super) fn owners(&self, claims: &[Claim]) -> (Vec<Option<Option<u32>>>, usize) {
-        let free = self.is_empty.iter().map(|&empty| empty.then_some(None));
-        let mut owners: Vec<Option<Option<u32>>> = free.collect();
-        for claim in claims {
-            for pixel in self.under(&claim.polygon).0.into_iter().flatten() {
-                if let Some(owner) = &mut owners[pixel] {
-                    *owner = Some(claim.cell);
-                }
-            }
-        }
-        (owners, self.width)
-    }
-
-    /// The lower corner of a pixel, by its column and its row; also beyond the raster.
-    pub(super) fn corner(&self, [column, row]: [usize; 2]) -> DVec2 {
-        self.low + self.pixel * DVec2::new(column as f64, row as f64)
-    }
-
-    /// The side of a pixel, in metres.
-    pub fn pixel(&self) -> f64 {
-        self.pixel
-    }
-
+impl Raster {
     /// The t of the centres of a row.
-    fn centre(&self, row: usize) -> f64 {
-        self.low.y + (row as f64 + 0.5) * self.pixel
+    fn centre(&self, row: f64) -> f64 {
+        self.low.y + (row + 0.5) * self.pixel
     }
 
     /// The numbers, from `low` on, of the first pixels whose centres do not lie before two places along s or t. They
@@ -120,53 +72,135 @@ impl Bitmap {
         from..to.max(from)
     }
 
-    /// The pixels under a polygon, as a range of `is_empty` for each row, and the number of their centres, also of those
-    /// beyond the raster.
-    fn under(&self, polygon: &Footprint) -> (PixelRanges, f64) {
+    /// Calls `each` with each row of pixels under a polygon. Returns the number of the polygon's pixel centres, also of
+    /// those beyond the raster.
+    fn under(&self, polygon: &Footprint, mut each: impl FnMut(usize, Range<usize>)) -> f64 {
         let [low, high] = polygon.bounds();
         let [from, to] = self.span(self.low.y, [low.y, high.y]);
-        let rows = (self.is_empty.len() / self.width) as f64;
-        let inside = [from, to].map(|row| row.clamp(0.0, rows) as usize);
-        let in_row = |row: usize, columns: Range<usize>| {
-            let start = row * self.width;
-            start + columns.start..start + columns.end
-        };
+        let rows = self.height as f64;
         if polygon.is_rectangle() {
             let span = self.span(self.low.x, [low.x, high.x]);
             let columns = self.within(span);
-            let ranges = (inside[0]..inside[1]).map(|row| in_row(row, columns.clone()));
-            let count = (to - from).max(0.0) * (span[1] - span[0]).max(0.0);
-            return (ranges.collect(), count);
+            let [first, end] = [from, to].map(|row| row.clamp(0.0, rows) as usize);
+            (first..end).for_each(|row| each(row, columns.clone()));
+            return (to - from).max(0.0) * (span[1] - span[0]).max(0.0);
         }
-        let (mut ranges, mut count) = (PixelRanges::new(), 0.0);
+        let mut count = 0.0;
         for k in 0..(to - from) as usize {
             let row = from + k as f64;
-            let t = self.low.y + (row + 0.5) * self.pixel;
-            let span = self.span(self.low.x, chord(polygon, t));
+            let span = self.span(self.low.x, chord(polygon, self.centre(row)));
             count += (span[1] - span[0]).max(0.0);
             if (0.0..rows).contains(&row) {
-                ranges.push(in_row(row as usize, self.within(span)));
+                each(row as usize, self.within(span));
             }
         }
-        (ranges, count)
+        count
+    }
+
+    /// The words that have some pixels of a row, each with the bits of these pixels.
+    fn words(&self, row: usize, pixels: Range<usize>) -> impl Iterator<Item = (usize, u64)> {
+        let start = row * self.width.div_ceil(WORD);
+        let words = pixels.start / WORD..pixels.end.div_ceil(WORD);
+        words.map(move |word| {
+            let first = word * WORD;
+            let above = u64::MAX << pixels.start.saturating_sub(first);
+            let below = u64::MAX >> (WORD - (pixels.end - first).min(WORD));
+            (start + word, above & below)
+        })
+    }
+}
+
+impl Bitmap {
+    /// The raster of a region with pixels of this side (metres, above 0), usually an eighth of the pattern's module.
+    /// All is occupied but the region.
+    pub fn new(region: &Region, pixel: f64) -> Self {
+        let [low, high] = region.bounds().unwrap_or_default();
+        let size = ((high - low) / pixel).ceil().max(DVec2::ONE);
+        let (width, height) = (size.x as usize, size.y as usize);
+        let raster = Raster {
+            low,
+            pixel,
+            width,
+            height,
+        };
+        let mut map = Self {
+            raster,
+            bits: vec![0; width.div_ceil(WORD) * height],
+        };
+        for row in 0..height {
+            map.empty_row(region, row);
+        }
+        map
+    }
+
+    /// Makes the pixels of a row empty that lie between each pair of crossings with the region's sides.
+    fn empty_row(&mut self, region: &Region, row: usize) {
+        let t = self.raster.centre(row as f64);
+        let cut = region.sides().filter(|[a, b]| (a.y > t) != (b.y > t));
+        let mut places: Vec<f64> = cut
+            .map(|[a, b]| a.x + (b.x - a.x) * ((t - a.y) / (b.y - a.y)))
+            .collect();
+        order::sort(&mut places, |&s| (order::rank(s), 0));
+        for pair in places.chunks_exact(2) {
+            let columns = self.raster.columns([pair[0], pair[1]]);
+            for (word, bits) in self.raster.words(row, columns) {
+                self.bits[word] |= bits;
+            }
+        }
+    }
+
+    /// For each pixel, row by row from the least t: none if it is occupied, else the number of the last of these claims
+    /// that covers it. Also the number of pixels in a row.
+    pub(super) fn owners(&self, claims: &[Claim]) -> (Vec<Option<Option<u32>>>, usize) {
+        let (width, height) = (self.raster.width, self.raster.height);
+        let pixels = (0..height).flat_map(|row| (0..width).map(move |column| [row, column]));
+        let free = pixels.map(|pixel| self.is_empty(pixel).then_some(None));
+        let mut owners: Vec<Option<Option<u32>>> = free.collect();
+        for claim in claims {
+            self.raster.under(&claim.polygon, |row, columns| {
+                for owner in owners[row * width..][columns].iter_mut().flatten() {
+                    *owner = Some(claim.cell);
+                }
+            });
+        }
+        (owners, width)
+    }
+
+    fn is_empty(&self, [row, column]: [usize; 2]) -> bool {
+        let mut words = self.raster.words(row, column..column + 1);
+        words.all(|(word, bit)| self.bits[word] & bit != 0)
+    }
+
+    /// The lower corner of a pixel, by its column and its row; also beyond the raster.
+    pub(super) fn corner(&self, [column, row]: [usize; 2]) -> DVec2 {
+        self.raster.low + self.raster.pixel * DVec2::new(column as f64, row as f64)
+    }
+
+    /// The side of a pixel, in metres.
+    pub fn pixel(&self) -> f64 {
+        self.raster.pixel
     }
 
     /// Makes the pixels under a polygon occupied.
     pub fn occupy(&mut self, polygon: &Footprint) {
-        let (ranges, _) = self.under(polygon);
-        for range in ranges {
-            self.is_empty[range].fill(false);
-        }
+        let (raster, all) = (self.raster, &mut self.bits);
+        raster.under(polygon, |row, columns| {
+            for (word, bits) in raster.words(row, columns) {
+                all[word] &= !bits;
+            }
+        });
     }
 
     /// The share of the pixel centres under a polygon that are empty, 0 to 1; none if there are no centres. Centres
     /// beyond the raster count as occupied.
     pub fn empty_share(&self, polygon: &Footprint) -> Option<f64> {
-        let (ranges, whole) = self.under(polygon);
-        let count =
-            |range: Range<usize>| self.is_empty[range].iter().filter(|&&empty| empty).count();
-        let empty: usize = ranges.into_iter().map(count).sum();
-        (whole > 0.0).then(|| (empty as f64 / whole).min(1.0))
+        let mut empty = 0;
+        let whole = self.raster.under(polygon, |row, columns| {
+            let words = self.raster.words(row, columns);
+            let counts = words.map(|(word, bits)| (self.bits[word] & bits).count_ones());
+            empty += counts.sum::<u32>();
+        });
+        (whole > 0.0).then(|| (f64::from(empty) / whole).min(1.0))
     }
 
     /// Whether a place is free, partly free or occupied. A place between pixel centres is partly free: only exact
@@ -181,8 +215,9 @@ impl Bitmap {
 
     /// The empty area, in square metres, as far as pixels know it.
     pub fn empty_area(&self) -> f64 {
-        let empty = self.is_empty.iter().filter(|&&empty| empty).count();
-        empty as f64 * self.pixel * self.pixel
+        let empty: u32 = self.bits.iter().map(|word| word.count_ones()).sum();
+        let pixel = self.raster.pixel;
+        f64::from(empty) * pixel * pixel
     }
 }
 

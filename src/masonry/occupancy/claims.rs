@@ -1,10 +1,14 @@
 //! The exact polygons that cells have claimed, found by their places.
 
-use crate::masonry::footprint::Footprint;
+use crate::masonry::footprint::{Footprint, shared_box};
 use glam::DVec2;
+use smallvec::SmallVec;
 
 /// The side of a cell of the hash grid (metres).
 const CELL: f64 = 0.25;
+
+/// The numbers of some claims. A list of those beside a brick needs no allocation.
+pub type ClaimNumbers = SmallVec<[u32; 32]>;
 
 /// A polygon that a cell has claimed.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,8 +70,8 @@ impl Claims {
     }
 
     /// The numbers of the claims whose bounding boxes meet this one, rising.
-    pub fn near(&self, [low, high]: [DVec2; 2]) -> Vec<u32> {
-        let mut found = Vec::new();
+    pub fn near(&self, [low, high]: [DVec2; 2]) -> ClaimNumbers {
+        let mut found = ClaimNumbers::new();
         for bucket in self.buckets([low, high]) {
             let there = self.grid[bucket].iter().copied();
             found.extend(there.filter(|&k| {
@@ -80,10 +84,12 @@ impl Claims {
         found
     }
 
-    /// The polygons of the claims whose bounding boxes meet that of another polygon.
-    pub fn polygons_near(&self, polygon: &Footprint) -> Vec<&Footprint> {
-        let near = self.near(polygon.bounds()).into_iter();
-        near.map(|k| &self.list[k as usize].polygon).collect()
+    /// The polygons of the claims whose bounding boxes share an area with that of another polygon.
+    pub fn polygons_near(&self, polygon: &Footprint) -> impl Iterator<Item = &Footprint> {
+        let around = polygon.bounds();
+        let near = self.near(around).into_iter().map(|k| k as usize);
+        let shares = near.filter(move |&k| shared_box(self.boxes[k], around).is_some());
+        shares.map(|k| &self.list[k].polygon)
     }
 
     /// The area that a polygon shares with claims of other cells, each counted for itself (square metres).

@@ -2,10 +2,14 @@
 
 use super::bitmap::{Bitmap, Coverage};
 use super::claims::{Claim, Claims};
-use crate::masonry::footprint::Footprint;
+use crate::masonry::footprint::{Footprint, shared_box};
 use crate::masonry::free_space::remainder;
 use crate::masonry::region::Region;
 use glam::DVec2;
+use smallvec::SmallVec;
+
+/// Polygons that a cell must not overlap. There are few beside a brick.
+pub type Obstacles<'a> = SmallVec<[&'a Footprint; 16]>;
 
 /// The map of a face.
 #[derive(Clone, Debug)]
@@ -16,6 +20,8 @@ pub struct FaceMap {
     claims: Claims,
     /// The face itself as convex polygons.
     inside: Vec<Footprint>,
+    /// Their bounding boxes.
+    inside_boxes: Vec<[DVec2; 2]>,
     /// Its holes, its surroundings and the outlines of insets as convex polygons.
     outside: Claims,
 }
@@ -48,6 +54,7 @@ impl FaceMap {
             period,
             bitmap: Bitmap::new(region, module / pixels),
             claims: Claims::new(bounds),
+            inside_boxes: inside.iter().map(Footprint::bounds).collect(),
             inside,
             outside: outside.clone(),
         };
@@ -65,19 +72,15 @@ impl FaceMap {
 
     /// A polygon at all places where it may be met: on a cylinder also one period to either side.
     fn images(&self, polygon: &Footprint) -> impl Iterator<Item = Footprint> + use<> {
-        let shifts = match self.period {
-            None => vec![0.0],
-            Some(period) => vec![0.0, -period, period],
-        };
+        let turns = [Some(0.0), self.period.map(|period| -period), self.period];
         let polygon = polygon.clone();
-        shifts
-            .into_iter()
-            .map(move |shift| polygon.clone().moved(DVec2::new(shift, 0.0)))
+        let shifts = turns.into_iter().flatten();
+        shifts.map(move |shift| polygon.clone().moved(DVec2::new(shift, 0.0)))
     }
 
     /// Claims a polygon for a cell.
     pub fn claim(&mut self, polygon: &Footprint, cell: u32) {
-        for polygon in self.images(polygon).collect::<Vec<_>>() {
+        for polygon in self.images(polygon) {
             self.bitmap.occupy(&polygon);
             self.claims.add(Claim { polygon, cell });
         }
@@ -113,27 +116,24 @@ impl FaceMap {
     }
 
     /// The holes, surroundings and claims that a polygon may meet.
-    pub fn obstacles(&self, polygon: &Footprint) -> Vec<&Footprint> {
-        [
-            self.outside.polygons_near(polygon),
-            self.claimed_near(polygon),
-        ]
-        .concat()
+    pub fn obstacles(&self, polygon: &Footprint) -> Obstacles<'_> {
+        let outside = self.outside.polygons_near(polygon);
+        outside.chain(self.claims.polygons_near(polygon)).collect()
     }
 
     /// The claims that a polygon may meet.
-    pub fn claimed_near(&self, polygon: &Footprint) -> Vec<&Footprint> {
-        self.claims.polygons_near(polygon)
+    pub fn claimed_near(&self, polygon: &Footprint) -> Obstacles<'_> {
+        self.claims.polygons_near(polygon).collect()
     }
 
     /// The share of a polygon that lies on the face itself.
     pub fn share_inside(&self, polygon: &Footprint) -> f64 {
         let images = self.images(polygon);
         let areas = images.map(|image| {
-            self.inside
-                .iter()
-                .map(|part| part.shared_area(&image))
-                .sum::<f64>()
+            let around = image.bounds();
+            let parts = self.inside.iter().zip(&self.inside_boxes);
+            let near = parts.filter(|(_, own)| shared_box(**own, around).is_some());
+            near.map(|(part, _)| part.shared_area(&image)).sum::<f64>()
         });
         areas.sum::<f64>() / polygon.area()
     }
@@ -159,7 +159,7 @@ impl FaceMap {
 
     fn unclaimed(&self, parts: impl Iterator<Item = Footprint>) -> Vec<Footprint> {
         parts
-            .flat_map(|part| remainder(&part, &self.claims.polygons_near(&part)))
+            .flat_map(|part| remainder(&part, &self.claimed_near(&part)))
             .collect()
     }
 

@@ -12,7 +12,7 @@ mod face_map;
 mod pixel_runs;
 
 pub use bitmap::{Bitmap, Coverage};
-pub use claims::{Claim, Claims};
+pub use claims::{Claim, ClaimNumbers, Claims};
 pub use edge_map::EdgeMap;
-pub use face_map::FaceMap;
+pub use face_map::{FaceMap, Obstacles};
 pub use pixel_runs::PixelRun;
