@@ -298,9 +298,19 @@ impl Footprint {
         match shared_box(self.bounds(), other.bounds()) {
             None => 0.0,
             Some(both) if self.is_rectangle() && other.is_rectangle() => both.x * both.y,
-            Some(_) if self.lies_beside(other) || other.lies_beside(self) => 0.0,
+            Some(_) if self.has_side_before(other) => 0.0,
             Some(_) => self.intersection(other).map_or(0.0, |part| part.area()),
         }
+    }
+
+    /// Whether it is plain that two polygons share no area: their boxes do not, or a side of one lies between them.
+    pub(super) fn is_apart(&self, other: &Self) -> bool {
+        shared_box(self.bounds(), other.bounds()).is_none() || self.has_side_before(other)
+    }
+
+    /// Whether a side of one of two polygons lies between them.
+    fn has_side_before(&self, other: &Self) -> bool {
+        self.lies_beside(other) || other.lies_beside(self)
     }
 
     /// Whether a side of another polygon has all of this one on its outer side. Rounding decides only where what they

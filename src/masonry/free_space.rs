@@ -109,7 +109,7 @@ fn split(
 pub fn remainder(polygon: &Footprint, obstacles: &[impl Borrow<Footprint>]) -> Vec<Footprint> {
     let mut parts = vec![polygon.clone()];
     for obstacle in obstacles.iter().map(Borrow::borrow) {
-        if parts.iter().any(|part| part.shared_area(obstacle) != 0.0) {
+        if !parts.iter().all(|part| part.is_apart(obstacle)) {
             parts = parts
                 .iter()
                 .flat_map(|part| without(part, obstacle))
@@ -119,9 +119,10 @@ pub fn remainder(polygon: &Footprint, obstacles: &[impl Borrow<Footprint>]) -> V
     parts
 }
 
-/// A polygon without an obstacle: each side of it cuts off one part.
+/// A polygon without an obstacle: each side of it cuts off one part. What is left in the end is what both share; it is
+/// the whole polygon that is left if that is nothing.
 fn without(polygon: &Footprint, obstacle: &Footprint) -> Vec<Footprint> {
-    if polygon.shared_area(obstacle) == 0.0 {
+    if polygon.is_apart(obstacle) {
         return vec![polygon.clone()];
     }
     let mut parts = Vec::new();
@@ -131,7 +132,12 @@ fn without(polygon: &Footprint, obstacle: &Footprint) -> Vec<Footprint> {
         parts.extend(inner.clip(half.opposite(), 0.0));
         rest = inner.clip(half, 0.0);
     }
-    parts
+    // Rectangles share what their boxes do, however small it is.
+    let are_rectangles = polygon.is_rectangle() && obstacle.is_rectangle();
+    match rest {
+        None if !are_rectangles => vec![polygon.clone()],
+        _ => parts,
+    }
 }
 
 /// The obstacles that overlap a cell, by falling overlap; the first of equal ones stays first.
