@@ -46,9 +46,9 @@ type BlocksWork = (Rc<Scene>, SceneDigest);
 /// Cells in the making.
 pub(super) enum CellsWork {
     /// The plan of this building.
-    Plan(Arc<Building>, PlanMaking),
+    Plan(Arc<Building>, Box<PlanMaking>),
     /// The cells themselves.
-    Cells(Laying),
+    Cells(Box<Laying>),
 }
 
 impl CellsWork {
@@ -58,19 +58,20 @@ impl CellsWork {
         let building = Arc::new(site.building.flipped(&flips.corners, &flips.edges));
         let depths = site.thickness.iter().map(|thickness| 0.5 * thickness);
         let plan = PlanMaking::new(building.clone(), params.laying.module, depths.collect());
-        Self::Plan(building, plan)
+        Self::Plan(building, Box::new(plan))
     }
 
     /// Goes on with a plan, or begins with the cells of a whole one.
     fn plan(
         building: Arc<Building>,
-        mut plan: PlanMaking,
+        mut plan: Box<PlanMaking>,
         params: &PatternParams,
     ) -> Result<Self, PlanFault> {
         Ok(match plan.advance()? {
             Some(plan) => {
                 let tree = params.tree.tree();
-                Self::Cells(Laying::planned(building, tree, params.laying, plan))
+                let laying = Laying::planned(building, tree, params.laying, plan);
+                Self::Cells(Box::new(laying))
             }
             None => Self::Plan(building, plan),
         })
@@ -206,7 +207,7 @@ impl MasonryStages {
                     .map_err(|fault| sentences::refusal(&fault, params.laying.module.half))?,
                 Some(CellsWork::Cells(mut laying)) => {
                     if laying.advance(1) {
-                        return Ok(Some(laying));
+                        return Ok(Some(*laying));
                     }
                     CellsWork::Cells(laying)
                 }
