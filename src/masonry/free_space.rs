@@ -119,8 +119,8 @@ pub fn remainder(polygon: &Footprint, obstacles: &[impl Borrow<Footprint>]) -> V
     parts
 }
 
-/// A polygon without an obstacle: each side of it cuts off one part. What is left in the end is what both share; it is
-/// the whole polygon that is left if that is nothing.
+/// A polygon without an obstacle: each side of it cuts off one part. After the last cut the rest is the part that both
+/// share. If there is none, the polygon stays whole.
 fn without(polygon: &Footprint, obstacle: &Footprint) -> Vec<Footprint> {
     if polygon.is_apart(obstacle) {
         return vec![polygon.clone()];
