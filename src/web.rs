@@ -149,7 +149,7 @@ impl Bubblestone {
         self.studio.set_live(on);
     }
 
-    /// Makes the steps again, and all stages after them, for the same recipe.
+    /// Makes the steps again, from the held one if there is one, and all stages after them, for the same recipe.
     pub fn restart(&mut self) {
         self.studio.restart();
     }

@@ -41,7 +41,8 @@ pub trait Engine {
     /// Makes the latest recipe the present one.
     fn take_up(&mut self);
 
-    /// Marks the stage that makes steps as stale, so that it and all stages after it run again.
+    /// Marks the stage that makes steps as stale, so that it and all stages after it run again. If a step is held, they
+    /// go on from it.
     fn forget_steps(&mut self);
 
     /// Pixels along the side of the present picture.

@@ -210,6 +210,7 @@ mod tests {
                 ("plots", is_plane),
                 ("svg", is_plane),
                 ("maps", engine.maps().is_some()),
+                ("steps", engine.steps().is_some()),
                 ("mesh", engine.meshes().is_some()),
                 (
                     "places",

@@ -146,6 +146,11 @@ impl<P: Clone + PartialEq, W, T> Node<P, W, T> {
         self.drop_work();
     }
 
+    /// Continues with this work instead of the work in progress, on the same inputs.
+    pub fn go_on(&mut self, work: W) {
+        self.work = Some(work);
+    }
+
     fn drop_work(&mut self) {
         (self.work, self.status.failure) = (None, None);
         self.status.slices += 1;

@@ -255,7 +255,8 @@ impl Studio {
         Ok(said)
     }
 
-    /// Makes the steps again, and all stages after them, from the same recipe. Earlier stages keep their results.
+    /// Makes the steps again, from the held one if there is one, and all stages after them, from the same recipe.
+    /// Earlier stages keep their results.
     pub fn restart(&mut self) {
         self.drop_draft(true);
         self.take_up();

@@ -1,9 +1,9 @@
 /**
  * The timeline under the picture: a slider through the steps of the forming, on and back.
  *
- * An engine only goes on. To go back, the steps begin again and run unseen up to the one that is asked for; the stages
- * before the steps keep their results, so this takes no longer than the forming did. The number of steps is known once the
- * forming has come to its end.
+ * An engine only goes on. Some engines keep states of their steps, and go on again from the nearest one; their first way
+ * back makes these states. Others begin the steps again, and run unseen up to the one that is asked for. The stages before
+ * the steps keep their results. The number of steps is known once the forming has come to its end.
  */
 import { t } from '../words/look';
 import { byId, make, say } from '../base/dom';
@@ -31,6 +31,8 @@ export class Timeline {
   private isKnown = false;
   /** The step that is asked for, until it is reached. */
   private asked: number | undefined;
+  /** Whether the engine keeps states of the present recipe's steps. */
+  private isKept = false;
 
   /** `leave` ends what else holds or paces the forming. */
   constructor(work: Work, host: PictureHost, leave: () => void) {
@@ -40,7 +42,7 @@ export class Timeline {
     byId('timeline').replaceChildren(this.back, this.slider, this.said);
     const { store } = work;
     store.on(['make'], () => ([this.all, this.isKnown] = [0, false]));
-    store.on(['recipe'], () => (this.asked = undefined));
+    store.on(['recipe'], () => this.forget());
     store.on(['compare', 'make'], () => this.show());
     addEventListener(RETOLD, () => {
       this.name();
@@ -79,24 +81,38 @@ export class Timeline {
     this.seek(now - 1, ({ made, before }) => made !== undefined && made >= now && this.seek(before));
   }
 
+  /** Another recipe has other steps. */
+  private forget(): void {
+    this.asked = undefined;
+    if (this.isKept) this.host.engine.hold();
+    this.isKept = false;
+  }
+
   /** Goes to a step and pauses there, then calls `then`. The last step leads on to the finished picture. */
   private seek(asked: number, then?: (until: Until) => void): void {
     const { work, host } = this;
     const { engine, loop } = host;
     const step = Math.max(0, Math.min(asked, this.all));
     const isFormed = this.isFormed(engine.stage());
-    if (step === this.all && isFormed) return;
-    if (isFormed || step < engine.status().steps) work.restart();
+    const isLast = step === this.all;
+    if (isLast && isFormed) return;
+    const isBack = isFormed || step < engine.status().steps;
+    const rewinds = !isLast && engine.offers('steps') && (isBack || this.isKept);
+    if (isBack) work.restart();
+    if (rewinds) {
+      engine.hold(step);
+      this.isKept = true;
+    }
     this.asked = step;
     this.leave();
     work.store.update({ paused: false });
     const until = new Until(
-      step === this.all ? Infinity : step,
+      isLast ? Infinity : step,
       () => {
         this.reached();
         then?.(until);
       },
-      'unseen',
+      rewinds ? 'rewound' : 'unseen',
     );
     loop.until = until;
     loop.changed();

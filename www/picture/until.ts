@@ -1,4 +1,7 @@
-/** Runs a forming up to one step of its packing and pauses it there, or at the packing's end if that comes earlier. */
+/**
+ * Runs a forming up to one step of its packing and pauses it there, or at the packing's end if that comes earlier. It may
+ * rewind first, to the step that the engine holds.
+ */
 import { isEnd, isUpToSteps } from '../module/stages';
 import type { Engine } from '../state/engine';
 
@@ -12,11 +15,13 @@ export class Until {
   readonly held: (steps: number) => void;
   /** Whether nothing is drawn on the way, which then takes as little time as it can. */
   readonly unseen: boolean;
+  private rewinds: boolean;
 
-  constructor(step: number, held: (steps: number) => void, unseen?: 'unseen') {
+  constructor(step: number, held: (steps: number) => void, how?: 'unseen' | 'rewound') {
     this.step = step;
     this.held = held;
-    this.unseen = unseen !== undefined;
+    this.unseen = how !== undefined;
+    this.rewinds = how === 'rewound';
   }
 
   /** Works for about `budget` milliseconds and makes at most `steps` steps; true if the picture may have changed. */
@@ -24,6 +29,11 @@ export class Until {
     const end = performance.now() + budget;
     const { stepping } = engine.generator;
     let changed = false;
+    if (this.rewinds) {
+      if (!engine.reach(budget)) return false;
+      this.rewinds = false;
+      engine.restart();
+    }
     for (let left = this.unseen ? Infinity : steps; performance.now() < end; ) {
       if (this.isPast(engine)) break;
       // Runs one slice of anything but a packing step. If there is none, a packing step is next, and the count of

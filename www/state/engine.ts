@@ -150,8 +150,19 @@ export class Engine {
     this.ask((core) => core.step(), undefined);
   }
 
+  /** Makes the steps again, from the held one if there is one. */
   restart(): void {
     this.ask((core) => core.restart(), undefined);
+  }
+
+  /** Holds a step of the packing, which `reach` makes; without a step, lets go. */
+  hold(step?: number): void {
+    this.ask((core) => core.hold(step), undefined);
+  }
+
+  /** Works for about `budget` milliseconds towards the held step; true when it is reached. */
+  reach(budget: number): boolean {
+    return this.ask((core) => core.reach(budget), true);
   }
 
   /** The word of the stage at work, then 'done', or 'error' if the recipe gives no picture. */

@@ -38,7 +38,7 @@ impl Engine for Pavement {
     }
 
     fn forget_steps(&mut self) {
-        self.made.forget_steps();
+        self.forget_packing();
     }
 
     fn side(&self) -> usize {

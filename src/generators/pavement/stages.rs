@@ -124,11 +124,6 @@ impl Stages {
         }
     }
 
-    /// Makes the packing and all stages after it stale.
-    pub fn forget_steps(&mut self) {
-        self.packing.forget();
-    }
-
     /// The rings of the outline at work; on a tile, where they do not count, those of the latest recipe.
     pub fn rings(&self) -> &[Vec<DVec2>] {
         match self.domain.params() {

@@ -4,6 +4,7 @@
 use super::stages::Stages;
 use super::{Pavement, Stage};
 use crate::domain::Domain;
+use crate::generators::packs::PackingProgress;
 use crate::generators::{Clock, Engine, JoinedCells, Steps, until};
 use crate::graph::Wiring;
 use crate::packing::{
@@ -15,6 +16,8 @@ pub(super) struct Held {
     /// The parameters that it was made with, and the revisions of its domain and its fields.
     of: (PackingParams, [u64; 2]),
     asked: u32,
+    /// Whether views show it; else only its states are kept.
+    is_shown: bool,
     progress: HeldProgress,
 }
 
@@ -32,6 +35,7 @@ impl Held {
         Some(Self {
             of,
             asked,
+            is_shown: true,
             progress: HeldProgress::Placing(Some(Box::new(placing))),
         })
     }
@@ -73,9 +77,26 @@ fn made_of(made: &Stages) -> (PackingParams, [u64; 2]) {
 impl Pavement {
     /// The held packing of the present recipe, once its first cells are placed.
     pub(super) fn held(&self) -> Option<&Packing> {
-        let held = self.held.as_ref().filter(|_| self.can_be_held())?;
+        let held = self.held.as_ref()?;
+        if !held.is_shown || !self.can_be_held() {
+            return None;
+        }
         let history = held.history()?;
         (held.of == made_of(&self.made)).then(|| history.packing())
+    }
+
+    /// Makes the packing and all stages after it stale. A held packing goes on from its step; its states are kept, so
+    /// that another step can be held soon.
+    pub(super) fn forget_packing(&mut self) {
+        let from = self.held().filter(|held| !held.done()).cloned();
+        if let Some(held) = &mut self.held {
+            held.is_shown = false;
+        }
+        self.made.packing.forget();
+        if let Some(packing) = from {
+            let moving = PackingProgress::Moving(Box::new(packing));
+            self.made.packing.go_on(moving);
+        }
     }
 
     /// The packing to show and to measure, with its domain.
@@ -106,7 +127,7 @@ impl Steps for Pavement {
     fn hold(&mut self, step: Option<u32>) {
         self.changes += 1;
         match (&mut self.held, step) {
-            (Some(held), Some(step)) => held.asked = step,
+            (Some(held), Some(step)) => (held.asked, held.is_shown) = (step, true),
             (_, None) => self.held = None,
             (None, Some(step)) => self.held = Held::new(&self.made, step),
         }

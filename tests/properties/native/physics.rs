@@ -463,6 +463,38 @@ fn a_studio_holds_any_step_and_lets_go() {
 }
 
 #[test]
+fn a_studio_goes_on_from_a_held_step() {
+    let clock = &mut || 0.0;
+    let mut studio = Studio::new(ALL, ALL.recipe("size=128&cs=12").0);
+    studio.finish(clock).unwrap();
+    let (digest, end) = (studio.engine().digest(), studio.progress());
+    // The first way back makes the states, and later ones take them up.
+    for (step, most_slices) in [(17, u32::MAX), (12, 10), (13, 10), (17, 10)] {
+        let steps = studio.engine_mut().steps().unwrap();
+        steps.hold(Some(step));
+        let mut slices = 0;
+        while !steps.reach(&mut || 0.0, 0.0) {
+            slices += 1;
+        }
+        assert!(slices <= most_slices, "{slices} slices to {step}");
+        let held = steps.state_hash();
+        studio.restart();
+        assert_eq!((studio.stage(), studio.progress().steps), ("packing", step));
+        let steps = studio.engine_mut().steps().unwrap();
+        assert_eq!(steps.state_hash(), held);
+        studio.step(clock);
+        assert_eq!(studio.progress().steps, step + 1);
+    }
+    studio.finish(clock).unwrap();
+    assert_eq!((studio.engine().digest(), studio.progress()), (digest, end));
+    // A packing that is held at its end has no step to go on from.
+    studio.engine_mut().steps().unwrap().hold(Some(u32::MAX));
+    while !studio.engine_mut().steps().unwrap().reach(clock, 0.0) {}
+    studio.restart();
+    assert_eq!(studio.progress().steps, 0);
+}
+
+#[test]
 fn a_recipe_of_one_or_two_bubbles_ends_in_a_picture() {
     for (link, cells) in [
         ("given=0.5,0.5,1", 1),
