@@ -7,6 +7,10 @@ use glam::DVec2;
 /// Most corners of a stone; a ring along a curved boundary has more points.
 pub const MOST_CORNERS: usize = 12;
 
+/// Most points of a ring that are looked at: of a longer ring, some are skipped evenly. The work grows with the square
+/// of their number.
+const MOST_POINTS: usize = 1000;
+
 /// A convex corner that stands out less than this (in roots of the area) is dropped.
 const FLAT: f64 = 0.035;
 /// The same for a reflex corner: dropping it costs area on both sides, so it is kept longer.
@@ -84,8 +88,8 @@ fn cleaned(ring: &[DVec2]) -> Option<Vec<DVec2>> {
         .map(|p| (*p - ring[0]).length())
         .fold(0.0, f64::max);
     let near = |a: DVec2, b: DVec2| (a - b).length() <= 1e-7 * extent;
-    let mut kept: Vec<DVec2> = Vec::with_capacity(ring.len());
-    for &p in ring {
+    let mut kept: Vec<DVec2> = Vec::new();
+    for &p in ring.iter().step_by(ring.len().div_ceil(MOST_POINTS).max(1)) {
         if kept.last().is_none_or(|&q| !near(p, q)) {
             kept.push(p);
         }

@@ -5,7 +5,9 @@ use bubblestone::cells::Cell;
 use bubblestone::field::CellKind;
 use bubblestone::heightfield::{GROUND, TextureParams};
 use bubblestone::material::{GROUNDS, Gloss, PALETTES, material_table};
-use bubblestone::solid::{Distribution, Solid, Solids, StoneKind, StoneParams, joint_depth};
+use bubblestone::solid::{
+    Distribution, Footprint, Solid, Solids, StoneKind, StoneParams, joint_depth,
+};
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
 
@@ -88,6 +90,26 @@ fn cells_that_no_centre_sees_whole_are_filled_from_within() {
     let solid = Solids::new().solid(&cell, &stone(StoneKind::Flagstone, 0.3, 1.0));
     assert!(!solid.vertices.is_empty());
     assert_inside(&cell, &solid, 1.0);
+}
+
+#[test]
+fn a_ring_of_many_points_is_looked_at_evenly() {
+    let wavy = |points: usize| {
+        let at = |k: usize| {
+            let angle = std::f64::consts::TAU * k as f64 / points as f64;
+            let reach = 40.0 + 9.0 * libm::sin(5.0 * angle);
+            DVec2::new(libm::cos(angle), libm::sin(angle)) * reach
+        };
+        (0..points).map(at).collect::<Vec<_>>()
+    };
+    // Every other point of the longer ring is one of the shorter ring.
+    let whole = Footprint::new(&wavy(1_000), DVec2::ZERO).unwrap();
+    let twice = Footprint::new(&wavy(2_000), DVec2::ZERO).unwrap();
+    assert_eq!(twice.corners, whole.corners);
+    // The work grows with the square of the points: all of these would take minutes.
+    let many = Footprint::new(&wavy(300_000), DVec2::ZERO).unwrap();
+    assert_eq!(many.corners.len(), whole.corners.len());
+    assert!((many.size / whole.size - 1.0).abs() < 1e-3);
 }
 
 #[test]
