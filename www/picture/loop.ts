@@ -54,10 +54,21 @@ export interface Rhythm {
   readonly apart: number;
   /** Requests the next slice. */
   next(slice: (begin: number) => void): void;
+  /** Requests it at once, without a frame in between. */
+  soon?(slice: (begin: number) => void): void;
 }
 
 /** A slice in each animation frame, whose other milliseconds are left to the browser. */
-export const FRAMES: Rhythm = { budget: 12, first: 24, unseen: 40, piece: 16, painted: 32, apart: 0, next: (slice) => requestAnimationFrame(slice) };
+export const FRAMES: Rhythm = {
+  budget: 12,
+  first: 24,
+  unseen: 40,
+  piece: 16,
+  painted: 32,
+  apart: 0,
+  next: (slice) => requestAnimationFrame(slice),
+  soon: (slice) => setTimeout(() => slice(performance.now())),
+};
 
 /** Slices in idle moments, for work other than the page's own picture. */
 export const IDLE: Rhythm = { budget: 6, first: 6, unseen: 6, piece: 6, painted: 6, apart: 150, next: (slice) => void idle(50).then(() => slice(performance.now())) };
@@ -105,6 +116,11 @@ export class Loop {
   /** The next frame draws the result of this one, and does no work. */
   private owed = false;
   private spared = false;
+  /**
+   * Whether the next slice does not wait for a frame: the last one was too short for the work, and nobody sees each
+   * slice, or waits for the first picture.
+   */
+  private hasty = false;
 
   /** `view` returns the view to draw at a stage, if any; `drawn` is called in every frame in which something was done. */
   constructor(engine: Engine, view: (stage: string) => string | undefined, drawn: (stage: string, changed: boolean) => void) {
@@ -179,7 +195,11 @@ export class Loop {
   wake(): void {
     if (this.waiting || document.hidden) return;
     this.waiting = true;
-    this.rhythm.next((begin) => this.run(begin));
+    const { rhythm, hasty } = this;
+    const run = (begin: number): void => this.run(begin);
+    this.hasty = false;
+    if (hasty && rhythm.soon) rhythm.soon(run);
+    else rhythm.next(run);
   }
 
   /**
@@ -270,8 +290,15 @@ export class Loop {
     const { stages, stepping } = engine.generator;
     const isSeen = !this.painter && !this.until?.unseen && stages.indexOf(engine.stage()) >= stages.indexOf(stepping);
     const { rhythm } = this;
-    const seen = this.finished || watch ? rhythm.budget : rhythm.first;
-    const budget = isSeen ? seen : rhythm.unseen;
+    const isFirst = !this.finished && !watch;
+    const budget = isSeen ? (isFirst ? rhythm.first : rhythm.budget) : rhythm.unseen;
+    const changed = this.workFor(budget, begin);
+    this.hasty = (isFirst || !isSeen) && performance.now() - begin >= budget;
+    return changed;
+  }
+
+  private workFor(budget: number, begin: number): boolean {
+    const { engine, watch } = this;
     // The other picture uses the other half of the time.
     if (this.pair && !this.until) return this.pair.tick(engine, budget / 2, this.held ? 0 : this.stepsNow(begin));
     if (this.held) return engine.tick(budget, 0);

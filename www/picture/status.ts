@@ -12,6 +12,9 @@ import { notice } from '../base/messages';
 const LONG = 400;
 const WATCHED = 6000;
 
+/** Milliseconds between two changes of the numbers while work goes on: faster ones cannot be read, and cost a layout each. */
+const READ = 100;
+
 const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 
 /** Those of generators whose cells move, come and go. */
@@ -31,6 +34,9 @@ export class StatusLine {
   private began: number | undefined;
   /** The text of the caption, with its remarks. */
   private captioned = '';
+  /** The stage of the numbers, and the time until which they stay. */
+  private shown = '';
+  private until = 0;
   private course: Course = { stages: [], begins: [], stepping: '', placing: '', settled: '' };
 
   constructor() {
@@ -66,7 +72,11 @@ export class StatusLine {
     byId('pipeline').replaceChildren(...Array.from(this.stages.values(), ({ item }) => item));
   }
 
-  show(stage: string, status: Status, watched: boolean): void {
+  /** Shows the numbers. While the work `goesOn`, most are left out; returns whether they are shown. */
+  show(stage: string, status: Status, { watched, goesOn }: { watched: boolean; goesOn: boolean }): boolean {
+    const now = performance.now();
+    if (goesOn && stage === this.shown && now < this.until) return false;
+    [this.shown, this.until] = [stage, now + READ];
     const words = this.course.stages;
     const at = words.indexOf(stage);
     words.forEach((word, index) => {
@@ -84,6 +94,7 @@ export class StatusLine {
     this.count('steps', String(status.steps));
     this.count('move', status.steps ? status.largestMove.toFixed(3) : '–');
     this.count('added', this.ofBodies ? String(status.removed) : `+${status.added} −${status.removed}`);
+    return true;
   }
 
   private nameCounts(counted: keyof typeof WORDS): void {

@@ -248,6 +248,7 @@ export class App {
   /** Called after each frame in which something was done. */
   private worked(stage: string, changed: boolean, drawn: boolean): void {
     const { preset, recipe } = this.store.state;
+    const { loop } = this.host;
     if (drawn) this.view.redrawn();
     const status = this.engine.status();
     this.begun ||= changed && status.cells > 0;
@@ -256,10 +257,11 @@ export class App {
       if (changed && stage === 'done') mark('picture');
     }
     this.forming.follow(stage, this.begun);
-    this.status.show(stage, status, this.host.loop.watch !== undefined);
     this.parts.timeline.here?.follow(stage, status);
-    const remarks = this.view.remarks(stage);
-    this.status.name(this.view.note || (preset ? '' : described(this.engine)), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
+    if (this.status.show(stage, status, { watched: loop.watch !== undefined, goesOn: !loop.stands })) {
+      const remarks = this.view.remarks(stage);
+      this.status.name(this.view.note || (preset ? '' : described(this.engine)), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
+    }
     this.report(stage);
     if (stage === 'error') this.stuck();
     if (stage === 'done') this.finish();
