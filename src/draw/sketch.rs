@@ -38,12 +38,6 @@ impl Sketch {
         self.rows == side
     }
 
-    /// The same, drawn at once if nothing is drawn yet: edges may differ a little where rows of slices meet.
-    pub fn whole(mut self) -> Board {
-        self.at_a_time = self.board.side();
-        self.finish()
-    }
-
     /// The finished drawing.
     pub fn finish(mut self) -> Board {
         while !self.advance() {}

@@ -68,12 +68,8 @@ impl Pavement {
         if view.is_plain() {
             (gallery.over, gallery.begun_over, gallery.drawn_over) = (None, None, None);
         } else if gallery.drawn_over != Some(of) {
-            // Edges of slices change a few values: overlays of the recipe's size have been drawn without slices so far.
             let sketch = self.begin_over(of, &mut gallery);
-            gallery.over = sketch.map(|sketch| match of.0.scale {
-                1 => sketch.whole(),
-                _ => sketch.finish(),
-            });
+            gallery.over = sketch.map(Sketch::finish);
             gallery.drawn_over = Some(of);
         }
         self.gallery = gallery;
@@ -105,8 +101,7 @@ impl Pavement {
         }
     }
 
-    /// Draws a piece of the frame in advance, and of the overlays of a larger one. Work on the recipe in between makes it
-    /// start again.
+    /// Draws a piece of the frame in advance, then of the overlays. Work on the recipe in between makes it start again.
     pub(super) fn draw_beforehand(
         &mut self,
         view: PavementView,
@@ -126,7 +121,7 @@ impl Pavement {
             .is_none_or(|sketch| budget.until(clock, || sketch.advance()));
         gallery.begun = sketch.map(|sketch| ((key, way), sketch));
         let of = (view, key.2);
-        if ready && view.scale > 1 && !view.is_plain() && gallery.drawn_over != Some(of) {
+        if ready && !view.is_plain() && gallery.drawn_over != Some(of) {
             self.draw_base(key, &mut gallery);
             let sketch = self.begin_over(of, &mut gallery);
             gallery.begun_over = sketch.map(|mut sketch| {
