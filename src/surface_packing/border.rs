@@ -27,10 +27,18 @@ struct Post {
     length: f64,
 }
 
+/// Posts whose distances are measured at a time.
+const POSTS: usize = 200;
+
 /// The pieces of the borders, which are filled in turn.
 pub(super) struct Border {
     pieces: Vec<(Vec<Post>, bool)>,
     next: usize,
+    /// The distances of the posts of the next piece from its start, in cells, as far as they are known.
+    reached: Vec<f64>,
+    /// The number of places tried along that piece, and the post before the last one.
+    tried: usize,
+    post: usize,
 }
 
 impl Border {
@@ -49,10 +57,13 @@ impl Border {
         Self {
             pieces: pieces.collect(),
             next: 0,
+            reached: vec![0.0],
+            tried: 0,
+            post: 0,
         }
     }
 
-    /// Places the cells along the next piece; true when none is left.
+    /// Measures some posts of a piece, or places one cell along it; true when no piece is left.
     pub fn grow<F: CellFields<Place = SurfacePoint>>(
         &mut self,
         placed: &mut Placed<SurfacePoint, SurfaceHash>,
@@ -61,25 +72,31 @@ impl Border {
         let Some((posts, closed)) = self.pieces.get(self.next) else {
             return true;
         };
-        self.next += 1;
-        // Lengths in cells: a step is shorter where cells are smaller.
-        let mut reached = vec![0.0];
-        for post in posts {
-            let shape = CellShape::metric_at(ground.fields, post.at);
-            let cells = shape.cells_along(post.along * post.length);
-            reached.push(reached[reached.len() - 1] + cells);
+        let known = self.reached.len() - 1;
+        if known < posts.len() {
+            for post in posts[known..].iter().take(POSTS) {
+                // Lengths in cells: a step is shorter where cells are smaller.
+                let shape = CellShape::metric_at(ground.fields, post.at);
+                let cells = shape.cells_along(post.along * post.length);
+                self.reached
+                    .push(self.reached[self.reached.len() - 1] + cells);
+            }
+            return false;
         }
-        let total = reached[reached.len() - 1];
+        let total = self.reached[known];
         let count = (total.round() as usize).max(1);
         let from = if *closed { 0.0 } else { 0.5 };
-        let mut k = 0;
-        for place in 0..count {
-            let at = total * (place as f64 + from) / count as f64;
-            while k + 1 < posts.len() && reached[k + 1] < at {
-                k += 1;
-            }
-            let span = (reached[k + 1] - reached[k]).max(f64::MIN_POSITIVE);
-            put(&posts[k], (at - reached[k]) / span, placed, ground);
+        let at = total * (self.tried as f64 + from) / count as f64;
+        while self.post + 1 < posts.len() && self.reached[self.post + 1] < at {
+            self.post += 1;
+        }
+        let before = self.reached[self.post];
+        let span = (self.reached[self.post + 1] - before).max(f64::MIN_POSITIVE);
+        put(&posts[self.post], (at - before) / span, placed, ground);
+        self.tried += 1;
+        if self.tried == count {
+            self.next += 1;
+            (self.reached, self.tried, self.post) = (vec![0.0], 0, 0);
         }
         false
     }

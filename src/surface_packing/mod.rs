@@ -64,7 +64,7 @@ impl SurfacePlacing {
     ) -> bool {
         let ground = SurfaceDomain { site, fields };
         let placed = &mut self.placed;
-        (0..PLACES).any(|_| {
+        (0..site.walls.portion(PLACES)).any(|_| {
             if let Some(front) = &mut self.front {
                 return front.grow(placed, ground);
             }
@@ -136,7 +136,7 @@ impl SurfacePacking {
         site: &PackingMesh,
         fields: F,
     ) -> bool {
-        self.advance_by(site, fields, PORTION)
+        self.advance_by(site, fields, site.walls.portion(PORTION))
     }
 
     fn advance_by<F: CellFields<Place = SurfacePoint>>(

@@ -85,6 +85,8 @@ const LOOKED_AT: usize = 1 << 18;
 /// where a border has thousands of edges for each cell, a list is made anew whenever it is needed.
 const MOST_LISTED: usize = 1 << 24;
 const MOST_LOOKED_AT: usize = 1 << 28;
+/// Without lists, a cell takes up to this many times as long.
+const UNLISTED: usize = 100;
 
 /// The walls of a mesh, by the triangles within reach of them.
 #[derive(Clone, Debug)]
@@ -155,6 +157,15 @@ impl SurfaceWalls {
             }
         }
         true
+    }
+
+    /// The number of cells for a slice, where `cells` suit one if there are lists.
+    pub fn portion(&self, cells: usize) -> usize {
+        if self.is_listed {
+            cells
+        } else {
+            cells / UNLISTED
+        }
     }
 
     /// Does without the lists of triangles.
