@@ -147,6 +147,27 @@ test('the timeline steps on and back, plays, pauses and starts again', async () 
   await close();
 });
 
+test('with any stiffness the pair stays on its curves, and their numbers follow it', sameEverywhere, async () => {
+  const { page, problems, close } = await chapter();
+  const figure = await at(page, 'pair');
+  /** The place of the dot on a plate, and the number below the sign of a curve. @param {number} plate */
+  const dot = (plate) => page.$eval(`${figure} .plate-box[data-plate="${plate}"] svg .here`, (here) => [Number(here.getAttribute('cx')), Number(here.getAttribute('cy'))]);
+  const [onForce, onValley] = [await dot(0), await dot(1)];
+  for (const [stiffness, most] of [[10, '11.250'], [0.1, '0.113']]) {
+    await type(page, figure, 'stiff', Number(stiffness));
+    // At the start the state is the same.
+    await page.waitForFunction((selector, number) => document.querySelector(selector).innerHTML.includes(`>${number}<`), {}, `${figure} .plate-box[data-plate="0"]`, most);
+    assert.deepEqual([await dot(0), await dot(1)], [onForce, onValley], `stiffness ${stiffness}`);
+    const { told } = await shown(page, figure);
+    assert.match(told, stiffness === 10 ? /push each other with 3\.90/ : /push each other with 0\.039/);
+    // Arrows and levels stay on the plates.
+    const drawn = await page.$$eval(`${figure} svg.plate :is(.shaft, .head, .level, .bar)`, (parts) => parts.map((part) => [part.getBBox(), part.ownerSVGElement.viewBox.baseVal.height]).map(([{ x, y, width, height }, tall]) => x >= 0 && y >= 0 && x + width <= 400 && y + height <= tall));
+    assert.ok(drawn.length >= 6 && drawn.every(Boolean), String(drawn));
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('with less motion a run goes from stop to stop', sameEverywhere, async () => {
   const { page, close } = await chapter('', { still: true });
   const figure = await at(page, 'let-go');

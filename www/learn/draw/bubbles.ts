@@ -1,7 +1,7 @@
 /** Two bubbles with their forces as arrows and the distance between their centres. */
 import { number, way } from '../figures/words';
 import type { Trace, View } from '../figures/figure';
-import { arrow, at, line, momentOf, pick, PULL, PUSH, symbol, text, UNIT, WIDTH, X } from './plate';
+import { arrow, at, line, momentOf, pick, PULL, PUSH, stiffnessOf, symbol, text, UNIT, WIDTH, X } from './plate';
 
 /** The height of the centres. */
 export const MIDDLE = 96;
@@ -9,7 +9,7 @@ export const MIDDLE = 96;
 /** Below the bubbles, where the next drawing begins. */
 export const BELOW = 194;
 
-/** The length of an arrow for a force of 1. */
+/** The length of an arrow for a force of the stiffness. */
 const FORCE = 64;
 
 /** Arrows begin beside the sign of the centre. */
@@ -24,9 +24,10 @@ export function bubbles(view: View, packing: number): string {
   if (!moment || !trace) return '';
   const [left, right] = [X(moment.left), X(moment.left + moment.w)];
   const kind = way(moment);
-  const length = moment.force * FORCE;
+  const force = moment.force / stiffnessOf(view, packing);
+  const length = force * FORCE;
   const clear = CLEAR * Math.sign(length);
-  const arrows = Math.abs(moment.force) < LEAST ? '' : `${arrow(left - clear, MIDDLE, -length, kind)}${arrow(right + clear, MIDDLE, length, kind)}`;
+  const arrows = Math.abs(force) < LEAST ? '' : `${arrow(left - clear, MIDDLE, -length, kind)}${arrow(right + clear, MIDDLE, length, kind)}`;
   return `${bubble(left, isHeld(trace))}${bubble(right, false)}${centre(left, isHeld(trace))}${centre(right, false)}${arrows}${forceName(view, packing)}${distance(left, right, moment.w)}${beyond(right, moment.w)}`;
 }
 
@@ -57,7 +58,7 @@ function distance(left: number, right: number, w: number): string {
   return `${line([left, y], [right, y], 'measure')}${ends}${text((left + Math.min(right, WIDTH - 20)) / 2, y + 15, `${symbol('w', 'w')} = ${number(w, 3)}`, 'measured')}`;
 }
 
-/** A sign that the right bubble has left the plate. */
+/** A sign that the right bubble has left the plate, beside its grip at the border. */
 function beyond(right: number, w: number): string {
-  return right < WIDTH ? '' : text(WIDTH - 6, MIDDLE + 5, `w = ${number(w, 2)} »`, 'measured', 'end');
+  return right < WIDTH ? '' : text(WIDTH - 24, MIDDLE + 5, `${symbol('w', 'w')} = ${number(w, 2)} »`, 'measured', 'end');
 }

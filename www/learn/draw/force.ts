@@ -1,7 +1,7 @@
 /** The force of equation (2) below its two bubbles, with their place on it. */
 import type { View } from '../figures/figure';
 import { number, way } from '../figures/words';
-import { at, axisOfW, line, momentOf, path, svg, symbol, text, X } from './plate';
+import { at, axisOfW, guideDown, line, momentOf, path, stiffnessOf, svg, symbol, text, X } from './plate';
 import { BELOW, bubbles } from './bubbles';
 
 const [TOP, BOTTOM] = [BELOW + 24, BELOW + 200];
@@ -16,8 +16,8 @@ const STRONGEST = 19 / 15;
 
 export function force(view: View, packing: number): string {
   const curve = view.curve.map(([w, f]) => [X(w), Y(f)] as const);
-  const content = `${axisOfW(Y(0), TOP, BOTTOM, view.language)}${path(curve, 'curve')}${name()}${here(view, packing)}${strongest(view)}${bubbles(view, packing)}`;
-  const said = view.language === 'ja' ? '二つのバブルと、力 f(w) の曲線の上の位置' : 'Two bubbles, and their place on the curve of the force f(w)';
+  const content = `${axisOfW(Y(0), TOP, BOTTOM, view.language)}${path(curve, 'curve')}${name()}${here(view, packing)}${strongest(view, stiffnessOf(view, packing))}${bubbles(view, packing)}`;
+  const said = view.language === 'ja' ? '二つのバブルと、力f(w)の曲線の上の位置' : 'Two bubbles, and their place on the curve of the force f(w)';
   return svg(HEIGHT, said, content);
 }
 
@@ -26,18 +26,18 @@ function name(): string {
 }
 
 /** The strongest push and the strongest pull, with their numbers. */
-function strongest(view: View): string {
+function strongest(view: View, stiffness: number): string {
   const most = view.curve[0]?.[1] ?? 0;
   const least = Math.min(...view.curve.map(([, f]) => f));
   const dot = (w: number, f: number): string => `<circle class="extreme" cx="${at(X(w))}" cy="${at(Y(f))}" r="2.5"/>`;
-  return `${dot(0, most)}${text(X(0) - 8, Y(most) + 18, number(most, 3), 'number', 'end')}${dot(STRONGEST, least)}${text(X(STRONGEST), Y(least) + 15, number(least, 3), 'number halo')}`;
+  return `${dot(0, most)}${text(X(0) - 8, Y(most) + 18, number(most * stiffness, 3), 'number', 'end')}${dot(STRONGEST, least)}${text(X(STRONGEST), Y(least) + 15, number(least * stiffness, 3), 'number halo')}`;
 }
 
 /** The place of the pair on the curve, its force as a bar from the axis, and the line down from the bubble. */
 function here(view: View, packing: number): string {
   const moment = momentOf(view, packing);
   if (!moment) return '';
-  const [x, kind] = [X(moment.w), way(moment)];
-  const guide = moment.left === 0 ? line([x, BELOW - 8], [x, BOTTOM], 'guide') : '';
-  return `${guide}${line([x, Y(0)], [x, Y(moment.force)], `bar ${kind}`)}<circle class="here" cx="${at(x)}" cy="${at(Y(moment.force))}" r="5.5"/>`;
+  const [x, y, kind] = [X(moment.w), Y(moment.force / stiffnessOf(view, packing)), way(moment)];
+  const guide = moment.left === 0 ? guideDown(moment.w, BELOW - 8, TOP, BOTTOM) : '';
+  return `${guide}${line([x, Y(0)], [x, y], `bar ${kind}`)}<circle class="here" cx="${at(x)}" cy="${at(y)}" r="5.5"/>`;
 }

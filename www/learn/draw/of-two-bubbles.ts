@@ -4,7 +4,7 @@ import { TWO_BUBBLES } from '../figures/two-bubbles';
 import { MIDDLE } from './bubbles';
 import { force, HEIGHT } from './force';
 import { pavement } from './pavement';
-import { toW, WIDTH, X, type Drawings, type Drawn } from './plate';
+import { stiffnessOf, toW, WIDTH, X, type Drawings, type Drawn } from './plate';
 import { track } from './track';
 import { BOTTOM, POLE, valley, Y } from './valley';
 
@@ -19,7 +19,7 @@ const ofPair = (draw: (view: View, packing: number, title: string) => string, y:
   numbers: (x) => [toW(x)],
 });
 
-const ballAt = (view: View, { packing }: Plate, key: string): number => (key === 'mark' ? BOTTOM - POLE + 7 : Y(view.traces[packing]?.moments[view.step]?.energy ?? 0));
+const ballAt = (view: View, { packing }: Plate, key: string): number => (key === 'mark' ? BOTTOM - POLE + 7 : Y((view.traces[packing]?.moments[view.step]?.energy ?? 0) / stiffnessOf(view, packing)));
 
 export const drawings: Drawings = {
   figures: TWO_BUBBLES,

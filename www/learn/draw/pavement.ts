@@ -25,7 +25,8 @@ export function pavement(view: View, packing: number): string {
   const pair = pairOf(cells);
   const whole = FORMS[view.step - 1];
   const form = (cell: Cell): Form => whole ?? FORMS[Math.min(3, Math.floor(cell.x * 4))] ?? 'two';
-  const drawn = cells.map((cell) => one(cell, form(cell), pair)).join('');
+  // Where the pair is shown large, all others stand back, and so does the pair among them.
+  const drawn = cells.map((cell) => one(cell, form(cell), whole ? [] : pair)).join('');
   const two = whole === 'two' ? large(view, pair) : '';
   const said = view.language === 'ja' ? '舗装の石と、もとになったバブル' : 'The stones of a pavement and the bubbles they are made of';
   return svg(WIDTH, said, drawn + two);

@@ -18,6 +18,15 @@ export const X = (w: number): number => ORIGIN + UNIT * w;
 
 export const toW = (x: number): number => (x - ORIGIN) / UNIT;
 
+/** The middles of the bands of push, pull and nothing, where their names stand. */
+const NAMED = [0.5, 1.25, (1.5 + WIDEST) / 2];
+
+/** A line down from a bubble into a drawing below, with a gap where the name of a band stands. */
+export function guideDown(w: number, from: number, top: number, to: number): string {
+  const isNamed = NAMED.some((middle) => Math.abs(w - middle) < 0.2);
+  return isNamed ? `${line([X(w), from], [X(w), top - 20], 'guide')}${line([X(w), top - 2], [X(w), to], 'guide')}` : line([X(w), from], [X(w), to], 'guide');
+}
+
 /** A point of the curves: the distance, the force, the potential. */
 export type CurvePoint = View['curve'][number];
 
@@ -27,6 +36,9 @@ export const at = (value: number): string => String(Math.round(value * 100) / 10
 export function momentOf(view: View, packing: number): Moment | undefined {
   return view.traces[packing]?.moments[view.step];
 }
+
+/** The stiffness k0 of a packing: forces and energies are drawn as shares of it, so that the curves stay and their numbers change. */
+export const stiffnessOf = (view: View, packing: number): number => Number(view.traces[packing]?.value('stiff')) || 1;
 
 export function line(from: readonly [number, number], to: readonly [number, number], name: string): string {
   return `<path class="${name}" d="M${at(from[0])} ${at(from[1])}L${at(to[0])} ${at(to[1])}"/>`;

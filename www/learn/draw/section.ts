@@ -43,8 +43,8 @@ function axes({ language }: View): string {
 
 /** The two lines with a piece of each. */
 function names({ language }: View): string {
-  const rows = language === 'ja' ? ['辺の真ん中の先', '角の先（45°）'] : ['straight beyond an edge', 'beyond a corner, at 45°'];
-  return rows.map((words, k) => `${line([X(0.78), TOP + 16 + 18 * k], [X(0.98), TOP + 16 + 18 * k], k ? 'curve dashed' : 'curve')}${text(X(1.04), TOP + 20 + 18 * k, words, 'key', 'start')}`).join('');
+  const rows = language === 'ja' ? ['辺の真ん中の先', '角の先（45°）'] : ['beyond an edge', 'beyond a corner (45°)'];
+  return rows.map((words, k) => `${line([X(1.08), TOP + 16 + 18 * k], [X(1.28), TOP + 16 + 18 * k], k ? 'curve dashed' : 'curve')}${text(X(1.34), TOP + 20 + 18 * k, words, 'key halo', 'start')}`).join('');
 }
 
 /** The well and the pass with their places, and the barrier between them. */
@@ -52,7 +52,7 @@ function lowest({ well, pass }: Landscape): string {
   const dot = (w: number, energy: number): string => `<circle class="extreme" cx="${at(X(w))}" cy="${at(Y(energy))}" r="3.5"/>`;
   const [low, high, x] = [Y(well.energy), Y(pass.energy), X(END) - 18];
   const bar = low - high < 4 ? '' : `${line([X(well.w), low], [x + 5, low], 'guide')}${line([X(pass.w), high], [x + 5, high], 'guide')}${line([x, low], [x, high], 'measure')}${text(x - 6, (low + high) / 2 + 4, number(pass.energy - well.energy, 4), 'measured', 'end')}`;
-  return `${bar}${dot(well.w, well.energy)}${dot(pass.w, pass.energy)}${text(X(well.w), low + 18, `${symbol('w', 'w')} = ${number(well.w, 2)}`, 'measured')}`;
+  return `${bar}${dot(well.w, well.energy)}${dot(pass.w, pass.energy)}${text(X(well.w), low + 18, `${symbol('w', 'w')} = ${number(well.w, 2)}`, 'measured halo')}`;
 }
 
 function here({ traces, step }: View, packing: number): string {

@@ -1,6 +1,6 @@
 /** Two bubbles, and below the right one the track of its distance: time goes down. */
 import type { View } from '../figures/figure';
-import { at, line, momentOf, NOTHING, path, pick, PULL, PUSH, svg, symbol, text, WIDEST, WIDTH, X } from './plate';
+import { at, guideDown, line, momentOf, NOTHING, path, pick, PULL, PUSH, svg, symbol, text, WIDEST, WIDTH, X } from './plate';
 import { BELOW, bubbles } from './bubbles';
 import { HEIGHT } from './force';
 
@@ -17,9 +17,9 @@ export function track(view: View, packing: number, title: string): string {
   const moments = view.traces[packing]?.moments.slice(0, view.step + 1) ?? [];
   const points = moments.map(({ w, step }) => [X(Math.min(w, WIDEST + 0.2)), Y(step)] as const);
   const now = momentOf(view, packing);
-  const guide = now?.left === 0 ? line([X(now.w), BELOW - 8], [X(now.w), Y(now.step)], 'guide') : '';
+  const guide = now?.left === 0 ? guideDown(now.w, BELOW - 8, TOP, Y(now.step)) : '';
   const here = now && X(now.w) < WIDTH ? `<circle class="here" cx="${at(X(now.w))}" cy="${at(Y(now.step))}" r="5.5"/>` : '';
-  const said = view.language === 'ja' ? '二つのバブルと、時間とともに変わる距離 w の跡' : 'Two bubbles, and the track of their distance w over time';
+  const said = view.language === 'ja' ? '二つのバブルと、時間とともに変わる距離wの跡' : 'Two bubbles, and the track of their distance w over time';
   return svg(HEIGHT, title ? `${title}. ${said}` : said, `${scale(view, Y)}${guide}${path(points, 'track')}${stops(view, packing, Y)}${here}${title ? text(6, 16, title, 'plate-title', 'start') : ''}${bubbles(view, packing)}`);
 }
 

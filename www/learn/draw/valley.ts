@@ -1,10 +1,13 @@
 /** The potential of equation (3) as a valley, with the pair as a ball in it and its energy as a level. */
-import type { View } from '../figures/figure';
+import type { Moment, View } from '../figures/figure';
 import { number } from '../figures/words';
-import { at, axisOfW, line, momentOf, path, svg, symbol, text, WIDEST, WIDTH, X, type CurvePoint } from './plate';
+import { at, axisOfW, line, momentOf, path, stiffnessOf, svg, symbol, text, WIDEST, WIDTH, X, type CurvePoint } from './plate';
 import { HEIGHT } from './force';
 
 export const [TOP, BOTTOM] = [34, HEIGHT - 24];
+
+/** From this distance on the words of a mark stand on its left. */
+const LEFT_OF_NAME = 1;
 
 /** The height of a mark's pole. */
 export const POLE = 44;
@@ -18,8 +21,8 @@ export function valley(view: View, packing: number): string {
   const moment = momentOf(view, packing);
   const points = shown(view).map(([w, , psi]) => [X(w), Y(psi)] as const);
   const ground = `<path class="ground" d="M${at(X(0))} ${TOP}L${points.map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}L${at(X(WIDEST))} ${BOTTOM}L${at(X(0))} ${BOTTOM}z"/>`;
-  const said = view.language === 'ja' ? 'ポテンシャル Ψ(w) の谷と、その中のバブルの位置' : 'The valley of the potential Ψ(w), and the place of the pair in it';
-  return svg(HEIGHT, said, `${axisOfW(Y(0), TOP, BOTTOM, view.language)}${ground}${path(points, 'curve')}${name()}${zero(view)}${mark(view)}${moment ? ball(moment.w, moment.energy, moment.motion, view) : ''}`);
+  const said = view.language === 'ja' ? 'ポテンシャルΨ(w)の谷と、その中のバブルの位置' : 'The valley of the potential Ψ(w), and the place of the pair in it';
+  return svg(HEIGHT, said, `${axisOfW(Y(0), TOP, BOTTOM, view.language)}${ground}${path(points, 'curve')}${name()}${zero(view)}${mark(view)}${moment ? ball(moment, stiffnessOf(view, packing), view) : ''}`);
 }
 
 /** The part of the curve below the top, which it leaves between two points. */
@@ -35,19 +38,22 @@ function name(): string {
 }
 
 /** The ball, and its whole energy as a line on which it would turn; a ball on the wall above the plate has a sign. */
-function ball(w: number, energy: number, motion: number, { language }: View): string {
+function ball({ w, energy, motion }: Moment, stiffness: number, { language }: View): string {
   const level = energy + motion;
+  const y = Y(level / stiffness);
   const words = language === 'ja' ? 'エネルギー' : 'energy';
-  const high = level > HIGHEST ? '' : `${line([X(0), Y(level)], [X(WIDEST), Y(level)], 'level')}${text(X(WIDEST), Y(level) - 6, `${words} ${number(level, 3)}`, 'level-name', 'end')}`;
-  const up = energy > HIGHEST ? text(Math.min(X(w), WIDTH - 20) + 12, TOP + 16, `▲ ${number(energy, 3)}`, 'number', 'start') : '';
-  return `${high}${up}<circle class="here" cx="${at(Math.min(X(w), WIDTH - 6))}" cy="${at(Y(energy))}" r="7"/>`;
+  const high = level / stiffness > HIGHEST ? '' : `${line([X(0), y], [X(WIDEST), y], 'level')}${text(X(WIDEST), y - 6, `${words} ${number(level, 3)}`, 'level-name', 'end')}`;
+  const up = energy / stiffness > HIGHEST ? text(Math.min(X(w), WIDTH - 20) + 12, TOP + 16, `▲ ${number(energy, 3)}`, 'number', 'start') : '';
+  return `${high}${up}<circle class="here" cx="${at(Math.min(X(w), WIDTH - 6))}" cy="${at(Y(energy / stiffness))}" r="7"/>`;
 }
 
 /** The reader's mark: a flag on the axis. */
 function mark({ at: [place], language }: View): string {
   if (place === undefined) return '';
   const x = X(place);
-  return `<g class="mark">${line([x, BOTTOM], [x, BOTTOM - POLE], 'pole')}<path class="flag" d="M${at(x)} ${BOTTOM - POLE}h26l-6 7l6 7h-26z"/>${text(x + 4, BOTTOM - POLE - 6, `${language === 'ja' ? '印' : 'mark'} ${number(place, 3)}`, 'number halo', 'start')}</g>`;
+  // On the right the level has its name.
+  const isFar = place > LEFT_OF_NAME;
+  return `<g class="mark">${line([x, BOTTOM], [x, BOTTOM - POLE], 'pole')}<path class="flag" d="M${at(x)} ${BOTTOM - POLE}h26l-6 7l6 7h-26z"/>${text(x + (isFar ? -4 : 4), BOTTOM - POLE - 6, `${language === 'ja' ? '印' : 'mark'} ${number(place, 3)}`, 'number halo', isFar ? 'end' : 'start')}</g>`;
 }
 
 /** The distance at which the potential is 0, once that is found. */
