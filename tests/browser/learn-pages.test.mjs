@@ -6,7 +6,7 @@ import { after, before, test } from 'node:test';
 import { chapters } from '../../www/learn/chapters/contents.mjs';
 import { kind, sameEverywhere } from './browsers.mjs';
 import { desk, open } from './harness.mjs';
-import { at, seek } from './lesson.mjs';
+import { at, follow, seek } from './lesson.mjs';
 import { digest, frames, phone, SMALL } from './page.mjs';
 import { longestTask } from './tasks.mjs';
 
@@ -298,6 +298,27 @@ test('in class every figure fits the screen; on paper a chapter has every figure
     assert.deepEqual(seen, { ...partsOf(chapter), arrows: true, tools: 0, ground: 'rgb(255, 255, 255)' });
     await close();
   }
+});
+
+test('a link to a state opens where its plates are seen, in class on the screen of its figure', sameEverywhere, async () => {
+  const state = STATE.replace('fig=pair', 'fig=exercise');
+  const narrow = await site.newPage(CHAPTERS[0] + state, { viewport: phone });
+  await narrow.page.waitForSelector('#fig-exercise[data-step="3"]');
+  assert.ok(await narrow.page.$eval('#fig-exercise', (figure) => figure.offsetHeight > innerHeight), 'higher than the window');
+  const top = await narrow.page.$eval('#fig-exercise .plates', (plates) => plates.getBoundingClientRect().top);
+  assert.ok(top >= 0 && top < 100, `the plates begin at ${top}`);
+  await narrow.close();
+
+  const { page, problems, close } = await site.newPage(CHAPTERS[0], { viewport: projector });
+  await begun(page);
+  await page.$eval('#class', (button) => button.click());
+  assert.equal(await page.$eval('#fig-exercise', (figure) => figure.checkVisibility()), false);
+  await follow(page, state.slice(1));
+  await page.waitForSelector('#fig-exercise[data-step="3"]');
+  assert.equal(await page.$eval('#fig-exercise', (figure) => figure.checkVisibility()), true);
+  assert.equal(await page.evaluate(() => document.querySelectorAll('[data-now]').length), 1);
+  assert.deepEqual(problems, []);
+  await close();
 });
 
 test('figures have lines and areas alone, still and at work: they are sharp on any screen', sameEverywhere, async () => {

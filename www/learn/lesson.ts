@@ -14,6 +14,7 @@ export function bindClass(language: 'en' | 'ja'): void {
   button.hidden = false;
   button.addEventListener('click', () => lesson.toggle());
   document.addEventListener('keydown', (event) => lesson.key(event));
+  document.addEventListener('opened', ({ target }) => lesson.open(target as Node));
   for (const label of document.querySelectorAll('.ask label')) count(label, HANDS[language]);
 }
 
@@ -50,6 +51,12 @@ class Lesson {
   toggle(): void {
     if (this.at >= 0) this.end();
     else this.show(Math.max(0, this.slides.findIndex(({ scene }) => scene.getBoundingClientRect().bottom > innerHeight / 3)));
+  }
+
+  /** Goes to the screen of a figure that a link has opened. */
+  open(figure: Node): void {
+    const at = this.slides.findIndex(({ scene, part }) => part === 'figure' && scene.contains(figure));
+    if (this.at >= 0 && at >= 0) this.show(at);
   }
 
   key(event: KeyboardEvent): void {

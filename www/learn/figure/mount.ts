@@ -54,7 +54,10 @@ class Place {
   open(fragment: string): void {
     this.leave();
     this.asked = fragment;
-    this.element.scrollIntoView({ block: 'center' });
+    // A class goes to its screen.
+    this.element.dispatchEvent(new Event('opened', { bubbles: true }));
+    // The plates of a figure that is higher than the window come first.
+    this.element.scrollIntoView({ block: this.element.offsetHeight > innerHeight ? 'start' : 'center' });
     if (this.isNear) void this.begin();
   }
 
