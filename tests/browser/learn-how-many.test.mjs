@@ -56,6 +56,25 @@ test('a hole: the papers’ rule brings none, ours brings one', async () => {
   await close();
 });
 
+test('cells without neighbours have no smallest w, and the numbers of the looks stand apart', sameEverywhere, async () => {
+  const { page, problems, close } = await chapter();
+  for (const name of ['never', 'crowded', 'right-number']) {
+    const figure = await at(page, name);
+    const { hash } = await shown(page, figure);
+    await type(page, figure, 'count', 4);
+    await changed(page, figure, hash);
+    await toEnd(page, figure);
+    const rows = await page.$$eval(`${figure} svg.plate`, (plates) => plates.flatMap((plate) => ['.came', '.went'].map((way) => [...plate.querySelectorAll(`.change${way}`)].map((words) => words.getBoundingClientRect()).map(({ left, right }) => [left, right]))));
+    assert.ok(rows.some((row) => row.length > 2), name);
+    for (const row of rows) assert.ok(row.every(([left], k) => k === 0 || left >= row[k - 1][1]), `${name}: ${JSON.stringify(row)}`);
+    await seek(page, figure, 0);
+    assert.doesNotMatch((await shown(page, figure)).told, /Infinity|NaN|undefined/);
+  }
+  assert.match((await shown(page, '#fig-never')).told, /now none has a neighbour/);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('thresholds that cross: it never rests, whichever way they are moved', sameEverywhere, async () => {
   const { page, problems, close } = await chapter();
   const figure = await at(page, 'never');

@@ -21,6 +21,9 @@ export const HEIGHT = WENT + 10;
 /** Half the arm of a sign, in units of the plate. */
 const ARM = 6;
 
+/** The width of a digit in the rows. */
+const DIGIT = 9;
+
 /** Between two lines of a hatching. */
 const HATCH = 5;
 
@@ -38,7 +41,7 @@ export function inOutline(trace: Trace, content: string): string {
 }
 
 function spoken({ language }: View, { cells, leaving, empty }: Marks): string {
-  return language === 'ja' ? `輪郭の中の ${cells.length} 個のバブル。次の調査で ${leaving.size} 個が去り、${empty.length} 個が増えます` : `${cells.length} bubbles in their outline; next ${leaving.size} leave and ${empty.length} come`;
+  return language === 'ja' ? `輪郭の中の${cells.length}個のバブル。次の調査で${leaving.size}個が去り、${empty.length}個が増えます` : `${cells.length} bubbles in their outline; next ${leaving.size} leave and ${empty.length} come`;
 }
 
 function cellsOf(trace: Trace, { cells, leaving, fresh, empty }: Marks): string {
@@ -92,9 +95,9 @@ function strip(view: View, trace: Trace, isAhead: boolean): string {
   const seen = isAhead ? view.step : view.furthest;
   const past = points.slice(0, 2 * seen + 2);
   const ahead = isAhead && seen < view.last ? `${path(points.slice(2 * seen + 1), 'line ahead')}${endOf(trace, x, y)}` : '';
-  const looks = looksUpTo(trace, isAhead ? view.last : view.furthest).map((look) => changes(look, x(look.step), look.step > seen));
+  const looks = changed(looksUpTo(trace, isAhead ? view.last : view.furthest), x, seen);
   const name = text(LEFT - 8, (TOP + FLOOR) / 2 + 4, `${view.language === 'ja' ? '個数' : 'cells'} ${symbol('n', 'n')}`, 'number', 'end');
-  return `${line([LEFT, FLOOR], [RIGHT, FLOOR], 'axis')}${name}${rowNames(view)}${looks.join('')}${ahead}${path(past, 'line line-0')}${here(view, trace, x, y)}`;
+  return `${line([LEFT, FLOOR], [RIGHT, FLOOR], 'axis')}${name}${rowNames(view)}${looks}${ahead}${path(past, 'line line-0')}${here(view, trace, isAhead, x, y)}`;
 }
 
 /** The number of cells changes at a step, not between two. */
@@ -109,11 +112,12 @@ function endOf({ steps }: Trace, x: (step: number) => number, y: (count: number)
 }
 
 /** The present step, and the number of cells there. */
-function here(view: View, trace: Trace, x: (step: number) => number, y: (count: number) => number): string {
+function here(view: View, trace: Trace, isAhead: boolean, x: (step: number) => number, y: (count: number) => number): string {
   const now = crowdAt(trace, view.step);
   if (!now) return '';
   const count = countOf(now);
-  const isLate = x(now.step) > RIGHT - 30;
+  // The number at the end of what is still to come needs its room, too.
+  const isLate = x(now.step) > Math.min(RIGHT, isAhead ? x(trace.steps.length - 1) : RIGHT) - 30;
   const words = text(x(now.step) + (isLate ? -8 : 8), y(count) - 5, String(count), 'key', isLate ? 'end' : 'start');
   return `${line([x(view.step), TOP - 6], [x(view.step), FLOOR], 'now')}<circle class="here" cx="${at(x(now.step))}" cy="${at(y(count))}" r="4.5"/>${words}`;
 }
@@ -123,8 +127,23 @@ function rowNames({ language }: View): string {
   return `${text(LEFT - 8, CAME, names[0] ?? '', 'number', 'end')}${text(LEFT - 8, WENT, names[1] ?? '', 'number', 'end')}`;
 }
 
-function changes({ came, went }: Look, x: number, isAhead: boolean): string {
-  const kind = isAhead ? ' ahead' : '';
-  const one = (y: number, count: number, sign: string, way: string): string => (count ? text(x, y, `${sign}${count}`, `change ${way}${kind}`) : '');
-  return `${line([x, FLOOR], [x, FLOOR + 5], 'tick')}${one(CAME, came.length, '+', 'came')}${one(WENT, went.length, '−', 'went')}`;
+/** A tick at each look, with two rows of numbers below. */
+function changed(looks: readonly Look[], x: (step: number) => number, seen: number): string {
+  const ticks = looks.map(({ step }) => line([x(step), FLOOR], [x(step), FLOOR + 5], 'tick')).join('');
+  const row = (y: number, sign: string, way: 'came' | 'went'): string => {
+    const all = looks.filter((look) => look[way].length).map((look) => ({ words: `${sign}${look[way].length}`, x: x(look.step), isAhead: look.step > seen }));
+    return apart(all).map((one) => text(one.x, y, one.words, `change ${way}${one.isAhead ? ' ahead' : ''}`)).join('');
+  };
+  return `${ticks}${row(CAME, '+', 'came')}${row(WENT, '−', 'went')}`;
+}
+
+/** Words in a row, each moved on until it is clear of the one before. */
+function apart<T extends { readonly words: string; readonly x: number }>(row: readonly T[]): T[] {
+  let free = -Infinity;
+  return row.map((one) => {
+    const half = (one.words.length * DIGIT) / 2;
+    const x = Math.max(one.x, free + half);
+    free = x + half + DIGIT / 2;
+    return { ...one, x };
+  });
 }

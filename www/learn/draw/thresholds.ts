@@ -30,7 +30,7 @@ export function thresholds(view: View, { packing, title }: Plate): string {
   const now = trace && crowdAt(trace, view.step);
   if (!trace || !now) return svg(HEIGHT, '', '');
   const [crowd, room] = [Number(trace.value('crowd')), Number(trace.value('room'))];
-  const words = view.language === 'ja' ? '各バブルの最小の w と、二つのしきい値' : 'The smallest w of each bubble, and both thresholds';
+  const words = view.language === 'ja' ? '各バブルの最小のwと、二つのしきい値' : 'The smallest w of each bubble, and both thresholds';
   const said = title ? `${title[view.language]}. ${words}` : words;
   return svg(HEIGHT, said, `${bands(view, crowd, room)}${axis(view)}${dots(trace, view)}${flag(view, 'crowd', crowd)}${flag(view, 'room', room)}${sums(trace, view)}`);
 }
@@ -94,6 +94,6 @@ function sums(trace: Trace, { step, language }: View): string {
   const now = crowdAt(trace, step);
   const cells = now ? packedOf(now, trace.side) : [];
   const [goes, brings] = [cells.filter((cell) => isCrowded(trace, cell)).length, cells.filter((cell) => isLonely(trace, cell)).length];
-  const words = language === 'ja' ? `${cells.length} 個のうち、過密 ${goes} 個、孤立 ${brings} 個` : `of ${cells.length} cells, ${goes} crowded, ${brings} lonely`;
+  const words = language === 'ja' ? `${cells.length}個のうち、過密${goes}個、孤立${brings}個` : `of ${cells.length} cells, ${goes} crowded, ${brings} lonely`;
   return text(WIDTH / 2, HEIGHT - 8, words, 'key');
 }

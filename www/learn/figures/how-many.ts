@@ -52,13 +52,13 @@ const sentences = (language: Language, ...all: readonly string[]): string => all
 function counted(trace: Trace, step: number, language: Language): string {
   const [now, first] = [numberAt(trace, step), numberAt(trace, 0)];
   const { came, went } = changesUpTo(trace, step);
-  return language === 'ja' ? `開始時 ${first} 個、増えた ${came} 個、去った ${went} 個、いま ${now} 個` : `${first} at the start, ${came} came, ${went} went: ${now} now`;
+  return language === 'ja' ? `開始時${first}個、増えた${came}個、去った${went}個、いま${now}個` : `${first} at the start, ${came} came, ${went} went: ${now} now`;
 }
 
 const note = (packing: number): NonNullable<Plate['note']> => ({ traces, step }, language) => {
   const trace = traces[packing];
   const count = trace ? numberAt(trace, step) : 0;
-  return language === 'ja' ? `${count} 個` : `${count} cells`;
+  return language === 'ja' ? `${count}個` : `${count} cells`;
 };
 
 /** A plate of cells with a strip of its looks. */
@@ -76,11 +76,11 @@ function toldCrowded(seen: Seen, language: Language): string {
 function toldHole({ traces, step }: Seen, language: Language): string {
   const [papers, ours] = traces;
   if (!papers || !ours) return '';
-  const [least, most] = leastRange(papers, step).map((w) => number(w, 3));
+  const [least, most] = (leastRange(papers, step) ?? []).map((w) => number(w, 3));
   const room = number(Number(papers.value('room')), 2);
   const counts = traces.map((trace) => numberAt(trace, step));
   if (language === 'ja') {
-    return `論文の規則：${counts[0] ?? 0} 個。最も近い隣までの w は ${least ?? ''} から ${most ?? ''} で、${room} 以上のセルのそばにだけ新しいセルが増えます。本プログラムの規則：${counts[1] ?? 0} 個。空いた場所そのものを探します。${step < 10 ? '最後まで進めてみてください。' : '論文の値を 0.97 に下げるとどうなるでしょう。'}`;
+    return `論文の規則：${counts[0] ?? 0}個。最も近い隣までのwは${least ?? ''}から${most ?? ''}で、${room}以上のセルのそばにだけ新しいセルが増えます。本プログラムの規則：${counts[1] ?? 0}個。空いた場所そのものを探します。${step < 10 ? '最後まで進めてみてください。' : '論文の値を0.97に下げるとどうなるでしょう。'}`;
   }
   const hint = step < 10 ? 'Go on to the end.' : 'Try a value of 0.97 for the papers’ rule.';
   return `The papers’ rule: ${counts[0] ?? 0} cells, each with its nearest neighbour at w = ${least ?? ''} to ${most ?? ''}; only from ${room} on a cell comes beside it. Our rule: ${counts[1] ?? 0} cells; it looks for the empty place itself. ${hint}`;
@@ -93,9 +93,9 @@ const hole: Ask = {
     const [papers, ours] = seen.traces;
     if (!papers || !ours || !areAtRest(seen) || changesUpTo(papers, seen.step).came > 0) return undefined;
     const [theirs, own] = [numberAt(papers, seen.step), numberAt(ours, seen.step)];
-    const most = number(leastRange(papers, seen.step)[1], 3);
+    const most = number(leastRange(papers, seen.step)?.[1] ?? 0, 3);
     return language === 'ja'
-      ? `両方とも静止しました。論文の規則では ${theirs} 個のまま、本プログラムの規則では ${own} 個です。穴のまわりのセルにも反対側に隣がいて、最も近い隣までの w は最大でも ${most} です。どのセルも「隣から遠い」とは言えません。`
+      ? `両方とも静止しました。論文の規則では${theirs}個のまま、本プログラムの規則では${own}個です。穴のまわりのセルにも反対側に隣がいて、最も近い隣までのwは最大でも${most}です。どのセルも「隣から遠い」とは言えません。`
       : `Both are at rest: ${theirs} cells by the papers’ rule, ${own} by ours. The cells around the hole still touch others on their far side. No nearest neighbour is farther than w = ${most}, so no cell counts as far from its nearest.`;
   },
 };
@@ -103,18 +103,18 @@ const hole: Ask = {
 function toldNever({ traces: [trace], step }: Seen, language: Language): string {
   if (!trace) return '';
   const [crowd, room] = ['crowd', 'room'].map((key) => number(Number(trace.value(key)), 2));
-  const [least, most] = leastRange(trace, step).map((w) => number(w, 3));
+  const [least, most] = (leastRange(trace, step) ?? []).map((w) => number(w, 3));
   const look = looksUpTo(trace, step).at(-1);
   const isCrossed = Number(trace.value('crowd')) > Number(trace.value('room'));
   const end = isAtRest(trace, step);
   if (language === 'ja') {
-    const last = look ? `ステップ ${look.step} の調査で ${look.came.length} 個増え、${look.went.length} 個去りました。` : '';
+    const last = look ? `ステップ${look.step}の調査で${look.came.length}個増え、${look.went.length}個去りました。` : '';
     const hint = isCrossed ? 'しきい値が逆転しています。調査のたびに何が起きるか見てください。' : end ? '静止しました。しきい値を逆転させてみてください。' : '最後まで進めてみてください。';
-    return `${numberAt(trace, step)} 個。最も近い隣までの w が ${crowd ?? ''} 未満なら去り、${room ?? ''} 以上ならそばにもう一つ増えます。いまは ${least ?? ''} から ${most ?? ''} です。${last}${hint}`;
+    return `${numberAt(trace, step)}個。最も近い隣までのwが${crowd ?? ''}未満なら去り、${room ?? ''}以上ならそばにもう一つ増えます。${least && most ? `いまは${least}から${most}です。` : 'いまはどれにも隣がありません。'}${last}${hint}`;
   }
   const last = look ? `Step ${look.step}: ${look.came.length} came, ${look.went.length} went.` : '';
   const hint = isCrossed ? 'The thresholds cross: watch each look.' : end ? 'It is at rest. Let the thresholds cross.' : 'Go on to the end.';
-  return sentences(language, `${numberAt(trace, step)} cells. A cell goes if its nearest neighbour is below w = ${crowd ?? ''}, and another comes beside it from ${room ?? ''} on; now it is ${least ?? ''} to ${most ?? ''}.`, last, hint);
+  return sentences(language, `${numberAt(trace, step)} cells. A cell goes if its nearest neighbour is below w = ${crowd ?? ''}, and another comes beside it from ${room ?? ''} on; ${least && most ? `now it is ${least} to ${most}` : 'now none has a neighbour'}.`, last, hint);
 }
 
 const never: Ask = {
@@ -126,9 +126,9 @@ const never: Ask = {
     const [crowd, room] = ['crowd', 'room'].map((key) => number(Number(trace.value(key)), 2));
     const isCrossed = Number(trace.value('crowd')) > Number(trace.value('room'));
     if (language === 'ja') {
-      const rows = looks.map((look) => `ステップ ${look.step} に ${look.came.length} 個増えて ${look.went.length} 個去り`).join('、');
-      const why = isCrossed ? `w が ${room ?? ''} から ${crowd ?? ''} のセルは、過密であり、しかも孤立してもいます。` : `静止したセルの w は ${crowd ?? ''} から ${room ?? ''} の間に収まりきりません。`;
-      return `静止しませんでした。${rows}ました。${why}調査がステップ 100 で打ち切られるまで続きます。`;
+      const rows = looks.map((look) => `ステップ${look.step}に${look.came.length}個増えて${look.went.length}個去り`).join('、');
+      const why = isCrossed ? `wが${room ?? ''}から${crowd ?? ''}のセルは、過密であり、しかも孤立してもいます。` : `静止したセルのwは${crowd ?? ''}から${room ?? ''}の間に収まりきりません。`;
+      return `静止しませんでした。${rows}ました。${why}調査がステップ100で打ち切られるまで続きます。`;
     }
     const rows = looks.map((look) => `${look.came.length} came and ${look.went.length} went at step ${look.step}`).join(', ');
     const why = isCrossed ? `A cell between w = ${room ?? ''} and ${crowd ?? ''} is crowded and lonely at once.` : `The cells of a packing at rest do not all fit between w = ${crowd ?? ''} and ${room ?? ''}.`;
@@ -162,7 +162,7 @@ function toldCount(seen: Seen, language: Language): string {
   const [left, right] = [numberAt(one, seen.step), numberAt(other, seen.step)];
   const [share, size] = [number(shareOf(one), 1), number(Number(one.value('cs')), 0)];
   const rest = areAtRest(seen);
-  if (language === 'ja') return `面積は同じ、セルの大きさも同じ ${size} です。左は ${left} 個、右は ${right} 個。面積を大きさの二乗で割ると、どちらも ${share} です。${rest ? '大きさを変えてみてください。' : 'まだ静止していません。'}`;
+  if (language === 'ja') return `面積は同じ、セルの大きさも同じ${size}です。左は${left}個、右は${right}個。面積を大きさの二乗で割ると、どちらも${share}です。${rest ? '大きさを変えてみてください。' : 'まだ静止していません。'}`;
   return `The same area, the same cell size of ${size}. Left ${left} cells, right ${right}; area over size squared is ${share} for both. ${rest ? 'Try another size.' : 'They are not yet at rest.'}`;
 }
 
@@ -176,7 +176,7 @@ const count: Ask = {
     if (left <= right) return undefined;
     const [share, size] = [number(shareOf(one), 1), number(Number(one.value('cs')), 0)];
     return language === 'ja'
-      ? `大きさ ${size} では左が ${left} 個、右が ${right} 個になりました。計算では、どちらも ${share} です。細い腕に入るのは列まるごとです。もう一列入る大きさになると、個数は一度に増えます。`
+      ? `大きさ${size}では左が${left}個、右が${right}個になりました。計算では、どちらも${share}です。細い腕に入るのは列まるごとです。もう一列入る大きさになると、個数は一度に増えます。`
       : `At size ${size} the left holds ${left}, the right ${right}; the formula says ${share} for both. Arms take whole rows of cells: as soon as one more row fits, the number jumps.`;
   },
 };
@@ -196,7 +196,7 @@ const right: Ask = {
     if (!trace || !isAtRest(trace, step) || trace.comings.length > 0) return undefined;
     const all = numberAt(trace, step);
     return language === 'ja'
-      ? `できました。${all} 個で始めると、一つも増えず、一つも減らずに、ステップ ${step} で静止します。多くの輪郭では、この数を前もって言うことはできません。そこで調査が要るのです。`
+      ? `できました。${all}個で始めると、一つも増えず、一つも減らずに、ステップ${step}で静止します。多くの輪郭では、この数を前もって言うことはできません。そこで調査が要るのです。`
       : `Done: from ${all} cells nobody came and nobody went, and all were at rest at step ${lastOf(trace) ?? step}. For most outlines nobody can say this number beforehand; so the program looks on the way.`;
   },
 };

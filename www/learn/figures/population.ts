@@ -70,10 +70,10 @@ export function marksAt(trace: Trace, step: number): Marks {
 /** The number of cells at a step. */
 export const numberAt = (trace: Trace, step: number): number => marksAt(trace, step).cells.length;
 
-/** The smallest and the largest of the cells' smallest w at a step. */
-export function leastRange(trace: Trace, step: number): readonly [number, number] {
+/** The smallest and the largest of the cells' smallest w at a step; `undefined` if no cell has a neighbour. */
+export function leastRange(trace: Trace, step: number): readonly [number, number] | undefined {
   const all = marksAt(trace, step).cells.map(({ least }) => least).filter((least) => least > 0);
-  return [Math.min(...all), Math.max(...all)];
+  return all.length ? [Math.min(...all), Math.max(...all)] : undefined;
 }
 
 /** Whether a run has ended at this step, at rest. */
