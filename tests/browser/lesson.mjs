@@ -51,7 +51,8 @@ export function shown(page, figure) {
     step: Number(element.getAttribute('data-step')),
     hash: element.getAttribute('data-hash') ?? '',
     said: element.querySelector('.time-said')?.textContent,
-    told: element.querySelector('.figure-told')?.textContent ?? '',
+    // Letters stand by their numbers.
+    told: (element.querySelector('.figure-told')?.textContent ?? '').replaceAll('\u00a0', ' '),
     picture: [...element.querySelectorAll('.plate-svg')].map((plate) => plate.innerHTML).join(''),
   }));
 }

@@ -7,7 +7,7 @@ export const meshGuide = {
     { en: 'Draw the dual of a mesh, and say how many sides a cell has.', ja: 'メッシュの双対を描き、セルの辺の数を言える。' },
   ],
   before: [
-    { en: 'Chapters 1 and 2: push and pull end at w = 1.5; a crowd comes to rest.', ja: '第1章と第2章（力は w = 1.5で終わる、群れの静止）。' },
+    { en: 'Chapters 1 and 2: push and pull end at w = 1.5; a crowd comes to rest.', ja: '第1章と第2章（力はw = 1.5で終わる、群れの静止）。' },
     { en: 'The circle through three points. For equation (b): the sine, and angles that see the same chord.', ja: '三点を通る円。式(b)には、正弦と円周角。' },
   ],
   plans: [

@@ -22,7 +22,7 @@ export function crowd(view: View, { packing, forces, title }: Plate): string {
   const arrows = forces ? cells.map(arrowOf).join('') : '';
   const shapes = trace.value('kind') === 'circle' ? [] : trace.shapes(now.step);
   const drawn = cells.map((cell, k) => cellShape(cell, shapes[k], cell === own ? 'bubble own' : 'bubble')).join('');
-  const said = view.language === 'ja' ? `輪郭の中の ${cells.length} 個のバブル` : `${cells.length} bubbles in their outline`;
+  const said = view.language === 'ja' ? `輪郭の中の${cells.length}個のバブル` : `${cells.length} bubbles in their outline`;
   return svg(SIDE, title ? `${title[view.language]}. ${said}` : said, `${outlineOf(trace)}${drawn}${arrows}`);
 }
 

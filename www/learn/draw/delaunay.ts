@@ -13,6 +13,9 @@ import { at, line, svg, symbol, text } from './plate';
 const SECTOR = 40;
 const NAMED = 18;
 
+/** The most room that its words take. */
+const EDGE = 66;
+
 /** The radius of a point with its number inside, and of one with its number beside it, and how far away that is. */
 const NODE = 8.5;
 const [DOT, BESIDE] = [3.5, 13];
@@ -82,8 +85,17 @@ function sector({ points }: JoinedCells, { ends }: InnerEdge, id: number, angle:
   if (!from || !to) return '';
   const [mx, my] = middleOf(from, to);
   const letter = symbol(name, name === 'alpha' ? 'α' : 'β');
-  const anchor = mx > 0.3 ? 'end' : mx < -0.3 ? 'start' : 'middle';
-  return `<path class="sector ${name}" d="${sectorPath(corner, from, to, SECTOR)}"/>${text(corner[0] - mx * NAMED, corner[1] - my * (NAMED + 6) + 5, `${letter} ${number(angle, 1)}°`, 'angle-name', anchor)}`;
+  const [x, y, anchor] = outside(corner, [mx, my]);
+  return `<path class="sector ${name}" d="${sectorPath(corner, from, to, SECTOR)}"/>${text(x, y, `${letter} ${number(angle, 1)}°`, 'angle-name', anchor)}`;
+}
+
+/** The place and the anchor of words beyond a corner, away from a direction; at the border of the plate they stand above or below it. */
+function outside([cx, cy]: Spot, [mx, my]: Spot): readonly [x: number, y: number, anchor: string] {
+  const [x, y] = [cx - mx * NAMED, cy - my * (NAMED + 6) + 5];
+  const side = Math.abs(mx) > 0.3 ? -Math.sign(mx) : 0;
+  const hasRoom = x + Math.min(0, side - 0.5) * EDGE > 0 && x + Math.max(0, side + 0.5) * EDGE < SIDE;
+  if (hasRoom) return [x, Math.max(16, Math.min(SIDE - 6, y)), side ? (side > 0 ? 'start' : 'end') : 'middle'];
+  return [Math.max(4, Math.min(SIDE - 4, cx)), cy + (cy > SIDE / 2 ? -18 : 28), cx < SIDE / 2 ? 'start' : 'end'];
 }
 
 /** The direction from a place to another. */

@@ -19,7 +19,7 @@ export function squares(view: View, { packing, title }: Plate): string {
   const drawn = cells.map((cell) => square(cell, 'tile')).join('');
   const bubbles = cells.map((cell) => (cell.size * SIDE < LARGE ? '' : bubblesOf(cell, trace))).join('');
   const edges = edgesOf(cells).edges.map(([x, y, u, v]) => line([x * SIDE, y * SIDE], [u * SIDE, v * SIDE], 'shared')).join('');
-  const said = view.language === 'ja' ? `${cells.length} 個の正方形` : `${cells.length} squares`;
+  const said = view.language === 'ja' ? `${cells.length}個の正方形` : `${cells.length} squares`;
   return svg(SIDE, title ? `${title[view.language]}. ${said}` : said, `${drawn}${bubbles}${edges}`);
 }
 

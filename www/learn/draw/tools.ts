@@ -123,5 +123,5 @@ function marksOf(figure: string, { key: symbol, marks }: NumberHandle): string {
 
 function choice(figure: Figure, handle: ChoiceHandle, language: Language, value: string): string {
   const buttons = handle.choices.map(({ word, name }) => `<label><input type="radio" name="${figure.name}-${handle.key}" value="${word}"${word === value ? ' checked' : ''}><span>${name[language]}</span></label>`);
-  return `<fieldset class="handle choice" data-key="${handle.key}"><legend>${handle.name[language]}</legend>${buttons.join('')}</fieldset>`;
+  return `<fieldset class="handle choice" data-key="${handle.key}"><legend>${handle.name[language]}</legend><div class="options">${buttons.join('')}</div></fieldset>`;
 }

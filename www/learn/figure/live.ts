@@ -2,7 +2,7 @@
  * A figure at work: it reads the numbers of its packings in slices, plays, and shows a step. The picture is made from its state
  * alone, by the drawing that made the still picture.
  */
-import { curveOf, gripAt, lastStepOf, notesOf, numbersAt, platesOf, stopsOf, type Shown } from '../draw/picture';
+import { curveOf, gripAt, lastStepOf, notesOf, numbersAt, platesOf, stopsOf, toldOf, type Shown } from '../draw/picture';
 import type { CurvePoint } from '../draw/plate';
 import { Reading, shownPoints, shownValue } from '../draw/reading';
 import { zeroOf, type Bubbles } from '../draw/studio';
@@ -284,7 +284,7 @@ export class Live implements Handled, Timed {
   private tell(isAtRest: boolean): void {
     const place = this.place.querySelector('.figure-told') as HTMLElement;
     place.setAttribute('aria-live', isAtRest ? 'polite' : 'off');
-    const words = this.figure.told(this.view(), this.language);
+    const words = toldOf(this.figure, this.view());
     if (place.textContent !== words) place.textContent = words;
   }
 

@@ -62,7 +62,7 @@ function toldCrowd(seen: Seen, language: Language): string {
   const cells = cellsOf(seen);
   const [n, most] = [cells.length, number(largest(cells), 3)];
   const isStill = isAtRest(seen.traces[0], seen.step);
-  const first = language === 'ja' ? `${n} 個のバブル。力の和は、最も大きいもので ${most} です。` : `${n} bubbles. The largest net force is ${most}.`;
+  const first = language === 'ja' ? `${n}個のバブル。力の和は、最も大きいもので${most}です。` : `${n} bubbles. The largest net force is ${most}.`;
   return joined(language, first, toldOne(seen, cells, language), hint(seen.step, isStill, language));
 }
 
@@ -75,7 +75,7 @@ function toldOne({ traces, step, at }: Seen, cells: readonly PackedCell[], langu
   const pulls = near.filter(({ w }) => w >= 1 && w < 1.5).length;
   const sum = number(Math.hypot(...own.force), 3);
   return language === 'ja'
-    ? `印のバブルを押す隣は ${pushes} 個、引く隣は ${pulls} 個で、合力は ${sum} です。`
+    ? `印のバブルを押す隣は${pushes}個、引く隣は${pulls}個で、合力は${sum}です。`
     : `The marked one has ${pushes} ${pushes === 1 ? 'neighbour that pushes' : 'neighbours that push'} and ${pulls} that ${pulls === 1 ? 'pulls' : 'pull'}; the net force on it is ${sum}.`;
 }
 
@@ -90,11 +90,11 @@ function toldTwo(seen: Seen, language: Language): string {
     const [now, name] = [atOf(seen, k), (language === 'ja' ? ['左', '右'] : ['Left', 'Right'])[k] ?? ''];
     const energy = number(now ? energyOf(now) : 0, 3);
     const still = isAtRest(trace, seen.step);
-    if (language === 'ja') return `${name}の群れはエネルギー ${energy}${still ? 'で静止' : 'で、動いています'}。`;
+    if (language === 'ja') return `${name}の群れはエネルギー${energy}${still ? 'で静止' : 'で、動いています'}。`;
     return `${name}: energy ${energy}, ${still ? 'at rest' : 'still moving'}.`;
   });
   const n = cellsOf(seen).length;
-  return joined(language, language === 'ja' ? `どちらも ${n} 個です。` : `${n} bubbles in each.`, ...parts, language === 'ja' ? '輪郭か、左の初期位置を変えてみてください。' : 'Bend the outline, or change the first places on the left.');
+  return joined(language, language === 'ja' ? `どちらも${n}個です。` : `${n} bubbles in each.`, ...parts, language === 'ja' ? '輪郭か、左の初期位置を変えてみてください。' : 'Bend the outline, or change the first places on the left.');
 }
 
 /** The change of the energies in the step that led here. */
@@ -109,11 +109,11 @@ function toldEnergy(seen: Seen, language: Language): string {
   const by = changes(seen);
   if (!now) return '';
   const [pairs, sum] = [number(now.pairs, 3), number(energyOf(now), 3)];
-  const stand = language === 'ja' ? `対のエネルギーは ${pairs}、全部の和は ${sum} です。` : `The pairs have an energy of ${pairs}, all together ${sum}.`;
+  const stand = language === 'ja' ? `対のエネルギーは${pairs}、全部の和は${sum}です。` : `The pairs have an energy of ${pairs}, all together ${sum}.`;
   if (!by) return joined(language, stand, language === 'ja' ? '一歩ずつ進めてください。' : 'Step on.');
   const [p, s] = [signed(by.pairs), signed(by.sum)];
-  const last = language === 'ja' ? `この一歩で、対は ${p}、和は ${s} 変わりました。` : `In this step the pairs changed by ${p}, the sum by ${s}.`;
-  return joined(language, stand, last);
+  const last = language === 'ja' ? `この一歩で、対は${p}、和は${s}変わりました。` : `In this step the pairs changed by ${p}, the sum by ${s}.`;
+  return joined(language, stand, last, language === 'ja' ? '対が増えたステップで止めてみてください。' : 'Stop at a step where the pairs gained.');
 }
 
 const signed = (value: number): string => `${value > 0 ? '+' : ''}${number(value, 4)}`;
@@ -122,8 +122,8 @@ function toldBest(seen: Seen, language: Language): string {
   const now = atOf(seen);
   if (!now) return '';
   const [n, energy, still] = [countOf(now), number(energyOf(now), 3), isAtRest(seen.traces[0], seen.step)];
-  if (language === 'ja') return `${n} 個のバブルが、エネルギー ${energy} で${still ? '静止しています' : '動いています'}。これまでに試した始め方は ${seen.trials.length} 通りです。`;
-  return `${n} bubbles ${still ? 'at rest' : 'on the move'} with an energy of ${energy}. Starts tried so far: ${seen.trials.length}.`;
+  if (language === 'ja') return `${n}個のバブルが、エネルギー${energy}で${still ? '静止しています' : '動いています'}。これまでに試した始め方は${seen.trials.length}通りです。${still ? '別の初期位置でも試してください。' : '静止するまで進めてください。'}`;
+  return `${n} bubbles ${still ? 'at rest' : 'on the move'} with an energy of ${energy}. Starts tried so far: ${seen.trials.length}. ${still ? 'Try other first places.' : 'Go on until they rest.'}`;
 }
 
 function toldQuiet(seen: Seen, language: Language): string {
@@ -131,9 +131,10 @@ function toldQuiet(seen: Seen, language: Language): string {
   if (!trace || !now) return '';
   const [c, move] = [trace.value('damp'), number(now.move, 3)];
   const rest = restOf(trace);
-  const stand = language === 'ja' ? `減衰 c = ${c}。最も大きく動くバブルは、一歩に大きさの ${move} 倍動きます。` : `Damping c = ${c}. The fastest bubble moves ${move} sizes in a step.`;
-  if (!isAtRest(trace, seen.step)) return joined(language, stand, language === 'ja' ? 'まだ動いています。' : 'They are still moving.');
-  return joined(language, stand, language === 'ja' ? `${rest ?? 0} ステップで静止しました。` : `They came to rest after ${rest ?? 0} steps.`);
+  const stand = language === 'ja' ? `減衰c = ${c}。最も大きく動くバブルは、一歩に大きさの${move}倍動きます。` : `Damping c = ${c}. The fastest bubble moves ${move} sizes in a step.`;
+  if (seen.step === 0) return joined(language, stand, language === 'ja' ? '「再生」で放してください。' : 'Press play to let go.');
+  if (!isAtRest(trace, seen.step)) return joined(language, stand, language === 'ja' ? 'まだ動いています。減衰を変えてみてください。' : 'They are still moving. Try another damping.');
+  return joined(language, stand, language === 'ja' ? `${rest ?? 0}ステップで静止しました。` : `They came to rest after ${rest ?? 0} steps.`);
 }
 
 const same: Ask = {
@@ -149,7 +150,7 @@ const same: Ask = {
     if (one.hashAt(step) === other.hashAt(step)) return undefined;
     const [left, right] = [one, other].map((trace) => number(energyOf(crowdAt(trace, step) as Crowd), 3));
     return language === 'ja'
-      ? `どちらも静止しました。並び方は違い、エネルギーも左が ${left ?? ''}、右が ${right ?? ''} です。それぞれが、初めの場所から坂を下って最初に着いた谷で止まったからです。違いは小さく、どちらもほぼすき間なく並んでいます。`
+      ? `どちらも静止しました。並び方は違い、エネルギーも左が${left ?? ''}、右が${right ?? ''}です。それぞれが、初めの場所から坂を下って最初に着いた谷で止まったからです。違いは小さく、どちらもほぼすき間なく並んでいます。`
       : `Both are at rest. Their places differ, and so do the energies: ${left ?? ''} on the left, ${right ?? ''} on the right. Each went downhill from its own first places and stayed in the first valley. The difference is small: either packing is good.`;
   },
 };
@@ -165,7 +166,7 @@ const falls: Ask = {
     if (!seen.isStill || !by || by.pairs < CLEAR || by.sum >= 0) return undefined;
     const [step, pairs, sum] = [seen.step, signed(by.pairs), signed(by.sum)];
     return language === 'ja'
-      ? `ステップ ${step} では、対のエネルギーが ${pairs} と増えています。その間に和は ${sum} 変わり、減りました。動いているバブルが勢いで隣の坂を上り、運動のエネルギーが対のエネルギーに変わったからです。減るばかりなのは和だけです。`
+      ? `ステップ${step}では、対のエネルギーが${pairs}と増えています。その間に和は${sum}変わり、減りました。動いているバブルが勢いで隣の坂を上り、運動のエネルギーが対のエネルギーに変わったからです。減るばかりなのは和だけです。`
       : `At step ${step} the energy of the pairs rose by ${pairs}, while the sum changed by ${sum}: it fell. Moving bubbles ran up the next slope and turned motion into energy of pairs. Only the sum falls at every step.`;
   },
 };
@@ -182,7 +183,7 @@ const best: Ask = {
     if (!first || low > first.value - BETTER) return undefined;
     const [own, lower] = [number(first.value, 3), number(low, 3)];
     return language === 'ja'
-      ? `最初の充填のエネルギーは ${own}、見つかったものは ${lower} です。最良ではありませんでした。どの始め方も、最初に着いた谷で止まります。差は ${number(100 * (low / first.value - 1), 1)} % にすぎず、見た目はどれも良いので、これで十分です。`
+      ? `最初の充填のエネルギーは${own}、見つかったものは${lower}です。最良ではありませんでした。どの始め方も、最初に着いた谷で止まります。差は${number(100 * (low / first.value - 1), 1)} %にすぎず、見た目はどれも良いので、これで十分です。`
       : `The first packing had ${own}, this one ${lower}: the first was not the best. Each start ends in the first valley on its way. The gain is ${number(100 * (low / first.value - 1), 1)} %, which no eye sees: good enough, and quick.`;
   },
 };
@@ -199,7 +200,7 @@ const quiet: Ask = {
     if (!trace || rest === undefined || rest > SOON || step < rest || Number(trace.value('jolt')) < 0.2) return undefined;
     const c = trace.value('damp');
     return language === 'ja'
-      ? `できました。減衰 c = ${c} では ${rest} ステップで静止します。小さすぎるとバブルは揺れ続け、大きすぎると水あめの中のようにのろくなります。`
+      ? `できました。減衰c = ${c}では${rest}ステップで静止します。小さすぎるとバブルは揺れ続け、大きすぎると水あめの中のようにのろくなります。`
       : `Done: with c = ${c} the crowd is at rest after ${rest} steps. With less it swings on, with much more it creeps.`;
   },
 };
@@ -212,7 +213,7 @@ const WALLS = lineOf({ en: 'walls', ja: '壁' }, ({ walls }) => walls);
 const MOTION = lineOf({ en: 'motion', ja: '運動' }, ({ motion }) => motion);
 const MOVE = lineOf({ en: 'largest move', ja: '最大の移動量' }, ({ move }) => move);
 
-const ENERGY: Words = { en: 'Energy in k₀', ja: 'エネルギー（単位 k₀）' };
+const ENERGY: Words = { en: 'Energy in k₀', ja: 'エネルギー（単位k₀）' };
 
 /** The first packing at rest and those that were tried since; the lowest is marked. */
 function levels({ trials }: Seen): Bar[] {
@@ -236,7 +237,7 @@ export const MANY_BUBBLES: readonly Figure[] = [
     name: 'crowd', fits, at: [0.5, 0.5], recipe: `${SHAKEN}&cs=32&jolt=0.6&seed=2&dt=0.3&damp=1`, packings: [{}], last: 200, opens: 0, steps: 'step',
     plates: [
       { draw: 'crowd', packing: 0, forces: true, title: { en: 'The net force on each', ja: 'それぞれに働く合力' }, note: energyNote(0) },
-      { draw: 'lens', packing: 0, title: { en: 'The forces on one', ja: '一つに働く力' } },
+      { draw: 'lens', packing: 0, title: { en: 'The forces on one', ja: '一つに働く力' }, note: (_, language) => (language === 'ja' ? '数字：距離 w' : 'numbers: distance w') },
     ],
     stops: [START, AT_REST, OVER], handles: [LOOK, BEND, FIRST], more: [DAMPING, JOLT], asks: [], told: toldCrowd,
   },

@@ -41,6 +41,15 @@ const RESTS: Stop = { ...AT_REST, find: ofFirst(restOf) };
 
 const joinedOf = ({ traces: [trace] }: Seen): JoinedCells | undefined => trace?.joined(0);
 
+/** The layers in words. */
+const LAYERS: readonly Words[] = [
+  { en: 'Shown are the bubbles.', ja: 'バブルだけを見せています。' },
+  { en: 'Shown is the mesh of their centres.', ja: '中心を結んだメッシュを見せています。' },
+  { en: 'Shown is one cell in the mesh.', ja: 'メッシュの上に、一つのセルを見せています。' },
+  { en: 'Shown are one cell and those around it.', ja: '一つのセルと、そのまわりのセルを見せています。' },
+  { en: 'Shown are all cells.', ja: 'すべてのセルを見せています。' },
+];
+
 function toldDual(seen: Seen, language: Language): string {
   const [trace] = seen.traces;
   const made = trace?.joined(seen.step);
@@ -54,7 +63,8 @@ function toldDual(seen: Seen, language: Language): string {
     ? inWords(language, `The marked bubble has ${edges} edges, and its cell ${sides} sides.`, `印のバブルには${edges}本の辺が集まり、そのセルは${sides}角形です。`)
     : inWords(language, 'The marked bubble is at the border, where the outline cuts its cell.', '印のバブルは縁にあり、セルは輪郭で切られています。');
   const most = inWords(language, `Of the ${inner.length} bubbles inside, ${six} have six edges.`, `内側の${inner.length}個のうち、${six}個には辺が六本あります。`);
-  return joined(language, all, one, most, inWords(language, 'Look at another bubble, or go through the layers.', 'ほかのバブルを見るか、一枚ずつ重ねてみてください。'));
+  const layer = LAYERS[seen.step];
+  return joined(language, all, layer?.[language] ?? '', one, most, inWords(language, 'Look at another bubble, or go through the layers.', 'ほかのバブルを見るか、一枚ずつ重ねてみてください。'));
 }
 
 /** The medians of the three rows. */

@@ -61,7 +61,7 @@ const LITTLE = 0.05;
 
 const from: Ask = {
   key: 'from',
-  answers: { a: { en: 'there are four wells from 0.41 on', ja: '0.41 から' }, b: { en: 'there are four wells from 0.2 on', ja: '0.2 から' }, c: { en: 'any weight above 0 makes four wells', ja: '0 より大きければいくつでも' } },
+  answers: { a: { en: 'there are four wells from 0.41 on', ja: '0.41から' }, b: { en: 'there are four wells from 0.2 on', ja: '0.2から' }, c: { en: 'any weight above 0 makes four wells', ja: '0より大きければいくつでも' } },
   seen: ({ traces, trials }, language) => {
     const land = traces[0]?.landscape;
     const slid = trials.find(({ value, parted }) => parted && value > 0 && value <= LITTLE);
@@ -71,14 +71,14 @@ const from: Ask = {
     return inWords(
       language,
       `At weight 0 it stayed at 45°; at ${weight} it slid to an edge. ${barrier ? `The pass at 45° is only ${barrier} k₀ higher than the wells, but it is higher. ` : ''}Any weight above 0 makes four wells out of the ring.`,
-      `重み 0 では 45° にとどまり、重み ${weight} では辺へ滑りました。${barrier ? `45° の峠は井戸よりわずか ${barrier} k₀ 高いだけですが、それで十分です。` : ''}0 より大きければ、どんな重みでも輪は四つの井戸に分かれます。`,
+      `重み0では45°にとどまり、重み${weight}では辺へ滑りました。${barrier ? `45°の峠は井戸よりわずか${barrier} k₀高いだけですが、それで十分です。` : ''}0より大きければ、どんな重みでも輪は四つの井戸に分かれます。`,
     );
   },
 };
 
 const bump: Ask = {
   key: 'bump',
-  answers: { a: { en: 'it rests farther away', ja: 'もっと遠く' }, b: { en: 'it rests nearer', ja: 'もっと近く' }, c: { en: 'it rests at w = 1, as before', ja: '前と同じ w = 1' } },
+  answers: { a: { en: 'it rests farther away', ja: 'もっと遠く' }, b: { en: 'it rests nearer', ja: 'もっと近く' }, c: { en: 'it rests at w = 1, as before', ja: '前と同じw = 1' } },
   seen: ({ traces: [trace], step }, language) => {
     const now = trace && neighbourAt(trace, step);
     const isPapers = Math.abs(Number(trace?.value('cr')) - PAPERS) < 1e-3;
@@ -87,7 +87,7 @@ const bump: Ask = {
     return inWords(
       language,
       `With a weight of ${weight} it rests at w = ${w}, as before: the well is deeper, ${deep} k₀, and has not moved. Corners that bump would push it away. Now change the radius.`,
-      `重み ${weight} でも、静止するのは前と同じ w = ${w} です。井戸は ${deep} k₀ まで深くなりましたが、動いてはいません。角どうしがぶつかるのなら、遠ざかるはずです。次は半径を変えてください。`,
+      `重み${weight}でも、静止するのは前と同じw = ${w}です。井戸は${deep} k₀まで深くなりましたが、動いてはいません。角どうしがぶつかるのなら、遠ざかるはずです。次は半径を変えてください。`,
     );
   },
 };
@@ -105,7 +105,7 @@ const slide: Ask = {
     return inWords(
       language,
       `Done: from x = ${x}, y = ${y} (up) it slid into the well on the left, after ${step} steps at the latest. The borders between the wells are the diagonals.`,
-      `できました。x = ${x}、y = ${y}（上向き）から左の井戸へ、${step} ステップまでに滑り込みました。井戸どうしの境は、対角線です。`,
+      `できました。x = ${x}、y = ${y}（上向き）から左の井戸へ、${step}ステップまでに滑り込みました。井戸どうしの境は、対角線です。`,
     );
   },
 };
@@ -113,7 +113,7 @@ const slide: Ask = {
 /** The place of the second square, in words. */
 function standsAt({ w, aside }: Neighbour, language: Language): string {
   const [far, turned] = [number(w, 3), number(aside, 0)];
-  return inWords(language, `The second square is at w = ${far}, ${turned}° from the middle of the nearest edge.`, `二つ目の正方形は w = ${far}、いちばん近い辺の真ん中から ${turned}° のところにあります。`);
+  return inWords(language, `The second square is at w = ${far}, ${turned}° from the middle of the nearest edge.`, `二つ目の正方形はw = ${far}、いちばん近い辺の真ん中から${turned}°のところにあります。`);
 }
 
 function movesTo(now: Neighbour, step: number, language: Language): string {
@@ -121,8 +121,8 @@ function movesTo(now: Neighbour, step: number, language: Language): string {
   if (step > 0 && isStill(now) && Math.hypot(...now.force) < 0.01) return inWords(language, 'It rests there.', 'そこで静止しています。');
   const [force, speed] = [number(Math.hypot(...now.force), 3), number(now.speed, 3)];
   return step === 0
-    ? inWords(language, `The force on it is ${force}.`, `受ける力は ${force} です。`)
-    : inWords(language, `It slides at ${speed}; the force on it is ${force}.`, `速さ ${speed} で滑り、受ける力は ${force} です。`);
+    ? inWords(language, `The force on it is ${force}.`, `受ける力は${force}です。`)
+    : inWords(language, `It slides at ${speed}; the force on it is ${force}.`, `速さ${speed}で滑り、受ける力は${force}です。`);
 }
 
 /** The landscape in words: a ring, or wells with passes between them. */
@@ -130,8 +130,8 @@ function landIn(trace: Trace, language: Language): string {
   const { landscape: land } = trace;
   if (!land) return '';
   const [weight, deep, high] = [number(weightOf(trace), 3), number(-land.well.energy, 4), number(land.pass.energy - land.well.energy, 4)];
-  if (weightOf(trace) === 0) return inWords(language, `Without corner bubbles all places at w = 1 are alike: a ring, ${deep} k₀ deep.`, `隅のバブルがなければ、w = 1 の場所はどこも同じで、深さ ${deep} k₀ の輪になります。`);
-  return inWords(language, `With a corner weight of ${weight} there are four wells at w = ${number(land.well.w, 2)}, ${deep} k₀ deep, and a barrier of ${high} between two.`, `隅の重み ${weight} では、w = ${number(land.well.w, 2)} に深さ ${deep} k₀ の井戸が四つあり、間の障壁は ${high} です。`);
+  if (weightOf(trace) === 0) return inWords(language, `Without corner bubbles all places at w = 1 are alike: a ring, ${deep} k₀ deep.`, `隅のバブルがなければ、w = 1の場所はどこも同じで、深さ${deep} k₀の輪になります。`);
+  return inWords(language, `With a corner weight of ${weight} there are four wells at w = ${number(land.well.w, 2)}, ${deep} k₀ deep, and a barrier of ${high} between two.`, `隅の重み${weight}では、w = ${number(land.well.w, 2)}に深さ${deep} k₀の井戸が四つあり、間の障壁は${high}です。`);
 }
 
 function toldPair(hint: { readonly en: string; readonly ja: string }) {
@@ -151,18 +151,18 @@ function sharing(trace: Trace | undefined, step: number): { readonly edges: numb
 
 const noteOf = (packing: number) => ({ traces, step }: Seen, language: Language): string => {
   const { edges, neighbours } = sharing(traces[packing], step);
-  return inWords(language, `${edges} of ${neighbours} pairs edge to edge`, `隣り合う ${neighbours} 組のうち ${edges} 組が辺を共有`);
+  return inWords(language, `${edges} of ${neighbours} pairs edge to edge`, `隣り合う${neighbours}組のうち${edges}組が辺を共有`);
 };
 
 function toldCrowd({ traces, step }: Seen, language: Language): string {
   const [without, corners] = [0, 1].map((packing) => sharing(traces[packing], step));
   const count = traces[0]?.steps[0] ? packedOf(traces[0].steps[0], traces[0].side).length : 0;
   if (!without || !corners) return '';
-  const start = inWords(language, `${count} squares, twice, from the same places.`, `${count} 個の正方形を、同じ場所から二通りに動かします。`);
+  const start = inWords(language, `${count} squares, twice, from the same places.`, `${count}個の正方形を、同じ場所から二通りに動かします。`);
   const now = inWords(
     language,
     `Without corner bubbles ${without.edges} of ${without.neighbours} neighbouring pairs share an edge now, with them ${corners.edges} of ${corners.neighbours}.`,
-    `今、辺を共有するのは、隅のバブルなしでは隣り合う ${without.neighbours} 組のうち ${without.edges} 組、ありでは ${corners.neighbours} 組のうち ${corners.edges} 組です。`,
+    `今、辺を共有するのは、隅のバブルなしでは隣り合う${without.neighbours}組のうち${without.edges}組、ありでは${corners.neighbours}組のうち${corners.edges}組です。`,
   );
   const hint = step === 0 ? inWords(language, 'Press play.', '「再生」を押してください。') : inWords(language, 'Try another start, or step through it.', '別の始まりを試すか、一歩ずつ見てください。');
   return [start, now, hint].join(language === 'ja' ? '' : ' ');

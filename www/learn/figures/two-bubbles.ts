@@ -31,7 +31,7 @@ const far: Ask = {
     if (!first || !then || step < 10 || first.w <= REACH || Math.abs(then.w - first.w) > 0.01) return undefined;
     const [w, force] = [number(then.w, 3), number(then.force, 3)];
     return language === 'ja'
-      ? `そのまま止まっていました。w = ${w} での力は ${force} で、10 ステップ後もそこにいます。1.5 より遠くでは引く力も押す力も 0 だからです。`
+      ? `そのまま止まっていました。w = ${w}での力は${force}で、10ステップ後もそこにいます。1.5より遠くでは引く力も押す力も0だからです。`
       : `It stayed: at w = ${w} the force is ${force}, and ten steps later it is still there. From 1.5 on nothing pulls and nothing pushes.`;
   },
 };
@@ -45,7 +45,7 @@ const near: Ask = {
     if (!found) return undefined;
     const [parted, kept, own, level] = [...found, at[0] ?? 0, zero].map((value) => number(value, 3));
     return language === 'ja'
-      ? `あなたの印は ${own}。${parted ?? ''} からは離れきり、${kept ?? ''} からは戻りました。境目はその間です。Ψ は w = ${level ?? ''} で 0 です。減衰がなければエネルギーは減らず、0 より上から始まると谷を越えて出ていきます。`
+      ? `あなたの印は${own}。${parted ?? ''}からは離れきり、${kept ?? ''}からは戻りました。境目はその間です。Ψはw = ${level ?? ''}で0です。減衰がなければエネルギーは減らず、0より上から始まると谷を越えて出ていきます。`
       : `Your mark is at ${own}. From ${parted ?? ''} it parted for good, from ${kept ?? ''} it came back, so the border lies between. Ψ is 0 at w = ${level ?? ''}: without damping no energy is lost, and whoever starts above 0 leaves the valley.`;
   },
 };
@@ -58,7 +58,7 @@ const broken: Ask = {
     if (!euler || !kutta || step < 20 || euler.w <= REACH || Math.abs(kutta.w - 1) > 0.02) return undefined;
     const [away, stays, dt] = [number(euler.w, 3), number(kutta.w, 3), traces[0]?.value('dt') ?? ''];
     return language === 'ja'
-      ? `刻み ${dt} では、陽的オイラー法のバブルは w = ${away} まで飛び離れ、ルンゲ・クッタ法のバブルは w = ${stays} で静止しました。力は同じです。長い刻みの間に力は変わるのに、オイラー法は最初の力で押し続けるからです。`
+      ? `刻み${dt}では、陽的オイラー法のバブルはw = ${away}まで飛び離れ、ルンゲ・クッタ法のバブルはw = ${stays}で静止しました。力は同じです。長い刻みの間に力は変わるのに、オイラー法は最初の力で押し続けるからです。`
       : `With a step of ${dt}, explicit Euler has thrown the bubble to w = ${away}; Runge–Kutta has it at rest at w = ${stays}. The force is the same. It changes during a long step, but Euler goes on with the force of the step's beginning.`;
   },
 };
@@ -73,7 +73,7 @@ const still: Ask = {
     if (!trace || step < 30 || at === undefined || at > 30 || moments.some(({ w }) => w > 1.01)) return undefined;
     const c = trace.value('damp');
     return language === 'ja'
-      ? `できました。減衰 c = ${c} では、行き過ぎずに ${at} ステップで静止します。2 より小さいと行き過ぎ、大きいとのろくなります。`
+      ? `できました。減衰c = ${c}では、行き過ぎずに${at}ステップで静止します。2より小さいと行き過ぎ、大きいとのろくなります。`
       : `Done: with c = ${c} it is at rest after ${at} steps and never swings past. Much less than 2 swings past, much more is slow.`;
   },
 };
@@ -85,7 +85,7 @@ const made: Ask = {
     if (step < 4) return undefined;
     const n = traces[0]?.cells.length ?? 0;
     return language === 'ja'
-      ? `この ${n} 個の石は、それぞれ一つのバブルから作られました。バブルは隣を押したり引いたりして自分の場所を見つけます。二つだけ残すと、力は一つの曲線で決まります。`
+      ? `この${n}個の石は、それぞれ一つのバブルから作られました。バブルは隣を押したり引いたりして自分の場所を見つけます。二つだけ残すと、力は一つの曲線で決まります。`
       : `Each of the ${n} stones was made around a bubble. The bubbles found their places by pushing and pulling their neighbours. With two of them left, one curve decides.`;
   },
 };
@@ -113,8 +113,8 @@ function toldTwice({ traces, step }: Seen, language: Language): string {
   const names = language === 'ja' ? ['陽的オイラー法', 'ルンゲ・クッタ法'] : ['Explicit Euler', 'Runge–Kutta'];
   const parts = traces.map(({ moments }, k) => `${names[k] ?? ''}: w = ${number(moments[step]?.w ?? 0, 3)}`);
   const dt = traces[0]?.value('dt') ?? '';
-  const same = language === 'ja' ? `力も減衰も同じ、時間刻みも同じ ${dt} です。` : `The same force, the same damping, the same time step of ${dt}.`;
-  const tryIt = language === 'ja' ? '刻みを 0.2、0.55、1.0 に変えてみてください。' : 'Try steps of 0.2, 0.55 and 1.0.';
+  const same = language === 'ja' ? `力も減衰も同じ、時間刻みも同じ${dt}です。` : `The same force, the same damping, the same time step of ${dt}.`;
+  const tryIt = language === 'ja' ? '刻みを0.2、0.55、1.0に変えてみてください。' : 'Try steps of 0.2, 0.55 and 1.0.';
   return joined(language, same, language === 'ja' ? `${parts.join('、')}。` : `${parts.join('; ')}.`, tryIt);
 }
 
@@ -136,10 +136,10 @@ function toldLayer({ traces, step }: Seen, language: Language): string {
     'Two neighbours, alone. All that follows is about these two.',
   ];
   const ja = [
-    `${n} 個の石からなる石畳を、左から右へ、石、セル、バブル、そのうちの二つへとほどきました。一歩ずつ進めてください。`,
-    `石は ${n} 個。同じ形は一つもなく、目地はぴったり合っています。`,
-    `セルは ${n} 個。石は一つずつセルに収まっています。`,
-    `バブルは ${n} 個。セルごとに一つあり、ほぼ接して、少し重なります。`,
+    `${n}個の石からなる石畳を、左から右へ、石、セル、バブル、そのうちの二つへとほどきました。一歩ずつ進めてください。`,
+    `石は${n}個。同じ形は一つもなく、目地はぴったり合っています。`,
+    `セルは${n}個。石は一つずつセルに収まっています。`,
+    `バブルは${n}個。セルごとに一つあり、ほぼ接して、少し重なります。`,
     '隣り合う二つだけが残りました。これからは、この二つの話です。',
   ];
   return (language === 'ja' ? ja : en)[step] ?? '';

@@ -73,8 +73,8 @@ export function way({ force }: Moment): 'push' | 'pull' | 'none' {
 export function stands(moment: Moment, language: Language): string {
   const [w, force, kind] = [number(moment.w, 3), number(Math.abs(moment.force), 3), way(moment)];
   if (language === 'ja') {
-    const now = kind === 'push' ? `${force} の力で押し合っています` : kind === 'pull' ? `${force} の力で引き合っています` : moment.w >= REACH ? '遠すぎて力は働きません' : '力は 0 です';
-    return `距離は w = ${w}。${now}。`;
+    const now = kind === 'push' ? `${force}の力で押し合っています` : kind === 'pull' ? `${force}の力で引き合っています` : moment.w >= REACH ? '遠すぎて力は働きません' : '力は0です';
+    return `距離はw = ${w}。${now}。`;
   }
   const now = kind === 'push' ? `they push each other with ${force}` : kind === 'pull' ? `they pull each other with ${force}` : moment.w >= REACH ? 'they are too far apart: no force' : 'no force';
   return `Distance w = ${w}: ${now}.`;
@@ -84,6 +84,6 @@ export function stands(moment: Moment, language: Language): string {
 export function moves({ speed }: Moment, language: Language): string {
   const text = number(Math.abs(speed), 3);
   if (Math.abs(speed) < 5e-4) return language === 'ja' ? '止まっています。' : 'They are still.';
-  if (language === 'ja') return `速さ ${text} で${speed > 0 ? '離れていきます' : '近づいていきます'}。`;
+  if (language === 'ja') return `速さ${text}で${speed > 0 ? '離れていきます' : '近づいていきます'}。`;
   return speed > 0 ? `They move apart at ${text}.` : `They come nearer at ${text}.`;
 }
