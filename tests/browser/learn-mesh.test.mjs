@@ -256,4 +256,27 @@ test('an address that does not fit opens the figure’s own points', sameEverywh
   await close();
 });
 
+test('the numbers of angles stay on their plates when points and looks are at the border', sameEverywhere, async () => {
+  const { page, problems, close } = await chapter();
+  for (const [name, key] of /** @type {const} */ ([['flip', 'at'], ['flip', 'given'], ['close', 'given']])) {
+    const figure = await at(page, name);
+    for (const [x, y] of /** @type {const} */ ([[0.03, 0.04], [0.97, 0.03], [0.96, 0.97], [0.03, 0.96]])) {
+      if (key === 'given') await write(page, figure, x, y);
+      else await page.mouse.click(...(await placeOn(page, figure, 0, x, y)));
+      await stands(page, figure, key, x, y, 0.01);
+      await frames(page, 3);
+      const outside = await page.$$eval(`${figure} svg.plate`, (plates) =>
+        plates.flatMap((plate) => {
+          const own = plate.getBoundingClientRect();
+          const words = [...plate.querySelectorAll('.angle-name, .letter-of')].map((text) => [text.textContent, text.getBoundingClientRect()]);
+          return words.filter(([, { left, right, top, bottom }]) => left < own.left || right > own.right || top < own.top - 1 || bottom > own.bottom + 1).map(([text]) => text);
+        }),
+      );
+      assert.deepEqual(outside, [], `${name} ${key} ${x}, ${y}`);
+    }
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('on a dark phone, in Japanese, axe finds nothing in the figures, and nothing is wider than the page', sameEverywhere, () => isSoundOnPhone(chapter, FIGURES, /個/));

@@ -93,7 +93,7 @@ function sector({ points }: JoinedCells, { ends }: InnerEdge, id: number, angle:
 function outside([cx, cy]: Spot, [mx, my]: Spot): readonly [x: number, y: number, anchor: string] {
   const [x, y] = [cx - mx * NAMED, cy - my * (NAMED + 6) + 5];
   const side = Math.abs(mx) > 0.3 ? -Math.sign(mx) : 0;
-  const hasRoom = x + Math.min(0, side - 0.5) * EDGE > 0 && x + Math.max(0, side + 0.5) * EDGE < SIDE;
+  const hasRoom = x - (EDGE * (1 - side)) / 2 > 0 && x + (EDGE * (1 + side)) / 2 < SIDE;
   if (hasRoom) return [x, Math.max(16, Math.min(SIDE - 6, y)), side ? (side > 0 ? 'start' : 'end') : 'middle'];
   return [Math.max(4, Math.min(SIDE - 4, cx)), cy + (cy > SIDE / 2 ? -18 : 28), cx < SIDE / 2 ? 'start' : 'end'];
 }

@@ -69,7 +69,7 @@ function beside(place: Spot, from: Spot, letter: string): string {
 function angleAt(corner: Spot, one: Spot, other: Spot, angle: number): string {
   const [from, to] = [unit(corner, one), unit(corner, other)];
   const [x, y] = middleOf(from, to);
-  const name = text(corner[0] - 22 * x, Math.max(16, corner[1] - 22 * y + 5), symbol('gamma', 'γ'), 'letter-of');
+  const name = text(corner[0] - 22 * x, Math.max(20, corner[1] - 22 * y + 5), symbol('gamma', 'γ'), 'letter-of');
   return `<path class="sector gamma" d="${sectorPath(corner, from, to, angle < BAD ? 84 : 44)}"/>${name}`;
 }
 
