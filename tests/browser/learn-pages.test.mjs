@@ -321,6 +321,26 @@ test('a link to a state opens where its plates are seen, in class on the screen 
   await close();
 });
 
+test('in class the plates fill the room that the window has, and are as before afterwards', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage('learn/many-bubbles/', { viewport: projector });
+  await begun(page);
+  const width = (/** @type {string} */ name) => page.$eval(`#fig-${name} .plates`, (plates) => plates.getBoundingClientRect().width);
+  const usual = await width('best');
+  await page.$eval('#class', (button) => button.click());
+  for (const name of ['crowd', 'energy', 'best', 'quiet']) {
+    await page.evaluate((figure) => {
+      const shown = () => document.documentElement.dataset.part === 'figure' && document.querySelector(`[data-now] #fig-${figure}`);
+      for (let k = 0; k < 20 && !shown(); k += 1) document.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
+    }, name);
+    const end = await page.$eval(`#fig-${name} .figure-told`, (told) => told.getBoundingClientRect().bottom);
+    assert.ok(end <= projector.height && end > projector.height - 80, `${name} ends at ${end}`);
+  }
+  await page.keyboard.press('Escape');
+  assert.equal(await width('best'), usual);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('figures have lines and areas alone, still and at work: they are sharp on any screen', sameEverywhere, async () => {
   for (const { path, ...chapter } of BY_TURNS) {
     const { page, close } = await site.newPage(path, { viewport: { ...desk, deviceScaleFactor: 2 } });

@@ -15,6 +15,7 @@ export function bindClass(language: 'en' | 'ja'): void {
   button.addEventListener('click', () => lesson.toggle());
   document.addEventListener('keydown', (event) => lesson.key(event));
   document.addEventListener('opened', ({ target }) => lesson.open(target as Node));
+  addEventListener('resize', () => lesson.fit());
   for (const label of document.querySelectorAll('.ask label')) count(label, HANDS[language]);
 }
 
@@ -38,6 +39,9 @@ function slidesOf(scene: HTMLElement): Slide[] {
   const ask: Slide[] = !hasFigure || scene.querySelector('.ask') ? [{ scene, part: 'ask' }] : [];
   return hasFigure ? [...ask, { scene, part: 'figure' }] : ask;
 }
+
+/** Room below the text of a figure, which may become a line longer. */
+const BELOW = 40;
 
 class Lesson {
   private readonly slides: readonly Slide[];
@@ -68,8 +72,20 @@ class Lesson {
     this.show(Math.min(this.slides.length - 1, Math.max(0, this.at + way)));
   }
 
+  /** Makes the plates larger if the window has room for that, with all that stands around them. */
+  fit(): void {
+    const scene = this.slides[this.at]?.scene;
+    const [plates, told] = ['.plates', '.figure-told'].map((part) => scene?.querySelector<HTMLElement>(part));
+    if (!plates?.checkVisibility() || !told) return;
+    plates.style.maxWidth = '';
+    const { width, height } = plates.getBoundingClientRect();
+    const spare = innerHeight - BELOW - scrollY - told.getBoundingClientRect().bottom;
+    if (spare > 0) plates.style.maxWidth = `${width * (1 + spare / height)}px`;
+  }
+
   private show(at: number): void {
     this.mark(at);
+    this.fit();
     const scene = this.slides[at]?.scene;
     scene?.setAttribute('tabindex', '-1');
     scene?.focus({ preventScroll: true });
@@ -79,6 +95,7 @@ class Lesson {
   private end(): void {
     const scene = this.slides[this.at]?.scene;
     this.mark(-1);
+    for (const plates of document.querySelectorAll<HTMLElement>('.plates')) plates.style.maxWidth = '';
     scene?.scrollIntoView();
     this.button.focus({ preventScroll: true });
   }

@@ -40,9 +40,6 @@ export function toldOf({ told }: Figure, view: View): string {
   return told(view, view.language).replace(/(\w) = (?=[\d−])/g, '$1\u00a0=\u00a0');
 }
 
-/** Whether no plate is much higher than half its width. */
-export const areLow = ({ figure, drawn }: Shown): boolean => figure.plates.every(({ draw }) => (drawn[draw]?.height ?? WIDTH) < 0.8 * WIDTH);
-
 /** The notes beside the plates' titles; `undefined` where there is none. */
 export function notesOf(figure: Figure, view: View): (string | undefined)[] {
   return figure.plates.map(({ note }) => note?.(view, view.language));

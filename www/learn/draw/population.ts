@@ -94,7 +94,9 @@ function strip(view: View, trace: Trace, isAhead: boolean): string {
   const points = stairs(trace, x, y);
   const seen = isAhead ? view.step : view.furthest;
   const past = points.slice(0, 2 * seen + 2);
-  const ahead = isAhead && seen < view.last ? `${path(points.slice(2 * seen + 1), 'line ahead')}${endOf(trace, x, y)}` : '';
+  // Near its end the number at the present step says it.
+  const end = x(trace.steps.length - 1) - x(seen) > 20 ? endOf(trace, x, y) : '';
+  const ahead = isAhead && seen < view.last ? `${path(points.slice(2 * seen + 1), 'line ahead')}${end}` : '';
   const looks = changed(looksUpTo(trace, isAhead ? view.last : view.furthest), x, seen);
   const name = text(LEFT - 8, (TOP + FLOOR) / 2 + 4, `${view.language === 'ja' ? '個数' : 'cells'} ${symbol('n', 'n')}`, 'number', 'end');
   return `${line([LEFT, FLOOR], [RIGHT, FLOOR], 'axis')}${name}${rowNames(view)}${looks}${ahead}${path(past, 'line line-0')}${here(view, trace, isAhead, x, y)}`;

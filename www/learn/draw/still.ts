@@ -1,7 +1,7 @@
 /** A figure as it stands in the static page: its picture at the opening step, its tools, and the text of its state. */
 import type { Figure, Language, Trial, View } from '../figures/figure';
 import { shownOf } from './chapters';
-import { areLow, curveOf, lastStepOf, notesOf, platesOf, stopsOf, toldOf, type Shown } from './picture';
+import { curveOf, lastStepOf, notesOf, platesOf, stopsOf, toldOf, type Shown } from './picture';
 import { Reading, shownPoints, shownValue } from './reading';
 import { zeroOf, type Bubbles } from './studio';
 import { toolsOf } from './tools';
@@ -36,7 +36,7 @@ function markupOf(shown: Shown & { readonly chapter: string }, view: View, readi
   const notes = notesOf(figure, view);
   const boxes = platesOf(shown, view).map((plate, k) => titled(figure, k, notes[k], language, `<div class="plate-box" data-plate="${k}"><div class="plate-svg">${plate}</div></div>`));
   const tools = toolsOf(figure, language, { step, last, value: (key) => shownValue(readings, step, at, key), points: (handle) => shownPoints(readings, step, at, handle) });
-  return `<div class="plates plates-${boxes.length}${areLow(shown) ? ' low' : ''}" data-chapter="${chapter}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${toldOf(figure, view)}</p>`;
+  return `<div class="plates plates-${boxes.length}" data-chapter="${chapter}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${toldOf(figure, view)}</p>`;
 }
 
 /** A plate with its title, unless the drawing has it; its note follows the steps. */
