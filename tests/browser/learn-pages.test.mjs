@@ -341,6 +341,27 @@ test('in class the plates fill the room that the window has, and are as before a
   await close();
 });
 
+test('a plate has its place before the one beside it has come', sameEverywhere, async () => {
+  for (const viewport of [desk, phone]) {
+    const { page, close } = await site.newPage('learn/how-many/', { viewport });
+    await begun(page);
+    const found = await page.$$eval('.plates-2', (all) =>
+      all.map((plates) => {
+        const place = () => ['left', 'width'].map((side) => plates.firstElementChild?.getBoundingClientRect()[side]).join(' ');
+        const before = place();
+        const other = plates.lastElementChild;
+        other?.remove();
+        const alone = place();
+        plates.append(other);
+        return [before, alone];
+      }),
+    );
+    assert.ok(found.length >= 4);
+    for (const [before, alone] of found) assert.equal(alone, before);
+    await close();
+  }
+});
+
 test('figures have lines and areas alone, still and at work: they are sharp on any screen', sameEverywhere, async () => {
   for (const { path, ...chapter } of BY_TURNS) {
     const { page, close } = await site.newPage(path, { viewport: { ...desk, deviceScaleFactor: 2 } });
