@@ -74,7 +74,9 @@ test('Lloyd’s rounds and the packing raise the median of the smallest angles',
 test('the cell of a bubble inside has a side for each edge of it', () => {
   const made = reading('dual');
   const { told, at } = figureOf('dual');
-  assert.match(told({ traces: [made], step: 4, at }, 'en'), /^41 bubbles and 41 cells\. The marked bubble has 6 edges, and its cell 6 sides\. Of the 23 bubbles inside, 19 have six edges\./);
+  assert.match(told({ traces: [made], step: 4, at }, 'en'), /^41 bubbles and 41 cells\. Shown are all cells\. The marked bubble has 6 edges, and its cell 6 sides\. Of the 23 bubbles inside, 19 have six edges\./);
+  const layers = [0, 1, 2, 3, 4].map((step) => told({ traces: [made], step, at }, 'en'));
+  assert.equal(new Set(layers).size, 5, 'each layer has its text');
   made.change('cs', '44');
   const { points, cells } = read(made).joined(4);
   assert.equal(points.size, made.cells.length);
