@@ -402,24 +402,28 @@ test('in class one question or figure fills the screen, by keys, and hands are c
   const shown = () => page.evaluate(() => ['h2', '.ask', '.plates'].map((part) => [...document.querySelectorAll(`main ${part}`)].filter((one) => one.checkVisibility()).length));
   await page.focus('#class');
   await page.keyboard.press('Enter');
-  // The question on top, then its figure.
-  assert.deepEqual(await shown(), [1, 1, 0]);
+  // The question on top with a picture that does nothing, then its figure in full.
+  assert.deepEqual(await shown(), [1, 1, 1]);
+  const asked = await page.$eval('[data-now] .figure', (figure) => ({ inert: figure.inert, tools: figure.querySelector('.figure-tools').checkVisibility(), ...figure.querySelector('.plates').getBoundingClientRect().toJSON() }));
+  assert.ok(asked.inert && !asked.tools && asked.height > 200 && asked.bottom < projector.height, JSON.stringify(asked));
   await page.focus('.hands');
   await page.keyboard.type('12');
   assert.equal(await page.$eval('.hands', (box) => box.value), '12');
   // Arrows belong to the box.
   await page.keyboard.press('ArrowRight');
-  assert.deepEqual(await shown(), [1, 1, 0]);
+  assert.deepEqual(await shown(), [1, 1, 1]);
   await page.evaluate(() => document.activeElement.blur());
+  assert.equal(await page.$eval('[data-now] .answers', (answers) => answers.open), false, 'counted hands give nothing away');
   await page.keyboard.press('ArrowRight');
   assert.deepEqual(await shown(), [0, 0, 1]);
+  assert.equal(await page.$eval('[data-now] .figure', (figure) => figure.inert), false);
   const { width, bottom } = await page.evaluate(() => {
     const box = [...document.querySelectorAll('.plates')].find((one) => one.checkVisibility()).getBoundingClientRect();
     return { width: box.width, bottom: box.bottom };
   });
   assert.ok(width > 400 && bottom < projector.height, `${width} wide, down to ${bottom}`);
   await page.keyboard.press('ArrowLeft');
-  assert.deepEqual(await shown(), [1, 1, 0]);
+  assert.deepEqual(await shown(), [1, 1, 1]);
   for (let k = 0; k < 12; k += 1) await page.keyboard.press('ArrowRight');
   assert.deepEqual(await shown(), [1, 0, 0], 'the last is the text on ours and theirs');
   await page.keyboard.press('Escape');

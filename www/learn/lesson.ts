@@ -16,6 +16,8 @@ export function bindClass(language: 'en' | 'ja'): void {
   document.addEventListener('keydown', (event) => lesson.key(event));
   document.addEventListener('opened', ({ target }) => lesson.open(target as Node));
   addEventListener('resize', () => lesson.fit());
+  // Answers that unfold take room; the event does not bubble.
+  document.addEventListener('toggle', () => lesson.fit(), true);
   for (const label of document.querySelectorAll('.ask label')) count(label, HANDS[language]);
 }
 
@@ -28,7 +30,7 @@ function count(label: Element, word: string): void {
 
 const WAYS: Readonly<Record<string, number>> = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 };
 
-/** The content of one screen: a scene's question with its answers, or its figure. */
+/** The content of one screen: a scene's question with its answers and a still picture of its figure, or the figure in full. */
 interface Slide {
   readonly scene: HTMLElement;
   readonly part: 'ask' | 'figure';
@@ -42,6 +44,17 @@ function slidesOf(scene: HTMLElement): Slide[] {
 
 /** Room below the text of a figure, which may become a line longer. */
 const BELOW = 40;
+
+/** The least height of a question's picture; with less room it is left out. */
+const LEAST = 180;
+
+/** Makes plates so large that this `end`, which follows them or is theirs, is as low as the window allows. Returns their height. */
+function fill(plates: HTMLElement, end: HTMLElement): number {
+  const { width, height } = plates.getBoundingClientRect();
+  const spare = innerHeight - BELOW - scrollY - end.getBoundingClientRect().bottom;
+  if (spare > 0 || end === plates) plates.style.maxWidth = `${width * Math.max(0, 1 + spare / height)}px`;
+  return height + spare;
+}
 
 class Lesson {
   private readonly slides: readonly Slide[];
@@ -72,15 +85,20 @@ class Lesson {
     this.show(Math.min(this.slides.length - 1, Math.max(0, this.at + way)));
   }
 
-  /** Makes the plates larger if the window has room for that, with all that stands around them. */
+  /**
+   * Makes the plates larger if the window has room for that, with all that stands around them. Those of a question also
+   * become smaller.
+   */
   fit(): void {
-    const scene = this.slides[this.at]?.scene;
+    const { scene, part } = this.slides[this.at] ?? {};
+    scene?.removeAttribute('data-bare');
     const [plates, told] = ['.plates', '.figure-told'].map((part) => scene?.querySelector<HTMLElement>(part));
-    if (!plates?.checkVisibility() || !told) return;
+    if (!scene || !plates?.checkVisibility() || !told) return;
     plates.style.maxWidth = '';
-    const { width, height } = plates.getBoundingClientRect();
-    const spare = innerHeight - BELOW - scrollY - told.getBoundingClientRect().bottom;
-    if (spare > 0) plates.style.maxWidth = `${width * (1 + spare / height)}px`;
+    if (part === 'figure') return void fill(plates, told);
+    fill(plates, plates);
+    // Titles of smaller plates may have another line.
+    scene.toggleAttribute('data-bare', fill(plates, plates) < LEAST);
   }
 
   private show(at: number): void {
@@ -106,6 +124,10 @@ class Lesson {
     document.documentElement.toggleAttribute('data-class', slide !== undefined);
     document.documentElement.dataset['part'] = slide?.part ?? '';
     this.button.setAttribute('aria-pressed', String(slide !== undefined));
-    for (const scene of this.scenes) scene.toggleAttribute('data-now', scene === slide?.scene);
+    for (const scene of this.scenes) {
+      scene.toggleAttribute('data-now', scene === slide?.scene);
+      const figure = scene.querySelector<HTMLElement>('.figure');
+      if (figure) figure.inert = slide?.part === 'ask';
+    }
   }
 }

@@ -30,7 +30,8 @@ function openReplies(ask: Element): void {
   const key = ask.getAttribute('data-ask') ?? '';
   const replies = document.querySelector<HTMLDetailsElement>(`[data-ask="${key}"] ~ details.answers`);
   ask.addEventListener('change', ({ target }) => {
-    if (!replies || !(target instanceof HTMLInputElement)) return;
+    // A number of raised hands is no answer.
+    if (!replies || !(target instanceof HTMLInputElement) || target.type !== 'radio') return;
     replies.open = true;
     for (const reply of replies.querySelectorAll<HTMLElement>('[data-reply]')) reply.toggleAttribute('data-chosen', reply.dataset['reply'] === target.value);
   });
