@@ -118,7 +118,7 @@ function here(view: View, trace: Trace, isAhead: boolean, x: (step: number) => n
   const now = crowdAt(trace, view.step);
   if (!now) return '';
   const count = countOf(now);
-  // The number at the end of what is still to come needs its room, too.
+  // The number at the end of the later steps needs its room, too.
   const isLate = x(now.step) > Math.min(RIGHT, isAhead ? x(trace.steps.length - 1) : RIGHT) - 30;
   const words = text(x(now.step) + (isLate ? -8 : 8), y(count) - 5, String(count), 'key', isLate ? 'end' : 'start');
   return `${line([x(view.step), TOP - 6], [x(view.step), FLOOR], 'now')}<circle class="here" cx="${at(x(now.step))}" cy="${at(y(count))}" r="4.5"/>${words}`;
