@@ -132,6 +132,21 @@ fn scalar(word: &[u8]) -> Result<Scalar, Notice> {
 }
 
 impl Ply {
+    /// The next line of the head in small letters, which ends before `end`.
+    fn head_line(&mut self, bytes: &[u8], end: u8) -> Result<Vec<u8>, Notice> {
+        let rest = bytes.get(self.at..).unwrap_or(&[]);
+        let length = rest.iter().take(HEAD).position(|&b| b == end);
+        let Some(length) = length.filter(|_| self.at < HEAD) else {
+            return Err(if rest.len() < HEAD {
+                ends("PLY")
+            } else {
+                bad_head()
+            });
+        };
+        self.at += length + 1;
+        Ok(rest[..length].to_ascii_lowercase())
+    }
+
     fn read_head(&mut self, bytes: &[u8]) -> Result<Head, Notice> {
         let mut format = None;
         let mut elements: Vec<Element> = Vec::new();
@@ -141,17 +156,7 @@ impl Ply {
             .is_some_and(|end| end[0] == b'\r' && end[1] != b'\n');
         let end = if ends_with_cr { b'\r' } else { b'\n' };
         loop {
-            let rest = bytes.get(self.at..).unwrap_or(&[]);
-            let length = rest.iter().take(HEAD).position(|&b| b == end);
-            let Some(length) = length.filter(|_| self.at < HEAD) else {
-                return Err(if rest.len() < HEAD {
-                    ends("PLY")
-                } else {
-                    bad_head()
-                });
-            };
-            self.at += length + 1;
-            let line = rest[..length].to_ascii_lowercase();
+            let line = self.head_line(bytes, end)?;
             let line: Vec<&[u8]> = words(&line).collect();
             match line[..] {
                 [b"format", kind, ..] => {
@@ -168,34 +173,10 @@ impl Ply {
                     properties: Vec::new(),
                 }),
                 [b"property", b"list", count, item, name] => {
-                    let role = match name {
-                        b"vertex_indices" | b"vertex_index" => match elements.last() {
-                            Some(last) if last.is_vertex => Role::None,
-                            _ => Role::Corners,
-                        },
-                        _ => Role::None,
-                    };
-                    let property = Property {
-                        count: Some(scalar(count)?),
-                        item: scalar(item)?,
-                        role,
-                    };
-                    let last = elements.last_mut().ok_or_else(bad_head)?;
-                    last.properties.push(property);
+                    let count = scalar(count)?;
+                    add_property(&mut elements, name, item, Some(count))?;
                 }
-                [b"property", item, name] => {
-                    let last = elements.last_mut().ok_or_else(bad_head)?;
-                    let axis = [b"x", b"y", b"z"].iter().position(|axis| *axis == name);
-                    let role = match axis {
-                        Some(axis) if last.is_vertex => Role::Place(axis),
-                        _ => Role::None,
-                    };
-                    last.properties.push(Property {
-                        count: None,
-                        item: scalar(item)?,
-                        role,
-                    });
-                }
+                [b"property", item, name] => add_property(&mut elements, name, item, None)?,
                 [b"end_header"] => break,
                 [b"ply"] | [b"comment", ..] | [b"obj_info", ..] | [] => {}
                 _ => return Err(bad_head()),
@@ -337,6 +318,29 @@ impl Ply {
             Scalar::Double => f64::from_bits(bits),
         })
     }
+}
+
+/// Adds a property to the last element; with `count`, the kind of its count, it is a list.
+fn add_property(
+    elements: &mut [Element],
+    name: &[u8],
+    item: &[u8],
+    count: Option<Scalar>,
+) -> Result<(), Notice> {
+    let last = elements.last_mut();
+    let is_vertex = last.as_ref().is_some_and(|last| last.is_vertex);
+    let axis = [b"x", b"y", b"z"].iter().position(|axis| *axis == name);
+    let is_corners = matches!(name, b"vertex_indices" | b"vertex_index");
+    let role = match axis {
+        Some(axis) if is_vertex && count.is_none() => Role::Place(axis),
+        None if is_corners && !is_vertex && count.is_some() => Role::Corners,
+        _ => Role::None,
+    };
+    let item = scalar(item)?;
+    last.ok_or_else(bad_head)?
+        .properties
+        .push(Property { count, item, role });
+    Ok(())
 }
 
 /// Checks that vertices have three coordinates, and that there are faces or strips.

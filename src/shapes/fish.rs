@@ -39,11 +39,58 @@ const SAMPLES: usize = 128;
 /// Where the bend to the side begins.
 const NECK: f64 = -0.15;
 
+/// A ball in the plane between both sides: its middle and its radius.
+fn ball(x: f64, y: f64, r: f64) -> (DVec3, f64) {
+    (DVec3::new(x, y, 0.0), r)
+}
+
+/// The tail and the fins of the back and the belly, each with half its thickness.
+fn thin_fins(half: f64, tail: f64, fins: f64) -> Vec<(Canal, f64)> {
+    let lobe = |up: f64| {
+        let (s, u) = (tail, tail * up);
+        [
+            ball(0.30, 0.012 * up, 0.045),
+            ball(0.31 + 0.055 * s, 0.060 * u, 0.066 * s),
+            ball(0.31 + 0.090 * s, 0.130 * u, 0.064 * s),
+            ball(0.31 + 0.150 * s, 0.220 * u, 0.040 * s),
+        ]
+    };
+    let web = [
+        ball(0.3, 0.0, 0.05),
+        ball(0.31 + 0.055 * tail, 0.0, 0.05 * tail),
+    ];
+    let back = [
+        ball(-0.16, 0.84 * half, 0.075),
+        ball(-0.085, half + 0.025 * fins, 0.080 * fins),
+        ball(0.005, 0.96 * half + 0.036 * fins, 0.068 * fins),
+        ball(0.085, 0.80 * half + 0.042 * fins, 0.054 * fins),
+        ball(0.155, 0.60 * half + 0.055 * fins, 0.040 * fins),
+    ];
+    let behind = [
+        ball(0.09, -0.72 * half, 0.055),
+        ball(0.140, -0.66 * half - 0.035 * fins, 0.05 * fins),
+        ball(0.195, -0.5 * half - 0.080 * fins, 0.040 * fins),
+    ];
+    let below = [
+        ball(-0.11, -0.9 * half, 0.055),
+        ball(-0.065, -half - 0.025 * fins, 0.048 * fins),
+        ball(-0.01, -0.98 * half - 0.07 * fins, 0.040 * fins),
+    ];
+    let through = |balls: &[(DVec3, f64)]| Canal::through(balls, 6);
+    vec![
+        (through(&lobe(1.0)), 0.03),
+        (through(&lobe(-0.94)), 0.03),
+        (through(&web), 0.03),
+        (through(&back), 0.03),
+        (through(&behind), 0.025),
+        (through(&below), 0.025),
+    ]
+}
+
 impl Fish {
     /// The fish for the numbers `[height, width, tail, fins, swim]`.
     pub fn new(n: &[f64]) -> Self {
         let (half, width, tail, fins) = (0.5 * n[0], n[1], n[2], n[3]);
-        let ball = |x: f64, y: f64, r: f64| (DVec3::new(x, y, 0.0), r);
         // The lens is lower than its circles. So these are larger, which gives it the wanted height.
         let larger = half / (1.0 - LENS * LENS).sqrt();
         let body = [
@@ -58,45 +105,7 @@ impl Fish {
             (0.35, 0.0, 0.27),
         ];
         let body = body.map(|(x, y, r)| ball(x, y * half, r * larger));
-        let lobe = |up: f64| {
-            let (s, u) = (tail, tail * up);
-            [
-                ball(0.30, 0.012 * up, 0.045),
-                ball(0.31 + 0.055 * s, 0.060 * u, 0.066 * s),
-                ball(0.31 + 0.090 * s, 0.130 * u, 0.064 * s),
-                ball(0.31 + 0.150 * s, 0.220 * u, 0.040 * s),
-            ]
-        };
-        let web = [
-            ball(0.3, 0.0, 0.05),
-            ball(0.31 + 0.055 * tail, 0.0, 0.05 * tail),
-        ];
-        let back = [
-            ball(-0.16, 0.84 * half, 0.075),
-            ball(-0.085, half + 0.025 * fins, 0.080 * fins),
-            ball(0.005, 0.96 * half + 0.036 * fins, 0.068 * fins),
-            ball(0.085, 0.80 * half + 0.042 * fins, 0.054 * fins),
-            ball(0.155, 0.60 * half + 0.055 * fins, 0.040 * fins),
-        ];
-        let behind = [
-            ball(0.09, -0.72 * half, 0.055),
-            ball(0.140, -0.66 * half - 0.035 * fins, 0.05 * fins),
-            ball(0.195, -0.5 * half - 0.080 * fins, 0.040 * fins),
-        ];
-        let below = [
-            ball(-0.11, -0.9 * half, 0.055),
-            ball(-0.065, -half - 0.025 * fins, 0.048 * fins),
-            ball(-0.01, -0.98 * half - 0.07 * fins, 0.040 * fins),
-        ];
-        let through = |balls: &[(DVec3, f64)]| Canal::through(balls, 6);
-        let through_fins = vec![
-            (through(&lobe(1.0)), 0.03),
-            (through(&lobe(-0.94)), 0.03),
-            (through(&web), 0.03),
-            (through(&back), 0.03),
-            (through(&behind), 0.025),
-            (through(&below), 0.025),
-        ];
+        let through_fins = thin_fins(half, tail, fins);
         let narrow = ((1.0 - LENS) / (1.0 + LENS)).sqrt() / width;
         let (mut low, mut high) = (-half, half);
         for (fin, _) in &through_fins {

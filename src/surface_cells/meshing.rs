@@ -145,7 +145,6 @@ impl SurfaceMeshing {
     }
 
     fn work(&mut self, mesh: &TriMesh, step: MeshingPhase) -> MeshingPhase {
-        let nodes = &self.nodes;
         let cells = &self.made.cells;
         match step {
             MeshingPhase::Begin => {
@@ -185,6 +184,14 @@ impl SurfaceMeshing {
                 self.nodes.meetings.add(&self.triangles, &self.places);
                 MeshingPhase::Flips(Flips::new(&self.nodes, &self.triangles))
             }
+            step => self.join_triangles(mesh, step),
+        }
+    }
+
+    /// The steps that join triangles, and smooth what they have made.
+    fn join_triangles(&mut self, mesh: &TriMesh, step: MeshingPhase) -> MeshingPhase {
+        let nodes = &self.nodes;
+        match step {
             MeshingPhase::Flips(mut flips) => {
                 if !flips.advance(nodes, &mut self.triangles) {
                     return MeshingPhase::Flips(flips);
@@ -224,6 +231,14 @@ impl SurfaceMeshing {
                 }
                 self.join(number + 1)
             }
+            step => self.bound_cells(mesh, step),
+        }
+    }
+
+    /// The steps that settle the points and give the cells their corners.
+    fn bound_cells(&mut self, mesh: &TriMesh, step: MeshingPhase) -> MeshingPhase {
+        let cells = &self.made.cells;
+        match step {
             MeshingPhase::Settle(from) => {
                 let to = cells.len().min(from + WALKS);
                 settle(mesh, &mut self.nodes, from, to, |k| cells[k].centre);
@@ -253,7 +268,7 @@ impl SurfaceMeshing {
                 self.made.corners = straightening.finish(mesh, &table);
                 self.mesh()
             }
-            MeshingPhase::Finish => MeshingPhase::Finish,
+            step => step,
         }
     }
 

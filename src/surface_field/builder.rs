@@ -125,13 +125,10 @@ impl SurfaceFieldBuilder {
                     FieldsPhase::Curvature(work)
                 }
             }
-            FieldsPhase::Bones => {
-                if self.hear_bones(amount) {
-                    FieldsPhase::Sizes(Box::new(Sizes::begin(self.ground())))
-                } else {
-                    FieldsPhase::Bones
-                }
-            }
+            FieldsPhase::Bones => match self.hear_bones(amount) {
+                true => FieldsPhase::Sizes(Box::new(Sizes::begin(self.ground()))),
+                false => FieldsPhase::Bones,
+            },
             FieldsPhase::Sizes(mut work) => {
                 if work.advance(self.ground(), amount) {
                     (self.fields.size, self.fields.sizes) = (work.size, work.values);

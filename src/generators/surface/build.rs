@@ -169,7 +169,6 @@ impl Building {
     }
 
     fn next(&mut self, params: &SurfaceParams, step: BuildPhase) -> Result<BuildPhase, Notice> {
-        let built = |mesh: Result<TriMesh, _>| mesh.map_err(|_| Notice::from(Code::ModelNoArea));
         Ok(match step {
             BuildPhase::Sketch(mut making) => match making.advance() {
                 true => BuildPhase::SketchMesh(Box::new(meshing(*making))),
@@ -212,6 +211,17 @@ impl Building {
                     None => BuildPhase::Fill(Box::new(HoleFilling::new(mesh, self.size))),
                 },
             },
+            step => return self.next_of_simple(params, step),
+        })
+    }
+
+    /// The steps on a mesh that is simple enough.
+    fn next_of_simple(
+        &mut self,
+        params: &SurfaceParams,
+        step: BuildPhase,
+    ) -> Result<BuildPhase, Notice> {
+        Ok(match step {
             BuildPhase::Project(mut pair) => {
                 let search = &mut pair.1;
                 let done = self
@@ -251,6 +261,17 @@ impl Building {
                 None => BuildPhase::Refine(refining),
                 Some(refined) => BuildPhase::Size(refined?.mesh),
             },
+            step => return self.next_of_closed(params, step),
+        })
+    }
+
+    /// The steps on a mesh whose holes are closed: it gets triangles as small as the cells need, and its border.
+    fn next_of_closed(
+        &mut self,
+        params: &SurfaceParams,
+        step: BuildPhase,
+    ) -> Result<BuildPhase, Notice> {
+        Ok(match step {
             BuildPhase::Size(mesh) => self.sized(params, mesh),
             BuildPhase::Search(mut pair) => {
                 let (mesh, search) = &mut *pair;
@@ -458,4 +479,9 @@ fn bones(shape: Shape, numbers: &[f64]) -> Vec<Bone> {
         Bone { points, radii }
     };
     shape.bones(numbers).into_iter().map(open).collect()
+}
+
+/// The mesh that was built, or the notice that it has no area.
+fn built<E>(mesh: Result<TriMesh, E>) -> Result<TriMesh, Notice> {
+    mesh.map_err(|_| Code::ModelNoArea.into())
 }

@@ -174,21 +174,7 @@ impl SceneSource for SurfaceEngine {
         if !done {
             return None;
         }
-        Some(
-            match std::mem::replace(making, ViewSceneMaking::Begin(None)) {
-                ViewSceneMaking::Begin(_) => return None,
-                ViewSceneMaking::Field(view) => {
-                    let tally = view.tally();
-                    ViewScene::Field(view.finish(), tally)
-                }
-                ViewSceneMaking::Mesh(view) => ViewScene::Other(view.finish()),
-                ViewSceneMaking::Cells(view) => ViewScene::Other(view.finish()),
-                ViewSceneMaking::Map(view) => {
-                    let ends = view.legend().ends;
-                    ViewScene::Map(view.finish(), ends)
-                }
-            },
-        )
+        finished(std::mem::replace(making, ViewSceneMaking::Begin(None)))
     }
 
     fn making_key(&self) -> Option<SceneInputs> {
@@ -264,4 +250,21 @@ fn between(code: Code, [low, high]: [f64; 2]) -> Notice {
 /// A number with at most two decimals.
 fn text(number: f64) -> String {
     crate::decimal::text((number * 100.0).round() / 100.0)
+}
+
+/// The scene of a view whose parts are made.
+fn finished(making: ViewSceneMaking) -> Option<ViewScene> {
+    Some(match making {
+        ViewSceneMaking::Begin(_) => return None,
+        ViewSceneMaking::Field(view) => {
+            let tally = view.tally();
+            ViewScene::Field(view.finish(), tally)
+        }
+        ViewSceneMaking::Mesh(view) => ViewScene::Other(view.finish()),
+        ViewSceneMaking::Cells(view) => ViewScene::Other(view.finish()),
+        ViewSceneMaking::Map(view) => {
+            let ends = view.legend().ends;
+            ViewScene::Map(view.finish(), ends)
+        }
+    })
 }

@@ -154,6 +154,13 @@ impl PatternGenerator {
                     ]
                 }
             }
+            Self::Tiles | Self::Raking | Self::Coping | Self::Quoins => self.added_parameters(),
+        }
+    }
+
+    /// The numbers of those beyond the paper's.
+    fn added_parameters(self) -> &'static [Parameter] {
+        match self {
             // Each tile covers that below by the share `lap` of its length.
             Self::Tiles => {
                 const {
@@ -189,6 +196,15 @@ impl PatternGenerator {
                     ]
                 }
             }
+            Self::RgbBlocks
+            | Self::Bricks
+            | Self::WindowBottomBricks
+            | Self::ArchStones
+            | Self::ArchBricks
+            | Self::RandomAshlar
+            | Self::Panel
+            | Self::StepCorners
+            | Self::CementStones => &[],
         }
     }
 
