@@ -82,6 +82,29 @@ test('the slider goes to any step, on and back, and each step has one picture', 
   await close();
 });
 
+test('a pause on the way to a step leaves it, and playing on ends with the same picture', async () => {
+  const { page, planes, problems, close } = await formed(SMALL);
+  const [, all] = await shown(page);
+  await seek(page, 8);
+  await paused(page, (step) => step === 8);
+  // The slider and the button in one task: no step is made in between.
+  await page.evaluate(() => {
+    const slider = document.querySelector('#moment');
+    slider.value = '5';
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+    document.querySelector('#play').click();
+  });
+  await page.waitForSelector('#play[data-does="play"]');
+  await click(page, '#speed [value="100000"]');
+  await click(page, '#play');
+  await done(page);
+  assert.equal(await digest(page), planes);
+  assert.equal(await steps(page), all);
+  assert.deepEqual(await shown(page), [all, all]);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('a step back in a wall or a pile takes away what the last step brought', sameEverywhere, async () => {
   for (const fragment of [BRICKS, PILE]) {
     const { page, planes, problems, close } = await formed(fragment, { viewport: low });

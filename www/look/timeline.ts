@@ -43,6 +43,12 @@ export class Timeline {
     const { store } = work;
     store.on(['make'], () => ([this.all, this.isKnown] = [0, false]));
     store.on(['recipe'], () => this.forget());
+    store.on(['paused'], ({ paused }) => {
+      // A pause on the way to a step leaves it: the engine is to go on from where it is.
+      if (!paused || this.asked === undefined) return;
+      this.forget();
+      this.show();
+    });
     store.on(['compare', 'make'], () => this.show());
     addEventListener(RETOLD, () => {
       this.name();

@@ -72,8 +72,9 @@ export class StatusLine {
     byId('pipeline').replaceChildren(...Array.from(this.stages.values(), ({ item }) => item));
   }
 
-  /** Shows the numbers. While the work `goesOn`, most are left out; returns whether they are shown. */
+  /** Shows the progress and the numbers. While the work `goesOn`, most numbers are left out; returns whether they are shown. */
   show(stage: string, status: Status, { watched, goesOn }: { watched: boolean; goesOn: boolean }): boolean {
+    this.progress(stage, status, watched ? WATCHED : LONG);
     const now = performance.now();
     if (goesOn && stage === this.shown && now < this.until) return false;
     [this.shown, this.until] = [stage, now + READ];
@@ -89,7 +90,6 @@ export class StatusLine {
       const spent = status.ms[word];
       say(parts.time, state === 'next' || spent === undefined ? '–' : `${milliseconds(spent)} ms`);
     });
-    this.progress(stage, status, watched ? WATCHED : LONG);
     this.count('cells', String(status.cells));
     this.count('steps', String(status.steps));
     this.count('move', status.steps ? status.largestMove.toFixed(3) : '–');
