@@ -101,6 +101,23 @@ test('a model dropped anywhere becomes a surface, and one that cannot be read sa
   await close();
 });
 
+/** A corner of a cube, whose edges are sharper than few cells can follow. */
+const WEDGE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
+
+test('a model that the present cells cannot cover is opened, and with smaller cells it is covered', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(EGG);
+  await digest(page);
+  await drop(page, 'wedge.obj', WEDGE, '');
+  await message(page, 'status', /wedge\.obj is open/);
+  await message(page, 'alert', /Choose smaller cells/);
+  await until(page, 'cn', '60');
+  await set(page, 'cn', '400');
+  await digest(page);
+  assert.deepEqual(await page.$$eval('#alerts .message', (notes) => notes.length), 0);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 /** An open slope whose faces look down. */
 const SLOPE = `v 0 0 0\nv 1 0 0\nv 1 0.3 1\nv 0 0.3 1\nf 1 2 3 4\n`;
 

@@ -38,13 +38,18 @@ export async function tried(module: Whole, link: string, file: File, task: Task)
   }
 }
 
-/** Works until the first stage is done. */
+/**
+ * Works until the first stage is done. It goes slice by slice and never into the next stage: a surface that the present
+ * settings cannot pack is no fault of the file, and a fast machine must not refuse the file for it.
+ */
 async function surface(module: Whole, studio: SceneStudio, task: Task): Promise<void> {
   const [first] = generatorOf(module, studio).stages;
   let done = MADE;
   while (studio.stage() === first) {
     task.signal.throwIfAborted();
-    studio.tick(BUDGET, 1);
+    const end = performance.now() + BUDGET;
+    do studio.tick(0, 1);
+    while (studio.stage() === first && performance.now() < end);
     // The share is not known: each slice does a part of the rest.
     task.progress((done += (1 - done) / 100));
     await new Promise((resolve) => setTimeout(resolve));
