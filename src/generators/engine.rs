@@ -5,7 +5,7 @@ use super::Clock;
 #[cfg(house)]
 use super::in_space::{Files, Frames};
 use super::inspection::Products;
-use super::offers::{Drafts, Inspect, Maps, Meshes, Outlines, Steps};
+use super::offers::{Drafts, Inspect, Maps, Meshes, Outlines, Rewind, Steps};
 use crate::export::Report;
 use crate::notice::Notice;
 use crate::recipe::Recipe;
@@ -128,7 +128,12 @@ pub trait Engine {
         None
     }
 
-    /// The steps of a packing in a plane, and its numbers.
+    /// The steps of a packing, forward and back.
+    fn rewind(&mut self) -> Option<&mut dyn Rewind> {
+        None
+    }
+
+    /// A packing in a plane, step by step in numbers.
     fn steps(&mut self) -> Option<&mut dyn Steps> {
         None
     }

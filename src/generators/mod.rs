@@ -9,6 +9,7 @@ mod engine;
 #[cfg(house)]
 mod given;
 mod height_field;
+mod held;
 #[cfg(house)]
 mod in_space;
 mod inspection;
@@ -40,7 +41,7 @@ pub use given::{FileDigest, GivenFile, MissingFile};
 #[cfg(house)]
 pub use in_space::{Files, Frames, ModelFacts};
 pub use inspection::{Histogram, JoinedCells, JoinedTriangle, Polygon, Probe, Products};
-pub use offers::{Drafts, Inspect, Maps, MeshSlice, Meshes, Outlines, PictureSlice, Steps};
+pub use offers::{Drafts, Inspect, Maps, MeshSlice, Meshes, Outlines, PictureSlice, Rewind, Steps};
 pub use preset::{MeasuredPart, Preset, Timing};
 #[cfg(house)]
 pub use turntable::{FrameSlice, SeenBody, TurnOrder};
@@ -210,6 +211,7 @@ mod tests {
                 ("plots", is_plane),
                 ("svg", is_plane),
                 ("maps", engine.maps().is_some()),
+                ("rewind", engine.rewind().is_some()),
                 ("steps", engine.steps().is_some()),
                 ("mesh", engine.meshes().is_some()),
                 (

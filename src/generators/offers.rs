@@ -124,15 +124,18 @@ pub trait Inspect {
     fn svg(&self) -> String;
 }
 
-/// The steps of a packing in a plane, forward and back, and its numbers at the step that is shown.
-pub trait Steps {
-    /// Holds the packing at a step, or at its end if that comes earlier; without a step, shows the packing of the
-    /// stages again. [`Steps::reach`] does the work.
+/// The steps of a packing, forward and back. States are kept on the way, so that a step is soon reached again.
+pub trait Rewind {
+    /// Holds the packing at a step, or at its end if that comes earlier; without a step, lets go of it.
+    /// [`Rewind::reach`] does the work. Steps that are made again then go on from the held one.
     fn hold(&mut self, step: Option<u32>);
 
     /// Works for about `budget` milliseconds towards the held step; true when it is reached, or no step is held.
     fn reach(&mut self, clock: Clock, budget: f64) -> bool;
+}
 
+/// A packing in a plane in numbers, at the step that is shown: the held one, or that of the stages.
+pub trait Steps {
     /// Works for about `budget` milliseconds on the mesh and the polygons of the packing that is shown; true when they
     /// are made. There are none without a packing, and none of more than 400 cells.
     fn join(&mut self, clock: Clock, budget: f64) -> bool;

@@ -5,8 +5,7 @@
 //! nearest one before it.
 
 use super::Packing;
-use crate::domain::Domain;
-use crate::field::Fields;
+use super::run::Run;
 
 /// Steps between two kept states.
 const EVERY: u32 = 10;
@@ -14,23 +13,45 @@ const EVERY: u32 = 10;
 /// The most bodies in all kept states together. Beyond, every second state is dropped, and ways get longer.
 const MOST_BODIES: usize = 200_000;
 
+/// A packing whose states can be kept.
+pub trait Kept: Clone {
+    /// Steps made so far.
+    fn steps(&self) -> u32;
+
+    /// Whether the run has ended.
+    fn is_over(&self) -> bool;
+
+    /// Whether a step has begun and is not complete.
+    fn is_in_a_step(&self) -> bool;
+
+    /// The number of its cells.
+    fn cell_count(&self) -> usize;
+
+    /// The same state without its records, and without what the next step makes anew. Only between steps.
+    #[must_use]
+    fn compact(&self) -> Self;
+
+    /// Takes the records up to its own step from a later state of the same run.
+    fn take_records(&mut self, later: &Self);
+}
+
 /// A packing with the states on its way.
 #[derive(Clone, Debug)]
-pub struct History {
+pub struct History<M> {
     /// The states after 0, `every`, 2 `every` ... steps. The records of the run are those of `latest`.
-    kept: Vec<Packing>,
+    kept: Vec<M>,
     every: u32,
     /// The state that is shown.
-    now: Packing,
+    now: M,
     /// The state after the most steps so far.
-    latest: Packing,
+    latest: M,
     /// The step asked for.
     asked: u32,
 }
 
-impl History {
+impl<M: Kept> History<M> {
     /// Begins with a packing of which no step has been made.
-    pub fn new(first: Packing) -> Self {
+    pub fn new(first: M) -> Self {
         Self {
             kept: vec![first.compact()],
             every: EVERY,
@@ -41,12 +62,12 @@ impl History {
     }
 
     /// The packing at the step that has been reached.
-    pub fn packing(&self) -> &Packing {
+    pub fn packing(&self) -> &M {
         &self.now
     }
 
     /// The same packing, mutable, because it caches measures such as its energy.
-    pub fn packing_mut(&mut self) -> &mut Packing {
+    pub fn packing_mut(&mut self) -> &mut M {
         &mut self.now
     }
 
@@ -55,40 +76,45 @@ impl History {
         self.asked = step;
         let at = (step / self.every) as usize;
         let from = &self.kept[at.min(self.kept.len() - 1)];
-        let from = match self.latest.run.report.step <= step {
+        let from = match self.latest.steps() <= step {
             true => &self.latest,
             false => from,
         };
-        let now = self.now.run.report.step;
-        if now > step || now < from.run.report.step {
+        let now = self.now.steps();
+        if now > step || now < from.steps() {
             self.now = from.clone();
             self.now.take_records(&self.latest);
         }
     }
 
-    /// Makes one step towards the step asked for; true when it is reached, or the run has ended.
-    pub fn advance(&mut self, domain: &Domain, fields: &Fields) -> bool {
+    /// Goes towards the step that is asked for, by `advance`, which makes a step or a slice of one; true when it is
+    /// reached, or the run has ended.
+    pub fn advance(&mut self, advance: impl FnOnce(&mut M)) -> bool {
         if self.is_there() {
             return true;
         }
-        self.now.step(domain, fields);
-        let step = self.now.run.report.step;
+        advance(&mut self.now);
+        if self.now.is_in_a_step() {
+            return false;
+        }
+        let step = self.now.steps();
         if step == self.every * self.kept.len() as u32 {
             self.kept.push(self.now.compact());
             self.thin_out();
         }
-        if step > self.latest.run.report.step {
+        if step > self.latest.steps() {
             self.latest = self.now.clone();
         }
         self.is_there()
     }
 
     fn is_there(&self) -> bool {
-        self.now.done() || self.now.run.report.step >= self.asked
+        let now = &self.now;
+        !now.is_in_a_step() && (now.is_over() || now.steps() >= self.asked)
     }
 
     fn thin_out(&mut self) {
-        let bodies = self.kept.iter().map(|kept| kept.run.bodies.len());
+        let bodies = self.kept.iter().map(Kept::cell_count);
         if bodies.sum::<usize>() > MOST_BODIES && self.kept.len() > 2 {
             let mut index = 0;
             self.kept.retain(|_| {
@@ -100,22 +126,51 @@ impl History {
     }
 }
 
-impl Packing {
-    /// The same state without its records, and without what the next step makes anew.
-    fn compact(&self) -> Self {
+impl<P: Copy> Run<P> {
+    /// The same state without its records, and without what the next step makes anew. Only between steps.
+    pub fn compact(&self) -> Self {
         let mut kept = self.clone();
-        kept.run.samples = Vec::new();
-        kept.run.changes = Vec::new();
-        kept.run.motion.compact();
+        (kept.samples, kept.changes) = (Vec::new(), Vec::new());
+        kept.motion.compact();
         kept
     }
 
     /// Takes the records up to its own step from a later state of the same run.
-    fn take_records(&mut self, later: &Packing) {
-        let step = self.run.report.step;
-        let samples = later.run.samples.iter();
-        self.run.samples = samples.copied().filter(|row| row.step <= step).collect();
-        let changes = later.run.changes.iter();
-        self.run.changes = changes.copied().filter(|row| row.step <= step).collect();
+    pub fn take_records(&mut self, later: &Self) {
+        let step = self.report.step;
+        let samples = later.samples.iter();
+        self.samples = samples.copied().filter(|row| row.step <= step).collect();
+        let changes = later.changes.iter();
+        self.changes = changes.copied().filter(|row| row.step <= step).collect();
+    }
+}
+
+impl Kept for Packing {
+    fn steps(&self) -> u32 {
+        self.run.report.step
+    }
+
+    fn is_over(&self) -> bool {
+        self.done()
+    }
+
+    fn is_in_a_step(&self) -> bool {
+        false
+    }
+
+    fn cell_count(&self) -> usize {
+        self.run.bodies.len()
+    }
+
+    fn compact(&self) -> Self {
+        Self {
+            run: self.run.compact(),
+            walls: self.walls.clone(),
+            left_out: self.left_out,
+        }
+    }
+
+    fn take_records(&mut self, later: &Self) {
+        self.run.take_records(&later.run);
     }
 }

@@ -68,7 +68,7 @@ pub(crate) mod wall;
 mod warm_start;
 
 pub(crate) use grid::Grid;
-pub use history::History;
+pub use history::{History, Kept};
 pub use measures::{Alignment, NetForce};
 pub use numbers::{CellNumbers, NeighbourNumbers};
 pub use params::{BoundaryCondition, GivenCell, Integrator, PackingParams, Population, Start};

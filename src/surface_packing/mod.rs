@@ -18,7 +18,7 @@ pub use packing_mesh::{PackingMesh, PackingMeshMaking};
 use crate::packing::cell_fields::CellFields;
 use crate::packing::placed::Placed;
 use crate::packing::population::PopulationScan;
-use crate::packing::{PackingParams, Particle, Sample, StepReport, front::Front, run::Run};
+use crate::packing::{Kept, PackingParams, Particle, Sample, StepReport, front::Front, run::Run};
 use crate::surface_field::SurfaceFields;
 use crate::trimesh::SurfacePoint;
 use crate::trimesh::spatial_hash::SurfaceHash;
@@ -149,9 +149,34 @@ impl SurfacePacking {
         self.in_a_step = !self.run.advance(ground, &mut self.survey, portion);
         self.run.report().done
     }
+}
 
-    /// Whether a step has begun and is not complete.
-    pub fn is_in_a_step(&self) -> bool {
+impl Kept for SurfacePacking {
+    fn steps(&self) -> u32 {
+        self.run.report.step
+    }
+
+    fn is_over(&self) -> bool {
+        self.run.report.done
+    }
+
+    fn is_in_a_step(&self) -> bool {
         self.in_a_step
+    }
+
+    fn cell_count(&self) -> usize {
+        self.run.bodies.len()
+    }
+
+    fn compact(&self) -> Self {
+        Self {
+            run: self.run.compact(),
+            survey: None,
+            in_a_step: false,
+        }
+    }
+
+    fn take_records(&mut self, later: &Self) {
+        self.run.take_records(&later.run);
     }
 }

@@ -11,16 +11,16 @@ impl Bubblestone {
     /// Holds the packing at a step, or at its end if that comes earlier; without a step, lets go. `reach` does the
     /// work, and views of the packing show that step.
     pub fn hold(&mut self, step: Option<u32>) {
-        if let Some(steps) = self.steps() {
-            steps.hold(step);
+        if let Some(rewind) = self.studio.engine_mut().rewind() {
+            rewind.hold(step);
         }
     }
 
     /// Works for about `budget` milliseconds towards the held step; true when it is reached.
     pub fn reach(&mut self, budget: f64) -> bool {
         let clock = &self.clock;
-        let steps = self.studio.engine_mut().steps();
-        steps.is_none_or(|steps| steps.reach(&mut || clock.now(), budget))
+        let rewind = self.studio.engine_mut().rewind();
+        rewind.is_none_or(|rewind| rewind.reach(&mut || clock.now(), budget))
     }
 
     /// Works for about `budget` milliseconds on the mesh and the polygons of the packing that is shown, at most 400

@@ -103,7 +103,7 @@ export class Timeline {
     const isLast = step === this.all;
     if (isLast && isFormed) return;
     const isBack = isFormed || step < engine.status().steps;
-    const rewinds = !isLast && engine.offers('steps') && (isBack || this.isKept);
+    const rewinds = !isLast && engine.offers('rewind') && (isBack || this.isKept);
     if (isBack) work.restart();
     if (rewinds) {
       engine.hold(step);

@@ -8,7 +8,7 @@ use crate::export::Report;
 #[cfg(house)]
 use crate::generators::Frames;
 use crate::generators::{
-    Clock, Drafts, Engine, Inspect, Maps, Meshes, Outlines, Products, Progress, Steps,
+    Clock, Drafts, Engine, Inspect, Maps, Meshes, Outlines, Products, Progress, Rewind, Steps,
 };
 use crate::graph::Wiring;
 use crate::heightfield::Planes;
@@ -155,6 +155,10 @@ impl Engine for Pavement {
     }
 
     fn inspect(&mut self) -> Option<&mut dyn Inspect> {
+        Some(self)
+    }
+
+    fn rewind(&mut self) -> Option<&mut dyn Rewind> {
         Some(self)
     }
 

@@ -76,7 +76,7 @@ pub static PAVEMENT: Generator = Generator {
     },
     offers: &[
         "outline", "probe", "plots", "layers", "tiles", "compare", "turn", "svg", "maps", "slab",
-        "mesh", "forming", "moves", "steps",
+        "mesh", "forming", "moves", "rewind", "steps",
     ],
     names: &["tile", "outline", "kind", "stone", "palette"],
     samples: &[],

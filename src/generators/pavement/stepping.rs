@@ -4,72 +4,16 @@
 use super::stages::Stages;
 use super::{Pavement, Stage};
 use crate::domain::Domain;
+use crate::generators::held::{self, Origin};
 use crate::generators::packs::PackingProgress;
-use crate::generators::{Clock, Engine, JoinedCells, Steps, until};
+use crate::generators::{Clock, Engine, JoinedCells, Rewind, Steps};
 use crate::graph::Wiring;
-use crate::packing::{
-    CellNumbers, EnergyParts, History, Packing, PackingParams, Placing, PopulationChange,
-};
+use crate::packing::{CellNumbers, EnergyParts, Packing, Placing, PopulationChange};
 
 /// The packing of the present recipe, run again so that it can be held.
-pub(super) struct Held {
-    /// The parameters that it was made with, and the revisions of its domain and its fields.
-    of: (PackingParams, [u64; 2]),
-    asked: u32,
-    /// Whether views show it; else only its states are kept.
-    is_shown: bool,
-    progress: HeldProgress,
-}
+pub(super) type Held = held::Held<Placing, Packing>;
 
-/// The states of a held packing.
-enum HeldProgress {
-    Placing(Option<Box<Placing>>),
-    Stepping(Box<History>),
-}
-
-impl Held {
-    /// `None` before there is an outline with fields.
-    fn new(made: &Stages, asked: u32) -> Option<Self> {
-        let ((domain, fields), of) = (made.ground()?, made_of(made));
-        let placing = Placing::new(domain, fields, of.0.clone()).ok()?;
-        Some(Self {
-            of,
-            asked,
-            is_shown: true,
-            progress: HeldProgress::Placing(Some(Box::new(placing))),
-        })
-    }
-
-    /// Does one slice of work; true when the step is reached.
-    fn advance(&mut self, made: &Stages) -> bool {
-        let Some((domain, fields)) = made.ground() else {
-            return true;
-        };
-        match &mut self.progress {
-            HeldProgress::Stepping(history) => {
-                history.ask(self.asked);
-                history.advance(domain, fields)
-            }
-            HeldProgress::Placing(placing) => {
-                let is_full = |placing: &mut Box<Placing>| placing.advance(domain, fields);
-                if let Some(placing) = placing.take_if(is_full) {
-                    let first = placing.finish(domain, fields);
-                    self.progress = HeldProgress::Stepping(Box::new(History::new(first)));
-                }
-                false
-            }
-        }
-    }
-
-    fn history(&self) -> Option<&History> {
-        match &self.progress {
-            HeldProgress::Stepping(history) => Some(history),
-            HeldProgress::Placing(_) => None,
-        }
-    }
-}
-
-fn made_of(made: &Stages) -> (PackingParams, [u64; 2]) {
+fn origin(made: &Stages) -> Origin {
     let revisions = [made.domain.revision(), made.fields.revision()];
     (made.packing.params().clone(), revisions)
 }
@@ -81,21 +25,21 @@ impl Pavement {
         if !held.is_shown || !self.can_be_held() {
             return None;
         }
-        let history = held.history()?;
-        (held.of == made_of(&self.made)).then(|| history.packing())
+        held.packing(&origin(&self.made))
     }
 
     /// Makes the packing and all stages after it stale. A held packing goes on from its step; its states are kept, so
     /// that another step can be held soon.
     pub(super) fn forget_packing(&mut self) {
-        let from = self.held().filter(|held| !held.done()).cloned();
-        if let Some(held) = &mut self.held {
+        let is_held = self.held().is_some();
+        let of = origin(&self.made);
+        let from = self.held.as_mut().and_then(|held| {
             held.is_shown = false;
-        }
+            is_held.then(|| held.going_on(&of)).flatten()
+        });
         self.made.packing.forget();
         if let Some(packing) = from {
-            let moving = PackingProgress::Moving(Box::new(packing));
-            self.made.packing.go_on(moving);
+            self.made.packing.go_on(PackingProgress::Moving(packing));
         }
     }
 
@@ -104,12 +48,8 @@ impl Pavement {
         if self.held().is_none() {
             return self.made.shown_packing_mut();
         }
-        match &mut self.held.as_mut()?.progress {
-            HeldProgress::Stepping(history) => {
-                Some((history.packing_mut(), self.made.domain.made()?))
-            }
-            HeldProgress::Placing(_) => None,
-        }
+        let packing = self.held.as_mut()?.packing_mut()?;
+        Some((packing, self.made.domain.made()?))
     }
 
     /// Whether there are packed cells to show.
@@ -123,14 +63,11 @@ impl Pavement {
     }
 }
 
-impl Steps for Pavement {
+impl Rewind for Pavement {
     fn hold(&mut self, step: Option<u32>) {
         self.changes += 1;
-        match (&mut self.held, step) {
-            (Some(held), Some(step)) => (held.asked, held.is_shown) = (step, true),
-            (_, None) => self.held = None,
-            (None, Some(step)) => self.held = Held::new(&self.made, step),
-        }
+        let made = &self.made;
+        Held::ask(&mut self.held, step, made.ground(), origin(made));
     }
 
     fn reach(&mut self, clock: Clock, budget: f64) -> bool {
@@ -138,20 +75,13 @@ impl Steps for Pavement {
         if self.held.is_some() && !self.can_be_held() {
             return false;
         }
-        let Some(held) = self.held.take() else {
-            return true;
-        };
-        let asked = held.asked;
-        let is_same = held.of == made_of(&self.made);
-        let held = Some(held).filter(|_| is_same);
-        self.held = held.or_else(|| Held::new(&self.made, asked));
-        self.changes += 1;
-        let (held, made) = (&mut self.held, &self.made);
-        until(clock, budget, || {
-            held.as_mut().is_none_or(|held| held.advance(made))
-        })
+        self.changes += u64::from(self.held.is_some());
+        let made = &self.made;
+        Held::reach(&mut self.held, made.ground(), origin(made), clock, budget)
     }
+}
 
+impl Steps for Pavement {
     fn join(&mut self, clock: Clock, budget: f64) -> bool {
         self.join_shown(clock, budget)
     }

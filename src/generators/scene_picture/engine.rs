@@ -8,7 +8,7 @@ use super::view::{prepare, view};
 use crate::export::Report;
 use crate::generators::{
     Clock, Engine, Files, FrameSlice, Frames, GivenFile, Meshes, MissingFile, ModelFacts, Progress,
-    SeenBody, TurnOrder,
+    Rewind, SeenBody, TurnOrder,
 };
 use crate::graph::Wiring;
 use crate::notice::Notice;
@@ -25,6 +25,11 @@ pub(crate) trait SceneStages: Wiring<Stage = usize> {
 
     /// Makes the stage that makes steps stale, and all stages after it.
     fn forget_steps(&mut self);
+
+    /// The steps forward and back, if states of them are kept.
+    fn rewind(&mut self) -> Option<&mut dyn Rewind> {
+        None
+    }
 
     /// The files that the recipe names.
     fn files(&self) -> &ModelFiles;
@@ -191,6 +196,10 @@ impl<E: SceneEngine> Engine for E {
     #[cfg(not(target_arch = "wasm32"))]
     fn data(&self) -> Vec<(&'static str, String)> {
         self.texts()
+    }
+
+    fn rewind(&mut self) -> Option<&mut dyn Rewind> {
+        self.made_mut().rewind()
     }
 
     fn meshes(&mut self) -> Option<&mut dyn Meshes> {

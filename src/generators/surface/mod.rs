@@ -63,7 +63,7 @@ pub static SURFACE: Generator = Generator {
         overlays: &[],
     },
     offers: &[
-        "frames", "models", "paint", "compare", "mesh", "forming", "moves",
+        "frames", "models", "paint", "compare", "mesh", "forming", "moves", "rewind",
     ],
     names: &["form", "kind", "stone", "palette"],
     samples: &[],

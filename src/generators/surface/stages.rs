@@ -5,16 +5,19 @@ use super::build::{Building, Built};
 use super::fields::{Fielding, FieldsWithRemarks};
 use super::params::{CellParams, FieldParams, MeshSource, Params, StoneLook, SurfaceParams};
 use super::paving::{PavedCells, PavingInputs, PavingProgress};
+use crate::generators::held::{Held, Origin};
 use crate::generators::packs::PackingProgress;
 use crate::generators::scene_picture::{
     AskedFile, MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
 };
+use crate::generators::{Clock, Rewind};
 use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::{Code, Notice};
-use crate::packing::PackingParams;
+use crate::packing::{Kept, PackingParams};
 use crate::recipe::Recipe;
 use crate::surface_cells::SurfaceCell;
 use crate::surface_cells::{Polish, SurfaceMesh, SurfaceMeshing};
+use crate::surface_field::SurfaceFields;
 use crate::surface_packing::{PackingMesh, PackingMeshMaking, SurfacePacking, SurfacePlacing};
 use crate::surface_stones::{Stones, StonesParams};
 use std::rc::Rc;
@@ -38,6 +41,8 @@ pub(crate) struct Stages {
     pub(super) built: Node<SurfaceParams, Building, Built>,
     pub(super) fields: Node<FieldParams, Fielding, FieldsWithRemarks>,
     pub(super) site: Node<(), PackingMeshMaking, PackingMesh>,
+    /// The packing, held at one of its steps.
+    held: Option<Held<SurfacePlacing, SurfacePacking>>,
     pub(super) packing:
         Node<PackingParams, PackingProgress<SurfacePlacing, SurfacePacking>, SurfacePacking>,
     pub(super) mesh: Node<(), SurfaceMeshing, SurfaceMesh>,
@@ -97,7 +102,16 @@ impl SceneStages for Stages {
     }
 
     fn forget_steps(&mut self) {
+        let of = self.origin();
+        let from = self.held.as_ref().and_then(|held| held.going_on(&of));
         self.packing.forget();
+        if let Some(packing) = from {
+            self.packing.go_on(PackingProgress::Moving(packing));
+        }
+    }
+
+    fn rewind(&mut self) -> Option<&mut dyn Rewind> {
+        Some(self)
     }
 
     fn remarks(&self) -> Vec<Notice> {
@@ -142,6 +156,7 @@ impl Stages {
             built: Node::new(params.surface.clone()),
             fields: Node::new(params.fields.clone()),
             site: Node::new(()),
+            held: None,
             packing: Node::new(params.packing.clone()),
             mesh: Node::new(()),
             paved: Node::new(params.cells),
@@ -179,6 +194,16 @@ impl Stages {
             let new = || PackingMeshMaking::new(fields.mesh().clone());
             Ok(work.get_or_insert_with(new).advance(longest))
         })
+    }
+
+    /// The present surface to pack on, once it is made.
+    fn ground(&self) -> Option<(&PackingMesh, &SurfaceFields)> {
+        Some((self.current(&self.site)?, &self.fresh_fields()?.fields))
+    }
+
+    fn origin(&self) -> Origin {
+        let revisions = [self.fields.revision(), self.site.revision()];
+        (self.packing.params().clone(), revisions)
     }
 
     fn make_packing(&mut self) -> Option<()> {
@@ -225,6 +250,21 @@ impl Stages {
     fn make_still(&mut self) -> Option<()> {
         let scene = &self.stones.made()?.scene;
         StillRender::draw(&mut self.still, scene)
+    }
+}
+
+impl Rewind for Stages {
+    fn hold(&mut self, step: Option<u32>) {
+        let mut held = self.held.take();
+        Held::ask(&mut held, step, self.ground(), self.origin());
+        self.held = held;
+    }
+
+    fn reach(&mut self, clock: Clock, budget: f64) -> bool {
+        let mut held = self.held.take();
+        let is_there = Held::reach(&mut held, self.ground(), self.origin(), clock, budget);
+        self.held = held;
+        is_there
     }
 }
 

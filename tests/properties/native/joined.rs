@@ -9,9 +9,10 @@ use glam::DVec2;
 
 /// Joins the cells of a step, and says in how many slices.
 fn join(studio: &mut Studio, step: Option<u32>) -> (JoinedCells, u32) {
+    let rewind = studio.engine_mut().rewind().unwrap();
+    rewind.hold(step);
+    while !rewind.reach(&mut || 0.0, 0.0) {}
     let steps = studio.engine_mut().steps().unwrap();
-    steps.hold(step);
-    while !steps.reach(&mut || 0.0, 0.0) {}
     let mut slices = 1;
     while !steps.join(&mut || 0.0, 0.0) {
         slices += 1;

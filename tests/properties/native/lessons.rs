@@ -104,10 +104,10 @@ fn joined(steps: &mut dyn Steps) -> &JoinedCells {
 
 /// The state of a packing that has ended, at a step of it or at its end.
 fn state(studio: &mut Studio, step: Option<u32>, count: usize) -> State {
-    let steps = studio.engine_mut().steps().expect("steps");
-    steps.hold(step);
-    while !steps.reach(&mut || 0.0, 0.0) {}
-    let hash = steps.state_hash();
+    let rewind = studio.engine_mut().rewind().expect("steps");
+    rewind.hold(step);
+    while !rewind.reach(&mut || 0.0, 0.0) {}
+    let hash = studio.engine_mut().steps().expect("numbers").state_hash();
     (hash, numbers(studio, count))
 }
 

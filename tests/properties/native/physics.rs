@@ -418,7 +418,10 @@ fn any_step_has_the_same_state_forward_and_back() {
         ] {
             history.ask(step);
             let mut slices = 0;
-            while !history.advance(&domain, &fields) {
+            let advance = |packing: &mut Packing| {
+                packing.step(&domain, &fields);
+            };
+            while !history.advance(advance) {
                 // Looking at a state on the way changes nothing.
                 history.packing_mut().energy_parts(&domain);
                 history.packing_mut().net_forces(&domain);
@@ -442,9 +445,9 @@ fn a_studio_holds_any_step_and_lets_go() {
     let hash = |studio: &mut Studio| studio.engine_mut().steps().unwrap().state_hash();
     let last = hash(&mut studio);
     let hold = |studio: &mut Studio, step| {
-        let steps = studio.engine_mut().steps().unwrap();
-        steps.hold(step);
-        while !steps.reach(&mut || 0.0, 0.0) {}
+        let rewind = studio.engine_mut().rewind().unwrap();
+        rewind.hold(step);
+        while !rewind.reach(&mut || 0.0, 0.0) {}
     };
     hold(&mut studio, Some(7));
     assert_eq!(studio.progress().steps, 7);
@@ -470,14 +473,14 @@ fn a_studio_goes_on_from_a_held_step() {
     let (digest, end) = (studio.engine().digest(), studio.progress());
     // The first way back makes the states, and later ones take them up.
     for (step, most_slices) in [(17, u32::MAX), (12, 10), (13, 10), (17, 10)] {
-        let steps = studio.engine_mut().steps().unwrap();
-        steps.hold(Some(step));
+        let rewind = studio.engine_mut().rewind().unwrap();
+        rewind.hold(Some(step));
         let mut slices = 0;
-        while !steps.reach(&mut || 0.0, 0.0) {
+        while !rewind.reach(&mut || 0.0, 0.0) {
             slices += 1;
         }
         assert!(slices <= most_slices, "{slices} slices to {step}");
-        let held = steps.state_hash();
+        let held = studio.engine_mut().steps().unwrap().state_hash();
         studio.restart();
         assert_eq!((studio.stage(), studio.progress().steps), ("packing", step));
         let steps = studio.engine_mut().steps().unwrap();
@@ -488,8 +491,9 @@ fn a_studio_goes_on_from_a_held_step() {
     studio.finish(clock).unwrap();
     assert_eq!((studio.engine().digest(), studio.progress()), (digest, end));
     // A packing that is held at its end has no step to go on from.
-    studio.engine_mut().steps().unwrap().hold(Some(u32::MAX));
-    while !studio.engine_mut().steps().unwrap().reach(clock, 0.0) {}
+    let rewind = studio.engine_mut().rewind().unwrap();
+    rewind.hold(Some(u32::MAX));
+    while !rewind.reach(clock, 0.0) {}
     studio.restart();
     assert_eq!(studio.progress().steps, 0);
 }

@@ -1,0 +1,120 @@
+//! A packing that is run again, so that it can be held at any of its steps.
+
+use super::Clock;
+use super::packs::PackingGround;
+use super::until;
+use crate::packing::{History, Kept, PackingParams};
+
+/// Decides a packing: its parameters, and the revisions of what it is packed on.
+pub(super) type Origin = (PackingParams, [u64; 2]);
+
+/// The packing of the present recipe, run again: first `L` places its cells, then `M` moves them.
+pub(super) struct Held<L, M> {
+    of: Origin,
+    asked: u32,
+    /// Whether views show it; else only its states are kept.
+    pub is_shown: bool,
+    progress: HeldProgress<L, M>,
+}
+
+/// The states of a held packing.
+enum HeldProgress<L, M> {
+    Placing(Option<Box<L>>),
+    Stepping(Box<History<M>>),
+}
+
+impl<L, M: Kept> Held<L, M> {
+    /// `None` if no cells can be placed.
+    fn new(
+        ground: impl PackingGround<Placing = L, Packing = M>,
+        of: Origin,
+        asked: u32,
+    ) -> Option<Self> {
+        let placing = ground.begin(of.0.clone()).ok()?;
+        Some(Self {
+            of,
+            asked,
+            is_shown: true,
+            progress: HeldProgress::Placing(Some(Box::new(placing))),
+        })
+    }
+
+    /// Asks for a step, or drops the packing without one. The packing is begun if it can be.
+    pub fn ask(
+        slot: &mut Option<Self>,
+        step: Option<u32>,
+        ground: Option<impl PackingGround<Placing = L, Packing = M>>,
+        of: Origin,
+    ) {
+        match (slot.as_mut(), step) {
+            (Some(held), Some(step)) => (held.asked, held.is_shown) = (step, true),
+            (_, None) => *slot = None,
+            (None, Some(step)) => {
+                *slot = ground.and_then(|ground| Self::new(ground, of, step));
+            }
+        }
+    }
+
+    /// Works for about `budget` milliseconds towards the step that was asked for; true when it is reached, or none can
+    /// be. A packing of another origin is begun anew.
+    pub fn reach(
+        slot: &mut Option<Self>,
+        ground: Option<impl PackingGround<Placing = L, Packing = M>>,
+        of: Origin,
+        clock: Clock,
+        budget: f64,
+    ) -> bool {
+        let Some((held, ground)) = slot.take().zip(ground) else {
+            return true;
+        };
+        let asked = held.asked;
+        let is_same = held.of == of;
+        let held = Some(held).filter(|_| is_same);
+        *slot = held.or_else(|| Self::new(ground, of, asked));
+        until(clock, budget, || {
+            slot.as_mut().is_none_or(|held| held.advance(ground))
+        })
+    }
+
+    /// Does one slice of work; true when the step is reached.
+    fn advance(&mut self, ground: impl PackingGround<Placing = L, Packing = M>) -> bool {
+        match &mut self.progress {
+            HeldProgress::Stepping(history) => {
+                history.ask(self.asked);
+                history.advance(|packing| {
+                    ground.advance(packing);
+                })
+            }
+            HeldProgress::Placing(placing) => {
+                let is_full = |placing: &mut Box<L>| ground.place(placing);
+                if let Some(placing) = placing.take_if(is_full) {
+                    let (first, _) = ground.finish(*placing);
+                    self.progress = HeldProgress::Stepping(Box::new(History::new(first)));
+                }
+                false
+            }
+        }
+    }
+
+    /// The packing at its step, once its first cells are placed, if it is of this origin.
+    pub fn packing(&self, of: &Origin) -> Option<&M> {
+        match &self.progress {
+            HeldProgress::Stepping(history) if self.of == *of => Some(history.packing()),
+            _ => None,
+        }
+    }
+
+    /// The same packing of any origin, mutable.
+    pub fn packing_mut(&mut self) -> Option<&mut M> {
+        match &mut self.progress {
+            HeldProgress::Stepping(history) => Some(history.packing_mut()),
+            HeldProgress::Placing(_) => None,
+        }
+    }
+
+    /// The work that goes on from its step, unless the run ends there.
+    pub fn going_on(&self, of: &Origin) -> Option<Box<M>> {
+        let packing = self.packing(of)?;
+        (!packing.is_over()).then(|| Box::new(packing.clone()))
+    }
+}
