@@ -262,18 +262,26 @@ test('the studio leads to the chapters in its language', sameEverywhere, async (
 /** The window of a class. */
 const projector = { width: 1024, height: 768 };
 
-/** Goes through all screens of a class, and back. Returns the figures that do not fit with their handles. */
+/** Goes through all screens of a class, and back. Returns the figures that do not fit with their handles, and with a line more of their text. */
 const tooHighInClass = (page) =>
-  page.evaluate(() => {
+  page.evaluate(async () => {
     const found = [];
     const press = (key) => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
     const now = () => `${[...document.querySelectorAll('.scene')].findIndex((scene) => scene.hasAttribute('data-now'))} ${document.documentElement.dataset.part}`;
     document.querySelector('#class').click();
     for (let before = ''; before !== now(); press('ArrowRight')) {
       before = now();
-      const figure = document.documentElement.dataset.part === 'figure' && document.querySelector('[data-now] .figure');
-      const bottom = figure ? figure.querySelector('.figure-tools').getBoundingClientRect().bottom : 0;
-      if (bottom > innerHeight) found.push(`${figure.id} down to ${Math.round(bottom)}`);
+      const told = document.documentElement.dataset.part === 'figure' && document.querySelector('[data-now] .figure-told');
+      if (!told) continue;
+      const look = (what) => {
+        const { bottom } = told.getBoundingClientRect();
+        if (bottom > innerHeight) found.push(`${told.closest('figure').id} ${what} down to ${Math.round(bottom)}`);
+      };
+      look('as it opens');
+      told.append(document.createElement('br'), 'A line more.');
+      await new Promise(requestAnimationFrame);
+      await new Promise(requestAnimationFrame);
+      look('with a line more');
     }
     press('Escape');
     return found;

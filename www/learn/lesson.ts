@@ -42,22 +42,27 @@ function slidesOf(scene: HTMLElement): Slide[] {
   return hasFigure ? [...ask, { scene, part: 'figure' }] : ask;
 }
 
-/** Room below the text of a figure, which may become a line longer. */
-const BELOW = 40;
+/** Room below a question's picture, and below the text of a figure. */
+const BELOW = { ask: 40, figure: 12 };
 
 /** The least height of a question's picture; with less room it is left out. */
 const LEAST = 180;
 
+/** The least share of their height that a figure's plates keep for its text; with less room the page scrolls. */
+const SHARE = 0.7;
+
 /** Makes plates so large that this `end`, which follows them or is theirs, is as low as the window allows. Returns their height. */
-function fill(plates: HTMLElement, end: HTMLElement): number {
+function fill(plates: HTMLElement, end: HTMLElement, part: Slide['part']): number {
   const { width, height } = plates.getBoundingClientRect();
-  const spare = innerHeight - BELOW - scrollY - end.getBoundingClientRect().bottom;
-  if (spare > 0 || end === plates) plates.style.maxWidth = `${width * Math.max(0, 1 + spare / height)}px`;
+  const spare = innerHeight - BELOW[part] - scrollY - end.getBoundingClientRect().bottom;
+  if (part === 'ask' || spare > (SHARE - 1) * height) plates.style.maxWidth = `${width * Math.max(0, 1 + spare / height)}px`;
   return height + spare;
 }
 
 class Lesson {
   private readonly slides: readonly Slide[];
+  /** Sees texts that take more lines than before. */
+  private readonly texts = new ResizeObserver((grown) => this.keep(grown));
   private at = -1;
 
   constructor(private readonly scenes: readonly HTMLElement[], private readonly button: HTMLElement) {
@@ -85,26 +90,40 @@ class Lesson {
     this.show(Math.min(this.slides.length - 1, Math.max(0, this.at + way)));
   }
 
-  /**
-   * Makes the plates larger if the window has room for that, with all that stands around them. Those of a question also
-   * become smaller.
-   */
+  /** Makes the plates as large as the window has room for, with all that stands around them. */
   fit(): void {
-    const { scene, part } = this.slides[this.at] ?? {};
+    const { scene, part = 'ask' } = this.slides[this.at] ?? {};
     scene?.removeAttribute('data-bare');
     const [plates, told] = ['.plates', '.figure-told'].map((part) => scene?.querySelector<HTMLElement>(part));
     if (!scene || !plates?.checkVisibility() || !told) return;
     plates.style.maxWidth = '';
-    if (part === 'figure') return void fill(plates, told);
-    fill(plates, plates);
-    // Titles of smaller plates may have another line.
-    scene.toggleAttribute('data-bare', fill(plates, plates) < LEAST);
+    const end = part === 'figure' ? told : plates;
+    fill(plates, end, part);
+    // Titles of smaller plates may have another line, and those of larger ones do not grow.
+    const height = fill(plates, end, part);
+    scene.toggleAttribute('data-bare', part === 'ask' && height < LEAST);
+  }
+
+  /** A text that was longer keeps its room, so that plates do not jump from step to step. */
+  private keep(grown: readonly ResizeObserverEntry[]): void {
+    for (const { target } of grown) (target as HTMLElement).style.minHeight = `${target.getBoundingClientRect().height}px`;
+    this.fit();
+  }
+
+  /** Watches the texts of a screen, and leaves those of the one before. */
+  private watch(scene?: HTMLElement): void {
+    this.texts.disconnect();
+    for (const text of document.querySelectorAll<HTMLElement>('.figure-told, .ask-seen')) {
+      text.style.minHeight = '';
+      if (scene?.contains(text)) this.texts.observe(text);
+    }
   }
 
   private show(at: number): void {
     this.mark(at);
-    this.fit();
     const scene = this.slides[at]?.scene;
+    this.watch(scene);
+    this.fit();
     scene?.setAttribute('tabindex', '-1');
     scene?.focus({ preventScroll: true });
     scrollTo(0, 0);
@@ -113,6 +132,7 @@ class Lesson {
   private end(): void {
     const scene = this.slides[this.at]?.scene;
     this.mark(-1);
+    this.watch();
     for (const plates of document.querySelectorAll<HTMLElement>('.plates')) plates.style.maxWidth = '';
     scene?.scrollIntoView();
     this.button.focus({ preventScroll: true });
