@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
-import { answer, answered, at, boxHas, chapterPages, follow, middle, seek, shown, type, violations } from './lesson.mjs';
+import { answer, answered, at, boxHas, chapterPages, follow, heights, middle, seek, shown, type, violations } from './lesson.mjs';
 import { phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
@@ -296,9 +296,9 @@ test('figures out of sight have no frames', sameEverywhere, async () => {
 
 for (const language of /** @type {const} */ (['en', 'ja'])) {
   for (const dark of [false, true]) {
-    test(`axe finds nothing in the figures: ${language}, ${dark ? 'dark' : 'light'}`, sameEverywhere, async () => {
+    test(`axe finds nothing in the figures, and each has one height at all steps: ${language}, ${dark ? 'dark' : 'light'}`, sameEverywhere, async () => {
       const { page, close } = await chapter('', { language, dark, ...(dark ? { viewport: phone } : {}) });
-      for (const name of FIGURES) await at(page, name);
+      for (const name of FIGURES) assert.equal((await heights(page, await at(page, name))).length, 1, `the height of ${name}`);
       assert.deepEqual(await violations(page), []);
       await close();
     });

@@ -96,6 +96,20 @@ export async function seek(page, figure, step) {
   await page.waitForSelector(`${figure}[data-step="${step}"]`);
 }
 
+/** The heights that a figure has at steps of its run, where only one is right: what is below it would jump. @param {Page} page @param {string} figure @returns {Promise<number[]>} */
+export const heights = (page, figure) =>
+  page.$eval(figure, (element) => {
+    const slider = /** @type {HTMLInputElement | null} */ (element.querySelector('input.time'));
+    const last = Number(slider?.max ?? 0);
+    const found = [...Array(16).keys(), ...Array(25).keys()].map((k, at) => (at < 16 ? k : Math.round((last * (k + 1)) / 25)));
+    const seen = found.map((step) => {
+      if (slider) slider.value = String(step);
+      slider?.dispatchEvent(new Event('input', { bubbles: true }));
+      return element.getBoundingClientRect().height;
+    });
+    return [...new Set(seen)];
+  });
+
 /** Goes to the end of the runs, however long they are. @param {Page} page @param {string} figure */
 export async function toEnd(page, figure) {
   await page.focus(`${figure} input.time`);
@@ -164,7 +178,8 @@ export async function hasGoldenStates(chapter, figures, look) {
 }
 
 /**
- * On a dark phone, in Japanese, each figure has its text, axe finds nothing in it, and nothing is wider than the page.
+ * On a dark phone, in Japanese, each figure has its text and one height at all steps, axe finds nothing in it, and nothing is
+ * wider than the page.
  * @param {ReturnType<typeof chapterPages>} chapter
  * @param {readonly string[]} figures
  * @param {RegExp} told
@@ -174,6 +189,7 @@ export async function isSoundOnPhone(chapter, figures, told) {
   for (const name of figures) {
     const figure = await at(page, name);
     assert.match((await shown(page, figure)).told, told);
+    assert.equal((await heights(page, figure)).length, 1, `the height of ${name}`);
   }
   assert.deepEqual(await violations(page), []);
   assert.deepEqual(problems, []);
