@@ -87,12 +87,14 @@ export async function paint(canvas: HTMLCanvasElement | OffscreenCanvas, link: s
   }
 }
 
-/** Draws a view on a canvas, which gets its size: a drawing may have more pixels than the recipe's picture. */
+/** Draws a view on a canvas, which gets its size first: a drawing may have more pixels than the recipe's picture. */
 export function drawWhole(studio: Bubblestone, canvas: HTMLCanvasElement | OffscreenCanvas, context: CanvasRenderingContext2D, view: string): void {
-  const side = studio.draw(context, view);
-  if (canvas.width === side && canvas.height === side) return;
-  canvas.width = canvas.height = side;
-  studio.draw(context, view);
+  const putImageData = (image: ImageData, x: number, y: number): void => {
+    if (canvas.width !== image.width || canvas.height !== image.height) [canvas.width, canvas.height] = [image.width, image.height];
+    context.putImageData(image, x, y);
+  };
+  // The studio asks a context for this method alone.
+  studio.draw({ putImageData } as CanvasRenderingContext2D, view);
 }
 
 /** Whether there is no work left. */

@@ -105,9 +105,17 @@ test('plain files do the same; an element follows its attributes, and frees what
   }, {}, count);
   await page.evaluate(() => {
     window.told = {};
-    document.querySelector('#near').link = '#size=128&cs=24&seed=2';
+    window.drawn = [];
+    const put = CanvasRenderingContext2D.prototype.putImageData;
+    CanvasRenderingContext2D.prototype.putImageData = function (image, ...place) {
+      window.drawn.push(image.width);
+      put.call(this, image, ...place);
+    };
+    document.querySelector('#near').link = '#size=160&cs=24&seed=2';
   });
   assert.notEqual((await told(page, 'near')).digest, digest);
+  assert.deepEqual(await page.evaluate(() => window.drawn), [160], 'another size takes one drawing');
+  assert.equal((await colours())[0], 160);
 
   // A paused element does no work.
   await page.evaluate(() => {
