@@ -34,6 +34,8 @@ const partsOf = ({ blocks }) => ({
   replies: blocks.flatMap(({ answers = [] }) => answers.filter(({ reply }) => reply)).length,
 });
 
+const CHAPTER_PATHS = new Set(chapters.flatMap(({ name }) => [`learn/${name}/`, `learn/ja/${name}/`]));
+
 /** The state of a figure in an address. */
 const STATE = '#fig=pair&outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0&mend=0&most=1000&given=0.25,0.5,1;0.45,0.5,0&damp=0.5&move=rk4&dt=0.1&step=3';
 
@@ -102,6 +104,42 @@ async function losesNothing(page, path) {
   assert.deepEqual(await lost(page), [], `${path} at 200 %`);
 }
 
+/**
+ * Goes through a page by Tab alone, from its first element to its last. Returns elements that are not reached in the order of
+ * the page, and those that are out of sight, under something else or without a ring while they have the focus.
+ */
+async function walkByTab(page) {
+  await page.evaluate(() => {
+    const [reached, faults] = [[], []];
+    /** When a figure works, its grips come, and stops that it has not seen are disabled. */
+    const LATE = '.grip, [data-stop], :disabled';
+    const said = (element) => `${element.closest('figure')?.id ?? ''} ${element.outerHTML.slice(0, 80)}`;
+    const look = (element) => {
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const [x, y] = [left + width / 2, top + height / 2];
+      const hit = document.elementFromPoint(x, y);
+      const isCovered = hit && !element.contains(hit) && !hit.contains(element);
+      if (!width || x < 0 || x > innerWidth || y < 0 || y > innerHeight || isCovered) faults.push(`not seen: ${said(element)}`);
+      const { outlineStyle, outlineWidth } = getComputedStyle(element);
+      if (outlineStyle === 'none' || !parseFloat(outlineWidth)) faults.push(`no ring: ${said(element)}`);
+    };
+    /** Of buttons for one choice, the first has the focus. */
+    const isFirst = (element) => element.type !== 'radio' || element.checked || (!document.querySelector(`[name="${element.name}"]:checked`) && document.querySelector(`[name="${element.name}"]`) === element);
+    const controls = () => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter((one) => !one.matches(LATE) && one.checkVisibility({ visibilityProperty: true }) && isFirst(one));
+    let isDone = false;
+    addEventListener('keydown', () => isDone || document.activeElement === document.body || look(document.activeElement), true);
+    addEventListener('focusin', ({ target }) => {
+      isDone ||= target === reached[0];
+      if (!isDone && !target.matches(LATE)) reached.push(target);
+    });
+    document.activeElement.blur();
+    window.hasWalked = () => isDone;
+    window.walked = () => [...faults, ...controls().flatMap((one, k) => (one === reached[k] ? [] : [`not in its turn: ${said(one)}`]))];
+  });
+  for (let k = 0; k < 30 && !(await page.evaluate(() => window.hasWalked())); k += 1) for (let tabs = 0; tabs < 16; tabs += 1) await page.keyboard.press('Tab');
+  return page.evaluate(() => window.walked());
+}
+
 test('each page opens without an error, asks nobody else, is accessible and loses nothing', async () => {
   const { page, problems, external, close } = await site.newPage(PAGES[0]);
   for (const [k, path] of (kind === 'chromium' ? PAGES : KINDS).entries()) {
@@ -117,6 +155,7 @@ test('each page opens without an error, asks nobody else, is accessible and lose
     if (kind === 'chromium') {
       // The sheets of all chapters are of one make.
       if (isChecked && !/(?<!two-bubbles)\/sheet\/$/.test(path)) assert.deepEqual(await faults(page), [], path);
+      if (isChecked && CHAPTER_PATHS.has(path)) assert.deepEqual(await walkByTab(page), [], path);
       await losesNothing(page, path);
     }
     assert.deepEqual([problems, external], [[], []], path);
