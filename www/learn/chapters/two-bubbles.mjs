@@ -119,12 +119,12 @@ export const twoBubbles = {
           },
         },
         {
-          en: 'Read it from left to right. At $w = 0$ it is a [[repulsion|push]] of 9/8, in units of $k0 / l0$. It falls to 0 at $w = 1$. Then comes a [[attraction|pull]], and from 1.5 on nothing: the bubble at 1.6 had no reason to move. Close to $w = 1$ the curve is straight, like a spring of [[stiffness]] $k0$.',
-          ja: '左から読みます。$w = 0$では$k0 / l0$を単位として9/8の[[repulsion|斥力]]です。だんだん弱まり、$w = 1$で0になります。その先は[[attraction|引力]]、1.5から先は0です。1.6に置いたバブルには、動く理由がなかったのです。$w = 1$の近くでは曲線はほぼ直線で、[[stiffness|ばね定数]]$k0$のばねと同じです。',
+          en: 'Read it from left to right. At $w = 0$ it is a [[repulsion|push]] of 9/8, in units of $k0 / l0$. It falls to 0 at $w = 1$. Then comes a [[attraction|pull]], and from 1.5 on nothing: the bubble at 1.6 had no reason to move. Close to $w = 1$ the curve is nearly straight, as a spring’s is. The [[stiffness]] $k0$ says how steep: the slope is $− k0 / l0$.',
+          ja: '左から読みます。$w = 0$では$k0 / l0$を単位として9/8の[[repulsion|斥力]]です。だんだん弱まり、$w = 1$で0になります。その先は[[attraction|引力]]、1.5から先は0です。1.6に置いたバブルには、動く理由がなかったのです。$w = 1$の近くでは曲線はほぼ直線で、ばねと変わりません。傾きは$− k0 / l0$で、[[stiffness|ばね定数]]$k0$が大きいほど急です。',
         },
         {
-          en: 'The work of this force, summed from 1.5 inwards, is the potential:',
-          ja: 'この力のする仕事を1.5から内側へ足し合わせると、ポテンシャルになります。',
+          en: 'The work against this force, summed from 1.5 inwards, is the potential:',
+          ja: 'この力に逆らってする仕事を1.5から内側へ足し合わせると、ポテンシャルになります。',
         },
         {
           equation: '3',

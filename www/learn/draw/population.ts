@@ -5,9 +5,9 @@ import { isCrowded, looksUpTo, marksAt, type Look, type Marks } from '../figures
 import { cellShape, outlineOf, SIDE } from './crowd';
 import { at, line, path, svg, symbol, text, WIDTH } from './plate';
 
-/** The picture fills this share of the plate's width, so that there is room below it. */
-const SHARE = 0.79;
-export const BELOW = SHARE * SIDE + 6;
+/** The picture fills this share of the plate's width, so that there is room below it, also for cells that begin on the outline. */
+const SHARE = 0.76;
+export const BELOW = 0.805 * SIDE;
 
 /** Room above for cells that stick out of the outline; below it the outline leaves enough. */
 const TOP_ROOM = 8;
@@ -70,8 +70,8 @@ function cross(x: number, y: number, arm = ARM): string {
   return `<path class="sign goes" d="M${at(x - arm)} ${at(y - arm)}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}"/>`;
 }
 
-function plus(x: number, y: number, arm = ARM + 1): string {
-  return `<path class="sign comes" d="M${at(x - arm)} ${at(y)}h${2 * arm}m${-arm} ${-arm}v${2 * arm}"/>`;
+function plus(x: number, y: number, arm = ARM + 1, kind = ''): string {
+  return `<path class="sign comes${kind}" d="M${at(x - arm)} ${at(y)}h${2 * arm}m${-arm} ${-arm}v${2 * arm}"/>`;
 }
 
 /** The key of the signs. */
@@ -81,8 +81,8 @@ function legend({ language }: View): string {
   const words = (x: number, en: string, ja: string): string => text(x, y + 4, language === 'ja' ? ja : en, 'number', 'start');
   const crowded = `${dot(22, 'bubble crowded')}${chords(22, y, 7)}${words(34, 'crowded', '過密')}`;
   const goes = `${cross(112, y, 5)}${words(124, 'goes next', '次に去る')}`;
-  const comes = `${dot(206, 'empty')}${plus(206, y, 4)}${words(218, 'comes next', '次に増える')}`;
-  const came = `${dot(308, 'bubble fresh')}${plus(308, y, 4)}${words(320, 'just came', '今増えた')}`;
+  const comes = `${dot(206, 'empty small')}${plus(206, y, 3, ' small')}${words(218, 'comes next', '次に増える')}`;
+  const came = `${dot(308, 'bubble fresh small')}${plus(308, y, 3, ' small')}${words(320, 'just came', '今増えた')}`;
   return `${crowded}${goes}${comes}${came}`;
 }
 

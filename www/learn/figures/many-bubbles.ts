@@ -86,15 +86,18 @@ function hint(step: number, isStill: boolean, language: Language): string {
 }
 
 function toldTwo(seen: Seen, language: Language): string {
+  const isBegun = seen.step > 0;
   const parts = seen.traces.map((trace, k) => {
     const [now, name] = [atOf(seen, k), (language === 'ja' ? ['左', '右'] : ['Left', 'Right'])[k] ?? ''];
     const energy = number(now ? energyOf(now) : 0, 3);
     const still = isAtRest(trace, seen.step);
-    if (language === 'ja') return `${name}の群れはエネルギー${energy}${still ? 'で静止' : 'で、動いています'}。`;
-    return `${name}: energy ${energy}, ${still ? 'at rest' : 'still moving'}.`;
+    if (language === 'ja') return `${name}の群れはエネルギー${energy}${still ? 'で静止しました' : isBegun ? 'で、動いています' : 'です'}。`;
+    return `${name}: energy ${energy}${still ? ', at rest' : isBegun ? ', still moving' : ''}.`;
   });
   const n = cellsOf(seen).length;
-  return joined(language, language === 'ja' ? `どちらも${n}個です。` : `${n} bubbles in each.`, ...parts, language === 'ja' ? '輪郭か、左の初期位置を変えてみてください。' : 'Bend the outline, or change the first places on the left.');
+  const other = language === 'ja' ? '輪郭か、左の初期位置を変えてみてください。' : 'Bend the outline, or change the first places on the left.';
+  const play = language === 'ja' ? '「再生」で放してください。' : 'Press play to let go.';
+  return joined(language, language === 'ja' ? `どちらも${n}個です。` : `${n} bubbles in each.`, ...parts, isBegun ? other : play);
 }
 
 /** The change of the energies in the step that led here. */

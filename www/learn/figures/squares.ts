@@ -101,11 +101,12 @@ const slide: Ask = {
   seen: ({ traces: [trace], step }, language) => {
     const [first, now] = trace ? [neighbourAt(trace, 0), neighbourAt(trace, step)] : [];
     if (!first || !now || !isAtEdge(now) || now.x > -0.5 || Math.hypot(first.x - now.x, first.y - now.y) < SLIDE) return undefined;
-    const [x, y] = [number(first.x, 2), number(first.y, 2)];
+    // As the boxes of its place have it: y down.
+    const [x, y] = [number(first.x, 2), number(-first.y, 2)];
     return inWords(
       language,
-      `Done: from x = ${x}, y = ${y} (up) it slid into the well on the left, after ${step} steps at the latest. The borders between the wells are the diagonals.`,
-      `できました。x = ${x}、y = ${y}（上向き）から左の井戸へ、${step}ステップまでに滑り込みました。井戸どうしの境は、対角線です。`,
+      `Done: from x = ${x}, y = ${y} it slid into the well on the left, after ${step} steps at the latest. The borders between the wells are the diagonals.`,
+      `できました。x = ${x}、y = ${y}から左の井戸へ、${step}ステップまでに滑り込みました。井戸どうしの境は、対角線です。`,
     );
   },
 };

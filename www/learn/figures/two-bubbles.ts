@@ -132,14 +132,14 @@ function toldLayer({ traces, step }: Seen, language: Language): string {
     `A pavement of ${n} stones, taken apart from left to right: stones, cells, bubbles, and two of them. Step through it.`,
     `${n} stones. No two are alike, and the joints fit.`,
     `${n} cells: each stone fills one.`,
-    `${n} bubbles, one in each cell. They almost touch, and they overlap a little.`,
+    `${n} bubbles, one in each cell. They touch, and they overlap a little.`,
     'Two neighbours, alone. All that follows is about these two.',
   ];
   const ja = [
     `${n}個の石からなる石畳を、左から右へ、石、セル、バブル、そのうちの二つへとほどきました。一歩ずつ進めてください。`,
     `石は${n}個。同じ形は一つもなく、目地はぴったり合っています。`,
     `セルは${n}個。石は一つずつセルに収まっています。`,
-    `バブルは${n}個。セルごとに一つあり、ほぼ接して、少し重なります。`,
+    `バブルは${n}個。セルごとに一つあり、触れ合って、少し重なっています。`,
     '隣り合う二つだけが残りました。これからは、この二つの話です。',
   ];
   return (language === 'ja' ? ja : en)[step] ?? '';
