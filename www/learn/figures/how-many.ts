@@ -126,9 +126,9 @@ const never: Ask = {
     const [crowd, room] = ['crowd', 'room'].map((key) => number(Number(trace.value(key)), 2));
     const isCrossed = Number(trace.value('crowd')) > Number(trace.value('room'));
     if (language === 'ja') {
-      const rows = looks.map((look) => `ステップ${look.step}に${look.came.length}個増えて${look.went.length}個去り`).join('、');
+      const rows = looks.map((look, k) => `${k ? '' : 'ステップ'}${look.step}で+${look.came.length}と−${look.went.length}`).join('、');
       const why = isCrossed ? `wが${room ?? ''}から${crowd ?? ''}のセルは、過密であり、しかも孤立してもいます。` : `静止したセルのwは${crowd ?? ''}から${room ?? ''}の間に収まりきりません。`;
-      return `静止しませんでした。${rows}ました。${why}調査がステップ100で打ち切られるまで続きます。`;
+      return `静止しませんでした。増減は${rows}でした。${why}調査がステップ100で終わるまで続きます。`;
     }
     const rows = looks.map((look) => `${look.came.length} came and ${look.went.length} went at step ${look.step}`).join(', ');
     const why = isCrossed ? `A cell between w = ${room ?? ''} and ${crowd ?? ''} is crowded and lonely at once.` : `The cells of a packing at rest do not all fit between w = ${crowd ?? ''} and ${room ?? ''}.`;

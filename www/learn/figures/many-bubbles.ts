@@ -169,7 +169,7 @@ const falls: Ask = {
     if (!seen.isStill || !by || by.pairs < CLEAR || by.sum >= 0) return undefined;
     const [step, pairs, sum] = [seen.step, signed(by.pairs), signed(by.sum)];
     return language === 'ja'
-      ? `ステップ${step}では、対のエネルギーが${pairs}と増えています。その間に和は${sum}変わり、減りました。動いているバブルが勢いで隣の坂を上り、運動のエネルギーが対のエネルギーに変わったからです。減るばかりなのは和だけです。`
+      ? `ステップ${step}で対のエネルギーは${pairs}と増え、和は${sum}と減りました。動くバブルが勢いで次の坂を上り、運動のエネルギーが対のエネルギーに変わったのです。減るばかりなのは和だけです。`
       : `At step ${step} the energy of the pairs rose by ${pairs}, while the sum changed by ${sum}: it fell. Moving bubbles ran up the next slope and turned motion into energy of pairs. Only the sum falls at every step.`;
   },
 };
