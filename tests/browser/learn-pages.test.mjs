@@ -9,6 +9,7 @@ import { desk, open } from './harness.mjs';
 import { at, follow, seek } from './lesson.mjs';
 import { digest, frames, phone, SMALL } from './page.mjs';
 import { longestTask } from './tasks.mjs';
+import { tooHighInClass, walkByTab, watchMemory, watchShifts } from './walks.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -104,42 +105,6 @@ async function losesNothing(page, path) {
   assert.deepEqual(await lost(page), [], `${path} at 200 %`);
 }
 
-/**
- * Goes through a page by Tab alone, from its first element to its last. Returns elements that are not reached in the order of
- * the page, and those that are out of sight, under something else or without a ring while they have the focus.
- */
-async function walkByTab(page) {
-  await page.evaluate(() => {
-    const [reached, faults] = [[], []];
-    /** When a figure works, its grips come, and stops that it has not seen are disabled. */
-    const LATE = '.grip, [data-stop], :disabled';
-    const said = (element) => `${element.closest('figure')?.id ?? ''} ${element.outerHTML.slice(0, 80)}`;
-    const look = (element) => {
-      const { left, top, width, height } = element.getBoundingClientRect();
-      const [x, y] = [left + width / 2, top + height / 2];
-      const hit = document.elementFromPoint(x, y);
-      const isCovered = hit && !element.contains(hit) && !hit.contains(element);
-      if (!width || x < 0 || x > innerWidth || y < 0 || y > innerHeight || isCovered) faults.push(`not seen: ${said(element)}`);
-      const { outlineStyle, outlineWidth } = getComputedStyle(element);
-      if (outlineStyle === 'none' || !parseFloat(outlineWidth)) faults.push(`no ring: ${said(element)}`);
-    };
-    /** Of buttons for one choice, the first has the focus. */
-    const isFirst = (element) => element.type !== 'radio' || element.checked || (!document.querySelector(`[name="${element.name}"]:checked`) && document.querySelector(`[name="${element.name}"]`) === element);
-    const controls = () => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter((one) => !one.matches(LATE) && one.checkVisibility({ visibilityProperty: true }) && isFirst(one));
-    let isDone = false;
-    addEventListener('keydown', () => isDone || document.activeElement === document.body || look(document.activeElement), true);
-    addEventListener('focusin', ({ target }) => {
-      isDone ||= target === reached[0];
-      if (!isDone && !target.matches(LATE)) reached.push(target);
-    });
-    document.activeElement.blur();
-    window.hasWalked = () => isDone;
-    window.walked = () => [...faults, ...controls().flatMap((one, k) => (one === reached[k] ? [] : [`not in its turn: ${said(one)}`]))];
-  });
-  for (let k = 0; k < 30 && !(await page.evaluate(() => window.hasWalked())); k += 1) for (let tabs = 0; tabs < 16; tabs += 1) await page.keyboard.press('Tab');
-  return page.evaluate(() => window.walked());
-}
-
 test('each page opens without an error, asks nobody else, is accessible and loses nothing', async () => {
   const { page, problems, external, close } = await site.newPage(PAGES[0]);
   for (const [k, path] of (kind === 'chromium' ? PAGES : KINDS).entries()) {
@@ -162,28 +127,6 @@ test('each page opens without an error, asks nobody else, is accessible and lose
   }
   await close();
 });
-
-/** Records the shifts of a page’s layout from its beginning on. */
-const watchShifts = (page) =>
-  page.evaluateOnNewDocument(() => {
-    window.shifts = [];
-    const said = ({ node }) => node?.outerHTML?.slice(0, 120) ?? node?.textContent;
-    new PerformanceObserver((list) => window.shifts.push(...list.getEntries().map(({ value, sources }) => [value, ...sources.map(said)].join(' ')))).observe({ type: 'layout-shift', buffered: true });
-  });
-
-/** Keeps hold of the memory of a page’s modules from its beginning on. */
-const watchMemory = (page) =>
-  page.evaluateOnNewDocument(() => {
-    window.memories = [];
-    for (const name of ['instantiate', 'instantiateStreaming']) {
-      const own = WebAssembly[name].bind(WebAssembly);
-      WebAssembly[name] = async (...given) => {
-        const made = await own(...given);
-        window.memories.push((made.instance ?? made).exports.memory);
-        return made;
-      };
-    }
-  });
 
 /** Plays a figure for an eighth of its run, from its start on, and pauses it. */
 async function plays(page, figure) {
@@ -300,31 +243,6 @@ test('the studio leads to the chapters in its language', sameEverywhere, async (
 
 /** The window of a class. */
 const projector = { width: 1024, height: 768 };
-
-/** Goes through all screens of a class, and back. Returns the figures that do not fit with their handles, and with a line more of their text. */
-const tooHighInClass = (page) =>
-  page.evaluate(async () => {
-    const found = [];
-    const press = (key) => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
-    const now = () => `${[...document.querySelectorAll('.scene')].findIndex((scene) => scene.hasAttribute('data-now'))} ${document.documentElement.dataset.part}`;
-    document.querySelector('#class').click();
-    for (let before = ''; before !== now(); press('ArrowRight')) {
-      before = now();
-      const told = document.documentElement.dataset.part === 'figure' && document.querySelector('[data-now] .figure-told');
-      if (!told) continue;
-      const look = (what) => {
-        const { bottom } = told.getBoundingClientRect();
-        if (bottom > innerHeight) found.push(`${told.closest('figure').id} ${what} down to ${Math.round(bottom)}`);
-      };
-      look('as it opens');
-      told.append(document.createElement('br'), 'A line more.');
-      await new Promise(requestAnimationFrame);
-      await new Promise(requestAnimationFrame);
-      look('with a line more');
-    }
-    press('Escape');
-    return found;
-  });
 
 test('in class every figure fits the screen; on paper a chapter has every figure and every answer, and no handles', sameEverywhere, async () => {
   for (const chapter of BY_TURNS) {

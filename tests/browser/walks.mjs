@@ -1,0 +1,96 @@
+// Walks through a chapter's page, and records of it: by Tab, through the screens of a class, shifts, memory.
+
+/** @typedef {import('puppeteer-core').Page} Page */
+
+/**
+ * Goes through a page by Tab alone, from its first element to its last. Returns elements that are not reached in the order of
+ * the page, and those that are out of sight, under something else or without a ring while they have the focus.
+ * @param {Page} page @returns {Promise<string[]>}
+ */
+export async function walkByTab(page) {
+  await page.evaluate(() => {
+    /** @type {Element[]} */
+    const reached = [];
+    /** @type {string[]} */
+    const faults = [];
+    const own = /** @type {any} */ (window);
+    /** When a figure works, its grips come, and stops that it has not seen are disabled. */
+    const LATE = '.grip, [data-stop], :disabled';
+    const said = (/** @type {Element} */ element) => `${element.closest('figure')?.id ?? ''} ${element.outerHTML.slice(0, 80)}`;
+    const look = (/** @type {Element} */ element) => {
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const [x, y] = [left + width / 2, top + height / 2];
+      const hit = document.elementFromPoint(x, y);
+      const isCovered = hit && !element.contains(hit) && !hit.contains(element);
+      if (!width || x < 0 || x > innerWidth || y < 0 || y > innerHeight || isCovered) faults.push(`not seen: ${said(element)}`);
+      const { outlineStyle, outlineWidth } = getComputedStyle(element);
+      if (outlineStyle === 'none' || !parseFloat(outlineWidth)) faults.push(`no ring: ${said(element)}`);
+    };
+    /** Of buttons for one choice, the first has the focus. */
+    const isFirst = (/** @type {any} */ element) => element.type !== 'radio' || element.checked || (!document.querySelector(`[name="${element.name}"]:checked`) && document.querySelector(`[name="${element.name}"]`) === element);
+    const controls = () => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter((one) => !one.matches(LATE) && one.checkVisibility({ visibilityProperty: true }) && isFirst(one));
+    let isDone = false;
+    addEventListener('keydown', () => isDone || !document.activeElement || document.activeElement === document.body || look(document.activeElement), true);
+    addEventListener('focusin', (event) => {
+      const target = /** @type {Element} */ (event.target);
+      isDone ||= target === reached[0];
+      if (!isDone && !target.matches(LATE)) reached.push(target);
+    });
+    /** @type {HTMLElement | null} */ (document.activeElement)?.blur();
+    own.hasWalked = () => isDone;
+    own.walked = () => [...faults, ...controls().flatMap((one, k) => (one === reached[k] ? [] : [`not in its turn: ${said(one)}`]))];
+  });
+  for (let k = 0; k < 30 && !(await page.evaluate(() => /** @type {any} */ (window).hasWalked())); k += 1) for (let tabs = 0; tabs < 16; tabs += 1) await page.keyboard.press('Tab');
+  return page.evaluate(() => /** @type {any} */ (window).walked());
+}
+
+/** Goes through all screens of a class, and back. Returns the figures that do not fit with their handles, and with a line more of their text. @param {Page} page @returns {Promise<string[]>} */
+export const tooHighInClass = (/** @type {Page} */ page) =>
+  page.evaluate(async () => {
+    /** @type {string[]} */
+    const found = [];
+    const press = (/** @type {string} */ key) => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
+    const now = () => `${[...document.querySelectorAll('.scene')].findIndex((scene) => scene.hasAttribute('data-now'))} ${document.documentElement.dataset.part}`;
+    /** @type {HTMLElement} */ (document.querySelector('#class')).click();
+    for (let before = ''; before !== now(); press('ArrowRight')) {
+      before = now();
+      const told = document.documentElement.dataset.part === 'figure' && document.querySelector('[data-now] .figure-told');
+      if (!told) continue;
+      const look = (/** @type {string} */ what) => {
+        const { bottom } = told.getBoundingClientRect();
+        if (bottom > innerHeight) found.push(`${told.closest('figure')?.id} ${what} down to ${Math.round(bottom)}`);
+      };
+      look('as it opens');
+      told.append(document.createElement('br'), 'A line more.');
+      await new Promise(requestAnimationFrame);
+      await new Promise(requestAnimationFrame);
+      look('with a line more');
+    }
+    press('Escape');
+    return found;
+  });
+
+/** Records the shifts of a page’s layout from its beginning on. */
+export const watchShifts = (/** @type {Page} */ page) =>
+  page.evaluateOnNewDocument(() => {
+    const own = /** @type {any} */ (window);
+    own.shifts = [];
+    const said = (/** @type {any} */ { node }) => node?.outerHTML?.slice(0, 120) ?? node?.textContent;
+    new PerformanceObserver((list) => own.shifts.push(...list.getEntries().map((/** @type {any} */ { value, sources }) => [value, ...sources.map(said)].join(' ')))).observe({ type: 'layout-shift', buffered: true });
+  });
+
+/** Keeps hold of the memory of a page’s modules from its beginning on. */
+export const watchMemory = (/** @type {Page} */ page) =>
+  page.evaluateOnNewDocument(() => {
+    const own = /** @type {any} */ (window);
+    const assembly = /** @type {any} */ (WebAssembly);
+    own.memories = [];
+    for (const name of ['instantiate', 'instantiateStreaming']) {
+      const plain = assembly[name].bind(WebAssembly);
+      assembly[name] = async (/** @type {any[]} */ ...given) => {
+        const made = await plain(...given);
+        own.memories.push((made.instance ?? made).exports.memory);
+        return made;
+      };
+    }
+  });
