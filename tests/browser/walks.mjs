@@ -26,7 +26,7 @@ export async function walkByTab(page) {
       const { outlineStyle, outlineWidth } = getComputedStyle(element);
       if (outlineStyle === 'none' || !parseFloat(outlineWidth)) faults.push(`no ring: ${said(element)}`);
     };
-    /** Of buttons for one choice, the first has the focus. */
+    /** The first of the buttons for one choice has the focus. */
     const isFirst = (/** @type {any} */ element) => element.type !== 'radio' || element.checked || (!document.querySelector(`[name="${element.name}"]:checked`) && document.querySelector(`[name="${element.name}"]`) === element);
     const controls = () => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter((one) => !one.matches(LATE) && one.checkVisibility({ visibilityProperty: true }) && isFirst(one));
     let isDone = false;
