@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { low, open } from './harness.mjs';
-import { BRICKS, canvas, click, digest, done, frames, PILE, SMALL, steps } from './page.mjs';
+import { BALL, BRICKS, canvas, click, digest, done, frames, PILE, SMALL, steps } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -78,6 +78,21 @@ test('the slider goes to any step, on and back, and each step has one picture', 
   await paused(page, (step) => step === 0);
   await page.keyboard.press('End');
   assert.equal(await digest(page), planes);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('on a surface a step has one picture, too, and the bodies at the end are the same', sameEverywhere, async () => {
+  const { page, planes, problems, close } = await formed(BALL, { viewport: low });
+  const [, all] = await shown(page);
+  for (const step of [12, 9, 10]) {
+    await seek(page, step);
+    await paused(page, (now) => now === step);
+  }
+  await page.focus('#moment');
+  await page.keyboard.press('End');
+  assert.equal(await digest(page), planes);
+  assert.deepEqual(await shown(page), [all, all]);
   assert.deepEqual(problems, []);
   await close();
 });
