@@ -5,6 +5,7 @@ use super::congruent::Congruent;
 use super::cuboid::Cuboid;
 use super::params::BlockParams;
 use super::parts::add_plain;
+use super::shapes::{BlockLook, BlockShape, ShapedBlock, SharedBody, WallShapes};
 use super::site::BuildingSite;
 use crate::building::labels::ROOF;
 use crate::building::{ExtraMesh, FaceId, Mortar};
@@ -16,6 +17,7 @@ use crate::solid::Surface;
 use crate::surface_stones::Fit;
 use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// Width of the edges of rounded stones, and the height of their bumps, at roughness 1 (metres).
 const BEVEL: f64 = 0.024;
@@ -29,23 +31,16 @@ const SAME_PLANE: f64 = 1e4;
 /// The colour of meshes that the pattern leaves white.
 const WHITE: [u8; 3] = [255; 3];
 
-/// A shape that several blocks may have.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum BlockShape {
-    /// By its sizes.
-    Cuboid([u32; 3]),
-    /// By its vertices.
-    Other(Vec<[i32; 3]>),
-}
-
 /// Blocks, mortar, and what carries no masonry, as they are laid.
 pub(crate) struct Wall {
     /// Bodies and instances alone.
     scene: Scene,
     fit: Fit,
     params: BlockParams,
-    /// The bodies of blocks, by their shapes and their material.
-    shared: BTreeMap<(BlockShape, u8), u32>,
+    /// The blocks so far.
+    shapes: WallShapes,
+    /// Those of the last wall, if they serve for this one.
+    last: Option<Rc<WallShapes>>,
     dressing: Dressing,
     cutter: Option<Stonecutter>,
     /// Makes stones whose sides are marked as rough or smooth.
@@ -55,8 +50,12 @@ pub(crate) struct Wall {
 }
 
 impl Wall {
-    /// Starts with mortar, glass, doors and the like.
-    pub(super) fn new(site: &BuildingSite, params: &BlockParams) -> Self {
+    /// Starts with mortar, glass, doors and the like. `last` are the blocks of the last wall.
+    pub(super) fn new(
+        site: &BuildingSite,
+        params: &BlockParams,
+        last: Option<Rc<WallShapes>>,
+    ) -> Self {
         let mut scene = Scene::default();
         let sunk = match params.colours.are_stone() {
             true => SUNK * params.rough,
@@ -78,7 +77,8 @@ impl Wall {
             scene,
             fit: site.fit,
             params: *params,
-            shared: BTreeMap::new(),
+            shapes: WallShapes::new(*params, site.fit),
+            last: last.filter(|last| last.serve(params, site.fit)),
             dressing: Dressing {
                 chamfer: params.chamfer,
                 turn: Dressing::BRICK.turn * params.crooked,
@@ -126,6 +126,35 @@ impl Wall {
 
     /// The body of a cell and where it stands; none if its joints take all of it.
     fn shape(&mut self, cell: &MasonryCell, mark: u32, material: u8) -> Option<(u32, Place)> {
+        let last = self.last.clone();
+        let known = last
+            .as_ref()
+            .and_then(|last| last.block(cell, mark, material));
+        let (block, shrunk) = match known {
+            Some(known) => (known.clone(), None),
+            None => {
+                let (look, shrunk) = self.look(cell, mark, material)?;
+                (ShapedBlock::new(cell, material, look), shrunk)
+            }
+        };
+        let placed = match &block.look {
+            BlockLook::Own(body) => (self.push(body.clone()), Place::default()),
+            BlockLook::Shared(shape, place) => {
+                let key = (shape.clone(), material);
+                (self.shared_body(key, cell, shrunk)?, *place)
+            }
+        };
+        self.shapes.add(mark, block);
+        Some(placed)
+    }
+
+    /// How the block of a cell looks, and its body without joints if that is known; none if its joints take all of it.
+    fn look(
+        &mut self,
+        cell: &MasonryCell,
+        mark: u32,
+        material: u8,
+    ) -> Option<(BlockLook, Option<Polyhedron>)> {
         let is_flat = matches!(cell.sort, CellSort::Sill | CellSort::Tile);
         let is_rough = material == STONE_ROW && !is_flat;
         let cutter = match cell.body.has_rough_sides() {
@@ -136,51 +165,52 @@ impl Wall {
             let levels = cutter.levels(&cell.body, mark)?;
             let surfaces = levels.iter().map(|level| self.fit_smooth(level));
             let body = Body::new(surfaces.collect(), material);
-            return Some((self.push(body), Place::default()));
+            return Some((BlockLook::Own(body), None));
         }
         let shrunk = cell.body.shrunk()?;
         let (turn, by) = self.dressing.out_of_true(cell.outwards, mark);
-        let (body, middle, axes) = match Cuboid::of(&shrunk, cell.outwards) {
-            Some(Cuboid {
-                middle,
-                axes,
-                steps,
-            }) => {
-                let key = (BlockShape::Cuboid(steps), material);
-                let plain = || Cuboid::plain(steps);
-                (self.shared_body(key, plain)?, middle, axes)
-            }
+        let (shape, middle, axes) = match Cuboid::of(&shrunk, cell.outwards) {
+            Some(own) => (BlockShape::Cuboid(own.steps), own.middle, own.axes),
             None => {
                 let own = Congruent::of(&shrunk, cell.outwards);
-                let key = (BlockShape::Other(own.steps.clone()), material);
-                let plain = || Some(own.plain(&shrunk));
-                (self.shared_body(key, plain)?, own.middle, own.axes)
+                (BlockShape::Other(own.steps.into()), own.middle, own.axes)
             }
         };
         let axes = axes.map(|axis| (turn * axis).as_vec3());
         let origin = self.fit.place(middle + by);
-        Some((body, Place { axes, origin }))
+        let look = BlockLook::Shared(shape, Place { axes, origin });
+        Some((look, Some(shrunk)))
     }
 
-    /// The body of blocks of one shape: the full chamfered one, and a plain one for far away.
+    /// The body of blocks of one shape and material, of which a cell is the first if it is new.
     fn shared_body(
         &mut self,
         key: (BlockShape, u8),
-        plain: impl Fn() -> Option<Polyhedron>,
+        cell: &MasonryCell,
+        shrunk: Option<Polyhedron>,
     ) -> Option<u32> {
-        if let Some(&known) = self.shared.get(&key) {
-            return Some(known);
+        if let Some(known) = self.shapes.shared(&key) {
+            return Some(known.number);
         }
-        let plain = plain()?;
+        let last = self.last.as_ref();
+        let body = match last.and_then(|last| last.same_body(&key, cell)) {
+            Some(body) => body.clone(),
+            None => self.chamfered(&key.0.plain(cell, shrunk)?, key.1),
+        };
+        let number = self.push(body.clone());
+        self.shapes.share(key, SharedBody::new(number, body, cell));
+        Some(number)
+    }
+
+    /// The full chamfered body of a shape, and a plain one for far away.
+    fn chamfered(&self, plain: &Polyhedron, material: u8) -> Body {
         let scale = self.fit.scale;
         let levels = [self.dressing.chamfer, 0.0].map(|chamfer| {
-            flat(&Bevelled::new(&plain, chamfer).facets(), |p| {
+            flat(&Bevelled::new(plain, chamfer).facets(), |p| {
                 (p * scale).as_vec3()
             })
         });
-        let body = self.push(Body::new(levels.to_vec(), key.1));
-        self.shared.insert(key, body);
-        Some(body)
+        Body::new(levels.to_vec(), material)
     }
 
     fn push(&mut self, body: Body) -> u32 {
@@ -197,9 +227,9 @@ impl Wall {
         &self.scene
     }
 
-    /// The bodies, to keep.
-    pub fn finish(self) -> Scene {
-        self.scene
+    /// The bodies and the shapes of blocks, to keep.
+    pub(super) fn finish(self) -> (Scene, Rc<WallShapes>) {
+        (self.scene, Rc::new(self.shapes))
     }
 }
 

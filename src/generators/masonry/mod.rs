@@ -24,6 +24,7 @@ mod rules;
 mod schema;
 mod sentences;
 mod setting;
+mod shapes;
 mod site;
 mod stages;
 mod subject;

@@ -233,20 +233,25 @@ impl MasonryStages {
             self.kept = self.standing().unwrap_or_default();
         }
         let kept = &self.kept;
+        let shapes = self.last.as_ref().map(|last| &last.shapes);
         let mut finished = None;
         self.laid.advance(|params, work| {
-            let wall = work.get_or_insert_with(|| Wall::new(site, params));
+            let wall = work.get_or_insert_with(|| Wall::new(site, params, shapes.cloned()));
             let end = wall.shown() + in_a_step(cells, wall.shown(), kept);
             wall.lay(cells, end);
             if end < cells.len() {
                 return Ok(None);
             }
+            let Some((scene, shapes)) = work.take().map(Wall::finish) else {
+                return Ok(None);
+            };
             finished = Some(LastWall {
                 marks: marks(cells),
                 params: *params,
                 fit: site.fit,
+                shapes,
             });
-            Ok(work.take().map(Wall::finish))
+            Ok(Some(scene))
         })?;
         self.last = finished.or(self.last.take());
         Some(())

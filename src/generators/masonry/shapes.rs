@@ -1,0 +1,154 @@
+//! The shapes of a wall's blocks. They are kept until the next wall is laid: a block that stays as it was takes its
+//! shape from there.
+
+use super::congruent::Congruent;
+use super::cuboid::Cuboid;
+use super::params::BlockParams;
+use crate::masonry::block::Polyhedron;
+use crate::masonry::laying::{CellSort, MasonryCell};
+use crate::scene::{Body, Place};
+use crate::surface_stones::Fit;
+use glam::DVec3;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// A shape that several blocks may have.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum BlockShape {
+    /// By its sizes.
+    Cuboid([u32; 3]),
+    /// By its vertices.
+    Other(Rc<[[i32; 3]]>),
+}
+
+impl BlockShape {
+    /// The shape about the origin. `cell` is the first block of this shape, which is `shrunk` already if that is known;
+    /// none if nothing is left of it.
+    pub fn plain(&self, cell: &MasonryCell, shrunk: Option<Polyhedron>) -> Option<Polyhedron> {
+        match self {
+            Self::Cuboid(steps) => Cuboid::plain(*steps),
+            Self::Other(_) => {
+                let body = shrunk.or_else(|| cell.body.shrunk())?;
+                Some(Congruent::of(&body, cell.outwards).plain(&body))
+            }
+        }
+    }
+}
+
+/// How a block looks.
+#[derive(Clone)]
+pub(super) enum BlockLook {
+    /// A shape that others may have, and where it stands.
+    Shared(BlockShape, Place),
+    /// A body of its own, in its place.
+    Own(Body),
+}
+
+/// A block as it was shaped.
+#[derive(Clone)]
+pub(super) struct ShapedBlock {
+    of: Arc<Polyhedron>,
+    outwards: DVec3,
+    sort: CellSort,
+    material: u8,
+    pub look: BlockLook,
+}
+
+impl ShapedBlock {
+    pub fn new(cell: &MasonryCell, material: u8, look: BlockLook) -> Self {
+        Self {
+            of: cell.body.clone(),
+            outwards: cell.outwards,
+            sort: cell.sort,
+            material,
+            look,
+        }
+    }
+
+    /// Whether a cell with the same mark is shaped in the same way, bit for bit.
+    fn is_of(&self, cell: &MasonryCell, material: u8) -> bool {
+        (self.sort, self.material) == (cell.sort, material)
+            && are_same((&self.of, self.outwards), (&cell.body, cell.outwards))
+    }
+}
+
+/// A body that blocks share.
+pub(super) struct SharedBody {
+    /// Its number in the scene.
+    pub number: u32,
+    pub body: Body,
+    /// The first block of its shape, on whose rounding it hangs, and where that looks.
+    of: (Arc<Polyhedron>, DVec3),
+}
+
+impl SharedBody {
+    pub fn new(number: u32, body: Body, cell: &MasonryCell) -> Self {
+        let of = (cell.body.clone(), cell.outwards);
+        Self { number, body, of }
+    }
+}
+
+/// The shapes of all blocks of a wall.
+pub(super) struct WallShapes {
+    params: BlockParams,
+    fit: Fit,
+    /// By the marks of their cells.
+    blocks: BTreeMap<u32, ShapedBlock>,
+    /// By their shapes and materials.
+    bodies: BTreeMap<(BlockShape, u8), SharedBody>,
+}
+
+impl WallShapes {
+    /// None yet.
+    pub fn new(params: BlockParams, fit: Fit) -> Self {
+        Self {
+            params,
+            fit,
+            blocks: BTreeMap::new(),
+            bodies: BTreeMap::new(),
+        }
+    }
+
+    /// Whether equal blocks of a wall with these parameters have the same shapes.
+    pub fn serve(&self, params: &BlockParams, fit: Fit) -> bool {
+        self.params == *params && self.fit == fit
+    }
+
+    /// The block that was made of an equal cell.
+    pub fn block(&self, cell: &MasonryCell, mark: u32, material: u8) -> Option<&ShapedBlock> {
+        let block = self.blocks.get(&mark)?;
+        block.is_of(cell, material).then_some(block)
+    }
+
+    /// Keeps a block.
+    pub fn add(&mut self, mark: u32, block: ShapedBlock) {
+        self.blocks.insert(mark, block);
+    }
+
+    /// The body of a shape and a material.
+    pub fn shared(&self, key: &(BlockShape, u8)) -> Option<&SharedBody> {
+        self.bodies.get(key)
+    }
+
+    /// That body, if this cell makes it bit for bit. Cuboids hang on their sizes alone.
+    pub fn same_body(&self, key: &(BlockShape, u8), cell: &MasonryCell) -> Option<&Body> {
+        let shared = self.shared(key)?;
+        let is_cuboid = matches!(key.0, BlockShape::Cuboid(_));
+        let of = (&*shared.of.0, shared.of.1);
+        let is_same = is_cuboid || are_same(of, (&cell.body, cell.outwards));
+        is_same.then_some(&shared.body)
+    }
+
+    /// Keeps the body of a shape and a material.
+    pub fn share(&mut self, key: (BlockShape, u8), body: SharedBody) {
+        self.bodies.insert(key, body);
+    }
+}
+
+/// Whether two bodies with their directions are the same, bit for bit.
+fn are_same((a, to_a): (&Polyhedron, DVec3), (b, to_b): (&Polyhedron, DVec3)) -> bool {
+    let bits = |p: &DVec3| p.to_array().map(f64::to_bits);
+    let [own, other] = [a, b].map(|body| body.vertices().iter().map(bits));
+    bits(&to_a) == bits(&to_b) && own.eq(other) && a.sides() == b.sides()
+}
