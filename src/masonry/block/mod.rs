@@ -6,6 +6,7 @@
 //! name the intersection of planes and the shrinking as tools of all generators.
 
 mod bevel;
+mod cutting;
 mod dressing;
 mod plane;
 mod polyhedron;

@@ -34,11 +34,14 @@ impl Plane {
     }
 
     /// Its normal alone.
-    pub(super) fn normal_of(mut ring: impl Iterator<Item = DVec3>) -> Option<DVec3> {
-        let origin = ring.next()?;
-        let mut from = DVec3::ZERO;
-        let spans = ring.map(|p| std::mem::replace(&mut from, p - origin).cross(p - origin));
-        spans.sum::<DVec3>().try_normalize()
+    fn normal_of(ring: impl Iterator<Item = DVec3>) -> Option<DVec3> {
+        across(ring).try_normalize()
+    }
+
+    /// Whether a ring of points has a mean plane.
+    pub(super) fn has_area(ring: impl Iterator<Item = DVec3>) -> bool {
+        let square = across(ring).length_squared();
+        0.0 < square && square < f64::INFINITY
     }
 
     /// Signed distance of a point, positive outside (metres).
@@ -53,4 +56,14 @@ impl Plane {
             ..self
         }
     }
+}
+
+/// The vector across a ring of points, whose length is twice its area; zero for no points.
+fn across(mut ring: impl Iterator<Item = DVec3>) -> DVec3 {
+    let Some(origin) = ring.next() else {
+        return DVec3::ZERO;
+    };
+    let mut from = DVec3::ZERO;
+    let spans = ring.map(|p| std::mem::replace(&mut from, p - origin).cross(p - origin));
+    spans.sum()
 }

@@ -2,14 +2,11 @@
 
 use super::plane::Plane;
 use crate::masonry::footprint::Footprint;
-use crate::planar::cut_polygon;
 use glam::{DQuat, DVec2, DVec3};
 use smallvec::{SmallVec, smallvec};
 
-/// Vertices this near to a plane lie on it (metres).
-const ON: f64 = 1e-9;
 /// Bodies below this volume are nothing (cubic metres).
-const LEAST_VOLUME: f64 = 1e-12;
+pub(super) const LEAST_VOLUME: f64 = 1e-12;
 
 /// The numbers of a side's corners. Most sides have four, and a list of up to eight needs no allocation.
 pub type SideCorners = SmallVec<[u32; 8]>;
@@ -38,8 +35,8 @@ impl Clone for Side {
 /// A convex polyhedron: closed, each side outwards. On curved walls its sides are nearly plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polyhedron {
-    vertices: Vec<DVec3>,
-    sides: Vec<Side>,
+    pub(super) vertices: Vec<DVec3>,
+    pub(super) sides: Vec<Side>,
 }
 
 impl Polyhedron {
@@ -96,7 +93,7 @@ impl Polyhedron {
 
     /// Whether the body has a volume and each side an area, so that it can be cut.
     pub fn is_sound(&self) -> bool {
-        let has_area = |side: &Side| Plane::normal_of(self.ring(side)).is_some();
+        let has_area = |side: &Side| Plane::has_area(self.ring(side));
         self.sides.len() > 3 && self.sides.iter().all(has_area) && self.volume() > LEAST_VOLUME
     }
 
@@ -219,55 +216,6 @@ impl Polyhedron {
             .all(|plane| self.vertices.iter().all(|&p| plane.distance(p) <= slack))
     }
 
-    /// The part behind a plane; the new side gets this inset (metres). None if no volume is left.
-    pub fn cut(&self, plane: Plane, inset: f64) -> Option<Self> {
-        let on_plane = |distance: f64| if distance.abs() < ON { 0.0 } else { distance };
-        let inwards: SmallVec<[f64; 16]> = self
-            .vertices
-            .iter()
-            .map(|&p| on_plane(-plane.distance(p)))
-            .collect();
-        if inwards.iter().all(|&d| d >= 0.0) {
-            return Some(self.clone());
-        }
-        if inwards.iter().all(|&d| d <= 0.0) {
-            return None;
-        }
-        let mut cutting = Cutting {
-            inwards,
-            body: Self {
-                vertices: self.vertices.clone(),
-                sides: Vec::with_capacity(self.sides.len() + 1),
-            },
-            crossings: SmallVec::new(),
-        };
-        cutting.cut_sides(&self.sides);
-        let rim = cutting.rim();
-        if rim.len() > 2 {
-            cutting.body.sides.push(Side {
-                corners: rim,
-                inset,
-                roughness: 0.0,
-            });
-        }
-        let body = cutting.body.compacted();
-        (body.sides.len() > 3 && body.volume() > LEAST_VOLUME).then_some(body)
-    }
-
-    /// The same without unused vertices.
-    fn compacted(mut self) -> Self {
-        let mut numbers: SmallVec<[Option<u32>; 24]> = smallvec![None; self.vertices.len()];
-        let mut kept = Vec::with_capacity(self.vertices.len());
-        for v in self.sides.iter_mut().flat_map(|side| &mut side.corners) {
-            *v = *numbers[*v as usize].get_or_insert_with(|| {
-                kept.push(self.vertices[*v as usize]);
-                kept.len() as u32 - 1
-            });
-        }
-        self.vertices = kept;
-        self
-    }
-
     /// The part that two bodies share; its sides keep the insets of the first.
     pub fn intersection(&self, other: &Self) -> Option<Self> {
         let ([low, high], [from, to]) = (self.bounds(), other.bounds());
@@ -305,90 +253,5 @@ impl Polyhedron {
     pub fn mapped(mut self, map: impl Fn(DVec3) -> DVec3) -> Self {
         self.vertices.iter_mut().for_each(|p| *p = map(*p));
         self
-    }
-}
-
-/// A body that is being cut.
-struct Cutting {
-    body: Polyhedron,
-    /// Distance of each old vertex from the plane, positive where it stays.
-    inwards: SmallVec<[f64; 16]>,
-    /// The new vertices by the ends of their edges, the smaller number first.
-    crossings: SmallVec<[([u32; 2], u32); 8]>,
-}
-
-impl Cutting {
-    /// Cuts each side and drops those without a corner inside.
-    fn cut_sides(&mut self, sides: &[Side]) {
-        for side in sides {
-            let is_inner = side.corners.iter().any(|&v| self.inwards[v as usize] > 0.0);
-            // A corner of the new side is an old one twice, or the ends of the edge that is cut.
-            let ring: SmallVec<[[u32; 2]; 8]> = side.corners.iter().map(|&v| [v, v]).collect();
-            let mut kept: SmallVec<[[u32; 2]; 8]> = SmallVec::new();
-            let distance = |[v, _]: [u32; 2]| self.inwards[v as usize];
-            cut_polygon(
-                &ring,
-                distance,
-                |(a, _), (b, _)| [a[0], b[0]],
-                |ends| kept.push(ends),
-            );
-            let corners = kept.into_iter().map(|ends| self.corner(ends));
-            let mut corners: SideCorners = corners.collect();
-            corners.dedup();
-            if corners.first() == corners.last() {
-                corners.pop();
-            }
-            if is_inner && corners.len() > 2 {
-                self.body.sides.push(Side { corners, ..*side });
-            }
-        }
-    }
-
-    /// The number of the vertex where an edge meets the plane; the edge may be a vertex twice.
-    fn corner(&mut self, [a, b]: [u32; 2]) -> u32 {
-        if a == b {
-            return a;
-        }
-        let [da, db] = [a, b].map(|v| self.inwards[v as usize]);
-        if let Some((_, v)) = [(da, a), (db, b)].into_iter().find(|&(d, _)| d == 0.0) {
-            return v;
-        }
-        let edge = [a.min(b), a.max(b)];
-        if let Some(&(_, v)) = self.crossings.iter().find(|(known, _)| *known == edge) {
-            return v;
-        }
-        let [p, q] = [a, b].map(|v| self.body.vertices[v as usize]);
-        let v = self.body.vertices.len() as u32;
-        self.body.vertices.push(p + (q - p) * (da / (da - db)));
-        self.crossings.push((edge, v));
-        v
-    }
-
-    /// The ring of the new side: the edges in the plane that have one side only, backwards.
-    fn rim(&self) -> SideCorners {
-        let edges = self.body.sides.iter().flat_map(|side| {
-            let next = side.corners.iter().cycle().skip(1);
-            side.corners.iter().zip(next).map(|(&a, &b)| [a, b])
-        });
-        let is_on = |v: u32| self.inwards.get(v as usize).is_none_or(|&d| d == 0.0);
-        let edges = edges.filter(|&[a, b]| is_on(a) && is_on(b));
-        let edges: SmallVec<[[u32; 2]; 16]> = edges.collect();
-        let mut open: SmallVec<[[u32; 2]; 16]> = edges
-            .iter()
-            .filter(|&&[a, b]| !edges.contains(&[b, a]))
-            .map(|&[a, b]| [b, a])
-            .collect();
-        let Some([first, mut at]) = open.pop() else {
-            return SmallVec::new();
-        };
-        let mut rim: SideCorners = smallvec![first];
-        while at != first {
-            rim.push(at);
-            let Some(k) = open.iter().position(|edge| edge[0] == at) else {
-                break;
-            };
-            at = open.swap_remove(k)[1];
-        }
-        rim
     }
 }
