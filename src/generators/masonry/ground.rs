@@ -4,7 +4,7 @@ use super::colours::{GRASS_ROW, SOIL_ROW};
 use super::params::GroundParams;
 use super::parts::add_plain;
 use super::site::BuildingSite;
-use crate::building::{Building, FaceId};
+use crate::building::{Building, Face, FaceId};
 use crate::masonry::plan::region;
 use crate::masonry::region::Region;
 use crate::random::{Purpose, Random};
@@ -22,6 +22,9 @@ const SEEN: f64 = 1.08;
 /// Its thickness, and the width of its rounded rim (metres).
 const THICK: f64 = 0.16;
 const RIM: f64 = 0.05;
+/// The building's undersides cover grass that is nearer than this, and those that begin higher cover none (metres).
+const COVERED: f64 = 0.5;
+const HIGH: f64 = 0.6;
 /// Corners around it.
 const AROUND: u32 = 128;
 /// Tufts of grass on a square metre, and the most of them.
@@ -82,7 +85,7 @@ impl GroundWork {
             scene.bodies.extend(kinds);
             let area = 0.5 * TAU * disc.radius * disc.radius;
             left = ((TUFTS.0 * area) as usize).min(TUFTS.1);
-            feet = self::feet(&site.building);
+            feet = self::feet(&site.building, disc.middle.y + HIGH);
         }
         Self {
             scene,
@@ -118,7 +121,7 @@ impl GroundWork {
             let place = face.surface.project(p);
             let [low, high] = face.bounds();
             let at = place.truncate();
-            let is_near = place.z.abs() < 0.5 && at.cmpge(low).all() && at.cmple(high).all();
+            let is_near = place.z.abs() < COVERED && at.cmpge(low).all() && at.cmple(high).all();
             is_near && region.contains(at)
         };
         if self.feet.iter().any(covers) {
@@ -211,13 +214,19 @@ impl Disc {
     }
 }
 
-/// The outlines of the faces on which a building stands, seen from below.
-fn feet(building: &Building) -> Vec<(FaceId, Region)> {
+/// The outlines of the faces on which a building stands, seen from below. They begin below a height (metres): heads of
+/// windows are left out.
+fn feet(building: &Building, high: f64) -> Vec<(FaceId, Region)> {
+    let begins_below = |face: &Face| {
+        let polygons = face.polygons.iter().map(|&id| building.polygon(id));
+        let mut places = polygons.flat_map(|polygon| &polygon.vertices);
+        places.any(|&v| building.vertex(v).position.y < high)
+    };
     let stands = |id: &FaceId| {
         let face = building.face(*id);
         let [low, high] = face.bounds();
         let middle = low.midpoint(high);
-        face.surface.frame(middle.x, middle.y).normal.y < -0.9
+        face.surface.frame(middle.x, middle.y).normal.y < -0.9 && begins_below(face)
     };
     let faces = building.face_ids().filter(stands);
     faces.map(|id| (id, region(building.face(id)))).collect()
