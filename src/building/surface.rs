@@ -22,6 +22,9 @@ pub struct SurfaceFrame {
     pub normal: DVec3,
 }
 
+/// More than rounding moves a place (metres).
+const ROUNDING: f64 = 1e-6;
+
 /// A turn counts as whole if no more than this is missing (radians).
 const WHOLE: f64 = 1e-6;
 
@@ -225,6 +228,18 @@ impl Surface {
         match self {
             Self::Sweep(sweep) => sweep.project(p),
             Self::Disk(disk) => disk.project(p),
+        }
+    }
+
+    /// Whether it is plain that a place is farther than `by` from the face along its normal (metres): the face is a
+    /// single plane, and no rounding of the projection brings it nearer.
+    pub fn is_off(&self, p: DVec3, by: f64) -> bool {
+        match self {
+            Self::Sweep(Sweep {
+                line: Some([from, _, normal]),
+                ..
+            }) => (p - *from).dot(*normal).abs() > by + ROUNDING,
+            _ => false,
         }
     }
 

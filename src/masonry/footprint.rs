@@ -1,7 +1,7 @@
 //! Convex polygons in a face's (s, t), whose sides carry the widths of joints.
 
-use crate::order;
-use crate::planar::{cut_polygon, orientation};
+use super::hull::hull;
+use crate::planar::cut_polygon;
 use glam::DVec2;
 use smallvec::SmallVec;
 
@@ -139,7 +139,7 @@ impl Footprint {
         let (s, t) = (DVec2::new(high.x, low.y), DVec2::new(low.x, high.y));
         let is_right = low.cmplt(high).all() && low.is_finite() && high.is_finite();
         let corners = [low, s, high, t].map(|at| FootprintCorner { at, inset: 0.0 });
-        Self::welded(corners.into_iter().collect()).filter(|_| is_right)
+        Self::welded(SmallVec::from_slice(&corners)).filter(|_| is_right)
     }
 
     /// Whether it is a rectangle along s and t that begins at its least corner, as [`Self::rectangle`] makes it.
@@ -150,14 +150,9 @@ impl Footprint {
         }
     }
 
-    /// The convex hull of points, with no insets (Andrew 1979, Another efficient algorithm for convex hulls in two
-    /// dimensions); none without area.
+    /// The convex hull of points, with no insets; none without area.
     pub fn hull(points: &[DVec2]) -> Option<Self> {
-        let sorted = sorted(points);
-        let mut corners = chain(sorted.iter().copied());
-        corners.pop();
-        corners.extend(chain(sorted.iter().rev().copied()));
-        corners.pop();
+        let corners = hull(points);
         let hull = Self::joined(&corners).ok()?;
         // All turns are to the left, exactly, as long as no corners are joined.
         let is_convex = hull.corners.len() == corners.len() || hull.is_convex();
@@ -167,15 +162,23 @@ impl Footprint {
     /// Joins repeated corners; none without area.
     fn welded(corners: FootprintCorners) -> Option<Self> {
         let mut polygon = Self { corners };
-        polygon.weld().then_some(polygon)
+        polygon.weld().map(|_| polygon)
     }
 
-    /// Joins repeated corners; false without area.
-    fn weld(&mut self) -> bool {
+    /// Joins repeated corners and returns the area (square metres); none if there is none.
+    fn weld(&mut self) -> Option<f64> {
         let corners = &mut self.corners;
-        // The later corner of two carries the side that is left.
         let is_short =
-            |a: &FootprintCorner, b: &FootprintCorner| a.at.distance_squared(b.at) < WELD * WELD;
+            |a: &FootprintCorner, b: &FootprintCorner| are_one(a.at.distance_squared(b.at));
+        // Most polygons have nothing to join.
+        let mut last = corners.last();
+        if !corners
+            .iter()
+            .any(|corner| last.replace(corner).is_some_and(|a| is_short(a, corner)))
+        {
+            return self.sound_area();
+        }
+        // The later corner of two carries the side that is left.
         corners.dedup_by(|next, kept| {
             let same = is_short(next, kept);
             if same {
@@ -186,7 +189,18 @@ impl Footprint {
         if corners.len() > 1 && is_short(&corners[0], &corners[corners.len() - 1]) {
             corners.pop();
         }
-        corners.len() > 2 && self.area() > LEAST_AREA
+        self.sound_area()
+    }
+
+    /// The area, if it is something.
+    fn sound_area(&self) -> Option<f64> {
+        let area = (self.corners.len() > 2).then(|| self.area());
+        area.filter(|&area| Self::has_area(area))
+    }
+
+    /// Whether a polygon of this area is something (square metres).
+    pub(super) fn has_area(area: f64) -> bool {
+        area > LEAST_AREA
     }
 
     /// The corners, counter-clockwise.
@@ -265,11 +279,16 @@ impl Footprint {
     /// The part in a half-plane; the new side gets this inset (metres). None if no area is left.
     pub fn clip(&self, half: HalfPlane, inset: f64) -> Option<Self> {
         let mut part = self.clone();
-        part.cut(half, inset).then_some(part)
+        part.cut(half, inset).map(|_| part)
     }
 
-    /// Cuts off what lies beyond a half-plane, as [`Self::clip`]; false if no area is left.
-    fn cut(&mut self, half: HalfPlane, inset: f64) -> bool {
+    /// The area of the part in a half-plane, in square metres.
+    pub fn area_in(&self, half: HalfPlane) -> f64 {
+        self.clone().cut(half, 0.0).unwrap_or(0.0)
+    }
+
+    /// Cuts off what lies beyond a half-plane, as [`Self::clip`], and returns the area that is left (square metres).
+    fn cut(&mut self, half: HalfPlane, inset: f64) -> Option<f64> {
         let distance = |corner: FootprintCorner| half.distance(corner.at);
         if self.corners.iter().all(|&corner| distance(corner) >= 0.0) {
             return self.weld();
@@ -289,8 +308,13 @@ impl Footprint {
     /// The part that two polygons share, with the insets of the first; the sides of the second get none.
     pub fn intersection(&self, other: &Self) -> Option<Self> {
         let mut part = self.clone();
-        let is_left = other.half_planes().all(|half| part.cut(half, 0.0));
-        is_left.then_some(part)
+        part.cut_to(other).map(|_| part)
+    }
+
+    /// Cuts off what lies beyond the sides of another polygon, and returns the area that is left (square metres).
+    fn cut_to(&mut self, other: &Self) -> Option<f64> {
+        let mut halves = other.half_planes();
+        halves.try_fold(0.0, |_, half| self.cut(half, 0.0))
     }
 
     /// The area that two polygons share, in square metres.
@@ -299,7 +323,7 @@ impl Footprint {
             None => 0.0,
             Some(both) if self.is_rectangle() && other.is_rectangle() => both.x * both.y,
             Some(_) if self.has_side_before(other) => 0.0,
-            Some(_) => self.intersection(other).map_or(0.0, |part| part.area()),
+            Some(_) => self.clone().cut_to(other).unwrap_or(0.0),
         }
     }
 
@@ -325,41 +349,19 @@ impl Footprint {
     pub fn shrunk(&self) -> Option<Self> {
         let mut part = self.clone();
         let mut sides = self.half_planes().zip(&self.corners);
-        let is_left = sides.all(|(half, corner)| part.cut(half.inset(corner.inset), 0.0));
+        let mut cut = |half: HalfPlane, inset: f64| part.cut(half.inset(inset), 0.0).is_some();
+        let is_left = sides.all(|(half, corner)| cut(half, corner.inset));
         is_left.then_some(part)
     }
+}
+
+/// Whether two corners are one, by the square of their distance.
+pub(super) fn are_one(square: f64) -> bool {
+    square < WELD * WELD
 }
 
 /// The sizes of the box that two boxes share; none if no polygon is as narrow.
 pub(super) fn shared_box([low, high]: [DVec2; 2], [from, to]: [DVec2; 2]) -> Option<DVec2> {
     let both = high.min(to) - low.max(from);
     (both.min_element() >= WELD).then_some(both)
-}
-
-/// Points of which a list of up to eight, as a block has, needs no allocation.
-type Points = SmallVec<[DVec2; 8]>;
-
-/// Points by their s, then by their t. There are few, so each goes to its place in those before it.
-fn sorted(points: &[DVec2]) -> Points {
-    let key = |p: &DVec2| (order::rank(p.x), order::rank(p.y));
-    let mut sorted = Points::new();
-    for p in points {
-        let at = sorted.partition_point(|known| key(known) <= key(p));
-        sorted.insert(at, *p);
-    }
-    sorted
-}
-
-/// The points of a sorted list at which its hull turns left, its ends included.
-fn chain(points: impl Iterator<Item = DVec2>) -> Points {
-    let mut chain = Points::new();
-    for p in points {
-        while let [.., a, b] = chain[..]
-            && orientation(a, b, p) <= 0.0
-        {
-            chain.pop();
-        }
-        chain.push(p);
-    }
-    chain
 }

@@ -154,7 +154,7 @@ fn by_overlap<'a>(cell: &Footprint, obstacles: &'a [impl Borrow<Footprint>]) -> 
 /// The half-plane outside of that side of an obstacle that leaves most of a part. Keep the first of two equal sides.
 fn best_side(part: &Footprint, obstacle: &Footprint) -> HalfPlane {
     let halves = obstacle.half_planes().map(HalfPlane::opposite);
-    let sized = halves.map(|half| (part.clip(half, 0.0).map_or(0.0, |left| left.area()), half));
+    let sized = halves.map(|half| (part.area_in(half), half));
     let best = sized.reduce(|best, next| if next.0 > best.0 { next } else { best });
     best.expect("a polygon has sides").1
 }

@@ -9,7 +9,7 @@
 //!    [`occupancy`] maps are free (section 3.3).
 //! 4. [`block`] makes the geometry of each cell: shrunk to its joints, then chamfered or rounded.
 //!
-//! [`footprint`], [`region`] and [`free_space`] are the geometry of cells in a face's (s, t). Lengths are metres, y is
+//! [`footprint`], [`grid_place`], [`region`] and [`free_space`] are the geometry of cells in a face's (s, t). Lengths are metres, y is
 //! up; polygons are counter-clockwise seen from outside, and heights above a face are negative in the wall.
 
 pub mod block;
@@ -17,6 +17,8 @@ pub mod footprint;
 #[cfg(test)]
 mod footprint_tests;
 pub mod free_space;
+pub mod grid_place;
+mod hull;
 pub mod laying;
 pub mod module;
 pub mod occupancy;

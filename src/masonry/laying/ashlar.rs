@@ -8,6 +8,7 @@ use super::site::Site;
 use super::work::SiteWork;
 use crate::building::{CornerId, EdgeId, FaceId};
 use crate::masonry::footprint::Footprint;
+use crate::masonry::grid_place::GridPlace;
 use crate::masonry::occupancy::Coverage;
 use crate::masonry::tree::GeneratorNode;
 use crate::random::{Purpose, Random};
@@ -206,13 +207,13 @@ impl Site {
         let grid = self.plan.grid(id);
         let state = |column: usize| {
             let [low, high] = grid.block([column, column + 1], [row, row + 1]);
-            let Some(place) = Footprint::rectangle(low, high) else {
+            let Some(place) = GridPlace::new(low, high) else {
                 return Unit::Taken;
             };
-            let place = self.home(id, place);
-            match self.faces[id.index()].coverage(&place) {
+            let place = self.home_place(id, place);
+            match self.faces[id.index()].coverage_of(&place) {
                 Coverage::Occupied => Unit::Taken,
-                Coverage::Free if self.is_free(id, &place) => Unit::Free,
+                Coverage::Free if self.is_free(id, &place.footprint()) => Unit::Free,
                 _ => Unit::Partly,
             }
         };
@@ -282,7 +283,7 @@ impl SiteWork for AshlarWork {
                 return true;
             };
             let [low, high] = site.plan.grid(self.id).block(stone.columns, stone.rows);
-            if let Some(place) = Footprint::rectangle(low, high) {
+            if let Some(place) = GridPlace::new(low, high) {
                 let whole = (&place, place.area());
                 site.face_brick(self.id, &self.node, whole, CellSort::Stone);
             }

@@ -8,6 +8,7 @@ use crate::building::{Bend, FaceId, Stance};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::free_space::{LEAST_SHARE, MOST_DEPTH, TOUCH, clip, clip_multi, remainder};
+use crate::masonry::grid_place::GridPlace;
 use crate::masonry::occupancy::Coverage;
 use crate::masonry::plan::{FaceGrid, is_wall};
 use crate::masonry::tree::GeneratorNode;
@@ -22,20 +23,14 @@ const LEAST_GAP: f64 = 5e-4;
 const WHOLE: std::ops::RangeInclusive<f64> = 0.97..=1.15;
 
 /// A brick of a face's grid.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 struct GridBrick {
     /// The space that it may fill.
-    place: Footprint,
+    place: GridPlace,
     /// The area of its own place in the grid (square metres).
     area: f64,
     /// Whether it takes two columns.
     is_pair: bool,
-}
-
-/// The smallest rectangle that holds two.
-fn both(a: &Footprint, b: &Footprint) -> Option<Footprint> {
-    let ([low, high], [from, to]) = (a.bounds(), b.bounds());
-    Footprint::rectangle(low.min(from), high.max(to))
 }
 
 /// Fills a face with bricks, row by row.
@@ -187,7 +182,7 @@ impl Site {
             let beside = beside.filter(|&j| j < bricks.len());
             let wider = beside.reduce(|a, b| if free[b] > free[a] { b } else { a });
             if let Some(j) = wider.filter(|&j| free[j] >= least)
-                && let Some(place) = both(&bricks[j].place, &bricks[k].place)
+                && let Some(place) = bricks[j].place.with(&bricks[k].place)
             {
                 bricks[j].place = place;
                 taken.push(k);
@@ -200,16 +195,17 @@ impl Site {
     }
 
     /// The area of a place on a face that is free, exactly (square metres).
-    fn free_area(&self, id: FaceId, place: &Footprint) -> f64 {
-        let place = &self.home(id, place.clone());
+    fn free_area(&self, id: FaceId, place: &GridPlace) -> f64 {
+        let place = self.home_place(id, *place);
         let map = &self.faces[id.index()];
-        match map.coverage(place) {
+        match map.coverage_of(&place) {
             Coverage::Occupied => 0.0,
             Coverage::Free => place.area(),
-            Coverage::Partly => remainder(place, &map.obstacles(place))
-                .iter()
-                .map(Footprint::area)
-                .sum(),
+            Coverage::Partly => {
+                let whole = place.footprint();
+                let parts = remainder(&whole, &map.obstacles(&whole));
+                parts.iter().map(Footprint::area).sum()
+            }
         }
     }
 
@@ -218,15 +214,16 @@ impl Site {
         &mut self,
         id: FaceId,
         node: &GeneratorNode,
-        (place, area): (&Footprint, f64),
+        (place, area): (&GridPlace, f64),
         sort: CellSort,
     ) {
-        let place = &self.home(id, place.clone());
-        if self.faces[id.index()].coverage(place) == Coverage::Occupied {
+        let place = self.home_place(id, *place);
+        if self.faces[id.index()].coverage_of(&place) == Coverage::Occupied {
             return;
         }
-        for part in self.free_parts(id, place) {
-            self.face_part(id, node, &part, (place, area, sort));
+        let whole = place.footprint();
+        for part in self.free_parts(id, &whole) {
+            self.face_part(id, node, &part, (&whole, area, sort));
         }
     }
 
@@ -305,10 +302,10 @@ impl Site {
         let grid = self.plan.grid(id);
         let last = grid.column_lines().len() - 1;
         let [low, high] = grid.block([0, last], [row, row + 1]);
-        let strip = Footprint::rectangle(low, high);
+        let strip = GridPlace::new(low, high);
         let strip = strip.filter(|_| self.face(id).surface.period().is_none());
         let bitmap = self.faces[id.index()].bitmap();
-        strip.is_some_and(|strip| bitmap.empty_share(&strip) == Some(1.0))
+        strip.is_some_and(|strip| bitmap.is_empty_under(&strip))
     }
 
     /// How many bricks of a row of a face's grid have a free place.
@@ -316,7 +313,7 @@ impl Site {
         let map = &self.faces[id.index()];
         let bricks = self.row_bricks(id, bond, at).into_iter();
         let is_free = |brick: &GridBrick| {
-            map.coverage(&self.home(id, brick.place.clone())) != Coverage::Occupied
+            map.coverage_of(&self.home_place(id, brick.place)) != Coverage::Occupied
         };
         bricks.filter(is_free).count()
     }
@@ -365,11 +362,11 @@ fn wrapped(
     [from, to]: [usize; 2],
     row: usize,
     period: Option<f64>,
-) -> Option<Footprint> {
+) -> Option<GridPlace> {
     let last = grid.column_lines().len() - 1;
     let [low, mut high] = grid.block([from, to.min(last)], [row, row + 1]);
     if let (Some(period), true) = (period, to > last) {
         high.x = grid.s[to - last] + period;
     }
-    Footprint::rectangle(low, high)
+    GridPlace::new(low, high)
 }

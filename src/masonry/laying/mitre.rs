@@ -17,8 +17,12 @@ impl Site {
         let [low, high] = body.bounds();
         let (middle, reach) = (low.midpoint(high), low.distance(high) + NEAR * depth);
         let edges = self.convex[face.index()].iter();
-        let near =
-            edges.filter(|(_, [from, to])| middle.clamp(*from, *to).distance(middle) < reach);
+        let near = edges.filter(|(_, [from, to])| {
+            // Most are farther away along one axis already.
+            let is_far = |k: usize| from[k] - middle[k] > reach || middle[k] - to[k] > reach;
+            !(is_far(0) || is_far(1) || is_far(2))
+                && middle.clamp(*from, *to).distance(middle) < reach
+        });
         near.into_iter().try_fold(body, |body, &(id, _)| {
             match self.mitre(face, id, &body, depth) {
                 Some(plane) => body.cut(plane, 0.0),

@@ -273,6 +273,7 @@ impl Site {
     pub fn fitted(&self, run: &Run, span: [f64; 2], reaches: [f64; 2]) -> [f64; 2] {
         let mut reaches = self.within_wall(run, span[0], reaches);
         for _ in 0..4 {
+            let before = reaches;
             for (side, reach) in run.sides.iter().zip(&mut reaches) {
                 let ends = span.map(|along| side.at(along));
                 let off = side.inwards * *reach;
@@ -281,6 +282,9 @@ impl Site {
                 if place.is_some_and(|place| map.claimed_share(&place) > 0.02) {
                     *reach *= 0.75;
                 }
+            }
+            if reaches == before {
+                break;
             }
         }
         reaches

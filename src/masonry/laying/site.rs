@@ -5,6 +5,7 @@ use super::chords::{EdgeChords, ON, chords, covered, face_chords, same_turn};
 use crate::building::{Bend, Building, Edge, EdgeId, Face, FaceId};
 use crate::masonry::block::{Plane, Polyhedron};
 use crate::masonry::footprint::Footprint;
+use crate::masonry::grid_place::GridPlace;
 use crate::masonry::occupancy::{EdgeMap, FaceMap};
 use crate::masonry::plan::{Plan, region};
 use crate::masonry::region::{PartsWork, Region};
@@ -227,7 +228,8 @@ impl Site {
         body: &Polyhedron,
     ) -> (Vec<(FaceId, Footprint)>, SmallVec<[Flags; 4]>) {
         let around = body.bounds();
-        let (mut claims, mut flags) = (Vec::new(), SmallVec::new());
+        // Most cells of a face have one claim.
+        let (mut claims, mut flags) = (Vec::with_capacity(1), SmallVec::new());
         for &id in &*self.candidates(feature) {
             if !meet(&around, &self.boxes[id.index()]) {
                 continue;
@@ -236,7 +238,7 @@ impl Site {
                 continue;
             };
             let is_own = feature == Feature::Face(id);
-            if is_own || self.faces[id.index()].share_inside(&footprint) > LEAST_SHARE {
+            if is_own || self.faces[id.index()].has_inside(&footprint, LEAST_SHARE) {
                 claims.push((id, footprint));
                 flags.push(on);
             }
@@ -249,6 +251,9 @@ impl Site {
         let surface = &self.face(id).surface;
         let mut found: SmallVec<[DVec2; 8]> = SmallVec::new();
         let is_on = |&p: &DVec3| {
+            if surface.is_off(p, ON) {
+                return false;
+            }
             let place = surface.project(p);
             let is_on = place.z.abs() < ON;
             found.extend(is_on.then_some(place.truncate()));
@@ -269,12 +274,28 @@ impl Site {
 
     /// A polygon moved by whole periods to where the face's region is.
     pub fn home(&self, id: FaceId, polygon: Footprint) -> Footprint {
-        let Some(period) = self.face(id).surface.period() else {
-            return polygon;
-        };
+        match self.face(id).surface.period() {
+            Some(period) => {
+                let way = self.way_home(id, &polygon, period);
+                polygon.moved(way)
+            }
+            None => polygon,
+        }
+    }
+
+    /// The same for a rectangle along s and t.
+    pub fn home_place(&self, id: FaceId, place: GridPlace) -> GridPlace {
+        match self.face(id).surface.period() {
+            Some(period) => place.moved(self.way_home(id, &place.footprint(), period)),
+            None => place,
+        }
+    }
+
+    /// The whole periods from a polygon to where the face's region is.
+    fn way_home(&self, id: FaceId, polygon: &Footprint, period: f64) -> DVec2 {
         let low = self.face(id).bounds()[0].x;
         let turns = ((polygon.centre().x - low) / period).floor();
-        polygon.moved(DVec2::new(-turns * period, 0.0))
+        DVec2::new(-turns * period, 0.0)
     }
 
     /// Whether an edge comes nearer than `near` to a place in space (metres).
@@ -286,7 +307,8 @@ impl Site {
 
     /// Claims the parts of a face's edges that lie in or along a claim. `around` is the bounding box of the cell.
     fn claim_edges(&mut self, id: FaceId, footprint: &Footprint, (cell, around): (u32, &Bounds)) {
-        let (period, middle) = (self.face(id).surface.period(), footprint.centre());
+        let period = self.face(id).surface.period();
+        let middle = period.map_or(DVec2::ZERO, |_| footprint.centre());
         let edges = self.chords[id.index()].iter();
         for edge in edges.filter(|edge| meet(around, &self.edge_boxes[edge.id.index()])) {
             for chord in &edge.chords {
@@ -332,8 +354,9 @@ fn edge_bounds(edge: &Edge) -> Bounds {
     })
 }
 
-/// Whether two boxes meet, or nearly.
+/// Whether two boxes meet, or nearly. Most are apart along the first axis already.
 pub(super) fn meet([low, high]: &Bounds, [from, to]: &Bounds) -> bool {
-    let slack = DVec3::splat(20.0 * ON);
-    !((*from - *high).cmpgt(slack).any() || (*low - *to).cmpgt(slack).any())
+    let is_apart = |low: f64, high: f64| low - high > 20.0 * ON;
+    let is_beside = |k: usize| is_apart(from[k], high[k]) || is_apart(low[k], to[k]);
+    !(is_beside(0) || is_beside(1) || is_beside(2))
 }

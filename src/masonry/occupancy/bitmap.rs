@@ -2,6 +2,7 @@
 
 use super::claims::Claim;
 use crate::masonry::footprint::Footprint;
+use crate::masonry::grid_place::GridPlace;
 use crate::masonry::region::Region;
 use crate::order;
 use glam::DVec2;
@@ -22,6 +23,9 @@ pub enum Coverage {
     /// Nothing: at most 4 % of the pixel centres are empty.
     Occupied,
 }
+
+/// More than rounding moves a place (metres).
+const NEAR: f64 = 1e-12;
 
 /// Bits in a word.
 const WORD: usize = u64::BITS as usize;
@@ -72,19 +76,60 @@ impl Raster {
         from..to.max(from)
     }
 
+    /// The rows and the columns of pixels under a rectangle along s and t, and the number of its pixel centres, also of
+    /// those beyond the raster.
+    fn block(&self, [low, high]: [DVec2; 2]) -> ([Range<usize>; 2], f64) {
+        let [from, to] = self.span(self.low.y, [low.y, high.y]);
+        let span = self.span(self.low.x, [low.x, high.x]);
+        let rows = self.height as f64;
+        let [first, end] = [from, to].map(|row| row.clamp(0.0, rows) as usize);
+        let count = (to - from).max(0.0) * (span[1] - span[0]).max(0.0);
+        ([first..end, self.within(span)], count)
+    }
+
+    /// The pixels under a rectangle, or under a polygon that differs from one by so little that it has the same ones:
+    /// the claim of a brick is one but for rounding. None for all others.
+    fn plain_block(&self, polygon: &Footprint) -> Option<([Range<usize>; 2], f64)> {
+        let around = polygon.bounds();
+        if polygon.is_rectangle() {
+            return Some(self.block(around));
+        }
+        let mut places = polygon.places();
+        let corners = [
+            places.next()?,
+            places.next()?,
+            places.next()?,
+            places.next()?,
+        ];
+        if places.next().is_some() {
+            return None;
+        }
+        // The first side is the lower one, or the left one.
+        let first = (corners[1] - corners[0]).abs();
+        let lower = usize::from(first.x < first.y);
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| corners[(lower + k) % 4]);
+        // Between these the border has two sides, each within a pixel's column.
+        let low = DVec2::new(order::greater(a.x, d.x), order::greater(a.y, b.y)) + NEAR;
+        let high = DVec2::new(order::lesser(b.x, c.x), order::lesser(c.y, d.y)) - NEAR;
+        if !low.cmplt(high).all() {
+            return None;
+        }
+        let outer = self.block([around[0] - NEAR, around[1] + NEAR]);
+        (outer == self.block([low, high])).then_some(outer)
+    }
+
     /// Calls `each` with each row of pixels under a polygon. Returns the number of the polygon's pixel centres, also of
     /// those beyond the raster.
     fn under(&self, polygon: &Footprint, mut each: impl FnMut(usize, Range<usize>)) -> f64 {
         let [low, high] = polygon.bounds();
+        if let Some(([rows, columns], count)) = self.plain_block(polygon) {
+            for row in rows {
+                each(row, columns.clone());
+            }
+            return count;
+        }
         let [from, to] = self.span(self.low.y, [low.y, high.y]);
         let rows = self.height as f64;
-        if polygon.is_rectangle() {
-            let span = self.span(self.low.x, [low.x, high.x]);
-            let columns = self.within(span);
-            let [first, end] = [from, to].map(|row| row.clamp(0.0, rows) as usize);
-            (first..end).for_each(|row| each(row, columns.clone()));
-            return (to - from).max(0.0) * (span[1] - span[0]).max(0.0);
-        }
         let mut count = 0.0;
         for k in 0..(to - from) as usize {
             let row = from + k as f64;
@@ -97,9 +142,14 @@ impl Raster {
         count
     }
 
+    /// The number of words in a row.
+    fn stride(&self) -> usize {
+        self.width.div_ceil(WORD)
+    }
+
     /// The words that have some pixels of a row, each with the bits of these pixels.
     fn words(&self, row: usize, pixels: Range<usize>) -> impl Iterator<Item = (usize, u64)> {
-        let start = row * self.width.div_ceil(WORD);
+        let start = row * self.stride();
         let words = pixels.start / WORD..pixels.end.div_ceil(WORD);
         words.map(move |word| {
             let first = word * WORD;
@@ -127,16 +177,17 @@ impl Bitmap {
             raster,
             bits: vec![0; width.div_ceil(WORD) * height],
         };
+        let sides: Vec<[DVec2; 2]> = region.sides().collect();
         for row in 0..height {
-            map.empty_row(region, row);
+            map.empty_row(&sides, row);
         }
         map
     }
 
     /// Makes the pixels of a row empty that lie between each pair of crossings with the region's sides.
-    fn empty_row(&mut self, region: &Region, row: usize) {
+    fn empty_row(&mut self, sides: &[[DVec2; 2]], row: usize) {
         let t = self.raster.centre(row as f64);
-        let cut = region.sides().filter(|[a, b]| (a.y > t) != (b.y > t));
+        let cut = sides.iter().filter(|[a, b]| (a.y > t) != (b.y > t));
         let mut places: Vec<f64> = cut
             .map(|[a, b]| a.x + (b.x - a.x) * ((t - a.y) / (b.y - a.y)))
             .collect();
@@ -184,6 +235,14 @@ impl Bitmap {
     /// Makes the pixels under a polygon occupied.
     pub fn occupy(&mut self, polygon: &Footprint) {
         let (raster, all) = (self.raster, &mut self.bits);
+        if let Some(([rows, columns], _)) = raster.plain_block(polygon) {
+            for (word, bits) in raster.words(0, columns) {
+                for row in rows.clone() {
+                    all[row * raster.stride() + word] &= !bits;
+                }
+            }
+            return;
+        }
         raster.under(polygon, |row, columns| {
             for (word, bits) in raster.words(row, columns) {
                 all[word] &= !bits;
@@ -194,23 +253,53 @@ impl Bitmap {
     /// The share of the pixel centres under a polygon that are empty, 0 to 1; none if there are no centres. Centres
     /// beyond the raster count as occupied.
     pub fn empty_share(&self, polygon: &Footprint) -> Option<f64> {
+        if polygon.is_rectangle() {
+            return self.empty_share_of(polygon.bounds());
+        }
         let mut empty = 0;
         let whole = self.raster.under(polygon, |row, columns| {
             let words = self.raster.words(row, columns);
             let counts = words.map(|(word, bits)| (self.bits[word] & bits).count_ones());
             empty += counts.sum::<u32>();
         });
-        (whole > 0.0).then(|| (f64::from(empty) / whole).min(1.0))
+        share(empty, whole)
+    }
+
+    /// The same under a rectangle along s and t, by its least and greatest corner.
+    fn empty_share_of(&self, place: [DVec2; 2]) -> Option<f64> {
+        let ([rows, columns], whole) = self.raster.block(place);
+        let stride = self.raster.stride();
+        let mut empty = 0;
+        for (word, bits) in self.raster.words(0, columns) {
+            let mut full = 0;
+            for row in rows.clone() {
+                let found = self.bits[row * stride + word] & bits;
+                // Most rows are all empty or all occupied.
+                match found {
+                    0 => {}
+                    _ if found == bits => full += 1,
+                    _ => empty += found.count_ones(),
+                }
+            }
+            empty += full * bits.count_ones();
+        }
+        share(empty, whole)
+    }
+
+    /// Whether all pixels under a rectangle along s and t are empty.
+    pub fn is_empty_under(&self, place: &GridPlace) -> bool {
+        self.empty_share_of([place.low, place.high]) == Some(1.0)
     }
 
     /// Whether a place is free, partly free or occupied. A place between pixel centres is partly free: only exact
     /// claims know more.
     pub fn coverage(&self, polygon: &Footprint) -> Coverage {
-        match self.empty_share(polygon) {
-            Some(share) if share >= FREE => Coverage::Free,
-            Some(share) if share <= OCCUPIED => Coverage::Occupied,
-            _ => Coverage::Partly,
-        }
+        coverage(self.empty_share(polygon))
+    }
+
+    /// The same for a rectangle along s and t.
+    pub fn coverage_of(&self, place: &GridPlace) -> Coverage {
+        coverage(self.empty_share_of([place.low, place.high]))
     }
 
     /// The empty area, in square metres, as far as pixels know it.
@@ -218,6 +307,19 @@ impl Bitmap {
         let empty: u32 = self.bits.iter().map(|word| word.count_ones()).sum();
         let pixel = self.raster.pixel;
         f64::from(empty) * pixel * pixel
+    }
+}
+
+/// The share of pixel centres that are empty, 0 to 1; none if there are no centres.
+fn share(empty: u32, whole: f64) -> Option<f64> {
+    (whole > 0.0).then(|| (f64::from(empty) / whole).min(1.0))
+}
+
+fn coverage(share: Option<f64>) -> Coverage {
+    match share {
+        Some(share) if share >= FREE => Coverage::Free,
+        Some(share) if share <= OCCUPIED => Coverage::Occupied,
+        _ => Coverage::Partly,
     }
 }
 

@@ -4,7 +4,7 @@ use crate::masonry::footprint::{Footprint, shared_box};
 use glam::DVec2;
 use smallvec::SmallVec;
 
-/// The side of a cell of the hash grid (metres).
+/// The side of a cell of the hash grid, usually (metres).
 const CELL: f64 = 0.25;
 
 /// The numbers of some claims. A list of those beside a brick needs no allocation.
@@ -26,6 +26,8 @@ pub struct Claims {
     /// Their bounding boxes.
     boxes: Vec<[DVec2; 2]>,
     low: DVec2,
+    /// The side of a cell of the grid (metres).
+    cell: f64,
     columns: usize,
     /// The numbers of the claims whose bounding boxes meet each cell of the grid. Cells at the border also have all
     /// that lies beyond.
@@ -34,12 +36,18 @@ pub struct Claims {
 
 impl Claims {
     /// No claims yet, on a face with this bounding box.
-    pub fn new([low, high]: [DVec2; 2]) -> Self {
-        let size = ((high - low) / CELL).ceil().max(DVec2::ONE);
+    pub fn new(bounds: [DVec2; 2]) -> Self {
+        Self::with_cell(bounds, CELL)
+    }
+
+    /// The same, with a side of a cell of the grid (metres, above 0).
+    pub(super) fn with_cell([low, high]: [DVec2; 2], cell: f64) -> Self {
+        let size = ((high - low) / cell).ceil().max(DVec2::ONE);
         Self {
             list: Vec::new(),
             boxes: Vec::new(),
             low,
+            cell,
             columns: size.x as usize,
             grid: vec![Vec::new(); size.x as usize * size.y as usize],
         }
@@ -63,7 +71,11 @@ impl Claims {
 
     fn buckets(&self, [low, high]: [DVec2; 2]) -> impl Iterator<Item = usize> + use<> {
         let last = DVec2::new(self.columns as f64, (self.grid.len() / self.columns) as f64) - 1.0;
-        let at = |p: DVec2| ((p - self.low) / CELL).floor().clamp(DVec2::ZERO, last);
+        let at = |p: DVec2| {
+            ((p - self.low) / self.cell)
+                .floor()
+                .clamp(DVec2::ZERO, last)
+        };
         let (from, to, columns) = (at(low), at(high), self.columns);
         let rows = from.y as usize..=to.y as usize;
         rows.flat_map(move |row| (from.x as usize..=to.x as usize).map(move |c| row * columns + c))

@@ -4,12 +4,16 @@ use super::bitmap::{Bitmap, Coverage};
 use super::claims::{Claim, Claims};
 use crate::masonry::footprint::{Footprint, shared_box};
 use crate::masonry::free_space::remainder;
+use crate::masonry::grid_place::GridPlace;
 use crate::masonry::region::Region;
 use glam::DVec2;
 use smallvec::SmallVec;
 
 /// Polygons that a cell must not overlap. There are few beside a brick.
 pub type Obstacles<'a> = SmallVec<[&'a Footprint; 16]>;
+
+/// The side of a cell of the grid in which claims are found, in modules: a brick meets few of them.
+const CELL: f64 = 3.0;
 
 /// The map of a face.
 #[derive(Clone, Debug)]
@@ -49,31 +53,23 @@ impl FaceMap {
         period: Option<f64>,
     ) -> Self {
         let bounds = region.bounds().unwrap_or_default();
-        let mut outside = Claims::new(bounds);
         let mut map = Self {
             period,
             bitmap: Bitmap::new(region, module / pixels),
-            claims: Claims::new(bounds),
+            claims: Claims::with_cell(bounds, CELL * module),
             inside_boxes: inside.iter().map(Footprint::bounds).collect(),
             inside,
-            outside: outside.clone(),
+            outside: Claims::new(bounds),
         };
         for polygon in around {
-            map.images(&polygon).for_each(|polygon| {
-                outside.add(Claim {
-                    polygon,
-                    cell: u32::MAX,
-                })
-            });
+            map.enclose(&polygon);
         }
-        map.outside = outside;
         map
     }
 
     /// A polygon at all places where it may be met: on a cylinder also one period to either side.
-    fn images(&self, polygon: &Footprint) -> impl Iterator<Item = Footprint> + use<> {
+    fn images<'a>(&self, polygon: &'a Footprint) -> impl Iterator<Item = Footprint> + use<'a> {
         let turns = [Some(0.0), self.period.map(|period| -period), self.period];
-        let polygon = polygon.clone();
         let shifts = turns.into_iter().flatten();
         shifts.map(move |shift| polygon.clone().moved(DVec2::new(shift, 0.0)))
     }
@@ -110,6 +106,11 @@ impl FaceMap {
         self.bitmap.coverage(polygon)
     }
 
+    /// The same for a rectangle along s and t.
+    pub fn coverage_of(&self, place: &GridPlace) -> Coverage {
+        self.bitmap.coverage_of(place)
+    }
+
     /// The share of a polygon that earlier claims cover, each counted for itself.
     pub fn claimed_share(&self, polygon: &Footprint) -> f64 {
         self.claims.shared_area(polygon, None) / polygon.area()
@@ -126,16 +127,24 @@ impl FaceMap {
         self.claims.polygons_near(polygon).collect()
     }
 
-    /// The share of a polygon that lies on the face itself.
-    pub fn share_inside(&self, polygon: &Footprint) -> f64 {
-        let images = self.images(polygon);
-        let areas = images.map(|image| {
+    /// Whether more than a share of a polygon lies on the face itself.
+    pub fn has_inside(&self, polygon: &Footprint, least: f64) -> bool {
+        let (mut area, whole) = (0.0, polygon.area());
+        for image in self.images(polygon) {
+            let (before, mut own) = (area, 0.0);
             let around = image.bounds();
-            let parts = self.inside.iter().zip(&self.inside_boxes);
-            let near = parts.filter(|(_, own)| shared_box(**own, around).is_some());
-            near.map(|(part, _)| part.shared_area(&image)).sum::<f64>()
-        });
-        areas.sum::<f64>() / polygon.area()
+            for (part, part_box) in self.inside.iter().zip(&self.inside_boxes) {
+                if shared_box(*part_box, around).is_some() {
+                    own += part.shared_area(&image);
+                    area = before + own;
+                    // More parts do not make it less.
+                    if area / whole > least {
+                        return true;
+                    }
+                }
+            }
+        }
+        false
     }
 
     /// The face's area, in square metres.
