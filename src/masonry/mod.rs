@@ -22,6 +22,7 @@ mod hull;
 pub mod laying;
 pub mod module;
 pub mod occupancy;
+mod pieces;
 pub mod plan;
 pub mod region;
 pub mod tree;

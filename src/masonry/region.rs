@@ -1,13 +1,12 @@
 //! A face's outline with holes, and its parts and complement as convex polygons.
 
 use super::footprint::Footprint;
-use crate::planar::{Delaunay, LineTriangulation, orientation};
+use super::pieces::{Pieces, SCALE};
+use crate::planar::LineTriangulation;
 use glam::DVec2;
-use std::collections::BTreeMap;
 
-/// Lines are triangulated at this scale, so that points are rounded to 6e-8 metres. Their own coordinates are then put
-/// back. It is a power of two, so that the scale itself rounds nothing.
-const SCALE: f64 = 256.0;
+/// Rectangles with shorter sides are triangulated (metres): rounding may join their corners.
+const PLAIN: f64 = 0.01;
 
 /// The outline of a face in (s, t): loops that do not cross, the face to the left of each.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -33,6 +32,24 @@ impl Region {
     pub fn bounds(&self) -> Option<[DVec2; 2]> {
         let grow = |[low, high]: [DVec2; 2], [p, _]: [DVec2; 2]| [low.min(p), high.max(p)];
         self.loops.iter().flatten().map(|&p| [p, p]).reduce(grow)
+    }
+
+    /// The region as a single convex part, if it is a rectangle along s and t. It begins with the corner with which a
+    /// triangulation ends: the two triangles beside the diagonal from the first corner are merged there.
+    fn rectangle(&self) -> Option<Footprint> {
+        let [low, high] = self.bounds()?;
+        let [ring] = &self.loops[..] else { return None };
+        let &[a, b, c, d] = &ring[..] else {
+            return None;
+        };
+        let along = |[a, b, c, d]: [f64; 4]| a == b && c == d;
+        let is_right = along([a.y, b.y, c.y, d.y]) && along([b.x, c.x, a.x, d.x])
+            || along([a.x, b.x, c.x, d.x]) && along([b.y, c.y, a.y, d.y]);
+        let is_left = (b - a).perp_dot(c - b) > 0.0;
+        let is_wide = (high - low).min_element() > PLAIN;
+        let corners = [c, d, a, b].map(|p| DVec2::select(p.cmpeq(low), low, high));
+        let part = Footprint::new(&corners).ok();
+        part.filter(|_| is_right && is_left && is_wide)
     }
 
     /// All sides in their direction.
@@ -77,6 +94,8 @@ pub struct PartsWork {
 
 /// The progress of the work.
 enum PartsStep {
+    /// The region is a single part, without a margin.
+    Plain(Footprint),
     /// The lines are triangulated.
     Lines(LineTriangulation),
     /// Triangles are merged.
@@ -88,6 +107,17 @@ enum PartsStep {
 impl PartsWork {
     /// Begins with a region, in a box that is wider by `margin` along s and t (metres, at least 0).
     pub fn new(region: &Region, margin: DVec2) -> Self {
+        match region.rectangle().filter(|_| margin == DVec2::ZERO) {
+            Some(part) => Self {
+                lines: Vec::new(),
+                step: PartsStep::Plain(part),
+            },
+            None => Self::triangulated(region, margin),
+        }
+    }
+
+    /// Begins with the lines of a region.
+    fn triangulated(region: &Region, margin: DVec2) -> Self {
         let Some([low, high]) = region.bounds() else {
             let (lines, step) = (Vec::new(), PartsStep::Done);
             return Self { lines, step };
@@ -125,6 +155,7 @@ impl PartsWork {
         }
         match std::mem::replace(&mut self.step, PartsStep::Done) {
             PartsStep::Merge(pieces) => Some(pieces.parts()),
+            PartsStep::Plain(part) => Some([vec![part], Vec::new()]),
             _ => Some([Vec::new(), Vec::new()]),
         }
     }
@@ -133,168 +164,6 @@ impl PartsWork {
 /// Whether the ray from `p` along +s crosses a side; the upper end of a side does not belong to it.
 fn crosses_ray(a: DVec2, b: DVec2, p: DVec2) -> bool {
     (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))
-}
-
-/// Convex pieces that are merged while they stay convex (Hertel, Mehlhorn 1983, Fast triangulation of simple
-/// polygons).
-struct Pieces {
-    places: Vec<DVec2>,
-    /// Corners of each piece, counter-clockwise; empty once it is part of another.
-    rings: Vec<Vec<u32>>,
-    /// Sides between two triangles that are no lines, each in one direction.
-    diagonals: Vec<([u32; 2], [usize; 2])>,
-    /// Whether each triangle lies inside of the region.
-    is_inside: Vec<bool>,
-    /// For each triangle, one whose piece it belongs to; the last of such a chain is itself.
-    joined: Vec<usize>,
-    /// How many diagonals have been tried.
-    tried: usize,
-}
-
-impl Pieces {
-    /// The triangles of a constrained triangulation of these lines, with the edges that these have become.
-    fn new(
-        (mesh, walls): (Delaunay, Vec<[u32; 2]>),
-        lines: &[[DVec2; 2]],
-        is_inside: impl Fn(DVec2) -> bool,
-    ) -> Self {
-        let key = |p: DVec2| p.to_array().map(|v| (v * 4096.0).round() as i64);
-        // Rounding moves a point by less than a cell of this grid, so its own coordinates are in this cell or beside
-        // it.
-        let exact: BTreeMap<[i64; 2], DVec2> = lines
-            .iter()
-            .flatten()
-            .map(|&p| (key(p * SCALE), p))
-            .collect();
-        use spade::Triangulation as _;
-        let places = mesh.vertices().map(|v| {
-            let p = DVec2::new(v.position().x, v.position().y);
-            exact_near(&exact, key(p)).unwrap_or(p / SCALE)
-        });
-        let places: Vec<DVec2> = places.collect();
-        let mut rings = Vec::new();
-        let mut owners: BTreeMap<[u32; 2], usize> = BTreeMap::new();
-        for face in mesh.inner_faces() {
-            let ring = face.vertices().map(|v| v.fix().index() as u32);
-            for k in 0..3 {
-                owners.insert([ring[k], ring[(k + 1) % 3]], rings.len());
-            }
-            rings.push(ring.to_vec());
-        }
-        let is_wall = |[a, b]: [u32; 2]| walls.binary_search(&[a.min(b), a.max(b)]).is_ok();
-        let pairs = owners
-            .iter()
-            .filter(|&(&[a, b], _)| a < b && !is_wall([a, b]));
-        let diagonals =
-            pairs.filter_map(|(&[a, b], &one)| Some(([a, b], [one, *owners.get(&[b, a])?])));
-        let mut pieces = Self {
-            diagonals: diagonals.collect(),
-            is_inside: Vec::new(),
-            joined: (0..rings.len()).collect(),
-            tried: 0,
-            places,
-            rings,
-        };
-        pieces.is_inside = pieces.sides_of(is_inside);
-        pieces
-    }
-
-    /// The pieces inside of the region, and those outside.
-    fn parts(self) -> [Vec<Footprint>; 2] {
-        let mut parts = [Vec::new(), Vec::new()];
-        for (ring, inside) in self.rings.iter().zip(self.is_inside) {
-            let places: Vec<DVec2> = ring.iter().map(|&v| self.places[v as usize]).collect();
-            parts[usize::from(!inside)].extend(Footprint::new(&places));
-        }
-        parts
-    }
-
-    fn middle(&self, ring: &[u32]) -> DVec2 {
-        let sum: DVec2 = ring.iter().map(|&v| self.places[v as usize]).sum();
-        sum / ring.len() as f64
-    }
-
-    /// Whether each piece lies inside, by one place of those that no line divides.
-    fn sides_of(&self, is_inside: impl Fn(DVec2) -> bool) -> Vec<bool> {
-        let mut beside = vec![Vec::new(); self.rings.len()];
-        for (_, [one, other]) in &self.diagonals {
-            beside[*one].push(*other);
-            beside[*other].push(*one);
-        }
-        let mut found: Vec<Option<bool>> = vec![None; self.rings.len()];
-        for first in 0..self.rings.len() {
-            if found[first].is_some() {
-                continue;
-            }
-            let side = Some(is_inside(self.middle(&self.rings[first])));
-            let mut due = vec![first];
-            while let Some(k) = due.pop() {
-                if found[k] != side {
-                    found[k] = side;
-                    due.extend(&beside[k]);
-                }
-            }
-        }
-        found.into_iter().map(|side| side == Some(true)).collect()
-    }
-
-    /// Removes each diagonal whose pieces lie on one side and make a convex polygon together. Each takes one off `amount`,
-    /// until nothing is left of it; true after the last one.
-    fn merge(&mut self, amount: &mut usize) -> bool {
-        while self.tried < self.diagonals.len() && *amount > 0 {
-            let (side, owners) = self.diagonals[self.tried];
-            *amount -= 1;
-            self.tried += 1;
-            let [one, other] = owners.map(|k| self.piece(k));
-            if one == other || self.is_inside[one] != self.is_inside[other] {
-                continue;
-            }
-            if let Some(ring) = self.union(side, one, other) {
-                self.rings[one] = ring;
-                self.rings[other].clear();
-                self.joined[other] = one;
-            }
-        }
-        self.tried == self.diagonals.len()
-    }
-
-    /// The piece that a triangle belongs to.
-    fn piece(&self, mut k: usize) -> usize {
-        while self.joined[k] != k {
-            k = self.joined[k];
-        }
-        k
-    }
-
-    /// Two pieces as one, without the side between them; none if that is not convex.
-    fn union(&self, [a, b]: [u32; 2], one: usize, other: usize) -> Option<Vec<u32>> {
-        // The first piece from b round to a, then the second one from behind a to before b.
-        let mut ring = from(&self.rings[one], b)?;
-        let rest = from(&self.rings[other], a)?;
-        ring.extend(&rest[1..rest.len() - 1]);
-        let count = ring.len();
-        let turn = |k: usize| {
-            let corners = [k + count - 1, k, k + 1].map(|k| self.places[ring[k % count] as usize]);
-            orientation(corners[0], corners[1], corners[2])
-        };
-        let ends = (0..count).filter(|&k| [a, b].contains(&ring[k]));
-        ends.into_iter().all(|k| turn(k) >= 0.0).then_some(ring)
-    }
-}
-
-/// A ring that begins at a corner.
-fn from(ring: &[u32], corner: u32) -> Option<Vec<u32>> {
-    let at = ring.iter().position(|&v| v == corner)?;
-    Some([&ring[at..], &ring[..at]].concat())
-}
-
-/// The coordinates kept in a cell of the grid or in one beside it.
-fn exact_near(exact: &BTreeMap<[i64; 2], DVec2>, [x, y]: [i64; 2]) -> Option<DVec2> {
-    let offsets = [0, -1, 1];
-    let cells = offsets
-        .iter()
-        .flat_map(|&i| offsets.iter().map(move |&j| [x + i, y + j]));
-    cells.into_iter().find_map(|cell| exact.get(&cell).copied())
 }
 
 #[cfg(test)]
@@ -369,6 +238,39 @@ mod tests {
             };
             assert_eq!(parts, whole);
             assert!(slices >= least, "{slices}");
+        }
+    }
+
+    /// The parts that a triangulation has.
+    fn triangulated(region: &Region) -> [Vec<Footprint>; 2] {
+        let mut work = PartsWork::triangulated(region, DVec2::ZERO);
+        let parts = work.advance(region, &mut { usize::MAX });
+        parts.expect("parts")
+    }
+
+    #[test]
+    fn rectangles_have_the_part_of_their_triangulation() {
+        let mut random = crate::random::Random::new(1, crate::random::Purpose::Scatter, 0);
+        for k in 0..200 {
+            let [x, y] = [0; 2].map(|_| 9.0 * random.signed());
+            let [w, h] = [0; 2].map(|_| 0.02 + 5.0 * random.unit() * random.unit());
+            let mut corners = ring(&[(x, y), (x + w, y), (x + w, y + h), (x, y + h)]);
+            corners.rotate_left(k % 4);
+            let region = Region {
+                loops: vec![corners],
+            };
+            let parts = region.convex_parts(DVec2::ZERO);
+            assert!(region.rectangle().is_some() && parts == triangulated(&region));
+        }
+        // A hole, and a turned square.
+        let mut hole = ring(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]);
+        hole.reverse();
+        let turned = ring(&[(0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)]);
+        for corners in [hole, turned] {
+            let region = Region {
+                loops: vec![corners],
+            };
+            assert_eq!(region.rectangle(), None);
         }
     }
 

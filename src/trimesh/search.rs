@@ -19,6 +19,9 @@ const SLACK: f64 = 1.0 + 1e-12;
 /// distance to a place on it.
 const ROUNDING: f64 = 1e-14;
 
+/// The tolerance of barycentric weights makes a ray through an edge meet at least one of its triangles.
+const NEAR_EDGE: f64 = 1e-12;
+
 /// Room for the open nodes of a search: one on each level, in the largest tree.
 const DEEP: usize = 24;
 
@@ -488,11 +491,14 @@ fn meets([a, b, c]: [DVec3; 3], from: DVec3, along: DVec3) -> Option<(f64, DVec3
     }
     let off = from - a;
     let u = off.dot(across) / volume;
+    // Most triangles of a leaf are missed; half of them on this side.
+    if u < -NEAR_EDGE {
+        return None;
+    }
     let q = off.cross(e);
     let v = along.dot(q) / volume;
     let far = f.dot(q) / volume;
-    // The tolerance makes a ray through an edge meet at least one of its triangles.
-    let within = u >= -1e-12 && v >= -1e-12 && u + v <= 1.0 + 1e-12 && far >= 0.0;
+    let within = u >= -NEAR_EDGE && v >= -NEAR_EDGE && u + v <= 1.0 + NEAR_EDGE && far >= 0.0;
     within.then(|| {
         let w = DVec3::new(1.0 - u - v, u, v).max(DVec3::ZERO);
         (far, w / (w.x + w.y + w.z))
