@@ -136,10 +136,17 @@ impl Footprint {
 
     /// The rectangle between two corners; none if it has no area.
     pub fn rectangle(low: DVec2, high: DVec2) -> Option<Self> {
-        let (s, t) = (DVec2::new(high.x, low.y), DVec2::new(low.x, high.y));
         let is_right = low.cmplt(high).all() && low.is_finite() && high.is_finite();
+        Self::welded(Self::between(low, high).corners).filter(|_| is_right)
+    }
+
+    /// The rectangle between two corners that are known to have an area between them.
+    pub(super) fn between(low: DVec2, high: DVec2) -> Self {
+        let (s, t) = (DVec2::new(high.x, low.y), DVec2::new(low.x, high.y));
         let corners = [low, s, high, t].map(|at| FootprintCorner { at, inset: 0.0 });
-        Self::welded(SmallVec::from_slice(&corners)).filter(|_| is_right)
+        Self {
+            corners: SmallVec::from_slice(&corners),
+        }
     }
 
     /// Whether it is a rectangle along s and t that begins at its least corner, as [`Self::rectangle`] makes it.

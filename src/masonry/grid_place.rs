@@ -30,7 +30,7 @@ impl GridPlace {
 
     /// The same as a polygon.
     pub fn footprint(&self) -> Footprint {
-        Footprint::rectangle(self.low, self.high).expect("a place has an area")
+        Footprint::between(self.low, self.high)
     }
 
     /// The smallest rectangle that holds two.
