@@ -5,7 +5,9 @@ use super::kept::marks;
 use super::stages::LAYING;
 use super::tests::{laid, recipe};
 use crate::generators::Engine;
+use crate::solid::Surface;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 const BEFORE: &str = "make=masonry&building=gabled&pattern=bricks";
 /// The same with segmental heads.
@@ -24,9 +26,16 @@ fn lay(engine: &mut MasonryEngine) -> (usize, usize) {
     (steps, stood.expect("a step"))
 }
 
+/// The surfaces of the bodies of a wall.
+fn bodies(engine: &MasonryEngine) -> Vec<Rc<[Surface]>> {
+    let wall = engine.made.laid.made().expect("a wall");
+    wall.bodies.iter().map(|body| body.levels.clone()).collect()
+}
+
 #[test]
 fn after_an_edit_blocks_that_stay_stand_still() {
     let mut engine = laid(BEFORE).expect("a wall");
+    let before = bodies(&engine);
     engine.ask(&recipe(AFTER));
     engine.take_up();
     let (steps, stood) = lay(&mut engine);
@@ -40,6 +49,11 @@ fn after_an_edit_blocks_that_stay_stand_still() {
         engine.advance();
     }
     assert_eq!(engine.digest(), fresh.digest());
+    // Their bodies are taken from the last wall.
+    let is_old = |body: &Rc<[Surface]>| before.iter().any(|old| Rc::ptr_eq(old, body));
+    let after = bodies(&engine);
+    let old = after.iter().filter(|body| is_old(body)).count();
+    assert!(2 * old > after.len(), "{old} of {}", after.len());
     // Without an edit all is laid again.
     engine.forget_steps();
     assert_eq!(lay(&mut engine), all);
