@@ -23,15 +23,15 @@ const FRAMES: [(&str, &str, usize); 3] = [
 type Best = BTreeMap<(&'static str, u32), f64>;
 
 /// The words of the command line.
-struct Wish {
+struct Order {
     links: Vec<String>,
     file: Option<OsString>,
     runs: u32,
     has_frames: bool,
 }
 
-fn read(mut words: impl Iterator<Item = OsString>) -> Result<Wish, String> {
-    let mut wish = Wish {
+fn read(mut words: impl Iterator<Item = OsString>) -> Result<Order, String> {
+    let mut wish = Order {
         links: Vec::new(),
         file: None,
         runs: 3,
@@ -56,7 +56,7 @@ fn read(mut words: impl Iterator<Item = OsString>) -> Result<Wish, String> {
 }
 
 fn main() -> Result<(), String> {
-    let Wish {
+    let Order {
         mut links,
         file,
         runs,

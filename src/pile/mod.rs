@@ -14,6 +14,31 @@
 //!
 //! A body is known by the inner spheres of its component ([`Shape`]), in order of their use. Lengths are in the units of
 //! the surface.
+//!
+//! Words of piles and their components, the usual terms of the field, and symbols or sections of the paper:
+//!
+//! | code | field | paper |
+//! |---|---|---|
+//! | component, `ComponentKind` | closed mesh that is instanced; one type of bodies has one | section 3 |
+//! | `Variant` | smooth deformation of a component, drawn from a seed | section 6 (missed by designers) |
+//! | inner sphere, medial ball | ball of the medial axis; few of them stand for a body | sections 4.1.1 and 4.2.1 |
+//! | `radius`, `diagonal` of a component | radius of the largest inner sphere; diagonal of the bounding box | R; d |
+//! | dart, `Darting` | sample of a maximal Poisson-disk distribution, by dart throwing | section 4.1.2 |
+//! | dart spacing, `Kind::spacing` | least distance of two samples, σ R | 2 r of section 4.1.1 |
+//! | density | factor of the spacing: below 1 tight, above 1 loose | σ |
+//! | turn, `Turn` | orientation drawn at random within ranges | θu, θv, θw; section 4.1.3 |
+//! | `merge` | samples of smaller types near those of larger ones are dropped | section 4.1.4 |
+//! | `Refining` | refinement: bodies are translated along the normal one by one | section 4.2 |
+//! | refinement range, `range` | interval of the translation t | l, in units of d |
+//! | inward share, `inward`, `alpha` | share of that interval inside of the shape | α, ours |
+//! | offset T, `offset` | overlap that counts as touching, the isovalue of the implicit function | T of eq. (2) |
+//! | removal D, `removal` | tolerance beyond T at which a body is removed | D of eq. (3) |
+//! | `Method::Golden`, `Method::Exact` | golden section search; union of blocked intervals | eq. (1); ours |
+//! | layer, `LayerDarting` | samples on an offset surface inside of the shape | section 5, fig. 14 |
+//! | shape, `PileShape`, `Site` | aggregate shape: the surface on which bodies are placed | section 3 |
+//! | vessel, `Wall` | container that is seen; convex constraint that bodies do not pass | the open box of fig. 4 |
+//! | `Finish` | colours, textures and materials of a component and its parts | |
+//! | `Fate` | outcome of a dart: merged, stopped by walls, removed, kept | sections 4.1.4 and 4.2.3 |
 
 mod blocked;
 mod body;

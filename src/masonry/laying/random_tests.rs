@@ -97,6 +97,23 @@ fn openings(random: &mut Random, length_of_wall: f64) -> Vec<[f64; 2]> {
     found
 }
 
+/// The reveals of an opening and its glass. The corners of its front and of its back run up along the side where the
+/// opening begins, and down along the other one.
+fn niche(draft: &mut Draft, along: DVec3, normal: DVec3, [front, back]: [[DVec3; 4]; 2]) {
+    let [a, b, c, d] = front;
+    let [e, f, g, h] = back;
+    let rows: [(&str, DVec3, [DVec3; 4]); 5] = [
+        ("Window", DVec3::Y, [a, d, h, e]),
+        ("Window", -DVec3::Y, [f, g, c, b]),
+        ("Window", along, [a, e, f, b]),
+        ("Window", -along, [h, d, c, g]),
+        ("Glass", normal, [e, h, g, f]),
+    ];
+    for (label, normal, ring) in rows {
+        face(draft, label, normal, &[ring.to_vec()]);
+    }
+}
+
 /// A body with a flat top over a plan. Openings are niches.
 fn house(random: &mut Random) -> Draft {
     let corners = plan(random);
@@ -120,69 +137,12 @@ fn house(random: &mut Random) -> Draft {
         let up = DVec3::Y * height;
         let mut loops = vec![vec![from, to, to + up, from + up]];
         let depth = MODULE.half * (1 + random.below(2)) as f64;
-        let q = |s: f64, t: f64, z: f64| from + along * s + DVec3::Y * t - normal * z;
         for &[a, b] in &holes {
-            loops.push(vec![
-                q(a, sill, 0.0),
-                q(a, head, 0.0),
-                q(b, head, 0.0),
-                q(b, sill, 0.0),
-            ]);
-            let rows: [(&str, DVec3, [DVec3; 4]); 5] = [
-                (
-                    "Window",
-                    DVec3::Y,
-                    [
-                        q(a, sill, 0.0),
-                        q(b, sill, 0.0),
-                        q(b, sill, depth),
-                        q(a, sill, depth),
-                    ],
-                ),
-                (
-                    "Window",
-                    -DVec3::Y,
-                    [
-                        q(a, head, depth),
-                        q(b, head, depth),
-                        q(b, head, 0.0),
-                        q(a, head, 0.0),
-                    ],
-                ),
-                (
-                    "Window",
-                    along,
-                    [
-                        q(a, sill, 0.0),
-                        q(a, sill, depth),
-                        q(a, head, depth),
-                        q(a, head, 0.0),
-                    ],
-                ),
-                (
-                    "Window",
-                    -along,
-                    [
-                        q(b, sill, depth),
-                        q(b, sill, 0.0),
-                        q(b, head, 0.0),
-                        q(b, head, depth),
-                    ],
-                ),
-                (
-                    "Glass",
-                    normal,
-                    [
-                        q(a, sill, depth),
-                        q(b, sill, depth),
-                        q(b, head, depth),
-                        q(a, head, depth),
-                    ],
-                ),
-            ];
-            for (label, normal, ring) in rows {
-                face(&mut draft, label, normal, &[ring.to_vec()]);
-            }
+            let q = |s: f64, t: f64, z: f64| from + along * s + DVec3::Y * t - normal * z;
+            let [front, back] =
+                [0.0, depth].map(|z| [q(a, sill, z), q(a, head, z), q(b, head, z), q(b, sill, z)]);
+            loops.push(front.to_vec());
+            niche(&mut draft, along, normal, [front, back]);
         }
         face(&mut draft, "", normal, &loops);
     }

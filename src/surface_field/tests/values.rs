@@ -2,6 +2,40 @@
 
 use super::*;
 
+/// Sizes of 1,500 cells: even ones, and those that follow the curvature, an axis, or all of these and a spot.
+fn sizes(spot: SurfaceSpot) -> [SizeParams; 4] {
+    let bent = ByCurvature {
+        angle: 0.12,
+        factors: (0.4, 1.8),
+    };
+    let taper = Taper {
+        along: Along::Axis(DVec3::Y),
+        first: 0.5,
+        last: 2.0,
+    };
+    let plain = SizeParams {
+        amount: Amount::Count(1500.0),
+        ..SizeParams::default()
+    };
+    [
+        plain.clone(),
+        SizeParams {
+            curvature: Some(bent),
+            ..plain.clone()
+        },
+        SizeParams {
+            taper: Some(taper),
+            ..plain.clone()
+        },
+        SizeParams {
+            spots: vec![spot],
+            taper: Some(taper),
+            curvature: Some(bent),
+            ..plain
+        },
+    ]
+}
+
 #[test]
 fn sizes_are_those_asked_for() {
     let mesh = samples::blob(5);
@@ -20,37 +54,7 @@ fn sizes_are_those_asked_for() {
             },
         )
     };
-    let bent = ByCurvature {
-        angle: 0.12,
-        factors: (0.4, 1.8),
-    };
-    let taper = Taper {
-        along: Along::Axis(DVec3::Y),
-        first: 0.5,
-        last: 2.0,
-    };
-    let plain = SizeParams {
-        amount: Amount::Count(1500.0),
-        ..SizeParams::default()
-    };
-    let sizes = [
-        plain.clone(),
-        SizeParams {
-            curvature: Some(bent),
-            ..plain.clone()
-        },
-        SizeParams {
-            taper: Some(taper),
-            ..plain.clone()
-        },
-        SizeParams {
-            spots: vec![spot],
-            taper: Some(taper),
-            curvature: Some(bent),
-            ..plain
-        },
-    ];
-    for (k, size) in sizes.into_iter().enumerate() {
+    for (k, size) in sizes(spot).into_iter().enumerate() {
         for kind in [CellKind::Square, CellKind::Circle] {
             let fields = of(kind, size.clone());
             assert!(
