@@ -35,6 +35,15 @@
 
 #[cfg(not(target_arch = "wasm32"))]
 mod native;
+#[cfg(not(target_arch = "wasm32"))]
+use bubblestone::{
+    generators::ALL,
+    generators::pavement::{self, Pavement},
+    notice::Notice,
+    studio::Studio,
+};
+#[cfg(not(target_arch = "wasm32"))]
+use std::{ffi::OsString, path::PathBuf};
 
 #[cfg(target_arch = "wasm32")]
 fn main() {}
@@ -46,14 +55,43 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(not(target_arch = "wasm32"))]
 fn run() -> Result<(), String> {
-    use bubblestone::generators::pavement::{self, Pavement};
-    use bubblestone::generators::{ALL, Viewing};
+    use bubblestone::generators::Viewing;
     use bubblestone::scene::SAMPLES;
-    use bubblestone::studio::Studio;
 
-    let wish = Wish::read(std::env::args_os().skip(1))?;
-    let (mut recipe, mut notices) = ALL.recipe(&wish.link);
-    let mut studio = match &wish.outline {
+    let options = Options::read(std::env::args_os().skip(1))?;
+    let (mut studio, mut notices) = open(&options)?;
+    let mut clock = native::clock();
+    studio.finish(&mut clock)?;
+    let out = &options.out;
+    native::make(out)?;
+    let mut frame = None;
+    if let Some(words) = &options.view {
+        let (camera, said) = studio.generator().camera().read(words);
+        notices.extend(said);
+        frame = Some(native::slant::write_slant(
+            &mut studio,
+            camera,
+            (options.samples.unwrap_or(SAMPLES), options.aperture),
+            &mut clock,
+            out,
+        )?);
+    }
+    native::write_all(&mut studio, notices, frame, out)?;
+    write_more(&mut studio, &options)?;
+    // This comes last, because a view that stops at a step leaves the work unfinished.
+    let (viewing, faults) = Viewing::read(&options.link, studio.generator());
+    faults.iter().for_each(|fault| eprintln!("{fault}"));
+    if let Some(viewing) = viewing {
+        native::seen::write_seen(&mut studio, &viewing, &mut clock, out)?;
+    }
+    Ok(())
+}
+
+/// A studio with the link's recipe and the files that are named, and notices of what was changed.
+#[cfg(not(target_arch = "wasm32"))]
+fn open(options: &Options) -> Result<(Studio, Vec<Notice>), String> {
+    let (mut recipe, mut notices) = ALL.recipe(&options.link);
+    let mut studio = match &options.outline {
         None => Studio::new(ALL, recipe),
         Some(_) if !recipe.is_of(&pavement::SCHEMA) => {
             return Err("--outline is for pavements only.".into());
@@ -61,7 +99,7 @@ fn run() -> Result<(), String> {
         Some(path) => {
             let mut file = native::read_outline(path)?;
             if let Some(size) = file.size {
-                if !wish.link_has_size() {
+                if !options.link_has_size() {
                     notices.extend(recipe.set("size", &size.to_string())?);
                 }
                 file.scale(recipe.side() / size);
@@ -72,70 +110,51 @@ fn run() -> Result<(), String> {
             Studio::with_engine(ALL, recipe, Box::new(engine))
         }
     };
-    for path in &wish.models {
+    for path in &options.models {
         notices.extend(native::model::open_model(&mut studio, path)?);
     }
-    let mut clock = native::clock();
-    studio.finish(&mut clock)?;
-    let out = &wish.out;
-    native::make(out)?;
-    let mut frame = None;
-    if let Some(words) = &wish.view {
-        let (camera, said) = studio.generator().camera().read(words);
-        notices.extend(said);
-        frame = Some(native::slant::write_slant(
-            &mut studio,
-            camera,
-            (wish.samples.unwrap_or(SAMPLES), wish.aperture),
-            &mut clock,
-            out,
-        )?);
+    Ok((studio, notices))
+}
+
+/// Writes the files that options ask for beside those that are always written.
+#[cfg(not(target_arch = "wasm32"))]
+fn write_more(studio: &mut Studio, options: &Options) -> Result<(), String> {
+    let out = &options.out;
+    if options.views {
+        native::write_views(studio, out)?;
     }
-    native::write_all(&mut studio, notices, frame, out)?;
-    if wish.views {
-        native::write_views(&mut studio, out)?;
+    if options.maps {
+        native::write_maps(studio, out)?;
     }
-    if wish.maps {
-        native::write_maps(&mut studio, out)?;
+    if let Some(program) = &options.maps_for {
+        native::write_maps_for(studio, program, out)?;
     }
-    if let Some(program) = &wish.maps_for {
-        native::write_maps_for(&mut studio, program, out)?;
+    if options.mesh {
+        let detail = native::detail_of(options.detail.as_deref().unwrap_or("middle"))?;
+        native::write_meshes(studio, detail, options.one_mesh, out)?;
     }
-    if wish.mesh {
-        let detail = native::detail_of(wish.detail.as_deref().unwrap_or("middle"))?;
-        native::write_meshes(&mut studio, detail, wish.one_mesh, out)?;
-    }
-    if let Some([side, base, relief, squares]) = wish.stl {
+    if let Some([side, base, relief, squares]) = options.stl {
         let slab = bubblestone::export::Slab {
             side,
             base,
             relief,
             squares: squares as usize,
         };
-        native::write_slab(&studio, slab, out)?;
+        native::write_slab(studio, slab, out)?;
     }
-    if let Some(scale) = wish.scale {
-        native::write_bigger(&mut studio, scale, wish.maps, out)?;
+    if let Some(scale) = options.scale {
+        native::write_bigger(studio, scale, options.maps, out)?;
     }
-    if wish.svg {
-        native::write_svg(&mut studio, out)?;
-    }
-    // This comes last, because a view that stops at a step leaves the work unfinished.
-    let (viewing, faults) = Viewing::read(&wish.link, studio.generator());
-    faults.iter().for_each(|fault| eprintln!("{fault}"));
-    if let Some(viewing) = viewing {
-        native::seen::write_seen(&mut studio, &viewing, &mut clock, out)?;
+    if options.svg {
+        native::write_svg(studio, out)?;
     }
     Ok(())
 }
 
-#[cfg(not(target_arch = "wasm32"))]
-use std::{ffi::OsString, path::PathBuf};
-
 /// The options of the command line.
 #[cfg(not(target_arch = "wasm32"))]
 #[derive(Default)]
-struct Wish {
+struct Options {
     link: String,
     outline: Option<String>,
     models: Vec<OsString>,
@@ -155,14 +174,14 @@ struct Wish {
 }
 
 #[cfg(not(target_arch = "wasm32"))]
-impl Wish {
+impl Options {
     fn read(mut words: impl Iterator<Item = OsString>) -> Result<Self, String> {
         use bubblestone::scene::{MOST_SAMPLES, WIDEST};
         const USAGE: &str = "Usage: render '<link or fragment>' [--outline FILE.json] [--model [ROLE=]FILE] \
             [--shape FILE] --out DIR [--views] [--maps] [--maps-for PROGRAM] [--mesh] [--detail WORD] [--one-mesh] \
             [--stl SIDE,BASE,RELIEF,SQUARES] [--svg] [--scale N] \
             [--view ANGLE,HEIGHT,DISTANCE,LENS,X,Y,Z] [--samples N] [--aperture A].";
-        let mut wish = Wish::default();
+        let mut options = Options::default();
         let mut link = None;
         while let Some(word) = words.next() {
             let word = native::text(word)?;
@@ -173,46 +192,46 @@ impl Wish {
             };
             let mut value = |name: &str| native::text(path(name)?);
             match word.as_str() {
-                "--outline" => wish.outline = Some(value("--outline")?),
-                "--model" => wish.models.push(path("--model")?),
+                "--outline" => options.outline = Some(value("--outline")?),
+                "--model" => options.models.push(path("--model")?),
                 "--shape" => {
                     let mut named = OsString::from("model=");
                     named.push(path("--shape")?);
-                    wish.models.push(named);
+                    options.models.push(named);
                 }
-                "--out" => wish.out = path("--out")?.into(),
-                "--views" => wish.views = true,
-                "--maps" => wish.maps = true,
-                "--maps-for" => wish.maps_for = Some(value("--maps-for")?),
-                "--mesh" => wish.mesh = true,
-                "--detail" => wish.detail = Some(value("--detail")?),
-                "--one-mesh" => wish.one_mesh = true,
+                "--out" => options.out = path("--out")?.into(),
+                "--views" => options.views = true,
+                "--maps" => options.maps = true,
+                "--maps-for" => options.maps_for = Some(value("--maps-for")?),
+                "--mesh" => options.mesh = true,
+                "--detail" => options.detail = Some(value("--detail")?),
+                "--one-mesh" => options.one_mesh = true,
                 "--stl" => {
                     let numbers = value("--stl")?;
                     let numbers: Vec<f32> = numbers.split(',').flat_map(str::parse).collect();
                     let said = |_| format!("--stl needs four numbers, as 100,3,4,256. {USAGE}");
-                    wish.stl = Some(numbers.try_into().map_err(said)?);
+                    options.stl = Some(numbers.try_into().map_err(said)?);
                 }
                 "--scale" => {
                     let scale = value("--scale")?.parse();
                     let said = |_| format!("--scale needs a whole number, 1 to 8. {USAGE}");
-                    wish.scale = Some(scale.map_err(said)?);
+                    options.scale = Some(scale.map_err(said)?);
                 }
-                "--view" => wish.view = Some(value("--view")?),
+                "--view" => options.view = Some(value("--view")?),
                 "--samples" => {
                     let samples = value("--samples")?.parse().ok();
                     let samples = samples.filter(|n| (1..=MOST_SAMPLES).contains(n));
                     let said =
                         format!("--samples needs a whole number, 1 to {MOST_SAMPLES}. {USAGE}");
-                    wish.samples = Some(samples.ok_or(said)?);
+                    options.samples = Some(samples.ok_or(said)?);
                 }
                 "--aperture" => {
                     let aperture = value("--aperture")?.parse().ok();
                     let aperture = aperture.filter(|wide| (0.0..=WIDEST).contains(wide));
                     let said = format!("--aperture needs a number, 0 to {WIDEST}. {USAGE}");
-                    wish.aperture = aperture.ok_or(said)?;
+                    options.aperture = aperture.ok_or(said)?;
                 }
-                "--svg" => wish.svg = true,
+                "--svg" => options.svg = true,
                 _ if word.starts_with("--") => {
                     return Err(format!("There is no option {word}. {USAGE}"));
                 }
@@ -220,11 +239,11 @@ impl Wish {
                 _ => link = Some(word),
             }
         }
-        wish.link = link.unwrap_or_default();
-        if wish.out.as_os_str().is_empty() {
+        options.link = link.unwrap_or_default();
+        if options.out.as_os_str().is_empty() {
             return Err(format!("Say where the files go. {USAGE}"));
         }
-        Ok(wish)
+        Ok(options)
     }
 
     /// Whether the link itself names the picture's size.

@@ -23,15 +23,15 @@ const FRAMES: [(&str, &str, usize); 3] = [
 type Best = BTreeMap<(&'static str, u32), f64>;
 
 /// The words of the command line.
-struct Order {
+struct Options {
     links: Vec<String>,
     file: Option<OsString>,
     runs: u32,
     has_frames: bool,
 }
 
-fn read(mut words: impl Iterator<Item = OsString>) -> Result<Order, String> {
-    let mut wish = Order {
+fn read(mut words: impl Iterator<Item = OsString>) -> Result<Options, String> {
+    let mut options = Options {
         links: Vec::new(),
         file: None,
         runs: 3,
@@ -43,20 +43,20 @@ fn read(mut words: impl Iterator<Item = OsString>) -> Result<Order, String> {
             .map_err(|word| format!("{} is not text.", word.display()))?;
         let mut value = || words.next().ok_or_else(|| format!("{word} needs a value."));
         match word.as_str() {
-            "--model" => wish.file = Some(value()?),
+            "--model" => options.file = Some(value()?),
             "--runs" => {
                 let runs = value()?.to_str().and_then(|runs| runs.parse().ok());
-                wish.runs = runs.ok_or("--runs needs a whole number.")?;
+                options.runs = runs.ok_or("--runs needs a whole number.")?;
             }
-            "--stages" => wish.has_frames = false,
-            _ => wish.links.push(word),
+            "--stages" => options.has_frames = false,
+            _ => options.links.push(word),
         }
     }
-    Ok(wish)
+    Ok(options)
 }
 
 fn main() -> Result<(), String> {
-    let Order {
+    let Options {
         mut links,
         file,
         runs,
