@@ -5,7 +5,7 @@ use super::packs::PackingGround;
 use super::until;
 use crate::packing::{History, Kept, PackingParams};
 
-/// Decides a packing: its parameters, and the revisions of what it is packed on.
+/// The parameters of a packing, and the revisions of its domain and its fields.
 pub(super) type Origin = (PackingParams, [u64; 2]);
 
 /// The packing of the present recipe, run again: first `L` places its cells, then `M` moves them.
@@ -39,7 +39,7 @@ impl<L, M: Kept> Held<L, M> {
         })
     }
 
-    /// Asks for a step, or drops the packing without one. The packing is begun if it can be.
+    /// Requests a step, or drops the packing without one. The packing is begun if there is a ground.
     pub fn ask(
         slot: &mut Option<Self>,
         step: Option<u32>,
@@ -55,8 +55,8 @@ impl<L, M: Kept> Held<L, M> {
         }
     }
 
-    /// Works for about `budget` milliseconds towards the step that was asked for; true when it is reached, or none can
-    /// be. A packing of another origin is begun anew.
+    /// Works for about `budget` milliseconds towards the requested step; true when it is reached, or if no step can be
+    /// reached. A packing of another origin is begun anew.
     pub fn reach(
         slot: &mut Option<Self>,
         ground: Option<impl PackingGround<Placing = L, Packing = M>>,
@@ -104,7 +104,7 @@ impl<L, M: Kept> Held<L, M> {
         }
     }
 
-    /// The same packing of any origin, mutable.
+    /// The same packing, mutable, whatever its origin is.
     pub fn packing_mut(&mut self) -> Option<&mut M> {
         match &mut self.progress {
             HeldProgress::Stepping(history) => Some(history.packing_mut()),

@@ -156,7 +156,8 @@ test('everything is drawn and told at every stage', () => {
   }
 });
 
-test('every file is made', () => {
+test('every file is made; meshes are by the module that makes all', async () => {
+  const whole = await moduleIn(wholeModule);
   for (const link of DRAWN) {
     const studio = finished(open(link));
     assert.match(studio.svg(), /<\/svg>\n$/);
@@ -164,14 +165,21 @@ test('every file is made', () => {
     for (const word of ['height', 'normal-opengl', 'normal-directx', 'albedo', 'roughness', 'ao', 'id', 'orm', 'height-float']) {
       assert.equal(studio.map(word).side, 128, word);
     }
-    for (const ending of ['obj', 'glb']) assert.ok(bytesOf(() => studio.meshFile(ending, 'low', [], 4)) > 1000, ending);
+    const same = finished(new whole.Bubblestone(link));
+    for (const ending of ['obj', 'glb']) {
+      assert.ok(bytesOf(() => same.meshFile(ending, 'low', [], 4)) > 1000, ending);
+      assert.equal(studio.meshFile(ending, 'low', [], 4).code, 'no_such_file');
+      assert.deepEqual(studio.meshSize(ending, 'low', []), same.meshSize(ending, 'low', []));
+    }
     for (const scale of [1, 2]) {
       assert.equal(bytesOf(() => studio.pictureFile(scale, '', 20)), 3 * (128 * scale) ** 2);
       assert.equal(bytesOf(() => studio.pictureFile(scale, 'albedo height-float id', 20)), 10 * (128 * scale) ** 2);
     }
-    studio.meshFile('obj', 'low', [], 0);
-    studio.stopFile();
-    studio.free();
+    same.meshFile('obj', 'low', [], 0);
+    for (const one of [studio, same]) {
+      one.stopFile();
+      one.free();
+    }
   }
 });
 

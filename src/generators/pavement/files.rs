@@ -1,16 +1,22 @@
 //! Files of a finished pavement: maps, and the mesh of all cells.
 
 use super::Pavement;
-use crate::export::{Map, MapKind, MeshFile, MeshOrder, MeshSize, maps};
+#[cfg(house)]
+use crate::export::MeshFile;
+use crate::export::{Map, MapKind, MeshOrder, MeshSize, maps};
 use crate::generators::bigger::{Bigger, Picture};
 use crate::generators::height_field::Bodies;
 use crate::generators::lighting::LightParams;
-use crate::generators::{Clock, Engine, Maps, MeshSlice, Meshes, PictureSlice, until};
+#[cfg(house)]
+use crate::generators::until;
+use crate::generators::{Clock, Engine, Maps, MeshSlice, Meshes, PictureSlice};
 use crate::heightfield::Planes;
 use crate::notice::{Code, Notice};
+#[cfg(house)]
 use crate::solid::Solids;
 
 /// A mesh file that is being made.
+#[cfg(house)]
 pub(super) struct Saving {
     file: MeshFile,
     solids: Solids,
@@ -61,6 +67,7 @@ impl Maps for Pavement {
 }
 
 impl Meshes for Pavement {
+    #[cfg(house)]
     fn mesh_file(
         &mut self,
         order: &MeshOrder,
@@ -85,15 +92,23 @@ impl Meshes for Pavement {
         Ok(MeshSlice { begun, parts, done })
     }
 
+    /// Mesh files are written by the full module, because a first visit needs none.
+    #[cfg(not(house))]
+    fn mesh_file(&mut self, _: &MeshOrder, _: Clock, _: f64) -> Result<MeshSlice, Notice> {
+        Err(Code::NoSuchFile.into())
+    }
+
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
         Some(order.size(self.scales().len(), self.side()))
     }
 
     fn stop_mesh(&mut self) {
-        self.saving = None;
+        #[cfg(house)]
+        self.saving.take();
     }
 }
 
+#[cfg(house)]
 impl Pavement {
     fn begin(&self, order: &MeshOrder, revision: u64) -> Saving {
         let (texture, materials) = (*self.texture(), &self.light().materials);

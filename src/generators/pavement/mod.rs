@@ -109,6 +109,7 @@ pub struct Pavement {
     /// Its mesh and its polygons.
     joining: Option<joining::Joining>,
     /// The unfinished mesh file.
+    #[cfg(house)]
     saving: Option<files::Saving>,
     /// The unfinished bigger picture.
     bigger: Option<Bigger>,
@@ -149,6 +150,7 @@ impl Pavement {
             draft: None,
             held: None,
             joining: None,
+            #[cfg(house)]
             saving: None,
             bigger: None,
             boxes: probe::Boxes::default(),

@@ -49,7 +49,8 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
     const { turnFilm } = await import('./turn-film');
     return turnFilm(link, job, progress);
   }
-  const module = 'joined' in job && job.joined ? await loadWhole() : await loadModule(link);
+  // The module of a first visit writes no meshes.
+  const module = 'detail' in job ? await loadWhole() : await loadModule(link);
   const studio = await studioFor(module, link);
   const generator = generatorOf(module, studio);
   if (job.file === 'gif') return formingGif(studio, generator, job, progress);
