@@ -16,12 +16,12 @@ use std::f64::consts::TAU;
 
 /// How far a unit vector may be from one, and right angles from right ones.
 const UNIT: f64 = 1e-6;
-/// Shorter pieces and radii are none (metres).
+/// Pieces and radii shorter than this are faults (metres).
 const SHORT: f64 = 1e-6;
 /// The sharpest turn of a smooth profile: about a degree.
 const KINK: f64 = 0.0175;
 
-/// Tests a draft. Coordinates come first, so that later tests need not fear numbers that are none.
+/// Tests a draft. Coordinates are tested first, so that later tests meet finite numbers only.
 ///
 /// # Errors
 /// The first fault.

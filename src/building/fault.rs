@@ -89,7 +89,7 @@ pub enum BuildingFault {
         /// The face.
         face: FaceId,
     },
-    /// The parameterisation of a face is none.
+    /// The parameterisation of a face is invalid.
     BadSurface {
         /// The face.
         face: FaceId,

@@ -60,7 +60,7 @@ fn on_surface(
         for at in side.vertices.iter().map(|v| v.1).chain(inner) {
             let place = surface.project(at);
             let by = surface.frame(place.x, place.y).origin.distance(at);
-            // A number that is none is off, too.
+            // NaN counts as off the surface.
             if by.is_nan() || by > OFF_SURFACE {
                 return Err(BuildingFault::OffSurface { face, at, by });
             }

@@ -7,7 +7,7 @@ use super::surface::{Disk, Surface, Sweep};
 use glam::DVec3;
 use serde_json::{Map, Value, json};
 
-/// The draft as JSON. Numbers that are none become null, so only a draft that makes a building reads back.
+/// The draft as JSON. NaN and infinity become null, so only a valid draft can be read back.
 pub fn write_json(draft: &Draft) -> String {
     let mut root = Map::new();
     let mut put = |name: &str, value: Value| root.insert(name.to_owned(), value);

@@ -4,7 +4,7 @@ use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
 
-/// Triangles near one, of which a slice compares as many for each of its amount. Needles have all others near them.
+/// A slice ends after this many nearby triangles for each unit of its amount. A needle may have all others near it.
 const NEAR: usize = 400;
 
 /// The crossings found.

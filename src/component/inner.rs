@@ -32,7 +32,7 @@ pub struct Gaps {
 pub(super) struct Effort {
     /// Samples of the surface, at which gaps are measured.
     pub samples: usize,
-    /// Every how many-th of them gets a medial ball.
+    /// One in this many samples gets a medial ball.
     pub every: usize,
     /// The most spheres.
     pub most: usize,

@@ -14,14 +14,14 @@ use std::sync::Arc;
 const COARSER: [usize; 3] = [3_000, 360, 130];
 /// A level by rule may have this many times the wanted triangles.
 const ENOUGH: f64 = 1.3;
-/// Samples of the first component and of its variants, ...
+/// The number of samples of the first component, and of each variant.
 const SAMPLES: [usize; 2] = [1_500, 600];
-/// ... every how many-th of the first gets a medial ball, and how many of these its variants use.
+/// One in this many samples of the first gets a medial ball; its variants use at most `SHARED` of these.
 const EVERY: usize = 1;
 const SHARED: usize = 400;
 /// Variants are made from the first level with at most this many triangles.
 const VARIED: usize = 20_000;
-/// Spheres of a file's component.
+/// The number of inner spheres of a component from a file.
 const FILE_SPHERES: usize = 48;
 /// The cosine of the angle of a sharp edge in a file.
 const FILE_CREASE: f64 = 0.642_787_609_686_539_3;

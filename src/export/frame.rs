@@ -8,7 +8,7 @@ use glam::Vec3;
 pub(super) enum ExportSpace {
     /// x, y down and height, in picture units; `unit` is the file's unit for one of them.
     Picture { unit: f32 },
-    /// Those of a model, as in files; a chart gives texture coordinates.
+    /// Coordinates of a model, unchanged; a chart gives texture coordinates.
     #[cfg(house)]
     Model(Option<Chart>),
 }

@@ -55,9 +55,11 @@ pub(super) struct Glb {
     indices: Vec<u8>,
     /// The most vertices of a mesh.
     most: usize,
-    /// How many surfaces have been written, meshes made of them, and nodes with such a mesh.
+    /// The number of surfaces written.
     surfaces_made: usize,
+    /// The number of meshes made of them.
     meshes_made: usize,
+    /// The number of nodes that have such a mesh.
     nodes_made: usize,
     /// Lists of the JSON, with a comma before each item.
     children: String,

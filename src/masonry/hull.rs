@@ -5,7 +5,7 @@ use crate::planar::orientation;
 use glam::DVec2;
 use smallvec::SmallVec;
 
-/// Points of which a list of up to eight, as a block has, needs no allocation.
+/// A list of points; up to eight, as a block has, need no allocation.
 pub(super) type Points = SmallVec<[DVec2; 8]>;
 
 /// The corners of the hull, counter-clockwise from the one with the least s, and of these the least t.

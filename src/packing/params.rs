@@ -114,7 +114,7 @@ pub(crate) struct Tuning {
     pub population_every: u32,
     /// ... and its last step.
     pub population_until: u32,
-    /// The step from which on a run cools.
+    /// The step at which cooling begins.
     pub cooling_from: u32,
     /// The most cells in a packing; a larger number gives a notice.
     pub most_cells: f64,

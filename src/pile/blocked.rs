@@ -20,7 +20,7 @@ impl Blocked {
         Self { lo, hi, intervals }
     }
 
-    /// The same of a part of the range.
+    /// The blocked intervals within a part of the range.
     pub fn within(&self, (lo, hi): (f64, f64)) -> Self {
         if (lo, hi) == (self.lo, self.hi) {
             return self.clone();

@@ -112,8 +112,8 @@ impl Along {
         self.u * self.u + self.w * self.w
     }
 
-    /// The middle of the t at which this sphere, moved along the axis by t, overlaps another by more than `allowed`, and
-    /// the square of half their length; which is not above 0 if there are none.
+    /// The middle of the interval of t in which this sphere, moved by t along the axis, overlaps another by more than
+    /// `allowed`, and the square of half its length (at most 0 if there is no such t).
     fn middle(&self, other: &Met, allowed: f64) -> (f64, f64) {
         let least = self.radius + other.sphere.radius - allowed;
         let (du, dw) = (other.sphere.u - self.u, other.sphere.w - self.w);
@@ -124,14 +124,14 @@ impl Along {
         )
     }
 
-    /// The interval of these t.
+    /// The interval of t in which this sphere, moved by t along the axis, overlaps another by more than `allowed`.
     pub fn interval(&self, other: &Met, allowed: f64) -> Option<(f64, f64)> {
         let (middle, square) = self.middle(other, allowed);
         let half = square.sqrt();
         (square > 0.0).then_some((middle - half, middle + half))
     }
 
-    /// The same, found faster if `t` is not in it; then there is none. Its ends count.
+    /// Like [`Self::interval`], but `None` if `t` is outside of it, which is found faster. The ends are inside.
     pub fn overlap(&self, other: &Met, allowed: f64, t: f64) -> Option<(f64, f64)> {
         let (middle, square) = self.middle(other, allowed);
         let away = middle - t;

@@ -153,7 +153,7 @@ fn ring(soup: &mut Soup, normals: &mut Vec<DVec3>, around: usize, p: DVec2, n: D
     first
 }
 
-/// Joins two rings with as many vertices, of which one may lie on the axis.
+/// Joins two rings of the same number of vertices. One of them may be a pole on the axis.
 fn band(soup: &mut Soup, around: usize, before: usize, after: usize) {
     let is_pole = |first: usize| soup.positions[first].x.abs() < 1e-9;
     let poles = [is_pole(before), is_pole(after)];

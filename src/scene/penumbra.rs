@@ -1,6 +1,6 @@
-//! Soft edges of shadows on the floor (Fernando 2005, Percentage-Closer Soft Shadows). The samples of a frame have the
-//! lamp at some places of its disc, so the edge of a shadow far from its body would have as many steps. Each sample
-//! therefore lights the floor by the part of the disc around its place.
+//! Soft edges of shadows on the floor (Fernando 2005, Percentage-Closer Soft Shadows). The samples of a frame place the
+//! lamp at a few points of its disc, so the edge of a shadow far from its body would show one step for each sample. Each
+//! sample therefore lights the floor by the part of the disc around its place.
 
 use super::Lighting;
 use glam::Vec3;

@@ -86,7 +86,7 @@ fn step_share(n: usize, rim: usize) -> f64 {
     if rim == 0 { beta(n) } else { 0.25 / rim as f64 }
 }
 
-/// The weight of each in the limit of all steps.
+/// The weight of each neighbour of a vertex in its limit position, after infinitely many steps.
 fn limit_share(n: usize, rim: usize) -> f64 {
     if rim == 0 {
         1.0 / (n as f64 + 0.375 / beta(n))

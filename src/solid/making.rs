@@ -135,7 +135,7 @@ pub fn step(
     step_to(solids, cell, params, (making, shown_level(cell, params)?))
 }
 
-/// The same of a solid that ends with `last` Loop steps.
+/// Like [`step`], for a solid whose last Loop step is `last`.
 pub fn step_to(
     solids: &mut Solids,
     cell: &Cell,

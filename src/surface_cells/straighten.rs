@@ -26,7 +26,7 @@ pub(super) struct Straightening {
     points: Vec<DVec3>,
     /// For each corner the cells that have it: (cell, index in its ring).
     uses: Csr<(u32, u32)>,
-    /// For each crossing the bounds of its way along the border, from where it was.
+    /// For each crossing, how far it may slide back and ahead along the border.
     room: Vec<[f64; 2]>,
     /// The area of all cells over the area that their sizes want.
     share: f64,

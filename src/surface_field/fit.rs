@@ -16,9 +16,10 @@ const TOO_TIGHT: [f64; 2] = [1.0, 1.2];
 const BOTH: f64 = 0.5;
 /// A sheet is thin below this part of the side of a cell.
 const THIN: f64 = 0.5;
-/// Shares of the area from which on a notice is given: for large cells, which fold over the edges of fins and rims
-/// without harm, and for thin sheets. And the share from which on cells are refused.
+/// A notice is given above these shares of the area: for cells that are too large, and for sheets that are too thin.
+/// Cells that fold over the edges of fins and rims do no harm, so the first share is not small.
 const TOLD: [f64; 2] = [0.25, 0.1];
+/// Above this share, cells are refused.
 const MOST: f64 = 0.5;
 /// One triangle in this many is measured, or fewer if each has very many within the side of a cell. In a slice this many
 /// triangles are looked at, and in all.

@@ -15,8 +15,8 @@ const LEAF: usize = 8;
 const BITS: u32 = 10;
 /// Rounding may make the distance to a box too large by less than this factor.
 const SLACK: f64 = 1.0 + 1e-12;
-/// Rounding may make the square of the distance to a plane too large by less than this share of the square of the
-/// distance to a place on it.
+/// The rounding error of a squared distance to a plane is less than this share of the squared distance to a corner on
+/// it.
 const ROUNDING: f64 = 1e-14;
 
 /// The tolerance of barycentric weights makes a ray through an edge meet at least one of its triangles.

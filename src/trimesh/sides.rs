@@ -140,7 +140,7 @@ impl Siding {
                 None
             }
             SidingPhase::Measure => self.measure().then(|| self.turn()).flatten(),
-            // Turned parts have the edges of the parts before, so there is no new fault.
+            // Turning parts over adds no edge, so the mesh has no new fault.
             SidingPhase::Build(building) => {
                 let mesh = building.advance()?.map_or(self.mesh.clone(), Arc::new);
                 Some(self.sided(mesh))

@@ -131,7 +131,7 @@ pub(super) const BODY: [&str; 3] = [
     r#","rotation":[@,@,@,@],"translation":[@,@,@]"#,
     r#","scale":[@,@,@]"#,
 ];
-/// Scales that differ less from 1 are none.
+/// A scale this close to 1 is not written.
 #[cfg(house)]
 pub(super) const NO_SCALE: f32 = 1e-6;
 #[cfg(house)]

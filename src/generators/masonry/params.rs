@@ -59,7 +59,7 @@ pub(super) struct Flips {
 }
 
 impl Flips {
-    /// The flips of rows of a feature's kind (0 for a corner, 1 for an edge) and its number.
+    /// Reads rows of two numbers: 0 for a corner or 1 for an edge, and its index.
     fn new(rows: &[Vec<i64>]) -> Self {
         let numbers = |kind: i64| {
             let own = rows.iter().filter(move |row| row[0] == kind);

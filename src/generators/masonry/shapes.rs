@@ -131,7 +131,7 @@ impl WallShapes {
         self.bodies.get(key)
     }
 
-    /// That body, if this cell makes it bit for bit. Cuboids hang on their sizes alone.
+    /// That body, if this cell would make the same bits. The body of a cuboid depends only on its sizes.
     pub fn same_body(&self, key: &(BlockShape, u8), cell: &MasonryCell) -> Option<&Body> {
         let shared = self.shared(key)?;
         let is_cuboid = matches!(key.0, BlockShape::Cuboid(_));

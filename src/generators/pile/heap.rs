@@ -101,8 +101,8 @@ impl Heap {
         }
     }
 
-    /// Adds the bodies that have settled since the last call. `history` has the numbers of all bodies whose turn has
-    /// come, in that order. Bodies that were removed before that call go.
+    /// Adds the bodies that have settled since the last call. `history` lists all bodies that were handled, in order.
+    /// Removed bodies that [`Self::update_seen`] showed disappear.
     pub(super) fn update(&mut self, parts: HeapParts, bodies: &[Piled], history: &[u32]) {
         self.owns.resize(bodies.len(), None);
         let left = self.scene.instances.len() - std::mem::take(&mut self.blinking);
@@ -122,8 +122,9 @@ impl Heap {
         }));
     }
 
-    /// The same, and shows the bodies that were removed since the last call, at their darts, until the next one. If
-    /// more bodies than one can follow have had their turn, these would only flicker, and none is shown.
+    /// Like [`Self::update`]. Until the next call it also shows, at their darts, the bodies that were removed since the
+    /// last call. If there are more than [`FOLLOWED`] new bodies, no removed one is shown, because they would only
+    /// flicker.
     pub(super) fn update_seen(&mut self, parts: HeapParts, bodies: &[Piled], history: &[u32]) {
         let before = self.shown.min(history.len());
         self.update(parts, bodies, history);

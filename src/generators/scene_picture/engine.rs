@@ -100,7 +100,8 @@ pub(crate) trait SceneEngine: SceneSource + Meshes {
         Vec::new()
     }
 
-    /// The place of the model at a pixel of the last frame, as in rows of strokes and spots; `None` beside the model.
+    /// The place on the model at a pixel of the last frame, in the whole numbers of painted rows
+    /// ([`crate::recipe::Item`]); `None` if the pixel is beside the model.
     fn place_seen_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
         None
     }

@@ -62,7 +62,7 @@ pub(super) struct SurfaceParams {
     pub sides: Sides,
     /// The mesh on which cells are packed.
     pub on: PackingTarget,
-    /// The angle from which on creases are cut.
+    /// Creases with at least this angle are cut.
     pub cut: Option<f64>,
     pub sizes: Sizes,
 }

@@ -69,8 +69,8 @@ impl Reducing {
         ReducePhase::Simplify(Box::new(Simplifying::new(mesh, self.most, f64::INFINITY)))
     }
 
-    /// Goes on once holes are closed: parts without cells are left out if they have too many triangles, as many parts
-    /// have however coarse they are.
+    /// Continues once holes are closed. Parts without cells are left out if they have too many triangles: meshes of
+    /// many parts stay large, however coarse each part is.
     fn filled(&mut self, filled: Filled) -> ReducePhase {
         self.notices = filled.notices;
         let bare = filled.bare.iter().filter(|&&bare| bare).count();

@@ -63,9 +63,9 @@ impl Polyhedron {
         body
     }
 
-    /// The body between two rings of as many points, with no insets: its sides are the first ring, the second ring,
-    /// and the quadrilaterals between them. The second ring is counter-clockwise seen from outside, the first one
-    /// clockwise.
+    /// The body between two rings of the same number of points, without insets: its sides are the first ring, the
+    /// second ring, and the quadrilaterals between them. The second ring is counter-clockwise seen from outside, the
+    /// first one clockwise.
     pub fn between([low, high]: &[Vec<DVec3>; 2]) -> Self {
         Self::of_rings([&low[..], &high[..]].concat())
     }

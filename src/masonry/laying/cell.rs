@@ -106,7 +106,7 @@ const PLACES: f64 = 1e4;
 const AWAY: f64 = 3.17e-5;
 
 impl MasonryCell {
-    /// A number that hangs on the cell's place alone: it stays the same when other cells come or go.
+    /// A number that depends only on the cell's place: it stays the same when other cells are added or removed.
     pub fn mark(&self) -> u32 {
         let [low, high] = self.claimed.bounds();
         let place = (0.5 * (low + high) + AWAY) * PLACES;

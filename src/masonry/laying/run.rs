@@ -347,7 +347,7 @@ impl Site {
             .fold(f64::MAX, f64::min)
     }
 
-    /// The intervals of a run that the lines of the first side cut it into, with their numbers there.
+    /// The intervals into which the grid lines of the first side divide a run, each with the index of its column.
     pub fn intervals(&self, run: &Run) -> Vec<(usize, [f64; 2])> {
         let side = &run.sides[0];
         let lines = self.lines(side.face, side.along.x != 0.0);

@@ -20,7 +20,7 @@ const LEAST_SHARE: f64 = 0.05;
 /// Sides whose normals have a greater cosine with the way in which a cell looks are its fronts: both sides of a stone
 /// at a corner are.
 const FRONT: f64 = 0.45;
-/// Sides of a face longer than this are no chords of an arc (metres).
+/// A slanting side of a face is longer than this; shorter ones are chords of an arc (metres).
 const OBLIQUE: f64 = 0.2;
 
 /// The pixels along a module.

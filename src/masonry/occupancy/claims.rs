@@ -4,7 +4,7 @@ use crate::masonry::footprint::{Footprint, shared_box};
 use glam::DVec2;
 use smallvec::SmallVec;
 
-/// The side of a cell of the hash grid, usually (metres).
+/// The default cell size of the hash grid (metres).
 const CELL: f64 = 0.25;
 
 /// The numbers of some claims. A list of those beside a brick needs no allocation.

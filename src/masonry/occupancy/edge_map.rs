@@ -10,7 +10,7 @@ const TOUCH: f64 = 1e-9;
 pub struct EdgeMap {
     length: f64,
     is_closed: bool,
-    /// One entry for each claim, with its cell; within the edge, sorted by the start.
+    /// The claimed interval of each claim, inside the edge, with its cell; sorted by start.
     claims: Vec<([f64; 2], u32)>,
 }
 

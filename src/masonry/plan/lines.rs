@@ -56,7 +56,7 @@ pub enum CourseWarning {
         /// The upper line (metres).
         high: f64,
     },
-    /// The courses between two fixed lines are lower or higher than 0.8 to 1.25 of the wanted height.
+    /// The courses between two fixed lines are less than 0.8 or more than 1.25 times as high as wanted.
     Stretched {
         /// The lower line (metres).
         low: f64,

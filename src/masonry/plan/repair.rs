@@ -107,7 +107,7 @@ impl ConflictSet {
         }
     }
 
-    /// Tries some changes; after the last one makes the best.
+    /// Tries some changes. When all are tried, makes and returns the best one.
     fn advance(&mut self, columns: &mut [Columns], module: f64) -> Option<Change> {
         for _ in 0..(SLICE / self.steps).max(1) {
             let Some(change) = self.trials.pop() else {

@@ -97,7 +97,7 @@ function linked(parts: Parts): Point[][] {
   return borders;
 }
 
-/** A part that comes from this side, which no other border has then. */
+/** Removes and returns a part that starts at this side; `undefined` if none is left. */
 function taken(name: number, parts: Parts): Part | undefined {
   const list = parts.get(name) ?? [];
   const part = list.pop();

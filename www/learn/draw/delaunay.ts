@@ -13,7 +13,7 @@ import { at, line, svg, symbol, text } from './plate';
 const SECTOR = 40;
 const NAMED = 18;
 
-/** The most room that its words take. */
+/** The width reserved for the text, in units of the drawing. */
 const EDGE = 66;
 
 /** The radius of a point with its number inside, and of one with its number beside it, and how far away that is. */

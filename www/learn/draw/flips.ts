@@ -17,7 +17,7 @@ interface ShownPoints {
 const HALVINGS = 16;
 const HALF_TURN = 179.99;
 
-/** The facing angles of a flip come at least as near to half a turn. */
+/** A flip is drawn only if the sum of its facing angles is above this, in degrees: almost half a turn. */
 const NEARLY = 179.9;
 
 /** Places are the same within a hair. */

@@ -34,7 +34,7 @@ const JOLT: NumberHandle = {
   from: 0, to: 1, stride: 0.05, fine: 0.01, coarse: 0.25, digits: 2,
 };
 
-/** Circles of this size in an outline with as many corners, which neither come nor go. */
+/** Whether a recipe has a fixed number of circles of this size, in an outline with the same number of corners. */
 function fits({ value, points }: Trace): boolean {
   const isCrowd = value('kind') === 'circle' && value('pop') === 'off' && value('outline') === 'polygon';
   return isCrowd && Number(value('cs')) >= 28 && Number(value('size')) === 256 && Number(value('count')) <= 80 && points('poly').length === CORNERS;

@@ -51,7 +51,7 @@ export interface Marks {
   readonly empty: readonly Coming[];
 }
 
-/** A look is next if it is at most this many steps away; a cell is new for as long. */
+/** A scan counts as next within this many steps ahead; an added cell counts as new within this many steps. */
 const NEAR = EVERY;
 
 export function marksAt(trace: Trace, step: number): Marks {

@@ -92,7 +92,7 @@ const bump: Ask = {
   },
 };
 
-/** How long a way to the left well must be, in stable distances. */
+/** The least distance of a slide into the left well, in stable distances. */
 const SLIDE = 0.5;
 
 const slide: Ask = {
