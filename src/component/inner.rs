@@ -240,7 +240,7 @@ impl InnerMaking {
     }
 }
 
-/// How many triangles a slice looks at.
+/// The number of triangles that a slice of this amount looks at.
 fn looked_at(amount: usize) -> usize {
     amount.saturating_mul(LOOKED_AT)
 }

@@ -7,9 +7,9 @@ use super::{Colour, Layer};
 use crate::packing::{NetForce, Particle};
 
 const ARROW: Colour = [1.0, 0.36, 0.66, 1.0];
-/// An arrow's length, in cell sizes, for a force of 1 ...
+/// An arrow's length for a force of 1, in cell sizes.
 const LENGTH: f64 = 2.2;
-/// ... and its upper limit.
+/// The upper limit of an arrow's length, in cell sizes.
 const LONGEST: f64 = 1.3;
 /// Smaller forces are not drawn.
 const LEAST: f64 = 0.002;

@@ -15,9 +15,9 @@ const WELL: Colour = [0.05, 0.33, 0.40, 1.0];
 const LIGHT: Colour = [1.0, 0.98, 0.94, 1.0];
 /// The cell itself.
 const OWN: Colour = [1.0, 0.98, 0.94, 0.30];
-/// Distance of contours in wells, in k0 ...
+/// The distance of contours in wells, in k0.
 const STEP: f64 = 0.008;
-/// ... and contours for each doubling on the hill.
+/// The number of contours for each doubling on the hill.
 const PER_DOUBLING: f64 = 3.0;
 /// About the number of contours down to the deepest well and up to the hill's top.
 const RANGE: (f64, f64) = (9.0, 11.0);

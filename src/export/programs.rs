@@ -44,8 +44,8 @@ id T_Bubblestone_ID.png",
     ),
 ];
 
-/// The maps of a program's set with the names of their files; none for an unknown word. A mask map is made of the map
-/// of occlusion, roughness and metal: [`super::Map::mask`].
+/// The maps of a program's set with the names of their files; an unknown word has no maps. A mask map is made of the
+/// map of occlusion, roughness and metal: [`super::Map::mask`].
 pub fn maps_for(program: &str) -> impl Iterator<Item = (MapKind, &'static str)> {
     let set = SETS.iter().find(|(word, _)| *word == program);
     let lines = set.map_or("", |(_, lines)| lines).lines();

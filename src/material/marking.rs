@@ -14,9 +14,9 @@ use std::ops::Range;
 pub(crate) const WAVE: f64 = 0.2;
 /// The number of noise values along one wave.
 pub(crate) const WAVELENGTH: f64 = 16.0;
-/// From one cloud of tones to the next, as a part of the side of a picture or of the box around a body, ...
+/// The distance of clouds of tones, as a part of the side of a picture or of the box around a body.
 pub(crate) const CLOUDS: f64 = 0.45;
-/// ... and the place in the noise from which they are read, so that they do not follow the marks.
+/// The place in the noise from which clouds are read, so that they do not follow the marks.
 pub(crate) const CLOUDS_AT: f64 = 37.0;
 /// The width of the sharpest border of marks, as a share of the cells; the softest border covers all cells.
 const SHARPEST: f64 = 0.03;

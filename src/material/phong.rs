@@ -204,9 +204,9 @@ impl Gloss {
     }
 }
 
-/// Rows of the table: first the ground, ...
+/// The first row of the table: the ground. The finishes follow, from rough to smooth.
 pub(crate) const GROUND_ROW: u8 = 0;
-/// ... then the finishes from rough to smooth, then these two.
+/// The two rows after the finishes.
 pub(crate) const MOSS: u8 = FINISHES as u8 + 1;
 pub(super) const DIRT: u8 = MOSS + 1;
 /// All these rows occur three times: dry, damp, wet.

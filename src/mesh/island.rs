@@ -16,11 +16,11 @@ const NEEDLE: f64 = 0.01;
 /// only bridges a bend.
 const AT_WALL: f64 = 0.45;
 
-/// Lone triangles are accepted up to this share of the elements ...
+/// Lone triangles are accepted up to this share of the elements, plus [`RIM_TRIANGLES`].
 const FEW_TRIANGLES: f64 = 0.037;
-/// ... plus this number, but ...
+/// The number of lone triangles accepted beyond that share.
 const RIM_TRIANGLES: f64 = 6.0;
-/// ... at most this share.
+/// The greatest share of lone triangles that is accepted.
 const MOST_TRIANGLES: f64 = 0.08;
 /// The meshes of all islands, in progress.
 pub(super) struct IslandMeshing {

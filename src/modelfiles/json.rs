@@ -123,7 +123,7 @@ enum Open {
     List(Vec<Json>, usize),
     /// With the name of the next value, if that is kept.
     Object(Vec<(&'static str, Json)>, Option<&'static str>),
-    /// One that is not kept.
+    /// A list or an object that is not kept.
     Skipped {
         is_object: bool,
     },

@@ -56,8 +56,8 @@ pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
 /// The longest run of letters or of white space that is taken at a time, in bytes.
 const RUN: usize = 1 << 20;
 
-/// The next word from `at` on; moves `at` behind it. A longer word than [`RUN`] comes in parts, and so much white space
-/// is an empty word.
+/// The next word at or after `at`; moves `at` behind it. A word longer than [`RUN`] comes in parts. White space longer
+/// than [`RUN`] gives an empty word.
 pub(super) fn next_word<'a>(bytes: &'a [u8], at: &mut usize) -> Option<&'a [u8]> {
     let rest = bytes.get(*at..)?;
     let near = &rest[..rest.len().min(RUN)];

@@ -31,7 +31,7 @@ pub struct CellNumbers {
     pub force: DVec2,
     /// Half the potentials of its pairs, in its k0.
     pub energy: f64,
-    /// Those it touches or may touch, by their ids.
+    /// The cells that it touches or may touch, by their ids.
     pub neighbours: Vec<NeighbourNumbers>,
 }
 

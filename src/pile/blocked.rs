@@ -14,7 +14,7 @@ pub struct Blocked {
 }
 
 impl Blocked {
-    /// Nothing is blocked from `lo` to `hi`, with `lo` at most `hi`.
+    /// The range from `lo` to `hi`, of which nothing is blocked; `lo` is at most `hi`.
     pub fn new(lo: f64, hi: f64) -> Self {
         let intervals = Vec::new();
         Self { lo, hi, intervals }

@@ -110,7 +110,7 @@ impl Refining {
         &self.bodies
     }
 
-    /// The numbers of all bodies whose turn has come, in that order.
+    /// The numbers of all bodies handled so far, in order.
     pub fn history(&self) -> &[u32] {
         &self.order[..self.next]
     }

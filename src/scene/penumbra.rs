@@ -15,7 +15,8 @@ const AROUND: [[f32; 2]; 6] = [
     [0.5, -0.866_025],
 ];
 
-/// Places of the lamp's part: number k of 8 is at the square root of (k + 1/2) / 8 and k golden sections of a turn.
+/// Places of the lamp's part: number k of 8 has the radius sqrt((k + 1/2) / 8) and the angle of k golden sections of a
+/// turn.
 const PART: [[f32; 2]; 8] = [
     [0.25, 0.0],
     [-0.319_290, 0.292_496],

@@ -17,8 +17,8 @@ use wide::f32x4;
 
 /// The half side of the map, in radii of the bounding ball.
 const MARGIN: f32 = 1.02;
-/// Points are compared this many texels off their surface, because the map may show a coarser or finer level of it.
-/// Twice as many if all is coarse.
+/// Points are compared this many texels off their surface, because the map may show a coarser or finer level of it. The
+/// distance is doubled if all bodies are coarse.
 const OFF: f32 = 0.5;
 /// The least cosine between a surface and the direction to the lamp; smaller ones are clamped.
 const GRAZING: f32 = 1e-3;

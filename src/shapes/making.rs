@@ -21,12 +21,13 @@ enum Pass {
 
 use Pass::{Collapse, Delaunay, EvenOut, Onto, Slide, Split};
 
-/// These passes, in this many rounds, make the first triangles even, ...
+/// The passes of a round that makes the first triangles even.
 const ROUND: [Pass; 4] = [Split, Collapse, EvenOut, Slide];
+/// The number of these rounds.
 const ROUNDS: usize = 5;
-/// ... these follow once, ...
+/// The passes that follow the rounds, once.
 const LAST: [Pass; 4] = [Slide, Delaunay, Slide, Onto];
-/// ... and these follow each division.
+/// The passes that follow each division.
 const DIVIDED: [Pass; 8] = [Onto, Slide, Split, Collapse, EvenOut, Slide, Delaunay, Onto];
 
 /// Vertices or half edges in a piece of work.

@@ -18,8 +18,9 @@ pub(super) struct Terrain {
     low: f64,
 }
 
-/// How many waves there are, and how many of them have half the length.
+/// The number of waves.
 const WAVES: u64 = 18;
+/// The number of these that have half the length.
 const SHORT: u64 = 6;
 /// Steps of the grid on which the lowest place is searched.
 const LOWEST: u32 = 40;

@@ -29,11 +29,11 @@ use glam::{DVec2, Vec3};
 /// Rings of a control mesh.
 pub const RINGS: usize = 5;
 
-/// Half of a joint at Sv = 1, of the stone's size...
+/// Half of a joint at Sv = 1, as a share of the stone's size.
 const HALF_JOINT: f64 = 0.022;
-/// ... but at least this many pixels, because thinner joints come and go with the pixel grid ...
+/// The least half of a joint in pixels, because thinner joints come and go with the pixel grid.
 const LEAST_HALF_JOINT: f64 = 0.85;
-/// ... unless that were more than this share of a small stone.
+/// The greatest share of a small stone that this minimum may take.
 const MOST_HALF_JOINT: f64 = 0.065;
 /// Difference in height of top corners at Dr = 0.3, relative to the joint's depth.
 const UNEVEN: f64 = 0.10;

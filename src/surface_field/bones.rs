@@ -267,10 +267,11 @@ fn ball(segments: &[BoneSegment]) -> (DVec3, f64) {
 /// The constraint of the bones at a vertex, in its frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct BoneSource {
-    /// The weight ...
+    /// The weight.
     pub held: f64,
-    /// ... times the representation vector, and times the direction itself.
+    /// The weight times the representation vector.
     pub load: DVec2,
+    /// The weight times the direction itself.
     pub flow: DVec2,
     /// How far along the bones the vertex is, from head (0) to tail (1).
     pub along: f64,

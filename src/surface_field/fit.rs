@@ -8,9 +8,9 @@ use glam::DVec3;
 
 /// The most cells on a surface.
 pub const MOST_CELLS: usize = 250_000;
-/// Above this ratio of a cell's side to the radius of curvature, cells become uneven ...
+/// Above this ratio of a cell's side to the radius of curvature, cells become uneven.
 const TIGHT: f64 = 0.8;
-/// ... and above these they cannot follow the surface, where it is curved both ways, and where it is curved one way.
+/// Above these ratios cells cannot follow the surface: where it is curved both ways, and where it is curved one way.
 const TOO_TIGHT: [f64; 2] = [1.0, 1.2];
 /// A surface is curved both ways if the lesser curvature is at least this part of the greater.
 const BOTH: f64 = 0.5;
@@ -21,10 +21,11 @@ const THIN: f64 = 0.5;
 const TOLD: [f64; 2] = [0.25, 0.1];
 /// Above this share, cells are refused.
 const MOST: f64 = 0.5;
-/// One triangle in this many is measured, or fewer if each has very many within the side of a cell. In a slice this many
-/// triangles are looked at, and in all.
+/// One triangle in this many is measured; fewer are measured if each has very many within the side of a cell.
 const SAMPLED: usize = 8;
+/// The number of triangles that a slice looks at.
 const SLICE: f64 = 1e5;
+/// About the most triangles that all slices look at.
 const ALL: f64 = 5e7;
 /// Two triangles face away from each other if the dot product of their normals is less.
 const BACK: f64 = -0.2;

@@ -128,7 +128,7 @@ impl Default for AspectParams {
 pub struct DirectionParams {
     /// The weight of one direction in space, projected onto the surface.
     pub axis: f64,
-    /// That direction.
+    /// The direction in space.
     pub towards: DVec3,
     /// The weight of the bones.
     pub bones: f64,
@@ -170,7 +170,7 @@ impl Default for DirectionParams {
 pub struct FlowParams {
     /// The weight of the direction in space, as it points.
     pub axis: f64,
-    /// That direction.
+    /// The direction in space.
     pub towards: DVec3,
     /// The weight of the bones, from head to tail.
     pub bones: f64,

@@ -16,9 +16,9 @@ use glam::DVec2;
 /// The most rows of the coarsest system.
 const COARSEST: usize = 400;
 /// The tolerance of the solver on the mesh itself, which is also about the error of the angles, and its most
-/// iterations ...
+/// iterations.
 const FINE: (f64, usize) = (1e-4, 500);
-/// ... and those on coarser systems.
+/// The tolerance and the most iterations on coarser systems.
 const ROUGH: (f64, usize) = (1e-4, 100);
 /// Rounds of smoothing parts without constraints: on the coarsest system, on those between, on the mesh.
 const ROUNDS: [usize; 3] = [40, 6, 2];

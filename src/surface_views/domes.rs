@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub(super) struct Dome {
     /// Half the length and half the width.
     pub half: DVec2,
-    /// The radius of the corners; none for an ellipse.
+    /// The radius of the corners; `None` for an ellipse.
     pub round: Option<f64>,
     pub high: f64,
     /// The depth below the surface.

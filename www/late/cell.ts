@@ -22,7 +22,7 @@ export function cellNumbers(figures: Figures, words: CellWords = {}, title = '')
   return [...rows, ...piledNumbers(figures), ...blockNumbers(figures, words)].filter(([, value]) => value !== title);
 }
 
-/** Those of a body in a pile; lengths are in its diagonals. */
+/** The measures of a body in a pile; lengths are in its diagonals. */
 function piledNumbers({ type, layer, slid, inwards, outwards, touches }: Figures): [name: string, value: string][] {
   const rows: [string, string][] = [];
   if (is(type)) rows.push([t('body_type'), String(type)]);
@@ -41,7 +41,7 @@ export function featureName({ feature, number }: Figures): string {
   return t(FEATURES[feature ?? 2] ?? 'feature_2', { n: number ?? 0 });
 }
 
-/** Those of a block in a wall, in millimetres, and of the feature that it was laid for; or those of a face's map. */
+/** The measures of a block in a wall, in millimetres, and of the feature that it was laid for; or those of a face's map. */
 function blockNumbers({ length, height, depth, sort, course, feature, number, before, after }: Figures, { labels, node }: CellWords): [name: string, value: string][] {
   const rows: [string, string][] = [];
   if (is(sort)) rows.push([t('block_kind'), t(KINDS[sort] ?? 'kind_5')]);

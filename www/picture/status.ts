@@ -17,7 +17,7 @@ const READ = 100;
 
 const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 
-/** Those of generators whose cells move, come and go. */
+/** The counts of generators whose cells move, come and go. */
 const OF_MOVES: readonly string[] = ['move', 'added'];
 
 /** The words of these counts. Bodies and blocks have no largest move; each step lays blocks. */

@@ -39,13 +39,13 @@ pub(crate) struct Wall {
     params: BlockParams,
     /// The blocks so far.
     shapes: WallShapes,
-    /// Those of the last wall, if they serve for this one.
+    /// The shapes of the last wall, if this one can share them.
     last: Option<Rc<WallShapes>>,
     dressing: Dressing,
     cutter: Option<Stonecutter>,
     /// Makes stones whose sides are marked as rough or smooth.
     caster: Stonecutter,
-    /// How many cells have had their turn.
+    /// The number of cells handled so far.
     shown: usize,
 }
 
@@ -104,7 +104,7 @@ impl Wall {
         self.shown = end.max(self.shown);
     }
 
-    /// How many cells have had their turn.
+    /// The number of cells handled so far.
     pub fn shown(&self) -> usize {
         self.shown
     }

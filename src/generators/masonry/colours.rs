@@ -5,19 +5,19 @@ use crate::masonry::tree::PatternGenerator;
 use crate::material::{Gloss, Material};
 use crate::random::{Purpose, Random};
 
-/// Rows of the table of materials: mortar, ...
+/// The row of mortar in the table of materials.
 pub(super) const MORTAR_ROW: u8 = 0;
-/// ... bricks, ...
+/// The row of bricks.
 pub(super) const BRICK_ROW: u8 = 1;
-/// ... stones, ...
+/// The row of stones.
 pub(super) const STONE_ROW: u8 = 2;
-/// ... and what carries no masonry.
+/// The rows of parts that carry no masonry.
 pub(super) const GLASS_ROW: u8 = 3;
 pub(super) const WOOD_ROW: u8 = 4;
 pub(super) const IRON_ROW: u8 = 5;
-/// Moss, ...
+/// The row of moss.
 pub(super) const MOSS_ROW: u8 = 6;
-/// ... and the ground: blades of grass, and what lies between them.
+/// The rows of the ground: blades of grass, and the soil between them.
 pub(super) const GRASS_ROW: u8 = 7;
 pub(super) const SOIL_ROW: u8 = 8;
 

@@ -47,7 +47,7 @@ const GREENS: [[u8; 3]; 4] = [
     [98, 116, 60],
 ];
 
-/// The colour of the ground with this word; none for the floor of a studio.
+/// The colour of the ground with this word; `None` for the floor of a studio.
 fn colour(word: &str) -> Option<[u8; 3]> {
     match word {
         "grass" => Some([100, 108, 56]),

@@ -63,7 +63,7 @@ impl KeptBlocks {
         &self.bodies
     }
 
-    /// Those that still stand when this number of new blocks is laid.
+    /// The kept blocks that still stand when this number of new blocks is laid.
     pub(super) fn after(&self, laid: usize) -> &[Instance] {
         let first = self
             .instances

@@ -71,7 +71,7 @@ impl Flips {
         }
     }
 
-    /// How many of them a building does not have.
+    /// The number of flips whose corner or edge a building does not have.
     pub fn gone(&self, building: &Building) -> usize {
         let corners = self.corners.iter().map(|id| id.index());
         let edges = self.edges.iter().map(|id| id.index());

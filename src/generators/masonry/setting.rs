@@ -14,11 +14,11 @@ const REACH: f64 = 0.09;
 /// A scene that grows with a wall.
 pub(crate) struct WallScene {
     scene: Scene,
-    /// How many bodies there are before those of the wall, and how many instances are the ground's.
+    /// The number of bodies before those of the wall, and the number of instances of the ground.
     ground: [usize; 2],
-    /// How many bodies are the ground's. Those of kept blocks follow.
+    /// The number of bodies of the ground. Bodies of kept blocks follow them.
     of_ground: usize,
-    /// How many instances at the end are kept blocks.
+    /// The number of instances at the end that are kept blocks.
     kept: usize,
 }
 

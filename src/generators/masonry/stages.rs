@@ -31,9 +31,9 @@ pub(super) const LAYING: usize = 2;
 /// The index of the finished blocks, the first stage of the finisher.
 pub(super) const BLOCKS: usize = 3;
 
-/// The steps in which all blocks are laid, about, ...
+/// The approximate number of steps in which all blocks are laid.
 const STEPS: usize = 160;
-/// ... and the most blocks in one step.
+/// The most blocks in one step.
 const MOST: usize = 60;
 /// Blocks that look as they did before an edit are laid this many times faster.
 const KEPT: usize = 8;
@@ -325,7 +325,7 @@ impl MasonryStages {
     }
 }
 
-/// How many of the cells after the first `shown` are laid in the next step: some of one pass.
+/// The number of cells after the first `shown` that are laid in the next step. All belong to one pass.
 fn in_a_step(cells: &[MasonryCell], shown: usize, kept: &KeptBlocks) -> usize {
     let most = (cells.len() / STEPS).clamp(1, MOST);
     let left = cells.get(shown..).unwrap_or_default();

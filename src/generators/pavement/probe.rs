@@ -21,7 +21,7 @@ const SIZES: (f64, f64) = (0.55, 1.45);
 
 /// Neighbours are searched beside places along a side that are about this far apart, in cell sizes ...
 const STEP: f64 = 0.12;
-/// ... and this far outside: for neighbours that share the side, and for packed ones with a gap between.
+/// ... and at this distance outside of the side: for neighbours that share it, and for packed ones with a gap between.
 const REACH: [f64; 2] = [0.03, 0.25];
 
 /// Bounding boxes of the cells, to skip most polygons.

@@ -17,12 +17,13 @@ use std::rc::Rc;
 
 /// The reach of ambient occlusion, in mean diagonals of the types.
 const REACH: f64 = 0.35;
-/// The colour of ground, ...
+/// The colour of ground.
 const SOIL: [u8; 3] = [112, 96, 76];
-/// ... and of another shape that is seen.
+/// The colour of another shape that is seen.
 const BARE: [u8; 3] = [150, 143, 132];
-/// The tint of bodies that are removed, and after how many bodies at once no eye follows them.
+/// The tint of bodies that are removed.
 const REMOVED: [u8; 3] = [255, 72, 60];
+/// The most new bodies at once among which an eye can follow the removed ones.
 const FOLLOWED: usize = 24;
 /// The depth of the floor below the lowest place of ground, in longest sides.
 const SKIRT: f64 = 0.03;
@@ -53,9 +54,9 @@ pub(crate) struct Heap {
     owns: Vec<Option<Own>>,
     noise: Rc<PileNoise>,
     water: Option<f32>,
-    /// How many bodies' turns have come.
+    /// The number of bodies handled so far.
     shown: usize,
-    /// How many instances at the end of the scene are bodies that have just been removed.
+    /// The number of instances at the end of the scene that are bodies just removed.
     blinking: usize,
 }
 

@@ -3,9 +3,9 @@
 use crate::component::Finish;
 use crate::material::{Gloss, Material};
 
-/// The row of the shape where it is seen, ...
+/// The row of the shape where it is seen.
 pub(super) const SHAPE_ROW: u8 = 0;
-/// ... those of containers of china and of wood.
+/// The rows of containers of china and of wood.
 pub(super) const CHINA_ROW: u8 = 1;
 pub(super) const WOOD_ROW: u8 = 2;
 /// The first row of the types.

@@ -185,9 +185,9 @@ fn footprint(mesh: &TriMesh) -> Vec<DVec3> {
     (0..LINES * LINES).filter_map(|k| hit(from(k))).collect()
 }
 
-/// The greatest depth beyond T + D that 99 of 100 bodies have, and that of all bodies, in R: of round bodies, ...
+/// The greatest depth of round bodies beyond T + D, in R: of 99 in 100 bodies, and of all.
 const ROUND: [f64; 2] = [0.08, 0.20];
-/// ... and of showpieces with thin bodies or sharp edges.
+/// These depths in showpieces with thin bodies or sharp edges.
 const SHARP: [f64; 2] = [0.25, 0.45];
 const SHARP_ONES: [&str; 3] = ["nuts-bolts", "toys", "autumn-leaves"];
 /// The greatest depth, and the greatest mean of all bodies' depths, in R, of every preset.

@@ -27,9 +27,9 @@ pub(super) const REFINE: usize = 3;
 /// The index of the bodies, the first stage of the finisher.
 pub(super) const BODIES: usize = 4;
 
-/// The steps in which all bodies settle, about, ...
+/// The approximate number of steps in which all bodies settle.
 const STEPS: usize = 160;
-/// ... and the most bodies in one step.
+/// The most bodies in one step.
 const MOST: usize = 12;
 
 /// The nodes of the stages, and the files given for them.

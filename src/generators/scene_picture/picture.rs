@@ -16,9 +16,9 @@ const BURIED: f32 = 0.06;
 
 /// The direction of the light on a body that is shown alone, and its heights, in degrees.
 const FRONT: f64 = 225.0;
-/// The least height of a sun ...
+/// The least height of a sun, in degrees.
 const LOW: f64 = 30.0;
-/// ... and the height of a lamp.
+/// The height of a lamp, in degrees.
 const HIGH: f64 = 45.0;
 
 /// A generator's scenes, which are made in slices.

@@ -97,8 +97,8 @@ impl Polyhedron {
         self.sides.len() > 3 && self.sides.iter().all(has_area) && self.volume() > LEAST_VOLUME
     }
 
-    /// The body with some of its sides moved out (metres): cells that stand out of the wall. No more than two of the
-    /// planes may meet, unless at right angles.
+    /// The body with some of its sides moved out by a distance (metres): the body of a cell that stands out of the
+    /// wall. More than two of the planes may only meet at right angles.
     pub fn raised(mut self, planes: &[Plane], by: f64) -> Self {
         for p in &mut self.vertices {
             let on = planes

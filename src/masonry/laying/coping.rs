@@ -12,7 +12,7 @@ use glam::DVec2;
 
 /// Walls thicker than this have no coping, in modules.
 const THICKEST: f64 = 8.0;
-/// The top of a wall is at least so much longer than wide.
+/// The length of the top of a wall is more than this many times its width.
 const LONGER: f64 = 1.5;
 /// Faces that look up have at least this vertical part in their normals.
 const UP: f64 = 0.999;

@@ -281,7 +281,7 @@ impl Site {
         }
     }
 
-    /// How many bricks a row of a face's grid has, edges not counted, and how many of them are cut.
+    /// The number of bricks in a row of a face's grid, without those of edges, and the number of these that are cut.
     pub fn row_pieces(&self, id: FaceId, row: usize, shift: usize) -> [usize; 2] {
         let bricks = self.row_bricks(id, &BrickBond::BRICKS, (row, shift));
         if self.is_clear(id, row) {
@@ -308,7 +308,7 @@ impl Site {
         strip.is_some_and(|strip| bitmap.is_empty_under(&strip))
     }
 
-    /// How many bricks of a row of a face's grid have a free place.
+    /// The number of bricks in a row of a face's grid whose places are free at least in part.
     fn free_bricks(&self, id: FaceId, bond: &BrickBond, at: (usize, usize)) -> usize {
         let map = &self.faces[id.index()];
         let bricks = self.row_bricks(id, bond, at).into_iter();

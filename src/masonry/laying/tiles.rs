@@ -98,7 +98,7 @@ pub(super) struct TileWork {
     around: Vec<Footprint>,
     /// The least s.
     low: f64,
-    /// How many tiles lie in a row, and how wide they are.
+    /// The number of tiles in a row, and their width.
     columns: (usize, f64),
     /// The next row.
     row: isize,

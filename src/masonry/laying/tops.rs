@@ -12,9 +12,9 @@ use glam::{DVec2, DVec3};
 
 /// Directions whose cosine is less than this are at right angles.
 const RIGHT: f64 = 1e-3;
-/// Diagonal bricks are at least so long, in modules.
+/// The least length of diagonal bricks, in modules.
 const LEAST: f64 = 1.4;
-/// Where there is so much room, in modules, they are as deep as the bricks beside them.
+/// Diagonal bricks with more room than this, in modules, are as deep as the bricks beside them.
 const WIDE: f64 = 1.9;
 
 /// A top corner.

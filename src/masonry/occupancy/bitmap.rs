@@ -200,8 +200,8 @@ impl Bitmap {
         }
     }
 
-    /// For each pixel, row by row from the least t: none if it is occupied, else the number of the last of these claims
-    /// that covers it. Also the number of pixels in a row.
+    /// For each pixel, row by row from the least t: `None` if it is occupied, else the cell of the last of these claims
+    /// that covers it, if any does. Also the number of pixels in a row.
     pub(super) fn owners(&self, claims: &[Claim]) -> (Vec<Option<Option<u32>>>, usize) {
         let (width, height) = (self.raster.width, self.raster.height);
         let pixels = (0..height).flat_map(|row| (0..width).map(move |column| [row, column]));

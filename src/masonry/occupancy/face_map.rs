@@ -157,7 +157,7 @@ impl FaceMap {
         self.unclaimed(self.inside.iter().cloned())
     }
 
-    /// Those in a polygon.
+    /// The parts of a polygon that lie on the face under no claim, as convex polygons.
     pub fn gaps_in(&self, polygon: &Footprint) -> Vec<Footprint> {
         self.unclaimed(
             self.inside

@@ -14,9 +14,9 @@ const MOST: usize = 64;
 /// Where it is measured on the way from the middle of a part to a corner.
 const WAYS: [f64; 2] = [0.5, 0.94];
 
-/// Faces in a slice of the work, ...
+/// The number of faces in a slice of the work.
 const SLICE: usize = 4;
-/// ... and the corners, sides and diagonals of their convex parts.
+/// The number of corners, sides and diagonals of convex parts in a slice.
 const PARTS: usize = 200;
 
 /// The least thickness of the wall behind each face, in the order of the building's faces (metres); infinite where the

@@ -13,7 +13,7 @@ pub struct GridLine {
     pub is_row: bool,
     /// Whether s is constant along it; else t is.
     pub is_of_s: bool,
-    /// That s or t (metres).
+    /// The constant s or t (metres).
     pub at: f64,
     /// Whether a corner or a springing of an opening lies on it.
     pub is_opening: bool,

@@ -8,7 +8,7 @@ use bubblestone::solid::{StoneKind, StoneParams, joint_depth};
 use bubblestone::studio::Studio;
 
 const KINDS: [StoneKind; 2] = [StoneKind::Cobble, StoneKind::Flagstone];
-/// The default ring at half the side, with as many stones, and the factor of its lengths.
+/// The default ring at half the side, with the same number of stones, and the factor of its lengths.
 const SMALL: &str = "size=256&cs=11.5";
 const UNIT: f64 = 0.5;
 

@@ -42,7 +42,7 @@ interface Vertex {
   length: number;
   /** This vertex may become a handle. */
   kept: boolean;
-  /** The kind of handle. Most vertices are none. */
+  /** The kind of handle; undefined at vertices that are no handle, as most are. */
   handle?: 'corner' | 'smooth';
 }
 

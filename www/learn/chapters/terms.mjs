@@ -4,7 +4,7 @@ import { meshTerms, wayTerms } from './terms-mesh-way.mjs';
 
 /** @typedef {{ key: string, symbol?: string, chapter: string, name: { en: string, ja: string }, text: { en: string, ja: string } }} Term */
 
-/** Those of chapters to come, too. @type {Term[]} */
+/** All terms, also those of chapters to come. @type {Term[]} */
 const all = [
   {
     key: 'bubble', chapter: 'two-bubbles',
@@ -200,5 +200,5 @@ const all = [
   },
 ];
 
-/** Those of the chapters that are there. */
+/** The terms of the chapters that exist. */
 export const terms = all.filter(({ chapter }) => chapters.some(({ name }) => name === chapter));

@@ -37,7 +37,7 @@ export function regions(heights: Heights, range: Range, levels: readonly number[
   }
 }
 
-/** The same in parts, a row of the grid each. */
+/** Like the function above, but in parts: a row of the grid each. */
 export function* tracing(heights: Heights, [first, last]: Range, levels: readonly number[]): Generator<undefined, Point[][][]> {
   const all = levels.map((level) => ({ level, parts: new Map<number, Part[]>() }));
   const high = (column: number, row: number): number => (column < first || row < first || column > last || row > last ? DEEP : heights(column, row));

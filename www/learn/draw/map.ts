@@ -42,7 +42,7 @@ function marks({ well, pass }: Landscape): string {
   return `${wells.map((place) => at2(place, 'm-5 0h10m-5 -5v10', 'well')).join('')}${passes.map((place) => at2(place, 'm-4 -4l8 8m0 -8l-8 8', 'pass')).join('')}`;
 }
 
-/** A pass that is lower is none. */
+/** If the pass is lower than this above the well, all wells and passes form one ring. */
 const LOW = 1e-6;
 
 const nail = ({ x, y }: PackedCell): string => `<path class="nail" d="M${at(x * SIDE - 5)} ${at(y * SIDE - 5)}l10 10m0 -10l-10 10"/>`;

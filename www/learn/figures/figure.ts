@@ -95,7 +95,7 @@ export interface Landscape {
 /** The lists of a recipe whose rows are points: given bubbles, and the corners of the outline. */
 export type PointList = 'given' | 'poly';
 
-/** Those and the ends of strokes. */
+/** These lists, and the one whose rows are the ends of strokes. */
 export type PlaceList = PointList | 'strokes';
 
 /** The numbers of one packing at all its steps, as far as they are made; the cells of a pavement, once it is finished. */

@@ -38,7 +38,7 @@ export const isAtCorner = ({ aside }: Neighbour): boolean => aside > 45 - NEAR_D
 
 export const isStill = ({ speed }: Neighbour): boolean => speed < STILL;
 
-/** The first step from which on the square stays where it is. */
+/** The first step after which the square stays where it is. */
 export function restsAt(trace: Trace): number | undefined {
   const all = trace.steps.map((_, step) => neighbourAt(trace, step));
   const end = all.at(-1);

@@ -24,7 +24,7 @@ export function looksOf({ comings }: Trace): Look[] {
 /** The looks up to a step. */
 export const looksUpTo = (trace: Trace, step: number): Look[] => looksOf(trace).filter((look) => look.step <= step);
 
-/** How many came and went up to a step. */
+/** The numbers of cells that came and that went up to a step. */
 export function changesUpTo(trace: Trace, step: number): { readonly came: number; readonly went: number } {
   const own = trace.comings.filter((coming) => coming.step <= step);
   const came = own.filter((coming) => coming.came).length;
@@ -51,7 +51,7 @@ export interface Marks {
   readonly empty: readonly Coming[];
 }
 
-/** A scan counts as next within this many steps ahead; an added cell counts as new within this many steps. */
+/** A look counts as next within this many steps ahead; an added cell counts as new within this many steps. */
 const NEAR = EVERY;
 
 export function marksAt(trace: Trace, step: number): Marks {

@@ -24,7 +24,7 @@ export function turn(moments: readonly Moment[]): number | undefined {
   return stepOf(moments, ({ speed }) => speed * way < 0, way !== 0);
 }
 
-/** The first step from which on the distance stays the same. */
+/** The first step after which the distance stays the same. */
 export function rest(moments: readonly Moment[]): number | undefined {
   const end = moments.at(-1);
   if (!end || Math.abs(end.speed) > NEAR) return undefined;
@@ -32,7 +32,7 @@ export function rest(moments: readonly Moment[]): number | undefined {
   return moments[last + 1]?.step;
 }
 
-/** The first step from which on the two never meet again. */
+/** The first step after which the two never meet again. */
 export function parting(moments: readonly Moment[]): number | undefined {
   return stepOf(moments, ({ w, speed }) => w > REACH && speed > 0, true);
 }

@@ -22,7 +22,7 @@ const HEIGHT: f64 = 1e-3;
 /// The part of a pixel that is left free around a run of them.
 const LINE: f64 = 0.1;
 
-/// How many pixels are free, and how many cells of corners, edges and faces have claimed.
+/// The number of free pixels, and of pixels that cells of corners, edges and faces have claimed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::generators::masonry) struct Claimed {
     pub free: usize,

@@ -24,14 +24,14 @@ const BROKEN: [u8; 3] = [224, 178, 84];
 const WHOLE: f64 = 0.97;
 /// How far the texture lies before the face (metres).
 const HEIGHT: f64 = 1e-3;
-/// The building and its copy together are so wide, in units of the scene, ...
+/// The greatest width of the building and its copy together, in units of the scene.
 const WIDE: f32 = 1.2;
-/// ... with a gap between them, as a share of the building's width and of its depth.
+/// The gap between them, as a share of the building's width and of its depth.
 const GAP: Vec2 = Vec2::new(0.08, 0.25);
 /// Numbers of bricks in a row lie this far apart at least, so that tones of rows differ.
 const ROW: u32 = 4099;
 
-/// How many bricks the texture has, and how many end at the border of a face before they are whole.
+/// The number of bricks in the texture, and of those that end at the border of a face before they are whole.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::generators::masonry) struct Texture {
     pub bricks: usize,
