@@ -9,7 +9,7 @@ import { row, speechOf } from '../../www/learn/chapters/math.mjs';
 /** @typedef {import('./learn-frame.mjs').Language} Language */
 /** @typedef {import('./learn-frame.mjs').Words} Words */
 /** @typedef {import('./learn-chapter.mjs').Chapter} Chapter */
-/** @typedef {import('../../www/learn/chapters/terms.mjs').Term} Term */
+/** @typedef {import('../../www/learn/chapters/types.mjs').Term} Term */
 
 /** @param {Site} site @param {Language} language */
 export function contentsPage(site, language) {

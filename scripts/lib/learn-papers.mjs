@@ -6,8 +6,8 @@ import { escaped, folderOf, pageFile, prose, way } from './learn-frame.mjs';
 
 /** @typedef {import('./learn-frame.mjs').Site} Site */
 /** @typedef {import('./learn-frame.mjs').Language} Language */
-/** @typedef {import('../../www/learn/chapters/papers.mjs').Difference} Difference */
-/** @typedef {import('../../www/learn/chapters/papers.mjs').Side} Side */
+/** @typedef {import('../../www/learn/chapters/types.mjs').Difference} Difference */
+/** @typedef {import('../../www/learn/chapters/types.mjs').Side} Side */
 
 /** One side of a row. @param {Language} language @param {string} title @param {Side} side */
 function sideOf(language, title, { math, speech, text }) {

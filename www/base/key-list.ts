@@ -1,7 +1,7 @@
 /** The list of keys and their effects, in a dialog. */
 import { t, type Word } from '../words/keys';
+import { isOffered, type Binding } from './binding';
 import { byId, byIdAs, closeFromBeside, make } from './dom';
-import { isOffered, type Binding } from './keys';
 
 const dialog = byIdAs('keys', HTMLDialogElement);
 closeFromBeside(dialog);

@@ -1,21 +1,7 @@
 /** Keys that work anywhere on the page unless the focused element needs them itself. */
-import type { Word } from '../words/keys';
+import { isOffered, type Binding } from './binding';
 import { byId } from './dom';
 import { Later } from './later';
-
-export interface Binding {
-  /** `KeyboardEvent.key` in lower case, after `ctrl+` and `shift+`. `ctrl+` means Ctrl or Cmd. */
-  keys: string[];
-  /** The keys as the list shows them, where capitals are not enough. */
-  shown?: string[];
-  /** Their effect, for the list. */
-  word: Word;
-  /** The part of the page that the keys serve. If a generator does not offer it, the keys do nothing. */
-  part?: string;
-  act: (key: string) => void;
-  /** Holding the key down repeats the action. */
-  repeats?: boolean;
-}
 
 const bindings: Binding[] = [];
 
@@ -40,11 +26,6 @@ export function listenToKeys(): void {
   const show = (): void => list.ask(({ showKeys }) => showKeys(bindings));
   bindKeys({ keys: ['?'], word: 'keys', act: show });
   byId('keys-button').addEventListener('click', show);
-}
-
-/** Whether the page offers this part now. */
-export function isOffered(part?: string): boolean {
-  return part === undefined || (document.documentElement.dataset['offers'] ?? '').split(' ').includes(part);
 }
 
 /** The name of a key press. Letters have `shift+` only together with Ctrl, as signs such as `?` need Shift anyway. */

@@ -15,7 +15,7 @@ import type { View } from '../picture/view';
 import { Gestures, type Hands } from '../turn/gestures';
 import { homeOf } from '../state/asked-view';
 import { ALL_AROUND } from '../turn/camera';
-import type { Way } from './compare';
+import type { Way } from './way';
 import { Together } from './together';
 import { Zoom } from './zoom';
 import '../styles/late/beside.css';

@@ -13,6 +13,7 @@ import { PictureHost } from '../picture/host';
 import type { View } from '../picture/view';
 import { Beside } from './beside';
 import { Under } from './under';
+import type { Way } from './way';
 import '../styles/late/compare.css';
 import '../styles/late/look.css';
 
@@ -26,15 +27,6 @@ const PRESET = 'preset:';
 
 /** Elements where Escape has another meaning. */
 const NOT_HERE = 'dialog, select, [type=text], #layers, #layers-button, .light-layer, .light-kinds, .edit-tools';
-
-/** A way to show the second picture. */
-export interface Way {
-  show(on: boolean): void;
-  /** Shows this host, which has another recipe. */
-  take(host: PictureHost, title: string): void;
-  /** To be called after work on the second picture up to this stage. */
-  worked(stage: string): void;
-}
 
 export class Compare {
   private readonly work: Work;

@@ -6,7 +6,7 @@ import { PACE } from '../state/viewing';
 import type { Work } from '../state/work';
 import type { PictureHost } from '../picture/host';
 import { IDLE } from '../picture/loop';
-import type { Way } from './compare';
+import type { Way } from './way';
 
 export class Under implements Way {
   private readonly work: Work;

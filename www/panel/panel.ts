@@ -11,7 +11,9 @@ import { applies, differs, recipeOf, type Recipe } from '../state/rules';
 import type { Parameter } from '../module/types';
 import { makeControl, TYPED, type Change, type Control, type Edit } from './control';
 import { picturesOf } from './pictured';
-import { SIDE } from './scaling';
+
+/** The picture's side. */
+export const SIDE = 'size';
 
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = ['seed', 'poly'];

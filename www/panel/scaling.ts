@@ -11,9 +11,7 @@ import { notice } from '../base/messages';
 import { keep, kept } from '../base/storage';
 import { applies, differs, recipeOf } from '../state/rules';
 import type { Work } from '../state/work';
-import type { Panel } from './panel';
-
-export const SIDE = 'size';
+import { SIDE, type Panel } from './panel';
 
 const CHOICE = 'scale';
 

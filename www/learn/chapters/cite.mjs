@@ -1,6 +1,6 @@
 // The papers as they are cited.
 
-/** @typedef {{ en: string, ja: string }} Words */
+/** @typedef {import('./types.mjs').Words} Words */
 
 const OLD = 'K. Miyata, T. Itoh, K. Shimada (2000)';
 export const PAVEMENTS = { en: `${OLD}, `, ja: `${OLD}、` };

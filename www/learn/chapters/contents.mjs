@@ -12,7 +12,7 @@ import { twoBubblesGuide } from './two-bubbles-guide.mjs';
 import { whichWay } from './which-way.mjs';
 import { whichWayGuide } from './which-way-guide.mjs';
 
-/** @typedef {{ en: string, ja: string }} Words */
+/** @typedef {import('./types.mjs').Words} Words */
 
 /** The chapters that are there, with their parts of the teacher's guide. */
 export const chapters = [

@@ -2,7 +2,7 @@
 import { at, JAPANESE, PAVEMENTS } from './cite.mjs';
 import { arrowSum, fourFoldSum, lengthSum } from './sums.mjs';
 
-/** @type {import('./papers.mjs').Difference[]} */
+/** @type {import('./types.mjs').Difference[]} */
 export const directionDifferences = [
   {
     key: 'direction', chapter: 'which-way',

@@ -1,7 +1,7 @@
 // Papers and differences: from packed cells to a mesh, and from the mesh to cells.
 import { at, JAPANESE, PAVEMENTS, SKINS } from './cite.mjs';
 
-/** @type {import('./papers.mjs').Difference[]} */
+/** @type {import('./types.mjs').Difference[]} */
 export const meshDifferences = [
   {
     key: 'hexahedral', chapter: 'mesh', isMisprint: true,

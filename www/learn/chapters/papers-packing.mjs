@@ -8,7 +8,7 @@ const CORNERS_SPEECH = {
   ja: 'プサイは、プサイ・ピー・ゼロ、足す、かっこルート2引く1かける、プサイ・ピー・いち、ピー・に、ピー・さん、ピー・よんの和。',
 };
 
-/** @type {import('./papers.mjs').Difference[]} */
+/** @type {import('./types.mjs').Difference[]} */
 export const packingDifferences = [
   {
     key: 'corners', chapter: 'squares', isMisprint: true,

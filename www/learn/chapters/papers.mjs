@@ -5,13 +5,6 @@ import { directionDifferences } from './papers-direction.mjs';
 import { meshDifferences } from './papers-mesh.mjs';
 import { packingDifferences } from './papers-packing.mjs';
 
-/** @typedef {{ en: string, ja: string }} Words */
-/** A formula with its speech, or words. @typedef {{ math?: string, speech?: Words, text?: Words }} Side */
-/**
- * A row of the page, and where it is seen: a state of a figure of its chapter, or of the studio.
- * @typedef {{ key: string, chapter?: string, isMisprint?: boolean, heading: Words, from: Words, printed: Side, ours: Side, note: Words, task?: { question: Words, answer: Words }, see: { link?: string, figure?: string, words: Words } }} Difference
- */
-
 const BRACKET = fenced(`${over('5', '4')}${raised('w', 3)}<mo>−</mo>${over('19', '8')}${raised('w', 2)}<mo>+</mo>${over('9', '8')}`);
 const QUARTIC = fenced(`${over('5', '16')}${raised('w', 4)}<mo>−</mo>${over('19', '24')}${raised('w', 3)}<mo>+</mo>${over('9', '8')}${row('w')}<mo>−</mo>${over('153', '256')}`);
 const RANGE = { en: 'for w up to 1.5, and 0 beyond', ja: 'ダブリューが1.5まで、その先は0' };
@@ -27,7 +20,7 @@ const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0
 /** @param {number} w */
 const pair = (w) => `fig=pair&${PAIR}&given=0.25,0.5,1;${0.25 + w / 4},0.5,0&damp=0.5&move=rk4&dt=0.1&step=0`;
 
-/** In the order of the equations. @type {Difference[]} */
+/** In the order of the equations. @type {import('./types.mjs').Difference[]} */
 export const differences = [
   ...directionDifferences,
   {

@@ -1,6 +1,6 @@
 // The terms of chapters 3 and 5, in the order in which the chapters use them.
 
-/** @type {import('./terms.mjs').Term[]} */
+/** @type {import('./types.mjs').Term[]} */
 export const meshTerms = [
   {
     key: 'mesh', chapter: 'mesh',
@@ -44,7 +44,7 @@ export const meshTerms = [
   },
 ];
 
-/** @type {import('./terms.mjs').Term[]} */
+/** @type {import('./types.mjs').Term[]} */
 export const wayTerms = [
   {
     key: 'four-fold', symbol: 'v4', chapter: 'which-way',

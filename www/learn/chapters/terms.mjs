@@ -2,9 +2,7 @@
 import { chapters } from './contents.mjs';
 import { meshTerms, wayTerms } from './terms-mesh-way.mjs';
 
-/** @typedef {{ key: string, symbol?: string, chapter: string, name: { en: string, ja: string }, text: { en: string, ja: string } }} Term */
-
-/** All terms, also those of chapters to come. @type {Term[]} */
+/** All terms, also those of chapters to come. @type {import('./types.mjs').Term[]} */
 const all = [
   {
     key: 'bubble', chapter: 'two-bubbles',
