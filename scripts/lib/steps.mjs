@@ -34,7 +34,7 @@ export const steps = {
   'wasm build': () => buildModules(forWasm()),
   'page build': buildSite,
   types,
-  'page in Node': () => nodeTests(['viewing', 'painting', 'drawing', 'learn', 'figures'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
+  'page in Node': () => nodeTests(['viewing', 'painting', 'drawing', 'learn', 'figures', 'circles'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
   lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
   'modules as sent': () => nodeTests(['shipped', 'film'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
   'clippy, wasm32': () => wasmLint(forWasm()),
