@@ -3,12 +3,12 @@
 const PREFIX = 'bubblestone.';
 
 /** A storage of the browser. Asking for it throws where storing is forbidden. */
-type Place = () => Storage;
+type StoragePlace = () => Storage;
 
-const BROWSER: Place = () => localStorage;
-const TAB: Place = () => sessionStorage;
+const BROWSER: StoragePlace = () => localStorage;
+const TAB: StoragePlace = () => sessionStorage;
 
-function textIn(place: Place, name: string): string | undefined {
+function textIn(place: StoragePlace, name: string): string | undefined {
   try {
     return place().getItem(PREFIX + name) ?? undefined;
   } catch {
@@ -16,7 +16,7 @@ function textIn(place: Place, name: string): string | undefined {
   }
 }
 
-function put(place: Place, name: string, text: string): boolean {
+function put(place: StoragePlace, name: string, text: string): boolean {
   try {
     place().setItem(PREFIX + name, text);
     return true;

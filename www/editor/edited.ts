@@ -1,7 +1,7 @@
 /** The figures that are edited over the canvas, and every change to them, by pointer or by keyboard. */
 import type { Point } from '../module/types';
 import { divide, join, nearestLine, settle, turnOver } from './geometry/curve';
-import type { Figure, Place, Sort } from './geometry/figures';
+import type { Figure, FigurePoint, Sort } from './geometry/figures';
 import { distance, nearest, toSegment } from './geometry/plane';
 import { snap } from './geometry/snap';
 import { Sheet } from './sheet';
@@ -37,7 +37,7 @@ export class EditedFigures {
   /** The next drag over the canvas draws a ring. */
   armed = false;
   /** The marked point. */
-  at: Place = { figure: 0, index: 0 };
+  at: FigurePoint = { figure: 0, index: 0 };
   private readonly needs: FigureNeeds;
   private readonly around: Around;
   private all: Figure[] = [];
@@ -96,7 +96,7 @@ export class EditedFigures {
   }
 
   /** Makes elements for all figures, and marks a point that exists. */
-  private rebuild({ figure, index }: Place): void {
+  private rebuild({ figure, index }: FigurePoint): void {
     if (!this.sort) return;
     const known = Math.max(0, Math.min(figure, this.all.length - 1));
     this.at = { figure: known, index: Math.max(0, Math.min(index, (this.all[known]?.points.length ?? 1) - 1)) };
@@ -123,14 +123,14 @@ export class EditedFigures {
     return marked !== undefined && !(only && marked.points.length <= 3);
   }
 
-  mark(place: Place): void {
+  mark(place: FigurePoint): void {
     if (place.figure === this.at.figure && place.index === this.at.index) return;
     this.at = place;
     this.place();
   }
 
   /** The new place of a point. With Shift it snaps, and a guide shows the target. */
-  snapped(at: Point, snaps: boolean, place: Place | undefined, neighbour?: Point): Point {
+  snapped(at: Point, snaps: boolean, place: FigurePoint | undefined, neighbour?: Point): Point {
     if (!snaps) {
       this.sheet.guide('');
       return at;
@@ -147,7 +147,7 @@ export class EditedFigures {
     return found.at;
   }
 
-  move({ figure, index }: Place, [x, y]: Point): void {
+  move({ figure, index }: FigurePoint, [x, y]: Point): void {
     const points = this.all[figure]?.points;
     const here = points?.[index];
     if (!points || !here) return;
@@ -171,7 +171,7 @@ export class EditedFigures {
   }
 
   /** Moves a point, or the `whole` figure, by a key. Repeats of a key that is held down (`again`) are one step. */
-  nudge(place: Place, [dx, dy]: Point, whole: boolean, again: boolean): void {
+  nudge(place: FigurePoint, [dx, dy]: Point, whole: boolean, again: boolean): void {
     const point = this.all[place.figure]?.points[place.index];
     if (!point) return;
     if (again) this.hold();
@@ -248,7 +248,7 @@ export class EditedFigures {
   }
 
   /** Adds a point halfway to the next one. Behind the last point of a line, it extends the line. */
-  addAfter({ figure, index }: Place): void {
+  addAfter({ figure, index }: FigurePoint): void {
     const found = this.all[figure];
     const form = this.sort?.form;
     const [before, here] = [found?.points[index - 1], found?.points[index]];
@@ -277,7 +277,7 @@ export class EditedFigures {
   }
 
   /** Removes a point. Removes the figure where too few points would be left. The last ring stays. */
-  take({ figure, index }: Place): void {
+  take({ figure, index }: FigurePoint): void {
     this.at = { figure, index };
     const found = this.all[figure];
     const { sort } = this;
@@ -289,14 +289,14 @@ export class EditedFigures {
   }
 
   /** Makes a ring's corner smooth, or a smooth point a corner. */
-  turnOver({ figure, index }: Place): void {
+  turnOver({ figure, index }: FigurePoint): void {
     const found = this.all[figure];
     if (!found || this.sort?.form !== 'ring') return;
     turnOver(found, index, this.side);
     this.changed();
   }
 
-  private restructured(marked: Place): void {
+  private restructured(marked: FigurePoint): void {
     this.rebuild(marked);
     this.around.focus();
     this.changed();

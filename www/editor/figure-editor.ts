@@ -4,7 +4,7 @@ import { byId } from '../base/dom';
 import { ARROWS } from '../late/arrows';
 import { EditorBar } from './bar';
 import { EditedFigures, type FigureNeeds } from './edited';
-import { drawn, type Figure, type Place, type Sort } from './geometry/figures';
+import { drawn, type Figure, type FigurePoint, type Sort } from './geometry/figures';
 import { Gestures } from './gestures';
 
 /** An arrow key moves a point by this many units of the picture; with Shift, ten times as far. */
@@ -113,7 +113,7 @@ export class FigureEditor {
     if (event.key === 'Escape') this.close();
   }
 
-  private key(event: KeyboardEvent, place: Place): void {
+  private key(event: KeyboardEvent, place: FigurePoint): void {
     if (event.defaultPrevented) return;
     const { figures } = this;
     const arrow = ARROWS[event.key];

@@ -1,7 +1,7 @@
 /** Presses, drags and double clicks over the canvas, by mouse, pen or finger. */
 import type { Point } from '../module/types';
 import type { EditedFigures } from './edited';
-import type { Place } from './geometry/figures';
+import type { FigurePoint } from './geometry/figures';
 import { DOUBLE, Pen } from './pen';
 import type { Part } from './sheet';
 
@@ -11,7 +11,7 @@ const NEAR = 9;
 const NEAR_FOR_FINGERS = 24;
 
 type Hold = { pointer: number; x: number; y: number; moved: boolean; finger: boolean } & (
-  | { holds: 'point'; place: Place; twice: boolean }
+  | { holds: 'point'; place: FigurePoint; twice: boolean }
   | { holds: 'figure'; figure: number; last: Point }
   | { holds: 'knob'; figure: number }
   | { holds: 'pen' }

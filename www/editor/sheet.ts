@@ -4,7 +4,7 @@ import { t } from '../words/editor';
 import { make } from '../base/dom';
 import { shape } from '../late/svg';
 import { lines, middle } from './geometry/curve';
-import { drawn, knobs, type Figure, type Place, type Sort } from './geometry/figures';
+import { drawn, knobs, type Figure, type FigurePoint, type Sort } from './geometry/figures';
 import { distance } from './geometry/plane';
 import { depth } from './geometry/rings';
 
@@ -14,7 +14,7 @@ const ROOM_FOR_FINGERS = 112;
 
 /** The part of the drawing under a pointer. */
 export type Part =
-  | { part: 'point' | 'edge'; place: Place }
+  | { part: 'point' | 'edge'; place: FigurePoint }
   | { part: 'line' | 'knob'; figure: number }
   | { part: 'nothing' };
 
@@ -49,7 +49,7 @@ export class Sheet {
   /** Makes elements for these figures, without placing them. */
   build(sort: Sort, figures: Figure[]): void {
     this.grips.replaceChildren(...figures.map((_, figure) => marked(path('grip'), { figure })));
-    const points = figures.flatMap(({ points }, figure) => points.map((_, index): Place => ({ figure, index })));
+    const points = figures.flatMap(({ points }, figure) => points.map((_, index): FigurePoint => ({ figure, index })));
     this.handles.replaceChildren(
       ...points.map((place) => marked(make('button', { type: 'button', class: 'handle' }), { ...place })),
       ...(sort.broad ? figures.flatMap((_, figure) => [0, 1].map(() => marked(make('span', { class: 'handle knob', 'aria-hidden': 'true' }), { figure }))) : []),
@@ -59,7 +59,7 @@ export class Sheet {
   }
 
   /** Moves all elements to their figures. */
-  place(sort: Sort, figures: Figure[], at: Place, side: number): void {
+  place(sort: Sort, figures: Figure[], at: FigurePoint, side: number): void {
     const shortest = this.room * this.unit(side);
     this.lines.setAttribute('viewBox', `0 0 ${side} ${side}`);
     const courses = figures.map((figure) => lines(figure, side));
@@ -120,7 +120,7 @@ export class Sheet {
   }
 
   /** Moves the keyboard focus to a point. Returns false if there is none. */
-  focus(figures: Figure[], { figure, index }: Place): boolean {
+  focus(figures: Figure[], { figure, index }: FigurePoint): boolean {
     const before = figures.slice(0, figure).reduce((total, { points }) => total + points.length, 0);
     const handle = this.handles.children[before + index];
     if (!(handle instanceof HTMLButtonElement)) return false;

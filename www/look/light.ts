@@ -8,6 +8,7 @@ import { homeOf } from '../state/asked-view';
 import { onStep } from '../state/scale';
 import type { Store } from '../state/store';
 import type { Work } from '../state/work';
+import type { SheetPlace } from './zoom';
 import '../styles/late/look.css';
 
 /** Distance of the sun from the middle of the sheet when it is at the horizon, in sides. */
@@ -20,11 +21,6 @@ const UPPER = 0.16;
 /** The step of an arrow key, in degrees and in sides of the picture. */
 const TURN = 3;
 const NUDGE = 0.02;
-
-interface Spot {
-  x: number;
-  y: number;
-}
 
 export class LightOnCanvas {
   private readonly work: Work;
@@ -92,7 +88,7 @@ export class LightOnCanvas {
     return this.waiting[key] ?? Number(this.engine.get(key));
   }
 
-  private footAt(): Spot {
+  private footAt(): SheetPlace {
     const inside = (v: number): number => Math.min(Math.max(v, 0.02), 0.98);
     return { x: inside(this.number('lx')), y: inside(this.number('ly')) };
   }
@@ -108,7 +104,7 @@ export class LightOnCanvas {
   }
 
   /** Sets the light's direction and height from the pointer's place relative to the middle of the sheet. */
-  private aim({ x, y }: Spot): void {
+  private aim({ x, y }: SheetPlace): void {
     const far = Math.min(Math.hypot(x - 0.5, y - 0.5) / HORIZON, 1);
     const azimuth = (Math.atan2(y - 0.5, x - 0.5) * 180) / Math.PI + this.round();
     this.put({ az: (Math.round(azimuth) + 360) % 360, el: 90 - far * 90 });
@@ -132,9 +128,9 @@ export class LightOnCanvas {
     if (!held) this.store.update({ held: false });
   }
 
-  private dragged(element: HTMLElement, to: (at: Spot) => void): void {
-    let off: Spot = { x: 0, y: 0 };
-    const at = (event: PointerEvent): Spot => {
+  private dragged(element: HTMLElement, to: (at: SheetPlace) => void): void {
+    let off: SheetPlace = { x: 0, y: 0 };
+    const at = (event: PointerEvent): SheetPlace => {
       const box = this.layer.getBoundingClientRect();
       return { x: (event.clientX - box.left) / box.width, y: (event.clientY - box.top) / box.height };
     };
@@ -200,7 +196,7 @@ export class LightOnCanvas {
     this.draw(top, at);
   }
 
-  private draw(from: Spot, to: Spot): void {
+  private draw(from: SheetPlace, to: SheetPlace): void {
     for (const line of this.lines) place(line, { x1: from.x, y1: from.y, x2: to.x, y2: to.y });
   }
 }
@@ -217,7 +213,7 @@ function handle(name: string, word: 'sun_place' | 'lamp_place' | 'lamp_height'):
   return make('div', { class: `light-handle ${name}`, id: `light-${name}`, role: 'slider', tabindex: '0', 'aria-label': t(word) });
 }
 
-function stand(element: HTMLElement, { x, y }: Spot, now: number, [from, to]: [number, number], said: string): void {
+function stand(element: HTMLElement, { x, y }: SheetPlace, now: number, [from, to]: [number, number], said: string): void {
   element.style.left = `${100 * x}%`;
   element.style.top = `${100 * y}%`;
   element.setAttribute('aria-valuemin', String(from));

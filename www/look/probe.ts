@@ -23,7 +23,7 @@ interface Sight {
 }
 
 /** A place in one of the pictures that stand side by side, `repeat` of them along a side. */
-interface Place {
+interface TiledPlace {
   point: Point;
   tile: Point;
 }
@@ -38,7 +38,7 @@ export class CellProbe {
   private readonly outline = [shape('path'), shape('path')];
   private readonly svg = shape('svg', { 'aria-hidden': 'true' }, ...this.outline);
   /** The place where the pointer rests, or that keys reached. */
-  private place: Place | undefined;
+  private place: TiledPlace | undefined;
   private cell: Probe | undefined;
   private pointer: { x: number; y: number } | undefined;
   private timer = 0;

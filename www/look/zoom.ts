@@ -15,7 +15,8 @@ const SLACK = 4;
 /** Elements over the picture that handle pointers themselves. */
 const OWN = 'button, input, select, [role=slider], .grip';
 
-interface Spot {
+/** A place on the sheet or in the picture, in sides of it: x to the right, y down. */
+export interface SheetPlace {
   x: number;
   y: number;
 }
@@ -24,8 +25,8 @@ export class Zoom {
   private readonly sheet: HTMLElement;
   private readonly store: Store;
   private readonly moved: () => void;
-  private readonly down = new Map<number, Spot>();
-  private begun: Spot | undefined;
+  private readonly down = new Map<number, SheetPlace>();
+  private begun: SheetPlace | undefined;
 
   /** `moved` is called after each zoom or pan. All sheets show the same part of their pictures. */
   constructor(store: Store, moved: () => void, sheet = byId('sheet')) {
@@ -53,7 +54,7 @@ export class Zoom {
   }
 
   /** The picture's upper left corner, in sides of the sheet. */
-  private get corner(): Spot {
+  private get corner(): SheetPlace {
     const { scale, x, y } = this.store.state.zoom;
     return { x: 0.5 - x * scale, y: 0.5 - y * scale };
   }
@@ -64,7 +65,7 @@ export class Zoom {
   }
 
   /** Brings a place, in sides of the picture, into view. */
-  reveal({ x, y }: Spot): void {
+  reveal({ x, y }: SheetPlace): void {
     const inward = (at: number, corner: number): number => {
       const seen = corner + at * this.scale;
       return seen < 0.1 || seen > 0.9 ? 0.5 - at * this.scale : corner;
@@ -73,7 +74,7 @@ export class Zoom {
   }
 
   /** Zooms about a place of the sheet, in its sides, with the picture's corner dragged to `corner`. */
-  private to(zoom: number, at: Spot, corner = this.corner): void {
+  private to(zoom: number, at: SheetPlace, corner = this.corner): void {
     const [least, most] = LIMITS.zoom;
     const next = Math.min(Math.max(zoom, least), most);
     const ratio = next / this.scale;
@@ -81,7 +82,7 @@ export class Zoom {
     this.take(next < 1.01 ? 1 : next, { x: at.x - (at.x - corner.x) * ratio, y: at.y - (at.y - corner.y) * ratio });
   }
 
-  private take(scale: number, corner: Spot): void {
+  private take(scale: number, corner: SheetPlace): void {
     const zoom = inFrame({ scale, x: (0.5 - corner.x) / scale, y: (0.5 - corner.y) / scale });
     if (!isSame(zoom, this.store.state.zoom)) this.store.update({ zoom });
   }
@@ -93,7 +94,7 @@ export class Zoom {
     this.moved();
   }
 
-  private at({ clientX, clientY }: MouseEvent): Spot {
+  private at({ clientX, clientY }: MouseEvent): SheetPlace {
     const box = this.sheet.getBoundingClientRect();
     return { x: (clientX - box.left) / box.width, y: (clientY - box.top) / box.height };
   }
@@ -155,9 +156,9 @@ export class Zoom {
   }
 
   /** Zooms and pans by two fingers: the picture stays under both. */
-  private pinch(before: Spot, now: Spot, other: Spot): void {
+  private pinch(before: SheetPlace, now: SheetPlace, other: SheetPlace): void {
     this.sheet.toggleAttribute('data-panning', true);
-    const apart = (p: Spot): number => Math.max(0.02, Math.hypot(p.x - other.x, p.y - other.y));
+    const apart = (p: SheetPlace): number => Math.max(0.02, Math.hypot(p.x - other.x, p.y - other.y));
     const middle = { x: (before.x + other.x) / 2, y: (before.y + other.y) / 2 };
     const by = { x: (now.x - before.x) / 2, y: (now.y - before.y) / 2 };
     this.to((this.scale * apart(now)) / apart(before), { x: middle.x + by.x, y: middle.y + by.y }, { x: this.corner.x + by.x, y: this.corner.y + by.y });

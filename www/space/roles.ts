@@ -7,7 +7,7 @@ const COMPONENT = 'file1';
 const SHAPE = 'model';
 
 /** The rows of a file: that which names it, the choice that makes it count, and the upright axis. */
-interface Place {
+interface FileRows {
   readonly file: Parameter;
   readonly choice: string;
   readonly word: string;
@@ -41,7 +41,7 @@ function otherThan(role: string): string {
   return role === COMPONENT ? SHAPE : COMPONENT;
 }
 
-function placeOf(schema: readonly Parameter[], role: string): Place | undefined {
+function placeOf(schema: readonly Parameter[], role: string): FileRows | undefined {
   const file = schema.find(({ key, item }) => key === role && item === 'file');
   const [choice, word] = [file?.shownFor?.key, file?.shownFor?.words[0]];
   if (!file || choice === undefined || word === undefined) return undefined;

@@ -12,7 +12,7 @@ import type { PictureHost } from '../picture/host';
 import type { View } from '../picture/view';
 import { flipOf } from './flips';
 import { noteOf } from './told';
-import type { Place } from './turntable';
+import type { Surroundings } from './turntable';
 import { Turntables } from './turntables';
 
 export class PageTurntable {
@@ -77,7 +77,7 @@ export class PageTurntable {
     return this.both.surface;
   }
 
-  private place(): Omit<Place, 'leave' | 'frames'> {
+  private place(): Omit<Surroundings, 'leave' | 'frames'> {
     const { store, engine } = this.work;
     return {
       generator: () => engine.generator,

@@ -25,7 +25,7 @@ import '../styles/late/look.css';
 import '../styles/late/turn.css';
 
 /** The surroundings of a turntable. */
-export interface Place {
+export interface Surroundings {
   /** The generator, which decides the first camera and its limits. */
   generator(): Pick<Generator, 'home' | 'lowest' | 'offers'>;
   /** The source of frames; without it, a worker makes them. */
@@ -72,7 +72,7 @@ const DRAGGED = 'dragged';
 const MOST = 1600;
 
 export class Turntable {
-  private readonly place: Place;
+  private readonly place: Surroundings;
   private readonly sheet = byId('sheet');
   private readonly canvas = make('canvas', { 'aria-hidden': 'true' });
   private readonly stand = make('div', { class: 'turn-stand', id: 'turn', role: 'application', tabindex: '0', 'aria-describedby': 'turn-seen' }, this.canvas);
@@ -104,7 +104,7 @@ export class Turntable {
   /** Counts the places pointed at; a late answer is ignored. */
   private pointed = 0;
 
-  constructor(place: Place) {
+  constructor(place: Surroundings) {
     this.place = place;
     this.making = new Making({ get: (key) => place.get(key), show: () => this.follow(), end: () => this.all() });
     this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body), tools: () => Math.max(0, ...this.tools.map(({ offsetTop, offsetHeight }) => offsetTop + offsetHeight)) });

@@ -1,20 +1,20 @@
 /** The two turntables of a host: one shows frames of its engine, the other the bodies of a picture, made by a worker. */
 import { LocalFrames } from '../picture/frames/local';
 import type { PictureHost } from '../picture/host';
-import { Turntable, type Place } from './turntable';
+import { Turntable, type Surroundings } from './turntable';
 
 export class Turntables {
   /** The turntable that is shown, or was shown last. */
   shown: Turntable | undefined;
   private readonly host: PictureHost;
-  private readonly place: Omit<Place, 'leave' | 'frames'>;
-  private readonly leave: Pick<Place, 'leave'>;
+  private readonly place: Omit<Surroundings, 'leave' | 'frames'>;
+  private readonly leave: Pick<Surroundings, 'leave'>;
   private slant: Turntable | undefined;
   private framed: Turntable | undefined;
   private frames: LocalFrames | undefined;
 
   /** `leave` ends the turntable of a picture's bodies; an embedded page has no such control. */
-  constructor(host: PictureHost, place: Omit<Place, 'leave' | 'frames'>, leave: Pick<Place, 'leave'> = {}) {
+  constructor(host: PictureHost, place: Omit<Surroundings, 'leave' | 'frames'>, leave: Pick<Surroundings, 'leave'> = {}) {
     this.host = host;
     this.place = place;
     this.leave = leave;

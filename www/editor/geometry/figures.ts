@@ -23,7 +23,7 @@ export interface Stretch {
 }
 
 /** A point of a figure. */
-export interface Place {
+export interface FigurePoint {
   figure: number;
   index: number;
 }
@@ -41,7 +41,7 @@ export interface Sort {
   /** A sentence on how to draw one. */
   tip: string;
   /** The label of a figure's point. */
-  name(place: Place, all: Figure[]): string;
+  name(place: FigurePoint, all: Figure[]): string;
   /** The meaning of a figure's value; `words` if it is a choice of words. */
   value?: FigureValue | undefined;
   /** Drawn as a band whose width is its value, in hundredths of the picture's side. */

@@ -3,7 +3,8 @@
  * and the circle of one of its triangles; or the triangle with the smallest angle, with its circle.
  */
 import type { Plate, View } from '../figures/figure';
-import { acrossOf, distance, nearestEdge, placeOf, triangleAt, worstOf, type Flip, type InnerEdge, type JoinedCells, type Spot, type Triangle } from '../figures/joined';
+import { acrossOf, distance, nearestEdge, placeOf, triangleAt, worstOf, type Flip, type InnerEdge, type JoinedCells, type Triangle } from '../figures/joined';
+import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
 import { linesOf, loop, onPlate, tinted } from './mesh';
@@ -37,13 +38,13 @@ function nodes({ points }: JoinedCells): string {
   return all.map(([id, place]) => node(id, place, all.find(([other, near]) => other !== id && distance(near, place) < 2 * NODE)?.[1])).join('');
 }
 
-function node(id: number, [x, y]: Spot, near: Spot | undefined): string {
+function node(id: number, [x, y]: Place, near: Place | undefined): string {
   const [u, v] = near ? unit(near, [x, y]) : [0, 0];
   const name = text(x + BESIDE * u, y + BESIDE * v + 4, String(id + 1), `node-number${near ? ' halo' : ''}`);
   return `<circle class="numbered" cx="${at(x)}" cy="${at(y)}" r="${near ? DOT : NODE}"/>${name}`;
 }
 
-function circle(centre: Spot, radius: number, kind: string): string {
+function circle(centre: Place, radius: number, kind: string): string {
   const [x, y] = onPlate(centre);
   return `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius * SIDE)}"/>`;
 }
@@ -58,7 +59,7 @@ function smallest(joined: JoinedCells): string {
 
 const outlined = ({ points }: JoinedCells, { ids }: Triangle): string => `<path class="looked-at" d="${loop(ids.map((id) => placeOf(points, id)))}"/>`;
 
-function looked(joined: JoinedCells, to: Spot, flip: Flip | undefined): string {
+function looked(joined: JoinedCells, to: Place, flip: Flip | undefined): string {
   const edge = nearestEdge(joined, to);
   if (!edge) return edges(joined);
   const triangle = triangleAt(joined, edge, to);
@@ -90,7 +91,7 @@ function sector({ points }: JoinedCells, { ends }: InnerEdge, id: number, angle:
 }
 
 /** The place and the anchor of words beyond a corner, away from a direction; at the border of the plate they stand above or below it. */
-function outside([cx, cy]: Spot, [mx, my]: Spot): readonly [x: number, y: number, anchor: string] {
+function outside([cx, cy]: Place, [mx, my]: Place): readonly [x: number, y: number, anchor: string] {
   const [x, y] = [cx - mx * NAMED, cy - my * (NAMED + 6) + 5];
   const side = Math.abs(mx) > 0.3 ? -Math.sign(mx) : 0;
   const hasRoom = x - (EDGE * (1 - side)) / 2 > 0 && x + (EDGE * (1 + side)) / 2 < SIDE;
@@ -99,16 +100,16 @@ function outside([cx, cy]: Spot, [mx, my]: Spot): readonly [x: number, y: number
 }
 
 /** The direction from a place to another. */
-export function unit([x, y]: Spot, [u, v]: Spot): Spot {
+export function unit([x, y]: Place, [u, v]: Place): Place {
   const far = Math.hypot(u - x, v - y) || 1;
   return [(u - x) / far, (v - y) / far];
 }
 
 /** The direction halfway between two others. */
-export const middleOf = ([x, y]: Spot, [u, v]: Spot): Spot => unit([0, 0], [x + u, y + v]);
+export const middleOf = ([x, y]: Place, [u, v]: Place): Place => unit([0, 0], [x + u, y + v]);
 
 /** A sector at a corner between two directions. */
-export function sectorPath([x, y]: Spot, [a, b]: Spot, [u, v]: Spot, radius: number): string {
+export function sectorPath([x, y]: Place, [a, b]: Place, [u, v]: Place, radius: number): string {
   const sweep = a * v - b * u > 0 ? 1 : 0;
   return `M${at(x)} ${at(y)}L${at(x + radius * a)} ${at(y + radius * b)}A${radius} ${radius} 0 0 ${sweep} ${at(x + radius * u)} ${at(y + radius * v)}z`;
 }

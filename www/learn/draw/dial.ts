@@ -1,5 +1,6 @@
 /** A dial with arrows at angles, clockwise from the right, and the arc up to the last of them. */
 import type { Hand, Plate, View } from '../figures/figure';
+import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { arrowTo, line, path, svg, text, WIDTH } from './plate';
 
@@ -10,8 +11,6 @@ const BELOW = WIDTH - 20;
 
 /** The cosine of the angle at which two names are in each other's way, and the shortest arrow. */
 const [NEAR, LEAST] = [0.94, 0.02];
-
-type Place = readonly [x: number, y: number];
 
 const place = (degrees: number, far: number): Place => {
   const angle = (degrees * Math.PI) / 180;

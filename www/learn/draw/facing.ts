@@ -1,20 +1,21 @@
 /** The two angles that face an edge, side by side in half a turn; below, the lengths of the edge and of the other diagonal. */
 import type { Plate, View } from '../figures/figure';
-import { acrossOf, lengthOf, nearestEdge, sumOf, type InnerEdge, type JoinedCells, type Spot } from '../figures/joined';
+import { acrossOf, lengthOf, nearestEdge, sumOf, type InnerEdge, type JoinedCells } from '../figures/joined';
+import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
 import { sectorPath } from './delaunay';
 import { at, line, svg, symbol, text, WIDTH } from './plate';
 
 /** The middle of the half circle and its radius. */
-const MIDDLE: Spot = [WIDTH / 2, 190];
+const MIDDLE: Place = [WIDTH / 2, 190];
 const RADIUS = 150;
 
 /** Bars: their beginning, their first row, their distance, and the length of a picture's side. */
 const [LEFT, FIRST, APART, SCALE] = [148, 278, 34, 420];
 
 /** The direction at an angle from the right, against the clock. */
-const toward = (angle: number): Spot => [Math.cos((angle * Math.PI) / 180), -Math.sin((angle * Math.PI) / 180)];
+const toward = (angle: number): Place => [Math.cos((angle * Math.PI) / 180), -Math.sin((angle * Math.PI) / 180)];
 
 const letter = (name: 'alpha' | 'beta'): string => symbol(name, name === 'alpha' ? 'α' : 'β');
 

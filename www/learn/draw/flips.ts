@@ -2,14 +2,15 @@
  * Finds the moment at which an edge flips while points are moved by hand: the way between two states that were shown is halved,
  * and the module joins the points there, until the four corners lie on one circle.
  */
-import { acrossOf, distance, edgeKey, edgeKeys, innerEdges, placeOf, sumOf, type Flip, type InnerEdge, type JoinedCells, type Spot } from '../figures/joined';
+import { acrossOf, distance, edgeKey, edgeKeys, innerEdges, placeOf, sumOf, type Flip, type InnerEdge, type JoinedCells } from '../figures/joined';
+import type { Place } from '../figures/place';
 import { joinedBy } from './joined';
 import { listText } from './lists';
 import type { Bubbles, Studio } from './studio';
 
 /** A state that was shown. */
 interface ShownPoints {
-  readonly places: readonly Spot[];
+  readonly places: readonly Place[];
   readonly joined: JoinedCells;
 }
 
@@ -81,7 +82,7 @@ export class Flips {
     return stays && flip.sum > NEARLY ? flip : undefined;
   }
 
-  private join(places: readonly Spot[]): JoinedCells {
+  private join(places: readonly Place[]): JoinedCells {
     const { studio } = this;
     studio.set('given', listText(places.map(([x, y]) => [x, y, 0]), 'given'));
     studio.hold(0);
@@ -104,7 +105,7 @@ function holds({ before, points }: Flip, now: JoinedCells): boolean {
   return [...before.ends, ...acrossOf(before)].filter((id) => distance(placeOf(points, id), placeOf(now.points, id)) > SAME).length < 2;
 }
 
-function between(from: readonly Spot[], to: readonly Spot[], share: number): Spot[] {
+function between(from: readonly Place[], to: readonly Place[], share: number): Place[] {
   return from.map(([x, y], k) => {
     const [u, v] = to[k] ?? [x, y];
     return [x + share * (u - x), y + share * (v - y)];

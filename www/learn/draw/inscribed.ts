@@ -1,13 +1,14 @@
 /** The triangle with the smallest angle, magnified until its circle has one size: its shortest side, its radius, its angle. */
 import type { Plate, View } from '../figures/figure';
-import { LARGEST, placeOf, smallestOf, worstOf, type JoinedCells, type Spot, type Triangle } from '../figures/joined';
+import { LARGEST, placeOf, smallestOf, worstOf, type JoinedCells, type Triangle } from '../figures/joined';
+import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
 import { middleOf, sectorPath, unit } from './delaunay';
 import { tintOf } from './mesh';
 import { at, line, svg, symbol, text, WIDTH } from './plate';
 
-const MIDDLE: Spot = [WIDTH / 2, 156];
+const MIDDLE: Place = [WIDTH / 2, 156];
 const RADIUS = 128;
 
 /** The bar: its ends and its top. */
@@ -27,7 +28,7 @@ export function inscribed(view: View, { packing, title }: Plate): string {
 }
 
 /** The corners as seen from the circle's centre. */
-function cornersOf({ points }: JoinedCells, { ids, centre, radius }: Triangle): Spot[] {
+function cornersOf({ points }: JoinedCells, { ids, centre, radius }: Triangle): Place[] {
   return ids.map((id) => {
     const [x, y] = placeOf(points, id);
     return [MIDDLE[0] + ((x - centre[0]) / radius) * RADIUS, MIDDLE[1] + ((y - centre[1]) / radius) * RADIUS];
@@ -37,7 +38,7 @@ function cornersOf({ points }: JoinedCells, { ids, centre, radius }: Triangle): 
 function inCircle(joined: JoinedCells, worst: Triangle): string {
   const corners = cornersOf(joined, worst);
   const least = worst.angles.indexOf(smallestOf(worst));
-  const [at0, one, other] = [0, 1, 2].map((k) => corners[(least + k) % 3] ?? MIDDLE) as [Spot, Spot, Spot];
+  const [at0, one, other] = [0, 1, 2].map((k) => corners[(least + k) % 3] ?? MIDDLE) as [Place, Place, Place];
   const shape = `M${[at0, one, other].map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}z`;
   const round = `<circle class="empty-circle" cx="${MIDDLE[0]}" cy="${MIDDLE[1]}" r="${RADIUS}"/>`;
   const side = `${line(one, other, 'shortest-side')}${beside([(one[0] + other[0]) / 2, (one[1] + other[1]) / 2], MIDDLE, symbol('shortest', 's'))}`;
@@ -45,28 +46,28 @@ function inCircle(joined: JoinedCells, worst: Triangle): string {
 }
 
 /** A place that is away from a thin triangle: straight to the side of its long axis. */
-function clearOf(corner: Spot, one: Spot, other: Spot): Spot {
-  const far: Spot = [(one[0] + other[0]) / 2, (one[1] + other[1]) / 2];
+function clearOf(corner: Place, one: Place, other: Place): Place {
+  const far: Place = [(one[0] + other[0]) / 2, (one[1] + other[1]) / 2];
   const [x, y] = unit(corner, far);
   const side = x * (MIDDLE[1] - corner[1]) - y * (MIDDLE[0] - corner[0]) < 0 ? -1 : 1;
   return [MIDDLE[0] - side * y * RADIUS, MIDDLE[1] + side * x * RADIUS];
 }
 
 /** The radius to a place on the circle, with its letter halfway. */
-function radiusTo(end: Spot): string {
+function radiusTo(end: Place): string {
   const [x, y] = unit(MIDDLE, end);
-  const half: Spot = [MIDDLE[0] + (x * RADIUS) / 2 - y * 13, MIDDLE[1] + (y * RADIUS) / 2 + x * 13 + 5];
+  const half: Place = [MIDDLE[0] + (x * RADIUS) / 2 - y * 13, MIDDLE[1] + (y * RADIUS) / 2 + x * 13 + 5];
   return `${line(MIDDLE, end, 'radius')}<circle class="centre" cx="${MIDDLE[0]}" cy="${MIDDLE[1]}" r="3.5"/>${text(half[0], half[1], symbol('R', 'R'), 'letter-of')}`;
 }
 
 /** A letter beside a place, on the side away from another. */
-function beside(place: Spot, from: Spot, letter: string): string {
+function beside(place: Place, from: Place, letter: string): string {
   const [x, y] = unit(from, place);
   return text(place[0] + 18 * x, place[1] + 18 * y + 5, letter, 'letter-of');
 }
 
 /** The smallest angle at its corner. */
-function angleAt(corner: Spot, one: Spot, other: Spot, angle: number): string {
+function angleAt(corner: Place, one: Place, other: Place, angle: number): string {
   const [from, to] = [unit(corner, one), unit(corner, other)];
   const [x, y] = middleOf(from, to);
   const name = text(corner[0] - 22 * x, Math.max(20, corner[1] - 22 * y + 5), symbol('gamma', 'γ'), 'letter-of');

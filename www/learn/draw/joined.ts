@@ -1,5 +1,6 @@
 /** Reads cells that the module has joined to a mesh and to polygons. */
-import type { JoinedCells, Spot, Triangle } from '../figures/joined';
+import type { JoinedCells, Triangle } from '../figures/joined';
+import type { Place } from '../figures/place';
 import type { Studio } from './studio';
 
 /** The numbers of a point, of an element, and of a triangle. */
@@ -25,7 +26,7 @@ function rowsOf(numbers: Float64Array, width: number): number[][] {
 
 function triangle(row: readonly number[], side: number): Triangle {
   const [shortest = 0, x = 0, y = 0, radius = 0] = row.slice(6).map((length) => length / side);
-  const centre: Spot = [x, y];
+  const centre: Place = [x, y];
   return { ids: row.slice(0, 3), angles: row.slice(3, 6), shortest, centre, radius };
 }
 

@@ -1,6 +1,7 @@
 /** A mesh of points, its triangles tinted by their smallest angles: thin ones stand out. */
 import type { Plate, View } from '../figures/figure';
-import { edgeKey, LARGEST, placeOf, smallestOf, type JoinedCells, type Spot, type Triangle } from '../figures/joined';
+import { edgeKey, LARGEST, placeOf, smallestOf, type JoinedCells, type Triangle } from '../figures/joined';
+import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { outlineOf, SIDE } from './crowd';
 import { at, svg } from './plate';
@@ -11,17 +12,17 @@ const TINTS = 6;
 export const tintOf = (angle: number): number => Math.min(TINTS - 1, Math.floor((angle / LARGEST) * TINTS));
 
 /** A place on the plate. */
-export const onPlate = ([x, y]: Spot): Spot => [x * SIDE, y * SIDE];
+export const onPlate = ([x, y]: Place): Place => [x * SIDE, y * SIDE];
 
 /** A length as text: a tenth is fine enough for points as small as these. */
 const tenth = (value: number): string => String(Math.round(value * 10) / 10);
 
 /** A closed line through points. */
-export function loop(places: readonly Spot[]): string {
+export function loop(places: readonly Place[]): string {
   return `M${places.map((place) => onPlate(place).map(tenth).join(' ')).join('L')}z`;
 }
 
-const corners = (points: ReadonlyMap<number, Spot>, ids: readonly number[]): Spot[] => ids.map((id) => placeOf(points, id));
+const corners = (points: ReadonlyMap<number, Place>, ids: readonly number[]): Place[] => ids.map((id) => placeOf(points, id));
 
 /** Triangles in one path for each tint. */
 export function tinted({ points }: JoinedCells, triangles: readonly Triangle[]): string {
@@ -31,7 +32,7 @@ export function tinted({ points }: JoinedCells, triangles: readonly Triangle[]):
   }).join('');
 }
 
-export function dots(points: ReadonlyMap<number, Spot>, radius: number): string {
+export function dots(points: ReadonlyMap<number, Place>, radius: number): string {
   return [...points.values()].map(onPlate).map(([x, y]) => `<circle class="node" cx="${at(x)}" cy="${at(y)}" r="${radius}"/>`).join('');
 }
 
@@ -53,7 +54,7 @@ export function mesh(view: View, { packing, always, title }: Plate): string {
 }
 
 /** The lines of edges, each once. */
-export function linesOf(points: ReadonlyMap<number, Spot>, faces: readonly (readonly number[])[], kind: string): string {
+export function linesOf(points: ReadonlyMap<number, Place>, faces: readonly (readonly number[])[], kind: string): string {
   const keys = new Set(faces.flatMap((face) => face.map((id, k) => edgeKey(id, face[(k + 1) % face.length] ?? id))));
   const d = [...keys].map((key) => corners(points, key.split(' ').map(Number)).map((place) => onPlate(place).map(tenth).join(' ')).join('L'));
   return d.length ? `<path class="${kind}" d="M${d.join('M')}"/>` : '';

@@ -4,6 +4,7 @@
  */
 import { degreesOf, type SegmentTerm, type SegmentTerms } from '../figures/directions';
 import type { Plate, Trace, View } from '../figures/figure';
+import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { ringPath, SIDE } from './crowd';
 import { arrowTo, at, line, svg, symbol, text, WIDTH } from './plate';
@@ -29,7 +30,6 @@ const SHORT = 4;
 /** The length of all terms in the picture, where their sum stands at the point. */
 const AT_POINT = 84;
 
-type Place = readonly [x: number, y: number];
 type Kind = 'printed' | 'turned';
 
 export const toPlate: Onto = ([x, y]) => [x * SIDE, (y - 0.5) * SIDE + MIDDLE];

@@ -1,5 +1,6 @@
 /** Strokes, the field that they make, and squares on the way from one to the other; the one in the middle stands out. */
 import type { Plate, Trace, View } from '../figures/figure';
+import type { Place } from '../figures/place';
 import { angleIn } from '../figures/which-way-handles';
 import { SIDE } from './crowd';
 import { line, svg, text } from './plate';
@@ -11,8 +12,6 @@ const TALL = 24;
 
 /** How far a stroke's angle is written from its middle, across and down. */
 const AWAY = 26;
-
-type Place = readonly [x: number, y: number];
 
 /** The ends of both strokes. */
 export function endsOf(trace: Trace): readonly (readonly [Place, Place])[] {

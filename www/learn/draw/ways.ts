@@ -1,13 +1,12 @@
 /** Pieces of drawings of directions: crosses all over a field, strokes of one cross, and the outline with its square corners. */
 import { degreesOf, type Direction } from '../figures/directions';
 import type { Trace } from '../figures/figure';
+import type { Place } from '../figures/place';
 import { ringPath, SIDE } from './crowd';
 import { at, symbol, text } from './plate';
 
-type Place = readonly [x: number, y: number];
-
 /** The point of the plate that a place of the picture has. */
-export type Onto = (place: readonly [x: number, y: number]) => readonly [x: number, y: number];
+export type Onto = (place: Place) => Place;
 
 export const onto: Onto = ([x, y]) => [x * SIDE, y * SIDE];
 

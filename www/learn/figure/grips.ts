@@ -3,8 +3,7 @@
  * was tapped before, or else the nearest of those that belong to the plate's first handle.
  */
 import { markAt } from '../figures/marks';
-
-type Place = readonly [x: number, y: number];
+import type { Place } from '../figures/place';
 
 /** A point on a plate that a handle follows; places are in shares of the plate's width and height. */
 export interface Gripped {

@@ -1,7 +1,5 @@
-/** Points joined to a mesh, and rules on their triangles, found in the engine's numbers. */
-
-/** A place in shares of the picture's side, y down. */
-export type Spot = readonly [x: number, y: number];
+/** Points joined to a mesh, and rules on their triangles, found in the engine's numbers. Places are in shares of the picture's side. */
+import type { Place } from './place';
 
 /** A triangle of Delaunay's triangulation. Angles are in degrees, lengths in shares of the picture's side. */
 export interface Triangle {
@@ -10,13 +8,13 @@ export interface Triangle {
   readonly angles: readonly number[];
   readonly shortest: number;
   /** The circle through its corners. */
-  readonly centre: Spot;
+  readonly centre: Place;
   readonly radius: number;
 }
 
 /** Cells that are joined: their centres, the elements of their mesh, Delaunay's triangles, and their polygons. */
 export interface JoinedCells {
-  readonly points: ReadonlyMap<number, Spot>;
+  readonly points: ReadonlyMap<number, Place>;
   /** The ids of each element's corners. */
   readonly faces: readonly (readonly number[])[];
   /** All triangles as far as the convex hull. */
@@ -39,8 +37,8 @@ export interface Flip {
   readonly before: InnerEdge;
   /** The sum of the facing angles, in degrees. */
   readonly sum: number;
-  readonly points: ReadonlyMap<number, Spot>;
-  readonly centre: Spot;
+  readonly points: ReadonlyMap<number, Place>;
+  readonly centre: Place;
   readonly radius: number;
 }
 
@@ -87,36 +85,36 @@ export function innerEdges({ triangles }: JoinedCells): InnerEdge[] {
 /** The sum of the two angles that face an edge, in degrees. */
 export const sumOf = ({ facing: [one, other] }: InnerEdge): number => one.angle + other.angle;
 
-export function distance([x, y]: Spot, [u, v]: Spot): number {
+export function distance([x, y]: Place, [u, v]: Place): number {
   return Math.hypot(u - x, v - y);
 }
 
 /** The place of a point. */
-export const placeOf = (points: ReadonlyMap<number, Spot>, id: number): Spot => points.get(id) ?? [0, 0];
+export const placeOf = (points: ReadonlyMap<number, Place>, id: number): Place => points.get(id) ?? [0, 0];
 
 /** The distance of two points. */
-export const lengthOf = (points: ReadonlyMap<number, Spot>, [a, b]: readonly [number, number]): number => distance(placeOf(points, a), placeOf(points, b));
+export const lengthOf = (points: ReadonlyMap<number, Place>, [a, b]: readonly [number, number]): number => distance(placeOf(points, a), placeOf(points, b));
 
 /** The ends of the other diagonal of the two triangles at an edge. */
 export const acrossOf = ({ facing: [one, other] }: InnerEdge): readonly [number, number] => [one.id, other.id];
 
 /** The inner edge that is nearest to a place. */
-export function nearestEdge(joined: JoinedCells, to: Spot): InnerEdge | undefined {
+export function nearestEdge(joined: JoinedCells, to: Place): InnerEdge | undefined {
   const far = ({ ends }: InnerEdge): number => fromEdge(to, placeOf(joined.points, ends[0]), placeOf(joined.points, ends[1]));
   return innerEdges(joined).reduce<InnerEdge | undefined>((best, edge) => (best && far(best) <= far(edge) ? best : edge), undefined);
 }
 
 /** How far a place is from the line between two others. */
-function fromEdge(to: Spot, a: Spot, b: Spot): number {
+function fromEdge(to: Place, a: Place, b: Place): number {
   const along = ((to[0] - a[0]) * (b[0] - a[0]) + (to[1] - a[1]) * (b[1] - a[1])) / distance(a, b) ** 2;
   const share = Math.max(0, Math.min(1, along));
   return distance(to, [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
 }
 
 /** The triangle at an edge on the side of a place. */
-export function triangleAt({ triangles, points }: JoinedCells, edge: InnerEdge, to: Spot): Triangle | undefined {
+export function triangleAt({ triangles, points }: JoinedCells, edge: InnerEdge, to: Place): Triangle | undefined {
   const [a, b] = [placeOf(points, edge.ends[0]), placeOf(points, edge.ends[1])];
-  const side = ([x, y]: Spot): number => Math.sign((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]));
+  const side = ([x, y]: Place): number => Math.sign((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]));
   const corner = edge.facing.find(({ id }) => side(placeOf(points, id)) === side(to)) ?? edge.facing[0];
   return triangles.find(({ ids }) => [...edge.ends, corner.id].every((id) => ids.includes(id)));
 }

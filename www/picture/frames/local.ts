@@ -17,7 +17,7 @@ const NOT_YET: Notice = { code: 'not_yet', args: {}, text: '' };
 type Part = readonly [u: number, v: number];
 
 /** The source of the frames' content. */
-interface Place {
+interface FrameContent {
   readonly engine: Engine;
   readonly loop: Beat;
   /** The words of the view. Only the first one counts, because no overlays are drawn on frames. */
@@ -26,7 +26,7 @@ interface Place {
 
 export class LocalFrames implements FrameSource, Painter {
   readonly share = 0.3;
-  private readonly place: Place;
+  private readonly place: FrameContent;
   private readonly heard: Heard;
   private readonly maker: FrameMaker;
   private wish: Wished | undefined;
@@ -35,7 +35,7 @@ export class LocalFrames implements FrameSource, Painter {
   private handed = 0;
   private shown = 0;
 
-  constructor(place: Place, heard: Heard) {
+  constructor(place: FrameContent, heard: Heard) {
     this.place = place;
     this.heard = heard;
     this.maker = new FrameMaker(

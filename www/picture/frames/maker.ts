@@ -13,7 +13,7 @@ import type { Quality, Wished } from './source';
 /** The part of a studio that makes frames. */
 type Studio = Pick<SceneStudio, 'turn' | 'frameMap'>;
 
-interface Order<W> {
+interface FrameOrder<W> {
   readonly wish: W;
   readonly quality: Quality;
   readonly width: number;
@@ -21,7 +21,7 @@ interface Order<W> {
 }
 
 /** A finished frame, or one that has reached the quality `still` and is refined further. */
-export interface Made<W> extends Order<W> {
+export interface Made<W> extends FrameOrder<W> {
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
@@ -33,7 +33,7 @@ export class FrameMaker<W extends Wished = Wished> {
   private readonly studio: Studio;
   private readonly view: () => string;
   private readonly coarse = new Coarse();
-  private order: Order<W> | undefined;
+  private order: FrameOrder<W> | undefined;
   /** The milliseconds that the pieces of the order took so far. */
   private spent = 0;
   /** The bodies may differ from the last frame. */
@@ -81,7 +81,7 @@ export class FrameMaker<W extends Wished = Wished> {
     return `${viewOf(wish)} ${this.view()}`;
   }
 
-  private begun(wish: W, stands: boolean): Order<W> | undefined {
+  private begun(wish: W, stands: boolean): FrameOrder<W> | undefined {
     const quality = this.due(wish, stands);
     if (!quality) return undefined;
     [this.stale, this.spent] = [false, 0];
@@ -90,7 +90,7 @@ export class FrameMaker<W extends Wished = Wished> {
     return { wish, quality, width, height };
   }
 
-  private goOn(order: Order<W>, budget: number): Piece<W> | undefined {
+  private goOn(order: FrameOrder<W>, budget: number): Piece<W> | undefined {
     const { wish, quality, width, height } = order;
     const begin = performance.now();
     const how = [quality, wish.plane === 'alpha' ? 'nothing' : 'floor', this.view(), ...(wish.cut ? [wish.cut] : [])].join('+');
@@ -108,7 +108,7 @@ export class FrameMaker<W extends Wished = Wished> {
     return { made: { ...order, quality: slice.done ? quality : 'still', pixels: this.pixels(order, slice.pixels) } };
   }
 
-  private pixels({ wish: { plane } }: Order<W>, pixels: Uint8Array<ArrayBuffer>): Uint8ClampedArray<ArrayBuffer> {
+  private pixels({ wish: { plane } }: FrameOrder<W>, pixels: Uint8Array<ArrayBuffer>): Uint8ClampedArray<ArrayBuffer> {
     if (plane === 'alpha') return coverage(pixels);
     const map = plane === 'light' ? undefined : this.studio.frameMap(plane);
     return map && 'bytes' in map ? pixelsOf(map) : new Uint8ClampedArray(pixels.buffer, pixels.byteOffset, pixels.length);

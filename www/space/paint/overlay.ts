@@ -1,15 +1,15 @@
 /** Draws painted rows over the frame, where they are visible, and the path of the pointer. */
 import { make } from '../../base/dom';
 import { shape } from '../../late/svg';
-import type { Place } from './places';
+import type { ModelPlace } from './places';
 
 /** A place in the frame, in fractions of its sides. */
-export type Spot = readonly [u: number, v: number];
+export type FramePlace = readonly [u: number, v: number];
 
 /** A painted row and its tool's key: a line, or a spot if it has a single place. */
 export interface Painted {
   readonly key: string;
-  readonly places: readonly Place[];
+  readonly places: readonly ModelPlace[];
 }
 
 /** Pieces of a line between two places, because parts of it may be hidden. */
@@ -28,9 +28,9 @@ export class Overlay {
   }
 
   /** Redraws everything; `seen` projects a place to the frame if it is visible. */
-  draw(painted: readonly Painted[], seen: (place: Place) => Spot | undefined, path: readonly Spot[], key: string): void {
+  draw(painted: readonly Painted[], seen: (place: ModelPlace) => FramePlace | undefined, path: readonly FramePlace[], key: string): void {
     const { clientWidth: width, clientHeight: height } = this.element;
-    const at = ([u, v]: Spot): Spot => [u * width, v * height];
+    const at = ([u, v]: FramePlace): FramePlace => [u * width, v * height];
     const paths: SVGElement[] = [];
     for (const { key: word, places } of painted) {
       const runs = runsOf(places, (place) => {
@@ -52,10 +52,10 @@ function strokes(key: string, d: string): SVGElement[] {
 }
 
 /** The visible pieces of a line. */
-function runsOf(places: readonly Place[], seen: (place: Place) => Spot | undefined): Spot[][] {
+function runsOf(places: readonly ModelPlace[], seen: (place: ModelPlace) => FramePlace | undefined): FramePlace[][] {
   const [first] = places;
   const all = places.slice(1).flatMap((to, k) => between(places[k] ?? to, to));
-  const runs: Spot[][] = [[]];
+  const runs: FramePlace[][] = [[]];
   for (const place of first ? [first, ...all] : []) {
     const spot = seen(place);
     if (spot) runs.at(-1)?.push(spot);
@@ -64,14 +64,14 @@ function runsOf(places: readonly Place[], seen: (place: Place) => Spot | undefin
   return runs.filter((run) => run.length > 0);
 }
 
-function between(a: Place, b: Place): Place[] {
+function between(a: ModelPlace, b: ModelPlace): ModelPlace[] {
   return Array.from({ length: PIECES }, (_, k) => {
     const t = (k + 1) / PIECES;
-    return [0, 1, 2].map((axis) => Math.round((a[axis] ?? 0) * (1 - t) + (b[axis] ?? 0) * t)) as unknown as Place;
+    return [0, 1, 2].map((axis) => Math.round((a[axis] ?? 0) * (1 - t) + (b[axis] ?? 0) * t)) as unknown as ModelPlace;
   });
 }
 
-function lineOf(run: readonly Spot[]): string {
+function lineOf(run: readonly FramePlace[]): string {
   const [first] = run;
   if (!first) return '';
   const [x, y] = first;
@@ -80,7 +80,7 @@ function lineOf(run: readonly Spot[]): string {
 }
 
 /** The arrow head at a line's end. */
-function headOf(run: readonly Spot[]): string {
+function headOf(run: readonly FramePlace[]): string {
   const end = run.at(-1);
   const before = end && run.findLast((spot) => Math.hypot(end[0] - spot[0], end[1] - spot[1]) > HEAD / 2);
   if (!end || !before) return '';

@@ -10,8 +10,8 @@ import { byId, make, say } from '../../base/dom';
 import { notice } from '../../base/messages';
 import { applies, recipeOf } from '../../state/rules';
 import type { Work } from '../../state/work';
-import { Overlay, type Painted, type Spot } from './overlay';
-import { distance, fromLine, placesOf, rowOf, simplified, STEPS, textOf, type Place } from './places';
+import { Overlay, type Painted, type FramePlace } from './overlay';
+import { distance, fromLine, placesOf, rowOf, simplified, STEPS, textOf, type ModelPlace } from './places';
 import { TOOLS, Tools, type Tool } from './tools';
 
 /** The surface that is painted on. */
@@ -19,9 +19,9 @@ export interface Surface {
   /** The element that contains the frame and receives its events. */
   readonly host: HTMLElement;
   /** The place on the model at a place of the last frame; undefined beside the model. */
-  placeAt(spot: Spot): Place | undefined;
+  placeAt(spot: FramePlace): ModelPlace | undefined;
   /** The place in that frame of a place on the model; undefined if it is hidden. */
-  spotOf(place: Place): Spot | undefined;
+  spotOf(place: ModelPlace): FramePlace | undefined;
 }
 
 /** The most points of one line. */
@@ -38,8 +38,8 @@ const LEAST = 80;
 
 interface Drawn {
   readonly pointer: PointerEvent;
-  readonly places: Place[];
-  readonly path: Spot[];
+  readonly places: ModelPlace[];
+  readonly path: FramePlace[];
 }
 
 export class Painter {
@@ -51,7 +51,7 @@ export class Painter {
   private tool: Tool | undefined;
   private drawn: Drawn | undefined;
   /** The points that were set by keys. */
-  private keyed: Place[] = [];
+  private keyed: ModelPlace[] = [];
   /** Events that are passed on to the frame. */
   private readonly passed = new WeakSet<Event>();
 
@@ -145,7 +145,7 @@ export class Painter {
     );
   }
 
-  private spot({ clientX, clientY }: MouseEvent): Spot {
+  private spot({ clientX, clientY }: MouseEvent): FramePlace {
     const { left, top, width, height } = this.surface.host.getBoundingClientRect();
     return [(clientX - left) / width, (clientY - top) / height];
   }
@@ -239,7 +239,7 @@ export class Painter {
   }
 
   /** Sets a point of a line by a key. */
-  private set(tool: Tool, place: Place): void {
+  private set(tool: Tool, place: ModelPlace): void {
     const last = this.keyed.at(-1);
     if (!last || distance(last, place) > SAME) this.keyed.push(place);
     else {
@@ -253,7 +253,7 @@ export class Painter {
   }
 
   /** Writes a finished stroke into the recipe. */
-  private take(tool: Tool, places: readonly Place[]): void {
+  private take(tool: Tool, places: readonly ModelPlace[]): void {
     const [first, last] = [places[0], places.at(-1)];
     if (!first || !last) return;
     if (tool === 'erase') return this.erase(first);
@@ -268,7 +268,7 @@ export class Painter {
   }
 
   /** Erases the nearest row. */
-  private erase(place: Place): void {
+  private erase(place: ModelPlace): void {
     const all = TOOLS.flatMap((key) => (key === 'erase' ? [] : this.rows(key).map((row, at) => ({ key, at, off: fromLine(place, placesOf(isSpot(key) ? row.slice(0, 3) : row)) }))));
     const [nearest] = all.filter(({ key }) => this.isUseful(key)).sort((a, b) => a.off - b.off);
     if (!nearest || nearest.off > NEAR) {
