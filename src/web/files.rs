@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Bubblestone {
-    /// The cells as a standalone SVG file; '' before there are any.
+    /// The cells as a standalone SVG file; '' before there are any, and in the first module.
     pub fn svg(&mut self) -> String {
         self.inspect().map_or(String::new(), |cells| cells.svg())
     }
@@ -25,8 +25,8 @@ impl Bubblestone {
 
     /// Works for about `budget` milliseconds on a mesh file: 'glb' or 'obj', with 'low', 'middle' or 'high'
     /// detail. `images` is empty, or has the lengths of three images that the caller appends to a GLB file,
-    /// each padded to a multiple of four bytes: colour, normals (OpenGL), 'orm'. In the second module, `+joined` after
-    /// the detail makes one mesh of all bodies in a GLB file.
+    /// each padded to a multiple of four bytes: colour, normals (OpenGL), 'orm'. `+joined` after the detail makes one
+    /// mesh of all bodies in a GLB file. Only the second module makes mesh files.
     #[wasm_bindgen(js_name = meshFile, unchecked_return_type = "MeshSlice | Notice")]
     pub fn mesh_file(&mut self, ending: &str, detail: &str, images: &[u32], budget: f64) -> Object {
         let clock = &self.clock;
@@ -91,7 +91,7 @@ impl Bubblestone {
 }
 
 fn order(ending: &str, detail: &str, images: &[u32]) -> Option<MeshOrder> {
-    // Only the second module joins bodies.
+    // Only the second module makes mesh files.
     #[cfg(house)]
     let (detail, joined) = match detail.strip_suffix("+joined") {
         Some(detail) => (detail, true),

@@ -156,16 +156,17 @@ test('everything is drawn and told at every stage', () => {
   }
 });
 
-test('every file is made; meshes are by the module that makes all', async () => {
+test('every file is made; meshes and drawings are by the module that makes all', async () => {
   const whole = await moduleIn(wholeModule);
   for (const link of DRAWN) {
     const studio = finished(open(link));
-    assert.match(studio.svg(), /<\/svg>\n$/);
     assert.equal(JSON.parse(studio.report()).hash, studio.digest());
     for (const word of ['height', 'normal-opengl', 'normal-directx', 'albedo', 'roughness', 'ao', 'id', 'orm', 'height-float']) {
       assert.equal(studio.map(word).side, 128, word);
     }
     const same = finished(new whole.Bubblestone(link));
+    assert.match(same.svg(), /<\/svg>\n$/);
+    assert.equal(studio.svg(), '');
     for (const ending of ['obj', 'glb']) {
       assert.ok(bytesOf(() => same.meshFile(ending, 'low', [], 4)) > 1000, ending);
       assert.equal(studio.meshFile(ending, 'low', [], 4).code, 'no_such_file');

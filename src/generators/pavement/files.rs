@@ -92,7 +92,7 @@ impl Meshes for Pavement {
         Ok(MeshSlice { begun, parts, done })
     }
 
-    /// Mesh files are written by the full module, because a first visit needs none.
+    /// The full module writes mesh files, because a first visit needs none.
     #[cfg(not(house))]
     fn mesh_file(&mut self, _: &MeshOrder, _: Clock, _: f64) -> Result<MeshSlice, Notice> {
         Err(Code::NoSuchFile.into())

@@ -7,14 +7,18 @@ use super::look::PavementView;
 use super::{Pavement, Stage};
 use crate::cells::Cell;
 use crate::domain::{Domain, ring_contains};
-use crate::export;
 use crate::field::CellKind;
-use crate::generators::{Engine, Histogram, Inspect, Outlines, Polygon, Probe};
+use crate::generators::{Histogram, Inspect, Polygon, Probe};
 use crate::graph::Wiring;
 use crate::heightfield::Planes;
 use crate::metrics::{Figure, symmetry_angle};
 use crate::packing::Sample;
 use glam::DVec2;
+#[cfg(house)]
+use {
+    crate::export,
+    crate::generators::{Engine, Outlines},
+};
 
 /// The range of sizes over wanted sizes.
 const SIZES: (f64, f64) = (0.55, 1.45);
@@ -102,6 +106,7 @@ impl Inspect for Pavement {
         found.map(|(word, why)| (word, why.word())).collect()
     }
 
+    #[cfg(house)]
     fn svg(&self) -> String {
         let made = &self.made;
         match made.domain.made() {
@@ -114,6 +119,12 @@ impl Inspect for Pavement {
             ),
             _ => String::new(),
         }
+    }
+
+    /// The full module writes SVG files, because a first visit needs none.
+    #[cfg(not(house))]
+    fn svg(&self) -> String {
+        String::new()
     }
 }
 

@@ -49,8 +49,8 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
     const { turnFilm } = await import('./turn-film');
     return turnFilm(link, job, progress);
   }
-  // The module of a first visit writes no meshes.
-  const module = 'detail' in job ? await loadWhole() : await loadModule(link);
+  // The module of a first visit writes no meshes, and no SVG files.
+  const module = 'detail' in job || job.file === 'svg' ? await loadWhole() : await loadModule(link);
   const studio = await studioFor(module, link);
   const generator = generatorOf(module, studio);
   if (job.file === 'gif') return formingGif(studio, generator, job, progress);
