@@ -1,7 +1,7 @@
 /** Keys that work anywhere on the page unless the focused element needs them itself. */
-import { isOffered, type Binding } from './binding';
 import { byId } from './dom';
 import { Later } from './later';
+import { isOffered, type Binding } from './binding';
 
 const bindings: Binding[] = [];
 

@@ -14,6 +14,9 @@ import { withPictures, type Pictures } from './pictured';
 const SEGMENT_LETTERS = 38;
 const SEGMENT_ROOM = 4;
 
+/** The key of the picture's side. */
+export const SIDE = 'size';
+
 /** Lists of these kinds are typed: commas between numbers, semicolons between rows. */
 export const TYPED: readonly Parameter['item'][] = ['plan', 'opening', 'bubble'];
 

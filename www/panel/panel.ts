@@ -9,11 +9,8 @@ import { keep, kept } from '../base/storage';
 import type { Engine } from '../state/engine';
 import { applies, differs, recipeOf, type Recipe } from '../state/rules';
 import type { Parameter } from '../module/types';
-import { makeControl, TYPED, type Change, type Control, type Edit } from './control';
+import { makeControl, SIDE, TYPED, type Change, type Control, type Edit } from './control';
 import { picturesOf } from './pictured';
-
-/** The picture's side. */
-export const SIDE = 'size';
 
 /** Parameters that have their own place on the page. */
 const ELSEWHERE = ['seed', 'poly'];

@@ -11,7 +11,8 @@ import { notice } from '../base/messages';
 import { keep, kept } from '../base/storage';
 import { applies, differs, recipeOf } from '../state/rules';
 import type { Work } from '../state/work';
-import { SIDE, type Panel } from './panel';
+import { SIDE } from './control';
+import type { Panel } from './panel';
 
 const CHOICE = 'scale';
 
