@@ -11,7 +11,10 @@ export type { Answer, Generator, Histogram, Histograms, MeshSlice, Notice, Notic
 /** Milliseconds of a slice, after which the page can do other things. */
 const SLICE = 8;
 
-/** More packing steps than fit into a slice. */
+/**
+ * More packing steps than fit into a slice. The package is compiled file by file, without a bundler, and pauses between
+ * slices; so it has loops of its own and imports nothing of the page (`making` in www/module/run.ts).
+ */
 const STEPS = 100_000;
 
 let loading: Promise<void> | undefined;
