@@ -1,4 +1,4 @@
-/** What the two ways to compare have in common. */
+/** The two ways to compare, as the comparison uses them. */
 import type { PictureHost } from '../picture/host';
 
 /** A way to show the second picture. */
