@@ -87,7 +87,7 @@ fn run() -> Result<(), String> {
     Ok(())
 }
 
-/// A studio with the link's recipe and the files that are named, and notices of what was changed.
+/// A studio with the link's recipe and the named files, and notices of all changes.
 #[cfg(not(target_arch = "wasm32"))]
 fn open(options: &Options) -> Result<(Studio, Vec<Notice>), String> {
     let (mut recipe, mut notices) = ALL.recipe(&options.link);

@@ -1,4 +1,4 @@
-// The shapes of what chapters hold.
+// The types of terms, papers and chapters.
 
 /** In both languages. @typedef {{ en: string, ja: string }} Words */
 /** A formula with its speech, or words. @typedef {{ math?: string, speech?: Words, text?: Words }} Side */
