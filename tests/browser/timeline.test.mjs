@@ -82,7 +82,7 @@ test('the slider goes to any step, on and back, and each step has one picture', 
   await close();
 });
 
-test('on a surface a step has one picture, too, and the bodies at the end are the same', sameEverywhere, async () => {
+test('on a surface the slider goes back and on, and the bodies at the end are the same', sameEverywhere, async () => {
   const { page, planes, problems, close } = await formed(BALL, { viewport: low });
   const [, all] = await shown(page);
   for (const step of [12, 9, 10]) {
