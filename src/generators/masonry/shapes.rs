@@ -23,8 +23,8 @@ pub(super) enum BlockShape {
 }
 
 impl BlockShape {
-    /// The shape about the origin. `cell` is the first block of this shape, which is `shrunk` already if that is known;
-    /// none if nothing is left of it.
+    /// The shape about the origin; `None` if nothing is left of it. `cell` is the first block of this shape, and
+    /// `shrunk` is its body without joints, if that is known.
     pub fn plain(&self, cell: &MasonryCell, shrunk: Option<Polyhedron>) -> Option<Polyhedron> {
         match self {
             Self::Cuboid(steps) => Cuboid::plain(*steps),
@@ -78,7 +78,7 @@ pub(super) struct SharedBody {
     /// Its number in the scene.
     pub number: u32,
     pub body: Body,
-    /// The first block of its shape, on whose rounding it hangs, and where that looks.
+    /// The first block of its shape, whose rounding the body has, and the direction that its front faces.
     of: (Arc<Polyhedron>, DVec3),
 }
 
@@ -100,7 +100,7 @@ pub(super) struct WallShapes {
 }
 
 impl WallShapes {
-    /// None yet.
+    /// Starts without blocks.
     pub fn new(params: BlockParams, fit: Fit) -> Self {
         Self {
             params,
