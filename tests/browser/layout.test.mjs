@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { firstEverywhere, sameEverywhere } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, canvas, click, digest, frames, get, phone, reloading, resize, SMALL, tool } from './page.mjs';
+import { all, canvas, click, digest, frames, get, inSight, phone, reloading, resize, SMALL, tool } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -49,12 +49,6 @@ async function onEach(fragment, screens, look) {
 /** The box of an element in the window. @param {Page} page @param {string} selector */
 const place = (page, selector) => page.$eval(selector, (element) => element.getBoundingClientRect().toJSON());
 
-/** Scrolls an element to the middle of the window's free part. @param {Page} page @param {string} selector */
-async function scrollTo(page, selector) {
-  await page.$eval(selector, (element) => element.scrollIntoView({ block: 'center', behavior: 'instant' }));
-  await frames(page, 3);
-}
-
 /** Presses a button where it is: a tap on a slow machine may pass for a long one. @param {Page} page @param {string} selector */
 const press = (page, selector) => page.$eval(selector, (button) => button.click());
 
@@ -73,9 +67,8 @@ for (const [at, [device, viewport]] of Object.entries({ phone, 'small phone': sm
     const { width, height } = viewport;
     for (const key of ['cs', 'dr', 'el']) {
       const slider = `[data-key=${key}] [type=range]`;
-      await scrollTo(page, slider);
+      const box = await inSight(page, slider);
       const [before, value, drawn] = [await page.evaluate(() => scrollY), await get(page, key), (await canvas(page)).hash];
-      const box = await place(page, slider);
       await page.touchscreen.tap(box.x + box.width * 0.8, box.y + box.height / 2);
       await page.waitForFunction((name, old) => window.bubblestone.get(name) !== old, {}, key, value);
       await digest(page);
@@ -144,7 +137,7 @@ test('the picture shrinks in its place: nothing else moves, and a press brings i
 test('a keyboard on the screen leaves the picture and the controls in sight', async () => {
   const { page, close } = await site.newPage(SMALL, { viewport: phone });
   await digest(page);
-  await scrollTo(page, '#p-dr');
+  await inSight(page, '#p-dr');
   // A keyboard that shrinks the page moves nothing on it.
   const long = () => page.evaluate(() => [document.documentElement.scrollWidth, document.querySelector('#panel').getBoundingClientRect().top + scrollY]);
   const before = await long();
@@ -172,7 +165,7 @@ for (const [at, [device, viewport]] of Object.entries({ phone, 'upright tablet':
   await digest(page);
   const large = (await sight(page)).width;
   for (const button of ['[data-tool=lines]', '#light-button']) {
-    await scrollTo(page, button);
+    await inSight(page, button);
     assert.ok((await sight(page)).width < 0.8 * large);
     await press(page, button);
     await page.waitForFunction((width) => document.querySelector('#canvas').getBoundingClientRect().width === width, {}, large);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { answer, answered, at, boxHas, changed, chapterPages, hasGoldenStates, isSoundOnPhone, seek, shown, toEnd, type } from './lesson.mjs';
-import { frames } from './page.mjs';
+import { inSight } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -83,8 +83,7 @@ test('thresholds that cross: it never rests, whichever way they are moved', same
 
   // By the mouse on the flag ...
   const plate = `${figure} .plate-box[data-plate="1"]`;
-  await page.$eval(plate, (box) => box.scrollIntoView({ block: 'center', behavior: 'instant' }));
-  await frames(page, 3);
+  await inSight(page, plate);
   const { x, y, width } = await page.$eval(`${plate} .grip-crowd`, (grip) => {
     const own = grip.getBoundingClientRect();
     return { x: own.x + own.width / 2, y: own.y + own.height / 2, width: grip.closest('.plate-box').getBoundingClientRect().width };

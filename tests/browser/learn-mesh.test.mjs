@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
 import { answer, answered, at, boxHas, changed, chapterPages, follow, hasGoldenStates, isSoundOnPhone, middle, shown, toEnd, type } from './lesson.mjs';
-import { frames, phone } from './page.mjs';
+import { frames, inSight, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -15,13 +15,8 @@ const chapter = chapterPages('mesh');
 /** A place on a plate in pixels of the page, in shares of its width and height. @param {Page} page @param {string} figure @param {number} plate @param {number} x @param {number} y */
 async function placeOn(page, figure, plate, x, y) {
   const selector = `${figure} .plate-box[data-plate="${plate}"]`;
-  await page.$eval(selector, (box) => box.scrollIntoView({ block: 'center', behavior: 'instant' }));
-  await frames(page, 3);
-  const { left, top, width, height } = await page.$eval(selector, (box) => {
-    const own = box.getBoundingClientRect();
-    return { left: own.left, top: own.top, width: own.width, height: own.height };
-  });
-  return /** @type {const} */ ([left + width * x, top + height * y]);
+  const box = await inSight(page, selector);
+  return /** @type {const} */ ([box.x + box.width * x, box.y + box.height * y]);
 }
 
 /** Waits until the boxes of a point have a place. @param {Page} page @param {string} figure @param {string} key @param {number} x @param {number} y @param {number} [by] */

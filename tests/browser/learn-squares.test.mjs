@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { answer, answered, at, boxHas, changed, chapterPages, hasGoldenStates, isSoundOnPhone, shown, toEnd, type } from './lesson.mjs';
-import { frames, phone } from './page.mjs';
+import { inSight, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -14,13 +14,8 @@ const chapter = chapterPages('squares');
 /** A place on a map in pixels of the page, from its middle in stable distances, y up. @param {Page} page @param {string} figure @param {number} x @param {number} y */
 async function onMap(page, figure, x, y) {
   const plate = `${figure} .plate-box[data-plate="0"]`;
-  await page.$eval(plate, (box) => box.scrollIntoView({ block: 'center', behavior: 'instant' }));
-  await frames(page, 3);
-  const { left, top, width } = await page.$eval(plate, (box) => {
-    const own = box.getBoundingClientRect();
-    return { left: own.left, top: own.top, width: own.width };
-  });
-  return /** @type {const} */ ([left + width * (0.5 + x / 4), top + width * (0.5 - y / 4)]);
+  const box = await inSight(page, plate);
+  return /** @type {const} */ ([box.x + box.width * (0.5 + x / 4), box.y + box.width * (0.5 - y / 4)]);
 }
 
 /** Waits until the boxes show a place. @param {Page} page @param {string} figure @param {number} x @param {number} y y up */

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { answer, answered, at, boxHas, changed, chapterPages, hasGoldenStates, isSoundOnPhone, middle, shown, type } from './lesson.mjs';
-import { frames, phone } from './page.mjs';
+import { inSight, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -17,10 +17,8 @@ const tells = (page, figure, words) => page.waitForFunction((selector, wanted) =
 /** The place of a plate at shares of its width and of its height. @param {Page} page @param {string} figure @param {number} x @param {number} y */
 async function onPlate(page, figure, x, y) {
   const plate = `${figure} .plate-box[data-plate="0"]`;
-  await page.$eval(plate, (box) => box.scrollIntoView({ block: 'center', behavior: 'instant' }));
-  await frames(page, 3);
-  const { left, top, width, height } = await page.$eval(plate, (box) => box.getBoundingClientRect().toJSON());
-  return { x: left + width * x, y: top + height * y };
+  const box = await inSight(page, plate);
+  return { x: box.x + box.width * x, y: box.y + box.height * y };
 }
 
 /** Waits until the boxes of a point show a place. @param {Page} page @param {string} figure @param {number} x @param {number} y @param {number} [by] */

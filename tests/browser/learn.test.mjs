@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { sameEverywhere } from './browsers.mjs';
 import { answer, answered, at, boxHas, chapterPages, follow, heights, middle, seek, shown, type, violations } from './lesson.mjs';
-import { phone } from './page.mjs';
+import { inSight, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -56,10 +56,7 @@ test('the distance follows the mouse, the keys, a tap and the box; figure, text 
   }
   assert.match((await page.$eval(grip, (slider) => slider.ariaValueText)) ?? '', /^\d\.\d{3} stable distances$/);
 
-  const plate = await page.$eval(`${figure} .plate-box[data-plate="1"]`, (box) => {
-    const { x, y, width, height } = box.getBoundingClientRect();
-    return { x, y, width, height };
-  });
+  const plate = await inSight(page, `${figure} .plate-box[data-plate="1"]`);
   await page.mouse.click(plate.x + (plate.width * (72 + 130 * 1.3)) / 400, plate.y + plate.height / 2);
   await boxHas(page, figure, 'w', 1.3, 0.01);
   await page.waitForFunction((selector) => /pull/.test(document.querySelector(selector).textContent), {}, `${figure} .figure-told`);
@@ -94,16 +91,15 @@ test('every handle works by keys, by a press on its slider, and by its box or it
     await page.$$eval(`${figure} details`, (folds) => folds.forEach((fold) => (fold.open = true)));
     for (const key of await page.$$eval(`${figure} .handle:not(.choice)`, (handles) => handles.map((handle) => handle.dataset.key ?? ''))) {
       const slider = `${figure} .handle[data-key="${key}"] input[type="range"]`;
-      const place = await page.$eval(slider, (range) => {
-        range.scrollIntoView({ block: 'center', behavior: 'instant' });
-        const { x, y, width, height } = range.getBoundingClientRect();
-        const [from, wide] = [Number(range.min), Number(range.max) - Number(range.min)];
+      const { x, y, width, height } = await inSight(page, slider);
+      const { share, wanted, range } = await page.$eval(slider, ({ min, max, value }) => {
+        const [from, wide] = [Number(min), Number(max) - Number(min)];
         // A press on the thumb itself moves nothing.
-        const share = Math.abs((Number(range.value) - from) / wide - 0.4) < 0.2 ? 0.75 : 0.4;
-        return { x: x + width * share, y: y + height / 2, wanted: from + share * wide, range: wide };
+        const part = Math.abs((Number(value) - from) / wide - 0.4) < 0.2 ? 0.75 : 0.4;
+        return { share: part, wanted: from + part * wide, range: wide };
       });
-      await page.mouse.click(place.x, place.y);
-      await boxHas(page, figure, key, place.wanted, 0.06 * place.range);
+      await page.mouse.click(x + width * share, y + height / 2);
+      await boxHas(page, figure, key, wanted, 0.06 * range);
       const now = await boxed(page, figure, key);
       await page.keyboard.press('ArrowRight');
       await page.waitForFunction((selector, old) => Number(document.querySelector(selector).value) > old, {}, `${figure} .handle[data-key="${key}"] input[type="number"]`, now);

@@ -5,7 +5,7 @@ import { createRequire } from 'node:module';
 import { after, before } from 'node:test';
 import { goldenStops } from '../common/figures.mjs';
 import { open } from './harness.mjs';
-import { frames, phone } from './page.mjs';
+import { inSight, phone } from './page.mjs';
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -127,13 +127,8 @@ export const changed = (page, figure, before) =>
 
 /** The middle of an element in the window, scrolled into sight. @param {Page} page @param {string} selector */
 export async function middle(page, selector) {
-  await page.$eval(selector, (element) => element.scrollIntoView({ block: 'center', behavior: 'instant' }));
-  // A finger finds what the last frame has drawn.
-  await frames(page, 3);
-  return page.$eval(selector, (element) => {
-    const { x, y, width, height } = element.getBoundingClientRect();
-    return { x: x + width / 2, y: y + height / 2 };
-  });
+  const { x, y, width, height } = await inSight(page, selector);
+  return { x: x + width / 2, y: y + height / 2 };
 }
 
 /** The sentence of an answered question; '' while it is open. @param {Page} page @param {string} key */

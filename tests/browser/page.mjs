@@ -39,6 +39,24 @@ export async function frames(page, count) {
   }, count);
 }
 
+/**
+ * Scrolls an element to the middle of the window, and waits until it stands: its box in the window is the same in three frames. A press before that
+ * may go by an older place, since the browser finds what its last frame has drawn. Returns the box.
+ * @param {Page} page @param {string} selector @returns {Promise<{ x: number, y: number, width: number, height: number }>}
+ */
+export const inSight = (page, selector) =>
+  page.$eval(selector, async (element) => {
+    element.scrollIntoView({ block: 'center', behavior: 'instant' });
+    let box = element.getBoundingClientRect();
+    for (let same = 0; same < 3; ) {
+      await new Promise(requestAnimationFrame);
+      const now = element.getBoundingClientRect();
+      same = now.x === box.x && now.y === box.y && now.width === box.width && now.height === box.height ? same + 1 : 0;
+      box = now;
+    }
+    return { x: box.x, y: box.y, width: box.width, height: box.height };
+  });
+
 /** Gives the page another size, and waits for its layout. @param {Page} page @param {import('puppeteer-core').Viewport} viewport */
 export async function resize(page, viewport) {
   await page.setViewport(viewport);

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, click, digest, edit, frames, get, phone, SMALL, steps } from './page.mjs';
+import { all, click, digest, edit, get, inSight, phone, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -121,11 +121,9 @@ test('a finger pauses, steps and moves a slider', async () => {
   assert.equal(await steps(page), before + 1);
   await page.$eval('[data-key=el]', (control) => {
     control.closest('details').open = true;
-    control.scrollIntoView({ block: 'center' });
   });
-  await frames(page, 2);
   const elevation = await get(page, 'el');
-  const slider = await page.$eval('[data-key=el] [type=range]', (range) => range.getBoundingClientRect().toJSON());
+  const slider = await inSight(page, '[data-key=el] [type=range]');
   const [x, y] = [slider.x + slider.width * 0.85, slider.y + slider.height / 2];
   await page.touchscreen.tap(x, y);
   await page.waitForFunction((before) => window.bubblestone.get('el') !== before, {}, elevation);
