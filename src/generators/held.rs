@@ -14,7 +14,8 @@ pub(super) struct Held<L, M> {
     asked: u32,
     /// Whether views show it; else only its states are kept.
     pub is_shown: bool,
-    progress: HeldProgress<L, M>,
+    /// `None` until there is a ground.
+    progress: Option<HeldProgress<L, M>>,
 }
 
 /// The states of a held packing.
@@ -24,39 +25,22 @@ enum HeldProgress<L, M> {
 }
 
 impl<L, M: Kept> Held<L, M> {
-    /// `None` if no cells can be placed.
-    fn new(
-        ground: impl PackingGround<Placing = L, Packing = M>,
-        of: Origin,
-        asked: u32,
-    ) -> Option<Self> {
-        let placing = ground.begin(of.0.clone()).ok()?;
-        Some(Self {
-            of,
-            asked,
-            is_shown: true,
-            progress: HeldProgress::Placing(Some(Box::new(placing))),
-        })
-    }
-
-    /// Requests a step, or drops the packing without one. The packing is begun if there is a ground.
-    pub fn ask(
-        slot: &mut Option<Self>,
-        step: Option<u32>,
-        ground: Option<impl PackingGround<Placing = L, Packing = M>>,
-        of: Origin,
-    ) {
-        match (slot.as_mut(), step) {
-            (Some(held), Some(step)) => (held.asked, held.is_shown) = (step, true),
-            (_, None) => *slot = None,
-            (None, Some(step)) => {
-                *slot = ground.and_then(|ground| Self::new(ground, of, step));
+    /// Requests a step, or drops the packing without one.
+    pub fn ask(slot: &mut Option<Self>, step: Option<u32>, of: Origin) {
+        let kept = slot.take();
+        *slot = step.map(|asked| {
+            let (of, progress) = kept.map_or((of, None), |held| (held.of, held.progress));
+            Self {
+                of,
+                asked,
+                is_shown: true,
+                progress,
             }
-        }
+        });
     }
 
     /// Works for about `budget` milliseconds towards the requested step; true when it is reached, or if no step can be
-    /// reached. A packing of another origin is begun anew.
+    /// reached: without a ground, or if no cells can be placed. A packing of another origin is begun anew.
     pub fn reach(
         slot: &mut Option<Self>,
         ground: Option<impl PackingGround<Placing = L, Packing = M>>,
@@ -64,32 +48,35 @@ impl<L, M: Kept> Held<L, M> {
         clock: Clock,
         budget: f64,
     ) -> bool {
-        let Some((held, ground)) = slot.take().zip(ground) else {
+        let (Some(held), Some(ground)) = (slot.as_mut(), ground) else {
             return true;
         };
-        let asked = held.asked;
-        let is_same = held.of == of;
-        let held = Some(held).filter(|_| is_same);
-        *slot = held.or_else(|| Self::new(ground, of, asked));
-        until(clock, budget, || {
-            slot.as_mut().is_none_or(|held| held.advance(ground))
-        })
+        if held.of != of {
+            (held.of, held.progress) = (of, None);
+        }
+        until(clock, budget, || held.advance(ground))
     }
 
     /// Does one slice of work; true when the step is reached.
     fn advance(&mut self, ground: impl PackingGround<Placing = L, Packing = M>) -> bool {
         match &mut self.progress {
-            HeldProgress::Stepping(history) => {
+            None => {
+                let placing = ground.begin(self.of.0.clone()).ok().map(Box::new);
+                self.progress = placing.map(|placing| HeldProgress::Placing(Some(placing)));
+                self.progress.is_none()
+            }
+            Some(HeldProgress::Stepping(history)) => {
                 history.ask(self.asked);
                 history.advance(|packing| {
                     ground.advance(packing);
                 })
             }
-            HeldProgress::Placing(placing) => {
+            Some(HeldProgress::Placing(placing)) => {
                 let is_full = |placing: &mut Box<L>| ground.place(placing);
                 if let Some(placing) = placing.take_if(is_full) {
                     let (first, _) = ground.finish(*placing);
-                    self.progress = HeldProgress::Stepping(Box::new(History::new(first)));
+                    let history = Box::new(History::new(first));
+                    self.progress = Some(HeldProgress::Stepping(history));
                 }
                 false
             }
@@ -99,7 +86,7 @@ impl<L, M: Kept> Held<L, M> {
     /// The packing at its step, once its first cells are placed, if it is of this origin.
     pub fn packing(&self, of: &Origin) -> Option<&M> {
         match &self.progress {
-            HeldProgress::Stepping(history) if self.of == *of => Some(history.packing()),
+            Some(HeldProgress::Stepping(history)) if self.of == *of => Some(history.packing()),
             _ => None,
         }
     }
@@ -107,8 +94,8 @@ impl<L, M: Kept> Held<L, M> {
     /// The same packing, mutable, whatever its origin is.
     pub fn packing_mut(&mut self) -> Option<&mut M> {
         match &mut self.progress {
-            HeldProgress::Stepping(history) => Some(history.packing_mut()),
-            HeldProgress::Placing(_) => None,
+            Some(HeldProgress::Stepping(history)) => Some(history.packing_mut()),
+            _ => None,
         }
     }
 

@@ -88,6 +88,16 @@ test('slices of any length make the same landscape, and another one may be asked
   other.free();
 });
 
+test('a machine so slow that each slice ends at once makes the same landscape', (context) => {
+  const whole = landscape();
+  let time = 0;
+  context.mock.method(performance, 'now', () => (time += 100));
+  const slow = new code.Survey(module);
+  const sliced = landscape(PAPERS, PAPERS, 0, slow);
+  slow.free();
+  assert.deepEqual([sliced.ground, sliced.well, sliced.pass], [whole.ground, whole.well, whole.pass]);
+});
+
 test('a square that is dropped at 45 degrees stays without corner bubbles, and slides to an edge at little weight', () => {
   for (const [weight, slides] of [['0', false], ['0.05', true], [PAPERS, true]]) {
     const { made } = reading('wells', { cw: String(weight) }, [0.72, 0.69]);

@@ -66,8 +66,7 @@ impl Pavement {
 impl Rewind for Pavement {
     fn hold(&mut self, step: Option<u32>) {
         self.changes += 1;
-        let made = &self.made;
-        Held::ask(&mut self.held, step, made.ground(), origin(made));
+        Held::ask(&mut self.held, step, origin(&self.made));
     }
 
     fn reach(&mut self, clock: Clock, budget: f64) -> bool {

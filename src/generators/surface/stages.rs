@@ -255,9 +255,8 @@ impl Stages {
 
 impl Rewind for Stages {
     fn hold(&mut self, step: Option<u32>) {
-        let mut held = self.held.take();
-        Held::ask(&mut held, step, self.ground(), self.origin());
-        self.held = held;
+        let of = self.origin();
+        Held::ask(&mut self.held, step, of);
     }
 
     fn reach(&mut self, clock: Clock, budget: f64) -> bool {

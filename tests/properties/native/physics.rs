@@ -571,3 +571,25 @@ fn most_triangles_of_a_honeycomb_have_wide_angles() {
     let wide = angles.iter().filter(|angle| **angle > 44.0).count();
     assert!(2 * wide > angles.len());
 }
+
+#[test]
+fn a_step_that_is_asked_for_before_its_fields_are_made_is_held() {
+    let of_two = "outline=square&size=128&kind=square&cs=32&dir=constant&edge=open&pop=off";
+    let recipe = ALL.recipe(&format!("{of_two}&given=0.4,0.5,1;0.6,0.5,0")).0;
+    let mut studio = Studio::new(ALL, recipe);
+    studio.engine_mut().rewind().unwrap().hold(Some(0));
+    // On a slow machine each slice ends at once.
+    let mut now = 0.0;
+    let slow = &mut || {
+        now += 100.0;
+        now
+    };
+    while ["domain", "fields"].contains(&studio.stage()) {
+        studio.tick(slow, 0.0, 0);
+    }
+    let rewind = studio.engine_mut().rewind().unwrap();
+    while !rewind.reach(slow, 0.0) {}
+    let cells = studio.engine_mut().steps().unwrap().numbers();
+    assert_eq!((studio.progress().steps, cells.len()), (0, 2));
+    assert!(cells.iter().all(|cell| cell.energy != 0.0), "{cells:?}");
+}

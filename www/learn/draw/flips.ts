@@ -87,7 +87,6 @@ export class Flips {
     studio.set('given', listText(places.map(([x, y]) => [x, y, 0]), 'given'));
     studio.hold(0);
     while (BEFORE.includes(studio.stage())) studio.tick(8, 0);
-    studio.hold(0);
     while (!studio.reach(8));
     return joinedBy(studio, studio.side());
   }
