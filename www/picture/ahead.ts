@@ -3,6 +3,7 @@
  *
  * It provides stage, status and digest for scripts, and its studio is freed when the recipe is done.
  */
+import { soon } from '../base/soon';
 import { making } from '../module/run';
 import type { Status } from '../module/types';
 import { Engine } from '../state/engine';
@@ -16,7 +17,7 @@ export class Ahead {
   private readonly studio: Engine;
   private readonly tell: () => void;
   private readonly work: ReturnType<typeof making>;
-  private timer = 0;
+  private isEnded = false;
 
   /** `tell` is called after each piece of work. */
   constructor(recipe: string, crashed: (error: unknown, link: string) => void, tell: () => void) {
@@ -37,12 +38,12 @@ export class Ahead {
 
   /** Stops the work and frees the studio. */
   end(): void {
-    clearTimeout(this.timer);
+    this.isEnded = true;
     this.studio.free();
   }
 
   private wait(): void {
-    this.timer = window.setTimeout(() => this.goOn());
+    soon(() => this.isEnded || this.goOn());
   }
 
   private goOn(): void {

@@ -7,6 +7,7 @@
  */
 import { isEnd, isUpToSteps } from '../module/stages';
 import { idle } from '../base/dom';
+import { soon } from '../base/soon';
 import type { Engine } from '../state/engine';
 import type { Painter } from './frames/source';
 import type { Until } from './until';
@@ -67,7 +68,7 @@ export const FRAMES: Rhythm = {
   painted: 32,
   apart: 0,
   next: (slice) => requestAnimationFrame(slice),
-  soon: (slice) => setTimeout(() => slice(performance.now())),
+  soon: (slice) => soon(() => slice(performance.now())),
 };
 
 /** Slices in idle moments, for work other than the page's own picture. */

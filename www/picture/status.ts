@@ -13,7 +13,7 @@ const LONG = 400;
 const WATCHED = 6000;
 
 /** Milliseconds between two changes of the numbers while work goes on: faster ones cannot be read, and cost a layout each. */
-const READ = 100;
+const READ = 250;
 
 const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 

@@ -6,6 +6,7 @@
  * these.
  */
 import { reasonOf } from '../base/errors';
+import { soon } from '../base/soon';
 import { studioFor, supply } from '../module/given';
 import { loadWhole } from '../module/load';
 import type { SceneStudio } from '../module/scene';
@@ -47,15 +48,8 @@ const PATIENCE = 400;
 /** The share of a recipe's own stages in the work before the first frame. */
 const WORKED = 0.5;
 
-const { port1, port2 } = new MessageChannel();
-
 /** Lets waiting messages arrive. */
-function pause(): Promise<void> {
-  return new Promise((resolve) => {
-    port2.onmessage = () => resolve();
-    port1.postMessage(0);
-  });
-}
+const pause = (): Promise<void> => new Promise((resolve) => soon(() => resolve()));
 
 class Turner {
   /** The latest request that is not fulfilled. */
