@@ -26,7 +26,10 @@ fn without_grass(scene: &Scene) -> Scene {
 impl MasonryEngine {
     /// The scene of mesh files.
     fn modelled(&mut self) -> Option<Rc<Scene>> {
-        let (revision, blocks) = (self.made.blocks.revision(), self.made.blocks.made()?);
+        let (revision, blocks) = (
+            self.made.shared.bodies.revision(),
+            self.made.shared.bodies.made()?,
+        );
         let known = self.modelled.take().filter(|(of, _)| *of == revision);
         let new = || (revision, Rc::new(without_grass(&blocks.scene)));
         let (_, scene) = self.modelled.insert(known.unwrap_or_else(new));
@@ -45,7 +48,7 @@ impl Meshes for MasonryEngine {
         let Some(scene) = self.modelled().filter(|_| is_done) else {
             return Err(Code::NotYet.into());
         };
-        let materials = &self.made.still.params().light.materials;
+        let materials = &self.made.shared.still.params().light.materials;
         let cells = self
             .made
             .cells
@@ -58,7 +61,7 @@ impl Meshes for MasonryEngine {
         };
         Ok(Saving::slice(
             &mut self.saving,
-            (order, self.made.blocks.revision()),
+            (order, self.made.shared.bodies.revision()),
             || SceneFile::new(order, materials, &scene),
             (clock, budget),
             |file| file.advance(&scene, name),
@@ -66,7 +69,7 @@ impl Meshes for MasonryEngine {
     }
 
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
-        let scene = &self.made.blocks.made()?.scene;
+        let scene = &self.made.shared.bodies.made()?.scene;
         Some(order.scene_size(&without_grass(scene)))
     }
 

@@ -95,7 +95,7 @@ impl MasonryEngine {
     /// Starts with all its work to be done.
     pub fn new(recipe: &Recipe) -> Self {
         Self {
-            made: MasonryStages::new(&MasonryParams::new(recipe)),
+            made: MasonryStages::new(MasonryParams::new(recipe)),
             picture: ScenePicture::default(),
             saving: None,
             modelled: None,

@@ -1,12 +1,12 @@
 //! Turns a recipe into the parameters of each stage.
 
+use super::MASONRY;
 use super::colours::{Colours, materials};
 use super::schema::keys;
 use crate::building::{Building, CornerId, DrawnPlan, EdgeId, Module, Rule};
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
-use crate::generators::scene_picture::AskedFile;
-use crate::light::ShadeParams;
+use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::masonry::laying::LayingParams;
 use crate::masonry::module::{ASHLAR, BLOCK, UK_BRICK, US_BRICK};
 use crate::masonry::tree::{PRESETS, TreePreset};
@@ -24,12 +24,7 @@ pub(super) struct MasonryParams {
     pub cells: PatternParams,
     pub blocks: BlockParams,
     pub look: LookParams,
-    pub shade: ShadeParams,
-    pub gloss: Gloss,
-    /// The degrees by which the building is turned, clockwise seen from above.
-    pub yaw: f64,
-    /// Pixels along the picture's side.
-    pub side: usize,
+    pub still: StillParams,
 }
 
 /// The building.
@@ -100,7 +95,7 @@ pub(super) struct BlockParams {
 
 /// The ground around the blocks, and the weather on them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct LookParams {
+pub(crate) struct LookParams {
     pub weather: WeatherParams,
     /// The word of the ground.
     pub ground: &'static str,
@@ -117,7 +112,7 @@ pub(super) struct GroundParams {
 
 impl LookParams {
     /// The part of them that the ground's shape depends on.
-    pub fn ground(&self) -> GroundParams {
+    pub(super) fn ground(&self) -> GroundParams {
         GroundParams {
             word: self.ground,
             seed: self.seed,
@@ -189,18 +184,15 @@ impl MasonryParams {
                 ground: recipe.choice(keys::GROUND),
                 seed,
             },
-            shade: common::shading(recipe),
-            gloss: Gloss::of_word(recipe.choice(keys::GLOSS)),
-            yaw: recipe.number(keys::YAW),
-            side: common::side(recipe),
-        }
-    }
-
-    /// The light, and the materials of blocks and all else.
-    pub fn light(&self) -> LightParams {
-        LightParams {
-            shade: self.shade,
-            materials: materials(self.gloss),
+            still: StillParams {
+                camera: MASONRY.camera(),
+                light: LightParams {
+                    shade: common::shading(recipe),
+                    materials: materials(Gloss::of_word(recipe.choice(keys::GLOSS))),
+                },
+                yaw: recipe.number(keys::YAW),
+                side: common::side(recipe),
+            },
         }
     }
 }

@@ -1,6 +1,5 @@
 //! The stages of masonry, as a table of tasks.
 
-use super::MASONRY;
 use super::blocks::Wall;
 use super::ground::GroundWork;
 use super::kept::{KeptBlocks, LastWall, marks};
@@ -11,9 +10,7 @@ use super::sentences;
 use super::setting::WallScene;
 use super::site::{BuildingSite, SiteBuild};
 use crate::building::Building;
-use crate::generators::scene_picture::{
-    MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
-};
+use crate::generators::scene_picture::{MadeScene, SceneStages, SharedNodes};
 use crate::graph::{Node, Task, Wiring, task};
 use crate::masonry::laying::{Laying, MasonryCell};
 use crate::masonry::plan::{PlanFault, PlanMaking};
@@ -41,7 +38,7 @@ const KEPT: usize = 8;
 const WORDS_IN_A_SLICE: usize = 400_000;
 
 /// The finished scene, while its digest is made.
-type BlocksWork = (Rc<Scene>, SceneDigest);
+pub(crate) type BlocksWork = (Rc<Scene>, SceneDigest);
 
 /// Cells in the making.
 pub(super) enum CellsWork {
@@ -80,14 +77,12 @@ impl CellsWork {
 
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct MasonryStages {
-    files: ModelFiles,
+    pub(super) shared: SharedNodes<LookParams, BlocksWork>,
     pub(super) site: Node<BuildingParams, SiteBuild, BuildingSite>,
     pub(super) cells: Node<PatternParams, CellsWork, Laying>,
     pub(super) ground: Node<GroundParams, GroundWork, Scene>,
     /// The bodies of the wall alone.
     pub(super) laid: Node<BlockParams, Wall, Scene>,
-    pub(super) blocks: Node<LookParams, BlocksWork, MadeScene>,
-    pub(super) still: StillNode,
     /// The last finished wall, unless the steps are made again without an edit.
     last: Option<LastWall>,
     /// Its blocks that stay in sight while the new wall is laid.
@@ -98,40 +93,42 @@ impl Wiring for MasonryStages {
     type Stage = usize;
 
     const TASKS: &'static [Task<Self>] = &[
-        task!(0, files.loaded, |all| all.files.inputs(), |all| all
-            .files
-            .wait()),
-        task!(0, site, [files.loaded], Self::make_site),
+        task!(
+            0,
+            shared.files.loaded,
+            |all| all.shared.files.inputs(),
+            |all| all.shared.files.wait()
+        ),
+        task!(0, site, [shared.files.loaded], Self::make_site),
         task!(1, cells, [site], Self::make_cells),
         task!(LAYING, ground, [site], Self::make_ground),
         task!(LAYING, laid, [site, cells], Self::lay),
-        task!(BLOCKS, blocks, [ground, laid], Self::make_blocks),
-        task!(4, still, [blocks], Self::make_still),
+        task!(BLOCKS, shared.bodies, [ground, laid], Self::make_blocks),
+        task!(4, shared.still, [shared.bodies], |all| all.shared.draw()),
     ];
 }
 
-/// Camera and light of the picture.
-fn still(params: &MasonryParams) -> StillParams {
-    StillParams {
-        camera: MASONRY.camera(),
-        light: params.light(),
-        yaw: params.yaw,
-        side: params.side,
-    }
-}
-
 impl SceneStages for MasonryStages {
+    type Look = LookParams;
+    type Finishing = BlocksWork;
+
     const FINISHER: usize = BLOCKS;
+
+    fn shared(&self) -> &SharedNodes<LookParams, BlocksWork> {
+        &self.shared
+    }
+
+    fn shared_mut(&mut self) -> &mut SharedNodes<LookParams, BlocksWork> {
+        &mut self.shared
+    }
 
     fn ask(&mut self, recipe: &Recipe) {
         let params = MasonryParams::new(recipe);
-        self.still.ask(still(&params));
-        self.files.loaded.ask(params.files);
         self.site.ask(params.building);
         self.cells.ask(params.cells);
         self.ground.ask(params.look.ground());
         self.laid.ask(params.blocks);
-        self.blocks.ask(params.look);
+        self.shared.ask(params.files, params.look, params.still);
     }
 
     fn forget_steps(&mut self) {
@@ -148,46 +145,27 @@ impl SceneStages for MasonryStages {
         [site.remarks.clone(), laid].concat()
     }
 
-    fn files(&self) -> &ModelFiles {
-        &self.files
-    }
-
-    fn files_mut(&mut self) -> &mut ModelFiles {
-        &mut self.files
-    }
-
-    fn still(&self) -> &StillNode {
-        &self.still
-    }
-
     fn is_moving(&self) -> bool {
         self.at() == Some(LAYING) && self.is_fresh(&self.ground)
-    }
-
-    fn digest(&self) -> String {
-        let blocks = self.blocks.made();
-        blocks.map_or(String::new(), |blocks| blocks.digest.clone())
     }
 }
 
 impl MasonryStages {
     /// Starts with nothing made.
-    pub(super) fn new(params: &MasonryParams) -> Self {
+    pub(super) fn new(params: MasonryParams) -> Self {
         Self {
-            files: ModelFiles::new(params.files.clone()),
-            site: Node::new(params.building.clone()),
-            cells: Node::new(params.cells.clone()),
+            site: Node::new(params.building),
+            cells: Node::new(params.cells),
             ground: Node::new(params.look.ground()),
             laid: Node::new(params.blocks),
-            blocks: Node::new(params.look),
-            still: Node::new(still(params)),
+            shared: SharedNodes::new(params.files, params.look, params.still),
             last: None,
             kept: KeptBlocks::default(),
         }
     }
 
     fn make_site(&mut self) -> Option<()> {
-        let files = &self.files;
+        let files = &self.shared.files;
         self.site.advance(|params, work| {
             let bytes = match params.rule {
                 Some(_) => None,
@@ -273,14 +251,14 @@ impl MasonryStages {
 
     /// Whether the last finished blocks may stand in for those to be laid.
     pub(super) fn has_last(&self) -> bool {
-        self.last.is_some() && self.blocks.made().is_some()
+        self.last.is_some() && self.shared.scene().is_some()
     }
 
     fn make_blocks(&mut self) -> Option<()> {
         let (site, ground) = (self.site.made()?, self.ground.made()?);
         let (wall, cells) = (self.laid.made()?, self.cells.made()?.cells());
         let revision = self.laid.revision();
-        self.blocks.advance(|look, work| {
+        self.shared.bodies.advance(|look, work| {
             let Some((scene, digest)) = work else {
                 let none = KeptBlocks::default();
                 let mut scene = WallScene::new(site, ground, look, (marks(cells), &none));
@@ -297,21 +275,9 @@ impl MasonryStages {
         })
     }
 
-    fn make_still(&mut self) -> Option<()> {
-        let scene = &self.blocks.made()?.scene;
-        StillRender::draw(&mut self.still, scene)
-    }
-
     /// The passes of the work on blocks and on the ground.
     pub(super) fn pass(&self) -> [u64; 2] {
         [self.laid.passes(), self.ground.passes()]
-    }
-
-    /// Whether there is a scene of the present blocks, even if another look is wanted.
-    pub(super) fn has_blocks(&self) -> bool {
-        let is_laid = self.is_fresh(&self.laid);
-        let blocks = self.blocks.made().filter(|_| is_laid);
-        blocks.is_some_and(|blocks| blocks.shows == self.laid.revision())
     }
 
     /// The number of finished blocks.

@@ -73,16 +73,16 @@ impl SceneSource for MasonryEngine {
         Some(match MasonryView::of_words(view) {
             MasonryView::Auto => match made.begun(&made.laid) {
                 Some(_) => key(MasonryView::Auto, true, made.laid.slices()),
-                None if made.wall().is_some() && !made.has_blocks() => {
+                None if made.wall().is_some() && !made.has_scene_of(&made.laid) => {
                     key(MasonryView::Auto, true, made.laid.slices())
                 }
-                None if made.has_blocks() || made.has_last() => {
-                    key(MasonryView::Picture, false, made.blocks.revision())
+                None if made.has_scene_of(&made.laid) || made.has_last() => {
+                    key(MasonryView::Picture, false, made.shared.bodies.revision())
                 }
                 None => key(MasonryView::Mortar, false, made.site.revision()),
             },
-            MasonryView::Picture => match made.blocks.made() {
-                Some(_) => key(MasonryView::Picture, false, made.blocks.revision()),
+            MasonryView::Picture => match made.shared.bodies.made() {
+                Some(_) => key(MasonryView::Picture, false, made.shared.bodies.revision()),
                 None => return None,
             },
             view @ (MasonryView::Mortar | MasonryView::Polygons) => {
@@ -116,14 +116,11 @@ impl SceneSource for MasonryEngine {
         let made = &self.made;
         let site = made.site.made()?;
         match of.view {
-            MasonryView::Picture => {
-                let blocks = made.blocks.made()?;
-                Some(WallSubject::Blocks(blocks.scene.clone()))
-            }
+            MasonryView::Picture => made.shared.scene().cloned().map(WallSubject::Blocks),
             MasonryView::Auto => {
                 let (wall, ground) = (made.wall()?, made.ground.made()?);
                 let marks = || marks(made.cells.made().map_or(&[], Laying::cells));
-                let look = made.blocks.params();
+                let look = made.shared.bodies.params();
                 let new = || Box::new(WallScene::new(site, ground, look, (marks(), &made.kept)));
                 let mut scene = making.live.take().unwrap_or_else(new);
                 scene.follow(wall, made.kept.after(made.finished()));
@@ -157,7 +154,7 @@ impl SceneSource for MasonryEngine {
     }
 
     fn still(&self) -> StillParams {
-        self.made.still.params().clone()
+        self.made.shared.still.params().clone()
     }
 
     fn materials(&self, subject: &WallSubject) -> Option<&'static [Material]> {
@@ -167,6 +164,6 @@ impl SceneSource for MasonryEngine {
     fn finished(&self, view: &str) -> Option<&[u8]> {
         let view = MasonryView::of_words(view);
         let is_picture = matches!(view, MasonryView::Auto | MasonryView::Picture);
-        (is_picture && self.made.at().is_none()).then(|| self.made.picture())
+        (is_picture && self.made.at().is_none()).then(|| self.made.shared.picture())
     }
 }

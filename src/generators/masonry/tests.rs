@@ -68,7 +68,7 @@ fn every_building_has_a_block_for_each_cell() {
         let link = format!("make=masonry&building={}", rule.word());
         let engine = laid(&link).expect("a building");
         let cells = engine.made.cells.made().expect("cells").cells();
-        let scene = &engine.made.blocks.made().expect("blocks").scene;
+        let scene = engine.made.shared.scene().expect("blocks");
         let drawn = scene
             .instances
             .iter()

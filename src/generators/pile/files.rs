@@ -16,11 +16,11 @@ impl Meshes for PileEngine {
         budget: f64,
     ) -> Result<MeshSlice, Notice> {
         let is_done = self.at().is_none();
-        let Some(bodies) = self.made.bodies.made().filter(|_| is_done) else {
+        let Some(bodies) = self.made.shared.bodies.made().filter(|_| is_done) else {
             return Err(Code::NotYet.into());
         };
         let scene: Rc<Scene> = bodies.scene.clone();
-        let materials = &self.made.still.params().light.materials;
+        let materials = &self.made.shared.still.params().light.materials;
         let pile = self.made.settled.made().map_or(&[][..], |s| s.bodies());
         let words = &self.made.words();
         // A name tells the dart, the type and the layer.
@@ -34,7 +34,7 @@ impl Meshes for PileEngine {
         };
         Ok(Saving::slice(
             &mut self.saving,
-            (order, self.made.bodies.revision()),
+            (order, self.made.shared.bodies.revision()),
             || SceneFile::new(order, materials, &scene),
             (clock, budget),
             |file| file.advance(&scene, name),
@@ -42,7 +42,7 @@ impl Meshes for PileEngine {
     }
 
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
-        let scene = &self.made.bodies.made()?.scene;
+        let scene = &self.made.shared.bodies.made()?.scene;
         Some(order.scene_size(scene))
     }
 

@@ -49,13 +49,6 @@ impl PileStages {
         self.begun(&self.settled).or(last)
     }
 
-    /// Whether there is a scene of the present bodies, even if another look is wanted.
-    pub(super) fn has_bodies(&self) -> bool {
-        let is_settled = self.is_fresh(&self.settled);
-        let bodies = self.bodies.made().filter(|_| is_settled);
-        bodies.is_some_and(|bodies| bodies.shows == self.settled.revision())
-    }
-
     /// How many bodies have this fate so far.
     pub(super) fn count(&self, fate: Fate) -> usize {
         let bodies = self.refining().map_or(&[][..], Refining::bodies);

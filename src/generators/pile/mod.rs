@@ -85,7 +85,7 @@ impl PileEngine {
     /// Starts with all its work to be done.
     pub fn new(recipe: &Recipe) -> Self {
         Self {
-            made: PileStages::new(&PileParams::new(recipe)),
+            made: PileStages::new(PileParams::new(recipe)),
             picture: ScenePicture::default(),
             saving: None,
         }

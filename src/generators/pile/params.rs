@@ -1,12 +1,12 @@
 //! Turns a recipe into the parameters of each stage.
 
+use super::PILE;
 use super::materials::materials;
 use super::schema::{NONE, TYPE_KEYS, TypeKeys, keys};
 use crate::component::{ComponentKind, FINISHES, Finish};
 use crate::generators::common;
 use crate::generators::lighting::LightParams;
-use crate::generators::scene_picture::AskedFile;
-use crate::light::ShadeParams;
+use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::material::Gloss;
 use crate::pile::{Method, Order, Reading, RefineParams, Turn};
 use crate::pile_shape::PileShape;
@@ -25,11 +25,7 @@ pub(super) struct PileParams {
     pub darts: DartParams,
     pub refine: RefineParams,
     pub bodies: BodyParams,
-    pub shade: ShadeParams,
-    /// The degrees by which the pile is turned, clockwise seen from above.
-    pub yaw: f64,
-    /// Pixels along the picture's side.
-    pub side: usize,
+    pub still: StillParams,
 }
 
 /// The source of a component.
@@ -112,7 +108,7 @@ pub(super) struct DartParams {
 
 /// Whether the shape itself is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum CoreShown {
+pub(crate) enum CoreShown {
     /// If it is ground.
     Suits,
     Seen,
@@ -121,7 +117,7 @@ pub(super) enum CoreShown {
 
 /// How bodies look.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct BodyParams {
+pub(crate) struct BodyParams {
     pub vary: f64,
     pub gloss: Gloss,
     /// The share of the height that is wet.
@@ -145,6 +141,10 @@ impl PileParams {
         };
         let darts = darts(recipe, &types);
         let each = darts.types.iter();
+        let dress = DressParams {
+            finishes: types.iter().map(|own| finish(recipe, own)).collect(),
+        };
+        let bodies = bodies(recipe);
         Self {
             components,
             room: RoomParams {
@@ -152,24 +152,20 @@ impl PileParams {
                 inward: darts.inward,
             },
             site: site(recipe, &mut files),
-            dress: DressParams {
-                finishes: types.iter().map(|own| finish(recipe, own)).collect(),
+            still: StillParams {
+                camera: PILE.camera(),
+                light: LightParams {
+                    shade: common::shading(recipe),
+                    materials: materials(&dress.finishes, bodies.gloss),
+                },
+                yaw: recipe.number(keys::YAW),
+                side: common::side(recipe),
             },
+            dress,
             darts,
             refine: refine(recipe),
-            bodies: bodies(recipe),
-            shade: common::shading(recipe),
-            yaw: recipe.number(keys::YAW),
-            side: common::side(recipe),
+            bodies,
             files,
-        }
-    }
-
-    /// The light, and the materials of the types.
-    pub fn light(&self) -> LightParams {
-        LightParams {
-            shade: self.shade,
-            materials: materials(&self.dress.finishes, self.bodies.gloss),
         }
     }
 }

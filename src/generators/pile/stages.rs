@@ -1,6 +1,5 @@
 //! The stages of a pile, as a table of tasks.
 
-use super::PILE;
 use super::components::{Components, ComponentsMaking};
 use super::darting::{Placed, Placing, room};
 use super::dress::{Dressed, Dressing};
@@ -9,9 +8,7 @@ use super::params::{
     BodyParams, ComponentParams, DartParams, DressParams, PileParams, RoomParams, SiteParams,
 };
 use super::site::{Site, SiteMaking};
-use crate::generators::scene_picture::{
-    MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
-};
+use crate::generators::scene_picture::{MadeScene, SceneStages, SharedNodes};
 use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::Notice;
 use crate::pile::{RefineParams, Refining};
@@ -34,7 +31,7 @@ const MOST: usize = 12;
 
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct PileStages {
-    files: ModelFiles,
+    pub(super) shared: SharedNodes<BodyParams, Heap>,
     /// The last components, which stay while only other types change.
     kept: Components,
     pub(super) components: Node<ComponentParams, ComponentsMaking, Components>,
@@ -43,57 +40,57 @@ pub(crate) struct PileStages {
     pub(super) ground: Node<RoomParams, BareSurface, BareSurface>,
     pub(super) placed: Node<DartParams, Placing, Placed>,
     pub(super) settled: Node<RefineParams, Refining, Refining>,
-    pub(super) bodies: Node<BodyParams, Heap, MadeScene>,
-    pub(super) still: StillNode,
 }
 
 impl Wiring for PileStages {
     type Stage = usize;
 
     const TASKS: &'static [Task<Self>] = &[
-        task!(0, files.loaded, |all| all.files.inputs(), |all| all
-            .files
-            .load()),
-        task!(0, components, [files.loaded], Self::make_components),
-        task!(1, site, [files.loaded], Self::make_site),
+        task!(
+            0,
+            shared.files.loaded,
+            |all| all.shared.files.inputs(),
+            |all| all.shared.files.load()
+        ),
+        task!(0, components, [shared.files.loaded], Self::make_components),
+        task!(1, site, [shared.files.loaded], Self::make_site),
         task!(1, ground, [components, site], Self::make_ground),
         task!(2, placed, [components, site], Self::make_darts),
         task!(REFINE, dressed, [components], Self::make_dressed),
         task!(REFINE, settled, [placed, site], Self::refine),
         task!(
             BODIES,
-            bodies,
+            shared.bodies,
             [settled, ground, dressed],
             Self::make_bodies
         ),
-        task!(5, still, [bodies], Self::make_still),
+        task!(5, shared.still, [shared.bodies], |all| all.shared.draw()),
     ];
 }
 
-/// Camera and light of the picture.
-fn still(params: &PileParams) -> StillParams {
-    StillParams {
-        camera: PILE.camera(),
-        light: params.light(),
-        yaw: params.yaw,
-        side: params.side,
-    }
-}
-
 impl SceneStages for PileStages {
+    type Look = BodyParams;
+    type Finishing = Heap;
+
     const FINISHER: usize = BODIES;
+
+    fn shared(&self) -> &SharedNodes<BodyParams, Heap> {
+        &self.shared
+    }
+
+    fn shared_mut(&mut self) -> &mut SharedNodes<BodyParams, Heap> {
+        &mut self.shared
+    }
 
     fn ask(&mut self, recipe: &Recipe) {
         let params = PileParams::new(recipe);
-        self.still.ask(still(&params));
-        self.files.loaded.ask(params.files);
+        self.shared.ask(params.files, params.bodies, params.still);
         self.components.ask(params.components);
         self.dressed.ask(params.dress);
         self.site.ask(params.site);
         self.ground.ask(params.room);
         self.placed.ask(params.darts);
         self.settled.ask(params.refine);
-        self.bodies.ask(params.bodies);
     }
 
     fn forget_steps(&mut self) {
@@ -111,47 +108,28 @@ impl SceneStages for PileStages {
         of_files.chain(of_sizes).cloned().collect()
     }
 
-    fn files(&self) -> &ModelFiles {
-        &self.files
-    }
-
-    fn files_mut(&mut self) -> &mut ModelFiles {
-        &mut self.files
-    }
-
-    fn still(&self) -> &StillNode {
-        &self.still
-    }
-
     fn is_moving(&self) -> bool {
         self.at() == Some(REFINE) && self.is_fresh(&self.dressed)
-    }
-
-    fn digest(&self) -> String {
-        let bodies = self.bodies.made();
-        bodies.map_or(String::new(), |bodies| bodies.digest.clone())
     }
 }
 
 impl PileStages {
     /// Starts with nothing made.
-    pub(super) fn new(params: &PileParams) -> Self {
+    pub(super) fn new(params: PileParams) -> Self {
         Self {
-            files: ModelFiles::new(params.files.clone()),
+            shared: SharedNodes::new(params.files, params.bodies, params.still),
             kept: Components::default(),
-            components: Node::new(params.components.clone()),
-            dressed: Node::new(params.dress.clone()),
-            site: Node::new(params.site.clone()),
-            ground: Node::new(params.room.clone()),
-            placed: Node::new(params.darts.clone()),
+            components: Node::new(params.components),
+            dressed: Node::new(params.dress),
+            site: Node::new(params.site),
+            ground: Node::new(params.room),
+            placed: Node::new(params.darts),
             settled: Node::new(params.refine),
-            bodies: Node::new(params.bodies),
-            still: Node::new(still(params)),
         }
     }
 
     fn make_components(&mut self) -> Option<()> {
-        let (loaded, kept) = (self.files.loaded.made()?, &mut self.kept);
+        let (loaded, kept) = (self.shared.files.loaded.made()?, &mut self.kept);
         self.components
             .advance(|params, work| ComponentsMaking::advance(params, work, loaded, kept))
     }
@@ -163,7 +141,7 @@ impl PileStages {
     }
 
     fn make_site(&mut self) -> Option<()> {
-        let loaded = self.files.loaded.made()?;
+        let loaded = self.shared.files.loaded.made()?;
         self.site
             .advance(|params, work| SiteMaking::advance(params, work, loaded))
     }
@@ -212,7 +190,7 @@ impl PileStages {
             kinds: &self.placed.made()?.kinds,
             dressed: self.dressed.made()?,
             dress: self.dressed.params(),
-            look: self.bodies.params(),
+            look: self.shared.bodies.params(),
         })
     }
 
@@ -224,10 +202,10 @@ impl PileStages {
             kinds: &self.placed.made()?.kinds,
             dressed: self.dressed.made()?,
             dress: self.dressed.params(),
-            look: &self.bodies.params().clone(),
+            look: &self.shared.bodies.params().clone(),
         };
         let revision = self.settled.revision();
-        self.bodies.advance(|_, work| {
+        self.shared.bodies.advance(|_, work| {
             let Some(mut heap) = work.take() else {
                 *work = Some(Heap::new(parts));
                 return Ok(None);
@@ -235,10 +213,5 @@ impl PileStages {
             heap.update(parts, settled.bodies(), settled.history());
             Ok(Some(MadeScene::new(Rc::new(heap.finish()), revision)))
         })
-    }
-
-    fn make_still(&mut self) -> Option<()> {
-        let scene = &self.bodies.made()?.scene;
-        StillRender::draw(&mut self.still, scene)
     }
 }

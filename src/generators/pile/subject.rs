@@ -64,14 +64,16 @@ impl SceneSource for PileEngine {
         Some(match PileView::of_words(view) {
             PileView::Auto => match made.begun(&made.settled) {
                 Some(_) => key(PileView::Auto, true, made.settled.slices()),
-                None if made.has_bodies() => key(PileView::Picture, false, made.bodies.revision()),
+                None if made.has_scene_of(&made.settled) => {
+                    key(PileView::Picture, false, made.shared.bodies.revision())
+                }
                 None if made.is_fresh(&made.settled) => {
                     key(PileView::Auto, true, made.settled.slices())
                 }
                 None => key(PileView::Darts, true, made.placed.slices()),
             },
-            PileView::Picture => match made.bodies.made() {
-                Some(_) => key(PileView::Picture, false, made.bodies.revision()),
+            PileView::Picture => match made.shared.bodies.made() {
+                Some(_) => key(PileView::Picture, false, made.shared.bodies.revision()),
                 None => return None,
             },
             PileView::Darts => key(PileView::Darts, true, made.placed.slices()),
@@ -102,8 +104,7 @@ impl SceneSource for PileEngine {
     fn make(&mut self, of: SceneInputs, making: &mut Option<Box<Heap>>) -> Option<ViewScene> {
         let made = &self.made;
         if of.view == PileView::Picture {
-            let bodies = made.bodies.made()?;
-            return Some(ViewScene::Bodies(bodies.scene.clone()));
+            return made.shared.scene().cloned().map(ViewScene::Bodies);
         }
         if of.view == PileView::Auto {
             let (parts, refining) = (made.parts()?, made.refining()?);
@@ -130,7 +131,7 @@ impl SceneSource for PileEngine {
     }
 
     fn still(&self) -> StillParams {
-        self.made.still.params().clone()
+        self.made.shared.still.params().clone()
     }
 
     fn materials(&self, subject: &ViewScene) -> Option<&'static [Material]> {
@@ -139,6 +140,6 @@ impl SceneSource for PileEngine {
 
     fn finished(&self, view: &str) -> Option<&[u8]> {
         let is_picture = matches!(PileView::of_words(view), PileView::Auto | PileView::Picture);
-        (is_picture && self.made.at().is_none()).then(|| self.made.picture())
+        (is_picture && self.made.at().is_none()).then(|| self.made.shared.picture())
     }
 }

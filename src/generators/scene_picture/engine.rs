@@ -1,24 +1,34 @@
 //! The engine of any generator of bodies in space. A generator says what is its own in [`SceneEngine`] and
 //! [`SceneStages`]; the interfaces for the studio follow from these.
 
-use super::loading::ModelFiles;
 use super::picture::{ScenePicture, SceneSource, turn};
-use super::still::StillNode;
+use super::shared::SharedNodes;
 use super::view::{prepare, view};
 use crate::export::Report;
 use crate::generators::{
     Clock, Engine, Files, FrameSlice, Frames, GivenFile, Meshes, MissingFile, ModelFacts, Progress,
     Rewind, SeenBody, TurnOrder,
 };
-use crate::graph::Wiring;
+use crate::graph::{Node, Wiring};
 use crate::notice::Notice;
 use crate::recipe::Recipe;
 use crate::scene::Frame;
 
 /// The stages of a generator of bodies in space. A stage is its index.
 pub(crate) trait SceneStages: Wiring<Stage = usize> {
+    /// The parameters of the finished bodies.
+    type Look: Clone + PartialEq;
+    /// The work on them.
+    type Finishing;
+
     /// The index of the stage that makes the bodies; the stages before it form them.
     const FINISHER: usize;
+
+    /// The nodes that all such generators have.
+    fn shared(&self) -> &SharedNodes<Self::Look, Self::Finishing>;
+
+    /// The same, mutable.
+    fn shared_mut(&mut self) -> &mut SharedNodes<Self::Look, Self::Finishing>;
 
     /// Notes the parameters of the latest recipe.
     fn ask(&mut self, recipe: &Recipe);
@@ -31,28 +41,18 @@ pub(crate) trait SceneStages: Wiring<Stage = usize> {
         None
     }
 
-    /// The files that the recipe names.
-    fn files(&self) -> &ModelFiles;
-
-    /// The same, mutable.
-    fn files_mut(&mut self) -> &mut ModelFiles;
-
-    /// The node of the finished picture.
-    fn still(&self) -> &StillNode;
-
-    /// The last finished picture; empty before there is one.
-    fn picture(&self) -> &[u8] {
-        self.still().made().map_or(&[], Vec::as_slice)
-    }
-
     /// Remarks on mended files, and on parts that do not fit well.
     fn remarks(&self) -> Vec<Notice>;
 
     /// Whether the next slice begins a step that a viewer sees.
     fn is_moving(&self) -> bool;
 
-    /// The digest of the scene; empty before there is one.
-    fn digest(&self) -> String;
+    /// Whether there is a scene of the present value of a node, even if another look is wanted.
+    fn has_scene_of<P: Clone + PartialEq, W, T>(&self, node: &Node<P, W, T>) -> bool {
+        let bodies = self.shared().bodies.made();
+        let bodies = bodies.filter(|_| self.is_fresh(node));
+        bodies.is_some_and(|bodies| bodies.shows == node.revision())
+    }
 }
 
 /// A generator of bodies in space: its stages, and what it tells of them.
@@ -135,7 +135,7 @@ impl<E: SceneEngine> Engine for E {
     }
 
     fn side(&self) -> usize {
-        self.made().still().params().side
+        self.made().shared().still.params().side
     }
 
     fn at(&self) -> Option<usize> {
@@ -183,11 +183,11 @@ impl<E: SceneEngine> Engine for E {
     }
 
     fn picture(&self) -> &[u8] {
-        self.made().picture()
+        self.made().shared().picture()
     }
 
     fn digest(&self) -> String {
-        self.made().digest()
+        self.made().shared().digest()
     }
 
     fn report(&mut self, report: &mut Report) {
@@ -226,7 +226,7 @@ impl<E: SceneEngine> Frames for E {
     }
 
     fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody> {
-        let yaw = self.made().still().params().yaw;
+        let yaw = self.made().shared().still.params().yaw;
         let body = self.scene_picture().body_at(yaw, x, y)?;
         let (figures, words) = (self.figures(body.id), self.words_of(body.id));
         Some(SeenBody {
@@ -256,11 +256,12 @@ impl<E: SceneEngine> Frames for E {
 impl<E: SceneEngine> Files for E {
     fn give(&mut self, file: GivenFile) {
         let digest = file.digest();
-        self.made_mut().files_mut().give(digest, file.into_bytes());
+        let files = &mut self.made_mut().shared_mut().files;
+        files.give(digest, file.into_bytes());
     }
 
     fn missing(&self) -> Vec<MissingFile> {
-        self.made().files().missing()
+        self.made().shared().files.missing()
     }
 
     fn model(&self) -> Option<ModelFacts> {

@@ -7,6 +7,7 @@ mod files;
 mod given_files;
 mod loading;
 mod picture;
+mod shared;
 mod still;
 // The tests read files with a library that only native builds have.
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -17,7 +18,8 @@ mod yaw;
 pub(crate) use engine::{SceneEngine, SceneStages};
 pub(crate) use files::Saving;
 pub(crate) use given_files::AskedFile;
-pub(crate) use loading::{Loaded, ModelFiles};
+pub(crate) use loading::Loaded;
 pub(crate) use picture::{ScenePicture, SceneSource};
-pub(crate) use still::{MadeScene, StillNode, StillParams, StillRender};
+pub(crate) use shared::SharedNodes;
+pub(crate) use still::{MadeScene, StillParams};
 pub(crate) use view::view_of;

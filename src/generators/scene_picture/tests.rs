@@ -3,6 +3,7 @@
 use super::given_files::GivenFiles;
 use super::loading::Loading;
 use super::picture::turn;
+use super::still::StillRender;
 use super::view::view;
 use super::*;
 use crate::export::{MeshFormat, MeshOrder, SceneFile};

@@ -22,9 +22,9 @@ impl Meshes for SurfaceEngine {
         ) else {
             return Err(Code::NotYet.into());
         };
-        let materials = &self.made.still.params().light.materials;
+        let materials = &self.made.shared.still.params().light.materials;
         let new = || {
-            let stones = stones_params(self.made.stones.params(), &paved.cells);
+            let stones = stones_params(self.made.shared.bodies.params(), &paved.cells);
             ModelFile::new(order, stones, materials, &paved.cells)
         };
         let advance = |file: &mut ModelFile| file.advance(&built.whole, paved.paving());

@@ -119,30 +119,23 @@ impl Stages {
 
     /// The last scene of stones, and its revision.
     pub(super) fn scene(&self) -> Option<(&Rc<Scene>, u64)> {
-        Some((&self.stones.made()?.scene, self.stones.revision()))
+        Some((self.shared.scene()?, self.shared.bodies.revision()))
     }
 
     /// The stones with their cells, if both are those of the present recipe.
     pub(super) fn standing(&self) -> Option<Standing<'_>> {
         Some(Standing {
-            scene: &self.current(&self.stones)?.scene,
-            params: stones_params(self.stones.params(), &self.paved.made()?.cells),
+            scene: &self.current(&self.shared.bodies)?.scene,
+            params: stones_params(self.shared.bodies.params(), &self.paved.made()?.cells),
             paved: self.paved.made()?,
             fit: Fit::new(&self.last_built()?.whole),
-            revision: self.stones.revision(),
+            revision: self.shared.bodies.revision(),
         })
-    }
-
-    /// Whether there are stones of the present packing, even if other ones are wanted.
-    pub(super) fn has_stones(&self) -> bool {
-        let is_packed = self.is_fresh(&self.packing);
-        let bodies = self.stones.made().filter(|_| is_packed);
-        bodies.is_some_and(|bodies| bodies.shows == self.packing.revision())
     }
 
     /// How many stones are done.
     pub(super) fn stones(&self) -> usize {
-        match (self.stones.work(), self.paved.made()) {
+        match (self.shared.bodies.work(), self.paved.made()) {
             (Some(work), Some(paved)) => {
                 (work.progress(&paved.cells) * paved.cells.len() as f64) as usize
             }

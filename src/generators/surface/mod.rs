@@ -87,7 +87,7 @@ impl SurfaceEngine {
     /// Starts with all its work to be done.
     pub fn new(recipe: &Recipe) -> Self {
         Self {
-            made: Stages::new(&Params::new(recipe)),
+            made: Stages::new(Params::new(recipe)),
             picture: ScenePicture::default(),
             ground: None,
             saving: None,

@@ -1,11 +1,11 @@
 //! Turns a recipe into the parameters of each stage.
 
+use super::SURFACE;
 use super::schema::{FILE, keys};
 use crate::field::CellKind;
 use crate::generators::common;
-use crate::generators::lighting::LightParams;
 use crate::generators::rows::shared::keys as shared;
-use crate::generators::scene_picture::AskedFile;
+use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::heightfield::TextureParams;
 use crate::material::{ColourParams, WeatherParams};
 use crate::packing::PackingParams;
@@ -27,11 +27,7 @@ pub(super) struct Params {
     pub packing: PackingParams,
     pub cells: CellParams,
     pub stones: StoneLook,
-    pub light: LightParams,
-    /// The degrees by which the model is turned, clockwise seen from above.
-    pub yaw: f64,
-    /// Pixels along the picture's side.
-    pub side: usize,
+    pub still: StillParams,
 }
 
 /// The mesh on which cells are packed.
@@ -123,7 +119,7 @@ pub(super) struct CellParams {
 
 /// The parameters of stones.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct StoneLook {
+pub(crate) struct StoneLook {
     pub texture: TextureParams,
     pub weather: WeatherParams,
     pub open: Open,
@@ -147,9 +143,12 @@ impl Params {
                 weather: common::weather(recipe),
                 open: open(recipe),
             },
-            light: common::light(recipe),
-            yaw: recipe.number(keys::YAW),
-            side: common::side(recipe),
+            still: StillParams {
+                camera: SURFACE.camera(),
+                light: common::light(recipe),
+                yaw: recipe.number(keys::YAW),
+                side: common::side(recipe),
+            },
         }
     }
 }

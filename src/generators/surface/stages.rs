@@ -1,15 +1,12 @@
 //! The stages of a surface, as a table of tasks.
 
-use super::SURFACE;
 use super::build::{Building, Built};
 use super::fields::{Fielding, FieldsWithRemarks};
 use super::params::{CellParams, FieldParams, MeshSource, Params, StoneLook, SurfaceParams};
 use super::paving::{PavedCells, PavingInputs, PavingProgress};
 use crate::generators::held::{Held, Origin};
 use crate::generators::packs::PackingProgress;
-use crate::generators::scene_picture::{
-    AskedFile, MadeScene, ModelFiles, SceneStages, StillNode, StillParams, StillRender,
-};
+use crate::generators::scene_picture::{AskedFile, MadeScene, SceneStages, SharedNodes};
 use crate::generators::{Clock, Rewind};
 use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::{Code, Notice};
@@ -37,7 +34,7 @@ const COUNT: f64 = 4.0;
 
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct Stages {
-    files: ModelFiles,
+    pub(super) shared: SharedNodes<StoneLook, Stones>,
     pub(super) built: Node<SurfaceParams, Building, Built>,
     pub(super) fields: Node<FieldParams, Fielding, FieldsWithRemarks>,
     pub(super) site: Node<(), PackingMeshMaking, PackingMesh>,
@@ -47,25 +44,26 @@ pub(crate) struct Stages {
         Node<PackingParams, PackingProgress<SurfacePlacing, SurfacePacking>, SurfacePacking>,
     pub(super) mesh: Node<(), SurfaceMeshing, SurfaceMesh>,
     pub(super) paved: Node<CellParams, PavingProgress, PavedCells>,
-    pub(super) stones: Node<StoneLook, Stones, MadeScene>,
-    pub(super) still: StillNode,
 }
 
 impl Wiring for Stages {
     type Stage = usize;
 
     const TASKS: &'static [Task<Self>] = &[
-        task!(0, files.loaded, |all| all.files.inputs(), |all| all
-            .files
-            .load()),
-        task!(0, built, [files.loaded], Self::build),
+        task!(
+            0,
+            shared.files.loaded,
+            |all| all.shared.files.inputs(),
+            |all| all.shared.files.load()
+        ),
+        task!(0, built, [shared.files.loaded], Self::build),
         task!(1, fields, [built], Self::make_fields),
         task!(PACKING, site, [fields], Self::make_site),
         task!(PACKING, packing, [fields, site], Self::make_packing),
         task!(3, mesh, [site, packing], Self::make_mesh),
         task!(4, paved, [built, fields, mesh], Self::make_cells),
-        task!(STONES, stones, [built, paved], Self::make_stones),
-        task!(6, still, [stones], Self::make_still),
+        task!(STONES, shared.bodies, [built, paved], Self::make_stones),
+        task!(6, shared.still, [shared.bodies], |all| all.shared.draw()),
     ];
 }
 
@@ -77,28 +75,28 @@ fn asked(params: &SurfaceParams) -> Vec<AskedFile> {
     }
 }
 
-/// Camera and light of the picture.
-fn still(params: &Params) -> StillParams {
-    StillParams {
-        camera: SURFACE.camera(),
-        light: params.light.clone(),
-        yaw: params.yaw,
-        side: params.side,
-    }
-}
-
 impl SceneStages for Stages {
+    type Look = StoneLook;
+    type Finishing = Stones;
+
     const FINISHER: usize = STONES;
+
+    fn shared(&self) -> &SharedNodes<StoneLook, Stones> {
+        &self.shared
+    }
+
+    fn shared_mut(&mut self) -> &mut SharedNodes<StoneLook, Stones> {
+        &mut self.shared
+    }
 
     fn ask(&mut self, recipe: &Recipe) {
         let params = Params::new(recipe);
-        self.files.loaded.ask(asked(&params.surface));
-        self.still.ask(still(&params));
+        let files = asked(&params.surface);
+        self.shared.ask(files, params.stones, params.still);
         self.built.ask(params.surface);
         self.fields.ask(params.fields);
         self.packing.ask(params.packing);
         self.paved.ask(params.cells);
-        self.stones.ask(params.stones);
     }
 
     fn forget_steps(&mut self) {
@@ -125,43 +123,25 @@ impl SceneStages for Stages {
         built.iter().chain(fields).cloned().chain(count).collect()
     }
 
-    fn files(&self) -> &ModelFiles {
-        &self.files
-    }
-
-    fn files_mut(&mut self) -> &mut ModelFiles {
-        &mut self.files
-    }
-
-    fn still(&self) -> &StillNode {
-        &self.still
-    }
-
     fn is_moving(&self) -> bool {
         let moving = self.begun(&self.packing).and_then(PackingProgress::moving);
         self.at() == Some(PACKING) && moving.is_some_and(|packing| !packing.is_in_a_step())
-    }
-
-    fn digest(&self) -> String {
-        let bodies = self.stones.made();
-        bodies.map_or(String::new(), |bodies| bodies.digest.clone())
     }
 }
 
 impl Stages {
     /// Starts with nothing made.
-    pub(super) fn new(params: &Params) -> Self {
+    pub(super) fn new(params: Params) -> Self {
+        let files = asked(&params.surface);
         Self {
-            files: ModelFiles::new(asked(&params.surface)),
-            built: Node::new(params.surface.clone()),
-            fields: Node::new(params.fields.clone()),
+            shared: SharedNodes::new(files, params.stones, params.still),
+            built: Node::new(params.surface),
+            fields: Node::new(params.fields),
             site: Node::new(()),
             held: None,
-            packing: Node::new(params.packing.clone()),
+            packing: Node::new(params.packing),
             mesh: Node::new(()),
             paved: Node::new(params.cells),
-            stones: Node::new(params.stones),
-            still: Node::new(still(params)),
         }
     }
 
@@ -176,7 +156,7 @@ impl Stages {
     }
 
     fn build(&mut self) -> Option<()> {
-        let loaded = self.files.loaded.made()?;
+        let loaded = self.shared.files.loaded.made()?;
         self.built
             .advance(|params, work| Building::advance(params, work, loaded))
     }
@@ -233,7 +213,7 @@ impl Stages {
     fn make_stones(&mut self) -> Option<()> {
         let (built, paved) = (self.built.made()?, self.paved.made()?);
         let packing = self.packing.revision();
-        self.stones.advance(|look, work| {
+        self.shared.bodies.advance(|look, work| {
             let new = || {
                 let params = stones_params(look, &paved.cells);
                 Stones::new(params, &built.whole, &paved.cells)
@@ -245,11 +225,6 @@ impl Stages {
             let done = work.take();
             Ok(done.map(|stones| MadeScene::new(Rc::new(stones.finish()), packing)))
         })
-    }
-
-    fn make_still(&mut self) -> Option<()> {
-        let scene = &self.stones.made()?.scene;
-        StillRender::draw(&mut self.still, scene)
     }
 }
 

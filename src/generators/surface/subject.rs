@@ -67,7 +67,7 @@ impl SceneSource for SurfaceEngine {
         let (surface, revision) = made.revisions();
         let is_packed = made.live_packing().is_some();
         let view = match view {
-            SurfaceView::Auto if made.has_stones() => SurfaceView::Picture,
+            SurfaceView::Auto if made.has_scene_of(&made.packing) => SurfaceView::Picture,
             SurfaceView::Auto => SurfaceView::Packed,
             other => other,
         };
@@ -112,9 +112,7 @@ impl SceneSource for SurfaceEngine {
     fn make(&mut self, of: SceneInputs, making: &mut ViewSceneMaking) -> Option<ViewScene> {
         let made = &self.made;
         if of.view == SurfaceView::Picture {
-            return made
-                .scene()
-                .map(|(scene, _)| ViewScene::Stones(scene.clone()));
+            return made.shared.scene().cloned().map(ViewScene::Stones);
         }
         let built = made.last_built()?;
         let is_old = self
@@ -131,7 +129,7 @@ impl SceneSource for SurfaceEngine {
         if !ground.advance(&built.mesh) {
             return None;
         }
-        let tones = || Tones::new(&self.made.stones.params().texture);
+        let tones = || Tones::new(&self.made.shared.bodies.params().texture);
         if let ViewSceneMaking::Begin(last) = making {
             let last = last.take();
             *making = match of.view {
@@ -192,7 +190,7 @@ impl SceneSource for SurfaceEngine {
     }
 
     fn still(&self) -> StillParams {
-        self.made.still.params().clone()
+        self.made.shared.still.params().clone()
     }
 
     fn materials(&self, subject: &ViewScene) -> Option<&'static [Material]> {
@@ -204,7 +202,7 @@ impl SceneSource for SurfaceEngine {
             SurfaceView::of_words(view),
             SurfaceView::Auto | SurfaceView::Picture
         );
-        (is_picture && self.made.at().is_none()).then(|| self.made.picture())
+        (is_picture && self.made.at().is_none()).then(|| self.made.shared.picture())
     }
 }
 

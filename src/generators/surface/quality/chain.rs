@@ -89,9 +89,10 @@ impl Body {
         for (key, value) in [form, dir].into_iter().chain(cells) {
             recipe.set(key, value).expect("a value of its row");
         }
-        let mut stages = Stages::new(&Params::new(&recipe));
+        let mut stages = Stages::new(Params::new(&recipe));
         if let Some(file) = file {
-            stages.files_mut().give(file.digest(), file.into_bytes());
+            let files = &mut stages.shared_mut().files;
+            files.give(file.digest(), file.into_bytes());
         }
         while stages.at().is_some_and(|at| at < CELLS) {
             assert_eq!(stages.failure(), None, "{}", self.name);
