@@ -2,10 +2,11 @@
 
 use super::MasonryEngine;
 use super::colours::GRASS_ROW;
-use crate::export::{MeshOrder, MeshSize, SceneFile};
+use crate::export::{MeshOrder, MeshSize};
 use crate::generators::scene_picture::Saving;
-use crate::generators::{Clock, Engine, MeshSlice, Meshes};
-use crate::notice::{Code, Notice};
+use crate::generators::{Clock, MeshSlice, Meshes};
+use crate::masonry::laying::Laying;
+use crate::notice::Notice;
 use crate::scene::{Instance, Scene};
 use std::rc::Rc;
 
@@ -26,10 +27,8 @@ fn without_grass(scene: &Scene) -> Scene {
 impl MasonryEngine {
     /// The scene of mesh files.
     fn modelled(&mut self) -> Option<Rc<Scene>> {
-        let (revision, blocks) = (
-            self.made.shared.bodies.revision(),
-            self.made.shared.bodies.made()?,
-        );
+        let bodies = &self.made.shared.bodies;
+        let (revision, blocks) = (bodies.revision(), bodies.made()?);
         let known = self.modelled.take().filter(|(of, _)| *of == revision);
         let new = || (revision, Rc::new(without_grass(&blocks.scene)));
         let (_, scene) = self.modelled.insert(known.unwrap_or_else(new));
@@ -44,32 +43,17 @@ impl Meshes for MasonryEngine {
         clock: Clock,
         budget: f64,
     ) -> Result<MeshSlice, Notice> {
-        let is_done = self.at().is_none();
-        let Some(scene) = self.modelled().filter(|_| is_done) else {
-            return Err(Code::NotYet.into());
-        };
-        let materials = &self.made.shared.still.params().light.materials;
-        let cells = self
-            .made
-            .cells
-            .made()
-            .map_or(&[][..], |laying| laying.cells());
+        let scene = self.modelled();
+        let cells = self.made.cells.made().map_or(&[][..], Laying::cells);
         // A name tells the type of the feature, and the number of the block.
-        let name = |instance: &Instance| match (instance.id as usize).checked_sub(1) {
-            None => "building".to_owned(),
-            Some(number) => format!("{}_{number}", cells[number].feature.word()),
-        };
-        Ok(Saving::slice(
-            &mut self.saving,
-            (order, self.made.shared.bodies.revision()),
-            || SceneFile::new(order, materials, &scene),
-            (clock, budget),
-            |file| file.advance(&scene, name),
-        ))
+        let name = |number: usize| format!("{}_{number}", cells[number].feature.word());
+        let names = ("building", name);
+        let of = (&self.made, scene);
+        Saving::of_scene(&mut self.saving, of, order, (clock, budget), names)
     }
 
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
-        let scene = &self.made.shared.bodies.made()?.scene;
+        let scene = self.made.shared.scene()?;
         Some(order.scene_size(&without_grass(scene)))
     }
 

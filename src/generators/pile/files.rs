@@ -1,12 +1,10 @@
 //! Mesh files of a finished pile.
 
 use super::PileEngine;
-use crate::export::{MeshOrder, MeshSize, SceneFile};
+use crate::export::{MeshOrder, MeshSize};
 use crate::generators::scene_picture::Saving;
-use crate::generators::{Clock, Engine, MeshSlice, Meshes};
-use crate::notice::{Code, Notice};
-use crate::scene::{Instance, Scene};
-use std::rc::Rc;
+use crate::generators::{Clock, MeshSlice, Meshes};
+use crate::notice::Notice;
 
 impl Meshes for PileEngine {
     fn mesh_file(
@@ -15,35 +13,22 @@ impl Meshes for PileEngine {
         clock: Clock,
         budget: f64,
     ) -> Result<MeshSlice, Notice> {
-        let is_done = self.at().is_none();
-        let Some(bodies) = self.made.shared.bodies.made().filter(|_| is_done) else {
-            return Err(Code::NotYet.into());
-        };
-        let scene: Rc<Scene> = bodies.scene.clone();
-        let materials = &self.made.shared.still.params().light.materials;
+        let scene = self.made.shared.scene().cloned();
         let pile = self.made.settled.made().map_or(&[][..], |s| s.bodies());
         let words = &self.made.words();
         // A name tells the dart, the type and the layer.
-        let name = |instance: &Instance| match (instance.id as usize).checked_sub(1) {
-            None => "shape".to_owned(),
-            Some(dart) => {
-                let body = &pile[dart];
-                let word = words[body.kind as usize];
-                format!("{word}_{dart}_layer_{}", body.layer)
-            }
+        let name = |dart: usize| {
+            let body = &pile[dart];
+            let word = words[body.kind as usize];
+            format!("{word}_{dart}_layer_{}", body.layer)
         };
-        Ok(Saving::slice(
-            &mut self.saving,
-            (order, self.made.shared.bodies.revision()),
-            || SceneFile::new(order, materials, &scene),
-            (clock, budget),
-            |file| file.advance(&scene, name),
-        ))
+        let names = ("shape", name);
+        let of = (&self.made, scene);
+        Saving::of_scene(&mut self.saving, of, order, (clock, budget), names)
     }
 
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
-        let scene = &self.made.shared.bodies.made()?.scene;
-        Some(order.scene_size(scene))
+        Some(order.scene_size(self.made.shared.scene()?))
     }
 
     fn places(&self) -> Option<String> {

@@ -1,7 +1,11 @@
 //! Files of bodies, written in slices.
 
-use crate::export::{MeshOrder, PartFile};
+use super::engine::SceneStages;
+use crate::export::{MeshOrder, PartFile, SceneFile};
 use crate::generators::{Clock, MeshSlice, until};
+use crate::notice::{Code, Notice};
+use crate::scene::{Instance, Scene};
+use std::rc::Rc;
 
 /// An unfinished mesh file.
 pub(crate) struct Saving<F> {
@@ -37,5 +41,37 @@ impl<F: PartFile> Saving<F> {
             *kept = Some(saving);
         }
         MeshSlice { begun, parts, done }
+    }
+}
+
+impl Saving<SceneFile> {
+    /// Works for about `budget` milliseconds on the file of a finished scene. Ground and shapes, which have no number,
+    /// are named `ground`; `name` names the bodies by their numbers, from 0.
+    ///
+    /// # Errors
+    /// If the picture is not finished.
+    pub fn of_scene(
+        kept: &mut Option<Self>,
+        (stages, scene): (&impl SceneStages, Option<Rc<Scene>>),
+        order: &MeshOrder,
+        time: (Clock, f64),
+        (ground, name): (&str, impl Fn(usize) -> String),
+    ) -> Result<MeshSlice, Notice> {
+        let scene = scene
+            .filter(|_| stages.at().is_none())
+            .ok_or(Code::NotYet)?;
+        let shared = stages.shared();
+        let materials = &shared.still.params().light.materials;
+        let name = |instance: &Instance| match (instance.id as usize).checked_sub(1) {
+            None => ground.to_owned(),
+            Some(number) => name(number),
+        };
+        Ok(Self::slice(
+            kept,
+            (order, shared.bodies.revision()),
+            || SceneFile::new(order, materials, &scene),
+            time,
+            |file| file.advance(&scene, name),
+        ))
     }
 }
