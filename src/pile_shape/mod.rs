@@ -19,7 +19,7 @@ mod tests;
 
 pub use piled::{PiledShape, Vessel};
 
-use crate::shapes::ShapeNumber;
+use crate::shapes::numbers::by_rule;
 use closed::RiceBallBuilding;
 
 /// A shape to heap bodies on.
@@ -42,57 +42,23 @@ pub enum PileShape {
 /// The shortest and the longest edges that a surface is made of.
 const EDGES: [f64; 2] = [0.004, 0.25];
 
+by_rule! {
+    PileShape {
+        RiceBall: "riceball", "Rice ball", numbers::RICE_BALL;
+        Heap: "heap", "Heap", numbers::HEAP;
+        Dome: "dome", "Dome", numbers::DOME;
+        Block: "block", "Block", numbers::BLOCK;
+        Bowl: "bowl", "Bowl", numbers::BOWL;
+        OpenBox: "openbox", "Open box", numbers::OPEN_BOX;
+    }
+}
+
 impl PileShape {
-    /// All shapes.
-    pub const ALL: [Self; 6] = [
-        Self::RiceBall,
-        Self::Heap,
-        Self::Dome,
-        Self::Block,
-        Self::Bowl,
-        Self::OpenBox,
-    ];
-
-    /// The shape's key, its English label, and its numbers.
-    fn row(self) -> (&'static str, &'static str, &'static [ShapeNumber]) {
-        match self {
-            Self::Heap => ("heap", "Heap", numbers::HEAP),
-            Self::Dome => ("dome", "Dome", numbers::DOME),
-            Self::RiceBall => ("riceball", "Rice ball", numbers::RICE_BALL),
-            Self::Block => ("block", "Block", numbers::BLOCK),
-            Self::Bowl => ("bowl", "Bowl", numbers::BOWL),
-            Self::OpenBox => ("openbox", "Open box", numbers::OPEN_BOX),
-        }
-    }
-
-    /// The shape's key in links.
-    pub fn word(self) -> &'static str {
-        self.row().0
-    }
-
-    /// The shape's English label.
-    pub fn label(self) -> &'static str {
-        self.row().1
-    }
-
-    /// The shape's numbers, two or three.
-    pub fn numbers(self) -> &'static [ShapeNumber] {
-        self.row().2
-    }
-
-    /// The shape with this key.
-    pub fn of_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|shape| shape.word() == word)
-    }
-
     /// Starts the shape. `numbers` are those of [`Self::numbers`]: they are clamped to their ranges, and defaults stand
     /// for missing ones. `edge` is the wanted length of the longest edges, as a share of 1; it is clamped to
     /// 0.004..0.25.
     pub fn building(self, numbers: &[f64], edge: f64) -> PileShapeBuilding {
-        let each = self.numbers().iter().enumerate();
-        let n: Vec<f64> = each
-            .map(|(k, number)| number.fitted(numbers.get(k).copied().unwrap_or(number.default)))
-            .collect();
+        let n = self.fitted(numbers);
         let edge = if edge.is_finite() { edge } else { EDGES[1] };
         let edge = edge.clamp(EDGES[0], EDGES[1]);
         let made = match self {

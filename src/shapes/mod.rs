@@ -79,25 +79,6 @@ pub enum Shape {
 const FINEST: f64 = 0.002;
 
 impl Shape {
-    /// All shapes.
-    pub const ALL: [Self; 15] = [
-        Self::Terrain,
-        Self::Slope,
-        Self::Stairs,
-        Self::Cylinder,
-        Self::Sphere,
-        Self::Torus,
-        Self::Knot,
-        Self::Horn,
-        Self::Leg,
-        Self::Tail,
-        Self::Fish,
-        Self::Turtle,
-        Self::Egg,
-        Self::Vase,
-        Self::Letter,
-    ];
-
     /// Starts to make the triangles. `numbers` are those of [`Self::numbers`]; they are clamped to their ranges.
     /// `edge` is the wanted length of edges, as a share of the diagonal of the shape's bounding box. Edges are
     /// shorter where parts of the shape would be lost otherwise ([`Self::coarsest`]).

@@ -58,6 +58,50 @@ macro_rules! numbers {
 }
 pub(crate) use numbers;
 
+/// What an enum of things by rule tells of each: its key in links, its English label, and its numbers.
+macro_rules! by_rule {
+    ($of:ident { $($own:ident: $word:literal, $label:literal, $numbers:expr;)* }) => {
+        impl $of {
+            /// All of them.
+            pub const ALL: [Self; [$($word),*].len()] = [$(Self::$own),*];
+
+            fn row(self) -> (&'static str, &'static str, &'static [$crate::shapes::ShapeNumber]) {
+                match self {
+                    $(Self::$own => ($word, $label, $numbers),)*
+                }
+            }
+
+            /// Its key in links.
+            pub fn word(self) -> &'static str {
+                self.row().0
+            }
+
+            /// Its English label.
+            pub fn label(self) -> &'static str {
+                self.row().1
+            }
+
+            /// Its numbers with their ranges.
+            pub fn numbers(self) -> &'static [$crate::shapes::ShapeNumber] {
+                self.row().2
+            }
+
+            /// The one with this key.
+            pub fn of_word(word: &str) -> Option<Self> {
+                Self::ALL.into_iter().find(|own| own.word() == word)
+            }
+
+            /// All its numbers: the nearest valid values to those given, and defaults for the rest.
+            pub fn fitted(self, given: &[f64]) -> Vec<f64> {
+                let each = self.numbers().iter().enumerate();
+                each.map(|(k, number)| number.fitted(given.get(k).copied().unwrap_or(number.default)))
+                    .collect()
+            }
+        }
+    };
+}
+pub(crate) use by_rule;
+
 numbers! {
     TERRAIN {
         hills: "Hills across", "", 2.5, [1.0, 5.0, 0.1];
@@ -155,52 +199,22 @@ numbers! {
     }
 }
 
-impl Shape {
-    /// The shape's key, its English label, and its three to five numbers.
-    fn row(self) -> (&'static str, &'static str, &'static [ShapeNumber]) {
-        match self {
-            Self::Terrain => ("terrain", "Terrain", TERRAIN),
-            Self::Slope => ("slope", "Slope", SLOPE),
-            Self::Stairs => ("stairs", "Stairs", STAIRS),
-            Self::Cylinder => ("cylinder", "Cylinder", CYLINDER),
-            Self::Sphere => ("sphere", "Sphere", SPHERE),
-            Self::Torus => ("torus", "Torus", TORUS),
-            Self::Knot => ("knot", "Knot", KNOT),
-            Self::Horn => ("horn", "Horn", HORN),
-            Self::Leg => ("leg", "Leg", LEG),
-            Self::Tail => ("tail", "Tail", TAIL),
-            Self::Fish => ("fish", "Fish", FISH),
-            Self::Turtle => ("turtle", "Turtle's back", TURTLE),
-            Self::Egg => ("egg", "Egg", EGG),
-            Self::Vase => ("vase", "Vase", VASE),
-            Self::Letter => ("letter", "Letter", LETTER),
-        }
-    }
-
-    /// The shape's key in links.
-    pub fn word(self) -> &'static str {
-        self.row().0
-    }
-
-    /// The shape's English label.
-    pub fn label(self) -> &'static str {
-        self.row().1
-    }
-
-    /// The shape's numbers, three to five.
-    pub fn numbers(self) -> &'static [ShapeNumber] {
-        self.row().2
-    }
-
-    /// The shape with this key.
-    pub fn of_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|shape| shape.word() == word)
-    }
-
-    /// All numbers of the shape: the nearest valid values to those given, and defaults for the rest.
-    pub fn fitted(self, given: &[f64]) -> Vec<f64> {
-        let each = self.numbers().iter().enumerate();
-        each.map(|(k, number)| number.fitted(given.get(k).copied().unwrap_or(number.default)))
-            .collect()
+by_rule! {
+    Shape {
+        Terrain: "terrain", "Terrain", TERRAIN;
+        Slope: "slope", "Slope", SLOPE;
+        Stairs: "stairs", "Stairs", STAIRS;
+        Cylinder: "cylinder", "Cylinder", CYLINDER;
+        Sphere: "sphere", "Sphere", SPHERE;
+        Torus: "torus", "Torus", TORUS;
+        Knot: "knot", "Knot", KNOT;
+        Horn: "horn", "Horn", HORN;
+        Leg: "leg", "Leg", LEG;
+        Tail: "tail", "Tail", TAIL;
+        Fish: "fish", "Fish", FISH;
+        Turtle: "turtle", "Turtle's back", TURTLE;
+        Egg: "egg", "Egg", EGG;
+        Vase: "vase", "Vase", VASE;
+        Letter: "letter", "Letter", LETTER;
     }
 }

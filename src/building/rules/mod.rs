@@ -34,8 +34,7 @@ pub use drawn_fault::{
 pub use openings::OpeningHead;
 
 use super::draft::Draft;
-use crate::shapes::ShapeNumber;
-use numbers as rows;
+use crate::shapes::numbers::by_rule;
 
 /// The module of masonry, joints included (metres).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +66,7 @@ impl Module {
     }
 }
 
-/// A building by rule.
+/// A building by rule. Widths are modules, heights are courses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// A house with gables, a roof, windows and a door.
@@ -92,57 +91,22 @@ pub enum Rule {
     Plan,
 }
 
+by_rule! {
+    Rule {
+        Gabled: "gabled", "House with gables", numbers::GABLED;
+        LHouse: "lhouse", "L-shaped house", numbers::L_HOUSE;
+        Block: "block", "Block", numbers::BLOCK;
+        Wall: "wall", "Wall with openings", numbers::WALL;
+        Gate: "gate", "Gate", numbers::GATE;
+        Steps: "steps", "Steps with columns", numbers::STEPS;
+        Tower: "tower", "Round tower", numbers::TOWER;
+        Ring: "ring", "Ring of walls", numbers::RING;
+        Sheet: "sheet", "Single wall", numbers::SHEET;
+        Plan: "plan", "Walls over a plan", numbers::PLAN;
+    }
+}
+
 impl Rule {
-    /// All rules.
-    pub const ALL: [Self; 10] = [
-        Self::Gabled,
-        Self::LHouse,
-        Self::Block,
-        Self::Wall,
-        Self::Gate,
-        Self::Steps,
-        Self::Tower,
-        Self::Ring,
-        Self::Sheet,
-        Self::Plan,
-    ];
-
-    /// The rule's key, its English label, and its numbers.
-    fn row(self) -> (&'static str, &'static str, &'static [ShapeNumber]) {
-        match self {
-            Self::Block => ("block", "Block", rows::BLOCK),
-            Self::LHouse => ("lhouse", "L-shaped house", rows::L_HOUSE),
-            Self::Gabled => ("gabled", "House with gables", rows::GABLED),
-            Self::Wall => ("wall", "Wall with openings", rows::WALL),
-            Self::Gate => ("gate", "Gate", rows::GATE),
-            Self::Steps => ("steps", "Steps with columns", rows::STEPS),
-            Self::Tower => ("tower", "Round tower", rows::TOWER),
-            Self::Ring => ("ring", "Ring of walls", rows::RING),
-            Self::Sheet => ("sheet", "Single wall", rows::SHEET),
-            Self::Plan => ("plan", "Walls over a plan", rows::PLAN),
-        }
-    }
-
-    /// The rule's key in links.
-    pub fn word(self) -> &'static str {
-        self.row().0
-    }
-
-    /// The rule's English label.
-    pub fn label(self) -> &'static str {
-        self.row().1
-    }
-
-    /// The rule's numbers with their ranges. Widths are modules, heights are courses.
-    pub fn numbers(self) -> &'static [ShapeNumber] {
-        self.row().2
-    }
-
-    /// The rule with this key.
-    pub fn of_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|rule| rule.word() == word)
-    }
-
     /// Makes the building. `numbers` are those of [`Self::numbers`]: they are clamped to their ranges, and defaults stand
     /// for missing ones. Where parts would not fit, there are fewer or smaller ones.
     pub fn draft(self, module: &Module, numbers: &[f64]) -> Draft {
@@ -159,13 +123,5 @@ impl Rule {
             Self::Sheet => plain::sheet(module, &n),
             Self::Plan => DrawnPlan::default().draft(module, &n).0,
         }
-    }
-
-    /// Its numbers within their ranges; defaults stand for missing ones.
-    fn fitted(self, numbers: &[f64]) -> Vec<f64> {
-        let each = self.numbers().iter().enumerate();
-        let given = |k: usize| numbers.get(k).copied();
-        each.map(|(k, number)| number.fitted(given(k).unwrap_or(number.default)))
-            .collect()
     }
 }
