@@ -14,6 +14,7 @@ mod outline;
 mod over;
 mod params;
 mod presets;
+mod preview;
 mod probe;
 mod schema;
 mod shaping;

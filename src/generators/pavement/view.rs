@@ -2,14 +2,13 @@
 
 use super::files::map_of;
 use super::look::{Base, Overlay, PavementView};
+use super::preview::Preview;
 use super::{Pavement, Stage};
-use crate::cells::Cell;
 use crate::draw::{self, Board, Layer, Paper, SHEET, Sketch, Tones};
 use crate::export::MapKind;
 use crate::generators::{Budget, Clock, Engine};
 use crate::graph::Wiring;
-use crate::heightfield::{Planes, row_slopes};
-use crate::order;
+use crate::heightfield::Planes;
 use glam::DVec2;
 
 /// Most pixels along the side of a drawing that is larger than the recipe's picture: two of them are 32 MiB.
@@ -31,15 +30,6 @@ pub(super) struct Gallery {
     begun_over: Option<((PavementView, u64), Sketch)>,
     drawn_over: Option<(PavementView, u64)>,
     heat: draw::size::HeatMap,
-}
-
-/// Stones in a simple light over the cells, until the picture is finished.
-#[derive(Default)]
-struct Preview {
-    board: Option<Board>,
-    /// The pass over the stones that it shows.
-    pass: u64,
-    stones: usize,
 }
 
 /// The content of the view between the packing and the picture.
@@ -296,7 +286,7 @@ impl Pavement {
     }
 
     /// The planes in progress, once the ground is laid.
-    fn ground_shown(&self) -> Option<&Planes> {
+    pub(super) fn ground_shown(&self) -> Option<&Planes> {
         self.planes_to_show().filter(|_| self.made.is_bedded())
     }
 
@@ -315,7 +305,7 @@ impl Pavement {
         self.on_board(board, paper, layers)
     }
 
-    fn on_board(&self, mut board: Board, paper: &Paper, layers: Vec<Layer>) -> Sketch {
+    pub(super) fn on_board(&self, mut board: Board, paper: &Paper, layers: Vec<Layer>) -> Sketch {
         let mut all = Vec::with_capacity(layers.len() + 2);
         if self.texture().tile {
             board.repeat();
@@ -348,83 +338,5 @@ impl Pavement {
         let mut layers = vec![packed];
         layers.extend(self.lines());
         self.on_paper(scale, &tones.paper, layers)
-    }
-
-    /// Whether the preview shows the stones in progress.
-    fn goes_on(&self, preview: &Preview) -> bool {
-        let board = preview.board.as_ref().filter(|b| b.fits(self.side()));
-        board.is_some() && preview.pass == self.made.finish.planes.passes()
-    }
-
-    /// The cells on the ground, before there are stones.
-    fn bedded(&self) -> Option<Sketch> {
-        let (planes, tones) = (self.ground_shown()?, self.tones());
-        let mut board = Board::new(planes.side, tones.paper.surround);
-        light_ground(planes, board.rgba_mut());
-        let cells = draw::stages::cells(self.made.cells(), &tones);
-        Some(self.on_board(board, &tones.paper, vec![cells]))
-    }
-
-    /// The cells with the stones so far; `bedded` is the background of the first one.
-    fn stones_coming(&self, preview: &mut Preview, bedded: Option<Board>) -> Option<Board> {
-        let made = &self.made;
-        let planes = self.ground_shown()?;
-        if !self.goes_on(preview) {
-            (preview.board, preview.stones) = (bedded, 0);
-            preview.pass = made.finish.planes.passes();
-        }
-        let board = preview.board.as_mut()?;
-        let stones = made.stones();
-        for k in preview.stones..stones {
-            light_stone(planes, &made.cells()[k], k, board.rgba_mut());
-        }
-        preview.stones = stones;
-        Some(board.clone())
-    }
-}
-
-/// Shows the ground in a plain light.
-fn light_ground(planes: &Planes, rgba: &mut [u8]) {
-    let side = planes.side;
-    let mut slopes = [(); 2].map(|()| vec![0.0; side]);
-    for (y, row) in rgba.chunks_exact_mut(4 * side).enumerate() {
-        row_slopes(planes, y, &mut slopes);
-        let [across, fall] = &slopes;
-        let places = planes.colour[y * side..].iter().zip(across).zip(fall);
-        for (pixel, ((&colour, &dx), &dy)) in row.chunks_exact_mut(4).zip(places) {
-            let scale = 1.0 / (dx * dx + dy * dy + 1.0).sqrt();
-            light_pixel(colour, [-dx * scale, -dy * scale, scale], pixel);
-        }
-    }
-}
-
-/// Shows one stone in a plain light.
-fn light_stone(planes: &Planes, cell: &Cell, index: usize, rgba: &mut [u8]) {
-    let side = planes.side;
-    let reach = DVec2::splat(0.25 * cell.size + 1.0);
-    let first = cell.ring.first().copied().unwrap_or(cell.centre);
-    let (lo, hi) = cell
-        .ring
-        .iter()
-        .fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)));
-    let clip = |v: f64| v.clamp(0.0, side as f64) as usize;
-    let (lo, hi) = (lo - reach, hi + reach);
-    for y in clip(lo.y)..clip(hi.y) {
-        for x in clip(lo.x)..clip(hi.x) {
-            if planes.id[y * side + x] == index as u32 + 1 {
-                let at = y * side + x;
-                let normal = draw::planes::normal(planes, x, y);
-                light_pixel(planes.colour[at], normal, &mut rgba[4 * at..]);
-            }
-        }
-    }
-}
-
-/// Light from the upper left. On level ground it is as strong as in a finished picture.
-fn light_pixel(colour: [u8; 3], n: [f32; 3], pixel: &mut [u8]) {
-    let facing = order::greater(-0.42 * n[0] - 0.48 * n[1] + 0.77 * n[2], 0.0);
-    let light = 0.42 + 0.80 * facing;
-    for (shown, colour) in pixel.iter_mut().zip(colour) {
-        *shown = order::lesser(f32::from(colour) * light, 255.0) as u8;
     }
 }
