@@ -10,7 +10,7 @@
 //! have flat facets, so that each triangle is visible.
 //!
 //! Additions to the papers come in where they belong. The footprint has few corners and is inset by a joint's
-//! half width. The tilt of skin comes with its skew; flat faces, keel and growth rings come with the Loop
+//! half width. The top of skin rises with its skew; flat faces, keel and growth rings come with the Loop
 //! steps. The control mesh of stones adds the rings that hold their outline and the cobbles' dome; if Sv is
 //! above 1 its top is smaller than that of the prism before it.
 
@@ -219,7 +219,7 @@ fn until(params: &StoneParams, making: Making) -> StoneParams {
         until.distortion = 0.0;
     }
     if !matches!(making, Making::Skew | Making::Taper) {
-        (until.skin.skew, until.skin.tilt) = (0.0, 0.0);
+        until.skin = until.skin.upright();
     }
     if making != Making::Taper {
         until.skin.taper = 0.0;

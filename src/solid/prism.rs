@@ -65,6 +65,15 @@ impl SkinParams {
         dimension: 1.1,
         amplitude: 0.1,
     };
+
+    /// The same with a top that neither leans nor rises.
+    pub fn upright(self) -> Self {
+        Self {
+            skew: 0.0,
+            tilt: 0.0,
+            ..self
+        }
+    }
 }
 
 impl Default for SkinParams {

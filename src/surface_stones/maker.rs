@@ -186,7 +186,7 @@ pub(super) fn leans_out(cell: &SurfaceCell, neighbours: &[u32], cells: &[Surface
 pub(super) fn own_params(stone: &StoneParams, leans_out: bool) -> StoneParams {
     let mut own = *stone;
     if leans_out && stone.kind == StoneKind::Skin {
-        (own.skin.skew, own.skin.tilt) = (0.0, 0.0);
+        own.skin = own.skin.upright();
         own.scale = own.scale.min(1.0);
     }
     own
