@@ -4,7 +4,6 @@
 
 mod bigger;
 mod budget;
-mod common;
 mod engine;
 #[cfg(house)]
 mod given;

@@ -4,8 +4,9 @@ use super::MASONRY;
 use super::colours::{Colours, materials};
 use super::schema::keys;
 use crate::building::{Building, CornerId, DrawnPlan, EdgeId, Module, Rule};
-use crate::generators::common;
 use crate::generators::lighting::LightParams;
+use crate::generators::rows::numbered::numbers_of;
+use crate::generators::rows::shared as common;
 use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::masonry::laying::LayingParams;
 use crate::masonry::module::{ASHLAR, BLOCK, UK_BRICK, US_BRICK};
@@ -137,12 +138,7 @@ impl MasonryParams {
                 Vec::new()
             },
             building: BuildingParams {
-                rule: rule.map(|rule| {
-                    (
-                        rule,
-                        common::numbers_of(recipe, keys::BUILDING, rule.word()),
-                    )
-                }),
+                rule: rule.map(|rule| (rule, numbers_of(recipe, keys::BUILDING, rule.word()))),
                 plan: match rule {
                     Some(Rule::Plan) => {
                         DrawnPlan::of_rows(recipe.rows(keys::PLAN), recipe.rows(keys::OPENINGS))

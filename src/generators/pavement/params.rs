@@ -5,9 +5,10 @@ use super::schema::keys;
 use crate::cells::Cell;
 use crate::domain::Outline;
 use crate::field::{CellKind, Direction, FieldParams, Grading, SoftSpot};
-use crate::generators::common;
 use crate::generators::height_field::{HeightFieldParams, PlaneParams};
+use crate::generators::rows::shared as common;
 use crate::generators::rows::shared::keys as shared;
+use crate::generators::rows::stones;
 use crate::heightfield::TextureParams;
 use crate::material::ColourParams;
 use crate::packing::{
@@ -108,7 +109,7 @@ impl Params {
             cells: cells(recipe),
             flow: recipe.is_skin().then(|| flow(recipe)),
             coats: CoatParams {
-                colour: common::colour(recipe, recipe.side()),
+                colour: stones::colour(recipe, recipe.side()),
                 seed: common::seed(recipe),
                 side: recipe.side(),
             },
@@ -311,13 +312,13 @@ pub(super) fn texture(recipe: &Recipe) -> TextureParams {
         pixel_scale: 1,
         seed: common::seed(recipe),
         size: recipe.number(keys::CS),
-        stone: common::stone(recipe, 1.0),
+        stone: stones::stone(recipe, 1.0),
         dimension: recipe.number(shared::FD),
         amplitude: recipe.number(shared::AF),
         palette: recipe.choice(shared::PALETTE),
         ground: recipe.choice(shared::GROUND),
         vary: recipe.number(shared::VARY),
-        colour: common::colour(recipe, recipe.side()),
+        colour: stones::colour(recipe, recipe.side()),
         tile: recipe.is_tile(),
     }
 }

@@ -7,7 +7,8 @@ use crate::export::{Map, MapKind};
 use crate::field::FieldParams;
 use crate::generators::bigger::Bigger;
 use crate::generators::height_field::{Bodies, solids};
-use crate::generators::{ALL, Engine, common};
+use crate::generators::rows::{shared, stones};
+use crate::generators::{ALL, Engine};
 use crate::heightfield::TextureParams;
 use crate::light::ShadeParams;
 use crate::packing::PackingParams;
@@ -66,10 +67,10 @@ fn changed(recipe: &Recipe, random: &mut Random) -> Recipe {
 #[test]
 fn the_libraries_defaults_are_those_of_a_recipe() {
     let mut recipe = Recipe::new(&SCHEMA);
-    let stone = |recipe: &Recipe| common::stone(recipe, 1.0);
+    let stone = |recipe: &Recipe| stones::stone(recipe, 1.0);
     assert_eq!(params::fields(&recipe), FieldParams::default());
     assert_eq!(params::packing(&recipe), PackingParams::default());
-    assert_eq!(common::shading(&recipe), ShadeParams::default());
+    assert_eq!(shared::shading(&recipe), ShadeParams::default());
     // The skin parameters of a recipe have other defaults while its stones are not skin.
     let skin = SkinParams::default();
     let texture = TextureParams {

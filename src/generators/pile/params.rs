@@ -4,8 +4,9 @@ use super::PILE;
 use super::materials::materials;
 use super::schema::{NONE, TYPE_KEYS, TypeKeys, keys};
 use crate::component::{ComponentKind, FINISHES, Finish};
-use crate::generators::common;
 use crate::generators::lighting::LightParams;
+use crate::generators::rows::numbered::numbers_of;
+use crate::generators::rows::shared as common;
 use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::material::Gloss;
 use crate::pile::{Method, Order, Reading, RefineParams, Turn};
@@ -194,8 +195,8 @@ fn asked(recipe: &Recipe, file: Key, up: Key) -> AskedFile {
 fn site(recipe: &Recipe, files: &mut Vec<AskedFile>) -> SiteParams {
     let word = recipe.choice(keys::FORM);
     let source = match (PileShape::of_word(word), Shape::of_word(word)) {
-        (Some(shape), _) => SiteSource::Pile(shape, common::numbers_of(recipe, keys::FORM, word)),
-        (_, Some(shape)) => SiteSource::Shape(shape, common::numbers_of(recipe, keys::FORM, word)),
+        (Some(shape), _) => SiteSource::Pile(shape, numbers_of(recipe, keys::FORM, word)),
+        (_, Some(shape)) => SiteSource::Shape(shape, numbers_of(recipe, keys::FORM, word)),
         _ => {
             files.push(asked(recipe, keys::MODEL, keys::UP));
             SiteSource::File(files.len() - 1)

@@ -1,10 +1,10 @@
-//! Tables of parameters, and the rows that several generators share.
+//! Tables of parameters, and the rows that several generators share, with the parameters of stages that they make.
 
 #[cfg(house)]
 pub mod buildings;
 mod lists;
 #[cfg(house)]
-mod numbered;
+pub mod numbered;
 #[cfg(house)]
 pub mod shapes;
 pub mod shared;

@@ -1,6 +1,7 @@
 //! Rows of the numbers by which shapes and buildings are made.
 
 use crate::recipe::parameter::{Parameter, int, number};
+use crate::recipe::{Key, Kind, Recipe};
 use crate::shapes::ShapeNumber;
 
 /// The row of a number, with its range and its default, in a group.
@@ -12,4 +13,14 @@ pub(super) const fn rule_row(of: &ShapeNumber, group: &'static str) -> Parameter
     row.range(of.least, of.most, of.step, of.default)
         .unit(of.unit)
         .group(group)
+}
+
+/// The numbers that are shown for one word of a choice alone, in the order of the table.
+pub(crate) fn numbers_of(recipe: &Recipe, choice: Key, word: &str) -> Vec<f64> {
+    let is_own = |row: &&Parameter| {
+        let of = row.shown_for.filter(|of| of.0 == choice);
+        row.kind != Kind::Text && of.is_some_and(|(_, words)| words == [word])
+    };
+    let rows = recipe.schema().rows.iter().filter(is_own);
+    rows.map(|row| recipe.number(row.key)).collect()
 }

@@ -1,10 +1,13 @@
-//! Rows shared by generators. A generator's table may contain whole lists of them, and single ones with another help
-//! text, range or group.
+//! Rows shared by generators, and the parameters of stages that their values make. A generator's table may contain
+//! whole lists of them, and single ones with another help text, range or group.
 
 use super::lists::lists;
+use crate::generators::lighting::LightParams;
 use crate::heightfield::TextureParams;
 use crate::light::{Light, ShadeParams};
+use crate::material::{Gloss, WeatherParams, material_table};
 use crate::random::SEED as SEED_BY_DEFAULT;
+use crate::recipe::Recipe;
 use crate::recipe::parameter::{Parameter, choice, int, number};
 use crate::recipe::schema::choices;
 
@@ -92,5 +95,82 @@ lists! {
             number("", "Shadows").range(0.0, 1.0, 0.05, SHADE.shadow).group("Light");
         occl OCCL: "Strength of ambient occlusion, the darkness of the joints." =>
             number("", "Occlusion").range(0.0, 1.0, 0.05, SHADE.occlusion).group("Light");
+    }
+}
+
+/// Pixels along the picture's side.
+pub(crate) fn side(recipe: &Recipe) -> usize {
+    recipe.number(keys::SIZE) as usize
+}
+
+/// The seed of all random numbers.
+pub(crate) fn seed(recipe: &Recipe) -> u64 {
+    recipe.number(keys::SEED) as u64
+}
+
+/// The strength of years and weather, each 0..1.
+pub(crate) fn weather(recipe: &Recipe) -> WeatherParams {
+    WeatherParams {
+        wear: recipe.number(keys::WEAR),
+        moss: recipe.number(keys::MOSS),
+        dirt: recipe.number(keys::DIRT),
+        wet: recipe.number(keys::WET),
+    }
+}
+
+/// The light, and the materials of palette, ground and gloss.
+pub(crate) fn light(recipe: &Recipe) -> LightParams {
+    LightParams {
+        shade: shading(recipe),
+        materials: material_table(
+            recipe.choice(keys::PALETTE),
+            recipe.choice(keys::GROUND),
+            Gloss::of_word(recipe.choice(keys::GLOSS)),
+        ),
+    }
+}
+
+/// The light.
+pub(crate) fn shading(recipe: &Recipe) -> ShadeParams {
+    ShadeParams {
+        light: match recipe.choice(keys::LIGHT) {
+            "point" => Light::Point {
+                x: recipe.number(keys::LX),
+                y: recipe.number(keys::LY),
+                z: recipe.number(keys::LZ),
+            },
+            _ => Light::Parallel {
+                azimuth: recipe.number(keys::AZ).to_radians(),
+                elevation: recipe.number(keys::EL).to_radians(),
+            },
+        },
+        ambient: recipe.number(keys::AMB),
+        diffuse: recipe.number(keys::DIFF),
+        specular: recipe.number(keys::SPEC),
+        shininess: recipe.number(keys::SHIN),
+        shadow: recipe.number(keys::SHADOW),
+        occlusion: recipe.number(keys::OCCL),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::generators::ALL;
+
+    /// Access to a row that does not exist panics.
+    #[test]
+    fn who_uses_the_height_field_has_its_rows() {
+        let finisher = ["planes", "weather", "shading"];
+        let users = ALL.iter().filter(|one| one.stages.ends_with(&finisher));
+        for generator in users {
+            for word in ["parallel", "point"] {
+                let mut recipe = Recipe::new(generator.schema);
+                assert_eq!(recipe.set(keys::LIGHT.0, word), Ok(vec![]));
+                assert_eq!((side(&recipe), seed(&recipe)), (512, 1));
+                assert_eq!(weather(&recipe), WeatherParams::default());
+                assert_eq!(light(&recipe).shade.occlusion, 1.0);
+            }
+        }
     }
 }

@@ -1,11 +1,14 @@
-//! Rows shared by generators of stones and scales: the shape of a cell's stone, and the marking of cells.
+//! Rows shared by generators of stones and scales, and the parameters that their values make: the shape of a cell's
+//! stone, and the marking of cells.
 
 use super::lists::lists;
+use super::shared::{keys as shared, seed};
 use crate::heightfield::TextureParams;
-use crate::material::ColourParams;
+use crate::material::{ColourParams, Pattern};
+use crate::recipe::Recipe;
 use crate::recipe::parameter::{Parameter, choice, int, number};
 use crate::recipe::schema::choices;
-use crate::solid::StoneParams;
+use crate::solid::{Distribution, SkinParams, StoneKind, StoneParams};
 
 /// The defaults of the libraries, which the rows use.
 const STONES: StoneParams = StoneParams::DEFAULT;
@@ -120,3 +123,52 @@ const PATTERNS: &[&str] = &[
 const SCALED: &[&str] = &[
     "bands", "spots", "rosettes", "blotches", "turing", "boundary",
 ];
+
+/// The parameters of stones; `unit` is the unit of heights.
+pub(crate) fn stone(recipe: &Recipe, unit: f64) -> StoneParams {
+    StoneParams {
+        kind: match recipe.choice(keys::STONE) {
+            "flag" => StoneKind::Flagstone,
+            SKIN => StoneKind::Skin,
+            _ => StoneKind::Cobble,
+        },
+        height: recipe.number(keys::HS) * unit,
+        scale: recipe.number(keys::SV),
+        distortion: recipe.number(keys::DR),
+        distribution: match recipe.choice(keys::RAND) {
+            "normal" => Distribution::Normal,
+            _ => Distribution::Uniform,
+        },
+        bevel_horizontal: recipe.number(keys::BH),
+        bevel_vertical: recipe.number(keys::BV),
+        skin: SkinParams {
+            sweep: recipe.number(keys::SR),
+            skew: recipe.number(keys::SC),
+            skew_angle: recipe.number(keys::SA).to_radians(),
+            tilt: recipe.number(keys::TILT),
+            taper: recipe.number(keys::TC),
+            flatness: recipe.number(keys::FLAT),
+            keel: recipe.number(keys::KEEL),
+            rings: recipe.number(keys::RINGS) as u32,
+            dimension: recipe.number(shared::FD),
+            amplitude: recipe.number(shared::AF),
+        },
+        seed: seed(recipe),
+    }
+}
+
+/// The rule that marks cells; `unit` is the unit of patterns.
+pub(crate) fn colour(recipe: &Recipe, unit: f64) -> ColourParams {
+    ColourParams {
+        pattern: Pattern::of_word(recipe.choice(keys::PATTERN)),
+        scale: recipe.number(keys::PN) * unit,
+        angle: recipe.number(keys::PA).to_radians(),
+        sharpness: recipe.number(keys::PS),
+        share: recipe.number(keys::PC),
+        amount: recipe.number(keys::PM),
+        rim: recipe.number(keys::RIM),
+        soft: recipe.number(keys::SOFT),
+        belly: recipe.number(keys::BELLY),
+        belly_angle: recipe.number(keys::BA).to_radians(),
+    }
+}

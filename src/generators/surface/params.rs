@@ -3,8 +3,10 @@
 use super::SURFACE;
 use super::schema::{FILE, keys};
 use crate::field::CellKind;
-use crate::generators::common;
+use crate::generators::rows::numbered::numbers_of;
+use crate::generators::rows::shared as common;
 use crate::generators::rows::shared::keys as shared;
+use crate::generators::rows::stones;
 use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::heightfield::TextureParams;
 use crate::material::{ColourParams, WeatherParams};
@@ -133,7 +135,7 @@ impl Params {
             fields: fields(recipe, sizes),
             packing: packing(recipe),
             cells: CellParams {
-                colour: common::colour(recipe, 1.0),
+                colour: stones::colour(recipe, 1.0),
                 is_around: recipe.choice(keys::PT) == "body",
                 seed: common::seed(recipe),
                 flip: recipe.choice(keys::FLIP) == "1",
@@ -174,7 +176,7 @@ fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
             Some(shape) => MeshSource::Shape(
                 shape,
                 ends(recipe),
-                common::numbers_of(recipe, keys::FORM, shape.word()),
+                numbers_of(recipe, keys::FORM, shape.word()),
             ),
             None => MeshSource::Model(AskedFile {
                 role: keys::MODEL.0,
@@ -285,13 +287,13 @@ fn texture(recipe: &Recipe) -> TextureParams {
         pixel_scale: 1,
         seed: common::seed(recipe),
         size: UNIT,
-        stone: common::stone(recipe, UNIT),
+        stone: stones::stone(recipe, UNIT),
         dimension: recipe.number(shared::FD),
         amplitude: recipe.number(shared::AF),
         palette: recipe.choice(shared::PALETTE),
         ground: recipe.choice(shared::GROUND),
         vary: recipe.number(shared::VARY),
-        colour: common::colour(recipe, 1.0),
+        colour: stones::colour(recipe, 1.0),
         tile: false,
     }
 }
