@@ -2,7 +2,7 @@
 
 use crate::hash::Hash;
 use crate::notice::{Code, Notice};
-use crate::recipe::{Key, NamedFile, Recipe, Rows};
+use crate::recipe::{Key, NamedFile, Recipe, Rows, Rules};
 
 /// Bytes of a word of the digest.
 const WORD: usize = 8;
@@ -65,22 +65,26 @@ impl FileDigest {
     }
 }
 
-/// Names a file in a recipe under a key, and chooses the word `file` of the choice that this file belongs to.
-///
-/// # Errors
-/// If there is not exactly one file; the recipe is unchanged.
-pub(super) fn name_file(
-    recipe: &mut Recipe,
-    key: Key,
-    rows: Option<Rows>,
-    choice: Key,
-) -> Result<Vec<Notice>, Notice> {
-    let rows = rows
-        .filter(|rows| rows.len() == 1)
-        .ok_or(Code::ModelFirst)?;
-    recipe.set_rows(key, rows)?;
-    recipe.choose(choice, "file");
-    Ok(Vec::new())
+/// Rules beyond single rows: naming a file selects the word `file` of a choice. The function tells the choice that a
+/// file's key belongs to.
+pub(super) struct FileRules(pub fn(Key) -> Key);
+
+impl Rules for FileRules {
+    /// # Errors
+    /// If there is not exactly one file; the recipe is unchanged.
+    fn draw(
+        &self,
+        recipe: &mut Recipe,
+        key: Key,
+        rows: Option<Rows>,
+    ) -> Result<Vec<Notice>, Notice> {
+        let rows = rows
+            .filter(|rows| rows.len() == 1)
+            .ok_or(Code::ModelFirst)?;
+        recipe.set_rows(key, rows)?;
+        recipe.choose((self.0)(key), "file");
+        Ok(Vec::new())
+    }
 }
 
 /// A file that the work waits for.

@@ -20,7 +20,6 @@ mod params;
 mod parts;
 mod plan_sentences;
 mod presets;
-mod rules;
 mod schema;
 mod sentences;
 mod setting;
@@ -37,6 +36,7 @@ mod weather;
 
 pub use schema::keys;
 
+use super::given::FileRules;
 use super::scene_picture::{Saving, ScenePicture};
 use super::{Course, Generator, Views};
 use crate::export::SceneFile;
@@ -51,7 +51,7 @@ pub static SCHEMA: Schema = Schema {
     word: "masonry",
     is_named: true,
     rows: schema::ROWS,
-    rules: &rules::MasonryRules,
+    rules: &FileRules(|_| keys::BUILDING),
 };
 
 /// The generator.

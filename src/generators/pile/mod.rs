@@ -18,7 +18,6 @@ mod places;
 mod presets;
 #[cfg(test)]
 mod quality;
-mod rules;
 mod schema;
 mod site;
 mod stages;
@@ -29,6 +28,7 @@ mod views;
 
 pub use schema::keys;
 
+use super::given::FileRules;
 use super::scene_picture::{Saving, ScenePicture};
 use super::{Course, Generator, Views};
 use crate::export::SceneFile;
@@ -41,7 +41,7 @@ pub static SCHEMA: Schema = Schema {
     word: "pile",
     is_named: true,
     rows: schema::ROWS,
-    rules: &rules::PileRules,
+    rules: &FileRules(schema::choice_of),
 };
 
 /// The generator.

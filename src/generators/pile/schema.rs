@@ -110,6 +110,12 @@ const fn file(number: usize) -> Parameter {
         .only_for(key, &[FILE])
 }
 
+/// The choice that a file's key belongs to.
+pub fn choice_of(file: Key) -> Key {
+    let of_type = TYPE_KEYS.iter().find(|own| own.file == file);
+    of_type.map_or(keys::FORM, |own| own.component)
+}
+
 /// The row of a file's upright axis.
 const fn up(number: usize) -> Parameter {
     choice("Upright axis", UPRIGHT)

@@ -17,7 +17,6 @@ mod presets;
 #[cfg(test)]
 mod quality;
 mod reduce;
-mod rules;
 mod schema;
 mod stages;
 mod subject;
@@ -28,6 +27,7 @@ mod views;
 
 pub use schema::keys;
 
+use super::given::FileRules;
 use super::scene_picture::{Saving, ScenePicture};
 use super::{Course, Generator, Views};
 use crate::export::ModelFile;
@@ -41,7 +41,7 @@ pub static SCHEMA: Schema = Schema {
     word: "surface",
     is_named: true,
     rows: schema::ROWS,
-    rules: &rules::SurfaceRules,
+    rules: &FileRules(|_| keys::FORM),
 };
 
 /// The generator.
