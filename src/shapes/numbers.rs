@@ -58,7 +58,7 @@ macro_rules! numbers {
 }
 pub(crate) use numbers;
 
-/// What an enum of things by rule tells of each: its key in links, its English label, and its numbers.
+/// The table of an enum of shapes or buildings by rule. A row has the key in links, the English label, and the numbers.
 macro_rules! by_rule {
     ($of:ident { $($own:ident: $word:literal, $label:literal, $numbers:expr;)* }) => {
         impl $of {
