@@ -1,5 +1,5 @@
 /**
- * Messages beside the picture. Only the newest notice is shown. It goes after some seconds, unless it is pointed at,
+ * Messages beside the picture. Only the newest notice is shown. It goes when it could be read, unless it is pointed at,
  * has the focus, or shows that work goes on. Then the one before it is shown. Errors stay until dismissed.
  */
 import { t } from '../words/words';
@@ -8,8 +8,8 @@ import { byId, make } from './dom';
 /** Notices of the same topic replace each other. */
 export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'module' | 'part' | 'language' | 'remarks';
 
-/** Milliseconds that a notice is shown. */
-const SHOWN = 6000;
+/** Milliseconds that a notice is shown: for each letter as many as a slow reader takes, within limits. */
+const SHOWN = { least: 6000, letter: 70, most: 20_000 };
 
 /** The notices that stay until something removes them. */
 const staying = new WeakSet<Element>();
@@ -80,5 +80,6 @@ function wait(box: HTMLElement): void {
   clearTimeout(timer);
   const note = box.lastElementChild;
   if (!note || staying.has(note)) return;
-  timer = window.setTimeout(() => (box.matches(':hover, :focus-within') ? undefined : note.remove()), SHOWN);
+  const time = Math.min(Math.max(SHOWN.least, SHOWN.letter * note.textContent.length), SHOWN.most);
+  timer = window.setTimeout(() => (box.matches(':hover, :focus-within') ? undefined : note.remove()), time);
 }

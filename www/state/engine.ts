@@ -4,6 +4,7 @@
  */
 import type { Bubblestone } from '../../pkg/bubblestone.js';
 import type { RecipeFile } from '../../pkg-house/bubblestone.js';
+import { knowingAll } from '../module/generators';
 import { leaveModule, moduleFor, useModule, type Module } from '../module/load';
 import type { SceneStudio } from '../module/scene';
 import type { Absence, Answer, Generator, Notice, Parameter, Point, Preset, Probe, Ring, Status } from '../module/types';
@@ -91,7 +92,7 @@ export class Engine {
     if (moduleFor(link) === this.module) {
       const notices = this.ask((core) => core.open(link), []);
       this.seek();
-      return notices.map(said);
+      return notices.map(knowingAll).map(said);
     }
     this.end();
     this.begin(link);
@@ -111,7 +112,7 @@ export class Engine {
   }
 
   notices(): string[] {
-    return this.ask((core) => core.notices(), []).map(said);
+    return this.ask((core) => core.notices(), []).map(knowingAll).map(said);
   }
 
   /** The link's fragment, without '#'. */
