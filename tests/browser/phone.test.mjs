@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { kind } from './browsers.mjs';
+import { firstEverywhere, kind } from './browsers.mjs';
 import { open } from './harness.mjs';
-import { all, click, digest, edit, get, inSight, phone, SMALL, steps } from './page.mjs';
+import { all, click, digest, done, edit, frames, get, inSight, phone, SMALL, steps } from './page.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -27,6 +27,46 @@ async function unfolded(size = phone) {
   });
   return opened;
 }
+
+/**
+ * Pairs of controls that lie on each other, each cut to what its scrolling boxes show, and buttons whose words reach out of them.
+ * @param {import('puppeteer-core').Page} page
+ */
+const collisions = (page) =>
+  page.evaluate(() => {
+    const told = (element) => `${element.id || element.className || element.localName} ${element.textContent.trim().slice(0, 20)}`;
+    const seen = (element) => {
+      let { left, top, right, bottom } = element.getBoundingClientRect();
+      for (let parent = element.parentElement; parent; parent = parent.parentElement) {
+        if (getComputedStyle(parent).overflow === 'visible') continue;
+        const box = parent.getBoundingClientRect();
+        [left, top, right, bottom] = [Math.max(left, box.left), Math.max(top, box.top), Math.min(right, box.right), Math.min(bottom, box.bottom)];
+      }
+      return { element, left, top, right, bottom };
+    };
+    const all = [...document.querySelectorAll('.app :is(button, select, input:not([type=radio]), .segments label)')];
+    // Buttons of a group lie over its heading, which is no control here.
+    const boxes = all.filter((element) => element.checkVisibility()).map(seen);
+    const found = [];
+    for (const [at, a] of boxes.entries()) {
+      for (const b of boxes.slice(at + 1)) {
+        if (a.element.contains(b.element) || b.element.contains(a.element)) continue;
+        if (Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1.5 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1.5) found.push(`${told(a.element)} on ${told(b.element)}`);
+      }
+    }
+    for (const { element } of boxes) {
+      const box = element.getBoundingClientRect();
+      for (const word of element.querySelectorAll('span')) {
+        // For screen readers only.
+        if (getComputedStyle(word).clipPath !== 'none') continue;
+        const range = document.createRange();
+        range.selectNodeContents(word);
+        const { left, right, width } = range.getBoundingClientRect();
+        if (width > 2 && (left < box.left - 0.5 || right > box.right + 0.5)) found.push(`words out of ${told(element)}`);
+      }
+    }
+    return found;
+  });
 
 /** The boxes of elements. @param {import('puppeteer-core').Page} page @param {string[]} names */
 const places = (page, ...names) =>
@@ -91,6 +131,30 @@ test('nothing is wider than the screen', async () => {
   }
   await close();
 });
+
+const SCREENS = {
+  'a small phone': { width: 360, height: 640 },
+  'a small phone on its side': { width: 667, height: 375 },
+  'a phone on its side': { width: 844, height: 390 },
+  'an upright tablet': { width: 820, height: 1180 },
+  'a tablet on its side': { width: 1180, height: 746 },
+  'a small tablet on its side': { width: 1024, height: 690 },
+};
+
+for (const [at, [device, size]] of Object.entries(SCREENS).entries()) {
+  test(`no control lies on another one on ${device}`, firstEverywhere(at % 3), async () => {
+    const { page, close } = await site.newPage(SMALL, { viewport: { ...phone, ...size }, still: true });
+    await done(page);
+    await page.waitForSelector('.timeline input');
+    for (const language of ['en', 'ja']) {
+      await page.select('#language', language);
+      await page.waitForFunction((wanted) => document.documentElement.lang === wanted, {}, language);
+      await frames(page, 2);
+      assert.deepEqual(await collisions(page), []);
+    }
+    await close();
+  });
+}
 
 for (const [device, size] of Object.entries({ phone, 'tablet on its side': { ...phone, width: 1180, height: 820 } })) test(`everything to touch on a ${device} is at least 44 pixels high and wide`, async () => {
   const { page, close } = await unfolded(size);
