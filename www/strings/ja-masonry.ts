@@ -24,7 +24,7 @@ export const parameters: Foreign['parameters'] = {
     name: '建物',
     help: '建てる物。規則による物、またはファイルの物。',
     choices: {
-      block: '直方体', lhouse: 'L字形の家', gabled: '切妻の家', wall: '開口のある壁', gate: '門', steps: '柱のある階段', tower: '円塔', ring: '壁の輪', sheet: '一枚の壁', plan: '平面図の壁', file: 'ファイルから',
+      block: '直方体', lhouse: 'L字形の家', gabled: '切妻の家', wall: '開口のある壁', gate: '門', steps: '柱のある階段', tower: '円塔', ring: '壁の輪', sheet: '一枚の壁', plan: '平面図の壁', file: 'ファイル',
     },
   },
   ...Object.fromEntries(numbers),

@@ -3,12 +3,12 @@ import type { Foreign } from './foreign';
 
 const COMPONENTS = {
   rice: '米粒', pebble: '小石', smooth: '滑らかな小石', chestnut: '栗', nut: 'ナット', bolt: 'ボルト', gear: '歯車', ball: '玉', torus: '輪', box: '角材',
-  bean: '豆', cashew: 'カシューナッツ', almond: 'アーモンド', walnut: 'くるみ', leaf: '葉', orange: 'オレンジ', apple: 'りんご', file: 'ファイルから',
+  bean: '豆', cashew: 'カシュー', almond: 'アーモンド', walnut: 'くるみ', leaf: '葉', orange: 'オレンジ', apple: 'りんご', file: 'ファイル',
 };
 
 const FINISHES = {
   own: 'もとのまま', rice: '米粒', river: '川原の石', basalt: '玄武岩', quartz: '石英', chestnut: '栗', brass: '真鍮', steel: '鋼', copper: '銅', wood: '木',
-  walnut: '濃い木', bean: '小豆', blackbean: '黒豆', cashew: 'カシューナッツ', almond: 'アーモンド', leaf: '落ち葉', greenleaf: '緑の葉', orange: 'オレンジ',
+  walnut: '濃い木', bean: '小豆', blackbean: '黒豆', cashew: 'カシュー', almond: 'アーモンド', leaf: '落ち葉', greenleaf: '緑の葉', orange: 'オレンジ',
   apple: '赤りんご', greenapple: '青りんご', red: '赤', blue: '青', yellow: '黄', white: '白', toys: 'いろいろな色', ivory: '象牙', clay: '粘土', nutshell: 'くるみの殻', glass: 'ガラス',
 };
 
@@ -58,7 +58,7 @@ export const parameters: Foreign['parameters'] = {
     help: '物を積む、または入れる形。規則による形、またはファイルの形。',
     choices: {
       riceball: 'おむすび', heap: '盛り山', dome: '丸屋根', block: '直方体', bowl: '鉢', openbox: '開いた箱', terrain: '地形', slope: '坂', stairs: '階段', cylinder: '円柱',
-      sphere: '球', torus: 'トーラス', knot: '結び目', horn: '角', leg: '足', tail: '尾', fish: '魚', turtle: '亀の甲羅', egg: '卵', vase: '壺', letter: '文字', file: 'ファイルから',
+      sphere: '球', torus: 'トーラス', knot: '結び目', horn: '角', leg: '足', tail: '尾', fish: '魚', turtle: '亀の甲羅', egg: '卵', vase: '壺', letter: '文字', file: 'ファイル',
     },
   },
   'pile.model': { name: '形のモデル', help: '形のファイルの要約値と名前。リンクにファイルそのものは入りません。' },
@@ -98,7 +98,7 @@ export const presets: Foreign['presets'] = {
   'chestnut-rice': { title: '栗ごはん', note: '移動範囲の短い栗が先に落ち着き、ご飯の中に深く収まる。' },
   'nuts-bolts': { title: 'ナットとボルト', note: '真鍮のナットと鋼のボルトが混じり、どちらも空を映す。' },
   'toys': { title: 'おもちゃ', note: '輪と球と積み木が、形ごとの色で一つの山になる。' },
-  'cashews': { title: '鉢のカシューナッツ', note: '先の濃いクリーム色の実が、鉢の中で互いに抱き合う。' },
+  'cashews': { title: 'カシューの鉢', note: '先の濃いクリーム色の実が、鉢の中で互いに抱き合う。' },
   'autumn-leaves': { title: '落ち葉', note: '低い横からの光が、掃き集めた葉を透かす。' },
   'bean-letter': { title: '豆の文字', note: '豆が内側にだけ動くので、文字の縁がくっきり残る。' },
   'stones-hill': { title: '丘の石', note: '大きな石が地面に半ば埋まり、小さな石がその間に集まる。' },

@@ -30,7 +30,7 @@ export const parameters: Foreign['parameters'] = {
     help: '覆う曲面。規則による形、またはファイルの形。',
     choices: {
       terrain: '地形', slope: '坂', stairs: '階段', cylinder: '円柱', sphere: '球', torus: 'トーラス', knot: '結び目', horn: '角', leg: '足', tail: '尾', fish: '魚',
-      turtle: '亀の甲羅', egg: '卵', vase: '壺', letter: '文字', file: 'ファイルから',
+      turtle: '亀の甲羅', egg: '卵', vase: '壺', letter: '文字', file: 'ファイル',
     },
   },
   ...Object.fromEntries(shapes),
