@@ -41,6 +41,19 @@ function inStones(page) {
   return page.waitForSelector('#text-dialog[data-stage=done] canvas:not([hidden])');
 }
 
+test('the picture and the fields stand side by side, though this is the first tool', async () => {
+  const { page, close } = await dialog();
+  // The styles of all outline dialogs come with the editor, after those of this one.
+  await page.waitForFunction(() => [...document.styleSheets].some(({ href }) => /\/editor-[^/]*\.css$/.test(href ?? '')));
+  const [picture, drawn, side, face] = await page.evaluate(() =>
+    ['#text-dialog figure', '#text-dialog svg', '.letters-side', '#face'].map((name) => document.querySelector(name).getBoundingClientRect().toJSON()),
+  );
+  assert.ok(Math.abs(drawn.height - picture.height) < 1, JSON.stringify([picture, drawn]));
+  assert.ok(picture.width > 300 && Math.abs(picture.width - picture.height) < 1 && side.left >= picture.right, JSON.stringify([picture, side]));
+  assert.ok(face.width > 90, JSON.stringify(face));
+  await close();
+});
+
 test('letters become the outline with cells of their strokes, in one step', async () => {
   const { page, problems, close } = await dialog();
   await inStones(page);
