@@ -193,6 +193,12 @@ test('a value out of range is clamped, and the page says so', sameEverywhere, as
   assert.equal(await get(page, 'dr'), '1');
   assert.equal(await page.$eval('#p-dr', (box) => box.value), '1');
   assert.match(await page.$eval('#notices', (notices) => notices.textContent), /\b1\b/);
+  // The value stays, and the box shows it: for a number that is clamped to it again, and for none.
+  for (const text of ['9', '']) {
+    await set(page, 'dr', text);
+    assert.equal(await get(page, 'dr'), '1');
+    assert.equal(await page.$eval('#p-dr', (box) => box.value), '1');
+  }
   await page.focus('#seed');
   await page.$eval('#seed', (box) => box.select());
   await page.keyboard.type('-7.5');

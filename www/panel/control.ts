@@ -121,7 +121,12 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
   const value = make('span', { class: 'value' }, box, make('span', { class: 'unit', id: `${id}-unit` }, unit));
   const now = (): number => fromPlace(parameter, Number(slider.value) / PLACES);
 
-  box.addEventListener('change', () => change(key, box.value, true));
+  let held = '';
+  box.addEventListener('change', () => {
+    change(key, box.value, true);
+    // A text that was refused, or clamped to the value, makes room for the value.
+    box.value = held;
+  });
   whenMeant(slider, (last) => change(key, String(now()), last));
   slider.addEventListener('keydown', (event) => {
     const next = byKey(parameter, Number(box.value), event);
@@ -135,6 +140,7 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Part
       slider.style.setProperty('--default', String(toPlace(parameter, Number(standard))));
       const place = toPlace(parameter, Number(text));
       // A number that is being typed stays as it is. So does a dragged slider, if it means the same value.
+      held = text;
       if (box.value !== text) box.value = text;
       if (now() !== Number(text) || document.activeElement !== slider) slider.value = String(place * PLACES);
       slider.style.setProperty('--place', String(place));
