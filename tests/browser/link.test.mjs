@@ -110,26 +110,3 @@ for (const [junk, words] of [
     await close();
   });
 }
-
-test('a notice of many sentences is shown for longer than a short one', sameEverywhere, async () => {
-  /** The time of the notice in milliseconds. @param {string} junk */
-  const time = async (junk) => {
-    const { page, close } = await site.newPage(`${SMALL}${junk}`, {
-      before: (fresh) =>
-        fresh.evaluateOnNewDocument(() => {
-          const later = window.setTimeout;
-          window.setTimeout = (act, delay, ...rest) => {
-            if (String(act).includes('.remove()')) /** @type {any} */ (window).shownFor = delay;
-            return later(act, delay, ...rest);
-          };
-        }),
-    });
-    await message(page, 'status', /is not a parameter/);
-    const shown = await page.evaluate(() => /** @type {any} */ (window).shownFor);
-    await close();
-    return shown;
-  };
-  const short = await time('&one=1');
-  assert.ok(short > 0, `${short}`);
-  assert.ok((await time('&one=1&two=2&three=3&four=4&five=5')) > 2 * short);
-});
