@@ -20,7 +20,7 @@ export const words = {
     toClassTitle: 'One figure fills the screen (arrow keys go on and back, Esc ends)',
     print: 'Print',
     answer: 'Answers, and why',
-    wait: 'Try it in the figure: what happens will stand here.',
+    wait: 'Try it in the figure. The result will appear here.',
     studio: 'Into the studio with this state',
     home: 'Bubblestone, the studio',
     sources: 'From',
