@@ -8,8 +8,8 @@ import { keep, kept } from './storage';
 export const RETOLD = 'languagechange';
 
 /** The page's own words by key: those that the build wrote into it, and those of another language. */
-type Words = Record<string, string>;
-const english: Words = {};
+type Dictionary = Record<string, string>;
+const english: Dictionary = {};
 
 /**
  * Uses the language chosen here before, or the first of the browser's that the page has. Where its words cannot be
@@ -29,7 +29,7 @@ export async function takeLanguage(whole: boolean): Promise<void> {
     const japanese = await import('../strings/ja');
     translate('ja', japanese);
     if (whole) await moreWords();
-    const page: Words = japanese.page;
+    const page: Dictionary = japanese.page;
     for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) {
       for (const [name, key] of partsOf(element)) fill(element, name, page[key] ?? '');
     }
@@ -55,7 +55,7 @@ export async function speak(code: string): Promise<void> {
   translate(code, code === 'ja' ? japanese : undefined);
   // The page may show surfaces, or show them later.
   await moreWords();
-  const page: Record<'en' | 'ja', Words> = { en: english, ja: japanese.page };
+  const page: Record<'en' | 'ja', Dictionary> = { en: english, ja: japanese.page };
   retell(page, code === 'ja' ? 'ja' : 'en', partsOf);
   dispatchEvent(new Event(RETOLD));
 }

@@ -8,7 +8,7 @@ interface Broken {
 }
 
 /** A worker's messages: its progress, 0..1, and at last its answer or its failure. */
-type Said<Answer> = { progress: number } | Answer | Broken;
+type WorkerMessage<Result> = { progress: number } | Result | Broken;
 
 /** The least step of a reported progress. */
 const STEP = 0.01;
@@ -17,11 +17,11 @@ const STEP = 0.01;
  * In a worker: does the job that the page requests by `answerOf`, and answers. Parts of the answer in `moved` are
  * transferred, not copied.
  */
-export function serve<Answer extends object>(
-  work: (order: never, progress: (done: number) => void) => Answer | Promise<Answer>,
-  moved: (answer: Answer) => Transferable[] = () => [],
+export function serve<Result extends object>(
+  work: (order: never, progress: (done: number) => void) => Result | Promise<Result>,
+  moved: (answer: Result) => Transferable[] = () => [],
 ): void {
-  const say = (said: Said<Answer>, transfer: Transferable[] = []): void => postMessage(said, { transfer });
+  const say = (said: WorkerMessage<Result>, transfer: Transferable[] = []): void => postMessage(said, { transfer });
   let told = 0;
   const progress = (done: number): void => {
     if (done >= told + STEP) say({ progress: (told = done) });
@@ -35,10 +35,10 @@ export function serve<Answer extends object>(
 }
 
 /** On the page: sends a job to a worker. Ends the worker with its answer, or when the task is stopped, to free its memory. */
-export async function answerOf<Answer extends object>(worker: Worker, order: unknown, task: Task): Promise<Answer | Broken> {
-  const answer = new Promise<Answer | Broken>((resolve, reject) => {
+export async function answerOf<Result extends object>(worker: Worker, order: unknown, task: Task): Promise<Result | Broken> {
+  const answer = new Promise<Result | Broken>((resolve, reject) => {
     worker.addEventListener('error', ({ message }) => resolve({ broken: message }));
-    worker.addEventListener('message', ({ data }: MessageEvent<Said<Answer>>) => {
+    worker.addEventListener('message', ({ data }: MessageEvent<WorkerMessage<Result>>) => {
       if ('progress' in data) task.progress(data.progress);
       else resolve(data);
     });

@@ -14,7 +14,7 @@ import type { View } from '../picture/view';
 import type { Engine } from '../state/engine';
 import { isPicture } from '../state/fine';
 import type { Work } from '../state/work';
-import type { Answer, Order } from './fine.worker';
+import type { FineRequest, FineResult } from './fine.worker';
 import '../styles/late/fine.css';
 
 /** The picture must stand still for this many milliseconds before the work begins. A drawing is little work. */
@@ -41,7 +41,7 @@ const MUCH_MEMORY = 8;
 const USUAL_MEMORY = 4;
 
 /** A finished picture or a drawing on the canvas: its link, its side, and the zoom. */
-interface Asked {
+interface CanvasPicture {
   readonly link: string;
   readonly side: number;
   readonly zoom: number;
@@ -64,7 +64,7 @@ export interface Standing {
 }
 
 /** The words of a drawing that stands still on a canvas, or else whether it is the finished picture. */
-export function standing(engine: Engine, view: string, { stage, isPaused }: Standing): Pick<Asked, 'drawing'> | undefined {
+export function standing(engine: Engine, view: string, { stage, isPaused }: Standing): Pick<CanvasPicture, 'drawing'> | undefined {
   if (stage === 'done' && isPicture(view)) return {};
   return (stage === 'done' || isPaused) && !engine.offers('frames') ? { drawing: view } : undefined;
 }
@@ -85,7 +85,7 @@ export class Fine {
   private readonly sheet = byId('sheet');
   private readonly canvas: HTMLCanvasElement;
   private readonly engine: Engine;
-  private readonly asked: () => Asked | undefined;
+  private readonly asked: () => CanvasPicture | undefined;
   /** How often the canvas was drawn. */
   private drawings = 0;
   private inSight = false;
@@ -96,7 +96,7 @@ export class Fine {
   private making = new AbortController();
 
   /** `asked` describes the picture on the canvas; undefined if that is unfinished, or not wanted finer. */
-  constructor(canvas: HTMLCanvasElement, engine: Engine, asked: () => Asked | undefined) {
+  constructor(canvas: HTMLCanvasElement, engine: Engine, asked: () => CanvasPicture | undefined) {
     [this.canvas, this.engine, this.asked] = [canvas, engine, asked];
     const follow = (): void => this.follow();
     document.addEventListener('visibilitychange', follow);
@@ -127,12 +127,12 @@ export class Fine {
   }
 
   /** A picture is that of its link. A drawing is that of the canvas: it may change while its link stays. */
-  private keyOf({ link, drawing }: Asked): string {
+  private keyOf({ link, drawing }: CanvasPicture): string {
     return drawing === undefined ? link : `${link} ${drawing} ${this.drawings}`;
   }
 
   /** The coarsest picture that is fine enough for the screen, if it is finer than the present one. */
-  private missing(asked: Asked): Picture | undefined {
+  private missing(asked: CanvasPicture): Picture | undefined {
     const { link, side, zoom, drawing } = asked;
     const needed = (this.sheet.clientWidth * devicePixelRatio * zoom) / side;
     const [pixels, most] = drawing === undefined ? [mostPixels(), MOST_SCALE] : [DRAWN_PIXELS, DRAWN_SCALE];
@@ -152,8 +152,8 @@ export class Fine {
   private async make(picture: Picture, signal: AbortSignal): Promise<void> {
     if (picture.drawing !== undefined) return this.draw(picture, `${picture.drawing}+x${picture.scale}`, signal);
     const worker = new Worker(new URL('./fine.worker.ts', import.meta.url), { type: 'module' });
-    const order: Order = [picture.link, picture.scale];
-    const answer = await answerOf<Answer>(worker, order, { progress: () => undefined, signal });
+    const order: FineRequest = [picture.link, picture.scale];
+    const answer = await answerOf<FineResult>(worker, order, { progress: () => undefined, signal });
     if (!('picture' in answer) || signal.aborted) return;
     const canvas = blank(answer.picture.width);
     canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(answer.picture);

@@ -5,15 +5,15 @@ import { loadModule } from '../module/load';
 import { BUDGET, finish } from '../module/run';
 
 /** The message to the worker: the recipe, and the pixels for one of its own, along a side. */
-export type Order = [link: string, scale: number];
+export type FineRequest = [link: string, scale: number];
 
 /** The worker's answer; without a picture if the recipe gives none at this scale. */
-export interface Answer {
+export interface FineResult {
   picture?: ImageBitmap;
 }
 
 serve(
-  async ([link, scale]: Order): Promise<Answer> => {
+  async ([link, scale]: FineRequest): Promise<FineResult> => {
     const pixels = await painted(link, scale);
     return pixels ? { picture: await createImageBitmap(pixels) } : {};
   },

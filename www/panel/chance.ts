@@ -9,7 +9,7 @@ import type { Parameter } from '../module/types';
 import { applies, type Recipe } from '../state/rules';
 
 /** Words with their weights. */
-export type Words = Record<string, number>;
+export type Weights = Record<string, number>;
 
 interface Range {
   from: number;
@@ -24,7 +24,7 @@ interface Range {
 /** A row applies where each of these parameters has one of these words. The first row of a key that applies counts. */
 export type When = Partial<Record<string, readonly string[]>>;
 
-export type Row = readonly [key: string, pick: Words | Range | '', when?: When];
+export type Row = readonly [key: string, pick: Weights | Range | '', when?: When];
 
 /** Rows by group, in the order of randomising: later rows depend on earlier ones. */
 export type Table = Record<string, readonly Row[]>;
@@ -85,11 +85,11 @@ function anywhere(random: () => number, { kind, min, max, step, choices, default
   return rounded(min + place * (max - min), step);
 }
 
-function isRange(pick: Words | Range): pick is Range {
+function isRange(pick: Weights | Range): pick is Range {
   return 'step' in pick;
 }
 
-function word(random: () => number, weights: Words): string {
+function word(random: () => number, weights: Weights): string {
   let left = random() * Object.values(weights).reduce((sum, weight) => sum + weight, 0);
   for (const [text, weight] of Object.entries(weights)) if ((left -= weight) < 0) return text;
   return Object.keys(weights)[0] ?? '';

@@ -1,5 +1,5 @@
 /** The ranges in which most pictures look good, by the word of a generator's table. They follow the presets. */
-import { range, rarely, type Row, type Table, type When, type Words } from './chance';
+import { range, rarely, type Row, type Table, type When, type Weights } from './chance';
 
 const SKIN: When = { stone: ['skin'] };
 const FLAG: When = { stone: ['flag'] };
@@ -9,7 +9,7 @@ const ROADS = ['road_s', 'road_straight', 'road_spiral', 'y_fork', 'crossing', '
 const BODIES = ['leg', 'tail', 'fish', 'horn'];
 /** Forms to walk on. */
 const GROUNDS = ['terrain', 'slope', 'stairs'];
-const STONE_PALETTES: Words = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
+const STONE_PALETTES: Weights = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
 
 /** Rows for both generators. A table's own rows have priority. */
 const BOTH: Table = {
@@ -327,8 +327,8 @@ const CONTAINERS = ['bowl', 'openbox'];
 /** Shapes of which a part is slim: they need many bodies. */
 const SLIM = ['letter', 'torus', 'knot'];
 
-const FINISHES: Words = { own: 24, river: 1, basalt: 1, quartz: 1, copper: 1, ivory: 1, clay: 1 };
-const BRIGHT: Words = { red: 1, blue: 1, yellow: 1, white: 1, glass: 2, ivory: 1, brass: 1, copper: 1 };
+const FINISHES: Weights = { own: 24, river: 1, basalt: 1, quartz: 1, copper: 1, ivory: 1, clay: 1 };
+const BRIGHT: Weights = { red: 1, blue: 1, yellow: 1, white: 1, glass: 2, ivory: 1, brass: 1, copper: 1 };
 
 /** The rows of a type, by its number. */
 const typeRows = (n: number): Row[] => {

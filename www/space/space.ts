@@ -8,7 +8,7 @@ import type { Later } from '../base/later';
 import { filesOf } from '../state/rules';
 import type { Work } from '../state/work';
 import type { PageTurntable } from '../turn/page';
-import { Asked } from './asked';
+import { FileRequest } from './file-request';
 import { ModelBar } from './bar';
 import { openModel, type Given } from './models';
 import { Painter } from './paint/painter';
@@ -37,7 +37,7 @@ export class Space {
   private opened = '';
   /** The role of the file that is being chosen; undefined for the one that the recipe waits for, or its first one. */
   private role: string | undefined;
-  private readonly asked = new Asked(() => this.choose());
+  private readonly asked = new FileRequest(() => this.choose());
   private readonly bar: ModelBar;
   /** The last recipe with a file. */
   private last: string | undefined;

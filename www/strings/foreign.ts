@@ -21,8 +21,8 @@ export interface Foreign {
   /** The patterns of notices, by code. */
   notices: Record<string, string>;
   /** The text of a notice with these words; undefined if its code has none. */
-  said(notice: Notice, words: Said): string | undefined;
+  said(notice: Notice, words: NoticeWords): string | undefined;
 }
 
 /** The words that notices are made of. */
-export type Said = Pick<Foreign, 'parameters' | 'notices'>;
+export type NoticeWords = Pick<Foreign, 'parameters' | 'notices'>;

@@ -1,6 +1,6 @@
 /** The page's side of the worker that makes frames: it sends the latest request there and receives frames. */
 import type { FrameSource, Heard, Told, Wished } from '../picture/frames/source';
-import type { About, Question, Said, Wish } from './turn.worker';
+import type { About, Question, FrameMessage, Wish } from './turn.worker';
 
 export class Frames implements FrameSource {
   private readonly heard: Heard;
@@ -55,11 +55,11 @@ export class Frames implements FrameSource {
       event.preventDefault();
       this.stop('lost', event.message);
     });
-    worker.addEventListener('message', ({ data }: MessageEvent<Said>) => this.hear(data));
+    worker.addEventListener('message', ({ data }: MessageEvent<FrameMessage>) => this.hear(data));
     return worker;
   }
 
-  private hear(said: Said): void {
+  private hear(said: FrameMessage): void {
     const { heard } = this;
     if ('frame' in said) heard.frame(said.frame, said.quality, said.bodies, said.n === this.last?.n);
     else if ('working' in said) heard.working(said.working);

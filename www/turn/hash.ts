@@ -2,7 +2,7 @@
 import { answerOf } from '../late/worker';
 import { cameraWords, homeOf } from '../state/asked-view';
 import type { Camera } from '../state/viewing';
-import type { Answer, Order } from './hash.worker';
+import type { HashRequest, HashResult } from './hash.worker';
 
 /**
  * The hash of a frame of a recipe's bodies. `from` is a camera in the words of a link or as the store has it; without
@@ -11,8 +11,8 @@ import type { Answer, Order } from './hash.worker';
 export async function hashOf(link: string, from: string | Camera | undefined, home: string): Promise<string> {
   const worker = new Worker(new URL('./hash.worker.ts', import.meta.url), { type: 'module' });
   const camera = typeof from === 'string' || from === undefined ? (from ?? '') : cameraWords(from, homeOf({ home }));
-  const order: Order = [link, camera];
-  const answer = await answerOf<Answer>(worker, order, { progress: () => undefined, signal: new AbortController().signal });
+  const order: HashRequest = [link, camera];
+  const answer = await answerOf<HashResult>(worker, order, { progress: () => undefined, signal: new AbortController().signal });
   if ('broken' in answer) throw new Error(answer.broken);
   return answer.hash;
 }

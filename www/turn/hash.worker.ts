@@ -5,13 +5,13 @@ import { loadWhole } from '../module/load';
 import { BUDGET, finish } from '../module/run';
 
 /** The recipe, and the camera. */
-export type Order = [link: string, camera: string];
+export type HashRequest = [link: string, camera: string];
 
-export interface Answer {
+export interface HashResult {
   hash: string;
 }
 
-serve(async ([link, camera]: Order): Promise<Answer> => {
+serve(async ([link, camera]: HashRequest): Promise<HashResult> => {
   const module = await loadWhole();
   const studio = await studioFor(module, link);
   finish(studio);

@@ -29,7 +29,7 @@ export type About = { x: number; y: number } | { id: number };
 /** Requests a body. */
 export type Question = About & { ask: number };
 
-export type Said =
+export type FrameMessage =
   | { frame: ImageBitmap; n: number; quality: Quality; bodies: Bodies }
   /** Progress, 0..1: first of the recipe, then of a frame. */
   | { working: number }
@@ -121,7 +121,7 @@ class Turner {
   }
 }
 
-function say(said: Said, moved: Transferable[] = []): void {
+function say(said: FrameMessage, moved: Transferable[] = []): void {
   postMessage(said, { transfer: moved });
 }
 

@@ -4,12 +4,12 @@ import { Refusal, type Count, type Told } from '../svg/refusal';
 import { outlines, type Try } from './read';
 
 /** The worker's input. */
-export type Order = [text: string, side: number];
+export type ReadRequest = [text: string, side: number];
 
 /** The worker's answer: the outlines, or the reason why the file was refused. */
-export type Answer = { tries: Try[] } | { refused: Told; left: Count };
+export type ReadResult = { tries: Try[] } | { refused: Told; left: Count };
 
-serve(([text, side]: Order, progress): Answer => {
+serve(([text, side]: ReadRequest, progress): ReadResult => {
   try {
     return { tries: outlines(text, side, progress) };
   } catch (error) {

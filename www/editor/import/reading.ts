@@ -6,7 +6,7 @@ import { stoppable, type Task } from '../../late/task';
 import { answerOf } from '../../late/worker';
 import { LEFT, type Count, type Told } from '../svg/refusal';
 import type { Try } from './read';
-import type { Answer, Order } from './read.worker';
+import type { ReadRequest, ReadResult } from './read.worker';
 
 /** The reading that goes on now. */
 let now: AbortController | undefined;
@@ -28,9 +28,9 @@ export async function read(text: string, name: string, side: number): Promise<Tr
   }
 }
 
-async function triesOf(order: Order, name: string, task: Task): Promise<Try[]> {
+async function triesOf(order: ReadRequest, name: string, task: Task): Promise<Try[]> {
   const worker = new Worker(new URL('./read.worker.ts', import.meta.url), { type: 'module' });
-  const answer = await answerOf<Answer>(worker, order, task);
+  const answer = await answerOf<ReadResult>(worker, order, task);
   if ('tries' in answer) return answer.tries;
   if ('broken' in answer) throw new Error(t('import_trouble', { name, reason: answer.broken }));
   throw new Error([sentence(answer.refused, name), ...leftOut(answer.left, 'left_besides')].join(' '));

@@ -7,7 +7,7 @@ import { dialogOf } from '../../late/dialog';
 import { shape } from '../../late/svg';
 import type { Engine } from '../../state/engine';
 import { drawn } from '../geometry/figures';
-import { Asked } from './asked';
+import { LettersQueue } from './queue';
 import { FACES, MOST_LETTERS, MOST_POINTS, type Face, type Letters } from './painted';
 import { Preview } from './preview';
 import '../../styles/late/letters.css';
@@ -61,7 +61,7 @@ class LettersDialog {
   private readonly use = make('button', { type: 'button', id: 'take-letters', class: 'key', title: t('use_text_title') }, t('use_text'));
   private readonly dialog: HTMLDialogElement;
   private readonly preview: Preview;
-  private readonly asked = new Asked((letters) => this.came(letters), (reason) => this.broke(reason));
+  private readonly asked = new LettersQueue((letters) => this.came(letters), (reason) => this.broke(reason));
   private timer = 0;
   private finer = 1;
   /** `stale`: the letters do not yet match the fields. The other flag: take them as soon as they do. */

@@ -1,7 +1,7 @@
 /** A worker that makes outlines of letters, one after another. */
 import { serve } from '../../late/worker';
-import { letters, type Letters, type Order } from './painted';
+import { letters, type Letters, type LettersRequest } from './painted';
 
-export type { Letters, Order };
+export type { Letters, LettersRequest };
 
-serve((order: Order): Letters => letters(order));
+serve((order: LettersRequest): Letters => letters(order));

@@ -42,7 +42,7 @@ export const FACES = {
 
 export type Face = keyof typeof FACES;
 
-export interface Order {
+export interface LettersRequest {
   text: string;
   face: Face;
   /** The outline is this many times finer than usual. */
@@ -61,7 +61,7 @@ export interface Letters {
   specks: number;
 }
 
-export function letters({ text, face, finer }: Order): Letters {
+export function letters({ text, face, finer }: LettersRequest): Letters {
   const all = lettersIn(text);
   const { values, columns, lines } = painted(all.slice(0, MOST_LETTERS).join(''), face);
   const stroke = strokeWidth(values, columns);

@@ -14,7 +14,7 @@ import { POINTS, type Run } from './path';
 import { Refusal, type Count, type Left } from './refusal';
 import { boxOf, fit, lengthOf, runsOf, SHAPES, type Box } from './shapes';
 import type { Pen } from './stroke';
-import { INHERITED, Sheet, type Said } from './style';
+import { INHERITED, Sheet, type Properties } from './style';
 
 /** Most elements of a drawing, each counted once per use, and the deepest nesting. */
 const ELEMENTS = 50_000;
@@ -51,7 +51,7 @@ export interface Drawing {
 /** The context that an element inherits. */
 interface Around {
   matrix: Matrix;
-  look: Said;
+  look: Properties;
   opacity: number;
   /** The box that percentages refer to. */
   page: Box;
@@ -107,7 +107,7 @@ function textOf(element: Element): string {
 class Reader {
   private readonly root: Element;
   private readonly sheet: Sheet;
-  private readonly known = new Map<Element, Said>();
+  private readonly known = new Map<Element, Properties>();
   private readonly byId = new Map<string, Element>();
   private readonly left: Count = {};
   private pieces: Piece[] = [];
@@ -144,7 +144,7 @@ class Reader {
     if (by) this.left[what] = (this.left[what] ?? 0) + by;
   }
 
-  private said(element: Element): Said {
+  private said(element: Element): Properties {
     const said = this.known.get(element) ?? this.sheet.of(element);
     this.known.set(element, said);
     return said;
@@ -172,7 +172,7 @@ class Reader {
   }
 
   /** Draws the content of a group, a nested picture, or a used element. */
-  private inside(element: Element, framed: boolean, said: Said, around: Around, size: Said = said): void {
+  private inside(element: Element, framed: boolean, said: Properties, around: Around, size: Properties = said): void {
     let within = around;
     if (framed) {
       const at = (key: string, of: number, otherwise = 0): number => lengthOf(size.get(key) ?? said.get(key), of, otherwise);
@@ -199,7 +199,7 @@ class Reader {
     for (const child of chosen) this.walk(child, around);
   }
 
-  private use(said: Said, around: Around): void {
+  private use(said: Properties, around: Around): void {
     const href = said.get('href') ?? said.get('xlink:href') ?? '';
     if (!href.startsWith('#')) return this.count('link', href ? 1 : 0);
     const used = this.byId.get(href.slice(1));
@@ -215,7 +215,7 @@ class Reader {
     this.inside(used, true, own, { ...within, look: inherited(within.look, own), deep: within.deep + 1 }, said);
   }
 
-  private shape(name: string, said: Said, { matrix, look, opacity, page, cutting }: Around): void {
+  private shape(name: string, said: Properties, { matrix, look, opacity, page, cutting }: Around): void {
     const runs = runsOf(name, said, page);
     if (!runs.some(({ curves, closed }) => curves.length || closed)) return;
     this.points += runs.reduce((sum, { curves }) => sum + 1 + curves.length, 0);
@@ -232,7 +232,7 @@ class Reader {
     if (name !== 'rect' && ['marker-start', 'marker-mid', 'marker-end'].some((key) => /url/.test(look.get(key) ?? ''))) this.count('marker');
   }
 
-  private paint(look: Said, key: 'fill' | 'stroke', otherwise: string, opacity: number): Paint {
+  private paint(look: Properties, key: 'fill' | 'stroke', otherwise: string, opacity: number): Paint {
     const value = withoutVariables(look.get(key) ?? '') || otherwise;
     const [, id, fallback = ''] = /^url\(\s*["']?#([^"')]*)["']?\s*\)\s*(.*)$/.exec(value) ?? [];
     const server = id === undefined ? undefined : this.byId.get(id);
@@ -242,7 +242,7 @@ class Reader {
   }
 
   /** Applies the element's clip to the pieces that were added since `from`. */
-  private cut(said: Said, around: Around, from: number): void {
+  private cut(said: Properties, around: Around, from: number): void {
     if (/\(/.test(said.get('mask') ?? '') && !around.cutting) this.count('mask');
     if (/\(/.test(said.get('filter') ?? '') && !around.cutting) this.count('filter');
     const value = said.get('clip-path') ?? '';
@@ -291,7 +291,7 @@ export function boundsOf(points: Point[]): [number, number, number, number] {
 }
 
 /** The part of a drawing that a browser shows, in the drawing's units. */
-function shown(box: Box | undefined, width: number, height: number, said: Said): Box {
+function shown(box: Box | undefined, width: number, height: number, said: Properties): Box {
   if (!box) return { x: 0, y: 0, width, height };
   const inverse = width > 0 && height > 0 ? back(fit(box, width, height, said)) : undefined;
   if (!inverse) return box;
@@ -304,7 +304,7 @@ function frameOf({ width, height }: Box, matrix: Matrix): Piece {
   return { runs: [{ start: [0, 0], curves, closed: true }], matrix, rule: 'nonzero', paint: 'ink', clips: [] };
 }
 
-function inherited(look: Said, said: Said): Said {
+function inherited(look: Properties, said: Properties): Properties {
   const told = INHERITED.filter((key) => said.has(key) && said.get(key) !== 'inherit');
   if (!told.length) return look;
   const own = new Map(look);
@@ -316,7 +316,7 @@ function inherited(look: Said, said: Said): Said {
 }
 
 /** A transform about its transform-origin. */
-function transformOf(said: Said): Matrix {
+function transformOf(said: Properties): Matrix {
   const matrix = matrixOf(said.get('transform') ?? '');
   const [x = NaN, y = NaN] = (said.get('transform-origin') ?? '').split(/\s+/).map((part) => (/^-?[\d.]+(px)?$/.test(part) ? parseFloat(part) : NaN));
   return Number.isFinite(x + y) ? times(times(shift(x, y), matrix), shift(-x, -y)) : matrix;
@@ -328,7 +328,7 @@ function share(text: string | undefined): number {
   return Number.isFinite(number) ? Math.min(1, Math.max(0, text?.endsWith('%') ? number / 100 : number)) : 1;
 }
 
-function penOf(look: Said, of: number): Pen {
+function penOf(look: Properties, of: number): Pen {
   const told = (key: string): string => withoutVariables(look.get(key) ?? '');
   const limit = parseFloat(told('stroke-miterlimit'));
   const list = told('stroke-dasharray');

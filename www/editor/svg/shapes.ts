@@ -1,7 +1,7 @@
 /** Lengths and shapes of SVG. */
 import { shift, stretch, times, type Matrix } from './matrix';
 import { parsePath, type Run } from './path';
-import type { Said } from './style';
+import type { Properties } from './style';
 
 /** CSS pixels per unit of length. */
 const UNITS: Record<string, number> = { '': 1, px: 1, pt: 4 / 3, pc: 16, mm: 96 / 25.4, cm: 96 / 2.54, in: 96, q: 96 / 101.6, em: 16, rem: 16, ex: 8, ch: 8 };
@@ -20,13 +20,13 @@ export function lengthOf(text: string | undefined, of: number, otherwise = 0): n
   return Number.isFinite(value) ? value : otherwise;
 }
 
-export function boxOf(said: Said): Box | undefined {
+export function boxOf(said: Properties): Box | undefined {
   const [x = NaN, y = NaN, width = NaN, height = NaN] = (said.get('viewBox') ?? '').trim().split(/[\s,]+/).map(Number);
   return width > 0 && height > 0 && [x, y, width, height].every(Number.isFinite) ? { x, y, width, height } : undefined;
 }
 
 /** Fits a view box into a frame of this size. */
-export function fit(box: Box, width: number, height: number, said: Said): Matrix {
+export function fit(box: Box, width: number, height: number, said: Properties): Matrix {
   const [align = '', how] = (said.get('preserveAspectRatio') ?? 'xMidYMid').split(/\s+/);
   const [across, down] = [width / box.width, height / box.height];
   if (align === 'none') return times(stretch(across, down), shift(-box.x, -box.y));
@@ -39,12 +39,12 @@ export function fit(box: Box, width: number, height: number, said: Said): Matrix
 
 export const SHAPES = new Set(['path', 'polygon', 'polyline', 'line', 'rect', 'circle', 'ellipse']);
 
-export function runsOf(shape: string, said: Said, { width: across, height: down }: Box): Run[] {
+export function runsOf(shape: string, said: Properties, { width: across, height: down }: Box): Run[] {
   return parsePath(dataOf(shape, (key, of, otherwise) => lengthOf(said.get(key), of, otherwise), said, across, down));
 }
 
 /** A shape as path data. */
-function dataOf(shape: string, at: (name: string, of: number, otherwise?: number) => number, said: Said, across: number, down: number): string {
+function dataOf(shape: string, at: (name: string, of: number, otherwise?: number) => number, said: Properties, across: number, down: number): string {
   const round = (cx: number, cy: number, rx: number, ry: number): string =>
     rx > 0 && ry > 0 ? `M${cx + rx} ${cy}A${rx} ${ry} 0 1 1 ${cx - rx} ${cy}A${rx} ${ry} 0 1 1 ${cx + rx} ${cy}Z` : '';
   switch (shape) {

@@ -4,7 +4,7 @@ import { AttributeAction, parse, SelectorType, type Selector } from 'css-what';
 import type { Element } from 'domhandler';
 
 /** An element's properties by name. */
-export type Said = ReadonlyMap<string, string>;
+export type Properties = ReadonlyMap<string, string>;
 
 interface Rule {
   fits: (element: Element) => boolean;
@@ -53,7 +53,7 @@ export class Sheet {
   }
 
   /** Important declarations win, then the more specific ones, then the later ones. */
-  of(element: Element): Said {
+  of(element: Element): Properties {
     const own = declarations(element.attribs['style'] ?? '');
     const told = [...this.rules.filter(({ fits }) => fits(element)).flatMap(({ tells }) => tells), ...own];
     const last = [...told.filter(({ important }) => !important), ...told.filter(({ important }) => important)];

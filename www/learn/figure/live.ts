@@ -9,7 +9,7 @@ import { zeroOf, type Bubbles } from '../draw/studio';
 import type { Figure, Language, PointHandle, Trial, View } from '../figures/figure';
 import { markAt } from '../figures/marks';
 import { opening, type State } from './address';
-import { Asked } from './asked';
+import { Questions } from './questions';
 import { Handles, type Handled } from './handles';
 import { Layers } from './layers';
 import { Timeline, type Timed } from './timeline';
@@ -33,7 +33,7 @@ export class Live implements Handled, Timed {
   private readonly ended = new AbortController();
   private readonly handles: Handles;
   private readonly timeline: Timeline;
-  private readonly questions: Asked;
+  private readonly questions: Questions;
   private readonly layers = new Layers();
   private readonly curve: CurvePoint[];
   private readonly zero: number;
@@ -60,7 +60,7 @@ export class Live implements Handled, Timed {
     [this.shown, this.place, this.figure, this.language, this.module, this.turns, this.changed] = [shown, place, figure, language, module, turns, changed];
     [this.asked, this.at, this.last] = [state.step, state.at, figure.last];
     [this.curve, this.zero] = [curveOf(module), zeroOf(module)];
-    this.questions = new Asked(figure, language);
+    this.questions = new Questions(figure, language);
     this.timeline = new Timeline(this, place, this.ended.signal);
     this.open(state.recipe);
     this.handles = new Handles(this, place, this.ended.signal);

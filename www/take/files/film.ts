@@ -13,7 +13,7 @@ import { FilmEncoder, quickest } from './encoder';
 import { framesOf, showForming, type Show } from './frames';
 import { frame, lookOf } from './look';
 import { workedOut, type Progress } from './worked';
-import { contextOf, Sheet, type Words } from './sheet';
+import { contextOf, Sheet, type SheetTexts } from './sheet';
 import type { SceneStudio } from '../../module/scene';
 import type { Seen } from './turn';
 
@@ -22,7 +22,7 @@ export interface FilmJob extends Seen {
   file: 'film';
   codecs: Codec[];
   shape: FormingShape;
-  words: Words;
+  words: SheetTexts;
 }
 
 /** The progress at which the picture is done, and at which the enlarged picture is done; frames take the rest. */

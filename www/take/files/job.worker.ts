@@ -29,12 +29,12 @@ export type Job =
   | MapsJob;
 
 /** The message to the worker: the recipe and the file to make from it. */
-export type Order = [link: string, job: Job];
+export type JobRequest = [link: string, job: Job];
 
 /** The worker's answer: the file, or the reason why there is none. */
-export type Answer = { file: Blob } | { refused: Notice };
+export type JobResult = { file: Blob } | { refused: Notice };
 
-serve(async ([link, job]: Order, progress): Promise<Answer> => {
+serve(async ([link, job]: JobRequest, progress): Promise<JobResult> => {
   try {
     return { file: await made(link, job, progress) };
   } catch (error) {

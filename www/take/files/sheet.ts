@@ -22,7 +22,7 @@ const COARSE = 7;
 const DARK = 66;
 
 /** The texts on the sheet. */
-export interface Words {
+export interface SheetTexts {
   title: string;
   /** The font of the page, and the font of its name. */
   font: string;
@@ -38,7 +38,7 @@ export class Sheet {
 
   constructor(
     private readonly shape: FormingShape,
-    private readonly words: Words,
+    private readonly words: SheetTexts,
   ) {
     this.context = contextOf(SHAPES[shape].width, SHAPES[shape].height);
     this.side = BOXES[shape].side;
@@ -86,7 +86,7 @@ function roundBox(context: Context): void {
   context.roundRect(x, y, side, side, ROUND);
 }
 
-function groundOf(picture: OffscreenCanvas, words: Words): OffscreenCanvas {
+function groundOf(picture: OffscreenCanvas, words: SheetTexts): OffscreenCanvas {
   const { width, height } = SHAPES.upright;
   const context = contextOf(width, height);
   // Not all browsers have filters on canvases. Scaling down and up again in steps blurs as well.
@@ -138,7 +138,7 @@ function outOfFocus(picture: OffscreenCanvas, least: number, most: number): Offs
   return soft;
 }
 
-function write(context: Context, { title, font, latin }: Words): void {
+function write(context: Context, { title, font, latin }: SheetTexts): void {
   const { y, side } = BOXES.upright;
   const middle = context.canvas.width / 2;
   context.textAlign = 'center';

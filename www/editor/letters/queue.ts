@@ -1,12 +1,12 @@
 /** Requests outlines of letters. While one is being made, only the latest of the waiting requests is kept. */
-import type { Letters, Order } from './letters.worker';
+import type { Letters, LettersRequest } from './letters.worker';
 
-export class Asked {
+export class LettersQueue {
   private readonly worker = new Worker(new URL('./letters.worker.ts', import.meta.url), { type: 'module' });
   private works = false;
   /** The answer of the present work is still wanted. */
   private wanted = false;
-  private next: Order | undefined;
+  private next: LettersRequest | undefined;
 
   /** `come` gets the outline that was requested last; `broke` gets the reason of a failure. */
   constructor(come: (letters: Letters) => void, broke: (reason: string) => void) {
@@ -21,7 +21,7 @@ export class Asked {
     this.worker.addEventListener('error', ({ message }) => over(() => broke(message)));
   }
 
-  ask(order: Order): void {
+  ask(order: LettersRequest): void {
     this.wanted = true;
     if (this.works) {
       this.next = order;

@@ -1,7 +1,7 @@
 /** The questions of a figure: when its numbers show what was asked, a sentence says it beside the prediction. */
 import type { Ask, Figure, Language, Seen } from '../figures/figure';
 
-export class Asked {
+export class Questions {
   private readonly figure: Figure;
   private readonly language: Language;
   private readonly found = new Set<Ask>();

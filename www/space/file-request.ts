@@ -2,7 +2,7 @@
 import { t } from '../words/space';
 import { byId, make } from '../base/dom';
 
-export class Asked {
+export class FileRequest {
   private readonly choose: () => void;
   private element: HTMLElement | undefined;
 
