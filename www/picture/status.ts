@@ -12,7 +12,7 @@ import { notice } from '../base/messages';
 const LONG = 400;
 const WATCHED = 6000;
 
-/** Milliseconds between two changes of the numbers while work goes on: faster ones cannot be read, and cost a layout each. */
+/** Milliseconds between two changes of the numbers while work goes on: faster ones cannot be read. */
 const READ = 250;
 
 const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
