@@ -29,6 +29,9 @@ const TOLERANCE = 0.04;
 const OVER = -1;
 const FARTHER = 0.05;
 
+/** A small round top reaches over by this share of its radius: else the corners of its quarters would stick out. */
+const MOST = 0.2;
+
 const MIRRORS = ['-1 1', '1 -1', '-1 -1'];
 
 /** The paths of a quarter's bands and lines, in parts. */
@@ -77,7 +80,8 @@ function pathOf(line: readonly Point[]): string {
 }
 
 function closed(border: readonly Point[], band: number): string {
-  const out = (value: number): number => (value <= OVER + 0.01 ? value - band * FARTHER : value);
+  const far = Math.min(band * FARTHER - OVER, MOST * Math.max(...border.flat()));
+  const out = (value: number): number => (value <= OVER + 0.01 ? -far : value);
   return `${pathOf(border.map(([x, y]) => [out(x), out(y)]))}z`;
 }
 
