@@ -128,8 +128,8 @@ pub(super) struct ViewSetup<'a> {
     pub scene: &'a Scene,
     pub number: u64,
     pub light: &'a LightParams,
-    /// The height of the ground under lamps, in the scene.
-    pub ground: f32,
+    /// The height of the ground under lamps, in the scene; `None` is that of the lowest body.
+    pub ground: Option<f32>,
 }
 
 /// The place of one body alone: the middle of a stone of some height comes to the origin, and the corners of its cell
@@ -177,7 +177,8 @@ impl CloseUp {
 impl ViewSetup<'_> {
     /// Its lighting, with the work on it still to be done.
     pub fn lighting(&self, sharpness: Sharpness, cut: Option<Cut>) -> Lighting {
-        let lamp = Lamp::over_picture(self.light.shade.light, self.ground);
+        let ground = self.ground.unwrap_or_else(|| self.scene.lowest());
+        let lamp = Lamp::over_picture(self.light.shade.light, ground);
         let (params, materials) = (&self.light.shade, &self.light.materials);
         Lighting::new(self.scene, lamp, (params, materials), sharpness).cut_by(cut)
     }

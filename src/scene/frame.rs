@@ -1,12 +1,12 @@
 //! One picture of a scene, in slices: visibility, ambient occlusion, and light, for each of its samples.
 
+use super::floor::FloorPlane;
 use super::mean::Mean;
-use super::shade::{FloorPlane, Shading, ShadingInputs, far_floor, find_floor};
+use super::shade::{Shading, ShadingInputs, far_floor, find_floor};
 use super::soft_light::part_of_lamp;
 use super::visibility::{FLOOR, VisibilityBuffer};
 use super::{Backdrop, Lighting, Order, Scene, lines, samples};
 use crate::hash::Hash;
-use crate::order::lesser;
 use glam::Vec3;
 
 /// Shading one pixel costs about as much as drawing this many triangles.
@@ -26,7 +26,6 @@ pub struct Frame {
     planes: FramePlanes,
     /// The surface normal at each pixel; zero where there is no body.
     normals: Vec<Vec3>,
-    ground: FloorPlane,
     /// The depth in focus.
     focus: f32,
 }
@@ -51,7 +50,6 @@ impl FramePlanes {
 /// The next phase, with the number of instances, rows or lines done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum FramePhase {
-    Ground(usize),
     Room(usize),
     Sight,
     Floor(usize),
@@ -72,13 +70,12 @@ impl Frame {
         let mut frame = Self {
             sight: VisibilityBuffer::new(view),
             shading: Shading::new(),
-            phase: FramePhase::Ground(0),
+            phase: FramePhase::Done,
             sample: 0,
             mean: Mean::new(),
             rgba: Vec::new(),
             planes: FramePlanes::default(),
             normals: Vec::new(),
-            ground: FloorPlane::default(),
             focus: 0.0,
             order,
         };
@@ -89,9 +86,7 @@ impl Frame {
     /// Starts another frame in the same memory.
     pub fn begin(&mut self, order: Order) {
         self.order = order;
-        self.phase = FramePhase::Ground(0);
         self.sample = 0;
-        self.ground = FloorPlane::default();
         // A frame of one sample needs only one of both sets of lists.
         self.planes.swap(&mut self.sight);
         let pixels = order.size[0] * order.size[1];
@@ -99,6 +94,7 @@ impl Frame {
         self.rgba.clear();
         self.rgba.reserve_exact(4 * pixels);
         self.normals.clear();
+        self.phase = self.begin_sample();
     }
 
     /// The order of this frame.
@@ -115,7 +111,7 @@ impl Frame {
     pub fn progress(&self) -> f64 {
         let rows = self.order.size[1] as f64;
         let part = match self.phase {
-            FramePhase::Ground(_) | FramePhase::Room(_) => 0.0,
+            FramePhase::Room(_) => 0.0,
             FramePhase::Sight => 0.3 * self.sight.progress(),
             FramePhase::Floor(_) => 0.3,
             FramePhase::Shade(row) => 0.3 + 0.65 * row as f64 / rows,
@@ -152,7 +148,6 @@ impl Frame {
         let [width, height] = self.order.size;
         let rows = (amount / (PIXEL_WORK * width)).clamp(1, height);
         self.phase = match self.phase {
-            FramePhase::Ground(place) => self.find_ground(scene, place, amount),
             FramePhase::Room(row) => self.make_room(height.min(row.saturating_add(8 * rows))),
             FramePhase::Sight => match self.sight.advance(scene, amount) {
                 true if self.order.backdrop == Backdrop::Floor => FramePhase::Floor(0),
@@ -161,7 +156,8 @@ impl Frame {
             },
             FramePhase::Floor(row) => {
                 let end = height.min(row.saturating_add(4 * rows));
-                (row..end).for_each(|y| find_floor(&mut self.sight, self.ground, y));
+                let ground = light.floor_plane();
+                (row..end).for_each(|y| find_floor(&mut self.sight, ground, y));
                 match end == height {
                     true => FramePhase::Shade(0),
                     false => FramePhase::Floor(end),
@@ -186,35 +182,6 @@ impl Frame {
             FramePhase::Done => FramePhase::Done,
         };
         self.is_done()
-    }
-
-    /// Finds the lowest point of the bodies before the first sample.
-    fn find_ground(&mut self, scene: &Scene, from: usize, amount: usize) -> FramePhase {
-        if self.order.backdrop == Backdrop::Floor {
-            if from == 0 {
-                let (middle, radius) = scene.ball();
-                let height = f32::MAX;
-                self.ground = FloorPlane {
-                    middle,
-                    radius,
-                    height,
-                };
-            }
-            let (mut at, mut work) = (from, 0);
-            while at < scene.instances.len() && work < amount {
-                let height = &mut self.ground.height;
-                let (low, points) = scene.lowest_of(&scene.instances[at], *height);
-                *height = lesser(*height, low);
-                (at, work) = (at + 1, work + 1 + points / 8);
-            }
-            if at < scene.instances.len() {
-                return FramePhase::Ground(at);
-            }
-            if at == 0 {
-                self.ground.height = 0.0;
-            }
-        }
-        self.begin_sample()
     }
 
     fn begin_sample(&mut self) -> FramePhase {
@@ -267,17 +234,21 @@ impl Frame {
 
     /// Shades about this many rows; gives the next one.
     fn shade(&mut self, scene: &Scene, light: &Lighting, from: usize, rows: usize) -> usize {
+        let ground = match self.order.backdrop {
+            Backdrop::Floor => light.floor_plane(),
+            _ => FloorPlane::default(),
+        };
         let studio = ShadingInputs {
             scene,
             light,
             sight: &self.sight,
             backdrop: self.order.backdrop,
-            ground: self.ground,
+            ground,
             part_of_lamp: match self.has_mean() {
                 true => part_of_lamp(self.order.samples),
                 false => 0.0,
             },
-            far: far_floor(light, self.sight.view(), &self.ground),
+            far: far_floor(light, self.sight.view(), &ground),
         };
         let (rgba, normals) = (&mut self.rgba, &mut self.normals);
         let keep = |at: usize, normal| {

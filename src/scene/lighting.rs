@@ -2,6 +2,7 @@
 
 use super::backdrop::floor_colour;
 use super::contact::FloorContact;
+use super::floor::{FloorPlane, FloorSearch};
 use super::four_lanes::FourVectors;
 use super::reflection::{LitPoints, Reaching, SurfaceFinish, finish_of, open_to, seen_of};
 use super::shadow::{ShadowMaps, ShadowSample};
@@ -81,6 +82,7 @@ pub struct Lighting {
     finishes: Vec<SurfaceFinish>,
     tone: Tone,
     shadows: ShadowMaps,
+    floor: FloorSearch,
     contact: FloorContact,
     sharpness: Sharpness,
     is_ready: bool,
@@ -101,6 +103,7 @@ impl Lighting {
             finishes: materials.iter().map(finish).collect(),
             tone: Tone::new(),
             shadows: sharpness.shadows(scene, lamp, 0),
+            floor: FloorSearch::new(scene),
             contact: FloorContact::new(scene),
             sharpness,
             is_ready: false,
@@ -118,6 +121,7 @@ impl Lighting {
             finishes: self.finishes.clone(),
             tone: self.tone.clone(),
             shadows: self.sharpness.shadows(scene, lamp, halvings),
+            floor: self.floor.clone(),
             contact: self.contact.clone(),
             sharpness: self.sharpness,
             is_ready: false,
@@ -147,12 +151,20 @@ impl Lighting {
         self.sharpness
     }
 
-    /// Draws the shadow maps and those of the floor, for the work of about this many triangles; true when finished.
+    /// Finds the floor, and draws its maps and those of the shadows, for the work of about this many triangles; true
+    /// when finished.
     pub fn advance(&mut self, scene: &Scene, amount: usize) -> bool {
-        if !self.is_ready && self.contact.advance(scene, amount) {
+        let has_floor =
+            |own: &mut Self| own.floor.advance(scene, amount) && own.contact.advance(scene, amount);
+        if !self.is_ready && has_floor(self) {
             self.is_ready = self.params.shadow <= 0.0 || self.shadows.advance(scene, amount);
         }
         self.is_ready
+    }
+
+    /// The plane of the floor; the light must be ready.
+    pub(super) fn floor_plane(&self) -> FloorPlane {
+        self.floor.plane()
     }
 
     /// The visible share of the sky over the floor below a point, 0..1.

@@ -17,6 +17,7 @@ mod contact;
 mod cut;
 mod digest;
 mod fill;
+mod floor;
 mod four_lanes;
 mod four_pixels;
 mod frame;

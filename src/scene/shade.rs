@@ -1,6 +1,7 @@
 //! Shades visible surfaces.
 
 use super::backdrop::{behind, dithered, end_of_floor, floor_part, left_of_corner};
+use super::floor::FloorPlane;
 use super::four_lanes::{FourVectors, four};
 use super::four_pixels::LANES;
 use super::hit::{Facets, PixelHit};
@@ -19,14 +20,6 @@ const LEVEL: f32 = 0.9;
 
 /// The thickness of bodies that light goes through, in their radii.
 const THICK: f32 = 0.1;
-
-/// Where the floor is and where it fades: it lies under all bodies, around the middle of their bounding ball.
-#[derive(Clone, Copy, Default)]
-pub(super) struct FloorPlane {
-    pub middle: Vec3,
-    pub radius: f32,
-    pub height: f32,
-}
 
 /// The inputs of shading.
 #[derive(Clone, Copy)]

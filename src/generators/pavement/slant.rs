@@ -124,7 +124,7 @@ impl Pavement {
             scene,
             number: slant.number,
             light: self.light(),
-            ground: planes.ground * planes.pixel_scale as f32 / planes.side as f32,
+            ground: Some(planes.ground * planes.pixel_scale as f32 / planes.side as f32),
         };
         let beside: LightParams;
         if let Some(step) = order.step()? {

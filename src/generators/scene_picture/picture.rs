@@ -237,7 +237,7 @@ impl<S: SceneSource> ScenePicture<S> {
             scene,
             number: self.number,
             light: &light,
-            ground: scene.lowest(),
+            ground: None,
         };
         let left = budget.left(clock);
         self.table.advance(&stand, order, clock, left)
@@ -268,7 +268,7 @@ impl<S: SceneSource> ScenePicture<S> {
             scene: &shown.scene,
             number: shown.number,
             light: &light,
-            ground: shown.scene.lowest(),
+            ground: None,
         };
         let left = budget.left(clock);
         self.table.advance(&stand, order.order()?, clock, left)

@@ -78,7 +78,7 @@ impl StillRender {
             scene: &scene,
             number: 0,
             light: &light,
-            ground: scene.lowest(),
+            ground: None,
         };
         Self {
             light: SoftLight::new(stand.lighting(Sharpness::of(&order), None)),
