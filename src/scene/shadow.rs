@@ -26,6 +26,13 @@ const GRAZING: f32 = 1e-3;
 /// it.
 const SIDE_LENS: f64 = 91.0;
 
+/// Balls are enlarged by this factor and by this part of a texel before they are compared with a map, as corners are
+/// rounded.
+const LARGER: f32 = 1.001;
+const SLACK: f32 = 0.05;
+/// Balls over more texels are not compared.
+const MOST_TEXELS: usize = 256;
+
 /// Making room for this many texels is about the work of one triangle.
 const ROOM: usize = 64;
 
@@ -63,7 +70,7 @@ pub(super) struct ShadowMaps {
     is_coarse: bool,
     /// The plane that cuts away bodies.
     pub cut: Option<Cut>,
-    /// The next map, instance and triangle.
+    /// The next map, place in its order of drawing, and triangle.
     at: [usize; 3],
     /// The corners of the current instance.
     corners: Vec<Vertex>,
@@ -124,18 +131,19 @@ impl ShadowMaps {
                 self.at = [self.at[0] + 1, 0, 0];
                 continue;
             }
-            let instance = &scene.instances[place];
+            let number = map.in_turn(place, scene);
+            let instance = &scene.instances[number];
             let part = self
                 .cut
                 .map_or(Left::All, |cut| cut.left_of(scene.ball_of(instance)));
             let (work, next) = match (part, &self.cut) {
                 (Left::None, _) => (1, None),
                 (Left::Some, Some(cut)) => {
-                    map.draw_cut(scene, cut, [place, next], left, self.is_coarse)
+                    map.draw_cut(scene, cut, [number, next], left, self.is_coarse)
                 }
                 _ => map.draw(
                     scene,
-                    [place, next],
+                    [number, next],
                     left,
                     self.is_coarse,
                     &mut self.corners,
@@ -260,6 +268,17 @@ impl ShadowMap {
             way,
             filled: 0,
             near: Vec::with_capacity(side * side + LANES - 1),
+        }
+    }
+
+    /// The instance that comes at a place of the order of drawing. Most generators list bodies from the ground up, so those
+    /// near a lamp come first, and hide many others.
+    fn in_turn(&self, place: usize, scene: &Scene) -> usize {
+        let is_from_below =
+            matches!(self.way, ShadowProjection::Along { axes: [.., to], .. } if to.y < 0.0);
+        match is_from_below {
+            true => place,
+            false => scene.instances.len() - 1 - place,
         }
     }
 
@@ -460,6 +479,30 @@ impl ShadowMap {
         (drawn, (end < surface.triangles.len()).then_some(end))
     }
 
+    /// Whether a body within a ball would certainly change no texel: the ball contains the middle of none, or all of these
+    /// show something nearer.
+    fn would_stay(&self, (middle, radius): (Vec3, f32)) -> bool {
+        let ShadowProjection::Along { scale, .. } = self.way else {
+            return false;
+        };
+        let [u, v, near] = self.on_map(middle);
+        let reach = radius * scale * LARGER + SLACK;
+        let nearest = near + reach / scale;
+        let texels = |at: f32| {
+            let first = greater((at - reach - 0.5).ceil(), 0.0) as usize;
+            first
+                ..self
+                    .side
+                    .min(greater((at + reach + 0.5).floor(), 0.0) as usize)
+        };
+        let (columns, rows) = (texels(u), texels(v));
+        columns.len() * rows.len() <= MOST_TEXELS
+            && rows.into_iter().all(|row| {
+                let row = &self.near[row * self.side..][..self.side];
+                row[columns.clone()].iter().all(|&there| there >= nearest)
+            })
+    }
+
     /// Draws an instance from one of its triangles on; returns the work done, and the next triangle if there is one.
     fn draw(
         &mut self,
@@ -474,6 +517,9 @@ impl ShadowMap {
             return (1, None);
         };
         let mut work = 0;
+        if next == 0 && is_coarse && self.would_stay(scene.ball_of(instance)) {
+            return (1, None);
+        }
         if next == 0 {
             let points = surface.positions.iter().map(|&p| instance.place.of(p));
             corners.clear();
@@ -498,5 +544,98 @@ impl ShadowMap {
         });
         self.filled += drawn - (end - next);
         (work + drawn, (end < surface.triangles.len()).then_some(end))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Body, Place};
+    use super::*;
+    use crate::random::{Purpose, Random};
+
+    /// A tetrahedron whose corners are 1 away from the origin.
+    fn tetrahedron() -> Body {
+        let mut surface = Surface::default();
+        let corners = [
+            [1.0, 1.0, 1.0],
+            [1.0, -1.0, -1.0],
+            [-1.0, 1.0, -1.0],
+            [-1.0, -1.0, 1.0],
+        ];
+        for corner in corners {
+            surface.positions.push(Vec3::from(corner).normalize());
+            surface.normals.push(Vec3::from(corner).normalize());
+            surface.colours.push([128; 3]);
+        }
+        surface.triangles = vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
+        Body::new(vec![surface], 0)
+    }
+
+    /// Tetrahedra of any size and turn in a ball, most of them hidden by others.
+    fn heap(seed: u64) -> Scene {
+        let mut random = Random::new(seed, Purpose::Scatter, 0);
+        let mut place = |largest: f32| {
+            let mut vector = || Vec3::from([0; 3].map(|_| random.signed() as f32));
+            let (x, across) = (vector().normalize_or(Vec3::X), vector());
+            let y = x.cross(across).normalize_or(Vec3::Y);
+            let origin = vector();
+            let size = largest * random.unit() as f32;
+            Place {
+                axes: [x, y, x.cross(y)].map(|axis| axis * size),
+                origin,
+            }
+        };
+        let instance = |id: u32| Instance {
+            body: 0,
+            place: place(if id.is_multiple_of(8) { 0.4 } else { 0.05 }),
+            id,
+            paint: None,
+        };
+        Scene {
+            bodies: vec![tetrahedron()],
+            instances: (1..=600).map(instance).collect(),
+            ..Scene::default()
+        }
+    }
+
+    /// All texels of the finished maps.
+    fn texels(mut maps: ShadowMaps, scene: &Scene) -> Vec<u32> {
+        while !maps.advance(scene, 1_000) {}
+        let all = maps.maps.iter().flat_map(|map| &map.near);
+        all.map(|near| near.to_bits()).collect()
+    }
+
+    #[test]
+    fn bodies_that_are_left_out_would_change_no_texel() {
+        // Bodies of one level are drawn alike in coarse maps, which leave out bodies, and in others.
+        for seed in 0..6 {
+            let scene = heap(seed);
+            let mut random = Random::new(seed, Purpose::Scatter, 1);
+            let to = Vec3::from([0; 3].map(|_| random.signed() as f32)).normalize();
+            for (side, to) in [(64, Vec3::Y), (64, to), (300, to)] {
+                let of = |is_coarse| {
+                    texels(
+                        ShadowMaps::new(&scene, Lamp::Sun(to), side, is_coarse),
+                        &scene,
+                    )
+                };
+                assert!(of(true) == of(false), "{seed} {side} {to}");
+            }
+        }
+    }
+
+    #[test]
+    fn hidden_bodies_are_left_out() {
+        let scene = heap(1);
+        let slices = |is_coarse| {
+            let mut maps = ShadowMaps::new(&scene, Lamp::Sun(Vec3::Y), 64, is_coarse);
+            let mut slices = 0;
+            while !maps.advance(&scene, 1) {
+                slices += 1;
+            }
+            slices
+        };
+        let [all, shown] = [false, true].map(slices);
+        assert!(4 * shown < 3 * all, "{shown} {all}");
     }
 }
