@@ -1,5 +1,5 @@
 /** A binding of keys, and the part of the page that it serves. */
-import type { Word } from '../words/keys';
+import type { KeysWord } from '../words/keys';
 
 export interface Binding {
   /** `KeyboardEvent.key` in lower case, after `ctrl+` and `shift+`. `ctrl+` means Ctrl or Cmd. */
@@ -7,7 +7,7 @@ export interface Binding {
   /** The keys as the list shows them, where capitals are not enough. */
   shown?: string[];
   /** Their effect, for the list. */
-  word: Word;
+  word: KeysWord;
   /** The part of the page that the keys serve. If a generator does not offer it, the keys do nothing. */
   part?: string;
   act: (key: string) => void;

@@ -1,5 +1,5 @@
 /** The list of keys and their effects, in a dialog. */
-import { t, type Word } from '../words/keys';
+import { t, type KeysWord } from '../words/keys';
 import { isOffered, type Binding } from './binding';
 import { byId, byIdAs, closeFromBeside, make } from './dom';
 
@@ -7,7 +7,7 @@ const dialog = byIdAs('keys', HTMLDialogElement);
 closeFromBeside(dialog);
 
 /** Keys that work only on the picture, or while points are edited, with their parts. The same list shows them. */
-const ON_PICTURE: readonly [shown: string[], word: Word, part: string][] = [
+const ON_PICTURE: readonly [shown: string[], word: KeysWord, part: string][] = [
   [['← ↑ → ↓'], 'walk', 'probe'],
   [['← ↑ → ↓'], 'orbit', 'turn'],
   [['← ↑ → ↓'], 'around', 'space'],
@@ -33,6 +33,6 @@ export function showKeys(bindings: readonly Binding[]): void {
   dialog.scrollTop = 0;
 }
 
-function row(shown: readonly string[], word: Word): HTMLElement {
+function row(shown: readonly string[], word: KeysWord): HTMLElement {
   return make('div', {}, make('dt', {}, ...shown.flatMap((key, k) => [...(k ? [' '] : []), make('kbd', {}, key)])), make('dd', {}, t(word)));
 }

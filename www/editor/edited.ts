@@ -4,7 +4,7 @@ import { divide, join, nearestLine, settle, turnOver } from './geometry/curve';
 import type { Figure, FigurePoint, Sort } from './geometry/figures';
 import { distance, nearest, toSegment } from './geometry/plane';
 import { snap } from './geometry/snap';
-import { Sheet } from './sheet';
+import { EditorSheet } from './sheet';
 
 /** With Shift, a point snaps to other points and to directions within this many CSS pixels. */
 const REACH = 9;
@@ -32,7 +32,7 @@ interface Around {
 }
 
 export class EditedFigures {
-  readonly sheet: Sheet;
+  readonly sheet: EditorSheet;
   sort: Sort | undefined;
   /** The next drag over the canvas draws a ring. */
   armed = false;
@@ -46,7 +46,7 @@ export class EditedFigures {
 
   /** `layer` lies over the canvas. */
   constructor(layer: HTMLElement, needs: FigureNeeds, around: Around) {
-    this.sheet = new Sheet(layer);
+    this.sheet = new EditorSheet(layer);
     this.needs = needs;
     this.around = around;
   }

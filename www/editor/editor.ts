@@ -15,7 +15,7 @@ import { t } from '../words/editor';
 import { byId } from '../base/dom';
 import { reasonOf } from '../base/errors';
 import { alertOf, clear, notice } from '../base/messages';
-import type { Engine, Told } from '../state/engine';
+import type { Engine, SetResult } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
 import { nameOf } from '../take/name';
@@ -345,7 +345,7 @@ export class Editor {
   }
 
   /** Makes a change that comes from the handles, so they need not follow it. */
-  private change(word: string, act: () => Told): boolean {
+  private change(word: string, act: () => SetResult): boolean {
     this.writing = true;
     const { refused, sentences } = act();
     this.writing = false;

@@ -3,7 +3,7 @@ import type { Point } from '../module/types';
 import type { EditedFigures } from './edited';
 import type { FigurePoint } from './geometry/figures';
 import { DOUBLE, Pen } from './pen';
-import type { Part } from './sheet';
+import type { SheetPart } from './sheet';
 
 /** A press becomes a drag beyond this many CSS pixels, and two presses within it are at one place. Fingers have more. */
 const SLACK = 3;
@@ -86,7 +86,7 @@ export class Gestures {
     const twice = event.timeStamp - this.before.time < DOUBLE && Math.hypot(event.clientX - this.before.x, event.clientY - this.before.y) < (finger ? NEAR_FOR_FINGERS : NEAR);
     this.before = { time: event.timeStamp, x: event.clientX, y: event.clientY };
     // A figure may begin and go on anywhere: an island in a hole, or a line over another one.
-    const part: Part = this.pen?.open || figures.armed ? { part: 'nothing' } : figures.sheet.part(event.target);
+    const part: SheetPart = this.pen?.open || figures.armed ? { part: 'nothing' } : figures.sheet.part(event.target);
     const common = { pointer: event.pointerId, x: event.clientX, y: event.clientY, moved: false, finger };
     if (part.part === 'point') {
       this.hold = { ...common, holds: 'point', place: part.place, twice };

@@ -13,12 +13,12 @@ const ROOM = 56;
 const ROOM_FOR_FINGERS = 112;
 
 /** The part of the drawing under a pointer. */
-export type Part =
+export type SheetPart =
   | { part: 'point' | 'edge'; place: FigurePoint }
   | { part: 'line' | 'knob'; figure: number }
   | { part: 'nothing' };
 
-export class Sheet {
+export class EditorSheet {
   readonly layer: HTMLElement;
   private readonly lines = shape('svg', { 'aria-hidden': 'true' });
   private readonly grips = shape('g');
@@ -129,7 +129,7 @@ export class Sheet {
   }
 
   /** The part under a pointer. */
-  part(target: EventTarget | null): Part {
+  part(target: EventTarget | null): SheetPart {
     if (!(target instanceof HTMLElement || target instanceof SVGElement)) return { part: 'nothing' };
     const [figure, index] = [Number(target.dataset['figure']), Number(target.dataset['index'])];
     if (target.matches('.ghost')) return { part: 'edge', place: { figure, index } };

@@ -1,6 +1,6 @@
 /** The sorts of figures that can be edited over the canvas: the outline, its roads, and the lists of the recipe. */
 import type { Point } from '../module/types';
-import { t, type Word } from '../words/editor';
+import { t, type EditorWord } from '../words/editor';
 import type { Engine } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import { hexagon, type Figure, type FigurePoint, type Sort } from './geometry/figures';
@@ -18,13 +18,13 @@ const ratio = (value: number): string => `${Number(value.toFixed(2))}:1`;
 
 type Lined = 'line' | 'stroke' | 'road';
 
-function line(word: string, label: Word, figure: Lined, tip: Word, value?: Sort['value']): Sort {
+function line(word: string, label: EditorWord, figure: Lined, tip: EditorWord, value?: Sort['value']): Sort {
   const name = ({ figure: f, index }: FigurePoint, all: Figure[]): string =>
     t('point_of', { k: index + 1, n: all[f]?.points.length ?? 0, figure: `${t(figure)} ${f + 1}` });
   return { word, label: t(label), figure: t(figure), form: 'line', least: 2, tip: t(tip), name, value, broad: figure === 'road' };
 }
 
-function spot(word: string, label: Word, value: NonNullable<Sort['value']>): Sort {
+function spot(word: string, label: EditorWord, value: NonNullable<Sort['value']>): Sort {
   const name = ({ figure: f, index }: FigurePoint, all: Figure[]): string =>
     `${t(index ? 'spot_rim' : 'spot_middle', { k: f + 1 })}, ${value.shown(all[f]?.value ?? 0)}`;
   return { word, label: t(label), figure: t('spot'), form: 'spot', least: 2, tip: t('tip_spot'), name, value };

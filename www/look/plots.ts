@@ -1,7 +1,7 @@
 /** Plots of the packing's progress and of the quality of its cells. They follow the work. */
 import uPlot from 'uplot';
 import type { Histogram, Histograms, Series } from '../module/types';
-import { t, type Word } from '../words/look';
+import { t, type LookWord } from '../words/look';
 import { byId, make, say, wantsStill } from '../base/dom';
 import { RETOLD } from '../base/language';
 import { REPAINT } from '../base/theme';
@@ -19,7 +19,7 @@ const HEIGHT = 112;
 const SIZE_BAND = 0.1;
 const ANGLE_BAND = 5;
 
-interface Drawn {
+interface PlotContent {
   readonly data: uPlot.AlignedData;
   readonly said: string;
 }
@@ -34,7 +34,7 @@ interface LineStyle {
 const LINE: LineStyle = { colour: '--accent', dash: [], width: 1.5 };
 
 /** The energy and its parts, with their names. */
-const ENERGIES: readonly (LineStyle & { readonly word: Word })[] = [
+const ENERGIES: readonly (LineStyle & { readonly word: LookWord })[] = [
   { word: 'energy_sum', colour: '--text', dash: [], width: 2 },
   { word: 'energy_pairs', colour: '--accent', dash: [7, 3], width: 1.5 },
   { word: 'energy_walls', colour: '--accent', dash: [2, 3], width: 1.5 },
@@ -44,7 +44,7 @@ const ENERGIES: readonly (LineStyle & { readonly word: Word })[] = [
 interface Plot {
   readonly place: HTMLElement;
   readonly said: HTMLElement;
-  readonly read: () => Drawn;
+  readonly read: () => PlotContent;
   readonly make: (width: number) => uPlot.Options;
   plot?: uPlot;
 }
@@ -106,7 +106,7 @@ export class Plots {
     else byId('panel').prepend(this.section);
   }
 
-  private plot(word: Word, make_: Plot['make'], read: Plot['read'], named: typeof ENERGIES = []): Plot {
+  private plot(word: LookWord, make_: Plot['make'], read: Plot['read'], named: typeof ENERGIES = []): Plot {
     const place = make('div', { class: 'plot', 'aria-hidden': 'true' });
     const text = make('span', { class: 'plot-said' });
     this.section.append(make('figure', { id: word.replace('_', '-') }, make('figcaption', {}, make('b', {}, t(word)), ' ', text), ...(named.length ? [key(named)] : []), place));
@@ -145,7 +145,7 @@ export class Plots {
 /** The page's colour at the time of drawing. */
 const colour = (name: string) => (): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-function axes(word: Word, log: boolean): uPlot.Axis[] {
+function axes(word: LookWord, log: boolean): uPlot.Axis[] {
   const plain = { stroke: colour('--soft'), font: '11px system-ui, sans-serif', ticks: { stroke: colour('--line'), size: 4, width: 1 }, grid: { stroke: colour('--line'), width: 1 } };
   return [
     { ...plain, size: 22, gap: 2, grid: { show: false }, label: t(word), labelSize: 14, labelFont: '11px system-ui, sans-serif', labelGap: 0 },
@@ -171,7 +171,7 @@ function key(lines: typeof ENERGIES): HTMLElement {
   return make('p', { class: 'plot-key' }, ...pieces);
 }
 
-function lines(word: Word, styles: readonly LineStyle[], log = false): Plot['make'] {
+function lines(word: LookWord, styles: readonly LineStyle[], log = false): Plot['make'] {
   return (width) => ({
     ...still,
     width,
@@ -183,7 +183,7 @@ function lines(word: Word, styles: readonly LineStyle[], log = false): Plot['mak
   });
 }
 
-function bars(word: Word): Plot['make'] {
+function bars(word: LookWord): Plot['make'] {
   return (width) => ({
     ...still,
     width,
@@ -213,7 +213,7 @@ function said(word: 'plot_energy_said' | 'plot_move_said', step: Float64Array, v
 }
 
 /** The middles of the classes with their counts, and the share of cells between two bounds. */
-function counted({ from, to, counts }: Histogram, word: 'plot_size_said' | 'plot_angle_said', low: number, high: number): Drawn {
+function counted({ from, to, counts }: Histogram, word: 'plot_size_said' | 'plot_angle_said', low: number, high: number): PlotContent {
   const wide = (to - from) / (counts.length || 1);
   const middles = Array.from(counts, (_, k) => from + (k + 0.5) * wide);
   const n = counts.reduce((sum, count) => sum + count, 0);

@@ -33,7 +33,7 @@ export interface Control {
 /** `change` gets the new text; `last` is false while a slider is being dragged. */
 export type Change = (key: string, text: string, last: boolean) => void;
 
-interface Parts {
+interface ControlParts {
   inputs: HTMLElement[];
   show: (value: string, standard: string) => void;
 }
@@ -81,7 +81,7 @@ export function makeControl(parameter: Parameter, change: Change, edit: Edit, pi
   };
 }
 
-function waysOf(parameter: Parameter, id: string, change: Change, edit: Edit, pictures: Pictures | undefined): Parts {
+function waysOf(parameter: Parameter, id: string, change: Change, edit: Edit, pictures: Pictures | undefined): ControlParts {
   if (TYPED.includes(parameter.item)) return typedList(parameter, id, change);
   if (parameter.kind === 'text') return drawnList(parameter, id, edit);
   if (parameter.kind === 'choice') {
@@ -97,7 +97,7 @@ function width(label: string): number {
   return label.length + (label.match(/[\u3000-\u9fff]/g)?.length ?? 0);
 }
 
-function numberAndSlider(parameter: Parameter, id: string, change: Change): Parts {
+function numberAndSlider(parameter: Parameter, id: string, change: Change): ControlParts {
   const { key, min, max, unit } = parameter;
   const box = make('input', {
     type: 'number',
@@ -209,14 +209,14 @@ function byKey(parameter: Parameter, value: number, event: KeyboardEvent): numbe
   }
 }
 
-function list(parameter: Parameter, id: string, change: Change): Parts {
+function list(parameter: Parameter, id: string, change: Change): ControlParts {
   const select = make('select', { id, 'aria-describedby': `${id}-help` });
   for (const { word, label } of parameter.choices) select.append(make('option', { value: word }, label));
   select.addEventListener('change', () => change(parameter.key, select.value, true));
   return { inputs: [select], show: (value) => void (select.value = value) };
 }
 
-function segments(parameter: Parameter, id: string, change: Change): Parts {
+function segments(parameter: Parameter, id: string, change: Change): ControlParts {
   const row = make('div', {
     class: 'segments',
     role: 'radiogroup',
@@ -238,7 +238,7 @@ function segments(parameter: Parameter, id: string, change: Change): Parts {
 }
 
 /** A list that is edited over the canvas: its number of entries, and a button to edit them. */
-function drawnList(parameter: Parameter, id: string, edit: Edit): Parts {
+function drawnList(parameter: Parameter, id: string, edit: Edit): ControlParts {
   const button = make('button', { type: 'button', class: 'wide', id, 'aria-labelledby': `${id}-name ${id}`, 'aria-describedby': `${id}-help` });
   button.addEventListener('click', () => edit(parameter));
   /** A file has a single entry and opens a file dialog. */
@@ -250,7 +250,7 @@ function drawnList(parameter: Parameter, id: string, edit: Edit): Parts {
   };
 }
 
-function typedList(parameter: Parameter, id: string, change: Change): Parts {
+function typedList(parameter: Parameter, id: string, change: Change): ControlParts {
   const box = make('input', { type: 'text', class: 'wide', id, autocomplete: 'off', spellcheck: 'false', 'aria-labelledby': `${id}-name`, 'aria-describedby': `${id}-help` });
   box.addEventListener('change', () => change(parameter.key, box.value, true));
   return { inputs: [box], show: (value) => void (box.value = value) };

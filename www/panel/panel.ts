@@ -27,7 +27,7 @@ const OPEN_AT_FIRST = ['Outline', 'Shape', 'Cells', 'Size', 'Direction', 'Relief
 /** Milliseconds of building in a frame. */
 const SLICE = 8;
 
-interface Group {
+interface PanelGroup {
   readonly box: HTMLElement;
   readonly details: HTMLDetailsElement;
   readonly badge: HTMLElement;
@@ -37,7 +37,7 @@ interface Group {
 }
 
 export class Panel {
-  private readonly groups = new Map<string, Group>();
+  private readonly groups = new Map<string, PanelGroup>();
   /** Which groups were open before the panel was built again. */
   private before = new Map<string, boolean>();
   private readonly form = byIdAs('controls', HTMLFormElement);
@@ -143,7 +143,7 @@ export class Panel {
     return TYPED.includes(item) ? this.engine.list(key).map((row) => row.join()).join(';') : this.engine.get(key);
   }
 
-  private group(name: string): Group {
+  private group(name: string): PanelGroup {
     const known = this.groups.get(name);
     if (known) return known;
     const badge = make('span', { class: 'badge' });

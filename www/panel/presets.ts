@@ -19,14 +19,14 @@ const EXPLAINED: Readonly<Record<string, readonly [number: number, page: string]
   eye: [6, 'how-many'],
 };
 
-interface Group {
+interface PresetGroup {
   readonly heading: HTMLButtonElement;
   readonly list: HTMLUListElement;
 }
 
 /** One group of presets is open at a time. */
 export class Presets {
-  private groups: Group[] = [];
+  private groups: PresetGroup[] = [];
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private marked: string | undefined;
   private placed: ResizeObserver | undefined;
@@ -80,7 +80,7 @@ export class Presets {
     if (button) this.reveal(button);
   }
 
-  private unfold(group: Group): void {
+  private unfold(group: PresetGroup): void {
     for (const each of this.groups) {
       each.list.hidden = each !== group;
       each.heading.setAttribute('aria-expanded', String(each === group));

@@ -34,7 +34,7 @@ const FRAME = 1000 / 60;
 const MOST_FRAMES = 4;
 
 /** Decides how the work advances in a frame, when two pictures form together. */
-interface Pair {
+interface PairPacing {
   /** Works for about `budget` milliseconds and makes at most `steps` steps; true if the picture may have changed. */
   tick(engine: Engine, budget: number, steps: number): boolean;
 }
@@ -85,7 +85,7 @@ export class Loop {
   /** The step at which the packing is to pause. An earlier pause or a change of the recipe clears it. */
   until: Until | undefined;
   /** Another picture that forms together with this one. */
-  pair: Pair | undefined;
+  pair: PairPacing | undefined;
   /** Draws something else instead of the view, also in pieces. */
   painter: Painter | undefined;
   private readonly ending = new AbortController();

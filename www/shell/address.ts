@@ -8,7 +8,7 @@ import type { Preset } from '../module/types';
 import { joined, parted, WHOLE } from '../state/viewing';
 import type { Work } from '../state/work';
 import type { Loop } from '../picture/loop';
-import type { Parts } from './parts';
+import type { PageParts } from './parts';
 
 /** The usual view. */
 const USUAL: Partial<State> = { view: 'auto', overlays: [], zoom: WHOLE, camera: undefined, cut: undefined };
@@ -16,7 +16,7 @@ const USUAL: Partial<State> = { view: 'auto', overlays: [], zoom: WHOLE, camera:
 export class Address {
   private readonly work: Work;
   private readonly loop: Loop;
-  private readonly linked: Parts['linked'];
+  private readonly linked: PageParts['linked'];
   private readonly undo: () => void;
   private readonly link: Link;
   /** The words of the view. */
@@ -25,7 +25,7 @@ export class Address {
   private showing = false;
 
   /** `undo` goes one step back in the history. */
-  constructor(work: Work, loop: Loop, linked: Parts['linked'], undo: () => void) {
+  constructor(work: Work, loop: Loop, linked: PageParts['linked'], undo: () => void) {
     this.work = work;
     this.loop = loop;
     this.linked = linked;

@@ -28,7 +28,7 @@ import { described } from './described';
 import { furnish } from './furnish';
 import { makeLookTools } from './look-tools';
 import { offerMakes } from './makes';
-import { OFFERED, partsOf, type Parts } from './parts';
+import { OFFERED, partsOf, type PageParts } from './parts';
 import { refine } from './refine';
 import { scriptFace, type ScriptFace } from './scripts';
 import { remedies, tellCrash } from './trouble';
@@ -47,7 +47,7 @@ export class App {
   readonly history: History;
   readonly forming: Forming;
   readonly view: View;
-  readonly parts: Parts;
+  readonly parts: PageParts;
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly address: Address;

@@ -11,13 +11,13 @@ import type { Forming } from '../picture/forming';
 import type { PictureHost } from '../picture/host';
 import type { View } from '../picture/view';
 import { copyLink } from './copy';
-import type { Parts } from './parts';
+import type { PageParts } from './parts';
 
 /** The objects that the buttons act on. */
 interface House {
   readonly host: PictureHost;
   readonly work: Work;
-  readonly parts: Parts;
+  readonly parts: PageParts;
   readonly view: View;
   readonly history: History;
   readonly forming: Forming;

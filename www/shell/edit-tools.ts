@@ -8,19 +8,19 @@ import type { Engine } from '../state/engine';
 import { toolApplies } from '../state/rules';
 import type { Work } from '../state/work';
 import type { Panel } from '../panel/panel';
-import type { Parts } from './parts';
+import type { PageParts } from './parts';
 
 export class EditTools {
   private readonly engine: Engine;
   private readonly work: Work;
-  private readonly editor: Parts['editor'];
+  private readonly editor: PageParts['editor'];
   private readonly tools = [...byId('edit-tools').querySelectorAll<HTMLButtonElement>('[data-tool]')];
   private readonly more = byId('more-tools');
   private readonly take: (file: File) => void;
   private readonly edit = make('button', { type: 'button', class: 'wide', id: 'edit-outline', 'aria-keyshortcuts': 'E' });
 
   /** `take` opens a file. */
-  constructor(work: Work, editor: Parts['editor'], take: Parts['take']) {
+  constructor(work: Work, editor: PageParts['editor'], take: PageParts['take']) {
     this.take = take;
     this.engine = work.engine;
     this.work = work;

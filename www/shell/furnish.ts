@@ -17,13 +17,13 @@ import { Presets } from '../panel/presets';
 import { Scaling } from '../panel/scaling';
 import { SEED } from '../panel/seed';
 import { EditTools } from './edit-tools';
-import type { Parts } from './parts';
+import type { PageParts } from './parts';
 
 /** The objects that the controls act on. */
 interface House {
   readonly host: PictureHost;
   readonly work: Work;
-  readonly parts: Parts;
+  readonly parts: PageParts;
   /** Makes the next change an entry of its own in the browser's history. */
   push(): void;
   /** Opens a preset by a link of it, in its view. */

@@ -4,7 +4,7 @@ import { byId, say, walkByArrows } from '../base/dom';
 import { bindKeys } from '../base/keys';
 import type { Later } from '../base/later';
 import type { Store } from '../state/store';
-import type { Parts } from './parts';
+import type { PageParts } from './parts';
 
 /** Tools that appear beside or over the picture. */
 type Tool = 'light' | 'layers' | 'compare' | 'plots' | 'turn';
@@ -17,7 +17,7 @@ interface Shown {
 const REPEATS = 3;
 
 /** `leave` ends the editing on the picture. */
-export function makeLookTools(store: Store, parts: Parts, leave: () => void): void {
+export function makeLookTools(store: Store, parts: PageParts, leave: () => void): void {
   forward(parts, store);
   store.on(['zoom'], () => void parts.pointer.load());
   tool(store, 'light', parts.light);
@@ -44,7 +44,7 @@ export function makeLookTools(store: Store, parts: Parts, leave: () => void): vo
 }
 
 /** Passes events on the picture to parts that are loaded on demand; early events are kept for them. */
-function forward({ pointer, turn }: Parts, store: Store): void {
+function forward({ pointer, turn }: PageParts, store: Store): void {
   const zoom = (by: number) => () => (store.state.turn ? turn.ask((it) => it.step(by)) : pointer.ask((it) => it.zoom.step(by)));
   byId('zoom-in').addEventListener('click', zoom(1));
   byId('zoom-out').addEventListener('click', zoom(-1));

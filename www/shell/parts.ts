@@ -15,7 +15,7 @@ export const OFFERED = [
   ['plots', 'plots-button'],
 ] as const;
 
-export type Parts = ReturnType<typeof partsOf>;
+export type PageParts = ReturnType<typeof partsOf>;
 
 /** `leave` ends what holds or paces the forming. */
 export function partsOf(work: Work, view: View, host: PictureHost, leave: () => void) {

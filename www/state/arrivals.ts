@@ -1,7 +1,7 @@
 /** Links whose generator may not be loaded yet. Everything stays as it is until it is. */
 import { placeOf } from '../module/generators';
 import { loadModule, moduleFor } from '../module/load';
-import { t, type Word } from '../words/words';
+import { t, type PageWord } from '../words/words';
 import { make } from '../base/dom';
 import { reasonOf } from '../base/errors';
 import { moreWords } from '../base/language';
@@ -16,7 +16,7 @@ export function isHere(link: string): boolean {
 }
 
 /** Loads the module that a link needs. Throws an Error whose message is a sentence for the visitor. */
-export async function load(link: string, lost: Word = 'lost_wasm'): Promise<void> {
+export async function load(link: string, lost: PageWord = 'lost_wasm'): Promise<void> {
   if (typeof WebAssembly !== 'object') throw new Error(t('no_wasm'));
   try {
     await Promise.all([loadModule(link), placeOf(link) > 0 ? moreWords() : undefined]);
@@ -67,7 +67,7 @@ export class Arrivals {
     if (failure !== undefined) alertOf('module', failure, this.button('module_again', () => this.reach(link, act)));
   }
 
-  private button(word: Word, act: () => void): HTMLElement {
+  private button(word: PageWord, act: () => void): HTMLElement {
     const button = make('button', { type: 'button' }, t(word));
     button.addEventListener('click', act);
     return button;

@@ -13,7 +13,7 @@ import { NO_ANSWER, NO_GENERATOR, NO_STATUS } from './answers';
 import { FileSearch } from './search';
 
 /** The result of setting a value. */
-export interface Told {
+export interface SetResult {
   /** The value cannot be used; the old one stays. */
   refused: boolean;
   /** Why it was refused, clamped or corrected. */
@@ -121,7 +121,7 @@ export class Engine {
     return this.lastLink;
   }
 
-  set(key: string, text: string): Told {
+  set(key: string, text: string): SetResult {
     const answer = told(this.ask((core) => core.set(key, text), NO_ANSWER));
     this.seek();
     return answer;
@@ -233,14 +233,14 @@ export class Engine {
     return this.ask((core) => core.side(), 512);
   }
 
-  setOutline(rings: Ring[]): Told {
+  setOutline(rings: Ring[]): SetResult {
     const points = new Float64Array(rings.flat(2));
     const lengths = new Uint32Array(rings.map((ring) => ring.length));
     return told(this.ask((core) => core.setOutline(points, lengths), NO_ANSWER));
   }
 
   /** Another link with an outline, whose unit is the side of the picture. The present recipe stays. */
-  drawn(link: string, rings: Ring[]): Told & { link: string } {
+  drawn(link: string, rings: Ring[]): SetResult & { link: string } {
     const { module } = this;
     const refused = { link: '', refused: true, sentences: [] };
     if (!module) return refused;
@@ -339,6 +339,6 @@ function kept<T>(all: Map<string, T>, key: string, made: () => T): T {
   return value;
 }
 
-function told({ refused, notices }: Answer): Told {
+function told({ refused, notices }: Answer): SetResult {
   return { refused, sentences: notices.map(said) };
 }

@@ -4,7 +4,7 @@ import type { SceneStudio } from '../module/scene';
 import type { Preset, Ring } from '../module/types';
 import { clear, notice } from '../base/messages';
 import { Arrivals } from './arrivals';
-import type { Engine, Told } from './engine';
+import type { Engine, SetResult } from './engine';
 import type { State, Store } from './store';
 
 /** How a link is opened. */
@@ -63,7 +63,7 @@ export class Work {
   }
 
   /** The same, but returns the notices instead of showing them. */
-  write(key: string, text: string, held = false): Told {
+  write(key: string, text: string, held = false): SetResult {
     const told = this.engine.set(key, text);
     this.changed(held);
     return told;
@@ -77,7 +77,7 @@ export class Work {
   }
 
   /** Sets the rings of a free outline. Returns whether they were refused, and the notices. */
-  outline(rings: Ring[], held = false): Told {
+  outline(rings: Ring[], held = false): SetResult {
     const told = this.engine.setOutline(rings);
     this.changed(held);
     return told;

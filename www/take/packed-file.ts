@@ -10,7 +10,7 @@ import { t } from '../words/take';
 import { moreWords } from '../base/language';
 import type { Task } from '../late/task';
 import type { Engine } from '../state/engine';
-import { Parts } from './files/parts';
+import { FileParts } from './files/parts';
 
 /** The text between a model's description and its bytes. */
 const BYTES = '"gzip": "';
@@ -49,7 +49,7 @@ export async function withFiles(text: string, engine: Engine, task: Task): Promi
 
 /** The bytes of a file, compressed, as base64; `overall` converts the progress of this file to that of all files. */
 async function packedText(file: Blob, task: Task, overall: (part: number) => number): Promise<Blob> {
-  const parts = new Parts();
+  const parts = new FileParts();
   let read = 0;
   const counted = new TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>({
     transform: (piece, stream) => {
@@ -125,7 +125,7 @@ function describedBy({ digest, name, size }: Partial<Record<keyof Described, unk
 async function checked(module: Whole, packed: AsyncGenerator<Uint8Array<ArrayBuffer>>, { digest, size }: Described, task: Task): Promise<Blob | undefined> {
   if (!Number.isInteger(size) || size < 0 || size > LARGEST) return undefined;
   const own = new module.FileDigest(size);
-  const parts = new Parts();
+  const parts = new FileParts();
   const reader = from(packed).pipeThrough(new DecompressionStream('gzip')).getReader();
   try {
     for (let read = 0; ; ) {

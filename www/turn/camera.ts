@@ -6,7 +6,7 @@
 import { CAMERA } from '../state/asked-view';
 import type { Camera } from '../state/viewing';
 
-type Vector = readonly [x: number, y: number, z: number];
+type Vector3 = readonly [x: number, y: number, z: number];
 
 /** A place in the frame, from its middle to the right and down. The unit is the frame's shorter side. */
 export type Spot = readonly [u: number, v: number];
@@ -27,9 +27,9 @@ export function turned([angle, height, ...rest]: Camera, round: number, up: numb
 }
 
 /** The direction from the target towards the camera, with a length of one. */
-export function towards([angle, height]: Camera): Vector {
+export function towards([angle, height]: Camera): Vector3 {
   const run = Math.cos(radians(height));
-  return [-Math.sin(radians(angle)) * run, Math.sin(radians(height)), Math.cos(radians(angle)) * run].map((value) => Number(value.toFixed(3))) as unknown as Vector;
+  return [-Math.sin(radians(angle)) * run, Math.sin(radians(height)), Math.cos(radians(angle)) * run].map((value) => Number(value.toFixed(3))) as unknown as Vector3;
 }
 
 /**
@@ -57,7 +57,7 @@ export function dragged(camera: Camera, from: Spot, to: Spot): Camera {
 }
 
 /** The place on the ground at a spot; undefined if it is too far away, or sky. */
-function ground(camera: Camera, [u, v]: Spot): Vector | undefined {
+function ground(camera: Camera, [u, v]: Spot): Vector3 | undefined {
   const [angle, height, distance, lens, x, y, z] = camera;
   const [sin, cos] = [Math.sin(radians(angle)), Math.cos(radians(angle))];
   const [rise, run] = [Math.sin(radians(height)), Math.cos(radians(height))];

@@ -3,7 +3,7 @@ import { t } from '../words/turn';
 import { make } from '../base/dom';
 import { cellNumbers, cellRows, featureName } from '../late/cell';
 import type { Sort } from '../picture/frames/sort';
-import type { Told } from '../picture/frames/source';
+import type { BodyInfo } from '../picture/frames/source';
 
 /** The distance from the pointer to the card, in pixels. */
 const GAP = 18;
@@ -11,9 +11,9 @@ const GAP = 18;
 /** The acts of a picked body's card. */
 interface CardActs {
   /** Opens the view of how a body is made. */
-  how(body: Told): void;
+  how(body: BodyInfo): void;
   /** The act that turns the bricks of a corner or an edge; undefined if the body is of another feature. */
-  flip(body: Told): (() => void) | undefined;
+  flip(body: BodyInfo): (() => void) | undefined;
   /** The pixels at the top of the frame that hold tools; no card covers them. */
   tools(): number;
 }
@@ -22,7 +22,7 @@ export class Card {
   readonly element = make('div', { class: 'cell-card turn-card' });
   private readonly acts: CardActs;
   /** The body that was clicked or picked by a key: its card stays. */
-  picked: Told | undefined;
+  picked: BodyInfo | undefined;
 
   constructor(acts: CardActs) {
     this.acts = acts;
@@ -34,7 +34,7 @@ export class Card {
    * Shows a body's card at a place, in fractions of the frame's sides. The card of a `picked` body has a button for
    * more.
    */
-  show(body: Told, sort: Sort, x: number, y: number, picked: boolean): void {
+  show(body: BodyInfo, sort: Sort, x: number, y: number, picked: boolean): void {
     const { element } = this;
     this.picked = picked ? body : undefined;
     element.toggleAttribute('data-picked', picked);
@@ -66,17 +66,17 @@ export class Card {
 }
 
 /** The card's text as a sentence. */
-export function sentence(body: Told, sort: Sort): string {
+export function sentence(body: BodyInfo, sort: Sort): string {
   const name = called(body, sort);
   const numbers = cellNumbers(body.figures, body.words, name).map((row) => row.join(' '));
   return [[name, ...numbers].join(', '), ...(hasSteps(body, sort) ? [t('how_key')] : [])].join('. ');
 }
 
 /** An element of a mesh is no body that is made. */
-export function hasSteps({ steps }: Told, sort: Sort): boolean {
+export function hasSteps({ steps }: BodyInfo, sort: Sort): boolean {
   return steps.length > 0 && sort !== 'element';
 }
 
-function called({ id, figures }: Told, sort: Sort): string {
+function called({ id, figures }: BodyInfo, sort: Sort): string {
   return sort === 'feature' ? featureName(figures) : t(sort, { id });
 }

@@ -1,12 +1,12 @@
 /** The page's side of the worker that makes frames: it sends the latest request there and receives frames. */
-import type { FrameSource, Heard, Told, Wished } from '../picture/frames/source';
+import type { FrameSource, Heard, BodyInfo, Wished } from '../picture/frames/source';
 import type { About, Question, FrameMessage, Wish } from './turn.worker';
 
 export class Frames implements FrameSource {
   private readonly heard: Heard;
   private worker: Worker | undefined;
   private last: Wish | undefined;
-  private readonly asked = new Map<number, (body: Told | undefined) => void>();
+  private readonly asked = new Map<number, (body: BodyInfo | undefined) => void>();
   private questions = 0;
 
   constructor(heard: Heard) {
@@ -23,15 +23,15 @@ export class Frames implements FrameSource {
     return true;
   }
 
-  bodyAt(x: number, y: number): Promise<Told | undefined> {
+  bodyAt(x: number, y: number): Promise<BodyInfo | undefined> {
     return this.answer({ x, y });
   }
 
-  bodyOf(id: number): Promise<Told | undefined> {
+  bodyOf(id: number): Promise<BodyInfo | undefined> {
     return this.answer({ id });
   }
 
-  private answer(about: About): Promise<Told | undefined> {
+  private answer(about: About): Promise<BodyInfo | undefined> {
     const { worker } = this;
     if (!worker) return Promise.resolve(undefined);
     const ask = (this.questions += 1);

@@ -25,7 +25,7 @@ export interface Hands {
 }
 
 /** A place on the screen, in pixels. */
-interface Point {
+interface ScreenPoint {
   readonly x: number;
   readonly y: number;
 }
@@ -34,7 +34,7 @@ interface Point {
  * A single pointer: the place where it went down, whether it has moved, and whether it drags the ground rather than
  * turns the camera.
  */
-interface Begun extends Point {
+interface Begun extends ScreenPoint {
   readonly ground: boolean;
   moves: boolean;
 }
@@ -66,7 +66,7 @@ export class Gestures {
   private readonly hands: Hands;
   /** The picture is embedded in another page. */
   private readonly alone: boolean;
-  private readonly down = new Map<number, Point>();
+  private readonly down = new Map<number, ScreenPoint>();
   private begun: Begun | undefined;
   /** The last moves of a turn: their times, and their angles in degrees. */
   private trail: { at: number; round: number; up: number }[] = [];
@@ -128,7 +128,7 @@ export class Gestures {
   }
 
   /** The place of a point from the middle of the frame, in shorter sides. */
-  private spot({ x, y }: Point): Spot {
+  private spot({ x, y }: ScreenPoint): Spot {
     const { left, top, width, height } = this.box;
     const short = Math.min(width, height);
     return [(x - left - width / 2) / short, (y - top - height / 2) / short];
@@ -158,7 +158,7 @@ export class Gestures {
     if (other || this.begun?.moves) this.down.set(pointerId, { x, y });
   }
 
-  private drag(before: Point, now: Point, begun: Begun, event: PointerEvent): void {
+  private drag(before: ScreenPoint, now: ScreenPoint, begun: Begun, event: PointerEvent): void {
     const [dx, dy] = [now.x - begun.x, now.y - begun.y];
     const { timeStamp: at, pointerType } = event;
     const touch = pointerType === 'touch';
@@ -177,9 +177,9 @@ export class Gestures {
   }
 
   /** Pinching zooms. Rotating two fingers, or moving them sideways, turns the camera. Moving both vertically tilts it. */
-  private pinch(before: Point, now: Point, other: Point): void {
-    const apart = (p: Point): number => Math.max(20, Math.hypot(p.x - other.x, p.y - other.y));
-    const way = (p: Point): number => (Math.atan2(p.y - other.y, p.x - other.x) * 180) / Math.PI;
+  private pinch(before: ScreenPoint, now: ScreenPoint, other: ScreenPoint): void {
+    const apart = (p: ScreenPoint): number => Math.max(20, Math.hypot(p.x - other.x, p.y - other.y));
+    const way = (p: ScreenPoint): number => (Math.atan2(p.y - other.y, p.x - other.x) * 180) / Math.PI;
     const twist = ((way(now) - way(before) + 540) % 360) - 180;
     const [from, to, still] = [this.spot(before), this.spot(now), this.spot(other)];
     const middle: Spot = [(to[0] + still[0]) / 2, (to[1] + still[1]) / 2];

@@ -3,7 +3,7 @@ import { t } from '../words/turn';
 import { make, say } from '../base/dom';
 import { shape } from '../late/svg';
 import { areOfMap, ownNote, stepName, stepNote } from './told';
-import type { Told } from '../picture/frames/source';
+import type { BodyInfo } from '../picture/frames/source';
 
 /** The connection of the strip to the turntable. */
 export interface Steps {
@@ -25,7 +25,7 @@ export class Making {
   private readonly dots = make('div', { class: 'turn-dots' });
   private readonly back = arrow('turn-back', t('back'), 'M12.600 4.200 6.800 10l5.800 5.800 1.400-1.400L9.600 10 14 5.600z');
   private readonly on = arrow('turn-on', t('on'), 'M7.400 4.200 13.200 10l-5.800 5.800L6 14.400 10.400 10 6 5.600z');
-  private body: Told | undefined;
+  private body: BodyInfo | undefined;
   private at = 0;
 
   constructor(steps: Steps) {
@@ -57,7 +57,7 @@ export class Making {
   }
 
   /** Shows a step of a body. */
-  begin(body: Told, step: number): void {
+  begin(body: BodyInfo, step: number): void {
     this.body = body;
     this.at = step;
     const dots = body.steps.map((step, k) => {

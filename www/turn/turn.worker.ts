@@ -15,7 +15,7 @@ import { progressOf, type Course } from '../module/stages';
 import type { Notice } from '../module/types';
 import { FrameMaker, type Made } from '../picture/frames/maker';
 import { sortOf } from '../picture/frames/sort';
-import type { Bodies, Quality, Told, Wished } from '../picture/frames/source';
+import type { Bodies, Quality, BodyInfo, Wished } from '../picture/frames/source';
 
 /** A request for a frame. */
 export interface Wish extends Wished {
@@ -33,7 +33,7 @@ export type FrameMessage =
   | { frame: ImageBitmap; n: number; quality: Quality; bodies: Bodies }
   /** Progress, 0..1: first of the recipe, then of a frame. */
   | { working: number }
-  | { ask: number; body: Told | undefined }
+  | { ask: number; body: BodyInfo | undefined }
   /** There is no picture, or no such subject. */
   | { refused: Notice; n: number }
   | { lost: string }
@@ -81,7 +81,7 @@ class Turner {
   }
 
   /** A body of the last frame. */
-  told(about: About): Told | undefined {
+  told(about: About): BodyInfo | undefined {
     const { sides } = this.maker;
     if ('id' in about) return { id: about.id, figures: {}, words: {}, steps: this.studio.making(about.id) };
     const { x, y } = about;

@@ -11,7 +11,7 @@ import { keep, kept } from '../base/storage';
 import type { Generator } from '../module/types';
 import { cameraLimits, cameraWords, firstCamera, homeOf, wholeBodies } from '../state/asked-view';
 import type { Camera, Cut } from '../state/viewing';
-import type { Bodies, FrameSource, Heard, Plane, Quality, Told } from '../picture/frames/source';
+import type { Bodies, FrameSource, Heard, Plane, Quality, BodyInfo } from '../picture/frames/source';
 import { ALL_AROUND, nearer, type Heights } from './camera';
 import { Card, hasSteps, sentence } from './card';
 import { CutTool } from './cut';
@@ -287,7 +287,7 @@ export class Turntable {
   }
 
   /** Shows the card of the body at a place of the frame. The card of a `picked` body has a button for more. */
-  private async point(x: number, y: number, picked: boolean): Promise<Told | undefined> {
+  private async point(x: number, y: number, picked: boolean): Promise<BodyInfo | undefined> {
     if (this.making.subject !== '' || this.moving || (this.card.picked && !picked)) return undefined;
     const turn = (this.pointed += 1);
     const body = await this.frames.bodyAt(x, y);
@@ -323,7 +323,7 @@ export class Turntable {
     if (body?.steps.length && this.on) this.how(body, Math.min(step, body.steps.length - 1));
   }
 
-  private flipOf({ figures: { feature, number } }: Told): (() => void) | undefined {
+  private flipOf({ figures: { feature, number } }: BodyInfo): (() => void) | undefined {
     const act = feature === undefined || number === undefined ? undefined : this.place.flip?.([feature, number]);
     return act && (() => {
       this.card.hide();
@@ -332,7 +332,7 @@ export class Turntable {
     });
   }
 
-  private how(body: Told, step = 0): void {
+  private how(body: BodyInfo, step = 0): void {
     this.gestures.stop();
     this.card.hide();
     this.beside = BODY;

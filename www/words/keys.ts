@@ -2,6 +2,6 @@
 import { en, ja } from '../strings/keys.json';
 import { wordsOf } from './words';
 
-export type Word = keyof typeof en;
+export type KeysWord = keyof typeof en;
 
 export const t = wordsOf({ en, ja });

@@ -3,11 +3,11 @@
  * tools, in both languages.
  */
 import { en, ja } from '../strings/look.json';
-import { t as common, wordsOf, type Word as Common } from './words';
+import { t as common, wordsOf, type PageWord as Common } from './words';
 
 const own = wordsOf({ en, ja });
 
-export type Word = Common | keyof typeof en;
+export type LookWord = Common | keyof typeof en;
 
 /** An overlay's name, and a sentence about it; without them, its word and ''. */
 export function overlayIn(word: string): [name: string, note: string] {
@@ -15,6 +15,6 @@ export function overlayIn(word: string): [name: string, note: string] {
   return [known(`over_${word}`) ?? word, known(`note_over_${word}`) ?? ''];
 }
 
-export function t(key: Word, values: Record<string, string | number> = {}): string {
+export function t(key: LookWord, values: Record<string, string | number> = {}): string {
   return key in en ? own(key as keyof typeof en, values) : common(key as Common, values);
 }

@@ -2,6 +2,4 @@
 import { en, ja } from '../strings/space.json';
 import { wordsOf } from './words';
 
-export type Word = keyof typeof en;
-
 export const t = wordsOf({ en, ja });

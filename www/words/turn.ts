@@ -2,11 +2,11 @@
 import { en, ja } from '../strings/turn.json';
 import { wordsOf } from './words';
 
-export type Word = keyof typeof en;
+type TurnWord = keyof typeof en;
 
 export const t = wordsOf({ en, ja });
 
 /** Whether the word is known. Some steps have none. */
-export function isWord(word: string): word is Word {
+export function isWord(word: string): word is TurnWord {
   return word in en;
 }

@@ -13,9 +13,9 @@ import type { Notice, Parameter, Preset } from '../module/types';
 import { words as english } from '../strings/en.json';
 import type { Foreign } from '../strings/foreign';
 
-export type Word = keyof typeof english;
+export type PageWord = keyof typeof english;
 
-let words: Record<Word, string> = english;
+let words: Record<PageWord, string> = english;
 let foreign: Foreign | undefined;
 
 /** The most texts that are remembered. The oldest are forgotten first. If two look alike, the first one counts. */
@@ -43,7 +43,7 @@ export function language(): string {
 }
 
 /** The words of a key, with `{name}` replaced by values. */
-export function t(key: Word, values: Record<string, string | number> = {}): string {
+export function t(key: PageWord, values: Record<string, string | number> = {}): string {
   return remember(() => words[key], values);
 }
 
@@ -71,7 +71,7 @@ function filled(text: string, values: Record<string, string | number>): string {
 }
 
 /** Changes the language; without other words, to English. */
-export function translate(code: string, to?: { words: Record<Word, string>; foreign: Foreign }): void {
+export function translate(code: string, to?: { words: Record<PageWord, string>; foreign: Foreign }): void {
   words = to?.words ?? english;
   foreign = to?.foreign;
   document.documentElement.lang = code;

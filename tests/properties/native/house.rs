@@ -1,6 +1,6 @@
 //! The drawing of the house (docs/house.svg) agrees with the code. Each use between folders has arrows, each
 //! arrow stands for a use, and no arrows form a circle. No files use each other in a circle either. No name of a type
-//! is defined in more than two files.
+//! is defined in more than two files, in the crate or in the page.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -219,6 +219,43 @@ fn defined_type(line: &str) -> Option<&str> {
     name.split(|c: char| !c.is_alphanumeric()).next()
 }
 
+/// The name of the type that a line of the page's code defines.
+fn defined_page_type(line: &str) -> Option<&str> {
+    const BEFORE: [&str; 5] = ["export", "default", "declare", "abstract", "const"];
+    let rest = line.split(' ').skip_while(|word| BEFORE.contains(word));
+    let [kind, name] = rest.take(2).collect::<Vec<_>>().try_into().ok()?;
+    let is_type = ["type", "interface", "class", "enum"].contains(&kind);
+    let name = name.split(|c: char| !c.is_alphanumeric()).next()?;
+    (is_type && !name.is_empty()).then_some(name)
+}
+
+/// The TypeScript files below a folder, by path.
+fn page_files(folder: &std::path::Path, found: &mut BTreeMap<String, String>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            page_files(&path, found);
+        } else if path.extension().is_some_and(|ending| ending == "ts") {
+            let name = path.strip_prefix(root()).unwrap().display().to_string();
+            found.insert(name, fs::read_to_string(path).unwrap());
+        }
+    }
+}
+
+/// The names that more than two files define, with these files. There are more than `least` names.
+fn defined_too_often<'a>(
+    definitions: impl Iterator<Item = (&'a str, String)>,
+    least: usize,
+) -> BTreeMap<&'a str, BTreeSet<String>> {
+    let mut files: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
+    for (name, file) in definitions {
+        files.entry(name).or_default().insert(file);
+    }
+    assert!(files.len() > least, "{}", files.len());
+    files.retain(|_, files| files.len() > 2);
+    files
+}
+
 /// Uses between the folders of `src`.
 fn uses_of_src() -> Uses {
     let modules = Modules::read();
@@ -334,13 +371,19 @@ fn no_files_use_each_other_in_a_circle() {
 #[test]
 fn a_name_of_a_type_is_defined_in_two_files_at_most() {
     let modules = Modules::read();
-    let mut files: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
-    for (module, code) in &modules.code {
-        for name in code.lines().filter_map(defined_type) {
-            files.entry(name).or_default().insert(module.join("::"));
-        }
-    }
-    assert!(files.len() > 500, "{}", files.len());
-    files.retain(|_, files| files.len() > 2);
-    assert!(files.is_empty(), "{files:#?}");
+    let crate_types = modules.code.iter().flat_map(|(module, code)| {
+        let names = code.lines().filter_map(defined_type);
+        names.map(|name| (name, module.join("::")))
+    });
+    let often = defined_too_often(crate_types, 500);
+    assert!(often.is_empty(), "{often:#?}");
+
+    let mut page = BTreeMap::new();
+    page_files(&root().join("www"), &mut page);
+    let page_types = page.iter().flat_map(|(file, code)| {
+        let names = code.lines().filter_map(defined_page_type);
+        names.map(|name| (name, file.clone()))
+    });
+    let often = defined_too_often(page_types, 300);
+    assert!(often.is_empty(), "{often:#?}");
 }

@@ -1,10 +1,10 @@
 /** Reads outlines from files and texts in a worker. Stopping it frees all its memory. */
-import { t, type Word } from '../../words/editor';
+import { t, type EditorWord } from '../../words/editor';
 import { language } from '../../words/words';
 import { notice } from '../../base/messages';
 import { stoppable, type Task } from '../../late/task';
 import { answerOf } from '../../late/worker';
-import { LEFT, type Count, type Told } from '../svg/refusal';
+import { LEFT, type Count, type RefusalReason } from '../svg/refusal';
 import type { Try } from './read';
 import type { ReadRequest, ReadResult } from './read.worker';
 
@@ -36,7 +36,7 @@ async function triesOf(order: ReadRequest, name: string, task: Task): Promise<Tr
   throw new Error([sentence(answer.refused, name), ...leftOut(answer.left, 'left_besides')].join(' '));
 }
 
-function sentence({ word, values }: Told, name: string): string {
+function sentence({ word, values }: RefusalReason, name: string): string {
   return t(word, { name, ...Object.fromEntries(Object.entries(values).map(([key, value]) => [key, number(value)])) });
 }
 
@@ -46,7 +46,7 @@ export function remarks({ rings, left, coarse }: Try): string[] {
 }
 
 /** A sentence with the counts of features that were left out, if there are any. */
-function leftOut(left: Count, word: Word): string[] {
+function leftOut(left: Count, word: EditorWord): string[] {
   const parts = LEFT.filter((what) => left[what]).map((what) => t(left[what] === 1 ? `left_${what}_one` : `left_${what}`, { n: number(left[what] ?? 0) }));
   return parts.length ? [t(word, { list: new Intl.ListFormat(language()).format(parts) })] : [];
 }

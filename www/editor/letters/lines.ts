@@ -7,13 +7,13 @@
  */
 
 /** A part of a line that is not broken; `spaced` if a space precedes it within a line. */
-export interface Piece {
+export interface TextPiece {
   text: string;
   spaced: boolean;
 }
 
 /** The ways to break a line of the given text, the coarsest first. */
-export type Ways = Piece[][];
+export type Ways = TextPiece[][];
 
 /** Characters that may not begin a line, and those that may not end one. */
 const NO_BEGIN = /^[\p{Pe}\p{Pf}\p{M}、。，．・：；？！,.:;?!%％‰°℃ー々〻ゝゞヽヾぁぃぅぇぉっゃゅょゎゕゖァィゥェォッャュョヮヵヶㇰ-ㇿ…‥～〜'"’”-]/u;
@@ -44,7 +44,7 @@ function segments(text: string, granularity: 'grapheme' | 'word'): string[] {
 /** The ways to break a line: into phrases, words, or letters. */
 export function waysOf(line: string): Ways {
   const words = line.split(/\s+/u).filter((word) => word !== '');
-  const by = (split: (word: string) => string[], phrases: boolean): Piece[] => words.flatMap((word) => kept(split(word), phrases).map((text, k) => ({ text, spaced: k === 0 })));
+  const by = (split: (word: string) => string[], phrases: boolean): TextPiece[] => words.flatMap((word) => kept(split(word), phrases).map((text, k) => ({ text, spaced: k === 0 })));
   const byWord = (word: string): string[] => segments(word, 'word');
   return [by(byWord, true), by(byWord, false), by(lettersIn, false)];
 }
@@ -85,7 +85,7 @@ export function broken(text: string, widthOf: (text: string) => number, scaleOf:
   return tries.reduce((chosen, one) => (one.scale > chosen.scale * LARGER ? one : chosen)).lines;
 }
 
-function best(given: Piece[][], widthOf: (text: string) => number, scaleOf: (lines: string[]) => number): Broken {
+function best(given: TextPiece[][], widthOf: (text: string) => number, scaleOf: (lines: string[]) => number): Broken {
   const measured = given.map((pieces) => new Measured(pieces, widthOf));
   let found: Broken = { lines: [], scale: 0 };
   const most = Math.min(MOST, given.reduce((sum, pieces) => sum + pieces.length, 0));
@@ -117,13 +117,13 @@ function leastWidth(measured: Measured[], count: number): number {
 class Measured {
   readonly widest: number;
   readonly whole: number;
-  private readonly pieces: Piece[];
+  private readonly pieces: TextPiece[];
   /** The distance to the end of each piece, and the space before each. */
   private readonly ends: number[] = [];
   private readonly spaces: number[];
   private readonly widths: number[];
 
-  constructor(pieces: Piece[], widthOf: (text: string) => number) {
+  constructor(pieces: TextPiece[], widthOf: (text: string) => number) {
     const space = widthOf('n n') - widthOf('nn');
     this.pieces = pieces;
     this.widths = pieces.map(({ text }) => widthOf(text));
@@ -179,6 +179,6 @@ class Measured {
   }
 }
 
-function textOf(pieces: Piece[]): string {
+function textOf(pieces: TextPiece[]): string {
   return pieces.map(({ text, spaced }, k) => (spaced && k > 0 ? ` ${text}` : text)).join('');
 }

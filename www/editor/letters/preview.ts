@@ -1,7 +1,7 @@
 /** Shows an outline in stones. It has its own engine, which works in idle time while the dialog is open. */
 import { isEnd } from '../../module/stages';
 import type { Ring } from '../../module/types';
-import type { Told } from '../../state/engine';
+import type { SetResult } from '../../state/engine';
 import { PACE } from '../../state/viewing';
 import { PictureHost } from '../../picture/host';
 import { IDLE } from '../../picture/loop';
@@ -34,7 +34,7 @@ export class Preview {
   }
 
   /** Shows these rings, with lengths in sides. Returns whether the engine accepts them, and its notices. */
-  show(rings: Ring[], values: readonly [key: string, text: string][]): Told {
+  show(rings: Ring[], values: readonly [key: string, text: string][]): SetResult {
     const { engine, loop } = this.host;
     for (const [key, text] of values) engine.set(key, text);
     const side = engine.side();

@@ -14,7 +14,7 @@ import { POINTS, type Run } from './path';
 import { Refusal, type Count, type Left } from './refusal';
 import { boxOf, fit, lengthOf, runsOf, SHAPES, type Box } from './shapes';
 import type { Pen } from './stroke';
-import { INHERITED, Sheet, type Properties } from './style';
+import { INHERITED, StyleRules, type Properties } from './style';
 
 /** Most elements of a drawing, each counted once per use, and the deepest nesting. */
 const ELEMENTS = 50_000;
@@ -25,7 +25,7 @@ const ASIDE = new Set(['defs', 'clipPath', 'mask', 'pattern', 'symbol', 'marker'
 
 const PICTURES = new Set(['image', 'foreignObject', 'video', 'iframe', 'canvas']);
 
-export interface Piece {
+export interface DrawingPiece {
   runs: Run[];
   /** Maps the piece to the drawing's own units. */
   matrix: Matrix;
@@ -38,11 +38,11 @@ export interface Piece {
 }
 
 export interface Clip {
-  pieces: Piece[];
+  pieces: DrawingPiece[];
 }
 
 export interface Drawing {
-  pieces: Piece[];
+  pieces: DrawingPiece[];
   /** The visible part of the drawing; undefined if the file does not define it. */
   frame: Box | undefined;
   left: Count;
@@ -106,11 +106,11 @@ function textOf(element: Element): string {
 
 class Reader {
   private readonly root: Element;
-  private readonly sheet: Sheet;
+  private readonly sheet: StyleRules;
   private readonly known = new Map<Element, Properties>();
   private readonly byId = new Map<string, Element>();
   private readonly left: Count = {};
-  private pieces: Piece[] = [];
+  private pieces: DrawingPiece[] = [];
   private seen = 0;
   private points = 0;
   /** CSS pixels per unit of the drawing. */
@@ -126,7 +126,7 @@ class Reader {
     }
     this.count('link', sheets.join('').match(/@import\b/g)?.length ?? 0);
     this.count('link', whole.children.filter((node) => isDirective(node) && /^\?xml-stylesheet\b/.test(node.data)).length);
-    this.sheet = new Sheet(sheets);
+    this.sheet = new StyleRules(sheets);
   }
 
   read(): Drawing {
@@ -278,7 +278,7 @@ class Reader {
 }
 
 /** The end points and control points of a piece. */
-export function placesOf({ runs, matrix }: Piece): Point[] {
+export function placesOf({ runs, matrix }: DrawingPiece): Point[] {
   return runs.flatMap(({ start, curves }) => [start, ...curves.flat()].map((point) => moved(matrix, point)));
 }
 
@@ -299,7 +299,7 @@ function shown(box: Box | undefined, width: number, height: number, said: Proper
   return { x, y, width: right - x, height: bottom - y };
 }
 
-function frameOf({ width, height }: Box, matrix: Matrix): Piece {
+function frameOf({ width, height }: Box, matrix: Matrix): DrawingPiece {
   const curves: Point[][] = [[[width, 0]], [[width, height]], [[0, height]]];
   return { runs: [{ start: [0, 0], curves, closed: true }], matrix, rule: 'nonzero', paint: 'ink', clips: [] };
 }

@@ -1,16 +1,16 @@
 /** The reason why an outline was refused, or what it lost, as data. The page has the words. */
-import type { Word } from '../../words/editor';
+import type { EditorWord } from '../../words/editor';
 
-export interface Told {
-  word: Word;
+export interface RefusalReason {
+  word: EditorWord;
   values: Record<string, string | number>;
 }
 
 export class Refusal extends Error {
-  readonly told: Told;
+  readonly told: RefusalReason;
   readonly left: Count;
 
-  constructor(word: Word, values: Told['values'] = {}, left: Count = {}) {
+  constructor(word: EditorWord, values: RefusalReason['values'] = {}, left: Count = {}) {
     super(word);
     this.told = { word, values };
     this.left = left;

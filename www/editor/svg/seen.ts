@@ -5,7 +5,7 @@
  */
 import type { Point, Ring } from '../../module/types';
 import { areaOf, common, EMPTY, pointsOf, STEPS, union, without, type Area } from './area';
-import { boundsOf, placesOf, type Clip, type Drawing, type Piece } from './drawing';
+import { boundsOf, placesOf, type Clip, type Drawing, type DrawingPiece } from './drawing';
 import { growth, moved } from './matrix';
 import { flat, POINTS } from './path';
 import { Refusal } from './refusal';
@@ -57,7 +57,7 @@ class Board {
     return area.map((path) => path.map(({ x, y }): Point => [this.extent.x + x * this.step, this.extent.y + y * this.step]));
   }
 
-  layers(pieces: Piece[], progress: (done: number) => void): Area {
+  layers(pieces: DrawingPiece[], progress: (done: number) => void): Area {
     this.points = 0;
     const layers: Layer[] = [];
     let done = 0;
@@ -87,7 +87,7 @@ class Board {
     return known;
   }
 
-  private area(piece: Piece): Area {
+  private area(piece: DrawingPiece): Area {
     const rings = this.outlines(piece).map((ring) => (this.frame ? cropped(ring, this.frame) : ring)).filter((ring) => ring.length > 2);
     this.points += rings.reduce((sum, ring) => sum + ring.length, 0);
     if (this.points > POINTS) throw new Refusal('too_many_points', { most: POINTS });
@@ -95,7 +95,7 @@ class Board {
     return areaOf(rings, piece.rule, ([x, y]) => [(x - left) / this.step, (y - top) / this.step]);
   }
 
-  private outlines({ runs, matrix, pen }: Piece): Ring[] {
+  private outlines({ runs, matrix, pen }: DrawingPiece): Ring[] {
     const tolerance = this.step * STEPS * FLAT;
     const own = tolerance / (growth(matrix) || 1);
     const placed = (ring: Ring): Ring => ring.map((point) => moved(matrix, point));
@@ -109,15 +109,15 @@ class Board {
   }
 }
 
-interface Group {
-  paint: Piece['paint'];
+interface PieceGroup {
+  paint: DrawingPiece['paint'];
   clips: Clip[];
-  pieces: Piece[];
+  pieces: DrawingPiece[];
 }
 
 /** Runs of pieces with the same paint and the same clips. */
-function groups(pieces: Piece[]): Group[] {
-  const found: Group[] = [];
+function groups(pieces: DrawingPiece[]): PieceGroup[] {
+  const found: PieceGroup[] = [];
   for (const piece of pieces) {
     const last = found.at(-1);
     if (last && last.paint === piece.paint && last.clips.length === piece.clips.length && last.clips.every((clip, k) => clip === piece.clips[k])) last.pieces.push(piece);
@@ -143,7 +143,7 @@ function together(layers: Layer[], progress: (done: number) => void): Layer {
 }
 
 /** The box of the visible pieces; undefined if nothing is visible in the frame. */
-function extentOf(pieces: Piece[], frame: Box | undefined): Box | undefined {
+function extentOf(pieces: DrawingPiece[], frame: Box | undefined): Box | undefined {
   const reach = pieces.reduce((most, { pen, matrix }) => Math.max(most, pen ? pen.width * (pen.still ? 1 : growth(matrix)) * Math.max(1, pen.limit) : 0), 0);
   const [left, right, top, bottom] = boundsOf(pieces.flatMap(placesOf));
   const [x, y] = [Math.max(left - reach, frame?.x ?? -Infinity), Math.max(top - reach, frame?.y ?? -Infinity)];

@@ -27,7 +27,7 @@ export const INHERITED = [
 /** Rules for media other than a light screen, and at-rules that style no elements. */
 const ELSEWHERE = /@(?:media\b(?=[^{]*\b(?:print|speech|dark|not|reduce)\b)|font-face|(?:-\w+-)?keyframes|page|property|counter-style)/i;
 
-export class Sheet {
+export class StyleRules {
   private readonly rules: Rule[] = [];
 
   constructor(texts: string[]) {

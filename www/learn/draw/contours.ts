@@ -1,6 +1,5 @@
 /** Regions of equal height on a grid, by marching squares. */
-
-export type Point = readonly [x: number, y: number];
+import type { Place } from '../figures/place';
 
 /** A height at a column and a row. */
 export type Heights = (column: number, row: number) => number;
@@ -9,27 +8,27 @@ export type Heights = (column: number, row: number) => number;
 export type Range = readonly [first: number, last: number];
 
 /** A part of a border through one grid square: its ends, and the number of the side that it goes to. */
-interface Part {
-  readonly from: Point;
-  readonly to: Point;
+interface BorderSegment {
+  readonly from: Place;
+  readonly to: Place;
   readonly side: number;
 }
 
 /** The parts of a border, by the numbers of the sides that they come from. */
-type Parts = Map<number, Part[]>;
+type SegmentsBySide = Map<number, BorderSegment[]>;
 
 /** More columns than any grid has. */
 const WIDE = 4096;
 
 /** The corners of a grid square in a circle. Side k joins corner k with the next one. */
-const CORNERS: readonly Point[] = [[0, 0], [1, 0], [1, 1], [0, 1]];
+const CORNERS: readonly Place[] = [[0, 0], [1, 0], [1, 1], [0, 1]];
 const SIDES = [0, 1, 2, 3];
 
 /** So deep that the fall beside the grid is steep. */
 const DEEP = -1e9;
 
 /** The borders of the ground at each level and above, all closed: beside the grid it falls. Levels rise. */
-export function regions(heights: Heights, range: Range, levels: readonly number[]): Point[][][] {
+export function regions(heights: Heights, range: Range, levels: readonly number[]): Place[][][] {
   const work = tracing(heights, range, levels);
   for (;;) {
     const { done, value } = work.next();
@@ -38,8 +37,8 @@ export function regions(heights: Heights, range: Range, levels: readonly number[
 }
 
 /** Like the function above, but in parts: a row of the grid each. */
-export function* tracing(heights: Heights, [first, last]: Range, levels: readonly number[]): Generator<undefined, Point[][][]> {
-  const all = levels.map((level) => ({ level, parts: new Map<number, Part[]>() }));
+export function* tracing(heights: Heights, [first, last]: Range, levels: readonly number[]): Generator<undefined, Place[][][]> {
+  const all = levels.map((level) => ({ level, parts: new Map<number, BorderSegment[]>() }));
   const high = (column: number, row: number): number => (column < first || row < first || column > last || row > last ? DEEP : heights(column, row));
   for (let row = first - 1; row <= last; row++) {
     let [below, above] = [high(first - 1, row), high(first - 1, row + 1)];
@@ -58,7 +57,7 @@ export function* tracing(heights: Heights, [first, last]: Range, levels: readonl
 }
 
 /** Adds the parts of a border through one grid square: higher ground lies to the left. */
-function cross(corners: readonly number[], level: number, square: Point, parts: Parts): void {
+function cross(corners: readonly number[], level: number, square: Place, parts: SegmentsBySide): void {
   const ends = SIDES.filter((k) => rises(corners, level, k, false));
   SIDES.filter((k) => rises(corners, level, k, true)).forEach((side, k) => {
     const end = ends[k] ?? 0;
@@ -69,7 +68,7 @@ function cross(corners: readonly number[], level: number, square: Point, parts: 
 }
 
 /** Two neighbours name their common side alike. */
-function nameOf([column, row]: Point, side: number): number {
+function nameOf([column, row]: Place, side: number): number {
   return ((row + (side === 2 ? 1 : 0)) * WIDE + column + (side === 1 ? 1 : 0)) * 2 + (side % 2);
 }
 
@@ -79,7 +78,7 @@ function rises(corners: readonly number[], level: number, side: number, isUp: bo
   return from !== to && to === isUp;
 }
 
-function crossing(corners: readonly number[], level: number, [column, row]: Point, side: number): Point {
+function crossing(corners: readonly number[], level: number, [column, row]: Place, side: number): Place {
   const [a, b] = [(corners[side] ?? 0) - level, (corners[(side + 1) % 4] ?? 0) - level];
   const [[x, y], [u, v]] = [CORNERS[side] ?? [0, 0], CORNERS[(side + 1) % 4] ?? [0, 0]];
   const share = a / (a - b);
@@ -87,10 +86,10 @@ function crossing(corners: readonly number[], level: number, [column, row]: Poin
 }
 
 /** Joins the parts to closed borders. */
-function linked(parts: Parts): Point[][] {
-  const borders: Point[][] = [];
+function linked(parts: SegmentsBySide): Place[][] {
+  const borders: Place[][] = [];
   for (const start of parts.keys()) {
-    const border: Point[] = [];
+    const border: Place[] = [];
     for (let part = taken(start, parts); part; part = taken(part.side, parts)) border.push(part.from, part.to);
     borders.push(border.filter((_, k) => k % 2 === 0));
   }
@@ -98,7 +97,7 @@ function linked(parts: Parts): Point[][] {
 }
 
 /** Removes and returns a part that starts at this side; `undefined` if none is left. */
-function taken(name: number, parts: Parts): Part | undefined {
+function taken(name: number, parts: SegmentsBySide): BorderSegment | undefined {
   const list = parts.get(name) ?? [];
   const part = list.pop();
   if (!list.length) parts.delete(name);
@@ -106,11 +105,11 @@ function taken(name: number, parts: Parts): Part | undefined {
 }
 
 /** The pieces of a closed border that are inside the grid. Where it enters and leaves, it has points on the grid's own lines. */
-export function inside(border: readonly Point[], [first, last]: Range): Point[][] {
-  const isIn = ([x, y]: Point): boolean => Math.min(x, y) >= first && Math.max(x, y) <= last;
+export function inside(border: readonly Place[], [first, last]: Range): Place[][] {
+  const isIn = ([x, y]: Place): boolean => Math.min(x, y) >= first && Math.max(x, y) <= last;
   const begin = border.findIndex((point) => !isIn(point));
   if (begin < 0) return [[...border, ...border.slice(0, 1)]];
-  const pieces: Point[][] = [[]];
+  const pieces: Place[][] = [[]];
   for (const point of [...border.slice(begin), ...border.slice(0, begin)]) {
     if (isIn(point)) pieces.at(-1)?.push(point);
     else if (pieces.at(-1)?.length) pieces.push([]);
@@ -119,7 +118,7 @@ export function inside(border: readonly Point[], [first, last]: Range): Point[][
 }
 
 /** Leaves out points that lie on the straight way between others, to a tolerance in the same units. */
-export function simplified(line: readonly Point[], tolerance: number): Point[] {
+export function simplified(line: readonly Place[], tolerance: number): Place[] {
   const kept = line.slice(0, 1);
   let from = 0;
   line.forEach((_, to) => {
@@ -131,7 +130,7 @@ export function simplified(line: readonly Point[], tolerance: number): Point[] {
 }
 
 /** Whether a line leaves the straight way between two of its points. */
-function leaves(line: readonly Point[], from: number, to: number, tolerance: number): boolean {
+function leaves(line: readonly Place[], from: number, to: number, tolerance: number): boolean {
   const [[x, y], [u, v]] = [line[from] ?? [0, 0], line[to] ?? [0, 0]];
   const length = Math.hypot(u - x, v - y) || 1e-9;
   for (let k = from + 1; k < to; k++) {

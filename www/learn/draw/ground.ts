@@ -1,6 +1,7 @@
 /** The ground of a landscape as bands of equal potential: a quarter of each with its mirrors, which drawings use. */
 import type { Landscape } from '../figures/figure';
-import { inside, simplified, tracing, type Heights, type Point } from './contours';
+import type { Place } from '../figures/place';
+import { inside, simplified, tracing, type Heights } from './contours';
 import { WIDTH } from './plate';
 
 /** The points of a landscape's grid for one stable distance, and along half its side. */
@@ -74,12 +75,12 @@ export function over(content: string): string {
   return `<svg class="plate over" viewBox="0 0 ${WIDTH} ${WIDTH}" width="${WIDTH}" height="${WIDTH}" aria-hidden="true">${content}</svg>`;
 }
 
-function pathOf(line: readonly Point[]): string {
+function pathOf(line: readonly Place[]): string {
   const scale = UNIT / FINE;
   return `M${simplified(line, TOLERANCE).map(([x, y]) => `${tenth(x * scale)} ${tenth(y * scale)}`).join('L')}`;
 }
 
-function closed(border: readonly Point[], band: number): string {
+function closed(border: readonly Place[], band: number): string {
   const far = Math.min(band * FARTHER - OVER, MOST * Math.max(...border.flat()));
   const out = (value: number): number => (value <= OVER + 0.01 ? -far : value);
   return `${pathOf(border.map(([x, y]) => [out(x), out(y)]))}z`;

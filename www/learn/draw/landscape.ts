@@ -5,6 +5,7 @@
  */
 import { ROW } from '../figures/crowds';
 import type { Landscape, Lowest } from '../figures/figure';
+import type { Place } from '../figures/place';
 import type { Heights } from './contours';
 import { drawing, FINE, HALF } from './ground';
 import type { Bubbles, Studio } from './studio';
@@ -25,13 +26,11 @@ const ENERGY = 9;
 /** Stages before the first step. */
 const BEFORE = ['domain', 'fields'];
 
-type Point = readonly [x: number, y: number];
-
 /** The place of a grid point in the eighth, which has x >= y >= 0. */
 const place = (i: number, j: number): number => (i * (i + 1)) / 2 + j;
 
 /** The points of the eighth. Two cells cannot be at one place: the centre's own point is a hair beside it. */
-const EIGHTH: readonly Point[] = Array.from({ length: HALF + 1 }, (_, i) => Array.from({ length: i + 1 }, (__, j): Point => [i ? i / FINE : STRIDE, j / FINE])).flat();
+const EIGHTH: readonly Place[] = Array.from({ length: HALF + 1 }, (_, i) => Array.from({ length: i + 1 }, (__, j): Place => [i ? i / FINE : STRIDE, j / FINE])).flat();
 
 /** No well and no pass is nearer than this. */
 const NEAREST = Math.round(0.7 * FINE);
@@ -103,7 +102,7 @@ export class Survey {
     const energy = (i: number): number => this.energies[place(i, slope * i)] ?? 0;
     let best = NEAREST;
     for (let i = NEAREST; i < HALF; i++) if (energy(i) < energy(best)) best = i;
-    const points = Array.from({ length: 2 / STRIDE / FINE + 1 }, (_, k): Point => [(best - 1) / FINE + k * STRIDE, slope * ((best - 1) / FINE + k * STRIDE)]);
+    const points = Array.from({ length: 2 / STRIDE / FINE + 1 }, (_, k): Place => [(best - 1) / FINE + k * STRIDE, slope * ((best - 1) / FINE + k * STRIDE)]);
     const measured = this.measure(points);
     const k = measured.indexOf(Math.min(...measured));
     const [x, y] = points[k] ?? [0, 0];
@@ -111,8 +110,8 @@ export class Survey {
   }
 
   /** The energies of pairs whose second square is at these points from the first. */
-  private measure(points: readonly Point[]): number[] {
-    const pair = ([x, y]: Point, k: number): string => {
+  private measure(points: readonly Place[]): number[] {
+    const pair = ([x, y]: Place, k: number): string => {
       const [left, top] = [1 + APART * (k % ACROSS), 1 + APART * Math.floor(k / ACROSS)];
       return `${left / SIDE},${top / SIDE},1;${(left + x) / SIDE},${(top + y) / SIDE},0`;
     };

@@ -1,6 +1,7 @@
 /** The cell that is looked at, magnified, with the force of each neighbour and of the walls, and their sum. */
 import { crowdAt, nearestTo, packedOf } from '../figures/crowds';
 import type { NearCell, PackedCell, Plate, View } from '../figures/figure';
+import type { Vector } from '../figures/place';
 import { number } from '../figures/words';
 import { arrowTo, at, path, svg, text, WIDTH } from './plate';
 
@@ -15,8 +16,6 @@ const LONGEST = 120;
 
 /** A force is drawn if its arrow is longer than a hair. */
 const LEAST = 2;
-
-type Vector = readonly [x: number, y: number];
 
 export function lens(view: View, { packing, title }: Plate): string {
   const trace = view.traces[packing];

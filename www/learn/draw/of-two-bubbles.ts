@@ -4,12 +4,12 @@ import { TWO_BUBBLES } from '../figures/two-bubbles';
 import { MIDDLE } from './bubbles';
 import { force, HEIGHT } from './force';
 import { pavement } from './pavement';
-import { stiffnessOf, toW, WIDTH, X, type Drawings, type Drawn } from './plate';
+import { stiffnessOf, toW, WIDTH, X, type Drawings, type PlateDrawing } from './plate';
 import { track } from './track';
 import { BOTTOM, POLE, valley, Y } from './valley';
 
 /** Plates whose horizontal axis is the distance of a pair. */
-const ofPair = (draw: (view: View, packing: number, title: string) => string, y: (view: View, plate: Plate, key: string) => number): Drawn => ({
+const ofPair = (draw: (view: View, packing: number, title: string) => string, y: (view: View, plate: Plate, key: string) => number): PlateDrawing => ({
   height: HEIGHT,
   draw: (view, { packing, title }) => draw(view, packing, title?.[view.language] ?? ''),
   grip: (view, plate, key, [w = 0]) => {

@@ -4,7 +4,7 @@ import type { Plate, View } from '../figures/figure';
 import { WHICH_WAY } from '../figures/which-way';
 import { SIDE } from './crowd';
 import { dial } from './dial';
-import { WIDTH, type Drawings, type Drawn } from './plate';
+import { WIDTH, type Drawings, type PlateDrawing } from './plate';
 import { HEIGHT, sidesOf, toPicture, toPlate } from './sides';
 import { endsOf, middleOf, strokes } from './strokes';
 import { ARROW, turned } from './turned';
@@ -15,7 +15,7 @@ import { onto } from './ways';
 const MIDDLE = WIDTH / 2;
 
 /** A point among the sides of an outline; below them a tap changes nothing. */
-const ofSides = (draw: Drawn['draw']): Drawn => ({
+const ofSides = (draw: PlateDrawing['draw']): PlateDrawing => ({
   height: HEIGHT,
   draw,
   grip: (_view, _plate, _key, [x = 0, y = 0]) => toPlate([x, y]),
@@ -26,7 +26,7 @@ const ofSides = (draw: Drawn['draw']): Drawn => ({
 const end = ([x, y]: readonly [number, number], degrees: number, far: number): readonly [number, number] => [x + far * Math.cos((degrees * Math.PI) / 180), y + far * Math.sin((degrees * Math.PI) / 180)];
 
 /** The walk's middle has one grip, and its radius another one on the circle. */
-const ofWalk: Drawn = {
+const ofWalk: PlateDrawing = {
   height: SIDE,
   draw: walk,
   grip: ({ at: [x = 0, y = 0, radius = 0] }, _plate, key, numbers) => (key === 'at' ? onto([numbers[0] ?? 0, numbers[1] ?? 0]) : end(onto([x, y]), -45, radius * SIDE)),
@@ -43,7 +43,7 @@ function strokeOf(view: View, { packing }: Plate, key: string): readonly [readon
 
 const PLATE: Plate = { draw: 'strokes', packing: 0 };
 
-const ofStrokes: Drawn = {
+const ofStrokes: PlateDrawing = {
   height: SIDE,
   draw: strokes,
   grip: (view, plate, key, [degrees = 0]) => end(...withDegrees(strokeOf(view, plate, key), degrees)),

@@ -1,6 +1,6 @@
 /** The plates of a figure at a step. The build makes the still picture with it, and the page every later one. */
 import type { Figure, Trace, View } from '../figures/figure';
-import { WIDEST, WIDTH, type CurvePoint, type Drawings, type Drawn } from './plate';
+import { WIDEST, WIDTH, type CurvePoint, type Drawings, type PlateDrawing } from './plate';
 import type { Bubbles } from './studio';
 
 /** A figure with the ways to draw its plates. */
@@ -26,7 +26,7 @@ export function curveOf(module: Bubbles): CurvePoint[] {
   });
 }
 
-function drawnAt({ figure, drawn }: Shown, plate: number): Drawn | undefined {
+function drawnAt({ figure, drawn }: Shown, plate: number): PlateDrawing | undefined {
   const own = figure.plates[plate];
   return own && drawn[own.draw];
 }

@@ -94,7 +94,7 @@ export function axisOfW(y: number, top: number, bottom: number, language: Langua
 }
 
 /** A way to draw a plate. Places on it are in units of its width of 400. */
-export interface Drawn {
+export interface PlateDrawing {
   readonly height: number;
   readonly draw: (view: View, plate: Plate) => string;
   /** The place of a grip: `numbers` are those of its handle, two for a point. */
@@ -106,11 +106,11 @@ export interface Drawn {
 /** The figures of a chapter, and the ways to draw their plates by their words in the figures' data. */
 export interface Drawings {
   readonly figures: readonly Figure[];
-  readonly drawn: Readonly<Partial<Record<Plate['draw'], Drawn>>>;
+  readonly drawn: Readonly<Partial<Record<Plate['draw'], PlateDrawing>>>;
 }
 
 /** A plate that shows the picture as a whole. */
-export const ofPlaces = (draw: Drawn['draw']): Drawn => ({ height: WIDTH, draw, grip: (_view, _plate, _key, [x = 0, y = 0]) => [x * WIDTH, y * WIDTH], numbers: (x, y) => [x / WIDTH, y / WIDTH] });
+export const ofPlaces = (draw: PlateDrawing['draw']): PlateDrawing => ({ height: WIDTH, draw, grip: (_view, _plate, _key, [x = 0, y = 0]) => [x * WIDTH, y * WIDTH], numbers: (x, y) => [x / WIDTH, y / WIDTH] });
 
 export function svg(height: number, said: string, content: string): string {
   return `<svg class="plate" viewBox="0 0 ${WIDTH} ${height}" width="${WIDTH}" height="${height}" role="img" aria-label="${said}">${content}</svg>`;

@@ -1,26 +1,26 @@
 /** Pieces of the glossary's small pictures. Places are units of 120 x 80. */
-import type { Point } from './contours';
+import type { Place } from '../figures/place';
 import { at } from './plate';
 import type { Bubbles, Studio } from './studio';
 
 export type Draw = (module: Bubbles) => string;
 
 export const [WIDTH, HEIGHT] = [120, 80];
-export const MIDDLE: Point = [WIDTH / 2, HEIGHT / 2];
+export const MIDDLE: Place = [WIDTH / 2, HEIGHT / 2];
 
-export const circle = ([x, y]: Point, radius: number, kind = 'bubble'): string => `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius)}"/>`;
+export const circle = ([x, y]: Place, radius: number, kind = 'bubble'): string => `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius)}"/>`;
 /** A circle without its inside. */
-export const ring = ([x, y]: Point, radius: number, kind: string): string => `<path class="${kind}" d="M${at(x - radius)} ${at(y)}a${at(radius)} ${at(radius)} 0 1 0 ${at(2 * radius)} 0a${at(radius)} ${at(radius)} 0 1 0 ${at(-2 * radius)} 0z"/>`;
-export const dot = (place: Point, kind = 'centre', radius = 2.5): string => circle(place, radius, kind);
-export const square = ([x, y]: Point, half: number, kind = 'bubble'): string => `<path class="${kind}" d="M${at(x - half)} ${at(y - half)}h${at(2 * half)}v${at(2 * half)}h${at(-2 * half)}z"/>`;
-export const closed = (points: readonly Point[], kind: string): string => `<path class="${kind}" d="M${points.map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}z"/>`;
+export const ring = ([x, y]: Place, radius: number, kind: string): string => `<path class="${kind}" d="M${at(x - radius)} ${at(y)}a${at(radius)} ${at(radius)} 0 1 0 ${at(2 * radius)} 0a${at(radius)} ${at(radius)} 0 1 0 ${at(-2 * radius)} 0z"/>`;
+export const dot = (place: Place, kind = 'centre', radius = 2.5): string => circle(place, radius, kind);
+export const square = ([x, y]: Place, half: number, kind = 'bubble'): string => `<path class="${kind}" d="M${at(x - half)} ${at(y - half)}h${at(2 * half)}v${at(2 * half)}h${at(-2 * half)}z"/>`;
+export const closed = (points: readonly Place[], kind: string): string => `<path class="${kind}" d="M${points.map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}z"/>`;
 
 /** The square's middle band fills a picture: a place in units for one in shares, and back. */
-export const placed = ([x, y]: Point): Point => [x * WIDTH, y * WIDTH - (WIDTH - HEIGHT) / 2];
-export const shared = ([x, y]: Point): Point => [x / WIDTH, (y + (WIDTH - HEIGHT) / 2) / WIDTH];
+export const placed = ([x, y]: Place): Place => [x * WIDTH, y * WIDTH - (WIDTH - HEIGHT) / 2];
+export const shared = ([x, y]: Place): Place => [x / WIDTH, (y + (WIDTH - HEIGHT) / 2) / WIDTH];
 
 /** Points as words of a recipe. */
-export const listed = (points: readonly Point[]): string[] => points.map((place) => shared(place).map((part) => part.toFixed(4)).join(','));
+export const listed = (points: readonly Place[]): string[] => points.map((place) => shared(place).map((part) => part.toFixed(4)).join(','));
 
 /** A recipe when its fields are there. */
 function opened(module: Bubbles, recipe: string): Studio {

@@ -1,6 +1,7 @@
 /** The small pictures of the terms of crowds, squares and populations, by the module's numbers. Places are units of 120 x 80. */
 import type { Landscape } from '../figures/figure';
-import { inside, regions, simplified, type Point } from './contours';
+import type { Place } from '../figures/place';
+import { inside, regions, simplified } from './contours';
 import { FINE, HALF } from './ground';
 import { Survey } from './landscape';
 import { arrowTo, at, line, path } from './plate';
@@ -13,11 +14,11 @@ const ROW = 11;
 /** The papers' weight and radius of the corner bubbles. */
 const PAPERS = String(Math.SQRT2 - 1);
 
-const plus = ([x, y]: Point, arm: number): string => `<path class="sign comes" d="M${at(x - arm)} ${at(y)}h${2 * arm}M${at(x)} ${at(y - arm)}v${2 * arm}"/>`;
-const cross = ([x, y]: Point, arm: number): string => `<path class="sign goes" d="M${at(x - arm)} ${at(y - arm)}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}"/>`;
+const plus = ([x, y]: Place, arm: number): string => `<path class="sign comes" d="M${at(x - arm)} ${at(y)}h${2 * arm}M${at(x)} ${at(y - arm)}v${2 * arm}"/>`;
+const cross = ([x, y]: Place, arm: number): string => `<path class="sign goes" d="M${at(x - arm)} ${at(y - arm)}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}"/>`;
 
 /** Six places around the middle, at a distance. */
-const around = (far: number): Point[] => Array.from({ length: 6 }, (_, k) => [MIDDLE[0] + far * Math.cos((k * Math.PI) / 3), MIDDLE[1] + far * Math.sin((k * Math.PI) / 3)]);
+const around = (far: number): Place[] => Array.from({ length: 6 }, (_, k) => [MIDDLE[0] + far * Math.cos((k * Math.PI) / 3), MIDDLE[1] + far * Math.sin((k * Math.PI) / 3)]);
 
 const CROWD = 'outline=square&size=256&kind=circle&cs=40&seed=3&damp=1';
 
@@ -25,13 +26,13 @@ const CROWD = 'outline=square&size=256&kind=circle&cs=40&seed=3&damp=1';
 const start: Draw = (module) =>
   asked(module, `${CROWD}&start=random&count=12&pop=off`, 1, (studio) => {
     const [cells, scale] = [studio.packedCells(), HEIGHT / studio.side()];
-    const places = Array.from({ length: cells.length / ROW }, (_, k): Point => [20 + (cells[k * ROW + 1] ?? 0) * scale, (cells[k * ROW + 2] ?? 0) * scale]);
+    const places = Array.from({ length: cells.length / ROW }, (_, k): Place => [20 + (cells[k * ROW + 1] ?? 0) * scale, (cells[k * ROW + 2] ?? 0) * scale]);
     return places.map((place) => `${circle(place, 20 * scale)}${dot(place, 'centre', 1.5)}`).join('');
   }).join('');
 
 /** A number of each step, from the left to the right, from `low` to `high`. */
-const overSteps = (recipe: string, steps: number, [low, high]: Point, of: (studio: Studio) => number): Draw => (module) => {
-  const points = asked(module, recipe, steps, of).map((value, step): Point => [8 + (step * (WIDTH - 16)) / (steps - 1), HEIGHT - 12 - ((HEIGHT - 22) * (value - low)) / (high - low)]);
+const overSteps = (recipe: string, steps: number, [low, high]: Place, of: (studio: Studio) => number): Draw => (module) => {
+  const points = asked(module, recipe, steps, of).map((value, step): Place => [8 + (step * (WIDTH - 16)) / (steps - 1), HEIGHT - 12 - ((HEIGHT - 22) * (value - low)) / (high - low)]);
   return `${line([8, HEIGHT - 10], [WIDTH - 6, HEIGHT - 10], 'axis')}${path(points, 'curve')}`;
 };
 
@@ -44,7 +45,7 @@ const netForce: Draw = (module) => {
   const recipe = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&given=0.5,0.5,0;0.66,0.45,1;0.42,0.31,1';
   return asked(module, recipe, 1, (studio) => {
     const [cells, scale, longest] = [studio.packedCells(), 0.5, 90];
-    const places = [0, 1, 2].map((k): Point => [MIDDLE[0] + ((cells[k * ROW + 1] ?? 0) - 128) * scale, MIDDLE[1] + 4 + ((cells[k * ROW + 2] ?? 0) - 128) * scale]);
+    const places = [0, 1, 2].map((k): Place => [MIDDLE[0] + ((cells[k * ROW + 1] ?? 0) - 128) * scale, MIDDLE[1] + 4 + ((cells[k * ROW + 2] ?? 0) - 128) * scale]);
     const [own = MIDDLE] = places;
     const near = studio.neighbours(cells[0] ?? 0);
     const arrows = [2, 6].map((k) => arrowTo(own, [(near[k] ?? 0) * longest, (near[k + 1] ?? 0) * longest], (near[k - 1] ?? 0) < 1 ? 'push' : 'pull'));
@@ -57,7 +58,7 @@ const netForce: Draw = (module) => {
 const valleys: Draw = ({ bubbleCurve }) => {
   const psi = (w: number): number => bubbleCurve(w)[1] ?? 0;
   const energy = (x: number): number => psi(x) + psi(2.75 - x) + psi(Math.hypot(x - 1.75, 1));
-  const place = (x: number): Point => [8 + (x - 0.7) * 80, 22 - energy(x) * 480];
+  const place = (x: number): Place => [8 + (x - 0.7) * 80, 22 - energy(x) * 480];
   const points = Array.from({ length: 68 }, (_, k) => place(0.73 + k * 0.02)).filter(([, y]) => y > 4);
   const [x, y] = place(1.05);
   return `${path(points, 'curve')}${dot([x, y - 4], 'here', 4)}`;
@@ -92,12 +93,12 @@ const contours: Draw = (module) => {
   if (!landscape) return '';
   const scale = 22 / FINE;
   const lines = regions((column, row) => landscape.at(column, row), [-HALF, HALF], [-0.07, -0.06, -0.045, -0.03, -0.015]).flat();
-  const drawn = lines.flatMap((border) => inside(border, [-HALF, HALF])).map((border) => path(simplified(border, 0.2).map(([x, y]): Point => [MIDDLE[0] + x * scale, MIDDLE[1] + y * scale]), 'level-line'));
+  const drawn = lines.flatMap((border) => inside(border, [-HALF, HALF])).map((border) => path(simplified(border, 0.2).map(([x, y]): Place => [MIDDLE[0] + x * scale, MIDDLE[1] + y * scale]), 'level-line'));
   return `${square(MIDDLE, 11)}${drawn.join('')}`;
 };
 
 /** The height at a place in stable distances, between the points of the grid. */
-function heightAt(landscape: Landscape, [x, y]: Point): number {
+function heightAt(landscape: Landscape, [x, y]: Place): number {
   const [column, row] = [Math.floor(x * FINE), Math.floor(y * FINE)];
   const [right, down] = [x * FINE - column, y * FINE - row];
   const along = (at: number): number => landscape.at(column, at) * (1 - right) + landscape.at(column + 1, at) * right;
@@ -105,12 +106,12 @@ function heightAt(landscape: Landscape, [x, y]: Point): number {
 }
 
 /** The heights on a walk, drawn from the left to the right. */
-const section = (landscape: Landscape, walk: readonly Point[]): Point[] =>
-  walk.map((place, k): Point => [8 + (k * (WIDTH - 16)) / (walk.length - 1), 14 - heightAt(landscape, place) * 720]).filter(([, y]) => y > 3);
+const section = (landscape: Landscape, walk: readonly Place[]): Place[] =>
+  walk.map((place, k): Place => [8 + (k * (WIDTH - 16)) / (walk.length - 1), 14 - heightAt(landscape, place) * 720]).filter(([, y]) => y > 3);
 
 /** Walks: outwards through the middle of an edge, and from that well over the pass to the next one and on. */
-const OUT = Array.from({ length: 80 }, (_, k): Point => [0.8 + k * 0.014, 0]);
-const ROUND = Array.from({ length: 121 }, (_, k): Point => {
+const OUT = Array.from({ length: 80 }, (_, k): Place => [0.8 + k * 0.014, 0]);
+const ROUND = Array.from({ length: 121 }, (_, k): Place => {
   const turn = (k - 10) / 100 * (Math.PI / 2);
   const far = 1 + 0.226 * Math.sin(2 * turn) ** 2;
   return [Math.abs(far * Math.cos(turn)), Math.abs(far * Math.sin(turn))];
@@ -119,7 +120,7 @@ const ROUND = Array.from({ length: 121 }, (_, k): Point => {
 const SEA = line([8, 14], [WIDTH - 6, 14], 'axis');
 
 /** The heights on a walk with each of these weights; the last one is drawn strongest. */
-const heights = (walk: readonly Point[], weights: readonly string[], over = ''): Draw => (module) => {
+const heights = (walk: readonly Place[], weights: readonly string[], over = ''): Draw => (module) => {
   const all = weights.map((weight) => landscapeOf(module, weight));
   return `${SEA}${all.map((one, k) => (one ? path(section(one, walk), k === all.length - 1 ? 'curve' : 'guide') : '')).join('')}${over}`;
 };
@@ -127,13 +128,13 @@ const heights = (walk: readonly Point[], weights: readonly string[], over = ''):
 const crowded: Draw = () => `${circle([48, 40], 22, 'bubble crowded')}${circle([72, 40], 22, 'bubble')}${dot([48, 40])}${dot([72, 40])}${cross([48, 40], 6)}`;
 const empty: Draw = () => `${around(24).map((place) => circle(place, 12)).join('')}${circle(MIDDLE, 12, 'empty')}${plus(MIDDLE, 5)}`;
 const nearest: Draw = () => {
-  const others: Point[] = [[30, 22], [88, 24], [82, 66]];
+  const others: Place[] = [[30, 22], [88, 24], [82, 66]];
   return `${others.map((place) => circle(place, 13)).join('')}${circle(MIDDLE, 13, 'bubble own')}${others.map((place) => line(MIDDLE, place, 'link')).join('')}${line(MIDDLE, others[0] ?? MIDDLE, 'measure')}${dot(MIDDLE)}`;
 };
 const threshold: Draw = () => `${line([8, 52], [112, 52], 'axis')}${line([50, 20], [50, 62], 'measure')}${[20, 36, 64, 76, 84, 96].map((x) => dot([x, 52], x < 50 ? 'bubble crowded' : 'bubble', 5)).join('')}`;
 
 /** A square cut into four, and so on where an arc crosses it. */
-function quarters([x, y]: Point, side: number, depth: number): string {
+function quarters([x, y]: Place, side: number, depth: number): string {
   const far = [0, side].flatMap((i) => [0, side].map((j) => Math.hypot(x + i - 22, y + j - 78)));
   if (depth === 0 || Math.min(...far) > 50 || Math.max(...far) < 50) return square([x + side / 2, y + side / 2], side / 2, 'cell');
   const half = side / 2;

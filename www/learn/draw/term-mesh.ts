@@ -1,17 +1,17 @@
 /** The small pictures of the terms of meshes, by the module's triangles and cells. Places are units of 120 x 80. */
-import type { Point } from './contours';
+import type { Place } from '../figures/place';
 import { at, line } from './plate';
 import { asked, circle, closed, dot, HEIGHT, listed, MIDDLE, placed, ring, WIDTH, type Draw } from './small';
 import type { Bubbles, Studio } from './studio';
 
 /** A recipe with points of a picture as its cells. */
-const given = (points: readonly Point[]): string => `outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&given=${listed(points).map((place) => `${place},0`).join(';')}`;
+const given = (points: readonly Place[]): string => `outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&given=${listed(points).map((place) => `${place},0`).join(';')}`;
 
 /** Points, triangles with their angles and circles, and cells, of a recipe. */
 interface Joined {
-  readonly points: ReadonlyMap<number, Point>;
-  readonly triangles: readonly { readonly corners: readonly Point[]; readonly angles: readonly number[]; readonly centre: Point; readonly radius: number }[];
-  readonly cells: ReadonlyMap<number, readonly Point[]>;
+  readonly points: ReadonlyMap<number, Place>;
+  readonly triangles: readonly { readonly corners: readonly Place[]; readonly angles: readonly number[]; readonly centre: Place; readonly radius: number }[];
+  readonly cells: ReadonlyMap<number, readonly Place[]>;
   readonly angles: Float64Array;
 }
 
@@ -28,7 +28,7 @@ function joinedOf(module: Bubbles, recipe: string): Joined {
 
 function read(studio: Studio): Joined {
   const side = studio.side();
-  const place = (x = 0, y = 0): Point => placed([x / side, y / side]);
+  const place = (x = 0, y = 0): Place => placed([x / side, y / side]);
   const points = new Map(rowsOf(studio.joined('points'), 3).map(([id = 0, x, y]) => [id, place(x, y)]));
   const triangles = rowsOf(studio.joined('triangles'), 10).map(([a = 0, b = 0, c = 0, alpha = 0, beta = 0, gamma = 0, , x, y, radius = 0]) => ({
     corners: [a, b, c].map((id) => points.get(id) ?? MIDDLE),
@@ -39,8 +39,8 @@ function read(studio: Studio): Joined {
   return { points, triangles, cells: cellsIn(studio.joined('cells'), place), angles: studio.joined('angles') };
 }
 
-function cellsIn(numbers: Float64Array, place: (x?: number, y?: number) => Point): Map<number, Point[]> {
-  const cells = new Map<number, Point[]>();
+function cellsIn(numbers: Float64Array, place: (x?: number, y?: number) => Place): Map<number, Place[]> {
+  const cells = new Map<number, Place[]>();
   for (let k = 0; k < numbers.length; ) {
     const [id = 0, count = 0] = [numbers[k], numbers[k + 1]];
     cells.set(id, Array.from({ length: count }, (_, corner) => place(numbers[k + 2 + 2 * corner], numbers[k + 3 + 2 * corner])));
@@ -50,7 +50,7 @@ function cellsIn(numbers: Float64Array, place: (x?: number, y?: number) => Point
 }
 
 /** A point in the middle, six around it, and more at the sides. */
-const POINTS: readonly Point[] = [[60, 42], [83, 40], [73, 61], [48, 62], [37, 41], [49, 21], [72, 21], [104, 24], [105, 58], [14, 56], [15, 25], [94, 5], [27, 5], [60, 3], [94, 77], [25, 77], [61, 79]];
+const POINTS: readonly Place[] = [[60, 42], [83, 40], [73, 61], [48, 62], [37, 41], [49, 21], [72, 21], [104, 24], [105, 58], [14, 56], [15, 25], [94, 5], [27, 5], [60, 3], [94, 77], [25, 77], [61, 79]];
 
 const edges = ({ triangles }: Joined, kind: string): string => triangles.map(({ corners }) => closed(corners, kind)).join('');
 const dots = ({ points }: Joined): string => [...points.values()].map((place) => dot(place, 'centre', 2)).join('');
@@ -94,8 +94,8 @@ const smallest: Draw = (module) => {
   if (!triangle) return '';
   const { corners, angles } = triangle;
   const least = angles.indexOf(Math.min(...angles));
-  const [tip, a, b] = [0, 1, 2].map((k) => corners[(least + k) % 3] ?? MIDDLE) as [Point, Point, Point];
-  const toward = ([x, y]: Point): Point => {
+  const [tip, a, b] = [0, 1, 2].map((k) => corners[(least + k) % 3] ?? MIDDLE) as [Place, Place, Place];
+  const toward = ([x, y]: Place): Place => {
     const far = Math.hypot(x - tip[0], y - tip[1]) / 26;
     return [tip[0] + (x - tip[0]) / far, tip[1] + (y - tip[1]) / far];
   };

@@ -1,5 +1,5 @@
 /** The small pictures of the terms of directions, by the module's sums. Places are units of 120 x 80. */
-import type { Point } from './contours';
+import type { Place } from '../figures/place';
 import { arrowTo, line, path } from './plate';
 import { ask, closed, dot, listed, MIDDLE, placed, ring, shared, type Draw } from './small';
 import type { Studio } from './studio';
@@ -7,17 +7,17 @@ import type { Studio } from './studio';
 const CELLS = 'size=256&kind=square&cs=32&edge=open&pop=off';
 
 /** An outline of corners of the picture. */
-const within = (corners: readonly Point[]): string => `outline=polygon&poly=${listed(corners).join(',')}&${CELLS}`;
+const within = (corners: readonly Place[]): string => `outline=polygon&poly=${listed(corners).join(',')}&${CELLS}`;
 
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
-const from = ([x, y]: Point, far: number, degrees: number): Point => [x + far * Math.cos(radians(degrees)), y + far * Math.sin(radians(degrees))];
-const around = (count: number, far: number): Point[] => Array.from({ length: count }, (_, k) => from(MIDDLE, far, (360 * k) / count));
+const from = ([x, y]: Place, far: number, degrees: number): Place => [x + far * Math.cos(radians(degrees)), y + far * Math.sin(radians(degrees))];
+const around = (count: number, far: number): Place[] => Array.from({ length: count }, (_, k) => from(MIDDLE, far, (360 * k) / count));
 
-const crossed = (place: Point, arm: number, degrees: number, kind = 'cell'): string => [0, 90].map((quarter) => line(from(place, arm, degrees + quarter), from(place, -arm, degrees + quarter), kind)).join('');
-const tilted = (place: Point, half: number, degrees: number): string => closed([45, 135, 225, 315].map((corner) => from(place, half * Math.SQRT2, degrees + corner)), 'bubble');
+const crossed = (place: Place, arm: number, degrees: number, kind = 'cell'): string => [0, 90].map((quarter) => line(from(place, arm, degrees + quarter), from(place, -arm, degrees + quarter), kind)).join('');
+const tilted = (place: Place, half: number, degrees: number): string => closed([45, 135, 225, 315].map((corner) => from(place, half * Math.SQRT2, degrees + corner)), 'bubble');
 
 /** The direction at a place of the picture, as an angle. */
-function directionAt(studio: Studio, place: Point): number {
+function directionAt(studio: Studio, place: Place): number {
   const [x, y] = shared(place);
   const [along = 1, across = 0] = studio.directionAt(x * studio.side(), y * studio.side());
   return (Math.atan2(across, along) * 180) / Math.PI;
@@ -25,16 +25,16 @@ function directionAt(studio: Studio, place: Point): number {
 
 /** A square with its arrow, and the arrow at four times the angle. */
 const fourFold: Draw = () => {
-  const [left, right, angle]: [Point, Point, number] = [[36, 44], [80, 58], -20];
-  const arrow = (place: Point, far: number, degrees: number): string => arrowTo(place, from([0, 0], far, degrees), 'sum');
-  const base = (place: Point, far: number): string => line(place, from(place, far, 0), 'guide');
-  const swept = (place: Point, radius: number, degrees: number): string => path(Array.from({ length: 13 }, (_, k) => from(place, radius, (degrees * k) / 12)), 'now');
+  const [left, right, angle]: [Place, Place, number] = [[36, 44], [80, 58], -20];
+  const arrow = (place: Place, far: number, degrees: number): string => arrowTo(place, from([0, 0], far, degrees), 'sum');
+  const base = (place: Place, far: number): string => line(place, from(place, far, 0), 'guide');
+  const swept = (place: Place, radius: number, degrees: number): string => path(Array.from({ length: 13 }, (_, k) => from(place, radius, (degrees * k) / 12)), 'now');
   return `${tilted(left, 17, angle)}${base(left, 34)}${swept(left, 27, angle)}${arrow(left, 34, angle)}${base(right, 34)}${swept(right, 16, 4 * angle)}${arrow(right, 42, 4 * angle)}`;
 };
 
 /** A winding road: its middle line, and its width to both sides. */
-const bend = (x: number, off: number): Point => [x, 40 + 14 * Math.sin((x - 4) / 18) + off];
-const ROAD: readonly Point[] = [...Array.from({ length: 24 }, (_, k) => bend(3 + k * 5, -22)), ...Array.from({ length: 24 }, (_, k) => bend(118 - k * 5, 22))];
+const bend = (x: number, off: number): Place => [x, 40 + 14 * Math.sin((x - 4) / 18) + off];
+const ROAD: readonly Place[] = [...Array.from({ length: 24 }, (_, k) => bend(3 + k * 5, -22)), ...Array.from({ length: 24 }, (_, k) => bend(118 - k * 5, 22))];
 
 const field: Draw = (module) =>
   ask(module, within(ROAD), (studio) => {
@@ -43,7 +43,7 @@ const field: Draw = (module) =>
   });
 
 /** A quadrilateral whose sides do not agree. */
-const SIDES: readonly Point[] = [[20, 14], [104, 8], [96, 70], [28, 62]];
+const SIDES: readonly Place[] = [[20, 14], [104, 8], [96, 70], [28, 62]];
 
 const segment: Draw = () =>
   SIDES.map(([x, y], k) => {
@@ -59,8 +59,8 @@ const certainty: Draw = (module) =>
   ask(module, within([[108, 70], [14, 70], [60, 4]]), (studio) => {
     const [x, y] = shared([68, 55]);
     const numbers = studio.segmentTerms(x * studio.side(), y * studio.side()).subarray(3);
-    const terms = Array.from({ length: numbers.length / 9 }, (_, k): Point => [(numbers[9 * k + 7] ?? 0) * SCALE, (numbers[9 * k + 8] ?? 0) * SCALE]);
-    const start: Point = [10, 58];
+    const terms = Array.from({ length: numbers.length / 9 }, (_, k): Place => [(numbers[9 * k + 7] ?? 0) * SCALE, (numbers[9 * k + 8] ?? 0) * SCALE]);
+    const start: Place = [10, 58];
     let end = start;
     const chain = terms.map((term) => {
       const piece = arrowTo(end, term, 'wall');
@@ -73,20 +73,20 @@ const certainty: Draw = (module) =>
 const DISC = within(around(48, 39));
 
 /** Three bent sides with square corners. */
-const BULGED: readonly Point[] = [0, 120, 240].flatMap((corner) => {
+const BULGED: readonly Place[] = [0, 120, 240].flatMap((corner) => {
   const [centre, radius] = [from(MIDDLE, 103.8, corner + 240), 127.1];
   return Array.from({ length: 9 }, (_, k) => from(centre, radius, corner + 45 + (30 * k) / 9));
 });
 
 /** How far it is to the outline. */
-function marginAt(studio: Studio, place: Point): number {
+function marginAt(studio: Studio, place: Place): number {
   const [x, y] = shared(place);
   const numbers = studio.segmentTerms(x * studio.side(), y * studio.side());
   return numbers.reduce((least, number, k) => (k % 9 === 7 ? Math.min(least, number) : least), studio.side());
 }
 
 /** A line that follows the cross from a place to the outline, beginning in the direction nearest to `heading`. */
-function followed(studio: Studio, place: Point, heading: number): Point[] {
+function followed(studio: Studio, place: Place, heading: number): Place[] {
   const points = [place];
   let [end, way] = [place, heading];
   while (points.length < 60 && marginAt(studio, end) > 4) {
@@ -120,11 +120,11 @@ const index: Draw = (module) =>
     return `${ring(MIDDLE, 39, 'outline')}${ring(MIDDLE, 26, 'guide')}${crosses.join('')}`;
   });
 
-const STROKE: readonly Point[] = Array.from({ length: 12 }, (_, k): Point => [7 + k * 9.6, 52 - 26 * Math.sin(k / 3.8)]);
+const STROKE: readonly Place[] = Array.from({ length: 12 }, (_, k): Place => [7 + k * 9.6, 52 - 26 * Math.sin(k / 3.8)]);
 
 const stroke: Draw = (module) =>
   ask(module, `outline=square&${CELLS}&dir=strokes&reach=1&strokes=${listed(STROKE).join(',')}`, (studio) => {
-    const places = STROKE.flatMap(([x, y], k) => (k % 2 && k < 11 ? [[x, y - 14], [x, y + 14]] : []) as Point[]);
+    const places = STROKE.flatMap(([x, y], k) => (k % 2 && k < 11 ? [[x, y - 14], [x, y + 14]] : []) as Place[]);
     return `${places.map((place) => tilted(place, 6.5, directionAt(studio, place))).join('')}${path(STROKE, 'outline')}`;
   });
 

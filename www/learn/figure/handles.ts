@@ -1,11 +1,10 @@
 /** The handles of a figure: a slider with a number box, buttons of a choice, points with two number boxes, and grips on plates. */
 import { fixed, nameOf, pointName, rowsFor, shownOf } from '../draw/tools';
 import type { Figure, Handle, Language, NumberHandle, PointHandle } from '../figures/figure';
+import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { Grips } from './grips';
 import { afterKey, pointAfterKey, within } from './strides';
-
-type Pair = readonly [number, number];
 
 /** Parts of the figure that handles use. */
 export interface Handled {
@@ -16,11 +15,11 @@ export interface Handled {
   /** Sets it; `isOver` is false while a drag goes on. */
   change(key: string, text: string, isOver: boolean): void;
   /** The points of a handle as they stand, in shares of the picture's side. */
-  points(handle: PointHandle): readonly Pair[];
-  move(handle: PointHandle, row: number, to: Pair, isOver: boolean): void;
+  points(handle: PointHandle): readonly Place[];
+  move(handle: PointHandle, row: number, to: Place, isOver: boolean): void;
   /** The place of a grip, in shares of its plate, and the numbers of a handle there. */
-  gripAt(plate: number, key: string, numbers: readonly number[]): Pair;
-  numbersAt(plate: number, key: string, place: Pair): readonly number[];
+  gripAt(plate: number, key: string, numbers: readonly number[]): Place;
+  numbersAt(plate: number, key: string, place: Place): readonly number[];
 }
 
 export class Handles {
@@ -135,12 +134,12 @@ export class Handles {
     this.show();
   }
 
-  private shown(handle: PointHandle, row: number): Pair {
+  private shown(handle: PointHandle, row: number): Place {
     return shownOf(handle, this.of.points(handle)[row] ?? handle.origin);
   }
 
   /** Moves a point to coordinates as they are shown. */
-  private put(handle: PointHandle, row: number, [x, y]: Pair, isOver: boolean): void {
+  private put(handle: PointHandle, row: number, [x, y]: Place, isOver: boolean): void {
     const { origin, scale, from, to, area = [from, from, to, to] } = handle;
     const limited = (value: number, axis: 0 | 1): number => within({ ...handle, from: area[axis], to: area[axis + 2] ?? to }, value);
     this.of.move(handle, row, [origin[0] + scale * limited(x, 0), origin[1] + scale * limited(y, 1)], isOver);

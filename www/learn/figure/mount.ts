@@ -20,7 +20,7 @@ import './ways.css';
 const NEAR = '50%';
 const FAR = '200%';
 
-class Place {
+class PlacedFigure {
   private readonly element: HTMLElement;
   private readonly name: string;
   private readonly page: Page;
@@ -105,14 +105,14 @@ class Place {
 class Page {
   readonly language: Language;
   readonly turns = new Turns();
-  private readonly places: Place[];
+  private readonly places: PlacedFigure[];
   private readonly link: Link;
   private loading: Promise<Bubbles | undefined> | undefined;
 
   constructor(root: ParentNode, language: Language) {
     this.language = language;
     this.link = new Link((fragment) => this.open(fragment));
-    this.places = [...root.querySelectorAll<HTMLElement>('figure[data-figure]')].map((element) => new Place(element, this));
+    this.places = [...root.querySelectorAll<HTMLElement>('figure[data-figure]')].map((element) => new PlacedFigure(element, this));
     this.open(location.hash.slice(1));
   }
 

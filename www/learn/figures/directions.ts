@@ -1,25 +1,25 @@
 /** Directions in the fields of a recipe, as the engine gives them. Places are in shares of the picture's side, y down. */
-type Pair = readonly [x: number, y: number];
+import type { Place, Vector } from './place';
 
 /** The direction of squares at a place: along one of their sides, and how certain it is, from 0 to 1. */
 export interface Direction {
-  readonly place: Pair;
-  readonly along: Pair;
+  readonly place: Place;
+  readonly along: Vector;
   readonly certainty: number;
 }
 
 /** A segment of the outline and its terms at a place, in shares of the lengths of all terms: as printed, and at four times the angle. */
 export interface SegmentTerm {
-  readonly from: Pair;
-  readonly to: Pair;
-  readonly printed: Pair;
-  readonly turned: Pair;
+  readonly from: Place;
+  readonly to: Place;
+  readonly printed: Vector;
+  readonly turned: Vector;
 }
 
 /** The terms of all segments at a place. The lengths of sums are shares of the lengths of their terms. */
 export interface SegmentTerms {
   readonly list: readonly SegmentTerm[];
-  readonly printed: Pair;
+  readonly printed: Vector;
   /** The length of the printed sum. */
   readonly share: number;
 }
@@ -31,7 +31,7 @@ export interface Turned extends Direction {
 
 /** A place without a direction, and the quarter turns around it. */
 export interface Singular {
-  readonly place: Pair;
+  readonly place: Place;
   readonly quarters: number;
 }
 
@@ -53,7 +53,7 @@ const STRIDE = 360 / STEPS;
 const [COS, SIN] = [0.9998476951563913, 0.01745240643728351];
 
 /** The unit vector at a whole number of degrees, clockwise on screen, by products alone: all machines have the same bits. */
-export function unitAt(degrees: number): Pair {
+export function unitAt(degrees: number): Vector {
   const quarters = Math.floor(degrees / 90);
   let [x, y] = [1, 0];
   for (let k = 90 * quarters; k < degrees; k++) [x, y] = [x * COS - y * SIN, x * SIN + y * COS];
@@ -62,7 +62,7 @@ export function unitAt(degrees: number): Pair {
 }
 
 /** The places of a walk, without the first one again at its end. */
-export function placesOn([x = 0, y = 0, radius = 0]: readonly number[]): Pair[] {
+export function placesOn([x = 0, y = 0, radius = 0]: readonly number[]): Place[] {
   return Array.from({ length: STEPS }, (_, k) => {
     const [across, down] = unitAt(k * STRIDE);
     return [x + radius * across, y + radius * down];

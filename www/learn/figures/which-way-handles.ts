@@ -1,13 +1,12 @@
 /** The handles of chapter 5, and the recipes of its figures. Angles are clockwise on screen. */
 import { degreesOf, unitAt } from './directions';
 import type { ChoiceHandle, Listed, NumberHandle, PointHandle } from './figure';
-
-type Pair = readonly [x: number, y: number];
+import type { Place } from './place';
 
 const NONE = { en: '', ja: '' };
 const DEGREES = { en: '°', ja: '°' };
 
-const listed = (points: readonly Pair[]): string => points.map((point) => point.map((value) => Number(value.toFixed(9))).join(',')).join(',');
+const listed = (points: readonly Place[]): string => points.map((point) => point.map((value) => Number(value.toFixed(9))).join(',')).join(',');
 
 export const ANGLE: NumberHandle = {
   kind: 'number', key: 'angle', symbol: '', name: { en: 'Angle', ja: '角度' }, unit: DEGREES,
@@ -16,10 +15,10 @@ export const ANGLE: NumberHandle = {
 
 /** A road, five times as long as wide. */
 const [ENDS, WALLS] = [[0.05, 0.95], [0.41, 0.59]] as const;
-const RIGHT_CORNERS: readonly Pair[] = [[ENDS[1], WALLS[1]], [ENDS[0], WALLS[1]]];
+const RIGHT_CORNERS: readonly Place[] = [[ENDS[1], WALLS[1]], [ENDS[0], WALLS[1]]];
 
 /** The road with its upper side cut into pieces of one length. */
-export const roadOf = (pieces: number): string => listed([...Array.from({ length: pieces + 1 }, (_, k): Pair => [ENDS[0] + ((ENDS[1] - ENDS[0]) * k) / pieces, WALLS[0]]), ...RIGHT_CORNERS]);
+export const roadOf = (pieces: number): string => listed([...Array.from({ length: pieces + 1 }, (_, k): Place => [ENDS[0] + ((ENDS[1] - ENDS[0]) * k) / pieces, WALLS[0]]), ...RIGHT_CORNERS]);
 
 /** The upper side has all points of the road but two. */
 const CUT: Listed = { list: 'poly', read: (points) => points.length - 3, write: (pieces) => ({ poly: roadOf(Math.round(pieces)) }) };
@@ -43,7 +42,7 @@ export const IN_ROAD: PointHandle = {
 const [CORNERS, RADIUS, FIRST] = [72, 0.44, 2];
 
 function roundOf(height: number): string {
-  return listed(Array.from({ length: CORNERS }, (_, k) => unitAt(FIRST + (360 / CORNERS) * k)).map(([x, y]): Pair => [0.5 + RADIUS * x, 0.5 + height * RADIUS * y]));
+  return listed(Array.from({ length: CORNERS }, (_, k) => unitAt(FIRST + (360 / CORNERS) * k)).map(([x, y]): Place => [0.5 + RADIUS * x, 0.5 + height * RADIUS * y]));
 }
 
 export const ROUND = roundOf(1);
@@ -83,19 +82,19 @@ export const WALK_RADIUS: NumberHandle = {
 };
 
 /** The middles of both strokes, and half of their length. */
-const MIDDLES: readonly Pair[] = [[0.3, 0.7], [0.7, 0.3]];
+const MIDDLES: readonly Place[] = [[0.3, 0.7], [0.7, 0.3]];
 const HALF = 0.06;
 
-function strokeAt(middle: Pair, degrees: number): readonly Pair[] {
+function strokeAt(middle: Place, degrees: number): readonly Place[] {
   const [x, y] = unitAt(Math.round(degrees));
-  return [-HALF, HALF].map((far): Pair => [middle[0] + far * x, middle[1] + far * y]);
+  return [-HALF, HALF].map((far): Place => [middle[0] + far * x, middle[1] + far * y]);
 }
 
 /** The words of two strokes at these angles. */
 export const strokesAt = (...angles: readonly number[]): string => MIDDLES.map((middle, k) => listed(strokeAt(middle, angles[k] ?? 0))).join(';');
 
 /** The angle of a stroke by its ends: a line has no sense. */
-export function angleIn(points: readonly Pair[], stroke: number): number {
+export function angleIn(points: readonly Place[], stroke: number): number {
   const [[ax, ay], [bx, by]] = [points[2 * stroke] ?? [0, 0], points[2 * stroke + 1] ?? [1, 0]];
   return (Math.round(degreesOf([bx - ax, by - ay])) + 360) % 180;
 }

@@ -8,13 +8,10 @@ import type { Notice } from '../../module/types';
 import type { Engine } from '../../state/engine';
 import { FrameMaker, type Made } from './maker';
 import { sortOf } from './sort';
-import type { Beat, FrameSource, Heard, Painter, Told, Wished } from './source';
+import type { Beat, FramePlace, FrameSource, Heard, Painter, BodyInfo, Wished } from './source';
 
 /** The answer if there is nothing to see yet. */
 const NOT_YET: Notice = { code: 'not_yet', args: {}, text: '' };
-
-/** A place in a frame, in fractions of its sides. */
-type Part = readonly [u: number, v: number];
 
 /** The source of the frames' content. */
 interface FrameContent {
@@ -55,25 +52,25 @@ export class LocalFrames implements FrameSource, Painter {
     return true;
   }
 
-  bodyAt(x: number, y: number): Promise<Told | undefined> {
+  bodyAt(x: number, y: number): Promise<BodyInfo | undefined> {
     const { sides } = this.maker;
     const body = sides && this.ask((studio) => studio.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1])));
     return Promise.resolve(body && { id: body.id, figures: body.figures, words: body.words, steps: this.ask((studio) => studio.making(body.id)) ?? [] });
   }
 
-  bodyOf(id: number): Promise<Told | undefined> {
+  bodyOf(id: number): Promise<BodyInfo | undefined> {
     return Promise.resolve({ id, figures: {}, words: {}, steps: this.ask((studio) => studio.making(id)) ?? [] });
   }
 
   /** The place on the model at a place of the last frame, in fractions of its sides; undefined beside the model. */
-  placeAt([u, v]: Part): [x: number, y: number, z: number] | undefined {
+  placeAt([u, v]: FramePlace): [x: number, y: number, z: number] | undefined {
     const { sides } = this.maker;
     const place = sides && this.ask((studio) => studio.placeAt(Math.floor(u * sides[0]), Math.floor(v * sides[1])));
     return place && [place[0] ?? 0, place[1] ?? 0, place[2] ?? 0];
   }
 
   /** The place in that frame of a place on the model; undefined if it is hidden. */
-  spotOf([x, y, z]: readonly [x: number, y: number, z: number]): Part | undefined {
+  spotOf([x, y, z]: readonly [x: number, y: number, z: number]): FramePlace | undefined {
     const { sides } = this.maker;
     const pixel = sides && this.ask((studio) => studio.pixelOf(x, y, z));
     return pixel && [(pixel[0] ?? 0) / sides[0], (pixel[1] ?? 0) / sides[1]];

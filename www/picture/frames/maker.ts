@@ -26,7 +26,7 @@ export interface Made<W> extends FrameOrder<W> {
 }
 
 /** The result of a piece of work. */
-type Piece<W> = { made: Made<W> } | { working: number } | { refused: Notice };
+type WorkResult<W> = { made: Made<W> } | { working: number } | { refused: Notice };
 
 /** `W` is the caller's type of request. */
 export class FrameMaker<W extends Wished = Wished> {
@@ -71,7 +71,7 @@ export class FrameMaker<W extends Wished = Wished> {
   }
 
   /** Works for about `budget` milliseconds on the frame that is due. Undefined if none is due or there is nothing to see yet. */
-  advance(wish: W, budget: number, stands = true): Piece<W> | undefined {
+  advance(wish: W, budget: number, stands = true): WorkResult<W> | undefined {
     if (this.order && this.order.wish !== wish && this.order.quality !== 'moving') this.order = undefined;
     const order = (this.order ??= this.begun(wish, stands));
     return order && this.goOn(order, budget);
@@ -90,7 +90,7 @@ export class FrameMaker<W extends Wished = Wished> {
     return { wish, quality, width, height };
   }
 
-  private goOn(order: FrameOrder<W>, budget: number): Piece<W> | undefined {
+  private goOn(order: FrameOrder<W>, budget: number): WorkResult<W> | undefined {
     const { wish, quality, width, height } = order;
     const begin = performance.now();
     const how = [quality, wish.plane === 'alpha' ? 'nothing' : 'floor', this.view(), ...(wish.cut ? [wish.cut] : [])].join('+');

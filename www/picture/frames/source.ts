@@ -30,7 +30,7 @@ export interface Wished {
  * A body: its number, its figures by the words of its generator, words that tell what numbers cannot, and the words of the
  * steps in its making.
  */
-export interface Told {
+export interface BodyInfo {
   readonly id: number;
   readonly figures: Record<string, number>;
   readonly words: Record<string, string>;
@@ -54,14 +54,17 @@ export interface Heard {
   ended(how: 'lost' | 'broken', why: string): void;
 }
 
+/** A place in the frame, in fractions of its sides. */
+export type FramePlace = readonly [u: number, v: number];
+
 /** A source of frames. */
 export interface FrameSource {
   /** Requests frames; true if they differ from those requested before. */
   want(wish: Wished): boolean;
   /** The body at a place of the last frame, in fractions of its sides. */
-  bodyAt(x: number, y: number): Promise<Told | undefined>;
+  bodyAt(x: number, y: number): Promise<BodyInfo | undefined>;
   /** The body with this number, once there has been a frame. */
-  bodyOf(id: number): Promise<Told | undefined>;
+  bodyOf(id: number): Promise<BodyInfo | undefined>;
   /** Ends the source: no more frames are requested. */
   end(): void;
 }

@@ -1,10 +1,8 @@
 /** Draws painted rows over the frame, where they are visible, and the path of the pointer. */
 import { make } from '../../base/dom';
 import { shape } from '../../late/svg';
+import type { FramePlace } from '../../picture/frames/source';
 import type { ModelPlace } from './places';
-
-/** A place in the frame, in fractions of its sides. */
-export type FramePlace = readonly [u: number, v: number];
 
 /** A painted row and its tool's key: a line, or a spot if it has a single place. */
 export interface Painted {

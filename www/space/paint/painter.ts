@@ -10,7 +10,8 @@ import { byId, make, say } from '../../base/dom';
 import { notice } from '../../base/messages';
 import { applies, recipeOf } from '../../state/rules';
 import type { Work } from '../../state/work';
-import { Overlay, type Painted, type FramePlace } from './overlay';
+import type { FramePlace } from '../../picture/frames/source';
+import { Overlay, type Painted } from './overlay';
 import { distance, fromLine, placesOf, rowOf, simplified, STEPS, textOf, type ModelPlace } from './places';
 import { TOOLS, Tools, type Tool } from './tools';
 
@@ -36,7 +37,7 @@ const NEAR = 170;
 const RADIUS = 400;
 const LEAST = 80;
 
-interface Drawn {
+interface PaintStroke {
   readonly pointer: PointerEvent;
   readonly places: ModelPlace[];
   readonly path: FramePlace[];
@@ -49,7 +50,7 @@ export class Painter {
   private readonly tools: Tools;
   private readonly told = make('p', { class: 'said', role: 'status', id: 'paint-told' });
   private tool: Tool | undefined;
-  private drawn: Drawn | undefined;
+  private drawn: PaintStroke | undefined;
   /** The points that were set by keys. */
   private keyed: ModelPlace[] = [];
   /** Events that are passed on to the frame. */

@@ -2,7 +2,7 @@
  * Heights as an OpenEXR file: one part of scan lines, one channel Y of 32 bit floats, uncompressed (OpenEXR File
  * Layout).
  */
-import { Parts, type RowWriter } from './parts';
+import { FileParts, type RowWriter } from './parts';
 
 /** Attributes with their types. The values are 32 bit numbers, or the list of channels. */
 const ATTRIBUTES = (last: number): readonly (readonly [name: string, kind: string, value: Uint8Array])[] => {
@@ -23,7 +23,7 @@ const ATTRIBUTES = (last: number): readonly (readonly [name: string, kind: strin
 /** Writes the file of a map with one channel of 32 bits. */
 export class ExrWriter implements RowWriter {
   private readonly side: number;
-  private readonly parts = new Parts();
+  private readonly parts = new FileParts();
   private line = 0;
 
   constructor(side: number) {

@@ -13,7 +13,7 @@ import { FilmEncoder, quickest } from './encoder';
 import { framesOf, showForming, type Show } from './frames';
 import { frame, lookOf } from './look';
 import { workedOut, type Progress } from './worked';
-import { contextOf, Sheet, type SheetTexts } from './sheet';
+import { contextOf, FilmSheet, type SheetTexts } from './sheet';
 import type { SceneStudio } from '../../module/scene';
 import type { Seen } from './turn';
 
@@ -37,7 +37,7 @@ const MOST = 4;
 
 /** Throws a Refusal if there is no picture. */
 export async function formingFilm(studio: Bubblestone, generator: Generator, { codecs, shape, words, ...seen }: FilmJob, progress: Progress): Promise<Blob> {
-  const sheet = new Sheet(shape, words);
+  const sheet = new FilmSheet(shape, words);
   workedOut(studio, generator, (done) => progress(FIRST * done));
   const status = studio.status();
   const finished = generator.offers.includes('frames') ? framedPicture(studio as SceneStudio, seen, sheet.side) : await largePicture(studio, sheet.side, (done) => progress(FIRST + (SECOND - FIRST) * done));

@@ -4,7 +4,7 @@ import type { Bubblestone } from '../../../pkg/bubblestone.js';
 import type { PixelMap } from '../../module/types';
 import { bigger } from './bigger';
 import { ExrWriter } from './exr';
-import { Parts, type RowWriter } from './parts';
+import { FileParts, type RowWriter } from './parts';
 import type { Progress } from './worked';
 import { PngWriter } from './png';
 import { mapsFor, maskOf } from './programs';
@@ -50,7 +50,7 @@ export async function mapsZip(studio: Bubblestone, { program, scale }: MapsJob, 
 
 /** A ZIP file of several files, none of which is in memory as a whole. */
 class ZipFile {
-  private readonly parts = new Parts();
+  private readonly parts = new FileParts();
   private readonly zip = new Zip((error, part) => {
     if (error) throw error;
     this.parts.add(part);

@@ -3,7 +3,7 @@
 /** Bytes that are moved into one blob. */
 const TOGETHER = 1 << 22;
 
-export class Parts {
+export class FileParts {
   private readonly aside: Blob[] = [];
   private fresh: BlobPart[] = [];
   private size = 0;

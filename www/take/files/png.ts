@@ -1,6 +1,6 @@
 /** Pixels as PNG files. Maps may have 16 bits a channel, which a canvas cannot write. */
 import type { PixelMap } from '../../module/types';
-import { Parts, type RowWriter } from './parts';
+import { FileParts, type RowWriter } from './parts';
 
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
 /** The filter type "Up": each row stores its difference from the row above (PNG specification, section 9). */
@@ -15,7 +15,7 @@ export class PngWriter implements RowWriter {
   private readonly row: number;
   private readonly above: Uint8Array;
   private readonly into: WritableStreamDefaultWriter<BufferSource>;
-  private readonly parts = new Parts();
+  private readonly parts = new FileParts();
   private readonly packed: Promise<void>;
 
   constructor(side: number, channels: number, bits: number) {

@@ -31,7 +31,7 @@ export interface SheetTexts {
 
 type Context = OffscreenCanvasRenderingContext2D;
 
-export class Sheet {
+export class FilmSheet {
   readonly side: number;
   private readonly context: Context;
   private ground: OffscreenCanvas | undefined;
