@@ -6,6 +6,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import typescript from 'typescript';
 import { all, Canvas, moduleIn } from '../../scripts/lib/headless.mjs';
 import { digests, frames, masonry, piles, surfaces, varied } from '../common/golden.mjs';
 import { pageModule, wholeModule } from '../../scripts/lib/wasm.mjs';
@@ -244,6 +245,26 @@ test('bodies are turned, told and made step by step, and each step has its words
       }
     }
     assert.match(studio.frameHash(), /^[0-9a-f]{16}$/);
+    studio.free();
+  }
+});
+
+test('each measure and each text that a generator gives has its place in the card', async () => {
+  const whole = await moduleIn(wholeModule);
+  const { outputText } = typescript.transpileModule(text('../www/late/measures.ts'), { compilerOptions: { module: typescript.ModuleKind.ESNext, target: typescript.ScriptTarget.ES2022 } });
+  const { ROWS, TEXTS } = await import(`data:text/javascript,${encodeURIComponent(outputText)}`);
+  const places = Array.from({ length: 24 }, (_, k) => [8 + 16 * (k % 6), 8 + 16 * Math.floor(k / 6)]);
+  for (const link of [`${SMALL}&outline=square`, 'make=surface&size=128&cn=120', 'make=pile&ps=6&size=128', 'make=masonry&size=128']) {
+    const studio = finished(new whole.Bubblestone(link));
+    while (!studio.turn('', '', 96, 64, 'still', 4).done);
+    const body = places.map(([x, y]) => studio.bodyAt(x, y)).find((found) => found);
+    assert.ok(body, link);
+    const measures = Object.keys(body.figures);
+    const rows = ROWS.filter((/** @type {any} */ { numbers }) => Object.keys(numbers).every((word) => measures.includes(word)));
+    const shown = rows.flatMap((/** @type {any} */ { numbers }) => Object.keys(numbers));
+    assert.deepEqual(measures.filter((word) => !shown.includes(word)), [], link);
+    assert.deepEqual(Object.keys(body.words).filter((word) => !(word in TEXTS)), [], link);
+    assert.ok(measures.length > 2, link);
     studio.free();
   }
 });
