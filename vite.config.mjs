@@ -55,24 +55,32 @@ const notices = {
   /** @param {string} id */
   load: (id) => {
     const table = id.split('\0virtual:notices-ja/')[1];
-    return table && `export default ${JSON.stringify(japanese(table))}`;
+    return table && `export default ${JSON.stringify(sentences(table, 'ja'))}`;
   },
 };
 
-/** By code. @param {string} table */
-function japanese(table) {
+/** The sentences of a table of notices, by code. @param {string} table @param {'en' | 'ja'} language */
+function sentences(table, language) {
   /** @type {Record<string, string>} */
   const words = {};
   let code = '';
   for (const line of readFileSync(here(`src/notice/${table}.txt`), 'utf8').split('\n')) {
     if (/^\w/.test(line)) code = line;
-    else if (line.startsWith('  ja ')) words[code] = line.slice(5);
+    else if (line.startsWith(`  ${language} `)) words[code] = line.slice(5);
   }
   return words;
 }
 
 /** The folder of the second module, which is loaded at first need. */
 const house = here('pkg-house');
+
+/** The sentence for a link whose generator is unknown, in English, naming all of these. @param {{ word: string }[]} generators */
+function unknownIn(generators) {
+  const known = new Intl.ListFormat('en-GB', { type: 'disjunction' }).format(generators.map(({ word }) => word));
+  const sentence = sentences('words', 'en')['bad_make']?.replace('{known}', known);
+  if (!sentence?.includes(known)) throw new Error('src/notice/words.txt has no sentence that names the known generators.');
+  return sentence.replace(/^./, (first) => first.toUpperCase());
+}
 
 /**
  * The generators of each module, so that the page can offer them before the module is loaded; and the second module.
@@ -93,7 +101,10 @@ const made = {
   resolveId: (id) => (['virtual:generators', 'virtual:house'].includes(id) ? `\0${id}` : undefined),
   /** @param {string} id */
   load: async (id) => {
-    if (id === '\0virtual:generators') return `export default ${JSON.stringify(await generatorsOf([here('pkg'), house]))}`;
+    if (id === '\0virtual:generators') {
+      const generators = await generatorsOf([here('pkg'), house]);
+      return `export default ${JSON.stringify(generators)}; export const unknown = ${JSON.stringify(unknownIn(generators))}`;
+    }
     if (id !== '\0virtual:house') return undefined;
     const [script, file] = ['bubblestone.js', 'bubblestone_bg.wasm'].map((name) => JSON.stringify(`${house}/${name}?url`));
     return `import file from ${file}; import script from ${script}; export default { file, script }`;

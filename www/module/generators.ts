@@ -1,5 +1,5 @@
 /** The generators of the site. The build gets this list from their modules. */
-import made from 'virtual:generators';
+import made, { unknown } from 'virtual:generators';
 import type { Notice } from './types';
 
 /** The generators in the order of the page. A link that names none uses the first. */
@@ -23,17 +23,18 @@ export function isOffered(link: string, part: string): boolean {
   return named(link)?.offers.includes(part) === true;
 }
 
-/** A module names its own generators to a link that has an unknown one. This names all that the page has. */
+/**
+ * A module names its own generators to a link that has an unknown one. This names all that the page has, in a sentence
+ * of the same table.
+ */
 export function knowingAll(notice: Notice): Notice {
-  const own = notice.args['known'];
-  if (notice.code !== 'bad_make' || !Array.isArray(own)) return notice;
-  const all = generators.map(({ word }) => word);
-  return { ...notice, args: { ...notice.args, known: all }, text: notice.text.replace(listed(own), listed(all)) };
-}
-
-/** Words as the module lists them in English. */
-function listed(words: unknown[]): string {
-  return words.length > 1 ? `${words.slice(0, -1).join(', ')} or ${String(words.at(-1))}` : words.join();
+  if (notice.code !== 'bad_make') return notice;
+  const args = { ...notice.args, known: generators.map(({ word }) => word) };
+  const text = unknown.replace(/\{(\w+)\}/g, (place, name: string) => {
+    const arg = notice.args[name];
+    return typeof arg === 'string' ? arg : place;
+  });
+  return { ...notice, args, text };
 }
 
 function named(link: string): (typeof generators)[number] | undefined {

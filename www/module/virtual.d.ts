@@ -16,6 +16,8 @@ declare module 'virtual:generators' {
     offers: string[];
   }[];
   export default made;
+  /** The English for a link whose generator is unknown: it names all of these. */
+  export const unknown: string;
 }
 
 /** The second module, which can make everything. */
