@@ -43,7 +43,7 @@ function inStones(page) {
 
 test('the picture and the fields stand side by side, though this is the first tool', async () => {
   const { page, close } = await dialog();
-  // The styles of all outline dialogs come with the editor, after those of this one.
+  // The styles of all outline dialogs come with those of this one.
   await page.waitForFunction(() => [...document.styleSheets].some(({ href }) => /\/editor-[^/]*\.css$/.test(href ?? '')));
   const [picture, drawn, side, face] = await page.evaluate(() =>
     ['#text-dialog figure', '#text-dialog svg', '.letters-side', '#face'].map((name) => document.querySelector(name).getBoundingClientRect().toJSON()),

@@ -5,6 +5,7 @@ import { make } from '../base/dom';
 import { dialogOf } from '../late/dialog';
 import { offer } from '../late/download';
 import { jsonFile, svgFile } from './export';
+import '../styles/late/outline-dialog.css';
 
 interface DialogNeeds {
   side(): number;

@@ -10,6 +10,7 @@ import { drawn } from '../geometry/figures';
 import { LettersQueue } from './queue';
 import { FACES, MOST_LETTERS, MOST_POINTS, type Face, type Letters } from './painted';
 import { Preview } from './preview';
+import '../../styles/late/outline-dialog.css';
 import '../../styles/late/letters.css';
 
 /** Cells across a stroke: least, most, step and initial value. */
