@@ -72,14 +72,18 @@ class Writer {
   }
 
   /**
-   * The place of the sentence on what happened. A question that the figure does not answer must have its replies in the text.
+   * The place of the sentence on what happened, with the room of each text that may come, which nobody sees. A question that
+   * the figure does not answer must have its replies in the text.
    */
   seen(key = '', figure = '', isReplied = false) {
-    if (!this.site.draw.asks(figure, key)) {
+    const answers = this.site.draw.answers(figure, key, this.language);
+    if (!answers.length) {
       if (isReplied) return '';
       throw new Error(`${this.chapter.name}: the figure ${figure} has no question ${key}.`);
     }
-    return `<div class="seen-place" data-wait="${this.t.wait}"><p class="ask-seen" data-seen="${key}" hidden></p></div>`;
+    const room = (/** @type {string} */ text, kind = '') => (text ? `<span${kind} data-room="${escaped(text)}"></span>` : '');
+    const rooms = answers.map(([prediction, sentence]) => `<p class="seen-room" aria-hidden="true">${room(prediction, ' class="expected"')}${room(sentence)}</p>`);
+    return `<div class="seen-place" data-wait="${this.t.wait}"><p class="ask-seen" data-seen="${key}" hidden></p>${rooms.join('')}</div>`;
   }
 
   /** @param {Equation} equation */

@@ -107,7 +107,7 @@ export function sheetPage(site, language, chapter) {
     const boxes = answers.map(({ value, text: answer }) => `<li><span class="box" aria-hidden="true"></span>${value}. ${text(answer)}</li>`);
     const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p class="fill">${blanks.map((words) => `${text(words)} <span class="blank"></span>`).join(' ')}</p>`;
     // The sheet does not show the answer to its question, nor a picture of something else.
-    const picture = kind === 'question' && site.draw.asks(figure, key) ? `<div class="picture">${site.draw.figure(figure, language)}</div>` : '';
+    const picture = kind === 'question' && site.draw.answers(figure, key, language).length ? `<div class="picture">${site.draw.figure(figure, language)}</div>` : '';
     return `<section class="asked"><h2><span>${t.order[0]} ${at + 1}</span> ${ask ? text(ask) : ''}</h2>${picture}
 <h3>${t.order[1]}</h3>${guess}<h3>${t.order[2]}</h3>${lines(2)}<h3>${t.order[3]}</h3>${lines(2)}</section>`;
   });

@@ -11,7 +11,7 @@ import { inLine } from '../../www/learn/chapters/math.mjs';
  * @property {{ code: string, digest: string }} start
  * @property {string} script
  * @property {string[]} styles
- * @property {{ figure: (name: string, language: Language) => string, link: (name: string) => string, state: (name: string, values: Record<string, string>) => string, asks: (figure: string, key: string) => boolean, term: (key: string) => string }} draw
+ * @property {{ figure: (name: string, language: Language) => string, link: (name: string) => string, state: (name: string, values: Record<string, string>) => string, answers: (figure: string, key: string, language: Language) => [prediction: string, sentence: string][], term: (key: string) => string }} draw
  */
 
 /** @param {string} text */

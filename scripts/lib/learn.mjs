@@ -86,7 +86,7 @@ async function drawnIn(modules) {
     figure: (/** @type {string} */ name, /** @type {string} */ language) => built.stillOf(module, name, language),
     link: (/** @type {string} */ name) => built.studioLinkOf(name),
     state: (/** @type {string} */ name, /** @type {Record<string, string>} */ values) => stateOf(figureIn(built, name), values),
-    asks: (/** @type {string} */ name, /** @type {string} */ key) => figureIn(built, name).asks.some((/** @type {any} */ ask) => ask.key === key),
+    answers: (/** @type {string} */ name, /** @type {string} */ key, /** @type {string} */ language) => built.answersOf(name, key, language),
     term: (/** @type {string} */ key) => built.termOf(module, key),
   };
 }

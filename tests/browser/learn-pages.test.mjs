@@ -9,7 +9,7 @@ import { desk, open } from './harness.mjs';
 import { at, follow, seek } from './lesson.mjs';
 import { digest, frames, phone, SMALL } from './page.mjs';
 import { longestTask } from './tasks.mjs';
-import { tooHighInClass, walkByTab, watchMemory, watchShifts } from './walks.mjs';
+import { movedInClass, tooHighInClass, walkByTab, watchMemory, watchShifts } from './walks.mjs';
 
 /** @type {Awaited<ReturnType<typeof open>>} */
 let site;
@@ -261,6 +261,15 @@ test('in class every figure fits the screen; on paper a chapter has every figure
       ground: getComputedStyle(document.body).backgroundColor,
     }));
     assert.deepEqual(seen, { ...partsOf(chapter), arrows: true, tools: 0, ground: 'rgb(255, 255, 255)' });
+    await close();
+  }
+});
+
+test('in class an answer, and the sentence on what happened, move nothing', sameEverywhere, async () => {
+  for (const path of CHAPTER_PATHS) {
+    const { page, close } = await site.newPage(path, { viewport: projector });
+    await begun(page);
+    assert.deepEqual(await movedInClass(page), [], path);
     await close();
   }
 });

@@ -134,8 +134,18 @@ export async function middle(page, selector) {
 /** The sentence of an answered question; '' while it is open. @param {Page} page @param {string} key */
 export const answer = (page, key) => page.$eval(`[data-seen="${key}"]`, (place) => (place.hasAttribute('hidden') ? '' : (place.textContent ?? '')));
 
-/** @param {Page} page @param {string} key */
-export const answered = (page, key) => page.waitForSelector(`[data-seen="${key}"]:not([hidden])`);
+/** Waits until a question is answered; its sentence has the room that was kept for it. @param {Page} page @param {string} key */
+export async function answered(page, key) {
+  const seen = await page.waitForSelector(`[data-seen="${key}"]:not([hidden])`);
+  const heights = await seen?.evaluate((element) => {
+    const sentence = /** @type {HTMLElement} */ (element);
+    return [true, false].map((isHidden) => {
+      sentence.hidden = isHidden;
+      return sentence.parentElement?.getBoundingClientRect().height ?? 0;
+    });
+  });
+  assert.ok(heights && heights[0] === heights[1], `${key}: ${heights}`);
+}
 
 /** The findings of axe in the figures of a page, with all folds open, and whether something is wider than it. @param {Page} page @returns {Promise<string[]>} */
 export async function violations(page) {

@@ -70,6 +70,46 @@ export const tooHighInClass = (/** @type {Page} */ page) =>
     return found;
   });
 
+/**
+ * Goes through all screens of a class, gives an answer to each question, and shows the longest sentence on what happened below
+ * it. Returns the screens whose plates move or shrink.
+ * @param {Page} page @returns {Promise<string[]>}
+ */
+export const movedInClass = (/** @type {Page} */ page) =>
+  page.evaluate(async () => {
+    /** @type {string[]} */
+    const found = [];
+    let seen = 0;
+    const press = (/** @type {string} */ key) => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
+    const now = () => `${[...document.querySelectorAll('.scene')].findIndex((scene) => scene.hasAttribute('data-now'))} ${document.documentElement.dataset.part}`;
+    const settled = async () => {
+      for (let k = 0; k < 2; k += 1) await new Promise(requestAnimationFrame);
+    };
+    /** @type {HTMLElement} */ (document.querySelector('#class')).click();
+    for (let before = ''; before !== now(); press('ArrowRight')) {
+      before = now();
+      const plates = document.querySelector('[data-now] .plates');
+      if (!plates?.checkVisibility()) continue;
+      await settled();
+      const first = JSON.stringify(plates.getBoundingClientRect());
+      const shown = [...document.querySelectorAll('[data-now] :is(.ask input[type=radio], .seen-place)')].filter((one) => one.checkVisibility());
+      for (const one of shown) {
+        if (one instanceof HTMLInputElement) one.click();
+        for (const room of one.querySelectorAll('.seen-room')) {
+          const sentence = /** @type {HTMLElement} */ (one.querySelector('.ask-seen'));
+          sentence.hidden = false;
+          sentence.textContent = [...room.querySelectorAll('[data-room]')].map((part) => part.getAttribute('data-room')).join('');
+        }
+        await settled();
+        seen += 1;
+        const last = JSON.stringify(plates.getBoundingClientRect());
+        if (last !== first) found.push(`${before}: ${first} ${last}`);
+      }
+    }
+    press('Escape');
+    return seen > 10 ? found : [`only ${seen} were seen`];
+  });
+
 /** Records the shifts of a page’s layout from its beginning on. */
 export const watchShifts = (/** @type {Page} */ page) =>
   page.evaluateOnNewDocument(() => {

@@ -113,7 +113,7 @@ class Lesson {
   /** Watches the texts of a screen, and leaves those of the one before. */
   private watch(scene?: HTMLElement): void {
     this.texts.disconnect();
-    for (const text of document.querySelectorAll<HTMLElement>('.figure-told, .ask-seen')) {
+    for (const text of document.querySelectorAll<HTMLElement>('.figure-told')) {
       text.style.minHeight = '';
       if (scene?.contains(text)) this.texts.observe(text);
     }

@@ -1,5 +1,7 @@
 /** The questions of a figure: when its numbers show what was asked, a sentence says it beside the prediction. */
+import { make } from '../../base/dom';
 import type { Ask, Figure, Language, Seen } from '../figures/figure';
+import { expected } from '../figures/words';
 
 export class Questions {
   private readonly figure: Figure;
@@ -31,17 +33,11 @@ export class Questions {
   private tell(ask: Ask, sentence: string): void {
     const place = document.querySelector<HTMLElement>(`[data-seen="${ask.key}"]`);
     if (!place) return;
-    const words = `${this.expected(ask)}${sentence}`;
-    if (place.textContent === words && !place.hidden) return;
+    const chosen = document.querySelector<HTMLInputElement>(`[data-ask="${ask.key}"] input:checked`)?.value ?? '';
+    const prediction = expected(ask, chosen, this.language);
+    if (place.textContent === `${prediction}${sentence}` && !place.hidden) return;
     place.setAttribute('aria-live', 'polite');
     place.hidden = false;
-    place.textContent = words;
-  }
-
-  private expected({ key, answers }: Ask): string {
-    const chosen = document.querySelector<HTMLInputElement>(`[data-ask="${key}"] input:checked`)?.value ?? '';
-    const answer = answers[chosen]?.[this.language];
-    if (!answer) return '';
-    return this.language === 'ja' ? `あなたの予想は「${answer}」。` : `You expected that ${answer}. `;
+    place.replaceChildren(make('span', { class: 'expected' }, prediction), sentence);
   }
 }

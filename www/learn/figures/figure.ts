@@ -308,6 +308,8 @@ export interface Ask {
   readonly answers: Readonly<Record<string, Words>>;
   /** The sentences on what happened and why, once it has happened. */
   readonly seen: (seen: Seen, language: Language) => string | undefined;
+  /** These sentences with the widest numbers that they can have: the page keeps room for the longest. */
+  readonly longest: (language: Language) => readonly string[];
   /** Whether the place where the potential is 0 is shown from then on. */
   readonly showsZero?: boolean;
 }

@@ -9,7 +9,7 @@ import type { Ask, Figure, Language, Plate, Seen, Stop, Trace } from './figure';
 import { areAtRest, changesUpTo, isAtRest, leastRange, looksOf, looksUpTo, numberAt, restless } from './population';
 import { start } from './rules';
 import { AT_START, CELL_SIZE, CROWDED, LONELY, ROOM, RULE } from './how-many-handles';
-import { number } from './words';
+import { inWords, number, sentence } from './words';
 
 const ROUND = 'outline=polygon&size=256&kind=circle&damp=1';
 
@@ -89,15 +89,20 @@ function toldHole({ traces, step }: Seen, language: Language): string {
 const hole: Ask = {
   key: 'hole',
   answers: { a: { en: 'one comes', ja: '一つ増える' }, b: { en: 'none comes', ja: '増えない' } },
-  seen: (seen, language) => {
-    const [papers, ours] = seen.traces;
-    if (!papers || !ours || !areAtRest(seen) || changesUpTo(papers, seen.step).came > 0) return undefined;
-    const [theirs, own] = [numberAt(papers, seen.step), numberAt(ours, seen.step)];
-    const most = number(leastRange(papers, seen.step)?.[1] ?? 0, 3);
-    return language === 'ja'
-      ? `両方とも静止しました。論文の規則では${theirs}個のまま、本プログラムの規則では${own}個です。穴のまわりのセルにも反対側に隣がいて、最も近い隣までのwは最大でも${most}です。どのセルも「隣から遠い」とは言えません。`
-      : `Both are at rest: ${theirs} cells by the papers’ rule, ${own} by ours. The cells around the hole still touch others on their far side. No nearest neighbour is farther than w = ${most}, so no cell counts as far from its nearest.`;
-  },
+  ...sentence<[theirs: number, own: number, most: string]>(
+    (seen) => {
+      const [papers, ours] = seen.traces;
+      if (!papers || !ours || !areAtRest(seen) || changesUpTo(papers, seen.step).came > 0) return undefined;
+      return [numberAt(papers, seen.step), numberAt(ours, seen.step), number(leastRange(papers, seen.step)?.[1] ?? 0, 3)];
+    },
+    [[10, 10, '0.000']],
+    (language, theirs, own, most) =>
+      inWords(
+        language,
+        `Both are at rest: ${theirs} cells by the papers’ rule, ${own} by ours. The cells around the hole touch others on their far side. No nearest neighbour is beyond w = ${most}, so no cell counts as far from its nearest.`,
+        `両方とも静止しました。論文の規則では${theirs}個のまま、本プログラムの規則では${own}個です。穴のまわりのセルにも反対側に隣がいて、最も近い隣までのwは最大で${most}です。どのセルも「遠い」とは言えません。`,
+      ),
+  ),
 };
 
 function toldNever({ traces: [trace], step }: Seen, language: Language): string {
@@ -120,20 +125,25 @@ function toldNever({ traces: [trace], step }: Seen, language: Language): string 
 const never: Ask = {
   key: 'never',
   answers: { a: { en: 'it rests after the first look', ja: '一度の調査で落ち着く' }, b: { en: 'it rests with more cells', ja: 'セルが増えて落ち着く' }, c: { en: 'cells come and go at every look', ja: '調査のたびに増えたり減ったりする' } },
-  seen: ({ traces: [trace], step }, language) => {
-    const looks = trace && restless(trace, step);
-    if (!trace || !looks) return undefined;
-    const [crowd, room] = ['crowd', 'room'].map((key) => number(Number(trace.value(key)), 2));
-    const isCrossed = Number(trace.value('crowd')) > Number(trace.value('room'));
-    if (language === 'ja') {
-      const rows = looks.map((look, k) => `${k ? '' : 'ステップ'}${look.step}で+${look.came.length}と−${look.went.length}`).join('、');
-      const why = isCrossed ? `wが${room ?? ''}から${crowd ?? ''}のセルは、過密であり、しかも孤立してもいます。` : `静止したセルのwは${crowd ?? ''}から${room ?? ''}の間に収まりきりません。`;
-      return `静止しませんでした。増減は${rows}でした。${why}調査がステップ100で終わるまで続きます。`;
-    }
-    const rows = looks.map((look) => `${look.came.length} came and ${look.went.length} went at step ${look.step}`).join(', ');
-    const why = isCrossed ? `A cell between w = ${room ?? ''} and ${crowd ?? ''} is crowded and lonely at once.` : `The cells of a packing at rest do not all fit between w = ${crowd ?? ''} and ${room ?? ''}.`;
-    return `It never rests: ${rows}. ${why} Only the end of all looks, at step 100, stops it.`;
-  },
+  ...sentence<[looks: readonly (readonly [step: number, came: number, went: number])[], crowd: number, room: number]>(
+    ({ traces: [trace], step }) => {
+      const looks = trace && restless(trace, step);
+      return looks && [looks.map((look) => [look.step, look.came.length, look.went.length]), Number(trace.value('crowd')), Number(trace.value('room'))];
+    },
+    [[[[10, 10, 10], [10, 10, 10]], 0.9, 0.8], [[[10, 10, 10], [10, 10, 10]], 0.8, 0.9]],
+    (language, looks, crowd, room) => {
+      const [below, from] = [number(crowd, 2), number(room, 2)];
+      const isCrossed = crowd > room;
+      if (language === 'ja') {
+        const rows = looks.map(([step, came, went], k) => `${k ? '' : 'ステップ'}${step}で+${came}と−${went}`).join('、');
+        const why = isCrossed ? `wが${from}から${below}のセルは、過密であり、しかも孤立してもいます。` : `静止したセルのwは${below}から${from}の間に収まりきりません。`;
+        return `静止しませんでした。増減は${rows}でした。${why}調査がステップ100で終わるまで続きます。`;
+      }
+      const rows = looks.map(([step, came, went]) => `${came} came and ${went} went at step ${step}`).join(', ');
+      const why = isCrossed ? `A cell between w = ${from} and ${below} is crowded and lonely at once.` : `The cells of a packing at rest do not all fit between w = ${below} and ${from}.`;
+      return `It never rests: ${rows}. ${why} Only the end of all looks, at step 100, stops it.`;
+    },
+  ),
 };
 
 /** The area of the outline over the square of the size. */
@@ -169,16 +179,21 @@ function toldCount(seen: Seen, language: Language): string {
 const count: Ask = {
   key: 'count',
   answers: { a: { en: 'both hold just as many', ja: '同じ数' }, b: { en: 'the U holds more', ja: '正方形より多い' }, c: { en: 'the U holds fewer', ja: '正方形より少ない' } },
-  seen: (seen, language) => {
-    const [one, other] = seen.traces;
-    if (!one || !other || !areAtRest(seen)) return undefined;
-    const [left, right] = [numberAt(one, seen.step), numberAt(other, seen.step)];
-    if (left <= right) return undefined;
-    const [share, size] = [number(shareOf(one), 1), number(Number(one.value('cs')), 0)];
-    return language === 'ja'
-      ? `大きさ${size}では左が${left}個、右が${right}個になりました。計算では、どちらも${share}です。細い腕に入るのは列まるごとです。もう一列入る大きさになると、個数は一度に増えます。`
-      : `At size ${size} the left holds ${left}, the right ${right}; the formula says ${share} for both. Arms take whole rows of cells: as soon as one more row fits, the number jumps.`;
-  },
+  ...sentence<[size: string, left: number, right: number, share: string]>(
+    (seen) => {
+      const [one, other] = seen.traces;
+      if (!one || !other || !areAtRest(seen)) return undefined;
+      const [left, right] = [numberAt(one, seen.step), numberAt(other, seen.step)];
+      return left <= right ? undefined : [number(Number(one.value('cs')), 0), left, right, number(shareOf(one), 1)];
+    },
+    [['00', 10, 10, '00.0']],
+    (language, size, left, right, share) =>
+      inWords(
+        language,
+        `At size ${size} the left holds ${left}, the right ${right}; the formula says ${share} for both. Arms take whole rows of cells: as soon as one more row fits, the number jumps.`,
+        `大きさ${size}では左が${left}個、右が${right}個になりました。計算では、どちらも${share}です。細い腕に入るのは列まるごとです。もう一列入る大きさになると、個数は一度に増えます。`,
+      ),
+  ),
 };
 
 function toldRight({ traces: [trace], step }: Seen, language: Language): string {
@@ -192,13 +207,16 @@ function toldRight({ traces: [trace], step }: Seen, language: Language): string 
 const right: Ask = {
   key: 'right',
   answers: {},
-  seen: ({ traces: [trace], step }, language) => {
-    if (!trace || !isAtRest(trace, step) || trace.comings.length > 0) return undefined;
-    const all = numberAt(trace, step);
-    return language === 'ja'
-      ? `できました。${all}個で始めると、一つも増えず、一つも減らずに、ステップ${step}で静止します。多くの輪郭では、この数を前もって言うことはできません。そこで調査が要るのです。`
-      : `Done: from ${all} cells nobody came and nobody went, and all were at rest at step ${lastOf(trace) ?? step}. For most outlines nobody can say this number beforehand; so the program looks on the way.`;
-  },
+  ...sentence<[all: number, step: number]>(
+    ({ traces: [trace], step }) => (!trace || !isAtRest(trace, step) || trace.comings.length > 0 ? undefined : [numberAt(trace, step), lastOf(trace) ?? step]),
+    [[10, 100]],
+    (language, all, step) =>
+      inWords(
+        language,
+        `Done: from ${all} cells nobody came and nobody went, and all were at rest at step ${step}. For most outlines nobody can say this number beforehand; so the program looks on the way.`,
+        `できました。${all}個で始めると、一つも増えず、一つも減らずに、ステップ${step}で静止します。多くの輪郭では、この数を前もって言うことはできません。そこで調査が要るのです。`,
+      ),
+  ),
 };
 
 const base = { fits: isSmall, at: [], steps: 'step' } as const;

@@ -6,7 +6,7 @@
  */
 import { AT_REST, countOf, crowdAt, energyOf, nearestTo, ofFirst, OVER, packedOf, restOf } from './crowds';
 import type { Ask, Bar, Crowd, Figure, Language, Line, NumberHandle, PackedCell, PointHandle, Seen, Stop, Trace, Trial, Words } from './figure';
-import { DAMPING, joined, number, START } from './words';
+import { DAMPING, inWords, joined, number, sentence, START } from './words';
 
 const CORNERS = 6;
 
@@ -147,15 +147,21 @@ const same: Ask = {
     b: { en: 'the pictures differ, with the same energy', ja: '絵は違うが、エネルギーは同じ' },
     c: { en: 'pictures and energies differ', ja: '絵もエネルギーも違う' },
   },
-  seen: ({ traces, step }, language) => {
-    const [one, other] = traces;
-    if (!one || !other || !isAtRest(one, step) || !isAtRest(other, step)) return undefined;
-    if (one.hashAt(step) === other.hashAt(step)) return undefined;
-    const [left, right] = [one, other].map((trace) => number(energyOf(crowdAt(trace, step) as Crowd), 3));
-    return language === 'ja'
-      ? `どちらも静止しました。並び方は違い、エネルギーも左が${left ?? ''}、右が${right ?? ''}です。それぞれが、初めの場所から坂を下って最初に着いた谷で止まったからです。違いは小さく、どちらもほぼすき間なく並んでいます。`
-      : `Both are at rest. Their places differ, and so do the energies: ${left ?? ''} on the left, ${right ?? ''} on the right. Each went downhill from its own first places and stayed in the first valley. The difference is small: either packing is good.`;
-  },
+  ...sentence<[left: string, right: string]>(
+    ({ traces: [one, other], step }) => {
+      if (!one || !other || !isAtRest(one, step) || !isAtRest(other, step)) return undefined;
+      if (one.hashAt(step) === other.hashAt(step)) return undefined;
+      const energy = (trace: Trace): string => number(energyOf(crowdAt(trace, step) as Crowd), 3);
+      return [energy(one), energy(other)];
+    },
+    [['−0.000', '−0.000']],
+    (language, left, right) =>
+      inWords(
+        language,
+        `Both are at rest. The places differ, and so do the energies: ${left} on the left, ${right} on the right. Each went downhill from its own start and stayed in the first valley. The difference is small: either packing is good.`,
+        `どちらも静止しました。並び方は違い、エネルギーも左が${left}、右が${right}です。それぞれ、初めの場所から坂を下り、最初に着いた谷で止まりました。差は小さく、どちらもよい充填です。`,
+      ),
+  ),
 };
 
 /** A change of an energy that is seen in the numbers shown. */
@@ -164,14 +170,19 @@ const CLEAR = 5e-4;
 const falls: Ask = {
   key: 'falls',
   answers: { a: { en: 'it falls at every step', ja: 'はい、どのステップでも減る' }, b: { en: 'at some steps it rises', ja: 'いいえ、増えるステップもある' } },
-  seen: (seen, language) => {
-    const by = changes(seen);
-    if (!seen.isStill || !by || by.pairs < CLEAR || by.sum >= 0) return undefined;
-    const [step, pairs, sum] = [seen.step, signed(by.pairs), signed(by.sum)];
-    return language === 'ja'
-      ? `ステップ${step}で対のエネルギーは${pairs}と増え、和は${sum}と減りました。動くバブルが勢いで次の坂を上り、運動のエネルギーが対のエネルギーに変わったのです。減るばかりなのは和だけです。`
-      : `At step ${step} the energy of the pairs rose by ${pairs}, while the sum changed by ${sum}: it fell. Moving bubbles ran up the next slope and turned motion into energy of pairs. Only the sum falls at every step.`;
-  },
+  ...sentence<[step: number, pairs: string, sum: string]>(
+    (seen) => {
+      const by = changes(seen);
+      return !seen.isStill || !by || by.pairs < CLEAR || by.sum >= 0 ? undefined : [seen.step, signed(by.pairs), signed(by.sum)];
+    },
+    [[100, '+0.0000', '−0.0000']],
+    (language, step, pairs, sum) =>
+      inWords(
+        language,
+        `At step ${step} the energy of the pairs changed by ${pairs}, the sum by ${sum}. Moving bubbles ran up the next slope and turned motion into energy of pairs. Only the sum falls at every step.`,
+        `ステップ${step}で、対のエネルギーは${pairs}、和は${sum}変わりました。動くバブルが勢いで次の坂を上り、運動のエネルギーが対のエネルギーになったのです。必ず減るのは和だけです。`,
+      ),
+  ),
 };
 
 /** How much less energy a packing must have to be called better. */
@@ -180,15 +191,20 @@ const BETTER = 0.005;
 const best: Ask = {
   key: 'best',
   answers: { a: { en: 'it is the best one', ja: '最良である' }, b: { en: 'another start ends lower', ja: '別の初期位置から、もっと低い谷に着く' } },
-  seen: ({ trials }, language) => {
-    const [first, ...others] = trials;
-    const low = others.reduce((least, { value }) => Math.min(least, value), Infinity);
-    if (!first || low > first.value - BETTER) return undefined;
-    const [own, lower] = [number(first.value, 3), number(low, 3)];
-    return language === 'ja'
-      ? `最初の充填のエネルギーは${own}、見つかったものは${lower}です。最良ではありませんでした。どの始め方も、最初に着いた谷で止まります。差は${number(100 * (low / first.value - 1), 1)} %にすぎず、見た目はどれも良いので、これで十分です。`
-      : `The first packing had ${own}, this one ${lower}: the first was not the best. Each start ends in the first valley on its way. The gain is ${number(100 * (low / first.value - 1), 1)} %, which no eye sees: good enough, and quick.`;
-  },
+  ...sentence<[own: string, lower: string, gain: string]>(
+    ({ trials: [first, ...others] }) => {
+      const low = others.reduce((least, { value }) => Math.min(least, value), Infinity);
+      if (!first || low > first.value - BETTER) return undefined;
+      return [number(first.value, 3), number(low, 3), number(100 * (low / first.value - 1), 1)];
+    },
+    [['−0.000', '−0.000', '00.0']],
+    (language, own, lower, gain) =>
+      inWords(
+        language,
+        `The first packing had ${own}, this one ${lower}: the first was not the best. Each start ends in the first valley on its way. The gain is ${gain} %, which no eye sees: good enough, and quick.`,
+        `最初の充填のエネルギーは${own}、今回は${lower}で、最初のものは最良ではありませんでした。どの始め方も、最初に着いた谷で止まります。差は${gain} %で目には見えず、これで十分です。`,
+      ),
+  ),
 };
 
 /** The steps in which the exercise asks for rest. */
@@ -197,15 +213,20 @@ const SOON = 40;
 const quiet: Ask = {
   key: 'quiet',
   answers: {},
-  seen: ({ traces, step }, language) => {
-    const [trace] = traces;
-    const rest = trace && restOf(trace);
-    if (!trace || rest === undefined || rest > SOON || step < rest || Number(trace.value('jolt')) < 0.2) return undefined;
-    const c = trace.value('damp');
-    return language === 'ja'
-      ? `できました。減衰c = ${c}では${rest}ステップで静止します。小さすぎるとバブルは揺れ続け、大きすぎると水あめの中のようにのろくなります。`
-      : `Done: with c = ${c} the crowd is at rest after ${rest} steps. With less it swings on, with much more it creeps.`;
-  },
+  ...sentence<[c: string, rest: number]>(
+    ({ traces: [trace], step }) => {
+      const rest = trace && restOf(trace);
+      if (!trace || rest === undefined || rest > SOON || step < rest || Number(trace.value('jolt')) < 0.2) return undefined;
+      return [trace.value('damp'), rest];
+    },
+    [['0.00', SOON]],
+    (language, c, rest) =>
+      inWords(
+        language,
+        `Done: with c = ${c} the crowd is at rest after ${rest} steps. With less it swings on, with much more it creeps.`,
+        `できました。減衰c = ${c}では${rest}ステップで静止します。小さすぎるとバブルは揺れ続け、大きすぎると水あめの中のようにのろくなります。`,
+      ),
+  ),
 };
 
 const lineOf = (name: Words, of: (crowd: Crowd) => number, packing = 0): Line => ({ name, packing, of });

@@ -6,7 +6,7 @@
 import { AT_REST, ofFirst, restOf } from './crowds';
 import type { AngleRow, Ask, Figure, Language, NumberHandle, PointHandle, Seen, Stop, Trace, Words } from './figure';
 import { acrossOf, edgesAt, isInner, leastOf, lengthOf, nearestEdge, nearestPoint, sumOf, worstOf, type JoinedCells } from './joined';
-import { DAMPING, inWords, joined, number, START } from './words';
+import { DAMPING, inWords, joined, number, sentence, START } from './words';
 
 const SHARES: Words = { en: 'picture sides', ja: '（画像の一辺を1とする）' };
 
@@ -83,14 +83,22 @@ const ENOUGH = 20;
 const middles: Ask = {
   key: 'middles',
   answers: {},
-  seen: (seen, language) => {
-    if (roundsOf(seen) < ENOUGH || !isAtRest(seen)) return undefined;
-    const [r, l, p] = mediansOf(seen).map((angle) => number(angle, 0));
-    const own = seen.at.some((angle) => angle > 0) ? seen.at.map((angle) => (angle > 0 ? number(angle, 0) : '–')).join(inWords(language, ', ', '、')) : '';
-    const found = inWords(language, `The middles: random ${r}°, Lloyd ${l}°, packed ${p}°.`, `中央値は、ランダム${r}°、ロイド法${l}°、充填${p}°でした。`);
-    const marked = own && inWords(language, `You marked ${own}.`, `あなたの印は${own}です。`);
-    return joined(language, found, marked, inWords(language, 'The same rule joined all three: only the places differ.', '結び方は三つとも同じで、違うのは点の場所だけです。'));
-  },
+  ...sentence<[r: string, l: string, p: string, marks: readonly string[]]>(
+    (seen) => {
+      if (roundsOf(seen) < ENOUGH || !isAtRest(seen)) return undefined;
+      const [r = 0, l = 0, p = 0] = mediansOf(seen);
+      const marks = seen.at.some((angle) => angle > 0) ? seen.at.map((angle) => (angle > 0 ? number(angle, 0) : '–')) : [];
+      return [number(r, 0), number(l, 0), number(p, 0), marks];
+    },
+    [['00', '00', '00', ['00', '00', '00']]],
+    (language, r, l, p, marks) =>
+      joined(
+        language,
+        inWords(language, `The middles: random ${r}°, Lloyd ${l}°, packed ${p}°.`, `中央値は、ランダム${r}°、ロイド法${l}°、充填${p}°でした。`),
+        marks.length ? inWords(language, `You marked ${marks.join(', ')}.`, `あなたの印は${marks.join('、')}です。`) : '',
+        inWords(language, 'The same rule joined all three: only the places differ.', '結び方は三つとも同じで、違うのは点の場所だけです。'),
+      ),
+  ),
 };
 
 function toldThree(seen: Seen, language: Language): string {
@@ -114,21 +122,28 @@ const flip: Ask = {
     b: { en: 'it flips when all four corners lie on one circle', ja: '四つの頂点が一つの円に乗ったとき' },
     c: { en: 'it flips when a point runs into an edge', ja: '点が辺にぶつかったとき' },
   },
-  seen: ({ traces: [trace] }, language) => {
-    const found = trace?.flip;
-    if (!found) return undefined;
-    const { points, before } = found;
-    const [old, now] = [lengthOf(points, before.ends), lengthOf(points, acrossOf(before))];
-    const [sum, was, is] = [number(found.sum, 1), number(old, 3), number(now, 3)];
-    const circle = inWords(
-      language,
-      `The edge flipped where its facing angles reached ${sum}°: all four corners lay on one circle.`,
-      `向かい合う角の和が${sum}°になったとき、辺が入れ替わりました。四つの頂点は一つの円の上にありました。`,
-    );
-    const longer = inWords(language, `The new edge is ${is} long, the old one ${was}: the longer one won.`, `新しい辺の長さは${is}、元の辺は${was}で、長いほうが選ばれています。`);
-    const shorter = inWords(language, `The new edge is ${is} long, the old one ${was}: the shorter one won, by chance.`, `新しい辺の長さは${is}、元の辺は${was}です。今回はたまたま短いほうが選ばれました。`);
-    return joined(language, circle, now > old ? longer : shorter);
-  },
+  ...sentence<[sum: string, was: string, is: string, isLonger: boolean]>(
+    ({ traces: [trace] }) => {
+      const found = trace?.flip;
+      if (!found) return undefined;
+      const { points, before, sum } = found;
+      const [was, is] = [lengthOf(points, before.ends), lengthOf(points, acrossOf(before))];
+      return [number(sum, 1), number(was, 3), number(is, 3), is > was];
+    },
+    [['000.0', '0.000', '0.000', true], ['000.0', '0.000', '0.000', false]],
+    (language, sum, was, is, isLonger) =>
+      joined(
+        language,
+        inWords(
+          language,
+          `The edge flipped where its facing angles reached ${sum}°: all four corners lay on one circle.`,
+          `向かい合う角の和が${sum}°になったとき、辺が入れ替わりました。四つの頂点は一つの円の上にありました。`,
+        ),
+        isLonger
+          ? inWords(language, `The new edge is ${is} long, the old one ${was}: the longer one won.`, `新しい辺の長さは${is}、元の辺は${was}で、長いほうが選ばれています。`)
+          : inWords(language, `The new edge is ${is} long, the old one ${was}: the shorter one won, by chance.`, `新しい辺の長さは${is}、元の辺は${was}です。今回はたまたま短いほうが選ばれました。`),
+      ),
+  ),
 };
 
 function toldFlip(seen: Seen, language: Language): string {
@@ -160,16 +175,19 @@ const apartOf = ({ triangles }: JoinedCells): number => Math.min(...triangles.ma
 const good: Ask = {
   key: 'good',
   answers: { a: { en: 'it stays above 30°', ja: '30°より大きいまま' }, b: { en: 'it goes towards 0°', ja: '0°に近づく' } },
-  seen: (seen, language) => {
-    const made = joinedOf(seen);
-    if (!made || leastOf(made) >= THIN || apartOf(made) >= NEAR) return undefined;
-    const [apart, angle] = [number(apartOf(made), 3), number(leastOf(made), 1)];
-    return inWords(
-      language,
-      `${apart} apart, and the smallest angle is ${angle}°. Delaunay’s edges are the best ones here: no other way to join these points is better.`,
-      `間隔${apart}で、最小角は${angle}°です。それでもドロネーの辺は最良で、この点ではどう結んでもこれより良くなりません。`,
-    );
-  },
+  ...sentence<[apart: string, angle: string]>(
+    (seen) => {
+      const made = joinedOf(seen);
+      return !made || leastOf(made) >= THIN || apartOf(made) >= NEAR ? undefined : [number(apartOf(made), 3), number(leastOf(made), 1)];
+    },
+    [['0.000', '00.0']],
+    (language, apart, angle) =>
+      inWords(
+        language,
+        `${apart} apart, and the smallest angle is ${angle}°. Delaunay’s edges are the best ones here: no other way to join these points is better.`,
+        `間隔${apart}で、最小角は${angle}°です。それでもドロネーの辺は最良で、この点ではどう結んでもこれより良くなりません。`,
+      ),
+  ),
 };
 
 /** The smallest angle that the exercise asks for. */
@@ -178,12 +196,14 @@ const WANTED = 30;
 const place: Ask = {
   key: 'place',
   answers: {},
-  seen: (seen, language) => {
-    const made = joinedOf(seen);
-    if (!made || leastOf(made) < WANTED) return undefined;
-    const angle = number(leastOf(made), 1);
-    return inWords(language, `Done: the smallest angle is ${angle}° now. The point has gone into the hole, where a bubble would come.`, `できました。最小角は${angle}°です。点は穴の中、バブルなら増えるはずの場所に入りました。`);
-  },
+  ...sentence<[angle: string]>(
+    (seen) => {
+      const made = joinedOf(seen);
+      return !made || leastOf(made) < WANTED ? undefined : [number(leastOf(made), 1)];
+    },
+    [['00.0']],
+    (language, angle) => inWords(language, `Done: the smallest angle is ${angle}° now. The point has gone into the hole, where a bubble would come.`, `できました。最小角は${angle}°です。点は穴の中、バブルなら増えるはずの場所に入りました。`),
+  ),
 };
 
 /** The triangle with the smallest angle, in words. */

@@ -6,7 +6,7 @@
 import { AT_REST, crowdAt, lastOf, ofAll, ofFirst, OVER, packedOf } from './crowds';
 import type { Ask, Figure, Language, NumberHandle, Plate, PointHandle, Seen, Stop, Trace, Trial } from './figure';
 import { edgesOf, isAtCorner, isAtEdge, isStill, neighbourAt, reachesEdge, restsAt, type Neighbour } from './neighbour';
-import { DAMPING, inWords, number, TIME_STEP } from './words';
+import { DAMPING, inWords, number, sentence, TIME_STEP } from './words';
 
 const OPEN = 'outline=square&size=256&kind=square&dir=constant&edge=open&pop=off&move=rk4&most=1000';
 
@@ -62,34 +62,41 @@ const LITTLE = 0.05;
 const from: Ask = {
   key: 'from',
   answers: { a: { en: 'there are four wells from 0.41 on', ja: '0.41から' }, b: { en: 'there are four wells from 0.2 on', ja: '0.2から' }, c: { en: 'any weight above 0 makes four wells', ja: '0より大きければいくつでも' } },
-  seen: ({ traces, trials }, language) => {
-    const land = traces[0]?.landscape;
-    const slid = trials.find(({ value, parted }) => parted && value > 0 && value <= LITTLE);
-    if (!slid || !trials.some(({ value, parted }) => !parted && value === 0)) return undefined;
-    const weight = number(slid.value, 2);
-    const barrier = land && traces[0] && weightOf(traces[0]) === slid.value ? number(land.pass.energy - land.well.energy, 4) : undefined;
-    return inWords(
-      language,
-      `At weight 0 it stayed at 45°; at ${weight} it slid to an edge. ${barrier ? `The pass at 45° is only ${barrier} k₀ higher than the wells, but it is higher. ` : ''}Any weight above 0 makes four wells out of the ring.`,
-      `重み0では45°にとどまり、重み${weight}では辺へ滑りました。${barrier ? `45°の峠は井戸よりわずか${barrier} k₀高いだけですが、それで十分です。` : ''}0より大きければ、どんな重みでも輪は四つの井戸に分かれます。`,
-    );
-  },
+  ...sentence<[weight: string, barrier: string]>(
+    ({ traces: [trace], trials }) => {
+      const land = trace?.landscape;
+      const slid = trials.find(({ value, parted }) => parted && value > 0 && value <= LITTLE);
+      if (!slid || !trials.some(({ value, parted }) => !parted && value === 0)) return undefined;
+      return [number(slid.value, 2), land && weightOf(trace) === slid.value ? number(land.pass.energy - land.well.energy, 4) : ''];
+    },
+    [['0.00', '0.0000']],
+    (language, weight, barrier) =>
+      inWords(
+        language,
+        `At weight 0 it stayed at 45°; at ${weight} it slid to an edge. ${barrier ? `The pass at 45° is only ${barrier} k₀ higher than the wells, but it is higher. ` : ''}Any weight above 0 makes four wells out of the ring.`,
+        `重み0では45°にとどまり、重み${weight}では辺へ滑りました。${barrier ? `45°の峠は井戸よりわずか${barrier} k₀高いだけですが、それで十分です。` : ''}0より大きければ、どんな重みでも輪は四つの井戸に分かれます。`,
+      ),
+  ),
 };
 
 const bump: Ask = {
   key: 'bump',
   answers: { a: { en: 'it rests farther away', ja: 'もっと遠く' }, b: { en: 'it rests nearer', ja: 'もっと近く' }, c: { en: 'it rests at w = 1, as before', ja: '前と同じw = 1' } },
-  seen: ({ traces: [trace], step }, language) => {
-    const now = trace && neighbourAt(trace, step);
-    const isPapers = Math.abs(Number(trace?.value('cr')) - PAPERS) < 1e-3;
-    if (!trace || !now || weightOf(trace) < 0.9 || !isPapers || step === 0 || !isAtEdge(now)) return undefined;
-    const [w, weight, deep] = [number(now.w, 3), number(weightOf(trace), 2), number(-now.energy, 3)];
-    return inWords(
-      language,
-      `With a weight of ${weight} it rests at w = ${w}, as before: the well is deeper, ${deep} k₀, and has not moved. Corners that bump would push it away. Now change the radius.`,
-      `重み${weight}でも、静止するのは前と同じw = ${w}です。井戸は${deep} k₀まで深くなりましたが、動いてはいません。角どうしがぶつかるのなら、遠ざかるはずです。次は半径を変えてください。`,
-    );
-  },
+  ...sentence<[w: string, weight: string, deep: string]>(
+    ({ traces: [trace], step }) => {
+      const now = trace && neighbourAt(trace, step);
+      const isPapers = Math.abs(Number(trace?.value('cr')) - PAPERS) < 1e-3;
+      if (!trace || !now || weightOf(trace) < 0.9 || !isPapers || step === 0 || !isAtEdge(now)) return undefined;
+      return [number(now.w, 3), number(weightOf(trace), 2), number(-now.energy, 3)];
+    },
+    [['0.000', '0.00', '0.000']],
+    (language, w, weight, deep) =>
+      inWords(
+        language,
+        `With a weight of ${weight} it rests at w = ${w}, as before: the well is deeper, ${deep} k₀, and has not moved. Corners that bump would push it away. Now change the radius.`,
+        `重み${weight}でも、前と同じw = ${w}で静止します。井戸は${deep} k₀と深くなっただけです。角がぶつかるなら遠ざかるはずです。次は半径を変えてください。`,
+      ),
+  ),
 };
 
 /** The least distance of a slide into the left well, in stable distances. */
@@ -98,17 +105,21 @@ const SLIDE = 0.5;
 const slide: Ask = {
   key: 'slide',
   answers: {},
-  seen: ({ traces: [trace], step }, language) => {
-    const [first, now] = trace ? [neighbourAt(trace, 0), neighbourAt(trace, step)] : [];
-    if (!first || !now || !isAtEdge(now) || now.x > -0.5 || Math.hypot(first.x - now.x, first.y - now.y) < SLIDE) return undefined;
-    // As the boxes of its place have it: y down.
-    const [x, y] = [number(first.x, 2), number(-first.y, 2)];
-    return inWords(
-      language,
-      `Done: from x = ${x}, y = ${y} it slid into the well on the left, after ${step} steps at the latest. The borders between the wells are the diagonals.`,
-      `できました。x = ${x}、y = ${y}から左の井戸へ、${step}ステップまでに滑り込みました。井戸どうしの境は、対角線です。`,
-    );
-  },
+  ...sentence<[x: string, y: string, step: number]>(
+    ({ traces: [trace], step }) => {
+      const [first, now] = trace ? [neighbourAt(trace, 0), neighbourAt(trace, step)] : [];
+      if (!first || !now || !isAtEdge(now) || now.x > -0.5 || Math.hypot(first.x - now.x, first.y - now.y) < SLIDE) return undefined;
+      // As the boxes of its place have it: y down.
+      return [number(first.x, 2), number(-first.y, 2), step];
+    },
+    [['−0.00', '−0.00', 100]],
+    (language, x, y, step) =>
+      inWords(
+        language,
+        `Done: from x = ${x}, y = ${y} it slid into the well on the left, after ${step} steps at the latest. The borders between the wells are the diagonals.`,
+        `できました。x = ${x}、y = ${y}から左の井戸へ、${step}ステップまでに滑り込みました。井戸どうしの境は、対角線です。`,
+      ),
+  ),
 };
 
 /** The place of the second square, in words. */

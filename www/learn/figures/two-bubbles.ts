@@ -5,7 +5,7 @@
  */
 import type { Ask, Figure, Language, Moment, Seen, Stop, Trace } from './figure';
 import { between, isPair, parting, REACH, rest, touch, trialOf, turn } from './rules';
-import { DAMPING, DISTANCE, HELD, INTEGRATOR, joined, MARK, MASS, moves, number, START, STIFFNESS, stands, TIME_STEP } from './words';
+import { DAMPING, DISTANCE, HELD, INTEGRATOR, inWords, joined, MARK, MASS, moves, number, sentence, START, STIFFNESS, stands, TIME_STEP } from './words';
 
 const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0&mend=0&most=1000';
 
@@ -25,69 +25,95 @@ const END: Stop = { key: 'end', name: { en: 'Last step', ja: '最後' }, find: o
 const far: Ask = {
   key: 'far',
   answers: { a: { en: 'it drifts off', ja: '離れていく' }, b: { en: 'it stays', ja: 'そのまま止まっている' }, c: { en: 'it comes back', ja: '戻ってくる' } },
-  seen: ({ traces, step }, language) => {
-    const moments = traces[0]?.moments ?? [];
-    const [first, then] = [moments[0], moments[10]];
-    if (!first || !then || step < 10 || first.w <= REACH || Math.abs(then.w - first.w) > 0.01) return undefined;
-    const [w, force] = [number(then.w, 3), number(then.force, 3)];
-    return language === 'ja'
-      ? `そのまま止まっていました。w = ${w}での力は${force}で、10ステップ後もそこにいます。1.5より遠くでは引く力も押す力も0だからです。`
-      : `It stayed: at w = ${w} the force is ${force}, and ten steps later it is still there. From 1.5 on nothing pulls and nothing pushes.`;
-  },
+  ...sentence<[w: string, force: string]>(
+    ({ traces, step }) => {
+      const moments = traces[0]?.moments ?? [];
+      const [first, then] = [moments[0], moments[10]];
+      if (!first || !then || step < 10 || first.w <= REACH || Math.abs(then.w - first.w) > 0.01) return undefined;
+      return [number(then.w, 3), number(then.force, 3)];
+    },
+    [['0.000', '0.000']],
+    (language, w, force) =>
+      inWords(
+        language,
+        `It stayed: at w = ${w} the force is ${force}, and ten steps later it is still there. From 1.5 on nothing pulls and nothing pushes.`,
+        `そのまま止まっていました。w = ${w}での力は${force}で、10ステップ後もそこにいます。1.5より遠くでは引く力も押す力も0だからです。`,
+      ),
+  ),
 };
 
 const near: Ask = {
   key: 'near',
   showsZero: true,
   answers: {},
-  seen: ({ trials, at, zero }, language) => {
-    const found = between(trials, 0.02);
-    if (!found) return undefined;
-    const [parted, kept, own, level] = [...found, at[0] ?? 0, zero].map((value) => number(value, 3));
-    return language === 'ja'
-      ? `あなたの印は${own}。${parted ?? ''}からは離れきり、${kept ?? ''}からは戻りました。境目はその間です。Ψはw = ${level ?? ''}で0です。減衰がなければエネルギーは減らず、0より上から始まると谷を越えて出ていきます。`
-      : `Your mark is at ${own}. From ${parted ?? ''} it parted for good, from ${kept ?? ''} it came back, so the border lies between. Ψ is 0 at w = ${level ?? ''}: without damping no energy is lost, and whoever starts above 0 leaves the valley.`;
-  },
+  ...sentence<[parted: string, kept: string, own: string, level: string]>(
+    ({ trials, at, zero }) => {
+      const [parted, kept] = between(trials, 0.02) ?? [];
+      if (parted === undefined || kept === undefined) return undefined;
+      return [number(parted, 3), number(kept, 3), number(at[0] ?? 0, 3), number(zero, 3)];
+    },
+    [['0.000', '0.000', '0.000', '0.000']],
+    (language, parted, kept, own, level) =>
+      inWords(
+        language,
+        `Your mark is at ${own}. From ${parted} it parted for good, from ${kept} it came back. Ψ is 0 in between, at w = ${level}: without damping no energy is lost, so a start above 0 leaves the valley.`,
+        `あなたの印は${own}。${parted}からは離れきり、${kept}からは戻りました。その間のw = ${level}でΨは0です。減衰がなければエネルギーは減らず、0より上から始めると谷を出ていきます。`,
+      ),
+  ),
 };
 
 const broken: Ask = {
   key: 'broken',
   answers: { a: { en: 'it rests', ja: '静止する' }, b: { en: 'it rings for ever', ja: '揺れ続ける' }, c: { en: 'it flies apart', ja: '飛び離れる' } },
-  seen: ({ traces, step }, language) => {
-    const [euler, kutta] = traces.map(({ moments }) => moments[step]);
-    if (!euler || !kutta || step < 20 || euler.w <= REACH || Math.abs(kutta.w - 1) > 0.02) return undefined;
-    const [away, stays, dt] = [number(euler.w, 3), number(kutta.w, 3), traces[0]?.value('dt') ?? ''];
-    return language === 'ja'
-      ? `刻み${dt}では、陽的オイラー法のバブルはw = ${away}まで飛び離れ、ルンゲ・クッタ法のバブルはw = ${stays}で静止しました。力は同じです。長い刻みの間に力は変わるのに、オイラー法は最初の力で押し続けるからです。`
-      : `With a step of ${dt}, explicit Euler has thrown the bubble to w = ${away}; Runge–Kutta has it at rest at w = ${stays}. The force is the same. It changes during a long step, but Euler goes on with the force of the step's beginning.`;
-  },
+  ...sentence<[dt: string, away: string, stays: string]>(
+    ({ traces, step }) => {
+      const [euler, kutta] = traces.map(({ moments }) => moments[step]);
+      if (!euler || !kutta || step < 20 || euler.w <= REACH || Math.abs(kutta.w - 1) > 0.02) return undefined;
+      return [traces[0]?.value('dt') ?? '', number(euler.w, 3), number(kutta.w, 3)];
+    },
+    [['0.00', '00.000', '0.000']],
+    (language, dt, away, stays) =>
+      inWords(
+        language,
+        `With a step of ${dt}, explicit Euler has thrown the bubble to w = ${away}; Runge–Kutta has it at rest at w = ${stays}. The force is the same, but Euler goes on for the whole long step with the force at its beginning.`,
+        `刻み${dt}では、陽的オイラー法のバブルはw = ${away}まで飛び離れ、ルンゲ・クッタ法ではw = ${stays}で静止しました。力は同じですが、オイラー法は長い刻みの間、初めの力のまま進むからです。`,
+      ),
+  ),
 };
 
 const still: Ask = {
   key: 'still',
   answers: {},
-  seen: ({ traces, step }, language) => {
-    const [trace] = traces;
-    const moments = trace?.moments ?? [];
-    const at = rest(moments);
-    if (!trace || step < 30 || at === undefined || at > 30 || moments.some(({ w }) => w > 1.01)) return undefined;
-    const c = trace.value('damp');
-    return language === 'ja'
-      ? `できました。減衰c = ${c}では、行き過ぎずに${at}ステップで静止します。2より小さいと行き過ぎ、大きいとのろくなります。`
-      : `Done: with c = ${c} it is at rest after ${at} steps and never swings past. Much less than 2 swings past, much more is slow.`;
-  },
+  ...sentence<[c: string, at: number]>(
+    ({ traces: [trace], step }) => {
+      const moments = trace?.moments ?? [];
+      const at = rest(moments);
+      if (!trace || step < 30 || at === undefined || at > 30 || moments.some(({ w }) => w > 1.01)) return undefined;
+      return [trace.value('damp'), at];
+    },
+    [['0.00', 30]],
+    (language, c, at) =>
+      inWords(
+        language,
+        `Done: with c = ${c} it is at rest after ${at} steps and never swings past. Much less than 2 swings past, much more is slow.`,
+        `できました。減衰c = ${c}では、行き過ぎずに${at}ステップで静止します。2より小さいと行き過ぎ、大きいとのろくなります。`,
+      ),
+  ),
 };
 
 const made: Ask = {
   key: 'made',
   answers: { a: { en: 'stones that were cut one by one', ja: '一つずつ切った石' }, b: { en: 'bubbles that push and pull', ja: '押し合い引き合うバブル' }, c: { en: 'a photograph', ja: '写真' } },
-  seen: ({ step, traces }, language) => {
-    if (step < 4) return undefined;
-    const n = traces[0]?.cells.length ?? 0;
-    return language === 'ja'
-      ? `この${n}個の石は、それぞれ一つのバブルから作られました。バブルは隣を押したり引いたりして自分の場所を見つけます。二つだけ残すと、力は一つの曲線で決まります。`
-      : `Each of the ${n} stones was made around a bubble. The bubbles found their places by pushing and pulling their neighbours. With two of them left, one curve decides.`;
-  },
+  ...sentence<[n: number]>(
+    ({ step, traces }) => (step < 4 ? undefined : [traces[0]?.cells.length ?? 0]),
+    [[10]],
+    (language, n) =>
+      inWords(
+        language,
+        `Each of the ${n} stones was made around a bubble. The bubbles found their places by pushing and pulling their neighbours. With two of them left, one curve decides.`,
+        `この${n}個の石は、それぞれ一つのバブルから作られました。バブルは隣を押したり引いたりして自分の場所を見つけます。二つだけ残すと、力は一つの曲線で決まります。`,
+      ),
+  ),
 };
 
 /** The text under a figure with one pair. */

@@ -5,7 +5,7 @@
 import { asSquare, degreesOf, STEPS } from './directions';
 import type { Ask, Figure, Hand, Language, Plate, Seen, Stop, Trace } from './figure';
 import { ANGLE, angleIn, CENTRE, HEIGHT, IN_ROAD, OUTLINE, PIECES, POWER, ROUND, roadOf, STROKES, strokesAt, WALK_RADIUS } from './which-way-handles';
-import { inWords, joined, number } from './words';
+import { inWords, joined, number, sentence } from './words';
 
 const whole = (value: number): string => number(value, 0);
 
@@ -89,21 +89,23 @@ const isRoad = (trace: Trace): boolean => trace.value('outline') === 'polygon' &
 const middle: Ask = {
   key: 'middle',
   answers: { a: { en: 'it points along the road', ja: '道に沿う' }, b: { en: 'it points across the road', ja: '道を横切る' }, c: { en: 'it points nowhere', ja: 'どちらも向かない' } },
-  seen: ({ traces: [trace], at }, language) => {
-    if (!trace || !isInMiddle(at)) return undefined;
-    const { printed, share } = trace.directions.terms(at);
-    if (share >= NOWHERE) return undefined;
-    const { certainty } = standsAt(trace, at);
-    const isRest = share >= 0.0005 && Math.abs(printed[1]) > Math.abs(printed[0]);
-    const left = number(share, 3);
-    return joined(
-      language,
-      isRest
-        ? inWords(language, `In the middle ${left} of the arrows’ lengths is left, next to nothing. The small rest comes from the ends and points across.`, `真ん中では、矢印の長さの合計の${left}しか残りません。わずかな残りは両端の分で、道を横切る向きです。`)
-        : inWords(language, `In the middle ${left} of the arrows’ lengths is left: the sum points nowhere.`, `真ん中では、矢印の長さの合計の${left}しか残らず、和はどちらも向きません。`),
-      inWords(language, `Its four-fold neighbour has certainty ${number(certainty, 2)}, along the road.`, `四倍角の和は確かさ${number(certainty, 2)}で、道に沿っています。`),
-    );
-  },
+  ...sentence<[left: string, certainty: string, isRest: boolean]>(
+    ({ traces: [trace], at }) => {
+      if (!trace || !isInMiddle(at)) return undefined;
+      const { printed, share } = trace.directions.terms(at);
+      if (share >= NOWHERE) return undefined;
+      return [number(share, 3), number(standsAt(trace, at).certainty, 2), share >= 0.0005 && Math.abs(printed[1]) > Math.abs(printed[0])];
+    },
+    [['0.000', '0.00', true]],
+    (language, left, certainty, isRest) =>
+      joined(
+        language,
+        isRest
+          ? inWords(language, `In the middle ${left} of the arrows’ lengths is left, next to nothing. The small rest comes from the ends and points across.`, `真ん中では、矢印の長さの合計の${left}しか残りません。わずかな残りは両端の分で、道を横切る向きです。`)
+          : inWords(language, `In the middle ${left} of the arrows’ lengths is left: the sum points nowhere.`, `真ん中では、矢印の長さの合計の${left}しか残らず、和はどちらも向きません。`),
+        inWords(language, `Its four-fold neighbour has certainty ${certainty}, along the road.`, `四倍角の和は確かさ${certainty}で、道に沿っています。`),
+      ),
+  ),
 };
 
 const MOST_PIECES = 10;
@@ -111,17 +113,21 @@ const MOST_PIECES = 10;
 const pieces: Ask = {
   key: 'pieces',
   answers: { a: { en: 'neither changes', ja: 'どちらも変わらない' }, b: { en: 'the printed one changes', ja: '論文の式による和' }, c: { en: 'both change', ja: '両方' } },
-  seen: ({ traces: [trace, uncut], at }, language) => {
-    if (!trace || !uncut || Number(trace.value('pieces')) !== MOST_PIECES || !isInMiddle(at)) return undefined;
-    const [before, now] = [uncut, trace].map((one) => number(one.directions.terms(at).share, 2));
-    const turn = Math.abs(asSquare(standsAt(trace, at).degrees - standsAt(uncut, at).degrees));
-    const way = wayOf(trace.directions.terms(at).printed, 1, language);
-    return inWords(
-      language,
-      `The same shape, and yet the printed sum went from ${before} to ${now} of its arrows’ lengths: ${way}. The four-fold direction changed by ${number(turn, 1)}°.`,
-      `形は同じなのに、論文の式による和は、矢印の長さの合計の${before}から${now}になり、${way}。四倍角の向きの変化は${number(turn, 1)}°です。`,
-    );
-  },
+  ...sentence<[before: string, now: string, turn: string, printed: readonly [number, number]]>(
+    ({ traces: [trace, uncut], at }) => {
+      if (!trace || !uncut || Number(trace.value('pieces')) !== MOST_PIECES || !isInMiddle(at)) return undefined;
+      const left = (one: Trace): string => number(one.directions.terms(at).share, 2);
+      const turn = Math.abs(asSquare(standsAt(trace, at).degrees - standsAt(uncut, at).degrees));
+      return [left(uncut), left(trace), number(turn, 1), trace.directions.terms(at).printed];
+    },
+    [['0.00', '0.00', '00.0', [1, 0]], ['0.00', '0.00', '00.0', [0, 1]]],
+    (language, before, now, turn, printed) =>
+      inWords(
+        language,
+        `The same shape, and yet the printed sum went from ${before} to ${now} of its arrows’ lengths: ${wayOf(printed, 1, language)}. The four-fold direction changed by ${turn}°.`,
+        `形は同じなのに、論文の式による和は、矢印の長さの合計の${before}から${now}になり、${wayOf(printed, 1, language)}。四倍角の向きの変化は${turn}°です。`,
+      ),
+  ),
 };
 
 // A walk.
@@ -134,26 +140,33 @@ const surrounds = (trace: Trace, [x = 0, y = 0, radius = 0]: readonly number[]):
 const turns: Ask = {
   key: 'turns',
   answers: { a: { en: 'it would not turn', ja: '0回' }, b: { en: 'it would turn by one quarter', ja: '1回' }, c: { en: 'it would turn by four quarters', ja: '4回' } },
-  seen: ({ traces: [trace], at, step }, language) => {
-    const isWhole = trace && step === STEPS && trace.value('outline') === 'polygon' && surrounds(trace, at);
-    const count = isWhole ? countOf(trace, at) : undefined;
-    if (count !== 4) return undefined;
-    return inWords(language, 'At the end the cross has turned by 360°: four quarter turns. All singular points together count four: index 1.', '一周すると、十字は360°、つまり90°を4回分回りました。特異点は合わせて4回分、指数は1です。');
-  },
+  ...sentence<[]>(
+    ({ traces: [trace], at, step }) => {
+      const isWhole = trace && step === STEPS && trace.value('outline') === 'polygon' && surrounds(trace, at);
+      return isWhole && countOf(trace, at) === 4 ? [] : undefined;
+    },
+    [[]],
+    (language) =>
+      inWords(language, 'At the end the cross has turned by 360°: four quarter turns. All singular points together count four: index 1.', '一周すると、十字は360°、つまり90°を4回分回りました。特異点は合わせて4回分、指数は1です。'),
+  ),
 };
 
 const fork: Ask = {
   key: 'fork',
   answers: {},
-  seen: ({ traces: [trace], at, step }, language) => {
-    const count = trace && step === STEPS ? countOf(trace, at) : undefined;
-    if (!count) return undefined;
-    return inWords(
-      language,
-      `Done: ${whole(count)}, ${whole(-count)} quarter turns against the walk. 4 − 6 = −2: all there is.`,
-      `できました。${whole(count)}回、道筋と逆に90°を${whole(-count)}回分です。4 − 6 = −2で、これがすべてです。`,
-    );
-  },
+  ...sentence<[count: number]>(
+    ({ traces: [trace], at, step }) => {
+      const count = trace && step === STEPS ? countOf(trace, at) : undefined;
+      return count ? [count] : undefined;
+    },
+    [[-2]],
+    (language, count) =>
+      inWords(
+        language,
+        `Done: ${whole(count)}, ${whole(-count)} quarter turns against the walk. 4 − 6 = −2: all there is.`,
+        `できました。${whole(count)}回、道筋と逆に90°を${whole(-count)}回分です。4 − 6 = −2で、これがすべてです。`,
+      ),
+  ),
 };
 
 const leastOf = (trace: Trace, at: readonly number[]): number => Math.min(...trace.directions.walk(at).map(({ certainty }) => certainty));
@@ -205,19 +218,22 @@ const bothAngles = (trace: Trace): readonly [number, number] => [angleIn(trace.p
 const halfway: Ask = {
   key: 'halfway',
   answers: { a: { en: 'squares stand at 45°', ja: '45°' }, b: { en: 'squares stand at 0°, which is also 90°', ja: '0°（90°でも同じ）' }, c: { en: 'squares stand in any direction', ja: '決まらない' } },
-  seen: ({ traces: [trace] }, language) => {
-    if (!trace) return undefined;
-    const [one, other] = bothAngles(trace);
-    const { degrees, certainty } = standsAt(trace, HALFWAY);
-    const apart = Math.abs(one - other);
-    if (apart < 60 || apart > 80 || Math.abs(degrees) > 3) return undefined;
-    const large = Math.max(one, other);
-    return inWords(
-      language,
-      `Halfway squares stand at ${whole(degrees)}°: to a square ${large}° is ${whole(large - 90)}°. The certainty is ${number(certainty, 2)}.`,
-      `中間の向きは${whole(degrees)}°です。正方形にとって${large}°は${whole(large - 90)}°と同じです。確かさは${number(certainty, 2)}です。`,
-    );
-  },
+  ...sentence<[degrees: string, large: number, certainty: string]>(
+    ({ traces: [trace] }) => {
+      if (!trace) return undefined;
+      const [one, other] = bothAngles(trace);
+      const { degrees, certainty } = standsAt(trace, HALFWAY);
+      const apart = Math.abs(one - other);
+      return apart < 60 || apart > 80 || Math.abs(degrees) > 3 ? undefined : [whole(degrees), Math.max(one, other), number(certainty, 2)];
+    },
+    [['−0', 100, '0.00']],
+    (language, degrees, large, certainty) =>
+      inWords(
+        language,
+        `Halfway squares stand at ${degrees}°: to a square ${large}° is ${whole(large - 90)}°. The certainty is ${certainty}.`,
+        `中間の向きは${degrees}°です。正方形にとって${large}°は${whole(large - 90)}°と同じです。確かさは${certainty}です。`,
+      ),
+  ),
 };
 
 function toldStrokes({ traces: [trace] }: Seen, language: Language): string {

@@ -1,5 +1,5 @@
 /** Numbers and sentences that the figures of all chapters share. */
-import type { ChoiceHandle, Language, Moment, NumberHandle, Stop, Words } from './figure';
+import type { Ask, ChoiceHandle, Language, Moment, NumberHandle, Seen, Stop, Words } from './figure';
 import { REACH, start } from './rules';
 
 /** A number with a true minus. */
@@ -10,6 +10,23 @@ export function number(value: number, digits: number): string {
 
 /** The sentence in a language. */
 export const inWords = (language: Language, en: string, ja: string): string => (language === 'ja' ? ja : en);
+
+/** The sentence of a question: how its values are read from what is seen, the widest values that there can be, and its words. */
+export function sentence<Values extends readonly unknown[]>(read: (seen: Seen) => Values | undefined, widest: readonly Values[], says: (language: Language, ...values: Values) => string): Pick<Ask, 'seen' | 'longest'> {
+  return {
+    seen: (seen, language) => {
+      const values = read(seen);
+      return values && says(language, ...values);
+    },
+    longest: (language) => widest.map((values) => says(language, ...values)),
+  };
+}
+
+/** The answer that was chosen, which comes before what happened; '' without one. */
+export function expected({ answers }: Ask, value: string, language: Language): string {
+  const answer = answers[value]?.[language];
+  return answer ? inWords(language, `You expected that ${answer}. `, `あなたの予想は「${answer}」。`) : '';
+}
 
 const LENGTH: Words = { en: 'stable distances', ja: '安定距離' };
 const NONE: Words = { en: '', ja: '' };
