@@ -35,7 +35,7 @@ export const general = [
     lines: [
       {
         en: '“For a class” fills the screen with one figure. Right and left arrow go on and back, a box beside each answer takes the number of hands, Esc ends.',
-        ja: '「授業用の表示」では図が一つずつ画面を満たします。左右の矢印キーで前後に、答えの横の欄に挙手の数を入れます。Escで終わります。',
+        ja: '「授業用」では図が一つずつ画面を満たします。左右の矢印キーで前後に、答えの横の欄に挙手の数を入れます。Escで終わります。',
       },
       {
         en: 'After one visit with a connection the pages work offline. What pupils do is sent nowhere.',

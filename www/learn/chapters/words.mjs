@@ -59,7 +59,7 @@ export const words = {
     sheet: '配布用プリント',
     theme: '暗いページ',
     language: 'English',
-    toClass: '授業用の表示',
+    toClass: '授業用',
     toClassTitle: '図を一つずつ画面いっぱいに表示（矢印キーで前後、Escで終わり）',
     print: '印刷',
     answer: '答えと理由',

@@ -125,7 +125,7 @@ function here(view: View, trace: Trace, isAhead: boolean, x: (step: number) => n
 }
 
 function rowNames({ language }: View): string {
-  const names = language === 'ja' ? ['増', '減'] : ['came', 'went'];
+  const names = language === 'ja' ? ['増えた', '去った'] : ['came', 'went'];
   return `${text(LEFT - 8, CAME, names[0] ?? '', 'number', 'end')}${text(LEFT - 8, WENT, names[1] ?? '', 'number', 'end')}`;
 }
 
