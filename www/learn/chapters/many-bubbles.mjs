@@ -137,8 +137,8 @@ export const manyBubbles = {
           },
         },
         {
-          en: 'Squares are never negative: $E$ can only fall. A part of it may rise. A moving bubble runs a little way up the next slope, as a swing does, and turns motion into energy of pairs. An energy that only falls, on a ground with a floor, ends somewhere: in a valley, called a [[local-minimum|local minimum]].',
-          ja: '2乗は負にならないので、$E$は減るばかりです。ただし、その一部は増えることがあります。動いているバブルは、ブランコのように次の坂を少し駆け上がり、運動を対のエネルギーに変えます。底のあるところで減りつづければ、いつか終わります。行き着く谷を[[local-minimum|極小解]]といいます。',
+          en: 'Squares are never negative: $E$ can only fall. A part of it may rise. A moving bubble runs a little way up the next slope, as a swing does, and turns motion into energy of pairs. An energy that only falls, on a ground with a floor, comes to an end: as good as always in a valley, called a [[local-minimum|local minimum]].',
+          ja: '2乗は負にならないので、$E$は減るばかりです。ただし、その一部は増えることがあります。動いているバブルは、ブランコのように次の坂を少し駆け上がり、運動を対のエネルギーに変えます。底のあるところで減りつづければ、いつか終わります。行き着く先はまず例外なく谷で、これを[[local-minimum|極小解]]といいます。',
         },
       ],
     },

@@ -80,7 +80,7 @@ export const twoBubblesGuide = {
       right: { en: 'c. It flies apart: each step overshoots by more than damping takes away.', ja: 'c。飛び離れる。一歩ごとの行き過ぎが、減衰の奪う分より大きい。' },
       thoughts: [
         [{ en: 'a, it rests:', ja: 'a（静止する）：' }, { en: 'thinks that damping always wins, and that a longer step only saves time.', ja: '減衰が必ず勝ち、刻みを大きくしても時間が節約されるだけだと考えている。' }],
-        [{ en: 'b, it rings for ever:', ja: 'b（揺れつづける）：' }, { en: 'sees the overshoot, but takes it for a balance, as at 0.55.', ja: '行き過ぎには気づいているが、0.55のときのように釣り合うとみている。' }],
+        [{ en: 'b, it swings for ever:', ja: 'b（揺れつづける）：' }, { en: 'sees the overshoot, but takes it for a balance, as at 0.55.', ja: '行き過ぎには気づいているが、0.55のときのように釣り合うとみている。' }],
       ],
     },
   ],
@@ -96,7 +96,7 @@ export const twoBubblesGuide = {
     { link: state('let-go', 0.9, 'damp=0&move=rk4&dt=0.1&step=0'), what: { en: 'Without damping, from 0.9', ja: '減衰なし、0.9から' } },
     { link: state('let-go', 0.6, 'damp=0&move=rk4&dt=0.1&step=0'), what: { en: 'Without damping, from 0.6: it parts', ja: '減衰なし、0.6から（離れる）' } },
     { link: state('not-so', 0.9, 'damp=0.5&move=euler&dt=0.2&step=100'), what: { en: 'Euler, step 0.2: rest', ja: 'オイラー法、刻み0.2：静止' } },
-    { link: state('not-so', 0.9, 'damp=0.5&move=euler&dt=0.55&step=60'), what: { en: 'Euler, step 0.55: it rings', ja: 'オイラー法、刻み0.55：揺れつづける' } },
+    { link: state('not-so', 0.9, 'damp=0.5&move=euler&dt=0.55&step=60'), what: { en: 'Euler, step 0.55: it swings on', ja: 'オイラー法、刻み0.55：揺れつづける' } },
     { link: state('not-so', 0.9, 'damp=0.5&move=euler&dt=1&step=60'), what: { en: 'Euler, step 1.0: it flies apart', ja: 'オイラー法、刻み1.0：飛び離れる' } },
   ],
 };

@@ -79,8 +79,8 @@ export const twoBubbles = {
       figure: 'let-go',
       heading: { en: 'What will it do?', ja: 'どうなるでしょう' },
       text: {
-        en: 'One bubble is held. The other is pulled to $w = 1.6$ and let go.',
-        ja: '片方のバブルを留め、もう片方を$w = 1.6$まで引いて、放します。',
+        en: 'One bubble is held. The other is pulled to $w = 1.6$ and let go; at $w = 1$ the circles touch.',
+        ja: '片方のバブルを留め、もう片方を$w = 1.6$まで引いて、放します（$w = 1$で円が触れ合います）。',
       },
       answers: [
         { value: 'a', text: { en: 'It drifts off', ja: '離れていく' } },
@@ -107,7 +107,7 @@ export const twoBubbles = {
       heading: { en: 'Why', ja: 'なぜ' },
       parts: [
         {
-          en: 'Two bubbles of any size are compared by one number. Their [[stable-distance|stable distance]] $l0$ is half the sum of both diameters; the [[ratio]] $w = l / l0$ tells how many of it lie between the centres. At $w = 1$ the circles touch. The force is',
+          en: 'Two bubbles of any size are compared by one number. Their [[stable-distance|stable distance]] $l0$ is half the sum of both diameters; the [[ratio]] $w = l / l0$ tells how many stable distances lie between the centres. At $w = 1$ the circles touch. The force is',
           ja: '大きさの違うバブルでも、一つの数で比べられます。二つの直径の平均を[[stable-distance|安定距離]]$l0$とし、中心間の距離$l$をこれで割った[[ratio|距離の比]]$w = l / l0$を使います。$w = 1$で円が触れ合います。力は次の式です。',
         },
         {
@@ -158,17 +158,17 @@ export const twoBubbles = {
       figure: 'not-so',
       heading: { en: 'Not so: “a spring, the farther the stronger”', ja: '「遠いほど強いばね」ではありません' },
       text: {
-        en: 'A spring would pull harder the farther it is drawn. This pull is strongest at $w = 19/15$: 0.145, an eighth of the strongest push. Then it fades, so a bubble never tugs at those behind its neighbours. Nor does the push tame every run. A computer walks in [[time-step|steps of time]]; [[euler|explicit Euler]] trusts the force at the start of a step for all of it. Make the step longer, and break it.',
+        en: 'A spring would pull harder the farther it is drawn. This pull is strongest at $w = 19/15$: 0.145, an eighth of the strongest push. Then it fades, so a bubble never tugs at those behind its neighbours. Nor does every run come to rest. A computer walks in [[time-step|steps of time]]; [[euler|explicit Euler]] trusts the force at the start of a step for all of it. Make the step longer, and break it.',
         ja: 'ばねなら、引くほど強く引き返します。この引力が最も強いのは$w = 19/15$で、その大きさ0.145は最も強い斥力のおよそ8分の1です。その先では弱まるので、隣の向こうにいるバブルまで引くことはありません。また、この力があれば必ず落ち着くわけでもありません。計算は[[time-step|時間刻み]]ごとに進み、[[euler|陽的オイラー法]]は刻みの初めの力を刻みの終わりまで使います。刻みを大きくして、壊してみてください。',
       },
       ask: { en: 'What will explicit Euler do with a step of 1.0?', ja: '刻みを1.0にすると、陽的オイラー法はどうなるでしょう。' },
       answers: [
         { value: 'a', text: { en: 'It rests', ja: '静止する' } },
-        { value: 'b', text: { en: 'It rings for ever', ja: '揺れつづける' } },
+        { value: 'b', text: { en: 'It swings for ever', ja: '揺れつづける' } },
         { value: 'c', text: { en: 'It flies apart', ja: '飛び離れる' }, right: true },
       ],
       caption: {
-        en: 'Damping 0.5. With a step of 0.2 Euler rests, with 0.55 it rings for ever, with 1.0 it flies apart, where [[runge-kutta|Runge–Kutta]] rests.',
+        en: 'Damping 0.5. With a step of 0.2 Euler rests, with 0.55 it swings for ever, with 1.0 it flies apart, where [[runge-kutta|Runge–Kutta]] rests.',
         ja: '減衰は0.5。陽的オイラー法は、刻み0.2では静止し、0.55ではいつまでも揺れ、1.0では飛び散ります。同じ1.0でも[[runge-kutta|ルンゲ・クッタ法]]なら静止します。',
       },
     },

@@ -7,7 +7,7 @@ export const whichWay = {
   number: 5,
   title: { en: 'Which way?', ja: 'どちら向き？' },
   idea: {
-    en: 'A square looks alike after a quarter turn, so directions cannot be averaged as arrows.',
+    en: 'A square looks the same after a quarter turn, so directions cannot be averaged as arrows.',
     ja: '正方形は90度回しても同じなので、向きを矢印として平均することはできません。',
   },
   description: {

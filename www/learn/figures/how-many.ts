@@ -80,7 +80,7 @@ function toldHole({ traces, step }: Seen, language: Language): string {
   const room = number(Number(papers.value('room')), 2);
   const counts = traces.map((trace) => numberAt(trace, step));
   if (language === 'ja') {
-    return `論文の規則：${counts[0] ?? 0}個。最も近い隣までのwは${least ?? ''}から${most ?? ''}で、${room}以上のセルのそばにだけ新しいセルが増えます。本プログラムの規則：${counts[1] ?? 0}個。空いた場所そのものを探します。${step < 10 ? '最後まで進めてみてください。' : '論文の値を0.97に下げるとどうなるでしょう。'}`;
+    return `論文の規則：${counts[0] ?? 0}個。最も近い隣までのwは${least ?? ''}から${most ?? ''}で、${room}以上のセルのそばにだけ増えます。本プログラムの規則：${counts[1] ?? 0}個。空いた場所を探します。${step < 10 ? '最後まで進めてみてください。' : '論文の値を0.97に下げるとどうなるでしょう。'}`;
   }
   const hint = step < 10 ? 'Go on to the end.' : 'Try a value of 0.97 for the papers’ rule.';
   return `The papers’ rule: ${counts[0] ?? 0} cells, each with its nearest neighbour at w = ${least ?? ''} to ${most ?? ''}; only from ${room} on a cell comes beside it. Our rule: ${counts[1] ?? 0} cells; it looks for the empty place itself. ${hint}`;

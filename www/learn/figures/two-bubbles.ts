@@ -64,7 +64,7 @@ const near: Ask = {
 
 const broken: Ask = {
   key: 'broken',
-  answers: { a: { en: 'it rests', ja: '静止する' }, b: { en: 'it rings for ever', ja: '揺れ続ける' }, c: { en: 'it flies apart', ja: '飛び離れる' } },
+  answers: { a: { en: 'it rests', ja: '静止する' }, b: { en: 'it swings for ever', ja: '揺れ続ける' }, c: { en: 'it flies apart', ja: '飛び離れる' } },
   ...sentence<[dt: string, away: string, stays: string]>(
     ({ traces, step }) => {
       const [euler, kutta] = traces.map(({ moments }) => moments[step]);
@@ -103,15 +103,15 @@ const still: Ask = {
 
 const made: Ask = {
   key: 'made',
-  answers: { a: { en: 'stones that were cut one by one', ja: '一つずつ切った石' }, b: { en: 'bubbles that push and pull', ja: '押し合い引き合うバブル' }, c: { en: 'a photograph', ja: '写真' } },
+  answers: { a: { en: 'stones came first, cut one by one', ja: '一つずつ切った石' }, b: { en: 'bubbles came first', ja: '押し合い引き合うバブル' }, c: { en: 'a photograph came first', ja: '写真' } },
   ...sentence<[n: number]>(
     ({ step, traces }) => (step < 4 ? undefined : [traces[0]?.cells.length ?? 0]),
     [[10]],
     (language, n) =>
       inWords(
         language,
-        `Each of the ${n} stones was made around a bubble. The bubbles found their places by pushing and pulling their neighbours. With two of them left, one curve decides.`,
-        `この${n}個の石は、それぞれ一つのバブルから作られました。バブルは隣を押したり引いたりして自分の場所を見つけます。二つだけ残すと、力は一つの曲線で決まります。`,
+        `Each of the ${n} stones was made around a bubble. The bubbles found their places by pushing and pulling each other. Between two of them one curve decides.`,
+        `${n}個の石は、一つずつバブルから作られました。バブルは押し合い、引き合って自分の場所を見つけます。二つの間の力は、一つの曲線で決まります。`,
       ),
   ),
 };
