@@ -128,6 +128,16 @@ test('each page opens without an error, asks nobody else, is accessible and lose
   await close();
 });
 
+test('on a small phone the tools of a page stand beside its name', sameEverywhere, async () => {
+  for (const path of CHAPTERS) {
+    const { page, close } = await site.newPage(path, { viewport: { ...phone, width: 360, height: 640 } });
+    await begun(page);
+    const [name, ...tools] = await page.$$eval('.home, .tools > *', (all) => all.map((one) => one.getBoundingClientRect().toJSON()));
+    assert.ok(tools.length >= 4 && tools.every(({ top, bottom, left }) => top < name.bottom && bottom > name.top && left >= name.right), `${path} ${JSON.stringify([name, ...tools])}`);
+    await close();
+  }
+});
+
 /** Plays a figure for an eighth of its run, from its start on, and pauses it. */
 async function plays(page, figure) {
   if (!(await page.$(`${figure} [data-do="play"]`))) return;

@@ -64,7 +64,7 @@ function toldDual(seen: Seen, language: Language): string {
     : inWords(language, 'The marked bubble is at the border, where the outline cuts its cell.', '印のバブルは縁にあり、セルは輪郭で切られています。');
   const most = inWords(language, `Of the ${inner.length} bubbles inside, ${six} have six edges.`, `内側の${inner.length}個のうち、${six}個には辺が六本あります。`);
   const layer = LAYERS[seen.step];
-  return joined(language, all, layer?.[language] ?? '', one, most, inWords(language, 'Look at another bubble, or go through the layers.', 'ほかのバブルを見るか、一枚ずつ重ねてみてください。'));
+  return joined(language, all, layer?.[language] ?? '', one, most, inWords(language, 'Look at another bubble, or go through the layers.', 'ほかのバブルを見るか、層を順に重ねてみてください。'));
 }
 
 /** The medians of the three rows. */
