@@ -6,7 +6,7 @@ use super::schema::keys;
 use crate::building::{Building, CornerId, DrawnPlan, EdgeId, Module, Rule};
 use crate::generators::lighting::LightParams;
 use crate::generators::rows::numbered::numbers_of;
-use crate::generators::rows::shared as common;
+use crate::generators::rows::shared;
 use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::masonry::laying::LayingParams;
 use crate::masonry::module::{ASHLAR, BLOCK, UK_BRICK, US_BRICK};
@@ -124,7 +124,7 @@ impl LookParams {
 impl MasonryParams {
     pub fn new(recipe: &Recipe) -> Self {
         let module = module(recipe);
-        let seed = common::seed(recipe);
+        let seed = shared::seed(recipe);
         let rule = Rule::of_word(recipe.choice(keys::BUILDING));
         let asked = || AskedFile {
             role: keys::MODEL.0,
@@ -183,11 +183,11 @@ impl MasonryParams {
             still: StillParams {
                 camera: MASONRY.camera(),
                 light: LightParams {
-                    shade: common::shading(recipe),
+                    shade: shared::shading(recipe),
                     materials: materials(Gloss::of_word(recipe.choice(keys::GLOSS))),
                 },
                 yaw: recipe.number(keys::YAW),
-                side: common::side(recipe),
+                side: shared::side(recipe),
             },
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::generators::rows::buildings;
 use crate::generators::rows::rows;
-use crate::generators::rows::shared as common;
+use crate::generators::rows::shared;
 use crate::recipe::parameter::{Parameter, choice, number, text};
 use crate::recipe::schema::choices;
 use crate::recipe::{Choice, Item};
@@ -66,7 +66,7 @@ rows! {
             .drawn_for(keys::BUILDING, FILE).only_for(keys::BUILDING, &[FILE]);
     yaw YAW: "Turns the building about its upright axis, under the same light." =>
         number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Building");
-    size SIZE: "Side of the square picture." => common::SIZE;
+    size SIZE: "Side of the square picture." => shared::SIZE;
 
     pattern PATTERN: "The tree of patterns that features are passed down." =>
         choice("Pattern", choices![
@@ -78,7 +78,7 @@ rows! {
         choice("Corners", choices![solved: "Solved", stored: "By hand"]).group("Pattern");
     flips FLIPS: "Corners (0) and edges (1) whose bricks are turned by hand, each with its number." =>
         text("Turned by hand", Item::Feature).group("Pattern").steady();
-    seed SEED: "Names the random numbers." => common::SEED.group("Pattern");
+    seed SEED: "Names the random numbers." => shared::SEED.group("Pattern");
 
     module MODULE: "The size of bricks or stones with a joint." =>
         choice("Module", choices![
@@ -103,8 +103,8 @@ rows! {
         choice("Dressings", DRESSINGS).group("Look").main();
     roof ROOF: "Colours of the roof's tiles." => choice("Roof", ROOFS).group("Look").main();
     mortar MORTAR: "Colour of the mortar." => choice("Mortar", MORTARS).group("Look");
-    vary VARY: "Variation of tone from block to block." => common::VARY.group("Look");
-    gloss GLOSS: "How blocks shine." => common::GLOSS.group("Look");
+    vary VARY: "Variation of tone from block to block." => shared::VARY.group("Look");
+    gloss GLOSS: "How blocks shine." => shared::GLOSS.group("Look");
 
     ground GROUND: "The ground on which the building stands." => choice("Ground", GROUNDS).group("Weather").main();
     moss MOSS: "Lets moss grow low down, on what faces up, and on the north side." =>
@@ -112,7 +112,7 @@ rows! {
     damp DAMP: "Lets damp rise from the ground, and water run down from sills." =>
         number("", "Damp").range(0.0, 1.0, 0.05, 0.3).group("Weather").main();
 
-    ..[common::LIGHTING];
-    az AZ => common::AZ.range(0.0, 360.0, 1.0, 62.0);
-    el EL => common::EL.range(5.0, 90.0, 1.0, 30.0);
+    ..[shared::LIGHTING];
+    az AZ => shared::AZ.range(0.0, 360.0, 1.0, 62.0);
+    el EL => shared::EL.range(5.0, 90.0, 1.0, 30.0);
 }

@@ -6,9 +6,7 @@ use crate::cells::Cell;
 use crate::domain::Outline;
 use crate::field::{CellKind, Direction, FieldParams, Grading, SoftSpot};
 use crate::generators::height_field::{HeightFieldParams, PlaneParams};
-use crate::generators::rows::shared as common;
-use crate::generators::rows::shared::keys as shared;
-use crate::generators::rows::stones;
+use crate::generators::rows::{shared, stones};
 use crate::heightfield::TextureParams;
 use crate::material::ColourParams;
 use crate::packing::{
@@ -110,7 +108,7 @@ impl Params {
             flow: recipe.is_skin().then(|| flow(recipe)),
             coats: CoatParams {
                 colour: stones::colour(recipe, recipe.side()),
-                seed: common::seed(recipe),
+                seed: shared::seed(recipe),
                 side: recipe.side(),
             },
             finish: HeightFieldParams {
@@ -118,8 +116,8 @@ impl Params {
                     texture: texture(recipe),
                     finer,
                 },
-                weather: common::weather(recipe),
-                light: common::light(recipe),
+                weather: shared::weather(recipe),
+                light: shared::light(recipe),
             },
         }
     }
@@ -237,7 +235,7 @@ pub(super) fn packing(recipe: &Recipe) -> PackingParams {
             _ => Population::Slots,
         },
         variance: recipe.number(keys::VS),
-        seed: common::seed(recipe),
+        seed: shared::seed(recipe),
         physics: physics(recipe),
     }
 }
@@ -296,7 +294,7 @@ fn flow(recipe: &Recipe) -> FlowParams {
 fn cells(recipe: &Recipe) -> CellParams {
     let scattered = |rounds| CellParams::Scattered {
         rounds,
-        seed: common::seed(recipe),
+        seed: shared::seed(recipe),
     };
     match recipe.choice(keys::CELLS) {
         "packed" => CellParams::Packed,
@@ -308,16 +306,16 @@ fn cells(recipe: &Recipe) -> CellParams {
 
 pub(super) fn texture(recipe: &Recipe) -> TextureParams {
     TextureParams {
-        side: common::side(recipe),
+        side: shared::side(recipe),
         pixel_scale: 1,
-        seed: common::seed(recipe),
+        seed: shared::seed(recipe),
         size: recipe.number(keys::CS),
         stone: stones::stone(recipe, 1.0),
-        dimension: recipe.number(shared::FD),
-        amplitude: recipe.number(shared::AF),
-        palette: recipe.choice(shared::PALETTE),
-        ground: recipe.choice(shared::GROUND),
-        vary: recipe.number(shared::VARY),
+        dimension: recipe.number(shared::keys::FD),
+        amplitude: recipe.number(shared::keys::AF),
+        palette: recipe.choice(shared::keys::PALETTE),
+        ground: recipe.choice(shared::keys::GROUND),
+        vary: recipe.number(shared::keys::VARY),
         colour: stones::colour(recipe, recipe.side()),
         tile: recipe.is_tile(),
     }

@@ -4,7 +4,7 @@
 use crate::domain::MAX_POINTS;
 use crate::field::FieldParams;
 use crate::generators::rows::rows;
-use crate::generators::rows::shared as common;
+use crate::generators::rows::shared;
 use crate::generators::rows::stones::{self, SKIN};
 use crate::packing::{PackingParams, Physics};
 use crate::recipe::parameter::{choice, int, number, text};
@@ -45,7 +45,7 @@ rows! {
             Choice { word: "0", label: "Outline" }, Choice { word: "1", label: "Seamless tile" },
         ]).group("Outline");
     size SIZE: "Side of the square picture; the outline grows with it, the stones only as their own lengths do." =>
-        common::SIZE.group("Outline");
+        shared::SIZE.group("Outline");
     ow OW: "Width of the paved way, as a factor of the shape's own." =>
         number("", "Width").range(0.3, 1.7, 0.05, 1.0).group("Outline")
             .only_for(keys::OUTLINE, BUILT_IN);
@@ -139,7 +139,7 @@ rows! {
     vs VS: "Random variance of the cells' size." =>
         number("Vs", "Size variance").range(0.0, 0.5, 0.01, PACKING.variance).group("Packing").main();
     seed SEED: "Names the random numbers: another seed, another pavement." =>
-        common::SEED.group("Packing");
+        shared::SEED.group("Packing");
 
     cells CELLS: "Cells fitted to each other without gaps, or as they were packed; to compare, Voronoi cells of as many random points, plain or evened out by Lloyd's relaxation." =>
         choice("Cells", choices![
@@ -196,9 +196,9 @@ rows! {
     ..[stones::TOP];
     dr DR => stones::DR.default_while(keys::STONE, SKIN, 0.05);
 
-    ..[common::FACES];
-    fd FD => common::FD.default_while(keys::STONE, SKIN, SkinParams::DEFAULT.dimension);
-    af AF => common::AF.default_while(keys::STONE, SKIN, SkinParams::DEFAULT.amplitude);
+    ..[shared::FACES];
+    fd FD => shared::FD.default_while(keys::STONE, SKIN, SkinParams::DEFAULT.dimension);
+    af AF => shared::AF.default_while(keys::STONE, SKIN, SkinParams::DEFAULT.amplitude);
 
     ..[stones::MARKS];
     pattern PATTERN: "The rule by which cells have the palette's mark colour." =>
@@ -212,8 +212,8 @@ rows! {
     pc PC => stones::PC.only_for(keys::PATTERN, PATTERNS);
     pm PM => stones::PM.only_for(keys::PATTERN, PATTERNS);
 
-    ..[common::WEATHERING];
-    ..[common::LIGHTING];
+    ..[shared::WEATHERING];
+    ..[shared::LIGHTING];
 }
 
 /// The kinds with corners.

@@ -6,7 +6,7 @@ use super::schema::{NONE, TYPE_KEYS, TypeKeys, keys};
 use crate::component::{ComponentKind, FINISHES, Finish};
 use crate::generators::lighting::LightParams;
 use crate::generators::rows::numbered::numbers_of;
-use crate::generators::rows::shared as common;
+use crate::generators::rows::shared;
 use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::material::Gloss;
 use crate::pile::{Method, Order, Reading, RefineParams, Turn};
@@ -138,7 +138,7 @@ impl PileParams {
         let components = ComponentParams {
             sources: sources.collect(),
             variants: recipe.number(keys::VARIANTS) as u64,
-            seed: common::seed(recipe),
+            seed: shared::seed(recipe),
         };
         let darts = darts(recipe, &types);
         let each = darts.types.iter();
@@ -156,11 +156,11 @@ impl PileParams {
             still: StillParams {
                 camera: PILE.camera(),
                 light: LightParams {
-                    shade: common::shading(recipe),
+                    shade: shared::shading(recipe),
                     materials: materials(&dress.finishes, bodies.gloss),
                 },
                 yaw: recipe.number(keys::YAW),
-                side: common::side(recipe),
+                side: shared::side(recipe),
             },
             dress,
             darts,
@@ -241,7 +241,7 @@ fn darts(recipe: &Recipe, types: &[&TypeKeys]) -> DartParams {
         layers: recipe.number(keys::LAYERS) as u32,
         is_merged: recipe.choice(keys::MERGE) == "merged",
         in_scan_order: recipe.choice(keys::DARTS) == "scan",
-        seed: common::seed(recipe),
+        seed: shared::seed(recipe),
     }
 }
 
@@ -265,7 +265,7 @@ fn refine(recipe: &Recipe) -> RefineParams {
             },
             _ => Method::Exact,
         },
-        seed: common::seed(recipe),
+        seed: shared::seed(recipe),
     }
 }
 
@@ -279,6 +279,6 @@ fn bodies(recipe: &Recipe) -> BodyParams {
             "hidden" => CoreShown::Hidden,
             _ => CoreShown::Suits,
         },
-        seed: common::seed(recipe),
+        seed: shared::seed(recipe),
     }
 }

@@ -3,7 +3,7 @@
 use crate::generators::SampleRule;
 use crate::generators::rows::rows;
 use crate::generators::rows::shapes;
-use crate::generators::rows::shared as common;
+use crate::generators::rows::shared;
 use crate::recipe::parameter::{Parameter, choice, int, number, text};
 use crate::recipe::schema::choices;
 use crate::recipe::{Choice, Item, Key};
@@ -281,7 +281,7 @@ rows! {
         int("", "Layers").range(1.0, 5.0, 1.0, 1.0).group("Shape");
     yaw YAW: "Turns the pile about its upright axis, under the same light." =>
         number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Shape");
-    size SIZE: "Side of the square picture." => common::SIZE;
+    size SIZE: "Side of the square picture." => shared::SIZE;
 
     darts DARTS: "The order in which darts are thrown: row by row, rows show." =>
         choice("Darts", choices![random: "By chance", scan: "Row by row"]).group("Placing");
@@ -289,7 +289,7 @@ rows! {
         choice("Types", choices![merged: "Merged", alone: "Each for itself"]).group("Placing");
     frame FRAME: "The axes from which bodies turn: those of the surface at each place, or those of space." =>
         choice("Axes", choices![local: "Of the surface", global: "Of space"]).group("Placing");
-    seed SEED: "Names the random numbers: another seed, another pile." => common::SEED.group("Placing");
+    seed SEED: "Names the random numbers: another seed, another pile." => shared::SEED.group("Placing");
 
     refine REFINE: "How a body's place is found: exactly, or by the paper's golden section." =>
         choice("Search", choices![exact: "Exact", golden: "Golden section"]).group("Refinement");
@@ -313,12 +313,12 @@ rows! {
     retries RETRIES: "New turns that are tried before a body is removed." =>
         int("", "Retries").range(0.0, 3.0, 1.0, 1.0).group("Refinement");
 
-    vary VARY: "Variation of tone from body to body." => common::VARY.group("Look");
-    gloss GLOSS: "How bodies shine." => common::GLOSS.group("Look");
+    vary VARY: "Variation of tone from body to body." => shared::VARY.group("Look");
+    gloss GLOSS: "How bodies shine." => shared::GLOSS.group("Look");
     wet WET: "Wets the pile from below, up to this share of its height." =>
         number("", "Wet").range(0.0, 1.0, 0.05, 0.0).group("Look").main();
 
-    ..[common::LIGHTING];
-    az AZ => common::AZ.range(0.0, 360.0, 1.0, 85.0);
-    el EL => common::EL.range(5.0, 90.0, 1.0, 45.0);
+    ..[shared::LIGHTING];
+    az AZ => shared::AZ.range(0.0, 360.0, 1.0, 85.0);
+    el EL => shared::EL.range(5.0, 90.0, 1.0, 45.0);
 }

@@ -4,9 +4,7 @@ use super::SURFACE;
 use super::schema::{FILE, keys};
 use crate::field::CellKind;
 use crate::generators::rows::numbered::numbers_of;
-use crate::generators::rows::shared as common;
-use crate::generators::rows::shared::keys as shared;
-use crate::generators::rows::stones;
+use crate::generators::rows::{shared, stones};
 use crate::generators::scene_picture::{AskedFile, StillParams};
 use crate::heightfield::TextureParams;
 use crate::material::{ColourParams, WeatherParams};
@@ -137,19 +135,19 @@ impl Params {
             cells: CellParams {
                 colour: stones::colour(recipe, 1.0),
                 is_around: recipe.choice(keys::PT) == "body",
-                seed: common::seed(recipe),
+                seed: shared::seed(recipe),
                 flip: recipe.choice(keys::FLIP) == "1",
             },
             stones: StoneLook {
                 texture: texture(recipe),
-                weather: common::weather(recipe),
+                weather: shared::weather(recipe),
                 open: open(recipe),
             },
             still: StillParams {
                 camera: SURFACE.camera(),
-                light: common::light(recipe),
+                light: shared::light(recipe),
                 yaw: recipe.number(keys::YAW),
-                side: common::side(recipe),
+                side: shared::side(recipe),
             },
         }
     }
@@ -276,23 +274,23 @@ fn fields(recipe: &Recipe, sizes: Sizes) -> FieldParams {
 fn packing(recipe: &Recipe) -> PackingParams {
     PackingParams {
         variance: recipe.number(keys::VS),
-        seed: common::seed(recipe),
+        seed: shared::seed(recipe),
         ..PackingParams::DEFAULT
     }
 }
 
 fn texture(recipe: &Recipe) -> TextureParams {
     TextureParams {
-        side: common::side(recipe),
+        side: shared::side(recipe),
         pixel_scale: 1,
-        seed: common::seed(recipe),
+        seed: shared::seed(recipe),
         size: UNIT,
         stone: stones::stone(recipe, UNIT),
-        dimension: recipe.number(shared::FD),
-        amplitude: recipe.number(shared::AF),
-        palette: recipe.choice(shared::PALETTE),
-        ground: recipe.choice(shared::GROUND),
-        vary: recipe.number(shared::VARY),
+        dimension: recipe.number(shared::keys::FD),
+        amplitude: recipe.number(shared::keys::AF),
+        palette: recipe.choice(shared::keys::PALETTE),
+        ground: recipe.choice(shared::keys::GROUND),
+        vary: recipe.number(shared::keys::VARY),
         colour: stones::colour(recipe, 1.0),
         tile: false,
     }

@@ -2,7 +2,7 @@
 
 use crate::generators::rows::rows;
 use crate::generators::rows::shapes;
-use crate::generators::rows::shared as common;
+use crate::generators::rows::shared;
 use crate::generators::rows::stones::{self, SKIN};
 use crate::recipe::parameter::{choice, int, number, text};
 use crate::recipe::schema::choices;
@@ -46,7 +46,7 @@ rows! {
             .only_for(keys::FORM, &["leg", "tail", "horn"]);
     yaw YAW: "Turns the model about its upright axis, under the same light." =>
         number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Shape");
-    size SIZE: "Side of the square picture." => common::SIZE;
+    size SIZE: "Side of the square picture." => shared::SIZE;
 
     kind KIND: "Shape of the packed cells: squares and rectangles in rows, circles and ellipses like honeycombs." =>
         choice("Kind", choices![
@@ -102,7 +102,7 @@ rows! {
         ]).group("Direction");
     vs VS: "Random variance of the cells' size." =>
         number("Vs", "Size variance").range(0.0, 0.5, 0.01, 0.0).group("Packing");
-    seed SEED: "Names the random numbers: another seed, other stones." => common::SEED.group("Packing");
+    seed SEED: "Names the random numbers: another seed, other stones." => shared::SEED.group("Packing");
 
     ..[stones::LEAN];
     sv SV => stones::SV.range(0.5, 3.0, 0.01, 0.97).default_while(keys::STONE, SKIN, 1.3);
@@ -116,9 +116,9 @@ rows! {
     keel KEEL => stones::KEEL.range(0.0, 1.0, 0.01, 0.4);
     dr DR => stones::DR.default_while(keys::STONE, SKIN, 0.03);
 
-    ..[common::FACES];
-    fd FD => common::FD.default_while(keys::STONE, SKIN, 1.1);
-    af AF => common::AF.default_while(keys::STONE, SKIN, 0.03);
+    ..[shared::FACES];
+    fd FD => shared::FD.default_while(keys::STONE, SKIN, 1.1);
+    af AF => shared::AF.default_while(keys::STONE, SKIN, 0.03);
 
     ..[stones::MARKS];
     pn PN: "From one mark to the next, or how far marks reach, in sides of the box around the model." =>
@@ -131,11 +131,11 @@ rows! {
     belly BELLY: "How much of the palette's belly colour there is on one side of the body." => stones::BELLY;
     ba BA: "Where the belly is, clockwise from the x axis, seen from the front." => stones::BA;
 
-    ..[common::WEATHERING];
-    moss MOSS: "Lets moss grow, in the joints, in hollows and on what faces up." => common::MOSS;
+    ..[shared::WEATHERING];
+    moss MOSS: "Lets moss grow, in the joints, in hollows and on what faces up." => shared::MOSS;
 
-    ..[common::LIGHTING];
-    az AZ => common::AZ.range(0.0, 360.0, 1.0, 130.0);
+    ..[shared::LIGHTING];
+    az AZ => shared::AZ.range(0.0, 360.0, 1.0, 130.0);
 }
 
 /// The kinds with an aspect ratio.
