@@ -1,27 +1,13 @@
 //! The engine of masonry, for the studio.
 
 use super::MasonryEngine;
-use super::stages::{BLOCKS, MasonryStages};
+use super::stages::BLOCKS;
 use crate::generators::Progress;
-use crate::generators::scene_picture::{SceneEngine, ScenePicture};
+use crate::generators::scene_picture::SceneFacts;
 use crate::graph::Wiring;
 use crate::notice::Notice;
 
-impl SceneEngine for MasonryEngine {
-    type Stages = MasonryStages;
-
-    fn made(&self) -> &MasonryStages {
-        &self.made
-    }
-
-    fn made_mut(&mut self) -> &mut MasonryStages {
-        &mut self.made
-    }
-
-    fn pictures(&self) -> &ScenePicture<Self> {
-        &self.picture
-    }
-
+impl SceneFacts for MasonryEngine {
     fn work_done(&self) -> Progress {
         let laid = self.made.finished();
         Progress {

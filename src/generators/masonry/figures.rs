@@ -2,6 +2,7 @@
 
 use super::colours::type_of;
 use super::diagrams::{Claimed, Texture, clipped};
+use super::stages::MasonryStages;
 use super::views::MasonryView;
 use super::{MasonryEngine, diagrams};
 use crate::building::{FaceId, PolygonId};
@@ -14,6 +15,16 @@ enum Meant<'a> {
     Cell(&'a MasonryCell),
     Feature(Feature),
     Polygon(PolygonId),
+}
+
+impl MasonryStages {
+    /// The face that has an id in diagrams of features, if it has a map.
+    pub(super) fn face_of(&self, id: u32) -> Option<FaceId> {
+        let laying = self.cells.made()?;
+        let feature = laying.order().get((id as usize).checked_sub(1)?)?;
+        let mut textured = laying.textured_faces();
+        textured.find(|&face| Feature::Face(face) == *feature)
+    }
 }
 
 impl MasonryEngine {
@@ -81,17 +92,9 @@ impl MasonryEngine {
     /// The words of the states of a face's map, while maps are shown.
     pub(super) fn states(&self, id: u32) -> Vec<String> {
         let shown = self.picture.shown().map(|(key, _)| key.view);
-        let has_map = shown == Some(MasonryView::Occupancy) && self.face_of(id).is_some();
+        let has_map = shown == Some(MasonryView::Occupancy) && self.made.face_of(id).is_some();
         let words = diagrams::STATES.iter().filter(|_| has_map);
         words.map(|word| (*word).to_owned()).collect()
-    }
-
-    /// The face that has an id in diagrams of features, if it has a map.
-    pub(super) fn face_of(&self, id: u32) -> Option<FaceId> {
-        let laying = self.made.cells.made()?;
-        let feature = laying.order().get((id as usize).checked_sub(1)?)?;
-        let mut textured = laying.textured_faces();
-        textured.find(|&face| Feature::Face(face) == *feature)
     }
 
     /// The words of a body: the labels of its feature, and for a block the path of its node in the tree.

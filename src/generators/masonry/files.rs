@@ -2,13 +2,21 @@
 
 use super::MasonryEngine;
 use super::colours::GRASS_ROW;
-use crate::export::{MeshOrder, MeshSize};
+use crate::export::{MeshOrder, MeshSize, SceneFile};
 use crate::generators::scene_picture::Saving;
 use crate::generators::{Clock, MeshSlice, Meshes};
 use crate::masonry::laying::Laying;
 use crate::notice::Notice;
 use crate::scene::{Instance, Scene};
 use std::rc::Rc;
+
+/// A mesh file in the making.
+#[derive(Default)]
+pub(crate) struct BuildingSaving {
+    file: Option<Saving<SceneFile>>,
+    /// The scene of mesh files, and the revision of the blocks that it was made of.
+    scene: Option<(u64, Rc<Scene>)>,
+}
 
 /// A scene without blades of grass: thousands of them would make up most of a file.
 fn without_grass(scene: &Scene) -> Scene {
@@ -29,9 +37,9 @@ impl MasonryEngine {
     fn modelled(&mut self) -> Option<Rc<Scene>> {
         let bodies = &self.made.shared.bodies;
         let (revision, blocks) = (bodies.revision(), bodies.made()?);
-        let known = self.modelled.take().filter(|(of, _)| *of == revision);
+        let known = self.saving.scene.take().filter(|(of, _)| *of == revision);
         let new = || (revision, Rc::new(without_grass(&blocks.scene)));
-        let (_, scene) = self.modelled.insert(known.unwrap_or_else(new));
+        let (_, scene) = self.saving.scene.insert(known.unwrap_or_else(new));
         Some(scene.clone())
     }
 }
@@ -49,7 +57,7 @@ impl Meshes for MasonryEngine {
         let name = |number: usize| format!("{}_{number}", cells[number].feature.word());
         let names = ("building", name);
         let of = (&self.made, scene);
-        Saving::of_scene(&mut self.saving, of, order, (clock, budget), names)
+        Saving::of_scene(&mut self.saving.file, of, order, (clock, budget), names)
     }
 
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
@@ -58,6 +66,6 @@ impl Meshes for MasonryEngine {
     }
 
     fn stop_mesh(&mut self) {
-        (self.saving, self.modelled) = (None, None);
+        self.saving = BuildingSaving::default();
     }
 }

@@ -37,14 +37,10 @@ mod weather;
 pub use schema::keys;
 
 use super::given::FileRules;
-use super::scene_picture::{Saving, ScenePicture};
+use super::scene_picture::SceneEngine;
 use super::{Course, Generator, Views};
-use crate::export::SceneFile;
-use crate::recipe::{Recipe, Schema};
-use crate::scene::Scene;
-use params::MasonryParams;
+use crate::recipe::Schema;
 use stages::MasonryStages;
-use std::rc::Rc;
 
 /// The parameters of masonry.
 pub static SCHEMA: Schema = Schema {
@@ -81,24 +77,5 @@ pub static MASONRY: Generator = Generator {
     engine: |recipe| Box::new(MasonryEngine::new(recipe)),
 };
 
-/// The engine: its stages, and what is looked at.
-pub struct MasonryEngine {
-    made: MasonryStages,
-    picture: ScenePicture<MasonryEngine>,
-    /// The unfinished mesh file.
-    saving: Option<Saving<SceneFile>>,
-    /// The scene of mesh files, and the revision of the blocks that it was made of.
-    modelled: Option<(u64, Rc<Scene>)>,
-}
-
-impl MasonryEngine {
-    /// Starts with all its work to be done.
-    pub fn new(recipe: &Recipe) -> Self {
-        Self {
-            made: MasonryStages::new(MasonryParams::new(recipe)),
-            picture: ScenePicture::default(),
-            saving: None,
-            modelled: None,
-        }
-    }
-}
+/// The engine.
+pub(crate) type MasonryEngine = SceneEngine<MasonryStages>;

@@ -1,14 +1,15 @@
 //! The stages of masonry, as a table of tasks.
 
 use super::blocks::Wall;
+use super::files::BuildingSaving;
 use super::ground::GroundWork;
 use super::kept::{KeptBlocks, LastWall, marks};
 use super::params::{
     BlockParams, BuildingParams, GroundParams, LookParams, MasonryParams, PatternParams,
 };
-use super::sentences;
 use super::setting::WallScene;
 use super::site::{BuildingSite, SiteBuild};
+use super::{sentences, views};
 use crate::building::Building;
 use crate::generators::scene_picture::{MadeScene, SceneStages, SharedNodes};
 use crate::graph::{Node, Task, Wiring, task};
@@ -111,8 +112,23 @@ impl Wiring for MasonryStages {
 impl SceneStages for MasonryStages {
     type Look = LookParams;
     type Finishing = BlocksWork;
+    type Saving = BuildingSaving;
 
     const FINISHER: usize = BLOCKS;
+    const VIEWS: &'static [&'static str] = &views::WORDS;
+
+    fn new(recipe: &Recipe) -> Self {
+        let params = MasonryParams::new(recipe);
+        Self {
+            site: Node::new(params.building),
+            cells: Node::new(params.cells),
+            ground: Node::new(params.look.ground()),
+            laid: Node::new(params.blocks),
+            shared: SharedNodes::new(params.files, params.look, params.still),
+            last: None,
+            kept: KeptBlocks::default(),
+        }
+    }
 
     fn shared(&self) -> &SharedNodes<LookParams, BlocksWork> {
         &self.shared
@@ -151,19 +167,6 @@ impl SceneStages for MasonryStages {
 }
 
 impl MasonryStages {
-    /// Starts with nothing made.
-    pub(super) fn new(params: MasonryParams) -> Self {
-        Self {
-            site: Node::new(params.building),
-            cells: Node::new(params.cells),
-            ground: Node::new(params.look.ground()),
-            laid: Node::new(params.blocks),
-            shared: SharedNodes::new(params.files, params.look, params.still),
-            last: None,
-            kept: KeptBlocks::default(),
-        }
-    }
-
     fn make_site(&mut self) -> Option<()> {
         let files = &self.shared.files;
         self.site.advance(|params, work| {

@@ -1,28 +1,16 @@
 //! Scenes of the views of masonry.
 
-use super::diagrams::DiagramWork;
+use super::diagrams::{self, DiagramWork};
 use super::kept::marks;
 use super::setting::WallScene;
+use super::stages::MasonryStages;
 use super::views::MasonryView;
-use super::{MasonryEngine, diagrams};
-use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
+use crate::generators::scene_picture::{SceneKey, SceneSource, SceneStages};
 use crate::graph::Wiring;
 use crate::masonry::laying::Laying;
 use crate::material::Material;
 use crate::scene::Scene;
 use std::rc::Rc;
-
-/// The key of a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct WallInputs {
-    pub view: MasonryView,
-    /// Whether it shows work in progress.
-    pub is_live: bool,
-    /// The revision of the building.
-    pub site: u64,
-    /// The revision of the shown results.
-    pub revision: u64,
-}
 
 /// A scene in the making.
 pub(crate) struct WallMaking {
@@ -51,56 +39,51 @@ impl AsRef<Scene> for WallSubject {
     }
 }
 
-impl SceneSource for MasonryEngine {
-    type Key = WallInputs;
+impl SceneSource for MasonryStages {
+    type View = MasonryView;
     type Subject = WallSubject;
     type Making = WallMaking;
 
-    fn scene_picture(&mut self) -> &mut ScenePicture<Self> {
-        &mut self.picture
-    }
-
-    fn key(&self, view: &str) -> Option<WallInputs> {
-        let made = &self.made;
-        let key = |view, is_live, revision| WallInputs {
+    fn key(&self, view: &str) -> Option<SceneKey<MasonryView>> {
+        let key = |view, is_live, revision| SceneKey {
             view,
             is_live,
-            site: made.site.revision(),
+            site: self.site.revision(),
             revision,
         };
-        made.site.made()?;
-        let cells = || made.cells.made().map(|_| made.cells.revision());
+        self.site.made()?;
+        let cells = || self.cells.made().map(|_| self.cells.revision());
         Some(match MasonryView::of_words(view) {
-            MasonryView::Auto => match made.begun(&made.laid) {
-                Some(_) => key(MasonryView::Auto, true, made.laid.slices()),
-                None if made.wall().is_some() && !made.has_scene_of(&made.laid) => {
-                    key(MasonryView::Auto, true, made.laid.slices())
+            MasonryView::Auto => match self.begun(&self.laid) {
+                Some(_) => key(MasonryView::Auto, true, self.laid.slices()),
+                None if self.wall().is_some() && !self.has_scene_of(&self.laid) => {
+                    key(MasonryView::Auto, true, self.laid.slices())
                 }
-                None if made.has_scene_of(&made.laid) || made.has_last() => {
-                    key(MasonryView::Picture, false, made.shared.bodies.revision())
+                None if self.has_scene_of(&self.laid) || self.has_last() => {
+                    key(MasonryView::Picture, false, self.shared.bodies.revision())
                 }
-                None => key(MasonryView::Mortar, false, made.site.revision()),
+                None => key(MasonryView::Mortar, false, self.site.revision()),
             },
-            MasonryView::Picture => match made.shared.bodies.made() {
-                Some(_) => key(MasonryView::Picture, false, made.shared.bodies.revision()),
+            MasonryView::Picture => match self.shared.bodies.made() {
+                Some(_) => key(MasonryView::Picture, false, self.shared.bodies.revision()),
                 None => return None,
             },
             view @ (MasonryView::Mortar | MasonryView::Polygons) => {
-                key(view, false, made.site.revision())
+                key(view, false, self.site.revision())
             }
             other => key(other, false, cells()?),
         })
     }
 
-    fn is_later(&self, before: WallInputs, after: WallInputs) -> bool {
-        before.view == after.view && before.site == after.site && before.is_live
-    }
-
-    fn begin(&self, of: WallInputs, shown: &mut Option<(WallInputs, WallSubject)>) -> WallMaking {
-        let pass = self.made.pass();
-        let goes_on = |(before, subject): &mut (WallInputs, WallSubject)| {
+    fn begin(
+        &self,
+        of: SceneKey<MasonryView>,
+        shown: &mut Option<(SceneKey<MasonryView>, WallSubject)>,
+    ) -> WallMaking {
+        let pass = self.pass();
+        let goes_on = |(before, subject): &mut (SceneKey<MasonryView>, WallSubject)| {
             let is_same = matches!(subject, WallSubject::Laying(_, own) if *own == pass);
-            is_same && self.is_later(*before, of)
+            is_same && before.leads_to(&of)
         };
         let live = match shown.take_if(goes_on) {
             Some((_, WallSubject::Laying(wall, _))) => Some(wall),
@@ -112,28 +95,27 @@ impl SceneSource for MasonryEngine {
         }
     }
 
-    fn make(&mut self, of: WallInputs, making: &mut WallMaking) -> Option<WallSubject> {
-        let made = &self.made;
-        let site = made.site.made()?;
+    fn make(&mut self, of: SceneKey<MasonryView>, making: &mut WallMaking) -> Option<WallSubject> {
+        let site = self.site.made()?;
         match of.view {
-            MasonryView::Picture => made.shared.scene().cloned().map(WallSubject::Blocks),
+            MasonryView::Picture => self.shared.scene().cloned().map(WallSubject::Blocks),
             MasonryView::Auto => {
-                let (wall, ground) = (made.wall()?, made.ground.made()?);
-                let marks = || marks(made.cells.made().map_or(&[], Laying::cells));
-                let look = made.shared.bodies.params();
-                let new = || Box::new(WallScene::new(site, ground, look, (marks(), &made.kept)));
+                let (wall, ground) = (self.wall()?, self.ground.made()?);
+                let marks = || marks(self.cells.made().map_or(&[], Laying::cells));
+                let look = self.shared.bodies.params();
+                let new = || Box::new(WallScene::new(site, ground, look, (marks(), &self.kept)));
                 let mut scene = making.live.take().unwrap_or_else(new);
-                scene.follow(wall, made.kept.after(made.finished()));
-                Some(WallSubject::Laying(scene, made.pass()))
+                scene.follow(wall, self.kept.after(self.finished()));
+                Some(WallSubject::Laying(scene, self.pass()))
             }
             MasonryView::Mortar => {
-                let scene = diagrams::bare(site, made.laid.params());
+                let scene = diagrams::bare(site, self.laid.params());
                 Some(WallSubject::Diagram(scene))
             }
             MasonryView::Polygons => Some(WallSubject::Diagram(diagrams::polygons(site))),
             view => {
-                let laying = made.cells.made()?;
-                let blocks = made.laid.params();
+                let laying = self.cells.made()?;
+                let blocks = self.laid.params();
                 let new = || DiagramWork::new(site, blocks);
                 let work = making.diagram.get_or_insert_with(new);
                 let done = work.advance(view, laying, (site, blocks));
@@ -142,28 +124,17 @@ impl SceneSource for MasonryEngine {
         }
     }
 
-    fn making_key(&self) -> Option<WallInputs> {
+    fn making_key(&self) -> Option<SceneKey<MasonryView>> {
         self.key("occupancy")
     }
 
     fn step_scene(&self, (id, state): (u32, usize)) -> Option<Scene> {
-        let face = self
-            .face_of(id)
-            .filter(|_| state < diagrams::STATES.len())?;
-        Some(diagrams::map_scene(self.made.cells.made()?, face, state))
-    }
-
-    fn still(&self) -> StillParams {
-        self.made.shared.still.params().clone()
+        let face = self.face_of(id);
+        let face = face.filter(|_| state < diagrams::STATES.len())?;
+        Some(diagrams::map_scene(self.cells.made()?, face, state))
     }
 
     fn materials(&self, subject: &WallSubject) -> Option<&'static [Material]> {
         matches!(subject, WallSubject::Diagram(_)).then_some(&crate::surface_views::MATERIALS)
-    }
-
-    fn finished(&self, view: &str) -> Option<&[u8]> {
-        let view = MasonryView::of_words(view);
-        let is_picture = matches!(view, MasonryView::Auto | MasonryView::Picture);
-        (is_picture && self.made.at().is_none()).then(|| self.made.shared.picture())
     }
 }

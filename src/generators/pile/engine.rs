@@ -1,28 +1,14 @@
 //! The engine of piles, for the studio.
 
 use super::PileEngine;
-use super::stages::{BODIES, PileStages};
+use super::stages::BODIES;
 use crate::generators::Progress;
-use crate::generators::scene_picture::{SceneEngine, ScenePicture};
+use crate::generators::scene_picture::SceneFacts;
 use crate::graph::Wiring;
 use crate::notice::Notice;
 use crate::pile::Fate;
 
-impl SceneEngine for PileEngine {
-    type Stages = PileStages;
-
-    fn made(&self) -> &PileStages {
-        &self.made
-    }
-
-    fn made_mut(&mut self) -> &mut PileStages {
-        &mut self.made
-    }
-
-    fn pictures(&self) -> &ScenePicture<Self> {
-        &self.picture
-    }
-
+impl SceneFacts for PileEngine {
     fn work_done(&self) -> Progress {
         let refining = self.made.refining();
         let settled = refining.map_or(0, |refining| refining.history().len());

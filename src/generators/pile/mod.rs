@@ -29,11 +29,9 @@ mod views;
 pub use schema::keys;
 
 use super::given::FileRules;
-use super::scene_picture::{Saving, ScenePicture};
+use super::scene_picture::SceneEngine;
 use super::{Course, Generator, Views};
-use crate::export::SceneFile;
-use crate::recipe::{Recipe, Schema};
-use params::PileParams;
+use crate::recipe::Schema;
 use stages::PileStages;
 
 /// The parameters of a pile.
@@ -73,21 +71,5 @@ pub static PILE: Generator = Generator {
     engine: |recipe| Box::new(PileEngine::new(recipe)),
 };
 
-/// The engine: its stages, and what is looked at.
-pub struct PileEngine {
-    made: PileStages,
-    picture: ScenePicture<PileEngine>,
-    /// The unfinished mesh file.
-    saving: Option<Saving<SceneFile>>,
-}
-
-impl PileEngine {
-    /// Starts with all its work to be done.
-    pub fn new(recipe: &Recipe) -> Self {
-        Self {
-            made: PileStages::new(PileParams::new(recipe)),
-            picture: ScenePicture::default(),
-            saving: None,
-        }
-    }
-}
+/// The engine.
+pub(crate) type PileEngine = SceneEngine<PileStages>;

@@ -8,7 +8,9 @@ use super::params::{
     BodyParams, ComponentParams, DartParams, DressParams, PileParams, RoomParams, SiteParams,
 };
 use super::site::{Site, SiteMaking};
-use crate::generators::scene_picture::{MadeScene, SceneStages, SharedNodes};
+use super::views;
+use crate::export::SceneFile;
+use crate::generators::scene_picture::{MadeScene, Saving, SceneStages, SharedNodes};
 use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::Notice;
 use crate::pile::{RefineParams, Refining};
@@ -71,8 +73,24 @@ impl Wiring for PileStages {
 impl SceneStages for PileStages {
     type Look = BodyParams;
     type Finishing = Heap;
+    type Saving = Option<Saving<SceneFile>>;
 
     const FINISHER: usize = BODIES;
+    const VIEWS: &'static [&'static str] = &views::WORDS;
+
+    fn new(recipe: &Recipe) -> Self {
+        let params = PileParams::new(recipe);
+        Self {
+            shared: SharedNodes::new(params.files, params.bodies, params.still),
+            kept: Components::default(),
+            components: Node::new(params.components),
+            dressed: Node::new(params.dress),
+            site: Node::new(params.site),
+            ground: Node::new(params.room),
+            placed: Node::new(params.darts),
+            settled: Node::new(params.refine),
+        }
+    }
 
     fn shared(&self) -> &SharedNodes<BodyParams, Heap> {
         &self.shared
@@ -114,20 +132,6 @@ impl SceneStages for PileStages {
 }
 
 impl PileStages {
-    /// Starts with nothing made.
-    pub(super) fn new(params: PileParams) -> Self {
-        Self {
-            shared: SharedNodes::new(params.files, params.bodies, params.still),
-            kept: Components::default(),
-            components: Node::new(params.components),
-            dressed: Node::new(params.dress),
-            site: Node::new(params.site),
-            ground: Node::new(params.room),
-            placed: Node::new(params.darts),
-            settled: Node::new(params.refine),
-        }
-    }
-
     fn make_components(&mut self) -> Option<()> {
         let (loaded, kept) = (self.shared.files.loaded.made()?, &mut self.kept);
         self.components

@@ -1,9 +1,9 @@
-//! The engine of any generator of bodies in space. A generator says what is its own in [`SceneEngine`] and
-//! [`SceneStages`]; the interfaces for the studio follow from these.
+//! The engine of any generator of bodies in space. A generator says what is its own in [`SceneStages`] and
+//! [`SceneFacts`]; the interfaces for the studio follow from these.
 
-use super::picture::{ScenePicture, SceneSource, turn};
+use super::picture::{ScenePicture, SceneSource};
 use super::shared::SharedNodes;
-use super::view::{prepare, view};
+use super::view::first_known;
 use crate::export::Report;
 use crate::generators::{
     Clock, Engine, Files, FrameSlice, Frames, GivenFile, Meshes, MissingFile, ModelFacts, Progress,
@@ -15,14 +15,21 @@ use crate::recipe::Recipe;
 use crate::scene::Frame;
 
 /// The stages of a generator of bodies in space. A stage is its index.
-pub(crate) trait SceneStages: Wiring<Stage = usize> {
+pub(crate) trait SceneStages: Wiring<Stage = usize> + SceneSource {
     /// The parameters of the finished bodies.
     type Look: Clone + PartialEq;
     /// The work on them.
     type Finishing;
+    /// The unfinished mesh file, with what is kept for it.
+    type Saving: Default;
 
     /// The index of the stage that makes the bodies; the stages before it form them.
     const FINISHER: usize;
+    /// The words of the views, in the order of the page. The first two show the picture once it is finished.
+    const VIEWS: &'static [&'static str];
+
+    /// The stages of a recipe, with nothing made.
+    fn new(recipe: &Recipe) -> Self;
 
     /// The nodes that all such generators have.
     fn shared(&self) -> &SharedNodes<Self::Look, Self::Finishing>;
@@ -53,22 +60,35 @@ pub(crate) trait SceneStages: Wiring<Stage = usize> {
         let bodies = bodies.filter(|_| self.is_fresh(node));
         bodies.is_some_and(|bodies| bodies.shows == node.revision())
     }
+
+    /// The finished picture, if the words of a view ask for it.
+    fn finished_picture(&self, words: &str) -> Option<&[u8]> {
+        let is_picture = first_known(words, Self::VIEWS).is_none_or(|place| place < 2);
+        (is_picture && self.at().is_none()).then(|| self.shared().picture())
+    }
 }
 
-/// A generator of bodies in space: its stages, and what it tells of them.
-pub(crate) trait SceneEngine: SceneSource + Meshes {
-    /// Its stages.
-    type Stages: SceneStages;
-
-    /// Its stages.
-    fn made(&self) -> &Self::Stages;
-
-    /// The same, mutable.
-    fn made_mut(&mut self) -> &mut Self::Stages;
-
+/// The engine of a generator of bodies in space.
+pub(crate) struct SceneEngine<S: SceneStages> {
+    pub made: S,
     /// The pictures of its scenes.
-    fn pictures(&self) -> &ScenePicture<Self>;
+    pub picture: ScenePicture<S>,
+    pub saving: S::Saving,
+}
 
+impl<S: SceneStages> SceneEngine<S> {
+    /// Starts with all its work to be done.
+    pub fn new(recipe: &Recipe) -> Self {
+        Self {
+            made: S::new(recipe),
+            picture: ScenePicture::default(),
+            saving: S::Saving::default(),
+        }
+    }
+}
+
+/// Facts about the work of one generator's engine.
+pub(crate) trait SceneFacts: Meshes {
     /// The progress of the work.
     fn work_done(&self) -> Progress;
 
@@ -117,53 +137,56 @@ pub(crate) trait SceneEngine: SceneSource + Meshes {
     }
 }
 
-impl<E: SceneEngine> Engine for E {
+impl<S: SceneStages> Engine for SceneEngine<S>
+where
+    Self: SceneFacts,
+{
     fn ask(&mut self, recipe: &Recipe) {
-        self.made_mut().ask(recipe);
+        self.made.ask(recipe);
     }
 
     fn stale(&self) -> Option<usize> {
-        self.made().stale()
+        self.made.stale()
     }
 
     fn take_up(&mut self) {
-        self.made_mut().take_up();
+        self.made.take_up();
     }
 
     fn forget_steps(&mut self) {
-        self.made_mut().forget_steps();
+        self.made.forget_steps();
     }
 
     fn side(&self) -> usize {
-        self.made().shared().still.params().side
+        self.made.shared().still.params().side
     }
 
     fn at(&self) -> Option<usize> {
-        self.made().at()
+        self.made.at()
     }
 
     fn failure(&self) -> Option<&Notice> {
-        self.made().failure()
+        self.made.failure()
     }
 
     fn remarks(&self) -> Vec<Notice> {
-        self.made().remarks()
+        self.made.remarks()
     }
 
     fn advance(&mut self) {
-        self.made_mut().advance();
+        self.made.advance();
     }
 
     fn is_step(&self) -> bool {
-        self.made().is_moving()
+        self.made.is_moving()
     }
 
     fn is_forming(&self) -> bool {
-        self.made().at().is_some_and(|at| at < E::Stages::FINISHER)
+        self.made.at().is_some_and(|at| at < S::FINISHER)
     }
 
     fn runs(&self) -> Vec<u64> {
-        self.made().runs()
+        self.made.runs()
     }
 
     fn progress(&self) -> Progress {
@@ -175,19 +198,27 @@ impl<E: SceneEngine> Engine for E {
     }
 
     fn view(&mut self, words: &str) -> &[u8] {
-        view(self, words)
+        let still = self.made.shared().still.params().clone();
+        let finished = self.made.finished_picture(words).map(<[u8]>::to_vec);
+        let of = (&mut self.made, &still);
+        self.picture.view(of, words, finished)
     }
 
     fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool {
-        prepare(self, words, clock, budget)
+        if self.made.finished_picture(words).is_some() {
+            return true;
+        }
+        let still = self.made.shared().still.params().clone();
+        let of = (&mut self.made, &still);
+        self.picture.prepare(of, words, clock, budget)
     }
 
     fn picture(&self) -> &[u8] {
-        self.made().shared().picture()
+        self.made.shared().picture()
     }
 
     fn digest(&self) -> String {
-        self.made().shared().digest()
+        self.made.shared().digest()
     }
 
     fn report(&mut self, report: &mut Report) {
@@ -200,7 +231,7 @@ impl<E: SceneEngine> Engine for E {
     }
 
     fn rewind(&mut self) -> Option<&mut dyn Rewind> {
-        self.made_mut().rewind()
+        self.made.rewind()
     }
 
     fn meshes(&mut self) -> Option<&mut dyn Meshes> {
@@ -216,18 +247,23 @@ impl<E: SceneEngine> Engine for E {
     }
 }
 
-impl<E: SceneEngine> Frames for E {
+impl<S: SceneStages> Frames for SceneEngine<S>
+where
+    Self: SceneFacts,
+{
     fn turn(&mut self, order: &TurnOrder, clock: Clock, budget: f64) -> Result<FrameSlice, Notice> {
-        turn(self, order, clock, budget)
+        let still = self.made.shared().still.params().clone();
+        let of = (&mut self.made, &still);
+        self.picture.turn(of, order, clock, budget)
     }
 
     fn frame(&self) -> Option<&Frame> {
-        self.pictures().frame()
+        self.picture.frame()
     }
 
     fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody> {
-        let yaw = self.made().shared().still.params().yaw;
-        let body = self.scene_picture().body_at(yaw, x, y)?;
+        let yaw = self.made.shared().still.params().yaw;
+        let body = self.picture.body_at(yaw, x, y)?;
         let (figures, words) = (self.figures(body.id), self.words_of(body.id));
         Some(SeenBody {
             figures,
@@ -253,15 +289,18 @@ impl<E: SceneEngine> Frames for E {
     }
 }
 
-impl<E: SceneEngine> Files for E {
+impl<S: SceneStages> Files for SceneEngine<S>
+where
+    Self: SceneFacts,
+{
     fn give(&mut self, file: GivenFile) {
         let digest = file.digest();
-        let files = &mut self.made_mut().shared_mut().files;
+        let files = &mut self.made.shared_mut().files;
         files.give(digest, file.into_bytes());
     }
 
     fn missing(&self) -> Vec<MissingFile> {
-        self.made().shared().files.missing()
+        self.made.shared().files.missing()
     }
 
     fn model(&self) -> Option<ModelFacts> {

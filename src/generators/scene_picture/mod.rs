@@ -1,6 +1,6 @@
 //! The finisher of scenes: the picture, frames of a moving camera, pictures of views, files of bodies, and files that
-//! recipes name. A generator implements [`SceneSource`] and keeps one [`ScenePicture`]; with [`SceneEngine`] it gets
-//! the interfaces of an engine.
+//! recipes name. The stages of a generator implement [`SceneSource`] and [`SceneStages`]; a [`SceneEngine`] has these
+//! stages, their pictures, and the interfaces of an engine.
 
 mod engine;
 mod files;
@@ -15,11 +15,11 @@ mod tests;
 mod view;
 mod yaw;
 
-pub(crate) use engine::{SceneEngine, SceneStages};
+pub(crate) use engine::{SceneEngine, SceneFacts, SceneStages};
 pub(crate) use files::Saving;
 pub(crate) use given_files::AskedFile;
 pub(crate) use loading::Loaded;
-pub(crate) use picture::{ScenePicture, SceneSource};
+pub(crate) use picture::{SceneKey, SceneSource};
 pub(crate) use shared::SharedNodes;
 pub(crate) use still::{MadeScene, StillParams};
 pub(crate) use view::view_of;

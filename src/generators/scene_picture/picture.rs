@@ -21,36 +21,53 @@ const LOW: f64 = 30.0;
 /// The height of a lamp, in degrees.
 const HIGH: f64 = 45.0;
 
+/// Identifies a scene: its view, and the state of the work in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct SceneKey<V> {
+    pub view: V,
+    /// Whether the work may still change what is shown.
+    pub is_live: bool,
+    /// The revision of the surface, the shape or the building.
+    pub site: u64,
+    /// The revision of the shown results.
+    pub revision: u64,
+}
+
+impl<V: PartialEq> SceneKey<V> {
+    /// Whether a scene is a later state of this one. Then an unfinished frame of this one is finished before the other
+    /// begins. Otherwise no frame of moving bodies would ever be finished.
+    pub fn leads_to(&self, after: &Self) -> bool {
+        self.view == after.view && self.site == after.site && self.is_live
+    }
+}
+
+/// The key of a scene of this source.
+type KeyOf<S> = SceneKey<<S as SceneSource>::View>;
+
 /// A generator's scenes, which are made in slices.
 pub(crate) trait SceneSource: Sized {
-    /// Identifies a scene: its view, and the state of the work in it.
-    type Key: Copy + PartialEq;
+    /// The views of the work.
+    type View: Copy + PartialEq;
     /// A finished scene, with everything that the generator keeps of it.
     type Subject: AsRef<Scene>;
     /// An unfinished scene.
     type Making;
 
-    /// The pictures of these scenes.
-    fn scene_picture(&mut self) -> &mut ScenePicture<Self>;
-
     /// The key of the present scene of a view; `None` while there is none.
-    fn key(&self, view: &str) -> Option<Self::Key>;
-
-    /// Whether the second scene is a later state of the first. Then an unfinished frame of the first is finished
-    /// before the second begins. Otherwise no frame of moving bodies would ever be finished.
-    fn is_later(&self, _before: Self::Key, _after: Self::Key) -> bool {
-        false
-    }
+    fn key(&self, view: &str) -> Option<KeyOf<Self>>;
 
     /// Begins a scene. It may take the shown scene and change it.
-    fn begin(&self, key: Self::Key, shown: &mut Option<(Self::Key, Self::Subject)>)
-    -> Self::Making;
+    fn begin(
+        &self,
+        key: KeyOf<Self>,
+        shown: &mut Option<(KeyOf<Self>, Self::Subject)>,
+    ) -> Self::Making;
 
     /// Makes a slice of a scene; returns the scene once it is done.
-    fn make(&mut self, key: Self::Key, making: &mut Self::Making) -> Option<Self::Subject>;
+    fn make(&mut self, key: KeyOf<Self>, making: &mut Self::Making) -> Option<Self::Subject>;
 
     /// The key of the picture's bodies, if the steps of their making can be shown now.
-    fn making_key(&self) -> Option<Self::Key> {
+    fn making_key(&self) -> Option<KeyOf<Self>> {
         None
     }
 
@@ -59,23 +76,17 @@ pub(crate) trait SceneSource: Sized {
         None
     }
 
-    /// The camera, the light and the size of the picture.
-    fn still(&self) -> StillParams;
-
     /// The materials of a scene, if they are not those of the picture.
     fn materials(&self, _subject: &Self::Subject) -> Option<&'static [Material]> {
         None
     }
-
-    /// The finished picture, if the words of a view ask for it.
-    fn finished(&self, view: &str) -> Option<&[u8]>;
 }
 
 /// The pictures of a generator's scenes.
 pub(crate) struct ScenePicture<S: SceneSource> {
     table: Turntable,
     /// The shown scene.
-    shown: Option<(S::Key, S::Subject)>,
+    shown: Option<(KeyOf<S>, S::Subject)>,
     /// The number of the shown scene, unique among all scenes of this generator.
     number: u64,
     /// The shown step in the making of a body.
@@ -85,7 +96,7 @@ pub(crate) struct ScenePicture<S: SceneSource> {
     /// The count of all scenes so far.
     count: u64,
     /// The next scene, while it is made.
-    making: Option<(S::Key, S::Making)>,
+    making: Option<(KeyOf<S>, S::Making)>,
     /// The pixels of the last drawn view.
     pub(super) view: Vec<u8>,
 }
@@ -93,7 +104,7 @@ pub(crate) struct ScenePicture<S: SceneSource> {
 /// A step in the making of a body.
 struct ShownStep<S: SceneSource> {
     /// The bodies, the body among them, and the step.
-    of: (S::Key, (u32, usize)),
+    of: (KeyOf<S>, (u32, usize)),
     number: u64,
     scene: Scene,
 }
@@ -111,31 +122,6 @@ impl<S: SceneSource> Default for ScenePicture<S> {
             view: Vec::new(),
         }
     }
-}
-
-/// Works for about `budget` milliseconds on a frame of a generator's scene. Starts again if the order has changed.
-///
-/// # Errors
-/// A notice if there is no scene yet, or no such frame.
-pub(crate) fn turn<S: SceneSource>(
-    source: &mut S,
-    order: &TurnOrder,
-    clock: Clock,
-    budget: f64,
-) -> Result<FrameSlice, Notice> {
-    let step = order.step()?;
-    let budget = Budget::new(clock, budget);
-    let mut picture = std::mem::take(source.scene_picture());
-    picture.is_step = step.is_some();
-    let slice = match step {
-        Some(step) => picture.step_slice(source, (order, step), clock, budget),
-        None => match picture.choose(source, &order.how, clock, budget) {
-            Some(slice) => Ok(slice),
-            None => picture.frame_slice(source, order, clock, budget),
-        },
-    };
-    *source.scene_picture() = picture;
-    slice
 }
 
 /// The light on one body that is shown alone: from the front of the first camera for one body.
@@ -159,12 +145,36 @@ impl<S: SceneSource> ScenePicture<S> {
     }
 
     /// The shown scene with its key.
-    pub fn shown(&self) -> Option<(S::Key, &S::Subject)> {
+    pub fn shown(&self) -> Option<(KeyOf<S>, &S::Subject)> {
         self.shown.as_ref().map(|(key, subject)| (*key, subject))
     }
 
     fn scene(&self) -> Option<&Scene> {
         Some(self.shown()?.1.as_ref())
+    }
+
+    /// Works for about `budget` milliseconds on a frame of a source's scene. Camera and light of the source's picture
+    /// are in `still`. Starts again if the order has changed.
+    ///
+    /// # Errors
+    /// A notice if there is no scene yet, or no such frame.
+    pub fn turn(
+        &mut self,
+        (source, still): (&mut S, &StillParams),
+        order: &TurnOrder,
+        clock: Clock,
+        budget: f64,
+    ) -> Result<FrameSlice, Notice> {
+        let step = order.step()?;
+        let budget = Budget::new(clock, budget);
+        self.is_step = step.is_some();
+        if let Some(step) = step {
+            return self.step_slice((source, still), (order, step), clock, budget);
+        }
+        match self.choose(source, &order.how, clock, budget) {
+            Some(slice) => Ok(slice),
+            None => self.frame_slice((source, still), order, clock, budget),
+        }
     }
 
     /// Works on the scene of a view. `None` if the scene is finished, or cannot be made yet.
@@ -181,7 +191,7 @@ impl<S: SceneSource> ScenePicture<S> {
             self.making = None;
             return None;
         }
-        let is_later = shown.is_some_and(|shown| source.is_later(shown, key));
+        let is_later = shown.is_some_and(|shown| shown.leads_to(&key));
         if is_later && !self.table.is_idle() {
             return None;
         }
@@ -213,7 +223,7 @@ impl<S: SceneSource> ScenePicture<S> {
 
     fn frame_slice(
         &mut self,
-        source: &S,
+        (source, still): (&S, &StillParams),
         order: &TurnOrder,
         clock: Clock,
         budget: Budget,
@@ -221,7 +231,6 @@ impl<S: SceneSource> ScenePicture<S> {
         let Some((_, subject)) = &self.shown else {
             return Err(Code::NotYet.into());
         };
-        let still = source.still();
         let mut light = seen_by(&still.light, still.yaw);
         if let Some(materials) = source.materials(subject) {
             light.materials = materials.to_vec();
@@ -245,7 +254,7 @@ impl<S: SceneSource> ScenePicture<S> {
 
     fn step_slice(
         &mut self,
-        source: &S,
+        (source, still): (&S, &StillParams),
         (order, step): (&TurnOrder, (u32, usize)),
         clock: Clock,
         budget: Budget,
@@ -263,7 +272,7 @@ impl<S: SceneSource> ScenePicture<S> {
             }
         };
         let shown = self.step.insert(shown);
-        let light = close_up(&source.still().light);
+        let light = close_up(&still.light);
         let stand = ViewSetup {
             scene: &shown.scene,
             number: shown.number,

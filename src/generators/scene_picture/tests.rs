@@ -2,13 +2,12 @@
 
 use super::given_files::GivenFiles;
 use super::loading::Loading;
-use super::picture::turn;
+use super::picture::ScenePicture;
 use super::still::StillRender;
-use super::view::view;
 use super::*;
 use crate::export::{MeshFormat, MeshOrder, SceneFile};
 use crate::generators::lighting::LightParams;
-use crate::generators::{MeshSlice, TurnOrder};
+use crate::generators::{FrameSlice, MeshSlice, TurnOrder};
 use crate::light::{Light, ShadeParams};
 use crate::material::{Gloss, material_table};
 use crate::notice::Code;
@@ -37,7 +36,7 @@ const GREEN: Paint = Paint {
 /// Two boxes of one mesh, beside each other.
 struct Boxes {
     scene: Rc<Scene>,
-    picture: ScenePicture<Boxes>,
+    picture: ScenePicture<Rc<Scene>>,
     yaw: f64,
     lamp: Light,
 }
@@ -89,25 +88,28 @@ fn boxes(paints: [Option<Paint>; 2]) -> Boxes {
     }
 }
 
-impl SceneSource for Boxes {
-    type Key = ();
+impl SceneSource for Rc<Scene> {
+    type View = ();
     type Subject = Rc<Scene>;
     type Making = ();
 
-    fn scene_picture(&mut self) -> &mut ScenePicture<Self> {
-        &mut self.picture
+    fn key(&self, _: &str) -> Option<SceneKey<()>> {
+        Some(SceneKey {
+            view: (),
+            is_live: false,
+            site: 1,
+            revision: 1,
+        })
     }
 
-    fn key(&self, _: &str) -> Option<()> {
-        Some(())
+    fn begin(&self, _: SceneKey<()>, _: &mut Option<(SceneKey<()>, Rc<Scene>)>) {}
+
+    fn make(&mut self, _: SceneKey<()>, (): &mut ()) -> Option<Rc<Scene>> {
+        Some(self.clone())
     }
+}
 
-    fn begin(&self, (): (), _: &mut Option<((), Rc<Scene>)>) {}
-
-    fn make(&mut self, (): (), (): &mut ()) -> Option<Rc<Scene>> {
-        Some(self.scene.clone())
-    }
-
+impl Boxes {
     fn still(&self) -> StillParams {
         StillParams {
             camera: Camera::default().read("0,20,2.5,28").0,
@@ -123,12 +125,6 @@ impl SceneSource for Boxes {
         }
     }
 
-    fn finished(&self, _: &str) -> Option<&[u8]> {
-        None
-    }
-}
-
-impl Boxes {
     fn order(&self, how: &str) -> TurnOrder {
         TurnOrder {
             subject: String::new(),
@@ -138,9 +134,16 @@ impl Boxes {
         }
     }
 
+    fn turn(&mut self, order: &TurnOrder, budget: f64) -> FrameSlice {
+        let still = self.still();
+        let of = (&mut self.scene, &still);
+        let slice = self.picture.turn(of, order, &mut || 0.0, budget);
+        slice.unwrap()
+    }
+
     fn frame(&mut self, how: &str) -> &Frame {
         let order = self.order(how);
-        while !turn(self, &order, &mut || 0.0, 0.0).unwrap().done {}
+        while !self.turn(&order, 0.0).done {}
         self.picture.frame().unwrap()
     }
 }
@@ -172,8 +175,10 @@ fn bodies_of_one_mesh_differ_in_colour() {
 #[test]
 fn a_view_is_the_still_and_a_frame_from_its_camera() {
     let mut source = boxes([Some(RED), None]);
-    let picture = view(&mut source, "auto").to_vec();
-    let mut still = StillRender::new(&source.still(), source.scene.clone());
+    let still = source.still();
+    let of = (&mut source.scene, &still);
+    let picture = source.picture.view(of, "auto", None).to_vec();
+    let mut still = StillRender::new(&still, source.scene.clone());
     let made = std::iter::from_fn(|| Some(still.advance().unwrap())).find_map(|done| done);
     let fine = source.frame("fine").rgba().to_vec();
     assert_eq!(made.unwrap(), fine);
@@ -210,7 +215,7 @@ fn a_frame_is_refined_sample_by_sample() {
         let order = source.order("fine");
         let mut shown = Vec::new();
         loop {
-            let slice = turn(&mut source, &order, &mut || 0.0, 0.0).unwrap();
+            let slice = source.turn(&order, 0.0);
             let frame = source.picture.frame();
             // Bodies can be found from the first sample on.
             assert_eq!(frame.is_some(), slice.refined || !shown.is_empty());
@@ -231,8 +236,8 @@ fn a_frame_is_refined_sample_by_sample() {
         assert!(lamp == LAMP || soft > sharp, "{soft} {sharp}");
         // The division into slices has no effect, and neither has the frame before.
         source.frame("moving+sky");
-        let turned = turn(&mut source, &order, &mut || 0.0, f64::INFINITY);
-        assert!(turned.unwrap().refined);
+        let turned = source.turn(&order, f64::INFINITY);
+        assert!(turned.refined);
         assert!(
             source.picture.frame().unwrap().rgba() == shown[0],
             "{lamp:?}"

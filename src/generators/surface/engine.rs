@@ -1,26 +1,11 @@
 //! The engine of surfaces, for the studio.
 
 use super::SurfaceEngine;
-use super::stages::Stages;
-use crate::generators::scene_picture::{SceneEngine, ScenePicture};
+use crate::generators::scene_picture::SceneFacts;
 use crate::generators::{ModelFacts, Progress};
 use crate::notice::Notice;
 
-impl SceneEngine for SurfaceEngine {
-    type Stages = Stages;
-
-    fn made(&self) -> &Stages {
-        &self.made
-    }
-
-    fn made_mut(&mut self) -> &mut Stages {
-        &mut self.made
-    }
-
-    fn pictures(&self) -> &ScenePicture<Self> {
-        &self.picture
-    }
-
+impl SceneFacts for SurfaceEngine {
     fn work_done(&self) -> Progress {
         let last = self.made.report();
         Progress {

@@ -2,6 +2,7 @@
 
 use super::SurfaceEngine;
 use super::made::Standing;
+use super::stages::Stages;
 use super::subject::ViewScene;
 use crate::generators::turntable::CloseUp;
 use crate::generators::{Polygon, Probe};
@@ -27,10 +28,12 @@ impl SurfaceEngine {
         let words = steps.into_iter().flatten().map(StoneStep::word);
         words.map(str::to_owned).collect()
     }
+}
 
+impl Stages {
     /// The scene of a step in the making of a body.
     pub(super) fn scene_of_step(&self, (id, at): (u32, usize)) -> Option<Scene> {
-        let standing = self.made.standing()?;
+        let standing = self.standing()?;
         let wanted = *listed(&standing, id).get(at)?;
         let paving = standing.paved.paving();
         let k = index(id)?;

@@ -28,12 +28,9 @@ mod views;
 pub use schema::keys;
 
 use super::given::FileRules;
-use super::scene_picture::{Saving, ScenePicture};
+use super::scene_picture::SceneEngine;
 use super::{Course, Generator, Views};
-use crate::export::ModelFile;
-use crate::recipe::{Recipe, Schema};
-use crate::surface_views::BareSurface;
-use params::Params;
+use crate::recipe::Schema;
 use stages::Stages;
 
 /// The parameters of a surface.
@@ -73,24 +70,5 @@ pub static SURFACE: Generator = Generator {
     engine: |recipe| Box::new(SurfaceEngine::new(recipe)),
 };
 
-/// The engine: its stages, and what is looked at.
-pub struct SurfaceEngine {
-    made: Stages,
-    picture: ScenePicture<SurfaceEngine>,
-    /// The bare surface that views share, and its revision.
-    ground: Option<(u64, BareSurface)>,
-    /// The unfinished mesh file.
-    saving: Option<Saving<ModelFile>>,
-}
-
-impl SurfaceEngine {
-    /// Starts with all its work to be done.
-    pub fn new(recipe: &Recipe) -> Self {
-        Self {
-            made: Stages::new(Params::new(recipe)),
-            picture: ScenePicture::default(),
-            ground: None,
-            saving: None,
-        }
-    }
-}
+/// The engine.
+pub(crate) type SurfaceEngine = SceneEngine<Stages>;

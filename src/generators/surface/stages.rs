@@ -4,9 +4,11 @@ use super::build::{Building, Built};
 use super::fields::{Fielding, FieldsWithRemarks};
 use super::params::{CellParams, FieldParams, MeshSource, Params, StoneLook, SurfaceParams};
 use super::paving::{PavedCells, PavingInputs, PavingProgress};
+use super::views;
+use crate::export::ModelFile;
 use crate::generators::held::{Held, Origin};
 use crate::generators::packs::PackingProgress;
-use crate::generators::scene_picture::{AskedFile, MadeScene, SceneStages, SharedNodes};
+use crate::generators::scene_picture::{AskedFile, MadeScene, Saving, SceneStages, SharedNodes};
 use crate::generators::{Clock, Rewind};
 use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::{Code, Notice};
@@ -17,6 +19,7 @@ use crate::surface_cells::{Polish, SurfaceMesh, SurfaceMeshing};
 use crate::surface_field::SurfaceFields;
 use crate::surface_packing::{PackingMesh, PackingMeshMaking, SurfacePacking, SurfacePlacing};
 use crate::surface_stones::{Stones, StonesParams};
+use crate::surface_views::BareSurface;
 use std::rc::Rc;
 
 /// The words of the stages.
@@ -44,6 +47,8 @@ pub(crate) struct Stages {
         Node<PackingParams, PackingProgress<SurfacePlacing, SurfacePacking>, SurfacePacking>,
     pub(super) mesh: Node<(), SurfaceMeshing, SurfaceMesh>,
     pub(super) paved: Node<CellParams, PavingProgress, PavedCells>,
+    /// The bare surface that views share, and its revision.
+    pub(super) bare: Option<(u64, BareSurface)>,
 }
 
 impl Wiring for Stages {
@@ -78,8 +83,26 @@ fn asked(params: &SurfaceParams) -> Vec<AskedFile> {
 impl SceneStages for Stages {
     type Look = StoneLook;
     type Finishing = Stones;
+    type Saving = Option<Saving<ModelFile>>;
 
     const FINISHER: usize = STONES;
+    const VIEWS: &'static [&'static str] = &views::WORDS;
+
+    fn new(recipe: &Recipe) -> Self {
+        let params = Params::new(recipe);
+        let files = asked(&params.surface);
+        Self {
+            shared: SharedNodes::new(files, params.stones, params.still),
+            built: Node::new(params.surface),
+            fields: Node::new(params.fields),
+            site: Node::new(()),
+            held: None,
+            packing: Node::new(params.packing),
+            mesh: Node::new(()),
+            paved: Node::new(params.cells),
+            bare: None,
+        }
+    }
 
     fn shared(&self) -> &SharedNodes<StoneLook, Stones> {
         &self.shared
@@ -130,21 +153,6 @@ impl SceneStages for Stages {
 }
 
 impl Stages {
-    /// Starts with nothing made.
-    pub(super) fn new(params: Params) -> Self {
-        let files = asked(&params.surface);
-        Self {
-            shared: SharedNodes::new(files, params.stones, params.still),
-            built: Node::new(params.surface),
-            fields: Node::new(params.fields),
-            site: Node::new(()),
-            held: None,
-            packing: Node::new(params.packing),
-            mesh: Node::new(()),
-            paved: Node::new(params.cells),
-        }
-    }
-
     /// A notice if there are far fewer or more cells than the recipe asks for. Every cell needs a place, also where the
     /// surface is narrower than a cell.
     fn count(&self, paved: &PavedCells) -> Option<Notice> {

@@ -1,10 +1,10 @@
 //! Scenes of the views of a surface, made in slices.
 
 use super::SurfaceEngine;
+use super::stages::Stages;
 use super::views::SurfaceView;
 use crate::draw::Tones;
-use crate::generators::scene_picture::{ScenePicture, SceneSource, SceneStages, StillParams};
-use crate::graph::Wiring;
+use crate::generators::scene_picture::{SceneKey, SceneSource, SceneStages};
 use crate::material::Material;
 use crate::notice::{Code, Notice};
 use crate::scene::Scene;
@@ -13,16 +13,6 @@ use crate::surface_views::{
     BareSurface, CellsView, FieldView, MATERIALS, MapView, MeshView, Particles, Quantity, Tally,
 };
 use std::rc::Rc;
-
-/// The key of a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct SceneInputs {
-    pub view: SurfaceView,
-    /// The revision of its surface.
-    pub surface: u64,
-    /// The revision of the shown results on it.
-    pub revision: u64,
-}
 
 /// A scene.
 pub(crate) enum ViewScene {
@@ -52,56 +42,48 @@ pub(crate) enum ViewSceneMaking {
     Map(Box<MapView>),
 }
 
-impl SceneSource for SurfaceEngine {
-    type Key = SceneInputs;
+impl SceneSource for Stages {
+    type View = SurfaceView;
     type Subject = ViewScene;
     type Making = ViewSceneMaking;
 
-    fn scene_picture(&mut self) -> &mut ScenePicture<Self> {
-        &mut self.picture
-    }
-
-    fn key(&self, view: &str) -> Option<SceneInputs> {
+    fn key(&self, view: &str) -> Option<SceneKey<SurfaceView>> {
         let view = SurfaceView::of_words(view);
-        let made = &self.made;
-        let (surface, revision) = made.revisions();
-        let is_packed = made.live_packing().is_some();
+        let (surface, revision) = self.revisions();
+        let is_packed = self.live_packing().is_some();
         let view = match view {
-            SurfaceView::Auto if made.has_scene_of(&made.packing) => SurfaceView::Picture,
+            SurfaceView::Auto if self.has_scene_of(&self.packing) => SurfaceView::Picture,
             SurfaceView::Auto => SurfaceView::Packed,
             other => other,
         };
         let revision = match view {
-            SurfaceView::Picture => made.scene().map(|(_, revision)| revision),
+            SurfaceView::Picture => self.scene().map(|(_, revision)| revision),
             // The bare surface is seen until there is a packing.
-            SurfaceView::Packed | SurfaceView::Auto if made.packing().is_none() => {
-                made.last_built().map(|_| 0)
+            SurfaceView::Packed | SurfaceView::Auto if self.packing().is_none() => {
+                self.last_built().map(|_| 0)
             }
-            SurfaceView::Packed | SurfaceView::Auto => is_packed.then(|| made.changes()),
-            SurfaceView::Cells => made.paved().map(|_| revision.cells),
-            SurfaceView::Mesh => made.mesh().map(|_| revision.mesh),
+            SurfaceView::Packed | SurfaceView::Auto => is_packed.then(|| self.changes()),
+            SurfaceView::Cells => self.paved().map(|_| revision.cells),
+            SurfaceView::Mesh => self.mesh().map(|_| revision.mesh),
             SurfaceView::Direction | SurfaceView::Size | SurfaceView::Curvature => {
-                made.fresh_fields().map(|_| revision.fields)
+                self.fresh_fields().map(|_| revision.fields)
             }
         };
-        Some(SceneInputs {
+        Some(SceneKey {
             view,
-            surface,
+            is_live: true,
+            site: surface,
             revision: revision?,
         })
     }
 
-    fn is_later(&self, before: SceneInputs, after: SceneInputs) -> bool {
-        before.view == after.view && before.surface == after.surface
-    }
-
     fn begin(
         &self,
-        of: SceneInputs,
-        shown: &mut Option<(SceneInputs, ViewScene)>,
+        of: SceneKey<SurfaceView>,
+        shown: &mut Option<(SceneKey<SurfaceView>, ViewScene)>,
     ) -> ViewSceneMaking {
-        let goes_on = |(before, subject): &mut (SceneInputs, ViewScene)| {
-            matches!(subject, ViewScene::Particles(_)) && self.is_later(*before, of)
+        let goes_on = |(before, subject): &mut (SceneKey<SurfaceView>, ViewScene)| {
+            matches!(subject, ViewScene::Particles(_)) && before.leads_to(&of)
         };
         match shown.take_if(goes_on) {
             Some((_, ViewScene::Particles(last))) => ViewSceneMaking::Begin(Some(last)),
@@ -109,64 +91,29 @@ impl SceneSource for SurfaceEngine {
         }
     }
 
-    fn make(&mut self, of: SceneInputs, making: &mut ViewSceneMaking) -> Option<ViewScene> {
-        let made = &self.made;
+    fn make(
+        &mut self,
+        of: SceneKey<SurfaceView>,
+        making: &mut ViewSceneMaking,
+    ) -> Option<ViewScene> {
         if of.view == SurfaceView::Picture {
-            return made.shared.scene().cloned().map(ViewScene::Stones);
+            return self.shared.scene().cloned().map(ViewScene::Stones);
         }
-        let built = made.last_built()?;
-        let is_old = self
-            .ground
-            .as_ref()
-            .is_none_or(|(surface, _)| *surface != of.surface);
-        if is_old {
-            self.ground = Some((
-                of.surface,
-                BareSurface::new(&built.mesh, Fit::new(&built.whole)),
-            ));
-        }
-        let (_, ground) = self.ground.as_mut()?;
-        if !ground.advance(&built.mesh) {
-            return None;
-        }
-        let tones = || Tones::new(&self.made.shared.bodies.params().texture);
+        self.make_bare(of.site)?;
+        let (_, ground) = self.bare.as_ref()?;
         if let ViewSceneMaking::Begin(last) = making {
-            let last = last.take();
-            *making = match of.view {
-                SurfaceView::Packed | SurfaceView::Auto | SurfaceView::Picture => {
-                    let (Some(packing), Some(site)) = (made.live_packing(), made.site()) else {
-                        return Some(ViewScene::Other(ground.scene()));
-                    };
-                    let mut view = last.unwrap_or_else(|| Box::new(Particles::new(ground)));
-                    view.update(site, &packing.particles(), &tones());
-                    return Some(ViewScene::Particles(view));
-                }
-                SurfaceView::Cells => {
-                    ViewSceneMaking::Cells(Box::new(CellsView::new(Some(&tones()))))
-                }
-                SurfaceView::Mesh => ViewSceneMaking::Mesh(Box::default()),
-                SurfaceView::Direction => {
-                    let fielded = made.fresh_fields()?;
-                    ViewSceneMaking::Field(Box::new(FieldView::new(
-                        &fielded.fields,
-                        &fielded.strokes,
-                    )))
-                }
-                SurfaceView::Size => {
-                    ViewSceneMaking::Map(Box::new(MapView::new(Quantity::Size, false)))
-                }
-                SurfaceView::Curvature => {
-                    ViewSceneMaking::Map(Box::new(MapView::new(Quantity::Mean, true)))
-                }
-            };
+            if matches!(of.view, SurfaceView::Packed | SurfaceView::Auto) {
+                return self.packed_scene(last.take());
+            }
+            *making = self.begun_view(of.view)?;
             return None;
         }
-        let fields = || made.fresh_fields().map(|fielded| &fielded.fields);
+        let fields = || self.fresh_fields().map(|fielded| &fielded.fields);
         let done = match making {
             ViewSceneMaking::Begin(_) => false,
             ViewSceneMaking::Field(view) => view.advance(ground, fields()?),
-            ViewSceneMaking::Mesh(view) => view.advance(ground, made.mesh()?),
-            ViewSceneMaking::Cells(view) => view.advance(ground, &made.paved()?.cells),
+            ViewSceneMaking::Mesh(view) => view.advance(ground, self.mesh()?),
+            ViewSceneMaking::Cells(view) => view.advance(ground, &self.paved()?.cells),
             ViewSceneMaking::Map(view) => view.advance(ground, fields()?),
         };
         if !done {
@@ -175,12 +122,13 @@ impl SceneSource for SurfaceEngine {
         finished(std::mem::replace(making, ViewSceneMaking::Begin(None)))
     }
 
-    fn making_key(&self) -> Option<SceneInputs> {
-        let bodies = self.made.standing()?;
-        let (surface, _) = self.made.revisions();
-        Some(SceneInputs {
+    fn making_key(&self) -> Option<SceneKey<SurfaceView>> {
+        let bodies = self.standing()?;
+        let (surface, _) = self.revisions();
+        Some(SceneKey {
             view: SurfaceView::Picture,
-            surface,
+            is_live: true,
+            site: surface,
             revision: bodies.revision,
         })
     }
@@ -189,20 +137,56 @@ impl SceneSource for SurfaceEngine {
         self.scene_of_step(step)
     }
 
-    fn still(&self) -> StillParams {
-        self.made.shared.still.params().clone()
-    }
-
     fn materials(&self, subject: &ViewScene) -> Option<&'static [Material]> {
         (!matches!(subject, ViewScene::Stones(_))).then_some(&MATERIALS)
     }
+}
 
-    fn finished(&self, view: &str) -> Option<&[u8]> {
-        let is_picture = matches!(
-            SurfaceView::of_words(view),
-            SurfaceView::Auto | SurfaceView::Picture
-        );
-        (is_picture && self.made.at().is_none()).then(|| self.made.shared.picture())
+impl Stages {
+    /// Works on the bare surface of this revision; `None` until it is finished.
+    fn make_bare(&mut self, surface: u64) -> Option<()> {
+        let built = self.built.made()?;
+        let new = || BareSurface::new(&built.mesh, Fit::new(&built.whole));
+        let known = self.bare.take().filter(|(own, _)| *own == surface);
+        let (_, bare) = self.bare.insert(known.unwrap_or_else(|| (surface, new())));
+        bare.advance(&built.mesh).then_some(())
+    }
+
+    fn tones(&self) -> Tones {
+        Tones::new(&self.shared.bodies.params().texture)
+    }
+
+    /// The packing as it is now on the bare surface, which is all that is seen before. The last scene of it is changed.
+    fn packed_scene(&self, last: Option<Box<Particles>>) -> Option<ViewScene> {
+        let (_, ground) = self.bare.as_ref()?;
+        let (Some(packing), Some(site)) = (self.live_packing(), self.site()) else {
+            return Some(ViewScene::Other(ground.scene()));
+        };
+        let mut view = last.unwrap_or_else(|| Box::new(Particles::new(ground)));
+        view.update(site, &packing.particles(), &self.tones());
+        Some(ViewScene::Particles(view))
+    }
+
+    /// The beginning of a view that takes several slices.
+    fn begun_view(&self, view: SurfaceView) -> Option<ViewSceneMaking> {
+        Some(match view {
+            SurfaceView::Auto | SurfaceView::Picture | SurfaceView::Packed => return None,
+            SurfaceView::Cells => {
+                ViewSceneMaking::Cells(Box::new(CellsView::new(Some(&self.tones()))))
+            }
+            SurfaceView::Mesh => ViewSceneMaking::Mesh(Box::default()),
+            SurfaceView::Direction => {
+                let fielded = self.fresh_fields()?;
+                let view = FieldView::new(&fielded.fields, &fielded.strokes);
+                ViewSceneMaking::Field(Box::new(view))
+            }
+            SurfaceView::Size => {
+                ViewSceneMaking::Map(Box::new(MapView::new(Quantity::Size, false)))
+            }
+            SurfaceView::Curvature => {
+                ViewSceneMaking::Map(Box::new(MapView::new(Quantity::Mean, true)))
+            }
+        })
     }
 }
 

@@ -3,7 +3,6 @@
 use crate::field::CellKind;
 use crate::generators::GivenFile;
 use crate::generators::scene_picture::SceneStages;
-use crate::generators::surface::params::Params;
 use crate::generators::surface::stages::Stages;
 use crate::generators::surface::{SCHEMA, keys};
 use crate::graph::Wiring;
@@ -89,7 +88,7 @@ impl Body {
         for (key, value) in [form, dir].into_iter().chain(cells) {
             recipe.set(key, value).expect("a value of its row");
         }
-        let mut stages = Stages::new(Params::new(&recipe));
+        let mut stages = Stages::new(&recipe);
         if let Some(file) = file {
             let files = &mut stages.shared_mut().files;
             files.give(file.digest(), file.into_bytes());
