@@ -29,6 +29,8 @@ pub(crate) use marking::{CLOUDS, CLOUDS_AT, Marking, WAVELENGTH, belly_at, near,
 #[cfg(house)]
 pub(crate) use near_grain::{GrainStrength, NearGrain};
 pub use noise::NoiseTile;
+#[cfg(house)]
+pub(crate) use noise::from_three_sides;
 pub(crate) use noise::{floor, white};
 pub use palette::{Ground, Palette};
 pub use palettes::{PALETTES, ground, material_table, palette};

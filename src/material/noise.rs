@@ -9,7 +9,11 @@
 //! over each unit, so the bigger picture, averaged, equals the one with one pixel a unit. The finest of these
 //! levels would take most of the memory and is computed on request.
 
+#[cfg(house)]
+use crate::order::greater;
 use crate::random::{Purpose, Random};
+#[cfg(house)]
+use glam::Vec3;
 
 /// Below the unit of length the amplitude falls by this factor each half level, whatever the dimension: more
 /// pixels must not make the picture rougher and darker.
@@ -55,6 +59,17 @@ pub(crate) fn white([x, y]: [usize; 2], salt: u32) -> f32 {
         bits = (bits ^ bits >> 16).wrapping_mul(factor) ^ bits >> 15;
     }
     bits as i32 as f32 * (3.0f32.sqrt() / 2_147_483_648.0)
+}
+
+/// The noise at a place in space, of three readings in the plane: one along each axis, weighted by the normal there.
+#[cfg(house)]
+#[inline]
+pub(crate) fn from_three_sides(p: Vec3, normal: Vec3, read: impl Fn(f32, f32) -> f32) -> f32 {
+    let n = normal * normal;
+    let weights = n * n / greater((n * n).element_sum(), 1e-6);
+    weights.x * read(p.z, p.y)
+        + weights.y * read(p.x + 31.0, p.z)
+        + weights.z * read(p.x, p.y + 17.0)
 }
 
 impl NoiseTile {

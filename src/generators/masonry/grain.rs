@@ -3,7 +3,7 @@
 use super::colours::{BRICK_ROW, MORTAR_ROW, SOIL_ROW, STONE_ROW, WOOD_ROW};
 use super::ground::relief;
 use super::weather::{Noise, Weather};
-use crate::material::{GrainStrength, NearGrain, NoiseTile};
+use crate::material::{GrainStrength, NearGrain, NoiseTile, from_three_sides};
 use crate::order::{greater, lesser};
 use crate::scene::{Detail, Surfel};
 use glam::Vec3;
@@ -76,12 +76,8 @@ impl WallGrain {
 
     /// The noise at a place in waves.
     fn tile_at(&self, p: Vec3, normal: Vec3) -> f32 {
-        let n = normal * normal;
-        let weights = n * n / greater((n * n).element_sum(), 1e-6);
         let read = |x: f32, y: f32| self.tile.between(x, y).clamp(-2.5, 2.5);
-        weights.x * read(p.z, p.y)
-            + weights.y * read(p.x + 31.0, p.z)
-            + weights.z * read(p.x, p.y + 17.0)
+        from_three_sides(p, normal, read)
     }
 }
 

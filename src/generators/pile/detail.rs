@@ -2,7 +2,7 @@
 
 use super::materials::row;
 use crate::component::{Finish, Texture};
-use crate::material::{GrainStrength, NearGrain, NoiseTile};
+use crate::material::{GrainStrength, NearGrain, NoiseTile, from_three_sides};
 use crate::order::{greater, lesser};
 use crate::scene::{Detail, Place, Surfel};
 use glam::{Vec2, Vec3};
@@ -163,11 +163,12 @@ impl PileNoise {
             let [dx, dy] = local.offset.to_array();
             self.tile.between(x + dx, y + dy).clamp(-2.5, 2.5)
         };
+        let noise = |waves: f32| from_three_sides(p * waves, local.normal, read);
         match texture {
             Texture::None => 1.0,
             Texture::Grains { speckle, .. } => {
-                let broad = three_sides(local, 3.0, &read);
-                let fine = three_sides(local, 11.0, &read);
+                let broad = noise(3.0);
+                let fine = noise(11.0);
                 let fine = 0.6 * fine + 0.4 * fine * fine.abs();
                 greater(
                     1.0 + speckle * (0.7 * broad * shown(3.0) + fine * shown(11.0)),
@@ -184,7 +185,7 @@ impl PileNoise {
                 let fibre = read(3.0 * p.x, 60.0 * off.y) * shown(30.0);
                 1.06 - 0.26 * late + 0.04 * fibre
             }
-            Texture::Pores => 1.0 + 0.03 * three_sides(local, 9.0, &read) * shown(9.0),
+            Texture::Pores => 1.0 + 0.03 * noise(9.0) * shown(9.0),
             Texture::Brushed => {
                 let line = read(2.5 * p.x, 40.0 * p.y + 23.0 * p.z) * shown(30.0);
                 1.0 + 0.035 * line
@@ -211,14 +212,4 @@ impl PileNoise {
             grain.add_to(colour, normal);
         }
     }
-}
-
-/// A noise from three sides, weighted by the normal.
-fn three_sides(local: &Local, waves: f32, read: &impl Fn(f32, f32) -> f32) -> f32 {
-    let n = local.normal * local.normal;
-    let weights = n * n / greater((n * n).element_sum(), 1e-6);
-    let p = local.at * waves;
-    weights.x * read(p.z, p.y)
-        + weights.y * read(p.x + 31.0, p.z)
-        + weights.z * read(p.x, p.y + 17.0)
 }
