@@ -1,7 +1,7 @@
 //! Closed triangle surfaces from grids of places.
 
 use super::Mark;
-use crate::trimesh::TriMesh;
+use crate::trimesh::{TriMesh, box_triangles};
 use glam::DVec3;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -138,31 +138,9 @@ impl Shell {
     /// The surface of a cube whose sides are cut at `cuts`, increasing from -1 to 1; `place` maps its points.
     pub fn cube(cuts: &[f64], place: impl Fn(DVec3) -> Spot) -> Self {
         let mut shell = Self::default();
-        let last = cuts.len() - 1;
-        let mut numbers: BTreeMap<[usize; 3], u32> = BTreeMap::new();
-        for (axis, end) in (0..3).flat_map(|axis| [(axis, 0), (axis, last)]) {
-            for i in 0..last {
-                for j in 0..last {
-                    let mut quad =
-                        [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| {
-                            let mut key = [end; 3];
-                            (key[(axis + 1) % 3], key[(axis + 2) % 3]) = (i, j);
-                            *numbers.entry(key).or_insert_with(|| {
-                                let at = DVec3::from(key.map(|k| cuts[k]));
-                                shell.push(place(at))
-                            })
-                        });
-                    if end == 0 {
-                        quad.reverse();
-                    }
-                    // Diagonals run towards the middle of a side, so that all corners are alike.
-                    if (2 * i < last) != (2 * j < last) {
-                        quad.rotate_left(1);
-                    }
-                    shell.quad(quad);
-                }
-            }
-        }
+        shell.triangles = box_triangles([cuts.len() - 1; 3], |at| {
+            shell.push(place(DVec3::from(at.map(|k| cuts[k]))))
+        });
         shell.outwards()
     }
 

@@ -1,23 +1,14 @@
 //! Surfaces about the y axis.
 
 use super::edges;
-use crate::trimesh::Soup;
+use crate::trimesh::{ROW, Soup};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// The distance between rings, in steps around, for equilateral triangles.
-const ROW: f64 = 0.866_025_403_784_438_6;
 /// The first step around, as a share of the longest edges: diagonals between unlike rings are longer.
 const STEP: f64 = 0.88;
 /// Samples of a profile.
 const SAMPLES: usize = 1024;
-
-/// The vertices of a ring in a list.
-struct Round {
-    first: usize,
-    count: usize,
-    turn: f64,
-}
 
 /// A disc of even triangles that face up. `profile` runs from the axis outwards as its argument goes from 0 to 1: the
 /// distance from the axis, and the height. `edge` is the length of the longest edges.
@@ -27,23 +18,16 @@ pub(super) fn disc(profile: impl Fn(f64) -> DVec2, edge: f64) -> Soup {
 
 fn stepped(profile: &impl Fn(f64) -> DVec2, step: f64) -> Soup {
     let mut soup = Soup::default();
-    soup.positions.push(place(profile(0.0), 0.0));
-    let mut last = Round {
-        first: 0,
-        count: 1,
-        turn: 0.0,
-    };
+    let mut last = soup.ring(profile(0.0), 1, None);
     for at in even(profile, ROW * step) {
         let count = ((TAU * at.x / step).round() as usize).max(6);
-        let ring = Round {
-            first: soup.positions.len(),
-            count,
-            turn: last.turn + 0.5 * TAU / last.count.max(count) as f64,
-        };
-        let angles = (0..count).map(|k| ring.turn + TAU * k as f64 / count as f64);
-        soup.positions.extend(angles.map(|angle| place(at, angle)));
-        sew(&mut soup, &last, &ring);
+        let ring = soup.ring(at, count, Some(&last));
+        soup.sew(&last, &ring);
         last = ring;
+    }
+    // Rings that were sewn outwards instead of upwards face down.
+    for triangle in &mut soup.triangles {
+        triangle.swap(1, 2);
     }
     soup
 }
@@ -70,27 +54,6 @@ fn even(profile: &impl Fn(f64) -> DVec2, step: f64) -> Vec<DVec2> {
         profile((k as f64 + share) / SAMPLES as f64)
     };
     (1..=count as usize).map(point).collect()
-}
-
-/// Goes round both rings, each time on to the vertex with the shorter edge.
-fn sew(soup: &mut Soup, inner: &Round, outer: &Round) {
-    let name = |ring: &Round, k: usize| (ring.first + k % ring.count) as u32;
-    let steps = |ring: &Round| if ring.count > 1 { ring.count } else { 0 };
-    let (mut i, mut j) = (0, 0);
-    while i < steps(inner) || j < steps(outer) {
-        let (a, b) = (name(inner, i), name(outer, j));
-        let (after_a, after_b) = (name(inner, i + 1), name(outer, j + 1));
-        let far = |p: u32, q: u32| soup.positions[p as usize].distance(soup.positions[q as usize]);
-        let is_inner =
-            i < steps(inner) && (j == steps(outer) || far(after_a, b) <= far(a, after_b));
-        if is_inner {
-            soup.triangles.push([a, after_a, b]);
-            i += 1;
-        } else {
-            soup.triangles.push([a, after_b, b]);
-            j += 1;
-        }
-    }
 }
 
 /// The cosine of the angle beyond which a profile has a crease.

@@ -1,7 +1,7 @@
 //! A cylinder, with or without caps: rings of vertices that are sewn together.
 
 use super::bone::Bone;
-use crate::trimesh::Soup;
+use crate::trimesh::{ROW, Soup, VertexRing};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
@@ -15,16 +15,6 @@ pub(super) struct Drum {
 
 /// Samples of the wall's outline.
 const SAMPLES: usize = 256;
-/// The distance between rings, in edges, for equilateral triangles.
-const ROW: f64 = 0.866_025_403_784_438_6;
-
-struct DrumRing {
-    first: usize,
-    count: usize,
-    /// The angle of the first vertex.
-    turn: f64,
-}
-
 impl Drum {
     /// The drum for the numbers `[height, top, belly, caps]`.
     pub fn new(n: &[f64]) -> Self {
@@ -118,7 +108,7 @@ impl Drum {
 struct Sewing {
     step: f64,
     made: Soup,
-    rings: Vec<DrumRing>,
+    last: Option<VertexRing>,
 }
 
 impl Sewing {
@@ -126,7 +116,7 @@ impl Sewing {
         Self {
             step,
             made: Soup::default(),
-            rings: Vec::new(),
+            last: None,
         }
     }
 
@@ -136,53 +126,16 @@ impl Sewing {
             0.0 => 1,
             r => ((TAU * r / self.step).round() as usize).max(6),
         };
-        let mut turn = 0.0;
-        if let Some(last) = self.rings.last() {
+        if let Some(last) = &self.last {
             // Keep the count of the ring before if it is nearly right: that makes no irregular vertices.
             if last.count > 1 && count > 1 && last.count.abs_diff(count) * 20 <= count {
                 count = last.count;
             }
-            turn = last.turn + 0.5 * TAU / last.count.max(count) as f64;
         }
-        let ring = DrumRing {
-            first: self.made.positions.len(),
-            count,
-            turn,
-        };
-        for k in 0..count {
-            let angle = turn + TAU * k as f64 / count as f64;
-            self.made.positions.push(DVec3::new(
-                at.x * libm::cos(angle),
-                at.y,
-                at.x * libm::sin(angle),
-            ));
+        let ring = self.made.ring(at, count, self.last.as_ref());
+        if let Some(last) = &self.last {
+            self.made.sew(last, &ring);
         }
-        if let Some(last) = self.rings.len().checked_sub(1) {
-            self.sew(last, &ring);
-        }
-        self.rings.push(ring);
-    }
-
-    /// Goes round both rings, each time on to the vertex with the shorter edge.
-    fn sew(&mut self, last: usize, upper: &DrumRing) {
-        let lower = &self.rings[last];
-        let name = |ring: &DrumRing, k: usize| (ring.first + k % ring.count) as u32;
-        let steps = |ring: &DrumRing| if ring.count > 1 { ring.count } else { 0 };
-        let (mut i, mut j) = (0, 0);
-        while i < steps(lower) || j < steps(upper) {
-            let (a, b) = (name(lower, i), name(upper, j));
-            let far = |p: u32, q: u32| {
-                (self.made.positions[p as usize] - self.made.positions[q as usize]).length()
-            };
-            let below = i < steps(lower)
-                && (j == steps(upper) || far(name(lower, i + 1), b) <= far(a, name(upper, j + 1)));
-            if below {
-                self.made.triangles.push([a, b, name(lower, i + 1)]);
-                i += 1;
-            } else {
-                self.made.triangles.push([a, b, name(upper, j + 1)]);
-                j += 1;
-            }
-        }
+        self.last = Some(ring);
     }
 }

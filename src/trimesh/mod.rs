@@ -19,6 +19,7 @@ pub(crate) use crate::csr::NONE;
 
 pub(crate) mod adjacency;
 mod borders;
+mod box_grid;
 mod building;
 mod closed;
 pub mod curvature;
@@ -28,6 +29,7 @@ mod point;
 pub(crate) mod polygon;
 pub mod refine;
 pub mod repair;
+mod rings;
 #[cfg(test)]
 pub(crate) mod samples;
 pub(crate) mod search;
@@ -40,11 +42,13 @@ pub(crate) mod spatial_hash;
 pub(crate) mod testing;
 mod walk;
 
+pub(crate) use box_grid::box_triangles;
 pub use building::MeshBuilding;
 pub use closed::Closed;
 pub use frame::{LogMap, TangentFrame, Transport, log};
 pub use mesh::{MeshFault, TriMesh};
 pub use point::SurfacePoint;
+pub(crate) use rings::{ROW, VertexRing};
 pub use search::{Hit, Search};
 pub use sides::{Sided, Sides, Siding};
 pub use simplify::Simplifying;
