@@ -1,16 +1,13 @@
 //! The greedy choice of inner spheres among medial balls.
 
+use super::four_spheres::{FourSpheres, fourfold};
 use super::pool::Sphere;
 use crate::order::{greater, rank, set_bits};
 use glam::DVec3;
-use std::array::from_fn;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::collections::binary_heap::PeekMut;
-use wide::f32x4;
 
-/// The greatest error of squares in single precision, in units of the body.
-const COARSE: f32 = 1e-4;
 /// Where places are that only fill up four, in units of the body: no ball is near.
 const FAR: DVec3 = DVec3::splat(1e3);
 
@@ -35,38 +32,11 @@ struct GapPlaces {
     places: Vec<DVec3>,
     gaps: Vec<f64>,
     greatest: f64,
-    /// The same four by four, relative to a corner of the body and in units of its longest side.
-    fours: Vec<FourPlaces>,
+    /// The same four by four, as spheres whose radii are the gaps: a ball that overlaps one may reduce its gap. Relative
+    /// to a corner of the body, and in units of its longest side.
+    fours: Vec<FourSpheres>,
     origin: DVec3,
     unit: f64,
-}
-
-/// Four places with their gaps, in single precision.
-struct FourPlaces {
-    at: [f32x4; 3],
-    gaps: f32x4,
-}
-
-fn four(number: impl Fn(usize) -> f64) -> f32x4 {
-    f32x4::new(from_fn(|k| number(k) as f32))
-}
-
-impl FourPlaces {
-    fn new(places: &[DVec3]) -> Self {
-        let place = |k: usize| places.get(k).copied().unwrap_or(FAR);
-        Self {
-            at: [0, 1, 2].map(|axis| four(|k| place(k)[axis])),
-            gaps: f32x4::ZERO,
-        }
-    }
-
-    /// A bit for each place at which a ball may reduce the gap.
-    fn near(&self, centre: [f32x4; 3], radius: f32x4) -> u32 {
-        let square = |v: f32x4| v * v;
-        let [x, y, z] = from_fn(|axis| square(self.at[axis] - centre[axis]));
-        let room = square(self.gaps + radius) + f32x4::splat(COARSE);
-        (x + y + z).simd_le(room).to_bitmask()
-    }
 }
 
 impl GapPlaces {
@@ -76,10 +46,14 @@ impl GapPlaces {
         let (origin, high) = places.iter().fold(none, wider);
         let unit = (high - origin).max_element().max(f64::MIN_POSITIVE);
         let near: Vec<DVec3> = places.iter().map(|&p| (p - origin) / unit).collect();
+        let bare = |four: &[DVec3]| {
+            let place = |k: usize| four.get(k).copied().unwrap_or(FAR).to_array();
+            FourSpheres::new(place, |_| 0.0)
+        };
         Self {
             gaps: vec![f64::INFINITY; places.len()],
             greatest: f64::INFINITY,
-            fours: near.chunks(4).map(FourPlaces::new).collect(),
+            fours: near.chunks(4).map(bare).collect(),
             origin,
             unit,
             places,
@@ -93,14 +67,14 @@ impl GapPlaces {
             *gap = gap.min(own.max(0.0));
             self.greatest = greater(self.greatest, *gap);
         }
-        for (four_places, gaps) in self.fours.iter_mut().zip(self.gaps.chunks(4)) {
-            four_places.gaps = four(|k| gaps.get(k).map_or(0.0, |gap| gap / self.unit));
+        for (four, gaps) in self.fours.iter_mut().zip(self.gaps.chunks(4)) {
+            four.set_radii(|k| gaps.get(k).map_or(0.0, |gap| gap / self.unit));
         }
     }
 
     /// By how much a ball would reduce the sum of the squares of the gaps.
     fn gain(&self, ball: &Sphere) -> f64 {
-        let coarse = |v: f64| f32x4::splat((v / self.unit) as f32);
+        let coarse = |v: f64| fourfold(v / self.unit);
         let centre = (ball.centre - self.origin).to_array().map(coarse);
         let radius = coarse(ball.radius);
         let mut gain = 0.0;

@@ -2,54 +2,20 @@
 
 use super::Body;
 use super::blocked::Blocked;
-use super::sliding_line::{Along, COARSE, Extent, Met, NOWHERE, SlidingLine};
-use crate::component::Sphere;
+use super::sliding_line::{Along, Extent, Met, NOWHERE, SlidingLine};
+use crate::component::{FourSpheres, Sphere, fourfold};
 use crate::order::{greater, set_bits};
-use std::array::from_fn;
 use wide::f32x4;
-
-/// Four spheres of the body in single precision, in units of its bound.
-struct Four {
-    u: f32x4,
-    w: f32x4,
-    t: f32x4,
-    radius: f32x4,
-}
 
 /// A body in one orientation on its line.
 pub(super) struct Sliding<'a> {
     line: &'a SlidingLine,
     own: Vec<Along>,
-    /// The same spheres, four by four.
-    fours: Vec<Four>,
+    /// The same spheres, four by four, in units of the body's bound.
+    fours: Vec<FourSpheres>,
     extent: Extent,
     /// The pairs of spheres that have blocked a place.
     pairs: Vec<(usize, usize)>,
-}
-
-impl Four {
-    fn new(four: &[Along], bound: f64) -> Self {
-        let all = |number: fn(&Along) -> f64| {
-            let each = |k| (number(four.get(k).unwrap_or(&NOWHERE)) / bound) as f32;
-            f32x4::new(from_fn(each))
-        };
-        Self {
-            u: all(|s| s.u),
-            w: all(|s| s.w),
-            t: all(|s| s.t),
-            radius: all(|s| s.radius),
-        }
-    }
-
-    /// A bit for each sphere that may meet another, in the same units. The other one's radius is less by the overlap
-    /// that is allowed.
-    fn near(&self, [u, w, t, radius]: [f32x4; 4]) -> u32 {
-        let reach = (self.radius + radius).max(f32x4::ZERO);
-        let square = |v: f32x4| v * v;
-        let away = square(self.u - u) + square(self.w - w) + square(self.t - t);
-        let room = square(reach) + (square(radius) + f32x4::ONE) * f32x4::splat(COARSE);
-        away.simd_le(room).to_bitmask()
-    }
 }
 
 impl<'a> Sliding<'a> {
@@ -60,13 +26,17 @@ impl<'a> Sliding<'a> {
             .map(|s| line.along(body.turn * (body.scale * s.centre), body.scale * s.radius))
             .collect();
         let most = |far: fn(&Along) -> f64| own.iter().map(far).fold(f64::NEG_INFINITY, greater);
-        let coarse = |length: f64| f32x4::splat((length / line.bound) as f32);
+        let coarse = |length: f64| fourfold(length / line.bound);
         let extent = Extent {
             beside: coarse(most(|s| s.off().sqrt() + s.radius)),
             low: coarse(-most(|s| s.radius - s.t)),
             high: coarse(most(|s| s.t + s.radius)),
         };
-        let fours = own.chunks(4).map(|four| Four::new(four, line.bound));
+        let fours = own.chunks(4).map(|four| {
+            let sphere = |k: usize| four.get(k).unwrap_or(&NOWHERE);
+            let centre = |s: &Along| [s.u, s.w, s.t].map(|v| v / line.bound);
+            FourSpheres::new(|k| centre(sphere(k)), |k| sphere(k).radius / line.bound)
+        });
         Self {
             fours: fours.collect(),
             own,
@@ -86,11 +56,11 @@ impl<'a> Sliding<'a> {
         self.block_again(tau, &mut blocked);
         let mut best = blocked.nearest_to_zero()?;
         let all = self.line.fours.len();
-        let coarse_tau = f32x4::splat(tau as f32);
+        let coarse_tau = fourfold(tau);
         let (mut k, mut agree) = (0, 0);
         while agree < all {
             let before = best;
-            let at = f32x4::splat((best / self.line.bound) as f32);
+            let at = fourfold(best / self.line.bound);
             for lane in set_bits(self.line.fours[k].near(&self.extent, coarse_tau, at)) {
                 best = self.meet(4 * k + lane, tau, best, &mut blocked)?;
             }
@@ -114,9 +84,9 @@ impl<'a> Sliding<'a> {
     fn meet(&mut self, k: usize, tau: f64, mut best: f64, blocked: &mut Blocked) -> Option<f64> {
         let other = &self.line.met[k];
         let allowed = tau * other.unit;
-        let mut there = self.there(other, allowed, best);
+        let (mut centre, radius) = self.there(other, allowed, best);
         for four in 0..self.fours.len() {
-            for lane in set_bits(self.fours[four].near(there)) {
+            for lane in set_bits(self.fours[four].near(centre, radius)) {
                 let own = 4 * four + lane;
                 let overlap = self.own[own].overlap(other, allowed, best);
                 let Some((from, to)) = overlap else {
@@ -125,20 +95,21 @@ impl<'a> Sliding<'a> {
                 blocked.add(from, to);
                 self.pairs.push((own, k));
                 best = blocked.nearest_to_zero()?;
-                there = self.there(other, allowed, best);
+                (centre, _) = self.there(other, allowed, best);
             }
         }
         Some(best)
     }
 
     /// A sphere relative to the body at t, in single precision. The allowed overlap is taken off its radius.
-    fn there(&self, other: &Met, allowed: f64, t: f64) -> [f32x4; 4] {
+    fn there(&self, other: &Met, allowed: f64, t: f64) -> ([f32x4; 3], f32x4) {
         let Along {
             u,
             w,
             t: along,
             radius,
         } = other.sphere;
-        [u, w, along - t, radius - allowed].map(|v| f32x4::splat((v / self.line.bound) as f32))
+        let coarse = |length: f64| fourfold(length / self.line.bound);
+        ([u, w, along - t].map(coarse), coarse(radius - allowed))
     }
 }

@@ -3,16 +3,14 @@
 use super::Body;
 use super::blocked::Blocked;
 use super::settled::Neighbour;
+use crate::component::{self, COARSE, fourfold};
 use crate::order::{greater, set_bits};
 use glam::DVec3;
-use std::array::from_fn;
 use std::cell::OnceCell;
 use wide::f32x4;
 
 /// The greatest rounding error of a length, relative to the largest of its summands.
 const ROUNDING: f64 = 1e-9;
-/// The same for single precision and its squares.
-pub(super) const COARSE: f32 = 1e-4;
 
 /// A sphere that only fills up four, and is met by nothing.
 const NOTHING: Met = Met {
@@ -147,8 +145,7 @@ impl Along {
 impl MetFour {
     fn new(four: &[Met], bound: f64) -> Self {
         let all = |number: fn(&Met) -> f64, scale: f64| {
-            let each = |k| (number(four.get(k).unwrap_or(&NOTHING)) / scale) as f32;
-            f32x4::new(from_fn(each))
+            component::four(|k| number(four.get(k).unwrap_or(&NOTHING)) / scale)
         };
         Self {
             off: all(|met| met.sphere.off(), bound * bound),
@@ -220,8 +217,7 @@ impl SlidingLine {
 
     fn blocked_by_core(&self, tau: f64) -> Blocked {
         let mut blocked = Blocked::new(self.range.0, self.range.1);
-        let radius = f32x4::splat((self.core.radius / self.bound) as f32);
-        let coarse_tau = f32x4::splat(tau as f32);
+        let (radius, coarse_tau) = (fourfold(self.core.radius / self.bound), fourfold(tau));
         if self.core.radius <= 0.0 {
             return blocked;
         }
