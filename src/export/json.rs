@@ -1,7 +1,7 @@
 //! JSON by plain string building: the shapes are few and flat.
 
 use crate::cells::Cell;
-use crate::mesh::Mesh;
+use crate::mesh::{Face, Mesh};
 #[cfg(house)]
 use crate::surface_cells::SurfaceCell;
 use glam::DVec2;
@@ -17,15 +17,18 @@ pub fn cells_json(cells: &[Cell]) -> String {
 
 /// `{"vertices":[[x,y],...],"faces":[[i,j,k,l?],...]}`, faces of three or four vertices.
 pub fn mesh_json(mesh: &Mesh) -> String {
-    let faces = mesh
-        .faces
-        .iter()
-        .map(|f| list(f.nodes().iter().map(u32::to_string)));
-    format!(
-        "{{\"vertices\":{},\"faces\":{}}}\n",
-        list(mesh.vertices.iter().map(|&p| point(p))),
-        list(faces)
-    )
+    let vertices = mesh.vertices.iter().map(|&p| point(p));
+    faces_json(vertices, mesh.faces.iter().map(Face::nodes))
+}
+
+/// The object of a mesh with these vertices, which are JSON already.
+fn faces_json<F: AsRef<[u32]>>(
+    vertices: impl Iterator<Item = String>,
+    faces: impl Iterator<Item = F>,
+) -> String {
+    let faces = faces.map(|face| list(face.as_ref().iter().map(u32::to_string)));
+    let (vertices, faces) = (list(vertices), list(faces));
+    format!("{{\"vertices\":{vertices},\"faces\":{faces}}}\n")
 }
 
 /// `{"cells":[{"ring":[[x,y,z],...],"normal":[x,y,z],"size":d},...]}`, cells on a surface in the model's units.
@@ -47,12 +50,7 @@ pub fn surface_mesh_json<F: AsRef<[u32]>>(
     vertices: &[DVec3],
     faces: impl Iterator<Item = F>,
 ) -> String {
-    let faces = faces.map(|face| list(face.as_ref().iter().map(u32::to_string)));
-    format!(
-        "{{\"vertices\":{},\"faces\":{}}}\n",
-        list(vertices.iter().map(|&p| point_in_space(p))),
-        list(faces)
-    )
+    faces_json(vertices.iter().map(|&p| point_in_space(p)), faces)
 }
 
 #[cfg(house)]

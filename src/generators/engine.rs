@@ -8,6 +8,7 @@ use super::inspection::Products;
 use super::offers::{Drafts, Inspect, Maps, Meshes, Outlines, Rewind, Steps};
 use crate::export::Report;
 use crate::notice::Notice;
+use crate::packing::StepReport;
 use crate::recipe::Recipe;
 
 /// The progress of the work.
@@ -27,6 +28,21 @@ pub struct Progress {
     pub converged: bool,
     /// The number of finished stones, or bodies.
     pub stones: usize,
+}
+
+impl Progress {
+    /// The progress after a step of a packing, with this number of finished stones.
+    pub(super) fn of_packing(last: StepReport, stones: usize) -> Self {
+        Self {
+            cells: last.cells,
+            steps: last.step,
+            largest_move: last.largest_move,
+            added: last.added,
+            removed: last.removed,
+            converged: last.converged,
+            stones,
+        }
+    }
 }
 
 /// Makes pictures of one generator's recipes, slice by slice. A stage is given by its index in

@@ -2,6 +2,7 @@
 
 use crate::domain::Domain;
 use crate::field::Fields;
+use crate::graph::Node;
 use crate::notice::{Code, Notice};
 use crate::packing::{Packing, PackingParams, Placing};
 #[cfg(house)]
@@ -14,6 +15,9 @@ pub(super) enum PackingProgress<L, M> {
     Placing(Box<L>),
     Moving(Box<M>),
 }
+
+/// The node of a packing.
+pub(super) type PackingNode<L, M> = Node<PackingParams, PackingProgress<L, M>, M>;
 
 /// A domain with its fields, on which cells are packed.
 pub(super) trait PackingGround: Copy {
@@ -39,6 +43,17 @@ pub(super) trait PackingGround: Copy {
 }
 
 impl<L, M> PackingProgress<L, M> {
+    /// The packing in progress, or the last one.
+    pub fn shown(node: &PackingNode<L, M>) -> Option<&M> {
+        node.work().and_then(Self::moving).or(node.made())
+    }
+
+    /// The same, mutable, because a packing caches measures such as its energy.
+    pub fn shown_mut(node: &mut PackingNode<L, M>) -> Option<&mut M> {
+        let (work, made) = node.both_mut();
+        work.and_then(Self::moving_mut).or(made)
+    }
+
     /// Does one slice of the work; returns the packing when it is at rest.
     ///
     /// # Errors
@@ -83,7 +98,7 @@ impl<L, M> PackingProgress<L, M> {
     }
 
     /// The same packing, mutable.
-    pub fn moving_mut(&mut self) -> Option<&mut M> {
+    fn moving_mut(&mut self) -> Option<&mut M> {
         match self {
             Self::Moving(packing) => Some(packing),
             Self::Placing(_) => None,

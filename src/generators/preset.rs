@@ -40,6 +40,19 @@ impl Preset {
             timing: None,
         }
     }
+
+    /// A preset that follows a figure.
+    #[cfg(house)]
+    pub const fn drawn(
+        [group, name, title, figure]: [&'static str; 4],
+        note: &'static str,
+        link: &'static str,
+    ) -> Self {
+        Self {
+            figure,
+            ..Self::plain([group, name, title], note, link)
+        }
+    }
 }
 
 /// The seconds that a paper prints for one of its figures.

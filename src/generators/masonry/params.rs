@@ -126,16 +126,14 @@ impl MasonryParams {
         let module = module(recipe);
         let seed = shared::seed(recipe);
         let rule = Rule::of_word(recipe.choice(keys::BUILDING));
-        let asked = || AskedFile {
-            role: keys::MODEL.0,
-            file: recipe.files(keys::MODEL).pop(),
-            is_z_up: false,
+        let light = LightParams {
+            shade: shared::shading(recipe),
+            materials: materials(Gloss::of_word(recipe.choice(keys::GLOSS))),
         };
         Self {
-            files: if rule.is_none() {
-                vec![asked()]
-            } else {
-                Vec::new()
+            files: match rule {
+                Some(_) => Vec::new(),
+                None => vec![AskedFile::new(recipe, keys::MODEL, false)],
             },
             building: BuildingParams {
                 rule: rule.map(|rule| (rule, numbers_of(recipe, keys::BUILDING, rule.word()))),
@@ -180,15 +178,7 @@ impl MasonryParams {
                 ground: recipe.choice(keys::GROUND),
                 seed,
             },
-            still: StillParams {
-                camera: MASONRY.camera(),
-                light: LightParams {
-                    shade: shared::shading(recipe),
-                    materials: materials(Gloss::of_word(recipe.choice(keys::GLOSS))),
-                },
-                yaw: recipe.number(keys::YAW),
-                side: shared::side(recipe),
-            },
+            still: StillParams::new(recipe, MASONRY.camera(), light),
         }
     }
 }

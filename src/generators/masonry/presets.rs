@@ -8,10 +8,7 @@ const fn drawn(
     note: &'static str,
     link: &'static str,
 ) -> Preset {
-    Preset {
-        figure,
-        ..Preset::plain(["The paper's figures", name, title], note, link)
-    }
+    Preset::drawn(["The paper's figures", name, title, figure], note, link)
 }
 
 /// A figure of the paper in a view of its own.

@@ -65,7 +65,7 @@ rows! {
         text("Model", Item::File).group("Building").steady()
             .drawn_for(keys::BUILDING, FILE).only_for(keys::BUILDING, &[FILE]);
     yaw YAW: "Turns the building about its upright axis, under the same light." =>
-        number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Building");
+        shared::YAW.group("Building");
     size SIZE: "Side of the square picture." => shared::SIZE;
 
     pattern PATTERN: "The tree of patterns that features are passed down." =>

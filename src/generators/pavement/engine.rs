@@ -90,16 +90,7 @@ impl Engine for Pavement {
     }
 
     fn progress(&self) -> Progress {
-        let last = self.step_report();
-        Progress {
-            cells: last.cells,
-            steps: last.step,
-            largest_move: last.largest_move,
-            added: last.added,
-            removed: last.removed,
-            converged: last.converged,
-            stones: self.made.stones(),
-        }
+        Progress::of_packing(self.step_report(), self.made.stones())
     }
 
     fn energy(&mut self) -> f64 {

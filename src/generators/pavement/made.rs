@@ -22,17 +22,12 @@ impl Stages {
 
     /// The packing in progress, or the last one.
     pub fn shown_packing(&self) -> Option<&Packing> {
-        let moving = self.packing.work().and_then(PackingProgress::moving);
-        moving.or(self.packing.made())
+        PackingProgress::shown(&self.packing)
     }
 
-    /// The packing in progress, or the last one, and the domain. The packing is mutable because it caches measures
-    /// such as its energy.
+    /// The same, mutable, and the domain.
     pub fn shown_packing_mut(&mut self) -> Option<(&mut Packing, &Domain)> {
-        let domain = self.domain.made()?;
-        let (work, made) = self.packing.both_mut();
-        let packing = work.and_then(PackingProgress::moving_mut).or(made);
-        Some((packing?, domain))
+        PackingProgress::shown_mut(&mut self.packing).zip(self.domain.made())
     }
 
     /// Whether cells of the present packing can be shown: they are moving, or the packing is finished and fresh.

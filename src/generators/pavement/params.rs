@@ -306,17 +306,7 @@ fn cells(recipe: &Recipe) -> CellParams {
 
 pub(super) fn texture(recipe: &Recipe) -> TextureParams {
     TextureParams {
-        side: shared::side(recipe),
-        pixel_scale: 1,
-        seed: shared::seed(recipe),
-        size: recipe.number(keys::CS),
-        stone: stones::stone(recipe, 1.0),
-        dimension: recipe.number(shared::keys::FD),
-        amplitude: recipe.number(shared::keys::AF),
-        palette: recipe.choice(shared::keys::PALETTE),
-        ground: recipe.choice(shared::keys::GROUND),
-        vary: recipe.number(shared::keys::VARY),
-        colour: stones::colour(recipe, recipe.side()),
         tile: recipe.is_tile(),
+        ..stones::texture(recipe, recipe.number(keys::CS), [1.0, recipe.side()])
     }
 }

@@ -7,11 +7,11 @@ use crate::cells::{Cell, Graph};
 use crate::domain::Domain;
 use crate::field::{FieldBuilder, FieldParams, Fields};
 use crate::generators::height_field::{Bodies, HeightField, HeightFieldParams};
-use crate::generators::packs::PackingProgress;
+use crate::generators::packs::{PackingNode, PackingProgress};
 use crate::graph::{Node, Task, Wiring, task};
 use crate::material::{Coat, Coats};
 use crate::mesh::{Mesh, Meshing};
-use crate::packing::{Packing, PackingParams, Placing};
+use crate::packing::{Packing, Placing};
 use crate::solid::oriented;
 use glam::DVec2;
 
@@ -22,7 +22,7 @@ const CELLS: usize = 500;
 pub(super) struct Stages {
     pub(super) domain: Node<DomainParams, (), Domain>,
     pub(super) fields: Node<FieldParams, FieldBuilder, Fields>,
-    pub(super) packing: Node<PackingParams, PackingProgress<Placing, Packing>, Packing>,
+    pub(super) packing: PackingNode<Placing, Packing>,
     pub(super) mesh: Node<(), Meshing, Mesh>,
     pub(super) cells: Node<CellParams, CellsProgress, Vec<Cell>>,
     /// The cells of skin with axes of one sense; empty for stones.

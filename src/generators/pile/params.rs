@@ -146,6 +146,10 @@ impl PileParams {
             finishes: types.iter().map(|own| finish(recipe, own)).collect(),
         };
         let bodies = bodies(recipe);
+        let light = LightParams {
+            shade: shared::shading(recipe),
+            materials: materials(&dress.finishes, bodies.gloss),
+        };
         Self {
             components,
             room: RoomParams {
@@ -153,15 +157,7 @@ impl PileParams {
                 inward: darts.inward,
             },
             site: site(recipe, &mut files),
-            still: StillParams {
-                camera: PILE.camera(),
-                light: LightParams {
-                    shade: shared::shading(recipe),
-                    materials: materials(&dress.finishes, bodies.gloss),
-                },
-                yaw: recipe.number(keys::YAW),
-                side: shared::side(recipe),
-            },
+            still: StillParams::new(recipe, PILE.camera(), light),
             dress,
             darts,
             refine: refine(recipe),
@@ -185,11 +181,7 @@ fn source(recipe: &Recipe, own: &TypeKeys, files: &mut Vec<AskedFile>) -> Compon
 }
 
 fn asked(recipe: &Recipe, file: Key, up: Key) -> AskedFile {
-    AskedFile {
-        role: file.0,
-        file: recipe.files(file).pop(),
-        is_z_up: recipe.choice(up) == "z",
-    }
+    AskedFile::new(recipe, file, recipe.choice(up) == "z")
 }
 
 fn site(recipe: &Recipe, files: &mut Vec<AskedFile>) -> SiteParams {

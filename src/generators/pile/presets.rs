@@ -4,18 +4,6 @@
 
 use crate::generators::{MeasuredPart, Preset, Timing};
 
-/// A figure of the paper.
-const fn drawn(
-    [group, name, title, figure]: [&'static str; 4],
-    note: &'static str,
-    link: &'static str,
-) -> Preset {
-    Preset {
-        figure,
-        ..Preset::plain([group, name, title], note, link)
-    }
-}
-
 /// A row of the paper's table, with its seconds and its number of components.
 const fn figure(
     [name, title, figure]: [&'static str; 3],
@@ -34,7 +22,7 @@ const fn figure(
             second: None,
             bodies: Some(bodies),
         }),
-        ..drawn(["The paper's table", name, title, figure], note, link)
+        ..Preset::drawn(["The paper's table", name, title, figure], note, link)
     }
 }
 
@@ -251,32 +239,32 @@ pub const PRESETS: &[Preset] = &[
         "v=1&make=pile&c1=nut&sigma1=10&l1=10&c2=bolt&sigma2=2&l2=10&form=heap&heap_height=0.5&ps=17&offset=0.2&alpha=0&first=mixed&retries=0",
         (129.6, 1132),
     ),
-    drawn(
+    Preset::drawn(
         ["The paper's figures", "pile6-alone", "Fig. 6 (a)", "Fig. 6 (a) of 2014"],
         "Rice takes the places of the chestnuts, as the two types are not merged.",
         "v=1&make=pile&c1=chestnut&k1=1.6&sigma1=2.6&l1=1&c2=rice&sigma2=1.1&form=dome&dome_height=0.35&merge=alone&alpha=0.4&first=mixed",
     ),
-    drawn(
+    Preset::drawn(
         ["The paper's figures", "pile6-merged", "Fig. 6 (b)", "Fig. 6 (b) of 2014"],
         "Rice leaves room for the chestnuts, as no grain starts within their radius.",
         "v=1&make=pile&c1=chestnut&k1=1.6&sigma1=2.6&l1=1&c2=rice&sigma2=1.1&form=dome&dome_height=0.35&alpha=0.4&first=mixed",
     ),
-    drawn(
+    Preset::drawn(
         ["The paper's figures", "pile8-strict", "Fig. 8 (a)", "Fig. 8 (a) of 2014"],
         "Oranges with a short range stay sunk among the pebbles.",
         "v=1&make=pile&c1=orange&k1=1.6&sigma1=2.2&l1=0.3&c2=smooth&k2=0.8&l2=1.2&form=egg&ps=12&offset=0.2&alpha=0&first=mixed",
     ),
-    drawn(
+    Preset::drawn(
         ["The paper's figures", "pile8-loose", "Fig. 8 (b)", "Fig. 8 (b) of 2014"],
         "Oranges with a long range stick out of the pebbles.",
         "v=1&make=pile&c1=orange&k1=1.6&sigma1=2.2&l1=3&c2=smooth&k2=0.8&l2=1.2&form=egg&ps=12&offset=0.2&alpha=0&first=mixed",
     ),
-    drawn(
+    Preset::drawn(
         ["The paper's figures", "pile12-normal", "Fig. 12 (b)", "Fig. 12 (b) of 2014"],
         "Almonds do not tilt and lie flat on a vase.",
         "v=1&make=pile&c1=almond&sigma1=1.9&tu1=0&tw1=0&l1=1&form=vase&ps=11&alpha=0.7",
     ),
-    drawn(
+    Preset::drawn(
         ["The paper's figures", "pile12-random", "Fig. 12 (c)", "Fig. 12 (c) of 2014"],
         "Almonds turn in all directions and make the same vase rough.",
         "v=1&make=pile&c1=almond&sigma1=1.9&l1=1&form=vase&ps=11&alpha=0.7",

@@ -280,7 +280,7 @@ rows! {
     layers LAYERS: "Layers of bodies: the outer one, and inner ones below it." =>
         int("", "Layers").range(1.0, 5.0, 1.0, 1.0).group("Shape");
     yaw YAW: "Turns the pile about its upright axis, under the same light." =>
-        number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Shape");
+        shared::YAW.group("Shape");
     size SIZE: "Side of the square picture." => shared::SIZE;
 
     darts DARTS: "The order in which darts are thrown: row by row, rows show." =>

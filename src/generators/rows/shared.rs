@@ -20,6 +20,8 @@ lists! {
         size SIZE: "Side of the square picture." =>
             int("", "Picture side").range(128.0, 2048.0, 64.0, TEXTURE.side as f64).unit("px")
                 .group("Picture").steady();
+        yaw YAW: "Turns the bodies about an upright axis, under the same light." =>
+            number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Picture");
         seed SEED: "Names the random numbers." =>
             int("", "Seed").range(0.0, 4_294_967_295.0, 1.0, SEED_BY_DEFAULT as f64).group("Picture").steady();
     }

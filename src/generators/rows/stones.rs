@@ -2,7 +2,7 @@
 //! stone, and the marking of cells.
 
 use super::lists::lists;
-use super::shared::{keys as shared, seed};
+use super::shared::{keys as shared, seed, side};
 use crate::heightfield::TextureParams;
 use crate::material::{ColourParams, Pattern};
 use crate::recipe::Recipe;
@@ -154,6 +154,25 @@ pub(crate) fn stone(recipe: &Recipe, unit: f64) -> StoneParams {
             amplitude: recipe.number(shared::AF),
         },
         seed: seed(recipe),
+    }
+}
+
+/// The parameters of stones or scales in a picture that is no tile. `size` is the mean size of cells in picture units,
+/// and `units` are those of heights and of patterns.
+pub(crate) fn texture(recipe: &Recipe, size: f64, [height, pattern]: [f64; 2]) -> TextureParams {
+    TextureParams {
+        side: side(recipe),
+        pixel_scale: 1,
+        seed: seed(recipe),
+        size,
+        stone: stone(recipe, height),
+        dimension: recipe.number(shared::FD),
+        amplitude: recipe.number(shared::AF),
+        palette: recipe.choice(shared::PALETTE),
+        ground: recipe.choice(shared::GROUND),
+        vary: recipe.number(shared::VARY),
+        colour: colour(recipe, pattern),
+        tile: false,
     }
 }
 

@@ -1,7 +1,7 @@
 //! The files that recipes name, found by the digests of their bytes.
 
 use crate::generators::MissingFile;
-use crate::recipe::NamedFile;
+use crate::recipe::{Key, NamedFile, Recipe};
 use std::sync::Arc;
 
 /// A file that a recipe needs.
@@ -16,6 +16,15 @@ pub(crate) struct AskedFile {
 }
 
 impl AskedFile {
+    /// The file that a recipe names under a key.
+    pub fn new(recipe: &Recipe, role: Key, is_z_up: bool) -> Self {
+        Self {
+            role: role.0,
+            file: recipe.files(role).pop(),
+            is_z_up,
+        }
+    }
+
     fn has_digest(&self, digest: u64) -> bool {
         self.file.as_ref().is_some_and(|file| file.digest == digest)
     }

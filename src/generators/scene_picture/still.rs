@@ -2,9 +2,11 @@
 
 use super::yaw::{seen_by, turned};
 use crate::generators::lighting::LightParams;
+use crate::generators::rows::shared;
 use crate::generators::turntable::ViewSetup;
 use crate::graph::Node;
 use crate::notice::Notice;
+use crate::recipe::Recipe;
 use crate::scene::{Backdrop, Camera, Frame, Order, SAMPLES, Scene, Sharpness, SoftLight};
 use std::rc::Rc;
 
@@ -21,6 +23,18 @@ pub(crate) struct StillParams {
     pub yaw: f64,
     /// Pixels along the picture's side.
     pub side: usize,
+}
+
+impl StillParams {
+    /// The parameters of a recipe, whose generator has this first camera.
+    pub fn new(recipe: &Recipe, camera: Camera, light: LightParams) -> Self {
+        Self {
+            camera,
+            light,
+            yaw: recipe.number(shared::keys::YAW),
+            side: shared::side(recipe),
+        }
+    }
 }
 
 /// The node of the finished picture.

@@ -7,16 +7,7 @@ use crate::notice::Notice;
 
 impl SceneFacts for SurfaceEngine {
     fn work_done(&self) -> Progress {
-        let last = self.made.report();
-        Progress {
-            cells: last.cells,
-            steps: last.step,
-            largest_move: last.largest_move,
-            added: last.added,
-            removed: last.removed,
-            converged: last.converged,
-            stones: self.made.stones(),
-        }
+        Progress::of_packing(self.made.report(), self.made.stones())
     }
 
     fn work_energy(&mut self) -> f64 {

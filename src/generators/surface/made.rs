@@ -88,16 +88,12 @@ impl Stages {
 
     /// The packing in progress, or the last one.
     pub(super) fn packing(&self) -> Option<&SurfacePacking> {
-        let moving = self.packing.work().and_then(PackingProgress::moving);
-        moving.or(self.packing.made())
+        PackingProgress::shown(&self.packing)
     }
 
-    /// The packing in progress, or the last one, and its site. The packing is mutable because it caches measures such
-    /// as its energy.
+    /// The same, mutable, and its site.
     pub(super) fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &PackingMesh)> {
-        let (work, made) = self.packing.both_mut();
-        let moving = work.and_then(PackingProgress::moving_mut);
-        moving.or(made).zip(self.site.made())
+        PackingProgress::shown_mut(&mut self.packing).zip(self.site.made())
     }
 
     /// The report of the last step.

@@ -139,16 +139,11 @@ impl Params {
                 flip: recipe.choice(keys::FLIP) == "1",
             },
             stones: StoneLook {
-                texture: texture(recipe),
+                texture: stones::texture(recipe, UNIT, [UNIT, 1.0]),
                 weather: shared::weather(recipe),
                 open: open(recipe),
             },
-            still: StillParams {
-                camera: SURFACE.camera(),
-                light: shared::light(recipe),
-                yaw: recipe.number(keys::YAW),
-                side: shared::side(recipe),
-            },
+            still: StillParams::new(recipe, SURFACE.camera(), shared::light(recipe)),
         }
     }
 }
@@ -176,11 +171,10 @@ fn surface(recipe: &Recipe, sizes: &Sizes) -> SurfaceParams {
                 ends(recipe),
                 numbers_of(recipe, keys::FORM, shape.word()),
             ),
-            None => MeshSource::Model(AskedFile {
-                role: keys::MODEL.0,
-                file: recipe.files(keys::MODEL).pop(),
-                is_z_up: recipe.choice(keys::UP) == "z",
-            }),
+            None => {
+                let is_z_up = recipe.choice(keys::UP) == "z";
+                MeshSource::Model(AskedFile::new(recipe, keys::MODEL, is_z_up))
+            }
         },
         sides: match recipe.choice(keys::SIDE) {
             "guess" => Sides::Guessed,
@@ -276,22 +270,5 @@ fn packing(recipe: &Recipe) -> PackingParams {
         variance: recipe.number(keys::VS),
         seed: shared::seed(recipe),
         ..PackingParams::DEFAULT
-    }
-}
-
-fn texture(recipe: &Recipe) -> TextureParams {
-    TextureParams {
-        side: shared::side(recipe),
-        pixel_scale: 1,
-        seed: shared::seed(recipe),
-        size: UNIT,
-        stone: stones::stone(recipe, UNIT),
-        dimension: recipe.number(shared::keys::FD),
-        amplitude: recipe.number(shared::keys::AF),
-        palette: recipe.choice(shared::keys::PALETTE),
-        ground: recipe.choice(shared::keys::GROUND),
-        vary: recipe.number(shared::keys::VARY),
-        colour: stones::colour(recipe, 1.0),
-        tile: false,
     }
 }

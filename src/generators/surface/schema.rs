@@ -45,7 +45,7 @@ rows! {
         choice("Ends", choices![round: "In cells", cut: "Cut and claws"]).group("Shape")
             .only_for(keys::FORM, &["leg", "tail", "horn"]);
     yaw YAW: "Turns the model about its upright axis, under the same light." =>
-        number("", "Turn").range(-180.0, 180.0, 1.0, 0.0).unit("°").group("Shape");
+        shared::YAW.group("Shape");
     size SIZE: "Side of the square picture." => shared::SIZE;
 
     kind KIND: "Shape of the packed cells: squares and rectangles in rows, circles and ellipses like honeycombs." =>

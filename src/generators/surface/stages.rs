@@ -7,12 +7,12 @@ use super::paving::{PavedCells, PavingInputs, PavingProgress};
 use super::views;
 use crate::export::ModelFile;
 use crate::generators::held::{Held, Origin};
-use crate::generators::packs::PackingProgress;
+use crate::generators::packs::{PackingNode, PackingProgress};
 use crate::generators::scene_picture::{AskedFile, MadeScene, Saving, SceneStages, SharedNodes};
 use crate::generators::{Clock, Rewind};
 use crate::graph::{Node, Task, Wiring, task};
 use crate::notice::{Code, Notice};
-use crate::packing::{Kept, PackingParams};
+use crate::packing::Kept;
 use crate::recipe::Recipe;
 use crate::surface_cells::SurfaceCell;
 use crate::surface_cells::{Polish, SurfaceMesh, SurfaceMeshing};
@@ -43,8 +43,7 @@ pub(crate) struct Stages {
     pub(super) site: Node<(), PackingMeshMaking, PackingMesh>,
     /// The packing, held at one of its steps.
     held: Option<Held<SurfacePlacing, SurfacePacking>>,
-    pub(super) packing:
-        Node<PackingParams, PackingProgress<SurfacePlacing, SurfacePacking>, SurfacePacking>,
+    pub(super) packing: PackingNode<SurfacePlacing, SurfacePacking>,
     pub(super) mesh: Node<(), SurfaceMeshing, SurfaceMesh>,
     pub(super) paved: Node<CellParams, PavingProgress, PavedCells>,
     /// The bare surface that views share, and its revision.
