@@ -2,6 +2,9 @@
 //! takes a twentieth of the WebAssembly module (docs/times.md), and numbers in links, sentences and reports
 //! are few.
 
+mod natural;
+
+use natural::Natural;
 use std::cmp::Ordering;
 
 /// If the first digit's power of ten is outside this range, the number is infinite or 0.
@@ -107,7 +110,7 @@ fn whole(digits: &[u8]) -> u64 {
 
 /// The same by a long division in the binary system.
 fn divided(digits: &[u8], power: i64) -> f64 {
-    let (mut over, mut under) = (Natural::default(), Natural(vec![1]));
+    let (mut over, mut under) = (Natural::default(), Natural::one());
     digits.iter().for_each(|&d| over.scale(10, d.into()));
     for _ in 0..power.abs() {
         if power > 0 { &mut over } else { &mut under }.scale(10, 0);
@@ -180,6 +183,12 @@ pub(crate) fn text(x: f64) -> String {
     sign.to_owned() + if is_long { &power } else { &plain }
 }
 
+/// The text of a number that is rounded to this many places behind the point.
+pub(crate) fn text_to(places: usize, x: f64) -> String {
+    let ten = TENS[places];
+    text((x * ten).round() / ten)
+}
+
 /// The fewest digits that read back as a double, and the power of ten of the first.
 fn shortest(x: f64) -> (Vec<u8>, i64) {
     if x == 0.0 {
@@ -220,7 +229,7 @@ const MOST: usize = 17;
 fn exact(x: f64) -> (Vec<u8>, i64) {
     let (exponent, fraction) = ((x.to_bits() >> 52) as i32, x.to_bits() << 12 >> 12);
     let hidden = u64::from(exponent > 0) << 52;
-    let (mut over, mut under) = (Natural::default(), Natural(vec![1]));
+    let (mut over, mut under) = (Natural::default(), Natural::one());
     let mantissa = fraction | hidden;
     over.scale(1, (mantissa >> 32) as u32);
     over.scale(1 << 16, 0);
@@ -264,44 +273,6 @@ fn rounded(digits: &[u8], first: i64, count: usize) -> (Vec<u8>, i64) {
         None => return (vec![1], first + 1),
     }
     (kept, first)
-}
-
-/// A natural number in limbs of 32 bits, the lowest first, without leading zeros.
-#[derive(Default)]
-struct Natural(Vec<u32>);
-
-impl Natural {
-    /// Multiplies and adds.
-    fn scale(&mut self, factor: u32, more: u32) {
-        let mut carry = u64::from(more);
-        for limb in &mut self.0 {
-            carry += u64::from(*limb) * u64::from(factor);
-            *limb = carry as u32;
-            carry >>= 32;
-        }
-        if carry > 0 {
-            self.0.push(carry as u32);
-        }
-    }
-
-    fn compare(&self, other: &Self) -> Ordering {
-        let length = self.0.len().cmp(&other.0.len());
-        length.then_with(|| self.0.iter().rev().cmp(other.0.iter().rev()))
-    }
-
-    /// Subtracts a number that is not greater.
-    fn subtract(&mut self, other: &Self) {
-        let mut borrow = false;
-        for (k, limb) in self.0.iter_mut().enumerate() {
-            let (less, first) = limb.overflowing_sub(other.0.get(k).copied().unwrap_or(0));
-            let (less, second) = less.overflowing_sub(borrow.into());
-            *limb = less;
-            borrow = first || second;
-        }
-        while self.0.last() == Some(&0) {
-            self.0.pop();
-        }
-    }
 }
 
 #[cfg(test)]

@@ -84,5 +84,5 @@ fn of_opening(fault: &OpeningFault) -> Notice {
 }
 
 fn tenths(value: f64) -> String {
-    decimal::text((10.0 * value).round() / 10.0)
+    decimal::text_to(1, value)
 }

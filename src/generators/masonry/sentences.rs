@@ -153,10 +153,10 @@ fn odd(building: &Building, warning: &BuildingWarning) -> Notice {
 fn uneven(warning: &PlanWarning) -> Option<Notice> {
     let ends = |code: Code, low: f64, high: f64| {
         Notice::new(code)
-            .with("from", decimal::text((1e3 * low).round() / 1e3))
-            .with("to", decimal::text((1e3 * high).round() / 1e3))
+            .with("from", decimal::text_to(3, low))
+            .with("to", decimal::text_to(3, high))
     };
-    let share = |ratio: f64| decimal::text((100.0 * ratio).round() / 100.0);
+    let share = |ratio: f64| decimal::text_to(2, ratio);
     Some(match warning {
         PlanWarning::Conflict(_) => return None,
         PlanWarning::Courses { what, .. } => match *what {
@@ -193,8 +193,7 @@ fn middle(building: &Building, edge: EdgeId) -> DVec3 {
 
 /// A place in metres, to the millimetre.
 fn place(p: DVec3) -> String {
-    let round = |v: f64| decimal::text((1e3 * v).round() / 1e3);
-    p.to_array().map(round).join(", ")
+    p.to_array().map(|v| decimal::text_to(3, v)).join(", ")
 }
 
 fn millimetres(metres: f64) -> usize {

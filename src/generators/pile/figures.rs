@@ -48,7 +48,7 @@ impl PileEngine {
             }
             PileView::Fates => Some(self.fates()),
             PileView::Overlap => {
-                let deepest = crate::decimal::text((diagram.deepest? * 100.0).round() / 100.0);
+                let deepest = crate::decimal::text_to(2, diagram.deepest?);
                 Some(Notice::new(Code::PileOverlap).with("deepest", deepest))
             }
             _ => None,

@@ -3,6 +3,7 @@
 use super::SurfaceEngine;
 use super::stages::Stages;
 use super::views::SurfaceView;
+use crate::decimal;
 use crate::draw::Tones;
 use crate::generators::scene_picture::{SceneKey, SceneSource, SceneStages};
 use crate::material::Material;
@@ -204,8 +205,8 @@ impl SurfaceEngine {
                 };
                 let [plus, minus] = tally.points;
                 let notice = Notice::new(code).with("plus", plus).with("minus", minus);
-                let notice = notice.with("sum", text(tally.index_sum));
-                let notice = notice.with("border", text(tally.border_index));
+                let notice = notice.with("sum", decimal::text_to(2, tally.index_sum));
+                let notice = notice.with("border", decimal::text_to(2, tally.border_index));
                 Some(notice.with("euler", tally.euler.to_string()))
             }
             (ViewScene::Map(_, ends), SurfaceView::Size) => {
@@ -225,13 +226,8 @@ impl SurfaceEngine {
 
 fn between(code: Code, [low, high]: [f64; 2]) -> Notice {
     Notice::new(code)
-        .with("low", text(low))
-        .with("high", text(high))
-}
-
-/// A number with at most two decimals.
-fn text(number: f64) -> String {
-    crate::decimal::text((number * 100.0).round() / 100.0)
+        .with("low", decimal::text_to(2, low))
+        .with("high", decimal::text_to(2, high))
 }
 
 /// The scene of a view whose parts are made.
