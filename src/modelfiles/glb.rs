@@ -1,7 +1,9 @@
 //! GLB: glTF 2.0 in one file, with a JSON head and binary numbers.
 
+use super::accessor::{BufferView, ComponentType};
+use super::glb_notices::broken;
 use super::json::Parser;
-use super::scene::{BufferView, ComponentType, Draw, Mode, ModelScene, broken};
+use super::scene::{Draw, Mode, ModelScene};
 use super::{Reader, SLICE, add_strip, ends, too_large};
 use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup};

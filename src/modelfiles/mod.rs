@@ -7,7 +7,10 @@
 //!
 //! A fault of a file becomes a notice. [`crate::trimesh::repair`] mends or reports faults of the model in it.
 
+mod accessor;
+mod affine;
 mod glb;
+mod glb_notices;
 mod json;
 mod obj;
 mod ply;

@@ -1,8 +1,10 @@
-//! The scene of a GLB file: its draws, and the views of its numbers.
+//! The scene of a GLB file: all triangles that it draws.
 
+use super::accessor::{BufferView, ComponentType};
+use super::affine::Affine;
+use super::glb_notices::{broken, needs};
 use super::json::Json;
 use crate::notice::{Code, Notice};
-use glam::DVec3;
 
 /// Triangles to draw: views of the file's numbers, and where they are placed.
 pub(super) struct Draw {
@@ -17,140 +19,6 @@ pub(super) enum Mode {
     Triangles,
     Strip,
     Fan,
-}
-
-/// A view of numbers: `count` groups, one every `stride` bytes.
-#[derive(Clone, Copy)]
-pub(super) struct BufferView {
-    pub start: usize,
-    pub stride: usize,
-    pub count: usize,
-    pub kind: ComponentType,
-    pub is_normalized: bool,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum ComponentType {
-    I8,
-    U8,
-    I16,
-    U16,
-    U32,
-    F32,
-}
-
-impl ComponentType {
-    fn of(number: usize) -> Option<Self> {
-        Some(match number {
-            5120 => ComponentType::I8,
-            5121 => ComponentType::U8,
-            5122 => ComponentType::I16,
-            5123 => ComponentType::U16,
-            5125 => ComponentType::U32,
-            5126 => ComponentType::F32,
-            _ => return None,
-        })
-    }
-
-    pub fn bytes(self) -> usize {
-        match self {
-            ComponentType::I8 | ComponentType::U8 => 1,
-            ComponentType::I16 | ComponentType::U16 => 2,
-            ComponentType::U32 | ComponentType::F32 => 4,
-        }
-    }
-}
-
-/// An affine map: three axes and an origin.
-#[derive(Clone, Copy)]
-pub(super) struct Affine([DVec3; 4]);
-
-impl Affine {
-    const NONE: Self = Self([DVec3::X, DVec3::Y, DVec3::Z, DVec3::ZERO]);
-
-    fn turn(&self, v: DVec3) -> DVec3 {
-        self.0[0] * v.x + self.0[1] * v.y + self.0[2] * v.z
-    }
-
-    pub fn place(&self, p: DVec3) -> DVec3 {
-        self.turn(p) + self.0[3]
-    }
-
-    fn then(&self, inner: &Affine) -> Self {
-        let [x, y, z, at] = inner.0;
-        Self([self.turn(x), self.turn(y), self.turn(z), self.place(at)])
-    }
-
-    /// Whether it mirrors.
-    pub fn mirrors(&self) -> bool {
-        self.0[0].cross(self.0[1]).dot(self.0[2]) < 0.0
-    }
-
-    /// The local transform of a node.
-    fn of(node: &Json) -> Self {
-        let numbers = |name: &str| -> Vec<f64> {
-            let list = node.list_of(name).iter();
-            list.map(|x| x.number().unwrap_or(f64::NAN)).collect()
-        };
-        if let [a, b, c, _, d, e, f, _, g, h, i, _, x, y, z, _] = numbers("matrix")[..] {
-            let v = DVec3::new;
-            return Self([v(a, b, c), v(d, e, f), v(g, h, i), v(x, y, z)]);
-        }
-        let at = match numbers("translation")[..] {
-            [x, y, z] => DVec3::new(x, y, z),
-            _ => DVec3::ZERO,
-        };
-        let scale = match numbers("scale")[..] {
-            [x, y, z] => DVec3::new(x, y, z),
-            _ => DVec3::ONE,
-        };
-        let [x, y, z] = match numbers("rotation")[..] {
-            [x, y, z, w] => turned(x, y, z, w),
-            _ => [DVec3::X, DVec3::Y, DVec3::Z],
-        };
-        Self([x * scale.x, y * scale.y, z * scale.z, at])
-    }
-}
-
-/// The axes of a rotation by a quaternion.
-fn turned(x: f64, y: f64, z: f64, w: f64) -> [DVec3; 3] {
-    let square = x * x + y * y + z * z + w * w;
-    let s = if square > 0.0 { 2.0 / square } else { 0.0 };
-    [
-        DVec3::new(
-            1.0 - s * (y * y + z * z),
-            s * (x * y + z * w),
-            s * (x * z - y * w),
-        ),
-        DVec3::new(
-            s * (x * y - z * w),
-            1.0 - s * (x * x + z * z),
-            s * (y * z + x * w),
-        ),
-        DVec3::new(
-            s * (x * z + y * w),
-            s * (y * z - x * w),
-            1.0 - s * (x * x + y * y),
-        ),
-    ]
-}
-
-/// The notice that something in the file is invalid. Its number is not known if the file names it wrongly.
-pub(super) fn broken(what: &str, number: impl Into<Option<usize>>) -> Notice {
-    let what = match number.into() {
-        Some(number) => format!("{what} {number}"),
-        None => what.to_owned(),
-    };
-    Notice::new(Code::FileBroken)
-        .with("kind", "GLB".to_owned())
-        .with("what", what)
-}
-
-/// The notice that a file needs what cannot be read, whose name a visitor will search for.
-fn needs(code: Code, name: &str) -> Notice {
-    Notice::new(code)
-        .with("kind", "GLB".to_owned())
-        .with("name", crate::notice::quote_long(name))
 }
 
 /// Extensions without which a file cannot be read, and those that can be ignored.
@@ -288,6 +156,10 @@ impl ModelScene {
         Ok(())
     }
 
+    fn view(&self, number: usize, group: usize) -> Result<BufferView, Notice> {
+        BufferView::of_accessor((&self.json, self.bytes), number, group)
+    }
+
     /// The draw of a primitive, if it has triangles.
     fn draw(&self, primitive: &Json, frame: Affine) -> Result<Option<Draw>, Notice> {
         let mode = match primitive.get("mode").map(|mode| mode.index()) {
@@ -337,64 +209,6 @@ impl ModelScene {
             mode,
             frame,
         }))
-    }
-
-    /// The view of an accessor with `group` components.
-    fn view(&self, number: usize, group: usize) -> Result<BufferView, Notice> {
-        let bad = || broken("accessor", number);
-        let accessor = self.json.list_of("accessors").get(number).ok_or_else(bad)?;
-        if accessor.get("sparse").is_some() {
-            return Err(needs(Code::FileNeeds, "sparse"));
-        }
-        let wanted = if group == 3 { "VEC3" } else { "SCALAR" };
-        if accessor.get("type").and_then(Json::text) != Some(wanted) {
-            return Err(bad());
-        }
-        let kind = accessor
-            .index_of("componentType")
-            .and_then(ComponentType::of)
-            .ok_or_else(bad)?;
-        let count = accessor.index_of("count").ok_or_else(bad)?;
-        let at = accessor.index_of("bufferView").ok_or_else(bad)?;
-        let view = self.json.list_of("bufferViews").get(at).ok_or_else(bad)?;
-        let buffer = view.index_of("buffer").ok_or_else(bad)?;
-        let buffers = self.json.list_of("buffers");
-        let uri = buffers.get(buffer).ok_or_else(bad)?.get("uri");
-        if uri.is_some() {
-            return Err(Code::FileInParts.into());
-        }
-        if buffer != 0 {
-            return Err(bad());
-        }
-        let offset = |json: &Json| match json.get("byteOffset") {
-            None => Some(0),
-            Some(offset) => offset.index(),
-        };
-        let start = offset(view).ok_or_else(bad)?;
-        let length = view.index_of("byteLength").ok_or_else(bad)?;
-        let inner = offset(accessor).ok_or_else(bad)?;
-        let size = group * kind.bytes();
-        let stride = match view.get("byteStride") {
-            None => size,
-            Some(stride) => stride
-                .index()
-                .filter(|&stride| stride >= size)
-                .ok_or_else(bad)?,
-        };
-        // All numbers are below 2^32, so the product of two fits into 64 bits.
-        let all = |numbers: [usize; 3]| numbers.map(|n| n as u64);
-        let [first, last, each] = all([inner, count.saturating_sub(1), stride]);
-        let end = first + last * each + if count == 0 { 0 } else { size as u64 };
-        if end > length as u64 || start as u64 + length as u64 > self.bytes as u64 {
-            return Err(bad());
-        }
-        Ok(BufferView {
-            start: start + inner,
-            stride,
-            count,
-            kind,
-            is_normalized: accessor.get("normalized") == Some(&Json::Yes),
-        })
     }
 }
 
