@@ -253,23 +253,7 @@ impl<P: Copy> Motion<P> {
                         return None;
                     }
                     self.stiffen(rule.physics.stiffness);
-                    self.doing = match (rule.integrator, scheme) {
-                        (Integrator::SemiImplicit, _) => {
-                            self.largest = (0.0, self.largest_force(bodies));
-                            Doing::Moves(0, self.semi_implicit(bodies, rule))
-                        }
-                        (Integrator::Euler, _) => {
-                            self.largest = (0.0, self.largest_force(bodies));
-                            Doing::Moves(0, self.explicit(bodies, rule))
-                        }
-                        (Integrator::RungeKutta, scheme) => {
-                            let scheme = scheme.unwrap_or_else(|| {
-                                self.largest = (0.0, self.largest_force(bodies));
-                                RungeKutta::new(bodies)
-                            });
-                            self.runge_kutta(bodies, ground, rule, scheme)
-                        }
-                    };
+                    self.doing = self.after_forces(bodies, ground, rule, scheme);
                 }
                 Doing::Moves(from, moves) => {
                     let these = these(from);
@@ -281,6 +265,27 @@ impl<P: Copy> Motion<P> {
                     self.doing = Doing::Moves(end, moves);
                     return None;
                 }
+            }
+        }
+    }
+
+    /// The next part of a step, once all forces are known. A Runge-Kutta scheme computes them several times.
+    fn after_forces<G: PackingDomain<Place = P>>(
+        &mut self,
+        bodies: &mut [MovingParticle<P>],
+        ground: G,
+        rule: &StepRule,
+        scheme: Option<RungeKutta<P>>,
+    ) -> Doing<P> {
+        if scheme.is_none() {
+            self.largest = (0.0, self.largest_force(bodies));
+        }
+        match rule.integrator {
+            Integrator::SemiImplicit => Doing::Moves(0, self.semi_implicit(bodies, rule)),
+            Integrator::Euler => Doing::Moves(0, self.explicit(bodies, rule)),
+            Integrator::RungeKutta => {
+                let scheme = scheme.unwrap_or_else(|| RungeKutta::new(bodies));
+                self.runge_kutta(bodies, ground, rule, scheme)
             }
         }
     }

@@ -45,6 +45,7 @@ mod history;
 mod integrate;
 mod measures;
 mod neighbour_list;
+mod new_places;
 mod numbers;
 pub(crate) mod packing_domain;
 mod pair_forces;

@@ -124,7 +124,6 @@ impl LookParams {
 impl MasonryParams {
     pub fn new(recipe: &Recipe) -> Self {
         let module = module(recipe);
-        let seed = shared::seed(recipe);
         let rule = Rule::of_word(recipe.choice(keys::BUILDING));
         let light = LightParams {
             shade: shared::shading(recipe),
@@ -135,51 +134,63 @@ impl MasonryParams {
                 Some(_) => Vec::new(),
                 None => vec![AskedFile::new(recipe, keys::MODEL, false)],
             },
-            building: BuildingParams {
-                rule: rule.map(|rule| (rule, numbers_of(recipe, keys::BUILDING, rule.word()))),
-                plan: match rule {
-                    Some(Rule::Plan) => {
-                        DrawnPlan::of_rows(recipe.rows(keys::PLAN), recipe.rows(keys::OPENINGS))
-                    }
-                    _ => DrawnPlan::default(),
-                },
-                module,
-            },
+            building: building(recipe, rule, module),
             cells: PatternParams {
                 tree: TreePreset::of_word(recipe.choice(keys::PATTERN)).unwrap_or(&PRESETS[0]),
                 laying: LayingParams {
                     module,
                     is_by_hand: recipe.choice(keys::HAND) == "stored",
-                    seed,
+                    seed: shared::seed(recipe),
                 },
                 flips: Flips::new(recipe.rows(keys::FLIPS)),
             },
-            blocks: BlockParams {
-                recess: MILLI * recipe.number(keys::RECESS),
-                length: 2.0 * module.half,
-                chamfer: MILLI * recipe.number(keys::CHAMFER),
-                rough: recipe.number(keys::ROUGH),
-                crooked: recipe.number(keys::CROOKED),
-                colours: Colours {
-                    walls: recipe.choice(keys::WALLS),
-                    dressing: recipe.choice(keys::DRESSING),
-                    mortar: recipe.choice(keys::MORTAR),
-                    roof: recipe.choice(keys::ROOF),
-                },
-                vary: recipe.number(keys::VARY),
-                seed,
-            },
-            look: LookParams {
-                weather: WeatherParams {
-                    moss: recipe.number(keys::MOSS),
-                    wet: recipe.number(keys::DAMP),
-                    ..WeatherParams::default()
-                },
-                ground: recipe.choice(keys::GROUND),
-                seed,
-            },
+            blocks: blocks(recipe, module),
+            look: look(recipe),
             still: StillParams::new(recipe, MASONRY.camera(), light),
         }
+    }
+}
+
+fn building(recipe: &Recipe, rule: Option<Rule>, module: Module) -> BuildingParams {
+    BuildingParams {
+        rule: rule.map(|rule| (rule, numbers_of(recipe, keys::BUILDING, rule.word()))),
+        plan: match rule {
+            Some(Rule::Plan) => {
+                DrawnPlan::of_rows(recipe.rows(keys::PLAN), recipe.rows(keys::OPENINGS))
+            }
+            _ => DrawnPlan::default(),
+        },
+        module,
+    }
+}
+
+fn blocks(recipe: &Recipe, module: Module) -> BlockParams {
+    BlockParams {
+        recess: MILLI * recipe.number(keys::RECESS),
+        length: 2.0 * module.half,
+        chamfer: MILLI * recipe.number(keys::CHAMFER),
+        rough: recipe.number(keys::ROUGH),
+        crooked: recipe.number(keys::CROOKED),
+        colours: Colours {
+            walls: recipe.choice(keys::WALLS),
+            dressing: recipe.choice(keys::DRESSING),
+            mortar: recipe.choice(keys::MORTAR),
+            roof: recipe.choice(keys::ROOF),
+        },
+        vary: recipe.number(keys::VARY),
+        seed: shared::seed(recipe),
+    }
+}
+
+fn look(recipe: &Recipe) -> LookParams {
+    LookParams {
+        weather: WeatherParams {
+            moss: recipe.number(keys::MOSS),
+            wet: recipe.number(keys::DAMP),
+            ..WeatherParams::default()
+        },
+        ground: recipe.choice(keys::GROUND),
+        seed: shared::seed(recipe),
     }
 }
 
