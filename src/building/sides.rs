@@ -23,7 +23,7 @@ pub(super) struct Side {
     /// Sides before and behind it in its loop, without seams.
     pub next: usize,
     pub previous: usize,
-    /// The same side in the other face.
+    /// The side of the other face along the same edge; `None` on the border.
     pub twin: Option<usize>,
 }
 

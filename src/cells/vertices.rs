@@ -16,12 +16,12 @@ const ROUGH: f64 = 1.0 / 64.0;
 /// The freedom of a vertex to move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Freedom {
-    /// Not at all: a corner of the outline, or a point on it with only one cell.
+    /// It does not move: a corner of the outline, or a point on it with only one cell.
     Fixed,
-    /// Along the boundary or a constraint line, on a straight piece where two cells meet. Holds its unit
-    /// vector.
+    /// It moves along the boundary or a constraint line, on a straight piece where two cells meet. Holds the unit
+    /// vector of that piece.
     Slides(DVec2),
-    /// In any direction.
+    /// It moves in any direction.
     Free,
 }
 

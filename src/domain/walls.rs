@@ -130,7 +130,8 @@ impl Walls {
         found.truncate(kept);
     }
 
-    /// The projection of a point onto a segment, if it is a local minimum for all walls.
+    /// The point of a segment that is nearest to a place. `None` if it is an end of the segment at which another wall
+    /// comes nearer to the place.
     fn onto(&self, p: DVec2, index: usize, near: &[u32]) -> Option<DVec2> {
         if index < self.before.len() {
             return self.onto_outline(p, index);

@@ -118,7 +118,7 @@ fn crosses(domain: &Domain, fields: &Fields, side: f64, step: f64) -> (Vec<Vec<D
     (arms, Layer::shapes(dots))
 }
 
-/// The width of an index and its distance from the point, in units.
+/// The width of the label that tells a singular point's index, and its distance from the point, in units.
 const LABEL: f64 = 14.0;
 
 /// A disc for a positive index, a square on its tip for a negative one.

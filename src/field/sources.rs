@@ -14,7 +14,7 @@ use wide::f64x2;
 /// Smaller distances count as this one (picture units), so that the field stays finite.
 const NEAREST: f64 = 0.5;
 
-/// From this many segment lengths on, two Gauss points give the integral to 1e-5.
+/// At distances of at least this many segment lengths, two Gauss points give the integral over a segment to 1e-5.
 const FAR: f64 = 2.0;
 
 /// At power 3 and 4, segments farther than this many times the nearest distance are left out: together they

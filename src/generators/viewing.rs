@@ -32,7 +32,7 @@ impl Viewing {
     }
 
     /// Reads the words of a link or of a preset. There is no view if the text has none of the words `view`, `step`,
-    /// `camera`, `cut` and `body`. The second value has a sentence for each value that cannot be used; it is left out.
+    /// `camera`, `cut` and `body`. Values that cannot be used are left out; each has a sentence in the returned list.
     pub fn read(text: &str, generator: &Generator) -> (Option<Self>, Vec<String>) {
         let fragment = text.rsplit('#').next().unwrap_or_default();
         let pairs = fragment.split('&').filter_map(|pair| pair.split_once('='));

@@ -131,7 +131,8 @@ mod moss {
 }
 
 mod wet {
-    /// Dampness: weight and threshold of the strength, weight of hollows, amplitude of noise.
+    /// The dampness of a place grows with the strength from a threshold on, and is greater in hollows. These are the
+    /// weight of the strength, its threshold, the weight of hollows, and the amplitude of the noise.
     pub const STRENGTH: f32 = 1.5;
     pub const FROM: f32 = 0.2;
     pub const HOLLOW: f32 = 0.5;

@@ -213,14 +213,7 @@ impl PatchSearch {
                     faces.adjacent[slot as usize][k] = outer;
                     if outer != NONE {
                         let [a, b] = [from, to].map(|k| patch.corners[usize::from(k)]);
-                        let corners = faces.faces[outer as usize];
-                        let corners = corners.nodes();
-                        let m = corners.len();
-                        for j in 0..m {
-                            if corners[j] == b && corners[(j + 1) % m] == a {
-                                faces.adjacent[outer as usize][j] = slot;
-                            }
-                        }
+                        faces.put_across(outer, [b, a], slot);
                     }
                     continue;
                 }

@@ -17,6 +17,20 @@ pub(crate) struct Faces {
 }
 
 impl Faces {
+    /// Notes the element across the side of an element that runs between these nodes, in this order.
+    pub(super) fn put_across(&mut self, element: u32, side: [u32; 2], other: u32) {
+        let corners = self.faces[element as usize];
+        let corners = corners.nodes();
+        let count = corners.len();
+        for k in 0..count {
+            if [corners[k], corners[(k + 1) % count]] == side {
+                self.adjacent[element as usize][k] = other;
+            }
+        }
+    }
+}
+
+impl Faces {
     /// Empties the slots of bad elements.
     pub fn leave_out(&mut self, bad: impl Fn(&Face) -> bool) {
         for (f, face) in self.faces.iter_mut().enumerate() {

@@ -320,7 +320,7 @@ impl Ply {
     }
 }
 
-/// Adds a property to the last element; with `count`, the kind of its count, it is a list.
+/// Adds a property to the last element. A list has a `count`: the kind of the number that tells its length.
 fn add_property(
     elements: &mut [Element],
     name: &[u8],

@@ -88,8 +88,8 @@ const FILLED: f64 = 0.45;
 /// The range l, in units of d, in which about four bodies are pierced along a normal.
 ///
 /// A layer of thickness h in which bodies fill the share f of the space has f h S / (4 V) bodies along a line. Bodies of
-/// volume V and surface area S are 4 V / S thick in the mean (Cauchy), and a pile is one diagonal thicker than its range,
-/// less that.
+/// volume V and surface area S are 4 V / S thick in the mean (Cauchy). A pile is thicker than its range by half of the
+/// difference between a diagonal and that thickness.
 pub fn natural_range(volume: f64, area: f64, diagonal: f64) -> f64 {
     let thickness = 4.0 * volume / area;
     let height = PIERCED * thickness / FILLED;

@@ -5,7 +5,7 @@ use crate::order;
 use glam::DVec2;
 use std::ops::Range;
 
-/// Children of a box.
+/// The number of boxes within a box.
 const BRANCHES: usize = 4;
 /// About how many leaves a strip has for each strip there is.
 const STRIP: f64 = 4.0;

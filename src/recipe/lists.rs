@@ -103,9 +103,8 @@ impl Item {
         }
     }
 
-    /// The fault of a row, if any, without its number.
-    fn flaw(self, row: &[i64], schema: &Schema) -> Option<Notice> {
-        let coordinates = &row[..row.len().min(self.form().coordinates)];
+    /// Whether a place of a row is too far outside of the picture or the box.
+    fn is_outside(self, row: &[i64]) -> bool {
         let form = self.form();
         let outside = match self {
             // The building knows its own limits.
@@ -114,7 +113,13 @@ impl Item {
             _ => OUTSIDE,
         };
         let far = |&x: &i64| (x as f64 / form.steps - 0.5).abs() > 0.5 + outside;
-        if coordinates.iter().any(far) {
+        row.iter().take(form.coordinates).any(far)
+    }
+
+    /// The fault of a row, if any, without its number.
+    fn flaw(self, row: &[i64], schema: &Schema) -> Option<Notice> {
+        let form = self.form();
+        if self.is_outside(row) {
             let code = match form.dimension {
                 2 => Code::RowOutside,
                 _ => Code::RowOffBox,
@@ -126,31 +131,13 @@ impl Item {
             (Item::Line | Item::Plan, _) => Some(Code::RowShort.into()),
             (Item::Trace, [_, _, _, _, _, _, ..]) => None,
             (Item::Trace, _) => Some(Code::RowShort.into()),
-            (Item::File, [a, b, c, d, name @ ..]) => {
-                let fits = |n: &i64| (0..1 << 16).contains(n);
-                let is_character =
-                    |n: &i64| u32::try_from(*n).is_ok_and(|n| char::from_u32(n).is_some());
-                let is_one = [a, b, c, d].into_iter().all(fits)
-                    && name.iter().all(is_character)
-                    && name.len() <= MAX_NAME;
-                (!is_one).then(|| Code::RowModel.into())
-            }
-            (Item::File, _) => Some(Code::RowModel.into()),
+            (Item::File, row) => (!is_file(row)).then(|| Code::RowModel.into()),
             (Item::Feature, [0 | 1, number]) if FEATURES.contains(number) => None,
             (Item::Feature, _) => Some(Code::RowFeature.into()),
             (Item::Opening, row) => (row.len() != OPENING).then(|| Code::RowOpening.into()),
             (Item::Spot(min, max), &[_, _, radius, value])
             | (Item::Patch(min, max), &[_, _, _, radius, value]) => {
-                let (radius, value) = (radius as f64 / form.steps, value as f64 / VALUE);
-                // The limits themselves may lie between two numbers that a link can hold.
-                let within = |x: f64, min: f64, max: f64| x > min - 1e-3 && x < max + 1e-3;
-                if !within(radius, RADIUS.0, RADIUS.1) {
-                    Some(between(Code::RowRadius, RADIUS.0, RADIUS.1))
-                } else if !within(value, min, max) {
-                    Some(between(Code::RowValue, min, max))
-                } else {
-                    None
-                }
+                spot_flaw(radius as f64 / form.steps, value as f64 / VALUE, [min, max])
             }
             (Item::Spot(..), _) => Some(Code::RowSpot.into()),
             (Item::Patch(..), _) => Some(Code::RowPatch.into()),
@@ -164,6 +151,29 @@ impl Item {
             (Item::Bubble, [_, _, 0 | 1]) => None,
             (Item::Bubble, _) => Some(Code::RowBubble.into()),
         }
+    }
+}
+
+/// Whether a row is a file: its digest in four numbers, and the characters of its name.
+fn is_file(row: &[i64]) -> bool {
+    let [a, b, c, d, name @ ..] = row else {
+        return false;
+    };
+    let fits = |n: &i64| (0..1 << 16).contains(n);
+    let is_character = |n: &i64| u32::try_from(*n).is_ok_and(|n| char::from_u32(n).is_some());
+    [a, b, c, d].into_iter().all(fits) && name.iter().all(is_character) && name.len() <= MAX_NAME
+}
+
+/// The fault of a spot's radius or value.
+fn spot_flaw(radius: f64, value: f64, [min, max]: [f64; 2]) -> Option<Notice> {
+    // The limits themselves may lie between two numbers that a link can hold.
+    let within = |x: f64, min: f64, max: f64| x > min - 1e-3 && x < max + 1e-3;
+    if !within(radius, RADIUS.0, RADIUS.1) {
+        Some(between(Code::RowRadius, RADIUS.0, RADIUS.1))
+    } else if !within(value, min, max) {
+        Some(between(Code::RowValue, min, max))
+    } else {
+        None
     }
 }
 

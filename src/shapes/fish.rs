@@ -44,6 +44,23 @@ fn ball(x: f64, y: f64, r: f64) -> (DVec3, f64) {
     (DVec3::new(x, y, 0.0), r)
 }
 
+/// The body without fins. `half` is half of its height, and `larger` the radius of its largest ball.
+fn trunk(half: f64, larger: f64) -> Canal {
+    let body = [
+        (-0.462, -0.06, 0.17),
+        (-0.41, -0.035, 0.43),
+        (-0.315, 0.0, 0.73),
+        (-0.19, 0.01, 0.95),
+        (-0.06, 0.01, 1.0),
+        (0.08, 0.01, 0.86),
+        (0.19, 0.01, 0.6),
+        (0.28, 0.0, 0.36),
+        (0.35, 0.0, 0.27),
+    ];
+    let body = body.map(|(x, y, r)| ball(x, y * half, r * larger));
+    Canal::through(&body, 6)
+}
+
 /// The tail and the fins of the back and the belly, each with half its thickness.
 fn thin_fins(half: f64, tail: f64, fins: f64) -> Vec<(Canal, f64)> {
     let lobe = |up: f64| {
@@ -93,18 +110,6 @@ impl Fish {
         let (half, width, tail, fins) = (0.5 * n[0], n[1], n[2], n[3]);
         // The lens is lower than its circles. So these are larger, which gives it the wanted height.
         let larger = half / (1.0 - LENS * LENS).sqrt();
-        let body = [
-            (-0.462, -0.06, 0.17),
-            (-0.41, -0.035, 0.43),
-            (-0.315, 0.0, 0.73),
-            (-0.19, 0.01, 0.95),
-            (-0.06, 0.01, 1.0),
-            (0.08, 0.01, 0.86),
-            (0.19, 0.01, 0.6),
-            (0.28, 0.0, 0.36),
-            (0.35, 0.0, 0.27),
-        ];
-        let body = body.map(|(x, y, r)| ball(x, y * half, r * larger));
         let through_fins = thin_fins(half, tail, fins);
         let narrow = ((1.0 - LENS) / (1.0 + LENS)).sqrt() / width;
         let (mut low, mut high) = (-half, half);
@@ -112,7 +117,7 @@ impl Fish {
             let (a, b) = fin.bounds();
             (low, high) = (low.min(a.y), high.max(b.y));
         }
-        let body = Canal::through(&body, 6);
+        let body = trunk(half, larger);
         let middle = 0.01 * half * DVec3::Y;
         let radius = |k: usize| {
             body.foot(middle + DVec3::X * (k as f64 / SAMPLES as f64 - 0.5))
@@ -132,25 +137,30 @@ impl Fish {
         };
         let eye = DVec3::new(-0.375, 0.17 * half, fish.skin(-0.375, 0.17 * half) - 0.004);
         fish.eye = (eye, 0.013 + 0.05 * half);
+        fish.side = fish.side_fin(fins);
+        fish
+    }
+
+    /// A fin of each side.
+    fn side_fin(&self, fins: f64) -> Canal {
         // Side fins come farther and farther out of the skin. They are made in a space stretched across, where flat
         // fins are thick.
-        let root = fish.skin(-0.225, -0.2 * half) - 0.012;
+        let root = self.skin(-0.225, -0.2 * self.half) - 0.012;
         let on_side = |x: f64, y: f64, out: f64, r: f64| {
-            let z = fish.skin(x, y) + out;
+            let z = self.skin(x, y) + out;
             (DVec3::new(x, y, root + (z - root) * SIDE_THIN), r)
         };
         let side = [
-            on_side(-0.225, -0.2 * half, -0.012, 0.042),
-            on_side(-0.175, -0.3 * half, 0.012, 0.048 * fins),
+            on_side(-0.225, -0.2 * self.half, -0.012, 0.042),
+            on_side(-0.175, -0.3 * self.half, 0.012, 0.048 * fins),
             on_side(
                 -0.175 + 0.09 * fins,
-                -0.48 * half,
+                -0.48 * self.half,
                 0.03 + 0.032 * fins,
                 0.038 * fins,
             ),
         ];
-        fish.side = Canal::through(&side, 6);
-        fish
+        Canal::through(&side, 6)
     }
 
     /// How far the fish bends to the side at x.

@@ -41,6 +41,84 @@ const CLAW: [(f64, f64, f64); 5] = [
 /// The middle lines of the toes meet this far behind the ball of the foot.
 const BEHIND: f64 = 0.045;
 
+/// The places of the joints; `ball` is that of the foot.
+struct Joints {
+    hip: DVec3,
+    knee: DVec3,
+    ankle: DVec3,
+    ball: DVec3,
+}
+
+/// The balls that a part is drawn through, with their radii.
+type Balls<const N: usize> = [(DVec3, f64); N];
+
+fn between(a: DVec3, b: DVec3, t: f64) -> DVec3 {
+    a + (b - a) * t
+}
+
+/// A place that is moved to the back.
+fn back(p: DVec3, by: f64) -> DVec3 {
+    p - DVec3::Z * by
+}
+
+impl Joints {
+    fn new(bend: f64) -> Self {
+        // The thigh leans forward, the shin back, and the foot forward again.
+        let lean = |angle: f64| DVec3::new(0.0, libm::cos(angle), libm::sin(angle));
+        let thigh = lean(-0.6 * bend) * 0.40;
+        let shin = lean(0.75 * bend + 0.04) * 0.37;
+        let foot = lean(-(0.8 * bend + 0.22)) * 0.17;
+        let ball = DVec3::new(0.0, 0.072, 0.03);
+        let longer = (1.03 - ball.y) / (thigh + shin + foot).y;
+        let ankle = ball + foot * longer;
+        let knee = ankle + shin * longer;
+        Self {
+            hip: knee + thigh * longer,
+            knee,
+            ankle,
+            ball,
+        }
+    }
+
+    fn limb(&self) -> Balls<8> {
+        let Self {
+            hip,
+            knee,
+            ankle,
+            ball,
+        } = *self;
+        [
+            (hip, 0.172),
+            (between(hip, knee, 0.45), 0.146),
+            (between(hip, knee, 0.82), 0.104),
+            (between(knee, ankle, 0.14), 0.1),
+            (between(knee, ankle, 0.48), 0.085),
+            (between(knee, ankle, 0.85), 0.068),
+            (between(ankle, ball, 0.3), 0.068),
+            (ball, 0.076),
+        ]
+    }
+
+    fn haunch(&self) -> Balls<3> {
+        let (hip, knee) = (self.hip, self.knee);
+        [
+            (back(hip, 0.05), 0.15),
+            (back(between(hip, knee, 0.5), 0.062), 0.112),
+            (back(between(hip, knee, 0.92), 0.04), 0.06),
+        ]
+    }
+
+    fn calf(&self) -> Balls<4> {
+        let (knee, ankle) = (self.knee, self.ankle);
+        [
+            (back(between(knee, ankle, 0.08), 0.03), 0.062),
+            (back(between(knee, ankle, 0.33), 0.045), 0.07),
+            (back(between(knee, ankle, 0.66), 0.036), 0.042),
+            (back(between(knee, ankle, 0.95), 0.026), 0.036),
+        ]
+    }
+}
+
 impl Leg {
     /// The leg for the numbers `[toes, spread, bend, girth, reach]`; the toes point to z.
     pub fn new(n: &[f64], ends: Ends) -> Self {
@@ -51,57 +129,20 @@ impl Leg {
             n[3],
             n[4],
         );
-        // The thigh leans forward, the shin back, and the foot forward again.
-        let lean = |angle: f64| DVec3::new(0.0, libm::cos(angle), libm::sin(angle));
-        let thigh = lean(-0.6 * bend) * 0.40;
-        let shin = lean(0.75 * bend + 0.04) * 0.37;
-        let foot = lean(-(0.8 * bend + 0.22)) * 0.17;
-        let ball = DVec3::new(0.0, 0.072, 0.03);
-        let longer = (1.03 - ball.y) / (thigh + shin + foot).y;
-        let ankle = ball + foot * longer;
-        let knee = ankle + shin * longer;
-        let hip = knee + thigh * longer;
-        let between = |a: DVec3, b: DVec3, t: f64| a + (b - a) * t;
-        let back = |p: DVec3, by: f64| p - DVec3::Z * by;
-        let limb = [
-            (hip, 0.172),
-            (between(hip, knee, 0.45), 0.146),
-            (between(hip, knee, 0.82), 0.104),
-            (between(knee, ankle, 0.14), 0.1),
-            (between(knee, ankle, 0.48), 0.085),
-            (between(knee, ankle, 0.85), 0.068),
-            (between(ankle, ball, 0.3), 0.068),
-            (ball, 0.076),
-        ];
-        let haunch = [
-            (back(hip, 0.05), 0.15),
-            (back(between(hip, knee, 0.5), 0.062), 0.112),
-            (back(between(hip, knee, 0.92), 0.04), 0.06),
-        ];
-        let calf = [
-            (back(between(knee, ankle, 0.08), 0.03), 0.062),
-            (back(between(knee, ankle, 0.33), 0.045), 0.07),
-            (back(between(knee, ankle, 0.66), 0.036), 0.042),
-            (back(between(knee, ankle, 0.95), 0.026), 0.036),
-        ];
+        let joints = Joints::new(bend);
         let thick = |balls: &[(DVec3, f64)]| {
             let thick: Vec<_> = balls.iter().map(|&(p, r)| (p, r * girth)).collect();
             Canal::through(&thick, 6)
         };
         let middle = 0.5 * (count as f64 - 1.0);
         let toe = |k: usize| {
-            toe(
-                ball,
-                (k as f64 - middle) * spread,
-                (k as f64 - middle).abs(),
-                reach,
-                girth,
-            )
+            let aside = k as f64 - middle;
+            toe(joints.ball, aside * spread, aside.abs(), reach, girth)
         };
         Self {
-            limb: thick(&limb),
-            muscles: [thick(&haunch), thick(&calf)],
-            knee: (knee + DVec3::new(0.0, 0.0, 0.035), 0.068 * girth),
+            limb: thick(&joints.limb()),
+            muscles: [thick(&joints.haunch()), thick(&joints.calf())],
+            knee: (joints.knee + DVec3::new(0.0, 0.0, 0.035), 0.068 * girth),
             toes: (0..count).map(toe).collect(),
             edge: match ends {
                 Ends::Round => 0.07,

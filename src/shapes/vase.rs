@@ -58,6 +58,22 @@ impl Vase {
     /// The distance to the outside, negative towards the axis.
     fn side(&self, round: Jet, y: Jet) -> Jet {
         let p = DVec2::new(round.value, y.value);
+        let (k, t) = self.nearest(p);
+        let (a, b) = (self.profile[k], self.profile[k + 1]);
+        let way = (b - a).normalize();
+        let out = DVec2::new(way.y, -way.x);
+        let d = p - a - (b - a) * t;
+        let (flat, far) = (out.dot(d), d.length());
+        let (value, n) = if t > 0.0 && t < 1.0 || far < 1e-9 {
+            (flat, out)
+        } else {
+            (far * flat.signum(), d * (flat.signum() / far))
+        };
+        Jet::new(value, round.slope * n.x + y.slope * n.y)
+    }
+
+    /// The piece of the profile that is nearest to a point, and where on it the nearest place is, from 0 to 1.
+    fn nearest(&self, p: DVec2) -> (usize, f64) {
         let mut best = (f64::INFINITY, 0, 0.0);
         let mut look = |k: usize| {
             let (a, b) = (self.profile[k], self.profile[k + 1]);
@@ -94,17 +110,7 @@ impl Vase {
             least = look(k);
         }
         let (_, k, t) = best;
-        let (a, b) = (self.profile[k], self.profile[k + 1]);
-        let way = (b - a).normalize();
-        let out = DVec2::new(way.y, -way.x);
-        let d = p - a - (b - a) * t;
-        let (flat, far) = (out.dot(d), d.length());
-        let (value, n) = if t > 0.0 && t < 1.0 || far < 1e-9 {
-            (flat, out)
-        } else {
-            (far * flat.signum(), d * (flat.signum() / far))
-        };
-        Jet::new(value, round.slope * n.x + y.slope * n.y)
+        (k, t)
     }
 }
 

@@ -44,7 +44,7 @@ const EXPOSED: f64 = 0.7;
 const USUAL_EXPOSED: f64 = 0.25;
 /// Depth of the ground below the bevel of flagstones, relative to the exposed height of cobbles.
 const FLAG_JOINT: f64 = 0.4;
-/// A joint's floor is never lower than this share of the stones' height.
+/// A joint is at most this share of the stones' height deep.
 const DEEPEST: f64 = 0.92;
 /// Drop of a cobble's dome from its centre to half its width, relative to the joint's depth; here and below
 /// for low stones and for tall ones.

@@ -95,7 +95,7 @@ impl Making {
 pub struct Step {
     /// The step.
     pub making: Making,
-    /// The closed surface, solid from every side. Only a mask may be empty.
+    /// The closed surface. Only that of the step [`Making::Mask`] may be empty.
     pub surface: Surface,
     /// Lines to draw over it: for a base its ring and the cell's; then edges of the prism or of all
     /// triangles; for noise and mask the mask's outline.

@@ -90,28 +90,31 @@ impl SurfaceNodes {
             let k = node as usize;
             let point = &self.points[k];
             let over = beyond.as_ref().filter(|b| b.node == node);
-            let aspect = self.aspects[k];
-            let metric = if aspect == 1.0 {
-                Metric::EUCLIDEAN
-            } else {
-                let (mut axis, mut from) = (self.axes[k], point.normal);
-                if let Some(over) = over {
-                    (axis, from) = (rotated(axis, from, over.rim.normal), over.rim.normal);
-                }
-                let axis = rotated(axis, from, frame.normal);
-                Metric::new(frame.within(axis).normalize_or_zero(), aspect)
-            };
             Node {
                 at: match over {
                     Some(over) => over.laid(&frame, middle, point),
                     None => laid(&frame, middle, point),
                 },
                 axis: DVec2::ZERO,
-                metric,
+                metric: self.metric_in(&frame, k, over),
                 corners: self.corners[k],
             }
         });
         Some((frame, nodes))
+    }
+
+    /// The metric of a node in a plane; the path to a node beyond a rim leads over it.
+    fn metric_in(&self, frame: &TangentFrame, k: usize, over: Option<&Beyond>) -> Metric {
+        let aspect = self.aspects[k];
+        if aspect == 1.0 {
+            return Metric::EUCLIDEAN;
+        }
+        let (mut axis, mut from) = (self.axes[k], self.points[k].normal);
+        if let Some(over) = over {
+            (axis, from) = (rotated(axis, from, over.rim.normal), over.rim.normal);
+        }
+        let axis = rotated(axis, from, frame.normal);
+        Metric::new(frame.within(axis).normalize_or_zero(), aspect)
     }
 
     /// The node that is on the other side of a sheet from all others, if one is. `sum` is the sum of all normals.

@@ -29,7 +29,7 @@ enum CyclePhase {
     Forward,
     /// Restricts the residual to the next coarser level.
     Restrict,
-    /// Adds the answer of the next coarser level.
+    /// Adds the correction that the next coarser level has found.
     Correct,
     Backward,
     Coarsest,

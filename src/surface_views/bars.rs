@@ -48,16 +48,35 @@ pub(super) fn star(symmetry: u32) -> Body {
     Body::new(levels, SATIN)
 }
 
-/// A tube with round ends along a line on a surface; `radius` in scene units. Nothing if the line has no length.
-pub(super) fn tube(line: &[SurfacePoint], radius: f64, fit: &Fit) -> Option<Body> {
+/// The places and normals of a line's points in the scene, without those that are nearer than `apart` to the last one.
+fn thinned(line: &[SurfacePoint], apart: f64, fit: &Fit) -> Vec<(DVec3, DVec3)> {
     let mut places: Vec<(DVec3, DVec3)> = Vec::new();
     for p in line {
         let at = fit.place(p.at).as_dvec3();
-        let is_far = |&(last, _): &(DVec3, DVec3)| at.distance(last) > 0.4 * radius;
+        let is_far = |&(last, _): &(DVec3, DVec3)| at.distance(last) > apart;
         if places.last().is_none_or(is_far) {
             places.push((at, p.normal));
         }
     }
+    places
+}
+
+/// The triangles between rings of [`AROUND`] vertices, which follow each other.
+fn joined(rings: u32) -> Vec<[u32; 3]> {
+    let mut triangles = Vec::new();
+    for ring in 1..rings {
+        for k in 0..AROUND {
+            let [a, b] = [k, (k + 1) % AROUND].map(|k| (ring - 1) * AROUND + k);
+            let [c, d] = [b, a].map(|v| v + AROUND);
+            triangles.extend([[a, c, b], [a, d, c]]);
+        }
+    }
+    triangles
+}
+
+/// A tube with round ends along a line on a surface; `radius` in scene units. Nothing if the line has no length.
+pub(super) fn tube(line: &[SurfacePoint], radius: f64, fit: &Fit) -> Option<Body> {
+    let places = thinned(line, 0.4 * radius, fit);
     let last = places.len().checked_sub(1).filter(|&last| last > 0)?;
     let along = |k: usize| {
         let (from, to) = (places[k.saturating_sub(1)].0, places[(k + 1).min(last)].0);
@@ -95,13 +114,7 @@ pub(super) fn tube(line: &[SurfacePoint], radius: f64, fit: &Fit) -> Option<Body
         );
     }
     let rings = surface.positions.len() as u32 / AROUND;
-    for ring in 1..rings {
-        for k in 0..AROUND {
-            let [a, b] = [k, (k + 1) % AROUND].map(|k| (ring - 1) * AROUND + k);
-            let [c, d] = [b, a].map(|v| v + AROUND);
-            surface.triangles.extend([[a, c, b], [a, d, c]]);
-        }
-    }
+    surface.triangles = joined(rings);
     surface.normals = normals(&surface.positions, &surface.triangles);
     surface.colours = vec![[255; 3]; surface.positions.len()];
     Some(Body::new(vec![surface], SATIN))

@@ -21,7 +21,7 @@ const MOST: f64 = 3_000.0;
 /// The radius of a singular point's ball, in mean distances between bars; and the bounds of that radius in the scene.
 const BALL: f64 = 0.36;
 const BALLS: (f64, f64) = (0.006, 0.013);
-/// The radius of a stroke, relative to such a ball.
+/// The radius of a stroke, relative to the radius of a singular point's ball.
 const TUBE: f64 = 0.4;
 /// Sizes count as equal if the largest exceeds the smallest by no more than this factor.
 const SAME: f64 = 1.02;

@@ -109,15 +109,7 @@ impl Refining {
         target: &dyn Fn(DVec3, f64) -> f64,
     ) -> Option<Result<Refined, Notice>> {
         if let RefiningPhase::Join = self.stage {
-            let positions = &mut self.positions;
-            let triangles = &mut self.triangles;
-            let building = self.building.get_or_insert_with(|| {
-                MeshBuilding::new(std::mem::take(positions), std::mem::take(triangles))
-            });
-            let mesh = building.advance()?;
-            // Splitting keeps a mesh valid, so there is no fault.
-            self.mesh = mesh.ok()?;
-            (self.stage, self.building) = (RefiningPhase::Measure, None);
+            self.join();
             return None;
         }
         let count = self.mesh.triangles().len();
@@ -138,8 +130,29 @@ impl Refining {
             return None;
         }
         self.at = 0;
+        if self.stage == RefiningPhase::Measure && self.excess <= 1.0 {
+            return Some(Ok(self.finish()));
+        }
+        self.begin_next(count);
+        None
+    }
+
+    /// Does one more slice of the next mesh.
+    fn join(&mut self) {
+        let (positions, triangles) = (&mut self.positions, &mut self.triangles);
+        let building = self.building.get_or_insert_with(|| {
+            MeshBuilding::new(std::mem::take(positions), std::mem::take(triangles))
+        });
+        // Splitting keeps a mesh valid, so there is no fault.
+        if let Some(Ok(mesh)) = building.advance() {
+            self.mesh = mesh;
+            (self.stage, self.building) = (RefiningPhase::Measure, None);
+        }
+    }
+
+    /// Begins the phase after the present one, which has seen all triangles.
+    fn begin_next(&mut self, count: usize) {
         match self.stage {
-            RefiningPhase::Measure if self.excess <= 1.0 => return Some(Ok(self.finish())),
             RefiningPhase::Measure => {
                 self.middles = vec![[NONE; 3]; count];
                 // The old vertices come first.
@@ -158,7 +171,6 @@ impl Refining {
                 self.stage = RefiningPhase::Join;
             }
         }
-        None
     }
 
     /// Whether slivers are being split again and again. A split of both long edges gives three triangles of half the

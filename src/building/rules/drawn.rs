@@ -81,8 +81,7 @@ impl DrawnPlan {
             },
             _ => self,
         };
-        let checked = given.checked(module, n[1], &mut faults);
-        let (plan, checked) = match checked {
+        let (plan, checked) = match given.checked(module, n[1], &mut faults) {
             Ok(checked) => (given, checked),
             Err(fault) => {
                 faults.push(fault);
@@ -95,30 +94,37 @@ impl DrawnPlan {
         if n[2] > 0.0 && !is_roofed {
             faults.push(DrawnFault::Roofless);
         }
+        let free = |wall: usize| (walls.free(wall), n[0]);
+        let openings = plan.placed_openings(module, &checked.parts, free, &mut faults);
+        let mut to = Drafting::default();
+        walls.build(&mut to, &openings, is_roofed);
+        (to.on_ground(), faults)
+    }
+
+    /// The openings that fit in their walls, each with the number of its wall. `free` tells the part of a wall for them
+    /// (metres), and its height (courses).
+    fn placed_openings(
+        &self,
+        module: &Module,
+        parts: &[(usize, i64)],
+        free: impl Fn(usize) -> ([f64; 2], f64),
+        faults: &mut Vec<DrawnFault>,
+    ) -> Vec<(usize, Opening)> {
         let mut openings: Vec<PlacedOpening> = Vec::new();
-        for (k, row) in plan.openings.iter().enumerate() {
-            let mut tell = |why| {
-                let opening = k + 1;
-                faults.push(DrawnFault::Opening { opening, why });
-            };
+        for (opening, row) in (1..).zip(&self.openings) {
+            let mut tell = |why| faults.push(DrawnFault::Opening { opening, why });
             let row = fitted(row, &mut tell);
-            let placed = placed(&row, k + 1, &checked.parts);
             let fits = |placed: PlacedOpening| {
-                let limits = (walls.free(placed.wall), n[0]);
+                let limits = free(placed.wall);
                 check_opening(module, limits, (&row, &placed), &openings).map(|()| placed)
             };
-            match placed.and_then(fits) {
+            match placed(&row, opening, parts).and_then(fits) {
                 Ok(placed) => openings.push(placed),
                 Err(why) => tell(why),
             }
         }
-        let openings: Vec<(usize, Opening)> = openings
-            .iter()
-            .map(|placed| (placed.wall, placed.opening))
-            .collect();
-        let mut to = Drafting::default();
-        walls.build(&mut to, &openings, is_roofed);
-        (to.on_ground(), faults)
+        let all = openings.iter();
+        all.map(|placed| (placed.wall, placed.opening)).collect()
     }
 
     /// Checks the corners for walls of a thickness (modules).

@@ -23,9 +23,10 @@ use {
 /// The range of sizes over wanted sizes.
 const SIZES: (f64, f64) = (0.55, 1.45);
 
-/// Neighbours are searched beside places along a side that are about this far apart, in cell sizes ...
+/// Neighbours of a cell are searched from places along its sides that are about this far apart, in cell sizes ...
 const STEP: f64 = 0.12;
-/// ... and at this distance outside of the side: for neighbours that share it, and for packed ones with a gap between.
+/// ... and lie this far outside of the side: the first distance finds neighbours that share the side, the second one
+/// finds packed cells beyond a gap.
 const REACH: [f64; 2] = [0.03, 0.25];
 
 /// Bounding boxes of the cells, to skip most polygons.

@@ -193,7 +193,7 @@ const SHARP_ONES: [&str; 3] = ["nuts-bolts", "toys", "autumn-leaves"];
 /// The greatest depth, and the greatest mean of all bodies' depths, in R, of every preset.
 const DEEPEST: f64 = 0.75;
 const MEAN: f64 = 0.32;
-/// The greatest share of a closed shape's normals, and of a footprint, without a body.
+/// The greatest allowed values of [`bare`]. The first one is for closed shapes only.
 const BARE: [f64; 2] = [0.03, 0.015];
 
 /// Bodies of a preset overlap little. Those of a showpiece overlap less, and leave few holes.

@@ -10,6 +10,7 @@ use crate::surface_field::{
     SurfaceFields,
 };
 use crate::trimesh::Search;
+use glam::DVec3;
 
 /// Triangles in a slice of a search tree.
 const SEARCHED: usize = 1 << 14;
@@ -119,6 +120,22 @@ fn is_drawn(params: &FieldParams) -> bool {
     rows.iter().any(|rows| !rows.is_empty()) || spots.iter().any(|spots| !spots.is_empty())
 }
 
+/// How much an axis counts and how much the bones do, and the direction of the axis.
+fn along(follow: Follow, params: &FieldParams, built: &Built) -> ([f64; 2], DVec3) {
+    let shares = match follow {
+        Follow::Axis => [1.0, 0.0],
+        // A shape without bones uses its main direction instead.
+        Follow::Bones if built.bones.is_empty() => [1.0, 0.0],
+        Follow::Bones => [0.0, 1.0],
+        _ => [0.0, 0.0],
+    };
+    let towards = match follow {
+        Follow::Bones => built.main,
+        _ => params.towards,
+    };
+    (shares, towards)
+}
+
 fn field_params(
     params: &FieldParams,
     built: &Built,
@@ -126,34 +143,24 @@ fn field_params(
     [strokes, lines]: [&[Stroke]; 2],
 ) -> SurfaceFieldParams {
     let mesh = &built.mesh;
-    let has_bones = !built.bones.is_empty();
-    let counts = |follow: Follow, own: Follow| if follow == own { 1.0 } else { 0.0 };
-    // A shape without bones uses its main direction instead.
-    let along = |own: Follow| match has_bones {
-        true => [counts(Follow::Axis, own), counts(Follow::Bones, own)],
-        false => [counts(Follow::Axis, own) + counts(Follow::Bones, own), 0.0],
-    };
-    let towards = |own: Follow| match own {
-        Follow::Bones => built.main,
-        _ => params.towards,
-    };
-    let [axis, bones] = along(params.follow);
+    let counts = |own: Follow| if params.follow == own { 1.0 } else { 0.0 };
+    let ([axis, bones], towards) = along(params.follow, params, built);
     let direction = DirectionParams {
         axis,
-        towards: towards(params.follow),
+        towards,
         bones,
-        curvature: counts(Follow::Curvature, params.follow),
-        borders: counts(Follow::Border, params.follow),
-        creases: counts(Follow::Border, params.follow),
+        curvature: counts(Follow::Curvature),
+        borders: counts(Follow::Border),
+        creases: counts(Follow::Border),
         crease_angle: params.crease,
         strokes: strokes.to_vec(),
         lines: lines.to_vec(),
         turn: params.angle,
     };
-    let [axis, bones] = along(params.flow);
+    let ([axis, bones], towards) = along(params.flow, params, built);
     let flow = FlowParams {
         axis,
-        towards: towards(params.flow),
+        towards,
         bones,
         strokes: strokes.to_vec(),
         flip: false,

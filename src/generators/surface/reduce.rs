@@ -19,7 +19,7 @@ pub(super) struct Reducing {
 }
 
 enum ReducePhase {
-    /// Small holes are closed first: each keeps at least three edges as long as it is open.
+    /// Small holes are closed first. A coarser surface keeps each open hole, with at least three edges.
     Fill(Box<HoleFilling>),
     LeaveOut(Box<MeshBuilding>),
     Simplify(Box<Simplifying>),

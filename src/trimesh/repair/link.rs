@@ -60,7 +60,20 @@ impl RepairStep for Linking {
             return Ok(false);
         }
         self.at = 0;
-        self.stage = match self.stage {
+        let Some(next) = self.next_phase(work) else {
+            work.tell(Code::MendedEdges, self.crowded);
+            return Ok(true);
+        };
+        self.stage = next;
+        Ok(false)
+    }
+}
+
+impl Linking {
+    /// The phase after the present one, which is over; `None` after the last one.
+    fn next_phase(&mut self, work: &mut MeshInRepair) -> Option<LinkingPhase> {
+        let triangles = work.triangles.len();
+        Some(match self.stage {
             LinkingPhase::List => {
                 self.sorting = Some(Sorting::new(std::mem::take(&mut self.edges)));
                 LinkingPhase::Sort
@@ -83,12 +96,8 @@ impl RepairStep for Linking {
                 work.across = vec![[NONE; 3]; triangles];
                 LinkingPhase::Link
             }
-            LinkingPhase::Link => {
-                work.tell(Code::MendedEdges, self.crowded);
-                return Ok(true);
-            }
-        };
-        Ok(false)
+            LinkingPhase::Link => return None,
+        })
     }
 }
 

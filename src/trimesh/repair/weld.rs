@@ -92,7 +92,19 @@ impl RepairStep for Welding {
             return Ok(false);
         }
         self.at = 0;
-        self.stage = match self.stage {
+        let Some(next) = self.next_phase(vertices) else {
+            self.finish(work);
+            return Ok(true);
+        };
+        self.stage = next;
+        Ok(false)
+    }
+}
+
+impl Welding {
+    /// The phase after the present one, which is over; `None` after the last one.
+    fn next_phase(&mut self, vertices: usize) -> Option<WeldingPhase> {
+        Some(match self.stage {
             WeldingPhase::Keys => {
                 self.sorting = Some(Sorting::new(std::mem::take(&mut self.keys)));
                 WeldingPhase::Sort
@@ -113,12 +125,8 @@ impl RepairStep for Welding {
                 WeldingPhase::Number
             }
             WeldingPhase::Number => WeldingPhase::Rename,
-            WeldingPhase::Rename => {
-                self.finish(work);
-                return Ok(true);
-            }
-        };
-        Ok(false)
+            WeldingPhase::Rename => return None,
+        })
     }
 }
 

@@ -55,7 +55,7 @@ impl Texture {
 /// A brick of the texture on a face.
 struct TextureBrick {
     parts: Vec<Footprint>,
-    /// Whether it goes on beyond the face.
+    /// Whether the edge of the face cuts it.
     is_broken: bool,
     /// Its number, for its tone.
     number: u32,
