@@ -4,6 +4,7 @@
 //! The guess: a part that mostly faces one way is a sheet, and its upper side is the outside; any other part is a
 //! shell, and its outside faces away from its centre.
 
+use super::borders::PartSearch;
 use super::{MeshBuilding, NONE, TriMesh};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
@@ -94,7 +95,7 @@ impl PartSums {
 }
 
 enum SidingPhase {
-    Spread,
+    Search,
     Measure,
     Build(Box<MeshBuilding>),
 }
@@ -104,11 +105,10 @@ pub struct Siding {
     mesh: Arc<TriMesh>,
     sides: Sides,
     phase: SidingPhase,
+    /// Finds the part of each triangle.
+    search: PartSearch,
+    /// How many triangles have been measured.
     at: usize,
-    /// For each triangle, the number of its part.
-    part: Vec<u32>,
-    /// Triangles whose neighbours have not been visited.
-    waiting: Vec<u32>,
     parts: Vec<PartSums>,
     /// Places are relative to this one, so that sums lose few digits.
     about: DVec3,
@@ -120,10 +120,9 @@ impl Siding {
         let (low, high) = mesh.bounds();
         Self {
             sides,
-            phase: SidingPhase::Spread,
+            phase: SidingPhase::Search,
+            search: PartSearch::default(),
             at: 0,
-            part: vec![NONE; mesh.triangles().len()],
-            waiting: Vec::new(),
             parts: Vec::new(),
             about: 0.5 * (low + high),
             mesh,
@@ -133,9 +132,10 @@ impl Siding {
     /// Does one more slice. Returns the surface when it is done.
     pub fn advance(&mut self) -> Option<Sided> {
         match &mut self.phase {
-            SidingPhase::Spread => {
-                if self.spread() {
-                    (self.phase, self.at) = (SidingPhase::Measure, 0);
+            SidingPhase::Search => {
+                if self.search.advance(&self.mesh) {
+                    self.parts = vec![PartSums::default(); self.search.count];
+                    self.phase = SidingPhase::Measure;
                 }
                 None
             }
@@ -148,43 +148,18 @@ impl Siding {
         }
     }
 
-    /// Visits one more slice of triangles over edges; true when all have been visited.
-    fn spread(&mut self) -> bool {
-        for _ in 0..SLICE {
-            let Some(t) = self.waiting.pop() else {
-                let Some(next) = self.part[self.at..].iter().position(|&p| p == NONE) else {
-                    return true;
-                };
-                self.at += next;
-                self.part[self.at] = self.parts.len() as u32;
-                self.waiting.push(self.at as u32);
-                self.parts.push(PartSums::default());
-                continue;
-            };
-            let own = self.part[t as usize];
-            for k in 0..3 {
-                match self.mesh.across(t, k) {
-                    None => self.parts[own as usize].is_open = true,
-                    Some((other, _)) if self.part[other as usize] == NONE => {
-                        self.part[other as usize] = own;
-                        self.waiting.push(other);
-                    }
-                    Some(_) => {}
-                }
-            }
-        }
-        false
-    }
-
     /// Measures one more slice of triangles; true after the last one.
     fn measure(&mut self) -> bool {
-        let end = self.part.len().min(self.at + SLICE);
+        let part = &self.search.part;
+        let end = part.len().min(self.at + SLICE);
         for t in self.at..end {
             let corners = self.mesh.corners(t as u32).map(|p| p - self.about);
-            self.parts[self.part[t] as usize].add(corners);
+            let own = &mut self.parts[part[t] as usize];
+            own.add(corners);
+            own.is_open |= self.mesh.across[t].contains(&NONE);
         }
         self.at = end;
-        end == self.part.len()
+        end == part.len()
     }
 
     /// Whether a part is turned.
@@ -202,7 +177,7 @@ impl Siding {
         if !turned.contains(&true) {
             return Some(self.sided(self.mesh.clone()));
         }
-        let all = self.mesh.triangles().iter().zip(&self.part);
+        let all = self.mesh.triangles().iter().zip(&self.search.part);
         let triangles = all.map(|(&[a, b, c], &part)| match turned[part as usize] {
             true => [a, c, b],
             false => [a, b, c],
