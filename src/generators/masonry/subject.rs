@@ -75,22 +75,16 @@ impl SceneSource for MasonryStages {
         })
     }
 
-    fn begin(
-        &self,
-        of: SceneKey<MasonryView>,
-        shown: &mut Option<(SceneKey<MasonryView>, WallSubject)>,
-    ) -> WallMaking {
-        let pass = self.pass();
-        let goes_on = |(before, subject): &mut (SceneKey<MasonryView>, WallSubject)| {
-            let is_same = matches!(subject, WallSubject::Laying(_, own) if *own == pass);
-            is_same && before.leads_to(&of)
-        };
-        let live = match shown.take_if(goes_on) {
-            Some((_, WallSubject::Laying(wall, _))) => Some(wall),
-            _ => None,
-        };
+    fn goes_on(&self, shown: &WallSubject) -> bool {
+        matches!(shown, WallSubject::Laying(_, pass) if *pass == self.pass())
+    }
+
+    fn begin(&self, shown: Option<WallSubject>) -> WallMaking {
         WallMaking {
-            live,
+            live: match shown {
+                Some(WallSubject::Laying(wall, _)) => Some(wall),
+                _ => None,
+            },
             diagram: None,
         }
     }

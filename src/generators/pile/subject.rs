@@ -64,18 +64,13 @@ impl SceneSource for PileStages {
         })
     }
 
-    fn begin(
-        &self,
-        of: SceneKey<PileView>,
-        shown: &mut Option<(SceneKey<PileView>, ViewScene)>,
-    ) -> Option<Box<Heap>> {
-        let pass = self.settled.passes();
-        let goes_on = |(before, subject): &mut (SceneKey<PileView>, ViewScene)| {
-            let is_same = matches!(subject, ViewScene::Settling(_, own) if *own == pass);
-            is_same && before.leads_to(&of)
-        };
-        match shown.take_if(goes_on) {
-            Some((_, ViewScene::Settling(heap, _))) => Some(heap),
+    fn goes_on(&self, shown: &ViewScene) -> bool {
+        matches!(shown, ViewScene::Settling(_, pass) if *pass == self.settled.passes())
+    }
+
+    fn begin(&self, shown: Option<ViewScene>) -> Option<Box<Heap>> {
+        match shown {
+            Some(ViewScene::Settling(heap, _)) => Some(heap),
             _ => None,
         }
     }

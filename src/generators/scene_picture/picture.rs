@@ -56,12 +56,13 @@ pub(crate) trait SceneSource: Sized {
     /// The key of the present scene of a view; `None` while there is none.
     fn key(&self, view: &str) -> Option<KeyOf<Self>>;
 
-    /// Begins a scene. It may take the shown scene and change it.
-    fn begin(
-        &self,
-        key: KeyOf<Self>,
-        shown: &mut Option<(KeyOf<Self>, Self::Subject)>,
-    ) -> Self::Making;
+    /// Whether the next scene is made by changing the shown one, an earlier state of it.
+    fn goes_on(&self, _shown: &Self::Subject) -> bool {
+        false
+    }
+
+    /// Begins a scene; with the shown one, if it goes on.
+    fn begin(&self, shown: Option<Self::Subject>) -> Self::Making;
 
     /// Makes a slice of a scene; returns the scene once it is done.
     fn make(&mut self, key: KeyOf<Self>, making: &mut Self::Making) -> Option<Self::Subject>;
@@ -199,7 +200,7 @@ impl<S: SceneSource> ScenePicture<S> {
         let is_new = kept.is_none();
         let mut making = match kept {
             Some((_, making)) => making,
-            None => source.begin(key, &mut self.shown),
+            None => source.begin(self.take_earlier(source, key)),
         };
         let mut subject = None;
         let done = budget.until(clock, || {
@@ -219,6 +220,14 @@ impl<S: SceneSource> ScenePicture<S> {
             done: false,
             progress: 0.0,
         })
+    }
+
+    /// The shown scene, if that of the key is made by changing it.
+    fn take_earlier(&mut self, source: &S, key: KeyOf<S>) -> Option<S::Subject> {
+        let goes_on = |(shown, subject): &mut (KeyOf<S>, S::Subject)| {
+            shown.leads_to(&key) && source.goes_on(subject)
+        };
+        self.shown.take_if(goes_on).map(|(_, subject)| subject)
     }
 
     fn frame_slice(

@@ -102,7 +102,7 @@ impl SceneSource for Rc<Scene> {
         })
     }
 
-    fn begin(&self, _: SceneKey<()>, _: &mut Option<(SceneKey<()>, Rc<Scene>)>) {}
+    fn begin(&self, _: Option<Rc<Scene>>) {}
 
     fn make(&mut self, _: SceneKey<()>, (): &mut ()) -> Option<Rc<Scene>> {
         Some(self.clone())

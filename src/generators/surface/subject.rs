@@ -78,18 +78,15 @@ impl SceneSource for Stages {
         })
     }
 
-    fn begin(
-        &self,
-        of: SceneKey<SurfaceView>,
-        shown: &mut Option<(SceneKey<SurfaceView>, ViewScene)>,
-    ) -> ViewSceneMaking {
-        let goes_on = |(before, subject): &mut (SceneKey<SurfaceView>, ViewScene)| {
-            matches!(subject, ViewScene::Particles(_)) && before.leads_to(&of)
-        };
-        match shown.take_if(goes_on) {
-            Some((_, ViewScene::Particles(last))) => ViewSceneMaking::Begin(Some(last)),
-            _ => ViewSceneMaking::Begin(None),
-        }
+    fn goes_on(&self, shown: &ViewScene) -> bool {
+        matches!(shown, ViewScene::Particles(_))
+    }
+
+    fn begin(&self, shown: Option<ViewScene>) -> ViewSceneMaking {
+        ViewSceneMaking::Begin(match shown {
+            Some(ViewScene::Particles(last)) => Some(last),
+            _ => None,
+        })
     }
 
     fn make(
