@@ -184,6 +184,7 @@ pub(crate) fn text(x: f64) -> String {
 }
 
 /// The text of a number that is rounded to this many places behind the point.
+#[cfg(house)]
 pub(crate) fn text_to(places: usize, x: f64) -> String {
     let ten = TENS[places];
     text((x * ten).round() / ten)
