@@ -51,7 +51,7 @@ pub(crate) struct PopulationScan<P, B> {
     change: Change<P>,
 }
 
-/// What a scan reads.
+/// The bodies that a scan looks at, and what it knows of them.
 pub(super) struct ScanInputs<'a, G: PackingDomain> {
     pub(super) ground: G,
     pub(super) bodies: &'a [MovingParticle<G::Place>],
