@@ -152,9 +152,9 @@ impl Siding {
     fn measure(&mut self) -> bool {
         let part = &self.search.part;
         let end = part.len().min(self.at + SLICE);
-        for t in self.at..end {
+        for (t, &part) in part.iter().enumerate().take(end).skip(self.at) {
             let corners = self.mesh.corners(t as u32).map(|p| p - self.about);
-            let own = &mut self.parts[part[t] as usize];
+            let own = &mut self.parts[part as usize];
             own.add(corners);
             own.is_open |= self.mesh.across[t].contains(&NONE);
         }
