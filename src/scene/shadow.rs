@@ -488,12 +488,10 @@ impl ShadowMap {
         let [u, v, near] = self.on_map(middle);
         let reach = radius * scale * LARGER + SLACK;
         let nearest = near + reach / scale;
+        let texel = |at: f32| greater(at, 0.0) as usize;
         let texels = |at: f32| {
-            let first = greater((at - reach - 0.5).ceil(), 0.0) as usize;
-            first
-                ..self
-                    .side
-                    .min(greater((at + reach + 0.5).floor(), 0.0) as usize)
+            let end = texel((at + reach + 0.5).floor());
+            texel((at - reach - 0.5).ceil())..end.min(self.side)
         };
         let (columns, rows) = (texels(u), texels(v));
         columns.len() * rows.len() <= MOST_TEXELS
@@ -517,6 +515,7 @@ impl ShadowMap {
             return (1, None);
         };
         let mut work = 0;
+        // Other maps count how often their texels are filled, also by bodies that are hidden.
         if next == 0 && is_coarse && self.would_stay(scene.ball_of(instance)) {
             return (1, None);
         }
@@ -548,94 +547,4 @@ impl ShadowMap {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::{Body, Place};
-    use super::*;
-    use crate::random::{Purpose, Random};
-
-    /// A tetrahedron whose corners are 1 away from the origin.
-    fn tetrahedron() -> Body {
-        let mut surface = Surface::default();
-        let corners = [
-            [1.0, 1.0, 1.0],
-            [1.0, -1.0, -1.0],
-            [-1.0, 1.0, -1.0],
-            [-1.0, -1.0, 1.0],
-        ];
-        for corner in corners {
-            surface.positions.push(Vec3::from(corner).normalize());
-            surface.normals.push(Vec3::from(corner).normalize());
-            surface.colours.push([128; 3]);
-        }
-        surface.triangles = vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
-        Body::new(vec![surface], 0)
-    }
-
-    /// Tetrahedra of any size and turn in a ball, most of them hidden by others.
-    fn heap(seed: u64) -> Scene {
-        let mut random = Random::new(seed, Purpose::Scatter, 0);
-        let mut place = |largest: f32| {
-            let mut vector = || Vec3::from([0; 3].map(|_| random.signed() as f32));
-            let (x, across) = (vector().normalize_or(Vec3::X), vector());
-            let y = x.cross(across).normalize_or(Vec3::Y);
-            let origin = vector();
-            let size = largest * random.unit() as f32;
-            Place {
-                axes: [x, y, x.cross(y)].map(|axis| axis * size),
-                origin,
-            }
-        };
-        let instance = |id: u32| Instance {
-            body: 0,
-            place: place(if id.is_multiple_of(8) { 0.4 } else { 0.05 }),
-            id,
-            paint: None,
-        };
-        Scene {
-            bodies: vec![tetrahedron()],
-            instances: (1..=600).map(instance).collect(),
-            ..Scene::default()
-        }
-    }
-
-    /// All texels of the finished maps.
-    fn texels(mut maps: ShadowMaps, scene: &Scene) -> Vec<u32> {
-        while !maps.advance(scene, 1_000) {}
-        let all = maps.maps.iter().flat_map(|map| &map.near);
-        all.map(|near| near.to_bits()).collect()
-    }
-
-    #[test]
-    fn bodies_that_are_left_out_would_change_no_texel() {
-        // Bodies of one level are drawn alike in coarse maps, which leave out bodies, and in others.
-        for seed in 0..6 {
-            let scene = heap(seed);
-            let mut random = Random::new(seed, Purpose::Scatter, 1);
-            let to = Vec3::from([0; 3].map(|_| random.signed() as f32)).normalize();
-            for (side, to) in [(64, Vec3::Y), (64, to), (300, to)] {
-                let of = |is_coarse| {
-                    texels(
-                        ShadowMaps::new(&scene, Lamp::Sun(to), side, is_coarse),
-                        &scene,
-                    )
-                };
-                assert!(of(true) == of(false), "{seed} {side} {to}");
-            }
-        }
-    }
-
-    #[test]
-    fn hidden_bodies_are_left_out() {
-        let scene = heap(1);
-        let slices = |is_coarse| {
-            let mut maps = ShadowMaps::new(&scene, Lamp::Sun(Vec3::Y), 64, is_coarse);
-            let mut slices = 0;
-            while !maps.advance(&scene, 1) {
-                slices += 1;
-            }
-            slices
-        };
-        let [all, shown] = [false, true].map(slices);
-        assert!(4 * shown < 3 * all, "{shown} {all}");
-    }
-}
+mod tests;
