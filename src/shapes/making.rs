@@ -4,7 +4,7 @@ use super::form::{Form, onto};
 use super::march::March;
 use super::remesh;
 use super::surgery::Surgery;
-use super::{Ends, Shape, plain, solid};
+use super::{Ends, PLAIN_COARSEST, Shape, plain, solid};
 use crate::trimesh::{NONE, Soup};
 
 /// A pass over all edges or vertices.
@@ -51,6 +51,40 @@ pub struct ShapeMaking {
     made: Soup,
 }
 
+/// The lengths of edges in the making of a solid form, from the first triangles to the finished ones.
+#[derive(Clone, Copy, PartialEq)]
+struct Lengths {
+    first: f64,
+    /// How often the first length is halved.
+    halvings: usize,
+}
+
+impl Lengths {
+    /// The lengths for a wanted one, as a share of the diagonal.
+    fn new(form: &dyn Form, edge: f64) -> Self {
+        let (lo, hi) = form.bounds();
+        let coarsest = form.coarsest();
+        let mut first = (edge * (hi - lo).length()).min(coarsest);
+        let mut halvings = 0;
+        while 2.0 * first <= coarsest {
+            first *= 2.0;
+            halvings += 1;
+        }
+        Self { first, halvings }
+    }
+}
+
+/// Whether two wanted lengths of edges lead to the same triangles of a shape, with the same numbers.
+pub(super) fn are_alike(shape: (Shape, Ends), numbers: &[f64], edges: [f64; 2]) -> bool {
+    match solid(shape, numbers) {
+        None => edges[0].min(PLAIN_COARSEST) == edges[1].min(PLAIN_COARSEST),
+        Some(form) => {
+            let [a, b] = edges.map(|edge| Lengths::new(&*form, edge));
+            a == b
+        }
+    }
+}
+
 impl ShapeMaking {
     pub(super) fn new((shape, ends): (Shape, Ends), numbers: &[f64], edge: f64) -> Self {
         let mut making = Self {
@@ -67,13 +101,8 @@ impl ShapeMaking {
         match &making.form {
             None => making.made = plain(shape, numbers, edge),
             Some(form) => {
-                let (lo, hi) = form.bounds();
-                let coarsest = form.coarsest();
-                making.edge = (edge * (hi - lo).length()).min(coarsest);
-                while 2.0 * making.edge <= coarsest {
-                    making.edge *= 2.0;
-                    making.halvings += 1;
-                }
+                let lengths = Lengths::new(&**form, edge);
+                (making.edge, making.halvings) = (lengths.first, lengths.halvings);
                 making.march = Some(March::new(&**form, making.edge, false));
             }
         }

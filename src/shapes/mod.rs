@@ -83,8 +83,12 @@ impl Shape {
     /// `edge` is the wanted length of edges, as a share of the diagonal of the shape's bounding box. Edges are
     /// shorter where parts of the shape would be lost otherwise ([`Self::coarsest`]).
     pub fn making(self, numbers: &[f64], edge: f64, ends: Ends) -> ShapeMaking {
-        let edge = if edge.is_finite() { edge } else { 1.0 };
-        ShapeMaking::new((self, ends), &self.fitted(numbers), edge.clamp(FINEST, 1.0))
+        ShapeMaking::new((self, ends), &self.fitted(numbers), fitted(edge))
+    }
+
+    /// Whether two lengths of edges lead to the same triangles; see [`Self::making`].
+    pub fn is_alike(self, numbers: &[f64], ends: Ends, edges: [f64; 2]) -> bool {
+        making::are_alike((self, ends), &self.fitted(numbers), edges.map(fitted))
     }
 
     /// The vertices and triangles, all at once; see [`Self::making`].
@@ -144,6 +148,12 @@ impl Shape {
     pub fn height(self, numbers: &[f64], x: f64, z: f64) -> Option<f64> {
         (self == Self::Terrain).then(|| terrain::Terrain::new(&self.fitted(numbers)).height(x, z))
     }
+}
+
+/// A wanted length of edges, within its range.
+fn fitted(edge: f64) -> f64 {
+    let edge = if edge.is_finite() { edge } else { 1.0 };
+    edge.clamp(FINEST, 1.0)
 }
 
 /// The longest edges of ground, stairs and cylinders.

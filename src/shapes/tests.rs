@@ -308,3 +308,22 @@ fn the_ground_is_where_its_height_says() {
     }
     assert_eq!(Shape::Egg.height(&[], 0.0, 0.0), None);
 }
+
+#[test]
+fn edges_are_alike_if_they_give_the_same_triangles() {
+    for shape in [Shape::Vase, Shape::Cylinder] {
+        let numbers: Vec<f64> = shape.numbers().iter().map(|n| n.default).collect();
+        let coarsest = shape.coarsest(&numbers);
+        let made = shape.build(&numbers, coarsest);
+        for (share, wanted) in [(1.5, true), (0.8, false), (0.4, false)] {
+            let edge = share * coarsest;
+            assert_eq!(
+                shape.build(&numbers, edge) == made,
+                wanted,
+                "{shape:?} {share}"
+            );
+            let is_alike = shape.is_alike(&numbers, Ends::Round, [coarsest, edge]);
+            assert_eq!(is_alike, wanted, "{shape:?} {share}");
+        }
+    }
+}

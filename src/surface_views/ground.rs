@@ -9,9 +9,9 @@ use glam::Vec3;
 
 /// About how many triangles a part has.
 const PART: usize = 350;
-/// The levels of detail: the mesh's triangles for each triangle of a level. Coarse levels are for distant parts;
-/// close up they would lie in the shadow of the finest level.
-const DEGREES: [usize; 3] = [1, 4, 16];
+/// The levels of detail after the finest one: the mesh's triangles for each triangle of a level. They are for distant
+/// parts; close up they would lie in the shadow of the finest level.
+const COARSER: [usize; 2] = [4, 16];
 /// Parts with fewer triangles have one level only.
 const SMALL: usize = 100;
 /// Vertices in a slice.
@@ -35,6 +35,8 @@ pub struct BareSurface {
     places: Vec<u32>,
     next: usize,
     parts: Vec<Vec<SurfaceLevel>>,
+    /// How many parts have all their levels.
+    finished: usize,
 }
 
 /// A part at one level of detail.
@@ -59,6 +61,7 @@ impl BareSurface {
             places: Vec::new(),
             next: 0,
             parts: Vec::new(),
+            finished: 0,
         }
     }
 
@@ -94,16 +97,23 @@ impl BareSurface {
             self.is_shared = self.shared();
             self.places = vec![NONE; self.positions.len()];
         } else if self.next < self.order.len() {
-            self.part();
+            self.cut();
+        } else if self.finished < self.parts.len() {
+            self.finish();
         } else {
             return true;
         }
         false
     }
 
+    /// Whether it is cut into parts, so that [`Self::first_scene`] can show it.
+    pub fn is_cut(&self) -> bool {
+        !self.is_shared.is_empty() && self.next == self.order.len()
+    }
+
     /// The share of the work that is done, 0 to 1.
     pub fn progress(&self) -> f64 {
-        self.next as f64 / self.order.len().max(1) as f64
+        self.finished as f64 / self.parts.len().max(1) as f64
     }
 
     /// Adds the inside.
@@ -130,8 +140,8 @@ impl BareSurface {
         is_shared
     }
 
-    /// Makes the next part. All vertices along its rim stay, so parts fit together at all levels of detail.
-    fn part(&mut self) {
+    /// Cuts out the next part, at its finest level.
+    fn cut(&mut self) {
         let part = self.order[self.next].0;
         let own = self.order[self.next..].iter().take_while(|o| o.0 == part);
         let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
@@ -149,9 +159,27 @@ impl BareSurface {
             self.places[v as usize] = NONE;
         }
         self.next += triangles.len();
-        let of =
-            |list: &[Vec3]| -> Vec<Vec3> { vertices.iter().map(|&v| list[v as usize]).collect() };
-        let positions = of(&self.positions);
+        self.parts.push(vec![SurfaceLevel {
+            vertices,
+            triangles,
+        }]);
+    }
+
+    /// Makes the coarser levels of the next part. All vertices along its rim stay, so parts fit together at all levels
+    /// of detail.
+    fn finish(&mut self) {
+        let levels = &mut self.parts[self.finished];
+        self.finished += 1;
+        let finest = &levels[0];
+        let count = finest.triangles.len();
+        if count < SMALL {
+            return;
+        }
+        let (vertices, mut triangles) = (finest.vertices.clone(), finest.triangles.clone());
+        let positions: Vec<Vec3> = vertices
+            .iter()
+            .map(|&v| self.positions[v as usize])
+            .collect();
         let mut stays: Vec<bool> = vertices
             .iter()
             .map(|&v| self.is_shared[v as usize])
@@ -159,24 +187,14 @@ impl BareSurface {
         for &v in boundary_edges(&triangles, stays.len()).as_flattened() {
             stays[v as usize] = true;
         }
-        let count = triangles.len();
-        let mut levels: Vec<SurfaceLevel> = Vec::with_capacity(DEGREES.len());
-        let degrees = if count < SMALL {
-            &DEGREES[..1]
-        } else {
-            &DEGREES
-        };
-        for &degree in degrees {
-            if degree > 1 {
-                let most = (count / degree, f64::INFINITY);
-                simplify_between(&positions, &mut triangles, most, f32::MIN, |v| {
-                    stays[v as usize]
-                });
-                triangles.retain(|t| t[0] != t[1]);
-            }
+        for degree in COARSER {
+            let most = (count / degree, f64::INFINITY);
+            simplify_between(&positions, &mut triangles, most, f32::MIN, |v| {
+                stays[v as usize]
+            });
+            triangles.retain(|t| t[0] != t[1]);
             levels.push(SurfaceLevel::of(&vertices, &triangles));
         }
-        self.parts.push(levels);
     }
 
     /// The number of bodies.
@@ -199,6 +217,16 @@ impl BareSurface {
     pub(super) fn body(
         &self,
         part: usize,
+        look: (u8, f32),
+        colour: impl Fn(u32, bool) -> [u8; 3],
+    ) -> Body {
+        self.body_of(&self.parts[part], look, colour)
+    }
+
+    /// The body of some levels of a part; see [`Self::body`].
+    fn body_of(
+        &self,
+        levels: &[SurfaceLevel],
         (material, sunk): (u8, f32),
         colour: impl Fn(u32, bool) -> [u8; 3],
     ) -> Body {
@@ -218,25 +246,41 @@ impl BareSurface {
                 triangles: level.triangles.clone(),
             }
         };
-        Body::new(self.parts[part].iter().map(surface).collect(), material)
+        Body::new(levels.iter().map(surface).collect(), material)
     }
 
     /// Adds the whole ground to a scene, in one colour.
     pub fn add_to(&self, scene: &mut Scene, material: u8, sunk: f32, colour: [u8; 3]) {
+        self.add_levels(scene, usize::MAX, (material, sunk), colour);
+    }
+
+    /// Adds at most `most` levels of each part, the finest first; see [`Self::add_to`].
+    fn add_levels(&self, scene: &mut Scene, most: usize, look: (u8, f32), colour: [u8; 3]) {
         let inside = colour.map(|v| (f32::from(v) * INSIDE) as u8);
         let of = |_, is_inside| if is_inside { inside } else { colour };
-        for part in 0..self.len() {
-            push(scene, self.body(part, (material, sunk), of), 0);
+        for levels in &self.parts {
+            let body = self.body_of(&levels[..levels.len().min(most)], look, of);
+            push(scene, body, 0);
         }
     }
 
     /// A scene with nothing but the ground.
     pub fn scene(&self) -> Scene {
+        self.scene_of(usize::MAX)
+    }
+
+    /// The same with the finest level alone, which is there as soon as [`Self::is_cut`]: a visitor need not wait for the
+    /// others to see something.
+    pub fn first_scene(&self) -> Scene {
+        self.scene_of(1)
+    }
+
+    fn scene_of(&self, most_levels: usize) -> Scene {
         let mut scene = Scene {
             reach: 0.02,
             ..Scene::default()
         };
-        self.add_to(&mut scene, super::BARE, 0.0, CALM);
+        self.add_levels(&mut scene, most_levels, (super::BARE, 0.0), CALM);
         scene
     }
 }

@@ -17,3 +17,8 @@ export function mark(name: Mark): void {
   made.add(name);
   performance.mark(name);
 }
+
+/** Whether a mark is set. */
+export function isMarked(name: Mark): boolean {
+  return made.has(name);
+}

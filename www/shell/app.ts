@@ -3,7 +3,7 @@ import { countedBy, isEnd, isUpToSteps } from '../module/stages';
 import type { Preset } from '../module/types';
 import { t } from '../words/words';
 import { byId, byIdAs, frame, say } from '../base/dom';
-import { mark } from '../base/marks';
+import { isMarked, mark } from '../base/marks';
 import { alertOf, clear, notice } from '../base/messages';
 import { isFirstVisit } from '../base/storage';
 import type { Engine } from '../state/engine';
@@ -38,8 +38,8 @@ import { remedies, tellCrash } from './trouble';
  * announced one by one.
  */
 const SETTLED = 400;
-/** Frames to wait for the first cells before the panel is built anyway. */
-const PATIENCE = 12;
+/** Frames to wait for the first cells, or the first frame of bodies, before the panel is built anyway. */
+const PATIENCE = 40;
 
 export class App {
   readonly host: PictureHost;
@@ -138,9 +138,9 @@ export class App {
     this.store.update({ layers: false, compare: false, plots: false, turn: isFramed, camera: undefined, cut: undefined, repeat: 1, ...(isFramed ? { zoom: WHOLE } : {}) });
   }
 
-  /** Whether cells have been shown, or never will be. */
+  /** Whether cells or bodies have been shown, or never will be. */
   private hasBegun(): boolean {
-    return this.begun || this.store.state.stage === 'error' || !this.engine.alive;
+    return this.begun || isMarked('frame') || this.store.state.stage === 'error' || !this.engine.alive;
   }
 
   /** The functions for scripts. */

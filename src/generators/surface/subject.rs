@@ -97,8 +97,12 @@ impl SceneSource for Stages {
         if of.view == SurfaceView::Picture {
             return self.shared.scene().cloned().map(ViewScene::Stones);
         }
-        self.make_bare(of.site)?;
+        let is_alone = self.is_bare(of.view);
+        self.make_bare(of.site, is_alone)?;
         let (_, ground) = self.bare.as_ref()?;
+        if is_alone {
+            return Some(ViewScene::Other(ground.first_scene()));
+        }
         if let ViewSceneMaking::Begin(last) = making {
             if matches!(of.view, SurfaceView::Packed | SurfaceView::Auto) {
                 return self.packed_scene(last.take());
@@ -141,25 +145,30 @@ impl SceneSource for Stages {
 }
 
 impl Stages {
-    /// Works on the bare surface of this revision; `None` until it is finished.
-    fn make_bare(&mut self, surface: u64) -> Option<()> {
+    /// Whether a view shows the bare surface alone, as there are no cells yet.
+    fn is_bare(&self, view: SurfaceView) -> bool {
+        matches!(view, SurfaceView::Packed | SurfaceView::Auto)
+            && (self.live_packing().is_none() || self.site().is_none())
+    }
+
+    /// Works on the bare surface of this revision; `None` until it is finished, or cut into parts if that is enough.
+    fn make_bare(&mut self, surface: u64, cut_is_enough: bool) -> Option<()> {
         let built = self.built.made()?;
         let new = || BareSurface::new(&built.mesh, Fit::new(&built.whole));
         let known = self.bare.take().filter(|(own, _)| *own == surface);
         let (_, bare) = self.bare.insert(known.unwrap_or_else(|| (surface, new())));
-        bare.advance(&built.mesh).then_some(())
+        let is_there = bare.advance(&built.mesh) || cut_is_enough && bare.is_cut();
+        is_there.then_some(())
     }
 
     fn tones(&self) -> Tones {
         Tones::new(&self.shared.bodies.params().texture)
     }
 
-    /// The packing as it is now on the bare surface, which is all that is seen before. The last scene of it is changed.
+    /// The packing as it is now on the bare surface. The last scene of it is changed.
     fn packed_scene(&self, last: Option<Box<Particles>>) -> Option<ViewScene> {
         let (_, ground) = self.bare.as_ref()?;
-        let (Some(packing), Some(site)) = (self.live_packing(), self.site()) else {
-            return Some(ViewScene::Other(ground.scene()));
-        };
+        let (packing, site) = (self.live_packing()?, self.site()?);
         let mut view = last.unwrap_or_else(|| Box::new(Particles::new(ground)));
         view.update(site, &packing.particles(), &self.tones());
         Some(ViewScene::Particles(view))

@@ -27,6 +27,27 @@ fn scattered(mesh: &TriMesh, kind: CellKind, count: u32) -> Vec<SurfaceParticle>
 }
 
 #[test]
+fn the_first_scene_of_the_ground_does_not_wait_for_its_coarse_levels() {
+    let mesh = samples::torus(60, 24);
+    let mut ground = BareSurface::new(&mesh, Fit::new(&mesh));
+    while !ground.is_cut() {
+        assert!(!ground.advance(&mesh));
+    }
+    let first = ground.first_scene();
+    assert!(first.bodies.iter().all(|body| body.levels.len() == 1));
+    assert!(!ground.advance(&mesh), "coarse levels are still to be made");
+    while !ground.advance(&mesh) {}
+    assert_eq!(ground.first_scene().digest(), first.digest());
+    assert!(
+        ground
+            .scene()
+            .bodies
+            .iter()
+            .all(|body| body.levels.len() > 1)
+    );
+}
+
+#[test]
 fn the_ground_is_all_of_the_surface() {
     for (mesh, sides) in [(samples::torus(60, 24), 1), (samples::hill(20), 2)] {
         let ground = grounded(&mesh);

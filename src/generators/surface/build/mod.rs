@@ -170,13 +170,17 @@ impl Building {
         self.simplifying(count, mesh)
     }
 
-    /// The sketch of a shape gives its area, and so the mean size and the wanted length of edges.
+    /// The sketch of a shape gives its area, and so the mean size and the wanted length of edges. If it is as fine as
+    /// wanted, it is the surface.
     fn shaped(&mut self, params: &SurfaceParams, sketch: TriMesh) -> BuildPhase {
         self.size = size_for(&params.sizes, sketch.area());
         let MeshSource::Shape(shape, ends, numbers) = &params.source else {
             return BuildPhase::Size(sketch);
         };
         let edge = SHARE * self.size / sketch.diagonal();
+        if shape.is_alike(numbers, *ends, [shape.coarsest(numbers), edge]) {
+            return BuildPhase::Refine(Box::new(self.refining(sketch)));
+        }
         BuildPhase::Shape(Box::new(shape.making(numbers, edge, *ends)))
     }
 
