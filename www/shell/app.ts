@@ -40,6 +40,8 @@ import { remedies, tellCrash } from './trouble';
 const SETTLED = 400;
 /** Frames to wait for the first cells, or the first frame of bodies, before the panel is built anyway. */
 const PATIENCE = 40;
+/** Milliseconds after the first cells within which a picture is finished before the panel is built. */
+const QUICK = 1200;
 
 export class App {
   readonly host: PictureHost;
@@ -110,11 +112,13 @@ export class App {
   }
 
   /**
-   * Builds the panel and the rail. They take long to build, so the first cells are shown before. The timeline comes after
-   * the first picture, or at a pause.
+   * Builds the panel and the rail. They take long to build, so the first cells are shown before, and a quick picture is
+   * finished. The timeline comes after the first picture, or at a pause.
    */
   async furnish(): Promise<void> {
     for (let waited = 0; waited < PATIENCE && !this.hasBegun(); waited += 1) await frame();
+    const late = performance.now() + (this.engine.offers('frames') ? 0 : QUICK);
+    while (performance.now() < late && !this.hasMade()) await frame();
     await furnish(this);
     const bring = (): void => void this.parts.timeline.load();
     this.store.on(['paused'], bring);
@@ -141,6 +145,12 @@ export class App {
   /** Whether cells or bodies have been shown, or never will be. */
   private hasBegun(): boolean {
     return this.begun || isMarked('frame') || this.store.state.stage === 'error' || !this.engine.alive;
+  }
+
+  /** Whether the first picture is computed, or waits for something else. */
+  private hasMade(): boolean {
+    const { stage, paused } = this.store.state;
+    return isMarked('made') || stage === 'error' || paused || document.hidden || !this.engine.alive;
   }
 
   /** The functions for scripts. */
