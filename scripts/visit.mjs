@@ -22,7 +22,7 @@ const machines = {
 const VASE = '#v=1&make=surface&form=vase&cn=900&stone=flag';
 
 /** The links, each with the mark that ends its visit. */
-const links = { 'the page': { link: '', last: 'made' }, 'a pavement': { link: '#v=1&seed=2', last: 'picture' }, 'a vase of 900 tiles': { link: VASE, last: 'picture' } };
+const links = { 'the page': { link: '', last: 'made' }, 'a pavement': { link: '#v=1&seed=2', last: 'picture' }, 'a vase of 900 tiles': { link: VASE, last: 'picture' }, 'a rice ball': { link: '#v=1&make=pile', last: 'picture' } };
 
 /** The marks of the page, in their order. */
 const marks = /** @type {const} */ (['cells', 'frame', 'made', 'picture']);
