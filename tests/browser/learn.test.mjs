@@ -13,6 +13,12 @@ const chapter = chapterPages('two-bubbles');
 /** The number in a handle's box. @param {Page} page @param {string} figure @param {string} key */
 const boxed = (page, figure, key) => page.$eval(`${figure} .handle[data-key="${key}"] input[type="number"]`, (box) => Number(box.value));
 
+/** Whether an element is in the window, whole. @param {Element} element */
+const inWindow = (element) => {
+  const { top, bottom } = element.getBoundingClientRect();
+  return top >= -0.5 && bottom <= innerHeight + 0.5;
+};
+
 const FIGURES = ['top', 'pair', 'let-go', 'not-so', 'exercise'];
 
 test('each stop of each figure has the golden state', async () => {
@@ -223,6 +229,30 @@ test('each question is answered by doing what it asks', async () => {
   assert.equal(await answer(page, 'still'), '');
   await type(page, '#fig-exercise', 'damp', 2);
   await answered(page, 'still');
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('on a phone the sentences on what happened stay in sight while their figure is there', sameEverywhere, async () => {
+  const { page, problems, close } = await chapter('', { viewport: phone });
+  await at(page, 'let-go');
+  await type(page, '#fig-let-go', 'w', 1.6);
+  await page.waitForSelector('#fig-let-go[data-step="0"]');
+  await seek(page, '#fig-let-go', 10);
+  await answered(page, 'far');
+  await type(page, '#fig-let-go', 'damp', 0);
+  await type(page, '#fig-let-go', 'mark', 0.5);
+  for (const w of [0.71, 0.725]) {
+    await type(page, '#fig-let-go', 'w', w);
+    await page.waitForSelector('#fig-let-go[data-step="0"]');
+    await seek(page, '#fig-let-go', 200);
+  }
+  await answered(page, 'near');
+  assert.ok(await page.$eval('#fig-let-go', (figure) => figure.offsetHeight > innerHeight), 'higher than the window');
+  for (const block of ['start', 'center', 'end']) {
+    await page.$eval('#fig-let-go', (figure, place) => figure.scrollIntoView({ block: place, behavior: 'instant' }), block);
+    for (const key of ['far', 'near']) assert.ok(await page.$eval(`[data-seen="${key}"]`, inWindow), `${key}, ${block}`);
+  }
   assert.deepEqual(problems, []);
   await close();
 });
