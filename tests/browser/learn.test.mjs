@@ -233,7 +233,7 @@ test('each question is answered by doing what it asks', async () => {
   await close();
 });
 
-test('on a phone the sentences on what happened stay in sight while their figure is there', sameEverywhere, async () => {
+test('on a phone and in class the sentences on what happened stay in sight beside their figure', sameEverywhere, async () => {
   const { page, problems, close } = await chapter('', { viewport: phone });
   await at(page, 'let-go');
   await type(page, '#fig-let-go', 'w', 1.6);
@@ -253,6 +253,13 @@ test('on a phone the sentences on what happened stay in sight while their figure
     await page.$eval('#fig-let-go', (figure, place) => figure.scrollIntoView({ block: place, behavior: 'instant' }), block);
     for (const key of ['far', 'near']) assert.ok(await page.$eval(`[data-seen="${key}"]`, inWindow), `${key}, ${block}`);
   }
+  await page.setViewport({ width: 1024, height: 768 });
+  await page.$eval('#class', (button) => button.click());
+  await page.evaluate(() => {
+    const isShown = () => document.documentElement.dataset.part === 'figure' && document.querySelector('#fig-let-go').checkVisibility();
+    for (let k = 0; k < 20 && !isShown(); k += 1) document.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight' }));
+  });
+  for (const key of ['far', 'near']) assert.ok(await page.$eval(`[data-seen="${key}"]`, inWindow), `${key}, in class`);
   assert.deepEqual(problems, []);
   await close();
 });

@@ -21,15 +21,21 @@ export const BRICKS = '#v=1&make=masonry&building=block&block_length=8&block_wid
 /** A phone whose pixels are those of the layout: frames of bodies have a quarter of the usual ones. */
 export const phone = { width: 390, height: 844, isMobile: true, hasTouch: true };
 
+/** Waits for the page's functions for scripts, which come when its panel is built. @param {Page} page */
+async function furnished(page) {
+  await page.waitForFunction(() => 'bubblestone' in window, { timeout: 240_000 });
+}
+
 /** The digest of the planes, once they are done. @param {Page} page @returns {Promise<string>} */
 export async function digest(page) {
-  await page.waitForFunction(() => 'bubblestone' in window, { timeout: 240_000 });
+  await furnished(page);
   return page.evaluate(() => /** @type {any} */ (window).bubblestone.digest());
 }
 
-/** Waits for the finished picture. @param {Page} page */
+/** Waits for the finished picture, and for the panel. @param {Page} page */
 export async function done(page) {
   await page.waitForFunction(() => document.documentElement.dataset.stage === 'done', { timeout: 240_000 });
+  await furnished(page);
 }
 
 /** Waits for some frames. @param {Page} page @param {number} count */
@@ -78,12 +84,14 @@ export function canvas(page) {
 }
 
 /** The value of a parameter. @param {Page} page @param {string} key @returns {Promise<string>} */
-export function get(page, key) {
+export async function get(page, key) {
+  await furnished(page);
   return page.evaluate((name) => /** @type {any} */ (window).bubblestone.get(name), key);
 }
 
 /** The recipe's link. @param {Page} page @returns {Promise<string>} */
-export function link(page) {
+export async function link(page) {
+  await furnished(page);
   return page.evaluate(() => /** @type {any} */ (window).bubblestone.link());
 }
 
@@ -99,7 +107,8 @@ export async function reloading(page, act) {
 }
 
 /** The number of packing steps. @param {Page} page @returns {Promise<number>} */
-export function steps(page) {
+export async function steps(page) {
+  await furnished(page);
   return page.evaluate(() => /** @type {any} */ (window).bubblestone.status().steps);
 }
 

@@ -147,10 +147,9 @@ export class App {
     return this.begun || isMarked('frame') || this.store.state.stage === 'error' || !this.engine.alive;
   }
 
-  /** Whether the first picture is computed, or waits for something else. */
+  /** Whether the first picture is computed, or its work stands for another reason. */
   private hasMade(): boolean {
-    const { stage, paused } = this.store.state;
-    return isMarked('made') || stage === 'error' || paused || document.hidden || !this.engine.alive;
+    return isMarked('made') || this.host.loop.stands || document.hidden || !this.engine.alive;
   }
 
   /** The functions for scripts. */
