@@ -149,7 +149,7 @@ export class App {
 
   /** Whether the first picture is computed, or its work stands for another reason. */
   private hasMade(): boolean {
-    return isMarked('made') || this.host.loop.stands || document.hidden || !this.engine.alive;
+    return isMarked('made') || this.host.loop.stands || !this.engine.alive;
   }
 
   /** The functions for scripts. */
