@@ -5,9 +5,9 @@ use crate::planar::cut_polygon;
 use glam::DVec2;
 use smallvec::SmallVec;
 
-/// Corners nearer to each other than this are one (metres).
+/// Corners nearer to each other than this are joined (metres).
 const WELD: f64 = 1e-9;
-/// Polygons below this area are nothing (square metres).
+/// Polygons below this area count as empty (square metres).
 const LEAST_AREA: f64 = 1e-12;
 
 /// Why corners are no convex polygon.
@@ -40,7 +40,7 @@ impl HalfPlane {
         }
     }
 
-    /// The half-plane in which a place lies, with the border through two others, which differ.
+    /// The half-plane that holds the point `inside`, with its border through `a` and `b`, which differ.
     pub fn with(inside: DVec2, [a, b]: [DVec2; 2]) -> Self {
         let half = Self::left_of(a, b);
         if half.distance(inside) > 0.0 {
@@ -58,7 +58,7 @@ impl HalfPlane {
         }
     }
 
-    /// The same, with its border moved inwards by `by` (metres).
+    /// The half-plane with its border moved inwards by `by` (metres).
     pub fn inset(self, by: f64) -> Self {
         Self {
             offset: self.offset + by,
@@ -93,7 +93,7 @@ pub struct Footprint {
 
 impl Clone for Footprint {
     fn clone(&self) -> Self {
-        // A copy of all corners at once: the list's own way is one by one.
+        // Copies all corners at once; `SmallVec::clone` would copy one by one.
         Self {
             corners: SmallVec::from_slice(&self.corners),
         }
@@ -116,7 +116,7 @@ impl Footprint {
             .ok_or(FootprintFault::NotConvex)
     }
 
-    /// The polygon with these corners, which may not be convex.
+    /// The polygon with these corners, convex or not.
     fn joined(corners: &[DVec2]) -> Result<Self, FootprintFault> {
         if corners.iter().any(|p| !p.is_finite()) {
             return Err(FootprintFault::NotFinite);
@@ -149,7 +149,7 @@ impl Footprint {
         }
     }
 
-    /// Whether it is a rectangle along s and t that begins at its least corner, as [`Self::rectangle`] makes it.
+    /// Whether the polygon is a rectangle along s and t whose first side runs along s, as [`Self::rectangle`] makes it.
     pub fn is_rectangle(&self) -> bool {
         match self.corners[..] {
             [a, b, c, d] => [a.at.x, b.at.x, a.at.y, c.at.y] == [d.at.x, c.at.x, b.at.y, d.at.y],
@@ -161,7 +161,7 @@ impl Footprint {
     pub fn hull(points: &[DVec2]) -> Option<Self> {
         let corners = hull(points);
         let hull = Self::joined(&corners).ok()?;
-        // All turns are to the left, exactly, as long as no corners are joined.
+        // The hull turns left at each corner, and exactly so. Only corners that were joined can spoil this.
         let is_convex = hull.corners.len() == corners.len() || hull.is_convex();
         is_convex.then_some(hull)
     }
@@ -185,7 +185,7 @@ impl Footprint {
         {
             return self.sound_area();
         }
-        // The later corner of two carries the side that is left.
+        // The side that is left belongs to the later corner of the two, and so does its inset.
         corners.dedup_by(|next, kept| {
             let same = is_short(next, kept);
             if same {
@@ -199,13 +199,13 @@ impl Footprint {
         self.sound_area()
     }
 
-    /// The area, if it is something.
+    /// The area (square metres); none if it counts as empty.
     fn sound_area(&self) -> Option<f64> {
         let area = (self.corners.len() > 2).then(|| self.area());
         area.filter(|&area| Self::has_area(area))
     }
 
-    /// Whether a polygon of this area is something (square metres).
+    /// Whether a polygon of this area is not empty (square metres).
     pub(super) fn has_area(area: f64) -> bool {
         area > LEAST_AREA
     }
@@ -234,7 +234,7 @@ impl Footprint {
         })
     }
 
-    /// The same with the inset of each side given by its ends (metres, at least 0).
+    /// The polygon with new insets: `inset` gets the two ends of each side (metres, at least 0).
     pub fn with_insets(mut self, inset: impl Fn([DVec2; 2]) -> f64) -> Self {
         let insets: Vec<f64> = (0..self.corners.len())
             .map(|k| inset(self.side(k)))
@@ -265,7 +265,7 @@ impl Footprint {
         origin + parts.sum::<DVec2>() / (6.0 * self.area())
     }
 
-    /// The corner with the smallest s and t, and that with the largest, of its bounding box.
+    /// The corners of the bounding box with the smallest and with the largest s and t.
     pub fn bounds(&self) -> [DVec2; 2] {
         let first = [self.corners[0].at; 2];
         let grow = |[low, high]: [DVec2; 2], p: DVec2| [low.min(p), high.max(p)];
@@ -277,7 +277,7 @@ impl Footprint {
         self.half_planes().all(|half| half.distance(p) >= 0.0)
     }
 
-    /// The polygon at another place.
+    /// The polygon moved by `by` (metres).
     pub fn moved(mut self, by: DVec2) -> Self {
         self.corners.iter_mut().for_each(|corner| corner.at += by);
         self
@@ -294,7 +294,8 @@ impl Footprint {
         self.clone().cut(half, 0.0).unwrap_or(0.0)
     }
 
-    /// Cuts off what lies beyond a half-plane, as [`Self::clip`], and returns the area that is left (square metres).
+    /// Cuts off all that lies beyond a half-plane, as [`Self::clip`], and returns the area that is left (square
+    /// metres); none if there is none.
     fn cut(&mut self, half: HalfPlane, inset: f64) -> Option<f64> {
         let distance = |corner: FootprintCorner| half.distance(corner.at);
         if self.corners.iter().all(|&corner| distance(corner) >= 0.0) {
@@ -304,7 +305,8 @@ impl Footprint {
         let crossing =
             |(a, da): (FootprintCorner, f64), (b, db): (FootprintCorner, f64)| FootprintCorner {
                 at: a.at + (b.at - a.at) * (da / (da - db)),
-                // A side that leaves the half-plane ends here, where the cut begins.
+                // The new side begins where the border leaves the half-plane. Where it comes back, the side of `a` goes
+                // on.
                 inset: if da >= 0.0 { inset } else { a.inset },
             };
         cut_polygon(&self.corners, distance, crossing, |c| corners.push(c));
@@ -318,7 +320,8 @@ impl Footprint {
         part.cut_to(other).map(|_| part)
     }
 
-    /// Cuts off what lies beyond the sides of another polygon, and returns the area that is left (square metres).
+    /// Cuts off all that lies beyond the sides of another polygon, and returns the area that is left (square metres);
+    /// none if there is none.
     fn cut_to(&mut self, other: &Self) -> Option<f64> {
         let mut halves = other.half_planes();
         halves.try_fold(0.0, |_, half| self.cut(half, 0.0))
@@ -334,18 +337,18 @@ impl Footprint {
         }
     }
 
-    /// Whether it is plain that two polygons share no area: their boxes do not, or a side of one lies between them.
+    /// Whether two polygons share no area: their bounding boxes do not overlap, or a side of one lies between them.
     pub(super) fn is_apart(&self, other: &Self) -> bool {
         shared_box(self.bounds(), other.bounds()).is_none() || self.has_side_before(other)
     }
 
-    /// Whether a side of one of two polygons lies between them.
+    /// Whether a side of one of the two polygons separates them.
     fn has_side_before(&self, other: &Self) -> bool {
         self.lies_beside(other) || other.lies_beside(self)
     }
 
-    /// Whether a side of another polygon has all of this one on its outer side. Rounding decides only where what they
-    /// share is so narrow that it counts as nothing.
+    /// Whether a side of `other` has all of this polygon on its outer side. Rounding decides only where the shared part
+    /// is too narrow to count.
     fn lies_beside(&self, other: &Self) -> bool {
         let mut sides = (0..other.corners.len()).map(|k| other.side(k));
         sides.any(|[a, b]| self.places().all(|p| (b - a).perp_dot(p - a) <= 0.0))
@@ -362,12 +365,12 @@ impl Footprint {
     }
 }
 
-/// Whether two corners are one, by the square of their distance.
+/// Whether two corners count as one: `square` is the square of their distance.
 pub(super) fn are_one(square: f64) -> bool {
     square < WELD * WELD
 }
 
-/// The sizes of the box that two boxes share; none if no polygon is as narrow.
+/// The size of the box that two boxes share; none if it is too narrow for any polygon.
 pub(super) fn shared_box([low, high]: [DVec2; 2], [from, to]: [DVec2; 2]) -> Option<DVec2> {
     let both = high.min(to) - low.max(from);
     (both.min_element() >= WELD).then_some(both)

@@ -11,14 +11,15 @@ use std::borrow::Borrow;
 pub const TOUCH: f64 = 1e-8;
 /// Pieces below this share of their cell are dropped.
 pub const LEAST_SHARE: f64 = 0.06;
-/// How often [`clip_multi`] goes on with the half that a cut removes.
+/// The usual depth to which [`clip_multi`] splits the halves that its cuts remove.
 pub const MOST_DEPTH: u32 = 3;
 
-/// The largest part of a cell beside all obstacles that cuts along single sides leave; none if that is less than
-/// `least` of the cell (a share, usually [`LEAST_SHARE`]). New sides get the inset `inset` (metres).
+/// The largest part of a cell that overlaps no obstacle, as cuts along single sides of the obstacles leave it. None if
+/// it is below `least` of the cell (a share, usually [`LEAST_SHARE`]). New sides get the inset `inset` (metres).
 ///
-/// The side of each obstacle that leaves most of the cell cuts it. Each obstacle is tried as the first one; the others
-/// follow by falling overlap. Beside an arch the first cut is the only one, and its place decides.
+/// Each obstacle cuts along the side that leaves most of the cell. Each obstacle is tried as the first to cut; the
+/// others follow by falling overlap. Beside an arch the first cut is the only one, so the choice of the first obstacle
+/// decides.
 pub fn clip(
     cell: &Footprint,
     obstacles: &[impl Borrow<Footprint>],
@@ -42,7 +43,7 @@ pub fn clip(
     best.map(|(_, part)| part)
 }
 
-/// A cell cut by one obstacle after the other.
+/// A cell cut by one obstacle after the other; none if the area that is left falls to `least` (square metres).
 fn cut_by<'a>(
     cell: &Footprint,
     obstacles: impl Iterator<Item = &'a Footprint>,
@@ -59,8 +60,8 @@ fn cut_by<'a>(
     Some(part)
 }
 
-/// The parts of a cell beside all obstacles. It does as [`clip`], and goes on with the halves that are cut off, up to
-/// `depth` times. Parts below `least` of the cell are dropped.
+/// The parts of a cell that overlap no obstacle. Cuts are those of [`clip`], but the halves that they remove are split
+/// as well, to a depth of `depth`. Parts below `least` of the cell (a share) are dropped.
 pub fn clip_multi(
     cell: &Footprint,
     obstacles: &[impl Borrow<Footprint>],
@@ -119,8 +120,8 @@ pub fn remainder(polygon: &Footprint, obstacles: &[impl Borrow<Footprint>]) -> V
     parts
 }
 
-/// A polygon without an obstacle: each side of it cuts off one part. After the last cut the rest is the part that both
-/// share. If there is none, the polygon stays whole.
+/// A polygon without an obstacle: each side of the obstacle cuts off one part. The rest after the last cut is the area
+/// that both share. If that is empty, the polygon stays whole.
 fn without(polygon: &Footprint, obstacle: &Footprint) -> Vec<Footprint> {
     if polygon.is_apart(obstacle) {
         return vec![polygon.clone()];
@@ -132,7 +133,7 @@ fn without(polygon: &Footprint, obstacle: &Footprint) -> Vec<Footprint> {
         parts.extend(inner.clip(half.opposite(), 0.0));
         rest = inner.clip(half, 0.0);
     }
-    // Rectangles share what their boxes do, however small it is.
+    // Two rectangles that are not apart do overlap, even if their common part is too small to count.
     let are_rectangles = polygon.is_rectangle() && obstacle.is_rectangle();
     match rest {
         None if !are_rectangles => vec![polygon.clone()],
@@ -151,7 +152,7 @@ fn by_overlap<'a>(cell: &Footprint, obstacles: &'a [impl Borrow<Footprint>]) -> 
     found.into_iter().map(|(_, obstacle)| obstacle).collect()
 }
 
-/// The half-plane outside of that side of an obstacle that leaves most of a part. Keep the first of two equal sides.
+/// The half-plane beyond the side of an obstacle that leaves most of a part; the first of equal sides.
 fn best_side(part: &Footprint, obstacle: &Footprint) -> HalfPlane {
     let halves = obstacle.half_planes().map(HalfPlane::opposite);
     let sized = halves.map(|half| (part.area_in(half), half));

@@ -3,12 +3,13 @@
 use super::footprint::{Footprint, are_one};
 use glam::DVec2;
 
-/// A rectangle along s and t with an area. It is what [`Footprint::rectangle`] makes, in a quarter of the room.
+/// A rectangle along s and t with an area. It stands for the polygon of [`Footprint::rectangle`] in a quarter of the
+/// memory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridPlace {
     /// Its least s and t (metres).
     pub low: DVec2,
-    /// Its greatest.
+    /// Its greatest s and t (metres).
     pub high: DVec2,
 }
 
@@ -28,17 +29,17 @@ impl GridPlace {
         size.x * size.y
     }
 
-    /// The same as a polygon.
+    /// The rectangle as a polygon, without insets.
     pub fn footprint(&self) -> Footprint {
         Footprint::between(self.low, self.high)
     }
 
-    /// The smallest rectangle that holds two.
+    /// The smallest rectangle that holds this one and another.
     pub fn with(&self, other: &Self) -> Option<Self> {
         Self::new(self.low.min(other.low), self.high.max(other.high))
     }
 
-    /// The rectangle at another place.
+    /// The rectangle moved by `by` (metres).
     pub fn moved(self, by: DVec2) -> Self {
         Self {
             low: self.low + by,

@@ -8,7 +8,7 @@ use smallvec::SmallVec;
 /// A list of points; up to eight, as a block has, need no allocation.
 pub(super) type Points = SmallVec<[DVec2; 8]>;
 
-/// The corners of the hull, counter-clockwise from the one with the least s, and of these the least t.
+/// The corners of the hull, counter-clockwise. The first corner has the least s, and the least t among equal s.
 pub(super) fn hull(points: &[DVec2]) -> Points {
     ring(points).unwrap_or_else(|| {
         let sorted = sorted(points);
@@ -20,8 +20,8 @@ pub(super) fn hull(points: &[DVec2]) -> Points {
     })
 }
 
-/// The points of a counter-clockwise ring with a turn at each of them, in the order of their hull; none if
-/// they are no such ring.
+/// The short way for three or four points that already turn left at each corner: the same ring, from the corner where
+/// [`hull`] begins. None for all other points.
 fn ring(points: &[DVec2]) -> Option<Points> {
     let count = points.len();
     let turns = |k: usize| {
@@ -38,7 +38,7 @@ fn ring(points: &[DVec2]) -> Option<Points> {
     Some(corners.collect())
 }
 
-/// Points by their s, then by their t. There are few, so each goes to its place in those before it.
+/// Points sorted by s, then by t. There are few, so this is an insertion sort.
 fn sorted(points: &[DVec2]) -> Points {
     let key = |p: &DVec2| (order::rank(p.x), order::rank(p.y));
     let mut sorted = Points::new();

@@ -9,8 +9,9 @@
 //!    [`occupancy`] maps are free (section 3.3).
 //! 4. [`block`] makes the geometry of each cell: shrunk to its joints, then chamfered or rounded.
 //!
-//! [`footprint`], [`grid_place`], [`region`] and [`free_space`] are the geometry of cells in a face's (s, t). Lengths are
-//! metres, y is up; polygons are counter-clockwise seen from outside, and heights above a face are negative in the wall.
+//! [`footprint`], [`grid_place`], [`region`] and [`free_space`] are the geometry of cells in a face's (s, t). Lengths
+//! are metres, and y is up. Polygons are counter-clockwise seen from outside. Heights above a face are negative inside
+//! of the wall.
 //!
 //! Words of buildings and masonry, the usual terms of the field, and sections of the paper:
 //!
@@ -19,7 +20,7 @@
 //! | `Building` | base mesh: a hierarchical winged-edge structure | section 3.1 |
 //! | vertex, polygon edge, polygon | elements of the child mesh, the shape | section 3.1, fig. 2 |
 //! | corner, edge, face | elements of the parent mesh, the features | section 3.1, fig. 2 |
-//! | `Surface`: `Sweep`, `Disk` | parameterisation of a face: flat and cylindrical regions; sectors of disks | section 3.2 |
+//! | `Surface`: `Sweep`, `Disk` | face parameterisation: flat and cylindrical regions; sectors of disks | section 3.2 |
 //! | `map`, `project` | from parameters to space, and back | section 3.2 |
 //! | `CornerClass`, `Heading` | valence, convex and concave edges, direction of a single one | section 5.5 |
 //! | `flip` | the stored bit of a corner or an edge | section 5.2 |

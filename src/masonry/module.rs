@@ -1,4 +1,4 @@
-//! The modules of patterns: the units that their grid lines are cut to.
+//! Modules of patterns: the spacings of their grid lines, half a brick along a course and a course in height.
 
 use crate::building::Module;
 
@@ -50,7 +50,7 @@ pub fn check(module: &Module) -> Result<(), ModuleFault> {
     if joint >= half.min(course) {
         return Err(ModuleFault::WideJoint);
     }
-    // Numbers of links are rounded.
+    // Numbers read from a link (URL) are rounded, so the limit has a little slack.
     let is_uneven = half.max(course) > MOST_RATIO * half.min(course) * (1.0 + 1e-9);
     if is_uneven {
         Err(ModuleFault::Uneven)

@@ -5,36 +5,37 @@ use crate::planar::{Delaunay, orientation};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
-/// Lines are triangulated at this scale, so that points are rounded to 6e-8 metres. Their own coordinates are then put
-/// back. It is a power of two, so that the scale itself rounds nothing.
+/// Coordinates are multiplied by this for the triangulation, which then rounds points to 6e-8 metres. The exact
+/// coordinates are put back afterwards. A power of two, so that scaling itself rounds nothing.
 pub(super) const SCALE: f64 = 256.0;
 
 /// Convex pieces that are merged while they stay convex (Hertel, Mehlhorn 1983, Fast triangulation of simple
 /// polygons).
 pub(super) struct Pieces {
     places: Vec<DVec2>,
-    /// Corners of each piece, counter-clockwise; empty once it is part of another.
+    /// Corners of each piece (indices in `places`), counter-clockwise; empty once the piece is part of another.
     rings: Vec<Vec<u32>>,
-    /// Sides between two triangles that are no lines, each in one direction.
+    /// Triangle sides that are no lines of the region: the ends, and the two triangles beside it. Each is listed once.
     diagonals: Vec<([u32; 2], [usize; 2])>,
     /// Whether each triangle lies inside of the region.
     is_inside: Vec<bool>,
-    /// For each triangle, one whose piece it belongs to; the last of such a chain is itself.
+    /// For each triangle, another one in the same piece; the last of such a chain points to itself and names the piece.
     joined: Vec<usize>,
     /// How many diagonals have been tried.
     tried: usize,
 }
 
 impl Pieces {
-    /// The triangles of a constrained triangulation of these lines, with the edges that these have become.
+    /// Begins with a constrained triangulation of `lines`: the mesh, and the mesh edges that the lines have become.
+    /// Each triangle is a piece.
     pub fn new(
         (mesh, walls): (Delaunay, Vec<[u32; 2]>),
         lines: &[[DVec2; 2]],
         is_inside: impl Fn(DVec2) -> bool,
     ) -> Self {
         let key = |p: DVec2| p.to_array().map(|v| (v * 4096.0).round() as i64);
-        // Rounding moves a point by less than a cell of this grid, so its own coordinates are in this cell or beside
-        // it.
+        // Rounding moves a point by less than a cell of this grid. So the exact coordinates are in the same cell or in
+        // one beside it.
         let exact: BTreeMap<[i64; 2], DVec2> = lines
             .iter()
             .flatten()
@@ -88,7 +89,8 @@ impl Pieces {
         sum / ring.len() as f64
     }
 
-    /// Whether each piece lies inside, by one place of those that no line divides.
+    /// Whether each piece lies inside of the region. Pieces with no line between them lie on the same side, so one test
+    /// serves them all.
     fn sides_of(&self, is_inside: impl Fn(DVec2) -> bool) -> Vec<bool> {
         let mut beside = vec![Vec::new(); self.rings.len()];
         for (_, [one, other]) in &self.diagonals {
@@ -112,8 +114,8 @@ impl Pieces {
         found.into_iter().map(|side| side == Some(true)).collect()
     }
 
-    /// Removes each diagonal whose pieces lie on one side and make a convex polygon together. Each takes one off `amount`,
-    /// until nothing is left of it; true after the last one.
+    /// Removes each diagonal whose two pieces lie on the same side of the outline and are convex together. Each
+    /// diagonal takes one off `amount`, and the work pauses at 0. True after the last diagonal.
     pub fn merge(&mut self, amount: &mut usize) -> bool {
         while self.tried < self.diagonals.len() && *amount > 0 {
             let (side, owners) = self.diagonals[self.tried];
@@ -142,7 +144,7 @@ impl Pieces {
 
     /// Two pieces as one, without the side between them; none if that is not convex.
     fn union(&self, [a, b]: [u32; 2], one: usize, other: usize) -> Option<Vec<u32>> {
-        // The first piece from b round to a, then the second one from behind a to before b.
+        // The first piece from b round to a, then the second one from the corner after a to the one before b.
         let mut ring = from(&self.rings[one], b)?;
         let rest = from(&self.rings[other], a)?;
         ring.extend(&rest[1..rest.len() - 1]);
@@ -156,7 +158,7 @@ impl Pieces {
     }
 }
 
-/// A ring that begins at a corner.
+/// A ring turned to begin at a corner; none if the corner is not in it.
 fn from(ring: &[u32], corner: u32) -> Option<Vec<u32>> {
     let at = ring.iter().position(|&v| v == corner)?;
     Some([&ring[at..], &ring[..at]].concat())

@@ -5,7 +5,7 @@ use super::pieces::{Pieces, SCALE};
 use crate::planar::LineTriangulation;
 use glam::DVec2;
 
-/// Rectangles with shorter sides are triangulated (metres): rounding may join their corners.
+/// Rectangles with a side up to this are triangulated, as rounding might join their corners (metres).
 const PLAIN: f64 = 0.01;
 
 /// The outline of a face in (s, t): loops that do not cross, the face to the left of each.
@@ -34,8 +34,9 @@ impl Region {
         self.loops.iter().flatten().map(|&p| [p, p]).reduce(grow)
     }
 
-    /// The region as a single convex part, if it is a rectangle along s and t. It begins with the corner with which a
-    /// triangulation ends: the two triangles beside the diagonal from the first corner are merged there.
+    /// The region as a single convex part, if it is a rectangle along s and t. The part begins with the loop's third
+    /// corner, as it would after a triangulation: that merges the two triangles beside the diagonal from the first
+    /// corner.
     fn rectangle(&self) -> Option<Footprint> {
         let [low, high] = self.bounds()?;
         let [ring] = &self.loops[..] else { return None };
@@ -52,7 +53,7 @@ impl Region {
         part.filter(|_| is_right && is_left && is_wide)
     }
 
-    /// All sides in their direction.
+    /// All sides, from start to end in the direction of their loops.
     pub fn sides(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
         self.loops.iter().flat_map(|ring| {
             let last = ring.last().zip(ring.first()).map(|(&a, &b)| [a, b]);
@@ -63,7 +64,7 @@ impl Region {
     /// How far a ray goes from a place along a unit vector until it meets the border; none if it never does.
     /// Borders nearer than `skip` do not count (metres).
     pub fn ray(&self, from: DVec2, way: DVec2, skip: f64) -> Option<f64> {
-        // Most sides lie off the ray's line: their places along it are not needed.
+        // Most sides do not cross the ray's line, so their places along it are found only when needed.
         let off = |p: DVec2| (p - from).perp_dot(way);
         let along = |p: DVec2| (p - from).dot(way);
         let places = self.sides().filter_map(|[a, b]| {
@@ -74,8 +75,8 @@ impl Region {
         places.filter(|&x| x > skip).reduce(f64::min)
     }
 
-    /// The region as convex polygons that do not overlap, and its complement in a box as others. A convex hole is one
-    /// polygon. The box is the bounding box, wider by `margin` along s and t (metres, at least 0).
+    /// Convex polygons that do not overlap: those of the region, then those of its complement in a box. A convex hole
+    /// is one polygon. The box is the bounding box, wider by `margin` along s and t (metres, at least 0).
     pub fn convex_parts(&self, margin: DVec2) -> [Vec<Footprint>; 2] {
         let mut work = PartsWork::new(self, margin);
         loop {
@@ -96,9 +97,9 @@ pub struct PartsWork {
 enum PartsStep {
     /// The region is a single part, without a margin.
     Plain(Footprint),
-    /// The lines are triangulated.
+    /// The lines are being triangulated.
     Lines(LineTriangulation),
-    /// Triangles are merged.
+    /// Triangles are being merged.
     Merge(Pieces),
     /// Nothing is left.
     Done,
@@ -116,7 +117,7 @@ impl PartsWork {
         }
     }
 
-    /// Begins with the lines of a region.
+    /// Begins with the triangulation of the region's sides and of the box around it.
     fn triangulated(region: &Region, margin: DVec2) -> Self {
         let Some([low, high]) = region.bounds() else {
             let (lines, step) = (Vec::new(), PartsStep::Done);
@@ -136,8 +137,8 @@ impl PartsWork {
         Self { lines, step }
     }
 
-    /// Goes on with the same region. Each point, line or diagonal takes one off `amount`, and the work pauses when nothing is
-    /// left of it. Returns the parts at the end, once.
+    /// Goes on with the same region. Each point, line or diagonal takes one off `amount`, and the work pauses at 0.
+    /// Returns the parts at the end, once.
     pub fn advance(&mut self, region: &Region, amount: &mut usize) -> Option<[Vec<Footprint>; 2]> {
         if let PartsStep::Lines(lines) = &mut self.step {
             if !lines.advance(amount) {
@@ -241,7 +242,7 @@ mod tests {
         }
     }
 
-    /// The parts that a triangulation has.
+    /// The parts of a region by way of a triangulation, even if it is a rectangle.
     fn triangulated(region: &Region) -> [Vec<Footprint>; 2] {
         let mut work = PartsWork::triangulated(region, DVec2::ZERO);
         let parts = work.advance(region, &mut { usize::MAX });

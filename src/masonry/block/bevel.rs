@@ -3,20 +3,20 @@
 use super::polyhedron::Polyhedron;
 use glam::DVec3;
 
-/// The largest share of a side's edge that the bevel takes.
+/// The bevels at the two ends of a side's edge take at most this share of its length.
 const MOST_SHARE: f64 = 0.6;
 
-/// Polygons in space with common corners: closed, each one counter-clockwise seen from outside.
+/// A closed triangle mesh with shared vertices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BlockMesh {
-    /// The corners (metres).
+    /// The vertices (metres).
     pub positions: Vec<DVec3>,
     /// Triangles, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl BlockMesh {
-    /// Area-weighted unit normals of the corners.
+    /// Area-weighted unit normals of the vertices; upwards where they cancel out.
     pub fn normals(&self) -> Vec<DVec3> {
         let mut sums = vec![DVec3::ZERO; self.positions.len()];
         for t in &self.triangles {
@@ -30,14 +30,14 @@ impl BlockMesh {
             .collect()
     }
 
-    /// The triangles of a convex ring, as a fan.
+    /// Adds the triangles of a convex ring, as a fan from its first corner.
     fn fan(&mut self, ring: &[u32]) {
         for pair in ring[1..].windows(2) {
             self.triangles.push([ring[0], pair[0], pair[1]]);
         }
     }
 
-    /// The triangles of a ring around its middle.
+    /// Adds the mean of a ring's corners as a vertex, and the triangles between it and the ring.
     fn star(&mut self, ring: &[u32]) {
         let middle: DVec3 = ring.iter().map(|&v| self.positions[v as usize]).sum();
         self.positions.push(middle / ring.len() as f64);
@@ -70,8 +70,8 @@ pub struct Bevelled {
 }
 
 impl Bevelled {
-    /// Cuts the edges of a body at `width` from them, measured on its sides (metres, at least 0). Sides too narrow for
-    /// that get a narrower bevel.
+    /// Bevels all edges of a body. The cuts lie at `width` from each edge, measured on the sides (metres, at least 0).
+    /// Sides too narrow for that get a narrower bevel.
     pub fn new(body: &Polyhedron, width: f64) -> Self {
         let mut positions = Vec::new();
         let rings: Vec<Vec<u32>> = body
@@ -93,7 +93,7 @@ impl Bevelled {
         }
     }
 
-    /// The bevelled body, its sides as fans: the plain block.
+    /// The mesh of a plain block: the ring of each side becomes a fan.
     pub fn facets(self) -> BlockMesh {
         let mut facets = self.edges_and_knots();
         for ring in &self.rings {
@@ -139,7 +139,7 @@ fn inset_ring(ring: &[DVec3], width: f64) -> Vec<DVec3> {
         let back = (ring[(k + count - 1) % count] - at).normalize();
         let on = (ring[(k + 1) % count] - at).normalize();
         let sine = back.cross(on).length().max(1e-6);
-        // How far the corner moves along its edges, and in all, for each unit of width.
+        // For each unit of width: the length that the corner takes off its edges, and its displacement.
         ((1.0 + back.dot(on)) / sine, (back + on) / sine)
     };
     let corners: Vec<(f64, DVec3)> = (0..count).map(corner).collect();
@@ -154,13 +154,14 @@ fn inset_ring(ring: &[DVec3], width: f64) -> Vec<DVec3> {
         .collect()
 }
 
-/// A corner of a side: the vertex, those before and behind it, and its place in the side's new ring.
+/// A corner of a side: its vertex, and those before it and after it (`behind`) in the side. `number` is the index of
+/// the new corner in `positions`.
 struct SideCorner {
     vertex: u32,
     before: u32,
     behind: u32,
     number: u32,
-    /// The next corner's place in the ring.
+    /// The `number` of the next corner in the ring.
     next: u32,
 }
 
@@ -181,7 +182,7 @@ impl SideCorners {
         Self(corners.collect())
     }
 
-    /// The corner of the side beyond the edge that leaves this corner, at the same vertex.
+    /// The corner at the same vertex in the neighbouring side, across the edge from `vertex` to `behind`.
     fn beyond(&self, corner: &SideCorner) -> Option<&SideCorner> {
         let is_it =
             |other: &&SideCorner| other.vertex == corner.vertex && other.before == corner.behind;
@@ -201,7 +202,7 @@ impl SideCorners {
         strips.collect()
     }
 
-    /// A polygon at each vertex, through the rings of its sides.
+    /// A polygon at each vertex: the new corners of the sides around it.
     fn knots(&self, vertices: usize) -> Vec<Vec<u32>> {
         let around = (0..vertices as u32).filter_map(|vertex| {
             let first = self.0.iter().find(|corner| corner.vertex == vertex)?;

@@ -8,7 +8,7 @@ use smallvec::{SmallVec, smallvec};
 const ON: f64 = 1e-9;
 
 impl Polyhedron {
-    /// The part behind a plane; the new side gets this inset (metres). None if no volume is left.
+    /// The part on the inner side of a plane; the new side gets this inset (metres). None if no volume is left.
     pub fn cut(&self, plane: Plane, inset: f64) -> Option<Self> {
         let on_plane = |distance: f64| if distance.abs() < ON { 0.0 } else { distance };
         let inwards: SmallVec<[f64; 16]> = self
@@ -45,7 +45,7 @@ impl Polyhedron {
         (body.sides.len() > 3 && body.volume() > LEAST_VOLUME).then_some(body)
     }
 
-    /// The same without unused vertices.
+    /// The body without unused vertices.
     fn compacted(mut self) -> Self {
         let mut numbers: SmallVec<[Option<u32>; 24]> = smallvec![None; self.vertices.len()];
         let mut kept = Vec::with_capacity(self.vertices.len());
@@ -65,7 +65,7 @@ struct Cutting {
     body: Polyhedron,
     /// Distance of each old vertex from the plane, positive where it stays.
     inwards: SmallVec<[f64; 16]>,
-    /// The new vertices by the ends of their edges, the smaller number first.
+    /// For each new vertex: the ends of the old edge on which it lies, the smaller number first, and its own number.
     crossings: SmallVec<[([u32; 2], u32); 8]>,
 }
 
@@ -91,8 +91,8 @@ impl Cutting {
         }
     }
 
-    /// The part of a side's corners that lies inside, with those where its edges meet the plane (Sutherland, Hodgman
-    /// 1974, Reentrant polygon clipping).
+    /// The ring of a side clipped by the plane: the corners inside, and those where edges cross the plane (Sutherland,
+    /// Hodgman 1974, Reentrant polygon clipping).
     fn cut_ring(&mut self, ring: &[u32]) -> SideCorners {
         let is_inside = |all: &Self, v: u32| all.inwards[v as usize] >= 0.0;
         let mut corners = SideCorners::new();
@@ -131,7 +131,7 @@ impl Cutting {
         v
     }
 
-    /// The ring of the new side: the edges in the plane that have one side only, backwards.
+    /// The ring of the new side: the edges in the plane that belong to one side only, each reversed.
     fn rim(&self) -> SideCorners {
         let edges = self.body.sides.iter().flat_map(|side| {
             let next = side.corners.iter().cycle().skip(1);

@@ -12,14 +12,14 @@ pub struct Dressing {
     pub chamfer: f64,
     /// The greatest turn about the outward direction (radians, at least 0).
     pub turn: f64,
-    /// The greatest way outwards or inwards (metres, at least 0).
+    /// The greatest displacement outwards or inwards (metres, at least 0).
     pub shift: f64,
     /// The seed.
     pub seed: u64,
 }
 
 impl Dressing {
-    /// Bricks: 4 mm of chamfer, 0.35 degrees, 2 mm.
+    /// Bricks: a chamfer of 4 mm, turns up to 0.35 degrees, shifts up to 2 mm.
     pub const BRICK: Self = Self {
         chamfer: 0.004,
         turn: 0.006,
@@ -27,8 +27,8 @@ impl Dressing {
         seed: crate::random::SEED,
     };
 
-    /// How cell number `cell`, which looks towards `outwards` (unit vector), lies out of true: a turn about its
-    /// middle, and a way (metres).
+    /// How cell number `cell`, which looks towards `outwards` (unit vector), lies out of true: a rotation about its
+    /// centre, and a displacement (metres).
     pub fn out_of_true(&self, outwards: DVec3, cell: u32) -> (DQuat, DVec3) {
         let mut random = Random::new(self.seed, Purpose::Turn, u64::from(cell));
         let angle = 0.5 * self.turn * random.signed();

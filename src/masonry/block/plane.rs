@@ -12,7 +12,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The plane through a point, across a direction that is not zero.
+    /// The plane through a point, with its normal along `outwards`, which is not zero.
     pub fn through(point: DVec3, outwards: DVec3) -> Self {
         let normal = outwards.normalize();
         Self {
@@ -33,7 +33,7 @@ impl Plane {
         })
     }
 
-    /// Its normal alone.
+    /// The unit normal of a ring's mean plane; none without area.
     fn normal_of(ring: impl Iterator<Item = DVec3>) -> Option<DVec3> {
         across(ring).try_normalize()
     }
@@ -49,7 +49,7 @@ impl Plane {
         self.normal.dot(p) - self.offset
     }
 
-    /// The same, moved inwards by `by` (metres).
+    /// The plane moved inwards by `by` (metres).
     pub fn inset(self, by: f64) -> Self {
         Self {
             offset: self.offset - by,

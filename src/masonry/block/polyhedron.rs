@@ -5,26 +5,27 @@ use crate::masonry::footprint::Footprint;
 use glam::{DQuat, DVec2, DVec3};
 use smallvec::{SmallVec, smallvec};
 
-/// Bodies below this volume are nothing (cubic metres).
+/// Bodies below this volume count as empty (cubic metres).
 pub(super) const LEAST_VOLUME: f64 = 1e-12;
 
-/// The numbers of a side's corners. Most sides have four, and a list of up to eight needs no allocation.
+/// The vertex numbers of a side's corners. Most sides have four, and a list of up to eight needs no allocation.
 pub type SideCorners = SmallVec<[u32; 8]>;
 
 /// A side of a block.
 #[derive(Debug, PartialEq)]
 pub struct Side {
-    /// The numbers of its corners, counter-clockwise seen from outside.
+    /// Indices of the corners among the polyhedron's vertices, counter-clockwise seen from outside.
     pub corners: SideCorners,
     /// How far the geometry stays behind this side: half a joint, or 0 where it is exposed (metres, at least 0).
     pub inset: f64,
-    /// The height of its bumps (metres); 0 is smooth. Generators mark the polygons of their cells so (section 5.5).
+    /// The height of bumps on this side (metres); 0 is smooth. Generators set it for the sides of their cells (Legakis,
+    /// Dorsey, Gortler 2001, section 5.5).
     pub roughness: f64,
 }
 
 impl Clone for Side {
     fn clone(&self) -> Self {
-        // A copy of all corners at once: the list's own way is one by one.
+        // Copies all corners at once; `SmallVec::clone` would copy one by one.
         Self {
             corners: SmallVec::from_slice(&self.corners),
             ..*self
@@ -32,7 +33,7 @@ impl Clone for Side {
     }
 }
 
-/// A convex polyhedron: closed, each side outwards. On curved walls its sides are nearly plane.
+/// A closed convex polyhedron whose sides face outwards. On curved walls its sides are only nearly plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polyhedron {
     pub(super) vertices: Vec<DVec3>,
@@ -41,8 +42,8 @@ pub struct Polyhedron {
 
 impl Polyhedron {
     /// The prism on a footprint between the heights `low < high` above the surface (metres; below 0 is inside of the
-    /// wall), with the insets of its lower and of its upper end. `map` gives the places of (s, t) and height; it keeps
-    /// handedness.
+    /// wall). Its lower and upper ends get the insets `below` and `above`. `map` takes (s, t) and a height to a point
+    /// in space, and keeps handedness.
     pub fn prism(
         base: &Footprint,
         [low, high]: [f64; 2],
@@ -70,7 +71,7 @@ impl Polyhedron {
         Self::of_rings([&low[..], &high[..]].concat())
     }
 
-    /// The same with the vertices of both rings in one list.
+    /// The body between two rings in one list: the first half is the first ring, the second half the second one.
     fn of_rings(vertices: Vec<DVec3>) -> Self {
         let count = vertices.len() as u32 / 2;
         let walls = (0..count).map(|k| {
@@ -97,8 +98,8 @@ impl Polyhedron {
         self.sides.len() > 3 && self.sides.iter().all(has_area) && self.volume() > LEAST_VOLUME
     }
 
-    /// The body with some of its sides moved out by a distance (metres): the body of a cell that stands out of the
-    /// wall. More than two of the planes may only meet at right angles.
+    /// The body with the sides in `planes` moved out by `by` (metres): the body of a cell that stands out of the wall.
+    /// Three or more of the planes may meet in a vertex only at right angles.
     pub fn raised(mut self, planes: &[Plane], by: f64) -> Self {
         for p in &mut self.vertices {
             let on = planes
@@ -150,7 +151,7 @@ impl Polyhedron {
             .map(|side| Plane::of_ring(self.ring(side)).expect("a side has an area"))
     }
 
-    /// Sets the inset of each side by its plane (metres, at least 0).
+    /// Sets the inset of each side (metres, at least 0): `inset` gets its plane and its old inset.
     pub fn with_insets(mut self, mut inset: impl FnMut(Plane, f64) -> f64) -> Self {
         let insets: Vec<f64> = self
             .planes()
@@ -163,7 +164,7 @@ impl Polyhedron {
         self
     }
 
-    /// Sets the inset of each side by its corners (metres, at least 0).
+    /// Sets the inset of each side (metres, at least 0): `inset` gets the side with its corners.
     pub fn with_insets_of(mut self, inset: impl Fn(&Side) -> f64) -> Self {
         self.sides
             .iter_mut()
@@ -171,7 +172,8 @@ impl Polyhedron {
         self
     }
 
-    /// Marks each side by its plane as rough or smooth (the height of its bumps, metres).
+    /// Sets the roughness of each side: `roughness` gets its plane and returns the height of bumps (metres, 0 is
+    /// smooth).
     pub fn with_roughness(mut self, roughness: impl Fn(Plane) -> f64) -> Self {
         let marks: Vec<f64> = self.planes().map(roughness).collect();
         for (side, mark) in self.sides.iter_mut().zip(marks) {
@@ -180,7 +182,7 @@ impl Polyhedron {
         self
     }
 
-    /// Whether a side is marked as rough.
+    /// Whether any side is rough.
     pub fn has_rough_sides(&self) -> bool {
         self.sides.iter().any(|side| side.roughness > 0.0)
     }
@@ -204,7 +206,7 @@ impl Polyhedron {
         self.vertices.iter().sum::<DVec3>() / self.vertices.len() as f64
     }
 
-    /// The corner with the smallest coordinates of the bounding box, and that with the largest.
+    /// The corners of the bounding box with the smallest and with the largest coordinates.
     pub fn bounds(&self) -> [DVec3; 2] {
         let grow = |[low, high]: [DVec3; 2], &p: &DVec3| [low.min(p), high.max(p)];
         self.vertices.iter().fold([self.vertices[0]; 2], grow)
@@ -216,7 +218,8 @@ impl Polyhedron {
             .all(|plane| self.vertices.iter().all(|&p| plane.distance(p) <= slack))
     }
 
-    /// The part that two bodies share; its sides keep the insets of the first.
+    /// The part that two bodies share, with the insets of the first; the sides of the second get none. None if nothing
+    /// is shared.
     pub fn intersection(&self, other: &Self) -> Option<Self> {
         let ([low, high], [from, to]) = (self.bounds(), other.bounds());
         if low.cmpge(to).any() || from.cmpge(high).any() {

@@ -1,8 +1,8 @@
 //! Rounded, rough stones that may be seen from all sides.
 //!
-//! The control mesh of a stone is the bevelled block with support rings ([`Bevelled::supported`]). Loop's scheme
-//! rounds it (Loop 1987, Smooth subdivision surfaces based on triangles), and noise moves its vertices along their
-//! normals. A stone never leaves the space that it claims, but for what it may bulge at its exposed sides.
+//! The control mesh of a stone is the bevelled block with support rings ([`Bevelled::supported`]). Loop's scheme rounds
+//! it (Loop 1987, Smooth subdivision surfaces based on triangles), and noise moves its vertices along their normals. A
+//! stone stays inside of the space that it claims; only at exposed sides it may bulge out.
 
 use super::bevel::{Bevelled, BlockMesh};
 use super::plane::Plane;
@@ -13,13 +13,13 @@ use crate::solid::Stencil;
 use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
 
-/// Values of the noise between two points of its coarse grid.
+/// Noise values for each step of the coarse grid.
 const DENSE: f64 = 8.0;
-/// Doublings of the noise's side, and those of its coarse step.
+/// Base-2 logarithms of the noise tile's side and of its coarse step, counted in values.
 const TILE: [u32; 2] = [7, 3];
 /// The fractal dimension of the noise's profiles.
 const DIMENSION: f64 = 1.25;
-/// The depth of the support rings, in widths of the bevel.
+/// The distance from the bevel to the support rings, in widths of the bevel.
 const SUPPORT: f64 = 1.2;
 /// The most Loop steps.
 const MOST_STEPS: u32 = 4;
@@ -29,8 +29,8 @@ const MOST_STEPS: u32 = 4;
 pub struct Rough {
     /// Width of the rounded edges (metres, at least 0).
     pub bevel: f64,
-    /// Height of bumps on all sides: the displacement has twice this range (metres, at least 0). Sides that are marked
-    /// as rough have their own height beside it.
+    /// Height of bumps on all sides: noise moves vertices by up to this height out or in (metres, at least 0). The
+    /// roughness of a side is added to it.
     pub height: f64,
     /// Waves of the widest bumps in a metre, above 0.
     pub frequency: f64,
@@ -121,7 +121,8 @@ impl Stonecutter {
         }
     }
 
-    /// The control mesh after Loop steps. Positions are taken about the middle: weights are single precision.
+    /// The control mesh after `steps` Loop steps. Positions are taken relative to `middle`, as the weights are single
+    /// precision.
     fn refined(
         &mut self,
         control: &BlockMesh,
@@ -146,7 +147,7 @@ impl Stonecutter {
         (positions.collect(), stencil.triangles.to_vec())
     }
 
-    /// Noise of deviation about 1: the sum of noise in three planes at right angles.
+    /// Noise from -1 to 1, of deviation about 0.5: the sum of noise in three planes at right angles.
     fn noise_at(&self, p: DVec3) -> f64 {
         let p = p * DENSE;
         let plane = |x: f64, y: f64| f64::from(self.noise.between(x as f32, y as f32));
@@ -155,8 +156,8 @@ impl Stonecutter {
     }
 }
 
-/// The planes that a stone must not pass: the sides of its claim, with exposed ones moved out by a bulge. Each has the
-/// height of its side's bumps.
+/// The planes that a stone must not pass: the sides of its claim, exposed ones moved out by the bulge. The number
+/// beside each plane is the roughness of its side (metres).
 struct Limits(Vec<(Plane, f64)>);
 
 impl Limits {
@@ -169,8 +170,8 @@ impl Limits {
         Self(limits.collect())
     }
 
-    /// The height of bumps where the surface looks towards `normal`: that of the side which looks there, or a mean of
-    /// several.
+    /// The height of bumps where the surface looks towards `normal`: a mean over the sides, which weighs most those
+    /// that look there, too.
     fn roughness(&self, normal: DVec3) -> f64 {
         let (mut sum, mut all) = (0.0, 0.0);
         for (plane, height) in &self.0 {
@@ -182,7 +183,8 @@ impl Limits {
         if all > 0.0 { sum / all } else { 0.0 }
     }
 
-    /// A vertex moved by `wanted` along its normal, or by less: it stays inside. It is given from the middle.
+    /// A vertex moved along its normal by `wanted`, or by less so that it stays inside of all planes. `p` and the
+    /// result are relative to `middle`.
     fn limited(&self, p: DVec3, normal: DVec3, wanted: f64, middle: DVec3) -> DVec3 {
         let room = self.0.iter().map(|(plane, _)| {
             let (slope, left) = (plane.normal.dot(normal), -plane.distance(p + middle));
@@ -196,7 +198,7 @@ impl Limits {
     }
 }
 
-/// Where the noise of a cell begins.
+/// The place in the noise at which a cell begins: 0 to 16 along each axis.
 fn offset(seed: u64, cell: u32) -> DVec3 {
     let mut random = Random::new(seed, Purpose::Distortion, u64::from(cell));
     DVec3::new(random.unit(), random.unit(), random.unit()) * 16.0

@@ -15,20 +15,20 @@ use glam::{DVec2, DVec3};
 
 /// The width of an arch's bricks, in courses.
 const BRICK_WIDTH: f64 = 0.75;
-/// Units that jamb stones reach into the face and into the reveal, or the other way round.
+/// Columns that jamb stones reach into the wall and into the reveal, the other way round at every other stone.
 const JAMB: [usize; 2] = [3, 2];
 
 /// A line or an arc of an opening's edge on a wall, with the side on which the wall lies.
 #[derive(Clone, Copy, Debug)]
 enum Curve {
-    /// From a place along a unit vector; the wall lies towards the other one.
+    /// From a place along the unit vector `along`; the wall lies towards `inwards`.
     Line {
         from: DVec2,
         along: DVec2,
         inwards: DVec2,
     },
-    /// About a centre; `turn` is radians for each metre along it. The wall lies outside if `out` is 1, inside if it is
-    /// -1.
+    /// About a centre; `turn` is the angle for each metre along the curve (radians). The wall lies outside if `out` is
+    /// 1, inside if it is -1.
     Arc {
         centre: DVec2,
         start: DVec2,
@@ -47,7 +47,7 @@ impl Curve {
         }
     }
 
-    /// The place at a length along it, and at a distance from it into the wall.
+    /// The place at `along` metres along the curve, and `off` metres from it into the wall.
     fn at(&self, along: f64, off: f64) -> DVec2 {
         match *self {
             Self::Line {
@@ -85,8 +85,8 @@ struct RimPiece {
     wall: FaceId,
     curve: Curve,
     length: f64,
-    /// How deep stones reach into the reveal: about as deep as wanted, at most half of it if both ends are edges of
-    /// walls (metres).
+    /// How deep stones reach into the reveal (metres): about as deep as wanted, at most half of it if another convex
+    /// edge lies at its far end.
     depth: f64,
 }
 
@@ -122,8 +122,8 @@ impl Site {
         }
     }
 
-    /// Rings of bricks along the parts of an edge that are not upright, on the face that looks less upwards; the
-    /// upright parts are as those of Bricks.
+    /// Rings of bricks on the wall along the parts of an edge that are not upright. Upright parts are laid as by
+    /// Bricks.
     pub fn arch_bricks(&mut self, id: EdgeId, node: &GeneratorNode, bond: &BrickBond) {
         let module = self.plan.module;
         let row = StoneRow {
@@ -158,7 +158,8 @@ impl Site {
         }
     }
 
-    /// The length of a lintel's last row that ends at the next course line above; that of others as it is.
+    /// The length of a lintel's last row, changed by half a course at most so that it ends at a course line. Rows on
+    /// arcs keep their length.
     fn snapped(&self, ring: &RimPiece, off: f64, length: f64) -> f64 {
         let Curve::Line { from, inwards, .. } = ring.curve else {
             return length;
@@ -314,7 +315,8 @@ impl Site {
         Some(curve(if is_outside { 1.0 } else { -1.0 }))
     }
 
-    /// How deep a reveal is behind a place of its edge.
+    /// How deep stones may reach into a reveal from a place of its edge (metres): half of it if another convex edge
+    /// lies at its far end.
     fn reveal(&self, edge: &Edge, face: FaceId, along: f64) -> f64 {
         let of = &self.face(face).surface;
         let place = of.project(edge.path.point(along)).truncate();
@@ -350,7 +352,8 @@ impl Site {
         })
     }
 
-    /// Stones of some courses at an upright edge, which reach far into the wall and into the reveal in turn.
+    /// Stones of some courses along an upright edge. In turn they reach farther into the wall and farther into the
+    /// reveal.
     fn jamb_stones(&mut self, id: EdgeId, node: &GeneratorNode, run: &Run) {
         let courses = node.count("quoin");
         let spans = self.intervals(run);

@@ -21,7 +21,7 @@ const LONGEST: usize = 4;
 /// The most rows of an edge stone.
 const HIGHEST: usize = 3;
 
-/// Which random numbers a feature gets.
+/// The number of a feature's stream of random numbers.
 fn item(feature: Feature) -> u64 {
     match feature {
         Feature::Corner(id) => 1 << 32 | u64::from(id.0),
@@ -35,7 +35,8 @@ fn random(seed: u64, feature: Feature) -> Random {
 }
 
 impl Site {
-    /// A single stone at a corner, three units by two; in the wall off the corner of an opening, one as large as fits.
+    /// A single stone at a corner, three units by two. At the corner of an opening, the largest stone that fits into
+    /// the wall diagonally off it.
     pub fn ashlar_corner(&mut self, id: CornerId, node: &GeneratorNode) {
         let quadrants = self.quadrants(id);
         let rim = quadrants
@@ -97,7 +98,8 @@ impl Site {
         }
     }
 
-    /// A stone along an upright run: `units` are those into the long and into the short side.
+    /// A stone along an upright run. It reaches `units[0]` columns into side `long`, and `units[1]` into the other
+    /// side.
     pub fn edge_stone(
         &self,
         run: &Run,
@@ -169,7 +171,7 @@ impl Site {
             let mut rest = &units[..];
             while let Some(first) = rest.first() {
                 let count = (1 + random.below(most)).min(rest.len());
-                // No single unit is left behind.
+                // The stone takes one unit more if a single unit would be left behind.
                 let count = if rest.len() - count == 1 && count < most {
                     count + 1
                 } else {
@@ -197,7 +199,8 @@ impl Site {
         );
     }
 
-    /// How deep stones reach: no deeper than edge stones reach on neighbouring faces, which is one unit at the least.
+    /// How deep stones reach (metres): no deeper than edge stones reach on neighbouring faces, which is one unit at the
+    /// least.
     fn ashlar_depth(&self, face: FaceId) -> f64 {
         self.depth(face)
     }
@@ -221,9 +224,9 @@ impl Site {
     }
 }
 
-/// Fills a face. Free units are visited in nearly the order of rows. At each the largest random rectangle that fits
-/// becomes a stone; then stones of one unit are merged with neighbours at random while the union is a rectangle and not
-/// too large.
+/// Fills a face. Free units are visited in nearly the order of rows. At each a rectangle of random size, shrunk until
+/// it fits, becomes a stone. Then stones of one unit are merged with neighbours at random while the union is a
+/// rectangle and not too large.
 pub(super) struct AshlarWork {
     id: FaceId,
     node: GeneratorNode,

@@ -13,9 +13,9 @@ const DEEPEST: f64 = 16.0;
 /// The bond: how many columns cells take.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BrickBond {
-    /// Columns that an edge's cell reaches into the face on which it lies along.
+    /// Columns that an edge's cell reaches into the face along which it lies.
     pub long: usize,
-    /// Columns that it reaches into the other face.
+    /// Columns that this cell reaches into the other face.
     pub short: usize,
     /// The sort of a cell that is not cut.
     pub sort: CellSort,
@@ -64,7 +64,7 @@ impl Site {
         }
     }
 
-    /// The free part of an interval of a run, around its middle.
+    /// The free part of an interval of a run around its middle; none if it is a quarter of the interval or less.
     pub fn free_part(&self, run: &Run, [from, to]: [f64; 2]) -> Option<[f64; 2]> {
         let middle = 0.5 * (from + to);
         let mut free = self.free(run).into_iter();
@@ -121,7 +121,8 @@ impl Site {
         }
     }
 
-    /// The number of columns in a period, by which lines of whole cylinders are numbered ahead.
+    /// The number of columns in the period of a whole cylinder, on which [`Self::lines`] begin a period early; 0 on
+    /// other faces.
     pub fn turn(&self, face: FaceId) -> isize {
         let is_closed = self.face(face).surface.period().is_some();
         if is_closed {
@@ -151,7 +152,7 @@ impl Site {
         }
     }
 
-    /// Joins pairs of neighbouring intervals that make a brick of a row. Also tells whether each is a pair.
+    /// Joins pairs of neighbouring intervals that make a brick of a row. Each is returned with whether it is a pair.
     fn paired(
         &self,
         face: FaceId,

@@ -76,18 +76,19 @@ pub struct MasonryCell {
     pub sort: CellSort,
     /// The space that it fills; sides at joints have insets, exposed ones have none.
     pub claimed: Arc<Polyhedron>,
-    /// The same, with what stands out of the wall: its shape before it is shrunk. Most cells have one body for both.
+    /// The claimed space together with the part that stands out of the wall, before it is shrunk to its joints. Most
+    /// cells share one body for both.
     pub body: Arc<Polyhedron>,
     /// The unit vector in which its front looks.
     pub outwards: DVec3,
-    /// The space that it claims on faces.
+    /// The space that it claims on faces, in the (s, t) of each.
     pub claims: Vec<(FaceId, Footprint)>,
     /// The place on its face that was clipped to the free space, if something was cut off.
     pub unclipped: Option<Box<Footprint>>,
 }
 
-/// The passes of the laying, in their order (Legakis, Dorsey, Gortler 2001, section 4.2). Panels of all faces come before
-/// the rest of the faces, as in figure 8 (e).
+/// The passes of the laying, in their order (Legakis, Dorsey, Gortler 2001, section 4.2). The panels of all faces come
+/// before any other cells of faces, as in figure 8 (e).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum LayingPass {
     /// Corners.
@@ -96,13 +97,14 @@ pub enum LayingPass {
     Edges,
     /// Panels in faces.
     Panels,
-    /// The rest of the faces.
+    /// All other cells of faces.
     Faces,
 }
 
-/// Places that differ by less than about this are one (1/m).
+/// Steps per metre to which places are rounded for marks: nearer places get the same mark.
 const PLACES: f64 = 1e4;
-/// Keeps the middles of cells, which are multiples of parts of a module, away from the borders of places (metres).
+/// Added to the middles of cells before rounding (metres). They are multiples of parts of a module, and this keeps them
+/// away from the borders between steps.
 const AWAY: f64 = 3.17e-5;
 
 impl MasonryCell {

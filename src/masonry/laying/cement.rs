@@ -16,15 +16,14 @@ const CORNER: usize = 3;
 /// How far stones reach behind the edge, in modules.
 const DEEP: f64 = 2.0;
 
-/// The single block of other corners and edges.
+/// The bond of single blocks, for upright edges and for corners without a cast stone.
 const BLOCK: BrickBond = BrickBond {
     sort: CellSort::Stone,
     ..BrickBond::BRICKS
 };
 
 impl Site {
-    /// Lays the stone of a corner, which shows three sides. Corners at which no walls end below a level face get a
-    /// single block.
+    /// Lays the stone of a corner, which shows three sides. Corners that are no free top corners get a single block.
     pub fn cement_corner(&mut self, id: CornerId, node: &GeneratorNode) {
         let top = self
             .top_corner(id, false)

@@ -61,7 +61,7 @@ pub(super) fn chords(edge: &Edge) -> Vec<[f64; 2]> {
     chords.collect()
 }
 
-/// The ends of a chord in the turn of a cylinder in which a place lies.
+/// The ends of a chord, moved by whole periods of a cylinder to the turn in which `near` lies.
 pub(super) fn same_turn([a, b]: [DVec2; 2], near: DVec2, period: Option<f64>) -> [DVec2; 2] {
     let Some(period) = period else {
         return [a, b];

@@ -12,7 +12,7 @@ use glam::DVec2;
 
 /// Walls thicker than this have no coping, in modules.
 const THICKEST: f64 = 8.0;
-/// The length of the top of a wall is more than this many times its width.
+/// The top of a wall has a coping only if an edge beside it is longer than this many of its widths.
 const LONGER: f64 = 1.5;
 /// Faces that look up have at least this vertical part in their normals.
 const UP: f64 = 0.999;
@@ -25,10 +25,10 @@ const BEYOND: f64 = 4.0;
 #[derive(Clone, Debug)]
 struct Ledge {
     edge: EdgeId,
-    /// The top.
+    /// The top of the wall.
     face: FaceId,
     length: f64,
-    /// The place of its start on the top, and the way there for each metre along it.
+    /// The place of its start on the top, and (`along`) the displacement on the top for each metre.
     start: DVec2,
     along: DVec2,
     /// Unit vector across the top.
@@ -44,17 +44,17 @@ impl Ledge {
 /// How a coping ends.
 #[derive(Clone, Copy, Debug)]
 enum Turn {
-    /// It goes around.
+    /// The edge is closed, so the coping has no ends.
     Closed,
-    /// It stands over the end of its wall.
+    /// The coping stands over the end of its wall.
     Free,
-    /// It meets that of the next wall half-way.
+    /// The coping ends half-way to that of the next wall, at the border of this half-plane.
     Cut(HalfPlane),
 }
 
 impl Site {
-    /// Lays stones across the top of a wall, along the longer one of the two edges beside it. They stand on the top and
-    /// claim nothing in it. Where the wall turns, they meet half-way.
+    /// Lays stones across the top of a wall, along the longer one of the two edges beside it. Stones stand on the top
+    /// and claim nothing in it. Where the wall turns, the copings of both parts meet half-way.
     pub fn coping_edge(&mut self, id: EdgeId, node: &GeneratorNode) {
         for ledge in self.ledges(id) {
             let Some(width) = self.coped_width(&ledge) else {
@@ -202,7 +202,7 @@ impl Site {
             let others = walks.map(|walk| walk.edge).filter(|&id| id != ledge.edge);
             let beside = others.filter(|&id| self.passes(id, p, ON));
             let mut next = beside.flat_map(|id| self.ledges(id));
-            // The coping of a wall that turns the other way belongs to its other edge.
+            // It does not matter which of the two edges beside the next wall's top the next coping belongs to.
             let Some(next) = next.find(|other| self.coped(other).is_some()) else {
                 return Turn::Free;
             };

@@ -10,7 +10,7 @@ use crate::masonry::plan::is_wall;
 use crate::masonry::tree::GeneratorNode;
 use glam::DVec2;
 
-/// How far from a corner its quadrants are looked at (metres).
+/// How far from a corner its quadrants are probed (metres).
 const PROBE: f64 = 0.02;
 
 /// A corner's place on a wall, and which of its four quadrants lie in the wall.

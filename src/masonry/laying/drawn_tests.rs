@@ -1,7 +1,7 @@
 //! Every kind of pattern on random drawn plans: right-angled and oblique corners, open and closed lines, up to 20
 //! openings.
 //!
-//! More of them: `BUBBLESTONE_RECIPES=1000 cargo test --lib random_plans`.
+//! To run more of them: `BUBBLESTONE_RECIPES=1000 cargo test --lib random_plans`.
 
 use super::random_tests::assert_all;
 use super::{Laying, LayingParams, Measures};
@@ -65,7 +65,7 @@ fn closed(random: &mut Random) -> Vec<[i64; 2]> {
     corners
 }
 
-/// The building of a random plan that is not refused; openings may be.
+/// The building of a random plan. Plans are drawn until one is not refused; some of its openings may be.
 fn building(random: &mut Random, module: &Module) -> Building {
     loop {
         let corners = match random.below(2) {

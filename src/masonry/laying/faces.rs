@@ -15,11 +15,11 @@ use crate::masonry::tree::GeneratorNode;
 use glam::DVec2;
 use smallvec::SmallVec;
 
-/// Bricks of which less than this share of half a brick is free are slivers.
+/// A brick is a sliver if its free area is less than this share of half a brick.
 const SLIVER: f64 = 0.35;
 /// Smaller gaps stay mortar (square metres).
 const LEAST_GAP: f64 = 5e-4;
-/// A brick is whole if its area is this share of its place in the grid.
+/// A brick is whole if its area over that of its place in the grid lies in this range.
 const WHOLE: std::ops::RangeInclusive<f64> = 0.97..=1.15;
 
 /// A brick of a face's grid.
@@ -38,7 +38,7 @@ pub(super) struct BrickWork {
     id: FaceId,
     node: GeneratorNode,
     bond: BrickBond,
-    /// The bricks that each of the two phases makes, while they are counted.
+    /// The numbers of bricks in each of the two phases, while they are counted; none once bricks are laid.
     counts: Option<[usize; 2]>,
     shift: usize,
     /// The next row.
@@ -65,7 +65,7 @@ impl BrickWork {
 }
 
 impl SiteWork for BrickWork {
-    /// Counts or lays a row. A face that no edge gives a phase takes the one that makes fewer bricks (section 5.2).
+    /// Counts or lays a row. A face that gets no phase from an edge takes the phase with fewer bricks (section 5.2).
     fn advance(&mut self, site: &mut Site) -> bool {
         let row = self.row;
         match &mut self.counts {
@@ -104,7 +104,7 @@ impl Site {
         depth.min(grid.depth)
     }
 
-    /// Whether a place of a face is free, exactly.
+    /// Whether a place of a face is free by exact areas: obstacles cover less than a hundredth of it.
     pub fn is_free(&self, face: FaceId, place: &Footprint) -> bool {
         let map = &self.faces[face.index()];
         let obstacles = map.obstacles(place);
@@ -115,7 +115,7 @@ impl Site {
         covered < 0.01 * place.area()
     }
 
-    /// The cell on a footprint of a face.
+    /// The cell below a footprint of a face, `depth` deep (metres).
     pub fn face_draft(
         &self,
         face: FaceId,
@@ -150,8 +150,8 @@ impl Site {
         }
     }
 
-    /// Lays pieces in the gaps that cut bricks leave in a row of a level face, beside the oblique sides of blocks on its
-    /// corners and edges.
+    /// Lays pieces in the gaps that cut bricks leave in a row of a level face, beside the oblique sides of blocks on
+    /// its corners and edges.
     fn fill_gaps(&mut self, id: FaceId, node: &GeneratorNode, row: usize) {
         let grid = self.plan.grid(id);
         let last = grid.column_lines().len() - 1;
@@ -167,8 +167,7 @@ impl Site {
         }
     }
 
-    /// The bricks of a row, without those of which only a sliver is free: the wider one of its neighbours takes its
-    /// place as well.
+    /// The bricks of a row without slivers: the neighbour with more free area takes the place of a sliver as well.
     fn without_slivers(&self, id: FaceId, mut bricks: Vec<GridBrick>) -> Vec<GridBrick> {
         let least = SLIVER * self.plan.module.half * self.plan.module.course;
         let free: Vec<f64> = bricks
@@ -297,7 +296,7 @@ impl Site {
         })
     }
 
-    /// Whether nothing lies in a row of a face that does not go round.
+    /// Whether a row is free along its whole length. False for rows of a whole cylinder, which are not looked at.
     fn is_clear(&self, id: FaceId, row: usize) -> bool {
         let grid = self.plan.grid(id);
         let last = grid.column_lines().len() - 1;
@@ -318,7 +317,7 @@ impl Site {
         bricks.filter(is_free).count()
     }
 
-    /// The bricks of a row of a face's grid, whose bond is shifted by some columns.
+    /// The bricks of a row of a face's grid, with the bond shifted by `shift` columns.
     fn row_bricks(
         &self,
         id: FaceId,

@@ -96,7 +96,7 @@ fn a_turned_building_has_as_many_bricks() {
 
 #[test]
 fn a_mirrored_building_has_as_many_bricks() {
-    // Heads are straight: arcs keep their direction.
+    // Only buildings with straight heads: `mapped` does not turn the direction of arcs round.
     let straight = [
         Rule::Block.draft(&Module::NORMAL, &[]),
         Rule::LHouse.draft(&Module::NORMAL, &[36.0, 24.0, 12.0, 12.0, 36.0, 2.0, 0.0]),

@@ -6,7 +6,7 @@ use crate::building::{Bend, EdgeId, FaceId};
 use crate::masonry::plan::is_wall;
 use glam::DVec3;
 
-/// The side of the cells of the grid in which overlaps are looked for (metres).
+/// The cell size of the hash grid that finds overlaps (metres).
 const CELL: f64 = 0.5;
 /// Head joints of neighbouring rows nearer than this are one straight joint (metres).
 const STRAIGHT: f64 = 5e-3;
@@ -16,23 +16,23 @@ const STRAIGHT: f64 = 5e-3;
 pub struct Measures {
     /// The number of cells.
     pub cells: usize,
-    /// The edges at which bricks do not alternate.
+    /// The number of edges at which bricks do not alternate.
     pub conflicts: usize,
     /// The share of the textured faces' area under no claim.
     pub gap: f64,
-    /// The same under two claims.
+    /// The share of the textured faces' area under two claims.
     pub overlap: f64,
     /// The volume that pairs of cells share, over the volume of all cells.
     pub shared_volume: f64,
     /// The share of cells that are whole bricks.
     pub whole: f64,
-    /// Half bricks.
+    /// The share of cells that are half bricks.
     pub half: f64,
-    /// Cells that are cut, slopes aside.
+    /// The share of cells that are cut, but not along slopes.
     pub cut: f64,
-    /// Bricks of special shapes: those at the borders of panels, and diagonal ones.
+    /// The share of bricks of special shapes: those at the borders of panels, and diagonal ones.
     pub special: f64,
-    /// Cells that are cut along slopes.
+    /// The share of cells that are cut along slopes.
     pub raked: f64,
     /// The share of head joints on faces that meet one of the next row.
     pub straight: f64,
@@ -71,7 +71,7 @@ impl Measures {
     }
 }
 
-/// The pairs of cells whose bounding boxes meet, by a grid.
+/// The pairs of cells whose bounding boxes meet, found by a hash grid.
 pub(super) fn pairs(cells: &[MasonryCell]) -> Vec<[u32; 2]> {
     let mut grid: std::collections::BTreeMap<[i32; 3], Vec<u32>> =
         std::collections::BTreeMap::new();
@@ -107,7 +107,7 @@ fn shared_volume(cells: &[MasonryCell]) -> f64 {
     if whole > 0.0 { shared / whole } else { 0.0 }
 }
 
-/// The share of inner ends of head joints of face cells that lie on a head joint of the next row.
+/// The share of head joints between cells of a face that go on in the next row.
 fn straight(laying: &Laying) -> f64 {
     let (mut all, mut straight) = (0usize, 0usize);
     for face in laying.textured_faces() {
@@ -130,7 +130,7 @@ fn straight(laying: &Laying) -> f64 {
             ends.push([high.x, high.y]);
             starts.push([low.x, low.y]);
         }
-        // A joint ends above its row where the joint of the next row begins.
+        // A joint at the upper right corner of a cell goes on if a cell of the next row begins there.
         starts.sort_by(|a, b| a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0])));
         for [s, t] in ends {
             all += 1;

@@ -6,8 +6,8 @@ use super::site::Site;
 use crate::building::{EdgeId, FaceId};
 use crate::masonry::block::{Plane, Polyhedron};
 
-/// Cells whose bounding spheres are nearer to an edge than this, in depths of the cell, are cut (the depth is doubled
-/// for acute edges).
+/// A cell is cut if its bounding sphere is nearer to an edge than this many depths of the cell: twice the depth, for
+/// the sake of acute edges.
 const NEAR: f64 = 2.0;
 
 impl Site {
@@ -63,7 +63,7 @@ impl Site {
             outwards
         };
         let plane = Plane::through(point, outwards);
-        // Beside an arc the plane goes past the front, which is cut along a chord already.
+        // Beside an arc the front is cut along a chord already, so the plane is moved out beyond the front.
         let surface = &self.face(face).surface;
         let front = body
             .vertices()

@@ -65,14 +65,14 @@ use work::{MapWork, SiteWork};
 pub struct LayingParams {
     /// The pattern's unit.
     pub module: Module,
-    /// Whether the bits that the building stores with its corners and edges decide alone which way bricks point, as in
-    /// the paper (section 5.2). Else phases are solved for, and a bit turns the bricks of its own edge.
+    /// If true, only the bits that the building stores with corners and edges decide which way bricks point, as in the
+    /// paper (section 5.2). If false, phases are solved for, and a bit turns the bricks of its own edge.
     pub is_by_hand: bool,
     /// The seed.
     pub seed: u64,
 }
 
-/// Something of the pattern tree that did not work.
+/// Something in the pattern tree that did not work.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LayingWarning {
     /// A feature came to a generator that does not lay cells on its type.
@@ -82,7 +82,7 @@ pub enum LayingWarning {
         /// The path of the generator's node.
         path: String,
     },
-    /// A feature came to a generator that is not made yet for it.
+    /// A feature came to a generator that is not implemented for its type.
     NotLaid {
         /// The feature.
         feature: Feature,
@@ -106,8 +106,8 @@ pub struct Laying {
     next: usize,
     /// Work that is not finished, the next one last.
     open: Vec<Box<dyn SiteWork>>,
-    /// The nodes that a feature has reached and whose turn has not come, the next one last, with the feature and their
-    /// numbers.
+    /// The nodes that the current feature has reached and whose turn has not come, the next one last. Each stands with
+    /// the feature, and with its number among the nodes reached.
     nodes: Vec<(Feature, usize, GeneratorNode)>,
     /// The features that some generator has reached.
     textured: Vec<Feature>,
@@ -178,8 +178,8 @@ impl Laying {
         }
     }
 
-    /// The feature of a turn, and what it lays. Each feature has one turn; faces lay only their panels in it, and have
-    /// another one at the end.
+    /// The feature of a turn, and the pass in which it lays cells. Faces lay only their panels in their first turn, and
+    /// have another turn at the end.
     fn turn(&self, turn: usize) -> Option<(Feature, LayingPass)> {
         let Some(&feature) = self.order.get(turn) else {
             let again = turn - self.building().faces().len();
@@ -237,7 +237,7 @@ impl Laying {
         })
     }
 
-    /// Passes a feature down the tree and keeps the nodes that it reaches, as far as they belong to a pass.
+    /// Passes a feature down the tree, and keeps those of the nodes reached that lay their cells in this pass.
     fn pass_down(&mut self, feature: Feature, pass: LayingPass) {
         let building = self.site.building.clone();
         let walk = self.tree.walk(&view(&building, feature));

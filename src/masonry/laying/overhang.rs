@@ -78,7 +78,8 @@ impl Site {
         }
     }
 
-    /// How far a ridge stands over its end, which is a place in space: over verges as far as their tiles.
+    /// How far a ridge's tiles stand over its end, a point in space: as far as tiles over verges. 0 where another edge
+    /// between roofs begins (metres).
     pub fn ridge_overhang(&self, id: EdgeId, end: DVec3) -> f64 {
         let faces = self.edge(id).faces.into_iter().flatten();
         let walks = faces.flat_map(|face| self.face(face).loops.iter().flatten());

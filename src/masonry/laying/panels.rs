@@ -9,7 +9,7 @@ use crate::masonry::tree::GeneratorNode;
 
 /// The fewest columns of a face with a panel: two of the panel, and two on each side, which the bricks of edges need.
 const LEAST: usize = 6;
-/// The number of the bond that weaves baskets.
+/// The value of `bond` for basket weave.
 const BASKET: usize = 1;
 
 impl Site {
@@ -19,7 +19,7 @@ impl Site {
         let module = self.plan.module;
         let weave = Weave::new(2.0 * module.half, module.course);
         let is_basket = node.count("bond") == BASKET;
-        // Squares of a basket weave are as high as some whole rows.
+        // A square of a basket weave is this many rows high.
         let unit = if is_basket { weave.count() } else { 1 };
         let Some(place) = self.panel_place(id, node, unit) else {
             return false;
@@ -48,10 +48,11 @@ impl Site {
         let grid = self.plan.grid(id);
         let [columns, rows] = [grid.column_lines(), grid.row_lines()].map(|lines| lines.len() - 1);
         let margin = node.count("margin");
-        // An even number of columns on each side is whole bricks in every other row, and a half more in those between.
+        // With an even number of columns on each side, every other row there has whole bricks only, and the rows
+        // between have one half brick.
         let across = middle(columns, node.count("width"), (margin, 2))?;
         let within = middle(rows, node.count("height"), (margin, 1))?;
-        // No head joint of the rows below and above goes on along the panel's side.
+        // In the rows below and above, no head joint continues the panel's side.
         let is_met = |[from, to]: [usize; 2]| {
             let border = across[0] as isize;
             !grid.starts(border, from - 1) && !grid.starts(border, to)
@@ -63,8 +64,8 @@ impl Site {
     }
 }
 
-/// The most rows within a range, a multiple of `unit` and two at least, that are met well if any are, and as near to the
-/// range's middle as possible.
+/// The rows of a panel within a range: a multiple of `unit`, two at least. Rows that `is_met` accepts are preferred,
+/// then the most rows, then those nearest to the range's middle.
 fn rows_within(
     [low, high]: [usize; 2],
     unit: usize,
@@ -99,7 +100,7 @@ mod tests {
             [6, 7, 8, 10, 14].map(across),
             [[2, 4], [2, 5], [2, 6], [2, 8], [4, 10]].map(Some)
         );
-        // An odd margin is better than no panel.
+        // If no even margin fits, an odd one is used.
         assert_eq!(middle(8, 2, (2, 2)), Some([3, 5]));
         assert_eq!(middle(17, 12, (2, 1)), Some([3, 14]));
     }
@@ -109,7 +110,7 @@ mod tests {
         let is_odd = |[from, to]: [usize; 2]| from % 2 == 1 && to % 2 == 0;
         assert_eq!(rows_within([2, 12], 1, is_odd), Some([3, 12]));
         assert_eq!(rows_within([3, 15], 3, is_odd), Some([5, 14]));
-        // Rows that are not met well are better than none.
+        // If no rows are met well, the best of the others are used.
         assert_eq!(rows_within([2, 5], 3, is_odd), Some([2, 5]));
         assert_eq!(rows_within([2, 4], 3, is_odd), None);
     }

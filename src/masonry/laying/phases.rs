@@ -1,4 +1,4 @@
-//! The better one of the two ways to lay walls that hang together (Legakis, Dorsey, Gortler 2001, section 5.2).
+//! Chooses the better one of the two phases of connected walls (Legakis, Dorsey, Gortler 2001, section 5.2).
 
 use super::site::Site;
 use super::work::SiteWork;
@@ -6,16 +6,16 @@ use crate::building::FaceId;
 use crate::masonry::plan::is_wall;
 use std::collections::BTreeMap;
 
-/// Shifts walls by a column where that makes fewer bricks, or as many and fewer cut ones. So a building that is turned or
-/// mirrored has the same number of bricks.
+/// Shifts a set of walls by a column if that makes fewer bricks, or as many bricks and fewer cut ones. So a building
+/// that is turned or mirrored has the same number of bricks.
 pub(super) struct PhaseWork {
-    /// The walls that hang together; the last set is the next one.
+    /// The sets of walls that can be shifted only together, the next set last.
     sets: Vec<Vec<FaceId>>,
-    /// The place of the wall in its set.
+    /// The place in its set of the wall that is being counted.
     wall: usize,
-    /// The row of the wall.
+    /// The next row of this wall.
     row: usize,
-    /// Bricks, and cut ones, of the set so far: unshifted and shifted.
+    /// The numbers of bricks and of cut bricks in the set so far: unshifted, then shifted.
     costs: [[usize; 2]; 2],
 }
 
@@ -37,7 +37,7 @@ impl PhaseWork {
 }
 
 impl SiteWork for PhaseWork {
-    /// Counts a row of a wall.
+    /// Counts a row of a wall. After the last row of a set, shifts the set if that is better.
     fn advance(&mut self, site: &mut Site) -> bool {
         let Some(walls) = self.sets.last() else {
             return true;

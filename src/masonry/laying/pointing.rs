@@ -1,4 +1,4 @@
-//! Which way the bricks of upright edges point, for those who draw it (Legakis, Dorsey, Gortler 2001, section 5.2).
+//! Which way the bricks of upright edges point, for drawing (Legakis, Dorsey, Gortler 2001, section 5.2).
 
 use super::Laying;
 use super::run::Run;

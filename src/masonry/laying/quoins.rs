@@ -70,7 +70,7 @@ fn goes_down(run: &Run) -> bool {
     run.sides[0].along.y < 0.0
 }
 
-/// Joins rows to stones of some courses. The last stone has two courses at least, if there are as many.
+/// Joins rows into stones of `courses` rows each. The last stone has two rows at least, if there are as many.
 pub(super) fn stacks(mut rows: &[[f64; 2]], courses: usize) -> Vec<[f64; 2]> {
     let mut stones = Vec::new();
     while !rows.is_empty() {

@@ -1,6 +1,6 @@
 //! Bricks on random buildings: right-angled and many-sided plans, sides of fractions of a module, niches for windows.
 //!
-//! More of them: `BUBBLESTONE_RECIPES=1000 cargo test --lib random_buildings`.
+//! To run more of them: `BUBBLESTONE_RECIPES=1000 cargo test --lib random_buildings`.
 
 use super::{Laying, LayingParams, Measures};
 use crate::building::{Building, Draft, DraftFace, Module, Surface};
@@ -20,7 +20,8 @@ fn length(random: &mut Random, least: f64, most: f64) -> f64 {
     MODULE.half * if is_whole { modules.round() } else { modules }
 }
 
-/// The corners (x, z) of a plan, counter-clockwise seen from above: 4 to 12 right-angled walls, or 5, 7 or 9 equal ones.
+/// The corners (x, z) of a plan, counter-clockwise seen from above: 4 to 12 right-angled walls, or 5, 7 or 9 equal
+/// ones.
 fn plan(random: &mut Random) -> Vec<DVec2> {
     if random.below(3) == 0 {
         let count = [5, 7, 9][random.below(3)];

@@ -3,7 +3,7 @@
 use crate::order;
 use crate::random::Random;
 
-/// How far the order of units differs from that of rows, in rows.
+/// How far units may be visited out of the order of rows, in rows.
 const SHUFFLE: f64 = 1.5;
 
 /// A state of a unit of the face's grid.
@@ -98,8 +98,8 @@ impl Units {
         }
     }
 
-    /// Stones at free units in nearly the order of rows: of a random width from 2 and height, wider than high, shrunk
-    /// until it fits.
+    /// Lays stones at free units, visited in nearly the order of rows. A stone has a random width, of two units at
+    /// least, and a random height of at most its width. It is shrunk until it fits.
     pub fn greedy(&mut self, most: Most, random: &mut Random) -> Vec<Rectangle> {
         let keys = (0..self.states.len()).map(|k| {
             let row = (k / self.columns) as f64;
@@ -164,8 +164,7 @@ fn beside(owners: &[usize], columns: usize, stone: &Rectangle) -> Vec<usize> {
     found
 }
 
-/// Merges stones of one unit with a neighbour at random, until none can be merged. The units stand in this number of
-/// columns.
+/// Merges stones of one unit with a neighbour at random, until none can be merged. A row has `columns` units.
 pub(super) fn merge(
     stones: &mut Vec<Rectangle>,
     columns: usize,

@@ -34,7 +34,7 @@ fn made_by(laying: &Laying, generator: PatternGenerator) -> Vec<&MasonryCell> {
     cells.filter(|cell| cell.generator == generator).collect()
 }
 
-/// The lowest or the greatest value of a body along an axis.
+/// The least and the greatest coordinate of a body along an axis.
 fn extent(body: &Polyhedron, axis: DVec3) -> [f64; 2] {
     let along = body.vertices().iter().map(|p| p.dot(axis));
     along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
@@ -61,7 +61,7 @@ fn every_tree_covers_every_building() {
                 );
                 assert!(cell.claims.iter().all(|(_, claim)| claim.area() > 0.0));
             }
-            // The trees of steps are of another part.
+            // The trees for steps have tests of their own.
             let is_whole = !["herringbone", "cement", "rgb"].contains(&tree.word);
             assert!(
                 !is_whole || laying.warnings().is_empty(),
@@ -120,7 +120,7 @@ fn tiles_lie_on_each_other_by_their_lap() {
     assert!(found.shared_volume < 1e-3, "{found:?}");
 }
 
-/// The normal of the plane opposite to the lower side of a tile.
+/// The normal of a tile's upper side, to which its lower side is parallel.
 fn lowest_plane(body: &Polyhedron, slope: DVec3) -> DVec3 {
     let planes = body.planes().map(|plane| plane.normal);
     planes.fold(DVec3::Y, |best, normal| {

@@ -1,4 +1,4 @@
-//! Runs: straight parts of convex edges, upright or level, along which cells are laid.
+//! Runs: upright or level pieces of convex edges, along which cells are laid. Level pieces may be arcs.
 
 use super::site::{Site, meet};
 use crate::building::{Bend, EdgeId, FaceId, Piece, Stance};
@@ -7,11 +7,11 @@ use crate::masonry::footprint::Footprint;
 use crate::masonry::plan::{FaceGrid, divided, is_wall, pieces};
 use glam::{DVec2, DVec3};
 
-/// How far from a place the direction of an edge is looked at (metres).
+/// The step along an edge by which its direction on a face is measured (metres).
 const STEP: f64 = 1e-4;
-/// A direction is along an axis if its part along that is greater: cells of a direction between two would be skewed.
+/// A unit vector is along an axis if its part along that is greater. Cells of other directions would be skewed.
 const ALONG: f64 = 0.999_999;
-/// Places nearer than this are one (metres).
+/// Places nearer than this count as one (metres).
 pub(super) const NEAR: f64 = 2e-3;
 
 /// One side of a run: a place of the edge on a face, and the way into the face.
@@ -22,13 +22,13 @@ pub(super) struct RunSide {
     pub place: DVec2,
     /// Unit vector into the face: along +s, -s, +t or -t on a wall.
     pub inwards: DVec2,
-    /// The way on the face for each metre along the run.
+    /// The displacement on the face for each metre along the run.
     pub along: DVec2,
     /// The grid lines across `inwards`.
     pub lines: Vec<f64>,
-    /// Where the edge lies among them (metres).
+    /// The coordinate of the edge among `lines` (metres).
     pub start: f64,
-    /// 1 if they rise on the way into the face, else -1.
+    /// 1 if `lines` rise on the way into the face, else -1.
     pub way: f64,
 }
 
@@ -55,7 +55,7 @@ impl RunSide {
     }
 }
 
-/// A straight part of an edge between two faces.
+/// An upright or level piece of an edge between two faces.
 #[derive(Clone, Debug)]
 pub(super) struct Run {
     pub edge: EdgeId,
@@ -64,21 +64,21 @@ pub(super) struct Run {
     pub is_upright: bool,
     /// Its sides; the first one is a wall.
     pub sides: [RunSide; 2],
-    /// Whether the sides are in the other order than the edge's faces.
+    /// Whether `sides` are in the opposite order of the edge's faces.
     pub is_swapped: bool,
 }
 
-/// The way from a run to the border of a face.
+/// The room for a cell on a face, from a run to the next border of the face.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Room {
-    /// The distance to the border (metres).
+    /// The distance to the border (metres); `f64::MAX` if there is none.
     pub width: f64,
     /// Whether a convex edge runs along that border, whose cells need room, too.
     pub is_shared: bool,
 }
 
 impl Site {
-    /// The runs of an edge that cells are laid along: upright and level straight parts of convex edges with a wall.
+    /// The runs of an edge: its upright and its level pieces. Empty if the edge is not convex or has no wall.
     pub fn runs(&self, id: EdgeId) -> Vec<Run> {
         let edge = self.edge(id);
         if edge.bend != Bend::Convex {
@@ -128,7 +128,7 @@ impl Site {
             .truncate();
         let frame = surface.frame(middle.x, middle.y);
         let inwards = DVec2::new(inward.dot(frame.s), inward.dot(frame.t)).try_normalize()?;
-        // On a disk, s is no arc length but at one radius.
+        // On a disk, s is the arc length at one radius only, so the displacement is measured.
         let beside = surface
             .project(path.point(0.5 * (ends[0] + ends[1]) + STEP))
             .truncate();
@@ -152,14 +152,14 @@ impl Site {
             let start = middle.dot(inwards.abs());
             return Some(side(inwards, along, (lines, start, inwards.x + inwards.y)));
         }
-        // The grid of a level face does not follow an oblique edge: lines of its own begin at it.
+        // The grid of a level face does not follow an oblique edge, so the edge gets lines parallel to itself.
         let is_level = self.face(face).stance() == Stance::Level && surface.is_flat();
         let width = self.regions[face.index()].ray(middle, inwards, NEAR)?;
         let lines = divided(&[0.0, width], &[pieces(width, self.plan.module.half)]);
         is_level.then(|| side(inwards, way.normalize(), (lines, 0.0, 1.0)))
     }
 
-    /// The lines of s or of t; those of s go on for a period to either side of a whole cylinder.
+    /// The lines of s or of t. On a whole cylinder, those of s go on for one period to either side.
     pub fn lines(&self, face: FaceId, of_s: bool) -> Vec<f64> {
         let grid = self.plan.grid(face);
         let lines = if of_s { &grid.s } else { &grid.t };
@@ -198,8 +198,8 @@ impl Site {
         Room { width, is_shared }
     }
 
-    /// The reach of a cell into one face: `count` columns, or as many as there is room for. If there are three
-    /// columns between two convex edges, a long cell leaves one for the other edge; two columns, or one, are shared.
+    /// The reach of a cell into one face (metres): `count` columns, or as many as there is room for. Between two convex
+    /// edges one column is left for the cells of the other edge, and a single column is halved.
     pub fn limited_reach(&self, run: &Run, side: usize, count: usize, along: f64) -> f64 {
         let side = &run.sides[side];
         let room = self.room(side, along);
@@ -211,7 +211,8 @@ impl Site {
         }
     }
 
-    /// The depth of a cell below a level edge's other face: `wanted` metres, or as much as there is room for.
+    /// The depth of a cell below a level edge's other face: `wanted` metres, or as much as there is room for. If
+    /// another convex edge shares the room, the cell takes half of it at most.
     pub fn limited_depth(&self, run: &Run, wanted: f64, along: f64) -> f64 {
         let room = self.room(&run.sides[1], along);
         wanted.min(if room.is_shared {
@@ -250,8 +251,8 @@ impl Site {
         Polyhedron::between(&[high, low])
     }
 
-    /// The reaches of a cell, the shorter one so short that the cell goes no deeper below the other face than half of
-    /// the wall.
+    /// The reaches of a cell, the shorter one reduced so that the cell goes no deeper behind the other face than half
+    /// of the wall.
     fn within_wall(&self, run: &Run, along: f64, mut reaches: [f64; 2]) -> [f64; 2] {
         let long = usize::from(reaches[1] > reaches[0]);
         let [far, near] = [&run.sides[long], &run.sides[1 - long]];
@@ -268,8 +269,8 @@ impl Site {
         reaches
     }
 
-    /// The reaches of a cell along a run, shrunk until it overlaps no earlier claim by more than a fiftieth on either
-    /// face: by a quarter, up to four times.
+    /// The reaches of a cell along a run. Each is shrunk by a quarter, up to four times, until earlier claims cover at
+    /// most a fiftieth of the cell on that face.
     pub fn fitted(&self, run: &Run, span: [f64; 2], reaches: [f64; 2]) -> [f64; 2] {
         let mut reaches = self.within_wall(run, span[0], reaches);
         for _ in 0..4 {
@@ -326,7 +327,7 @@ impl Site {
         parts
     }
 
-    /// The way from the start of a closed edge to a column line of its wall (metres).
+    /// The distance from the start of a closed edge to the next column line of its wall (metres).
     fn to_line(&self, id: EdgeId) -> f64 {
         let edge = self.edge(id);
         let wall = edge
@@ -367,7 +368,7 @@ impl Site {
     }
 }
 
-/// The axis that a vector in (s, t) is nearest to; none if it lies between two.
+/// The unit vector of the axis along which a vector in (s, t) lies; none if it lies between two axes.
 fn axis(v: DVec2) -> Option<DVec2> {
     let along_s = v.x.abs() > v.y.abs();
     let (length, axis) = if along_s {
@@ -378,7 +379,7 @@ fn axis(v: DVec2) -> Option<DVec2> {
     (length.abs() > ALONG).then_some(axis * length.signum())
 }
 
-/// The number of the interval beside a line, upwards or downwards; none beyond the ends.
+/// The number of the interval that begins (`way` above 0) or ends at the line nearest to `at`; none beyond the ends.
 pub(super) fn unit(lines: &[f64], at: f64, way: f64) -> Option<usize> {
     let line = FaceGrid::line_at(lines, at);
     let unit = if way > 0.0 {

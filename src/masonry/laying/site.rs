@@ -17,13 +17,13 @@ use std::sync::Arc;
 
 /// The least share of a claim that must lie on a face.
 const LEAST_SHARE: f64 = 0.05;
-/// Sides whose normals have a greater cosine with the way in which a cell looks are its fronts: both sides of a stone
-/// at a corner are.
+/// A side of a cell is a front if the cosine of its normal with the direction of the cell is greater. A stone at a
+/// corner has two fronts.
 const FRONT: f64 = 0.45;
-/// A slanting side of a face is longer than this; shorter ones are chords of an arc (metres).
+/// A side of a face slants only if it is longer than this; shorter sides are chords of an arc (metres).
 const OBLIQUE: f64 = 0.2;
 
-/// The pixels along a module.
+/// The number of pixels along a module.
 pub(super) const PIXELS: f64 = 8.0;
 
 type Bounds = [DVec3; 2];
@@ -98,7 +98,7 @@ impl Site {
         PartsWork::new(&self.regions[id.index()], margin)
     }
 
-    /// Makes the map of the next face, with its convex parts, and finds the faces near it.
+    /// Makes the map of the next face from its convex parts, and finds the faces near it.
     pub fn add_map(&mut self, parts: [Vec<Footprint>; 2]) {
         let id = FaceId(self.faces.len() as u32);
         let (region, own) = (&self.regions[id.index()], &self.boxes[id.index()]);
@@ -130,7 +130,7 @@ impl Site {
         self.building.edge(id)
     }
 
-    /// A place on a face, behind it where z is negative.
+    /// The point in space at a place of a face; it lies behind the face where z is negative.
     pub fn at(&self, id: FaceId, place: DVec2, z: f64) -> DVec3 {
         self.face(id).surface.map(place.x, place.y, z).origin
     }
@@ -152,7 +152,8 @@ impl Site {
         true
     }
 
-    /// Adds a cell whose joints and claims are known. Its sides without joints that look as the draft does stand out.
+    /// Adds a cell whose joints and claims are known. Its exposed sides that look towards `fronts` of the draft are
+    /// moved out by `extrude`.
     pub fn settle(
         &mut self,
         feature: Feature,
@@ -196,7 +197,7 @@ impl Site {
         });
     }
 
-    /// Half a joint at each side that does not lie on a face.
+    /// The body with an inset of half a joint at each side that lies on no face.
     fn with_joints(&self, body: Polyhedron, on_faces: &[Flags]) -> Polyhedron {
         let half = 0.5 * self.plan.module.joint;
         body.with_insets_of(|side| {
@@ -220,8 +221,9 @@ impl Site {
         Cow::Owned(all)
     }
 
-    /// The claim of a body on each face: the hull of its vertices that lie on it, if there are three; beside it the flags
-    /// of these vertices. The paper claims on the faces beside the feature (section 3.3). Thin slabs need all faces.
+    /// The claims of a body: for each face the hull of the vertices that lie on it, if there are three. Also the flags
+    /// of these vertices for each claim. The paper claims on the faces beside the feature only (section 3.3). Thin
+    /// slabs need all faces.
     fn claims(
         &self,
         feature: Feature,
@@ -246,7 +248,7 @@ impl Site {
         (claims, flags)
     }
 
-    /// The hull of a body's vertices on a face, in its (s, t).
+    /// The hull of a body's vertices on a face, in its (s, t), and the flags of these vertices.
     fn footprint(&self, id: FaceId, body: &Polyhedron) -> Option<(Footprint, Flags)> {
         let surface = &self.face(id).surface;
         let mut found: SmallVec<[DVec2; 8]> = SmallVec::new();
@@ -283,7 +285,7 @@ impl Site {
         }
     }
 
-    /// The same for a rectangle along s and t.
+    /// As [`Self::home`], for a rectangle along s and t.
     pub fn home_place(&self, id: FaceId, place: GridPlace) -> GridPlace {
         match self.face(id).surface.period() {
             Some(period) => place.moved(self.way_home(id, &place.footprint(), period)),
@@ -291,7 +293,7 @@ impl Site {
         }
     }
 
-    /// The whole periods from a polygon to where the face's region is.
+    /// The displacement, by whole periods, from a polygon to where the face's region is.
     fn way_home(&self, id: FaceId, polygon: &Footprint, period: f64) -> DVec2 {
         let low = self.face(id).bounds()[0].x;
         let turns = ((polygon.centre().x - low) / period).floor();
@@ -354,7 +356,7 @@ fn edge_bounds(edge: &Edge) -> Bounds {
     })
 }
 
-/// Whether two boxes meet, or nearly. Most are apart along the first axis already.
+/// Whether two boxes meet, or nearly (within 40 mm). Most are apart along the first axis already.
 pub(super) fn meet([low, high]: &Bounds, [from, to]: &Bounds) -> bool {
     let is_apart = |low: f64, high: f64| low - high > 20.0 * ON;
     let is_beside = |k: usize| is_apart(from[k], high[k]) || is_apart(low[k], to[k]);

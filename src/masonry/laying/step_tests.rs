@@ -74,7 +74,8 @@ fn both_trees_lay_every_building_without_a_fault() {
                     .all(|face| is_bare(face) != textured.contains(&face))
             );
             assert_eq!(found.conflicts, plain.conflicts);
-            // They are as good as plain bricks; bricks of special shapes count apart.
+            // Gaps, overlaps and cuts are no worse than with plain bricks. Bricks of special shapes count apart from
+            // cut ones.
             assert!(
                 found.gap <= plain.gap + 5e-4 && found.shared_volume <= plain.shared_volume + 1e-4,
                 "{rule:?} {word}: {found:?} {plain:?}"
@@ -151,8 +152,7 @@ fn panels_fill_their_rectangles_and_the_bond_meets_them() {
     }
 }
 
-/// One of two rows beside a panel has a half brick there and the other has none, or both have longer bricks: halves
-/// never stand on each other.
+/// In the rows beside a panel, half bricks never stand on each other.
 fn check_bond_beside(laying: &Laying, face: FaceId, panel: &Footprint) {
     let [low, high] = panel.bounds();
     let half = 1.2 * Module::NORMAL.half;
@@ -216,7 +216,7 @@ fn three_bricks_two_of_them_diagonal_fill_a_top_corner() {
         PatternTree::read(text).unwrap(),
     );
     let cells = of(&laying, PatternGenerator::StepCorners);
-    // Three at each of the four top corners; those at the bottom get a brick.
+    // Three bricks at each of the four top corners, one at each of the four below.
     assert_eq!(cells.len(), 4 * 3 + 4);
     assert!(pairs(laying.cells()).iter().all(|&[a, b]| {
         let [a, b] = [a, b].map(|k| &laying.cells()[k as usize].claimed);
@@ -263,7 +263,7 @@ fn cement_stones_lie_along_the_treads_with_bricks_between() {
         assert!((high.y - low.y - Module::NORMAL.course).abs() < 0.01);
         let [from, to] = cell.body.bounds();
         let out = (to - from) - (high - low);
-        // Corner stones stand out on two sides, the others in front.
+        // Corner stones stand out on two sides, stones of edges in front only.
         let is_corner = matches!(cell.feature, Feature::Corner(_));
         let count = [out.x, out.z]
             .iter()

@@ -1,8 +1,9 @@
 //! Roof tiles and slates that overlap, and the tiles along ridges and hips.
 //!
-//! A tile claims a volume, not an area. All tiles of a row lie in a slab of their own. The slab of each row rests on that
-//! of the row below, so tiles lie on each other over the whole of their lap. Heads touch the roof, and tails are lifted
-//! by the thickness of the tiles below. On the roof's surface a tile claims only what no other tile covers.
+//! A tile claims a volume, not an area. All tiles of a row lie in a slab of their own. The slab of each row rests on
+//! the slab of the row below, so tiles lie on each other over the whole of their lap. Heads touch the roof, and tails
+//! are lifted by the thickness of the tiles below. On the roof's surface a tile claims only the part that no other tile
+//! covers.
 
 use super::cell::{CellDraft, CellSort, Feature};
 use super::site::Site;
@@ -21,7 +22,7 @@ const MOST: usize = 400;
 const THICKEST: f64 = 0.5;
 /// Half of the gap between neighbours in a row (metres).
 const GAP: f64 = 1.5e-3;
-/// The width of each leaf of a ridge tile, and its thickness, over the length and the thickness of other tiles.
+/// The width and the thickness of a ridge tile's leaf, over the length and the thickness of other tiles.
 const LEAF: [f64; 2] = [0.42, 1.4];
 /// The length of a ridge tile over the width of other tiles.
 const RIDGE_LENGTH: f64 = 2.0;
@@ -29,15 +30,15 @@ const RIDGE_LENGTH: f64 = 2.0;
 /// The rows of tiles on a roof, from the eaves to the ridge.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TileRows {
-    /// t of the lowest tails.
+    /// t of the tails of row 0 (metres).
     pub low: f64,
-    /// How much of each tile is seen (metres).
+    /// How much of each tile is seen, along t (metres).
     pub gauge: f64,
-    /// The length of a tile.
+    /// The length of a tile (metres).
     pub length: f64,
     /// How many rows have their tails on the roof.
     pub count: usize,
-    /// How many more lie below the first row, cut at the eaves.
+    /// How many more rows lie below the first one, cut at the eaves.
     pub under: usize,
     pub thickness: f64,
     /// The sine and the cosine of the angle between tiles and roof.
@@ -72,7 +73,8 @@ impl TileRows {
         self.low + self.gauge * row as f64
     }
 
-    /// The place in (t, z) of a place of a tile: t as if the tile lay flat, and the height above its lower side.
+    /// The (t, z) of a point of a tile. It is given by its t as if the tile lay flat, and by its height above the
+    /// tile's lower side.
     fn lifted(&self, row: isize, t: f64, height: f64) -> [f64; 2] {
         let ([sin, cos], along) = (self.turn, t - self.tail(row));
         let lift = self.length * sin;
@@ -96,9 +98,9 @@ pub(super) struct TileWork {
     rows: TileRows,
     /// The obstacles around the roof.
     around: Vec<Footprint>,
-    /// The least s.
+    /// The least s of the tiled region (metres).
     low: f64,
-    /// The number of tiles in a row, and their width.
+    /// The number of tiles in a row, and their width (metres).
     columns: (usize, f64),
     /// The next row.
     row: isize,
@@ -172,7 +174,7 @@ impl Site {
         }
     }
 
-    /// Places a tile of a roof with gaps beside it.
+    /// Places a tile of a roof, with gaps to its neighbours in the row.
     fn place_tile(
         &mut self,
         feature: Feature,
@@ -193,7 +195,7 @@ impl Site {
         );
     }
 
-    /// The part of a body on a roof before the planes that halve the angles to other roofs beside it.
+    /// The part of a body on a roof that is left by the planes which halve the angles to neighbouring roofs.
     fn beside_roofs(&self, face: FaceId, body: Polyhedron) -> Option<Polyhedron> {
         let middle = body.centre();
         let far = body
@@ -233,8 +235,8 @@ impl Site {
         Some(Plane::through(frame.origin, outwards))
     }
 
-    /// Covers a ridge or a hip between two roofs with pairs of leaves, which lie on the tiles of both and meet above the
-    /// edge.
+    /// Covers a ridge or a hip between two roofs with pairs of leaves. The leaves lie on the tiles of both roofs and
+    /// meet above the edge.
     pub fn ridge_tiles(&mut self, id: EdgeId, node: &GeneratorNode) {
         let edge = self.edge(id);
         let [Some(a), Some(b)] = edge.faces else {

@@ -26,10 +26,11 @@ pub(super) struct TopCorner {
     /// How far cells may reach along each wall (metres): to the end of the level face, or half as far if there is
     /// another top corner.
     rooms: [f64; 2],
-    /// The walls, from the corner inwards.
+    /// The two walls, as the sides of their common edge.
     sides: [RunSide; 2],
-    /// The ends of the highest course on the sides' edge, and the number of the wall that shows a stretcher in it.
+    /// The ends of the highest course along the upright edge between the walls (metres).
     span: [f64; 2],
+    /// The index in `sides` of the wall that shows a stretcher in this course.
     long: usize,
     top: FaceId,
 }
@@ -40,7 +41,8 @@ impl TopCorner {
         [0, 1].map(|k| self.sides[k].reach(columns).min(self.rooms[k]))
     }
 
-    /// The prism below a convex polygon, whose corners are given along both walls.
+    /// The prism, a course high, below a convex polygon. The polygon's corners are given as distances along both walls
+    /// (metres).
     pub fn body(&self, corners: &[DVec2]) -> Polyhedron {
         let place = |p: &DVec2| self.place + self.ways[0] * p.x + self.ways[1] * p.y;
         let mut high: Vec<DVec3> = corners.iter().map(place).collect();
@@ -59,7 +61,7 @@ impl TopCorner {
 }
 
 impl Site {
-    /// A corner as a top corner; none if it is another one. Its walls are flat.
+    /// The top corner between two flat walls at a corner of the building; none if the corner is of another sort.
     pub fn top_corner(&self, id: CornerId, is_by_hand: bool) -> Option<TopCorner> {
         let corner = self.building.corner(id);
         if (corner.class.valence, corner.class.convex) != (3, 3) {
@@ -175,7 +177,7 @@ impl Site {
     }
 }
 
-/// A pair with one of its numbers from another pair.
+/// A pair with its number `k` taken from another pair.
 fn with(mut pair: [f64; 2], k: usize, other: [f64; 2]) -> [f64; 2] {
     pair[k] = other[k];
     pair

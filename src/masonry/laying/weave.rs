@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
 /// Pieces below this share of a brick are slivers.
 const SLIVER: f64 = 0.1;
-/// The heights at which herringbone is tried, within the way after which it repeats.
+/// The number of heights at which herringbone is tried, within a period of the pattern.
 const HEIGHTS: u32 = 8;
 
 /// The bricks of a panel.
@@ -36,9 +36,9 @@ impl Weave {
         self.count
     }
 
-    /// Herringbone, turned by 45 degrees and clipped to a rectangle. A line between its strips runs through the middle
-    /// of the rectangle. There are two sorts of such lines, at some heights: keep the first one with the fewest
-    /// slivers.
+    /// Herringbone, turned by 45 degrees and clipped to a rectangle. A line between two of its strips runs through the
+    /// middle of the rectangle. Both sorts of such lines are tried at several heights, and the first try with the
+    /// fewest slivers is kept.
     pub fn herringbone(&self, rectangle: &Footprint) -> Vec<WovenPiece> {
         let width = self.length / self.count as f64;
         let tries = (0..2 * HEIGHTS).map(|k| {
@@ -55,8 +55,8 @@ impl Weave {
 
     /// Herringbone with the origin of its lattice at a distance from the middle of a rectangle.
     ///
-    /// In the lattice a square lies in a brick along u if its u less its v is 0 to n - 1, counted from 0 to 2n - 1 and
-    /// then from 0 again; else it lies in a brick along v. n squares make a brick.
+    /// A square (u, v) of the lattice lies in a brick along u if u - v, modulo 2n, is below n; else it lies in a brick
+    /// along v. n squares make a brick.
     fn herringbone_at(&self, rectangle: &Footprint, shift: DVec2) -> Vec<WovenPiece> {
         let n = self.count as i64;
         let width = self.length / self.count as f64;

@@ -5,12 +5,12 @@ use crate::masonry::region::PartsWork;
 
 /// Work that is done part by part. Its results do not depend on how many parts are done at a time.
 pub(super) trait SiteWork {
-    /// Does a part of about a row of bricks. Whether nothing is left.
+    /// Does a part of the work, about a row of bricks. True if nothing is left.
     fn advance(&mut self, site: &mut Site) -> bool;
 }
 
-/// Corners, sides and diagonals of a face's convex parts in a slice. A sweep round a disc turns nearly all diagonals at
-/// each corner.
+/// Corners, sides and diagonals of a face's convex parts in a slice. The corners of a disc come one by one, and each of
+/// them flips nearly all diagonals.
 const PARTS: usize = 200;
 
 /// Makes the occupancy maps of all faces, one after the other.
@@ -75,7 +75,8 @@ mod tests {
         let building = star(240);
         let faces = building.faces().len();
         assert_eq!(faces, 242);
-        // Each corner and each side of both faces takes a part of the work, and two diagonals for each corner may.
+        // Each corner and each side of both faces takes a part of the work. Up to two diagonals for each corner may add
+        // to this.
         let more = 2 * 2 * 240 / PARTS;
         let mut work = ThicknessWork::new(building.clone()).expect("a mesh");
         let mut slices = 1;

@@ -24,24 +24,24 @@ pub enum Coverage {
     Occupied,
 }
 
-/// More than rounding moves a place (metres).
+/// Larger than any rounding error of a place (metres).
 const NEAR: f64 = 1e-12;
 
 /// Bits in a word.
 const WORD: usize = u64::BITS as usize;
 
-/// A raster of a face's (s, t). A pixel counts as empty by its centre.
+/// A raster over a face's (s, t), with a bit for each pixel. A pixel is empty if its centre is.
 ///
-/// Legakis, Dorsey, Gortler (2001), section 3.3, use a quadtree. Joints do not fall on its lines, so it divides along
-/// all of them: a bitmap of the same resolution is quicker and smaller.
+/// Legakis, Dorsey, Gortler (2001), section 3.3, use a quadtree. Joints do not fall on the lines of such a tree, so it
+/// would divide along all joints. A bitmap of the same resolution is quicker and smaller.
 #[derive(Clone, Debug)]
 pub struct Bitmap {
     raster: Raster,
-    /// A bit for each pixel, set where it is empty. Each row begins with a word of its own.
+    /// A bit for each pixel, set where it is empty. Each row begins at a new word.
     bits: Vec<u64>,
 }
 
-/// Where the pixels lie.
+/// The place of the pixels in (s, t), and their number.
 #[derive(Clone, Copy, Debug)]
 struct Raster {
     low: DVec2,
@@ -59,8 +59,8 @@ impl Raster {
         self.low.y + (row + 0.5) * self.pixel
     }
 
-    /// The numbers, from `low` on, of the first pixels whose centres do not lie before two places along s or t. They
-    /// may lie beyond the raster.
+    /// For each of two places along s or t: the number of the first pixel whose centre does not lie before it. Pixel 0
+    /// begins at `low`. The numbers may lie beyond the raster.
     fn span(&self, low: f64, places: [f64; 2]) -> [f64; 2] {
         places.map(|place| ((place - low) / self.pixel - 0.5).ceil())
     }
@@ -70,14 +70,14 @@ impl Raster {
         self.within(self.span(self.low.x, interval))
     }
 
-    /// The part of a span of pixels of a row that lies in the raster.
+    /// The columns of a span that lie in the raster.
     fn within(&self, span: [f64; 2]) -> Range<usize> {
         let [from, to] = span.map(|column| column.clamp(0.0, self.width as f64) as usize);
         from..to.max(from)
     }
 
-    /// The rows and the columns of pixels under a rectangle along s and t, and the number of its pixel centres, also of
-    /// those beyond the raster.
+    /// The rows and the columns of pixels in the raster whose centres lie in a rectangle along s and t. Also the number
+    /// of all pixel centres in it, those beyond the raster included.
     fn block(&self, [low, high]: [DVec2; 2]) -> ([Range<usize>; 2], f64) {
         let [from, to] = self.span(self.low.y, [low.y, high.y]);
         let span = self.span(self.low.x, [low.x, high.x]);
@@ -87,8 +87,8 @@ impl Raster {
         ([first..end, self.within(span)], count)
     }
 
-    /// The pixels under a rectangle, or under a polygon that differs from one by so little that it has the same ones:
-    /// the claim of a brick is one but for rounding. None for all others.
+    /// As [`Self::block`], for a polygon that is a rectangle, or differs from one so little that it has the same
+    /// pixels: a brick's claim does so by rounding. None for all other polygons.
     fn plain_block(&self, polygon: &Footprint) -> Option<([Range<usize>; 2], f64)> {
         let around = polygon.bounds();
         if polygon.is_rectangle() {
@@ -108,7 +108,7 @@ impl Raster {
         let first = (corners[1] - corners[0]).abs();
         let lower = usize::from(first.x < first.y);
         let [a, b, c, d] = [0, 1, 2, 3].map(|k| corners[(lower + k) % 4]);
-        // Between these the border has two sides, each within a pixel's column.
+        // A rectangle inside of the polygon, smaller by more than rounding.
         let low = DVec2::new(order::greater(a.x, d.x), order::greater(a.y, b.y)) + NEAR;
         let high = DVec2::new(order::lesser(b.x, c.x), order::lesser(c.y, d.y)) - NEAR;
         if !low.cmplt(high).all() {
@@ -118,8 +118,8 @@ impl Raster {
         (outer == self.block([low, high])).then_some(outer)
     }
 
-    /// Calls `each` with each row of pixels under a polygon. Returns the number of the polygon's pixel centres, also of
-    /// those beyond the raster.
+    /// Calls `each` with each row of pixels under a polygon. Returns the number of all pixel centres in the polygon,
+    /// those beyond the raster included.
     fn under(&self, polygon: &Footprint, mut each: impl FnMut(usize, Range<usize>)) -> f64 {
         let [low, high] = polygon.bounds();
         if let Some(([rows, columns], count)) = self.plain_block(polygon) {
@@ -162,7 +162,7 @@ impl Raster {
 
 impl Bitmap {
     /// The raster of a region with pixels of this side (metres, above 0), usually an eighth of the pattern's module.
-    /// All is occupied but the region.
+    /// Pixels outside of the region are occupied.
     pub fn new(region: &Region, pixel: f64) -> Self {
         let [low, high] = region.bounds().unwrap_or_default();
         let size = ((high - low) / pixel).ceil().max(DVec2::ONE);
@@ -200,8 +200,8 @@ impl Bitmap {
         }
     }
 
-    /// For each pixel, row by row from the least t: `None` if it is occupied, else the cell of the last of these claims
-    /// that covers it, if any does. Also the number of pixels in a row.
+    /// For each pixel, row by row from the least t: `None` if it is occupied, `Some(None)` if it is empty and under no
+    /// claim, else the cell of the last claim that covers it. Also the number of pixels in a row.
     pub(super) fn owners(&self, claims: &[Claim]) -> (Vec<Option<Option<u32>>>, usize) {
         let (width, height) = (self.raster.width, self.raster.height);
         let pixels = (0..height).flat_map(|row| (0..width).map(move |column| [row, column]));
@@ -265,7 +265,7 @@ impl Bitmap {
         share(empty, whole)
     }
 
-    /// The same under a rectangle along s and t, by its least and greatest corner.
+    /// As [`Self::empty_share`], for the rectangle along s and t between its least and its greatest corner.
     fn empty_share_of(&self, place: [DVec2; 2]) -> Option<f64> {
         let ([rows, columns], whole) = self.raster.block(place);
         let stride = self.raster.stride();
@@ -291,18 +291,18 @@ impl Bitmap {
         self.empty_share_of([place.low, place.high]) == Some(1.0)
     }
 
-    /// Whether a place is free, partly free or occupied. A place between pixel centres is partly free: only exact
-    /// claims know more.
+    /// Whether a place is free, partly free or occupied. A place without a pixel centre counts as partly free: only
+    /// exact claims can tell more.
     pub fn coverage(&self, polygon: &Footprint) -> Coverage {
         coverage(self.empty_share(polygon))
     }
 
-    /// The same for a rectangle along s and t.
+    /// As [`Self::coverage`], for a rectangle along s and t.
     pub fn coverage_of(&self, place: &GridPlace) -> Coverage {
         coverage(self.empty_share_of([place.low, place.high]))
     }
 
-    /// The empty area, in square metres, as far as pixels know it.
+    /// The empty area: that of all empty pixels, in square metres.
     pub fn empty_area(&self) -> f64 {
         let empty: u32 = self.bits.iter().map(|word| word.count_ones()).sum();
         let pixel = self.raster.pixel;

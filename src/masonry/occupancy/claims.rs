@@ -7,7 +7,7 @@ use smallvec::SmallVec;
 /// The default cell size of the hash grid (metres).
 const CELL: f64 = 0.25;
 
-/// The numbers of some claims. A list of those beside a brick needs no allocation.
+/// Indices in the list of all claims. A list of those beside a brick needs no allocation.
 pub type ClaimNumbers = SmallVec<[u32; 32]>;
 
 /// A polygon that a cell has claimed.
@@ -23,7 +23,7 @@ pub struct Claim {
 #[derive(Clone, Debug)]
 pub struct Claims {
     list: Vec<Claim>,
-    /// Their bounding boxes.
+    /// The bounding boxes of the claims in `list`.
     boxes: Vec<[DVec2; 2]>,
     low: DVec2,
     /// The side of a cell of the grid (metres).
@@ -40,7 +40,7 @@ impl Claims {
         Self::with_cell(bounds, CELL)
     }
 
-    /// The same, with a side of a cell of the grid (metres, above 0).
+    /// As [`Self::new`], with `cell` as the side of the grid's cells (metres, above 0).
     pub(super) fn with_cell([low, high]: [DVec2; 2], cell: f64) -> Self {
         let size = ((high - low) / cell).ceil().max(DVec2::ONE);
         Self {
@@ -81,7 +81,7 @@ impl Claims {
         rows.flat_map(move |row| (from.x as usize..=to.x as usize).map(move |c| row * columns + c))
     }
 
-    /// The numbers of the claims whose bounding boxes meet this one, rising.
+    /// The numbers of the claims whose bounding boxes meet this box, rising.
     pub fn near(&self, [low, high]: [DVec2; 2]) -> ClaimNumbers {
         let mut found = ClaimNumbers::new();
         for bucket in self.buckets([low, high]) {
@@ -104,7 +104,8 @@ impl Claims {
         shares.map(|k| &self.list[k].polygon)
     }
 
-    /// The area that a polygon shares with claims of other cells, each counted for itself (square metres).
+    /// The area that a polygon shares with claims, summed over the claims (square metres). Claims of the cell `except`
+    /// do not count.
     pub fn shared_area(&self, polygon: &Footprint, except: Option<u32>) -> f64 {
         let near = self
             .near(polygon.bounds())
@@ -114,7 +115,7 @@ impl Claims {
         others.map(|claim| claim.polygon.shared_area(polygon)).sum()
     }
 
-    /// The area that pairs of claims of different cells share (square metres).
+    /// The area that two claims of different cells share, summed over all pairs (square metres).
     pub fn overlap(&self) -> f64 {
         let pairs = (0u32..).zip(&self.list).map(|(k, claim)| {
             let before = self

@@ -2,7 +2,7 @@
 
 use crate::order;
 
-/// Intervals shorter than this are nothing (metres).
+/// Intervals shorter than this are dropped (metres).
 const TOUCH: f64 = 1e-9;
 
 /// The claimed intervals of an edge. It begins empty: an edge has no holes.
@@ -10,13 +10,13 @@ const TOUCH: f64 = 1e-9;
 pub struct EdgeMap {
     length: f64,
     is_closed: bool,
-    /// The claimed interval of each claim, inside the edge, with its cell; sorted by start.
+    /// The claimed intervals with their cells, cut to the edge; sorted by start.
     claims: Vec<([f64; 2], u32)>,
 }
 
 impl EdgeMap {
-    /// The map of an edge of this length (metres, above 0). A closed edge, such as the rim of a tower, goes on at its
-    /// start.
+    /// The map of an edge of this length (metres, above 0). The end of a closed edge, such as the rim of a tower, is
+    /// its start.
     pub fn new(length: f64, is_closed: bool) -> Self {
         Self {
             length,
@@ -31,7 +31,7 @@ impl EdgeMap {
     }
 
     /// Claims the interval from `a` to `b` for a cell, `a <= b` in metres from the edge's start. Parts beyond the ends
-    /// of an open edge are left out; those of a closed edge are put where they lie.
+    /// of an open edge are left out; on a closed edge they wrap around.
     pub fn claim(&mut self, [a, b]: [f64; 2], cell: u32) {
         for [from, to] in self.within([a, b]) {
             let at = self
@@ -55,7 +55,7 @@ impl EdgeMap {
         parts.filter(|[from, to]| to - from > TOUCH).collect()
     }
 
-    /// The claimed intervals with their cells, by their starts.
+    /// The claimed intervals with their cells, sorted by start.
     pub fn claims(&self) -> &[([f64; 2], u32)] {
         &self.claims
     }
@@ -105,7 +105,7 @@ impl EdgeMap {
         self.free().iter().map(|[from, to]| to - from).sum()
     }
 
-    /// The length of all claims beyond the first at each place, in metres.
+    /// The length that is claimed more than once, in metres; each claim after the first counts again.
     pub fn overlap(&self) -> f64 {
         let claimed: f64 = self.claims.iter().map(|([from, to], _)| to - from).sum();
         claimed + self.gap() - self.length

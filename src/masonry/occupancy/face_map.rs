@@ -12,7 +12,7 @@ use smallvec::SmallVec;
 /// Polygons that a cell must not overlap. There are few beside a brick.
 pub type Obstacles<'a> = SmallVec<[&'a Footprint; 16]>;
 
-/// The side of a cell of the grid in which claims are found, in modules: a brick meets few of them.
+/// The side of a cell of the hash grid of claims, in modules. A brick meets few such cells.
 const CELL: f64 = 3.0;
 
 /// The map of a face.
@@ -24,21 +24,21 @@ pub struct FaceMap {
     claims: Claims,
     /// The face itself as convex polygons.
     inside: Vec<Footprint>,
-    /// Their bounding boxes.
+    /// The bounding boxes of the polygons in `inside`.
     inside_boxes: Vec<[DVec2; 2]>,
-    /// Its holes, its surroundings and the outlines of insets as convex polygons.
+    /// The face's holes, its surroundings and the outlines of its insets (panels), as convex polygons.
     outside: Claims,
 }
 
 impl FaceMap {
-    /// The map of a face with this outline. `module` is the pattern's unit W (metres, above 0), and `pixels` of them
+    /// The map of a face with this outline. `module` is the pattern's unit W (metres, above 0), and this many `pixels`
     /// lie along it. On a whole cylinder the region covers one `period` of s.
     pub fn new(region: &Region, (module, pixels): (f64, f64), period: Option<f64>) -> Self {
         let parts = region.convex_parts(Self::margin(module, period));
         Self::with_parts(region, parts, (module, pixels), period)
     }
 
-    /// How much wider than the region the box is in which the map knows obstacles (metres along s and t).
+    /// The margin around the region's bounding box in which the map has obstacles (metres along s and t).
     pub fn margin(module: f64, period: Option<f64>) -> DVec2 {
         // Obstacles need to be as wide as anything that may be laid across the border.
         let margin = 8.0 * module;
@@ -82,8 +82,8 @@ impl FaceMap {
         }
     }
 
-    /// Adds the outline of an inset to the obstacles, whose cells have claimed it already: cells beside it are then cut
-    /// along the outline, and not along the sides of single cells.
+    /// Adds the outline of an inset to the obstacles, after its cells have claimed the space. Cells beside it are then
+    /// cut along the outline, and not along the sides of single cells.
     pub fn enclose(&mut self, outline: &Footprint) {
         for polygon in self.images(outline) {
             let cell = u32::MAX;
@@ -91,7 +91,7 @@ impl FaceMap {
         }
     }
 
-    /// The pixels.
+    /// The bitmap of empty pixels.
     pub fn bitmap(&self) -> &Bitmap {
         &self.bitmap
     }
@@ -101,17 +101,17 @@ impl FaceMap {
         &self.claims
     }
 
-    /// Whether a place is free, partly free or occupied, as far as pixels know it.
+    /// Whether a place is free, partly free or occupied, judged by pixels.
     pub fn coverage(&self, polygon: &Footprint) -> Coverage {
         self.bitmap.coverage(polygon)
     }
 
-    /// The same for a rectangle along s and t.
+    /// As [`Self::coverage`], for a rectangle along s and t.
     pub fn coverage_of(&self, place: &GridPlace) -> Coverage {
         self.bitmap.coverage_of(place)
     }
 
-    /// The share of a polygon that earlier claims cover, each counted for itself.
+    /// The share of a polygon that earlier claims cover, summed over the claims: above 1 if they overlap.
     pub fn claimed_share(&self, polygon: &Footprint) -> f64 {
         self.claims.shared_area(polygon, None) / polygon.area()
     }
@@ -127,7 +127,7 @@ impl FaceMap {
         self.claims.polygons_near(polygon).collect()
     }
 
-    /// Whether more than a share of a polygon lies on the face itself.
+    /// Whether more than the share `least` of a polygon lies on the face itself (0 to 1).
     pub fn has_inside(&self, polygon: &Footprint, least: f64) -> bool {
         let (mut area, whole) = (0.0, polygon.area());
         for image in self.images(polygon) {
@@ -137,7 +137,7 @@ impl FaceMap {
                 if shared_box(*part_box, around).is_some() {
                     own += part.shared_area(&image);
                     area = before + own;
-                    // More parts do not make it less.
+                    // Further parts can only add to the area.
                     if area / whole > least {
                         return true;
                     }
@@ -177,7 +177,7 @@ impl FaceMap {
         self.gaps().iter().map(Footprint::area).sum()
     }
 
-    /// The area of the face that claims cover, each counted for itself (square metres).
+    /// The area of the face that claims cover, summed over the claims (square metres).
     pub fn claimed(&self) -> f64 {
         self.inside
             .iter()
@@ -269,7 +269,7 @@ mod tests {
         let mut random = Random::new(1, Purpose::Scatter, 0);
         for period in [None, Some(3.0)] {
             let mut map = FaceMap::new(&wall(), (W, 8.0), period);
-            // Columns of bricks with slanted ends, which overlap nobody, some beyond the border.
+            // Rows of bricks with slanted ends that do not overlap. Some reach beyond the border.
             for row in 0..16 {
                 let y = 0.125 * f64::from(row);
                 let mut s = -0.1 * random.unit();

@@ -8,9 +8,9 @@ use std::collections::BTreeMap;
 /// A rectangle of pixels that are all free, or that one cell has claimed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelRun {
-    /// Its least and its greatest (s, t), metres.
+    /// Its least (s, t), metres.
     pub low: DVec2,
-    /// The greatest.
+    /// Its greatest (s, t), metres.
     pub high: DVec2,
     /// The number of the cell; none if the pixels are free.
     pub claim: Option<u32>,
@@ -25,12 +25,12 @@ impl PixelRun {
     }
 }
 
-/// The columns of a run in a row, and its claim.
+/// The first column of a run in a row and the column behind its last, and the claim.
 type Span = ([usize; 2], Option<u32>);
 
 impl Bitmap {
-    /// The empty pixels of the map as rectangles, of which each is free or under a claim; the last of several claims
-    /// counts. Runs of a row are joined with equal ones of the next row.
+    /// The empty pixels of the map as rectangles. Each rectangle is free, or under a single claim; the last of several
+    /// claims counts. Equal runs in neighbouring rows are joined.
     pub fn runs(&self, claims: &Claims) -> Vec<PixelRun> {
         let (owners, width) = self.owners(claims.list());
         let mut open: BTreeMap<Span, usize> = BTreeMap::new();

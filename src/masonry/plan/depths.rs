@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// The most places of a face at which its wall is measured.
 const MOST: usize = 64;
 
-/// Where it is measured on the way from the middle of a part to a corner.
+/// Where a wall is measured on the way from the middle of a convex part (0) to a corner (1).
 const WAYS: [f64; 2] = [0.5, 0.94];
 
 /// The number of faces in a slice of the work.
@@ -34,7 +34,7 @@ pub fn thicknesses(building: &Arc<Building>) -> Result<Vec<f64>, MeshFault> {
     }
 }
 
-/// The same in slices.
+/// As [`thicknesses`], in slices.
 pub struct ThicknessWork {
     building: Arc<Building>,
     thickness: WallThickness,
@@ -44,7 +44,7 @@ pub struct ThicknessWork {
 }
 
 impl ThicknessWork {
-    /// Begins.
+    /// Begins with the first face of a building.
     ///
     /// # Errors
     /// If the building's polygons are no mesh.

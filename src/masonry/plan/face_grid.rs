@@ -10,18 +10,18 @@ use glam::{DVec2, DVec3};
 /// How far apart two lines or places may be and still count as one (metres).
 pub(super) const NEAR: f64 = 1e-3;
 
-/// The grid of a face. Bricks run along its *columns'* axis in rows.
+/// The grid of a face. Rows are courses of bricks; columns divide them into pieces of half a brick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FaceGrid {
-    /// How rows run.
+    /// The stance of the face, which decides whether rows run along s or t.
     pub stance: Stance,
     /// The lines of s (metres), rising.
     pub s: Vec<f64>,
     /// The lines of t (metres), rising.
     pub t: Vec<f64>,
-    /// The number of the course below row 0: walls of a group count courses together.
+    /// The number of row 0 among the courses that the walls of a group share; 0 on other faces.
     pub first_course: usize,
-    /// In row k a brick starts at column c if c + k + phase is even.
+    /// In row k a brick starts at column c if c + k + `first_course` + `phase` is even.
     pub phase: bool,
     /// How deep cells of the face may reach into the wall (metres).
     pub depth: f64,
@@ -69,7 +69,7 @@ impl FaceGrid {
         (column + (row + self.first_course + usize::from(self.phase)) as isize).rem_euclid(2) == 0
     }
 
-    /// The number of the line nearest to a value, which must lie within half a column of it.
+    /// The number of the line nearest to a value; the lower one if two are equally near.
     pub fn line_at(lines: &[f64], value: f64) -> usize {
         let above = lines.partition_point(|&line| line < value);
         let below = above.saturating_sub(1);
@@ -77,8 +77,8 @@ impl FaceGrid {
         if is_nearer { above } else { below }
     }
 
-    /// How far `count` columns reach from a place along an axis of the face: `way` is +1 or -1 along s or t. Beyond
-    /// the last line the reach ends there.
+    /// How far `count` columns reach from the place `from`: to higher values if `way` is above 0, else to lower ones
+    /// (metres). The reach ends at the outermost line.
     pub fn reach(lines: &[f64], from: f64, way: f64, count: usize) -> f64 {
         let at = Self::line_at(lines, from);
         let to = if way > 0.0 {
@@ -97,7 +97,7 @@ pub fn region(face: &Face) -> Region {
     }
 }
 
-/// The places in (s, t) of a point on a face: on a whole cylinder within the period of its rings.
+/// The (s, t) of a point on a face. On a whole cylinder, s lies in the period that the face's rings cover.
 pub(super) fn place(face: &Face, p: DVec3) -> DVec2 {
     let place = face.surface.project(p).truncate();
     let [low, high] = face.bounds();
@@ -105,7 +105,7 @@ pub(super) fn place(face: &Face, p: DVec3) -> DVec2 {
         None => place,
         Some(period) => {
             let s = low.x + (place.x - low.x).rem_euclid(period);
-            // The seam is the lower end.
+            // A point at the seam gets the lower end of the period.
             DVec2::new(if high.x - s < NEAR { low.x } else { s }, place.y)
         }
     }
@@ -159,7 +159,7 @@ fn within(lines: Vec<f64>, [low, high]: [f64; 2]) -> Vec<f64> {
     merged([low, high].into_iter().chain(inner).collect())
 }
 
-/// The lines of a level face, or of a wall that is no part of a group: pieces of the module's width along both axes.
+/// The fixed lines with equal pieces of about `size` between them (metres): the lines of faces that are no walls.
 pub(super) fn plain(fixed: &[f64], size: f64) -> Vec<f64> {
     let counts: Vec<usize> = fixed
         .windows(2)
@@ -204,7 +204,7 @@ pub(super) fn through_rows(
     lines
 }
 
-/// The columns of a wall, and its fixed lines.
+/// The columns of a wall, and the fixed lines of s between which they lie (metres).
 #[derive(Clone, Debug)]
 pub(super) struct WallColumns {
     pub fixed: Vec<f64>,

@@ -7,7 +7,7 @@ use crate::masonry::module::ModuleFault;
 /// Why a building cannot be laid with a module.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanFault {
-    /// The module itself.
+    /// The module cannot be laid on any building.
     Module(ModuleFault),
     /// The building is too small, or a wall too narrow or too thin.
     Misfit(Misfit),
@@ -16,20 +16,20 @@ pub enum PlanFault {
 /// A warning about what may look wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanWarning {
-    /// About the courses of the walls that hang together with this one.
+    /// About the courses that a group of connected walls shares.
     Courses {
-        /// The first of these walls.
+        /// The first wall of the group.
         face: FaceId,
         /// The warning itself.
         what: CourseWarning,
     },
-    /// Columns are narrower or wider than 0.8 to 1.25 of the module.
+    /// Columns are narrower than 0.8 or wider than 1.25 times the module's width.
     Columns {
         /// The wall.
         face: FaceId,
         /// The ends of the interval along s (metres).
         ends: [f64; 2],
-        /// Their width over the module's.
+        /// The width of the columns over the module's width.
         ratio: f64,
     },
     /// A wall is thinner than half a brick: cells reach to its middle.

@@ -1,4 +1,4 @@
-//! The lines of a plan, for those who draw it.
+//! The grid lines of a plan, for drawing.
 
 use super::face_grid::{NEAR, edges, fixed_lines, joints, place};
 use super::whole::{Plan, is_of_opening};

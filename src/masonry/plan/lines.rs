@@ -6,9 +6,9 @@
 
 use crate::order;
 
-/// Lines nearer to each other than this are one (metres).
+/// Lines nearer to each other than this count as one (metres).
 const WELD: f64 = 1e-4;
-/// Rounding that does not change how many pieces an interval has.
+/// Slack for rounding, in pieces: noise does not change how many pieces an interval has.
 const EPSILON: f64 = 1e-6;
 /// Two lines nearer than this share of a course are too near.
 const NEAR: f64 = 0.3;
@@ -77,8 +77,9 @@ pub struct Courses {
 }
 
 impl Courses {
-    /// The lines through the marks, with courses of about this height (metres, above 0) between them. Another mark is
-    /// dropped if it is nearer to a line than 0.3 courses.
+    /// The lines through the marks, with courses of about this height (metres, above 0) between them. A mark that is
+    /// not at an opening is dropped if it is nearer to a line than 0.3 courses. The lowest and the highest such marks
+    /// are kept.
     pub fn new(marks: &[CourseMark], height: f64) -> Self {
         let fixed = fixed_lines(marks, height);
         let counts: Vec<usize> = fixed
@@ -110,7 +111,7 @@ impl Courses {
     }
 }
 
-/// The lines of openings, and those other marks that are not too near to a line.
+/// The heights of all openings, and of those other marks that are not too near to another line.
 fn fixed_lines(marks: &[CourseMark], height: f64) -> Vec<f64> {
     let of = |is_opening: bool| {
         let kept = marks
@@ -120,7 +121,7 @@ fn fixed_lines(marks: &[CourseMark], height: f64) -> Vec<f64> {
     };
     let (openings, others) = (of(true), of(false));
     let mut fixed = openings;
-    // The ends of the walls come first: all else gives way to them.
+    // The lowest and the highest of the other marks are the ends of the walls. They come first, so the rest gives way.
     let ends = [others.first(), others.last()].into_iter().flatten();
     for &y in ends.chain(&others) {
         let is_end = Some(&y) == others.first() || Some(&y) == others.last();

@@ -52,11 +52,11 @@ pub struct PlanMaking {
     depths: Vec<f64>,
     /// The fixed lines of each face, along s and along t.
     fixed: Vec<[Vec<f64>; 2]>,
-    /// For each wall the first wall that it hangs together with.
+    /// For each wall the first wall of its group; for other faces the face itself.
     groups: Vec<FaceId>,
-    /// The columns of each face; those of walls count.
+    /// The columns of each face; only those of walls are used.
     columns: Vec<WallColumns>,
-    /// The heights in each group of walls, by its first wall.
+    /// The heights that courses should meet, for each group of walls by its first wall.
     marks: BTreeMap<FaceId, Vec<CourseMark>>,
     courses: BTreeMap<FaceId, Courses>,
     warnings: Vec<PlanWarning>,
@@ -82,7 +82,7 @@ enum PlanStep {
 }
 
 impl PlanMaking {
-    /// Begins. `depths` are those to which cells of each face may reach: half of the wall's thickness (metres).
+    /// Begins. `depths` are how deep cells of each face may reach: half of the wall's thickness (metres).
     pub fn new(building: Arc<Building>, module: Module, depths: Vec<f64>) -> Self {
         Self {
             building,
@@ -176,7 +176,7 @@ impl PlanMaking {
         PlanStep::Courses
     }
 
-    /// The heights of a wall's corners, springings and bounds. Those at an opening are marked so.
+    /// The heights of a wall's corners, springings and bounds, each with whether it belongs to an opening.
     fn marks(&self, wall: FaceId) -> Vec<CourseMark> {
         let face = self.building.face(wall);
         let [low, high] = face.bounds().map(|place| base(face) + place.y);
@@ -228,7 +228,7 @@ impl PlanMaking {
         PlanStep::Grids(Vec::new(), changes, phases)
     }
 
-    /// An edge at which the bricks of two walls must alternate.
+    /// An edge at which the bricks of two walls must alternate; none if they need not.
     fn phase_edge(&self, id: EdgeId) -> Option<PhaseEdge> {
         let edge = self.building.edge(id);
         let walls = [edge.faces[0]?, edge.faces[1]?];
@@ -318,7 +318,8 @@ impl PlanMaking {
         }
     }
 
-    /// The row lines of a wall: the courses of its group within its bounds. Also the number of the first one.
+    /// The row lines of a wall along t: the courses of its group within its bounds. Also the number of the first
+    /// course.
     fn wall_rows(&self, id: FaceId) -> (Vec<f64>, usize) {
         let face = self.building.face(id);
         let [low, high] = face.bounds().map(|place| place.y);
@@ -331,7 +332,7 @@ impl PlanMaking {
         (rows, courses.course(low + base(face)))
     }
 
-    /// The course lines of a wall beside a reveal.
+    /// The course lines (heights, metres) of the first wall beside a reveal; empty if there is none.
     fn courses_beside(&self, face: &Face) -> &[f64] {
         let others = edges(face)
             .flat_map(|edge| self.building.edge(edge).faces)
@@ -344,12 +345,13 @@ impl PlanMaking {
     }
 }
 
-/// For each wall the first of the walls that vertical edges join it to.
+/// For each wall the first wall of its group: the walls that vertical edges connect. Other faces are groups of their
+/// own.
 fn groups(building: &Building) -> Vec<FaceId> {
     let mut firsts: Vec<FaceId> = building.face_ids().collect();
     let root = |firsts: &mut [FaceId], mut id: FaceId| {
         while firsts[id.index()] != id {
-            // Halves the way for the next search.
+            // Path halving makes the next search shorter.
             let above = firsts[id.index()];
             firsts[id.index()] = firsts[above.index()];
             id = firsts[id.index()];

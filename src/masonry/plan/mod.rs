@@ -1,7 +1,7 @@
 //! The plan of a building's masonry: what several features must agree on before the first cell is laid.
 //!
-//! Generators only read it. Legakis, Dorsey, Gortler (2001) find grid lines for each face (section 5.1) and flip the
-//! bricks of edges by hand (section 5.2). Here course lines belong to all walls that hang together, and phases are
+//! Generators only read the plan. Legakis, Dorsey, Gortler (2001) find grid lines for each face (section 5.1) and flip
+//! the bricks of edges by hand (section 5.2). Here course lines belong to all connected walls together, and phases are
 //! solved for.
 
 mod depths;

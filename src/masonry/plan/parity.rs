@@ -11,11 +11,11 @@
 
 use super::lines::pieces;
 
-/// A vertical edge between two walls. Each end names the wall, and the column line of the edge there as the number of
-/// fixed lines before it: line 0 is the wall's first.
+/// A vertical edge between two walls. On each wall it lies at a fixed line, which is given by its number; line 0 is the
+/// wall's first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PhaseEdge {
-    /// The number of the edge in messages.
+    /// The number of the edge, by which conflicts name it.
     pub edge: u32,
     /// The two walls.
     pub walls: [u32; 2],
@@ -28,14 +28,14 @@ pub struct PhaseEdge {
 pub struct Columns {
     /// Distances between one fixed line and the next (metres, above 0).
     pub widths: Vec<f64>,
-    /// The number of columns in each.
+    /// The number of columns in each interval between fixed lines.
     pub counts: Vec<usize>,
     /// Whether the wall is a whole cylinder, whose number of columns must be even.
     pub is_closed: bool,
 }
 
 impl Columns {
-    /// As near as possible to columns of width `module` (metres, above 0).
+    /// The columns of a wall, as near as possible to the width `module` (metres, above 0).
     pub fn new(widths: &[f64], module: f64, is_closed: bool) -> Self {
         let mut columns = Self {
             counts: widths.iter().map(|&width| pieces(width, module)).collect(),
@@ -48,7 +48,7 @@ impl Columns {
         columns
     }
 
-    /// Changes the interval by one column in which that costs least.
+    /// Adds or removes a column in the interval where this costs least (see [`Self::cost`]).
     fn make_even(&mut self, module: f64) {
         let trials = (0..self.counts.len()).flat_map(|k| [(k, 1isize), (k, -1)]);
         let allowed = trials.filter(|&(k, by)| by > 0 || self.counts[k] > 1);
@@ -65,18 +65,18 @@ impl Columns {
         libm::log(self.widths[k] / (count as f64 * module)).abs()
     }
 
-    /// The columns before a fixed line.
+    /// The number of columns before a fixed line.
     pub fn before(&self, line: u32) -> usize {
         self.counts[..line as usize].iter().sum()
     }
 
-    /// All columns.
+    /// The number of all columns.
     pub fn total(&self) -> usize {
         self.counts.iter().sum()
     }
 }
 
-/// Phases of walls: sets of walls, each wall with its parity to the root of its set.
+/// A union-find over walls: for each wall its parent in the set, and whether the phases of the two differ.
 struct Phases {
     parents: Vec<(u32, bool)>,
 }
@@ -94,7 +94,7 @@ impl Phases {
         while self.parents[wall as usize].0 != wall {
             let (parent, differs) = self.parents[wall as usize];
             let (above, more) = self.parents[parent as usize];
-            // Halves the way for the next search.
+            // Path halving makes the next search shorter.
             self.parents[wall as usize] = (above, differs ^ more);
             odd ^= differs ^ more;
             wall = above;
@@ -102,7 +102,7 @@ impl Phases {
         (wall, odd)
     }
 
-    /// Asks that the phases of two walls differ, or that they do not. False if they are known to be otherwise.
+    /// Demands that the phases of two walls differ, or that they are equal. False if earlier demands contradict this.
     fn join(&mut self, [a, b]: [u32; 2], differ: bool) -> bool {
         let ((root_a, odd_a), (root_b, odd_b)) = (self.root(a), self.root(b));
         let odd = odd_a ^ odd_b ^ differ;
@@ -121,7 +121,7 @@ impl Phases {
 pub struct PhasePlan {
     /// The phase of each wall.
     pub phases: Vec<bool>,
-    /// The wall with the smallest number among those whose phases depend on each wall's.
+    /// For each wall the first wall of its set: the walls whose phases depend on each other.
     pub roots: Vec<u32>,
     /// The numbers of the edges at which the bricks of two walls do not alternate.
     pub conflicts: Vec<u32>,

@@ -4,7 +4,7 @@ use super::parity::{Columns, PhaseEdge, PhasePlan, count_conflicts, solve};
 use crate::order;
 use std::collections::BTreeSet;
 
-/// The steps of the trials in a slice of the work, about.
+/// About how many steps of trials are in a slice of the work.
 const SLICE: usize = 200_000;
 
 /// A change of a wall's columns.
@@ -12,15 +12,15 @@ const SLICE: usize = 200_000;
 pub struct Change {
     /// The wall.
     pub wall: u32,
-    /// The interval between its fixed lines.
+    /// The number of the interval between fixed lines of the wall.
     pub interval: u32,
-    /// One column more or less.
+    /// One column more (1) or less (-1).
     pub by: i8,
 }
 
-/// Changes the columns of single intervals by one until no conflict is left, or no change makes fewer. It takes the
-/// change with the fewest conflicts left, then the least |ln(column width / module)|, then the first. Sets of walls that
-/// hang together are changed one after the other, each for itself.
+/// Changes the columns of single intervals by one until no conflict is left, or no change makes fewer. The best change
+/// leaves the fewest conflicts; then the least |ln(column width / module)| counts, then the order. Sets of connected
+/// walls are mended one after the other, each for itself.
 #[derive(Debug)]
 pub struct RepairWork {
     edges: Vec<PhaseEdge>,
@@ -33,7 +33,7 @@ pub struct RepairWork {
     changes: Vec<Change>,
 }
 
-/// Walls that hang together, and the search for their best change.
+/// Connected walls, and the search for the best change of their columns.
 #[derive(Debug)]
 struct ConflictSet {
     walls: Vec<u32>,
@@ -44,7 +44,7 @@ struct ConflictSet {
     left: usize,
     /// The changes to be tried, the next one last.
     trials: Vec<Change>,
-    /// The best change so far, after the conflicts that it leaves and the rank of its cost.
+    /// The best change so far. Before it stands its key: the conflicts that it leaves, and the rank of its cost.
     best: Option<((usize, u64), Change)>,
 }
 
@@ -75,8 +75,8 @@ impl RepairWork {
         }
     }
 
-    /// Tries some changes of `columns`, which must always be the same ones. Returns the changes made and the phases
-    /// at the end.
+    /// Tries some changes of `columns`, which must be the same list in all calls. Returns the changes made and the
+    /// phases at the end.
     pub fn advance(&mut self, columns: &mut [Columns]) -> Option<(Vec<Change>, PhasePlan)> {
         let Some(set) = self.sets.last_mut() else {
             let plan = match self.changes.is_empty() {
@@ -152,8 +152,8 @@ fn apply(columns: &mut [Columns], change: Change) {
     *count = count.wrapping_add_signed(change.by.into());
 }
 
-/// All changes of some walls that may be tried, the first one last. A cylinder stays even, and no interval loses its only
-/// column.
+/// All changes of some walls that may be tried, the first one last. Cylinders are left out, as they must stay even, and
+/// so are intervals with a single column.
 fn trials(columns: &[Columns], walls: &[u32]) -> Vec<Change> {
     let all = walls.iter().map(|&wall| (wall, &columns[wall as usize]));
     let all = all.filter(|(_, columns)| !columns.is_closed);
@@ -192,7 +192,7 @@ mod tests {
                 break found;
             }
         };
-        // The widest of the walls gets the column, and the first one of these.
+        // The first of the widest walls gets the column.
         let change = Change {
             wall: 6,
             interval: 0,

@@ -5,7 +5,7 @@ use super::fault::PlanWarning;
 use super::repair::Change;
 use crate::building::{Building, EdgeId, Face, FaceId, Module, Stance, Surface, labels};
 
-/// The cosine within which the direction of a wall is upwards.
+/// The direction of a wall is upwards if the cosine of its angle to the y axis is above this.
 const UPRIGHT: f64 = 0.999;
 
 /// The plan of a building: what several features must agree on before the first cell is laid.
@@ -15,7 +15,8 @@ pub struct Plan {
     pub module: Module,
     /// The grid of each face.
     pub grids: Vec<FaceGrid>,
-    /// For each face the first of those walls that must be shifted by a column together with it.
+    /// For each face the first wall of its phase set: the walls that can be shifted by a column
+    /// only together.
     pub phase_sets: Vec<FaceId>,
     /// The edges at which bricks do not alternate.
     pub conflicts: Vec<EdgeId>,

@@ -10,8 +10,8 @@ pub enum TreeFault {
         /// The column.
         column: usize,
     },
-    /// Another sort of value stands where this is needed: "object", "array", "number", "text", "whole number", "true
-    /// or false".
+    /// A value of another sort stands where one of this sort is needed: "object", "array", "number", "text", "whole
+    /// number", "true or false".
     NotA {
         /// The sort that is needed.
         wanted: &'static str,
@@ -28,7 +28,7 @@ pub enum TreeFault {
         /// The key.
         key: String,
     },
-    /// A word that is none of those allowed.
+    /// A word that is not among those allowed.
     UnknownWord {
         /// The word.
         word: String,

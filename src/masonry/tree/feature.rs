@@ -18,9 +18,9 @@ pub enum FeatureKind {
 pub enum WindowPart {
     /// Corners with an edge upwards; edges beside a face that looks up, and such faces.
     Bottom,
-    /// The same downwards.
+    /// Corners with an edge downwards; edges beside a face that looks down, and such faces.
     Top,
-    /// All others.
+    /// All other features.
     Side,
 }
 
@@ -55,8 +55,8 @@ impl FeatureView<'_> {
         window: WindowPart::Side,
     };
 
-    /// Whether it is horizontal (section 5.3, Orientation): a level edge, or a face that looks up or down. Corners are
-    /// neither.
+    /// Whether it is horizontal (section 5.3, Orientation): a level edge, or a face that looks up or down. It has no
+    /// meaning for corners.
     pub fn is_horizontal(&self) -> bool {
         match self.kind {
             FeatureKind::Face => self.heading != Heading::Level,

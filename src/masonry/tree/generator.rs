@@ -34,7 +34,7 @@ pub enum PatternGenerator {
     Coping,
 }
 
-/// A number of a generator.
+/// A numeric parameter of a generator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
     /// Its key in JSON.
@@ -65,7 +65,7 @@ const fn whole(key: &'static str, range: [f64; 2], default: f64) -> Parameter {
     }
 }
 
-/// The number that cells carry on, for their colours.
+/// The number that cells keep, for their colours.
 const TAG: Parameter = whole("tag", [0.0, 15.0], 0.0);
 /// How deep cells reach into the wall, in metres; 0 leaves it to the generator.
 const DEPTH: Parameter = real("depth", [0.0, 2.0], 0.0);
@@ -102,13 +102,14 @@ impl PatternGenerator {
         found.expect("the list has all generators").1
     }
 
-    /// Its numbers.
+    /// Its numeric parameters.
     pub fn parameters(self) -> &'static [Parameter] {
         match self {
             Self::RgbBlocks => const { &[TAG] },
             Self::Bricks => const { &[TAG, DEPTH] },
             Self::WindowBottomBricks => const { &[EXTRUDE, TAG] },
-            // The keystone stands this much over its row; 0 makes none. Jamb stones are `quoin` courses high.
+            // `keystone` is how far the keystone stands over its row (metres); 0 makes none. Jamb stones are `quoin`
+            // courses high.
             Self::ArchStones => {
                 const {
                     &[
@@ -129,8 +130,8 @@ impl PatternGenerator {
                     ]
                 }
             }
-            // The greatest size and the least distance from the ends of the face, in columns and rows. Bond 0 is
-            // herringbone, bond 1 basket weave.
+            // `width` and `height` are the greatest size, and `margin` is the least distance from the ends of the face,
+            // in columns and rows. Bond 0 is herringbone, bond 1 basket weave.
             Self::Panel => {
                 const {
                     &[
@@ -158,10 +159,10 @@ impl PatternGenerator {
         }
     }
 
-    /// The numbers of those beyond the paper's.
+    /// The parameters of the generators that the paper does not have.
     fn added_parameters(self) -> &'static [Parameter] {
         match self {
-            // Each tile covers that below by the share `lap` of its length.
+            // Each tile covers the share `lap` of the length of the tile below.
             Self::Tiles => {
                 const {
                     &[
@@ -174,7 +175,7 @@ impl PatternGenerator {
                 }
             }
             Self::Raking => const { &[EXTRUDE, TAG] },
-            // Stones stand over both sides of the wall by `over`.
+            // Stones stand over both sides of the wall by `over` (metres).
             Self::Coping => {
                 const {
                     &[
@@ -244,12 +245,12 @@ impl StoneRow {
     pub const MOST: usize = 8;
 }
 
-/// A generator with its numbers.
+/// A generator with the values of its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeneratorNode {
     /// The generator.
     pub generator: PatternGenerator,
-    /// Its numbers, in the order of [`PatternGenerator::parameters`].
+    /// The values of its parameters, in the order of [`PatternGenerator::parameters`].
     pub numbers: Vec<f64>,
     /// Its rows, if it has rows.
     pub rows: Vec<StoneRow>,

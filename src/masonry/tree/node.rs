@@ -3,21 +3,21 @@
 use super::generator::GeneratorNode;
 use crate::building::{CornerClass, Heading};
 
-/// Which corners a case of [`PatternNode::ByCorner`] is for. Parts that are not given may be anything.
+/// Which corners a case of [`PatternNode::ByCorner`] is for. A field that is `None` fits any corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CornerPattern {
     /// How many of the corner's edges are convex.
     pub convex: Option<usize>,
-    /// How many are concave.
+    /// How many of the corner's edges are concave.
     pub concave: Option<usize>,
-    /// Where its single convex edge points.
+    /// Where the corner's single convex edge points.
     pub single_convex: Option<Heading>,
-    /// Where its single concave edge points.
+    /// Where the corner's single concave edge points.
     pub single_concave: Option<Heading>,
 }
 
 impl CornerPattern {
-    /// Whether a corner is one of these.
+    /// Whether a corner fits the pattern.
     pub fn fits(&self, corner: &CornerClass) -> bool {
         let is = |wanted: Option<usize>, count: usize| wanted.is_none_or(|wanted| wanted == count);
         let points = |wanted: Option<Heading>, single| wanted.is_none() || wanted == single;
@@ -37,7 +37,7 @@ pub enum PatternNode {
     ByLabel {
         /// The cases, sorted by label.
         cases: Vec<(String, PatternNode)>,
-        /// For all others.
+        /// For features without any of these labels.
         otherwise: Box<PatternNode>,
     },
     /// Passes a feature on by its type.
@@ -53,7 +53,7 @@ pub enum PatternNode {
     ByCorner {
         /// The cases.
         cases: Vec<(CornerPattern, PatternNode)>,
-        /// For all others.
+        /// For corners that no case fits, and for edges and faces.
         otherwise: Box<PatternNode>,
     },
     /// Passes an edge or a face on by its direction (Legakis, Dorsey, Gortler 2001, section 5.3, Orientation).
@@ -67,22 +67,22 @@ pub enum PatternNode {
     },
     /// Passes a feature on by its place in a window (section 5.3, Analyze Window).
     AnalyzeWindow {
-        /// For those at the bottom.
+        /// For features at the bottom.
         bottom: Box<PatternNode>,
-        /// For those at the top.
+        /// For features at the top.
         top: Box<PatternNode>,
-        /// For all others.
+        /// For all other features.
         side: Box<PatternNode>,
     },
-    /// Passes a feature to all of these, one after the other: cells are placed, and the rest of the feature is passed
-    /// on.
+    /// Passes a feature to all of these nodes, one after the other: each places cells on the part that the nodes before
+    /// have left.
     Seq(Vec<PatternNode>),
     /// Lays cells.
     Lay(GeneratorNode),
 }
 
 impl PatternNode {
-    /// The children with the names of their places, in order.
+    /// The children with their names in a path, in order.
     pub fn children<'a>(&'a self) -> Vec<(String, &'a PatternNode)> {
         let named = |list: [(&str, &'a PatternNode); 3]| {
             list.map(|(name, node)| (name.to_owned(), node)).to_vec()
@@ -168,7 +168,7 @@ impl PatternTree {
     }
 }
 
-/// The path of a child.
+/// The path of a child, from the path of its node and its own name.
 pub(super) fn joined(path: &str, name: &str) -> String {
     match path {
         "" => name.to_owned(),

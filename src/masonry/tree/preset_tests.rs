@@ -1,4 +1,4 @@
-//! Properties of the pattern trees by name.
+//! Tests of the pattern trees in [`PRESETS`].
 
 use super::{PRESETS, PatternTree};
 use crate::building::{CornerClass, Heading};
@@ -61,7 +61,7 @@ fn what_is_written_reads_back_equal() {
             preset.name
         );
     }
-    // Each generator with each number off its default.
+    // Each generator, with no parameter at its default.
     for (generator, _) in PatternGenerator::ALL {
         let mut node = GeneratorNode::new(generator);
         for (number, parameter) in node.numbers.iter_mut().zip(generator.parameters()) {
@@ -146,7 +146,7 @@ fn features_go_where_the_paper_sends_them() {
     assert_eq!(both[1].0, "cases.Column.face.vertical.children.1");
 }
 
-/// A tree with stones over straight heads goes round arches, too.
+/// Trees that lay stones or bricks over straight window heads lay them round arches, too.
 #[test]
 fn trees_that_know_windows_know_arches() {
     use PatternGenerator::{ArchBricks, ArchStones};

@@ -28,7 +28,7 @@ impl PatternTree {
     }
 }
 
-/// Keys that stand for the children of a node.
+/// The keys for the children of `ByLabel` and `ByCorner`.
 const LABELLED: [&str; 2] = ["cases", "else"];
 
 struct TreeReader {
@@ -78,7 +78,7 @@ impl TreeReader {
         }
     }
 
-    /// A child; nothing is laid where it is missing.
+    /// The child under a key, or [`PatternNode::Nothing`] if the key is missing.
     fn child(
         &mut self,
         object: &Map<String, Value>,
@@ -91,7 +91,8 @@ impl TreeReader {
         }
     }
 
-    /// The children of a node that has these and `more` keys only.
+    /// The children under `keys` of a node. It is a fault if the node has other keys than these and
+    /// `more`.
     fn parts<const N: usize>(
         &mut self,
         object: &Map<String, Value>,
@@ -223,7 +224,7 @@ fn corner_pattern(map: &Map<String, Value>, path: &str) -> Checked<CornerPattern
     })
 }
 
-/// The words of the directions of edges in JSON.
+/// The words of the directions of edges in JSON, in the order of [`Heading`].
 pub(super) const HEADINGS: [&str; 3] = ["up", "down", "level"];
 
 fn generator_node(

@@ -7,7 +7,7 @@ fn fault_of(text: &str) -> (String, TreeFault) {
     (error.path, error.fault)
 }
 
-/// Texts with the paths and the faults that they have.
+/// Texts, each with the path and the kind of its fault.
 type Cases<'a> = &'a [(&'a str, &'a str, TreeFault)];
 
 fn check(cases: Cases) {

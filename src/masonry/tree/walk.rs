@@ -13,8 +13,8 @@ pub struct Reached<'a> {
     pub node: &'a GeneratorNode,
 }
 
-/// A feature that came to a generator which does not expect its type: an error of the tree, as faces that reach Window
-/// Bottom Bricks (Legakis, Dorsey, Gortler 2001, section 5.2).
+/// A feature that came to a generator which does not expect its type. This is an error of the tree, for example if
+/// faces reach Window Bottom Bricks (Legakis, Dorsey, Gortler 2001, section 5.2).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unexpected {
     /// The path of the generator's node.
