@@ -8,11 +8,11 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::collections::binary_heap::PeekMut;
 
-/// Where places are that only fill up four, in units of the body: no ball is near.
+/// A place that fills up a group of four, in units of the body: no ball is near it.
 const FAR: DVec3 = DVec3::splat(1e3);
 
-/// The rank of an upper bound of a ball's gain, with the ball's number and for how many spheres it was computed. The first
-/// of equally promising balls comes first.
+/// The rank of an upper bound of a ball's gain, the ball's number, and the number of chosen spheres for which the bound
+/// was computed. Among equally promising balls the least number comes first.
 type BallGain = (u64, Reverse<(u32, u32)>);
 
 /// The greedy choice of balls, by the squares of gaps, so that the greatest gaps shrink first. A ball's gain can only
@@ -32,8 +32,8 @@ struct GapPlaces {
     places: Vec<DVec3>,
     gaps: Vec<f64>,
     greatest: f64,
-    /// The same four by four, as spheres whose radii are the gaps: a ball that overlaps one may reduce its gap. Relative
-    /// to a corner of the body, and in units of its longest side.
+    /// The places four by four, as spheres whose radii are the gaps: a ball that overlaps such a sphere may reduce the
+    /// gap. They are relative to `origin`, a corner of the body, in units of its longest side (`unit`).
     fours: Vec<FourSpheres>,
     origin: DVec3,
     unit: f64,
@@ -138,7 +138,8 @@ impl Choice {
         self.spheres.push(ball);
     }
 
-    /// Computes the gain of the most promising ball, or takes it; false if no ball gains anything.
+    /// Takes the most promising ball if its gain is up to date, else computes this gain. False if no ball gains
+    /// anything.
     pub fn advance(&mut self, pool: &[Sphere]) -> bool {
         let known = self.spheres.len() as u32;
         let Some(mut best) = self.gains.peek_mut().filter(|best| best.0 > rank(0.0)) else {

@@ -4,7 +4,8 @@ use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
 
-/// A slice ends after this many nearby triangles for each unit of its amount. A needle may have all others near it.
+/// A slice ends after this many nearby triangles for each unit of its amount. A needle may have all other triangles
+/// near it.
 const NEAR: usize = 400;
 
 /// The crossings found.
@@ -16,8 +17,8 @@ pub struct Crossings {
     pub at: Option<DVec3>,
 }
 
-/// Looks for pairs of triangles that cross, in slices. Signs are exact (Shewchuk 1997, Adaptive Precision Floating-Point
-/// Arithmetic and Fast Robust Geometric Predicates). Triangles with a common edge are not compared.
+/// Looks for pairs of triangles that cross, in slices. The tests of sides are exact (Shewchuk 1997, Adaptive Precision
+/// Floating-Point Arithmetic and Fast Robust Geometric Predicates). Triangles with a common edge are not compared.
 #[derive(Default)]
 pub struct CrossingSearch {
     at: usize,
@@ -25,8 +26,8 @@ pub struct CrossingSearch {
 }
 
 impl CrossingSearch {
-    /// Compares at most `amount` triangles with those near them, fewer where these are many; returns the crossings after
-    /// the last one.
+    /// Compares at most `amount` triangles with those near them, or fewer if many are near. Returns the crossings after
+    /// the last triangle.
     pub fn advance(&mut self, mesh: &TriMesh, search: &Search, amount: usize) -> Option<Crossings> {
         let count = mesh.triangles().len();
         let end = count.min(self.at.saturating_add(amount.max(1)));
@@ -39,7 +40,7 @@ impl CrossingSearch {
         (self.at == count).then_some(self.found)
     }
 
-    /// Returns how many triangles are near.
+    /// Compares a triangle with those near it that have greater numbers. Returns how many triangles are near.
     fn compare(&mut self, mesh: &TriMesh, search: &Search, t: u32) -> usize {
         let corners = mesh.corners(t);
         let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -85,7 +86,7 @@ fn meeting(mesh: &TriMesh, s: u32, t: u32) -> Option<DVec3> {
     })
 }
 
-/// Where a segment goes through a triangle; its ends lie strictly on different sides.
+/// The place where a segment goes through a triangle; `None` unless its ends lie strictly on different sides.
 fn piercing([p, q]: [DVec3; 2], [a, b, c]: [DVec3; 3]) -> Option<DVec3> {
     let [above, below] = [p, q].map(|end| volume(a, b, c, end));
     if above * below >= 0.0 || above == 0.0 || below == 0.0 {

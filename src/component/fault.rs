@@ -36,9 +36,9 @@ pub enum ComponentFault {
         /// A place where two of them cross, in the file's units.
         at: DVec3,
     },
-    /// Its largest inner sphere is too small beside its size.
+    /// The largest inner sphere is too small beside the diagonal.
     Thin {
-        /// The size over the thickness: over 200.
+        /// The diagonal over the thickness; above 200.
         ratio: f64,
     },
 }

@@ -61,7 +61,7 @@ const GROWN: Finish = Finish {
     ..TOY
 };
 
-/// The button and the stalk of fruit.
+/// The colour of the button and the stalk of apples.
 const WOODY: [u8; 3] = [104, 76, 46];
 const ORANGE_PARTS: &[PartColour] = &[
     (Part::Stalk, [112, 122, 52]),

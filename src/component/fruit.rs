@@ -13,9 +13,9 @@ fn about([r, y]: Knot, angle: f64) -> DVec3 {
     DVec3::new(r.max(0.0) * c, y, r.max(0.0) * s)
 }
 
-/// The base of a chestnut, ...
+/// The profile of a chestnut's base.
 const CHESTNUT_CAP: [Knot; 4] = [[0.0, -0.60], [0.26, -0.612], [0.47, -0.60], [0.64, -0.545]];
-/// ... its body, and its tip.
+/// The profiles of a chestnut's body and of its tip.
 const CHESTNUT: [Knot; 9] = [
     [0.655, -0.525],
     [0.84, -0.42],

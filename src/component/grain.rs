@@ -10,7 +10,8 @@ fn along(ring: usize, rings: usize) -> f64 {
     -libm::cos(PI * ring as f64 / (rings - 1) as f64)
 }
 
-/// The radius of a rounded tube at `t`, -1 to 1, relative to its middle: 0 at the ends.
+/// The radius of a rounded tube at `t`, -1 to 1, relative to its middle: 0 at the ends. A high `full` keeps the tube
+/// thick for longer, and a low `blunt` makes its ends blunter.
 fn rounded(t: f64, full: f64, blunt: f64) -> f64 {
     let left = 1.0 - libm::pow(t.abs(), full);
     if left <= 0.0 {
@@ -83,7 +84,8 @@ pub(super) fn bean() -> Shell {
     })
 }
 
-/// Half the length and half the width of a bean's scar: a ring and a column of its vertices lie on the border.
+/// Half the length of a bean's scar in `t`, and half its width as the sine of half the angle. A ring and a column of
+/// vertices lie on its border.
 const SCAR: [f64; 2] = [0.243, 0.1024];
 
 /// Moves a place on a bean so that the rings and columns around its scar become ellipses. Also gives the distance from

@@ -23,7 +23,7 @@ fn hexagon(radius: f64, angle: f64) -> f64 {
     radius * libm::cos(FRAC_PI_6) / libm::cos(FRAC_PI_6 - off.abs())
 }
 
-/// The upper end of a hexagonal prism whose corners a cone has turned off. The cone meets the end in a circle; `k` is 0
+/// The upper end of a hexagonal prism whose corners a cone has cut off. The cone meets the end in a circle; `k` is 0
 /// for that circle, and 1 for the curve where the cone meets the sides.
 fn hex_end(k: usize, [radius, top]: [f64; 2], angle: f64) -> Ring {
     let circle = 0.955 * radius * libm::cos(FRAC_PI_6);
@@ -130,7 +130,7 @@ pub(super) fn gear() -> Shell {
     const AROUND: usize = 96;
     let edge = Mark::of(Part::Edge);
     Shell::ring(RINGS, AROUND, |ring, angle| {
-        // Across a tooth eight columns: two on the crest, two in the groove, and two on each flank.
+        // A tooth has eight columns of vertices: two on the crest, two in the groove, and two on each flank.
         let at = (angle * TEETH / TAU).rem_euclid(1.0) * 8.0;
         let high = ((at - 4.0).abs() - 1.0).clamp(0.0, 2.0) / 2.0;
         let rim = 0.80 + 0.2 * (1.0 - high);

@@ -27,7 +27,7 @@ pub struct Gaps {
     pub mean: f64,
 }
 
-/// The amounts of the work.
+/// Limits of the work.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effort {
     /// Samples of the surface, at which gaps are measured.
@@ -40,7 +40,7 @@ pub(super) struct Effort {
 
 /// The spheres of a mesh.
 pub(super) struct Inner {
-    /// In the order of choice: each one reduces the gaps most. The first is the largest.
+    /// The chosen spheres, in the order of choice: each reduces the gaps most at its turn. The first is the largest.
     pub spheres: Vec<Sphere>,
     /// For each sphere the greatest gap at places of the surface to which it is the nearest one.
     pub beyond: Vec<f64>,
@@ -99,7 +99,7 @@ impl InnerMaking {
         }
     }
 
-    /// Works on at most `amount` triangles, samples or balls. Returns the spheres when they are chosen, or nothing if
+    /// Works on at most `amount` triangles, samples or balls. Returns the spheres when they are chosen; `Some(None)` if
     /// there is no room for any.
     pub fn advance(&mut self, amount: usize) -> Option<Option<Inner>> {
         let amount = amount.max(1);

@@ -46,7 +46,7 @@ pub enum ComponentKind {
 /// The constants of a kind.
 pub(super) struct Traits {
     pub word: &'static str,
-    /// Edges with a smaller cosine between their triangles are sharp.
+    /// An edge is sharp if the cosine between the normals of its triangles is below this.
     pub crease: f64,
     /// The most inner spheres.
     pub spheres: usize,

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 /// Side veins on each half of the blade.
 const VEINS: usize = 8;
-/// Places across half of the blade, from the midrib to the rim.
+/// Places of vertices across half of the blade, by level of detail: 0 is the midrib, 1 the rim.
 const ACROSS: [f64; 8] = [0.0, 0.045, 0.10, 0.26, 0.44, 0.62, 0.81, 1.0];
 const COARSE: [f64; 3] = [0.0, 0.45, 1.0];
 const COARSEST: [f64; 2] = [0.0, 1.0];
@@ -20,8 +20,8 @@ const FORWARD: f64 = 0.30;
 /// The share of a vein's colour in coarse leaves.
 const PALER: f64 = 0.35;
 
-/// How far the teeth stand out at a place between two side veins: there is a large tooth at each vein, and a small one
-/// between two.
+/// How far the teeth stand out at a place between two side veins, 0 at one and 1 at the next. There is a large tooth at
+/// each vein, and a small one between two.
 fn tooth(off: f64) -> f64 {
     match off {
         ..0.05 => 1.0,
@@ -101,7 +101,7 @@ fn spot([u, near, tooth]: [f64; 3], v: f64, side: f64) -> Spot {
         false => BASE + (along + 0.016 * tooth) * (1.0 - BASE),
     };
     let z = v * half + 0.05 * tooth * v.signum();
-    // The midrib is a ridge below and a furrow above; so are the side veins, less.
+    // The midrib is a ridge below and a furrow above. The side veins are alike, but flatter.
     let rib = bell(z / 0.045) * step(1.0, 0.75, u);
     let vein = if is_stalk {
         0.0

@@ -16,8 +16,8 @@ pub struct Level {
 }
 
 impl Level {
-    /// A simpler mesh with the marks of this one: each vertex has the mean of those around it, so bands that are finer
-    /// than its triangles fade.
+    /// A simpler mesh with the marks of this one: each vertex has a mean of the marks around it. So bands that are
+    /// finer than the triangles fade.
     pub(super) fn marked(&self, mesh: TriMesh) -> Self {
         let is_plain = self.marks.iter().all(|mark| *mark == Mark::BODY);
         let reach = 0.25 * mean_square(&mesh);
@@ -63,7 +63,8 @@ impl Level {
         surface
     }
 
-    /// The corners at a vertex that one can reach from the first one over smooth edges, among these.
+    /// The corners of triangles at a vertex that can be reached from `first` over smooth edges, out of those in
+    /// `among`.
     fn smooth_with(&self, first: u32, among: &[u32], crease: f64) -> Vec<u32> {
         let mut found = vec![first];
         let mut at = 0;

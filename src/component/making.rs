@@ -10,13 +10,14 @@ use crate::trimesh::{MeshBuilding, Simplifying, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// The triangles of the coarser levels; the first one only of large files.
+/// The wanted numbers of triangles of the coarser levels. Only large files have the first of these levels.
 const COARSER: [usize; 3] = [3_000, 360, 130];
 /// A level by rule may have this many times the wanted triangles.
 const ENOUGH: f64 = 1.3;
 /// The number of samples of the first component, and of each variant.
 const SAMPLES: [usize; 2] = [1_500, 600];
-/// One in this many samples of the first gets a medial ball; its variants use at most `SHARED` of these.
+/// One in this many samples of the first component gets a medial ball. Each variant uses at most `SHARED` of these
+/// balls.
 const EVERY: usize = 1;
 const SHARED: usize = 400;
 /// Variants are made from the first level with at most this many triangles.
@@ -25,11 +26,11 @@ const VARIED: usize = 20_000;
 const FILE_SPHERES: usize = 48;
 /// The cosine of the angle of a sharp edge in a file.
 const FILE_CREASE: f64 = 0.642_787_609_686_539_3;
-/// The share of its greatest gap by which a sphere is widened, and the most of it, in R.
+/// A sphere is widened by this share of its greatest gap, but by no more than `WIDEST`, in R.
 const WIDENED: f64 = 0.5;
 const WIDEST: f64 = 1.0;
 
-/// Points per square of their least distance in a full distribution over a surface, measured.
+/// The measured number of darts on an area of one least distance squared, on a surface with no room for another dart.
 pub const FULL_COVER: f64 = 0.69;
 
 /// A thing to heap. The origin is the centre of its largest inner sphere.
@@ -92,7 +93,7 @@ impl Component {
         })
     }
 
-    /// M1: the mean number of layers at density 1.
+    /// M1: the mean number of bodies above a point of the surface if darts are R apart (density 1).
     pub fn layers(&self) -> f64 {
         FULL_COVER * 0.25 * self.area / (self.radius * self.radius)
     }
@@ -291,7 +292,7 @@ impl OriginalMaking {
     }
 }
 
-/// The triangles of a coarser level, by its number; nothing after the last one.
+/// The wanted number of triangles of a coarser level, by the level's number; `None` after the last one.
 fn wanted(kind: Option<ComponentKind>, finest: &Level, number: usize) -> Option<usize> {
     if kind.is_some() {
         return COARSER[1..].get(number).copied();
@@ -335,7 +336,7 @@ impl VariantMaking {
             return Some(self.original.component.clone());
         };
         if let Some(inner) = &mut self.inner {
-            // A map that leaves no room for a sphere would be no variant: then it is the original.
+            // If the map leaves no room for a sphere, the variant is the original.
             let made = inner.advance(amount)?;
             let levels = std::mem::take(&mut self.levels);
             let crease = self.original.component.crease;

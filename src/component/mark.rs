@@ -3,7 +3,7 @@
 /// A part of a component that may have a colour of its own.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Part {
-    /// All that is no other part.
+    /// The surface that belongs to no other part.
     #[default]
     Body,
     /// The pale base of a chestnut, the band of a ball.
@@ -57,19 +57,19 @@ impl Mark {
         }
     }
 
-    /// The same with a share of the part.
+    /// The mark with another share of the part, clamped to 0..1.
     pub(super) fn shared(self, share: f64) -> Self {
         let share = share.clamp(0.0, 1.0) as f32;
         Self { share, ..self }
     }
 
-    /// The same, lighter or darker.
+    /// The mark with another shade, clamped to -1..1.
     pub(super) fn shaded(self, shade: f64) -> Self {
         let shade = shade.clamp(-1.0, 1.0) as f32;
         Self { shade, ..self }
     }
 
-    /// The mean of marks with weights: its part is the one that has most, beside the body.
+    /// The weighted mean of marks. Its part is the one with the greatest share; the body does not count.
     pub(super) fn mean<'a>(marks: impl Iterator<Item = (&'a Self, f64)>) -> Self {
         let (mut total, mut shade) = (0.0, 0.0);
         let mut shares = [0.0; Part::ALL.len()];

@@ -85,8 +85,8 @@ impl Finish {
         least(parts) < least(&mut self.bases.iter().copied())
     }
 
-    /// The colour of a mark in the mesh of the variant with this number, which has a colour of its own: so parts keep
-    /// theirs, however much those of bodies differ. It goes with [`Finish::tint`].
+    /// The vertex colour of a mark in the mesh of variant `number`. Each variant has its own base colour, which does
+    /// not change the colours of parts. A body multiplies these colours by its [`Finish::tint`].
     pub fn variant_colour(&self, mark: &Mark, number: u64) -> [u8; 3] {
         let base = self.bases[(number % self.bases.len() as u64) as usize];
         let most = self.most() as f32;
@@ -107,7 +107,7 @@ impl Finish {
         })
     }
 
-    /// The greatest factor of a base.
+    /// The greatest factor by which tone and tint can change a base colour.
     fn most(&self) -> f64 {
         (1.0 + self.tone) * (1.0 + self.tint)
     }

@@ -28,11 +28,11 @@ const STEPS: usize = 30;
 const TOUCHES: f64 = 0.99;
 /// Radii are less than the exact distance by this factor, so balls lie strictly inside.
 const INSIDE: f64 = 1.0 - 1e-9;
-/// Rounding makes no distance larger by this factor.
+/// Searches reach farther by this factor, so that rounding errors lose nothing.
 pub(super) const WIDER: f64 = 1.0 + 1e-6;
-/// A vertex's normal is used where it is this near to that of the triangle.
+/// A smooth normal is used if its cosine with the triangle's normal is above this; else the triangle's normal is.
 const SMOOTH: f64 = 0.9;
-/// The cosine of an angle that counts as none.
+/// Two directions with at least this cosine count as the same.
 const STRAIGHT: f64 = 1.0 - 1e-12;
 
 /// A closed mesh with its search tree.
@@ -45,8 +45,8 @@ pub(super) struct Inside<'a> {
 }
 
 impl Inside<'_> {
-    /// Whether no place is so near to a point that a ball around it is too small. Each triangle that is looked at takes
-    /// one off `amount`.
+    /// Whether a ball around a point can be larger than the least one. Each triangle that is looked at takes one off
+    /// `amount`.
     pub fn has_room(&self, centre: DVec3, amount: &mut usize) -> bool {
         let is_near = |t: u32| {
             *amount = amount.saturating_sub(1);
@@ -65,8 +65,9 @@ impl Inside<'_> {
             .then_some(Sphere { centre, radius })
     }
 
-    /// Whether a point lies inside. A nearest place straight below or above tells it by its triangle. Beside an edge or
-    /// a vertex, the first triangle on any ray from the point does, as the surface is closed and does not cross itself.
+    /// Whether a point lies inside of the mesh. If the nearest place lies straight above or below its triangle, the
+    /// side of that triangle decides. Near an edge or a vertex, the first triangle on a ray from the point decides, as
+    /// the surface is closed and does not cross itself.
     fn holds(&self, centre: DVec3, nearest: &SurfacePoint) -> Option<bool> {
         let outward = |triangle: u32, way: DVec3| self.mesh.face_normal(triangle).dot(way);
         let way = nearest.at - centre;
@@ -116,8 +117,8 @@ impl BallSearch {
         }
     }
 
-    /// Goes on until `amount` is used up, see [`NearestWalk::advance`]. Returns the ball in the end; `None` in place of
-    /// one that is too small or outside.
+    /// Goes on until `amount` is used up, see [`NearestWalk::advance`]. Returns the ball in the end; `Some(None)` if it
+    /// is too small or outside.
     pub fn advance(&mut self, inside: &Inside, amount: &mut usize) -> Option<Option<Sphere>> {
         while self.walk.advance(inside.search, inside.mesh, amount) {
             let nearest = self.walk.found(inside.mesh);
@@ -129,7 +130,7 @@ impl BallSearch {
         None
     }
 
-    /// Makes the ball as small as the place nearest to its centre wants it, or ends with it.
+    /// Shrinks the ball until it touches the place nearest to its centre; ends the search if that makes it no smaller.
     fn shrink(&mut self, nearest: Option<SurfacePoint>) {
         let Some((sample, radius)) = &mut self.touched else {
             return;
@@ -145,7 +146,7 @@ impl BallSearch {
             None => self.steps = 0,
         }
         self.centre = sample.at - *radius * sample.normal;
-        // In the end, the sample is a place of the surface at this distance.
+        // The last walk must find at least the sample itself, which is one radius away.
         let factor = if self.steps == 0 { WIDER } else { TOUCHES };
         self.walk = NearestWalk::new(self.centre, factor * *radius);
     }

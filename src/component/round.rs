@@ -1,4 +1,4 @@
-//! Bodies without a grain: balls, pebbles, rings and blocks.
+//! Simple bodies: balls, pebbles, rings and blocks.
 
 use super::shell::{Shell, bell, turned};
 use super::{Mark, Part};
@@ -41,7 +41,7 @@ struct Pebble {
     flats: &'static [[f64; 4]],
     /// How sharply flats meet: the exponent of the norm that joins them.
     sharp: f64,
-    /// The direction across the bands, and their number.
+    /// The direction across the bands, and the phase by which they advance in a unit (radians).
     bands: [f64; 4],
     /// The direction across a vein of quartz, and its distance from the centre.
     vein: Option<[f64; 4]>,
@@ -145,7 +145,7 @@ pub(super) fn block() -> Shell {
         let is_edge = part.to_array().iter().filter(|&&x| x > 0.0).count() > 1;
         let mark = Mark::of(if is_edge { Part::Edge } else { Part::Body }).shared(0.5);
         let at = core * flat + ROUND * out.normalize_or_zero();
-        // The rings of the trunk: its middle lies beside the block.
+        // Year rings about the middle of the trunk, which lies beside the block.
         let trunk = libm::hypot(at.y + 1.1, at.z - 0.4 + 0.04 * libm::sin(2.0 * at.x));
         (at, mark.shaded(libm::sin(14.0 * trunk)))
     })

@@ -52,7 +52,7 @@ impl Shell {
         shell.outwards()
     }
 
-    /// A ring: the tube closes on itself.
+    /// A tube that closes on itself, like a torus; see [`Self::tube`].
     pub fn ring(rings: usize, around: usize, place: impl Fn(usize, f64) -> Spot) -> Self {
         let mut shell = Self::default();
         for ring in 0..rings {
@@ -91,7 +91,7 @@ impl Shell {
                 for c in 0..columns - 1 {
                     let k = r * columns + c;
                     let mut quad = [k, k + 1, k + columns + 1, k + columns].map(|k| numbers[k]);
-                    // Diagonals start at the corners of the sheet: others would cut off the same triangle on both sides.
+                    // Diagonals start at the sheet's corners: others would cut off the same triangle on both sides.
                     if (r < rows / 2) != (c < columns / 2) {
                         quad.rotate_left(1);
                     }
@@ -144,7 +144,7 @@ impl Shell {
         shell.outwards()
     }
 
-    /// The same, turned so that its volume is positive.
+    /// Turns all triangles round if the volume is negative, so that they face outwards.
     fn outwards(mut self) -> Self {
         let six = self.triangles.iter().map(|t| {
             let [a, b, c] = t.map(|v| self.positions[v as usize]);
@@ -211,8 +211,8 @@ pub(super) fn step(from: f64, to: f64, x: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// A point of the smooth curve through these points (Catmull, Rom 1974, A Class of Local Interpolating Splines);
-/// `at` counts points.
+/// A point of the smooth curve through these points (Catmull, Rom 1974, A Class of Local Interpolating Splines); `at`
+/// is 0 at the first point, 1 at the second, and so on.
 pub(super) fn curve<const N: usize>(points: &[[f64; N]], at: f64) -> [f64; N] {
     let last = points.len() - 1;
     let k = (at as usize).min(last - 1);

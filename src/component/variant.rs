@@ -52,7 +52,8 @@ impl Vary {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variant {
     middle: DVec3,
-    /// Half the length of the body, and the axis along it; the two others follow in turn.
+    /// Half the length of the body, and the axis along it (0 for x, 1 for y, 2 for z). The two other axes follow in
+    /// turn.
     half: f64,
     axis: usize,
     stretch: DVec3,
@@ -91,7 +92,7 @@ impl Variant {
         }
     }
 
-    /// Where a point of the body goes.
+    /// The place to which the map moves a point of the body.
     pub fn of(&self, p: DVec3) -> DVec3 {
         let p = p - self.middle;
         let p = (p + self.lumps(p)) * self.stretch;

@@ -2,7 +2,7 @@
 
 use crate::order::{greater, lesser};
 
-/// A union of open intervals, of which only that within the range from `lo` to `hi` matters.
+/// A union of open intervals. Only its part within the range from `lo` to `hi` matters.
 ///
 /// The union does not depend on the order of adding, not even in its last bit.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub struct Blocked {
 }
 
 impl Blocked {
-    /// The range from `lo` to `hi`, of which nothing is blocked; `lo` is at most `hi`.
+    /// A range from `lo` to `hi` in which nothing is blocked; `lo` is at most `hi`.
     pub fn new(lo: f64, hi: f64) -> Self {
         let intervals = Vec::new();
         Self { lo, hi, intervals }
@@ -46,7 +46,8 @@ impl Blocked {
         self.intervals.splice(first..end, [(from, to)]);
     }
 
-    /// The free place of the range that is nearest to 0. If two are equally near, it is the greater one.
+    /// The free place of the range that is nearest to 0. If two are equally near, it is the greater one. `None` if all
+    /// is blocked.
     pub fn nearest_to_zero(&self) -> Option<f64> {
         let wanted = 0.0_f64.clamp(self.lo, self.hi);
         let Some(&(from, to)) = self.intervals.iter().find(|i| i.0 < wanted && wanted < i.1) else {

@@ -7,13 +7,13 @@ use glam::{DMat3, DVec3};
 /// The fate of a dart's body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fate {
-    /// Its turn has not come.
+    /// It has not been handled yet.
     Waiting,
     /// It was left out when the types were merged.
     Merged,
-    /// It would pass a wall or the ground, however it is turned.
+    /// It would pass a wall or the ground in every orientation that was tried.
     Walls,
-    /// It found no place.
+    /// It found no place in its range.
     Removed,
     /// It is a part of the pile.
     Kept,
@@ -30,7 +30,7 @@ pub struct Body {
     pub shape: u32,
     /// The number of its layer: 0 on the surface, and then inwards.
     pub layer: u32,
-    /// Its dart.
+    /// The place of its dart.
     pub at: DVec3,
     /// The unit normal along which it slides.
     pub normal: DVec3,
@@ -38,7 +38,7 @@ pub struct Body {
     pub turn: DMat3,
     /// Its size, as a factor of its component.
     pub scale: f64,
-    /// How far it has slid along the normal.
+    /// How far it has slid along the normal, outwards if above 0.
     pub t: f64,
     /// The least and greatest t.
     pub range: (f64, f64),
@@ -47,7 +47,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// The body of a dart, which waits; or which is out, if its dart does not stay.
+    /// A body that waits to settle, or that is merged if its dart does not stay.
     pub(super) fn waiting(number: u32, dart: &Dart, stays: bool) -> Self {
         Self {
             dart: number,
@@ -69,7 +69,7 @@ impl Body {
         self.at + self.t * self.normal
     }
 
-    /// The variant that it is.
+    /// The data of its variant.
     pub fn shape<'a>(&self, kinds: &'a [Kind]) -> &'a Shape {
         &kinds[self.kind as usize].shapes[self.shape as usize]
     }

@@ -11,7 +11,7 @@ use std::cmp::Reverse;
 
 /// Darts thrown on the whole surface first, for each square of the least distance.
 const THROWN: f64 = 2.0;
-/// The same if they come in scan order: enough that rows show.
+/// Darts thrown first in scan order, for each square of the least distance: enough that rows show.
 const SCANNED: f64 = 32.0;
 /// The width of a row in scan order, as a share of the least distance.
 const ROW: f64 = 0.125;
@@ -31,13 +31,13 @@ pub struct Dart {
     pub layer: u32,
     /// Where it lies.
     pub at: DVec3,
-    /// The unit normal of the surface, there or above.
+    /// The unit normal of the surface at the dart; for inner layers, at the point of the surface above.
     pub normal: DVec3,
-    /// The triangle on which it lies, or above it.
+    /// The triangle on which it lies; for inner layers, the triangle above.
     pub triangle: u32,
 }
 
-/// The number of darts on an area at this least distance, about.
+/// About the number of darts on an area if they are at least `spacing` apart.
 pub fn expected_darts(area: f64, spacing: f64) -> f64 {
     FULL_COVER * area / (spacing * spacing)
 }
@@ -49,11 +49,11 @@ pub fn same_side(a: DVec3, b: DVec3) -> bool {
 }
 
 /// Throws darts on a surface until there is no room: a maximal Poisson-disk distribution by Euclidean distance (section
-/// 4.1.2), one-sided by [`same_side`].
+/// 4.1.2). Darts on different sides do not count ([`same_side`]).
 ///
-/// Darts fall on the whole surface first. Then fragments of triangles that are not covered by a single dart's disk get a
-/// dart each, and are divided in four (White, Cline, Egbert 2007, Poisson Disk Point Sets by Hierarchical Dart
-/// Throwing). The cost of a dart does not depend on their number.
+/// Darts fall on the whole surface first. Then fragments of triangles that are not covered by a single dart's disk get
+/// a dart each, and are divided in four (White, Cline, Egbert 2007, Poisson Disk Point Sets by Hierarchical Dart
+/// Throwing). The cost of a dart does not depend on the number of darts.
 pub struct Darting {
     spacing: f64,
     in_scan_order: bool,
@@ -71,7 +71,7 @@ enum Stage {
         /// Points that wait for their turn in scan order.
         points: Vec<SurfacePoint>,
     },
-    /// Points in scan order, those that come last first.
+    /// Points against scan order, so that the next one is the last of the list.
     Scan(Vec<SurfacePoint>),
     Cover(Cover),
     Done,
@@ -103,8 +103,8 @@ struct Accepted {
 }
 
 impl Darting {
-    /// Begins to throw darts that are at least `spacing` apart. Types differ by `kind`, so that each has its own.
-    /// `in_scan_order` takes them row by row, which shows as rows (section 4.2).
+    /// Begins to throw darts that are at least `spacing` apart. `kind` is the number of the type: each type has its own
+    /// random numbers. `in_scan_order` takes points row by row, and the rows show (section 4.2).
     pub fn new(mesh: &TriMesh, spacing: f64, kind: u32, seed: u64, in_scan_order: bool) -> Self {
         let stage = Stage::Areas(Vec::with_capacity(mesh.triangles().len()));
         let random = Random::new(

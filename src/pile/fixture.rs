@@ -29,7 +29,8 @@ pub fn ball() -> Kind {
     kind(vec![shape(&[(DVec3::ZERO, 1.0)])])
 }
 
-/// A rod of five spheres along its x axis, 2.4 long and 0.6 thick, and a bent one.
+/// A rod of five spheres along its x axis, 2.3 long and 0.6 thick, with a straight and a bent
+/// variant.
 pub fn rod() -> Kind {
     let along = [0.0, -0.45, 0.45, -0.9, 0.9];
     let rod = |bend: f64| {
@@ -77,7 +78,7 @@ fn shape(spheres: &[(DVec3, f64)]) -> Shape {
     }
 }
 
-/// A heap on the ground, `radius` wide: an open surface.
+/// A heap on the ground, with half a side of `radius`: an open surface.
 pub fn heap(radius: f64) -> TriMesh {
     let squares = (radius as u32).max(8);
     let height = |x: f64, z: f64| {

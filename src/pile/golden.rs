@@ -6,8 +6,8 @@ use crate::component::Sphere;
 use crate::order::greater;
 use glam::DVec3;
 
-/// The weight of the way in the cost, for a way as long as the range. The penalty of eq. (1) is lost in our text. This
-/// one prefers the shorter of two ways that avoid overlaps equally well.
+/// The cost of a way as long as the range. Our copy of the paper has lost the penalty of eq. (1). This one prefers the
+/// shorter of two ways that avoid overlaps equally well.
 const WAY: f64 = 0.05;
 /// The golden section: the greater part of an interval of length 1.
 const SECTION: f64 = 0.618_033_988_749_894_9;
@@ -15,9 +15,9 @@ const SECTION: f64 = 0.618_033_988_749_894_9;
 /// Which of the settled bodies the paper's cost, eq. (1), looks at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reading {
-    /// The one that is nearest (section 3, step 2).
+    /// The one that is nearest to the dart (section 3, step 2).
     Nearest,
-    /// All that are near.
+    /// All that the body may meet.
     All,
 }
 
@@ -36,7 +36,7 @@ impl Neighbour<'_> {
 
 /// The search for one body.
 pub struct Golden<'a> {
-    /// Points of its surface in space, at its dart.
+    /// Points of the body's surface in space, while the body is at its dart.
     points: Vec<DVec3>,
     normal: DVec3,
     range: (f64, f64),
@@ -62,8 +62,8 @@ impl<'a> Golden<'a> {
         }
     }
 
-    /// The place by golden section (section 4.2.2). There is none if a settled body overlaps there by more than `removal`
-    /// beyond the offset: eq. (3), which looks at all settled bodies (section 4.2.3).
+    /// The place by golden section (section 4.2.2). `None` if a settled body overlaps there by more than `removal`
+    /// beyond the offset: eq. (3), over all settled bodies (section 4.2.3).
     pub fn place(&self, iterations: u32, reading: Reading, removal: f64) -> Option<f64> {
         if self.settled.is_empty() {
             return Some(0.0_f64.clamp(self.range.0, self.range.1));
@@ -98,8 +98,8 @@ impl<'a> Golden<'a> {
         self.overlap(settled, t).max(0.0) + WAY * t.abs() / length
     }
 
-    /// The minimum of a function over the range by golden section (Press et al. 1988, Numerical Recipes in C). It may be
-    /// a local one.
+    /// The minimum of a function over the range by golden section (Press et al. 1988, Numerical Recipes in C). It may
+    /// be only a local minimum.
     fn minimum(&self, iterations: u32, cost: impl Fn(f64) -> f64) -> f64 {
         let (mut lo, mut hi) = self.range;
         let mut inner = [hi - SECTION * (hi - lo), lo + SECTION * (hi - lo)];

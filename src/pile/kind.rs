@@ -1,4 +1,4 @@
-//! Types of bodies: what heaping has to know of them.
+//! Types of bodies: the data that heaping needs.
 
 use super::Turn;
 use crate::component::{Component, Sphere};
@@ -8,7 +8,7 @@ use glam::DVec3;
 /// (section 4.1.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// The spheres that stand for the body. Those that matter most come first. They may be wider than inner ones.
+    /// The spheres that stand for the body, the most important ones first. They may be wider than the inner spheres.
     pub spheres: Vec<Sphere>,
     /// Points of the surface: walls and the paper's cost look at these.
     pub points: Vec<DVec3>,
@@ -20,7 +20,7 @@ pub struct Shape {
     pub bound: f64,
 }
 
-/// The most points of a surface that the paper's cost looks at: it samples them.
+/// The most points of a shape: they are the vertices of the finest level of detail that has no more.
 const MOST_POINTS: usize = 400;
 
 impl Shape {
@@ -87,9 +87,9 @@ const FILLED: f64 = 0.45;
 
 /// The range l, in units of d, in which about four bodies are pierced along a normal.
 ///
-/// A layer of thickness h in which bodies fill the share f of the space has f h S / (4 V) bodies along a line. Bodies of
-/// volume V and surface area S are 4 V / S thick in the mean (Cauchy). A pile is thicker than its range by half of the
-/// difference between a diagonal and that thickness.
+/// A layer of thickness h in which bodies fill the share f of the space has f h S / (4 V) bodies along a line. Bodies
+/// of volume V and surface area S are 4 V / S thick in the mean (Cauchy). A pile is thicker than its range by half of
+/// the difference between a body's diagonal and its mean thickness.
 pub fn natural_range(volume: f64, area: f64, diagonal: f64) -> f64 {
     let thickness = 4.0 * volume / area;
     let height = PIERCED * thickness / FILLED;

@@ -7,13 +7,13 @@ use crate::trimesh::{Search, TriMesh};
 
 /// Darts thrown for each square of the least distance.
 const THROWN: f64 = 14.0;
-/// The distance of a dart from the surface, at least, as a share of its layer's depth.
+/// The least distance of a dart from the surface, as a share of its layer's depth.
 const CLEAR: f64 = 0.97;
 
 /// Throws the darts of one inner layer: points at a depth below the surface, at least a spacing apart.
 ///
-/// The paper offsets conical meshes by hand (section 5, fig. 14). Offset meshes flip where the surface bends more than the
-/// depth. A point that is moved inwards, and kept only if no other part of the surface is nearer, lies on the same
+/// The paper offsets conical meshes by hand (section 5, fig. 14). Offset meshes flip where the surface bends more than
+/// the depth. Here a point is moved inwards, and kept only if no other part of the surface is nearer. So it lies on the
 /// offset surface without these faults.
 pub struct LayerDarting {
     kind: u32,

@@ -8,8 +8,8 @@ use glam::DVec3;
 /// A gap that counts as touching, in R of the smaller body.
 const TOUCHING: f64 = 0.02;
 
-/// For each body the numbers of those that it touches, by their inner spheres, when spheres may overlap by `offset`, in R
-/// of the smaller body. Bodies that are not kept touch nothing.
+/// For each body, the numbers of the bodies that it touches: their inner spheres overlap by about `offset` or more, in
+/// R of the smaller body. Bodies that are not kept touch nothing.
 pub fn contacts(bodies: &[Body], kinds: &[Kind], offset: f64) -> Vec<Vec<u32>> {
     let mut touched = vec![Vec::new(); bodies.len()];
     for_pairs(bodies, kinds, |a, b, overlap| {
@@ -33,8 +33,8 @@ pub fn deepest_overlap(bodies: &[Body], kinds: &[Kind]) -> f64 {
     deepest
 }
 
-/// For each body the deepest overlap of one of its inner spheres with one of another body, in R of the smaller body; less
-/// than 0 if none overlap, and minus infinity if nothing is near.
+/// For each body the deepest overlap of one of its inner spheres with one of another body, in R of the smaller body;
+/// below 0 if none overlap, and minus infinity if no body is near.
 pub fn deepest_overlaps(bodies: &[Body], kinds: &[Kind]) -> Vec<f64> {
     let mut deepest = vec![f64::NEG_INFINITY; bodies.len()];
     for_pairs(bodies, kinds, |a, b, overlap| {
@@ -45,8 +45,8 @@ pub fn deepest_overlaps(bodies: &[Body], kinds: &[Kind]) -> Vec<f64> {
     deepest
 }
 
-/// How many bodies the line along a normal of the surface pierces, by their inner spheres, no farther from the surface
-/// than `reach`.
+/// How many bodies the line along a surface normal pierces, counted by their inner spheres. Spheres count if their
+/// centres are at most `reach` above or below `at`.
 pub fn pierced(bodies: &[Body], kinds: &[Kind], (at, normal): (DVec3, DVec3), reach: f64) -> usize {
     let meets = |sphere: Sphere| {
         let away = sphere.centre - at;

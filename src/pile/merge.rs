@@ -4,9 +4,8 @@ use super::{Dart, Kind};
 use crate::trimesh::spatial_hash::SurfaceHash;
 use glam::DVec3;
 
-/// Which darts are left out when the types are merged (section 4.1.4, fig. 6): those of a smaller type whose point lies
-/// within the distribution radius of a dart of a larger type. A type is larger if its diagonal is. Each entry tells
-/// whether the dart stays.
+/// Whether each dart stays when the types are merged (section 4.1.4, fig. 6). Darts of a smaller type are left out
+/// within the distribution radius of a dart of a larger type. The type with the larger diagonal is the larger one.
 pub fn merge(darts: &[Dart], kinds: &[Kind]) -> Vec<bool> {
     let mut stays = vec![true; darts.len()];
     for (number, kind) in kinds.iter().enumerate() {

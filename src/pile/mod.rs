@@ -12,8 +12,8 @@
 //! question without iteration: two spheres, of which one moves along a line, overlap in one interval of that line. The
 //! union of these intervals is all that is blocked.
 //!
-//! A body is known by the inner spheres of its component ([`Shape`]), in order of their use. Lengths are in the units of
-//! the surface.
+//! The inner spheres of its component stand for a body ([`Shape`]); the most important ones come first. Lengths are in
+//! the units of the surface.
 //!
 //! Words of piles and their components, the usual terms of the field, and symbols or sections of the paper:
 //!

@@ -13,13 +13,13 @@ use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Orientations that are tried until no wall is passed at a dart.
+/// Orientations that are tried at a dart until the body passes no wall.
 const WALL_TRIES: usize = 12;
 /// How far a body may pass a wall, in R.
 const WALL_SLACK: f64 = 0.04;
-/// The refinement range of inner layers, in units of d. It lies inwards.
+/// The longest refinement range of inner layers, in units of d. It lies inwards only.
 const LAYER_RANGE: f64 = 0.6;
-/// The farthest way on which walls alone move a body from its dart, in its diagonals: beyond that it would float.
+/// The farthest that walls may push a body from its dart, in diagonals of the body. Farther away it would float.
 const PUSHED: f64 = 0.5;
 /// A ray along the normal starts this far from the surface, in R.
 const SKIN: f64 = 1e-3;
@@ -62,7 +62,7 @@ pub struct RefineParams {
     pub retries: u32,
     /// How the place is found.
     pub method: Method,
-    /// The seed.
+    /// Seeds the order, sizes, variants and orientations of bodies.
     pub seed: u64,
 }
 
@@ -159,7 +159,7 @@ impl Refining {
         body
     }
 
-    /// The part of the range in which the body passes no wall; none if that is too far from the dart.
+    /// The part of the range in which the body passes no wall; `None` if it is empty or too far from the dart.
     fn before_walls(&self, body: &Body, mut range: (f64, f64)) -> Option<(f64, f64)> {
         if self.walls.is_empty() {
             return Some(range);
@@ -185,7 +185,7 @@ impl Refining {
         (pushed <= PUSHED * shape.diagonal * body.scale).then_some(range)
     }
 
-    /// Its place in its range. `line` is kept for the next orientation.
+    /// The place t of a body in its range, if there is one. `line` is kept for the next orientation.
     fn place(&self, body: &Body, whole: (f64, f64), line: &mut Option<SlidingLine>) -> Option<f64> {
         match self.params.method {
             Method::Exact => {
@@ -217,7 +217,7 @@ impl Refining {
         SlidingLine::new(body, whole, size, &self.settled.near(body, bound, whole))
     }
 
-    /// The place at which spheres overlap by at most T, or else by at most T + D.
+    /// The place nearest to the dart at which spheres overlap by at most T, or else by at most T + D.
     fn exact_place(&self, body: &Body, line: &SlidingLine) -> Option<f64> {
         let RefineParams {
             offset, removal, ..

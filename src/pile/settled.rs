@@ -19,7 +19,7 @@ struct SettledBody {
     place: DVec3,
     bound: f64,
     radius: f64,
-    /// The range of its spheres.
+    /// Its part of the list of all spheres.
     spheres: std::ops::Range<usize>,
 }
 
@@ -27,14 +27,14 @@ struct SettledBody {
 pub(super) struct Neighbour<'a> {
     /// Its origin.
     pub place: DVec3,
-    /// R.
+    /// R, the radius of its largest inner sphere.
     pub radius: f64,
     /// Its inner spheres.
     pub spheres: &'a [Sphere],
 }
 
 impl Settled {
-    /// No body yet.
+    /// Starts without bodies.
     pub fn new(mesh: &TriMesh, kinds: &[Kind]) -> Self {
         let reach = kinds.iter().map(Kind::bound).fold(0.0, f64::max);
         let (lo, hi) = mesh.bounds();

@@ -11,10 +11,10 @@ use wide::f32x4;
 pub(super) struct Sliding<'a> {
     line: &'a SlidingLine,
     own: Vec<Along>,
-    /// The same spheres, four by four, in units of the body's bound.
+    /// The body's spheres, four by four, in units of the body's bound.
     fours: Vec<FourSpheres>,
     extent: Extent,
-    /// The pairs of spheres that have blocked a place.
+    /// The pairs of spheres that have blocked a place: numbers among `own` and among the line's `met`.
     pairs: Vec<(usize, usize)>,
 }
 
@@ -46,12 +46,11 @@ impl<'a> Sliding<'a> {
         }
     }
 
-    /// The place nearest to the dart at which no spheres overlap by more than `tau`, in R of the smaller body, if a part
-    /// of the range is known to be blocked.
+    /// The place nearest to the dart at which no spheres overlap by more than `tau`, in R of the smaller body.
+    /// `blocked` is the part of the range that is known to be blocked.
     ///
-    /// All places at which two spheres overlap are blocked. But only those intervals are added to the blocked ones
-    /// that contain the nearest place that seems free, until none does: others would not change it, not even in its
-    /// last bit.
+    /// Each pair of spheres blocks an interval. An interval is added only if it contains the nearest place that still
+    /// seems free, until none does. Other intervals would not change that place, not even in its last bit.
     pub fn free_place(&mut self, tau: f64, mut blocked: Blocked) -> Option<f64> {
         self.block_again(tau, &mut blocked);
         let mut best = blocked.nearest_to_zero()?;
@@ -70,7 +69,7 @@ impl<'a> Sliding<'a> {
         Some(best)
     }
 
-    /// Blocks what the pairs block that have blocked something before.
+    /// Blocks the intervals of all pairs that have blocked a place before.
     fn block_again(&self, tau: f64, blocked: &mut Blocked) {
         for &(own, other) in &self.pairs {
             let other = &self.line.met[other];
@@ -80,7 +79,8 @@ impl<'a> Sliding<'a> {
         }
     }
 
-    /// Blocks `best` if a settled sphere meets the body there. Returns the next place that seems free.
+    /// Blocks `best` if a settled sphere meets the body there. Returns the next place that seems free, or `None` if all
+    /// is blocked.
     fn meet(&mut self, k: usize, tau: f64, mut best: f64, blocked: &mut Blocked) -> Option<f64> {
         let other = &self.line.met[k];
         let allowed = tau * other.unit;

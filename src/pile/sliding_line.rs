@@ -1,4 +1,4 @@
-//! The line on which a body slides, and the settled spheres near it: what all orientations of the body share.
+//! The line on which a body slides, and the settled spheres near it. All orientations of the body share both.
 
 use super::Body;
 use super::blocked::Blocked;
@@ -12,13 +12,13 @@ use wide::f32x4;
 /// The greatest rounding error of a length, relative to the largest of its summands.
 const ROUNDING: f64 = 1e-9;
 
-/// A sphere that only fills up four, and is met by nothing.
+/// A sphere that fills up a group of four; no body meets it.
 const NOTHING: Met = Met {
     sphere: NOWHERE,
     unit: 0.0,
     slack: 0.0,
 };
-/// Where it is.
+/// The place of `NOTHING`, far from all bodies.
 pub(super) const NOWHERE: Along = Along {
     u: 1e9,
     w: 1e9,
@@ -26,14 +26,14 @@ pub(super) const NOWHERE: Along = Along {
     radius: 0.0,
 };
 
-/// Axes of which the third is a body's normal.
+/// Three axes: `n` is a body's normal, along which it slides, and `u` and `w` are across.
 struct Axes {
     u: DVec3,
     w: DVec3,
     n: DVec3,
 }
 
-/// A sphere in such axes, relative to a dart.
+/// A sphere in these axes, relative to a dart; `t` is along `n`.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Along {
     pub u: f64,
@@ -48,11 +48,11 @@ pub(super) struct Met {
     pub sphere: Along,
     /// The R of the smaller of both bodies.
     pub unit: f64,
-    /// Rounding of the square of a length.
+    /// The rounding error of squared lengths beside the sphere.
     slack: f64,
 }
 
-/// Four of these in single precision, in units of the body's bound.
+/// Four such spheres in single precision, in units of the body's bound.
 pub(super) struct MetFour {
     /// The square of the distance from the line.
     off: f32x4,
@@ -61,14 +61,14 @@ pub(super) struct MetFour {
     unit: f32x4,
 }
 
-/// How far a body of any sort reaches from its line and along it, in units of its bound.
+/// How far a body reaches beside its line, and from which t to which, in units of its bound.
 pub(super) struct Extent {
     pub beside: f32x4,
     pub low: f32x4,
     pub high: f32x4,
 }
 
-/// The normal of a dart, among settled spheres.
+/// The line along a dart's normal, with the settled spheres near it.
 pub(super) struct SlidingLine {
     axes: Axes,
     at: DVec3,
@@ -77,10 +77,10 @@ pub(super) struct SlidingLine {
     core: Along,
     /// The greatest distance of the body's spheres from its origin.
     pub bound: f64,
-    /// Those that matter most come first.
+    /// The settled spheres near the line, the most important ones first.
     pub met: Vec<Met>,
     pub fours: Vec<MetFour>,
-    /// The places that the core alone blocks, for each of two offsets.
+    /// The places at which settled spheres meet the core, for each of two offsets: T, and T + D.
     blocked: [OnceCell<Blocked>; 2],
 }
 
@@ -155,7 +155,7 @@ impl MetFour {
         }
     }
 
-    /// A bit for each sphere that may meet a body of this extent at t by more than `tau`, in R of the smaller body.
+    /// A bit for each sphere that may overlap a body of this extent at t by more than `tau`, in R of the smaller body.
     pub fn near(&self, extent: &Extent, tau: f32x4, t: f32x4) -> u32 {
         let reach = self.radius - tau * self.unit;
         let beside = (extent.beside + reach).max(f32x4::ZERO);
@@ -176,7 +176,8 @@ impl MetFour {
 }
 
 impl SlidingLine {
-    /// The line of a body with R and this core, among settled bodies. The body lies within `bound` of its origin.
+    /// The line of a body among settled bodies. `radius` is R, `core` is the radius of its core, and its spheres lie
+    /// within `bound` of its origin.
     pub fn new(
         body: &Body,
         range: (f64, f64),
@@ -204,12 +205,13 @@ impl SlidingLine {
         line
     }
 
-    /// A place relative to the dart, and a radius.
+    /// A sphere in the line's axes; `p` is its centre relative to the dart.
     pub fn along(&self, p: DVec3, radius: f64) -> Along {
         self.axes.along(p, radius)
     }
 
-    /// The places that the core alone blocks, in a part of the range. `depth` is the number of the offset `tau`.
+    /// The places at which settled spheres meet the core, in a part of the range. `depth` is the number of the offset
+    /// `tau`: 0 for T, 1 for T + D.
     pub fn blocked(&self, range: (f64, f64), tau: f64, depth: usize) -> Blocked {
         let whole = self.blocked[depth].get_or_init(|| self.blocked_by_core(tau));
         whole.within(range)
@@ -232,8 +234,8 @@ impl SlidingLine {
         blocked
     }
 
-    /// Adds the spheres of settled bodies, except those that are too far from the line. The first spheres of all
-    /// bodies matter most.
+    /// Adds the spheres of settled bodies that are near enough to the line: first the first sphere of each body, then
+    /// the second ones, and so on. Early spheres matter most.
     fn meet(&mut self, settled: &[Neighbour], radius: f64) {
         let most = settled.iter().map(|other| other.spheres.len()).max();
         for k in 0..most.unwrap_or(0) {
@@ -253,7 +255,7 @@ impl SlidingLine {
         }
     }
 
-    /// The rounding of the square of a length beside a sphere, if the body may meet it.
+    /// The rounding error of squared lengths beside a sphere; `None` if the body cannot meet the sphere.
     fn slack_near(&self, there: &Along) -> Option<f64> {
         let (lo, hi) = self.range;
         let reach = self.bound + there.radius;

@@ -59,7 +59,7 @@ fn darts_are_even_and_leave_no_hole() {
     }
 }
 
-/// The greatest share by which the distances between points near each other gather at one length.
+/// How much the distances between near points gather at one length: the densest shell over the mean, less 1.
 fn strongest_peak(points: &[DVec3], spacing: f64) -> f64 {
     // Shells from 2 to 6 spacings: a distribution without a period has the same density in each of them.
     const SHELLS: usize = 40;

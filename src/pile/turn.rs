@@ -6,9 +6,9 @@ use std::f64::consts::{PI, TAU};
 
 /// How the bodies of a type are turned (section 4.1.3).
 ///
-/// A body's v axis is its y axis, the upright one. It lies along the surface's normal, and u is horizontal. In the global
-/// frame (fig. 13) v is the y axis of space. Then a body turns about v, u and w, by angles that are uniform in the
-/// middle of the three ranges.
+/// A body's v axis is its y axis, the upright one. It lies along the surface's normal, and u is horizontal. In the
+/// global frame (fig. 13) v is the y axis of space. Then a body turns about v, u and w, in this order. The axes turn
+/// with it. Each angle is uniform in a range about 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
     /// θu, θv, θw: the widths of the ranges, in radians. If all are full turns, orientations are uniform over all

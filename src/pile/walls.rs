@@ -23,8 +23,8 @@ pub enum Wall {
 }
 
 impl Wall {
-    /// Whether a ball is free all along a part of the line p + t n. The places where it is are convex, so both ends
-    /// decide.
+    /// Whether a ball is free all along a part of the line p + t n. Its free places form a convex set, so it is enough
+    /// to test both ends.
     pub fn is_free(&self, (p, radius): (DVec3, f64), n: DVec3, range: (f64, f64)) -> bool {
         [range.0, range.1].iter().all(|&t| {
             let centre = p + t * n;
@@ -39,14 +39,14 @@ impl Wall {
         })
     }
 
-    /// The part of the line p + t n that is free, as least and greatest t, and `slack` more. A range whose end is less
-    /// than its start is empty.
+    /// The least and greatest t at which p + t n passes the wall by at most `slack` (measured upright in a bowl). The
+    /// range is empty if its end is less than its start.
     pub fn free_range(&self, p: DVec3, n: DVec3, slack: f64) -> (f64, f64) {
         let (a, b, c) = self.room(p, n);
         roots(a + slack, b, c)
     }
 
-    /// The part of a range that is free, with a slack above 0.
+    /// The part of a range in which p + t n passes the wall by at most `slack`, which is above 0.
     pub fn narrowed(&self, (p, n): (DVec3, DVec3), slack: f64, (lo, hi): (f64, f64)) -> (f64, f64) {
         let (a, b, c) = self.room(p, n);
         let is_free = |t: f64| a + (b - c * t) * t >= 0.0;
@@ -58,7 +58,7 @@ impl Wall {
         (lo.max(free.0), hi.min(free.1))
     }
 
-    /// The room before the wall at p + t n: a + b t - c t², with c ≥ 0.
+    /// The numbers a, b and c ≥ 0 of the room before the wall at p + t n, which is a + b t - c t².
     fn room(&self, p: DVec3, n: DVec3) -> (f64, f64, f64) {
         match *self {
             Self::Plane { normal, offset } => (offset - normal.dot(p), -normal.dot(n), 0.0),
@@ -71,7 +71,7 @@ impl Wall {
     }
 }
 
-/// Where a + b t - c t² is at least 0; c is at least 0.
+/// The least and greatest t with a + b t - c t² ≥ 0, for c ≥ 0; empty if the end is less than the start.
 fn roots(a: f64, b: f64, c: f64) -> (f64, f64) {
     const EMPTY: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
     if c <= 1e-12 * b.abs() || c == 0.0 {

@@ -1,4 +1,4 @@
-//! A bowl and what is in it.
+//! A bowl and its content.
 
 use super::piled::{PiledShape, Vessel};
 use super::rings;
@@ -14,20 +14,20 @@ const WIDE: f64 = 0.5 - THICK[1];
 const FOOT_HEIGHT: f64 = 0.028;
 const FOOT_RADIUS: f64 = 0.19;
 const FOOT_WIDTH: f64 = 0.03;
-/// The radius of the content, as a share of the inside at its edge.
+/// The radius of the content, as a share of the bowl's inner radius at the height of the content's edge.
 const CONTENT: f64 = 0.93;
-/// How much flatter the content is at its edge than a paraboloid.
+/// The share by which the content is less steep at its edge than a paraboloid.
 const EVEN: f64 = 0.5;
-/// The distance of the seen side from the wall, so that bodies do not cut it.
+/// How far the drawn inside lies behind the wall that stops bodies, so that bodies do not cut it.
 const GAP: f64 = 0.001;
 /// Rows of the profile along each side and along the lip, and corners around.
 const ROWS: usize = 24;
 const LIP_ROWS: usize = 10;
 const AROUND: usize = 96;
 
-/// The bowl for the numbers `[depth, full]`. The content is a cap; where a bowl is full it is high, and its edge is
-/// near the lip. It has to bulge, as bodies slide inwards from it, but not at the edge: there they slide along its
-/// normal, which must not lead into the wall.
+/// The bowl for the numbers `[depth, full]`. The content is a cap: the fuller the bowl, the higher the cap and the
+/// nearer its edge to the lip. The cap bulges, as bodies slide inwards from it. It is flatter at the edge, so that the
+/// normal, along which bodies slide, does not lead into the wall.
 pub(super) fn bowl(n: &[f64], edge: f64) -> PiledShape {
     let inside = BowlInside {
         low: FOOT_HEIGHT + THICK[0],

@@ -12,7 +12,7 @@ pub(super) fn block(n: &[f64], edge: f64) -> PiledShape {
     let half = 0.5 * DVec3::new(1.0, n[0], n[1]);
     let most = half.min_element();
     let make = |step: f64| {
-        // Neither narrow edges nor narrow sides have slivers.
+        // Short steps on narrow edges, and no flat part on narrow sides, so that no triangle is a sliver.
         let step = step.min(4.0 * n[2] * most);
         let is_narrow = 2.0 * (1.0 - n[2]) * most < 0.25 * step;
         cuboid(half, if is_narrow { most } else { n[2] * most }, step).0
@@ -24,15 +24,15 @@ pub(super) fn block(n: &[f64], edge: f64) -> PiledShape {
 
 /// The form of a rice ball: a triangle with soft corners seen along z, one of them up. Its middle is the origin.
 struct Onigiri {
-    /// The power of the sides' norm: high ones have sharp corners.
+    /// The power of the norm that joins the three sides: the higher, the sharper the corners.
     power: f64,
-    /// The share of a circle, which bends the sides.
+    /// The weight of a circle in this norm, which bends the sides.
     circle: f64,
     /// Half the thickness.
     half: f64,
 }
 
-/// The power of the profile from one face to the other: 2 is an ellipse, high ones are flat.
+/// The power of the profile from one face to the other: 2 gives an ellipse, higher ones are flatter.
 const FLATNESS: f64 = 3.1;
 /// Directions in which an outline is measured.
 const DIRECTIONS: usize = 720;
@@ -60,7 +60,7 @@ impl Onigiri {
         (form, lo - front, hi + front)
     }
 
-    /// 1 on the surface, and proportional along each ray from the middle.
+    /// A function that is 1 on the surface, and proportional to the distance along each ray from the middle.
     fn norm(&self, p: DVec3) -> f64 {
         let slant = 0.75f64.sqrt() * p.x;
         let sides = [-p.y, 0.5 * p.y + slant, 0.5 * p.y - slant];
@@ -107,7 +107,7 @@ impl RiceBallBuilding {
         new
     }
 
-    /// The same without any step known before.
+    /// Starts the search with no known step.
     fn searching(n: &[f64], edge: f64) -> Self {
         let (form, lo, hi) = Onigiri::new(n);
         let scale = 1.0 / (hi - lo).max_element();

@@ -1,11 +1,11 @@
-//! The lengths of edges.
+//! A search for the step with which a mesh has no edge that is too long.
 
 use crate::trimesh::Soup;
 
-/// How often a step is made shorter.
+/// How often a step is made shorter, at most.
 const TRIES: usize = 4;
 
-/// Looks for the step with which no edge is longer than wanted. The step follows the longest edge.
+/// Looks for the step with which no edge is longer than wanted. Each try scales the step by the longest edge found.
 pub(super) struct StepSearch {
     /// The step to try.
     pub step: f64,

@@ -5,8 +5,8 @@ use super::rings;
 use glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
-/// The heap for the numbers `[height, round, depth]`. Its profile is a smooth fall, in part a straight one: with a
-/// roundness of 0.86 it is .495 (1 - r)² (1 + 2 r) + .08 (1 - r) times a constant.
+/// The heap for the numbers `[height, round, depth]`. Its profile blends a smooth fall (the share `round`) with a
+/// straight one: with a roundness of 0.86 it is .495 (1 - r)² (1 + 2 r) + .08 (1 - r) times a constant.
 pub(super) fn heap(n: &[f64], edge: f64) -> PiledShape {
     let profile = |r: f64| {
         let fall = 1.0 - r;
@@ -20,7 +20,7 @@ pub(super) fn heap(n: &[f64], edge: f64) -> PiledShape {
 pub(super) fn dome(n: &[f64], edge: f64) -> PiledShape {
     let profile = |t: f64| {
         let angle = FRAC_PI_2 * t;
-        // The rim lies on the ground to the bit.
+        // The rim lies on the ground exactly, without rounding errors.
         let up = if t < 1.0 { libm::cos(angle) } else { 0.0 };
         DVec2::new(0.5 * libm::sin(angle), n[0] * up)
     };

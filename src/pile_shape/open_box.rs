@@ -1,4 +1,4 @@
-//! A box without a lid and what is in it.
+//! A box without a lid, and its content.
 
 use super::cuboid::cuboid;
 use super::piled::{PiledShape, Vessel};
@@ -14,7 +14,7 @@ const ROUND: f64 = 0.008;
 const GAP: f64 = 0.001;
 /// The distance of the content from the walls.
 const INSET: f64 = 0.035;
-/// The squares of boards.
+/// The greatest side of the squares of a board's grid.
 const BOARD_STEP: f64 = 0.05;
 
 /// The open box for the numbers `[depth, height, full]`. The content is level; bodies stand out of it by half of their

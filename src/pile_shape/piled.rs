@@ -19,7 +19,7 @@ pub struct PiledShape {
 /// A container that is seen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vessel {
-    /// Its triangles in scene coordinates, y up, counter-clockwise seen from outside. They are white until
+    /// Its triangles in the units of the shape, y up, counter-clockwise seen from outside. They are white until
     /// [`Self::coloured`].
     pub surface: Surface,
     /// The part to which each vertex belongs: the number of a board. A bowl is one part.
@@ -29,7 +29,7 @@ pub struct Vessel {
 }
 
 impl PiledShape {
-    /// A shape that closes itself around its solid and needs no wall.
+    /// A closed shape, which needs no wall.
     pub(super) fn free(surface: Soup) -> Self {
         Self {
             surface,
@@ -100,7 +100,7 @@ impl Vessel {
         self.parts.resize(count, part);
     }
 
-    /// The same with colours (sRGB, before lighting). `colour` gets the part and the place of each vertex.
+    /// The vessel with colours (sRGB, before lighting). `colour` gets the part and the place of each vertex.
     pub fn coloured(mut self, colour: impl Fn(u32, Vec3) -> [u8; 3]) -> Self {
         let vertices = self.parts.iter().zip(&self.surface.positions);
         self.surface.colours = vertices.map(|(&part, &p)| colour(part, p)).collect();

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 /// The first step around, as a share of the longest edges: diagonals between unlike rings are longer.
 const STEP: f64 = 0.88;
-/// Samples of a profile.
+/// Samples of a profile, by which its length is measured.
 const SAMPLES: usize = 1024;
 
 /// A disc of even triangles that face up. `profile` runs from the axis outwards as its argument goes from 0 to 1: the

@@ -30,7 +30,7 @@ fn mesh(soup: &Soup) -> TriMesh {
     TriMesh::new(soup.positions.clone(), soup.triangles.clone()).expect("a mesh")
 }
 
-/// Whether a point is free of all walls, with this much less room than there is.
+/// Whether a point keeps at least `margin` away from all walls.
 fn is_free(walls: &[Wall], p: DVec3, margin: f64) -> bool {
     walls.iter().all(|wall| {
         let (from, to) = wall.free_range(p, DVec3::Y, -margin);

@@ -1,4 +1,4 @@
-//! The scene of a building: blocks, mortar, and what carries no masonry.
+//! The scene of a building: blocks, mortar, and parts without masonry, such as doors and glass.
 
 use super::colours::{BRICK_ROW, GLASS_ROW, IRON_ROW, MORTAR_ROW, STONE_ROW, WOOD_ROW};
 use super::congruent::Congruent;
@@ -19,38 +19,38 @@ use glam::{DVec3, Vec3};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// Width of the edges of rounded stones, and the height of their bumps, at roughness 1 (metres).
+/// Width of the rounded edges of stones, and height of the bumps on them, at roughness 1 (metres).
 const BEVEL: f64 = 0.024;
 const BUMPS: f64 = 0.014;
-/// Mortar lies at least so far behind rounded stones, at roughness 1 (metres).
+/// Least depth of the mortar behind the surface of a stone wall, at roughness 1 (metres).
 const SUNK: f64 = 0.02;
 /// The colour of a roof's boards.
 const BOARDS: [u8; 3] = [92, 72, 54];
-/// Normals are one if they are the same in steps of one over this.
+/// Normals are rounded to steps of one over this; triangles with equal rounded normals share vertices.
 const SAME_PLANE: f64 = 1e4;
-/// The colour of meshes that the pattern leaves white.
+/// The vertex colour of all meshes here. Each instance has its own tint.
 const WHITE: [u8; 3] = [255; 3];
 
-/// Blocks, mortar, and what carries no masonry, as they are laid.
+/// A wall in the making: mortar, parts without masonry, and the blocks laid so far.
 pub(crate) struct Wall {
-    /// Bodies and instances alone.
+    /// Only its bodies and instances are filled in.
     scene: Scene,
     fit: Fit,
     params: BlockParams,
-    /// The blocks so far.
+    /// The shapes of the blocks laid so far.
     shapes: WallShapes,
     /// The shapes of the last wall, if this one can share them.
     last: Option<Rc<WallShapes>>,
     dressing: Dressing,
     cutter: Option<Stonecutter>,
-    /// Makes stones whose sides are marked as rough or smooth.
+    /// Makes the cast stones, whose sides are marked as rough or smooth.
     caster: Stonecutter,
     /// The number of cells handled so far.
     shown: usize,
 }
 
 impl Wall {
-    /// Starts with mortar, glass, doors and the like. `last` are the blocks of the last wall.
+    /// Starts with mortar, glass, doors and the like. `last` has the shapes of the last wall's blocks.
     pub(super) fn new(
         site: &BuildingSite,
         params: &BlockParams,
@@ -124,7 +124,7 @@ impl Wall {
         });
     }
 
-    /// The body of a cell and where it stands; none if its joints take all of it.
+    /// The number of a cell's body, and the place where it stands. `None` if the joints take all of the cell.
     fn shape(&mut self, cell: &MasonryCell, mark: u32, material: u8) -> Option<(u32, Place)> {
         let last = self.last.clone();
         let known = last
@@ -148,7 +148,8 @@ impl Wall {
         Some(placed)
     }
 
-    /// How the block of a cell looks, and its body without joints if that is known; none if its joints take all of it.
+    /// The look of a cell's block, and the block's body without joints if that was needed. `None` if the joints take
+    /// all of the cell.
     fn look(
         &mut self,
         cell: &MasonryCell,
@@ -182,7 +183,7 @@ impl Wall {
         Some((look, Some(shrunk)))
     }
 
-    /// The body of blocks of one shape and material, of which a cell is the first if it is new.
+    /// The number of the body that all blocks of one shape and material share. The first such cell makes the body.
     fn shared_body(
         &mut self,
         key: (BlockShape, u8),
@@ -202,7 +203,7 @@ impl Wall {
         Some(number)
     }
 
-    /// The full chamfered body of a shape, and a plain one for far away.
+    /// The body of a shape in two levels of detail: with chamfers, and plain for far away.
     fn chamfered(&self, plain: &Polyhedron, material: u8) -> Body {
         let scale = self.fit.scale;
         let levels = [self.dressing.chamfer, 0.0].map(|chamfer| {
@@ -222,12 +223,12 @@ impl Wall {
         smooth(mesh, |p| self.fit.place(p))
     }
 
-    /// The bodies so far.
+    /// The scene so far.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// The bodies and the shapes of blocks, to keep.
+    /// The finished scene, and the shapes of its blocks for the next wall.
     pub(super) fn finish(self) -> (Scene, Rc<WallShapes>) {
         (self.scene, Rc::new(self.shapes))
     }
@@ -255,7 +256,7 @@ pub(super) fn flat(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
     surface
 }
 
-/// A surface with one normal for each vertex.
+/// A surface with one mean normal for each vertex.
 fn smooth(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
     Surface {
         positions: mesh.positions.iter().map(|&p| place(p)).collect(),
@@ -306,7 +307,7 @@ fn add_extra(scene: &mut Scene, extra: &ExtraMesh, fit: Fit) {
     add_plain(scene, flat(&mesh, |p| fit.place(p)), (0, tint, material));
 }
 
-/// A body as plain triangles in the scene.
+/// The surface of a body without chamfers, in the scene's coordinates.
 pub(super) fn plain(body: &Polyhedron, fit: Fit) -> Surface {
     flat(&Bevelled::new(body, 0.0).facets(), |p| fit.place(p))
 }

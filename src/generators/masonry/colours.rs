@@ -11,7 +11,7 @@ pub(super) const MORTAR_ROW: u8 = 0;
 pub(super) const BRICK_ROW: u8 = 1;
 /// The row of stones.
 pub(super) const STONE_ROW: u8 = 2;
-/// The rows of parts that carry no masonry.
+/// The rows of glass, wood and iron, which carry no masonry.
 pub(super) const GLASS_ROW: u8 = 3;
 pub(super) const WOOD_ROW: u8 = 4;
 pub(super) const IRON_ROW: u8 = 5;
@@ -24,7 +24,7 @@ pub(super) const SOIL_ROW: u8 = 8;
 /// Fired clay.
 const BRICK: Material = Material::new(1.0, 0.94, 0.05, 9.0);
 
-/// The table of materials.
+/// The table of materials, by the rows above. The gloss changes bricks and stones only.
 pub(super) fn materials(gloss: Gloss) -> Vec<Material> {
     let own = [
         Material::new(1.0, 0.95, 0.0, 4.0),
@@ -44,7 +44,7 @@ pub(super) fn materials(gloss: Gloss) -> Vec<Material> {
     applied.collect()
 }
 
-/// The words of the colours of all roles.
+/// The recipe's word for the colour of each role.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Colours {
     pub walls: &'static str,
@@ -64,7 +64,7 @@ const fn range(bases: &'static [[u8; 3]], tone: f64, row: u8) -> Range {
     Range { bases, tone, row }
 }
 
-/// The colours of a word; those of red bricks for others.
+/// The colours that a word means; red bricks if the word is unknown.
 #[rustfmt::skip]
 fn of_word(word: &str) -> Range {
     match word {
@@ -82,10 +82,10 @@ fn of_word(word: &str) -> Range {
     }
 }
 
-/// The colours of corners, edges and faces (figure 3).
+/// The colours of corners, edges and faces in diagrams, as in figure 3 of the paper.
 pub(super) const FEATURES: [[u8; 3]; 3] = [[206, 64, 52], [72, 168, 84], [62, 104, 196]];
 
-/// The number of a feature's type among these colours.
+/// The type of a feature: 0 for a corner, 1 for an edge, 2 for a face.
 pub(super) fn type_of(feature: Feature) -> usize {
     match feature {
         Feature::Corner(_) => 0,

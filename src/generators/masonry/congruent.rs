@@ -1,24 +1,24 @@
-//! Blocks of any shape about their middles: congruent ones share a body, however they are turned.
+//! Blocks of any shape, each in its own frame. Congruent blocks share a body, however they are turned.
 
 use crate::masonry::block::Polyhedron;
 use glam::DVec3;
 
-/// Places within this length of each other are one (metres).
+/// Coordinates of vertices are rounded to steps of this length (metres).
 const STEP: f64 = 5e-5;
 
-/// A block along axes of its own.
+/// A block in its own frame.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Congruent {
     /// The mean of its vertices.
     pub middle: DVec3,
     /// Its axes: unit vectors, right-handed, the third one outwards.
     pub axes: [DVec3; 3],
-    /// Its vertices along the axes from the middle, in steps of 0.05 mm: blocks with the same ones are congruent.
+    /// Its vertices in this frame, in steps of 0.05 mm. Blocks with equal steps are congruent.
     pub steps: Vec<[i32; 3]>,
 }
 
 impl Congruent {
-    /// A block that looks towards `outwards` (unit vector).
+    /// The frame of a block whose front looks towards `outwards` (unit vector).
     pub fn of(body: &Polyhedron, outwards: DVec3) -> Self {
         let across = |way: DVec3| (way - outwards * way.dot(outwards)).normalize_or_zero();
         let y = if outwards.y.abs() < 0.999 {
@@ -39,13 +39,13 @@ impl Congruent {
         }
     }
 
-    /// The block about the origin, along the axes of space.
+    /// The block moved to the origin and turned so that its axes are x, y and z.
     pub fn plain(&self, body: &Polyhedron) -> Polyhedron {
         body.clone().mapped(|p| along(self.axes, p - self.middle))
     }
 }
 
-/// A vector along other axes.
+/// The coordinates of a vector along these axes.
 fn along(axes: [DVec3; 3], v: DVec3) -> DVec3 {
     DVec3::from(axes.map(|axis| axis.dot(v)))
 }

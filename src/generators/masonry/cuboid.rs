@@ -3,9 +3,9 @@
 use crate::masonry::block::Polyhedron;
 use glam::DVec3;
 
-/// Directions are at right angles if their cosine is less.
+/// Unit vectors count as perpendicular if their dot product is below this.
 const RIGHT: f64 = 1e-6;
-/// Sizes within this length share a body (metres).
+/// Sizes are rounded to steps of this length (metres); cuboids with equal steps share a body.
 const STEP: f64 = 5e-5;
 
 /// A cuboid in space.
@@ -14,12 +14,12 @@ pub(super) struct Cuboid {
     pub middle: DVec3,
     /// Its axes: unit vectors, right-handed.
     pub axes: [DVec3; 3],
-    /// Its sizes along them, in steps of 0.05 mm.
+    /// Its sizes along these axes, in steps of 0.05 mm.
     pub steps: [u32; 3],
 }
 
 impl Cuboid {
-    /// The cuboid that a body is, with its third axis outwards; none if it is another body.
+    /// Reads a body as a cuboid whose third axis points outwards. `None` if the body is no cuboid.
     pub fn of(body: &Polyhedron, outwards: DVec3) -> Option<Self> {
         if body.sides().len() != 6 || body.vertices().len() != 8 {
             return None;

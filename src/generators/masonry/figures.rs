@@ -44,11 +44,11 @@ impl MasonryEngine {
         }
     }
 
-    /// The measures of a body, by their words. A block has its length, height and depth in millimetres, joints not
+    /// The measures of a body: words and numbers. A block has its length, height and depth in millimetres, joints not
     /// counted; its sort (0 whole, 1 half, 2 cut, 3 cut along a slope, 4 a sill's, 5 a stone, 6 of a special shape, 7 a
     /// tile); and the number of its course, from 1. All bodies have their feature's type (0 a corner, 1 an edge, 2 a
-    /// face) and number; polygons have that of their face. Faces with maps also have the percentages of their pixels that
-    /// are occupied before and after their own cells are laid.
+    /// face) and number; polygons have that of their face. Faces with maps also have the percentages of their pixels
+    /// that are occupied before and after their own cells are laid.
     pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
         match self.meant(id) {
             Some(Meant::Cell(cell)) => {
@@ -148,7 +148,7 @@ fn of_feature(feature: Feature) -> [(&'static str, f64); 2] {
     ]
 }
 
-/// The length, the height and the depth of a cell (millimetres), as measures; none if its joints take all of it.
+/// The length, the height and the depth of a cell (millimetres), as measures. Empty if the joints take all of the cell.
 pub(super) fn size(cell: &MasonryCell) -> Vec<(&'static str, f64)> {
     let Some(body) = cell.body.shrunk() else {
         return Vec::new();

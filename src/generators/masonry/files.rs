@@ -53,7 +53,7 @@ impl Meshes for MasonryEngine {
     ) -> Result<MeshSlice, Notice> {
         let scene = self.modelled();
         let cells = self.made.cells.made().map_or(&[][..], Laying::cells);
-        // A name tells the type of the feature, and the number of the block.
+        // A body's name has the type of its feature and the number of its block.
         let name = |number: usize| format!("{}_{number}", cells[number].feature.word());
         let names = ("building", name);
         let of = (&self.made, scene);

@@ -1,4 +1,5 @@
-//! The grain of blocks and mortar at pixels, in the space of each block, so that no two look cut from one.
+//! The grain of blocks and mortar at pixels. Each block reads the noise at another place, so that no two blocks look
+//! alike.
 
 use super::colours::{BRICK_ROW, MORTAR_ROW, SOIL_ROW, STONE_ROW, WOOD_ROW};
 use super::ground::relief;
@@ -8,7 +9,7 @@ use crate::order::{greater, lesser};
 use crate::scene::{Detail, Surfel};
 use glam::Vec3;
 
-/// The random stream of the noise, the power of two of its side, and its levels and dimension.
+/// The noise tile: its random stream, the binary logarithm of its side, its levels, and its fractal dimension.
 const NOISE: (u64, u32, u32, f64) = (29, 7, 4, 1.5);
 /// Picture units in a metre, for the finest grain.
 const UNITS: f32 = 420.0;
@@ -27,11 +28,12 @@ const STRENGTHS: [GrainStrength; 3] = [
         height: 0.16,
     },
 ];
-/// The deviation of lightness of broad clouds, and their waves in a metre.
+/// The deviation of lightness by noise, for mortar, bricks and stones; and the waves in a metre of broad and of fine
+/// noise.
 const CLOUDS: [f32; 3] = [0.05, 0.10, 0.09];
 const BROAD: f32 = 9.0;
 const FINE: f32 = 38.0;
-/// Waves of the ground's pebbles.
+/// Waves in a metre of the ground's pebbles.
 const PEBBLES: f32 = 14.0;
 /// Waves in a metre of patches of moss, and of stripes of water, which are upright.
 const PATCHES: Vec3 = Vec3::splat(1.7);
@@ -69,12 +71,12 @@ impl WallGrain {
         }
     }
 
-    /// The noise at a place (metres) on the side of a surface that the normal names.
+    /// The noise at a place (metres) of a surface with this normal, with `waves` waves in a metre.
     fn read(&self, p: Vec3, normal: Vec3, waves: f32) -> f32 {
         self.tile_at(p * waves, normal)
     }
 
-    /// The noise at a place in waves.
+    /// The noise at a place whose coordinates count waves.
     fn tile_at(&self, p: Vec3, normal: Vec3) -> f32 {
         let read = |x: f32, y: f32| self.tile.between(x, y).clamp(-2.5, 2.5);
         from_three_sides(p, normal, read)
@@ -125,7 +127,7 @@ impl Detail for WallGrain {
     }
 }
 
-/// A place with the direction across a surface in y: x and z run along it.
+/// A place with its coordinates exchanged so that y points across the surface, and x and z run along it.
 fn upright(at: Vec3, normal: Vec3) -> Vec3 {
     let n = normal.abs();
     if n.y > 0.6 {
@@ -138,7 +140,7 @@ fn upright(at: Vec3, normal: Vec3) -> Vec3 {
 }
 
 impl WallGrain {
-    /// The ground, and wood.
+    /// Adds the grain of the ground and of wood, which have no weather.
     fn plain(&self, surfel: &mut Surfel, spread: f32) {
         let at = surfel.position / self.scale;
         let spread = spread / self.scale;

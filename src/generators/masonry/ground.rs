@@ -13,28 +13,30 @@ use crate::solid::Surface;
 use glam::{DVec3, Vec2, Vec3};
 use std::f64::consts::TAU;
 
-/// How far the ground reaches beyond the building's plan, and beyond that of a tall building at least (metres).
+/// The most and the least that the ground reaches beyond the building's plan (metres); it reaches least at tall
+/// buildings.
 const BEYOND: f64 = 0.55;
 const LEAST_BEYOND: f64 = 0.2;
-/// The rim of the ground lies within a sphere about the building's box, wider than the box by this factor: so the first
-/// camera sees it.
+/// The rim of the ground lies within a sphere around the building's bounding box, enlarged by this factor, so that the
+/// first camera sees the rim.
 const SEEN: f64 = 1.08;
-/// Its thickness, and the width of its rounded rim (metres).
+/// The thickness of the ground, and the width of its rounded rim (metres).
 const THICK: f64 = 0.16;
 const RIM: f64 = 0.05;
-/// The building's undersides cover grass that is nearer than this, and those that begin higher cover none (metres).
+/// No grass grows closer than this to an underside of the building. Undersides that begin higher than `HIGH` do not
+/// count (metres).
 const COVERED: f64 = 0.5;
 const HIGH: f64 = 0.6;
-/// Corners around it.
+/// Corners around the ground.
 const AROUND: u32 = 128;
-/// Tufts of grass on a square metre, and the most of them.
+/// Tufts of grass on a square metre, and the most tufts in all.
 const TUFTS: (f64, usize) = (210.0, 7000);
 /// Tufts in a slice of the work.
 const SLICE: usize = 100;
 /// Blades in a tuft, their height, their width and how far they lean (metres).
 const BLADES: u32 = 6;
 const BLADE: [f64; 3] = [0.075, 0.011, 0.04];
-/// Different tufts.
+/// The number of different tufts.
 const KINDS: u64 = 5;
 /// The size of pebbles, and the length and width of flags (metres).
 const PEBBLE: f32 = 0.045;
@@ -57,16 +59,16 @@ fn colour(word: &str) -> Option<[u8; 3]> {
     }
 }
 
-/// The ground below a building, while its grass grows.
+/// The ground below a building in the making: grass is added in slices.
 pub(crate) struct GroundWork {
     scene: Scene,
     disc: Disc,
     /// The faces on which the building stands, with their regions.
     feet: Vec<(FaceId, Region)>,
     random: Random,
-    /// Tufts to come.
+    /// The number of tufts that are still to be added.
     left: usize,
-    /// The first of the bodies of tufts.
+    /// The index of the first body of a tuft.
     first: u32,
 }
 
@@ -97,7 +99,7 @@ impl GroundWork {
         }
     }
 
-    /// Adds some tufts of grass; the bodies of the ground when all are there.
+    /// Adds some tufts of grass. Returns the scene of the ground when all are there.
     pub(super) fn advance(&mut self, site: &BuildingSite) -> Option<Scene> {
         let count = self.left.min(SLICE);
         for _ in 0..count {
@@ -214,8 +216,8 @@ impl Disc {
     }
 }
 
-/// The outlines of the faces on which a building stands, seen from below. They begin below a height (metres): heads of
-/// windows are left out.
+/// The faces on which a building stands, with their regions: faces that look down and begin below the height `high`
+/// (metres). So heads of windows are left out.
 fn feet(building: &Building, high: f64) -> Vec<(FaceId, Region)> {
     let begins_below = |face: &Face| {
         let polygons = face.polygons.iter().map(|&id| building.polygon(id));
@@ -260,8 +262,8 @@ fn tuft(seed: u64, kind: u64) -> Surface {
     surface
 }
 
-/// The colour factor of the ground at a place (metres), with broad and fine noise. `sharp` is 0 where pixels are too wide
-/// for pebbles and joints, else up to 1.
+/// The colour factor of the ground at a place (metres), with broad and fine noise. `sharp` falls from 1 to 0 as pixels
+/// become too wide to show pebbles.
 pub(super) fn relief(word: &str, at: Vec3, [broad, fine]: [f32; 2], sharp: f32) -> f32 {
     match word {
         "gravel" => 1.0 + 0.03 * broad + 0.04 * fine + sharp * (pebbles(at) - 1.0),
@@ -270,7 +272,7 @@ pub(super) fn relief(word: &str, at: Vec3, [broad, fine]: [f32; 2], sharp: f32) 
     }
 }
 
-/// A number from 0 to 1 of a cell of a grid, another one for each `salt`.
+/// A random number from 0 to 1 for a cell of a grid. Each `salt` gives another one.
 fn cell_number([x, y]: [i32; 2], salt: u32) -> f32 {
     let mut mixed =
         (x as u32).wrapping_mul(0x9E37_79B1) ^ (y as u32).wrapping_mul(0x85EB_CA77) ^ salt;

@@ -24,7 +24,7 @@ pub(crate) struct KeptBlocks {
     bodies: Vec<Body>,
     /// In the order of their ids, which are those of the new wall.
     instances: Vec<Instance>,
-    /// Whether the new blocks look like them.
+    /// Whether new blocks look like the kept ones, as the parameters are equal.
     are_same: bool,
 }
 
@@ -34,7 +34,8 @@ pub(super) fn marks(cells: &[MasonryCell]) -> Vec<u32> {
 }
 
 impl KeptBlocks {
-    /// The blocks of the last wall that stand where a new one will; none if the new wall has another size.
+    /// The blocks of the last wall that stand where a new one will. None are kept if the building lies otherwise in the
+    /// scene.
     pub(super) fn new(
         (last, scene): (&LastWall, &Scene),
         cells: &[MasonryCell],
@@ -71,7 +72,8 @@ impl KeptBlocks {
         &self.instances[first..]
     }
 
-    /// Whether nothing is to be seen when the block with this number, from 0, is laid.
+    /// Whether laying the block with this number (from 0) changes nothing in sight: a kept block already stands there
+    /// and looks the same.
     pub(super) fn has(&self, number: usize) -> bool {
         let own = |block: &Instance| (block.id as usize).cmp(&(number + 1));
         self.are_same && self.instances.binary_search_by(own).is_ok()

@@ -10,10 +10,10 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 const BEFORE: &str = "make=masonry&building=gabled&pattern=bricks";
-/// The same with segmental heads.
+/// The recipe with segmental heads of openings.
 const AFTER: &str = "make=masonry&building=gabled&pattern=bricks&gabled_head=1";
 
-/// Works up to the end of the laying. Returns the number of its steps, and how many blocks stood still at the first one.
+/// Works up to the end of the laying. Returns the number of steps, and how many kept blocks stood at the first step.
 fn lay(engine: &mut MasonryEngine) -> (usize, usize) {
     let (mut steps, mut stood) = (0, None);
     while engine.at().is_some_and(|at| at <= LAYING) {
@@ -49,7 +49,7 @@ fn after_an_edit_blocks_that_stay_stand_still() {
         engine.advance();
     }
     assert_eq!(engine.digest(), fresh.digest());
-    // Their bodies are taken from the last wall.
+    // Blocks that stay take their bodies from the last wall.
     let is_old = |body: &Rc<[Surface]>| before.iter().any(|old| Rc::ptr_eq(old, body));
     let after = bodies(&engine);
     let old = after.iter().filter(|body| is_old(body)).count();

@@ -28,7 +28,7 @@ pub(super) struct MasonryParams {
     pub still: StillParams,
 }
 
-/// The building.
+/// The parameters of the building.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct BuildingParams {
     /// The rule and its numbers; `None` for a file.
@@ -38,7 +38,7 @@ pub(super) struct BuildingParams {
     pub module: Module,
 }
 
-/// The cells.
+/// The parameters of the pattern and of its cells.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PatternParams {
     /// The pattern tree.
@@ -85,9 +85,9 @@ pub(super) struct BlockParams {
     pub length: f64,
     /// Width of chamfers (metres).
     pub chamfer: f64,
-    /// 0 to 1.
+    /// Roughness of stones, from 0 (plain) to 1.
     pub rough: f64,
-    /// A factor of turns and shifts.
+    /// Factor of the random turns and shifts of blocks.
     pub crooked: f64,
     pub colours: Colours,
     pub vary: f64,
@@ -103,7 +103,7 @@ pub(crate) struct LookParams {
     pub seed: u64,
 }
 
-/// The ground.
+/// The parameters of the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct GroundParams {
     /// The word of the ground.
@@ -112,7 +112,7 @@ pub(super) struct GroundParams {
 }
 
 impl LookParams {
-    /// The part of them that the ground's shape depends on.
+    /// The parameters on which the ground's shape depends.
     pub(super) fn ground(&self) -> GroundParams {
         GroundParams {
             word: self.ground,

@@ -43,7 +43,7 @@ fn sentence(fault: &DrawnFault) -> Notice {
     }
 }
 
-/// The sentence of a fault of an opening, without its number.
+/// The sentence on a fault of an opening, without the opening's number.
 fn of_opening(fault: &OpeningFault) -> Notice {
     use OpeningFault as Fault;
     match *fault {

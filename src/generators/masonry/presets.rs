@@ -1,4 +1,4 @@
-//! Recipes with names: buildings and patterns of Legakis, Dorsey, Gortler (2001), whose text has no numbers, and others.
+//! Recipes with names: buildings, and figures of Legakis, Dorsey, Gortler (2001), whose text gives no numbers for them.
 
 use crate::generators::Preset;
 
@@ -23,7 +23,7 @@ const fn viewed(
     }
 }
 
-/// The steps of figure 8 with herringbone, and their near camera.
+/// The link to the steps of figure 8 with herringbone, and a view of them from near.
 macro_rules! steps {
     () => {
         "v=1&make=masonry&building=steps&steps_steps=5&steps_width=20&steps_tread=3&steps_column=8&steps_height=22&pattern=diagonal&dressing=yellow&ground=paving&moss=0.1"

@@ -40,7 +40,7 @@ const GROUNDS: &[Choice] = choices![
 
 const MORTARS: &[Choice] = choices![light: "Light", grey: "Grey", sand: "Sand", dark: "Dark"];
 
-/// A length in millimetres of a module with sizes of its own.
+/// The row of a length (millimetres) of a module with sizes of its own.
 const fn millimetres(name: &'static str, [least, most, usual]: [f64; 3]) -> Parameter {
     number("", name)
         .range(least, most, 0.1, usual)

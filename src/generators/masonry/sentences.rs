@@ -1,4 +1,4 @@
-//! The sentences about buildings and modules: why one is refused, and what may look wrong.
+//! The sentences about buildings and modules: why a building or a module is refused, and what may look wrong.
 
 use crate::building::{
     ArcFault, Building, BuildingFault, BuildingWarning, EdgeId, FaceId, MOST_FACES, MOST_SIDES,
@@ -11,7 +11,7 @@ use crate::masonry::plan::{CourseWarning, PlanFault, PlanWarning};
 use crate::notice::{Code, Notice, quote, quote_long};
 use glam::DVec3;
 
-/// The most open edges whose places a sentence has.
+/// The most open edges whose places a sentence lists.
 const MOST_PLACES: usize = 3;
 
 /// Why a building's file or its shape is refused.
@@ -105,8 +105,9 @@ pub(super) fn refusal(fault: &PlanFault, module: f64) -> Notice {
     }
 }
 
-/// Remarks on what may look wrong. Buildings by rule suit their module, so conflicts and narrow panels are all that
-/// can be wrong there; `is_given` marks a file's building. `gone` features turned by hand are not in the building.
+/// Remarks on what may look wrong. Buildings by rule suit their module, so they only have remarks on conflicts and
+/// narrow panels. `is_given` marks a building of a file or of a visitor's plan. `gone` is the number of flips whose
+/// corner or edge does not exist.
 pub(super) fn remarks(laying: &Laying, (gone, is_given): (usize, bool)) -> Vec<Notice> {
     let (building, plan) = (laying.building(), laying.plan());
     let of_building = building.warnings().iter().filter(|_| is_given);
@@ -149,7 +150,8 @@ fn odd(building: &Building, warning: &BuildingWarning) -> Notice {
     }
 }
 
-/// Courses, columns and walls that differ much from the module. Conflicts have their own sentence.
+/// The sentence on courses, columns or walls that differ much from the module. `None` for conflicts, which are listed
+/// elsewhere.
 fn uneven(warning: &PlanWarning) -> Option<Notice> {
     let ends = |code: Code, low: f64, high: f64| {
         Notice::new(code)

@@ -1,5 +1,5 @@
-//! The scene of a wall on its ground, in its weather. It shares the bodies of both, so that another weather lays no
-//! block again.
+//! The scene of a wall on its ground, in its weather. It shares the bodies of wall and ground, so that a change of
+//! weather lays no block again.
 
 use super::grain::WallGrain;
 use super::kept::KeptBlocks;
@@ -23,8 +23,8 @@ pub(crate) struct WallScene {
 }
 
 impl WallScene {
-    /// The ground alone. `marks` are those of all blocks that will be added, in their order; `kept` are blocks that may
-    /// stand in for them.
+    /// The ground alone. `marks` are those of all blocks that will be added, in their order; `kept` are blocks of the
+    /// last wall that may stand in for those not laid yet.
     pub(super) fn new(
         site: &BuildingSite,
         ground: &Scene,
@@ -48,7 +48,8 @@ impl WallScene {
         }
     }
 
-    /// Adds what the wall has and this scene has not. The kept blocks stand beside it.
+    /// Adds the bodies and blocks of the wall that are new since the last call. `kept` replaces the kept blocks shown
+    /// so far.
     pub(super) fn follow(&mut self, wall: &Scene, kept: &[Instance]) {
         let [bodies, instances] = self.ground;
         let shown = self.scene.instances.len() - self.kept;

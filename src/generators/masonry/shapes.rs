@@ -16,9 +16,9 @@ use std::sync::Arc;
 /// A shape that several blocks may have.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum BlockShape {
-    /// By its sizes.
+    /// The sizes along the axes, in steps of 0.05 mm.
     Cuboid([u32; 3]),
-    /// By its vertices.
+    /// The vertices in the block's frame, in steps of 0.05 mm.
     Other(Rc<[[i32; 3]]>),
 }
 
@@ -39,13 +39,13 @@ impl BlockShape {
 /// How a block looks.
 #[derive(Clone)]
 pub(super) enum BlockLook {
-    /// A shape that others may have, and where it stands.
+    /// A shape that other blocks may have too, and the place of this block.
     Shared(BlockShape, Place),
     /// A body of its own, in its place.
     Own(Body),
 }
 
-/// A block as it was shaped.
+/// The look of a block, with the data of the cell and the material that it was made from.
 #[derive(Clone)]
 pub(super) struct ShapedBlock {
     of: Arc<Polyhedron>,
@@ -78,7 +78,7 @@ pub(super) struct SharedBody {
     /// Its number in the scene.
     pub number: u32,
     pub body: Body,
-    /// The first block of its shape, whose rounding the body has, and the direction that its front faces.
+    /// The first cell of this shape, and its outward direction. The body has the rounding errors of this cell.
     of: (Arc<Polyhedron>, DVec3),
 }
 
@@ -93,9 +93,9 @@ impl SharedBody {
 pub(super) struct WallShapes {
     params: BlockParams,
     fit: Fit,
-    /// By the marks of their cells.
+    /// The blocks, by the marks of their cells.
     blocks: BTreeMap<u32, ShapedBlock>,
-    /// By their shapes and materials.
+    /// The bodies that blocks share, by shape and material.
     bodies: BTreeMap<(BlockShape, u8), SharedBody>,
 }
 
@@ -131,7 +131,8 @@ impl WallShapes {
         self.bodies.get(key)
     }
 
-    /// That body, if this cell would make the same bits. The body of a cuboid depends only on its sizes.
+    /// The body of a shape and a material, if this cell would make the same body bit for bit. The body of a cuboid
+    /// depends only on its sizes.
     pub fn same_body(&self, key: &(BlockShape, u8), cell: &MasonryCell) -> Option<&Body> {
         let shared = self.shared(key)?;
         let is_cuboid = matches!(key.0, BlockShape::Cuboid(_));

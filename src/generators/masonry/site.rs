@@ -13,7 +13,7 @@ use glam::DVec3;
 use serde_json::Value;
 use std::sync::Arc;
 
-/// The first bytes of a text in JSON, after blanks.
+/// The first byte of a JSON text, after blanks.
 const JSON: u8 = b'{';
 /// The most blocks of a building.
 pub(super) const MOST_BLOCKS: f64 = 60_000.0;
@@ -21,7 +21,7 @@ pub(super) const MOST_BLOCKS: f64 = 60_000.0;
 /// A building that can be laid.
 pub(super) struct BuildingSite {
     pub building: Arc<Building>,
-    /// The building as a file would have it: native programs write it.
+    /// The draft of the building, which native programs write to a file.
     #[cfg(not(target_arch = "wasm32"))]
     pub draft: Draft,
     /// Whether a file or a visitor's plan gave it.
@@ -30,7 +30,7 @@ pub(super) struct BuildingSite {
     pub remarks: Vec<Notice>,
     /// The least thickness of the wall behind each face (metres).
     pub thickness: Vec<f64>,
-    /// How it lies in the scene.
+    /// Maps the building (metres) to the scene.
     pub fit: Fit,
 }
 
@@ -46,20 +46,21 @@ enum SiteStep {
     Parsed(Value),
     /// A draft has been read.
     Read(Draft),
-    /// Both meshes are made of this draft, whose faces are sorted.
+    /// The parent and the child mesh are being made of this draft, whose faces are sorted.
     Meshes {
         draft: Draft,
-        /// The draft with its faces in the order of the file.
+        /// The draft with its faces in the order of the file; `None` for a building by rule.
         given: Option<Draft>,
         making: BuildingMaking,
     },
-    /// The draft has this fault. Sentences name faces in the order of the file, so the fault is searched in that order.
+    /// The sorted draft has this fault. Sentences number faces as the file does, so the draft of the file is searched
+    /// for its fault.
     Fault {
         draft: Draft,
         fault: BuildingFault,
         making: BuildingMaking,
     },
-    /// The thickness of walls is measured.
+    /// The thickness of walls is being measured.
     Walls {
         building: Arc<Building>,
         draft: Draft,
@@ -128,7 +129,7 @@ impl SiteBuild {
 }
 
 impl SiteStep {
-    /// Reads a file, or parses it. Some programs put a byte order mark first.
+    /// Reads an OBJ file, or parses a JSON file. Some programs put a byte order mark first.
     fn read(bytes: &[u8]) -> Result<Self, BuildingFault> {
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
         let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
@@ -245,12 +246,12 @@ fn check_number(building: &Building, params: &BuildingParams) -> Result<(), Noti
         .with("course", fits(module.course)))
 }
 
-/// The area of a face (square metres), flattened.
+/// The area of a face (square metres) in its (s, t).
 fn area(face: &Face) -> f64 {
     face.rings.iter().map(|ring| signed_area(ring)).sum()
 }
 
-/// The building in the scene: its longest side is 1.
+/// The map from the building to the scene, for a box around all vertices and extra meshes.
 fn fit(building: &Building) -> Fit {
     let extras = building.extras().iter().flat_map(|extra| &extra.positions);
     let all = building

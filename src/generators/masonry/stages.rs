@@ -35,7 +35,7 @@ const STEPS: usize = 160;
 const MOST: usize = 60;
 /// Blocks that look as they did before an edit are laid this many times faster.
 const KEPT: usize = 8;
-/// Words of a scene that are hashed in a slice, about.
+/// About this many words of a scene are hashed in a slice.
 const WORDS_IN_A_SLICE: usize = 400_000;
 
 /// The finished scene, while its digest is made.
@@ -43,14 +43,14 @@ pub(crate) type BlocksWork = (Rc<Scene>, SceneDigest);
 
 /// Cells in the making.
 pub(super) enum CellsWork {
-    /// The plan of this building.
+    /// The plan of this building is being made.
     Plan(Arc<Building>, Box<PlanMaking>),
-    /// The cells themselves.
+    /// The cells themselves are being laid.
     Cells(Box<Laying>),
 }
 
 impl CellsWork {
-    /// Begins with the plan of the building, some of whose bricks are turned by hand.
+    /// Begins with the plan of the building, after the flips of corners and edges.
     fn begun(site: &BuildingSite, params: &PatternParams) -> Self {
         let flips = &params.flips;
         let building = Arc::new(site.building.flipped(&flips.corners, &flips.edges));
@@ -59,7 +59,7 @@ impl CellsWork {
         Self::Plan(building, Box::new(plan))
     }
 
-    /// Goes on with a plan, or begins with the cells of a whole one.
+    /// Goes on with a plan. Once the plan is whole, begins with the cells.
     fn plan(
         building: Arc<Building>,
         mut plan: Box<PlanMaking>,
@@ -82,11 +82,11 @@ pub(crate) struct MasonryStages {
     pub(super) site: Node<BuildingParams, SiteBuild, BuildingSite>,
     pub(super) cells: Node<PatternParams, CellsWork, Laying>,
     pub(super) ground: Node<GroundParams, GroundWork, Scene>,
-    /// The bodies of the wall alone.
+    /// The scene of the wall, without its ground.
     pub(super) laid: Node<BlockParams, Wall, Scene>,
-    /// The last finished wall, unless the steps are made again without an edit.
+    /// The last finished wall. `None` before the first one, and when the steps are made again without an edit.
     last: Option<LastWall>,
-    /// Its blocks that stay in sight while the new wall is laid.
+    /// Blocks of the last wall that stay in sight while the new wall is laid.
     pub(super) kept: KeptBlocks,
 }
 
@@ -206,8 +206,8 @@ impl MasonryStages {
         })
     }
 
-    /// Lays some blocks of one pass, so that each pass ends with a step. After an edit, blocks that stay as they were
-    /// take no time of their own.
+    /// Lays some blocks of one pass, so that each pass ends with a step. After an edit, blocks that look as before
+    /// hardly count towards a step.
     fn lay(&mut self) -> Option<()> {
         let (site, cells) = (self.site.made()?, self.cells.made()?.cells());
         if self.begun(&self.laid).is_none() {
@@ -278,7 +278,7 @@ impl MasonryStages {
         })
     }
 
-    /// The passes of the work on blocks and on the ground.
+    /// How often work on the blocks, and on the ground, was begun.
     pub(super) fn pass(&self) -> [u64; 2] {
         [self.laid.passes(), self.ground.passes()]
     }

@@ -14,16 +14,16 @@ use std::rc::Rc;
 
 /// A scene in the making.
 pub(crate) struct WallMaking {
-    /// The scene of blocks that are being laid, which goes on.
+    /// The last scene of blocks that are being laid, to which new blocks are added.
     live: Option<Box<WallScene>>,
     diagram: Option<DiagramWork>,
 }
 
-/// A scene.
+/// The scene of a view.
 pub(crate) enum WallSubject {
     /// The finished blocks.
     Blocks(Rc<Scene>),
-    /// Blocks that are being laid, and the pass of the work on them and on the ground.
+    /// Blocks that are being laid, and how often work on the blocks, and on the ground, was begun.
     Laying(Box<WallScene>, [u64; 2]),
     /// A diagram.
     Diagram(Scene),

@@ -85,7 +85,7 @@ fn every_building_has_a_block_for_each_cell() {
     }
 }
 
-/// The engine of a recipe that names this file, up to its blocks; or the sentence with which it stopped.
+/// The number of cells of a building from this file; or the sentence with which the engine stopped.
 fn laid_file(name: &str, content: &str) -> Result<usize, Notice> {
     let file = GivenFile::whole(name, content.as_bytes().to_vec());
     let mut recipe = recipe("make=masonry&pattern=bricks");
@@ -172,7 +172,7 @@ fn buildings_of_files_are_laid_or_refused_with_a_sentence() {
     );
 }
 
-/// How many cells of a recipe are laid at the end of each pass that lays any, in their order.
+/// The passes that lay cells, in order, each with the number of cells laid up to its end.
 fn ends_of_passes(link: &str) -> Vec<(LayingPass, usize)> {
     let engine = laid(link).expect("a building");
     let cells = engine.made.cells.made().expect("cells").cells();

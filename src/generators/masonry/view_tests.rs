@@ -41,7 +41,7 @@ fn scene(engine: &MasonryEngine, view: MasonryView) -> Scene {
     }
 }
 
-/// The ids of a scene, without those of mortar and of free space.
+/// The ids of a scene without 0, which bodies without an id have (mortar, for one).
 fn ids(scene: &Scene) -> BTreeSet<u32> {
     let ids = scene.instances.iter().map(|instance| instance.id);
     ids.filter(|&id| id > 0).collect()
@@ -165,7 +165,7 @@ fn maps_of_faces_are_free_then_claimed_around_then_full() {
             .textured_faces()
             .filter(|&face| is_wall(laying.building().face(face)));
         let shares = walls.map(|face| occupied(laying, face));
-        // The outlines of most walls are narrow.
+        // At least two walls owe more than a fifth of their pixels to their own cells.
         assert!(
             shares
                 .filter(|[before, after]| before + 0.2 < *after)
@@ -228,7 +228,7 @@ fn a_texture_breaks_at_edges_where_cells_do_not() {
     let engine = engine("building=block");
     let Texture { bricks, broken } = Texture::new(laying(&engine));
     assert!(broken > 20 && bricks > 2 * broken, "{broken} of {bricks}");
-    // The cells stand to its right, as far away as it is wide and a bit, and both are in sight.
+    // The cells stand to the right of the texture, with a gap between, and both are in sight.
     let scene = scene(&engine, MasonryView::Seams);
     let ends = |is_of: fn(f32) -> bool| {
         let own = scene
@@ -282,7 +282,7 @@ fn bodies_are_told_by_the_view_that_shows_them() {
     assert_eq!(engine.measures(9_999_999), []);
 }
 
-/// A cell's kind and shape, which can be compared.
+/// A cell's feature and vertices, as a value that can be compared.
 fn key(cell: &MasonryCell) -> (Feature, String) {
     (cell.feature, format!("{:?}", cell.body.vertices()))
 }

@@ -8,17 +8,18 @@ use crate::order::{greater, lesser};
 use crate::scene::Surfel;
 use glam::Vec3;
 
-/// How hollow a place counts for moss: everywhere, and more on what faces up, low down, to the north, and in joints.
+/// How hollow a place counts for moss: everywhere, and more where it faces up, lies low, faces north (-z), or is a
+/// joint.
 const HOLLOW: [f32; 5] = [0.1, 0.46, 0.42, 0.14, 0.1];
-/// The height over which the ground counts (metres).
+/// At this height the share of low places is halved (metres).
 const LOW: f32 = 0.22;
-/// The strength of patches.
+/// The strength of the noise of patches.
 const PATCHY: f32 = 1.8;
-/// How far blocks differ.
+/// The most by which a block's own number changes how hollow it counts.
 const OWN: f32 = 0.07;
-/// The strength of wet at which damp is read, and what it makes of a level place.
+/// The strength of wet for the effects of damp, and the wetness that counts as level ground.
 const SOAKED: [f32; 2] = [0.5, 0.55];
-/// The height to which damp rises: always, and more by its strength (metres).
+/// The height to which slight damp rises, and by how much higher full damp does (metres).
 const RISES: [f32; 2] = [0.1, 0.75];
 /// How far water runs down from sills, how far beside them (metres), and how dark it makes the wall.
 const RUNS: [f32; 3] = [1.0, 0.1, 0.3];
@@ -36,13 +37,13 @@ pub(super) struct Weather {
 
 /// Noise at a place, with a standard deviation of about 1.
 pub(super) struct Noise {
-    /// Over several blocks.
+    /// Noise over several blocks.
     pub patches: f32,
-    /// Over some centimetres.
+    /// Noise over some centimetres.
     pub fine: f32,
-    /// Upright stripes.
+    /// Noise in upright stripes.
     pub stripes: f32,
-    /// A number of each block, from -1 to 1.
+    /// A random number of the block, from -1 to 1.
     pub own: f32,
 }
 
@@ -91,7 +92,7 @@ impl Weather {
         self.params.moss.to_bits() ^ self.params.wet.to_bits().rotate_left(32)
     }
 
-    /// Changes a surface at a place (metres in the scene's axes).
+    /// Adds damp and moss to a surface at a place (metres in the scene's axes).
     pub fn apply(&self, surfel: &mut Surfel, at: Vec3, noise: &Noise) {
         let height = greater(at.y - self.ground, 0.0);
         if self.params.wet > 0.0 {

@@ -47,8 +47,7 @@ enum Part {
 impl ComponentsMaking {
     /// Does one slice. Components that were made before are taken from `kept`, and new ones are added to it.
     ///
-    /// # Errors
-    /// A sentence on the file that gives no component.
+    /// # Errors If a file of the recipe gives no component.
     pub fn advance(
         params: &ComponentParams,
         work: &mut Option<ComponentsMaking>,

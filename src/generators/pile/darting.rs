@@ -14,20 +14,21 @@ use std::sync::Arc;
 
 /// The most darts of all types and layers.
 const MOST: f64 = 30_000.0;
-/// With fewer darts a pile is no pile.
+/// The fewest darts of the outer layer, of all types together; a pile of fewer is refused.
 const FEWEST: f64 = 20.0;
-/// The largest component, in shortest sides of the shape: beyond the first there is a remark, beyond the second a
-/// refusal.
+/// The longest side of a component, as a share of the shape's shortest side. Above the first number there is a remark,
+/// above the second a refusal.
 const LARGE: [f64; 2] = [0.25, 1.0];
-/// The distance of layers, in diagonals.
+/// The distance between layers, in diagonals of the type.
 const APART: f64 = 0.5;
-/// The share of a pile that bodies fill, the share of their room that most of them need, and how far a body reaches around its dart, in diagonals.
+/// The share of a pile's volume that bodies fill; the share of the outer pile's thickness that is kept as room; and how
+/// far a body reaches around its dart, in diagonals.
 const FILLED: f64 = 0.45;
 const OUT: f64 = 0.6;
 const ALONE: f64 = 0.3;
 /// Darts, triangles or fragments in a slice.
 const SLICE: usize = 300;
-/// The same for layers, whose darts each search the surface.
+/// Darts in a slice of an inner layer, where each dart searches the surface.
 const LAYER_SLICE: usize = 60;
 
 /// Types and their darts.
@@ -36,7 +37,7 @@ pub(super) struct Placed {
     pub darts: Vec<Dart>,
     /// Whether each dart is left after merging.
     pub stays: Vec<bool>,
-    /// A component that is large beside the shape.
+    /// Says if a component is large beside the shape.
     pub remarks: Vec<Notice>,
 }
 
@@ -76,7 +77,7 @@ impl Placing {
         Ok(None)
     }
 
-    /// The darts so far, of all finished types and layers, and of the one that is thrown.
+    /// The darts so far, with those of the layer in progress: the number of the type, the place, and the normal.
     pub fn darts(&self) -> impl Iterator<Item = (u32, DVec3, DVec3)> + '_ {
         let done = self.darts.iter().map(|d| (d.kind, d.at, d.normal));
         let kind = self.at.0;
@@ -171,8 +172,9 @@ impl Placing {
     }
 }
 
-/// How far bodies reach out of the shape, about: half of the largest body, and the part of the pile that lies outside.
-/// That is no thicker than its range, nor than its bodies need.
+/// About how far bodies reach out of the shape: a part of a body's diagonal, and a part of the pile's thickness
+/// outside. The range limits that thickness, and so does the volume of the bodies. The type that reaches farthest
+/// counts.
 pub(super) fn room(params: &RoomParams, components: &Components) -> f64 {
     let outside = |(&(scale, density, range), variants): (&(f64, Option<f64>, Option<f64>), _)| {
         let variants: &Rc<Variants> = variants;
@@ -201,7 +203,7 @@ fn kind(params: &DartParams, own: &TypeParams, variants: &[Arc<Component>]) -> K
     }
 }
 
-/// Counts the darts before any is thrown.
+/// Refuses too many darts, or too few, before any is thrown.
 fn check_count(params: &DartParams, kinds: &[Kind], site: &Site) -> Result<(), Notice> {
     let area = site.mesh.area();
     let each = |kind: &Kind| expected_darts(area, kind.spacing());
@@ -209,7 +211,8 @@ fn check_count(params: &DartParams, kinds: &[Kind], site: &Site) -> Result<(), N
     let layers = f64::from(params.layers);
     let all = outer * layers;
     if all > MOST {
-        // The type with the most darts gets the room that the others leave. Counts fall with the square of the spacing.
+        // The type with the most darts gets the number that the other types leave. Counts fall with the square of the
+        // spacing.
         let most = |a: &usize, b: &usize| each(&kinds[*a]).total_cmp(&each(&kinds[*b]));
         let number = (0..kinds.len()).max_by(most).unwrap_or(0);
         let own = each(&kinds[number]) * layers;

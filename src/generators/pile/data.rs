@@ -107,7 +107,7 @@ impl PileText<'_> {
     }
 }
 
-/// Sixteen numbers, column after column.
+/// A matrix of 4 x 4 numbers, column after column.
 fn matrix(turn: DMat3, origin: DVec3) -> String {
     let columns = [turn.x_axis, turn.y_axis, turn.z_axis];
     let columns = columns.map(|c| format!("{},0", numbers(c.to_array())));

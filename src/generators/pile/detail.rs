@@ -8,14 +8,15 @@ use crate::scene::{Detail, Place, Surfel};
 use glam::{Vec2, Vec3};
 use std::rc::Rc;
 
-/// Picture units in a unit of a component: its length is about 48 of them, as that of a large stone.
+/// Picture units in a unit of a component. A component is 2 units long, so it measures about 48 picture units, as a
+/// large stone does.
 const UNIT: f32 = 24.0;
-/// The random stream of the noise, the power of two of its side, and its levels and dimension.
+/// The noise tile: its random stream, the binary logarithm of its side, its levels, and its fractal dimension.
 const NOISE: (u64, u32, u32, f64) = (23, 7, 4, 1.5);
 /// The colour factor of wet bodies, and the width of the water's edge in the scene.
 const SOAKED: f32 = 0.62;
 const EDGE: f32 = 0.02;
-/// The strength of grain.
+/// The strength of grain on brushed metal, and on wood and peel.
 const METAL_GRAIN: GrainStrength = GrainStrength {
     speckle: 0.03,
     height: 0.05,
@@ -27,16 +28,16 @@ const SKIN_GRAIN: GrainStrength = GrainStrength {
 
 /// The id of a wooden box in the scene.
 pub(super) const BOX_ID: u32 = u32::MAX;
-/// Units of wood in a unit of the scene.
+/// Units of the wood's texture in a unit of the scene.
 const BOX_UNITS: f32 = 4.0;
 
-/// A body at rest, as its detail needs it.
+/// The data of a settled body that its detail needs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Own {
     pub place: Place,
     /// The number of its type.
     pub kind: u32,
-    /// Where its noise is read.
+    /// The offset at which its noise is read.
     pub offset: [f32; 2],
 }
 
@@ -60,7 +61,7 @@ impl PileNoise {
 /// The detail of a pile.
 pub(super) struct PileDetail {
     pub noise: Rc<PileNoise>,
-    /// The bodies by their ids, from 1.
+    /// The bodies by their ids, which begin at 1; `None` where no body is kept.
     pub owns: Rc<Vec<Option<Own>>>,
     /// The finish of each type.
     pub finishes: Vec<&'static Finish>,
@@ -73,7 +74,7 @@ struct Local {
     /// In the component's units.
     at: Vec3,
     normal: Vec3,
-    /// The width of a pixel there.
+    /// The width of a pixel there, in the component's units.
     spread: f32,
     offset: Vec2,
 }
@@ -176,7 +177,7 @@ impl PileNoise {
                 )
             }
             Texture::Wood => {
-                // Rings about an axis beside the body, along its length.
+                // Year rings about an axis beside the body, parallel to its length (x).
                 let off = Vec2::new(p.y + 0.9, p.z - 0.35);
                 let waver = 0.10 * read(2.0 * p.x, 9.0 * off.length());
                 let ring = 9.0 * (off.length() + waver);

@@ -23,22 +23,22 @@ const TYPES: [[u8; 3]; 5] = [
 ];
 /// Colours of the reasons why a body is not there: merged, walls, removed.
 const REASONS: [[u8; 3]; 3] = [[86, 146, 206], [150, 122, 196], [214, 72, 56]];
-/// Pale bodies, between which others are seen.
+/// The colour of darts whose bodies are kept.
 const PALE: [u8; 3] = [206, 200, 190];
-/// Blue, green and red: apart, touching, and deeper than that.
+/// Colours of overlap: blue for bodies that are apart, green for touching ones, and red for deep overlap.
 const APART: [f32; 3] = [70.0, 120.0, 210.0];
 const TOUCHING: [f32; 3] = [90.0, 180.0, 90.0];
 const DEEP: [f32; 3] = [216.0, 64.0, 48.0];
 /// The row of plain bodies in the materials of views.
 const SATIN: u8 = 2;
-/// The row of the bare surface there.
+/// The row of the bare surface in the materials of views.
 const BARE: u8 = 0;
 /// The colour of the shape under its darts.
 const CALM: [u8; 3] = [168, 162, 151];
 /// The radius of a dart, and the thickness of its disk, in radii of the disk.
 const POINT: f64 = 0.16;
 const THICK: f32 = 0.04;
-/// How far a disk is drawn, so that neighbours can be told apart.
+/// The share of a disk's radius that is drawn, so that neighbours can be told apart.
 const DRAWN: f64 = 0.94;
 /// Meridians and parallels of a ball, and corners of a disk.
 const BALL: [usize; 2] = [20, 10];
@@ -46,10 +46,10 @@ const DISK: usize = 28;
 /// Balls and disks in their own coordinates have the radius 1.
 const UNIT: f32 = 1.0;
 
-/// A diagram.
+/// The scene of a diagram, and the number in its caption.
 pub(crate) struct Diagram {
     pub scene: Scene,
-    /// The deepest overlap, in R, if the diagram shows it.
+    /// The deepest overlap, in R (the radius of the largest inner sphere), if the diagram shows it.
     pub deepest: Option<f64>,
 }
 
@@ -57,14 +57,14 @@ pub(crate) struct Diagram {
 pub(super) struct Piled<'a> {
     pub kinds: &'a [Kind],
     pub bodies: &'a [PiledBody],
-    /// T and D.
+    /// T and D, in R: overlap up to T counts as touching, and a body that overlaps by more than T + D is removed.
     pub offset: f64,
     pub removal: f64,
     pub components: &'a Components,
     pub fit: Fit,
 }
 
-/// The darts on the bare shape, each with its disk of half the least distance to others.
+/// The darts on the bare shape. The radius of a dart's disk is half the least distance to darts of its type.
 pub(super) fn darts(ground: &BareSurface, thrown: &Thrown) -> Diagram {
     let mut scene = ground.scene();
     let fit = ground.fit();
@@ -122,7 +122,7 @@ fn coloured(piled: &Piled, colour: impl Fn(&PiledBody) -> [u8; 3]) -> Diagram {
     }
 }
 
-/// A scene with a white body for each variant, and the first one of each type.
+/// A scene with a white body for each variant, and the number of the first body of each type.
 fn plain(piled: &Piled) -> (Scene, Vec<u32>) {
     let mut scene = Scene {
         reach: reach(piled),
@@ -186,7 +186,7 @@ fn painted(body: u32, place: Place, dart: u32, tint: [u8; 3]) -> Instance {
     }
 }
 
-/// The place of a ball of radius 1 that becomes a sphere.
+/// The place that makes this sphere of a ball with radius 1.
 fn round(sphere: Sphere, fit: Fit) -> Place {
     let scale = (sphere.radius * fit.scale) as f32;
     Place {
@@ -195,7 +195,7 @@ fn round(sphere: Sphere, fit: Fit) -> Place {
     }
 }
 
-/// The darts whose bodies are not there, in the colour of the reason, on the bare shape.
+/// The darts on the bare shape: pale if the body is kept or waits, else in the colour of the reason.
 fn fates(piled: &Piled, ground: &BareSurface) -> Diagram {
     let mut scene = Scene {
         reach: reach(piled),
@@ -239,7 +239,7 @@ fn overlap(piled: &Piled) -> Diagram {
     }
 }
 
-/// Blue below 0, green up to an offset, and red from `more` beyond that on.
+/// Blue up to -0.3, green from 0 to `offset`, red from `offset + more` on, and blended between these.
 fn between_three(value: f64, (offset, more): (f64, f64)) -> [f32; 3] {
     let mix = |a: [f32; 3], b: [f32; 3], part: f64| {
         let part = part.clamp(0.0, 1.0) as f32;
@@ -255,7 +255,8 @@ fn bytes(colour: [f32; 3]) -> [u8; 3] {
     colour.map(|v| (v.clamp(0.0, 255.0) + 0.5) as u8)
 }
 
-/// The bodies in the colours of eq. (2) at their own surfaces: green on the spheres, blue beyond them, red inside.
+/// The bodies, coloured by the depth of eq. (2) at each place of the surface in the body's own spheres: green on a
+/// sphere, blue outside, red inside.
 fn depth(piled: &Piled) -> Diagram {
     let mut diagram = coloured(piled, |_| [255; 3]);
     let count = piled.bodies.len();
@@ -330,7 +331,7 @@ fn globe([around, down]: [usize; 2], colour: [u8; 3]) -> Surface {
     surface
 }
 
-/// A thin disk of radius 1 with a point in its middle, upright along y.
+/// A thin disk of radius 1 around the axis y, with a small ball in its middle.
 fn disk(colour: [u8; 3]) -> Surface {
     let mut surface = globe([12, 6], [40, 38, 36]);
     for p in &mut surface.positions {

@@ -15,7 +15,7 @@ const MOST: usize = 6_000;
 /// The meshes of all types, variant by variant.
 pub(super) struct Dressed {
     pub bodies: Vec<Body>,
-    /// The first body of each type.
+    /// The number of the first body of each type; the last entry is the number of all bodies.
     pub first: Vec<u32>,
 }
 
@@ -73,7 +73,8 @@ impl Dressing {
     }
 }
 
-/// The levels of a component that are drawn.
+/// The levels of a component that are drawn: those with few enough triangles, and always the last
+/// one.
 fn drawn(component: &Component) -> impl Iterator<Item = &Level> {
     let last = component.levels.len() - 1;
     let levels = component.levels.iter().enumerate();

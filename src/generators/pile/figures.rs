@@ -7,8 +7,8 @@ use crate::notice::{Code, Notice};
 use crate::pile::{Fate, contacts};
 
 impl PileEngine {
-    /// The measures of a body, by their words: its type and layer, from 1; how far it slid along the normal, in its
-    /// diagonals, and the ends of its range; and how many others it touches.
+    /// The measures of a body, words and numbers: its type and layer, from 1; how far it slid along the normal, and the
+    /// ends of its range, in its diagonals; and how many other bodies it touches.
     pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
         let (Some(body), Some(placed)) = (self.made.body(id), self.made.placed.made()) else {
             return Vec::new();

@@ -16,7 +16,7 @@ impl Meshes for PileEngine {
         let scene = self.made.shared.scene().cloned();
         let pile = self.made.settled.made().map_or(&[][..], |s| s.bodies());
         let words = &self.made.words();
-        // A name tells the dart, the type and the layer.
+        // A body's name has the word of its type, its dart and its layer.
         let name = |dart: usize| {
             let body = &pile[dart];
             let word = words[body.kind as usize];

@@ -19,11 +19,11 @@ use std::rc::Rc;
 const REACH: f64 = 0.35;
 /// The colour of ground.
 const SOIL: [u8; 3] = [112, 96, 76];
-/// The colour of another shape that is seen.
+/// The colour of a shape that is no ground, if it is seen.
 const BARE: [u8; 3] = [150, 143, 132];
 /// The tint of bodies that are removed.
 const REMOVED: [u8; 3] = [255, 72, 60];
-/// The most new bodies at once among which an eye can follow the removed ones.
+/// Removed bodies are shown if at most this many bodies are new: an eye cannot follow more.
 const FOLLOWED: usize = 24;
 /// The depth of the floor below the lowest place of ground, in longest sides.
 const SKIRT: f64 = 0.03;
@@ -49,7 +49,7 @@ pub(super) struct HeapParts<'a> {
 pub(crate) struct Heap {
     scene: Scene,
     fit: Fit,
-    /// The number of bodies of the scene before those of the types.
+    /// The number of the scene's bodies (meshes) before those of the types.
     base: u32,
     owns: Vec<Option<Own>>,
     noise: Rc<PileNoise>,

@@ -43,7 +43,7 @@ impl PileStages {
         )
     }
 
-    /// The bodies that settle, or the last settled ones; none before the first step.
+    /// The bodies that are settling, or else the last settled pile; `None` before the first step.
     pub(super) fn refining(&self) -> Option<&Refining> {
         let last = self.settled.made().filter(|_| self.at() != Some(REFINE));
         self.begun(&self.settled).or(last)

@@ -32,9 +32,9 @@ pub(super) struct PileParams {
 /// The source of a component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ComponentSource {
-    /// By rule.
+    /// A component by rule.
     Kind(ComponentKind),
-    /// The component of a file, by its number among all files of the recipe, and by its digest, 0 if the recipe names none.
+    /// From a file: its number among all files of the recipe, and its digest (0 if the recipe names no file).
     File(usize, u64),
 }
 
@@ -64,11 +64,11 @@ pub(super) enum SiteSource {
     File(usize),
 }
 
-/// The shape.
+/// The parameters of the shape.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SiteParams {
     pub source: SiteSource,
-    /// Half of its longest side.
+    /// Half of the shape's longest side.
     pub half: f64,
 }
 
@@ -76,12 +76,12 @@ pub(super) struct SiteParams {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TypeParams {
     pub scale: f64,
-    /// `None` follows from the component.
+    /// Least distance of two darts, in R (the radius of the largest inner sphere). `None` follows from the component.
     pub density: Option<f64>,
-    /// The key of the density.
+    /// The key of the density's row, for the sentence on too many darts.
     pub density_key: Key,
     pub turn: Turn,
-    /// `None` follows from the component.
+    /// The range along the normal, in diagonals. `None` follows from the component.
     pub range: Option<f64>,
 }
 
@@ -110,7 +110,7 @@ pub(super) struct DartParams {
 /// Whether the shape itself is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CoreShown {
-    /// If it is ground.
+    /// Seen if it is ground.
     Suits,
     Seen,
     Hidden,

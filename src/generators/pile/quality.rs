@@ -13,7 +13,7 @@ const MEASURED: usize = 1_300;
 const LOOKED_AT: usize = 120;
 /// Points of the shape, uniform by area, whose normals are followed.
 const NORMALS: usize = 500;
-/// Lines from above, along each side of a square about the shape.
+/// Upright lines along each side of a grid over the shape's footprint.
 const LINES: usize = 40;
 
 /// A variant's mesh with its search, and points of its surface.
@@ -31,7 +31,7 @@ struct Placed<'a> {
     place: DVec3,
     turn: DMat3,
     scale: f64,
-    /// R.
+    /// R, the radius of the largest inner sphere.
     radius: f64,
     /// The greatest distance of its surface from its place.
     bound: f64,
@@ -126,7 +126,8 @@ impl Placed<'_> {
     }
 }
 
-/// For each body the greatest depth of surfaces in it or of it in others, in R of the smaller body.
+/// For each body the greatest depth of another surface in it, or of its surface in another body, in R of the smaller
+/// body.
 fn depths(kept: &[Placed]) -> Vec<f64> {
     let widest = kept.iter().map(|body| body.bound).fold(0.0, f64::max);
     let mut depths = vec![0.0_f64; kept.len()];
@@ -147,8 +148,8 @@ fn depths(kept: &[Placed]) -> Vec<f64> {
     depths
 }
 
-/// The share of the shape's normals that meet no body within a diagonal of the largest type, and of the shape's footprint
-/// in which a line from above meets none.
+/// The share of the shape's normals that meet no body within a diagonal of the largest type. And the share of upright
+/// lines through its highest points that meet no body.
 fn bare(engine: &PileEngine, kept: &[Placed]) -> [f64; 2] {
     let kinds: &[Kind] = &engine.made.placed.made().expect("darts").kinds;
     let mesh = &engine.made.site.made().expect("a shape").mesh;
@@ -187,7 +188,7 @@ fn footprint(mesh: &TriMesh) -> Vec<DVec3> {
 
 /// The greatest depth of round bodies beyond T + D, in R: of 99 in 100 bodies, and of all.
 const ROUND: [f64; 2] = [0.08, 0.20];
-/// These depths in showpieces with thin bodies or sharp edges.
+/// The limits in place of `ROUND` for showpieces with thin bodies or sharp edges.
 const SHARP: [f64; 2] = [0.25, 0.45];
 const SHARP_ONES: [&str; 3] = ["nuts-bolts", "toys", "autumn-leaves"];
 /// The greatest depth, and the greatest mean of all bodies' depths, in R, of every preset.

@@ -11,7 +11,7 @@ use crate::recipe::{Choice, Item, Key};
 /// The word for a component or a shape that a file gives.
 pub const FILE: &str = "file";
 
-/// The word for a type that there is not.
+/// The word for no type.
 pub const NONE: &str = "none";
 
 /// The most types.
@@ -110,7 +110,7 @@ const fn file(number: usize) -> Parameter {
         .only_for(key, &[FILE])
 }
 
-/// The choice that a file's key belongs to.
+/// The key of the choice, a component or the shape, to which a file's key belongs.
 pub fn choice_of(file: Key) -> Key {
     let of_type = TYPE_KEYS.iter().find(|own| own.file == file);
     of_type.map_or(keys::FORM, |own| own.component)
@@ -152,7 +152,7 @@ const fn range(number: usize) -> Parameter {
     of_type(number, number_of("l", "Range").range(0.0, 12.0, 0.05, 2.0))
 }
 
-/// A row of a number; the table has a function `number` of its own.
+/// Stands in for the function `number` where an argument has that name.
 const fn number_of(symbol: &'static str, name: &'static str) -> Parameter {
     number(symbol, name)
 }

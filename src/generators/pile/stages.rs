@@ -34,7 +34,7 @@ const MOST: usize = 12;
 /// The nodes of the stages, and the files given for them.
 pub(crate) struct PileStages {
     pub(super) shared: SharedNodes<BodyParams, Heap>,
-    /// The last components, which stay while only other types change.
+    /// The last components: types that do not change take theirs from here.
     kept: Components,
     pub(super) components: Node<ComponentParams, ComponentsMaking, Components>,
     pub(super) dressed: Node<DressParams, Dressing, Rc<Dressed>>,

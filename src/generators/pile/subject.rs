@@ -10,11 +10,11 @@ use crate::material::Material;
 use crate::scene::Scene;
 use std::rc::Rc;
 
-/// A scene.
+/// The scene of a view.
 pub(crate) enum ViewScene {
     /// The finished bodies.
     Bodies(Rc<Scene>),
-    /// Bodies that settle, and the pass of the work that lets them.
+    /// Bodies that settle, and how often the work of settling was begun.
     Settling(Box<Heap>, u64),
     /// A diagram.
     Diagram(Diagram),

@@ -14,7 +14,7 @@ use crate::shapes::Shape;
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::DVec3;
 
-/// Points of the shape that are looked at.
+/// Points of the shape whose distance from the nearest dart is checked.
 const PROBES: usize = 2_000;
 
 /// The engine of a recipe, up to its bodies; or the sentence with which it stopped.
@@ -107,7 +107,7 @@ fn sorted(darts: &[Dart], kind: u32) -> Vec<Dart> {
     own
 }
 
-/// The distance of a place to the nearest dart of its side, as far as it is below `reach`.
+/// The distance from a place to the nearest dart on the same side of the shape, if it is below `reach`.
 fn nearest(darts: &[Dart], (at, normal): (DVec3, DVec3), reach: f64) -> f64 {
     let first = darts.partition_point(|dart| dart.at.x < at.x - reach);
     let near = darts[first..].iter();
@@ -117,7 +117,8 @@ fn nearest(darts: &[Dart], (at, normal): (DVec3, DVec3), reach: f64) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Darts of one type are a spacing apart, none is alone, and no place of the shape is farther from them.
+/// Darts of one type are at least a spacing apart, and no place of the shape is farther than a spacing from all of
+/// them.
 fn assert_even(engine: &PileEngine, name: &str) {
     let placed = engine.made.placed.made().expect("darts");
     let mesh = &engine.made.site.made().expect("a shape").mesh;
@@ -186,7 +187,7 @@ fn assert_presets(presets: impl Iterator<Item = &'static Preset>) {
     }
 }
 
-/// A failed recipe says which code it stopped with.
+/// The code of the sentence with which a recipe stops.
 fn stopped(link: &str) -> Code {
     match settled(&recipe(link)) {
         Ok(_) => panic!("{link} has a pile"),

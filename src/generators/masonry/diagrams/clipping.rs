@@ -1,4 +1,4 @@
-//! Clipping: cells that are smaller than their places, and what is in their way (Legakis, Dorsey, Gortler 2001,
+//! Clipping: the parts that were cut off cells, and the features in their way (Legakis, Dorsey, Gortler 2001,
 //! Feature-based cellular texturing for architectural models, section 5.1).
 
 use super::super::colours::{FEATURES, type_of};
@@ -18,7 +18,7 @@ const WHOLE: [u8; 3] = [206, 200, 190];
 const OUTSIDE: [u8; 3] = [150, 110, 190];
 /// How far the parts lie before the face (metres).
 const HEIGHT: f64 = 4e-3;
-/// Parts smaller than this share of a place do not count.
+/// Parts smaller than this share of the whole cell's area do not count.
 const LEAST: f64 = 0.02;
 
 /// A part that was cut off a cell.
@@ -26,11 +26,11 @@ pub(in crate::generators::masonry) struct Clipped {
     /// The face, and the part in its (s, t).
     pub face: FaceId,
     pub part: Footprint,
-    /// The cell whose claim is there; none off the face.
+    /// The number of the cell that claims the part; `None` if the part lies off the face.
     pub by: Option<u32>,
 }
 
-/// The parts that were cut off a cell of a face, with its number.
+/// The parts that were cut off a cell of a face. `number` is the cell's place in the order of laying.
 pub(in crate::generators::masonry) fn clipped(
     laying: &Laying,
     (number, cell): (u32, &MasonryCell),
@@ -66,8 +66,8 @@ pub(in crate::generators::masonry) fn clipped(
         .collect()
 }
 
-/// Adds the cells of a range: clipped ones in the colours of their sorts, others pale. The parts that were cut off
-/// lie over them in the colour of the feature that is in the way. Ids are those of the cells.
+/// Adds the cells of a range: clipped ones in the colours of their sorts, others pale. The parts that were cut off lie
+/// over them in the colour of the feature that is in the way. Ids are the numbers of cells, from 1.
 pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit, cells: Range<usize>) {
     add_coloured(scene, laying, (fit, cells.clone()), |cell| {
         match cell.unclipped {

@@ -16,10 +16,10 @@ use std::collections::BTreeSet;
 const COLUMNS: [u8; 3] = [220, 124, 24];
 const ROWS: [u8; 3] = [44, 92, 160];
 const OPENINGS: [u8; 3] = [206, 44, 66];
-/// Half the width of a line, in modules, and that of a line at an opening.
+/// Half the width of a line, and of a line at an opening, in modules (half bricks).
 const HALF: f64 = 0.08;
 const WIDE: f64 = 0.13;
-/// How far lines lie before the face (metres).
+/// The distance between two levels of lines, and of the first one from the face (metres).
 const HEIGHT: f64 = 1e-3;
 
 /// The lines of all faces that the pattern reaches.
@@ -50,7 +50,7 @@ pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit) {
     }
 }
 
-/// The colour of a line, and the level at which it lies.
+/// The colour of a line, and its level from 1: lines on a higher level hide those below.
 fn look(line: &GridLine) -> ([u8; 3], f64) {
     match (line.is_opening, line.is_row) {
         (true, _) => (OPENINGS, 3.0),

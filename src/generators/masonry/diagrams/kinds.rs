@@ -10,7 +10,7 @@ use crate::scene::Scene;
 use crate::surface_stones::Fit;
 use std::ops::Range;
 
-/// The colour of a sort: whole, half and cut bricks, sills, stones, bricks of special shapes or along slopes, and tiles.
+/// The colour of a sort of cells. Raked bricks are cut along a slope.
 pub(super) fn colour_of(sort: CellSort) -> [u8; 3] {
     match sort {
         CellSort::Whole => [188, 180, 166],
@@ -38,7 +38,7 @@ pub(super) fn add(
     add_coloured(scene, laying, (fit, cells), colour);
 }
 
-/// Adds the cells of a range in colours of their own.
+/// Adds the cells of a range, each in the colour that `colour` gives; ids count from 1.
 pub(super) fn add_coloured(
     scene: &mut Scene,
     laying: &Laying,

@@ -43,12 +43,12 @@ pub(crate) struct DiagramWork {
     scene: Scene,
     /// How many cells have been added.
     cells: usize,
-    /// The number of the first body of the copy that stands beside the seams.
+    /// The index of the first instance of the building's copy, which stands beside the seams.
     copy: usize,
 }
 
 impl DiagramWork {
-    /// The mortar of these blocks.
+    /// Starts with the mortar of these blocks.
     pub(super) fn new(site: &BuildingSite, blocks: &BlockParams) -> Self {
         Self {
             scene: bare(site, blocks),
@@ -57,7 +57,7 @@ impl DiagramWork {
         }
     }
 
-    /// Adds some cells, or all that is no cell. Returns the diagram at the end.
+    /// Adds some cells. Views without cells are made at once. Returns the diagram at the end.
     pub(super) fn advance(
         &mut self,
         view: MasonryView,
@@ -158,7 +158,7 @@ fn faces(laying: &Laying) -> impl Iterator<Item = (FaceId, u32)> + '_ {
     ids.map(|face| (face, id_of(laying, Feature::Face(face))))
 }
 
-/// A colour as its place in a range of tones: from 1 - `by` to 1 + `by` of it, by a number.
+/// A lighter or darker tone of a colour: times a factor from 1 - `by` to 1 + `by` that depends on `number` only.
 fn toned(colour: [u8; 3], by: f64, number: u32) -> [u8; 3] {
     let tone = 1.0 + by * Random::new(5, Purpose::Paint, u64::from(number)).signed();
     colour.map(|v| (f64::from(v) * tone).clamp(0.0, 255.0) as u8)

@@ -15,23 +15,23 @@ use glam::DVec2;
 
 /// The colour of free pixels.
 pub(super) const FREE: [u8; 3] = [250, 248, 240];
-/// How much tones of cells differ.
+/// The most by which a cell's tone differs from the colour of its feature, as a share.
 pub(super) const TONE: f64 = 0.2;
 /// How far pixels lie before the face (metres).
 const HEIGHT: f64 = 1e-3;
-/// The part of a pixel that is left free around a run of them.
+/// The margin around a run of pixels, as a share of a pixel.
 const LINE: f64 = 0.1;
 
 /// The number of free pixels, and of pixels that cells of corners, edges and faces have claimed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::generators::masonry) struct Claimed {
     pub free: usize,
-    /// By the type of the feature: corners, edges, faces.
+    /// Claimed pixels, by the type of the feature: corners, edges, faces.
     pub by: [usize; 3],
 }
 
 impl Claimed {
-    /// The pixels of all faces.
+    /// Counts the pixels of all faces.
     pub fn new(laying: &Laying) -> Self {
         let mut counts = Self::default();
         let all = faces(laying).flat_map(|(face, _)| {
@@ -70,7 +70,7 @@ pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit) {
     }
 }
 
-/// The runs of pixels of a face under some claims, and the side of a pixel (metres).
+/// The side of a pixel (metres), and the runs of a face's pixels under some claims.
 pub(super) fn runs(laying: &Laying, id: FaceId, claims: &Claims) -> (f64, Vec<PixelRun>) {
     let face = region(laying.building().face(id));
     let pixel = laying.face_map(id).bitmap().pixel();

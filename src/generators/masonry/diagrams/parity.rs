@@ -20,9 +20,9 @@ const MARKS: [[u8; 3]; 2] = [[34, 96, 112], [246, 244, 236]];
 const CONFLICT: [[u8; 3]; 2] = [[200, 36, 40], [244, 150, 140]];
 /// How far plates of walls, of changed columns and of marks lie before the face (metres).
 const LEVELS: [f64; 3] = [1e-3, 2e-3, 4e-3];
-/// The part of a row's height that a mark leaves free on each side.
+/// The margin of a mark on each side, as a share of the shorter side of its place.
 const FREE: f64 = 0.12;
-/// Half the width of the ribbon along an edge in conflict, in modules.
+/// Half the width of the ribbon along an edge in conflict, in modules (half bricks).
 const RIBBON: f64 = 0.25;
 
 /// Adds walls in the colours of their phases, and a mark for each row at both sides of each upright edge. The ids of
@@ -77,7 +77,7 @@ fn add_walls(scene: &mut Scene, laying: &Laying, fit: Fit) {
     }
 }
 
-/// A mark within a row's place.
+/// The mark of a row: its place without the margin.
 fn shrunk(place: &Footprint) -> Option<Footprint> {
     let [low, high] = place.bounds();
     let by = FREE * (high - low).min_element();
@@ -101,7 +101,7 @@ fn add_ribbons(scene: &mut Scene, laying: &Laying, fit: Fit, id: EdgeId) {
     }
 }
 
-/// The ribbon of some width around an upright edge, in a wall's (s, t).
+/// The ribbon that reaches `half` metres to both sides of an upright edge, in a wall's (s, t).
 fn ribbon(laying: &Laying, face: FaceId, id: EdgeId, half: f64) -> Option<Footprint> {
     let edge = laying.building().edge(id);
     let surface = &laying.building().face(face).surface;

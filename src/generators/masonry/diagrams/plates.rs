@@ -9,17 +9,17 @@ use crate::solid::Surface;
 use crate::surface_stones::Fit;
 use glam::DVec2;
 
-/// The longest chord of a curved face (metres).
+/// Plates on a curved face are cut into flat strips of this width (metres).
 const CHORD: f64 = 0.06;
-/// Plates have their colours in their meshes.
+/// The tint of plates: white, since their vertices have the colours.
 const OWN: [u8; 3] = [255; 3];
 
-/// The part of a face on which plates lie.
+/// The area of a face, to which plates are clipped.
 pub(super) struct Sheet<'a> {
     face: &'a Face,
     /// Convex parts of the face in (s, t).
     inside: Vec<Footprint>,
-    /// Their bounding boxes.
+    /// The bounding boxes of these parts.
     boxes: Vec<[DVec2; 2]>,
 }
 
@@ -39,7 +39,8 @@ impl<'a> Sheet<'a> {
         &self.inside
     }
 
-    /// The parts of a polygon that lie on the face. On a whole cylinder the polygon may also stand a period beside it.
+    /// The parts of a polygon that lie on the face. On a whole cylinder, the polygon is also tried one period to either
+    /// side.
     pub fn within(&self, polygon: &Footprint) -> Vec<Footprint> {
         let period = self.face.surface.period();
         let shifts = match period {
@@ -112,7 +113,7 @@ impl<'a> Plates<'a> {
         surface.triangles.extend(fan);
     }
 
-    /// Puts them into a scene as one body with an id, in a material.
+    /// Adds the plates to a scene as one body with an id, in a material.
     pub fn finish(self, scene: &mut Scene, (id, material): (u32, u8)) {
         if !self.surface.triangles.is_empty() {
             add_plain(scene, self.surface, (id, OWN, material));

@@ -1,6 +1,6 @@
-//! Seams: a plain texture of bricks in running bond, which only knows each face's own s and t. Its bricks end at the
-//! edges, as textures of images do. The cells stand beside it (Legakis, Dorsey, Gortler 2001, Feature-based cellular
-//! texturing for architectural models, figure 1).
+//! Seams: a plain texture of bricks in running bond, laid in each face's own (s, t). Edges cut its bricks, as they cut
+//! the texture of an image. For comparison, the cells stand beside it (Legakis, Dorsey, Gortler 2001, Feature-based
+//! cellular texturing for architectural models, figure 1).
 
 use super::super::blocks::plain;
 use super::super::parts::add_plain;
@@ -26,9 +26,9 @@ const WHOLE: f64 = 0.97;
 const HEIGHT: f64 = 1e-3;
 /// The greatest width of the building and its copy together, in units of the scene.
 const WIDE: f32 = 1.2;
-/// The gap between them, as a share of the building's width and of its depth.
+/// The gap between the building and its copy: shares of the building's width and of its depth, added up.
 const GAP: Vec2 = Vec2::new(0.08, 0.25);
-/// Numbers of bricks in a row lie this far apart at least, so that tones of rows differ.
+/// The numbers of bricks grow by this from row to row, so that bricks of different rows have different tones.
 const ROW: u32 = 4099;
 
 /// The number of bricks in the texture, and of those that end at the border of a face before they are whole.
@@ -39,7 +39,7 @@ pub(in crate::generators::masonry) struct Texture {
 }
 
 impl Texture {
-    /// The texture of all faces.
+    /// Counts the bricks of all faces.
     pub fn new(laying: &Laying) -> Self {
         let mut counts = Self::default();
         for (id, _) in faces(laying) {
@@ -57,7 +57,7 @@ struct TextureBrick {
     parts: Vec<Footprint>,
     /// Whether the edge of the face cuts it.
     is_broken: bool,
-    /// Its number, for its tone.
+    /// The number that selects the brick's tone.
     number: u32,
 }
 
@@ -88,7 +88,8 @@ pub(super) fn add_cells(scene: &mut Scene, laying: &Laying, (fit, cells): (Fit, 
     }
 }
 
-/// Sets the instances from the number `first` on beside those before it, to the right, and makes both smaller.
+/// Moves the instances from the index `first` on to the right, and those before it to the left. Both become smaller, so
+/// that they fit side by side.
 pub(super) fn set_apart(scene: &mut Scene, laying: &Laying, first: usize, fit: Fit) {
     let places = laying.building().vertices().iter();
     let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);

@@ -1,5 +1,5 @@
-//! The occupancy map of one face, unrolled into its (s, t): when its polygons are set free, when its corners and edges
-//! have their cells, and when it has its own (Legakis, Dorsey, Gortler 2001, Feature-based cellular texturing for
+//! The occupancy map of one face, unrolled into its (s, t), in three states: all free, with the cells of its corners
+//! and edges, and also with its own cells (Legakis, Dorsey, Gortler 2001, Feature-based cellular texturing for
 //! architectural models, section 3.3, figure 3).
 
 use super::super::colours::{FEATURES, type_of};
@@ -13,13 +13,13 @@ use crate::scene::{Camera, Scene};
 use crate::solid::Surface;
 use glam::{DVec2, Vec3};
 
-/// The words of the states of a map, in their order.
+/// The words of the states of a map: all free, then before and after the face's own cells are laid.
 pub(in crate::generators::masonry) const STATES: [&str; 3] = ["free", "before", "after"];
-/// The page's first camera for one body: its angle and its height. The map faces it.
+/// The angle and the height (degrees) of the page's first camera for one body. The map faces this camera.
 const VIEWER: (f64, f64) = (80.0, 30.0);
-/// Lines of the hatching are so far apart, as a share of half the map's diagonal.
+/// The distance between lines of the hatching, as a share of half the map's diagonal.
 const HATCH: f64 = 0.045;
-/// Lines lie so far before the map, as such a share.
+/// The distance of lines before the map, as a share of half the map's diagonal.
 const BEFORE: f64 = 0.002;
 /// The row of the picture's materials.
 const ROW: u8 = 0;
@@ -36,7 +36,7 @@ pub(in crate::generators::masonry) fn occupied(laying: &Laying, face: FaceId) ->
     })
 }
 
-/// The claims on a face in a state of its map.
+/// The claims on a face in a state of its map, an index of [`STATES`].
 fn claims(laying: &Laying, id: FaceId, state: usize) -> Claims {
     let mut claims = Claims::new(laying.building().face(id).bounds());
     let all = laying.face_map(id).claims().list().iter();
@@ -46,8 +46,8 @@ fn claims(laying: &Laying, id: FaceId, state: usize) -> Claims {
     claims
 }
 
-/// The map of a face in a state, alone. Free pixels are pale; occupied ones have the colour of the cell's feature, and a
-/// hatching in a direction of its own: level for corners, rising for edges, falling for faces.
+/// The map of a face in a state, alone. Free pixels are pale. Occupied pixels have the colour of the cell's feature and
+/// a hatching: level for corners, rising for edges, falling for faces.
 pub(in crate::generators::masonry) fn scene(laying: &Laying, face: FaceId, state: usize) -> Scene {
     let [low, high] = laying.building().face(face).bounds();
     let board = Board::new(low, high);
@@ -101,7 +101,7 @@ impl Board {
         }
     }
 
-    /// A place of the map, `before` the board.
+    /// The place in the scene of a point (s, t) of the map, at the distance `before` in front of the board.
     fn place(&self, p: DVec2, before: f64) -> Vec3 {
         let [x, y] = ((p - self.middle) * self.scale)
             .to_array()
@@ -130,8 +130,8 @@ impl Board {
     }
 }
 
-/// The lines of a hatching within a rectangle, `apart` metres from each other along t. Its direction is that of a type of
-/// features.
+/// The lines of a hatching within a rectangle, `apart` metres from each other along t. Their direction depends on
+/// `kind`, the type of the feature.
 fn hatching(run: &PixelRun, kind: usize, apart: f64) -> Vec<[DVec2; 2]> {
     let slope = [0.0, 1.0, -1.0][kind];
     let (low, high) = (run.low, run.high);
