@@ -16,7 +16,7 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// A piece of the outline.
+    /// A piece of the outline or of a constraint line.
     pub fn boundary(from: DVec2, to: DVec2) -> Self {
         Self {
             ends: [from, to],
@@ -36,9 +36,9 @@ impl Line {
 /// Separation of two adjacent triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Between {
-    /// None: both are in one region.
+    /// No line: both triangles are in one region.
     Open,
-    /// A line.
+    /// A side of a cell.
     Side,
     /// The outline or a constraint line: no cell lies on both sides.
     Wall,

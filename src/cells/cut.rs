@@ -1,8 +1,8 @@
 //! Cuts the cells of the dual by the outline and by constraint lines.
 //!
-//! Near the boundary the dual's polygons and the outline form one planar arrangement (`arrangement`), whose
-//! regions are then assigned to the cells (`ownership`). So the cells fill the outline without gap or
-//! overlap, whatever its shape. Polygons that are certainly clear of it are left unchanged.
+//! Near the boundary the dual's polygons and the outline form one planar arrangement (`arrangement`), whose regions are
+//! then assigned to the cells (`ownership`). So the cells fill the outline without gap or overlap, whatever its shape.
+//! Polygons that are certainly clear of the outline and the lines are left unchanged.
 
 use super::Cell;
 use super::arrangement::{Arrangement, Line};
@@ -15,8 +15,8 @@ use crate::packing::{Grid, Particle};
 use crate::planar::{closest_on_segment, divided};
 use glam::DVec2;
 
-/// A side with both ends on a constraint line counts as part of it if its midpoint is nearer to the line than
-/// this share of its length.
+/// A cell's side with both ends on walls runs along a wall if its midpoint is nearer to the wall than this share of the
+/// side's length.
 const ALONG: f64 = 0.15;
 
 impl Dual {
@@ -41,8 +41,8 @@ impl Dual {
         cells
     }
 
-    /// Selects the cells for the arrangement: all whose polygon may reach the boundary, because a corner is
-    /// as far from the centre as the boundary is, and tangled polygons with their neighbours.
+    /// Selects the cells for the arrangement: cells whose polygon may reach the boundary, with a corner at least as far
+    /// from the centre as the nearest wall, and tangled polygons with their neighbours.
     fn band(&self, domain: &Domain) -> Vec<bool> {
         let mut is_over = vec![false; self.vertices.len()];
         for k in 0..self.particles.len() {

@@ -14,11 +14,12 @@ use crate::packing::Particle;
 use crate::planar::on_grain;
 use glam::DVec2;
 
-/// Centres of elements between inside and outside move onto a boundary within this distance.
+/// The vertex of an element between inside and outside moves onto a wall that is nearer than this, in sizes.
 const SNAP: f64 = 0.35;
 
-/// Separates the cells from those fixed on walls (the outline and constraint lines). The fixed ones get no
-/// polygon (Itoh, Miyata, Shimada 2003, section 5.2): the others end there. If all are fixed, all are cells.
+/// Separates the free cells from the cells fixed on walls (the outline and constraint lines). Fixed cells get no
+/// polygon (Itoh, Miyata, Shimada 2003, section 5.2): the polygons of free cells end at them. If all are fixed, all
+/// count as free.
 pub(super) fn split_fixed(particles: Vec<Particle>) -> (Vec<Particle>, Vec<Particle>) {
     let (fixed, cells): (Vec<Particle>, Vec<Particle>) = particles.iter().partition(|p| p.fixed);
     if cells.is_empty() {
@@ -40,7 +41,7 @@ pub(super) fn node(p: &Particle, is_voronoi: bool) -> Node {
 /// The place of one of the dual's vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
-    /// Not moved.
+    /// Not moved onto a wall.
     Free,
     /// On this segment of the outline.
     Outline(usize),
@@ -68,8 +69,8 @@ pub(super) struct Dual {
 }
 
 impl Dual {
-    /// The nodes of the mesh within an outline in the plane: the cells, those fixed on walls, and ghosts
-    /// outside. Also the cells, and the number of fixed ones.
+    /// The nodes of the mesh within an outline in the plane: the free cells, the fixed cells, and ghosts outside. Also
+    /// gives the free cells, and the number of fixed cells.
     pub fn nodes(
         domain: &Domain,
         particles: Vec<Particle>,
@@ -109,7 +110,7 @@ impl Dual {
         dual
     }
 
-    /// Starts without vertices.
+    /// A dual without vertices; they are placed later.
     pub fn of(particles: Vec<Particle>, sizes: Vec<f64>, mesh: &Mesh, is_voronoi: bool) -> Self {
         let count = mesh.faces.len();
         Self {
@@ -138,8 +139,8 @@ impl Dual {
         }
     }
 
-    /// The meeting point of the corners' cells: the larger a cell, the farther away. `None` if a corner is
-    /// not a cell.
+    /// The point at which the cells of an element's corners meet: the mean of their centres, weighted by 1 / size.
+    /// `None` if a corner is not a cell.
     fn meeting(&self, mesh: &Mesh, nodes: &[u32]) -> Option<DVec2> {
         let corner = |&k: &u32| Some((mesh.vertices[k as usize], *self.sizes.get(k as usize)?));
         let mut corners: Vec<(DVec2, f64)> = nodes.iter().map(corner).collect::<Option<_>>()?;
@@ -155,7 +156,8 @@ impl Dual {
         Some(first + on_grain(way / total))
     }
 
-    /// Places the vertices of all elements. The nodes of `fixed` cells follow those of the others.
+    /// Places the vertices of all elements. In the mesh, the nodes of the fixed cells, `fixed` in number, follow those
+    /// of the free cells.
     pub fn place_vertices(&mut self, domain: &Domain, mesh: &Mesh, fixed: usize) {
         let real = self.particles.len();
         for face in &mesh.faces {
@@ -177,8 +179,8 @@ impl Dual {
         }
     }
 
-    /// The end of an element with ghosts or fixed cells among its nodes: at the one fixed cell, midway
-    /// between two, or at the middle one of three.
+    /// The vertex of an element with ghosts or fixed cells among its nodes: at its only fixed cell, midway between two,
+    /// at the middle one of three, and without any at `middle`. Then it moves onto a near wall.
     fn at_wall(
         &self,
         domain: &Domain,

@@ -51,9 +51,9 @@ impl Fitting {
         Self::of(particles, false)
     }
 
-    /// Starts the plain Voronoi cells of these particles' centres within the outline. Each has all points
-    /// nearer to its centre than to any other, however thin or small it is. Pieces that the outline cuts off
-    /// from their centre go to a neighbour, or become cells if they are large.
+    /// Starts the plain Voronoi cells of these particles' centres within the outline. Each cell has all points nearer
+    /// to its centre than to any other centre, however thin or small the cell is. Pieces that the outline cuts off from
+    /// their centre go to a neighbour, or become cells if they are large.
     pub fn voronoi(particles: Vec<Particle>) -> Self {
         Self::of(particles, true)
     }

@@ -55,7 +55,7 @@ fn image(p: &Particle, by: DVec2) -> Image {
     (node, p.size)
 }
 
-/// Mirrors through each wall, and through each pair of walls that form a corner.
+/// Mirrors a cell through each wall, and through each pair of walls that form a corner.
 fn mirror(p: &Particle, walls: &[Projection], images: &mut Vec<Image>) {
     for (k, wall) in walls.iter().enumerate() {
         let step = -2.0 * wall.distance * wall.inward;
@@ -83,7 +83,7 @@ fn outward_of_boundary_cell(domain: &Domain, p: &Particle, tangent: DVec2) -> DV
         .unwrap_or(-normal)
 }
 
-/// Drops images that lie inside the outline or on another one.
+/// Drops images that lie inside the outline or nearly on an image kept before.
 fn thin_out(domain: &Domain, images: Vec<Image>, largest: f64) -> Vec<Node> {
     let (lo, hi) = domain.bounds();
     let mut grid = crate::packing::Grid::new(lo, hi, largest);

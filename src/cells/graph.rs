@@ -10,7 +10,7 @@ use crate::packing::{Grid, Particle};
 /// Neighbours are nearer than this, in stable distances: the eight around a square (the farthest at 1.41),
 /// but only the six around a circle (the next are at 1.73).
 const NEAR: f64 = 1.55;
-/// Search radius for a cell without neighbours.
+/// Search radius for a cell without neighbours, in stable distances.
 const FAR: f64 = 4.0;
 
 /// The neighbours of every cell, in progress.

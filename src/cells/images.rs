@@ -29,11 +29,11 @@ pub(super) fn images(domain: &Domain, cells: &[Cell]) -> Vec<Cell> {
     images
 }
 
-/// Pairs of points that are images of each other: (the one in the picture, the image, the offset to it),
-/// sorted by the first.
+/// Pairs of points that are images of each other, sorted: (index of the point in the picture, index of its image,
+/// offset from the first to the second).
 pub(super) fn twins(domain: &Domain, points: &[DVec2]) -> Vec<(u32, u32, DVec2)> {
     let space = domain.space();
-    // The plane has none; skip the sorting.
+    // The plane has no images; skip the sorting.
     if space == Space::PLANE {
         return Vec::new();
     }

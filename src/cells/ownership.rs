@@ -1,8 +1,7 @@
 //! Assigns the regions of an arrangement to cells.
 //!
-//! A region that contains a cell's centre belongs to that cell; others go to the neighbour with the longest
-//! shared border. The triangles fill the outline exactly once, so the cells do, too, whatever lines were
-//! given.
+//! A region that contains a cell's centre belongs to that cell; any other region goes to the neighbour with the longest
+//! shared border. The triangles fill the outline exactly once, so the cells do, too, whatever lines were given.
 //!
 //! Cells that are too small are joined to a neighbour in the same way. A region around a hole is cut, so that
 //! every cell is one ring.
@@ -19,7 +18,7 @@ use glam::DVec2;
 /// A region without a centre becomes a cell if it is at least this large (in squared sizes) and as compact as
 /// `COMPACT`.
 const OWN_AREA: f64 = 0.6;
-/// Least 4 pi area / perimeter^2 of such a region; a circle has 1, a square 0.79.
+/// Least 4 pi area / perimeter^2 of a region that becomes a cell; a circle has 1, a square 0.79.
 const COMPACT: f64 = 0.45;
 /// Cells smaller than this (in squared sizes) are joined to a neighbour.
 const SMALL: f64 = 0.45;
@@ -35,7 +34,7 @@ pub(super) const NAMELESS: u32 = u32::MAX;
 enum Owner {
     /// Outside the outline.
     Outside,
-    /// The cells outside the arrangement.
+    /// A cell that is left unchanged and takes no part in the arrangement.
     Inner,
     /// The cell of this particle.
     Particle(u32),
@@ -134,7 +133,7 @@ impl Ownership {
         self.found_own();
         let orphan = |r: &Region| r.owner == Owner::Nobody;
         while self.join_where(&orphan) {}
-        // A region that borders on no cell becomes one.
+        // A region that borders on no cell becomes a cell.
         for k in 0..self.regions.len() {
             if self.root(k as u32) == k as u32 && self.regions[k].owner == Owner::Nobody {
                 self.regions[k].owner = Owner::Itself;
@@ -197,8 +196,8 @@ impl Ownership {
         borders
     }
 
-    /// Joins every region for which `lost` holds to the cell with the longest shared border; true if any was
-    /// joined. Longest borders come first, and no chains form in one round.
+    /// Joins every region for which `lost` holds to the cell with the longest shared border; true if any was joined.
+    /// Longest borders come first. A region that was joined takes no further part in the call.
     fn join_where(&mut self, lost: &dyn Fn(&Region) -> bool) -> bool {
         let mut borders: Vec<(u32, u32, f64)> = self
             .borders(false)
@@ -217,7 +216,7 @@ impl Ownership {
                 continue;
             }
             busy[from as usize] = true;
-            // In one round a cell may absorb several others, but not be absorbed after that.
+            // In one round a cell may absorb several others, but none after it was absorbed itself.
             self.joined[from as usize] = to;
             let area = self.regions[from as usize].area;
             self.regions[to as usize].area += area;
@@ -247,7 +246,8 @@ impl Ownership {
         }
     }
 
-    /// Divides a region by a line through `middle`, perpendicular to `across` if that separates it.
+    /// Divides a region by a line through `middle`: perpendicular to `across` if that separates the region, else in
+    /// another direction.
     fn halves(&mut self, mut region: u32, middle: DVec2, across: DVec2) -> Vec<u32> {
         let aslant = across + across.perp();
         for way in [across, across.perp(), aslant, aslant.perp()] {
@@ -259,14 +259,15 @@ impl Ownership {
             }
             region = pieces[0];
         }
-        // All of a few large triangles are on one side. Separating any one of them makes the rest smaller.
+        // No line separates the region: all its triangles, few and large, are on one side. Then its first triangle is
+        // cut off.
         let first = (0..self.plane.region.len()).find(|&t| self.root_of(t) == region);
         let first = first.map(|t| self.plane.corners[t]);
         self.cut(region, |corners| Some(corners) == first)
     }
 
-    /// Divides a region into its triangles on one `side` and the others. The largest piece keeps the region's
-    /// owner; all pieces are listed.
+    /// Divides a region into connected pieces, each with triangles for which `side` is the same. The largest piece
+    /// keeps the region's owner, each other piece becomes a cell. Gives all pieces.
     fn cut(&mut self, region: u32, side: impl Fn([DVec2; 3]) -> bool) -> Vec<u32> {
         let side = |t: usize| side(self.plane.corners[t]);
         let mut piece = vec![u32::MAX; self.plane.region.len()];

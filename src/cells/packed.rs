@@ -3,12 +3,12 @@
 use super::Cell;
 use crate::packing::{Grid, Particle, force::Pair};
 
-/// Allowed overlap with the nearest neighbour, as a share of the size. Cells pressed closer than that
-/// (between walls whose distance is not a whole number of cells) are drawn smaller.
+/// Allowed overlap with the nearest neighbour, as a share of the size. Cells that overlap more (between walls whose
+/// distance is not a whole number of cells) are drawn smaller.
 const OVERLAP: f64 = 0.11;
 /// Corners of a round cell.
 const CORNERS: u32 = 16;
-/// Lower limit of that shrinking.
+/// The smallest scale at which a cell is drawn.
 const SMALLEST: f64 = 0.8;
 
 /// One cell for each particle, of its kind and along its axis.

@@ -22,7 +22,8 @@ pub(super) fn rings(mut edges: Vec<[DVec2; 2]>) -> Vec<Vec<DVec2>> {
         while at[1] != ring[0] {
             let from = edges.partition_point(|e| key(e[0]) < key(at[1]));
             let ahead = at[1] - at[0];
-            // Where two parts touch in a point, the sharper turn keeps the ring simple.
+            // Where two parts touch in a point, the sharpest turn to the right keeps the ring
+            // simple.
             let next = (from..edges.len())
                 .take_while(|&k| edges[k][0] == at[1])
                 .filter(|&k| !used[k])
@@ -40,7 +41,8 @@ pub(super) fn rings(mut edges: Vec<[DVec2; 2]>) -> Vec<Vec<DVec2>> {
     rings
 }
 
-/// Grows with the turn from u to v, from a full left turn to a full right turn on screen.
+/// Grows with the turn from u to v: from -2 for half a turn to the left, to 2 for half a turn to
+/// the right, on screen.
 fn angle_rank(u: DVec2, v: DVec2) -> f64 {
     let (s, c) = (u.perp_dot(v), u.dot(v));
     let length = (s * s + c * c).sqrt().max(f64::MIN_POSITIVE);

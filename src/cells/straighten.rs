@@ -1,4 +1,4 @@
-//! Straightens the fitted cells: four-cornered ones towards rectangles along the direction field.
+//! Straightens the fitted cells: cells with four corners become more like rectangles along the direction field.
 //!
 //! The dual's corners are means of centres and wander where rows end or bend. Each four-cornered cell
 //! proposes the rectangle that fits it best along its axis, and each corner moves to the mean of its cells'
@@ -19,7 +19,7 @@ pub(crate) const PACE: f64 = 0.6;
 const EVEN_AREA: f64 = 0.7;
 /// A point farther from the boundary (picture units) does not lie on it.
 const OFF: f64 = 1.0 / 4096.0;
-/// A corner with a smaller sine is straight: rounding alone decides its sign.
+/// A turn with a smaller sine than this is straight: rounding alone decides its sign.
 const FLAT: f64 = 1e-6;
 /// Largest share of the distance to the next boundary vertex that a vertex may slide.
 pub(crate) const ROOM: f64 = 0.4;
@@ -29,7 +29,7 @@ const THINNEST: f64 = 0.2;
 /// The straightening of cells, in rounds.
 pub(super) struct Straightening {
     rings: Rings,
-    /// The mean of the cells' areas over their squared sizes.
+    /// The sum of the cells' areas over the sum of their squared sizes.
     share: f64,
     next: StraighteningPhase,
 }
@@ -55,7 +55,7 @@ impl Straightening {
         }
     }
 
-    /// Does one slice of the work, always with the same cells; true with the last one.
+    /// Does one slice of the work; true with the last one. All calls must give the same cells.
     pub fn advance(&mut self, domain: &Domain, cells: &[Cell]) -> bool {
         self.next = match self.next {
             StraighteningPhase::Freedom => {
@@ -87,7 +87,8 @@ impl Straightening {
 }
 
 impl Rings {
-    /// How far a vertex may slide along the boundary: not up to the next vertex on either side.
+    /// The distance by which a vertex slides along the boundary: `wanted`, clamped to end short of the next vertex on
+    /// either side.
     fn slide(&self, vertex: usize, along: DVec2, wanted: f64) -> f64 {
         let p = self.points[vertex];
         let (mut least, mut most) = (-f64::INFINITY, f64::INFINITY);
@@ -143,7 +144,8 @@ impl Rings {
         }
     }
 
-    /// Puts vertices back onto the boundary, because slightly bent pieces count as straight.
+    /// Puts sliding vertices back onto the boundary. They may have left it, because slightly bent pieces count as
+    /// straight.
     fn settle(&mut self, domain: &Domain) {
         for vertex in 0..self.points.len() {
             let old = self.points[vertex];
@@ -219,7 +221,8 @@ impl Rings {
         })
     }
 
-    /// Whether no turn at a moved vertex and at its two neighbours in a ring has become worse, or was straight.
+    /// Whether each turn at a moved vertex and at its two neighbours in a ring is convex, or no worse than before the
+    /// move, or was straight before.
     fn keeps_turns(&self, (vertex, old): (usize, DVec2), ring: &[u32], place: usize) -> bool {
         let n = ring.len();
         let at = |k: u32| self.points[k as usize];
@@ -236,7 +239,7 @@ impl Rings {
 }
 
 /// The corners of the rectangle along a cell's axis that fits four corners best, with its area drawn towards
-/// `mean_area` (in squared sizes).
+/// `mean_area` (in squared sizes). `None` without an axis, or if the rectangle is too thin.
 pub(crate) fn rectangle(
     corners: [DVec2; 4],
     axis: DVec2,

@@ -34,16 +34,16 @@ pub(super) struct Lined {
 }
 
 impl Lined {
-    /// Also gives the nodes of the mesh.
+    /// The cells with their images, and the nodes of their mesh.
     pub fn new(side: f64, particles: &[Particle], strategy: Strategy) -> (Self, Vec<Node>) {
         let (all, of) = with_images(side, particles, strategy);
-        // The same images at their unrounded places.
+        // The cells and their images at their unrounded places.
         let placed = all.iter().zip(&of).map(|(p, &k)| {
             let (real, near) = (&particles[k as usize], &all[k as usize]);
             let centre = real.centre + (p.centre - near.centre);
             Particle { centre, ..*p }
         });
-        // If two are in one region, the first by id owns it, in the picture and in all images.
+        // If two centres are in one region, the first by id owns it, in the picture and in all images.
         let in_order = |mut particles: Vec<Particle>| {
             order::sort(&mut particles, |p| (p.id.into(), 0));
             split_fixed(particles)
@@ -130,7 +130,7 @@ fn without_spikes(ring: &mut Vec<DVec2>) {
         let (next, after) = ((k + 1) % n, (k + 2) % n);
         if ring[k] == ring[next] || ring[k] == ring[after] {
             ring.remove(next);
-            // Its new neighbours may coincide, too.
+            // The points on both sides of the removed one may coincide, too.
             k = 0;
         } else {
             k += 1;

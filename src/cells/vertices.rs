@@ -8,7 +8,7 @@ use glam::DVec2;
 
 /// A turn of the boundary sharper than this (cosine of 30 degrees) is a corner of the cell.
 pub(crate) const CORNER: f64 = 0.866;
-/// Two pieces of the boundary are one straight line within this (cosine of 1 degree).
+/// Two pieces of the boundary count as one straight line if they turn by less than 1 degree; this is the cosine.
 pub(super) const STRAIGHT: f64 = 0.9998;
 /// The ends of a piece are rounded to the grain, so a shorter one (picture units) has no reliable direction.
 const ROUGH: f64 = 1.0 / 64.0;
@@ -42,7 +42,7 @@ pub(super) struct Rings {
 }
 
 impl Rings {
-    /// From these cells; every vertex is fixed at first.
+    /// The vertices of these cells' rings; all are fixed at first.
     pub fn new(domain: &Domain, cells: &[Cell]) -> Self {
         let mut all: Vec<(u64, u64, u32, u32)> = Vec::new();
         for (cell, c) in cells.iter().enumerate() {
@@ -83,7 +83,7 @@ impl Rings {
         self.uses.row(vertex)
     }
 
-    /// The vertex after or before a position of a ring.
+    /// The vertex after a position of a ring if `ahead`, else the vertex before it.
     pub fn neighbour(&self, [_, cell, place]: [u32; 3], ahead: bool) -> u32 {
         let ring = &self.rings[cell as usize];
         let step = if ahead { 1 } else { ring.len() - 1 };
@@ -172,8 +172,8 @@ impl Rings {
         self.quads = cells.map(|cell| self.four_corners(cell)).collect();
     }
 
-    /// The four corners of a cell: where three cells meet, where a side meets the boundary, or where the
-    /// boundary itself turns.
+    /// The four corners of a cell: where three cells meet, where a side meets the boundary, or where the boundary
+    /// itself turns. `None` if the cell has another number of corners.
     fn four_corners(&self, cell: usize) -> Option<[u32; 4]> {
         let ring = &self.rings[cell];
         let n = ring.len();
@@ -184,7 +184,7 @@ impl Rings {
             let [a, b, c] =
                 [ring[(k + n - 1) % n], vertex, ring[(k + 1) % n]].map(|v| self.points[v as usize]);
             let turn = (b - a).normalize().dot((c - b).normalize());
-            // A meeting of cells across a constraint line is not a corner of this one.
+            // A meeting of cells across a constraint line is not a corner of this cell.
             let beyond = self.on_line[vertex as usize] && turn > STRAIGHT;
             let meets = count >= if free { 3 } else { 2 } && !beyond;
             let turns = turn < CORNER;

@@ -11,17 +11,17 @@ use glam::DVec2;
 const FAR: f64 = 1.2;
 /// On a bent line, the vertex may be this far (in sizes) off the line.
 const OFF: f64 = 0.3;
-/// Elements whose centre is this near to the end of a line (in sizes) share the end.
+/// If the centre of an element is nearer to the end of a line than this (in sizes), the end is the element's vertex.
 const END: f64 = 0.75;
 
 /// Which cells of an element see each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Visibility {
-    /// All of them.
+    /// All cells of the element see each other.
     Whole,
-    /// Those with the same number.
+    /// Cells with the same number see each other; a number for each corner of the element.
     Divided([u8; 4]),
-    /// Visibility is not transitive here: some see cells that do not see each other.
+    /// Visibility is not transitive here: some cells see two cells that do not see each other.
     Around,
 }
 
@@ -60,8 +60,8 @@ pub(super) fn visibility(domain: &Domain, corners: &[DVec2]) -> Visibility {
     }
 }
 
-/// The end of an element at the line between cells with the centre `own` and others beyond it: the line's
-/// segment and the place.
+/// The vertex of an element at the line between the cells around `own` and the cells around `others`: the number of the
+/// line's segment, and the place nearest to `own`. `None` if the line is too far away.
 pub(super) fn foot(
     domain: &Domain,
     own: DVec2,
@@ -76,7 +76,7 @@ pub(super) fn foot(
     fits.then_some((near.segment, near.point))
 }
 
-/// The end of a line near the centre of an element: its segment and the place.
+/// The end of a line near the centre of an element: the number of the line's segment there, and the place.
 pub(super) fn end(domain: &Domain, middle: DVec2, size: f64) -> Option<(usize, DVec2)> {
     let mut best = None;
     let mut least = END * size;

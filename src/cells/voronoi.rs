@@ -21,7 +21,7 @@ use glam::DVec2;
 /// point may be missing.
 const MOST_TRIES: u32 = 4096;
 
-/// About this many points lie across a row, in the order of triangulation.
+/// Points are triangulated row by row; a row is about this many points high.
 const POINTS_ACROSS: f64 = 2.0;
 
 /// Images this far beyond the picture, in mean distances of points, are used: two random points with a common
@@ -148,7 +148,7 @@ fn images(domain: &Domain, points: &[DVec2]) -> Vec<DVec2> {
     images
 }
 
-/// For each of the first points, its neighbours in the triangulation.
+/// For each of the first `real` points, its neighbours in the triangulation.
 fn links(triangles: &[[u32; 3]], real: usize) -> Csr<u32> {
     let sides = triangles
         .iter()
@@ -203,9 +203,8 @@ struct Clip {
 }
 
 impl Clip {
-    /// The area and moments of a point's cell inside the outline: the outline's rings, cut by the bisectors
-    /// to the neighbours. If a ring falls apart, the double lines between its
-    /// parts have no area.
+    /// The area and moments of a point's cell inside the outline: the outline's rings, cut by the bisectors to the
+    /// neighbours. If a ring falls apart, the double lines between its parts enclose no area.
     fn moments(
         &mut self,
         domain: &Domain,

@@ -4,8 +4,8 @@ use crate::order::{greater, lesser};
 use crate::planar::closest_on_segment;
 use glam::DVec2;
 
-/// For each grid square, the segments that can be nearest to some point of it: those whose distance from its
-/// centre exceeds the least one by at most the square's diagonal.
+/// For each grid square, the segments that can be nearest to some point of it: those whose distance from the square's
+/// centre exceeds the least such distance by at most the square's diagonal.
 #[derive(Clone, Debug)]
 pub(super) struct CandidateGrid {
     origin: DVec2,
@@ -27,12 +27,12 @@ const FEW: usize = 4;
 const ROUNDING: f64 = 1e-9;
 
 impl CandidateGrid {
-    /// For segments that do not change; there must be at least one.
+    /// A grid for these segments; there must be at least one.
     pub fn new(segments: &[[DVec2; 2]]) -> Self {
         Self::like(segments, None)
     }
 
-    /// Takes the size of the squares from another grid.
+    /// A grid for these segments, with squares as large as those of another grid, if one is given.
     pub fn like(segments: &[[DVec2; 2]], other: Option<&Self>) -> Self {
         let all: Vec<u32> = (0..segments.len() as u32).collect();
         let (lo, hi) = segments
@@ -61,7 +61,8 @@ impl CandidateGrid {
         grid
     }
 
-    /// Works on the whole grid first, then on its quarters, so that each square tries few segments.
+    /// Fills the lists of all squares: narrows the candidates for the whole grid first, then for its quarters and so
+    /// on, so that each square tries few segments.
     fn fill(&mut self) {
         self.spans = vec![(0, 0); self.columns * self.rows];
         let side = self.columns.max(self.rows).next_power_of_two();
@@ -161,7 +162,7 @@ impl CandidateGrid {
 struct Ruler {
     start: DVec2,
     along: DVec2,
-    /// 1 over its squared length; 0 for a point.
+    /// 1 over the segment's squared length; 0 if the segment is a point.
     per_square: f64,
 }
 
@@ -176,7 +177,7 @@ impl Ruler {
         }
     }
 
-    /// The squared distance of a place.
+    /// The squared distance from a place to the segment.
     #[inline]
     fn square_to(&self, p: DVec2) -> f64 {
         let way = p - self.start;

@@ -19,7 +19,7 @@ pub const MAX_LINE_POINTS: usize = 512;
 const SMALLEST: f64 = 1.0 / 128.0;
 /// Points nearer than this share of the picture's side are merged.
 const SAME: f64 = 1e-7;
-/// Most notices of repairs.
+/// The most repairs with a notice of their own. Further repairs are only counted, in one more notice.
 const TOLD: usize = 4;
 /// How far outside the picture a point may lie, in sides of the picture.
 const OUTSIDE: f64 = 0.5;
@@ -29,9 +29,9 @@ const OUTSIDE: f64 = 0.5;
 pub enum Ring {
     /// The first ring.
     Outer,
-    /// A hole, counted from 1.
+    /// A hole, by its index among all rings, from 1.
     Hole(usize),
-    /// A further outer ring, counted like a hole.
+    /// A further outer ring, by its index among all rings, from 1.
     Island(usize),
     /// A constraint line, counted from 1.
     Line(usize),
@@ -55,14 +55,14 @@ fn of(code: Code, ring: Ring) -> Notice {
     Notice::new(code).with("ring", ring.said())
 }
 
-/// A notice about a place on it.
+/// A notice about a place on a ring or a line.
 fn at(code: Code, ring: Ring, place: DVec2) -> Notice {
     of(code, ring).with("place", said(place))
 }
 
-/// A place in a sentence: tenths of a picture unit are fine enough to find it.
+/// The text of a place, in tenths of a picture unit, which are fine enough to find it.
 fn said(place: DVec2) -> String {
-    // Far away, in the wrong units, tenths mean nothing. Adding 0 turns -0 into 0.
+    // Very large coordinates, as in wrong units, are not rounded. Adding 0 turns -0 into 0.
     let tenth = |x: f64| {
         if x.abs() < 1e6 {
             (x * 10.0).round() / 10.0 + 0.0

@@ -7,12 +7,13 @@ use crate::order;
 use crate::planar::{closest_on_segment, crosses, on_grain, orientation};
 use glam::DVec2;
 
-/// Points nearer to each other, or to a line or the outline, than this share of the longer side of the
-/// bounding box are merged, or moved onto it.
+/// Points are near if their distance is at most this share of the longer side of the bounding box. Points near each
+/// other are merged, points near the outline are moved onto it, and a line near a point is cut there.
 const TOUCH: f64 = 1.0 / 2048.0;
-/// The search stops at this number of crossings.
+/// With this many nodes, no further crossings are cut.
 const MOST_NODES: usize = 4096;
-/// A piece that leaves the outline at less than this slope is part of the outline.
+/// A piece runs along the outline, and is dropped, if its midpoint is near the outline and nearer than this share of
+/// the piece's length.
 const BESIDE: f64 = 0.1;
 
 /// Polylines.
@@ -111,7 +112,7 @@ impl<'a> Cutter<'a> {
                 }
             }
         }
-        // An image of a line may cross another from two pictures away.
+        // An image of a line may cross another line from two pictures away.
         let shifts: Vec<DVec2> = domain.space().shifts(2).collect();
         for k in 0..pieces.len() {
             for j in 0..=k {
@@ -161,7 +162,7 @@ impl<'a> Cutter<'a> {
         Some(self.node(a + (b - a) * (sa / (sa - sb))))
     }
 
-    /// Joins the pieces inside to lines again.
+    /// Joins the pieces inside the outline to polylines again.
     fn chains(&self, pieces: &mut [CutSegment]) -> Vec<Vec<DVec2>> {
         let mut chains: Vec<Vec<DVec2>> = Vec::new();
         let mut known: Vec<[DVec2; 2]> = Vec::new();

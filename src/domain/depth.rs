@@ -4,7 +4,7 @@ use super::Domain;
 use crate::order;
 use glam::DVec2;
 
-/// Points along a side of the raster that is searched for the deepest one; a power of two.
+/// Points along a side of the raster that is searched for the deepest point; a power of two.
 const RASTER: u32 = 64;
 /// A bound, with reserve, on the rounding error of a distance (picture units).
 const ROUNDING: f64 = 1e-9;
@@ -29,8 +29,8 @@ impl Domain {
         low
     }
 
-    /// The innermost point (pole of inaccessibility) of a coarse raster. A narrow island's only cell goes
-    /// there.
+    /// The innermost point (pole of inaccessibility) of a coarse raster. A narrow island's only cell goes there. `None`
+    /// if no raster point is inside.
     pub(crate) fn deepest(&self) -> Option<DVec2> {
         let (lo, hi) = self.bounds();
         let step = (hi - lo) / f64::from(RASTER);

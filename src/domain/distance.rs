@@ -3,7 +3,7 @@
 use super::Domain;
 use glam::DVec2;
 
-/// Distance to the boundary if there is none.
+/// Distance to the boundary on a torus, which has none.
 const NOWHERE: f64 = 1e30;
 
 /// The closest point of the boundary, as seen from a query point.
@@ -58,8 +58,8 @@ impl Domain {
         }
     }
 
-    /// Whether the point is inside, by the nearest segment; if that is at a corner, by both segments that
-    /// meet there.
+    /// Whether the point is inside, by its side of the nearest segment. If the closest point `foot` is a corner, both
+    /// segments that meet there decide.
     fn side(&self, p: DVec2, segment: usize, foot: DVec2) -> bool {
         let [a, b] = self.segments[segment];
         let side = (b - a).perp_dot(p - a);

@@ -67,15 +67,15 @@ impl Islands {
         Some(Self { domains, of, grid })
     }
 
-    /// May the boundary pass between two places, or near them?
+    /// Whether the boundary may pass between two places, or near them.
     pub fn is_near(&self, a: DVec2, b: DVec2) -> bool {
         self.grid.any(a, b, |_| true)
     }
 }
 
 impl Domain {
-    /// The islands, each as a domain of its own with the constraint lines inside; from the top, at equal
-    /// heights from the left. Where there is one it is this domain itself.
+    /// The islands, each as a domain of its own with the constraint lines inside; from the top, at equal heights from
+    /// the left. If there is only one island, it is this domain itself.
     pub fn islands(&self) -> &[Domain] {
         match &self.islands {
             Some(islands) => &islands.domains,
@@ -83,7 +83,7 @@ impl Domain {
         }
     }
 
-    /// The number of the island that a point lies in; outside, of the nearest.
+    /// The number of the island that contains a point; outside, of the nearest island.
     pub fn island(&self, p: DVec2) -> usize {
         let islands = self.islands.as_ref();
         islands.map_or(0, |i| i.of[self.nearest(p).segment] as usize)
@@ -94,7 +94,7 @@ impl Domain {
         self.islands.as_ref().map_or(0, |i| i.of[segment])
     }
 
-    /// Do two places lie on different islands?
+    /// Whether two places lie on different islands.
     #[inline]
     pub fn is_gap_between(&self, a: DVec2, b: DVec2) -> bool {
         let islands = self.islands.as_ref();

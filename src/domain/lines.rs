@@ -11,22 +11,22 @@ use super::{Domain, Nearest};
 use crate::planar::{closest_on_segment, crosses, orientation};
 use glam::DVec2;
 
-/// Parts smaller than a square whose side is this share of that length are joined to a neighbour.
+/// Parts smaller than a square of this side are joined to a neighbour; the side is in longer sides of the bounding box.
 const SMALLEST: f64 = 1.0 / 128.0;
 
 /// The constraint lines of a domain.
 #[derive(Clone, Debug)]
 pub(super) struct Network {
-    /// The part of each line inside: a polyline, closed if its first point is repeated at the end.
+    /// The parts of the lines inside the outline. Each is a polyline, closed if its first point is repeated at the end.
     pub lines: Vec<Vec<DVec2>>,
-    /// Their segments.
+    /// The segments of `lines`, line after line.
     pub segments: Vec<[DVec2; 2]>,
-    /// The segments, then their other images up to a side away.
+    /// The segments; on a torus, then their images up to one side away.
     pub images: Vec<[DVec2; 2]>,
     /// Junctions of lines and outline: the number of the outline's segment and the place.
     pub junctions: Vec<(usize, DVec2)>,
     pub parts: Parts,
-    /// Finds the nearest image, and the images near a place.
+    /// Finds the image nearest to a place; `passing` finds the images near a path.
     candidates: CandidateGrid,
     passing: SegmentGrid,
 }
@@ -96,7 +96,7 @@ impl Network {
     }
 }
 
-/// Removes the segment at a place from the lines.
+/// Removes the segment nearest to a place from the lines, and divides its line there.
 fn take_out(domain: &Domain, lines: &mut Vec<Vec<DVec2>>, place: DVec2) {
     let mut nearest = (f64::INFINITY, 0, 0);
     for (index, line) in lines.iter().enumerate() {
@@ -154,8 +154,8 @@ impl Domain {
         })
     }
 
-    /// Whether the straight path from a to b crosses a constraint line. On a torus b has to be the nearest
-    /// image ([`super::Space::shortest`]), at most half a side away.
+    /// Whether the straight path from a to b crosses a constraint line. On a torus b has to be the image nearest to a
+    /// ([`super::Space::shortest`]), at most half a side away.
     #[inline]
     pub fn crosses_line(&self, a: DVec2, b: DVec2) -> bool {
         let Some(network) = &self.network else {

@@ -90,8 +90,8 @@ impl Domain {
         domain
     }
 
-    /// A domain without lines, treated as one island; or some rings of a `whole`, whose grid spacing is fine
-    /// enough for them.
+    /// A domain without lines, treated as one island. If the rings are only some rings of a `whole`, the search grid
+    /// has the spacing of the whole one, which is fine enough.
     pub(super) fn of_rings(rings: Vec<Vec<DVec2>>, whole: Option<&Domain>) -> Self {
         let segments: Vec<[DVec2; 2]> = rings.iter().flat_map(|r| ring_segments(r)).collect();
         let area = rings.iter().map(|r| signed_area(r)).sum();
@@ -136,7 +136,7 @@ impl Domain {
         self
     }
 
-    /// The space it lies in: the plane, or a torus that it covers.
+    /// The space of the domain: the plane, or a torus that the domain covers.
     #[inline]
     pub fn space(&self) -> Space {
         self.space
@@ -170,8 +170,8 @@ impl Domain {
         p.cmpgt(lo).all() && p.cmplt(hi).all()
     }
 
-    /// Whether a constraint line or the gap between two islands separates two places. On a torus as for
-    /// [`Domain::crosses_line`].
+    /// Whether a constraint line or the gap between two islands separates two places. On a torus b has to be the image
+    /// nearest to a, as for [`Domain::crosses_line`].
     #[inline]
     pub fn is_parted(&self, a: DVec2, b: DVec2) -> bool {
         self.is_gap_between(a, b) || self.crosses_line(a, b)

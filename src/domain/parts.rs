@@ -22,7 +22,7 @@ pub(super) struct Parts {
 const OUTSIDE: u32 = u32::MAX;
 
 impl Parts {
-    /// Takes the junctions of lines and outline, and the lines' segments.
+    /// The parts of a domain, from the junctions of its lines and outline, and from the lines' segments.
     pub fn new(domain: &Domain, junctions: &[(usize, DVec2)], segments: &[[DVec2; 2]]) -> Self {
         let mut lines = planar::divided(domain.segments(), junctions);
         let space = domain.space();
@@ -40,7 +40,8 @@ impl Parts {
         parts
     }
 
-    /// Labels each triangle with the first one of its region; gives the initial parent of each, itself.
+    /// Labels each triangle with the first triangle of its region. Gives the parents for the union of regions: at first
+    /// each triangle is its own parent.
     fn flood(&mut self) -> Vec<u32> {
         let mut across: Vec<[Option<u32>; 3]> = Vec::with_capacity(self.part.len());
         for face in self.mesh.inner_faces() {
@@ -125,7 +126,8 @@ impl Parts {
         (part != OUTSIDE).then_some(part as usize)
     }
 
-    /// The midpoint of the longest edge between a part with an area below `least` and another part.
+    /// The midpoint of the longest edge between a part with an area below `least` and another part; `None` if there is
+    /// none.
     pub fn sliver(&self, domain: &Domain, least: f64) -> Option<DVec2> {
         let mut areas = vec![0.0; self.count];
         for face in self.mesh.inner_faces() {

@@ -1,8 +1,8 @@
 //! Projects points onto the walls (the boundary and the constraint lines): the places where the distance to
 //! the point has a local minimum, seen from the inside.
 //!
-//! Each wall that a point sees gives one projection: a cell in a corner feels both walls, a cell at a reflex
-//! corner its tip. The packing's soft wall pushes from these places, and the ghosts of the fitted cells are
+//! Each wall that a point sees gives one projection: a cell in a corner feels both walls, a cell at a reflex corner
+//! feels the corner's tip. The packing's soft wall pushes from these places, and the ghosts of the fitted cells are
 //! mirrored in them.
 
 use super::Domain;
@@ -109,7 +109,7 @@ impl Walls {
             }
         }
         order::sort(found, |p| (order::rank(p.distance), 0));
-        // Walls across the gap belong to other islands.
+        // Walls beyond a gap belong to other islands and do not count.
         let Some(own) = found.first().map(|nearest| nearest.island) else {
             return;
         };

@@ -19,8 +19,8 @@ pub(crate) const STROKE: Colour = [0.16, 0.46, 0.33, 1.0];
 const SIZE_SPOT: Colour = [0.62, 0.40, 0.08, 0.9];
 const ASPECT_SPOT: Colour = [0.45, 0.25, 0.55, 0.9];
 
-/// The field as crosses on a grid, of the size of the cells there where the grid has room, with a dot where
-/// there is no direction; also strokes, constraint lines, spots and singular points.
+/// The field as crosses on a grid. A cross is as large as the cells at its place if the grid has room; a dot stands
+/// where there is no direction. Also strokes, constraint lines, spots and singular points.
 pub fn direction(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> {
     let thin = (side / 360.0).clamp(1.0, 3.0);
     let params = fields.params();
@@ -66,7 +66,7 @@ pub fn singularities(domain: &Domain, fields: &Fields, side: f64) -> Vec<Layer> 
     let points = fields.singularities(domain);
     let middle = points.iter().map(|s| s.point.x).sum::<f64>() / points.len().max(1) as f64;
     for point in &points {
-        // Away from the other labels, if the picture has room.
+        // The label stands on the side away from the other labels, if the picture has room.
         let room = LABEL * unit;
         let x = point.point.x;
         let left = (x < middle - unit && x > room) || x + room > side;
@@ -106,7 +106,7 @@ fn crosses(domain: &Domain, fields: &Fields, side: f64, step: f64) -> (Vec<Vec<D
         }
         // The whole cross stays inside the outline.
         let arm = (0.46 * fields.size(p)).min(0.42 * step).min(room);
-        // If a half turn of a cell looks alike but a quarter turn does not, one arm is shorter.
+        // If half a turn leaves a cell unchanged but a quarter turn does not, one arm is shorter.
         let short = match fields.kind(p).symmetry() {
             4 => 1.0,
             _ => (1.0 / fields.aspect(p)).min(0.4),
@@ -135,7 +135,7 @@ fn mark(point: &Singularity, unit: f64) -> [DrawnPath; 2] {
     })
 }
 
-/// An index beside its point.
+/// The index of a singular point, written beside it: dark lines on broad light ones.
 fn index(point: &Singularity, unit: f64, left: bool) -> [Layer; 2] {
     let word = signs(point.index);
     let start = match left {

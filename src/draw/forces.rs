@@ -11,14 +11,15 @@ const ARROW: Colour = [1.0, 0.36, 0.66, 1.0];
 const LENGTH: f64 = 2.2;
 /// The upper limit of an arrow's length, in cell sizes.
 const LONGEST: f64 = 1.3;
-/// Smaller forces are not drawn.
+/// Smaller forces, in cell sizes, are not drawn.
 const LEAST: f64 = 0.002;
 
-/// Colours from cells held by their neighbours to cells pressed by them: least energy, half of it, zero.
+/// Colours from cells held by their neighbours to cells pressed by them: at the energy of rest, at half of it, and at
+/// zero or above.
 const HELD: Colour = [0.05, 0.28, 0.50, 0.72];
 const HALF: Colour = [0.98, 0.90, 0.55, 0.72];
 const PUSHED: Colour = [0.90, 0.16, 0.08, 0.72];
-/// The energy of a cell among neighbours at rest, with corners and without.
+/// The energy of a cell among neighbours at rest, in its k0: with corners and without.
 const REST: [f64; 2] = [-0.20, -0.145];
 const STEPS: usize = 24;
 
@@ -65,8 +66,8 @@ fn is_seen(particle: &Particle, load: &NetForce) -> bool {
     !particle.fixed && load.force.length() >= LEAST
 }
 
-/// Each cell filled by its energy: blue if its neighbours hold it, red if they press it. Curves suit a board with `scale`
-/// pixels along a unit.
+/// Each cell filled by its energy: blue if its neighbours hold it, red if they press it. Curves suit a board with
+/// `scale` pixels along a unit.
 pub fn energy(loads: &[(Particle, NetForce)], scale: usize) -> Vec<Layer> {
     let rings = shapes(&mut loads.iter().map(|(p, _)| p), 0.94, scale);
     let share = |(particle, load): &(Particle, NetForce)| {

@@ -16,7 +16,7 @@ pub struct Layer {
     pub item: &'static str,
     /// Its shapes.
     pub shapes: Vec<DrawnPath>,
-    /// The pen for their lines.
+    /// The pen for the shapes' lines; `None` if there are no lines.
     pub pen: Option<Pen>,
 }
 
@@ -28,7 +28,7 @@ pub struct DrawnPath {
     /// Fills the area inside the rings by the non-zero rule: an overlap of two rings with the same
     /// orientation is filled once, with opposite orientation it is left out.
     pub fill: Option<Colour>,
-    /// Corners of the filled area are rounded by up to this much on the screen.
+    /// Corners of the filled area are rounded by up to this much on a board; in files they stay sharp.
     pub round: f64,
 }
 
@@ -39,7 +39,7 @@ pub struct Pen {
     pub colour: Colour,
     /// The lines' width.
     pub width: f64,
-    /// Corners of rings are rounded by up to this much on the screen.
+    /// Corners of rings are rounded by up to this much on a board; in files they stay sharp.
     pub round: f64,
     /// Whether lines are open: they do not close from the last point to the first.
     pub is_open: bool,
@@ -82,8 +82,8 @@ impl Layer {
         [rim, Self::lines(lines, colour, width)]
     }
 
-    /// The same for few thin lines: the rim is as wide as the line on each side and nearly black, so that the
-    /// lines stay visible on pale stones.
+    /// Like [`Layer::cased`], for a few thin lines: the rim is as wide as the line on each side and nearly black, so
+    /// that the lines stay visible on pale stones.
     pub fn rimmed(lines: Vec<Vec<DVec2>>, colour: Colour, width: f64) -> [Self; 2] {
         let rim = Self::lines(lines.clone(), RIM, 3.0 * width + 0.4);
         [rim, Self::lines(lines, colour, width)]
@@ -125,7 +125,7 @@ impl Layer {
 }
 
 impl DrawnPath {
-    /// Paths only, for a pen.
+    /// Paths without a filling, to be drawn by a pen.
     pub fn bare(paths: Vec<Vec<DVec2>>) -> Self {
         Self {
             paths,

@@ -15,7 +15,7 @@ const PACKED: Colour = [1.0, 0.97, 0.90, 0.95];
 const FREE: Colour = [1.0, 0.97, 0.90, 0.10];
 const PRESSED: Colour = [0.92, 0.16, 0.06, 0.62];
 const ALONE: Colour = [0.16, 0.50, 0.95, 0.62];
-/// Steps between the colours of fillings; even, so that one of them is for cells at rest.
+/// Steps between the colours of fillings; even, so that the middle colour, for cells at rest, is one of them.
 const STEPS: usize = 10;
 
 const CELL: Colour = [1.0, 0.80, 0.25, 1.0];

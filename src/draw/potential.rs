@@ -13,7 +13,7 @@ use glam::DVec2;
 const HILL: Colour = [0.66, 0.25, 0.13, 1.0];
 const WELL: Colour = [0.05, 0.33, 0.40, 1.0];
 const LIGHT: Colour = [1.0, 0.98, 0.94, 1.0];
-/// The cell itself.
+/// The filling of the cell in the middle.
 const OWN: Colour = [1.0, 0.98, 0.94, 0.30];
 /// The distance of contours in wells, in k0.
 const STEP: f64 = 0.008;
@@ -23,7 +23,7 @@ const PER_DOUBLING: f64 = 3.0;
 const RANGE: (f64, f64) = (9.0, 11.0);
 /// Rays that are searched for wells; a multiple of 12.
 const RAYS: usize = 120;
-/// If the valley around a cell is as level as this, it is a ring.
+/// The valley around a cell is a ring if its depth varies by less than this share of the greatest depth.
 const EVEN: f64 = 0.02;
 
 /// Draws the potential of a cell of this kind and aspect ratio, with a horizontal axis and these corner bubbles.
@@ -81,8 +81,8 @@ fn figures(cell: &Particle, wells: Vec<DVec2>, thin: f64) -> Vec<Layer> {
     layers
 }
 
-/// The level of a height. Contours lie halfway between whole levels, so that there is none where there is no
-/// force.
+/// The level of a height, in contours from 0: negative in wells, positive on the hill. Contours lie halfway between
+/// whole levels, so that there is none where there is no force.
 fn level(height: f64) -> f64 {
     match height < 0.0 {
         true => height / STEP,

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-/// Offsets of a ring's images that reach into a tile of that side.
+/// Offsets of a ring's images that reach into a tile of this side, without the ring itself.
 pub fn copies(ring: &[DVec2], side: f64) -> Vec<DVec2> {
     let lo = ring.iter().fold(DVec2::INFINITY, |lo, &p| lo.min(p));
     let hi = ring.iter().fold(DVec2::NEG_INFINITY, |hi, &p| hi.max(p));
@@ -34,7 +34,7 @@ pub(super) fn round(centre: DVec2, radius: f64) -> Vec<DVec2> {
 /// Corners that turn by less than the angle with this cosine are not rounded.
 const FLAT: f64 = 0.9;
 
-/// The ring with rounded corners, cut by up to `round` pixels.
+/// The ring with rounded corners, each cut by up to `round` picture units.
 pub(super) fn rounded(ring: &[DVec2], round: f64) -> Vec<DVec2> {
     let n = ring.len();
     let mut points = Vec::with_capacity(3 * n);
@@ -57,7 +57,7 @@ pub(super) fn rounded(ring: &[DVec2], round: f64) -> Vec<DVec2> {
 /// Limit of mitres, relative to the offset of the sides.
 pub(super) const MITRE: f64 = 2.0;
 
-/// The ring moved outwards by `by` pixels, or inwards if negative; for clockwise rings (on screen).
+/// The ring moved outwards by `by` picture units, or inwards if negative; for clockwise rings (on screen).
 pub(super) fn beside(ring: &[DVec2], by: f64) -> Vec<DVec2> {
     let n = ring.len();
     let out = |k: usize| -(ring[(k + 1) % n] - ring[k % n]).normalize_or_zero().perp();

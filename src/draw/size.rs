@@ -13,7 +13,7 @@ const MIDDLE: Colour = [0.98, 0.82, 0.40, 0.42];
 pub(crate) const LARGE: Colour = [0.80, 0.10, 0.10, 0.66];
 const CONTOUR: Colour = [0.10, 0.07, 0.05, 0.80];
 const WIDTH: f32 = 1.1;
-/// Contours from the middle to the end of the scale.
+/// The number of contours from the middle of the scale to either end.
 pub(crate) const CONTOURS: f32 = 5.0;
 /// The scale covers at least this many doublings of the size each way from the middle.
 const LEAST: f32 = 0.35;
@@ -43,7 +43,7 @@ pub struct HeatMap {
 }
 
 impl HeatMap {
-    /// Draws it over a board; computed again if the stamp has changed.
+    /// Draws the heat map over a board. It is computed again if the stamp or the side has changed.
     pub fn draw(
         &mut self,
         board: &mut Board,
@@ -65,7 +65,7 @@ impl HeatMap {
     }
 }
 
-/// The outline as opacity of white paint.
+/// The area inside the outline in white on black; grey where the outline covers a part of a pixel.
 fn mask(side: usize, domain: &Domain) -> Board {
     let mut board = Board::new(side, [0.0, 0.0, 0.0, 1.0]);
     let all = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y].map(|p| side as f64 * p);

@@ -12,7 +12,7 @@ const LEAST_ROWS: usize = 16;
 pub struct Sketch {
     board: Board,
     layers: Vec<Layer>,
-    /// The number of finished rows, and that of a slice.
+    /// The number of finished rows; `at_a_time` is the number of rows in a slice.
     rows: usize,
     at_a_time: usize,
 }

@@ -16,7 +16,7 @@ const ALONE: Colour = [0.36, 0.56, 0.68, 1.0];
 const MOST_ALONE: f32 = 1.0;
 /// Lines of cells before there are stones.
 const CELL_EDGE: Colour = [0.13, 0.10, 0.07, 0.55];
-/// Lightness of cells fixed on the boundary, relative to the others.
+/// Lightness of cells fixed on the boundary, relative to free cells.
 const FIXED: f32 = 0.82;
 /// Rounding of corners, relative to a cell's size.
 const ROUND: f64 = 0.13;

@@ -25,7 +25,7 @@ const CALM: f32 = 0.10;
 /// The tones of a recipe's pavement.
 #[derive(Clone, Debug)]
 pub struct Tones {
-    /// The future ground, flat.
+    /// The colours of the future ground, without its texture.
     pub paper: Paper,
     palette: &'static Palette,
     seed: u64,

@@ -11,8 +11,7 @@ use crate::planar::closest_on_segment;
 use glam::DVec2;
 use std::f64::consts::TAU;
 
-/// A walk is sampled about this often on the length of the picture's side, and at most [`MOST_SAMPLES`] times between two
-/// of its places.
+/// Samples of a walk on the length of the picture's side; at most [`MOST_SAMPLES`] between two of its places.
 const SAMPLES: f64 = 256.0;
 const MOST_SAMPLES: f64 = 4096.0;
 
@@ -62,7 +61,7 @@ struct PlainSources<'a> {
 }
 
 impl<'a> PlainSources<'a> {
-    /// Those for the cells at a point.
+    /// The sources with the symmetry of the cells at a point.
     fn new(fields: &'a Fields, domain: &'a Domain, p: DVec2) -> Self {
         let mut params = fields.params.clone();
         if params.direction == Direction::Printed {
@@ -78,7 +77,7 @@ impl<'a> PlainSources<'a> {
         }
     }
 
-    /// The sum at a point. Its representation vector is the mean of the sources'.
+    /// The weighted mean of the sources' representation vectors at a point, and the direction and certainty by it.
     fn at(&self, p: DVec2) -> (DVec2, DirectionSum) {
         let (params, along, symmetry) = (&self.params, self.fields.along, self.symmetry);
         let space = self.domain.space();
@@ -143,9 +142,10 @@ impl Fields {
         PlainSources::new(self, domain, p).at(p).1
     }
 
-    /// The direction along a closed walk within the outline: at each of its places, and back at the first one. There it
-    /// has turned by the index of the walk, a multiple of 1/N. Empty if the walk leaves the outline, or the direction
-    /// vanishes or tears on the way. The symmetry is that of the cells at the first place.
+    /// The direction along a closed walk within the outline: at each of its places, and back at the first one. There
+    /// the direction has turned by the index of the walk, a multiple of 1/N (N: the symmetry). Empty if the walk leaves
+    /// the outline, or the direction vanishes or tears on the way. The symmetry is that of the cells at the first
+    /// place.
     pub fn along_walk(&self, domain: &Domain, walk: &[DVec2]) -> Vec<WalkPlace> {
         let Some(&first) = walk.first() else {
             return Vec::new();

@@ -16,8 +16,8 @@ use crate::domain::Domain;
 use crate::planar::Space;
 use glam::DVec2;
 
-/// A node takes the mean of its neighbours from the pass before if their feature size is at least this many
-/// gaps between them and their directions agree (cosine between representation vectors).
+/// A node takes the mean of its neighbours from the coarser pass if the direction's features there are at least this
+/// many distances between the neighbours, and the cosines between their representation vectors exceed `ALIKE`.
 const FEATURES: f64 = 1.25;
 const ALIKE: f64 = 0.8;
 
@@ -41,14 +41,14 @@ pub struct FieldBuilder {
     inside: Vec<f64>,
     /// For each node, a lower bound of the size of the direction's features there.
     feature_size: Vec<f64>,
-    /// A point and its distance to the nearest source of each layer.
+    /// For each layer, the node measured last and its distance to the nearest source.
     last: [(DVec2, f64); 2],
     stride: usize,
     row: usize,
 }
 
 impl FieldBuilder {
-    /// Lays the background grid over the outline and a margin of one large cell around it.
+    /// Lays the background grid over the outline and a margin of two grid steps around it.
     pub fn new(domain: &Domain, mut params: FieldParams) -> Self {
         let space = domain.space();
         let step = (params.size / 2.0).clamp(params.side / 128.0, params.side / 64.0);
@@ -160,7 +160,7 @@ impl FieldBuilder {
         self.fields
     }
 
-    /// All rows at once.
+    /// Computes all rows at once.
     pub fn build(domain: &Domain, params: FieldParams) -> Fields {
         let mut builder = Self::new(domain, params);
         while !builder.advance(domain) {}
@@ -279,7 +279,7 @@ impl FieldBuilder {
     }
 }
 
-/// The neighbours from the pass before: two on a line, or four around the node.
+/// The neighbours from the coarser pass, and their number: two on a line, or four around the node.
 fn parents(grid: &SampleGrid, column: usize, row: usize, stride: usize) -> ([usize; 4], usize) {
     let at = row * grid.columns + column;
     let (across, down) = (stride, stride * grid.columns);

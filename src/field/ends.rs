@@ -1,15 +1,15 @@
 //! The ends of the boundary: pieces across the direction that cells should follow.
 //!
-//! Two-fold directions along two walls at right angles cancel on the bisector. At the end of a road that line
-//! would be a fault through the rows. Without weight on the end, the rows run straight up to it.
+//! Two-fold directions along two walls at right angles cancel on the bisector. At the end of a road the bisector would
+//! be a fault through the rows. Without weight on the end, the rows run straight up to it.
 
 use crate::domain::Domain;
 use glam::DVec2;
 
 /// The boundary turns at a corner by more than this (cosine of 40 degrees).
 const CORNER: f64 = 0.766;
-/// A piece is an end if its length is at most the first of these times the shorter of its neighbours, and no
-/// end at all from the second on.
+/// Limits of a piece's length, in lengths of its shorter neighbour: up to the first limit a piece is an end, from the
+/// second on it is not.
 const END: (f64, f64) = (0.5, 1.0);
 
 /// The weight of each segment of [`Domain::segments`]. Pieces between two convex corners that are at most

@@ -6,11 +6,11 @@ use crate::domain::Domain;
 use crate::planar::Space;
 use glam::DVec2;
 
-/// Weaker sources are left out.
+/// Sources with at most this strength are left out.
 const FAINT: f64 = 0.02;
 
-/// The unit vector of the spiral's ray, and the distance to the nearest point where it is undefined. On a
-/// torus rays from one point do not repeat; the rays of the sines do, with singular points half a side apart.
+/// The unit vector of the spiral's ray, and the distance to the nearest point where it is undefined. On a torus, rays
+/// from one point do not repeat. The rays of (sin x, sin y) do; their singular points are half a side apart.
 fn ray(space: Space, params: &FieldParams, p: DVec2) -> (DVec2, f64) {
     let from = p - params.centre;
     let Some(side) = space.period() else {
@@ -25,8 +25,8 @@ fn ray(space: Space, params: &FieldParams, p: DVec2) -> (DVec2, f64) {
     )
 }
 
-/// The direction that the sources are added to, and the distance to the nearest point where it is undefined.
-/// `along` is the constant direction, or the direction to the rays.
+/// The direction that the sources are added to, and the distance to the nearest point where it is undefined. `along` is
+/// the constant direction or, for a spiral, the direction relative to the rays. `None` for other directions.
 pub(super) fn base(
     space: Space,
     params: &FieldParams,
@@ -43,8 +43,8 @@ pub(super) fn base(
     }
 }
 
-/// The layers of the direction: the symmetry of each and its sources; empty if the direction is constant.
-/// `symmetries` are those of the cells' kinds.
+/// The layers of the direction: the symmetry of each and its sources; empty if the direction is constant. `symmetries`
+/// are the symmetries of the cells' kinds.
 pub(super) fn layers(
     domain: &Domain,
     params: &FieldParams,
@@ -68,13 +68,13 @@ pub(super) fn layers(
 pub(super) fn sources(domain: &Domain, params: &FieldParams, symmetry: u32) -> Vec<SourceSegment> {
     let mut list = Vec::new();
     let mut add = |segment, strength| {
-        // A source that is left out must not hide a farther one.
+        // A faint source must not count as the nearest, because sources far beyond the nearest are cut off.
         if strength > FAINT {
             list.extend(SourceSegment::new(segment, strength, symmetry));
         }
     };
     if params.direction == Direction::Boundary {
-        // A square fits at right angles to a wall as well as along it.
+        // Squares need no weaker ends: a square fits at right angles to a wall as well as along it.
         let ends = if symmetry == 4 { 1.0 } else { params.ends };
         let strengths = ends::strengths(domain, ends);
         for (&segment, strength) in domain.segments().iter().zip(strengths) {

@@ -4,7 +4,7 @@ use crate::planar::Space;
 use glam::DVec2;
 use std::ops::{Add, Mul};
 
-/// Nodes of the first pass are this many steps apart; the numbers of columns and rows are multiples of it.
+/// Nodes of the first pass are this many steps apart; the numbers of grid squares along both sides are multiples of it.
 pub(super) const COARSE: usize = 4;
 
 /// Evenly spaced nodes, row by row from the top.
@@ -18,8 +18,8 @@ pub(super) struct SampleGrid {
 }
 
 impl SampleGrid {
-    /// A grid over a box with about this step. In the plane it extends two squares beyond. On a torus a whole
-    /// number of squares goes round, and the last column and row repeat the first.
+    /// A grid over a box with about this step. In the plane it extends at least two squares beyond the box. On a torus
+    /// a whole number of squares goes round, and the last column and row repeat the first.
     pub fn new(space: Space, (lo, hi): (DVec2, DVec2), step: f64) -> Self {
         if let Some(side) = space.period() {
             let squares = ((side / step) as usize).max(1).next_multiple_of(COARSE);

@@ -11,7 +11,7 @@ use glam::DVec2;
 /// Distance of hexagonal rows, in cell widths.
 const ROW: f64 = 0.866_025_403_784_438_6;
 
-/// A size, an aspect ratio and the unit vector of a direction.
+/// A lattice of cells: their size, their aspect ratio, and the unit vector along their rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lattice {
     pub size: f64,
@@ -43,8 +43,8 @@ fn squares(asked: Lattice, side: f64) -> Lattice {
     }
 }
 
-/// Cells in rows. The unit is one cell's length and one row's distance. Hexagonal rows are shifted by half a
-/// cell, so they use half a length and need an even sum of steps.
+/// The nearest lattice of cells in rows. One unit is a cell's length along the rows and a row's distance across.
+/// Hexagonal rows are shifted by half a cell, so they use half a length and need an even sum of steps.
 fn rows(kind: CellKind, asked: Lattice, side: f64) -> Lattice {
     let root = asked.aspect.sqrt();
     let even = !kind.has_corners();
@@ -71,8 +71,8 @@ fn rows(kind: CellKind, asked: Lattice, side: f64) -> Lattice {
     }
 }
 
-/// The vector along the rows and the rows' distance. A direction (a, b) of coprime whole numbers meets
-/// itself; the side can be divided by any multiple of its length, along it and across.
+/// The step along the rows, as a vector, and the rows' distance. A line along (a, b), coprime whole numbers, closes on
+/// the torus. The step is the side over m |(a, b)|, the distance the side over n |(a, b)|, with whole m and n.
 fn nearest(along: DVec2, unit: f64, row: f64, side: f64, even: bool) -> (DVec2, f64) {
     let most = ((side / unit.min(row)) as i64).clamp(1, 200);
     let mut best = (f64::INFINITY, DVec2::X * unit, row);

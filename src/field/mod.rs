@@ -58,7 +58,7 @@ use scalar::Gradient;
 #[derive(Clone, Debug)]
 pub struct Fields {
     params: FieldParams,
-    /// The direction if it is constant.
+    /// The constant direction; for [`Direction::Spiral`], the direction relative to the rays.
     along: DVec2,
     grid: SampleGrid,
     /// Sampled directions: none if the direction is constant, two if parts have kinds with different

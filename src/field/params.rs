@@ -13,11 +13,11 @@ pub enum Direction {
     Boundary,
     /// Along the strokes and the constraint lines only; a constant angle if there are none.
     Strokes,
-    /// A constant angle. Strokes act near them.
+    /// A constant angle; near strokes, the direction follows them.
     Constant,
-    /// A constant angle to the rays from a point: 0 is radial, a quarter turn circular, and angles between
-    /// give spirals. Strokes act near them. On the torus the rays are those of (sin x, sin y) with the side
-    /// as period: the same near the point, with three more singular points half a side away.
+    /// A constant angle to the rays from a point: 0 is radial, a quarter turn circular, and angles between give
+    /// spirals. Near strokes, the direction follows them. On the torus the rays are those of (sin x, sin y) with the
+    /// side as period: the same near the point, with three more singular points half a side away.
     Spiral,
     /// Equation (1) of Miyata, Itoh, Shimada (2000) to the letter: signed segment vectors are
     /// summed, so that the two sides of a road cancel on its middle line. For comparison.
@@ -105,7 +105,7 @@ impl FieldParams {
         side: 512.0,
     };
 
-    /// The kinds by the index of the domain's part; empty if all are the same.
+    /// The kinds by the index of the domain's part; empty if all parts have `kind`.
     pub(super) fn kinds(&self, domain: &Domain) -> Vec<CellKind> {
         let mut kinds = vec![self.kind; domain.parts()];
         for &(place, own) in &self.part_kinds {
@@ -121,12 +121,12 @@ impl FieldParams {
         kinds
     }
 
-    /// Whether the size needs more than a number and a gradient.
+    /// Whether the size changes towards the boundary or at spots, so that a number and a gradient are not enough.
     pub(super) fn varies_size(&self) -> bool {
         !self.size_grading.is_flat() || !self.size_spots.is_empty()
     }
 
-    /// Whether the aspect ratio needs more than a number.
+    /// Whether the aspect ratio changes towards the boundary or at spots, so that a number is not enough.
     pub(super) fn varies_aspect(&self) -> bool {
         !self.aspect_grading.is_flat() || !self.aspect_spots.is_empty()
     }

@@ -14,8 +14,8 @@ pub struct Singularity {
     pub index: f64,
 }
 
-/// Grid squares within this many steps are one singular point: each of them sees only a part of the turn,
-/// between its four nodes.
+/// Grid squares with a turn, at most this many grid steps apart, belong to one singular point: each square sees only
+/// the part of the turn between its four nodes.
 const TOGETHER: f64 = 2.9;
 /// Two representation vectors with a smaller cosine lie on opposite sides of a tear.
 pub(super) const TORN: f64 = -0.985;
@@ -38,7 +38,8 @@ impl Fields {
         found
     }
 
-    /// The grid squares around which a layer turns, with the turns of the representation.
+    /// The centres of the grid squares around which a layer's representation vectors turn, each with the number of
+    /// turns.
     fn turning(&self, layer: &Layer, domain: &Domain) -> Vec<(DVec2, i32)> {
         let grid = &self.grid;
         let mut squares = Vec::new();
@@ -65,7 +66,7 @@ impl Fields {
         }
     }
 
-    /// The squares connected to the first one.
+    /// The squares connected to the first one by gaps shorter than [`TOGETHER`].
     fn group(
         &self,
         first: usize,
@@ -107,8 +108,8 @@ impl Fields {
     }
 }
 
-/// The winding number, clockwise on screen, of four vectors in a circle, taking the shorter way from each to
-/// the next; 0 if one is missing or a tear passes through.
+/// The winding number, clockwise on screen, of four vectors in a circle, taking the shorter way from each to the next;
+/// 0 if a vector is zero or a tear passes through.
 fn winding(around: &[DVec2; 4]) -> i32 {
     let (mut turns, mut torn) = (0, 0);
     for k in 0..4 {

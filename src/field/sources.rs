@@ -21,7 +21,7 @@ const FAR: f64 = 2.0;
 /// weigh less than a hundredth.
 const NEGLIGIBLE: f64 = 8.0;
 
-/// From this many of its radii on, a branch counts as one source with moments.
+/// A branch farther from the point than this many of its radii is summed as one source, by its moments.
 const OPENING: f64 = 3.0;
 
 /// Most sources of a branch without children.
@@ -126,7 +126,7 @@ pub(super) struct Sources {
 struct Branch {
     first: usize,
     end: usize,
-    /// Index behind this branch and its descendants.
+    /// Index of the first branch after this branch and its descendants.
     next: usize,
     middle: DVec2,
     radius: f64,
@@ -137,7 +137,7 @@ struct Branch {
 }
 
 impl Sources {
-    /// Consecutive sources should be neighbours in space.
+    /// The tree of these sources. Consecutive sources should be neighbours in space, so that branches are small.
     pub fn new(list: Vec<SourceSegment>) -> Self {
         let mut sources = Self {
             list,
@@ -264,7 +264,7 @@ fn inverse_power(square: f64, power: u32) -> f64 {
     }
 }
 
-/// The same for two distances.
+/// [`inverse_power`] of two squared distances.
 fn inverse_powers(squares: f64x2, power: u32) -> f64x2 {
     let one = f64x2::splat(1.0);
     match power {

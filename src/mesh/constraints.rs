@@ -4,7 +4,7 @@ use crate::domain::Domain;
 use crate::packing::Particle;
 use glam::DVec2;
 
-/// Share of a side that is ignored at both ends: those may stand on a constraint line.
+/// Share of a side that is ignored at each end, because the end may stand on a constraint line.
 const SHRINK: f64 = 0.02;
 /// A point nearer to a constraint line than this (in sizes) lies on it.
 const ON_LINE: f64 = 0.05;

@@ -58,8 +58,7 @@ impl Division {
                             }
                         }
                     }
-                    // At most one triangle: it occurs only in patches with an odd number of corners, and only
-                    // the odd part of the rest takes it.
+                    // A triangle is tried only if the polygon has an odd number of corners: an even number needs none.
                     let inner = first + self.cost[a][j] + TRIANGLE;
                     if inner < least
                         && n % 2 == 1

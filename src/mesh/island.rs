@@ -8,24 +8,24 @@ use crate::domain::Domain;
 use crate::packing::Particle;
 use glam::DVec2;
 
-/// A triangle lower than this share of its longest side is a sliver of the border.
+/// A triangle with an obtuse angle is a sliver of the border if it is lower than this share of its longest side.
 const SLIVER: f64 = 0.12;
-/// A triangle without an obtuse angle is a sliver only below this share.
+/// A triangle without an obtuse angle is a sliver only if it is lower than this share of its longest side.
 const NEEDLE: f64 = 0.01;
-/// Cells at a wall are half their size away from it. A triangle whose centre is nearer than this, in sizes,
+/// Cells at a wall are half their size away from it. A triangle whose centre is nearer to the wall than this, in sizes,
 /// only bridges a bend.
 const AT_WALL: f64 = 0.45;
 
 /// Lone triangles are accepted up to this share of the elements, plus [`RIM_TRIANGLES`].
 const FEW_TRIANGLES: f64 = 0.037;
-/// The number of lone triangles accepted beyond that share.
+/// The number of lone triangles accepted in addition to [`FEW_TRIANGLES`].
 const RIM_TRIANGLES: f64 = 6.0;
 /// The greatest share of lone triangles that is accepted.
 const MOST_TRIANGLES: f64 = 0.08;
 /// The meshes of all islands, in progress.
 pub(super) struct IslandMeshing {
     particles: Vec<Particle>,
-    /// The current island, its cells, and their numbers.
+    /// The number of the current island; `own` are its cells, and `names` their indices in `particles`.
     island: usize,
     own: Vec<Particle>,
     names: Vec<usize>,
@@ -100,7 +100,7 @@ impl IslandMeshing {
         (nodes, triangles)
     }
 
-    /// The elements made from them.
+    /// The elements made from an island's triangles.
     fn faces(&self, island: &Domain, nodes: &mut [Node], triangles: &Triangles) -> Faces {
         let keep = self.keep(island);
         let mut made = quads::pair(nodes, triangles, &keep, 0);
@@ -118,7 +118,7 @@ impl IslandMeshing {
         |side| lies_on_line(island, side.map(|k| &self.own[k as usize]))
     }
 
-    /// Adds the island's mesh to those of the others.
+    /// Adds the island's mesh to the whole mesh, without slivers and elements outside.
     fn put(&mut self, island: &Domain, nodes: &[Node], mut made: Faces) {
         let vertices: Vec<DVec2> = nodes.iter().map(|n| n.at).collect();
         made.faces.retain(|face| {
@@ -150,8 +150,9 @@ impl IslandMeshing {
     }
 }
 
-/// Joins lone triangles through the elements between them while there are too many, first to good
-/// quadrilaterals only. In between, movable nodes are smoothed, which makes room for more.
+/// Joins lone triangles through the elements between them while there are too many of them, first to good
+/// quadrilaterals only, then also to worse ones. After each pass, movable nodes are smoothed, which makes room for
+/// more.
 pub(super) fn join_lone(
     nodes: &mut [Node],
     made: &mut Faces,
@@ -184,7 +185,8 @@ pub(super) fn join_lone(
     }
 }
 
-/// Least depth of a triangle whose cells all stand at a wall; 0 if one is fixed on it.
+/// A triangle is left out if its centre is nearer to the boundary than this: it only joins cells at a wall. 0 if one of
+/// its cells is fixed.
 fn at_wall(triangle: &Face, particles: &[Particle]) -> f64 {
     let nodes = triangle.nodes().iter().map(|&k| &particles[k as usize]);
     let depth = nodes.map(|p| {

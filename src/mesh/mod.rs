@@ -61,7 +61,7 @@ pub struct Node {
     pub axis: DVec2,
     /// The local metric.
     pub metric: Metric,
-    /// Whether its cell has corners and it may be a corner of quadrilaterals.
+    /// Whether the node may be a corner of quadrilaterals, because its cell has corners.
     pub corners: bool,
 }
 

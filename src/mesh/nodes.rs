@@ -7,7 +7,7 @@ pub(crate) trait Nodes {
     /// The number of nodes.
     fn count(&self) -> usize;
 
-    /// Whether it may be a corner of quadrilaterals.
+    /// Whether a node may be a corner of quadrilaterals.
     fn has_corners(&self, node: u32) -> bool;
 
     /// A few nearby nodes, unfolded into one plane; the result does not depend on their order.

@@ -1,5 +1,5 @@
-//! The state of the search for patches that gain, and its steps: growing patches of elements, the gain of dividing
-//! them anew, and replacing their elements.
+//! The search for patches of elements that are worth dividing anew: its state, and its steps, which grow a patch,
+//! compute the gain of a new division, and replace the patch's elements.
 
 use super::division::{Division, MOST, TRIANGLE};
 use super::quads::{Faces, score};
@@ -8,7 +8,7 @@ use super::{Face, Nodes};
 
 /// Cost of an inner node for each side more or less than four.
 const IRREGULAR: f64 = 0.12;
-/// Most cost that regular nodes can make up for.
+/// A division that costs this much more than the patch is dropped: regular nodes cannot make up for more.
 const SLACK: f64 = 0.5;
 
 /// A patch: a polygon of adjacent elements.
@@ -51,7 +51,7 @@ impl Goal {
     }
 }
 
-/// The search for patches that gain.
+/// The search for patches whose cost falls if they are divided anew.
 pub(crate) struct PatchSearch {
     pub(super) faces: Faces,
     pub(super) goal: Goal,
@@ -63,13 +63,13 @@ pub(crate) struct PatchSearch {
     pub(super) border: Vec<bool>,
     /// Elements whose surroundings have changed since they were tried.
     pub(super) fresh: Vec<bool>,
-    /// Distance from the first one in elements, for those in `reached`.
+    /// For the elements in `reached`, the number of steps from the first of them, from element to element.
     pub(super) depth: Vec<u8>,
     pub(super) reached: Vec<u32>,
     pub(super) division: Box<Division>,
-    /// Work done: squared numbers of corners of the patches tried.
+    /// Work done so far: the sum of the squared numbers of corners of the patches tried.
     pub(super) work: usize,
-    /// The round, the next element in it, and whether one has gained in it.
+    /// The current round; `next` is the next element to try in it, `again` whether a patch has gained in it.
     pub(super) round: usize,
     pub(super) next: usize,
     pub(super) again: bool,
@@ -135,7 +135,8 @@ impl PatchSearch {
         Some(grown)
     }
 
-    /// The cost saved by dividing a patch anew.
+    /// The cost saved by dividing a patch anew, irregular nodes included; 0 if the division leaves too few sides at a
+    /// node or costs far too much.
     pub(super) fn gain<N: Nodes + ?Sized, K>(
         &mut self,
         on: &SearchInputs<N, K>,

@@ -17,7 +17,7 @@ pub(crate) struct Faces {
 }
 
 impl Faces {
-    /// Notes the element across the side of an element that runs between these nodes, in this order.
+    /// Sets `other` as the element across a side of `element`: the side between these two nodes, in this order.
     pub(super) fn put_across(&mut self, element: u32, side: [u32; 2], other: u32) {
         let corners = self.faces[element as usize];
         let corners = corners.nodes();
@@ -54,7 +54,7 @@ struct Candidate {
     score: f64,
     triangles: [u32; 2],
     nodes: [u32; 4],
-    /// The neighbours across its four sides.
+    /// The triangles across the quadrilateral's four sides.
     adjacent: [u32; 4],
 }
 
@@ -96,7 +96,8 @@ impl Pairing {
         end == triangles.nodes.len()
     }
 
-    /// Makes the elements. Pairs leave at least `least` edges at each inner node.
+    /// Makes the elements. `least` gives, for a pair's score, the number of edges that the pair must leave at each
+    /// inner node.
     pub fn finish(
         mut self,
         nodes: usize,

@@ -1,10 +1,10 @@
 //! Local re-quadrangulation: patches of a few neighbouring elements are divided anew.
 //!
-//! Pairing by score leaves lone triangles without a partner, where another choice nearby would have given
-//! them one. Two lone triangles and the quadrilaterals on a path between them form a polygon with an even
-//! number of sides, which quadrilaterals alone can fill. This is like an augmenting path of a matching, but
-//! with free choice of all diagonals. A lone triangle and a quadrilateral can exchange their common side, and
-//! so can two quadrilaterals. A patch changes only if its cost falls, so the search ends.
+//! Pairing by score leaves lone triangles without a partner, where another choice nearby would have given them one. Two
+//! lone triangles and the quadrilaterals on a path between them form a polygon with an even number of sides, which
+//! quadrilaterals alone can fill. This is like an augmenting path of a matching, but with free choice of all diagonals.
+//! A lone triangle and a quadrilateral, or two quadrilaterals, can exchange their common side for another one. A patch
+//! changes only if its cost falls, so the search ends.
 //!
 //! It runs only in meshes whose border is the boundary (`edge=on`), as they are made for display. There,
 //! nodes near faults leave the packed centres.
@@ -17,7 +17,7 @@ use super::{Face, Nodes};
 
 /// The most elements of a patch.
 const LONGEST: usize = (MOST - 2) / 2;
-/// Descending least scores of quadrilaterals that replace lone triangles.
+/// Least scores of quadrilaterals that replace lone triangles, tried one after another.
 pub(crate) const STANDARDS: [f64; 6] = [0.5, 0.4, 0.3, 0.2, 0.2, 0.15];
 /// Smaller gains do not count.
 const LEAST_GAIN: f64 = 1e-3;
@@ -103,7 +103,7 @@ impl PatchSearch {
         true
     }
 
-    /// The present elements; those without sides are empty slots.
+    /// The present elements; elements without sides are empty slots.
     pub fn finish(self) -> Faces {
         self.faces
     }
@@ -216,7 +216,8 @@ impl PatchSearch {
         self.reached.clear();
     }
 
-    /// Follows a path from its far end back to the first element.
+    /// Follows all shortest paths from the last element of `path` back to the first element, and considers the patch of
+    /// each path.
     fn trace<N: Nodes + ?Sized, K: Fn([u32; 2]) -> bool>(
         &mut self,
         on: &SearchInputs<N, K>,

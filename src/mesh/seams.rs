@@ -20,7 +20,7 @@ use glam::DVec2;
 pub(crate) enum Strategy {
     /// Triangles are paired where possible; images reach this many sizes beyond the picture.
     Pairs(u32),
-    /// Triangles only, Delaunay in the local metric; images reach as far.
+    /// Triangles only, Delaunay in the local metric; images reach this many sizes beyond the picture.
     Lone(u32),
     /// Triangles only, plain Delaunay.
     Delaunay,
@@ -39,8 +39,8 @@ pub(crate) const STRATEGIES: [Strategy; 4] = [
 
 /// No images farther than this many pictures away are made.
 const FARTHEST: f64 = 8.0;
-/// Among points that repeat with the picture, no empty circle around a triangle is wider than its diagonal.
-/// With images this far (in sides) all Delaunay triangles in it are found.
+/// Width of the margin with images, in sides of the picture, in which all Delaunay triangles of the picture are found:
+/// among points that repeat with the picture, no empty circle around a triangle is wider than the picture's diagonal.
 const DIAGONAL: f64 = 1.5;
 /// Axis and aspect ratio of a metric that is hardly different from the Euclidean one. Among four points on
 /// one circle, as a cell and its images can be, it chooses the same diagonal everywhere.
@@ -139,7 +139,7 @@ pub(super) struct SeamMeshing {
     particles: Vec<Particle>,
     /// The number of attempts begun.
     begun: usize,
-    /// The cells and their images, and for each the number of its cell.
+    /// The cells and their images; `of` has for each of them the number of its cell.
     all: Vec<Particle>,
     of: Vec<u32>,
     /// The current attempt.
@@ -222,7 +222,7 @@ impl SeamMeshing {
 }
 
 impl Mesh {
-    /// A mesh of these elements, with only those images that are nodes of one.
+    /// A mesh of these elements, with only those images that are nodes of an element.
     fn with_images(
         particles: &[Particle],
         (all, of): (&[Particle], &[u32]),

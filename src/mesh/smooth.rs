@@ -12,11 +12,11 @@ use glam::DVec3;
 
 /// Passes over the nodes.
 const ROUNDS: u32 = 8;
-/// A node whose proposed move is smaller than this (in lengths of the side it belongs to) stays.
+/// A node stays if its proposed move is shorter than this share of the longest diagonal at the node.
 const LEAST_MOVE: f64 = 0.01;
 /// Cost of a side at 45 degrees to its cell's axis.
 const TURNED: f64 = 0.3;
-/// A triangle lower than this share of its longest side has no value in a move.
+/// A triangle lower than this share of its longest side counts as bad.
 const FLAT: f64 = 0.4;
 
 /// Nodes that can be moved: in the plane, with z = 0, or in the tangent planes of a surface.
@@ -27,7 +27,8 @@ pub(crate) trait Movable: Nodes {
     /// Moves a node to a place.
     fn put(&mut self, node: u32, place: DVec3);
 
-    /// The proposal of a quadrilateral for its first corner, and the length of its diagonal there.
+    /// The proposal of a quadrilateral for its first corner, and the length of the diagonal through that corner. `None`
+    /// if it proposes nothing.
     fn proposal(&self, corners: [u32; 4]) -> Option<(DVec3, f64)>;
 
     /// The move of a node to the mean of its proposals.
@@ -83,7 +84,7 @@ pub(crate) struct Smoothing {
     around: Csr<u32>,
     /// Whether each node may move.
     free: Vec<bool>,
-    /// Nodes beside one that moved in the last pass, and in this one.
+    /// Whether each node is beside one that moved in the last pass; `next` is the same for this pass.
     awake: Vec<bool>,
     next: Vec<bool>,
     round: u32,
@@ -91,7 +92,8 @@ pub(crate) struct Smoothing {
 }
 
 impl Smoothing {
-    /// Begins with the nodes of some elements; those marked in `free` may move. Nodes on the border should not be marked.
+    /// Begins with the nodes of these elements. Nodes marked in `free` may move; nodes on the border should not be
+    /// marked.
     pub fn new(faces: &[Face], free: Vec<bool>) -> Self {
         let uses = faces.iter().zip(0..);
         let uses = uses.flat_map(|(face, f)| face.nodes().iter().map(move |&k| (k as usize, f)));

@@ -22,10 +22,8 @@ pub struct CellMetrics {
     pub count: usize,
     /// Cover of the outline.
     pub cover: Cover,
-    /// The mean of
-    /// area / requested area - 1
-    /// . For cells with corners the requested area is the size squared, for others the area of a circle with
-    /// this diameter in a honeycomb, 0.866 of that.
+    /// The mean absolute value of area / requested area - 1. For cells with corners the requested area is the size
+    /// squared. For other cells it is 0.866 of that, the area in a honeycomb of circles with this diameter.
     pub size_error: f64,
     /// Standard deviation over mean of the area.
     pub area_cv: f64,
@@ -36,12 +34,12 @@ pub struct CellMetrics {
     /// edges' normals, in the metric that turns ellipses into circles, 0..30 degrees (15 at random); 0 for
     /// honeycombs whose rows follow the field. Edges on the boundary or on constraint lines are left out.
     pub edge_angle: Option<f64>,
-    /// Mean angle of the long axis to the direction field, over cells that should be longer than wide and are
-    /// (by 1.2), 0..90 degrees (45 at random).
+    /// Mean angle of the long axis to the direction field, 0..90 degrees (45 at random), over rectangles and ellipses
+    /// that are more than 1.2 times as long as wide.
     pub axis_angle: Option<f64>,
     /// The median aspect ratio: the root of the ratio of the two principal second moments.
     pub aspect: Option<f64>,
-    /// Cells by their sides; a corner turns by more than 10 degrees.
+    /// Numbers of cells by their number of sides; a corner turns by more than 10 degrees.
     pub sides: Histogram,
 }
 
@@ -117,7 +115,7 @@ fn edges_to_field(domain: &Domain, fields: &Fields, cell: &Cell, near: f64, tall
         let degrees = if cell.kind.has_corners() {
             angle(b - a, direction, 90.0)
         } else {
-            // As long as for a circle, along and across.
+            // The edge in the metric that turns the ellipse into a circle.
             let stretch = cell.aspect.sqrt();
             let along = direction.dot(b - a) / stretch;
             let across = direction.perp_dot(b - a) * stretch;
@@ -143,7 +141,8 @@ pub(super) fn corners(ring: &[DVec2]) -> usize {
         .count()
 }
 
-/// The root of the ratio of the principal second moments, and a vector along the long axis.
+/// The root of the ratio of the principal second moments, and a unit vector along the long axis. `None` if the ring is
+/// degenerate.
 pub(super) fn principal_axis(ring: &[DVec2]) -> Option<(f64, DVec2)> {
     let origin = *ring.first()?;
     let (mut area, mut first) = (0.0, DVec2::ZERO);

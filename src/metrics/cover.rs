@@ -19,9 +19,9 @@ pub struct Cover {
     pub outside: f64,
 }
 
-/// Fewest scan lines, evenly spaced ...
+/// Fewest scan lines. If the heights of the corners give fewer, evenly spaced lines are put between them.
 const FEWEST_LINES: f64 = 4096.0;
-/// ... and about the most.
+/// About the most scan lines.
 const MOST_LINES: f64 = 16384.0;
 
 /// An edge for the scan lines, from above to below.
@@ -30,7 +30,7 @@ struct ScanEdge {
     lower: DVec2,
     /// Change in the number of polygons that cover a point, from left to right across the edge.
     step: i32,
-    /// The same for the outline.
+    /// The change from outside (0) to inside the outline (1), from left to right across the edge.
     domain_step: i32,
 }
 
@@ -140,7 +140,7 @@ fn lines(edges: &[ScanEdge]) -> Vec<(f64, f64)> {
     lines
 }
 
-/// Areas so far.
+/// Areas so far: of the outline, of all polygons (`sum`), of their union, and of the union within the outline (`both`).
 #[derive(Default)]
 struct Lengths {
     domain: f64,
@@ -150,7 +150,7 @@ struct Lengths {
 }
 
 impl Lengths {
-    /// Adds the lengths on a line; with `cropped`, only those within the outline.
+    /// Adds the lengths on a scan line, times the height it represents; with `cropped`, only those within the outline.
     fn add_line(&mut self, crossings: &[(f64, &ScanEdge)], height: f64, cropped: bool) {
         let (mut cells, mut domain) = (0, 0);
         for w in crossings.windows(2) {

@@ -12,7 +12,7 @@ use glam::DVec2;
 pub struct Figure {
     /// Area in square picture units.
     pub area: f64,
-    /// The size of a cell with its kind and area, in picture units.
+    /// The size that a cell of this kind and area has, in picture units.
     pub size: f64,
     /// Length over width by the second moments, at least 1.
     pub aspect: f64,

@@ -14,7 +14,7 @@ const NEAR: f64 = 2.0;
 /// Quality of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshMetrics {
-    /// Elements.
+    /// The number of elements.
     pub faces: usize,
     /// Share of quadrilaterals among the elements.
     pub quads: f64,
@@ -22,18 +22,19 @@ pub struct MeshMetrics {
     pub cover: Cover,
     /// Standard deviation over mean of the elements' area.
     pub area_cv: f64,
-    /// Figures of the quadrilaterals.
+    /// Quality of the quadrilaterals; `None` if there are none.
     pub jacobian: Option<Jacobian>,
-    /// Figures of the triangles.
+    /// Quality of the triangles; `None` if there are none.
     pub triangles: Option<TriangleQuality>,
-    /// Histogram of the number of edges at inner nodes, those without an edge that has only one element.
+    /// Histogram of the number of edges at inner nodes. At an inner node, every edge has two elements.
     pub valence: Histogram,
     /// Share of inner nodes with four edges if the cell has corners, or six if not.
     pub ideal_valence: Option<f64>,
     /// Mean angle between the quadrilaterals' inner edges and the nearest boundary, up to two cells from it,
     /// 0..45 degrees (22.5 at random).
     pub quads_to_boundary: Option<f64>,
-    /// The same for the triangles' inner edges, 0..30 degrees (15 at random).
+    /// Mean angle between the triangles' inner edges and the nearest boundary, up to two cells from it, 0..30 degrees
+    /// (15 at random).
     pub triangles_to_boundary: Option<f64>,
 }
 
@@ -41,18 +42,18 @@ pub struct MeshMetrics {
 /// negative if it is not convex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jacobian {
-    /// Over all quadrilaterals.
+    /// The mean over all quadrilaterals.
     pub mean: f64,
     /// The minimum.
     pub min: f64,
-    /// How many are zero or negative.
+    /// The number of quadrilaterals whose scaled Jacobian is zero or negative.
     pub not_positive: usize,
 }
 
-/// 4 sqrt(3) area / (sum of the squared sides): 1 for an equilateral triangle.
+/// The quality of a triangle, 4 sqrt(3) area / (sum of the squared sides): 1 if it is equilateral.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleQuality {
-    /// Over all triangles.
+    /// The mean over all triangles.
     pub mean: f64,
     /// The minimum.
     pub min: f64,
@@ -79,7 +80,8 @@ pub(crate) fn angles_of([a, b, c]: [DVec2; 3]) -> [f64; 3] {
     })
 }
 
-/// The corners of an element. On a torus an element without images lies where its first node does.
+/// The corners of an element. On a torus, in a mesh without images, they are taken at the images nearest to the first
+/// corner.
 fn polygon(domain: &Domain, mesh: &Mesh, face: &Face) -> Vec<DVec2> {
     let places = face.nodes().iter().map(|&k| mesh.vertices[k as usize]);
     let first = places.clone().next().unwrap_or_default();

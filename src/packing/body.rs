@@ -8,16 +8,17 @@ use glam::DVec2;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MovingParticle<P> {
     pub particle: Particle<P>,
-    /// Velocity, in the frame of its place.
+    /// Velocity, in the tangent frame of the particle's centre.
     pub velocity: DVec2,
-    /// Factor of this cell's size over the size field.
+    /// The cell's size over the size field's value at its centre; 1 unless sizes vary.
     pub factor: f64,
-    /// Whether it moved in the last step, or is new.
+    /// Whether the cell moved in the last step. Also true for new cells, and for all cells after a
+    /// removal.
     pub has_moved: bool,
 }
 
 impl<P: Copy> MovingParticle<P> {
-    /// Moves it; its direction and size follow the fields.
+    /// Sets the centre, and takes direction, size and aspect ratio from the fields there.
     pub fn place<A: CellFields<Place = P>>(&mut self, centre: P, asked: A) {
         self.particle.centre = centre;
         self.particle.axis = asked.direction(centre);

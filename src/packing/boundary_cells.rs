@@ -8,20 +8,21 @@ use super::surroundings::PlaneDomain;
 use crate::field::Fields;
 use glam::DVec2;
 
-/// The ring is divided where it turns by more than this (cosine of 25 degrees).
+/// Corners are the points at which a ring turns by more than 25 degrees; this is the cosine.
 const CORNER: f64 = 0.906;
-/// Boundary cells nearer to each other than this (in sizes) are dropped ...
+/// A boundary cell is dropped if another cell is nearer than this, in stable distances.
 const BOUNDARY_GAP: f64 = 0.6;
-/// ... and so are those nearer to the boundary than this share of their inset, where a bend is tighter than a
-/// cell.
+/// A boundary cell is also dropped if the boundary is nearer than this share of its row's inset: there a bend is
+/// tighter than a cell.
 const BOUNDARY_CLEARANCE: f64 = 0.8;
-/// Insets of the first row, in sizes: half a cell, or less where the outline is narrow.
+/// Insets of the first row, in sizes, in the order in which they are tried: half a cell, or less where the outline is
+/// narrow.
 const DEPTHS: [f64; 4] = [0.5, 0.4, 0.3, 0.22];
 
 /// A piece of a ring between corners, as a polyline; a smooth ring is one closed piece.
 pub(super) struct RingPiece {
     points: Vec<DVec2>,
-    /// The directions of the neighbouring pieces where they meet its ends.
+    /// Unit vectors along the previous and the next piece where they meet this one; `None` if this piece is closed.
     before: Option<DVec2>,
     after: Option<DVec2>,
 }
@@ -68,8 +69,8 @@ pub(super) fn pieces(points: &[DVec2], closed: bool) -> Vec<RingPiece> {
     .collect()
 }
 
-/// The pieces of a constraint line: there and back, for a row along each side; or there only, for cells that
-/// stand on it.
+/// The pieces of a constraint line. It is followed there and back, for a row of cells along each side. If `fixed`,
+/// cells stand on the line, and it is followed only once.
 pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<RingPiece> {
     let closed = line.first() == line.last();
     let mut points = line.to_vec();
@@ -84,7 +85,7 @@ pub(super) fn line_pieces(line: &[DVec2], fixed: bool) -> Vec<RingPiece> {
     both
 }
 
-/// Evenly spaced cells along a piece: on it, or half a cell inside with mitred ends.
+/// Places evenly spaced cells along a piece: on it if `fixed`, else inside it by half a cell or less.
 pub(super) fn boundary_cells(
     placed: &mut Placed<DVec2, Grid>,
     piece: &RingPiece,
@@ -118,7 +119,7 @@ pub(super) fn boundary_cells(
     }
 }
 
-/// Where the outline is narrower than the cells: places them on its centre line, following the wall.
+/// Where the outline is narrower than a cell, places cells on its centre line, in even steps along the wall.
 fn narrow_cells(placed: &mut Placed<DVec2, Grid>, piece: &RingPiece, around: PlaneDomain) {
     let PlaneDomain { domain, fields, .. } = around;
     for (p, along) in spaced(&piece.points, fields, 0.5) {
@@ -131,8 +132,8 @@ fn narrow_cells(placed: &mut Placed<DVec2, Grid>, piece: &RingPiece, around: Pla
     }
 }
 
-/// Places along a line at whole numbers of cells, each with the line's unit vector. The first is the share
-/// `from` of a cell away from the start, the last equally far from the end.
+/// Evenly spaced places along a line that holds a whole number of cells, each with the line's unit vector. The first
+/// place is `from` cells after the start, the last as far before the end.
 fn spaced(line: &[DVec2], fields: &Fields, from: f64) -> Vec<(DVec2, DVec2)> {
     // Lengths in cells: steps are shorter where cells are smaller.
     let mut reached = vec![0.0];

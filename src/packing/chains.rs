@@ -32,7 +32,8 @@ impl Chains {
         self.head[bucket] = (self.next.len() - 1) as u32;
     }
 
-    /// Calls `visit` for every point in these buckets, until it returns true. Returns whether it did.
+    /// Calls `visit` with the number of every point in these buckets, until one call returns true. Returns whether one
+    /// did.
     #[inline]
     pub fn any(&self, buckets: Range<usize>, mut visit: impl FnMut(usize) -> bool) -> bool {
         for &first in &self.head[buckets] {

@@ -11,10 +11,10 @@ use glam::DVec2;
 /// The least distance from the boundary at which a cell is placed, in sizes.
 pub(crate) const INSIDE_CLEARANCE: f64 = 0.35;
 
-/// If the centre line of the outline is nearer to the walls than this, in sizes, cells go onto the centre
-/// line ...
+/// The outline is narrow where its centre line is nearer to the walls than this, in sizes. Cells then go onto the
+/// centre line.
 pub(crate) const NARROW: f64 = 0.4;
-/// ... but not where it is nearer than this.
+/// No cell is placed where the centre line is nearer to the walls than this, in sizes.
 pub(crate) const NARROWEST: f64 = 0.25;
 
 /// The point on the centre line at a place too narrow for a cell. `None` if there is room, or so little that

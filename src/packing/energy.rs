@@ -1,4 +1,5 @@
-//! The potential energy of all pairs, kept from step to step: late in a run most cells are at rest.
+//! The potential energy of all pairs. The potentials of pairs at rest are kept from step to step: late in a run, most
+//! cells do not move.
 
 use super::body::MovingParticle;
 use super::force::potential_between;
@@ -21,15 +22,15 @@ impl PairEnergies {
         self.pairs.clear();
     }
 
-    /// A body has moved.
+    /// Marks the potentials of a body's pairs as outdated, because the body has moved.
     pub fn has_moved(&mut self, body: usize) {
         if let Some(is_outdated) = self.is_outdated.get_mut(body) {
             *is_outdated = true;
         }
     }
 
-    /// The sum over all pairs. It computes only pairs of which one body has moved, but adds all of them in the
-    /// order of the list: the sum does not depend on when the last one was asked for.
+    /// The sum over all pairs. Only pairs with a moved body are computed anew, but all are added in the order of the
+    /// list. So the sum does not depend on earlier calls.
     pub fn sum<S: MetricSpace>(
         &mut self,
         near: &Csr<u32>,

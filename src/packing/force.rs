@@ -31,9 +31,9 @@ pub fn bubble_potential(w: f64) -> f64 {
 
 /// The interaction of two cells.
 ///
-/// Squares and circles push along the line between their centres (eq. 2); so do ellipses and rectangles, by
-/// their effective distance (Itoh, Miyata, Shimada 2003, section 5.1). Cells with corners have four more
-/// potentials there (eq. 4). For stretched cells these are evaluated in the frame in which the cells are
+/// Squares and circles push along the line between their centres (eq. 2); so do ellipses and rectangles, by their
+/// effective distance (Itoh, Miyata, Shimada 2003, section 5.1). Cells with corners have four more potentials, one at
+/// each corner (eq. 4). For stretched cells the corner potentials are evaluated in the frame in which the cells are
 /// squares.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair {
@@ -42,28 +42,29 @@ pub struct Pair {
     axis: DVec2,
     /// Sizes of the two cells.
     sizes: (f64, f64),
-    /// Whether the corners of each act.
+    /// Whether the first and the second cell have corners that act on the other.
     corners: (bool, bool),
     bubbles: CornerBubbles,
-    /// Present if one of them is stretched.
+    /// Present if at least one of the cells is stretched.
     stretch: Option<Stretch>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
     shapes: (CellShape, CellShape),
-    /// The root of the mean aspect ratio.
+    /// The square root of the mean of both aspect ratios.
     root: f64,
 }
 
 impl Pair {
-    /// The frame of two cells: the mean of the first one's axis and the second one's, turned by symmetry to
-    /// be nearest. Forces are then reciprocal.
+    /// The interaction of two cells. The axis of its frame is the mean of both cells' axes, the second turned by its
+    /// symmetry to be nearest to the first. Forces are then reciprocal.
     pub fn new(a: &Particle, b: &Particle) -> Self {
         Self::seen(a, b, IdentityTransport, CornerBubbles::PAPERS)
     }
 
-    /// The same on any domain, in the first one's frame.
+    /// The interaction of two cells on any domain, in the first cell's frame. `turn` maps vectors of the second cell's
+    /// frame into it.
     #[inline(always)]
     pub(crate) fn seen<P>(
         a: &Particle<P>,
@@ -100,7 +101,7 @@ impl Pair {
         Self { bubbles, ..self }
     }
 
-    /// The frame of two squares.
+    /// The interaction of two squares.
     #[inline(always)]
     fn squares(axes: (DVec2, DVec2), sizes: (f64, f64), bubbles: CornerBubbles) -> Self {
         Self {
@@ -117,8 +118,8 @@ impl Pair {
         0.5 * (self.sizes.0 + self.sizes.1)
     }
 
-    /// The force on the second cell, whose centre is at `r` from the first one's; the first one feels the
-    /// opposite. If sizes differ it is the mean of the two one-sided forces.
+    /// The force on the second cell, whose centre is at `r` from the first cell's; the first cell feels the opposite
+    /// force. The part of the corners is the mean over both cells' corners, 0 for a cell without corners.
     #[inline(always)]
     pub fn force(&self, r: DVec2) -> DVec2 {
         let l0 = self.stable_distance();
@@ -179,8 +180,8 @@ impl Pair {
         sum
     }
 
-    /// The penetration depth at `r`, in stable distances: 0 if they touch, edge to edge if both have corners;
-    /// negative if they are apart.
+    /// The penetration depth at `r`, in stable distances: 0 if the cells touch, negative if they are apart. It is
+    /// measured edge to edge if both have corners.
     pub fn penetration(&self, r: DVec2) -> f64 {
         if self.corners == (true, true) && self.axis != DVec2::ZERO {
             return 1.0 - self.framed(r).abs().max_element() / self.stable_distance();
@@ -258,7 +259,8 @@ impl Pair {
     }
 }
 
-/// [`bubble_potential`] at two distances, given squared, over `reach`; zero from the squared distance `farthest` on.
+/// [`bubble_potential`] of two distances divided by `reach`. `squares` are the squared distances; from `farthest` on,
+/// the potential is zero.
 #[inline(always)]
 fn two_potentials(squares: f64x2, reach: f64, farthest: f64) -> [f64; 2] {
     let w = squares.sqrt() / f64x2::splat(reach);
@@ -267,7 +269,7 @@ fn two_potentials(squares: f64x2, reach: f64, farthest: f64) -> [f64; 2] {
     (-cubic & is_felt).to_array()
 }
 
-/// The force on the second of two cells of any kinds, `r` from the first, in the first one's frame.
+/// The force on the cell `b`, which is at the offset `r` from the cell `a`; in the frame of `a`. Cells of any kinds.
 pub(super) fn force_between<P>(
     a: &Particle<P>,
     b: &Particle<P>,
@@ -277,7 +279,7 @@ pub(super) fn force_between<P>(
     Pair::seen(a, b, turn, corners).force(r)
 }
 
-/// The potential of two cells of any kinds.
+/// The potential of two cells of any kinds; `b` is at the offset `r` from `a`.
 pub(super) fn potential_between<P>(
     a: &Particle<P>,
     b: &Particle<P>,
@@ -291,8 +293,8 @@ pub(super) fn potential_between<P>(
     Pair::seen(a, b, turn, corners).potential(r)
 }
 
-/// The mean of a vector and another one, turned by the multiple of 1/`symmetry` (2 or 4) of a circle that
-/// brings it nearest; zero if one of them is zero.
+/// The unit vector midway between `e` and `f`, after `f` is turned by the multiple of 1/`symmetry` (2 or 4) of a circle
+/// that brings it nearest to `e`. Zero if `e` or `f` is zero.
 #[inline(always)]
 fn mean_axis(e: DVec2, f: DVec2, symmetry: u32) -> DVec2 {
     let (along, across) = (e.dot(f), e.perp_dot(f));
@@ -308,9 +310,9 @@ fn mean_axis(e: DVec2, f: DVec2, symmetry: u32) -> DVec2 {
     }
 }
 
-/// The factor that turns a vector of this squared length into the bubble force along it, of strength 1. It
-/// has no branches, because most pairs would take them at random. The force is exactly zero at the cut, so
-/// distances are clamped to it.
+/// The bubble force at a squared distance, divided by the distance. Times the offset vector it gives the force, in
+/// units of k0 / l0. It has no branches, because most pairs would take them at random. Distances are clamped to the
+/// cut, where the force is exactly zero.
 #[inline(always)]
 fn radial_strength(square: f64, per_reach: f64) -> f64 {
     let square = lesser(square * (per_reach * per_reach), CUT * CUT);

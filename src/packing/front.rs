@@ -9,10 +9,11 @@ use crate::random::{Purpose, Random};
 use glam::DVec2;
 use std::collections::VecDeque;
 
-/// If the front has died out, a new one starts at a place with this much room.
+/// If the front has died out, a new one starts at a place whose nearest cell is at least this far, in stable distances.
 const SEED_GAP: f64 = 0.9;
 
-/// If paths are expensive, a place with a cell nearer than this is rejected before its path is traced.
+/// If paths are expensive, a place is rejected before its path is traced if a cell is nearer to it than this, in stable
+/// distances.
 const TAKEN: f64 = 0.4;
 
 /// A front that grows from the boundary cells along the direction field, first come first served.
@@ -20,7 +21,7 @@ pub(crate) struct Front {
     queue: VecDeque<usize>,
     /// Cells that start growing when the front has died out for the first time.
     rows: VecDeque<usize>,
-    /// The row directions of honeycombs.
+    /// The row direction of each honeycomb, by the honeycomb's number.
     honeycombs: Vec<DVec2>,
     random: Random,
     /// Remaining random tries for places that the front could not reach.
@@ -39,8 +40,8 @@ impl Front {
         }
         let mut queue: VecDeque<usize> = (0..placed.cells.len()).collect();
         let mut rows = VecDeque::new();
-        // Circles have no direction of their own. One honeycomb from the centre outwards has fewer faults
-        // than rows along the boundary that meet each other. Each island has its own.
+        // Circles have no direction of their own. One honeycomb from the centre outwards has fewer faults than rows
+        // along the boundary that meet each other. Each island has its own honeycomb.
         let honeycombs = ground.honeycombs();
         let first = placed.cells.len();
         for p in ground.seeds() {
@@ -122,14 +123,15 @@ impl Front {
     }
 }
 
-/// Whether one of some cells, given by offset and shape, stands where a neighbour would touch.
+/// Whether one of the cells `beside`, given by offset and shape, stands where a neighbour would touch, at `to` (in
+/// sizes).
 pub(super) fn is_taken(shape: &CellShape, to: DVec2, beside: &[(DVec2, CellShape)]) -> bool {
     let slot = shape.size * to;
     let mut each = beside.iter();
     each.any(|(r, other)| shape.normalised_distance(other, *r - slot) < TAKEN)
 }
 
-/// The wanted places of neighbours that touch a cell.
+/// The places of neighbours that would touch a cell; only those whose offset, in sizes, passes `is_wanted`.
 pub(super) fn slots<G: PackingDomain>(
     centre: G::Place,
     shape: CellShape,

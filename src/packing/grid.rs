@@ -66,8 +66,8 @@ impl Grid {
         self.points.push(self.bucket(p));
     }
 
-    /// Calls `visit` with the number of every point that may lie within `radius` of an image of `p`, until it
-    /// returns true; then true.
+    /// Calls `visit` with the number of every point that may lie within `radius` of an image of `p`, until one call
+    /// returns true. Returns whether one did.
     pub fn any_near(
         &self,
         space: Space,

@@ -1,8 +1,8 @@
-//! A packing at any of its steps, forward and back.
+//! A packing that can be shown at any of its steps, forward and back.
 //!
-//! A kept state is the whole run with its list of neighbours: forces are summed in the order of that list, so
-//! the places alone would not give the same bits. States are kept every ten steps, and any step is made from the
-//! nearest one before it.
+//! A kept state is the whole run with its list of neighbours: forces are summed in the order of that list, so the
+//! places alone would not give the same bits. States are kept every ten steps at first. Any step is made again from the
+//! nearest kept state before it.
 
 use super::Packing;
 use super::run::Run;
@@ -10,7 +10,8 @@ use super::run::Run;
 /// Steps between two kept states.
 const EVERY: u32 = 10;
 
-/// The most bodies in all kept states together. Beyond, every second state is dropped, and ways get longer.
+/// The most bodies in all kept states together. Above this, every second state is dropped, so that going back takes
+/// more steps.
 const MOST_BODIES: usize = 200_000;
 
 /// A packing whose states can be kept.
@@ -27,18 +28,18 @@ pub trait Kept: Clone {
     /// The number of its cells.
     fn cell_count(&self) -> usize;
 
-    /// The same state without its records, and without what the next step makes anew. Only between steps.
+    /// A copy without the records and without data that the next step makes anew. Only to be called between steps.
     #[must_use]
     fn compact(&self) -> Self;
 
-    /// Takes the records up to its own step from a later state of the same run.
+    /// Copies the records up to this state's own step from a later state of the same run.
     fn take_records(&mut self, later: &Self);
 }
 
-/// A packing with the states on its way.
+/// A packing with the kept states of its run.
 #[derive(Clone, Debug)]
 pub struct History<M> {
-    /// The states after 0, `every`, 2 `every` ... steps. The records of the run are those of `latest`.
+    /// The states after 0, `every`, 2 `every` ... steps. Kept states have no records: `latest` has them all.
     kept: Vec<M>,
     every: u32,
     /// The state that is shown.
@@ -61,12 +62,12 @@ impl<M: Kept> History<M> {
         }
     }
 
-    /// The packing at the step that has been reached.
+    /// The packing at the step that is shown.
     pub fn packing(&self) -> &M {
         &self.now
     }
 
-    /// The same packing, mutable, because it caches measures such as its energy.
+    /// The shown packing, mutable because it caches measures such as its energy.
     pub fn packing_mut(&mut self) -> &mut M {
         &mut self.now
     }
@@ -87,8 +88,8 @@ impl<M: Kept> History<M> {
         }
     }
 
-    /// Goes towards the step that is asked for, by `advance`, which makes a step or a slice of one; true when it is
-    /// reached, or the run has ended.
+    /// Goes towards the step that is asked for. `advance` makes a step of the packing or a slice of one. True when the
+    /// step is reached or the run has ended.
     pub fn advance(&mut self, advance: impl FnOnce(&mut M)) -> bool {
         if self.is_there() {
             return true;
@@ -127,7 +128,7 @@ impl<M: Kept> History<M> {
 }
 
 impl<P: Copy> Run<P> {
-    /// The same state without its records, and without what the next step makes anew. Only between steps.
+    /// A copy without the records and without data that the next step makes anew. Only to be called between steps.
     pub fn compact(&self) -> Self {
         let mut kept = self.clone();
         (kept.samples, kept.changes) = (Vec::new(), Vec::new());
@@ -135,7 +136,7 @@ impl<P: Copy> Run<P> {
         kept
     }
 
-    /// Takes the records up to its own step from a later state of the same run.
+    /// Copies the records up to this state's own step from a later state of the same run.
     pub fn take_records(&mut self, later: &Self) {
         let step = self.report.step;
         let samples = later.samples.iter();

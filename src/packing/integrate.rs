@@ -17,13 +17,13 @@ use crate::order::greater;
 use glam::DVec2;
 use std::ops::Range;
 
-/// No cell moves farther than this share of its size in one step, if steps are aided.
+/// No cell moves farther than this share of its size in one step, if [`StepRule::is_aided`].
 const LONGEST_MOVE: f64 = 0.25;
-/// No cell is faster than this, in sizes for a unit of time. No sensible run comes near; numbers stay finite in
-/// one that explodes.
+/// If steps are not aided, no cell is faster than this, in sizes per unit of time. The limit only keeps numbers finite
+/// in a run that explodes.
 const FASTEST: f64 = 1e3;
-/// Moves below this share of a cell's size are not made: a cell rests while neither it nor any of its
-/// neighbours moves. The remaining force is far below the limit at which a run ends.
+/// A cell counts as moved if its last move was longer than this share of its size. It rests while neither it nor any of
+/// its neighbours has moved; the remaining force is far below the limit at which a run ends.
 const fn least_move(kind: CellKind) -> f64 {
     if matches!(kind, CellKind::Circle) {
         0.0
@@ -31,7 +31,7 @@ const fn least_move(kind: CellKind) -> f64 {
         REST
     }
 }
-/// See [`least_move`].
+/// The value of [`least_move`] for all kinds except circles.
 const REST: f64 = 0.002;
 
 /// The progress of a step.
@@ -42,17 +42,17 @@ enum Doing<P> {
     Neighbours,
     /// Next: which bodies are awake.
     Waking,
-    /// Next: the forces on this body and those after it.
+    /// Next: the forces on this body and those after it. No Runge-Kutta scheme during the first evaluation of a step.
     Forces(usize, Option<RungeKutta<P>>),
     /// Next: the moves of this body and those after it.
     Moves(usize, Vec<DVec2>),
 }
 
-/// The neighbour list and the forces.
+/// The motion of all bodies: the step in progress, the neighbour list and the forces.
 #[derive(Clone, Debug)]
 pub(super) struct Motion<P> {
     doing: Doing<P>,
-    /// The largest move and the largest force of the step so far.
+    /// The largest move and the largest force of the step so far, in sizes of the cell.
     largest: (f64, f64),
     list: NeighbourList<P>,
     /// Bodies that are not at rest.
@@ -85,7 +85,7 @@ impl<P: Copy> Motion<P> {
         self.list.forget();
     }
 
-    /// Frees what the next step makes anew. Only between steps.
+    /// Frees data that the next step makes anew. Only to be called between steps.
     pub fn compact(&mut self) {
         self.pair_data = Vec::new();
         self.energies = PairEnergies::default();
@@ -127,7 +127,8 @@ impl<P: Copy> Motion<P> {
         self.energies.sum(&self.list.near, bodies, metric, corners)
     }
 
-    /// Wakes the bodies that have moved, and their neighbours; all if none may sleep.
+    /// Marks as awake the bodies that have moved, and their neighbours; all bodies if none may sleep. Fixed bodies are
+    /// never awake.
     fn wake(&mut self, bodies: &[MovingParticle<P>], may_sleep: bool) {
         self.awake.clear();
         self.awake
@@ -143,7 +144,7 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    /// Resets the forces before the first body.
+    /// Prepares an evaluation: zero forces, and the pair data of all bodies.
     fn begin_forces(&mut self, bodies: &[MovingParticle<P>], corners: CornerBubbles) {
         let reach = corners.square_reach();
         self.forces.fill(DVec2::ZERO);
@@ -152,14 +153,15 @@ impl<P: Copy> Motion<P> {
             .extend(bodies.iter().map(|b| PairData::of(&b.particle, reach)));
     }
 
-    /// Scales the forces after the last body.
+    /// Multiplies all forces by the stiffness, at the end of an evaluation.
     fn stiffen(&mut self, stiffness: f64) {
         if stiffness != 1.0 {
             self.forces.iter_mut().for_each(|force| *force *= stiffness);
         }
     }
 
-    /// Adds the forces on the awake bodies of a range, and their reactions on later bodies.
+    /// Adds the forces between the bodies of a range and later bodies, and the walls' forces on the range. Pairs and
+    /// bodies at rest are left out. In the first evaluation of a step it also notes the distances to the walls.
     fn evaluate<G: PackingDomain<Place = P>>(
         &mut self,
         bodies: &[MovingParticle<P>],
@@ -189,7 +191,8 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    /// The later bodies that are within reach of one, if one of both is awake, with their offsets.
+    /// Finds the bodies after body `i` that are within its reach, with their offsets. Pairs with neither body awake are
+    /// left out.
     #[inline(always)]
     fn find_touching<S: MetricSpace<Place = P>>(
         &self,
@@ -214,8 +217,8 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    /// Continues a step with at most this many bodies. When the step is complete: the largest move and the
-    /// largest force on a free cell, in its size.
+    /// Continues a step with at most `portion` bodies. When the step is complete, gives the largest move and the
+    /// largest force of a free cell, in its size.
     pub fn advance<G: PackingDomain<Place = P>>(
         &mut self,
         bodies: &mut [MovingParticle<P>],
@@ -269,7 +272,7 @@ impl<P: Copy> Motion<P> {
         }
     }
 
-    /// The next part of a step, once all forces are known. A Runge-Kutta scheme computes them several times.
+    /// The next part of a step, once all forces are known. A Runge-Kutta scheme evaluates the forces four times.
     fn after_forces<G: PackingDomain<Place = P>>(
         &mut self,
         bodies: &mut [MovingParticle<P>],
@@ -300,7 +303,7 @@ impl<P: Copy> Motion<P> {
         largest
     }
 
-    /// Moves a range of bodies; keeps the largest move.
+    /// Makes the moves of a range of bodies, and updates the largest move.
     fn make_moves<G: PackingDomain<Place = P>>(
         &mut self,
         bodies: &mut [MovingParticle<P>],

@@ -1,8 +1,8 @@
 //! Measures of a packing: its energy, the net force on each cell, the alignment of cells with their
 //! neighbours, and the record of the run.
 //!
-//! The record has the energy and the largest move of every step, or of every fourth step with more than 2,000
-//! cells. It is kept whether or not anybody displays it.
+//! The record has the energy and the largest move of every step, or of every fourth step with more than 2,000 cells. It
+//! is kept even if nothing displays it.
 
 use super::body::MovingParticle;
 use super::force::{force_between, potential_between};
@@ -18,10 +18,10 @@ use glam::DVec2;
 /// The net force on a cell, and the cell's share of the energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NetForce {
-    /// The sum of all forces on it, in its size. Fixed cells have one, too.
+    /// The sum of all forces on the cell, in its size. It is given for fixed cells, too.
     pub force: DVec2,
-    /// Half the potentials (eq. 4) of its pairs, in its k0: below 0 if its neighbours hold it, above if they
-    /// press it.
+    /// Half the sum of the potentials (eq. 4) of the cell's pairs, in its k0: below 0 if its neighbours hold it, above
+    /// 0 if they press it.
     pub energy: f64,
 }
 
@@ -30,23 +30,24 @@ pub struct NetForce {
 pub struct Alignment {
     /// The mean distance of its nearest neighbours over the stable distance; 1 without neighbours.
     pub spacing: f64,
-    /// The angle between its neighbours and its axis, in degrees. For cells with corners it is that of the
-    /// rows and columns, 0..45; for ellipses that of the long axis of the neighbours' places, 0..90. `None`
-    /// for circles, and without a neighbour or an axis.
+    /// The angle between the cell's axis and its neighbours, in degrees. Cells with corners: the angle to the rows and
+    /// columns, 0..45. Ellipses: the angle to the long axis of the neighbours' offsets, 0..90. `None` for circles, and
+    /// without a neighbour or an axis.
     pub angle: Option<f64>,
 }
 
-/// With more cells than this ...
+/// With more cells than this, the energy is not recorded at every step.
 const MANY: usize = 2000;
-/// ... the energy is recorded only every this many steps.
+/// Steps between two records of the energy, with more than [`MANY`] cells.
 const STRIDE: u32 = 4;
 
-/// Neighbours in rows and columns, or the six around, are nearer than this, in stable distances.
+/// Cells nearer than this, in stable distances, count as neighbours: next in a row or column, or one of the six around
+/// a round cell.
 const NEAR: f64 = 1.25;
 
 impl<P: Copy> Run<P> {
-    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of the mean
-    /// cell's k0, from the last row of the record; computed if there is none.
+    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of the mean cell's k0. It
+    /// is taken from the last row of the record, or computed if the record is empty.
     pub fn energy<S: MetricSpace<Place = P>>(&mut self, metric: S) -> f64 {
         match self.samples.last() {
             Some(last) => last.energy.pairs,
@@ -76,7 +77,7 @@ impl<P: Copy> Run<P> {
         physics.stiffness * sum / self.mean_stiffness()
     }
 
-    /// Renews the list of pairs, unless a step is in progress, whose bodies must keep their order.
+    /// Renews the list of pairs. Does nothing during a step, because the bodies must then keep their order.
     fn refresh_pairs<S: MetricSpace<Place = P>>(&mut self, metric: S) {
         if !self.motion.is_in_a_step() {
             let corners = self.params.physics.corners;
@@ -84,8 +85,8 @@ impl<P: Copy> Run<P> {
         }
     }
 
-    /// Calls `visit` with both bodies of each pair that may touch, the offset from the first to the second,
-    /// and their indices in `bodies`.
+    /// Calls `visit` with both bodies of each pair that may touch, the offset from the first to the second with the
+    /// parallel transport, and the bodies' indices in `bodies`.
     pub(super) fn each_pair<S: MetricSpace<Place = P>>(
         &mut self,
         metric: S,
@@ -156,8 +157,8 @@ impl<P: Copy> Run<P> {
 }
 
 impl Packing {
-    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of the mean
-    /// cell's k0, from the last row of the record; computed if there is none.
+    /// The potential energy of the cells among each other (eq. 4 summed over pairs), in units of the mean cell's k0. It
+    /// is taken from the last row of the record, or computed if the record is empty.
     pub fn energy(&mut self, domain: &Domain) -> f64 {
         self.run.energy(domain)
     }
@@ -177,8 +178,8 @@ impl Packing {
         self.run.alignments(domain)
     }
 
-    /// The cell that contains this place, and its index among all cells in the order of ids. If several do,
-    /// the one whose centre is nearest in its own metric.
+    /// The cell that contains this place, after its index among all cells in the order of ids. If several contain the
+    /// place, the cell whose centre is nearest in its own metric.
     pub fn at(&self, domain: &Domain, p: DVec2) -> Option<(usize, Particle)> {
         let bodies = &self.run.bodies;
         let mut best: Option<(f64, &Particle)> = None;
@@ -200,8 +201,8 @@ impl Packing {
 struct Around {
     count: f64,
     far: f64,
-    /// For cells with corners, the sum of fourth powers of the unit vectors to neighbours, in the frame in
-    /// which the cell is a square; for others, the sum of squared offsets.
+    /// For cells with corners, the sum of the fourth powers (as complex numbers) of the unit vectors to neighbours, in
+    /// the frame in which the cell is a square. For other cells, the sum of the squared offsets.
     turn: DVec2,
 }
 

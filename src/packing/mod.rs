@@ -1,9 +1,8 @@
 //! Packs cells of all kinds into the outline by the forces between them.
 //!
-//! The folders follow Miyata, Itoh, Shimada (2000), section 4: cells along the boundary and inside it
-//! (`placement`), forces between neighbours (`force`) and from the walls (`wall`), the equation of motion
-//! (`integrate`), population control (`population`). A [`Packing`] advances one step at a time; it knows
-//! nothing of clocks or frames.
+//! The modules follow Miyata, Itoh, Shimada (2000), section 4: cells along the boundary and inside it (`placement`),
+//! forces between neighbours (`force`) and from the walls (`wall`), the equation of motion (`integrate`), population
+//! control (`population`). A [`Packing`] advances one step at a time; it knows nothing of clocks or frames.
 //!
 //! Particles are sorted by the neighbour grid's buckets whenever the neighbour list is made, so that
 //! neighbours in the plane are close in memory. Their ids stay. Whatever might depend on the order
@@ -97,18 +96,18 @@ use surroundings::PlaneDomain;
 pub struct Particle<P = DVec2> {
     /// The cell's number in order of creation, never reused.
     pub id: u32,
-    /// Its centre; in the plane, in picture units.
+    /// The cell's centre; in the plane, in picture units.
     pub centre: P,
-    /// Its shape.
+    /// The cell's kind, which defines its shape.
     pub kind: CellKind,
-    /// The side of its square or the diameter of its circle. A stretched cell has the half axes `size / 2`
-    /// times and divided by the root of `aspect`.
+    /// The side of a square or the diameter of a circle. A stretched cell's half axes are `size / 2` times the root of
+    /// `aspect`, along `axis`, and `size / 2` over that root, across.
     pub size: f64,
     /// Length along `axis` over width; 1 for squares and circles.
     pub aspect: f64,
     /// Unit vector along a side, in the frame of the centre; zero where the direction field vanishes.
     pub axis: DVec2,
-    /// Its centre is held on the boundary.
+    /// Whether the centre is held in place, as on the boundary.
     pub fixed: bool,
 }
 
@@ -151,7 +150,7 @@ impl Packing {
         self.run.particles()
     }
 
-    /// The cells in the outline, in the order of their ids. Only an open outline can be left.
+    /// The cells in the outline, in the order of their ids. Cells can leave only an open outline.
     pub fn particles_within(&self, domain: &Domain) -> Vec<Particle> {
         let is_open = self.run.params.boundary == BoundaryCondition::Open;
         let mut particles = self.particles();
@@ -186,7 +185,7 @@ impl Packing {
     }
 }
 
-/// An upper bound of the length of any cell in this outline.
+/// The greatest length that a cell can have in this outline, from the fields at 17 x 17 places and the variance.
 fn greatest_length(domain: &Domain, fields: &Fields, params: &PackingParams) -> f64 {
     let (lo, hi) = domain.bounds();
     let mut largest = 0.0_f64;

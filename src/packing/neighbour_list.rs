@@ -6,11 +6,11 @@ use super::shape::CellShape;
 use crate::csr::Csr;
 use glam::DVec2;
 
-/// Margin of the neighbour list beyond the reach of forces, in the largest size. The list is renewed when a
-/// cell has moved half as far (Verlet 1967).
+/// Margin of the neighbour list beyond the reach of forces, in sizes of the largest cell. The list is renewed when a
+/// cell has moved by half the margin (Verlet 1967).
 const VERLET_MARGIN: f64 = 0.25;
 
-/// For each body, the later ones that it may touch.
+/// For each body, the bodies after it that it may touch.
 #[derive(Clone, Debug)]
 pub(super) struct NeighbourList<P> {
     /// For each body, its neighbours with higher numbers.
@@ -36,7 +36,7 @@ impl<P: Copy> NeighbourList<P> {
         self.made_at.clear();
     }
 
-    /// Whether the neighbour list is still valid.
+    /// Whether the neighbour list is still valid: no body has moved by half the margin.
     fn is_fresh<S: MetricSpace<Place = P>>(&self, bodies: &[MovingParticle<P>], metric: S) -> bool {
         let limit = 0.25 * self.margin * self.margin;
         let mut each = bodies.iter().zip(&self.made_at);
@@ -74,8 +74,8 @@ impl<P: Copy> NeighbourList<P> {
         true
     }
 
-    /// The bodies are sorted by bucket, so a range of buckets is a range of bodies. Only bodies after the
-    /// body itself are looked at.
+    /// Collects the pairs that may touch. The bodies are sorted by bucket, so a range of buckets is a range of bodies.
+    /// For each body, only bodies after it are tested.
     fn collect_pairs<S: MetricSpace<Place = P>>(
         &mut self,
         bodies: &[MovingParticle<P>],
@@ -117,7 +117,8 @@ impl<P: Copy> NeighbourList<P> {
     }
 }
 
-/// Whether a wall separates two cells at offset `r`. Cells fixed on a constraint line see both its sides.
+/// Whether a wall separates two cells at offset `r`. A constraint line does not separate a pair with a fixed cell,
+/// because that cell may stand on the line.
 fn is_walled_off<S: MetricSpace>(
     body: &MovingParticle<S::Place>,
     other: &MovingParticle<S::Place>,
@@ -136,7 +137,7 @@ fn sort_by_bucket<P: Copy>(
 ) -> Vec<u32> {
     let buckets = bodies.iter().map(|b| grid.bucket(b.particle.centre));
     let buckets: Vec<usize> = buckets.collect();
-    // Numbers are sorted, because bodies are large.
+    // Sorts the bodies' numbers, because bodies are large.
     let mut order = Csr::from_pairs(grid.buckets(), buckets.iter().copied().zip(0..));
     for bucket in 0..grid.buckets() {
         let row = order.row_mut(bucket);

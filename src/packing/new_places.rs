@@ -8,18 +8,17 @@ use super::shape::CellShape;
 use super::transport::ParallelTransport;
 use glam::DVec2;
 
-/// Rows and columns: a cell is added in the widest gap of a row whose summed slack exceeds this, in stable
-/// distances, ...
+/// A row or column is loose if its summed slack exceeds this, in stable distances. A cell is added in its widest gap.
 const LOOSE: f64 = 0.6;
-/// ... over this many gaps on each side ...
+/// The slack is summed over this many gaps on each side of the widest gap.
 const WINDOW: usize = 3;
-/// ... if that gap is at least this wide ...
+/// The widest gap of a loose row takes a cell only if its ends are at least this far apart, in stable distances.
 const GAP: f64 = 1.2;
-/// ... and its midpoint at least this far from all cells.
+/// The midpoint of that gap must be at least this far from all cells, in stable distances.
 const SQUEEZED: f64 = 0.58;
-/// Bodies at most this far apart touch and leave no gap.
+/// Bodies at most this far apart, in stable distances, touch and leave no gap.
 const TOUCHING: f64 = 1.15;
-/// The next cell of a row is at most this far from where it would touch.
+/// The next cell of a row is at most this far from the place where it would touch, in stable distances.
 const ROW: f64 = 0.55;
 
 /// A candidate place for a new cell.
@@ -27,7 +26,7 @@ pub(super) struct CandidatePlace<P> {
     place: P,
     /// The shape of a cell at that place.
     shape: CellShape,
-    /// The least distance to all cells, in stable distances.
+    /// The least distance to all cells that the place needs, in stable distances.
     room: f64,
 }
 
@@ -49,16 +48,16 @@ fn clear_of_walls<G: PackingDomain>(place: G::Place, shape: &CellShape, ground: 
 /// The next body of a row.
 struct NextInRow {
     body: usize,
-    /// The offset to it, and the same offset continued from it.
+    /// The offset to it from the body before; `onwards` is that offset in the frame of `body`, to continue the row.
     way: DVec2,
     onwards: DVec2,
-    /// The distance to it, in stable distances.
+    /// The length of `way`, in stable distances.
     far: f64,
 }
 
 impl<G: PackingDomain> ScanInputs<'_, G> {
-    /// The place opposite a body's nearest neighbour, at its stable distance; `None` outside, and beside
-    /// another new cell, because two in one place would never part.
+    /// The place opposite a body's nearest neighbour, at the stable distance. `None` where there is no room, and beside
+    /// another new cell, because two cells in one place would never part.
     pub(super) fn opposite(&self, i: usize, add: &[G::Place]) -> Option<G::Place> {
         let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let metric = self.ground.metric();
@@ -107,7 +106,7 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
         sites
     }
 
-    /// The bodies that touch one, as seen from it.
+    /// The bodies that touch body `i`, by offset and shape in its frame.
     fn beside(&self, i: usize) -> Vec<(DVec2, CellShape)> {
         let mut beside = Vec::with_capacity(8);
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
@@ -188,7 +187,7 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
         (slack > LOOSE).then(|| middle().0)
     }
 
-    /// The next body of a row: the one at the place where it would touch this one.
+    /// The body after `i` in a row: the body nearest to `to`, the place where a neighbour would touch.
     fn next(&self, i: usize, to: G::Place) -> Option<NextInRow> {
         let (centre, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut best = None;

@@ -1,5 +1,5 @@
-//! Numbers of a packing at the step that it has reached: of each cell with its neighbours, and its energy by
-//! parts. And a hash of the whole state.
+//! Numbers of a packing at its present step: each cell with its neighbours, the energy by parts, and a hash of the
+//! whole state.
 
 use super::body::MovingParticle;
 use super::force::{force_between, potential_between};
@@ -25,18 +25,18 @@ pub struct CellNumbers {
     pub size: f64,
     /// Whether its centre is held.
     pub is_held: bool,
-    /// Its velocity, in sizes for a unit of time.
+    /// Its velocity, in sizes per unit of time.
     pub velocity: DVec2,
     /// The sum of all forces on it, in sizes.
     pub force: DVec2,
-    /// Half the potentials of its pairs, in its k0.
+    /// Half the sum of the potentials of its pairs, in its k0.
     pub energy: f64,
     /// The cells that it touches or may touch, by their ids.
     pub neighbours: Vec<NeighbourNumbers>,
 }
 
 impl CellNumbers {
-    /// The smallest w between it and a neighbour; `None` without neighbours.
+    /// The smallest distance w to a neighbour, in stable distances; `None` without neighbours.
     pub fn smallest(&self) -> Option<f64> {
         let each = self.neighbours.iter().map(|near| near.w);
         each.reduce(f64::min)

@@ -49,14 +49,15 @@ pub(crate) trait MetricSpace: Copy {
     fn log(self, from: Self::Place, to: Self::Place) -> Option<(DVec2, Self::Transport)>;
     /// The images of a place that may be within reach of places in the domain.
     fn images(self, p: Self::Place, reach: f64) -> impl Iterator<Item = Self::Place>;
-    /// The offset from an image, if no other image is nearer; `None` if it is certainly longer than `reach`.
+    /// The offset to a place from an image of another place. `None` if another image is nearer, or if the offset is
+    /// certainly longer than `reach`.
     fn log_from(
         self,
         image: Self::Place,
         to: Self::Place,
         reach: f64,
     ) -> Option<(DVec2, Self::Transport)>;
-    /// The same from a place itself, to the nearest image.
+    /// The offset from a place to the nearest image of another one. `None` if it is certainly longer than `reach`.
     fn log_within(
         self,
         from: Self::Place,
@@ -66,9 +67,9 @@ pub(crate) trait MetricSpace: Copy {
     /// The place at the end of a straight path that ignores walls, and the parallel transport to it (the
     /// exponential map).
     fn exp(self, from: Self::Place, by: DVec2) -> (Self::Place, Self::Transport);
-    /// The representative of a place, if places repeat.
+    /// The representative of a place if places repeat, as on a torus.
     fn wrap(self, p: Self::Place) -> Self::Place;
-    /// The distance a cell has moved.
+    /// The distance between two places of a cell, before and after a move.
     fn distance(self, from: Self::Place, to: Self::Place) -> f64;
     /// Whether a cell has moved at least this far; `square` is the squared distance.
     fn has_left(self, from: Self::Place, to: Self::Place, square: f64) -> bool;
@@ -77,15 +78,15 @@ pub(crate) trait MetricSpace: Copy {
     fn is_parted(self, p: Self::Place, r: DVec2) -> bool;
     /// Whether a constraint line separates a place from another one at offset `r`.
     fn crosses_line(self, p: Self::Place, r: DVec2) -> bool;
-    /// Whether they belong to parts that do not interact.
+    /// Whether two places belong to parts that do not interact.
     fn is_gap_between(self, p: Self::Place, q: Self::Place) -> bool;
 
     /// A spatial hash over the whole domain.
     fn grid(self, step: f64) -> Self::Hash;
     /// A spatial hash over these places.
     fn grid_around(self, places: impl Iterator<Item = Self::Place>, step: f64) -> Self::Hash;
-    /// Calls `visit` with the number of every place that may lie within `radius`, until it returns true; then
-    /// true.
+    /// Calls `visit` with the number of every place that may lie within `radius`, until one call returns true. Returns
+    /// whether one did.
     fn any_near(
         self,
         grid: &Self::Hash,
@@ -102,7 +103,7 @@ pub(crate) trait Boundary: Copy {
 
     /// Whether walls may be within reach of a place.
     fn is_near(self, p: Self::Place) -> bool;
-    /// The reach of the walls.
+    /// The greatest distance at which closest points are found.
     fn reach(self) -> f64;
     /// The closest points of the walls within reach of a place, nearest first; overwrites `feet`.
     fn closest_points(self, p: Self::Place, reach: f64, feet: &mut Vec<Self::ClosestPoint>);
@@ -114,17 +115,17 @@ pub(crate) trait PackingDomain: Copy {
     type Fields: CellFields<Place = Self::Place>;
     type Metric: MetricSpace<Place = Self::Place>;
     type Walls: Boundary<Place = Self::Place>;
-    /// The constants of the run.
+    /// The schedule of a run, and the size of a packing.
     const TUNING: Tuning = TUNING;
 
     fn fields(self) -> Self::Fields;
     fn metric(self) -> Self::Metric;
     fn walls(self) -> Self::Walls;
-    /// Whether cells have their centres or their edges on the boundary.
+    /// How the cells meet the boundary.
     fn boundary(self) -> BoundaryCondition;
 
-    /// The place of a cell after a move, held inside by the walls, and the parallel transport to it.
-    /// `is_clear`: no wall is near.
+    /// The place of a cell after a move, held inside by the walls, and the parallel transport to it. `is_clear`: the
+    /// move certainly stays clear of all walls.
     fn moved(
         self,
         from: Self::Place,
@@ -134,7 +135,7 @@ pub(crate) trait PackingDomain: Copy {
     ) -> (Self::Place, TransportOf<Self>);
     /// Whether the walls leave room for a cell at this place.
     fn has_room(self, p: Self::Place) -> bool;
-    /// If a place is too narrow for a cell, the point midway between the walls.
+    /// If a place is too narrow for a cell, the point midway between the walls; otherwise `None`.
     fn middle_of_narrow(self, p: Self::Place) -> Option<Self::Place>;
 
     /// Centres of the parts without any of these cells.

@@ -1,4 +1,4 @@
-//! The forces of one body on those that it touches.
+//! The forces of one body on the bodies that it touches.
 
 use super::Particle;
 use super::body::MovingParticle;
@@ -9,13 +9,13 @@ use super::transport::ParallelTransport;
 use crate::field::CellKind;
 use glam::DVec2;
 
-/// The inputs to the force of most pairs, close together in memory.
+/// The data of a body that the forces of most pairs need, close together in memory.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PairData<P> {
     pub centre: P,
     axis: DVec2,
     size: f64,
-    /// Two cells do not touch if they are farther apart than the sum of their reaches.
+    /// Two cells do not touch if they are farther apart than the sum of their reaches; infinite for stretched cells.
     pub reach: f64,
     is_square: bool,
 }

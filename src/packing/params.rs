@@ -7,11 +7,11 @@ use glam::DVec2;
 /// How the cells meet the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundaryCondition {
-    /// The cells' edges lie on it: a soft wall pushes them to half a cell from it.
+    /// The cells' edges lie on the boundary: a soft wall pushes the centres to half a cell from it.
     Wall,
-    /// The cells' centres lie on it and are fixed, as in the papers.
+    /// Cells along the boundary have their centres on it and are fixed, as in the papers.
     On,
-    /// Not at all: there are no walls, and cells may leave the outline.
+    /// There are no walls, and cells may leave the outline.
     Open,
 }
 
@@ -42,7 +42,7 @@ pub enum Integrator {
     SemiImplicit,
     /// Fourth-order Runge-Kutta, as in the papers: four evaluations a step.
     RungeKutta,
-    /// Explicit Euler: one evaluation a step, and unstable where the others are not.
+    /// Explicit Euler: one evaluation a step. It is unstable at time steps at which the other two are stable.
     Euler,
 }
 
@@ -51,9 +51,10 @@ pub enum Integrator {
 pub enum Population {
     /// A cell is added where another one has an empty neighbouring place.
     Slots,
-    /// The papers' rule: a cell is added beside one whose nearest neighbour is far, where a place is empty.
+    /// The papers' rule, at empty places only: a cell is added beside a cell whose nearest neighbour is far.
     Smallest,
-    /// The papers' rule alone: the cell is added opposite that neighbour, whether or not the place is empty.
+    /// The papers' rule alone: if a cell's nearest neighbour is far, a cell is added opposite that neighbour, even if
+    /// the place is not empty.
     Opposite,
     /// The number of cells does not change.
     Off,
@@ -68,9 +69,9 @@ pub struct PackingParams {
     pub start: Start,
     /// The number of cells that start at random places; 0 for as many as have room.
     pub count: u32,
-    /// The cells at the start, instead of all others; empty if they are placed by rule.
+    /// The cells at the start: if there are any, no other cells are placed. Empty if cells are placed by `start`.
     pub given: Vec<GivenCell>,
-    /// How far free cells are displaced at the start, at most, in sizes: 0..2.
+    /// The greatest random displacement of a free cell at the start, in sizes: 0..2.
     pub jolt: f64,
     /// How the equation of motion is integrated.
     pub integrator: Integrator,
@@ -106,13 +107,13 @@ impl Default for PackingParams {
     }
 }
 
-/// The schedule of a run, and the size of a packing; [`Physics`] has the constants that a recipe may change.
+/// The schedule of a run, and the greatest size of a packing; [`Physics`] has the constants that a recipe may change.
 pub(crate) struct Tuning {
     /// A run does not end before this many steps.
     pub least_steps: u32,
-    /// Interval of population control, in steps ...
+    /// Interval of population control, in steps.
     pub population_every: u32,
-    /// ... and its last step.
+    /// The last step with population control.
     pub population_until: u32,
     /// The step at which cooling begins.
     pub cooling_from: u32,

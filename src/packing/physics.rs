@@ -11,14 +11,14 @@ use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 /// The four corner bubbles of cells with corners (eq. 4).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CornerBubbles {
-    /// Weight of their potentials.
+    /// Weight of the corner bubbles' potentials.
     pub weight: f64,
-    /// The distance from a corner at which its force ends, over that of the papers' corner bubbles.
+    /// The range of a corner's force, over the range of the papers' corner bubbles.
     reach: f64,
 }
 
 impl CornerBubbles {
-    /// Those of the papers: weight and radius are sqrt 2 - 1.
+    /// The corner bubbles of the papers: weight and radius are sqrt 2 - 1.
     pub const PAPERS: Self = Self {
         weight: SQRT_2 - 1.0,
         reach: 1.0,
@@ -31,8 +31,8 @@ impl CornerBubbles {
         Self { weight, reach }
     }
 
-    /// The stable distance of a corner and a neighbour, whose sizes are given: for equal sizes d and the
-    /// papers' radius it is d / sqrt 2, so that the neighbour touches along an edge.
+    /// The stable distance of a corner from a neighbour's centre, for two cells of these sizes. For equal sizes d and
+    /// the papers' radius it is d / sqrt 2, so that the neighbour touches along an edge.
     #[inline(always)]
     pub(super) fn stable_distance(self, (a, b): (f64, f64)) -> f64 {
         self.reach
@@ -50,9 +50,9 @@ impl CornerBubbles {
     }
 }
 
-/// The constants of a packing. While one of them differs from [`Physics::DEFAULT`], all that only saves time or
-/// smooths is off: the limit of a move, the sleep of cells, and cooling. An explosion then looks like one, and
-/// small time steps do not fall asleep.
+/// The constants of a packing. While one of them differs from [`Physics::DEFAULT`], all aids that save time or smooth
+/// are off: the limit of a move, the sleep of cells, and cooling. So an unstable run visibly explodes, and cells that
+/// move little in short time steps do not fall asleep.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Physics {
     /// Viscous damping c, 0..; by default 2, and 0.2 for circles.
@@ -65,14 +65,15 @@ pub struct Physics {
     pub time_step: Option<f64>,
     /// The corner bubbles.
     pub corners: CornerBubbles,
-    /// A cell is removed if its smallest w is below this; by default it depends on the kind.
+    /// A cell is removed if its nearest neighbour is nearer than this, in stable distances (w); by default it depends
+    /// on the kind.
     pub crowded: Option<f64>,
-    /// A cell is added where the nearest one is at least this far, in stable distances: from an empty place, or
-    /// by the papers' rule from another cell. By default it depends on the rule and the kind.
+    /// The least distance for a new cell, in stable distances: from its place to the nearest cell, or by the papers'
+    /// rule from a cell to its nearest neighbour. By default it depends on the rule and the kind.
     pub roomy: Option<f64>,
-    /// A run ends when no force is larger than this, in sizes ...
+    /// A run ends when no force is larger than this and no move larger than `move_end`. In sizes.
     pub force_end: f64,
-    /// ... and no move of the last step larger than this, in sizes.
+    /// The limit of the moves of the last step, in sizes; see `force_end`.
     pub move_end: f64,
     /// A run ends at this step in any case.
     pub most_steps: u32,

@@ -8,7 +8,7 @@ use glam::DVec2;
 /// The front takes a place if its nearest cell is at least this far, in stable distances.
 pub(crate) const FRONT_GAP: f64 = 0.75;
 
-/// The cells, with the grid that finds them.
+/// The cells, with the spatial hash that finds them.
 pub(crate) struct Placed<P, B> {
     pub cells: Vec<P>,
     shapes: Vec<CellShape>,
@@ -44,7 +44,8 @@ impl<P: Copy, B: SpatialHash<P>> Placed<P, B> {
         }
     }
 
-    /// The cells nearer than a number of stable distances, as offsets and shapes seen from a place.
+    /// The cells that may be nearer to a place than `far` stable distances, as offsets and shapes
+    /// in its frame.
     pub fn beside<G: PackingDomain<Place = P, Metric: MetricSpace<Hash = B>>>(
         &self,
         ground: G,

@@ -35,14 +35,14 @@ enum Inside {
     Front(Front),
     Quadtree(Quadtree),
     Random(RandomPlaces),
-    /// Not at all: all cells are given.
+    /// Not filled: all cells are given.
     Given,
 }
 
 /// Random places in the outline.
 struct RandomPlaces {
     random: Random,
-    /// How many are still missing.
+    /// The number of cells still to be placed.
     missing: u32,
     /// Remaining tries, because most of the box may lie outside.
     tries: u32,
@@ -183,7 +183,7 @@ pub(super) fn walls(domain: &Domain, fields: &Fields, params: &PackingParams) ->
     )
 }
 
-/// The given cells that have a place: those in the outline, unless it is open.
+/// The given cells that are used: those in the outline, or all if it is open.
 fn kept<'a>(around: PlaneDomain<'a>, cells: &'a [GivenCell]) -> impl Iterator<Item = GivenCell> {
     let is_open = around.boundary == BoundaryCondition::Open;
     let kept = cells.iter().copied();

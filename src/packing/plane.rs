@@ -241,10 +241,10 @@ impl<'a> PackingDomain for PlaneDomain<'a> {
     }
 }
 
-/// Cells that leave an open outline come no farther than this, in sides of its box.
+/// Cells that leave an open outline get no farther than this from its bounding box, in longer sides of the box.
 const FARTHEST: f64 = 8.0;
 
-/// The place itself, unless it is very far outside the outline.
+/// The place, clamped to within [`FARTHEST`] of the outline's bounding box.
 fn keep_near(p: DVec2, domain: &Domain) -> DVec2 {
     let (lo, hi) = domain.bounds();
     let around = DVec2::splat(FARTHEST * (hi - lo).max_element());
@@ -264,7 +264,7 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: CellShape, around: Plan
     let mut centre = to;
     let least = CLOSEST * shape.extent(near.inward);
     if near.distance < least {
-        // If the outline is narrower than that, onto its centre line.
+        // To the least distance; if the outline is narrower than that, to its centre line.
         let depth = domain.medial_depth(near.point, near.inward, least);
         centre = if depth > 0.0 {
             near.point + near.inward * depth
@@ -288,8 +288,8 @@ pub(super) fn keep_inside(from: DVec2, to: DVec2, shape: CellShape, around: Plan
     domain.space().wrap(centre)
 }
 
-/// The direction along which most of the boundary lies, for a honeycomb's rows. It is six-fold: a sixth of
-/// the angle of the mean six-fold vector. Without a boundary, the direction of the fields.
+/// The direction along which most of the boundary lies, for a honeycomb's rows. It has six-fold symmetry, so segments
+/// are averaged at six times their angles. Without a boundary it is the direction of the fields.
 fn along_most(domain: &Domain, fields: &Fields) -> DVec2 {
     if domain.segments().is_empty() {
         return fields.direction(DVec2::ZERO);

@@ -1,10 +1,10 @@
 //! Adds cells where there is room and removes them where they are crowded.
 //!
-//! Miyata, Itoh, Shimada (2000), section 4.3; the rule by the smallest w is that of Itoh, Miyata, Shimada
-//! (2003), section 5.1. Attraction keeps the smallest w near 1 even beside the largest gaps. So by default
-//! the places around a cell, four for squares and six for round cells, are tested for an empty one instead.
-//! Rows and columns hold a whole number of cells. The remaining length may be spread over several gaps, none
-//! as wide as a cell, so rows are also measured over several cells.
+//! Miyata, Itoh, Shimada (2000), section 4.3; the rule by the smallest w, the distance to the nearest cell in stable
+//! distances, is that of Itoh, Miyata, Shimada (2003), section 5.1. Attraction keeps the smallest w near 1 even beside
+//! the largest gaps. So by default the places around a cell, four for squares and six for round cells, are tested for
+//! an empty one instead. Rows and columns hold a whole number of cells. The remaining length may be spread over several
+//! gaps, none as wide as a cell, so rows are also measured over several cells.
 
 use super::body::MovingParticle;
 use super::packing_domain::{HashOf, MetricSpace, PackingDomain, SpatialHash, TransportOf};
@@ -14,9 +14,9 @@ use crate::field::CellKind;
 use crate::order;
 use glam::DVec2;
 
-/// Two limits in stable distances: a cell is removed if its nearest neighbour is nearer than the first, and
-/// one is added at a place if the nearest is at least as far as the second. Round cells have six neighbours that share a
-/// gap: they accept a smaller gap, because all six make room.
+/// Two limits in stable distances. A cell is removed if its nearest neighbour is nearer than the first. A cell is added
+/// at a place whose nearest cell is at least as far as the second. Round cells are added in smaller gaps, because all
+/// six cells around a gap make room.
 const fn limits(kind: CellKind) -> (f64, f64) {
     if kind.has_corners() {
         (0.66, 0.72)
@@ -24,7 +24,7 @@ const fn limits(kind: CellKind) -> (f64, f64) {
         (0.74, 0.63)
     }
 }
-/// The papers' rule adds a cell beside one whose nearest neighbour is farther than this.
+/// The papers' rule adds a cell beside one whose nearest neighbour is at least this far, in stable distances.
 const LONELY: f64 = 1.02;
 /// The largest share of the cells that is removed, or added, at once.
 const MOST_CHANGED: f64 = 0.1;
@@ -45,13 +45,13 @@ pub(crate) struct PopulationScan<P, B> {
     nearest: Vec<f64>,
     /// Bodies in the order of ids: the order in memory depends on all moves.
     order: Vec<usize>,
-    /// How many of these have been scanned.
+    /// The number of bodies of `order` that have been scanned.
     seen: usize,
     most: usize,
     change: Change<P>,
 }
 
-/// The bodies that a scan looks at, and what it knows of them.
+/// The data that a scan reads: the bodies, their shapes, and the spatial hash that finds them.
 pub(super) struct ScanInputs<'a, G: PackingDomain> {
     pub(super) ground: G,
     pub(super) bodies: &'a [MovingParticle<G::Place>],
@@ -91,8 +91,8 @@ impl<P: Copy, B: SpatialHash<P>> PopulationScan<P, B> {
         }
     }
 
-    /// Scans a number of bodies, which must not change during the scan; gives the change when all have been
-    /// scanned.
+    /// Scans the next `portion` bodies; gives the change when all have been scanned. The bodies must not change during
+    /// the scan.
     pub fn advance<G>(
         &mut self,
         ground: G,
@@ -155,7 +155,7 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
         self.params.physics.crowded.unwrap_or(limits(kind).0)
     }
 
-    /// The least distance of an empty place to all cells.
+    /// The least distance of an empty place to all cells, in stable distances.
     pub(super) fn room(&self, kind: CellKind) -> f64 {
         let asked = self.params.physics.roomy;
         let asked = asked.filter(|_| self.params.population == Population::Slots);
@@ -167,7 +167,7 @@ impl<G: PackingDomain> ScanInputs<'_, G> {
         self.params.physics.roomy.unwrap_or(LONELY)
     }
 
-    /// The smallest w between a body and the others (2 if none is near).
+    /// The smallest w between a body and all other bodies (2 if none is near).
     fn nearest(&self, i: usize) -> f64 {
         let (at, shape) = (self.bodies[i].particle.centre, &self.shapes[i]);
         let mut least = 2.0_f64;

@@ -8,11 +8,11 @@ use crate::domain::Domain;
 use crate::field::Fields;
 use glam::DVec2;
 
-/// The least distance between a new cell and the others.
+/// The least distance between a new cell and all other cells, in stable distances.
 const LEAF_GAP: f64 = 0.6;
 
-/// One cell at the centre of every leaf. A square is divided while it is larger than the size field at its
-/// centre. For a constant size the leaves have exactly that size.
+/// One cell at the centre of every leaf. A square is divided while its side is more than sqrt 2 times the size field at
+/// its centre. For a constant size the leaves have exactly that size.
 pub(super) struct Quadtree {
     /// A stack of squares to visit: corner and side.
     open: Vec<(DVec2, f64)>,

@@ -1,4 +1,4 @@
-//! Reports of a run: on its last step, and on those before.
+//! Reports of a run: the result of the last step, the record of all steps, and the changes of the population.
 
 use glam::DVec2;
 
@@ -38,7 +38,7 @@ pub struct EnergyParts {
 }
 
 impl EnergyParts {
-    /// The sum of the parts, which damping alone changes.
+    /// The sum of the parts; in exact motion of the same cells, only damping changes it.
     pub fn sum(&self) -> f64 {
         self.pairs + self.walls + self.motion
     }
@@ -58,12 +58,12 @@ pub struct Sample {
 /// A cell that came or went after the first placement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PopulationChange<P = DVec2> {
-    /// After how many steps.
+    /// The steps made when it came or went.
     pub step: u32,
     /// The cell's number.
     pub id: u32,
-    /// Its centre then; in the plane, in picture units.
+    /// The cell's centre when it came or went; in the plane, in picture units.
     pub centre: P,
-    /// Whether it came.
+    /// True if the cell came, false if it went.
     pub came: bool,
 }

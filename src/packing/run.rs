@@ -13,8 +13,8 @@ use crate::order;
 use crate::random::{Purpose, Random};
 use glam::DVec2;
 
-/// A run flies apart if a cell moves farther than this in a step, in sizes: neighbours attract each other for
-/// half a size.
+/// A run flies apart if a cell moves farther than this in a step, in sizes: neighbours attract each other up to half a
+/// size beyond their stable distance.
 const FLIGHT: f64 = 0.5;
 
 /// A packing in progress, without its domain.
@@ -34,7 +34,7 @@ pub(crate) struct Run<P> {
 }
 
 impl<P: Copy> Run<P> {
-    /// Starts with these centres, each with whether it is fixed.
+    /// Starts a run with cells at these centres. The second of each pair tells whether the cell is fixed.
     pub fn of<A: CellFields<Place = P>>(
         cells: impl Iterator<Item = (P, bool)>,
         asked: A,
@@ -86,8 +86,8 @@ impl<P: Copy> Run<P> {
         }
     }
 
-    /// Displaces each free cell at random, by at most the jolt in its size. Where the walls leave no room, it
-    /// stays.
+    /// Displaces each free cell at random, by at most `jolt` times its size. A cell stays if the walls leave no room at
+    /// the new place.
     pub fn jolt<G: PackingDomain<Place = P>>(&mut self, ground: G) {
         let PackingParams { jolt, seed, .. } = self.params;
         let is_open = ground.boundary() == BoundaryCondition::Open;
@@ -171,7 +171,7 @@ impl<P: Copy> Run<P> {
         true
     }
 
-    /// Cooling steps that have passed at a step.
+    /// The number of cooling steps up to and including `step`.
     fn late<G: PackingDomain<Place = P>>(step: u32) -> u32 {
         step.saturating_sub(G::TUNING.cooling_from)
     }
@@ -184,7 +184,7 @@ impl<P: Copy> Run<P> {
         StepRule { pace, ..rule }
     }
 
-    /// Whether the last step was small enough to end the run.
+    /// Whether the moves and forces of the last step are small enough to end the run.
     fn is_small<G: PackingDomain<Place = P>>(&self) -> bool {
         let (last, physics) = (&self.report, &self.params.physics);
         let cools = || StepRule::new(&self.params).cooling() < 1.0;
@@ -194,7 +194,8 @@ impl<P: Copy> Run<P> {
                 || (Self::late::<G>(last.step) > 0 && cools()))
     }
 
-    /// Notes the first step in which a cell that nothing slows moved farther than forces hold neighbours.
+    /// Notes the first step in which a cell moved farther than [`FLIGHT`]. Aided steps limit moves, so they never
+    /// count.
     fn note_flight(&mut self) {
         let flies = self.report.largest_move > FLIGHT && !StepRule::new(&self.params).is_aided;
         if flies && self.report.flown_at == 0 {
@@ -241,7 +242,7 @@ impl<P: Copy> Run<P> {
             self.motion.forget();
         }
         if removed > 0 {
-            // Their neighbours have changed.
+            // Neighbours of removed cells must not stay at rest.
             self.bodies
                 .iter_mut()
                 .for_each(|body| body.has_moved = true);

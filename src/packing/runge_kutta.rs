@@ -34,8 +34,8 @@ impl<P: Copy> RungeKutta<P> {
         }
     }
 
-    /// Takes the forces on the bodies of which these are awake, and places them for the next evaluation; true after the
-    /// last one.
+    /// Takes the forces of an evaluation, and moves the awake bodies to their places for the next evaluation. True
+    /// after the last evaluation.
     pub fn advance<G: PackingDomain<Place = P>>(
         &mut self,
         bodies: &mut [MovingParticle<P>],

@@ -1,8 +1,8 @@
 //! The metric of a cell.
 //!
-//! Kind, size and aspect ratio define a metric, which measures distances between cells, and a frame in which
-//! a stretched cell is a square, where `force` evaluates the corner potentials. Only the damping
-//! (`integrate`) and the thresholds of the population depend on the kind itself.
+//! Kind, size and aspect ratio define a metric, which measures distances between cells. They also define a frame in
+//! which a stretched cell is a square; `force` evaluates the corner potentials there. Only the damping (`integrate`)
+//! and the thresholds of the population depend on the kind itself.
 
 use super::Particle;
 use super::cell_fields::CellFields;
@@ -85,7 +85,7 @@ impl Particle {
         CellShape::of(self).normalised_distance(&CellShape::of(other), way)
     }
 
-    /// Offsets at which neighbours of the same kind and size touch it: at its four edges, or six around.
+    /// Centres of neighbours of the same kind and size that touch the cell: at its four edges, or six around it.
     pub(crate) fn places(&self) -> impl Iterator<Item = DVec2> {
         let (centre, size) = (self.centre, self.size);
         CellShape::of(self)
@@ -163,7 +163,7 @@ impl CellShape {
         self.size * self.root
     }
 
-    /// The length of a vector in diameters of the cell along it.
+    /// The length of a vector, in diameters of the cell's ellipse along that vector.
     pub fn cells_along(&self, r: DVec2) -> f64 {
         self.square_along(r).sqrt() / self.size
     }
@@ -178,7 +178,7 @@ impl CellShape {
         (local * DVec2::new(self.per_root, self.root)).length_squared()
     }
 
-    /// Gives it another direction.
+    /// Sets the axis.
     pub fn turn(&mut self, axis: DVec2) {
         self.axis = axis;
     }
@@ -235,7 +235,7 @@ impl CellShape {
             || self.normalised_distance(other, r) * stable < reach * stable + margin
     }
 
-    /// Whether their distance is below `w` stable distances.
+    /// Whether two cells at the offset `r` are nearer than `w` stable distances.
     #[inline]
     pub fn is_closer(&self, other: &CellShape, r: DVec2, w: f64) -> bool {
         if self.root == 1.0 && other.root == 1.0 {
@@ -253,7 +253,7 @@ impl CellShape {
         if self.root == 1.0 && other.root == 1.0 {
             return r.length() / (0.5 * (self.size + other.size));
         }
-        // Both of `cells_along` at once.
+        // `cells_along` of both cells at once.
         let squares = f64x2::new([self.square_along(r), other.square_along(r)]);
         let [a, b] = (squares.sqrt() / f64x2::new([self.size, other.size])).to_array();
         // Each ellipse cuts half a diameter out of the line: 1 / w = 1 / (2 a) + 1 / (2 b).

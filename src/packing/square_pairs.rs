@@ -52,8 +52,8 @@ pub(super) struct TwoSquarePairs {
 }
 
 impl TwoSquarePairs {
-    /// The forces on the second cells, which are at these offsets and have these axes; see `Pair::force`. No axis
-    /// is zero.
+    /// The forces on the second cells, at the offsets `r` and with the axes `f`; the first cell has the axis `e`. No
+    /// axis is zero. See `Pair::force`.
     #[inline(always)]
     pub fn forces(self, e: DVec2, f: [DVec2; 2], r: [DVec2; 2]) -> [DVec2; 2] {
         let (axis, r) = (
@@ -108,8 +108,8 @@ impl TwoSquarePairs {
     }
 }
 
-/// The unit vectors midway between unit vectors and others, turned by the multiple of a quarter turn that brings them
-/// nearest.
+/// The unit vectors midway between `e` and `f`, after each `f` is turned by the multiple of a quarter turn that brings
+/// it nearest to its `e`.
 #[inline(always)]
 fn mean_axes(e: TwoVectors, f: TwoVectors) -> TwoVectors {
     let (along, across) = (e.dot(f), e.perp_dot(f));
@@ -122,7 +122,7 @@ fn mean_axes(e: TwoVectors, f: TwoVectors) -> TwoVectors {
     sum.times(f64x2::splat(1.0) / sum.dot(sum).sqrt())
 }
 
-/// The numbers, negated where another one is negative.
+/// The numbers, each negated if the same lane of `other` is negative.
 #[inline(always)]
 fn with_sign(numbers: f64x2, other: f64x2) -> f64x2 {
     numbers ^ (other.simd_lt(f64x2::splat(0.0)) & f64x2::splat(-0.0))

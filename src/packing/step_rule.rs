@@ -14,7 +14,7 @@ const fn damping(kind: CellKind) -> f64 {
     }
 }
 
-/// Cooling, so that a cell caught between two directions comes to rest.
+/// Cooling factor of the time step for each late step, so that a cell caught between two directions comes to rest.
 const COOLING: f64 = 0.97;
 
 /// How single steps are made.
@@ -26,7 +26,7 @@ pub(super) struct StepRule {
     pub is_aided: bool,
     /// The time step.
     pub time_step: f64,
-    /// A factor of it.
+    /// Factor of the time step; 1 until cooling begins.
     pub pace: f64,
 }
 

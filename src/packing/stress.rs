@@ -7,27 +7,28 @@ use super::packing_domain::{MetricSpace, SpatialHash};
 use crate::domain::Domain;
 use glam::DVec2;
 
-/// The stress on a packed cell, each 0..=1.
+/// The stress on a packed cell as two numbers, each 0..=1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress {
-    /// Depth of overlap with its neighbours; 1 from a limit on.
+    /// Depth of the deepest overlap with a neighbour, scaled: 0 up to the overlap that is usual at rest, 1 from a limit
+    /// on.
     pub pressed: f32,
     /// The share of its sides without a neighbour or the boundary.
     pub alone: f32,
 }
 
-/// An overlap of this share of the stable distance counts fully ...
+/// An overlap of at least this share of the stable distance counts as 1.
 const DEEP: f64 = 0.40;
-/// ... and an overlap of this share, usual for soft cells at rest, not at all.
+/// An overlap of at most this share of the stable distance, usual for soft cells at rest, counts as 0.
 const REST: f64 = 0.08;
-/// A side is free if no centre is within this many stable distances along it ...
+/// A centre less than this far out from a side, in stable distances, occupies that side.
 const OPEN: f64 = 1.35;
-/// ... and within this slope.
+/// To occupy a side, a centre may lie aside by at most this share of its distance along the side's direction.
 const ASIDE: f64 = 0.75;
 /// Centres farther apart than this many mean sizes neither press nor stand beside each other: the far corner
 /// of a side's search area is 1.55 off, and corners touch at 1.42.
 const FAR: f64 = 1.6;
-/// Sides of a cell with corners, and directions around any other.
+/// Sides of a cell with corners; `WAYS` is the number of directions around any other cell.
 const SIDES: u32 = 4;
 const WAYS: u32 = 12;
 
@@ -39,13 +40,13 @@ pub fn stress(domain: &Domain, particles: &[Particle]) -> Vec<Stress> {
     stress_on(domain, particles, |_, _| true, goes_on)
 }
 
-/// Cells farther apart than this, in mean sizes, do not interact if their directions are similar. Both
-/// measure the distance in their own half axes.
+/// Two cells of similar directions do not interact if they are farther apart than this, in their mean size. Each cell
+/// measures the distance in its own half axes.
 #[cfg(house)]
 pub(crate) const BEYOND: f64 = 1.7;
 
-/// The same on any domain. `may_meet` is false for two particles farther apart than [`BEYOND`], and `goes_on`
-/// tells whether the whole path from a place stays on the domain.
+/// The stress on each particle on any domain. `may_meet` is false for two particles farther apart than [`BEYOND`], and
+/// `goes_on` tells whether the whole path from a place stays on the domain.
 pub(crate) fn stress_on<S: MetricSpace>(
     ground: S,
     particles: &[Particle<S::Place>],
@@ -63,13 +64,13 @@ pub(crate) fn stress_on<S: MetricSpace>(
     (0..particles.len()).map(of).collect()
 }
 
-/// The surroundings of one particle after another.
+/// The surroundings of a particle, found for one particle after another.
 struct Surroundings<'a, S: MetricSpace> {
     ground: S,
     particles: &'a [Particle<S::Place>],
     grid: S::Hash,
     reach: f64,
-    /// See [`FAR`], in units of the size.
+    /// [`FAR`] times the largest root of an aspect ratio, in mean sizes of two cells.
     far: f64,
     /// The neighbours' centres in the frame of the particle, in stable distances.
     around: Vec<DVec2>,

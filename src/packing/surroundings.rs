@@ -1,4 +1,4 @@
-//! The outline that cells are packed into, for all that packs in the plane.
+//! The plane domain of a packing.
 
 use super::BoundaryCondition;
 use crate::domain::{Domain, Walls};

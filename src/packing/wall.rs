@@ -37,7 +37,7 @@ pub(super) fn wall_force<W: Boundary>(
         let half = shape.half_extent(wall.inward());
         force += wall.inward() * (STIFFNESS * 2.0 * half * bubble_force(wall.distance() / half));
     }
-    // No force if it stands on the boundary.
+    // Without a closest point there is no force, and the bound is 0: the cell may stand on the boundary.
     (force, near.first().map_or(0.0, ClosestPoint::distance))
 }
 

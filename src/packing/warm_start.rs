@@ -1,5 +1,5 @@
-//! Starts a packing from the cells of another one, in another outline or other fields. While a point is
-//! dragged, the cells flow after it. Finished pictures never use it.
+//! Starts a packing from the cells of another one, in another outline or other fields. It is used while a point is
+//! dragged, so that the cells flow after it, and never for finished pictures.
 
 use super::body::MovingParticle;
 use super::placement::{on_boundary, walls};

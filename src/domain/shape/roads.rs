@@ -19,7 +19,7 @@ pub fn straight(width: f64) -> Outline {
     without_holes(road.outline())
 }
 
-/// A road with one quarter bend, with two (an S), or a serpentine with more that fills a square.
+/// A road with one quarter bend, with two (an S), or with more: a serpentine that fills a square.
 pub fn bends(width: f64, count: u32) -> Outline {
     /// Half the road's width and the straight ends, in bend radii.
     const HALF: f64 = 0.42;
@@ -50,7 +50,7 @@ pub fn bends(width: f64, count: u32) -> Outline {
 pub fn spiral(width: f64, turns: f64) -> Outline {
     /// Radius at the start, in distances between turns.
     const START: f64 = 0.6;
-    // Half the width in the same unit; the turns keep a gap at any width.
+    // Half the width, in distances between turns; the turns keep a gap at any width.
     let half = 0.3 + 0.2 * (width - 1.0);
     let pitch = 0.47 / (START + turns + half);
     let n = chords((START + turns) * pitch, TAU * turns);
@@ -71,7 +71,7 @@ pub fn spiral(width: f64, turns: f64) -> Outline {
     without_holes(outer)
 }
 
-/// Roads that meet in the centre, the first at an angle, with rounded corners between them.
+/// Roads that meet in the centre, with rounded corners between them. `first` is the angle of the first arm, in radians.
 pub fn junction(width: f64, arms: u32, first: f64) -> Outline {
     const LENGTH: f64 = 0.45;
     let wedge = PI / f64::from(arms);

@@ -31,7 +31,7 @@ impl Board {
         Self::scaled(side, 1, ground)
     }
 
-    /// The same with `scale` x `scale` pixels for each unit, at least 1.
+    /// A blank board of `side` x `side` picture units, with `scale` x `scale` pixels for each unit; both at least 1.
     ///
     /// # Panics
     /// If a picture of that size does not fit into memory.
@@ -100,7 +100,7 @@ impl Board {
         }
     }
 
-    /// See [`super::layer::Shape::fill`].
+    /// Fills the area inside rings; see [`super::layer::DrawnPath::fill`].
     pub(super) fn fill(&mut self, rings: &[&[DVec2]], colour: Colour, round: f64) {
         let mut builder = PathBuilder::new();
         for ring in rings.iter().filter(|ring| self.reaches(ring, 0.0)) {
@@ -208,7 +208,7 @@ impl Board {
         let side = self.side();
         let mut larger = Self::scaled(side, by, [0.0; 4]);
         larger.scale = self.scale * by;
-        // Columns lie as rows do.
+        // Columns are placed like rows.
         let places: Vec<_> = (0..side * by).map(|k| around(k, by, side)).collect();
         let rows = larger.pixmap.data_mut().chunks_exact_mut(4 * side * by);
         for (row, &(pair, below)) in rows.zip(&places) {
@@ -225,13 +225,13 @@ impl Board {
     }
 }
 
-/// The mean of two values with a share of the second one in 256ths, 256 times as large.
+/// 256 times the mean of `a` and `b`, where `b` has this share, in 256ths.
 fn mixed(a: u8, b: u8, share: u32) -> u32 {
     u32::from(a) * (256 - share) + u32::from(b) * share
 }
 
-/// The two pixels around the middle of the finer pixel `k`, of which there are `by` in a pixel, and the share of the
-/// second one, in 256ths.
+/// Along an axis with `side` pixels, each divided into `by` finer ones: the two pixels whose middles lie around that of
+/// the finer pixel `k`, and the share of the second of them in its colour, in 256ths.
 fn around(k: usize, by: usize, side: usize) -> ([usize; 2], u32) {
     let middle = 2 * k + 1 + by;
     let (second, share) = (middle / (2 * by), middle % (2 * by));
