@@ -15,7 +15,7 @@ pub fn place(studio: &mut Studio, clock: Clock) {
     }
 }
 
-/// Times a frame, seen from the generator's first camera turned by some degrees. `how` is "moving", "still" or "draft".
+/// Times a frame, seen from the generator's first camera turned by some degrees. `how` is that of [`TurnOrder`].
 pub fn frame(studio: &mut Studio, turn: f64, side: usize, how: &str, clock: Clock) -> f64 {
     let camera = studio.generator().camera();
     let order = TurnOrder {

@@ -20,7 +20,7 @@ fn house() -> Draft {
     Rule::LHouse.draft(&Module::NORMAL, &[]).sorted()
 }
 
-/// Lays all bricks of a building; none if it cannot be laid. Returns their number.
+/// Lays all bricks of a building and returns their number; `None` if it cannot be laid.
 fn laid(building: &Arc<Building>, smaller: f64) -> Option<usize> {
     let tree = TreePreset::of_word("bricks")?.tree();
     let normal = Module::NORMAL;

@@ -154,7 +154,7 @@ function shortest(runs, prepare) {
   return least;
 }
 
-/** The same numbers in 0..1 on each call (mulberry32). */
+/** Random numbers in 0..1, the same ones from each call of this function (mulberry32). */
 export function randomNumbers() {
   let state = 1;
   return () => {

@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 /// Half of the bowl's longest side, in halves of a pebble's length: about 1,000 pebbles stay.
 const HALF: f64 = 16.0;
-/// The variants of the pebble.
+/// The number of variants of the pebble.
 const VARIANTS: u64 = 8;
 /// The length of edges, as a share of the shape's longest side, as piles have it.
 const EDGE: f64 = 0.02;
@@ -37,7 +37,7 @@ const PARAMS: RefineParams = RefineParams {
     method: Method::Exact,
     seed: 1,
 };
-/// More than there is to do in one go.
+/// An amount of work that is enough to finish in one call.
 const ALL_OF_IT: usize = 1 << 30;
 
 /// The pebbles' variants.
@@ -69,7 +69,7 @@ impl Bowl {
         })
     }
 
-    /// From darts to places.
+    /// Throws darts and finds the pebbles' places; returns the pebbles that are kept.
     pub fn filled(&self, kind: &Kind) -> Vec<Body> {
         let darts: Vec<Dart> = darting(&self.mesh, kind.spacing())
             .points()
@@ -164,7 +164,8 @@ fn bowl(clock: Clock, timings: &mut Vec<Timing>) {
     ));
 }
 
-/// Times a thousand of about `count` darts on a cap that is as large as they need, with triangles of one size.
+/// Times about `count` darts on a bowl's surface with triangles in proportion to their spacing; gives the time of a
+/// thousand.
 fn thousand_darts(count: u32, clock: Clock) -> Option<Timing> {
     let edge = 0.025 * (2_000.0 / f64::from(count)).sqrt();
     let cap = PileShape::Bowl.build(&[], edge).surface;
@@ -230,7 +231,7 @@ fn whole_ways(clock: Clock, timings: &mut Vec<Timing>) {
     ));
     let times = (0..7).map(|_| {
         let start = clock();
-        // A run that fails shows as missing time.
+        // A run that fails shows as a time that is too short.
         let _ = Studio::new(ALL, ALL.recipe("").0).finish(clock);
         clock() - start
     });

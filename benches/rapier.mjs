@@ -16,12 +16,12 @@ import { installed, randomNumbers } from './peers.mjs';
  * @property {number[]} overlaps of our pile: the deepest, and the mean
  */
 
-/** Seconds of a step, and the most seconds of its time. */
+/** Seconds of a step, and the most simulated seconds. */
 const STEP = 1 / 60;
 const MOST = 20;
-/** The most milliseconds of ours. */
+/** The most milliseconds that a run may take. */
 const PATIENCE = 90_000;
-/** The share of the bowl's radius above which pebbles begin. */
+/** Pebbles begin above this inner share of the bowl's radius. */
 const WITHIN = 0.75;
 
 /**

@@ -18,7 +18,7 @@ const SCALES: usize = 2_000;
 const EACH: usize = 200;
 /// A level has this many times the triangles of the next one, as in the turntable's scenes.
 const FINER: usize = 4;
-/// A fish with a few more scales than needed.
+/// The recipe of a fish's hide with a few more scales than needed.
 const HIDE: &str = "tile=1&kind=ellipse&ca=1.3&cs=12.3&dir=constant&angle=90&stone=skin&sv=1.8\
     &sr=0.8&sc=1.8&tilt=0.15&sa=-90&tc=0.5&palette=fish&ground=hide";
 /// Width and height of the still frame in pixels; a turning one has half of them.
@@ -48,7 +48,7 @@ pub struct Hide {
     /// The scene with a single level for the scales, so that their size on the screen has no effect, and the
     /// coarsest ground.
     still: Scene,
-    /// The same with a coarser level.
+    /// The scene with a second, coarser level for the scales.
     turning: Scene,
     lamp: Lamp,
     params: ShadeParams,

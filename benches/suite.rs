@@ -284,7 +284,7 @@ fn skin(clock: Clock) -> Timing {
     let recipe = pavement::recipe(SKIN).0;
     let times = (0..5).map(|_| {
         let mut studio = Studio::new(ALL, recipe.clone());
-        // A run that fails shows as missing time.
+        // A run that fails shows as a time that is too short.
         let _ = studio.finish(clock);
         let stages = studio.milliseconds();
         let of_skin = |t: &&StageTime| ["planes", "weather"].contains(&t.stage);
@@ -303,7 +303,7 @@ fn stages(clock: Clock, timings: &mut Vec<Timing>) {
         let runs: Vec<_> = (0..5)
             .map(|_| {
                 let mut studio = Studio::new(ALL, recipe.clone());
-                // A run that fails shows as missing time.
+                // A run that fails shows as times that are too short.
                 let _ = studio.finish(clock);
                 studio.milliseconds()
             })

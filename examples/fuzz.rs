@@ -47,7 +47,7 @@ mod fuzz {
     /// Milliseconds between two reports.
     const REPORT: f64 = 20_000.0;
 
-    /// The case at work: its number, and the second in which it began.
+    /// The case at work: its number, and the time at which it began, in milliseconds.
     static CASE: AtomicU64 = AtomicU64::new(0);
     static BEGAN: AtomicU64 = AtomicU64::new(0);
 

@@ -1,7 +1,9 @@
-//! `cargo run --release --example slices [-- [--model [ROLE=]FILE] [--runs N] [--stages] LINK...]`: prints the longest slice of
-//! each stage, for all presets or for these links, as the best of three runs. Then those of the turntable: the bodies
-//! and the first frame, for a moving, a still and a fine frame, at the size of a phone's or a desktop's screen. Each
-//! link gets the model file, if there is one; a refusal is printed. With `--stages`, the turntable is left out.
+//! `cargo run --release --example slices [-- [--model [ROLE=]FILE] [--runs N] [--stages] LINK...]`
+//!
+//! Prints the longest slice of each stage, for all presets or for these links, as the best of N runs (3 by default).
+//! Then those of the turntable: the bodies and the first frame, for a moving, a still and a fine frame, at the size of
+//! a phone's or a desktop's screen. Each link gets the model file, if there is one; a refusal is printed. With
+//! `--stages`, the turntable is left out.
 
 #[path = "native/model.rs"]
 mod model;

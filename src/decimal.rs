@@ -18,7 +18,7 @@ const TENS: [f64; 23] = [
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
-/// The most digits of a decimal for which no other one with so few digits reads back as the same double.
+/// Decimals with at most this many digits all read back as different doubles.
 const SHORT: usize = 15;
 
 /// The double nearest to `digits` (below 2^53) times ten to the power (Clinger 1990, How to Read Floating Point Numbers
@@ -108,7 +108,7 @@ fn whole(digits: &[u8]) -> u64 {
     digits.iter().fold(0, |sum, &d| 10 * sum + u64::from(d))
 }
 
-/// The same by a long division in the binary system.
+/// Like `nearest`, by a long division in the binary system.
 fn divided(digits: &[u8], power: i64) -> f64 {
     let (mut over, mut under) = (Natural::default(), Natural::one());
     digits.iter().for_each(|&d| over.scale(10, d.into()));
@@ -211,7 +211,7 @@ fn shortest(x: f64) -> (Vec<u8>, i64) {
 /// The most places behind the point that [`few`] tries.
 const PLACES: i32 = 6;
 
-/// The same for a positive double with few digits and few places behind the point, which most numbers of links are.
+/// Like `shortest`, for a positive double with few digits and few places behind the point, as most numbers of links.
 fn few(x: f64) -> Option<(Vec<u8>, i64)> {
     (0..=PLACES).find_map(|places| {
         let scaled = (x * TENS[places as usize]).round();
@@ -223,10 +223,10 @@ fn few(x: f64) -> Option<(Vec<u8>, i64)> {
     })
 }
 
-/// Digits that distinguish any two doubles.
+/// This many digits distinguish any two doubles.
 const MOST: usize = 17;
 
-/// The first digits of a positive double, one more than needed, and the power of the first.
+/// The first digits of a positive double, one more than needed, and the power of ten of the first digit.
 fn exact(x: f64) -> (Vec<u8>, i64) {
     let (exponent, fraction) = ((x.to_bits() >> 52) as i32, x.to_bits() << 12 >> 12);
     let hidden = u64::from(exponent > 0) << 52;
@@ -260,7 +260,7 @@ fn exact(x: f64) -> (Vec<u8>, i64) {
     ((0..=MOST).map(digit).collect(), first)
 }
 
-/// The first `count` digits, rounded, and the power of the first.
+/// The first `count` digits, rounded, and the power of ten of the first digit.
 fn rounded(digits: &[u8], first: i64, count: usize) -> (Vec<u8>, i64) {
     let mut kept = digits[..count].to_vec();
     if digits[count] < 5 {

@@ -11,7 +11,7 @@ impl Hash {
 
     pub fn add(&mut self, word: u64) {
         let mixed = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01B3);
-        // Plain FNV on whole words never carries high bits down.
+        // Plain FNV on whole words would never carry high bits down, so they are mixed in here.
         self.0 = mixed ^ (mixed >> 29);
     }
 
@@ -21,7 +21,7 @@ impl Hash {
         z ^ (z >> 27)
     }
 
-    /// The same as 16 hex digits.
+    /// The number as 16 hex digits.
     pub fn text(&self) -> String {
         format!("{:016x}", self.number())
     }

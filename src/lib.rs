@@ -3,14 +3,14 @@
 //!
 //! # From a link to a picture
 //!
-//! The work goes in stages, and each stage has its library. They know nothing of links, browsers or
-//! time, and each uses only those before it:
+//! The work goes in stages. Each stage is a module that knows nothing of links, browsers or time, and uses only the
+//! modules of the stages before it:
 //!
 //! 1. [`domain`] is the outline, checked, with islands, holes, constraint lines and distances.
-//! 2. [`field`] gives size, direction, aspect ratio and kind of the cells at every point of it.
+//! 2. [`field`] gives size, direction, aspect ratio and kind of the cells at every point of the outline.
 //! 3. [`packing`] places particles and moves them by the forces between them until they rest.
-//! 4. [`mesh`] joins their centres by triangles and quadrilaterals.
-//! 5. [`cells`] makes one polygon of each, the dual of that mesh, fitted into the outline.
+//! 4. [`mesh`] joins the particles' centres by triangles and quadrilaterals.
+//! 5. [`cells`] makes a polygon around each centre, the dual of that mesh, fitted into the outline.
 //! 6. [`solid`] builds a stone or a scale on each cell, of some [`material`].
 //! 7. [`heightfield`] puts these solids into planes of height, colour and material, lets the weather
 //!    go over them, and puts them in the [`light`].

@@ -17,7 +17,7 @@ use serde_json::Value;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Milliseconds since the call.
+/// A clock: milliseconds since this call.
 #[allow(clippy::disallowed_methods)] // The library has no clock of its own; it gets this one.
 pub fn clock() -> impl FnMut() -> f64 {
     let start = std::time::Instant::now();
@@ -187,7 +187,7 @@ fn write_made(studio: &mut Studio, dir: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Only height fields have planes.
+/// Whether there are planes: only height fields have them.
 fn has_planes(studio: &Studio) -> bool {
     studio.generator().stages.contains(&"planes")
 }

@@ -11,7 +11,7 @@ impl Natural {
         Self(vec![1])
     }
 
-    /// Multiplies and adds.
+    /// Multiplies by `factor`, then adds `more`.
     pub fn scale(&mut self, factor: u32, more: u32) {
         let mut carry = u64::from(more);
         for limb in &mut self.0 {

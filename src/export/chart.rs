@@ -25,7 +25,7 @@ impl Chart {
         Self::facing(cell.centre.normal, right)
     }
 
-    /// The plane that a surface without a cell faces on average.
+    /// The plane at right angles to the mean normal of a surface that has no cell.
     pub fn of_surface(surface: &Surface) -> Self {
         let at = |k: u32| surface.positions[k as usize].as_dvec3();
         let area = |&[a, b, c]: &[u32; 3]| (at(b) - at(a)).cross(at(c) - at(a));

@@ -1,12 +1,13 @@
 //! A map of floats as an OpenEXR file: one part of scan lines, one channel Y, uncompressed (OpenEXR File Layout,
 //! Academy Software Foundation).
 //!
-//! Only native programs use it. The page has its own in `www/take/files/exr.ts`, as the module would grow by this.
+//! Only native programs use it. The page has its own writer in `www/take/files/exr.ts`, which keeps the module small.
 
 use super::Map;
 use super::bytes::put;
 
-/// The head up to the values of the windows: attributes with their types and lengths. The windows' ends come later.
+/// The head without its two windows: attributes with their types and lengths. Then the windows without their last
+/// corners.
 const HEAD: &[u8] = b"\x76\x2f\x31\x01\x02\0\0\0\
     channels\0chlist\0\x13\0\0\0Y\0\x02\0\0\0\0\0\0\0\x01\0\0\0\x01\0\0\0\0\
     compression\0compression\0\x01\0\0\0\0\

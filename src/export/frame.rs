@@ -6,7 +6,7 @@ use glam::Vec3;
 
 /// The axes and units of a surface.
 pub(super) enum ExportSpace {
-    /// x, y down and height, in picture units; `unit` is the file's unit for one of them.
+    /// x, y down and height, in picture units; `unit` is the length of a picture unit in the file.
     Picture { unit: f32 },
     /// Coordinates of a model, unchanged; a chart gives texture coordinates.
     #[cfg(house)]

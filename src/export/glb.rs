@@ -57,9 +57,9 @@ pub(super) struct Glb {
     most: usize,
     /// The number of surfaces written.
     surfaces_made: usize,
-    /// The number of meshes made of them.
+    /// The number of meshes made of these surfaces.
     meshes_made: usize,
-    /// The number of nodes that have such a mesh.
+    /// The number of nodes that have one of these meshes.
     nodes_made: usize,
     /// Lists of the JSON, with a comma before each item.
     children: String,
@@ -312,7 +312,7 @@ impl Glb {
     }
 }
 
-/// A number of few decimals that rounds to a single-precision one.
+/// A number with few decimals that rounds to `v` in single precision.
 #[cfg(house)]
 fn shortest(v: f32) -> f64 {
     let exact = f64::from(v);
@@ -346,7 +346,7 @@ fn fill(json: &mut String, template: &str, numbers: &[f64]) {
     }
 }
 
-/// Integers get no exponent: not all readers take 2e7 for one.
+/// Integers get no exponent: not all readers take 2e7 for an integer.
 fn number(x: f64) -> String {
     let whole = x as u64;
     if whole as f64 == x {

@@ -4,7 +4,7 @@ use super::json::{number, object};
 use crate::metrics::{Cover, Histogram, Metrics};
 
 /// `{"cells":{...},"mesh":{...}}`: the contents of [`Metrics`], with areas as shares of the outline's, angles in
-/// degrees, and histograms as shares by number. Null where there is nothing to measure.
+/// degrees, and histograms as objects that map a number to its share. Null where there is nothing to measure.
 pub fn metrics_json(metrics: &Metrics) -> String {
     let Metrics { cells, mesh } = metrics;
     let mut of_cells = vec![("count", cells.count.to_string())];

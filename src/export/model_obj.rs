@@ -1,4 +1,4 @@
-//! The surface's mesh as an OBJ file.
+//! A model's triangle mesh as an OBJ file.
 
 use super::fixed::push_whole;
 use super::json::number;

@@ -4,7 +4,7 @@ use super::fixed::{push, push_whole};
 use super::frame::ExportSpace;
 use crate::solid::Surface;
 
-/// The bytes of a part; then another one begins.
+/// A part ends as soon as it has more bytes than this.
 const PART: usize = 1 << 20;
 
 const HEAD: &[u8] = b"# Made by Bubblestone.\n\

@@ -5,16 +5,16 @@ use crate::scene::{Body, Scene};
 #[cfg(house)]
 use crate::solid::Surface;
 
-/// Levels of detail with their words, as triangles of a stone.
+/// Words for levels of detail, each with the number of triangles of a stone.
 pub const DETAILS: [(&str, usize); 3] = [("low", 100), ("middle", 400), ("high", 1600)];
 
 /// The most triangles of all stones of a file together; with many stones each gets fewer.
 const MOST: usize = 4_000_000;
 /// The triangles of the ground, as a part of those of all stones.
 const GROUND: f64 = 0.2;
-/// The least squares along a side of the ground.
+/// The fewest squares along a side of the ground.
 const LEAST_SQUARES: usize = 16;
-/// Bytes of text for a stone, for a vertex and for a triangle: of OBJ, of plain GLB, and of GLB with images.
+/// Bytes for a stone, for a vertex and for a triangle: in OBJ, in plain GLB, and in GLB with images.
 const BYTES: [[f64; 3]; 3] = [[16.0, 87.0, 59.0], [890.0, 40.0, 6.0], [560.0, 20.0, 6.0]];
 
 /// A kind of mesh file.
@@ -50,9 +50,9 @@ pub struct MeshOrder {
 /// The approximate size of a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshSize {
-    /// Its triangles.
+    /// The number of triangles.
     pub triangles: usize,
-    /// Its bytes.
+    /// The number of bytes.
     pub bytes: f64,
 }
 

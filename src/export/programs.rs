@@ -1,5 +1,5 @@
-//! Sets of maps for other programs: which maps, how packed, and the files' names. The page has the same in
-//! `www/take/files/programs.ts`, as the module would grow by them.
+//! Sets of maps for other programs: which maps, how packed, and the files' names. The page has the same sets in
+//! `www/take/files/programs.ts`, which keeps the module small.
 
 use super::MapKind;
 

@@ -30,7 +30,7 @@ pub struct Report {
     pub largest_move: f64,
     /// Cells that the population control has added.
     pub added: u32,
-    /// Cells that it has removed.
+    /// Cells that the population control has removed.
     pub removed: u32,
     /// Potential energy after the last step.
     pub energy: f64,

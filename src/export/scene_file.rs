@@ -31,10 +31,10 @@ struct SharedMeshes {
     glb: Glb,
     /// The roughness of each material.
     roughness: Vec<f32>,
-    /// The surface of each kind of body.
+    /// The number of the surface of each body.
     surfaces: BTreeMap<u32, usize>,
     materials: BTreeMap<Paint, usize>,
-    /// The mesh of each kind of body in each paint.
+    /// The number of the mesh of each body in each paint.
     meshes: BTreeMap<(u32, Option<Paint>), usize>,
 }
 
@@ -82,7 +82,7 @@ impl SceneFile {
     }
 }
 
-/// Whether all surfaces are white: instances have their own colours.
+/// Whether all surfaces are white, so that all colours are those of the instances' paint.
 fn is_white(scene: &Scene) -> bool {
     let bodies: BTreeSet<u32> = scene.instances.iter().map(|one| one.body).collect();
     let levels = bodies

@@ -5,7 +5,7 @@
 //! corners as floats and two zero bytes. The top is a grid of squares with two triangles each. Below each of its
 //! outer sides the walls have one such square. The base is a fan.
 //!
-//! Only native programs use it. The page has its own in `www/take/files/slab.ts`, as the module would grow by this.
+//! Only native programs use it. The page has its own writer in `www/take/files/slab.ts`, which keeps the module small.
 
 use super::bytes::{put, put_floats};
 use crate::heightfield::{Planes, means};

@@ -90,7 +90,7 @@ impl MeshFile {
         }
     }
 
-    /// A maker of solids that are fine enough.
+    /// A maker of solids that are fine enough for this file.
     pub fn solids(&self) -> Solids {
         Solids::to_simplify(self.each)
     }

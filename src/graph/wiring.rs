@@ -60,18 +60,18 @@ pub trait Wiring: Sized + 'static {
         states.find(|&(_, state)| state != State::Fresh)
     }
 
-    /// The stage of that task; `None` if all is done.
+    /// The stage of the first task that is not fresh; `None` if all is done.
     fn at(&self) -> Option<Self::Stage> {
         self.due().map(|(task, _)| task.stage)
     }
 
-    /// Why that task cannot go on.
+    /// Why the first task that is not fresh has failed; `None` if it has not.
     fn failure(&self) -> Option<&Notice> {
         let (task, _) = self.due().filter(|&(_, state)| state == State::Failed)?;
         (task.node)(self).status().failure()
     }
 
-    /// Does one slice of that task.
+    /// Does one slice of the first task that is not fresh, unless it has failed.
     fn advance(&mut self) {
         let Some((task, State::Stale)) = self.due() else {
             return;

@@ -1,7 +1,7 @@
 //! Means of the heights around each pixel: a box filter by running sums.
 //!
-//! It keeps sums along rows only for the rows around the current one. So heights behind it may change, row by
-//! row, while the filter goes on.
+//! Sums along rows are kept only for the rows around the current one. Heights of earlier rows may therefore change, row
+//! by row, while the filter goes on.
 
 use super::Planes;
 
@@ -92,7 +92,7 @@ impl BoxFilter {
         }
     }
 
-    /// The position of a row's sums.
+    /// The index in `along` at which the sums of a row begin.
     fn slot(&self, y: i64) -> usize {
         let room = 2 * self.radius as i64 + 2;
         y.rem_euclid(room) as usize * self.side

@@ -13,15 +13,15 @@ use glam::Vec3;
 
 /// Slope of the surface (y of the normal) at which the planes begin to count, and at which they count fully.
 const SLOPES: [f32; 2] = [0.25, 0.6];
-/// Pixels of the planes for each pixel of the screen at which their slopes begin to fade, and at which they
-/// vanish: beyond they would only sparkle.
+/// The slopes of the planes fade out where a pixel of the screen covers from the first to the second number of their
+/// pixels: finer relief would only sparkle.
 const FADES: [f32; 2] = [1.5, 5.0];
-/// Limit of slopes: the rims of stones are higher than any relief.
+/// Slopes are clamped to this: at the rims of stones the planes are steeper than any relief.
 const STEEPEST: f32 = 1.6;
 
 /// The square of the difference to the mesh's slope from which a pixel belongs to a wall.
 const WALL: f32 = 1.5;
-/// The inverse share of own pixels from which they count fully.
+/// Factor on the weight of a body's own pixels: from the weight 1 / `RIM` on, the planes count fully.
 const RIM: f32 = 2.0;
 
 /// The planes of a picture, in the coordinates of [`crate::scene`]: the side is 1.
@@ -93,7 +93,7 @@ impl BumpMap {
     }
 }
 
-/// Its id belongs to no body.
+/// The pixel outside of the picture. Its id belongs to no body.
 const NOTHING: Pixel = Pixel {
     id: u32::MAX,
     slope: [0.0; 2],
@@ -130,8 +130,8 @@ impl BumpMap {
         let (fx, fy) = (floor(x), floor(y));
         let (tx, ty) = (x - fx as f32, y - fy as f32);
         let mesh = [-surfel.normal.x, -surfel.normal.z].map(|v| v / surfel.normal.y);
-        // All four without a branch: pixels of other bodies get zero weight, and so do those on the walls of this one,
-        // which would cut a round rim to teeth.
+        // All four without a branch. Pixels of other bodies get zero weight, and so do pixels on this body's walls,
+        // which would make a round rim jagged.
         let own: [(f32, &Pixel); 4] = std::array::from_fn(|k| {
             let (right, down) = (k & 1, k >> 1);
             let pixel = self.pixel(fx + right as i32, fy + down as i32);

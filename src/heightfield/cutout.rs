@@ -15,7 +15,7 @@ use glam::Vec3;
 
 /// Fewest and most triangles of a stone at the finest level.
 const EACH: [usize; 2] = [150, 1500];
-/// A stone with fewer triangles is not recognisable.
+/// The fewest triangles of a stone at its coarsest level: with fewer it is not recognisable.
 const LEAST: usize = 28;
 /// Squares along a side of the ground at each level, finest first.
 const SQUARES: [usize; 3] = [192, 96, 48];
@@ -26,8 +26,8 @@ const THICK: f32 = 0.035;
 /// Colour of the cut faces at the top and at the bottom, relative to the mean colour of the ground along the
 /// edges.
 const CUT: [f32; 2] = [1.0, 0.75];
-/// An image of a stone on the other side of a tile stands there if at least this part of it, along both sides, lies in
-/// the picture.
+/// On a tile, a stone's image at the opposite edge is shown if at least this share of its extent, along both sides,
+/// lies in the picture.
 const INSIDE: f32 = 0.35;
 /// The most by which the block is wider than the picture at each edge, and the bare rim beyond the outermost stone, in
 /// sides of the picture.
@@ -290,7 +290,7 @@ fn widened(sheet: &Surface, n: usize, by: f32) -> Surface {
 /// Turns a sheet with `n` squares a side into a block: adds walls along its edges and a bottom.
 fn cut_off(sheet: &mut Surface, n: usize, thick: f32) {
     let row = n + 1;
-    // Clockwise on screen, seen from above, with the wall's normal.
+    // The four sides, clockwise on screen seen from above: the wall's normal, and the grid points along it.
     let sides: [(Vec3, &dyn Fn(usize) -> usize); 4] = [
         (Vec3::NEG_Y, &|k| k),
         (Vec3::X, &|k| k * row + n),
@@ -343,7 +343,7 @@ mod tests {
         let mut sheet = ground(&planes, 5);
         cut_off(&mut sheet, 5, 1.0);
         assert_eq!(sheet.fault(), None);
-        // By the divergence theorem, in the picture's axes, which are left-handed.
+        // The volume by the divergence theorem, in the picture's axes, which are left-handed.
         let six: f64 = sheet
             .triangles
             .iter()
@@ -362,7 +362,7 @@ mod tests {
         assert_eq!(images(edge, false), [[0.0, 0.0]]);
         assert_eq!(images(edge, true), [[0.0, 0.0], [-1.0, 0.0]]);
         assert_eq!(images(about(-0.49, 0.49), true).len(), 4);
-        // Less than a third of it would lie in the picture.
+        // Less than a third of the stone would lie in the picture.
         assert_eq!(images(about(0.46, 0.0), true), [[0.0, 0.0]]);
         assert!((over(edge, [0.0; 2]) - 0.04).abs() < 1e-6);
         assert!((over(edge, [-1.0, 0.0]) - 0.06).abs() < 1e-6);

@@ -12,13 +12,14 @@ use std::ops::Range;
 const SIDE: usize = 512;
 /// For the broad and the fine noise: random stream, logarithm of the side, levels and dimension.
 const NOISES: [(u64, u32, u32, f64); 2] = [(11, 9, 7, 1.35), (12, 8, 1, 1.9)];
-/// From this many points in a picture unit on, grains of that size lie on the ground. Without them, the fine noise,
-/// whose values are a unit apart, shows as smooth waves, and light from the side makes ripples of them.
+/// If the tile has at least this many points for each picture unit, grains of the size 1 / `GRAINY` units lie on the
+/// ground. Otherwise the fine noise, whose values are a unit apart, would show as waves, and light from the side as
+/// ripples.
 const GRAINY: usize = 4;
-/// There the fine noise of heights has this share, and grains of heights and of colours these standard deviations.
+/// With grains: the share of the fine noise in heights, and the strengths of grains in heights and in colours.
 const WAVES: f32 = 0.45;
 const GRAINS: [f32; 2] = [0.26, 0.9];
-/// The side is divided into this many places, each with at most one pebble.
+/// The number of places for pebbles along the tile's side. Each place has at most one pebble.
 const PLACES: usize = 64;
 /// Least and largest radius of pebbles, in picture units; small ones are more frequent.
 const PEBBLE: [f32; 2] = [0.7, 2.6];

@@ -40,8 +40,8 @@ impl Surfaces {
         steps
     }
 
-    /// One of these steps; `None` if the cell has no such step. `index` is the cell's index in the list that
-    /// the planes were painted from, and `solids` caches the stencils. A mask is empty if nothing of the
+    /// One of the steps of [`Surfaces::making`]; `None` if the cell has no such step. `index` is the cell's index in
+    /// the list that the planes were painted from, and `solids` caches the stencils. A mask is empty if nothing of the
     /// stone is visible. The finished stone has at most as many triangles as these surfaces are made for.
     pub fn step(
         &self,

@@ -1,7 +1,7 @@
 //! Ambient occlusion: the share of the sky that a point sees past its surroundings.
 //!
-//! For each of eight directions the horizon is the steepest rise to a few points at growing distance. The
-//! plane holds the mean of 1 - sin(elevation of the horizon), as maps do; 255 is the whole sky.
+//! For each of eight directions the horizon is the steepest rise to a few points at growing distance. The plane holds
+//! the mean of 1 - sin(elevation of the horizon), as is usual for occlusion maps; 255 is the whole sky.
 
 use super::Planes;
 use crate::order::greater;

@@ -55,7 +55,7 @@ struct PartialStone {
     images: Vec<[i32; 2]>,
     /// The offset of the current image; the solid is moved to it.
     offset: [i32; 2],
-    /// Rows of that image that are done; `None` while it is scan-converted.
+    /// Rows of the current image that are done; `None` while it is scan-converted.
     rows: Option<usize>,
 }
 
@@ -80,7 +80,7 @@ impl Painter {
         Self::banded(params, usize::MAX)
     }
 
-    /// The same, but paints only a band of rows at a time, from the top: samples of all pixels would take
+    /// Like [`Painter::new`], but paints only a band of rows at a time, from the top: samples of all pixels would take
     /// four times the memory of the planes. [`Painter::next_band`] continues.
     pub fn banded(params: TextureParams, rows: usize) -> Self {
         let side = params.side * params.pixel_scale;
@@ -169,7 +169,7 @@ impl Painter {
         while !self.paint_slice(solids, cell, index) {}
     }
 
-    /// The same in slices, of which most stones need one; true when finished. Until then, calls must be for
+    /// Like [`Painter::paint`], in slices; most stones need only one. True when finished. Until then, calls must be for
     /// the same cell.
     pub fn paint_slice(&mut self, solids: &mut Solids, cell: &Cell, index: usize) -> bool {
         let mut left = SLICE;

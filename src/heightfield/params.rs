@@ -46,7 +46,7 @@ impl Default for TextureParams {
 
 /// Standard deviation of the relief at the scale of a stone, relative to its amplitude.
 const RELIEF: f64 = 0.3;
-/// Upper limit of that deviation, relative to the joints' depth: otherwise the ground would cover low stones.
+/// Upper limit of the relief's deviation, relative to the joints' depth: otherwise the ground would cover low stones.
 const MOST_RELIEF: f64 = 0.2;
 /// Highest level of the ground, as a share of the joint's depth.
 const FILL: f64 = 0.9;

@@ -26,7 +26,7 @@ pub struct Planes {
     pub ground: f32,
     /// Pixels for each picture unit, along a side.
     pub pixel_scale: usize,
-    /// Whether they repeat: the picture continues at the opposite edge.
+    /// Whether the planes repeat: the picture continues at the opposite edge.
     pub tile: bool,
 }
 

@@ -21,7 +21,7 @@ pub(super) struct Samples {
     heights: Vec<[f32; PER_PIXEL]>,
     /// The number of samples of the stone that owns the pixel.
     owned: Vec<u8>,
-    /// A stone's share in a sample for each picture unit above the ground.
+    /// The share of a sample's colour that a stone has for each picture unit above the ground, at most 1 in all.
     share_per_height: f32,
 }
 
@@ -48,8 +48,8 @@ impl Samples {
         }
     }
 
-    /// Adds a stone to the samples of pixel `i`. It has these heights, plus `raise` from its relief, above a
-    /// ground of height `soil`.
+    /// Adds a stone to the samples of pixel `i`: with these `heights`, plus `raise` from its relief, above a ground of
+    /// height `soil`.
     pub fn cover(
         &mut self,
         i: usize,
@@ -107,12 +107,12 @@ pub(super) struct Coverage {
     pub new: u8,
     pub new_heights: f32,
     pub new_share: f32,
-    /// Samples where it is higher than earlier stones, and the sum of the differences.
+    /// Samples where the stone is higher than earlier stones, and the sum of the differences.
     won: u8,
     pub gained: f32,
-    /// Its share in the colour of samples that other stones cover, too.
+    /// The stone's share in the colour of samples that other stones cover, too.
     pub shared: f32,
-    /// The sum of its visible heights, weighted by its shares, and the sum of the weights.
+    /// The sum of the stone's visible heights, weighted by its shares, and the sum of the weights.
     pub heights: f32,
     pub weight: f32,
 }

@@ -24,14 +24,15 @@ pub struct Raster {
     pub origin: [i32; 2],
     /// Columns and rows of pixels of the box.
     pub extent: [usize; 2],
-    /// Rows of pixels of the stone's full box above this one: rounding must not depend on the visible part.
+    /// Rows of pixels that the stone's full box has above this box. Vertices are placed in the full box, so that
+    /// rounding does not depend on the visible part.
     above: i32,
     /// Pixels for each picture unit, along a side.
     pixel_scale: f32,
-    /// Samples from row to row.
+    /// Samples in a row of `heights`.
     stride: usize,
     heights: Vec<f32>,
-    /// The stone's vertices, x and y in samples of the box.
+    /// The stone's vertices, x and y in samples of the full box.
     placed: Vec<Vec3>,
     /// The number of triangles done.
     drawn: usize,
@@ -108,7 +109,7 @@ impl Raster {
         self.extent = [columns, rows];
     }
 
-    /// Sample (0, 0) of the stone's full box lies at (0, 0).
+    /// A vertex, with x and y in samples of the stone's full box; the first sample is (0, 0).
     fn in_samples(&self, v: Vec3) -> Vec3 {
         let scale = ACROSS as f32;
         let top = self.origin[1] - self.above;
@@ -119,7 +120,8 @@ impl Raster {
         )
     }
 
-    /// Triangles are about the size of a pixel, so every sample of a triangle's box is tested.
+    /// Scan-converts a triangle. Triangles are about the size of a pixel, so every sample of a triangle's box is
+    /// tested.
     fn triangle(&mut self, [a, b, c]: [Vec3; 3]) {
         let (ab, ac) = (b - a, c - a);
         let area = ab.x * ac.y - ab.y * ac.x;
@@ -159,7 +161,8 @@ impl Raster {
     }
 }
 
-/// The first and last integer from 0 to below `end` between the least and the greatest of three numbers.
+/// The first and the last integer of 0..`end` between the least and the greatest of three numbers; `None` if there is
+/// none.
 #[inline(always)]
 fn whole_between([a, b, c]: [f32; 3], end: i32) -> Option<(i32, i32)> {
     let first = from(lesser(lesser(a, b), c));

@@ -105,7 +105,7 @@ impl GroundSheet {
         let (n, mut sheet) = (self.n, self.sheet);
         sheet.normals = normals(&sheet.positions, &sheet.triangles);
         if planes.tile {
-            // Both ends of all columns, then of all rows.
+            // Opposite edges of a tile get equal normals: first the ends of all columns, then those of all rows.
             for (apart, step) in [(n * (n + 1), 1), (n, n + 1)] {
                 for a in (0..=n).map(|k| k * step) {
                     let mean = (sheet.normals[a] + sheet.normals[a + apart]).normalize_or(Vec3::Z);
@@ -117,8 +117,8 @@ impl GroundSheet {
     }
 }
 
-/// The height of the lowest ground pixel there and the colour of one, if there is any. The lowest may be
-/// darker than the others.
+/// The height of the lowest ground pixel in these columns and rows, and the colour of the last one, as the lowest may
+/// be darker than others. `None` if there is no ground.
 fn bare(planes: &Planes, columns: Range<i32>, rows: Range<i32>) -> Option<(f32, [u8; 3])> {
     let side = planes.side as i32;
     let mut found: Option<(f32, [u8; 3])> = None;

@@ -21,7 +21,8 @@ pub(crate) fn row_slopes(planes: &Planes, y: usize, to: &mut [Vec<f32>; 2]) {
     slopes(rows, planes.pixel_scale as f32, planes.tile, to);
 }
 
-/// The same without the fine relief: the mean of central differences over up to `reach` pixels to each side.
+/// Like [`row_slopes`], without the fine relief: the mean of central differences over up to `reach` pixels to each
+/// side.
 pub(crate) fn smooth_row_slopes(planes: &Planes, y: usize, reach: usize, to: &mut [Vec<f32>; 2]) {
     let (side, tile) = (planes.side, planes.tile);
     let moved = |k: usize, by: usize| match tile {

@@ -86,7 +86,7 @@ impl Surfaces {
         })
     }
 
-    /// The relief at a place without the rest, interpolated in the same way.
+    /// Like `raise`, without the lift of the stone's face.
     pub(super) fn relief(&self, face: &StoneTexture, x: f32, y: f32) -> f32 {
         between(x, y, |pixel| self.relief_at(face, pixel))
     }

@@ -21,9 +21,9 @@ const STEP: usize = 8;
 /// Radii of the two box filters, in cell sizes: of the smooth surface that wear leaves, and of the
 /// surroundings that define a hollow.
 const REACH: [f64; 2] = [0.1, 0.5];
-/// Treading of a tile, which has no boundary.
+/// A tile has no boundary: all its places count as this far from one, as a share of the greatest distance.
 const EVERYWHERE: f32 = 0.75;
-/// Growth of treading from the boundary to the middle of the way.
+/// Treading is full from 1 / `TRODDEN` of the greatest distance to the boundary on.
 const TRODDEN: f32 = 1.15;
 /// Offset of the broad noise from that of the ground, in picture units.
 const BROAD_OFF: [i32; 2] = [211, 97];
@@ -57,7 +57,7 @@ impl Weathering {
             size,
             depth,
         } = painted;
-        // Planes painted in bands have none yet; it reuses the memory that painting has freed.
+        // Planes painted in bands have no occlusion yet. Made only now, it reuses memory that painting has freed.
         planes.occlusion.resize(planes.bump.len(), 255);
         let effects = Effects::new(params, [planes.ground, depth], bed.dirt());
         Self {
@@ -167,7 +167,7 @@ impl Weather {
         true
     }
 
-    /// Pixels between distances.
+    /// Pixels between neighbouring entries of `distances`.
     fn step(&self) -> usize {
         STEP * self.pixel_scale
     }

@@ -6,7 +6,7 @@ use crate::material::Material;
 /// Entries of the table of highlights.
 pub(crate) const SHINE: usize = 256;
 
-/// The exponent of a highlight at which its normals are half those of the smooth surface.
+/// The exponent of a highlight at which half of the relief counts.
 pub(crate) const SMOOTH: f32 = 12.0;
 
 /// How much of the relief counts for a highlight with this exponent. Where a surface is smooth enough for a narrow

@@ -20,8 +20,8 @@ pub(crate) const SKY: [f32; 3] = [0.33, 0.35, 0.38];
 pub(crate) const STEEP: f32 = 0.72;
 /// Share of the lamp's light lost where the sky is hidden: little is reflected there.
 pub(crate) const GAP: f32 = 0.35;
-/// The point lamp's light is 1 at its foot. This share of its inverse grows with the square of the distance;
-/// the rest is constant.
+/// The point lamp's light is 1 at its foot. This share of the light's inverse grows with the square of the distance;
+/// the rest of it is constant.
 pub(crate) const FALL_OFF: f32 = 0.55;
 
 /// The lamp.

@@ -19,7 +19,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Displacement of spots from their grid points, in grid spacings.
 const SCATTER: f64 = 0.32;
-/// Waves of the noise along its tile.
+/// The number of waves of the noise along the side of its tile.
 const WAVES: f64 = 4.0;
 
 /// The coats of all cells, in progress.
@@ -133,7 +133,7 @@ impl Coats {
         self.marking.noise(at.x, at.y)
     }
 
-    /// 1 at the centre of a spot, 0 where the circle around it has a spot's share of the plane.
+    /// 1 at the centre of a spot, falling to 0 where a circle around the centre has the area of a grid square.
     fn spot(&self, p: DVec2, period: Option<f64>) -> f64 {
         let scale = self.marking.colour.scale;
         let count = period.map(|side| greater((side / scale).round(), 1.0));

@@ -16,7 +16,7 @@ pub struct WeatherParams {
     pub moss: f64,
     /// Dust and mud in hollows.
     pub dirt: f64,
-    /// Damp, then wet, then puddles.
+    /// Water: with growing strength surfaces are damp, then wet, then under puddles.
     pub wet: f64,
 }
 
@@ -28,7 +28,7 @@ pub(crate) struct Place {
     pub is_stone: bool,
     /// [`LEVEL`] on level ground, towards 1 in joints and towards 0 on tops.
     pub hollow: f32,
-    /// The mean height close around it.
+    /// The mean height close around the point, in picture units.
     pub near: f32,
     /// How much the place is walked on, 0..1.
     pub trodden: f32,
@@ -44,11 +44,11 @@ pub(crate) struct Place {
 /// The surface at a point, which the weather changes.
 pub(crate) struct Sample {
     pub height: f32,
-    /// 0..255.
+    /// Red, green, blue, 0..255.
     pub colour: [f32; 3],
     /// Index into the table of materials.
     pub material: u8,
-    /// Whether it absorbs water, as stone does not.
+    /// Whether the surface absorbs water: ground, dirt and moss do, stone does not.
     pub soaks: bool,
 }
 
@@ -76,7 +76,7 @@ mod wear {
     pub const LOSS: f32 = 0.44;
     /// Height below and above the cut over which its edge is rounded.
     pub const EDGE: f32 = 0.22;
-    /// The cut is complete at the inverse of this wear.
+    /// The cut is complete from a wear of 1 / `SOON` on.
     pub const SOON: f32 = 4.0;
     /// Wear at which a place gets the next finish, and the one after that.
     pub const POLISHED: [f32; 2] = [0.3, 0.6];
@@ -85,19 +85,19 @@ mod wear {
 }
 
 mod dirt {
-    /// Amplitudes of the broad and fine noise in its distribution.
+    /// Amplitudes of the broad and fine noise in the distribution of dirt.
     pub const NOISE: [f32; 2] = [0.10, 0.04];
-    /// It lies where the sum of hollowness, noise and strength exceeds this.
+    /// Dirt lies where the sum of hollowness, noise and strength exceeds this.
     pub const FROM: f32 = 0.96;
-    /// How fast the cover grows beyond that.
+    /// How fast the cover grows with the sum beyond `FROM`.
     pub const SLOPE: f32 = 1.9;
-    /// Its share in the colour at low strength, and the gain at full strength.
+    /// The dirt's share in the colour at low strength, and the gain at full strength.
     pub const COVER: [f32; 2] = [0.35, 0.6];
-    /// Amplitudes of the fine and broad noise in its colour.
+    /// Amplitudes of the fine and broad noise in the colour of dirt.
     pub const TONE: [f32; 2] = [0.06, 0.05];
-    /// Its thickness.
+    /// The thickness of dirt.
     pub const SILT: f32 = 0.06;
-    /// It is thick in hollows only: slope and start of the ramp.
+    /// Dirt is thick in hollows only: slope and start of the ramp.
     pub const GATHERS: [f32; 2] = [2.0, 0.6];
     /// Cover from which the surface material is dirt.
     pub const SOLID: f32 = 0.45;
@@ -109,21 +109,21 @@ mod moss {
     pub const HOLLOW: f32 = 0.72;
     pub const NOISE: [f32; 2] = [0.15, 0.06];
     pub const TRODDEN: f32 = 0.14;
-    /// It grows where the sum exceeds this, minus this share of its strength.
+    /// Moss grows where the sum of these exceeds `FROM` - `STRENGTH` x the strength of moss.
     pub const FROM: f32 = 0.86;
     pub const STRENGTH: f32 = 0.98;
-    /// How fast the cover grows beyond that.
+    /// How fast the cover grows with the sum beyond that limit.
     pub const SLOPE: f32 = 7.0;
-    /// Its colours, in the shade and in the light.
+    /// The colours of moss, in the shade and in the light.
     pub const GREENS: [[f32; 3]; 2] = [[54.0, 66.0, 30.0], [102.0, 108.0, 53.0]];
-    /// Share of the second colour on level ground. Tops are lighter; the noise has these amplitudes, fine and
-    /// broad.
+    /// The share of the lighter colour: on level ground, its gain towards tops, and the amplitudes of fine and broad
+    /// noise.
     pub const EVEN: f32 = 0.5;
     pub const LIGHT: f32 = 0.55;
     pub const TONE: [f32; 2] = [0.2, 0.25];
-    /// Amplitude of the fine noise in its colour.
+    /// Amplitude of the fine noise in the colour of moss.
     pub const GRAIN: f32 = 0.16;
-    /// Its thickness, the constant share of it, and the amplitude of its fine noise.
+    /// The thickness of moss, and as shares of it the constant part and the amplitude of fine noise.
     pub const PAD: f32 = 0.13;
     pub const THICKNESS: [f32; 2] = [0.75, 0.22];
     /// Cover from which the surface material is moss.
@@ -137,7 +137,7 @@ mod wet {
     pub const FROM: f32 = 0.2;
     pub const HOLLOW: f32 = 0.5;
     pub const NOISE: f32 = 0.2;
-    /// Everything can be soaked from the inverse of this strength on.
+    /// From a strength of 1 / `SOON` on, any place can be soaked.
     pub const SOON: f32 = 4.0;
     /// Darkening of wet surfaces: absorbing ones, and others.
     pub const DARKER: [f32; 2] = [0.46, 0.36];
@@ -231,7 +231,7 @@ impl Effects {
         1.0 + wear::EDGE - (wear::LOSS + wear::EDGE) * worn
     }
 
-    /// The height above the joints' ground.
+    /// The height above the joints' ground, relative to the joints' depth.
     fn stand(&self, sample: &Sample) -> f32 {
         (sample.height - self.level) / self.depth
     }

@@ -70,7 +70,7 @@ pub struct StoneTexture {
     /// Darkening of the rim; if negative, of the centre.
     rim: f32,
     lean: [f32; 2],
-    /// See [`sides`]; empty if neither rim nor centre is darkened.
+    /// For each side of the cell a scaled normal (see [`sides`]); empty if neither rim nor centre is darkened.
     sides: Vec<[f32; 2]>,
     /// Index into the table of materials.
     pub material: u8,
@@ -126,8 +126,8 @@ impl StoneTexture {
         self.step + self.tilt[0] * dx + self.tilt[1] * dy
     }
 
-    /// The fractal relief at a place on the noise's grid, with standard deviation about 1. It is turned and
-    /// mirrored, never interpolated, so that its roughness is kept.
+    /// The fractal relief at a place on the noise's grid, with standard deviation about 1. Each stone turns and mirrors
+    /// the noise, but never interpolates it, so that the roughness is kept.
     pub fn relief(&self, noise: &TextureNoise, [x, y]: [i32; 2]) -> f32 {
         let (x, y) = if self.turn & 1 == 0 { (x, y) } else { (y, x) };
         let x = if self.turn & 2 == 0 { x } else { -x };

@@ -71,7 +71,7 @@ pub const GROUNDS: &[Ground] = &[
         dirt: [104, 93, 78],
         material: EARTH,
     },
-    // Its colours are those of the palette's flesh.
+    // The colours of this ground come from the palette's flesh.
     Ground {
         name: "hide",
         colours: [[0; 3]; 2],

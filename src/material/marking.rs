@@ -14,7 +14,7 @@ use std::ops::Range;
 pub(crate) const WAVE: f64 = 0.2;
 /// The number of noise values along one wave.
 pub(crate) const WAVELENGTH: f64 = 16.0;
-/// The distance of clouds of tones, as a part of the side of a picture or of the box around a body.
+/// The distance between clouds of tones, as a share of the side of a picture or of the box around a body.
 pub(crate) const CLOUDS: f64 = 0.45;
 /// The place in the noise from which clouds are read, so that they do not follow the marks.
 pub(crate) const CLOUDS_AT: f64 = 37.0;
@@ -100,7 +100,7 @@ impl Marking {
     }
 }
 
-/// The value of a cell at a distance from what is marked.
+/// The value of a cell at this distance from a marked line or boundary: 1 on it, falling to 0 at two scales.
 pub(crate) fn near(distance: f64, scale: f64) -> f64 {
     greater(1.0 - distance / (2.0 * scale), 0.0)
 }
@@ -111,7 +111,7 @@ pub(crate) fn turned(turn: f64, kind: CellKind) -> f64 {
     triangle(turn / full)
 }
 
-/// The share of the belly, from one side (0) to the other (1).
+/// The share of the belly's colour, at a place from the back (0) to the belly's side (1).
 pub(crate) fn belly_at(down: f64) -> f64 {
     smoothstep((down - 0.3) / 0.5)
 }

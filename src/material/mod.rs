@@ -1,5 +1,5 @@
-//! Materials of surfaces: colours, noise, Phong's attributes, coats, and the weather at a point. It knows
-//! cells, but neither solids nor pixels.
+//! Materials of surfaces: colours, noise, Phong's attributes, coats, and the weather at a point. The module uses cells,
+//! but neither solids nor pixels.
 
 mod coat;
 mod effects;

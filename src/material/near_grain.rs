@@ -12,19 +12,19 @@ use glam::Vec3;
 const TILE: [u32; 2] = [7, 1];
 /// The random stream of the tile, and its fractal dimension: each value differs from its neighbours.
 const STREAM: (u64, f64) = (13, 1.9);
-/// The finest octaves: each has twice as many values along a side as the one before; the first has two in a unit.
+/// The number of octaves. The first has two values in a unit, along a side; each next one has twice as many.
 const OCTAVES: u32 = 4;
-/// The pixels of the screen from one value to the next at which an octave begins to show, and shows fully.
+/// An octave begins to show, and shows fully, if neighbouring values are this many pixels of the screen apart.
 const SHOWS: [f32; 2] = [1.0, 2.5];
 /// The height of an octave, relative to that of the one before.
 const FALL: f32 = 0.45;
 /// The lightness of an octave, relative to that of the one before.
 const PALER: f32 = 0.72;
-/// A factor for heights.
+/// A factor for the slopes of all octaves.
 const RAISED: f32 = 1.6;
-/// Limit of slopes.
+/// Slopes along the surface are clamped to this.
 const STEEPEST: f32 = 0.8;
-/// Sides of the surface with less weight are left out.
+/// Three readings, one along each axis, are blended; readings with less weight are left out.
 const LEAST: f32 = 0.02;
 
 /// A periodic noise that is read in octaves.
@@ -46,12 +46,12 @@ pub(crate) struct GrainStrength {
 pub(crate) struct Grain {
     /// A factor for colours.
     factor: f32,
-    /// The slope of its height, as a vector in the world.
+    /// The slope of the grain's height, as a vector in the world.
     slope: Vec3,
 }
 
 impl Grain {
-    /// Adds it to a colour, 0..255, and to a unit normal.
+    /// Applies the grain to a colour (0..255) and to a unit normal.
     pub fn add_to(self, colour: &mut [f32; 3], normal: &mut Vec3) {
         *colour = colour.map(|v| lesser(v * self.factor, 255.0));
         let along = self.slope - *normal * normal.dot(self.slope);
@@ -97,7 +97,7 @@ impl NearGrain {
             slope += (across * right + down * below) * weight;
         }
         let light = light.clamp(-2.5, 2.5);
-        // Single grains instead of a haze.
+        // Large values are strengthened, for single grains instead of a haze.
         let factor = 1.0 + strength.speckle * (0.7 * light + 0.5 * light * light.abs());
         Some(Grain {
             factor: greater(factor, 0.0),
@@ -133,7 +133,7 @@ impl NearGrain {
         sum
     }
 
-    /// The value between grid points without edges at the grid's lines, and its slopes.
+    /// The noise between grid points, smooth also across the grid's lines: the value, and its slopes along x and y.
     fn smooth(&self, x: f32, y: f32) -> [f32; 3] {
         let (left, up) = (floor(x), floor(y));
         let ease = |t: f32| (t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t));

@@ -20,7 +20,7 @@ use glam::Vec3;
 const BELOW: f32 = 0.6;
 /// Levels below the unit that are stored.
 const STORED: u32 = 2;
-/// The same factor for the next level: it is visible only at the highest resolution, which it would darken.
+/// The factor for the level after the stored ones, which is visible only at the highest resolution and would darken it.
 const LAST: f32 = 0.4;
 
 /// A periodic square of noise with mean 0, and standard deviation 1 at the distance of the coarse grid's
@@ -61,7 +61,8 @@ pub(crate) fn white([x, y]: [usize; 2], salt: u32) -> f32 {
     bits as i32 as f32 * (3.0f32.sqrt() / 2_147_483_648.0)
 }
 
-/// The noise at a place in space, of three readings in the plane: one along each axis, weighted by the normal there.
+/// The noise at a place in space, blended from three readings of a plane noise: one along each axis, weighted by the
+/// normal.
 #[cfg(house)]
 #[inline]
 pub(crate) fn from_three_sides(p: Vec3, normal: Vec3, read: impl Fn(f32, f32) -> f32) -> f32 {
@@ -79,8 +80,8 @@ impl NoiseTile {
         Self::finer(seed, item, [log_side, levels], dimension, 0)
     }
 
-    /// The same with more levels below the finest one. It contains every value of the coarser tile, and
-    /// `2^doublings` values, at most 8, make a unit of length.
+    /// Like [`NoiseTile::new`], with more levels below the finest one. The tile contains every value of the coarser
+    /// tile, and `2^doublings` values, at most 8, make a unit of length.
     pub fn finer(
         seed: u64,
         item: u64,
@@ -261,7 +262,7 @@ fn mean_with_next(values: &[f32], n: usize, step: usize) -> Vec<f32> {
     (0..values.len()).map(mean).collect()
 }
 
-/// `f32::floor` is a call where the target has no rounding instruction.
+/// Rounds down. `f32::floor` is a call where the target has no rounding instruction.
 pub(crate) fn floor(v: f32) -> i32 {
     let whole = v as i32;
     whole - i32::from((whole as f32) > v)

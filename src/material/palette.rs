@@ -9,7 +9,7 @@ use super::phong::{FINISHES, Material};
 /// A kind of stone or of hide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Palette {
-    /// The word of the link.
+    /// The palette's word in links.
     pub name: &'static str,
     /// Base colours, drawn for each stone with equal probability. A colour listed twice occurs twice as
     /// often.
@@ -26,32 +26,32 @@ pub struct Palette {
     pub tone: f32,
     /// Standard deviation of warmth between stones.
     pub tint: f32,
-    /// Blotches within a stone.
+    /// Strength of blotches within a stone.
     pub mottle: f32,
-    /// Mineral grains within a stone.
+    /// Strength of mineral grains within a stone.
     pub speckle: f32,
-    /// Bands along the stone, as in sandstone and slate.
+    /// Strength of bands along the stone, as in sandstone and slate.
     pub bands: f32,
-    /// Veins of the second colour, 0..1.
+    /// Strength of veins in the second colour, 0..1.
     pub veins: f32,
-    /// Patches of the second colour, 0..1: moss, lichen, rust.
+    /// Strength of patches in the second colour, 0..1: moss, lichen, rust.
     pub patches: f32,
     /// Factor of the recipe's relief: sawn stone is smoother than hewn.
     pub relief: f32,
-    /// From rough to smooth.
+    /// The materials, from rough to smooth.
     pub finishes: [Material; FINISHES],
 }
 
 /// The ground between the stones and around the pavement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ground {
-    /// The word of the link.
+    /// The ground's word in links.
     pub name: &'static str,
     /// Its two colours, mixed in patches.
     pub colours: [[u8; 3]; 2],
-    /// Lightness of single grains.
+    /// Variation of lightness between single grains.
     pub speckle: f32,
-    /// Height of single grains, in pixels.
+    /// Height of single grains, in picture units.
     pub grain: f32,
     /// Height of unevenness, relative to the joints' depth.
     pub swell: f32,

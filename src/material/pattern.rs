@@ -104,6 +104,6 @@ pub struct Coat {
     pub belly: f32,
     /// How much of the stone's tone comes from its place, 0..1.
     pub soft: f32,
-    /// The tone of its place: noise with standard deviation about 1.
+    /// The tone of the cell's place: noise with standard deviation about 1.
     pub tone: f32,
 }

@@ -11,7 +11,7 @@ pub struct Material {
     pub specular: f32,
     /// Exponent of the highlight, 1..200 (N).
     pub shininess: f32,
-    /// How much it mirrors its surroundings at grazing angles, 0..1; only in space.
+    /// How much the surface mirrors its surroundings at grazing angles, 0..1; only in space.
     pub mirror: f32,
     /// How far highlights and mirrored surroundings have the surface's colour, as those of metal, 0..1; only in space.
     pub metal: f32,
@@ -89,7 +89,7 @@ impl Material {
         }
     }
 
-    /// The same with a film that mirrors its surroundings.
+    /// The same material with a film that mirrors its surroundings.
     const fn with_film(self, mirror: f32) -> Self {
         Self { mirror, ..self }
     }
@@ -126,7 +126,7 @@ pub(super) const DULL: [Material; FINISHES] = [
     Material::new(1.0, 0.97, 0.05, 9.0),
 ];
 
-/// Dry skin, and soft.
+/// Dry, soft skin.
 pub(super) const LEATHER: [Material; FINISHES] = [
     Material::new(1.0, 0.98, 0.05, 7.0),
     Material::new(1.0, 0.96, 0.08, 10.0),

@@ -3,7 +3,7 @@
 use super::palette::Palette;
 use super::phong::{DENSE, DULL, HEWN, POLISHED};
 
-/// Values shared by most.
+/// The values that most palettes share.
 pub(super) const PLAIN: Palette = Palette {
     name: "",
     bases: &[],

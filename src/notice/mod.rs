@@ -89,7 +89,7 @@ impl From<Notice> for String {
 /// Most characters of foreign text quoted in a sentence.
 const QUOTED: usize = 24;
 
-/// The same for names that a reader will search for.
+/// The most characters that are quoted of a name that a reader will search for.
 const QUOTED_LONG: usize = 80;
 
 /// Makes foreign text fit for a sentence: short and without control characters.
@@ -97,7 +97,7 @@ pub fn quote(text: &str) -> String {
     quote_up_to(text, QUOTED)
 }
 
-/// The same for a name that a reader will search for, such as that of an extension.
+/// Like [`quote`], for a name that a reader will search for, such as that of an extension.
 pub fn quote_long(text: &str) -> String {
     quote_up_to(text, QUOTED_LONG)
 }

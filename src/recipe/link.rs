@@ -9,7 +9,7 @@ use crate::notice::{Arg, Code, Notice, quote};
 /// The version that links are written in.
 pub const VERSION: u32 = 1;
 
-/// Most notices listed one by one.
+/// At most this many notices are listed; further ones are only counted.
 const TOLD: usize = 12;
 
 /// Most pairs read from a link; a link of this program has at most one for each parameter.
@@ -110,8 +110,8 @@ impl Recipe {
         notices
     }
 
-    /// The notice for a pair that chooses a word for drawn input: drawn input chooses it by itself, and
-    /// without input there is nothing to choose. `None` for other words.
+    /// For a word that belongs to drawn input: nothing if the link has the input, which chooses the word by itself, or
+    /// else a notice that the input is missing. `None` for other words.
     fn chooses_drawn(
         &self,
         row: &'static Parameter,
@@ -127,7 +127,7 @@ impl Recipe {
         }))
     }
 
-    /// The notice for drawn input if the link chooses another word.
+    /// For drawn input: a notice that it is dropped, if the link chooses another word; else `None`.
     fn is_drawn_in_vain(
         &self,
         row: &'static Parameter,

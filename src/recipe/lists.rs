@@ -1,6 +1,6 @@
 //! Text values of a recipe: rows of whole numbers for rings, lines, spots or seeds.
 //!
-//! They are stored as the whole numbers of the link, so they scale with the picture.
+//! Rows are stored as the whole numbers of the link, so they scale with the picture.
 
 use super::rows::{self, BOX_STEPS, Form, POINTS, Rows, STEPS};
 use super::{Item, Key, Recipe, Schema};
@@ -22,14 +22,14 @@ const OPENING: usize = 6;
 /// Most points in all rows of a text, except for rings and plans.
 pub const MAX_ROW_POINTS: usize = 256;
 
-/// Scale of a spot's value.
+/// A spot's value is stored in steps of 1 / `VALUE`.
 const VALUE: f64 = 1024.0;
 /// How far outside the picture a point may lie, in sides of the picture.
 const OUTSIDE: f64 = 0.5;
 /// Smallest and largest radius of a spot, in sides.
 const RADIUS: (f64, f64) = (0.01, 2.0);
 
-/// Places on a surface.
+/// The form of rows with places on a surface.
 const IN_BOX: Form = Form {
     coordinates: usize::MAX,
     dimension: 3,
@@ -107,7 +107,7 @@ impl Item {
     fn is_outside(self, row: &[i64]) -> bool {
         let form = self.form();
         let outside = match self {
-            // The building knows its own limits.
+            // The building checks its own limits.
             Item::Plan => f64::INFINITY,
             _ if form.dimension == 3 => BEYOND,
             _ => OUTSIDE,
@@ -116,7 +116,7 @@ impl Item {
         row.iter().take(form.coordinates).any(far)
     }
 
-    /// The fault of a row, if any, without its number.
+    /// The fault of a row, if any, without the row's number in the list.
     fn flaw(self, row: &[i64], schema: &Schema) -> Option<Notice> {
         let form = self.form();
         if self.is_outside(row) {
@@ -278,7 +278,7 @@ fn between(code: Code, min: f64, max: f64) -> Notice {
     limits.with("max", decimal::text(max))
 }
 
-/// Rows without repeated points in lines.
+/// Removes repeated neighbouring points from lines, and checks all rows.
 fn checked(mut rows: Rows, item: Item, schema: &Schema) -> Result<Rows, Notice> {
     let most = item.most_rows();
     if rows.len() > most {

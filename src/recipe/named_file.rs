@@ -17,7 +17,8 @@ pub struct NamedFile {
 }
 
 impl NamedFile {
-    /// A file of this digest, with as much of its name as a row may have: its ending tells how it is read.
+    /// A file with this digest. A name longer than [`MAX_NAME`] loses characters before its ending, which tells how it
+    /// is read.
     pub fn new(digest: u64, name: &str) -> Self {
         let count = name.chars().count();
         let is_kept = |&(k, _): &(usize, char)| k < MAX_NAME - ENDING || k + ENDING >= count;
@@ -40,7 +41,7 @@ impl NamedFile {
         })
     }
 
-    /// Its row; see [`super::Item::File`].
+    /// The row that names this file; see [`super::Item::File`].
     pub fn row(&self) -> Vec<i64> {
         let part = |k: u32| (self.digest >> (BITS * k) & ((1 << BITS) - 1)) as i64;
         let digest = [3, 2, 1, 0].map(part).into_iter();
@@ -49,7 +50,7 @@ impl NamedFile {
             .collect()
     }
 
-    /// Its row as the text of a parameter.
+    /// The row that names this file, as the text of a parameter.
     pub fn text(&self) -> String {
         rows::encode(&[self.row()], Item::File.form())
     }
@@ -67,7 +68,7 @@ impl Recipe {
         rows.filter_map(|row| NamedFile::of_row(row)).collect()
     }
 
-    /// All files that it names where they count, each with the parameter that names it.
+    /// All files that the recipe names in parameters that are in force, each with the parameter that names it.
     pub fn named_files(&self) -> Vec<(Key, NamedFile)> {
         let counts = |row: &&Parameter| {
             let chosen = row.drawn_for;

@@ -101,9 +101,9 @@ pub struct Choice {
 /// Limits of a length in pixels that depend on the picture's side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SideLimits {
-    /// The least length is the side divided by this, rounded down to whole pixels ...
+    /// The least length is the side divided by this, rounded down to whole pixels, but see `least`.
     pub finest: f64,
-    /// ... but at least this many pixels.
+    /// The least length is never below this many pixels.
     pub least: f64,
     /// The greatest length is the side divided by this.
     pub coarsest: f64,
@@ -124,7 +124,7 @@ pub struct Parameter {
     pub min: f64,
     /// Largest value (numbers).
     pub max: f64,
-    /// Limits that replace both in pictures whose side is not the default: [`super::Recipe::limits`].
+    /// Limits that replace `min` and `max` in pictures whose side is not the default: [`super::Recipe::limits`].
     pub side_limits: Option<SideLimits>,
     /// Step of the control; a link may hold values between the steps.
     pub step: f64,
@@ -139,9 +139,9 @@ pub struct Parameter {
     pub help: &'static str,
     /// The group of its control.
     pub group: &'static str,
-    /// Whether it is one of the few most important ones, which are shown first.
+    /// Whether the parameter is one of the few most important ones, which are shown first.
     pub is_main: bool,
-    /// Whether *Randomise* leaves it unchanged.
+    /// Whether *Randomise* leaves the parameter unchanged.
     pub is_steady: bool,
     /// The words of a choice, the default first.
     pub choices: &'static [Choice],

@@ -34,12 +34,12 @@ pub struct Form {
     pub dimension: usize,
     /// Grid steps for each unit of a coordinate.
     pub steps: f64,
-    /// Factors from decimal numbers to whole ones: for coordinates first, then for each number after them.
+    /// Factors from decimal numbers to whole ones, for each number after the coordinates. Further numbers have `steps`.
     pub units: &'static [f64],
 }
 
 impl Form {
-    /// The factor at an index of a row.
+    /// The factor from decimal numbers to whole ones at an index of a row.
     pub fn unit(&self, place: usize) -> f64 {
         let extra = place.checked_sub(self.coordinates);
         *extra.and_then(|k| self.units.get(k)).unwrap_or(&self.steps)

@@ -8,7 +8,7 @@ use std::panic::RefUnwindSafe;
 pub struct Schema {
     /// The generator's name in a link, the value of `make`.
     pub word: &'static str,
-    /// Whether links name it. Pavements alone are not named.
+    /// Whether links name the generator. Only pavements are not named.
     pub is_named: bool,
     /// Its parameters, in the order in which links are written.
     pub rows: &'static [Parameter],
@@ -82,7 +82,7 @@ impl Joined {
         Self { rows, count }
     }
 
-    /// The rows as an array of their own.
+    /// The first `COUNT` rows as an array.
     pub const fn rows<const COUNT: usize>(&self) -> [Parameter; COUNT] {
         *self.rows.first_chunk().expect("fewer rows")
     }

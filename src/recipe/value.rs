@@ -171,7 +171,7 @@ impl Recipe {
         self.schema().rows.iter().find(is_drawn)
     }
 
-    /// Numbers at a default that depends on the choice change to its new default.
+    /// Sets a choice. Numbers at a default that depends on the choice change to its new default.
     fn put_choice(&mut self, row: &Parameter, place: usize) {
         let depends = |other: &&Parameter| other.default_while.is_some_and(|(k, ..)| k == row.key);
         let rows = self.schema().rows.iter().filter(depends);

@@ -12,7 +12,7 @@ pub enum Backdrop {
     Floor,
     /// The sky, and land far below it.
     Sky,
-    /// None: the picture is transparent there.
+    /// No background: pixels without a body are transparent.
     Nothing,
 }
 
@@ -25,21 +25,21 @@ impl Backdrop {
     ];
 }
 
-/// Colours of the floor on the screen in full light, and where the lamp is hidden: the sky's light is cooler. They are
-/// the same for all recipes.
+/// Colours of the floor on the screen (sRGB, 0..255), the same for all recipes: in full light, and in the lamp's
+/// shadow, where the sky's cooler light is left.
 const FLOOR: [[f32; 3]; 2] = [[203.0, 198.0, 190.0], [112.0, 114.0, 120.0]];
-/// The loss of light in the corners of a studio's picture.
+/// The share of the light that is lost in the corners of a picture with a floor (vignetting).
 const CORNERS: f32 = 0.2;
 /// The floor fades between these distances, in radii of the ball around all bodies.
 const FADES: [f32; 2] = [1.1, 3.2];
-/// Brightening of a studio towards white: its share straight up, and the sine of the elevation at which it
-/// begins.
+/// Above the floor the background gets lighter upwards: the share of white straight up, and the sine of the elevation
+/// where it begins.
 const LIGHTER: f32 = 0.5;
 const BEGINS: f32 = -0.7;
-/// Colours on the screen for low and high elevation, by its sine.
+/// Colours on the screen (sRGB, 0..255): at the horizon, and far above or below it.
 type Gradient = [[f32; 3]; 2];
 const AIR: Gradient = [[214.0, 224.0, 233.0], [104.0, 146.0, 198.0]];
-/// Air and land meet in haze.
+/// At the horizon the land has the colour of the air, like haze.
 const LAND: Gradient = [AIR[0], [126.0, 123.0, 114.0]];
 
 /// The colour on the screen in a direction (a unit vector); black for [`Backdrop::Nothing`]. `far` is the colour of
@@ -68,7 +68,7 @@ pub(super) fn floor_colour(lamp: f32, sky: f32) -> [f32; 3] {
     std::array::from_fn(|k| shaded[k] * sky + (lit[k] - shaded[k]) * lamp)
 }
 
-/// The part of the light that is left in a studio's picture in the direction `way`, which falls off to the corners.
+/// The share of the light that vignetting leaves in the direction `way`: 1 straight ahead, less towards the corners.
 #[inline(always)]
 pub(super) fn left_of_corner(view: &View, way: Vec3) -> f32 {
     let ahead = way.dot(view.ahead);
@@ -85,7 +85,7 @@ pub(super) fn dithered(colour: [f32; 3], [x, y]: [usize; 2]) -> [u8; 3] {
     colour.map(|v| (v + noise) as u8)
 }
 
-/// The distance from the centre of a ball with this radius at which the floor is gone.
+/// The distance from the centre of the bounding ball at which the floor has faded out; `radius` is the ball's.
 pub(super) fn end_of_floor(radius: f32) -> f32 {
     FADES[1] * radius
 }

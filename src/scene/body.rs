@@ -9,8 +9,8 @@ use std::rc::Rc;
 /// A solid at several levels of detail.
 #[derive(Clone, Debug, Default)]
 pub struct Body {
-    /// Its surface from the finest level to the coarsest, at least one; right-handed, y up, triangles
-    /// counter-clockwise seen from outside. Copies of the body share them.
+    /// The surfaces from the finest level of detail to the coarsest, at least one: right-handed, y up, triangles
+    /// counter-clockwise seen from outside. Copies of the body share the list.
     pub levels: Rc<[Surface]>,
     /// Row of the table of materials.
     pub material: u8,
@@ -18,14 +18,15 @@ pub struct Body {
     pub middle: Vec3,
     /// Largest distance of a vertex from the centre.
     pub radius: f32,
-    /// The colour of the dot that replaces it below a pixel.
+    /// The mean colour of the vertices (sRGB): for the dot that is drawn if the body is smaller than a pixel, and for
+    /// cut faces.
     pub colour: [u8; 3],
     /// The smallest y of its vertices.
     pub lowest: f32,
 }
 
 impl Body {
-    /// A body of surfaces without faults ([`Surface::fault`]), of this material.
+    /// A body with these levels of detail, the finest first. Their surfaces must have no faults ([`Surface::fault`]).
     pub fn new(levels: Vec<Surface>, material: u8) -> Self {
         let finest = levels.first();
         let points = finest.map_or(&[][..], |surface| &surface.positions);
@@ -104,7 +105,7 @@ impl Place {
     }
 }
 
-/// The colour and the material of one instance, in the place of those of its mesh.
+/// Colour and material of one instance: the tint multiplies the body's colours, the material replaces the body's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Paint {
     /// Multiplies the mesh's colours (sRGB, 255 is one): a white mesh gets this colour.
@@ -114,7 +115,7 @@ pub struct Paint {
 }
 
 impl Paint {
-    /// A colour of the mesh under this paint.
+    /// Applies the tint to a colour of the mesh (sRGB, 0..255).
     pub(crate) fn over(self, colour: [f32; 3]) -> [f32; 3] {
         std::array::from_fn(|k| colour[k] * f32::from(self.tint[k]) / 255.0)
     }
@@ -133,7 +134,7 @@ pub struct Instance {
     pub paint: Option<Paint>,
 }
 
-/// Bodies, their placements, and details.
+/// Everything to be drawn: bodies, their placements, surface details and lines.
 #[derive(Default)]
 pub struct Scene {
     /// The distinct bodies; each may have many instances.
@@ -144,7 +145,7 @@ pub struct Scene {
     pub detail: Option<Box<dyn Detail>>,
     /// Lines over the surfaces, such as the edges of a control mesh.
     pub lines: Vec<[Vec3; 2]>,
-    /// Range of ambient occlusion in the world: about half of a body.
+    /// Within this distance, in the world, surfaces occlude each other (ambient occlusion): about half of a body.
     pub reach: f32,
 }
 
@@ -199,11 +200,11 @@ impl Scene {
         if low == f32::MAX { 0.0 } else { low }
     }
 
-    /// The lowest y of an instance, and the number of vertices inspected. An instance that lies above `below` may get
-    /// the greatest number.
+    /// The lowest y of an instance, and the number of vertices inspected. If the instance lies wholly above the height
+    /// `below`, the y may be `f32::MAX`.
     pub(super) fn lowest_of(&self, instance: &Instance, below: f32) -> (f32, usize) {
         let (body, place) = (&self.bodies[instance.body as usize], &instance.place);
-        // Bit for bit the minimum over all points: rounding preserves their order.
+        // Turned about y at most: this is bit for bit the minimum over all points, as rounding preserves their order.
         if place.axes.map(|axis| axis.y) == [0.0, 1.0, 0.0] {
             return (place.origin.y + body.lowest, 1);
         }
@@ -215,7 +216,7 @@ impl Scene {
         (heights.fold(f32::MAX, lesser), points.len())
     }
 
-    /// Whether the ball around an instance lies above this height, however sums were rounded.
+    /// Whether the ball around an instance certainly lies above this height, with a margin for rounding.
     fn is_above(&self, instance: &Instance, height: f32) -> bool {
         let (middle, radius) = self.ball_of(instance);
         let body = &self.bodies[instance.body as usize];

@@ -109,7 +109,7 @@ impl Camera {
             libm::sin(rise),
             libm::cos(angle) * flat,
         );
-        // Looking straight down needs an up direction, too.
+        // Depends on the angle only, so it is defined also if the camera looks straight down.
         let right = DVec3::new(libm::cos(angle), 0.0, libm::sin(angle));
         let eye = DVec3::from(self.target) + back * self.distance;
         let half = 0.5 * width.min(height) as f64;
@@ -150,9 +150,9 @@ pub struct View {
     pub up: Vec3,
     /// See [`View::right`].
     pub ahead: Vec3,
-    /// Pixels for a unit at unit depth.
+    /// Focal length in pixels: the width of one unit at depth 1.
     pub focal: f32,
-    /// Units for a pixel at unit depth.
+    /// Width of a pixel at depth 1, in units: the inverse of [`View::focal`].
     pub slope: f32,
     /// Smallest visible depth.
     pub near: f32,
@@ -202,7 +202,7 @@ impl View {
         2.0 * radius * self.focal / seen.z
     }
 
-    /// Whether a ball may be in the frame.
+    /// Whether any part of a ball may be in the frame; `seen` is the ball's centre from [`View::of`].
     pub fn may_see(&self, seen: Vec3, radius: f32) -> bool {
         if seen.z < self.near - radius {
             return false;
@@ -258,7 +258,7 @@ mod tests {
                 assert!((back - p).length() < 1e-5, "{back}");
             }
         }
-        // The left edge of the frame looks to the right.
+        // At an angle of 90 degrees the camera stands at the left and looks to the right.
         let left = Camera {
             angle: 90.0,
             height: 0.0,
@@ -278,7 +278,7 @@ mod tests {
             (x - 200.0).abs() < 0.01 && (y - 300.0).abs() < 0.01,
             "{x} {y}"
         );
-        // Nearer places move against the eye.
+        // Places nearer than the focus move opposite to the eye.
         let [x, y, _] = seen(1.0);
         assert!(x < 180.0 && y < 260.0, "{x} {y}");
     }

@@ -1,11 +1,11 @@
-//! Clips triangles and lines to the drawable part.
+//! Clips triangles and lines to the near plane and to a guard band around the frame.
 
 use super::View;
 use crate::planar::cut_polygon;
 use glam::Vec3;
 
-/// Guard band: the frame is extended on each side by at least this many times its longer side before a
-/// triangle is clipped, so hardly any is.
+/// Guard band: the clipping planes lie outside of the frame by this many times its longer side, so hardly any triangle
+/// is clipped.
 const GUARD: f32 = 2.0;
 /// Most corners of a clipped triangle: three, and one more for each of five planes.
 const MOST: usize = 8;
@@ -69,7 +69,7 @@ pub(super) fn between((p, here): CornerAt, (q, there): CornerAt) -> Vec3 {
 #[derive(Clone, Copy)]
 pub(super) struct ClipPlanes {
     near: f32,
-    /// Lateral extent for a unit of depth.
+    /// Half the width of the clipped space at depth 1; `down` is half its height.
     across: f32,
     down: f32,
 }
@@ -107,7 +107,7 @@ impl ClipPlanes {
         bits
     }
 
-    /// The part of a triangle inside these planes.
+    /// The part of a triangle inside the planes whose bits are set in `planes`.
     pub fn cut(&self, triangle: [Vec3; 3], planes: u32) -> ConvexPolygon<MOST> {
         let mut polygon = ConvexPolygon::triangle(triangle);
         for plane in (0..5).filter(|plane| planes >> plane & 1 == 1) {

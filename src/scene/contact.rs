@@ -1,4 +1,4 @@
-//! The floor under the bodies: how much of the sky each place of it sees past them.
+//! How much of the sky each place of the floor sees past the bodies.
 //!
 //! Two small maps hold the lowest and the highest surface over the floor. Around a place, in each direction, bodies
 //! hide the sky between the least and the greatest angle at which they are seen (Max 1988, Horizon Mapping: Shadows for
@@ -13,17 +13,17 @@ use std::f64::consts::TAU;
 
 /// Texels along a side of the maps.
 const SIDE: usize = 64;
-/// The half side of the maps, in radii of the ball around all bodies: beyond, they hide little.
+/// Half the side of the maps, in radii of the ball around all bodies: farther away, bodies hide little of the sky.
 const WIDE: f32 = 1.4;
-/// Directions in which the sky is searched. They are others at each of these texels along rows and columns; the mean over
-/// neighbours has all of them.
+/// The number of directions in which each texel looks at the sky. They differ within squares of [`PATTERN`] by
+/// [`PATTERN`] texels; the mean over neighbours has the directions of all texels of a square.
 const WAYS: usize = 8;
 const PATTERN: usize = 2;
-/// The distances at which it is searched, in texels.
+/// Distances along a direction at which the heights of bodies are read, in texels.
 const STEPS: [f32; 8] = [1.0, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0];
 /// A texel takes about as long as this many triangles.
 const WORK: usize = 12;
-/// Heights over the floor where there is no body.
+/// The lowest and the highest surface at a texel without a body.
 const NOTHING: [f32; 2] = [f32::MAX, 0.0];
 
 /// The sky seen by the floor, while it is computed.
@@ -54,7 +54,7 @@ impl FloorContact {
         }
     }
 
-    /// The same for a scene that is cut by a plane.
+    /// Draws the maps for a scene that is cut by this plane.
     pub fn cut_by(&mut self, cut: Option<Cut>) {
         if let Some(maps) = &mut self.maps {
             maps.cut = cut;
@@ -89,7 +89,7 @@ impl FloorContact {
     pub fn open(&self, p: Vec3) -> f32 {
         let half = 0.5 * SIDE as f32 - 0.5;
         let end = SIDE as f32 - 1.001;
-        // Beyond the maps the last texels count.
+        // Beyond the maps, the texels at their edges count.
         let inside = |v: f32| lesser(greater(v, 0.0), end);
         let u = inside(half + (p.x - self.middle.x) * self.scale);
         let v = inside(half + (p.z - self.middle.z) * self.scale);
@@ -107,7 +107,7 @@ impl FloorContact {
     }
 }
 
-/// Heights over the lowest point of all bodies, in texels.
+/// The lowest and the highest surface at each texel, over the lowest point of all bodies, in texels.
 fn heights(maps: &ShadowMaps, scale: f32) -> Vec<[f32; 2]> {
     let [below, above] = maps.nears();
     let lowest = below.iter().copied().fold(f32::MIN, greater);
@@ -117,7 +117,7 @@ fn heights(maps: &ShadowMaps, scale: f32) -> Vec<[f32; 2]> {
         let (low, high) = (below[mirrored(at)], above[at]);
         match (low > f32::MIN, high > f32::MIN) {
             (false, false) => NOTHING,
-            // A sheet that only faces up stands on the floor.
+            // A surface that is seen from above only, such as a sheet, counts as standing on the floor.
             (false, true) => [0.0, (high + lowest) * scale],
             (true, false) => [(lowest - low) * scale; 2],
             (true, true) => [(lowest - low) * scale, (high + lowest) * scale],
@@ -145,7 +145,7 @@ fn ways(texel: usize) -> Ways {
 
 /// The visible share of the sky at a texel, weighted by the cosine of its angle to the vertical.
 fn sky(heights: &[[f32; 2]], at: usize, ways: &[Ways; PATTERN * PATTERN]) -> f32 {
-    // The square of the sine of the angle at which a height is seen.
+    // The squared sine of the angle at which a height is seen; `away` is the squared distance.
     let sine = |height: f32, away: f32| height * height / (height * height + away);
     let (x, y) = ((at % SIDE) as i32, (at / SIDE) as i32);
     let own = heights[at];

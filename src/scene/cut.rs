@@ -7,13 +7,13 @@ use glam::{DVec3, Vec3};
 /// How bodies are cut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CutHow {
-    /// A body goes as a whole if its middle lies beyond the plane.
+    /// A body whose middle lies beyond the plane is left out as a whole.
     Whole,
-    /// A body goes as far as it lies beyond the plane; its inside shows in the body's mean colour.
+    /// The part of a body beyond the plane is cut away; the cut face has the body's mean colour.
     Through,
 }
 
-/// A plane beyond which bodies are cut away. They cast no shadow there either. Lines and the floor stay.
+/// A plane beyond which bodies are cut away, also for their shadows. Lines and the floor stay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
     /// Unit vector to the side that is cut away.
@@ -33,7 +33,7 @@ pub(super) enum Left {
 }
 
 impl Cut {
-    /// The words of both ways.
+    /// Both ways to cut, with their words in a text.
     const WORDS: [(CutHow, &'static str); 2] =
         [(CutHow::Whole, "whole"), (CutHow::Through, "through")];
 
@@ -49,13 +49,13 @@ impl Cut {
         (normal.is_finite() && at.is_finite()).then_some(Self { normal, at, how })
     }
 
-    /// How far a point lies beyond the plane; negative on the side that is left.
+    /// How far a point lies beyond the plane; negative on the side that is kept.
     #[inline(always)]
     fn beyond(&self, p: Vec3) -> f32 {
         self.normal.dot(p) - self.at
     }
 
-    /// How much is left of a body in a ball.
+    /// How much is left of a body with this bounding ball.
     pub(super) fn left_of(&self, (middle, radius): (Vec3, f32)) -> Left {
         let beyond = self.beyond(middle);
         match self.how {

@@ -7,7 +7,7 @@ use glam::Vec3;
 /// The digest of a scene in the making.
 pub struct SceneDigest {
     hash: Hash,
-    /// The bodies and instances that are in it.
+    /// The numbers of bodies and of instances that are hashed.
     done: [usize; 2],
 }
 
@@ -18,7 +18,7 @@ impl Default for SceneDigest {
 }
 
 impl SceneDigest {
-    /// Begins.
+    /// An empty digest.
     pub fn new() -> Self {
         Self {
             hash: Hash::new(),
@@ -26,8 +26,8 @@ impl SceneDigest {
         }
     }
 
-    /// Takes up about `amount` words of a scene, which must always be the same one; the digest at the end
-    /// ([`Scene::digest`]).
+    /// Hashes about `amount` more words of the scene, which must be the same in each call. Gives the digest
+    /// ([`Scene::digest`]) at the end, `None` before.
     pub fn advance(&mut self, scene: &Scene, amount: usize) -> Option<String> {
         let mut words = 0;
         while words < amount {

@@ -51,7 +51,7 @@ impl Fill {
         }
     }
 
-    /// The part of a line between the planes, if any.
+    /// The part of a line inside the clipping planes, in view coordinates; `None` if there is none.
     pub fn part_of_line(&self, line: [Vec3; 2]) -> Option<[Vec3; 2]> {
         self.planes.part_of_line(line.map(|p| self.view.of(p)))
     }

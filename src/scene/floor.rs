@@ -7,7 +7,8 @@ use glam::Vec3;
 /// Points of a surface whose heights cost about as much as drawing a triangle.
 const POINTS: usize = 8;
 
-/// The plane of the floor: it lies under all bodies, around the middle of their bounding ball.
+/// The plane of the floor, at the lowest y of all bodies. It fades with the distance from their
+/// bounding ball's middle.
 #[derive(Clone, Copy, Default)]
 pub(super) struct FloorPlane {
     pub middle: Vec3,
@@ -19,7 +20,7 @@ pub(super) struct FloorPlane {
 #[derive(Clone)]
 pub(super) struct FloorSearch {
     plane: FloorPlane,
-    /// The next instance.
+    /// The index of the next instance to look at.
     at: usize,
 }
 

@@ -8,11 +8,11 @@ use std::ops::{Add, Mul, Neg, Sub};
 use wide::bytemuck::cast;
 use wide::{f32x4, i32x4};
 
-/// The square root of a half, as bits: mantissas are taken from there to twice as much.
+/// The bits of sqrt(1/2): mantissas are taken in the range sqrt(1/2)..sqrt(2).
 const LEAST: i32 = 0x3F35_04F3;
-/// Adding this rounds to whole numbers in the lowest bits.
+/// Adding this rounds to an integer, which is then in the lowest bits.
 const WHOLE: f32 = 12_582_912.0;
-/// The bits of a mantissa.
+/// The number of bits of a mantissa.
 const MANTISSA: i32 = 23;
 
 /// The number in all lanes.
@@ -56,7 +56,7 @@ impl FourVectors {
         Self { x, y, z }
     }
 
-    /// Writes them to a tile's list.
+    /// Writes the vectors to a tile's list, from index `k` on.
     #[inline(always)]
     pub fn put(self, list: &mut Vectors, k: usize) {
         for (row, four) in list.iter_mut().zip([self.x, self.y, self.z]) {
@@ -69,7 +69,7 @@ impl FourVectors {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
-    /// Componentwise.
+    /// The componentwise product.
     #[inline(always)]
     pub fn times(self, other: Self) -> Self {
         Self {

@@ -35,20 +35,20 @@ impl FourPixels {
 pub(super) struct Wins(i32x4, f32x4);
 
 impl Wins {
-    /// Whether there is any.
+    /// Whether the triangle wins at any pixel.
     #[inline(always)]
     pub fn any(&self) -> bool {
         self.0.any()
     }
 
-    /// Stores its inverse depth.
+    /// Stores the triangle's inverse depth where it wins.
     #[inline(always)]
     pub fn near(&self, there: &mut [f32; LANES]) {
         let wins: f32x4 = cast(self.0);
         *there = wins.bitselect(self.1, f32x4::from(*there)).to_array();
     }
 
-    /// Stores its number.
+    /// Stores `what`, the index of the instance or of the triangle, where the triangle wins.
     #[inline(always)]
     pub fn put(&self, what: u32, there: &mut [u32; LANES]) {
         let wins: u32x4 = cast(self.0);

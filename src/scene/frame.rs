@@ -30,7 +30,7 @@ pub struct Frame {
     focus: f32,
 }
 
-/// The visibility of the first sample, which later ones do not change.
+/// The visibility of the first sample. Later samples do not change it.
 #[derive(Default)]
 struct FramePlanes {
     owner: Vec<u32>,
@@ -87,7 +87,7 @@ impl Frame {
     pub fn begin(&mut self, order: Order) {
         self.order = order;
         self.sample = 0;
-        // A frame of one sample needs only one of both sets of lists.
+        // Swaps the lists back: a frame of one sample then needs memory for only one set of them.
         self.planes.swap(&mut self.sight);
         let pixels = order.size[0] * order.size[1];
         self.mean.begin(if self.has_mean() { pixels } else { 0 });
@@ -121,9 +121,9 @@ impl Frame {
         (self.sample as f64 + part) / self.order.samples.max(1) as f64
     }
 
-    /// How many samples are finished. Each of them needs the lighting of its number ([`super::SoftLight::of_sample`]).
-    /// Once there is one, the planes are complete. The picture is the mean of the finished samples until the next call
-    /// of [`Frame::advance`].
+    /// The number of finished samples. Each sample needs the lighting of its number ([`super::SoftLight::of_sample`]).
+    /// Once one is finished, the planes are complete. The picture is the mean of the finished samples until the next
+    /// call of [`Frame::advance`].
     pub fn sample(&self) -> usize {
         self.sample
     }
@@ -211,7 +211,7 @@ impl Frame {
         }
     }
 
-    /// Allocates rows.
+    /// Allocates the rows before `to`.
     fn make_room(&mut self, to: usize) -> FramePhase {
         let [width, height] = self.order.size;
         let pixels = to * width;
@@ -319,8 +319,8 @@ impl Frame {
         hash.text()
     }
 
-    /// The depth of the body at each pixel, in units of the scene; 0 where there is none. Like the other planes it is
-    /// that of the first sample, and valid as soon as that is finished.
+    /// The depth of the body at each pixel, in units of the scene; 0 where there is none. All planes show the first
+    /// sample, and are valid as soon as it is finished.
     pub fn depths(&self) -> &[f32] {
         &self.planes.depths[..self.pixels()]
     }
@@ -336,7 +336,7 @@ impl Frame {
         &self.normals
     }
 
-    /// The index in the scene's list of the instance at a pixel.
+    /// The index of the instance at a pixel in the scene's list; `None` where there is no body.
     pub fn instance_at(&self, x: usize, y: usize) -> Option<usize> {
         let [width, height] = self.order.size;
         let owner = *self.planes.owner.get(y * width + x)?;

@@ -14,7 +14,7 @@ pub(super) struct PixelHit {
     pub normal: Vec3,
     /// The triangle's unit normal.
     pub flat: Vec3,
-    /// How far the round surface that the normals belong to rises above the triangle here, in the world.
+    /// The height of the curved surface that the vertex normals imply, over the flat triangle at the hit, in the world.
     pub lift: f32,
     /// Red, green, blue, 0..255 (sRGB).
     pub colour: [f32; 3],
@@ -34,7 +34,7 @@ impl PixelHit {
 pub(super) struct Facets {
     raw: Vec<Raw>,
     corners: Vec<Corners>,
-    /// The list index for each pixel.
+    /// For each pixel the index of its triangle in the lists; `None` if it shows no triangle.
     of: [Option<u8>; SQUARE],
 }
 
@@ -142,14 +142,14 @@ impl Raw {
 
 /// A triangle, in the world.
 struct Corners {
-    /// The dot products of an eye ray with these, and with `whole`, give the weights of the last two corners.
+    /// The weights of the last two corners: the dot product of an eye ray with each part, over that with `whole`.
     parts: [Vec3; 2],
     whole: Vec3,
     normals: [Vec3; 3],
     colours: [[f32; 3]; 3],
     /// The triangle's normal.
     flat: Vec3,
-    /// How high each corner lies above the tangent planes at the next corner and the one after that, taken negative.
+    /// For the tangent plane at each corner: how far the next corner and the one after that lie below it, in the world.
     below: [[f32; 2]; 3],
 }
 

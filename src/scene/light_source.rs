@@ -18,7 +18,7 @@ pub enum Lamp {
     Bulb {
         /// Its position.
         at: Vec3,
-        /// How high it is over the ground at `at.y - height`, greater than 0.
+        /// Height over the ground, greater than 0. The ground lies at `at.y - height`.
         height: f32,
     },
 }
@@ -52,7 +52,7 @@ impl Lamp {
             Lamp::Sun(to) => {
                 let across = to.any_orthonormal_vector();
                 let mut moved = to + across * x + to.cross(across) * y;
-                // A sun that is given lower than that stays where it is.
+                // The limit is the sun's own height if that is lower.
                 moved.y = greater(moved.y, lesser(to.y, LOWEST));
                 Lamp::Sun(moved.normalize_or(to))
             }
@@ -63,7 +63,7 @@ impl Lamp {
         }
     }
 
-    /// The unit vector from a point to it, and its strength there.
+    /// The unit vector from a point to the lamp, and the lamp's strength there.
     #[inline(always)]
     pub(super) fn from(&self, p: Vec3) -> (Vec3, f32) {
         match *self {
@@ -76,7 +76,7 @@ impl Lamp {
         }
     }
 
-    /// The same for four points.
+    /// The same as `from`, for four points.
     #[inline(always)]
     pub(super) fn towards(&self, p: FourVectors) -> (FourVectors, f32x4) {
         match *self {

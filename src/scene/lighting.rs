@@ -18,7 +18,7 @@ const LAMP_SIDE: usize = 2;
 /// side is halved, at most [`HALVINGS`] times.
 const MOST_LAYERS: usize = 16;
 const HALVINGS: usize = 2;
-/// The share of the sky's light on the floor under a lamp, which shines at night.
+/// A bulb shines at night: the floor gets this share of the sky's light.
 const NIGHT: f32 = 0.4;
 /// The finish of a scene without materials.
 const BLACK: SurfaceFinish = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
@@ -110,7 +110,7 @@ impl Lighting {
         }
     }
 
-    /// The same with the lamp at another place.
+    /// The same lighting with the lamp at another place. Its shadow maps are still to be drawn.
     pub(super) fn with_lamp(&self, scene: &Scene, lamp: Lamp) -> Self {
         let layers = self.shadows.layers();
         let is_much = |halvings: &usize| layers >> (2 * halvings) > MOST_LAYERS;
@@ -134,7 +134,7 @@ impl Lighting {
         self.lamp
     }
 
-    /// The same for a scene that is cut by a plane.
+    /// The same lighting for a scene that is cut by a plane.
     pub fn cut_by(mut self, cut: Option<Cut>) -> Self {
         self.shadows.cut = cut;
         self.contact.cut_by(cut);
@@ -215,13 +215,13 @@ impl Lighting {
         faces.then(|| self.spot_of(position, normal, slack))
     }
 
-    /// The same on the other side of a thin body, which faces the lamp.
+    /// Like `spot`, for the far side of a thin body, which faces the lamp. `thick` is the thickness, in the world.
     pub(super) fn spot_behind(&self, position: Vec3, normal: Vec3, thick: f32) -> ShadowSample {
         let (to, _) = self.lamp.from(position);
         self.spot_of(position + to * thick, -normal, 0.0)
     }
 
-    /// The same for a surface that faces the lamp, with a tolerance.
+    /// Like `spot`, for a surface that is known to face the lamp.
     #[inline(always)]
     fn spot_of(&self, point: Vec3, normal: Vec3, slack: f32) -> ShadowSample {
         match self.params.shadow <= 0.0 {
@@ -230,13 +230,14 @@ impl Lighting {
         }
     }
 
-    /// The visible share of the lamp there, 0..1.
+    /// The visible share of the lamp at a place of the shadow maps, 0..1.
     #[inline(always)]
     pub(super) fn seen(&self, spot: &ShadowSample) -> f32 {
         self.shadows.visible(spot)
     }
 
-    /// The distance of a point from a body between it and the lamp; `None` if there is no body, or there are no shadows.
+    /// The distance from a point to the body that hides the lamp from it; `None` if nothing does, or there are no
+    /// shadows.
     pub(super) fn blocker(&self, point: Vec3) -> Option<f32> {
         let has_shadows = self.params.shadow > 0.0;
         has_shadows.then(|| self.shadows.blocker(point)).flatten()
@@ -253,7 +254,7 @@ impl Lighting {
         points.light(&self.lamp, &self.params)
     }
 
-    /// The finish of a row of the table of materials; beyond it, the last one.
+    /// The finish of a row of the table of materials; beyond the table, that of the last row.
     #[inline(always)]
     pub(super) fn finish(&self, material: u8) -> &SurfaceFinish {
         let last = self.finishes.len().saturating_sub(1);
@@ -299,7 +300,7 @@ mod tests {
         }
     }
 
-    /// The slices of the shadow maps of the first sample, and of one with the lamp at another place.
+    /// How many slices the shadow maps take: for the first sample, and for a sample with the lamp at another place.
     fn slices_of(scene: &Scene) -> [usize; 2] {
         let params = ShadeParams::DEFAULT;
         let up = Lamp::Sun(Vec3::Y);
@@ -312,7 +313,7 @@ mod tests {
         [first.1, second.1]
     }
 
-    /// Lighting with its shadow maps, and the number of slices of these.
+    /// Makes the lighting ready; gives it and the number of slices that this took.
     fn ready(mut light: Lighting, scene: &Scene) -> (Lighting, usize) {
         let mut slices = 0;
         while !light.advance(scene, 20_000) {

@@ -30,7 +30,7 @@ pub(super) fn draw(
     at
 }
 
-/// Gives the number of steps.
+/// Draws a line between two points on the screen (x, y, inverse depth); gives the number of steps along it.
 fn stroke(sight: &VisibilityBuffer, a: [f32; 3], b: [f32; 3], rgba: &mut [u8]) -> usize {
     let [width, height] = sight.view().size;
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
@@ -39,7 +39,7 @@ fn stroke(sight: &VisibilityBuffer, a: [f32; 3], b: [f32; 3], rgba: &mut [u8]) -
     } else {
         dy.abs()
     };
-    // Lines are clipped slightly outside the frame.
+    // Lines are clipped outside of the frame only, so they may be longer than the frame.
     let steps = longest.clamp(1.0, 8.0 * (width + height) as f32) as usize;
     for step in 0..=steps {
         let part = step as f32 / steps as f32;

@@ -8,11 +8,11 @@ const STEPS: usize = 1 << 14;
 
 /// The mean of the samples so far at each pixel.
 pub(super) struct Mean {
-    /// Red, green and blue as shares of 65535, and the number of samples that cover the pixel. Others have no colour.
+    /// Red, green and blue as shares of 65535, averaged over the samples that cover the pixel, and the number of these.
     pixels: Vec<[u16; 4]>,
     /// The linear light of each value of the screen (sRGB).
     linear: [u16; 256],
-    /// The value of the screen of linear light, by its upper bits.
+    /// The value of the screen (sRGB) for linear light, indexed by the upper bits of the light.
     screen: Vec<u8>,
 }
 

@@ -16,12 +16,12 @@ const TAPS: usize = 12;
 const STEP: usize = 2;
 /// The pattern repeats after this many computed pixels, along rows and columns.
 const PATTERN: usize = 2;
-/// Weights of the three computed pixels around a pixel, from the one before on: for a pixel that is one of them, and
-/// for one between two.
+/// Weights of the three computed pixels before, at and after a pixel along an axis. The first row is for a computed
+/// pixel, the second for a pixel between two computed ones.
 const WEIGHTS: [[u32; 3]; STEP] = [[1, 2, 1], [0, 2, 2]];
 /// The greatest reach on the screen, as a part of the frame's height.
 const MOST_REACH: f32 = 0.15;
-/// A surface with a smaller cosine hides nothing: it may be the curvature of the surface itself.
+/// Samples in a direction with a smaller cosine to the normal hide nothing: they may lie on the same curved surface.
 const LEAST: f32 = 0.12;
 /// The strength of the darkening.
 const STRENGTH: f32 = 1.5;
@@ -142,10 +142,10 @@ impl Occlusion {
         }
     }
 
-    /// Averages a row, after the computed rows around it, up to [`STEP`] rows below.
+    /// Averages a row. The computed rows around it, up to [`STEP`] rows below, must be finished.
     pub fn average(&mut self, sight: &VisibilityBuffer, y: usize) {
         let [width, height] = sight.view().size;
-        // Beyond the frame the last one counts again.
+        // Beyond the frame, the last computed pixel counts again.
         let three = |v: usize, size: usize| {
             let last = (size - 1) / STEP;
             [

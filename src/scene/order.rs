@@ -2,7 +2,7 @@
 
 use super::{Backdrop, Camera, Cut};
 
-/// The widest aperture.
+/// The greatest [`Order::aperture`].
 pub const WIDEST: f64 = 0.5;
 
 /// The frame to be made.

@@ -5,7 +5,7 @@
 use super::Lighting;
 use glam::Vec3;
 
-/// Places around a point where bodies between it and the lamp are looked for: on a circle.
+/// Offsets on the unit circle: at these places around a point, bodies that hide the lamp are looked for.
 const AROUND: [[f32; 2]; 6] = [
     [1.0, 0.0],
     [0.5, 0.866_025],
@@ -15,8 +15,8 @@ const AROUND: [[f32; 2]; 6] = [
     [0.5, -0.866_025],
 ];
 
-/// Places of the lamp's part: number k of 8 has the radius sqrt((k + 1/2) / 8) and the angle of k golden sections of a
-/// turn.
+/// Places on the unit disc that stand for a sample's part of the lamp. Number k of 8 has the radius sqrt((k + 1/2) / 8)
+/// and the angle of k golden sections of a turn.
 const PART: [[f32; 2]; 8] = [
     [0.25, 0.0],
     [-0.319_290, 0.292_496],

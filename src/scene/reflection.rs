@@ -10,10 +10,10 @@ use wide::f32x4;
 
 /// The light that the floor reflects, linear, on a face that looks straight down.
 const BOUNCE: [f32; 3] = [0.47, 0.43, 0.37];
-/// Shares of it that come from other bodies beside, and that the lamp's strength has no effect on.
+/// The share of it that comes from bodies beside, and the share that does not depend on the lamp's strength.
 const BESIDE: f32 = 0.3;
 const STEADY: f32 = 0.3;
-/// A weak light from behind: its part of the sky's light, on a face seen from its edge.
+/// The strength of a rim light from behind, relative to the sky's light, on a face seen from its edge.
 const RIM: f32 = 0.7;
 
 /// The visible shares, 0..1, of the lights at a point.
@@ -21,7 +21,7 @@ const RIM: f32 = 0.7;
 pub(super) struct Reaching {
     /// The lamp's share.
     pub lamp: f32,
-    /// The sky's share beside bodies near the point.
+    /// The sky's share past bodies near the point.
     pub sky: f32,
     /// The sky's share over the floor below the point.
     pub floor: f32,
@@ -35,7 +35,7 @@ impl Reaching {
         floor: 1.0,
     };
 
-    /// The shares at a pixel of a tile, from its lists of all three.
+    /// The shares at a pixel of a tile; `lists` has one list for each of them.
     #[inline(always)]
     pub fn at(lists: &Vectors, k: usize) -> Self {
         let [lamp, sky, floor] = get(lists, k).to_array();
@@ -53,7 +53,7 @@ pub(super) const FINISH: usize = 7;
 const STRAIGHT: f32 = 0.03;
 /// The surroundings that are mirrored, linear: the sky at the horizon and straight up, and the floor.
 const MIRRORED: [[f32; 3]; 3] = [[0.42, 0.44, 0.47], [1.0, 1.04, 1.1], [0.34, 0.32, 0.28]];
-/// The line between both: its loss of light, and the inverse of its width.
+/// The dark line at the horizon: its loss of light, and the inverse of half its width.
 const HORIZON: [f32; 2] = [0.75, 7.0];
 
 /// The finish of a material.
@@ -129,12 +129,12 @@ impl LitPoints {
             + share.times(self.surroundings(gleam.up))
     }
 
-    /// The mirrored light of the lamp, and what is mirrored.
+    /// How the points mirror the lamp and their surroundings. `to` is the unit vector to the lamp.
     #[inline(always)]
     fn gleam(&self, to: FourVectors) -> Gleam {
         let [_, _, specular, exponent, mirror, ..] = self.finish;
         let one = f32x4::ONE;
-        // As in the plane, a film fills the relief where the highlight is narrow.
+        // As in pictures of height fields, a film fills the relief where the highlight is narrow.
         let fine = all(SMOOTH) / (all(SMOOTH) + exponent);
         let relief = self.normals - self.smooth;
         let normals = self.smooth + relief * fine;
@@ -173,7 +173,7 @@ impl LitPoints {
     #[inline(always)]
     fn fill(&self, open: f32x4, edge: f32x4, strength: f32x4) -> FourVectors {
         let (one, half, up) = (f32x4::ONE, all(0.5), self.normals.y);
-        // The first is less for surfaces that face up, the second for those that face down.
+        // The smaller one counts: `above` for surfaces that face up, `below` for those that face down.
         let above = all(STEEP) + all(1.0 - STEEP) * up;
         let below = all(STEEP) + all(STEEP) * up;
         let sky = above.fast_min(below) + all(RIM) * edge * edge * edge * (half + half * up);
@@ -196,7 +196,7 @@ struct Gleam {
     up: f32x4,
 }
 
-/// Linear light of colours on the screen, 0..255, to 0.001 of white.
+/// Linear light of colours on the screen (0..255), with an error of about 0.001 of white.
 #[inline(always)]
 fn linear(colours: FourVectors) -> FourVectors {
     let v = colours * all(1.0 / 255.0);

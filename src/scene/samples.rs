@@ -45,7 +45,7 @@ fn part_of(v: f64) -> f64 {
     v - libm::floor(v)
 }
 
-/// The digits of a number after the point, in reverse (van der Corput 1935): 0..1.
+/// The digits of a number in this base, mirrored at the point (van der Corput 1935): 0..1.
 fn reversed(mut number: usize, base: usize) -> f64 {
     let (mut digits, mut unit) = (0.0, 1.0 / base as f64);
     while number > 0 {
@@ -59,7 +59,7 @@ fn reversed(mut number: usize, base: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// No two samples are at one place, the first is in the middle, and their mean is near it after any usual number.
+    /// No two samples share a place, the first is in the middle, and the mean of any usual number lies near the middle.
     #[test]
     fn samples_fill_pixel_and_discs() {
         let all = |of: fn(usize) -> [f64; 2]| (0..MOST_SAMPLES).map(of).collect::<Vec<_>>();

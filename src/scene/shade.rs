@@ -15,7 +15,7 @@ use super::{Backdrop, Lighting, Scene, Surfel, View};
 use crate::order::lesser;
 use glam::Vec3;
 
-/// A body whose normal has at least this y gets too little light from the floor to ask how dark that is.
+/// Where a body's normal has a greater y than this, the floor's light is too weak for its darkness to matter.
 const LEVEL: f32 = 0.9;
 
 /// The thickness of bodies that light goes through, in their radii.
@@ -35,12 +35,12 @@ pub(super) struct ShadingInputs<'a> {
     pub far: [f32; 3],
 }
 
-/// The state of shading, which runs from the top of a frame.
+/// The state of shading, which goes from the top of a frame to its bottom.
 pub(super) struct Shading {
     occlusion: Occlusion,
     has_occlusion: bool,
     facets: Facets,
-    /// The surfaces found in the band of rows that is shaded, and in the next band, into which its occlusion reaches.
+    /// The surfaces found in two bands of rows: the band to be shaded, and the next one, which its occlusion needs.
     found: Vec<Found>,
     found_rows: usize,
 }
@@ -118,7 +118,8 @@ impl Shading {
         }
     }
 
-    /// Loops that read memory are apart from those that compute, so that the latter never wait.
+    /// Finds the surfaces of a tile. Loops that read memory are apart from loops that compute, so that computing never
+    /// waits.
     fn find_square(
         &mut self,
         studio: ShadingInputs,

@@ -158,8 +158,8 @@ impl ShadowMaps {
         false
     }
 
-    /// The place in the maps that tells how much of the lamp is visible from a point. `normal` is that of the
-    /// surface, which must face the lamp. `slack` is how far it may lie off the body's own surface, in the world, in
+    /// The place in the maps that tells how much of the lamp is visible from a point. `normal` is that of the surface,
+    /// which must face the lamp. `slack` is how far the point may lie off the body's own surface, in the world, in
     /// addition to the tolerance of the map.
     pub fn spot(&self, point: Vec3, normal: Vec3, slack: f32) -> ShadowSample {
         let mut maps = self.maps.iter().enumerate();
@@ -175,7 +175,8 @@ impl ShadowMaps {
         })
     }
 
-    /// How far a point is from the body between it and the lamp that is nearest to the lamp; `None` if there is no body.
+    /// The distance from a point to the body that the lamp's light meets first on its way there; `None` if there is no
+    /// body.
     pub fn blocker(&self, point: Vec3) -> Option<f32> {
         let map = self.maps.iter().find(|map| map.is_towards(point))?;
         map.blocker(point)
@@ -192,7 +193,7 @@ impl ShadowMaps {
 /// A place on a map.
 #[derive(Clone, Copy)]
 pub(super) struct ShadowSample {
-    /// The number of the map; if there is none, all of the lamp is visible.
+    /// The index of the map; if there is no such map, all of the lamp is visible.
     map: usize,
     /// The first of four by four texels.
     texel: usize,
@@ -439,8 +440,8 @@ impl ShadowMap {
             .get(level_of(diameter, body.levels.len(), is_coarse))
     }
 
-    /// The same as [`ShadowMap::draw`] for an instance that is cut: draws the part of each triangle that is left. Both
-    /// sides of it cast a shadow, as light falls on the inside.
+    /// Like [`ShadowMap::draw`], for an instance that is cut: draws the part of each triangle that is left. Both sides
+    /// of that part cast a shadow, as light falls on the inside.
     fn draw_cut(
         &mut self,
         scene: &Scene,
@@ -479,8 +480,8 @@ impl ShadowMap {
         (drawn, (end < surface.triangles.len()).then_some(end))
     }
 
-    /// Whether a body within a ball would certainly change no texel: the ball contains the middle of none, or all of these
-    /// show something nearer.
+    /// Whether a body within a ball certainly changes no texel: the ball covers the middle of no texel, or each texel
+    /// that it covers shows something nearer.
     fn would_stay(&self, (middle, radius): (Vec3, f32)) -> bool {
         let ShadowProjection::Along { scale, .. } = self.way else {
             return false;
@@ -515,7 +516,7 @@ impl ShadowMap {
             return (1, None);
         };
         let mut work = 0;
-        // Other maps count how often their texels are filled, also by bodies that are hidden.
+        // Only coarse maps leave out hidden bodies: other maps count how often their texels are filled, also by these.
         if next == 0 && is_coarse && self.would_stay(scene.ball_of(instance)) {
             return (1, None);
         }

@@ -1,10 +1,10 @@
-//! The light of a frame's samples. It comes from a lamp of some size: each sample has it at another place of its disc.
+//! The light of a frame's samples. The lamp is a disc, and shines from another place of the disc for each sample.
 
 use super::{Lighting, Scene, samples};
 
-/// The radius of the lamp's disc, seen from what it lights, in degrees.
+/// The angular radius of the lamp's disc, in degrees.
 const RADIUS: f64 = 4.0;
-/// How much wider a sample's part of the disc is than its share.
+/// The radius of a sample's part of the disc, relative to a disc with the sample's share of the area.
 const OVERLAP: f64 = 1.25;
 
 /// The radius of the part of the lamp's disc that one sample stands for, over its distance. Parts overlap a little.
@@ -12,7 +12,7 @@ pub(super) fn part_of_lamp(samples: usize) -> f32 {
     (OVERLAP * libm::tan(RADIUS.to_radians()) / libm::sqrt(samples as f64)) as f32
 }
 
-/// The lighting with the lamp in its middle, which is kept, and that of a later sample.
+/// The lighting with the lamp in the middle of its disc, which is kept, and that of one later sample.
 pub struct SoftLight {
     middle: Lighting,
     moved: Option<(usize, Lighting)>,

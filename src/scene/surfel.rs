@@ -13,7 +13,7 @@ pub struct Surfel {
     pub colour: [f32; 3],
     /// Row of the table of materials.
     pub material: u8,
-    /// The visible part of the sky, 0..1, as far as is known without the surroundings.
+    /// The visible share of the sky, 0..1, past the relief that details add; the surroundings are not part of it.
     pub open: f32,
 }
 

@@ -12,8 +12,8 @@ use crate::order::{self, pair};
 use crate::solid::Surface;
 use glam::Vec3;
 
-/// The widths on the screen, in pixels, down to which a body is drawn at its finest level, the next one, and so on.
-/// The last width is always that between the last two levels.
+/// The widths on the screen, in pixels, down to which a body is drawn at its finest level, the next one, and so on. A
+/// body with fewer levels uses only the last widths.
 const STEPS: [f32; 3] = [160.0, 60.0, 20.0];
 /// Bodies with fewer pixels across are dots.
 const DOT: f32 = 1.0;
@@ -28,8 +28,8 @@ pub(super) const FLOOR: u32 = u32::MAX - 1;
 /// In [`VisibilityBuffer::triangle`]: a body that is a dot.
 pub(super) const AS_DOT: u32 = u32::MAX;
 
-/// In [`VisibilityBuffer::triangle`]: this bit marks the inside of a body that is cut; the others are the number of the
-/// triangle. Its pixels show the cap in the plane of the cut.
+/// In [`VisibilityBuffer::triangle`]: this bit marks a triangle seen from inside a body that is cut; the lower bits are
+/// its number. Such pixels show the cap in the plane of the cut.
 const CAP: u32 = 1 << 31;
 
 /// Whether the entry has no triangle to look up.
@@ -267,7 +267,7 @@ impl VisibilityBuffer {
         (work + drawn, is_drawn)
     }
 
-    /// The same for an instance that is cut: draws the part of each triangle that is left, from both sides.
+    /// Like `draw`, for an instance that is cut: draws the part of each triangle that is left, from both sides.
     fn draw_cut(
         &mut self,
         cut: &Cut,

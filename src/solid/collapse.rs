@@ -24,8 +24,8 @@ pub(crate) struct Collapse {
     pub places: Vec<DVec3>,
     pub triangles: Vec<[u32; 3]>,
     pub quadrics: Vec<Quadric>,
-    /// The first and the last corner in the list of each vertex, which has some removed ones; a corner is three times its
-    /// triangle and its place there. And the corner after each corner.
+    /// Linked lists of the corners at each vertex, removed ones included: the first and the last corner of each vertex,
+    /// and the corner after each corner. Corner 3 t + k is corner k of triangle t.
     lists: Vec<[u32; 2]>,
     next: Vec<u32>,
     /// The number of changes of each vertex.
@@ -48,7 +48,7 @@ impl Collapse {
         }
     }
 
-    /// The same without vertices and triangles, with room for some.
+    /// An empty mesh with room for this many vertices and triangles.
     #[cfg(house)]
     pub fn with_room(vertices: usize, triangles: usize) -> Self {
         Self {

@@ -33,7 +33,7 @@ pub const RINGS: usize = 5;
 const HALF_JOINT: f64 = 0.022;
 /// The least half of a joint in pixels, because thinner joints come and go with the pixel grid.
 const LEAST_HALF_JOINT: f64 = 0.85;
-/// The greatest share of a small stone that this minimum may take.
+/// The greatest share of a small stone that the least half of a joint may take.
 const MOST_HALF_JOINT: f64 = 0.065;
 /// Difference in height of top corners at Dr = 0.3, relative to the joint's depth.
 const UNEVEN: f64 = 0.10;
@@ -52,7 +52,7 @@ const DOME: [f64; 2] = [0.08, 0.26];
 /// Distance of a cobble's side points from the corner, relative to its size: it sets the roundness of
 /// corners.
 const COBBLE_CORNER: [f64; 2] = [0.14, 0.26];
-/// Largest such distance: a side's two points leave its middle free.
+/// The largest such distance, as a share of the side's length: a side's two points leave its middle free.
 const LONGEST_CORNER: f64 = 0.42;
 /// Sine of the least turn of a corner with its own displacement.
 const TRUE_TURN: f64 = 0.55;
@@ -90,7 +90,7 @@ fn bevel_down(params: &StoneParams, exposed: f64) -> f64 {
     bevel(params.bevel_vertical, exposed / USUAL_EXPOSED)
 }
 
-/// From a slab (0) to a stone far higher than wide (1).
+/// How tall a stone is: 0 for a slab, nearly 1 for a stone far higher than wide.
 fn tallness(height: f64, size: f64) -> f64 {
     let (height, size) = (height * height, size * size);
     height / (height + size)
@@ -101,7 +101,7 @@ fn lerp([low, tall]: [f64; 2], tallness: f64) -> f64 {
     low + (tall - low) * tallness
 }
 
-/// Eq. (7): distance from a corner.
+/// Eq. (7): the distance of a bevel from a corner. `ratio` is Bh or Bv.
 fn bevel(ratio: f64, size: f64) -> f64 {
     size / 2.0 * ratio
 }
@@ -172,11 +172,11 @@ fn cobble(params: &StoneParams, size: f64) -> ([RingProfile; RINGS], f64) {
     (rings, of(DOME) * depth)
 }
 
-/// A point of the outline and its share of the next corner's displacement.
+/// A point of the outline, and the factor of its distance from the axis at the top (eq. (6)).
 struct OutlinePoint {
     at: DVec2,
     factor: f64,
-    /// Its share of the top's unevenness, -1..1.
+    /// The point's share of the top's unevenness, -1..1.
     lift: f64,
 }
 
@@ -237,8 +237,7 @@ fn placed(plan: &Footprint, scale: f64, arm: DVec2) -> DVec2 {
     plan.kept_in(p, scale.max(1.0))
 }
 
-/// The scale at a ring. Above 1 it widens the foot more than the top: stones touch and still show their
-/// joints.
+/// The scale at a ring. A scale above 1 widens the foot more than the top: stones touch and still show their joints.
 fn scale_at(scale: f64, displaced: f64) -> f64 {
     scale.min(1.0) + (scale - 1.0).max(0.0) * (1.0 - CROWDED * displaced)
 }
@@ -351,7 +350,7 @@ pub fn triangles(n: usize) -> Vec<[u32; 3]> {
     triangles_over(RINGS, n)
 }
 
-/// The same for a number of rings.
+/// Like [`triangles`], for any number of rings.
 pub fn triangles_over(rings: usize, n: usize) -> Vec<[u32; 3]> {
     let m = 3 * n;
     let at = |ring: usize, i: usize| (ring * m + i % m) as u32;

@@ -46,7 +46,8 @@ pub(super) fn flatten(vertices: &mut [Vec3], stencil: &Stencil, control: &[Vec3]
     }
 }
 
-/// Raises a keel along the flow and lowers the grooves of growth rings. `radii` are those of the vertices.
+/// Raises a keel along the flow and lowers the grooves of growth rings. `radii` are the vertices' radial coordinates
+/// (see `prism::radii`).
 pub(super) fn add_keel_and_rings(
     vertices: &mut [Vec3],
     radii: &[f32],
@@ -68,7 +69,7 @@ pub(super) fn add_keel_and_rings(
     let depth = RING_DEPTH * prism.skin_size as f32;
     for (v, &radius) in vertices.iter_mut().zip(radii) {
         let mut z = v.z;
-        // Falls to 0 at the base.
+        // 1 on the top, falling to 0 at the base.
         let upper = greater(lesser(2.0 - radius, 1.0), 0.0);
         if keel > 0.0 {
             let off = ((v.x - centre.x) * across.x + (v.y - centre.y) * across.y).abs() / half;

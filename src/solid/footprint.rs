@@ -13,7 +13,7 @@ const MOST_POINTS: usize = 1000;
 
 /// A convex corner that stands out less than this (in roots of the area) is dropped.
 const FLAT: f64 = 0.035;
-/// The same for a reflex corner: dropping it costs area on both sides, so it is kept longer.
+/// The same limit for a reflex corner: dropping it costs area on both sides, so it is kept longer.
 const FLAT_REFLEX: f64 = 0.012;
 /// Candidate centres along a side of the ring's box, tried if neither centroid nor particle sees all corners.
 const CANDIDATES: usize = 12;
@@ -101,7 +101,7 @@ fn cleaned(ring: &[DVec2]) -> Option<Vec<DVec2>> {
     if area < 0.0 {
         kept.reverse();
     }
-    // A thinner stone is invisible, and its frame would be noise.
+    // A thinner stone is invisible, and its principal axis would be noise.
     let thin = area.abs() < 1e-4 * extent * extent || area.abs() < 1e-4;
     (kept.len() >= 3 && !thin).then_some(kept)
 }
@@ -142,7 +142,7 @@ fn centroid(ring: &[DVec2]) -> DVec2 {
     origin + sum / (3.0 * twice)
 }
 
-/// The grid point inside that sees most: all corners, or otherwise the farthest walls.
+/// The grid point inside the ring that is farthest from its nearest wall; points that see all corners come first.
 fn deepest(ring: &[DVec2]) -> Option<DVec2> {
     let low = ring.iter().copied().fold(DVec2::MAX, DVec2::min);
     let high = ring.iter().copied().fold(DVec2::MIN, DVec2::max);

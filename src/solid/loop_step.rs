@@ -1,8 +1,9 @@
 //! The weights of one Loop step, row by row.
 //!
-//! Loop, C. (1987), Smooth subdivision surfaces based on triangles: an inner edge's new point takes 3/8 of
-//! each end and 1/8 of each opposite corner. A vertex of valence n keeps 1 - n beta(n) and takes beta(n) of
-//! each neighbour. Along a boundary only the boundary counts, with 1/2, 1/2 and 1/8, 3/4, 1/8.
+//! Loop, C. (1987), Smooth subdivision surfaces based on triangles: an inner edge's new point takes 3/8 of each end and
+//! 1/8 of each opposite corner. A vertex of valence n keeps 1 - n beta(n) and takes beta(n) of each neighbour. Along a
+//! boundary only the boundary counts: new points take 1/2, 1/2 of the ends, old ones 3/4 of themselves and 1/8, 1/8 of
+//! their neighbours.
 
 use super::edges::Edge;
 use crate::csr::Csr;

@@ -54,7 +54,7 @@ pub enum Making {
     Loop(u32),
     /// The fractal noise (Fd, Af): on skin itself; for stones on its own.
     Noise,
-    /// The part of the noise in the planes.
+    /// The noise within the mask: where the stone is visible in the planes.
     Mask,
     /// The finished stone, in its colours.
     Finish,
@@ -81,7 +81,7 @@ impl Making {
         }
     }
 
-    /// The number of Loop steps, if it is one of these.
+    /// The number of Loop steps; `None` for other steps.
     pub fn level(self) -> Option<u32> {
         match self {
             Self::Loop(level) => Some(level),
@@ -97,8 +97,8 @@ pub struct Step {
     pub making: Making,
     /// The closed surface. Only that of the step [`Making::Mask`] may be empty.
     pub surface: Surface,
-    /// Lines to draw over it: for a base its ring and the cell's; then edges of the prism or of all
-    /// triangles; for noise and mask the mask's outline.
+    /// Lines to draw over the surface. For a base: its outline and the cell's ring; then edges of the prism or of all
+    /// triangles; for noise and mask: the outline of the mask.
     pub edges: Vec<[Vec3; 2]>,
 }
 
@@ -227,7 +227,7 @@ fn until(params: &StoneParams, making: Making) -> StoneParams {
     until
 }
 
-/// Base, top and the centre of the top, in the order that skin has.
+/// Base, top and the centre of the top, in the order of [`Prism::points`].
 fn stone_prism(plan: &Footprint, params: &StoneParams, id: u32, making: Making) -> Vec<Vec3> {
     let displaced = if making == Making::Distortion {
         1.0

@@ -102,7 +102,7 @@ pub enum Distribution {
 /// Parameters of the stones; the papers' symbols in brackets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoneParams {
-    /// The control mesh.
+    /// The kind of control mesh.
     pub kind: StoneKind,
     /// Height in picture units, at least 1 (Hs).
     pub height: f64,
@@ -110,7 +110,7 @@ pub struct StoneParams {
     pub scale: f64,
     /// Displacement of the top corners, 0..1 (Dr).
     pub distortion: f64,
-    /// The random number of the displacement.
+    /// The distribution of the displacement's random number.
     pub distribution: Distribution,
     /// Horizontal bevel of a flagstone, 0..1 of half its size (Bh).
     pub bevel_horizontal: f64,

@@ -37,7 +37,7 @@ fn axes(cells: &[Cell]) -> Vec<Axis> {
 pub(crate) struct Axis {
     /// Unit vector, or zero, in the cell's own frame.
     pub along: DVec2,
-    /// Whether it can be turned by half turns only.
+    /// Whether the axis can be turned by half turns only.
     pub is_stiff: bool,
 }
 
@@ -53,7 +53,7 @@ pub(crate) fn turns_to_agree(
     turns_along(axes, links, &kept, carried)
 }
 
-/// The same, but each group as a whole follows `flow`, the wanted direction of each axis.
+/// Like `turns_to_agree`, but each group as a whole follows `flow`, the wanted direction of each axis.
 fn turns_along(
     axes: &[Axis],
     links: &[Vec<u32>],

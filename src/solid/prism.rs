@@ -22,7 +22,7 @@ use std::f64::consts::{PI, TAU};
 /// Normal random numbers are limited to this, so that no cell is torn.
 const MOST_NORMAL: f64 = 2.5;
 
-/// Largest distance of a corner from the centre, relative to the mean.
+/// Largest distance of a corner from the centre, relative to the mean distance.
 const FARTHEST: f64 = 2.0;
 
 /// The shape of a cell of skin. Lengths are relative to the skin size: the mean distance of the cell's
@@ -39,13 +39,13 @@ pub struct SkinParams {
     pub tilt: f64,
     /// Displacement of the top corners towards the centre, 0..1 (Tc).
     pub taper: f64,
-    /// From the rounded faces after subdivision (0) to the flat faces of the prism (1).
+    /// The shape of the faces: from rounded as after subdivision (0) to flat as those of the prism (1).
     pub flatness: f64,
     /// Height of the ridge along the flow, relative to the prism's height, 0..1.
     pub keel: f64,
     /// Number of growth rings.
     pub rings: u32,
-    /// Fractal dimension of the noise, 1..2 (Fd); that of stones is added to the planes.
+    /// Fractal dimension of the noise, 1..2 (Fd). The noise of stones is added to the planes instead.
     pub dimension: f64,
     /// Amplitude of the noise (Af).
     pub amplitude: f64,
@@ -66,7 +66,7 @@ impl SkinParams {
         amplitude: 0.1,
     };
 
-    /// The same with a top that neither leans nor rises.
+    /// The same parameters with a top that neither leans nor rises.
     pub fn upright(self) -> Self {
         Self {
             skew: 0.0,

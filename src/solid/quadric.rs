@@ -39,7 +39,7 @@ impl Quadric {
         self.0[0] + self.0[4] + self.0[7]
     }
 
-    /// The sum at a point.
+    /// The weighted sum of the squared distances at a point.
     pub fn at(&self, p: DVec3) -> f64 {
         let [xx, xy, xz, x, yy, yz, y, zz, z, one] = self.0;
         let squares = xx * p.x * p.x + yy * p.y * p.y + zz * p.z * p.z;
@@ -47,8 +47,8 @@ impl Quadric {
         squares + 2.0 * (mixed + x * p.x + y * p.y + z * p.z) + one
     }
 
-    /// The point of least value. Along directions in which the value changes by less than `hold` for each
-    /// weight, it stays close to `near`.
+    /// The point of least value. Along directions in which the value changes by less than `hold` for each unit of
+    /// weight, the point stays close to `near`.
     #[cfg(house)]
     pub fn lowest(&self, near: DVec3, hold: f64) -> DVec3 {
         let [xx, xy, xz, x, yy, yz, y, zz, z, _] = self.0;

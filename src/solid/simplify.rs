@@ -9,7 +9,7 @@ use super::quadric::Quadric;
 use crate::order::greater;
 use glam::{DVec3, Vec3};
 
-/// Cosine of the largest turn of a triangle.
+/// Cosine of the largest angle by which a collapse may turn a triangle.
 const TURN: f64 = 0.2;
 /// A triangle with a smaller area, in square units, may turn freely.
 const NO_AREA: f64 = 1e-9;
@@ -30,8 +30,8 @@ pub(crate) fn simplify(positions: &[Vec3], triangles: &mut [[u32; 3]], most: usi
     });
 }
 
-/// The same for a surface with borders, whose vertices stay, as do those marked. No place moves much farther
-/// than `far` from the original.
+/// Like [`simplify`], for a surface with borders. Vertices on borders stay, as do those for which `stays` is true. No
+/// place moves much farther than `far` from the original.
 pub(crate) fn simplify_between(
     positions: &[Vec3],
     triangles: &mut [[u32; 3]],

@@ -14,7 +14,7 @@ const STONE_LEVELS: u32 = 5;
 /// Fewest triangles of a cell of skin for each pixel of its prism's surface. Finer ones make no visible
 /// difference.
 const SKIN_TRIANGLES: f64 = 0.9;
-/// Fewest triangles of the last Loop step shown, and of a large cell's.
+/// The range of the number of triangles that the last Loop step shown must reach.
 const SHOWN: [f64; 2] = [3000.0, 12_000.0];
 
 /// Makes the solids of cells, and caches the stencils they share.
@@ -129,8 +129,8 @@ impl Solids {
         }
     }
 
-    /// The same after exactly `level` Loop steps, at most [`MOST_LEVELS`]. Noise of skin ends at the level of
-    /// the solid that a picture needs.
+    /// Like [`Solids::solid`], after exactly `level` Loop steps, at most [`MOST_LEVELS`]. Noise of skin ends at the
+    /// level of the solid that a picture needs.
     pub fn solid_of_level(&mut self, cell: &Cell, params: &StoneParams, level: u32) -> Solid {
         self.exactly = Some(level.min(MOST_LEVELS));
         let solid = self.solid(cell, params);

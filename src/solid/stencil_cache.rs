@@ -30,7 +30,7 @@ pub(super) struct Refinement {
 /// Caches refinements by kind of control mesh, number of corners and level.
 #[derive(Debug)]
 pub(super) struct StencilCache {
-    /// By corners, then level; stones first, then skin.
+    /// The refinements of stones, then those of skin: each by corners, then by level.
     refinements: Vec<Option<Rc<Refinement>>>,
     /// The refinement in progress, with its index.
     building: Option<(usize, StencilBuilder)>,
@@ -44,7 +44,7 @@ pub(super) fn memory(triangles: usize, levels: u32) -> [usize; 2] {
 }
 
 impl StencilCache {
-    /// An empty one.
+    /// An empty cache.
     pub fn new() -> Self {
         Self {
             refinements: vec![None; 2 * SLOTS],
@@ -79,7 +79,7 @@ impl StencilCache {
         };
         let radii = radii.iter().map(|r| r.x).collect();
         let refinement = Rc::new(Refinement { stencil, radii });
-        // The solid of a large refinement needs its own slice.
+        // Applying a large refinement to a cell needs a slice of its own.
         let large = refinement.stencil.len() > ROWS;
         self.refinements[slot] = Some(refinement.clone());
         (!large).then_some(refinement)

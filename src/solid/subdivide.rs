@@ -54,8 +54,8 @@ impl Stencil {
         Self::made(vertices, triangles.to_vec(), levels, false)
     }
 
-    /// The same, with every refined vertex moved to its limit under further steps. So the refined mesh lies
-    /// on the limit surface, and finer meshes hardly differ.
+    /// Like [`Stencil::new`], with every refined vertex moved to its limit under further steps. So the refined mesh
+    /// lies on the limit surface, and finer meshes hardly differ.
     pub fn to_limit(vertices: usize, triangles: &[[u32; 3]], levels: u32) -> Self {
         Self::made(vertices, triangles.to_vec(), levels, true)
     }

@@ -64,7 +64,7 @@ impl Surface {
         self.part(&triangles)
     }
 
-    /// A surface of some of its triangles (without removed ones), with the vertices that they use.
+    /// The part of this surface with these triangles (removed ones are left out) and the vertices that they use.
     pub(crate) fn part(&self, triangles: &[[u32; 3]]) -> Self {
         let left: Vec<[u32; 3]> = triangles.iter().copied().filter(|t| t[0] != t[1]).collect();
         let (kept, triangles) = used(&left, self.positions.len());

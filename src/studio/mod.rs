@@ -265,10 +265,9 @@ impl Studio {
         self.begin(stepping.unwrap_or(0));
     }
 
-    /// While live, a draft may be shown instead of the stages' results. The draft continues from the present
-    /// result, and nothing else is worked on. The result of the recipe before stays until live ends. Then the
-    /// work goes on as if the latest recipe had just been set, but the draft is shown until the stages have
-    /// something to show.
+    /// While live, a draft may be shown instead of the stages' results. The draft continues from the present result,
+    /// and nothing else is worked on. The result of the previous recipe stays until live ends. Then the work goes on as
+    /// if the latest recipe had just been set, but the draft is shown until the stages have something to show.
     pub fn set_live(&mut self, on: bool) {
         let ends = self.is_live && !on;
         self.is_live = on;

@@ -25,7 +25,7 @@ pub fn bench_mesh() -> Object {
     mesh_object(&points, &triangles, suite::STONES, suite::LEVELS)
 }
 
-/// The same for the skin.
+/// The skin that the benchmark subdivides, for other programs: an object as from [`bench_mesh`].
 #[wasm_bindgen]
 pub fn bench_skin() -> Object {
     let (mesh, levels, stones) = suite::skin_mesh();

@@ -8,11 +8,11 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 impl Bubblestone {
-    /// The terms of the boundary's segments in the direction at a place, 9 numbers each: the ends of the segment as x, y,
-    /// x, y, its distance, its term of equation (1) as printed (Miyata, Itoh, Shimada 2000), x and y, and its term of our
-    /// sum, x and y. That one is a vector at four times the angle for squares, at twice the angle for other cells,
-    /// and all of them add up to at most 1. Before them stand the printed sum, x and y, and its length over those of
-    /// its terms.
+    /// The direction at a place as a sum over the boundary's segments. The first 3 numbers are the sum as printed
+    /// (equation (1), Miyata, Itoh, Shimada 2000), x and y, and its length over the sum of its terms' lengths. Then
+    /// each segment has 9 numbers: its ends as x, y, x, y, its distance, its printed term, x and y, and its term of our
+    /// sum, x and y. Terms of our sum are vectors at four times the angle for squares, at twice the angle for other
+    /// cells. All of them add up to at most 1.
     #[wasm_bindgen(js_name = segmentTerms)]
     pub fn segment_terms(&self, x: f64, y: f64) -> Vec<f64> {
         let Some((domain, fields)) = self.ground() else {
@@ -54,10 +54,10 @@ impl Bubblestone {
         )
     }
 
-    /// The direction along a closed walk, given as x, y, x, y, ...: 4 numbers for each of its places and, back at the
-    /// first one, once more. They are the numbers of `directionAt`, and how far the direction has turned on the way,
-    /// in whole turns, clockwise on screen: at last the index of the walk. Empty if the walk leaves the outline, or
-    /// the direction vanishes on the way.
+    /// The direction along a closed walk, given as x, y, x, y, ...: 4 numbers for each place, and at the end once more
+    /// for the first place. They are the numbers of `directionAt`, and how far the direction has turned since the
+    /// start, in whole turns, clockwise on screen: the last of these is the index of the walk. Empty if the walk leaves
+    /// the outline, or the direction vanishes on the way.
     #[wasm_bindgen(js_name = directionsAlong)]
     pub fn directions_along(&self, walk: &[f64]) -> Vec<f64> {
         let walk: Vec<DVec2> = walk.chunks_exact(2).map(DVec2::from_slice).collect();

@@ -32,12 +32,14 @@ impl Bubblestone {
         steps.is_none_or(|steps| steps.join(&mut || clock.now(), budget))
     }
 
-    /// Numbers of the joined cells, by a word. 'points': 3 each, id, x, y. 'faces', the elements of the mesh of these
-    /// points: 4 ids each, of which the last is -1 in a triangle. 'angles', the smallest ones of the mesh's triangles in
-    /// degrees: their median, then their counts in 30 classes from 0 to 60; empty without triangles. 'triangles',
-    /// those of the plain Delaunay triangulation: 10 each, three ids, the angles there in degrees, the shortest side,
-    /// and the circle through the corners as x, y and radius. 'cells', the polygons one after the other: id, number
-    /// of corners, and x, y of each corner.
+    /// Numbers of the joined cells, by a word:
+    /// - 'points', 3 each: id, x, y.
+    /// - 'faces', the elements of the mesh of these points, 4 ids each: the last one is -1 in a triangle.
+    /// - 'angles', the smallest angles of the mesh's triangles, in degrees: their median, then their counts in 30
+    ///   classes from 0 to 60; empty without triangles.
+    /// - 'triangles', those of the plain Delaunay triangulation, 10 each: three ids, the angles there in degrees, the
+    ///   shortest side, and the circle through the corners as x, y and radius.
+    /// - 'cells', the polygons one after the other: id, number of corners, and x, y of each corner.
     pub fn joined(&mut self, part: &str) -> Vec<f64> {
         let mut numbers = Vec::new();
         let Some(joined) = self.steps().and_then(|steps| steps.joined()) else {
@@ -89,7 +91,8 @@ impl Bubblestone {
     }
 
     /// All packed cells by rising ids, 11 numbers each: id, x, y, size, 1 if held, velocity x and y, force x and y,
-    /// energy, and the smallest w (0 without neighbours). Velocities and forces are in sizes, energies in k0.
+    /// energy, and the smallest w (a neighbour's distance over the stable one; 0 without neighbours). Velocities and
+    /// forces are in sizes, energies in k0.
     #[wasm_bindgen(js_name = packedCells)]
     pub fn packed_cells(&mut self) -> Vec<f64> {
         let cells = self.steps().map_or(Vec::new(), |steps| steps.numbers());

@@ -42,8 +42,9 @@ impl Bubblestone {
     /// body's id and the index of a step in its making, such as '12:3'. `camera` is numbers with commas
     /// between: angle, height, distance, lens, and the target's x, y, z; trailing numbers may be missing. `how`
     /// is words joined by '+': 'moving', 'still' (one sample) or 'fine' (the mean of several), 'samples=N' for
-    /// another number of samples, 'aperture=A' for blur by depth, and the background 'floor', 'sky' or 'nothing'.
-    /// If any of these differs from the last call, a new frame begins.
+    /// another number of samples, 'aperture=A' for blur by depth, the background 'floor', 'sky' or 'nothing', and
+    /// 'whole=X,Y,Z,D' or 'through=X,Y,Z,D' for a plane that cuts away bodies. If any of these differs from the last
+    /// call, a new frame begins.
     #[wasm_bindgen(unchecked_return_type = "FrameSlice | Notice")]
     pub fn turn(
         &mut self,
@@ -123,7 +124,7 @@ impl Bubblestone {
         caption.map_or(JsValue::UNDEFINED, |caption| notice(&caption).into())
     }
 
-    /// The pixel of such a place in that frame; undefined if it is hidden there.
+    /// The pixel of a place as from `placeAt` in the frame last finished; undefined if the place is hidden there.
     #[wasm_bindgen(js_name = pixelOf)]
     pub fn pixel_of(&mut self, x: i32, y: i32, z: i32) -> Option<Vec<f64>> {
         let place = [x, y, z].map(i64::from);

@@ -23,7 +23,7 @@ pub struct PointShadows {
     side: usize,
     /// Column and row of the lamp's foot, in the picture or not.
     foot: [i32; 2],
-    /// The foot's coordinate along the lines of this quarter, and the outward direction.
+    /// The foot's coordinates along the lines of this quarter and across them.
     axis: i32,
     start: i32,
     /// Heights of the lamp's upper and lower rim.
@@ -83,8 +83,8 @@ impl PointShadows {
             let height = bump[y as usize * self.side + x as usize];
             let at = self.axis as usize;
             for (line, rim) in self.before.iter_mut().zip([self.upper, self.lower]) {
-                // The ray to the foot is vertical; a small distance replaces zero. The pixels beside it are
-                // as in `line`.
+                // The ray to the foot is vertical; a small distance replaces zero. The pixels beside the foot get the
+                // same slope, as at the ends of a line (see `line`).
                 line[at..at + 3].fill((height - rim) / 0.5);
             }
         }
@@ -107,8 +107,8 @@ impl PointShadows {
         self.half(k, first..axis, 2, heights, lit);
         self.half(k, axis..end, 0, heights, lit);
         std::mem::swap(&mut self.before, &mut self.now);
-        // Beyond the diagonal the next line does not use this one: there all weight is on the inner pixel,
-        // and any number with a small difference will do.
+        // The next line reads one pixel beyond each end, with no weight, as on the diagonal only the inner pixel
+        // counts. Any number near the last one will do.
         for line in &mut self.before {
             line[first] = line[first + 1];
             line[end + 1] = line[end];
@@ -151,7 +151,7 @@ impl PointShadows {
             let rise = |[outer, inner]: [&[f32]; 2]| outer[i] + (inner[i] - outer[i]) * weight;
             let (low, high) = (rise(dark), rise(light));
             let [a, b] = [self.upper + low * distance, self.lower + high * distance];
-            // The two lines cross only if the surface is above the lamp.
+            // The shadow lines of the two rims cross only if the surface is above the lamp.
             lit[i] = visible(heights[i], if b < a { b } else { a }, greater(a, b));
             now_dark[i] = greater(low, (heights[i] - self.upper) * inverse);
             now_light[i] = greater(high, (heights[i] - self.lower) * inverse);

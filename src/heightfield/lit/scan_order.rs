@@ -8,9 +8,10 @@ const BLOCK: usize = 16;
 /// Neighbouring rows or columns, one after another.
 #[derive(Clone, Debug)]
 pub struct ScanOrder {
-    /// Columns from left to right, otherwise rows from top to bottom ...
+    /// Whether the lines are columns, from left to right; otherwise they are rows, from top to
+    /// bottom.
     pub columns: bool,
-    /// ... or the reverse.
+    /// Whether the lines come in reverse order.
     pub backwards: bool,
     left: Range<usize>,
     fresh: bool,
@@ -26,7 +27,7 @@ impl ScanOrder {
         }
     }
 
-    /// The last `lines` of its lines, none done yet.
+    /// An order of only the last `lines` lines.
     pub fn last(&self, lines: usize) -> Self {
         let left = &self.left;
         let last = if self.backwards {

@@ -31,7 +31,7 @@ pub struct Shader {
 struct RowLight {
     /// Rise of the surface to the right and downwards.
     slope: [Vec<f32>; 2],
-    /// The same as highlights see it, on surfaces with a film.
+    /// The rise that highlights see: on surfaces with a film, the relief is smoothed.
     gleam: [Vec<f32>; 2],
     /// Light of the sky.
     sky: Vec<f32>,
@@ -62,7 +62,7 @@ impl Shader {
         Self::banded(params, [side, pixel_scale], side)
     }
 
-    /// The same with at most `room` rows in memory.
+    /// Like [`Shader::new`], with at most `room` rows in memory.
     pub fn banded(params: &ShadeParams, [side, pixel_scale]: [usize; 2], room: usize) -> Self {
         let mut rgba = vec![0; side * room * 4];
         rgba.iter_mut().skip(3).step_by(4).for_each(|a| *a = 255);

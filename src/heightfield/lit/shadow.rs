@@ -89,7 +89,7 @@ impl Shadows {
         true
     }
 
-    /// The plane so far.
+    /// The lamp's visible part at each pixel so far, 255 for all of it.
     pub fn lit(&self) -> &[u8] {
         &self.lit
     }

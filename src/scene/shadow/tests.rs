@@ -1,4 +1,4 @@
-//! Coarse shadow maps leave out bodies, and show the same.
+//! Coarse shadow maps leave out hidden bodies, and all texels stay the same.
 
 use super::super::{Body, Place};
 use super::*;
@@ -58,7 +58,8 @@ fn texels(mut maps: ShadowMaps, scene: &Scene) -> Vec<u32> {
 
 #[test]
 fn bodies_that_are_left_out_would_change_no_texel() {
-    // Bodies of one level are drawn alike in coarse maps, which leave out bodies, and in others.
+    // With one level of detail, coarse maps draw the same surfaces as others, but leave out hidden
+    // bodies.
     for seed in 0..6 {
         let scene = heap(seed);
         let mut random = Random::new(seed, Purpose::Scatter, 1);
