@@ -47,10 +47,11 @@ impl ComponentType {
 }
 
 impl BufferView {
-    /// The view of an accessor with `group` components, in a file with a binary chunk of this many bytes.
+    /// The view of accessor `number`, whose groups must have `group` components: 3 or 1. `bytes` is the length of the
+    /// file's binary chunk.
     ///
     /// # Errors
-    /// If the accessor is invalid, or needs what cannot be read.
+    /// If the accessor is invalid, or needs a feature that cannot be read.
     pub fn of_accessor(
         (json, bytes): (&Json, usize),
         number: usize,
@@ -77,8 +78,8 @@ impl BufferView {
         Ok(own)
     }
 
-    /// The same, with the end of the file's view, in bytes; `None` if a number is missing or wrong, or the accessor
-    /// reaches beyond the file's view.
+    /// The view of an accessor, and the byte of the chunk at which the file's buffer view ends. `None` if a number is
+    /// missing or wrong, or the accessor reaches beyond that buffer view.
     fn within(view: &Json, accessor: &Json, group: usize) -> Option<(Self, u64)> {
         let wanted = if group == 3 { "VEC3" } else { "SCALAR" };
         if accessor.get("type").and_then(Json::text) != Some(wanted) {

@@ -18,13 +18,13 @@ impl Affine {
         self.turn(p) + self.0[3]
     }
 
-    /// The map that applies this one after the inner one.
+    /// The map that applies `inner` first, then this map.
     pub fn then(&self, inner: &Affine) -> Self {
         let [x, y, z, at] = inner.0;
         Self([self.turn(x), self.turn(y), self.turn(z), self.place(at)])
     }
 
-    /// Whether it mirrors.
+    /// Whether the map mirrors, so that triangles have to be reversed.
     pub fn mirrors(&self) -> bool {
         self.0[0].cross(self.0[1]).dot(self.0[2]) < 0.0
     }

@@ -14,9 +14,10 @@ use std::ops::Range;
 const JSON: &[u8] = b"JSON";
 const BIN: &[u8] = b"BIN\0";
 
-/// The most chunks: those after the first two are of no known kind.
+/// The most chunks in a file. Only a JSON chunk and a binary chunk are read; chunks of unknown
+/// types may follow.
 const MOST_CHUNKS: usize = 1 << 16;
-/// Bytes of the head, and steps through its scene, in a slice.
+/// Bytes of the head that a slice parses, and steps that a slice walks through the scene.
 const HEAD: usize = 1 << 18;
 const STEPS: usize = 1 << 12;
 
@@ -28,10 +29,11 @@ pub(super) struct Glb {
     start: usize,
     /// The length of the binary chunk.
     length: usize,
-    /// The current draw, and how many of its numbers have been read: first positions, then corners.
+    /// Index of the current draw, and how many of its items have been read: first positions, then
+    /// corners.
     draw: usize,
     at: usize,
-    /// The index of the draw's first vertex.
+    /// Index in the soup of the current draw's first vertex.
     first: usize,
     corners: Vec<u32>,
 }
@@ -84,7 +86,8 @@ fn bad_head() -> Notice {
     Notice::new(Code::FileHead).with("kind", "GLB".to_owned())
 }
 
-/// Checks how much is drawn. A file may draw the same numbers many times, so the sums count.
+/// Checks the totals of triangles and vertices over all draws: a small file may draw the same
+/// numbers many times.
 fn checked(draws: Vec<Draw>) -> Result<Vec<Draw>, Notice> {
     let count = |draw: &Draw| draw.corners.unwrap_or(draw.places).count as u64;
     let triangles = |draw: &Draw| match draw.mode {
@@ -105,7 +108,7 @@ fn u32_at(bytes: &[u8], at: usize) -> Option<u32> {
 }
 
 impl Glb {
-    /// Finds the first chunk of text and the first one of numbers.
+    /// Finds the first JSON chunk and the first binary chunk.
     fn find_chunks(&mut self, bytes: &[u8]) -> Result<Head, Notice> {
         let version = u32_at(bytes, 4).ok_or_else(|| ends("GLB"))?;
         let length = u32_at(bytes, 8).ok_or_else(|| ends("GLB"))? as usize;
@@ -139,7 +142,7 @@ impl Glb {
         Ok(Head::Text(Parser::new()))
     }
 
-    /// Reads some numbers of a draw; returns how many.
+    /// Reads up to `most` positions or corners of a draw; returns how many, at least 1.
     fn read(
         &mut self,
         draw: &Draw,

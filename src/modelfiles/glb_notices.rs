@@ -2,7 +2,8 @@
 
 use crate::notice::{Code, Notice};
 
-/// The notice that something in the file is invalid. Its number is not known if the file names it wrongly.
+/// The notice that a part of the file is invalid. `number` is the index of the part; `None` if the file gives no valid
+/// index.
 pub(super) fn broken(what: &str, number: impl Into<Option<usize>>) -> Notice {
     let what = match number.into() {
         Some(number) => format!("{what} {number}"),
@@ -13,7 +14,7 @@ pub(super) fn broken(what: &str, number: impl Into<Option<usize>>) -> Notice {
         .with("what", what)
 }
 
-/// The notice that a file needs what cannot be read, whose name a visitor will search for.
+/// The notice that a file needs a feature that cannot be read. It quotes the name, so that a visitor can search for it.
 pub(super) fn needs(code: Code, name: &str) -> Notice {
     Notice::new(code)
         .with("kind", "GLB".to_owned())

@@ -1,9 +1,9 @@
 //! Readers for model files: OBJ, GLB, PLY and STL.
 //!
-//! The readers are our own. The libraries at hand (`tobj`, `gltf` with `serde_json`, `ply-rs`, `stl_io`) read a file
-//! in one go, which blocks a page for a second if a model has half a million triangles. They keep data that no
-//! surface needs. Some trust the counts in a file's head, or panic on a broken file. `gltf` alone is larger than all
-//! of this. Only shapes are read: no colours, no skeletons.
+//! The readers are our own. The libraries at hand (`tobj`, `gltf` with `serde_json`, `ply-rs`, `stl_io`) read a file in
+//! one go, which blocks a page for a second if a model has half a million triangles. They keep data that no surface
+//! needs. Some trust the counts in a file's head, or panic on a broken file. `gltf` alone is larger than this whole
+//! module. Only shapes are read: no colours, no skeletons.
 //!
 //! A fault of a file becomes a notice. [`crate::trimesh::repair`] mends or reports faults of the model in it.
 
@@ -29,7 +29,7 @@ use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup};
 use std::sync::Arc;
 
-/// Bytes of text, or numbers of binary files, in a slice.
+/// Size of a slice: bytes of a text file. Readers of binary STL and GLB read a fixed fraction of this many items.
 const SLICE: usize = 1 << 18;
 
 /// A reader of one kind of file.
@@ -117,7 +117,7 @@ fn reader(ending: &str, bytes: &[u8]) -> Result<(Box<dyn Reader>, usize), Notice
             _ => Code::FileUnknown.into(),
         });
     } else if stl::has_numbers(bytes) {
-        // The head may begin with any bytes.
+        // The head may begin with any bytes, even those of a byte order mark.
         return Ok((Box::<stl::Numbers>::default(), 0));
     } else if stl::is_text(text) {
         Box::<stl::Text>::default()
@@ -152,7 +152,7 @@ fn bad_line(kind: &str, number: usize, line: &[u8]) -> Notice {
         .with("line", crate::notice::quote(line.trim()))
 }
 
-/// Adds the triangles of a strip. Each begins at the next corner; every other one is reversed.
+/// Adds the triangles of a strip: each triangle begins one corner later, and every second one is reversed.
 fn add_strip(corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
     for (k, t) in corners.windows(3).enumerate() {
         triangles.push(match k % 2 {

@@ -1,7 +1,7 @@
 //! Wavefront OBJ: lines of text.
 //!
-//! Two readers share the lines: that of surfaces wants triangles ([`Soup`]), that of buildings wants polygons and groups
-//! ([`PolygonModel`]).
+//! Two readers share this code: the one of surfaces wants triangles ([`Soup`]), the one of buildings wants polygons and
+//! groups ([`PolygonModel`]).
 
 use super::text::{next_line, number, words};
 use super::{Reader, SLICE, bad_line, too_large};
@@ -18,7 +18,7 @@ const WORDS: [&[u8]; 14] = [
 /// The longest line that is read, in bytes: a face of half a million corners has about as many.
 const LONGEST: usize = 1 << 22;
 
-/// Whether text looks like such a file.
+/// Whether text looks like an OBJ file: it begins with a known word, and has a vertex near its start.
 pub(super) fn is_one(start: &[u8]) -> bool {
     let start = start[..start.len().min(1 << 16)].to_ascii_lowercase();
     let (mut at, mut has_vertex) = (0, false);
@@ -51,7 +51,7 @@ impl Reader for Obj {
 trait Sink {
     /// The vertices so far.
     fn positions(&mut self) -> &mut Vec<DVec3>;
-    /// Takes a polygon with vertices that have come before.
+    /// Takes a polygon: its corners' vertices, counted from 0. They may lie beyond the vertices so far.
     fn polygon(&mut self, corners: &[u32]);
     /// Takes the names of the group that the next polygons belong to.
     fn group(&mut self, names: Vec<String>);
@@ -69,14 +69,14 @@ impl Sink for Soup {
     fn group(&mut self, _: Vec<String>) {}
 }
 
-/// The polygons of a file, as they stand there, in their groups.
+/// The polygons of a file, not divided into triangles, with their groups.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PolygonModel {
     /// The vertices, in the file's units.
     pub positions: Vec<DVec3>,
-    /// The corners of each polygon, and the number of its group.
+    /// The corners of each polygon as vertex indices, and the index of its group.
     pub polygons: Vec<(Vec<u32>, u32)>,
-    /// The names of each group; the first group has none, and holds what comes before any other.
+    /// The names of each group. Group 0 has no names; it holds the polygons before the first named group.
     pub groups: Vec<Vec<String>>,
 }
 
@@ -109,7 +109,7 @@ impl PolygonModel {
     }
 }
 
-/// The line without its final backslash, if it continues in the next one.
+/// The line without its final backslash; `None` if the line does not continue in the next one.
 fn continued(line: &[u8]) -> Option<&[u8]> {
     line.strip_suffix(b"\\")
 }
@@ -140,7 +140,7 @@ impl Obj {
         line.ok_or_else(|| bad_line("OBJ", self.line, &bytes[start..]))
     }
 
-    /// A line with those that continue it.
+    /// A line joined with the lines that continue it.
     fn joined(&mut self, bytes: &[u8], first: &[u8]) -> Result<Vec<u8>, Notice> {
         let mut whole = first.to_vec();
         while self.at < bytes.len() {

@@ -6,12 +6,12 @@ use crate::notice::{Code, Notice};
 use crate::trimesh::{MOST_TRIANGLES, Soup, polygon};
 use glam::DVec3;
 
-/// Numbers in a slice.
+/// Numbers that a slice reads.
 const NUMBERS: usize = 1 << 17;
-/// The longest head that is read.
+/// The longest head that is read, in bytes.
 const HEAD: usize = 1 << 16;
 
-/// Whether a file is of this kind.
+/// Whether a file is PLY: it begins with `ply` and white space.
 pub(super) fn is_one(bytes: &[u8]) -> bool {
     let [a, b, c, end, ..] = *bytes else {
         return false;
@@ -45,7 +45,7 @@ enum Role {
 }
 
 struct Property {
-    /// For a list the type of its count.
+    /// The type of a list's count; `None` if the property is a single number.
     count: Option<Scalar>,
     item: Scalar,
     role: Role,
@@ -64,7 +64,7 @@ pub(super) struct Ply {
     element: usize,
     /// How many items of the element have been read.
     item: u64,
-    /// How many properties of the item have been read, and what is left of a list.
+    /// How many properties of the item have been read, and how many numbers are left of a list that a slice began.
     property: usize,
     left: Option<usize>,
     place: [f64; 3],
@@ -132,7 +132,7 @@ fn scalar(word: &[u8]) -> Result<Scalar, Notice> {
 }
 
 impl Ply {
-    /// The next line of the head in small letters, which ends before `end`.
+    /// The next line of the head, in lower case. `end` is the byte that ends lines.
     fn head_line(&mut self, bytes: &[u8], end: u8) -> Result<Vec<u8>, Notice> {
         let rest = bytes.get(self.at..).unwrap_or(&[]);
         let length = rest.iter().take(HEAD).position(|&b| b == end);
@@ -236,7 +236,7 @@ impl Ply {
             Some(left) => left,
             None => {
                 let count = self.read(bytes, format, count)?;
-                // Each item has at least one byte.
+                // Each item takes at least one byte, so a longer list cannot be in the file.
                 if !(count >= 0.0 && count <= (bytes.len() - self.at) as f64) {
                     return Err(ends("PLY"));
                 }
@@ -252,7 +252,7 @@ impl Ply {
             left -= 1;
             let x = self.read(bytes, format, property.item)?;
             let fits = x >= -1.0 && x < f64::from(u32::MAX) && x as i64 as f64 == x;
-            // An index that no vertex can have is reported later.
+            // `u32::MAX`, which no vertex can have, is reported later.
             let corner = if fits { x as i64 as u32 } else { u32::MAX };
             if property.role != Role::None {
                 self.list.push(corner);
@@ -343,7 +343,8 @@ fn add_property(
     Ok(())
 }
 
-/// Checks that vertices have three coordinates, and that there are faces or strips.
+/// Checks that vertices have three coordinates. If there are strips and only one element with corners, marks its
+/// corners as strips.
 fn check(head: &mut Head, has_strips: bool) -> Result<(), Notice> {
     let Some(vertex) = head.elements.iter().find(|e| e.is_vertex) else {
         return Err(bad_head());

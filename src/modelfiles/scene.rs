@@ -21,7 +21,8 @@ pub(super) enum Mode {
     Fan,
 }
 
-/// Extensions without which a file cannot be read, and those that can be ignored.
+/// Extensions that compress the geometry, so that it cannot be read, and extensions that can be
+/// ignored.
 const COMPRESSED: [&str; 2] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression"];
 const HARMLESS: [&str; 4] = [
     "KHR_mesh_quantization",
@@ -31,7 +32,7 @@ const HARMLESS: [&str; 4] = [
 ];
 /// The most draws and visited nodes: a hostile file may draw the same things over and over.
 const MOST_DRAWS: usize = 100_000;
-/// The most primitives, with those that draw no triangles.
+/// The most primitives, including those that draw no triangles.
 const MOST_PRIMITIVES: usize = 10 * MOST_DRAWS;
 /// The deepest nesting of nodes.
 const DEPTH: usize = 128;
@@ -45,10 +46,10 @@ pub(super) struct ModelScene {
     /// How many nodes and primitives have been visited.
     visits: usize,
     primitives: usize,
-    /// The root nodes, and how many of them have been visited.
+    /// The root nodes (`None` if an index is invalid), and how many of them have been visited.
     roots: Vec<Option<usize>>,
     root: usize,
-    /// The current node, after those that contain it.
+    /// The nodes from a root down to the current node, which is the last.
     path: Vec<Visit>,
 }
 
@@ -56,7 +57,7 @@ pub(super) struct ModelScene {
 struct Visit {
     node: usize,
     frame: Affine,
-    /// The next primitive of its mesh, and its next child.
+    /// Index of the next primitive of the node's mesh, and index of its next child.
     primitive: usize,
     child: usize,
 }
@@ -212,7 +213,8 @@ impl ModelScene {
     }
 }
 
-/// The root nodes of the default scene; without a scene, the nodes that are no other's child.
+/// The root nodes of the default scene. Without a scene: the nodes that are no child of another
+/// node.
 fn roots(json: &Json) -> Vec<Option<usize>> {
     let number = json.index_of("scene").unwrap_or(0);
     if let Some(scene) = json.list_of("scenes").get(number) {

@@ -6,7 +6,7 @@ use crate::notice::Notice;
 use crate::trimesh::{MOST_TRIANGLES, Soup, polygon};
 use glam::DVec3;
 
-/// Bytes of the head with the count of triangles, and of a triangle.
+/// Bytes of the head, which ends with the count of triangles, and bytes of one triangle.
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
@@ -21,7 +21,7 @@ pub(super) fn has_head(bytes: &[u8]) -> bool {
     count(bytes).is_some()
 }
 
-/// Whether text looks like such a file. Some programs write its words in capitals.
+/// Whether text looks like an STL file in text form. Some programs write its words in capitals.
 pub(super) fn is_text(start: &[u8]) -> bool {
     let start = start[..start.len().min(4096)].to_ascii_lowercase();
     let has = |word: &[u8]| start.windows(word.len()).any(|w| w == word);
@@ -50,7 +50,7 @@ impl Reader for Numbers {
             return Err(too_large(count));
         }
         if self.at == 0 {
-            // The length has been checked, so this is no more than the file has bytes.
+            // The file's length has been checked, so this cannot reserve more than a few times the file's size.
             soup.positions.reserve_exact(3 * count);
             soup.triangles.reserve_exact(count);
         }
@@ -78,7 +78,7 @@ impl Reader for Numbers {
     }
 }
 
-/// Reads a text.
+/// Reads a file in text form.
 #[derive(Default)]
 pub(super) struct Text {
     at: usize,

@@ -158,7 +158,7 @@ fn what_is_no_model_is_told_so() {
     ] {
         assert_eq!(refused(name, bytes), code, "{name}");
     }
-    // The name promises a kind that the content is not.
+    // The content is of no known kind, whatever the name.
     for name in ["a.obj", "a.ply", "a.stl", "a.glb"] {
         let soup = Reading::read(name, b"nothing of the sort".to_vec());
         let code = soup.and_then(MeshRepair::mend).unwrap_err().code;
@@ -441,7 +441,7 @@ fn a_head_of_a_glb_is_read_in_short_slices() {
         assert!(slices >= least, "{slices}");
     }
     assert_eq!(refused("a.glb", visited(100_001, "", "")), Code::FileBroken);
-    // Lines are looked at, too, though they draw nothing.
+    // Primitives that are lines draw nothing, but they count towards the limit.
     let lines = r#"{"mode":1},"#.repeat(1000);
     let json = format!(
         r#"{{"nodes":[{}{{"mesh":0}}],"meshes":[{{"primitives":[{lines}{{}}]}}]}}"#,

@@ -75,8 +75,8 @@ pub(super) fn next_word<'a>(bytes: &'a [u8], at: &mut usize) -> Option<&'a [u8]>
 /// The longest text of a number, in bytes.
 const LONGEST: usize = 1000;
 
-/// The double nearest to a decimal number. Numbers of few digits, which are the most, need no long division (Clinger
-/// 1990, How to Read Floating Point Numbers Accurately).
+/// The double nearest to a decimal number; `None` if the word is not a number. Most numbers have few digits and need no
+/// long division (Clinger 1990, How to Read Floating Point Numbers Accurately).
 pub(super) fn number(word: &[u8]) -> Option<f64> {
     if word.len() > LONGEST {
         return None;
@@ -98,7 +98,8 @@ pub(super) fn number(word: &[u8]) -> Option<f64> {
     Some(if is_negative { -size } else { size })
 }
 
-/// The digits as an integer, and the power of ten to multiply it by. Nothing if there are too many digits.
+/// The digits as an integer, and the power of ten to multiply it by. `None` if there are too many digits, or the word
+/// is no number.
 fn short(plain: &[u8]) -> Option<(u64, i32)> {
     let (mut digits, mut count, mut power) = (0u64, 0, 0);
     let mut has_point = false;

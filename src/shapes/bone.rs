@@ -17,7 +17,7 @@ pub struct Bone {
 /// A point on a bone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OnBone {
-    /// Where it is.
+    /// Position of the point.
     pub at: DVec3,
     /// Its distance from the point of the query.
     pub distance: f64,

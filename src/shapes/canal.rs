@@ -1,4 +1,4 @@
-//! Canal surfaces: the hulls of balls whose middles and radii change along a curve.
+//! Canal surfaces: the envelopes of balls whose middles and radii change along a curve.
 
 use super::bone::Bone;
 use super::jet::{Jet, JetPoint};
@@ -14,15 +14,16 @@ pub(super) struct Canal {
     closed: bool,
     /// The bounding box of all balls.
     bounds: (DVec3, DVec3),
-    /// How much nearer the samples may be that a search leaves out than those that it visits.
+    /// How much nearer to a point a sample that the search skips can be than the visited one beside it.
     reach: f64,
 }
 
-/// The search for the nearest sample visits one in this many first.
+/// The search for the nearest sample first visits only one in this many samples.
 const STRIDE: usize = 4;
 /// Newton steps to the exact foot.
 const STEPS: usize = 3;
-/// Two places belong to different parts of the curve if the way along it is this many times the straight way.
+/// Two places belong to different parts of the curve if the way along the curve is more than this many times their
+/// distance.
 const RETURNS: f64 = 2.2;
 /// The greatest radius of a ball as a part of the curve's radius of curvature, so that the inside of a bend stays
 /// smooth.
@@ -209,8 +210,8 @@ impl Canal {
         gap
     }
 
-    /// Calls `tell` for each two places of different parts: their distance, the sum of the radii, false. And for each
-    /// bend: the curve's own radius, the radius of the ball, true.
+    /// Calls `tell` for each pair of places on different parts, with their distance, the sum of their radii, and false.
+    /// Also calls it for each bend, with the radius of curvature, the radius of the ball, and true.
     fn narrows(&self, mut tell: impl FnMut(f64, f64, bool)) {
         let n = self.points.len();
         let mut along = vec![0.0; n + 1];

@@ -7,7 +7,7 @@ use super::jet::{Jet, JetPoint};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// A canal, stretched in height. An open one has a flat root.
+/// A canal, stretched in height. If the canal is open, its start is cut off flat: the root.
 pub(super) struct Curled {
     /// The canal before it is stretched.
     canal: Canal,
@@ -28,7 +28,8 @@ struct Root {
 
 /// The radius of the root's edge, as a part of the root's own radius: for round ends, and for cuts.
 const ROUND: [f64; 2] = [0.7, 0.12];
-/// A horny tip: places before and beyond the end of the curve, and radii, both in radii of the end.
+/// The balls of a horny tip: distance beyond the end of the curve, and radius. Both are multiples of the radius at that
+/// end.
 const TIP: [[f64; 2]; 6] = [
     [-1.2, 0.8],
     [-0.2, 0.86],
@@ -72,7 +73,7 @@ impl Curled {
     }
 }
 
-/// The bounding box of a canal. Without the part that is cut off at the root, if it is open.
+/// The bounding box of a canal. If the canal is open, the part that is cut off at the root does not count.
 fn box_of(canal: &Canal, closed: bool) -> (DVec3, DVec3) {
     if closed {
         return canal.bounds();
@@ -208,7 +209,6 @@ const SAMPLES: usize = 160;
 pub(super) fn horn(n: &[f64], ends: Ends) -> Curled {
     let (turns, rise, taper, girth) = (n[0], n[1], n[2], n[3]);
     let shrink = -libm::log(taper) / (TAU * turns);
-    // A fast-shrinking spiral has to run far inwards, so its curve is long.
     let points: Vec<(DVec3, f64)> = (0..=SAMPLES)
         .map(|k| {
             // Samples at even steps of the length.
@@ -236,7 +236,7 @@ pub(super) fn tail(n: &[f64], ends: Ends) -> Curled {
         let t = k as f64 * step;
         points.push(p);
         radii.push(0.5 * girth * (1.0 - (1.0 - taper) * libm::pow(t, 0.9)));
-        // The direction of a step is that in its middle.
+        // Each step takes the direction at its middle.
         let m = t + 0.5 * step;
         let angle = curl * libm::pow(m, 1.7);
         let out = 0.75 * lift * m;

@@ -10,11 +10,11 @@ pub(super) struct Fish {
     body: Canal,
     /// Half the height; the length is 1.
     half: f64,
-    /// The ratio of the width to the height.
+    /// The factor that stretches the width so that each side of the lens becomes an arc of a circle.
     narrow: f64,
     /// The fins in the middle plane, each with the radius of its smooth join to the body.
     fins: Vec<(Canal, f64)>,
-    /// The fins at the sides.
+    /// The fin at one side, in a space that is stretched across. The other side mirrors it.
     side: Canal,
     eye: (DVec3, f64),
     /// Radii of the body at even steps along x.
@@ -29,7 +29,7 @@ pub(super) struct Fish {
 const LENS: f64 = 0.32;
 /// The radius of the lens' rounded edges.
 const EDGE: f64 = 0.016;
-/// The ratio of breadth to thickness of fins in the middle plane and of those at the sides.
+/// The ratio of breadth to thickness: of fins in the middle plane, and of fins at the sides.
 const THIN: f64 = 2.2;
 const SIDE_THIN: f64 = 2.0;
 /// The strength of the body's bend to the side, for an angle with tangent 1.
@@ -61,7 +61,7 @@ fn trunk(half: f64, larger: f64) -> Canal {
     Canal::through(&body, 6)
 }
 
-/// The tail and the fins of the back and the belly, each with half its thickness.
+/// The tail and the fins of the back and the belly, each with the radius of its smooth join to the body.
 fn thin_fins(half: f64, tail: f64, fins: f64) -> Vec<(Canal, f64)> {
     let lobe = |up: f64| {
         let (s, u) = (tail, tail * up);
@@ -108,7 +108,7 @@ impl Fish {
     /// The fish for the numbers `[height, width, tail, fins, swim]`.
     pub fn new(n: &[f64]) -> Self {
         let (half, width, tail, fins) = (0.5 * n[0], n[1], n[2], n[3]);
-        // The lens is lower than its circles. So these are larger, which gives it the wanted height.
+        // Two overlapping circles make the lens. They are larger than the wanted height, because the lens is lower.
         let larger = half / (1.0 - LENS * LENS).sqrt();
         let through_fins = thin_fins(half, tail, fins);
         let narrow = ((1.0 - LENS) / (1.0 + LENS)).sqrt() / width;
@@ -141,10 +141,10 @@ impl Fish {
         fish
     }
 
-    /// A fin of each side.
+    /// The fin at one side.
     fn side_fin(&self, fins: f64) -> Canal {
-        // Side fins come farther and farther out of the skin. They are made in a space stretched across, where flat
-        // fins are thick.
+        // The balls of the fin come farther and farther out of the skin. They are placed in a space that is stretched
+        // across, so that a flat fin is round there.
         let root = self.skin(-0.225, -0.2 * self.half) - 0.012;
         let on_side = |x: f64, y: f64, out: f64, r: f64| {
             let z = self.skin(x, y) + out;

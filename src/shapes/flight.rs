@@ -40,7 +40,7 @@ const PIECES: u32 = 24;
 /// Bends of more than this angle are creases, in radians.
 const CREASE: f64 = 0.3;
 
-/// Extrudes a profile after scaling all to the largest side 1.
+/// Extrudes a profile to this width, and scales the result so that its largest side is 1.
 fn drawn(line: Line, width: f64, edge: f64) -> Soup {
     let (mut lo, mut hi) = (line[0].0, line[0].0);
     for &(p, _) in &line {
@@ -129,7 +129,7 @@ pub(super) fn slope(n: &[f64], edge: f64) -> Soup {
     drawn(line, width, edge)
 }
 
-/// The stairs for the numbers `[steps, pitch, width, landing]`. They go down to the front, to one more tread.
+/// The stairs for the numbers `[steps, pitch, width, landing]`. They go down to the front and end with a tread.
 pub(super) fn stairs(n: &[f64], edge: f64) -> Soup {
     let (steps, pitch, landing) = (n[0] as usize, n[1], n[3]);
     let mut at = DVec2::new(0.0, steps as f64 * pitch);
@@ -149,7 +149,7 @@ pub(super) fn stairs(n: &[f64], edge: f64) -> Soup {
     drawn(line, width, edge.min(stairs_coarsest(n)))
 }
 
-/// The longest edges for stairs: little longer than a riser is high.
+/// The longest edges for stairs, as a share of the diagonal: little longer than a riser is high.
 pub(super) fn stairs_coarsest(n: &[f64]) -> f64 {
     let (length, height) = (n[0] + n[3], n[0] * n[1]);
     let diagonal = (length * length * (1.0 + n[2] * n[2]) + height * height).sqrt();

@@ -15,7 +15,7 @@ pub(super) trait Form {
     /// The length of the longest edges that still resolve all its parts.
     fn coarsest(&self) -> f64;
 
-    /// The greatest length of a gradient.
+    /// The greatest length of the function's gradient.
     fn steepest(&self) -> f64 {
         1.0
     }

@@ -1,11 +1,11 @@
-//! The strokes of the capital letters: y from 0 to 1 between the middles of strokes, x from 0 on.
+//! Middle lines of the strokes of the capital letters: y from 0 at the foot to 1 at the top, x from 0 to the right.
 
 use glam::DVec2;
 
 /// A part of a stroke.
 #[derive(Clone, Copy)]
 enum StrokePart {
-    /// Starts the stroke at a point, or continues it straight to one.
+    /// Starts the stroke at this point, or continues it straight to the point.
     To(f64, f64),
     /// Continues along an arc of an ellipse: middle, half axes, and the angles at its ends in degrees,
     /// counter-clockwise from x.

@@ -82,7 +82,7 @@ impl Jet {
         self.join(other, k * apart.clamp(1e-6, 1.0))
     }
 
-    /// The maximum of two values, rounded in the same way.
+    /// The maximum of two values, rounded as in [`Self::join`].
     pub fn cut(self, other: Self, k: f64) -> Self {
         -(-self).join(-other, k)
     }
@@ -140,7 +140,8 @@ impl Neg for Jet {
     }
 }
 
-/// A point whose coordinates may be functions of the point with respect to which gradients are taken.
+/// A point whose coordinates may be functions of the queried point. All gradients are taken with respect to the queried
+/// point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct JetPoint {
     pub x: Jet,

@@ -13,7 +13,7 @@ pub(super) struct Leg {
     muscles: [Canal; 2],
     knee: (DVec3, f64),
     toes: Vec<Toe>,
-    /// The radius of the edge of the cut above.
+    /// The radius of the edge around the cut at the hip.
     edge: f64,
 }
 
@@ -30,7 +30,7 @@ const DEEPER: f64 = 1.14;
 const JOIN: f64 = 0.07;
 const WEB: f64 = 0.03;
 const KNUCKLE: f64 = 0.018;
-/// A claw: the place along its toe, its height, and its thickness, from the root to the point.
+/// The balls of a claw from root to point: place along the toe as a share of its length, height, and radius.
 const CLAW: [(f64, f64, f64); 5] = [
     (0.93, 0.034, 0.018),
     (1.02, 0.038, 0.018),
@@ -162,7 +162,7 @@ fn toe(ball: DVec3, angle: f64, aside: f64, reach: f64, girth: f64) -> Toe {
     let out = DVec3::new(libm::sin(angle), 0.0, libm::cos(angle));
     let start = DVec3::new(ball.x, 0.0, ball.z - BEHIND);
     let thick = (0.8 + 0.2 * girth) * (1.0 - 0.04 * aside);
-    // Place along the toe, height, and thickness.
+    // Place along the toe as a share of its length, height, and radius.
     let along = [
         (0.0, 0.078, 0.060),
         (0.25, 0.077, 0.053),
@@ -213,7 +213,7 @@ impl Form for Leg {
         };
         let [haunch, calf] = &self.muscles;
         let mut leg = self.limb.at(&slim);
-        // Above the ankle there are no toes, and far below it no muscles.
+        // The knee and the muscles lie above this height.
         if place.y > 0.1 {
             leg = leg.join(self.knee(&slim), JOIN);
             leg = haunch.join_to(leg, &slim, JOIN);

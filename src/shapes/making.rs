@@ -60,7 +60,7 @@ struct Lengths {
 }
 
 impl Lengths {
-    /// The lengths for a wanted one, as a share of the diagonal.
+    /// The lengths that lead to the wanted one; `edge` is a share of the diagonal.
     fn new(form: &dyn Form, edge: f64) -> Self {
         let (lo, hi) = form.bounds();
         let coarsest = form.coarsest();
@@ -120,7 +120,7 @@ impl ShapeMaking {
                 self.mesh = Surgery::new(positions, &triangles);
                 if self.mesh.is_none() && !march.is_whole() {
                     // The triangles do not close: the form is steeper than it declares, and blocks were skipped
-                    // wrongly. Look at all of them.
+                    // wrongly. Look at all blocks.
                     *march = March::new(form, self.edge, true);
                     return false;
                 }
@@ -163,7 +163,7 @@ impl ShapeMaking {
         };
     }
 
-    /// Halves the length of edges; false if that was the last time.
+    /// Halves the length of edges. If no halving is left, finishes the mesh and returns false.
     fn divide(&mut self) -> bool {
         let Some(mesh) = self.mesh.take() else {
             return false;

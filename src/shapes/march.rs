@@ -23,9 +23,9 @@ const TETRAHEDRA: [([usize; 4], bool); 6] = [
 const BLOCK: usize = 4;
 /// Vertices keep this part of an edge away from its ends, so that no triangle is without an area.
 const AWAY: f64 = 0.08;
-/// Cubes around the form's bounding box.
+/// The margin around the form's bounding box, in cubes.
 const MARGIN: f64 = 2.5;
-/// The least room around that box, as a share of its diagonal, because boxes are not exact.
+/// The least margin, as a share of the box's diagonal, because boxes are not exact.
 const ROOM: f64 = 0.02;
 
 /// The steps of the work on a layer.
@@ -50,11 +50,11 @@ pub(super) struct March {
     part: MarchPhase,
     /// Whether all blocks are computed, without any test.
     whole: bool,
-    /// The function at two layers of nodes. In blocks that are not computed, nodes hold the value of their block.
+    /// The function at two layers of nodes. Only nodes of open blocks are computed; others keep old values.
     values: [Vec<f64>; 2],
-    /// For each edge that begins in these layers its vertex.
+    /// For each node of these layers, the vertices on the seven edges that begin there; [`NONE`] before they are made.
     edges: [Vec<u32>; 2],
-    /// For each block of the layer of blocks whether the surface may be in it.
+    /// For each block of the current layer of blocks, whether it may contain the surface.
     open: Vec<bool>,
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
@@ -99,7 +99,7 @@ impl March {
             }
             MarchPhase::Below => {
                 if is_first {
-                    // Also nodes that the layer of blocks before did not need.
+                    // The layer of blocks before may have skipped nodes that this one needs.
                     self.fill(form, 0, self.layer);
                 }
                 MarchPhase::Above

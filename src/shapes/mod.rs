@@ -122,13 +122,13 @@ impl Shape {
         }
     }
 
-    /// The faces where a body that ends in cuts is cut off.
+    /// The plane faces where the body is cut off, if it is made with [`Ends::Cut`].
     pub fn cuts(self, numbers: &[f64]) -> Vec<Cut> {
         let form = solid((self, Ends::Cut), &self.fitted(numbers));
         form.map_or(Vec::new(), |form| form.cuts())
     }
 
-    /// The claws and horny tips of a body that ends in cuts, each from its root to its point.
+    /// The claws and horny tips of a body made with [`Ends::Cut`], each from its root to its point.
     pub fn claws(self, numbers: &[f64]) -> Vec<Bone> {
         let form = solid((self, Ends::Cut), &self.fitted(numbers));
         form.map_or(Vec::new(), |form| form.claws())
@@ -144,7 +144,7 @@ impl Shape {
         }
     }
 
-    /// The height of the ground at a place; only terrain has one.
+    /// The height of the ground at a place; `None` for every shape but terrain.
     pub fn height(self, numbers: &[f64], x: f64, z: f64) -> Option<f64> {
         (self == Self::Terrain).then(|| terrain::Terrain::new(&self.fitted(numbers)).height(x, z))
     }
@@ -156,10 +156,10 @@ fn fitted(edge: f64) -> f64 {
     edge.clamp(FINEST, 1.0)
 }
 
-/// The longest edges of ground, stairs and cylinders.
+/// The longest edges of ground, stairs and cylinders, as a share of the diagonal.
 const PLAIN_COARSEST: f64 = 0.1;
 
-/// The solid form of a shape, if it has one. `n` has to be within its ranges.
+/// The solid form of a shape, if it has one. `n` are the shape's numbers, within their ranges.
 fn solid((shape, ends): (Shape, Ends), n: &[f64]) -> Option<Box<dyn Form>> {
     Some(match shape {
         Shape::Terrain | Shape::Slope | Shape::Stairs | Shape::Cylinder => return None,

@@ -1,6 +1,6 @@
 //! Remeshing to triangles of one size (Botsch, Kobbelt 2004, A Remeshing Approach to Multiresolution Modeling). Long
-//! edges are split and short ones collapsed. Others are flipped until about six meet at each vertex. Vertices slide
-//! over the form to the middle of their neighbours.
+//! edges are split and short ones collapsed. Other edges are flipped until about six meet at each vertex. Vertices
+//! slide over the form to the middle of their neighbours.
 
 use super::form::{Form, near};
 use super::surgery::{Surgery, next};
@@ -107,7 +107,7 @@ pub(super) fn make_delaunay(mesh: &mut Surgery, edges: Range<u32>) {
     }
 }
 
-/// The place to which a vertex slides: towards the middle of its neighbours, weighted with the areas there.
+/// The place to which a vertex slides: by `share` of the way to the centroid of its triangles, then onto the form.
 pub(super) fn slid(mesh: &Surgery, form: &dyn Form, v: u32, share: f64, edge: f64) -> DVec3 {
     let p = mesh.at(v);
     let (mut sum, mut weight) = (DVec3::ZERO, 0.0);

@@ -11,7 +11,7 @@ pub(super) struct Surgery {
     pub positions: Vec<DVec3>,
     /// The vertex where each half edge begins.
     pub from: Vec<u32>,
-    /// For each half edge the one on the other side.
+    /// For each half edge its opposite, in the neighbouring triangle.
     pub twin: Vec<u32>,
     /// For each vertex a half edge that begins there; [`NONE`] for removed vertices.
     pub out: Vec<u32>,
@@ -28,7 +28,7 @@ pub(super) fn before(h: u32) -> u32 {
 }
 
 impl Surgery {
-    /// Builds the mesh. Nothing if the triangles do not close, with each directed edge exactly once.
+    /// Builds the mesh; `None` unless the triangles close: each directed edge occurs once, and so does its reverse.
     pub fn new(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Option<Self> {
         let mut surgery = Self {
             out: vec![NONE; positions.len()],
@@ -154,7 +154,8 @@ impl Surgery {
         m
     }
 
-    /// Whether the start of an edge can be merged into its end without breaking the mesh.
+    /// Whether the start of an edge can be merged into its end without breaking the mesh, and with at most `most` edges
+    /// there afterwards.
     pub fn can_collapse(&self, h: u32, most: usize) -> bool {
         let (a, b) = (self.start(h), self.end(h));
         let (c, d) = (self.apex(h), self.apex(self.across(h)));

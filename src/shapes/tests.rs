@@ -52,7 +52,8 @@ fn wanted(shape: Shape, numbers: &[f64]) -> (i64, usize) {
     }
 }
 
-/// The shortest and the longest edge in wanted lengths, and the share of triangles with an angle under 15 degrees.
+/// The shortest and the longest edge in units of the wanted length, and the share of triangles with an angle under 15
+/// degrees.
 fn measure(mesh: &TriMesh, edge: f64) -> (f64, f64, f64) {
     let (mut least, mut most, mut sharp) = (f64::INFINITY, 0.0_f64, 0);
     for t in 0..mesh.triangles().len() as u32 {

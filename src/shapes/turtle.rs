@@ -16,7 +16,7 @@ pub(super) struct Turtle {
 
 /// Half the length; the head is at -x.
 const HALF: f64 = 0.44;
-/// A depth below that of the belly, at which distances are cut off.
+/// Distances inside are clamped to this depth, which is less than that of the belly.
 const DEEP: f64 = 0.05;
 
 impl Turtle {
@@ -33,8 +33,8 @@ impl Turtle {
     }
 }
 
-/// About the distance to an ellipse or ellipsoid. `over` is the length of the point over the radii, `over_square`
-/// that over the squared radii.
+/// About the distance to an ellipse or ellipsoid. `over` is the length of the point divided by the radii, and
+/// `over_square` is its length divided by the squared radii.
 fn ellipsoid(over: Jet, over_square: Jet) -> Jet {
     over * (over - 1.0) * over_square.max(1e-6).inverse()
 }

@@ -26,7 +26,7 @@ impl Vase {
         let neck = n[2] * widest;
         let (lip, foot) = ((neck * n[3]).min(widest), 0.56 * widest);
         let shoulder = n[1];
-        // Share of the height, distance from the axis, and its derivative.
+        // Share of the height, distance from the axis, and the distance's derivative with respect to that share.
         let up = 1.0 - shoulder;
         let knots = [
             (-0.1, foot * 0.94, 0.2 * widest),
@@ -55,7 +55,7 @@ impl Vase {
         }
     }
 
-    /// The distance to the outside, negative towards the axis.
+    /// The signed distance to the outside profile, negative towards the axis.
     fn side(&self, round: Jet, y: Jet) -> Jet {
         let p = DVec2::new(round.value, y.value);
         let (k, t) = self.nearest(p);

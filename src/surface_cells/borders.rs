@@ -17,7 +17,7 @@ const AWAY: f64 = 0.25;
 pub(super) struct Border {
     vertices: Vec<u32>,
     points: Vec<DVec3>,
-    /// The edge of a triangle that begins at each vertex.
+    /// For each vertex the edge that begins there: a triangle, and the edge's number in it.
     halves: Vec<(u32, usize)>,
     /// The length along the border up to each vertex; the whole length last.
     along: Vec<f64>,
@@ -103,7 +103,7 @@ impl Border {
         SurfacePoint::new(mesh, t, weights)
     }
 
-    /// The cell that has the whole border, if one has.
+    /// The cell that has the whole border; `None` if several cells share it.
     pub fn only(&self, label: &[u32]) -> Option<u32> {
         let first = label[self.vertices[0] as usize];
         let same = |&v: &u32| label[v as usize] == first;
@@ -161,8 +161,8 @@ impl Border {
         best.1
     }
 
-    /// The vertices of a polyline for the border from one place to another, in order; the whole round if the two are
-    /// equal.
+    /// The border's vertices that a polyline from one place to another needs, in order. Equal places mean the whole
+    /// round.
     pub fn between(&self, from: f64, to: f64, size: f64) -> Vec<usize> {
         let (length, count) = (self.length(), self.count());
         let from = self.within(from);

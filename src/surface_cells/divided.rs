@@ -1,6 +1,6 @@
 //! The domain's triangles, divided at the centres of cells.
 //!
-//! Each cell's centre is a vertex here. So every cell has at least this one, however coarse the domain is.
+//! Each cell's centre is a vertex here. So every cell has at least this vertex, however coarse the domain is.
 
 use crate::surface_packing::SurfaceParticle;
 use crate::trimesh::{NONE, SurfacePoint, TriMesh};
@@ -20,7 +20,7 @@ pub(super) struct Divided {
     pub vertices: usize,
     /// How many triangles the domain has.
     whole: usize,
-    /// For each triangle after those, the one that it is a piece of.
+    /// For each triangle after the domain's, the triangle of the domain that it is a piece of.
     home: Vec<u32>,
     /// Cells sorted by the triangle that they lie in.
     order: Vec<u32>,
@@ -192,8 +192,8 @@ impl Divided {
         best.0
     }
 
-    /// Calls `each` for the pairs of neighbours in a triangle. Each neighbour is the next corner in exactly one
-    /// triangle, but for the last one along a border.
+    /// Calls `each` with the pairs (vertex, neighbour) of a triangle's edges. Each edge is given in one direction, as
+    /// the triangle across it gives the other direction; an edge on the border is given in both.
     fn each_near(&self, t: usize, mut each: impl FnMut(u32, u32)) {
         let corners = self.triangles[t];
         for k in 0..3 {

@@ -1,7 +1,7 @@
 //! Assigns each vertex of the domain to a cell: a geodesic Voronoi diagram by flooding.
 //!
-//! Labels spread from the cells over the edges, the nearest first. The distance is that from the cell to the vertex
-//! in the cell's own metric, its size and stretch. So each cell's region is connected, and a vertex beyond a rim or a
+//! Labels spread from the cells over the edges, the nearest first. A distance is measured from the cell to the vertex,
+//! in the metric of the cell's size and stretch. So each cell's region is connected, and a vertex beyond a rim or a
 //! thin sheet does not count as near.
 
 use super::divided::Divided;
@@ -119,7 +119,7 @@ impl Flood {
             self.askers[v] = [cell, self.askers[v][0]];
             let at = mesh.positions()[v];
             let far = source.far(at, mesh.normals()[v]).unwrap_or_else(|| {
-                // The vertex is out of sight: add the step from the last vertex to that one's distance.
+                // The vertex is out of sight: take the distance of the last vertex plus the step from there.
                 let from = match (vertex as usize).checked_sub(divided.vertices) {
                     Some(own) => self.sources[own].at,
                     None => mesh.positions()[vertex as usize],

@@ -45,8 +45,8 @@ impl Junctions {
         (to == self.places.len()).then(|| std::mem::take(&mut self.made))
     }
 
-    /// Follows the line between two cells from an edge of a triangle to the next triangle of three cells. Nothing if
-    /// it ends at the border.
+    /// Follows the line between two cells from an edge of a triangle to the next triangle of three cells. [`NONE`] if
+    /// the line ends at the border.
     fn follow(
         &self,
         divided: &Divided,

@@ -32,9 +32,9 @@ const MIDDLES: usize = 1000;
 const RINGS: usize = 5000;
 /// The fewest corners that pairing leaves to a cell; with three it would be a wedge ...
 const CORNERS: u32 = 4;
-/// ... but a pair with a score above this is nearly a rectangle, and three are right there.
+/// ... but a pair with a score above this is nearly a rectangle, and may leave three.
 const RECTANGLE: f64 = 0.9;
-/// The fewest sides that pairing leaves at an inner node, if the mesh is what is wanted.
+/// The fewest sides that pairing leaves at an inner node when it makes the mesh.
 const FEWEST: u32 = 3;
 /// Lone triangles are joined over the elements between them while their share of all elements is above this ...
 const FEW_TRIANGLES: f64 = 0.02;
@@ -53,8 +53,8 @@ fn corners(score: f64) -> u32 {
 /// How cells are finished.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Polish {
-    /// Whether the mesh is made for its own sake, with few lone triangles: those near each other become
-    /// quadrilaterals with the elements between them. The cells do not change.
+    /// Whether the mesh itself is wanted, with few lone triangles: lone triangles near each other become quadrilaterals
+    /// with the elements between them. The cells do not change.
     pub join: bool,
     /// Whether cells with four corners become more like rectangles.
     pub straighten: bool,

@@ -268,15 +268,15 @@ fn beside(made: &SurfaceMesh) -> Vec<(u64, u32)> {
 
 /// A polygon on the surface, for tests whether it contains a point.
 ///
-/// The test for the side of a line projects along a normal: the mean of those at its ends, of the cells beside it,
-/// and of the point. It is the same for both cells. (The normal of a rim alone is never quite upright: projected
-/// along it, a point far down one side of the sheet would lie beyond the rim.)
+/// The test for the side of a line projects along a normal: the mean of the normals at the line's ends, of the cells
+/// beside it, and of the point. It is the same for both cells. (The normal of a rim alone is never quite upright:
+/// projected along it, a point far down one side of the sheet would lie beyond the rim.)
 struct SurfacePolygon {
     centre: SurfacePoint,
     frame: TangentFrame,
     radius: f64,
-    /// For each corner: its place, the normal along which its spoke is projected, and that for the side to the next
-    /// corner.
+    /// For each corner: its place, the normal along which its spoke is projected, and the normal for the side to the
+    /// next corner.
     ring: Vec<[DVec3; 3]>,
 }
 

@@ -18,17 +18,18 @@ const OUTWARD: f64 = 0.55;
 /// Cells meet on a rim if the part of the rim's normal along their sheet is longer than this. Otherwise one of them is
 /// folded over the rim.
 const RIM: f64 = 0.5;
-/// A triangle faces a direction if the cosine between its normal and the direction is greater.
+/// A triangle faces a direction if the cosine between its normal and the direction is greater than this.
 const FACES: f64 = 0.7;
 /// The most triangles searched for one that faces a direction.
 const NEAREST: usize = 100;
-/// The search for a foot ends where the cosine between the surface's normal and the mean normal of the cells is less.
+/// The search for a foot ends where the cosine between the surface's normal and the mean normal of the cells is less
+/// than this.
 const STEEP: f64 = 0.2;
 
 /// The points where three cells meet, as the flood has found them.
 #[derive(Default)]
 pub(super) struct Meetings {
-    /// The three cells, rising, and the point.
+    /// The three cells, in rising order, and the point where they meet.
     all: Vec<([u32; 3], SurfacePoint)>,
 }
 
@@ -71,7 +72,7 @@ impl Meetings {
     /// The point where an element's cells meet. A larger cell is farther from it.
     pub fn middle(&self, mesh: &TriMesh, cells: &[SurfaceParticle], face: &Face) -> SurfacePoint {
         let (mut sum, mut weight, mut normal) = (DVec3::ZERO, 0.0, DVec3::ZERO);
-        // The mean normal of the sheet, with those from its other side reversed.
+        // The sum of the cells' normals, with those from the other side of the sheet reversed.
         let mut across = DVec3::ZERO;
         // Sums run in rising order, whichever corner comes first.
         let mut nodes = [u32::MAX; 4];

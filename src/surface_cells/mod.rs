@@ -42,13 +42,13 @@ pub struct SurfaceMesh {
     pub nodes: Vec<SurfacePoint>,
     /// The mesh: elements between cells, counter-clockwise seen from outside, as indices into `cells`.
     pub elements: Vec<Face>,
-    /// The corners of polygons: first those where three or four cells meet or a rim turns between two, then those
-    /// where two cells meet on the border, then corners of the border within one cell.
+    /// The corners of polygons, in three groups: points where three or four cells meet or a rim turns between two
+    /// cells; points where two cells meet on the border; corners of the border within one cell.
     pub corners: Vec<SurfacePoint>,
-    /// How many corners of the first kind there are.
+    /// The number of corners in the first group.
     pub inner: usize,
-    /// For each cell its polygon, as indices into `corners`, counter-clockwise seen from outside. Empty for a cell
-    /// without a polygon: one that goes all around, or lies between two others.
+    /// For each cell its polygon, as indices into `corners`, counter-clockwise seen from outside. Empty if there is
+    /// none: for a cell that goes all around the surface, or lies between two others.
     pub rings: Vec<Vec<u32>>,
 }
 

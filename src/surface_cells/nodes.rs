@@ -7,7 +7,7 @@ use crate::trimesh::frame::{arc_over_chord, rotated};
 use crate::trimesh::{SurfacePoint, TangentFrame};
 use glam::{DVec2, DVec3};
 
-/// A node is on the other side of a sheet if the cosine between its normal and that of others is less.
+/// A node is on the other side of a sheet if the cosine between its normal and that of other nodes is less than this.
 const OTHER_SIDE: f64 = -0.2;
 
 /// Nodes on a surface.
@@ -57,7 +57,7 @@ impl SurfaceNodes {
     /// Lays nodes that are near each other into one plane. Returns its frame and the nodes, or nothing if the normals
     /// have no common direction.
     pub fn plane<const N: usize>(&self, which: [u32; N]) -> Option<(TangentFrame, [Node; N])> {
-        // Sum in one order, so that the plane has the same bits.
+        // Sum in rising order, so that the plane does not depend on the order of the nodes.
         let mut sorted = which;
         sorted.sort_unstable();
         let (mut middle, mut normal) = (DVec3::ZERO, DVec3::ZERO);
@@ -140,7 +140,7 @@ struct Beyond {
 }
 
 impl Beyond {
-    /// Its place in the plane of the others: as far beyond the rim as along the surface.
+    /// The node's place in the plane of the other nodes: as far beyond the rim as it is along the surface.
     fn laid(&self, frame: &TangentFrame, middle: DVec3, own: &SurfacePoint) -> DVec2 {
         let rim = TangentFrame::of(self.rim.normal);
         let on = rim.out(laid(&rim, self.rim.at, own));
@@ -149,8 +149,8 @@ impl Beyond {
     }
 }
 
-/// Lays a point into a plane. Its direction is that after the surface there is turned into the plane; its distance
-/// from the middle is that along the surface.
+/// Lays a point into a plane. The vector to it from the middle turns as the surface at the point has to turn into the
+/// plane; its length becomes that along the surface.
 fn laid(frame: &TangentFrame, middle: DVec3, p: &SurfacePoint) -> DVec2 {
     let r = p.at - middle;
     let flat = frame.within(rotated(r, p.normal, frame.normal));

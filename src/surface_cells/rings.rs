@@ -27,7 +27,7 @@ pub(super) struct RingInputs<'a> {
     sides: Vec<(u64, u32)>,
     /// Crossings by the cells before and after them: (key of both cells, crossing).
     by_cells: Vec<(u64, u32)>,
-    /// For each cell a crossing after which it comes.
+    /// For each cell a crossing where its part of the border begins; [`NONE`] if it has none.
     crossing: Vec<u32>,
 }
 
@@ -41,9 +41,9 @@ pub(super) struct CornerRing {
 /// A link of a chain.
 #[derive(Clone, Copy, PartialEq)]
 enum At {
-    /// An element, and the corner of it that is the cell.
+    /// An element, and the index of its corner that is the cell.
     Element(u32, usize),
-    /// A crossing after which the cell comes.
+    /// A crossing where the cell's part of the border begins.
     Crossing(u32),
 }
 
@@ -205,7 +205,7 @@ impl<'a> RingInputs<'a> {
             table.push(border.corner(self.mesh, k));
         }
         corners.push(self.first_crossing + start.next);
-        // Go on into the element there. Without one, go straight over to the crossing from that cell back to this
+        // Go on into the element at the end. Without an element, go on to the crossing from the next cell back to this
         // one.
         let key = order::pair(cell, end.to);
         let place = run(&self.by_cells, key);
@@ -220,7 +220,7 @@ impl<'a> RingInputs<'a> {
             return Some(At::Element(f, j));
         }
         let back = run(&self.by_cells, order::pair(end.to, cell));
-        // If there are two of them, take the one that the chain has not just come from.
+        // If there are two such crossings, take the one that the chain has not just come from.
         let other = back.iter().rev().find(|c| c.1 != x).or(back.first());
         other.map(|c| At::Crossing(c.1))
     }

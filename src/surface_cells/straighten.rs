@@ -224,7 +224,8 @@ impl Straightening {
         })
     }
 
-    /// The corners of a cell with exactly four. Corners are points where cells meet, and corners of the border.
+    /// The corners of a cell that has exactly four; `None` for other cells. Points where cells meet count, and corners
+    /// of the border.
     fn four_corners(&self, table: &Table, cell: u32) -> Option<[u32; 4]> {
         let ring = table.ring(cell);
         let n = ring.len();

@@ -14,11 +14,11 @@ pub struct Bone {
 
 /// Segments in one bounding ball.
 const GROUP: usize = 8;
-/// Beyond its radius a bone's weight falls by a factor e for each of these: in squared distances over the squared
-/// radius.
+/// Beyond its radius r, at the distance d from its line, a bone's constraint has the weight exp(-(d^2 / r^2 - 1) /
+/// FADE).
 const FADE: f64 = 4.0;
 
-/// The constraint of all bones at a place, but for the direction.
+/// The constraint of all bones at a place, without its direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct BoneConstraint {
     /// How near the nearest bone is: 1 within its radius, falling to 0 beyond it.
@@ -48,23 +48,23 @@ pub(super) struct Bones {
     longest: f64,
 }
 
-/// The length along the bones of a body at each place of it, from head to tail.
+/// The length along a body's bones from the head to any place in the body.
 pub struct AlongBones(Bones);
 
 impl AlongBones {
-    /// Prepares the bones of a body whose bounding box has this diagonal; nothing if there are none.
+    /// Prepares the bones of a body whose bounding box has this diagonal; `None` if there are no bones.
     pub fn new(bones: &[Bone], diagonal: f64) -> Option<Self> {
         let bones = Bones::new(bones, diagonal);
         (!bones.is_empty()).then_some(Self(bones))
     }
 
-    /// The length so far at a place, in the body's units.
+    /// The length from the head to a place, in the body's units.
     pub fn at(&self, p: DVec3) -> f64 {
         self.0.longest * self.0.ask(p, |_, _| {}).along
     }
 }
 
-/// The distances of the place asked about last to each bone: they bound those of the next place.
+/// The last queried place and its distance to each bone. They bound the distances of the next place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LastPlace {
     at: DVec3,
@@ -116,7 +116,7 @@ impl Bones {
         self.bones.is_empty()
     }
 
-    /// The length along the bones so far at a point that lies inside one of them.
+    /// The length along the bones at a point inside one of them; 0 outside all bones.
     fn attached(&self, p: DVec3) -> f64 {
         let mut best = (1.0, 0.0);
         for k in 0..self.bones.len() {
@@ -159,13 +159,13 @@ impl Bones {
         best
     }
 
-    /// Queries the bones at a place. `said` gets each bone's weight, in sum 1, and its unit direction. A weight is
-    /// proportional to exp(-(d / radius)^2), so directions blend smoothly from one bone to the next.
+    /// Queries the bones at a place. `said` gets each bone's weight and its unit direction; the weights sum to 1. A
+    /// weight is proportional to exp(-(d / radius)^2), so directions blend smoothly from one bone to the next.
     pub fn ask(&self, p: DVec3, said: impl FnMut(f64, DVec3)) -> BoneConstraint {
         self.ask_after(&mut LastPlace::default(), p, said)
     }
 
-    /// The same, faster if the last place was near.
+    /// Like [`Self::ask`], but faster if the last place was near.
     pub fn ask_after(
         &self,
         last: &mut LastPlace,

@@ -44,8 +44,8 @@ enum FieldsPhase {
     Curvature(Curvatures),
     Bones,
     Sizes(Box<Sizes>),
-    /// The equations of the direction (false) or the flow (true): their constraints row by row, initial guesses for
-    /// parts without any, and their solution.
+    /// The equations of the direction (false) or the flow (true): borders and creases, rows, initial guesses for parts
+    /// without constraints, the solution, and its vectors in space.
     Rims(bool, Box<Sources>),
     Rows(bool, Box<(Sources, System)>),
     Hints(bool, Box<(Sources, System)>, usize),
@@ -79,7 +79,7 @@ impl SurfaceFieldBuilder {
         self.advance_by(SLICE)
     }
 
-    /// Whether sizes, aspect ratios and curvature are complete, whatever is still to come.
+    /// Whether sizes, aspect ratios and curvature are complete; directions and the flow may still be missing.
     pub fn is_sized(&self) -> bool {
         !matches!(
             self.stage,

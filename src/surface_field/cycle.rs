@@ -16,7 +16,7 @@ pub(super) struct Cycle {
     answer: Vec<Vec<DVec2>>,
     diagonal: Vec<Vec<f64>>,
     inverse: Vec<Vec<f64>>,
-    /// The entries of each row for earlier rows, which are all that a sweep from 0 meets.
+    /// The entries of each row in earlier columns: the only ones that a sweep from an answer of 0 needs.
     lower: Vec<Csr<(u32, DVec2)>>,
     level: usize,
     step: CyclePhase,

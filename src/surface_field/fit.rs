@@ -19,15 +19,15 @@ const THIN: f64 = 0.5;
 /// A notice is given above these shares of the area: for cells that are too large, and for sheets that are too thin.
 /// Cells that fold over the edges of fins and rims do no harm, so the first share is not small.
 const TOLD: [f64; 2] = [0.25, 0.1];
-/// Above this share, cells are refused.
+/// If cells are too large to follow the surface on more than this share of its area, they are refused.
 const MOST: f64 = 0.5;
-/// One triangle in this many is measured; fewer are measured if each has very many within the side of a cell.
+/// One triangle in this many is measured; fewer if a cell covers very many triangles.
 const SAMPLED: usize = 8;
 /// The number of triangles that a slice looks at.
 const SLICE: f64 = 1e5;
 /// About the most triangles that all slices look at.
 const ALL: f64 = 5e7;
-/// Two triangles face away from each other if the dot product of their normals is less.
+/// Two triangles face away from each other if the dot product of their normals is less than this.
 const BACK: f64 = -0.2;
 /// A triangle lies below a point if it is within 60 degrees of straight down (cosine).
 const BELOW: f64 = 0.5;
@@ -77,7 +77,7 @@ impl Local for SurfaceFields {
 pub struct Fit {
     /// Where cells are large beside the radius of curvature.
     pub tight: f64,
-    /// Where they are too large to follow the surface.
+    /// Where cells are too large to follow the surface.
     pub too_tight: f64,
     /// Where the other side is closer than half the side of a cell.
     pub thin: f64,
@@ -100,7 +100,7 @@ impl Fitting {
     /// Measures one more slice of a surface; returns the shares when it is done.
     pub fn advance(&mut self, mesh: &TriMesh, search: &Search, local: &impl Local) -> Option<Fit> {
         let count = mesh.triangles().len();
-        // About how many triangles lie within the side of a cell.
+        // About how many triangles lie nearer to a point than the side of a cell.
         let size = local.mean_size();
         let near = 1.0 + count as f64 * std::f64::consts::PI * size * size / mesh.area();
         // If there are few triangles, all are measured.

@@ -20,7 +20,7 @@ pub(super) struct Gradients {
     tolerance: f64,
     most: usize,
     goal: f64,
-    /// The squared norm of the residual, in the measure of the diagonal and in that of the cycle.
+    /// The squared norm of the residual, weighted with the inverse diagonal (`left`) and with the cycle (`product`).
     left: f64,
     product: f64,
     sum: f64,
@@ -65,7 +65,7 @@ impl Gradients {
         }
     }
 
-    /// Works on at most `amount` rows, of the first of these levels or of coarser ones; true when done.
+    /// Works on at most `amount` rows of all levels together. The first level is the system to solve. True when done.
     pub fn advance(&mut self, levels: &[SystemLevel], amount: usize) -> bool {
         let mut amount = amount.max(1);
         let system = &levels[0].system;

@@ -1,9 +1,9 @@
-//! Size, direction, aspect ratio, one sense and curvature of a surface as functions of the place.
+//! Fields on a surface: size, direction and aspect ratio of cells, the flow from head to tail, and the curvature.
 //!
-//! All of it is worked out at the vertices of the mesh ([`SurfaceFieldBuilder`], in slices) and interpolated in its
-//! triangles: representation vectors of the directions (see `crate::field`), carried from the corners to the point.
-//! Squares have directions of symmetry 4, rectangles and ellipses of 2, circles of 6, so that honeycombs may turn by a
-//! sixth about a singular point.
+//! All fields are computed at the mesh's vertices ([`SurfaceFieldBuilder`], in slices) and interpolated within its
+//! triangles. Directions are interpolated as representation vectors (see `crate::field`), which are carried from the
+//! corners to the point. Squares have directions of symmetry 4, rectangles and ellipses of symmetry 2, and circles of
+//! symmetry 6, so that honeycombs may turn by a sixth about a singular point.
 //!
 //! ```
 //! use bubblestone::surface_field::{Amount, SizeParams, SurfaceFieldBuilder, SurfaceFieldParams};
@@ -26,7 +26,7 @@
 //! let place = SurfacePoint::new(&mesh, 3, DVec3::splat(1.0 / 3.0));
 //! assert_eq!(fields.size(&place), 0.2);
 //! assert!((fields.axis(&place).length() - 1.0).abs() < 1e-9);
-//! // Eight quarters of a turn, as on all that is a ball.
+//! // As on every surface of the topology of a sphere, the sum is eight quarter turns.
 //! assert_eq!(fields.singular_points().iter().map(|s| s.turns).sum::<i32>(), 8);
 //! ```
 
@@ -66,8 +66,8 @@ use crate::trimesh::{SurfacePoint, TangentFrame, TriMesh};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
-/// The number of turns of a cell in a full circle that look alike. On a surface circles have directions of symmetry
-/// 6.
+/// The symmetry of a cell's direction: the number of turns in a full circle after which it looks alike. On a surface
+/// circles have symmetry 6.
 fn symmetry_of(kind: CellKind) -> u32 {
     match kind {
         CellKind::Circle => 6,
@@ -215,14 +215,14 @@ impl SurfaceFields {
         self.mixed(&self.aspects, self.aspect, p, p.weights(&self.mesh))
     }
 
-    /// Unit vector along a side of a cell at this point, in the frame of its normal; zero where the field vanishes.
-    /// Its turns by a multiple of 2 pi over the symmetry mean the same.
+    /// Unit vector along a side of a cell at this point, in the point's tangent frame; zero where the field vanishes.
+    /// Turning it by a multiple of 2 pi over the symmetry gives an equivalent direction.
     pub fn axis(&self, p: &SurfacePoint) -> DVec2 {
         self.direction(&self.axes, self.symmetry(), p, p.weights(&self.mesh))
     }
 
-    /// Unit vector of the flow at this point, from head to tail, in the frame of its normal; zero where there is
-    /// none.
+    /// Unit vector of the flow at this point, from head to tail, in the point's tangent frame; zero where there is no
+    /// flow.
     pub fn flow(&self, p: &SurfacePoint) -> DVec2 {
         self.direction(&self.flows, 1, p, p.weights(&self.mesh))
     }

@@ -74,7 +74,7 @@ fn piece(
     let corners = [from, to].map(|p| mesh.triangles()[p.triangle as usize]);
     let mut open: Vec<u32> = corners.as_flattened().to_vec();
     let mut met: BTreeSet<u32> = open.iter().copied().collect();
-    // All corners of the triangles that the stroke lies in are reached, however large these are.
+    // The stroke reaches all corners of the triangles that it lies in, however large the triangles are.
     let edges = [from, to].map(|p| longest_edge(mesh, p.triangle));
     let near: BTreeSet<u32> = met.clone();
     while let Some(v) = open.pop() {
@@ -106,7 +106,7 @@ fn hear(
     let along = links.frames[v as usize].within(by).normalize_or_zero();
     let entry = sums.entry(v).or_insert((0.0, DVec2::ZERO));
     entry.0 = entry.0.max(share);
-    // Squares let the nearest of several pieces count most.
+    // The square of the share counts, so that the nearest of several pieces counts most.
     entry.1 += share * share * representation(along, symmetry);
 }
 

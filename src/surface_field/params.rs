@@ -10,15 +10,15 @@ use glam::DVec3;
 pub struct SurfaceFieldParams {
     /// Kind of the cells.
     pub kind: CellKind,
-    /// Their size.
+    /// Size of the cells.
     pub size: SizeParams,
-    /// The aspect ratio of stretched ones.
+    /// Aspect ratio of stretched cells.
     pub aspect: AspectParams,
-    /// Where their direction comes from.
+    /// Where the direction of cells comes from.
     pub direction: DirectionParams,
-    /// Where their flow, from head to tail, comes from, if they need one.
+    /// Where the flow from head to tail comes from; `None` without a flow.
     pub flow: Option<FlowParams>,
-    /// Lines inside the body, from head to tail.
+    /// Skeleton curves inside the body, from head to tail.
     pub bones: Vec<Bone>,
 }
 
@@ -76,9 +76,9 @@ pub struct SurfaceSpot {
 pub struct SizeParams {
     /// The mean size.
     pub amount: Amount,
-    /// Its change along the body.
+    /// Change of the size along the body.
     pub taper: Option<Taper>,
-    /// Its change with the curvature.
+    /// Change of the size with the curvature.
     pub curvature: Option<ByCurvature>,
     /// Spots; factors of spots that overlap are multiplied.
     pub spots: Vec<SurfaceSpot>,
@@ -168,7 +168,7 @@ impl Default for DirectionParams {
 /// Where the flow from head to tail comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlowParams {
-    /// The weight of the direction in space, as it points.
+    /// The weight of the direction in space, the sense of which counts.
     pub axis: f64,
     /// The direction in space.
     pub towards: DVec3,

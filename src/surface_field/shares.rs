@@ -22,7 +22,7 @@ const BALLS: f64 = 1.0;
 const TUBES: f64 = 1.2;
 /// A place counts as a ball if the lesser curvature is at least this share of the greater one.
 const ROUND: f64 = 0.4;
-/// An edge is a crease if the cosine between the normals of its triangles is less.
+/// An edge is a crease if the cosine between the normals of its triangles is less than this.
 const CREASE: f64 = 0.9;
 
 impl SurfaceFields {
@@ -55,7 +55,7 @@ impl SurfaceFields {
         shares
     }
 
-    /// Marks vertices whose averaged curvature contains some of a crease's.
+    /// Marks vertices whose averaged curvature contains a part of the curvature of a crease.
     fn near_creases(&self) -> Vec<bool> {
         let mesh = &self.mesh;
         let mut near = vec![false; mesh.positions().len()];
@@ -113,7 +113,7 @@ impl Thickness {
         for t in 0..mesh.triangles().len() as u32 {
             let area = mesh.area_of(t);
             while next < passed + area && places.len() < PLACES {
-                // Places within the triangles follow the golden ratio.
+                // Places within triangles follow a low-discrepancy sequence.
                 let k = places.len() as f64;
                 let (u, v) = (
                     0.618_033_988_749_894_9 * k % 1.0,

@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// A singular point, around which the direction turns: there it is undefined.
+/// A singular point: the direction turns around it, and is undefined there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceSingularity {
     /// The middle of the triangle around which the direction turns.
@@ -16,7 +16,7 @@ pub struct SurfaceSingularity {
     /// By how much the direction turns on the way once around, in quarter turns for squares, half turns for stretched
     /// cells, sixths for circles.
     pub turns: i32,
-    /// The same in full turns: 1/4 where three rows of squares meet, -1/4 where five do.
+    /// `turns` in full turns: 1/4 where three rows of squares meet, -1/4 where five do.
     pub index: f64,
 }
 

@@ -22,7 +22,7 @@ pub(super) struct Sizes {
     pub size: f64,
     /// Sizes at the vertices; empty if they are the same everywhere.
     pub values: Vec<f64>,
-    /// Aspect ratios, likewise.
+    /// Aspect ratios at the vertices; empty if they are the same everywhere.
     pub aspects: Vec<f64>,
     /// Factors that do not depend on the mean size.
     factors: Vec<f64>,

@@ -15,8 +15,7 @@ use glam::DVec2;
 
 /// The most rows of the coarsest system.
 const COARSEST: usize = 400;
-/// The tolerance of the solver on the mesh itself, which is also about the error of the angles, and its most
-/// iterations.
+/// The solver's tolerance on the mesh itself, and its most iterations. The tolerance is also about the error of angles.
 const FINE: (f64, usize) = (1e-4, 500);
 /// The tolerance and the most iterations on coarser systems.
 const ROUGH: (f64, usize) = (1e-4, 100);
@@ -25,7 +24,7 @@ const ROUNDS: [usize; 3] = [40, 6, 2];
 /// At the end parts with constraints are smoothed once more, as unit vectors, over this many sizes of a cell. Where
 /// constraints are weak or contradict each other, the solution is short, and its turns within a cell are mere noise.
 const POLISH: f64 = 1.0;
-/// The area over which one round smooths, in areas of a row.
+/// The area over which one round smooths, in mean areas of a row.
 const SPREAD: f64 = 20.0;
 
 /// Solves a [`System`] in slices.
@@ -50,14 +49,14 @@ enum SmoothingPhase {
     Solve(Box<Gradients>),
     /// Makes unit vectors of the solution.
     Unit(Vec<DVec2>),
-    /// Carries them to the next finer level.
+    /// Carries the vectors to the next finer level.
     Carry(Vec<DVec2>),
     Done,
 }
 
 impl Smoothing {
-    /// `sourced` tells for each part whether it has constraints; in other parts the loads are the initial guess.
-    /// `size` is about that of a cell.
+    /// `sourced` tells for each part whether it has constraints; in other parts the loads are the initial guess. `size`
+    /// is about the size of a cell.
     pub fn begin(system: System, sourced: Vec<bool>, size: f64) -> Self {
         Self {
             work: SmoothingPhase::Coarsen(Box::new(Coarsening::begin(&system))),
@@ -99,8 +98,8 @@ impl Smoothing {
         matches!(self.work, SmoothingPhase::Done)
     }
 
-    /// Unit vectors at the vertices. Where constraints cancel each other the direction is arbitrary, but never zero,
-    /// so the turns around triangles are whole ones.
+    /// Unit vectors at the vertices. Where constraints cancel each other the direction is arbitrary, but never zero, so
+    /// the turns around triangles are whole numbers.
     pub fn finish(self) -> Vec<DVec2> {
         self.now
     }
@@ -162,8 +161,8 @@ impl Smoothing {
         let begin = self.now.len();
         let end = x.len().min(begin.saturating_add(amount.max(1)));
         for (v, &z) in x.iter().enumerate().take(end).skip(begin) {
-            // In parts with constraints the length tells how much these agree: keep it as the guess for the next
-            // level.
+            // In parts with constraints the length tells how much the constraints agree: keep it as the guess for the
+            // next level.
             let is_held = self.level > 0 && self.holding.is_sourced(system, v);
             self.now
                 .push(if is_held { z } else { z.normalize_or(DVec2::X) });

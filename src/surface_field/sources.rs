@@ -14,7 +14,7 @@ use glam::{DVec2, DVec3};
 const PAINTED: f64 = 4.0;
 /// The width of a line, in sizes of cells.
 const LINE: f64 = 0.6;
-/// A constraint of weight 1 prevails on areas wider than about this many sizes.
+/// A constraint of weight 1 prevails on areas wider than about this many sizes of a cell.
 const HEED: f64 = 0.4;
 /// A part has no constraint if no weight in it exceeds this.
 pub(super) const NO_SOURCE: f64 = 1e-3;
@@ -29,8 +29,8 @@ pub(super) struct Sources {
     axis: (f64, DVec3),
     bones: f64,
     curvature: f64,
-    /// For each vertex the number of its border and crease edges, the sum of their representation vectors, and their
-    /// weight. Empty if these do not count.
+    /// For each vertex: the number of its border and crease edges, the sum of their representation vectors, and their
+    /// weight. Empty if borders and creases have no weight.
     rims: Vec<(f64, DVec2, f64)>,
     paint: Paint,
     /// How many triangles have been searched for borders and creases.

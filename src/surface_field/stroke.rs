@@ -75,8 +75,8 @@ impl Stroke {
         Some(Self::through(mesh, &places, width as f64 * side / STEPS))
     }
 
-    /// The same line with as few points as keep it within a distance (Douglas, Peucker 1973), so that its row is
-    /// short.
+    /// The line with fewer points, so that its row is short. All dropped points are within a distance of it (Douglas,
+    /// Peucker 1973).
     pub fn simplified(&self, within: f64) -> Self {
         let mut kept = vec![false; self.points.len()];
         let mut open = vec![(0, self.points.len().saturating_sub(1))];
@@ -148,8 +148,8 @@ impl TriMesh {
         Some(path)
     }
 
-    /// Moves each inner point to the foot of the middle of its neighbours, ten times; true if one moved by more than
-    /// `least`.
+    /// Ten times, moves each inner point along the surface to the middle of its neighbours. True if a point moved by
+    /// more than `least`.
     fn tighten(&self, path: &mut [SurfacePoint], least: f64) -> bool {
         let mut moved = false;
         for _ in 0..10 {
@@ -163,7 +163,7 @@ impl TriMesh {
         moved
     }
 
-    /// Shortest path over the edges by A*; equal distances go by vertex.
+    /// The shortest path over the edges, by A*; `None` if there is none. Equal distances go by the vertex index.
     fn along_edges(&self, from: &SurfacePoint, to: &SurfacePoint) -> Option<Vec<SurfacePoint>> {
         let at = self.positions();
         let mut best: BTreeMap<u32, (f64, u32)> = BTreeMap::new();

@@ -68,7 +68,7 @@ impl System {
         self.start[row] as usize..self.start[row + 1] as usize
     }
 
-    /// The sum of a row's entries beside the diagonal, times a vector.
+    /// The product of a row's entries beside the diagonal with a vector.
     #[inline(always)]
     pub fn around(&self, row: usize, x: &[DVec2]) -> DVec2 {
         rotated_sum(self.entries(row), x)
@@ -82,7 +82,7 @@ impl System {
     }
 }
 
-/// The sum of some entries of a row, times a vector.
+/// The product of some entries of a row with a vector.
 #[inline(always)]
 pub(super) fn rotated_sum(entries: impl Iterator<Item = (u32, DVec2)>, x: &[DVec2]) -> DVec2 {
     let mut sum = f64x2::ZERO;
@@ -100,7 +100,7 @@ pub(super) struct Holding {
     pub sourced: Vec<bool>,
     /// The pull in parts without constraints, by area.
     pub pull: f64,
-    /// The pull in parts with constraints, in addition to these.
+    /// The pull in parts with constraints, in addition to the constraints.
     pub polish: f64,
 }
 
@@ -131,7 +131,7 @@ impl Holding {
     }
 }
 
-/// A system, with the maps that carry vectors of the next coarser one to its rows. The coarsest system has none.
+/// A system, with the maps that carry vectors of the next coarser system to its rows. The coarsest level has no maps.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SystemLevel {
     pub system: System,
@@ -155,10 +155,10 @@ pub(super) struct Coarsening {
     pub group: Vec<u32>,
     /// ... and the rotation that carries the group's vector to it.
     pub carry: Vec<DVec2>,
-    /// Members, sorted by group.
+    /// Members, sorted by group; those of group g begin at `first[g]`.
     first: Vec<u32>,
     members: Vec<u32>,
-    /// Where a group's entry is in the current row.
+    /// For each group, where its entry is in the current row.
     place: Vec<u32>,
     count: u32,
     stage: u32,
@@ -209,7 +209,7 @@ impl Coarsening {
         self.stage > 3
     }
 
-    /// A vertex with no neighbour in a group founds one with all of its neighbours.
+    /// A vertex that is in no group, and has no neighbour in one, founds a group with all its neighbours.
     fn found(&mut self, fine: &System, v: usize) {
         let neighbours = &fine.to[fine.of(v)];
         if self.group[v] != FREE || neighbours.iter().any(|&j| self.group[j as usize] != FREE) {

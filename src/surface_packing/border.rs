@@ -32,11 +32,12 @@ const POSTS: usize = 200;
 
 /// The pieces of the borders, which are filled in turn.
 pub(super) struct Border {
+    /// The posts of each piece, and whether the piece is a whole ring.
     pieces: Vec<(Vec<Post>, bool)>,
     next: usize,
-    /// The distances of the posts of the next piece from its start, in cells, as far as they are known.
+    /// The distances of the current piece's posts from its start, in cells, as far as they are known.
     reached: Vec<f64>,
-    /// The number of places tried along that piece, and the post before the last one.
+    /// The number of places tried along that piece, and the last post before the current place.
     tried: usize,
     post: usize,
 }
@@ -75,7 +76,7 @@ impl Border {
         let known = self.reached.len() - 1;
         if known < posts.len() {
             for post in posts[known..].iter().take(POSTS) {
-                // Lengths in cells: a step is shorter where cells are smaller.
+                // Lengths are counted in cells, so that steps are shorter where cells are smaller.
                 let shape = CellShape::metric_at(ground.fields, post.at);
                 let cells = shape.cells_along(post.along * post.length);
                 self.reached
@@ -117,8 +118,8 @@ fn put<F: CellFields<Place = SurfacePoint>>(
     if let Some((foot, middle)) = ground.strip(place, shape.length())
         && foot.distance() < CLEARANCE * 0.5 * shape.extent(foot.inward())
     {
-        // If there is room for a cell, another border is too near, and the place stays empty. In a thinner strip the
-        // cell goes into the middle.
+        // In a strip wide enough for a cell, another border is too near, and the place stays empty. In a thinner strip
+        // the cell goes into the middle.
         if middle >= 0.5 * shape.extent(foot.inward()) {
             return;
         }

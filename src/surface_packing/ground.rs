@@ -12,8 +12,8 @@ use crate::random::Random;
 use crate::trimesh::{SurfacePoint, Transport};
 use glam::DVec2;
 
-/// On closed surfaces some cells beside singular points never rest; after this many steps fewer than one new cell in
-/// a thousand comes.
+/// The step after which population control stops and cooling begins. On closed surfaces some cells beside singular
+/// points never rest; after this step fewer than one new cell in a thousand comes.
 const SETTLED: u32 = 50;
 /// Two borders are the sides of a strip if the cosine between their directions is less than this.
 const OPPOSITE: f64 = -0.5;
@@ -28,7 +28,8 @@ pub(crate) struct SurfaceDomain<'a, F> {
 }
 
 impl<F: CellFields<Place = SurfacePoint>> SurfaceDomain<'_, F> {
-    /// The nearest foot within reach, and half the width of the strip through it if there is an opposite border.
+    /// The nearest foot within reach, and half the width of the strip between its border and an opposite one; the width
+    /// is infinite without an opposite border. `None` if no border is within reach.
     pub fn strip(self, p: SurfacePoint, reach: f64) -> Option<(SurfaceClosestPoint, f64)> {
         if !self.walls().is_near(p) {
             return None;
@@ -45,7 +46,7 @@ impl<F: CellFields<Place = SurfacePoint>> SurfaceDomain<'_, F> {
         Some((nearest, half))
     }
 
-    /// The place `by` farther from a border.
+    /// Moves a place away from a border by `by`; `foot` is its foot on the border.
     pub fn pushed(
         self,
         p: SurfacePoint,

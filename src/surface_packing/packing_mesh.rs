@@ -23,9 +23,9 @@ pub struct PackingMesh {
 /// A mesh that is being prepared for packing.
 pub struct PackingMeshMaking {
     mesh: Arc<TriMesh>,
-    /// For each triangle its part, and how many there are.
+    /// For each triangle its part, and the number of parts.
     parts: Option<(Vec<u32>, usize)>,
-    /// All but the lists of walls.
+    /// The prepared mesh, whose walls do not have all their lists yet.
     site: Option<PackingMesh>,
 }
 

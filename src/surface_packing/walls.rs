@@ -34,7 +34,7 @@ impl BorderEdge {
         self.ends[0].midpoint(self.ends[1])
     }
 
-    /// The place on it nearest to `p`, as a share of its length, 0..1.
+    /// The place on the edge nearest to `p`, as a share of its length, 0..1.
     fn nearest(&self, p: DVec3) -> f64 {
         let along = self.ends[1] - self.ends[0];
         ((p - self.ends[0]).dot(along) / along.length_squared().max(f64::MIN_POSITIVE))
@@ -129,7 +129,8 @@ impl SurfaceWalls {
         }
     }
 
-    /// Makes lists for some more triangles; true when all have theirs, or when there would be too much in them.
+    /// Makes lists for some more triangles; true when all triangles have their lists, or when the lists would get too
+    /// long.
     pub fn advance(&mut self) -> bool {
         let (count, mut left) = (self.mesh.triangles().len(), LOOKED_AT as isize);
         let mut row = Vec::new();
@@ -159,7 +160,7 @@ impl SurfaceWalls {
         true
     }
 
-    /// The number of cells for a slice, where `cells` suit one if there are lists.
+    /// The number of cells for a slice: `cells` if there are lists, far fewer without.
     pub fn portion(&self, cells: usize) -> usize {
         if self.is_listed {
             cells
@@ -184,7 +185,7 @@ impl SurfaceWalls {
     /// The segments of the list of the triangle at `p` that may have a foot within `reach`, in order.
     fn listed_near(&self, p: &SurfacePoint, reach: f64) -> Vec<u32> {
         let around = Around::of(&self.mesh, p.triangle, self.reach);
-        // Rounding never leaves out a foot.
+        // Look a little farther, so that rounding leaves out no foot.
         let reach = (reach + self.longest) * (1.0 + 1e-9);
         let mut found = Vec::new();
         self.boxes.any_near(p.at, reach, |k| {

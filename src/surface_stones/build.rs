@@ -47,8 +47,8 @@ pub(super) fn most_triangles(cells: usize) -> usize {
 /// fits into the picture, too.
 const DEEP: f64 = 0.78;
 
-/// The map from the model to the scene. In the scene the bounding box has its middle at the origin, and its longest
-/// side is 1, or less if others are long as well.
+/// The map from the model to the scene. In the scene the bounding box has its middle at the origin. Its longest side is
+/// 1, or less if its diagonal is long.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
     /// The middle of the box.
@@ -81,8 +81,8 @@ impl Fit {
 }
 
 impl Stones {
-    /// Starts with cells whose axes agree already ([`super::make_one_sense`]). The mesh may be another one than that
-    /// of the packing; a coarser one is as good.
+    /// Starts with cells whose axes agree already ([`super::make_one_sense`]). The mesh need not be that of the
+    /// packing; a coarser mesh will do.
     pub fn new(params: StonesParams, mesh: &TriMesh, cells: &[SurfaceCell]) -> Self {
         let most = most_triangles(cells.len());
         let (fit, size) = (Fit::new(mesh), mean_size(cells));
@@ -209,7 +209,7 @@ struct StoneDetail {
 
 impl Detail for StoneDetail {
     fn refine(&self, surfel: &mut Surfel, id: u32, spread: f32) {
-        // Picture units in a unit of the scene, and model units in it.
+        // Picture units, and model units, in a unit of the scene.
         let (unit, model) = (self.unit / self.fit.scale, 1.0 / self.fit.scale);
         let covered = spread * unit as f32;
         let near = ((FADES[1] - covered) / (FADES[1] - FADES[0])).clamp(0.0, 1.0);

@@ -19,13 +19,13 @@ pub struct Claw {
 pub(super) const HORN_ROW: u8 = FINISHES as u8;
 /// Corners around a claw.
 const AROUND: u32 = 14;
-/// How flat a claw is from side to side.
+/// The ratio of a claw's width to its height.
 const NARROW: f64 = 0.8;
 /// The share of the belly's colour at the root of a claw; it falls to 0 at the point.
 const PALE: f32 = 0.3;
 
 impl Claw {
-    /// Its surface, in the model's axes and units; triangles run counter-clockwise seen from outside.
+    /// The claw's surface, in the model's axes and units; triangles run counter-clockwise seen from outside.
     pub(super) fn surface(&self, palette: &Palette) -> Surface {
         let mut surface = Surface::default();
         let last = self.points.len().saturating_sub(1);
@@ -62,7 +62,7 @@ impl Claw {
         surface
     }
 
-    /// Its surface moved, for a scene.
+    /// The claw's surface with its vertices moved by `place`, for a scene.
     pub(super) fn placed(&self, palette: &Palette, place: impl Fn(DVec3) -> Vec3) -> Surface {
         let mut surface = self.surface(palette);
         for p in &mut surface.positions {
@@ -80,7 +80,7 @@ fn belt(first: u32) -> impl Iterator<Item = [u32; 3]> {
     })
 }
 
-/// The palette's mark, with a share of its belly.
+/// The palette's colour of marks, mixed with a share of its colour of bellies.
 fn mixed(palette: &Palette, share: f32) -> [u8; 3] {
     std::array::from_fn(|k| {
         let [mark, belly] = [palette.mark[k], palette.belly[k]].map(f32::from);

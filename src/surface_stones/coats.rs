@@ -20,9 +20,9 @@ use std::f64::consts::PI;
 const APART: f64 = 0.83;
 /// The relative variation of the sizes of spots.
 const UNLIKE: f64 = 0.25;
-/// The noise of bands around a body, of that of others, so that they stay rings.
+/// The noise of bands around a body, relative to that of straight bands: less, so that they stay rings.
 const STEADY: f64 = 0.4;
-/// The weight of a cell's normal in its share of the belly; its place has the rest.
+/// The weight of a cell's normal in its share of the belly; the rest is the weight of its place.
 const FACES: f64 = 0.6;
 
 /// The coats of all cells, while they are made.
@@ -83,7 +83,7 @@ impl SurfaceCoats {
         coats
     }
 
-    /// Makes bands run around a body: `along` has the length along it up to each cell, in the model's units.
+    /// Makes bands run around a body. `along` has for each cell the length along the body, in the model's units.
     pub fn around(mut self, along: Vec<f64>) -> Self {
         self.along = along;
         self
@@ -133,7 +133,7 @@ impl SurfaceCoats {
         }
     }
 
-    /// Noise of deviation about 1: the sum of noise in three planes at right angles.
+    /// Noise with a standard deviation of about 1: the sum of noise in three planes at right angles.
     fn noise(&self, p: DVec3) -> f64 {
         let at = p * WAVELENGTH;
         let plane = |x: f64, y: f64| self.marking.noise(x, y);
@@ -141,8 +141,8 @@ impl SurfaceCoats {
         sum / 3f64.sqrt()
     }
 
-    /// Chooses the cells in the middle of spots. In random order, each cell that is far enough from all chosen before
-    /// becomes one.
+    /// Chooses the cells in the middle of spots: in random order, each cell that is far enough from all cells chosen
+    /// before.
     fn scatter(&mut self, cells: &[SurfaceCell]) {
         let mut due: Vec<(u64, u32)> = (0..cells.len() as u32)
             .map(|k| {
@@ -180,7 +180,7 @@ impl SurfaceCoats {
         greater(1.0 - PI * nearest, 0.0)
     }
 
-    /// The tone of a cell's place, if tones are soft.
+    /// The tone of a cell's place; 0 unless tones are soft.
     fn tone(&self, cell: &SurfaceCell) -> f64 {
         let p = (cell.centre.at - self.middle) / (2.0 * CLOUDS * self.half);
         match self.marking.colour.soft > 0.0 {

@@ -6,8 +6,8 @@ use crate::trimesh::{SurfacePoint, TangentFrame, TriMesh};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// The point of a surface for two numbers from 0 to 1. The derivative by the first one, cross that by the second,
-/// points outwards.
+/// A surface as a function of two numbers from 0 to 1. The derivative by the first number, cross the derivative by the
+/// second, points outwards.
 pub type Patch<'a> = &'a dyn Fn(DVec2) -> DVec3;
 
 /// Cells in rows: how many along and across, whether every other row is shifted by half a cell, and whether the
@@ -16,7 +16,7 @@ pub struct Rows {
     pub count: [usize; 2],
     pub is_staggered: bool,
     pub closes: [bool; 2],
-    /// Edges of the mesh to a side of a cell.
+    /// Edges of the mesh along one side of a cell.
     pub finer: usize,
     pub kind: CellKind,
 }

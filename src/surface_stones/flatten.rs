@@ -84,7 +84,7 @@ impl UnfoldedCell {
         self.out(self.bend.bent(p))
     }
 
-    /// Turns a vector in the plane's axes and picture units into the model's.
+    /// Maps a vector from the plane's axes and picture units to the model's axes and units.
     pub fn out(&self, p: DVec3) -> DVec3 {
         let [x, y, z] = self.axes;
         (x * p.x + y * p.y + z * p.z) / self.unit

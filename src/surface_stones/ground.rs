@@ -18,17 +18,17 @@ const PART: usize = 600;
 const MOST_PART: usize = 1 << 15;
 /// Triangles in a slice of curvatures and of shared vertices.
 const SLICE: usize = 1 << 16;
-/// The levels of detail: the mesh's triangles for each triangle of a level.
+/// The levels of detail: how many of the mesh's triangles each triangle of a level replaces.
 const DEGREES: [usize; 3] = [4, 16, 64];
-/// The deepest that the ground may be sunk, and the inside of a shell, as parts of the radius of curvature.
+/// The greatest depths of the ground and of the inside of a shell, as shares of the radius of curvature.
 const MOST_SUNK: [f64; 2] = [0.5, 0.6];
 /// The thickness of a shell, in sizes of stones.
 const THICK: f64 = 0.3;
-/// The depth of stones over their mean one, with room for the deepest of them.
+/// The depth of the deepest stones over the mean depth, about.
 const BASE: f64 = 1.1;
 /// The error that a level of detail may have, as a part of the depth of the ground.
 const FAR: f64 = 0.35;
-/// Edges shorter than this, in sizes, are finer than the ground needs.
+/// Edges shorter than this, in sizes of stones, are finer than the ground needs.
 const FINE: f64 = 0.6;
 /// Brightness of the inside and of the rim, relative to the ground.
 const INSIDE: f32 = 0.62;
@@ -46,7 +46,7 @@ pub(super) struct GroundMaking {
     order: Vec<(u32, u32)>,
     /// Marks vertices that several parts use: these lie on borders between parts.
     is_shared: Vec<bool>,
-    /// For each vertex the last part that uses it, as far as these have been looked at.
+    /// For each vertex the last part that uses it, among the triangles looked at so far.
     part_of: Vec<u32>,
     looked_at: usize,
     /// For each vertex its index in the current part.
@@ -199,7 +199,8 @@ impl GroundMaking {
     }
 }
 
-/// The places of the surface's vertices, sunk by `depth`, or by `most_sunk` of the radius of curvature.
+/// The places of the surface's vertices, sunk by `depth`, but by at most the share `most_sunk` of the radius of
+/// curvature.
 fn sunk_places(mesh: &TriMesh, curvatures: &[[f64; 2]], depth: f64, most_sunk: f64) -> Vec<Vec3> {
     let sunk = |(k, (&p, &n)): (usize, (&DVec3, &DVec3))| {
         let [least, most] = curvatures[k];
@@ -213,7 +214,7 @@ fn sunk_places(mesh: &TriMesh, curvatures: &[[f64; 2]], depth: f64, most_sunk: f
     all.map(sunk).collect()
 }
 
-/// The ground without what closes its openings, in the model's units. Triangles run counter-clockwise seen from outside.
+/// The ground before its openings are closed, in the model's units. Triangles run counter-clockwise seen from outside.
 fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
     Surface {
         positions: sunk_places(mesh, curvatures, bed.sunk, MOST_SUNK[0]),
@@ -223,7 +224,7 @@ fn sheet(mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) -> Surface {
     }
 }
 
-/// Adds what closes the openings of the ground.
+/// Closes the openings of the ground in the way that `bed.open` asks for.
 fn close_all(surface: &mut Surface, mesh: &TriMesh, bed: &Bed, curvatures: &[[f64; 2]]) {
     let borders = mesh.borders();
     if borders.is_empty() {
@@ -322,7 +323,7 @@ fn strip(surface: &mut Surface, pairs: &[[Vec3; 2]], colour: [u8; 3]) {
     surface.triangles.extend(all);
 }
 
-/// Widens the least and the greatest curvature along the edges at each vertex by some triangles.
+/// Updates the least and the greatest curvature at each vertex with the curvatures along the edges of some triangles.
 fn curvatures(mesh: &TriMesh, triangles: std::ops::Range<usize>, found: &mut [[f64; 2]]) {
     for triangle in &mesh.triangles()[triangles] {
         for k in 0..3 {
@@ -353,7 +354,7 @@ pub(crate) fn parts(positions: &[Vec3], triangles: &[[u32; 3]], each: usize) -> 
     for &p in positions {
         (low, high) = (low.min(p), high.max(p));
     }
-    // The surface is taken to meet three times as many cubes as the square of their number along a side.
+    // Assume that the surface meets 3 n^2 cubes of a grid with n cubes along a side.
     let wanted = (triangles.len() / each).max(1) as f32;
     let along = (wanted / 3.0).sqrt().clamp(1.0, 32.0);
     let side = greater((high - low).max_element() / along, f32::MIN_POSITIVE);

@@ -1,8 +1,8 @@
 //! Colour, material and relief of stones on a surface and of the ground, at vertices and at pixels.
 //!
-//! A stone looks as in the plane: colours, grain and relief come from its face, in its own coordinates; a place of
-//! the surface is bent back into these. So there are no seams, and no pattern is stretched. The ground shows the bed
-//! of pavements from three sides, weighted by the directions in which the surface faces.
+//! A stone looks as in the plane: colours, grain and relief come from its face, in the coordinates of the flat stone. A
+//! place of the surface is mapped back to these coordinates. So there are no seams, and no pattern is stretched. The
+//! ground shows the bed of pavements from three sides, weighted by the directions in which the surface faces.
 
 use super::UnfoldedCell;
 use crate::cells::Cell;
@@ -19,7 +19,7 @@ use glam::Vec3;
 const AROUND: [f32; 2] = [0.72, 0.55];
 /// The factor from curvature (times size) to hollowness.
 const HOLLOW: f32 = 0.5;
-/// How much level places are trodden.
+/// How much level places are trodden, from 0 to 1.
 const TRODDEN: f32 = 0.75;
 /// The offset of the broad noise against that of the ground, in picture units.
 const BROAD_OFF: [f32; 2] = [211.0, 97.0];
@@ -80,8 +80,8 @@ impl Own {
         }
     }
 
-    /// The place in the flat stone of a place on the bent one. `from` is that place relative to the centre, in the
-    /// model's axes.
+    /// Maps a place of the bent stone back into the flat stone. `from` is the place relative to the cell's centre, in
+    /// the model's axes and units.
     fn laid_flat(&self, from: Vec3) -> Vec3 {
         let from = from * self.unit;
         let [x, y, z] = self.axes.map(|axis| axis.dot(from));
@@ -189,7 +189,7 @@ impl Look {
         self.weathered(sample, [p.x + from.x, p.y + from.y], [own.hollow, up], true)
     }
 
-    /// Applies the weather to a place; `at` is where its noise is read.
+    /// Applies the weather to a place; `at` is where the weather's noise is read.
     fn weathered(
         &self,
         mut sample: Sample,

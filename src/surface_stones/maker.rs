@@ -25,7 +25,7 @@ pub(super) struct Made {
     /// Levels of detail, the finest first. Positions are relative to the cell's centre, in the model's axes and
     /// units. Triangles run counter-clockwise seen from outside.
     pub levels: Vec<Surface>,
-    /// The row of the material at its middle.
+    /// The row of the material at the middle of its top.
     pub material: u8,
 }
 
@@ -88,7 +88,7 @@ impl Maker {
             .map(|p| flat.placed(p.as_dvec3()).as_vec3())
             .collect();
         // The axes are left-handed, so triangles run the other way round. Take normals without the cap, which would
-        // bend those of the walls.
+        // bend the normals of the walls.
         let turned: Vec<[u32; 3]> = walls.iter().map(|&[a, b, c]| [a, c, b]).collect();
         let normals = normals(&bent, &turned);
         let level = |level: &super::template::StoneLevel| {
@@ -151,7 +151,7 @@ impl Maker {
     }
 }
 
-/// The middle of the cap belongs to no wall: its normal points inwards.
+/// Sets the normal of the cap's middle, which belongs to no wall, so that it points inwards.
 fn under(surface: &mut Surface, out: DVec3) {
     for normal in &mut surface.normals {
         if *normal == Vec3::NEG_Z {

@@ -68,7 +68,7 @@ pub enum Open {
     /// As a shell with an inside.
     #[default]
     Shell,
-    /// As a closed body, cut off there.
+    /// As a closed body, cut off at the border.
     Capped,
     /// As ground whose sides go straight down to a floor.
     Block,

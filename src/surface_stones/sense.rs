@@ -11,8 +11,8 @@ use crate::trimesh::{SurfacePoint, TangentFrame, log};
 use glam::DVec2;
 use std::cell::RefCell;
 
-/// A flow: for a point of the surface the direction in the frame of its normal, of any length. Nothing if it is
-/// unknown there.
+/// A flow: the direction at a point of the surface, in the point's tangent frame and of any length. `None` where it is
+/// unknown.
 pub type Flow<'a> = &'a dyn Fn(&SurfacePoint) -> Option<DVec2>;
 
 /// Turns the axes of cells, by quarter turns for squares and half turns for others. `links` are the neighbours by
@@ -59,7 +59,7 @@ fn turns(cells: &[SurfaceCell], axes: &[Axis], links: &[Vec<u32>], flow: Flow) -
     turns.into_inner()
 }
 
-/// Carries a vector from the frame of one cell to that of another.
+/// Carries a vector from the tangent frame of `from` to that of `to`.
 fn carried(to: &SurfaceCell, from: &SurfaceCell, v: DVec2) -> DVec2 {
     match log(&to.centre, &from.centre) {
         Some(way) => way.turn.apply(v),

@@ -17,7 +17,7 @@ use std::rc::Rc;
 
 /// A stone has at least this many triangles.
 const LEAST: usize = 16;
-/// Triangles of the solid over those of the finest level, which is simplified from it.
+/// The ratio of the solid's triangles to those of the finest level, which is simplified from the solid.
 const BEFORE: f64 = 1.3;
 
 /// The levels of stones with one number of corners.
@@ -31,7 +31,7 @@ pub(super) struct SharedLevels {
 /// A level of detail.
 #[derive(Debug)]
 pub(super) struct StoneLevel {
-    /// The vertices that it keeps, as indices into the solid's.
+    /// The vertices that it keeps, as indices into the solid's vertices.
     pub kept: Vec<u32>,
     /// Its triangles, as indices into `kept`.
     pub triangles: Vec<[u32; 3]>,
@@ -44,7 +44,7 @@ pub(super) struct Templates {
     stone: StoneParams,
     /// Triangles of the finest level.
     most: usize,
-    /// The mean curvature of cells, without sign, for each picture unit.
+    /// The mean curvature of cells, without sign, in one over picture units.
     curvature: f64,
     /// The lowest height that is visible.
     floor: f32,

@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Half the length and half the width of a bar, in distances between bars.
 const BAR: DVec2 = DVec2::new(0.40, 0.058);
-/// The same for the arms of crosses and stars, which are shorter and thinner.
+/// Half the length and half the width of an arm of a cross or star, in distances between bars.
 const ARM: DVec2 = DVec2::new(0.36, 0.046);
 /// The sides of a tube's cross-section.
 const AROUND: u32 = 10;
@@ -43,12 +43,13 @@ pub(super) fn star(symmetry: u32) -> Body {
         }
         all
     };
-    // They are small, so the finest level is not needed.
+    // Stars are small, so they do not need the finest level.
     let levels = bar.levels().iter().skip(1).map(turned).collect();
     Body::new(levels, SATIN)
 }
 
-/// The places and normals of a line's points in the scene, without those that are nearer than `apart` to the last one.
+/// The places and normals of a line's points in the scene, without points nearer than `apart` to the last one that is
+/// kept.
 fn thinned(line: &[SurfacePoint], apart: f64, fit: &Fit) -> Vec<(DVec3, DVec3)> {
     let mut places: Vec<(DVec3, DVec3)> = Vec::new();
     for p in line {

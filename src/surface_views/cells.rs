@@ -14,9 +14,9 @@ use glam::{DVec3, Vec3};
 const JOINT: f64 = 0.034;
 /// The colour of joints, and of the surface that no cell covers.
 const DARK: [u8; 3] = [52, 46, 40];
-/// How far that surface is sunk, in mean sizes of cells.
+/// How far the surface that no cell covers is sunk, in mean sizes of cells.
 const SUNK: f64 = 0.12;
-/// Parts of a side at each level of detail.
+/// How many parts a side is divided into, at each level of detail.
 const DEGREES: [usize; 3] = [4, 2, 1];
 /// Cells in a slice.
 const CELLS: usize = 150;

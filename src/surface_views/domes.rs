@@ -1,7 +1,7 @@
 //! Bodies that lie on a surface: bubbles and bars.
 //!
-//! x runs along them, y out of the surface. They reach a little below the surface, because it is curved and they are
-//! flat.
+//! Their x runs along the body, and their y out of the surface. They reach a little below the surface, because it is
+//! curved and the bodies are flat.
 
 use crate::scene::Body;
 use crate::solid::{Surface, normals};
@@ -18,7 +18,7 @@ pub(super) struct Dome {
     pub high: f64,
     /// The depth below the surface.
     pub deep: f64,
-    /// The angle between the rim and the surface.
+    /// The angle between the rim and the surface, in radians.
     pub rim: f64,
     /// The brightness of the rim, relative to the top.
     pub dark: f64,
@@ -103,7 +103,7 @@ fn ellipse(half: DVec2, count: u32) -> Vec<DVec2> {
     (0..count).map(at).collect()
 }
 
-/// A rectangle with round corners; `corner` and `side` are the points of each.
+/// A rectangle with round corners. `corner` and `side` are the numbers of points of each corner and side.
 fn rounded(half: DVec2, round: f64, corner: u32, side: u32) -> Vec<DVec2> {
     let mut points: Vec<DVec2> = Vec::new();
     let arc = |quarter: u32, k: u32| {

@@ -25,7 +25,7 @@ const BALLS: (f64, f64) = (0.006, 0.013);
 const TUBE: f64 = 0.4;
 /// Sizes count as equal if the largest exceeds the smallest by no more than this factor.
 const SAME: f64 = 1.02;
-/// The colour of the middle size. The usual one would not stand out from the ground.
+/// The colour of the middle size. The usual colour, `CROSS`, would not stand out from the ground.
 const MIDDLE: Colour = [0.80, 0.56, 0.10, 1.0];
 /// Triangles in a slice.
 const TRIANGLES: usize = 6_000;

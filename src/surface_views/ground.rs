@@ -9,8 +9,8 @@ use glam::Vec3;
 
 /// About how many triangles a part has.
 const PART: usize = 350;
-/// The levels of detail after the finest one: the mesh's triangles for each triangle of a level. They are for distant
-/// parts; close up they would lie in the shadow of the finest level.
+/// The levels of detail after the finest one: how many of the mesh's triangles each triangle of a level replaces. They
+/// are for distant parts; close up they would lie in the shadow of the finest level.
 const COARSER: [usize; 2] = [4, 16];
 /// Parts with fewer triangles have one level only.
 const SMALL: usize = 100;
@@ -106,7 +106,7 @@ impl BareSurface {
         false
     }
 
-    /// Whether it is cut into parts, so that [`Self::first_scene`] can show it.
+    /// Whether the surface is cut into parts, so that [`Self::first_scene`] can show it.
     pub fn is_cut(&self) -> bool {
         !self.is_shared.is_empty() && self.next == self.order.len()
     }
@@ -212,8 +212,8 @@ impl BareSurface {
         vertex as usize >= self.outer
     }
 
-    /// One of the bodies, sunk along its normals by `sunk`, in scene units. `colour` gives the colour of a vertex of
-    /// the mesh; its second argument tells whether that vertex is seen from inside.
+    /// The body of a part. `look` is its material, and how far it is sunk along its normals, in scene units. `colour`
+    /// gives the colour of a vertex of the mesh; its second argument tells whether that vertex is seen from inside.
     pub(super) fn body(
         &self,
         part: usize,
@@ -269,8 +269,8 @@ impl BareSurface {
         self.scene_of(usize::MAX)
     }
 
-    /// The same with the finest level alone, which is there as soon as [`Self::is_cut`]: a visitor need not wait for the
-    /// others to see something.
+    /// Like [`Self::scene`], but with the finest level alone, which is there as soon as [`Self::is_cut`]. So a visitor
+    /// need not wait for the coarser levels to see something.
     pub fn first_scene(&self) -> Scene {
         self.scene_of(1)
     }

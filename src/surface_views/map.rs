@@ -20,8 +20,8 @@ use crate::trimesh::{SurfacePoint, TriMesh};
 pub enum Quantity {
     /// The mean of the two principal curvatures, in one over the model's units.
     Mean,
-    /// The root of the Gaussian curvature with its sign, in one over the model's units: positive on domes, negative
-    /// on saddles.
+    /// The square root of the Gaussian curvature's size, with the sign of that curvature: positive on domes, negative
+    /// on saddles. In one over the model's units.
     Gaussian,
     /// The size that cells should have, in the model's units.
     Size,
@@ -51,11 +51,12 @@ const CURVES: [Colour; 5] = [
 const INK: f32 = 0.42;
 /// The scale of curvatures covers this share of the surface.
 const WITHIN: f64 = 0.96;
-/// The most vertices that are sampled for that.
+/// The most vertices that are sampled for the scale of curvatures.
 const ASKED: usize = 4_000;
 /// The scale of sizes covers at least this many doublings each way from the middle.
 const LEAST: f64 = 0.35;
-/// The most bars; and the least difference of the two principal curvatures for a bar, as a part of the greater one.
+/// The most bars; and the least difference of the two principal curvatures for a bar, as a part of twice the greater
+/// one.
 const BARS: f64 = 1_100.0;
 const DIFFER: f64 = 0.25;
 /// Vertices and bodies in a slice.

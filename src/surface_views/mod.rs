@@ -1,4 +1,4 @@
-//! Views of the stages of a surface: scenes in the place and the light of the finished one.
+//! Views of the stages of a surface: scenes in the same place and light as the finished scene.
 //!
 //! - [`Particles`]: packed cells as they move, each a bubble that lies on the surface.
 //! - [`FieldView`]: the direction as bars, crosses or stars, and its singular points.

@@ -25,7 +25,7 @@ const ROUND: f64 = 0.36;
 /// The share of a light colour that is mixed in: bubbles are lighter than the stones to come.
 const PALE: f32 = 0.5;
 const LIGHT: Colour = [0.93, 0.90, 0.84, 1.0];
-/// The colour of the surface below them.
+/// The colour of the surface below the bubbles.
 const UNDER: [u8; 3] = [126, 120, 112];
 /// The angle of rims, in radians.
 const RIM: f64 = 1.32;
@@ -135,7 +135,8 @@ impl Particles {
 
 /// The stress on each cell.
 pub(super) fn stress(site: &PackingMesh, cells: &[SurfaceParticle]) -> Vec<Stress> {
-    // For each cell the two axes that measure how far off a place is, in sizes along the cell's half axes.
+    // For each cell two vectors, with which dot products measure a way in the cell's own metric: a half axis is half a
+    // size long.
     let axes = |cell: &SurfaceParticle| {
         let (frame, (e, f)) = (cell.centre.frame(), cell.half_axes());
         let axis = |v: DVec2| frame.out(v) * (0.5 * cell.size / v.length_squared());
@@ -159,7 +160,7 @@ fn place_of(kind: CellKind) -> usize {
     KINDS.iter().position(|&k| k == kind).unwrap_or_default()
 }
 
-/// Which of its kind's bodies a cell uses.
+/// The index of a cell's body among the bodies of its kind, which are more and more stretched.
 fn step_of(cell: &SurfaceParticle) -> u32 {
     if !cell.kind.is_stretched() || cell.axis == DVec2::ZERO {
         return 0;

@@ -30,7 +30,7 @@ pub(super) struct Spread {
     places: Vec<SurfacePoint>,
     /// The distance wanted at each place.
     gaps: Vec<f64>,
-    /// Running sums over the triangles of the places for which they have room.
+    /// Running sums over the triangles: the numbers of places for which they have room.
     rooms: Vec<f64>,
     boxes: Option<SurfaceHash>,
     widest: f64,

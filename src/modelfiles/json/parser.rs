@@ -1,4 +1,4 @@
-//! The parser.
+//! The parser: reads JSON in slices.
 
 use super::value::Json;
 use crate::decimal;
@@ -39,12 +39,12 @@ const NAMES: [&str; 33] = [
     "rotation",
     "scale",
 ];
-/// Names of lists of numbers: a matrix has sixteen. One more is kept, so that a longer list is no matrix.
+/// Names of short lists of numbers. A matrix has 16; a 17th number is kept, so that a longer list is no matrix.
 const FEW: [&str; 4] = ["matrix", "translation", "rotation", "scale"];
 const MOST_NUMBERS: usize = 17;
 /// The most values that are kept: a hundred thousand nodes have about as many.
 const MOST_VALUES: usize = 1 << 22;
-/// The deepest nesting, and the deepest of values that are kept.
+/// The deepest nesting that is allowed, and the deepest at which values are kept.
 const DEPTH: usize = 1 << 16;
 const KEPT_DEPTH: usize = 16;
 /// The longest kept text and the longest number, in bytes; longer text is cut.
@@ -57,7 +57,7 @@ pub struct Unreadable;
 /// A list or an object whose end has not come yet.
 enum Open {
     List(Vec<Json>, usize),
-    /// With the name of the next value, if that is kept.
+    /// With the name of the next value; `None` if that value is not kept.
     Object(Vec<(&'static str, Json)>, Option<&'static str>),
     /// A list or an object that is not kept.
     Skipped {
@@ -86,7 +86,7 @@ enum Next {
     NameOrEnd,
     Colon,
     CommaOrEnd,
-    /// The rest of a text: that of a name, or of a value.
+    /// The rest of a string: of a name, or of a value.
     NameText,
     ValueText,
     Nothing,
@@ -97,7 +97,7 @@ pub struct Parser {
     at: usize,
     next: Next,
     open: Vec<Open>,
-    /// The start of the current text.
+    /// The current string, as far as it has been read.
     text: Vec<u8>,
     /// The number of values that have been kept.
     kept: usize,
@@ -128,7 +128,7 @@ impl Parser {
         (self.at >= bytes.len()).then(|| self.done.take().ok_or(Unreadable))
     }
 
-    /// Parses up to the end of the next piece, or to `end` in a text.
+    /// Parses the next piece, but a string only up to `end`. `None` if the text is invalid.
     fn step(&mut self, bytes: &[u8], end: usize) -> Option<()> {
         if matches!(self.next, Next::NameText | Next::ValueText) {
             return self.go_on(bytes, end);
@@ -215,7 +215,7 @@ impl Parser {
         (self.kept <= MOST_VALUES).then_some(())
     }
 
-    /// A number, or one of the three words.
+    /// Reads a number, `null`, `true` or `false`.
     fn word(&mut self, bytes: &[u8]) -> Option<()> {
         let near = &bytes[self.at..bytes.len().min(self.at + LONGEST)];
         let goes_on = |b: &u8| b.is_ascii_alphanumeric() || b"+-.".contains(b);
@@ -232,7 +232,7 @@ impl Parser {
         self.put(value)
     }
 
-    /// More of a text, up to its closing quote.
+    /// Reads on in a string, up to its closing quote or to `end`.
     fn go_on(&mut self, bytes: &[u8], end: usize) -> Option<()> {
         while self.at < end {
             let byte = bytes[self.at];
@@ -261,7 +261,7 @@ impl Parser {
             if !self.keeps() {
                 return self.put(Json::No);
             }
-            // A cut may fall within a letter.
+            // The string may have been cut within a character.
             let text = match text.len() < LONGEST {
                 true => String::from_utf8(text).ok()?,
                 false => String::from_utf8_lossy(&text).into_owned(),
@@ -271,7 +271,7 @@ impl Parser {
         self.next = Next::Colon;
         if let Some(Open::Object(all, name)) = self.open.last_mut() {
             let known = NAMES.iter().find(|known| known.as_bytes() == text);
-            // The first value of a name counts.
+            // If a name occurs twice, keep its first value.
             *name = known
                 .copied()
                 .filter(|known| all.iter().all(|(own, _)| own != known));

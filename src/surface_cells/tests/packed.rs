@@ -32,7 +32,7 @@ fn packed(outline: Vec<DVec2>, params: FieldParams) -> Vec<crate::packing::Parti
     packing.particles()
 }
 
-/// A disc of diameter 512, in squares.
+/// Maps the unit square to a disc of diameter 500.
 fn disc(p: DVec2) -> DVec2 {
     // The concentric map (Shirley, Chiu 1997).
     let q = 2.0 * p - DVec2::ONE;

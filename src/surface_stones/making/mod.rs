@@ -64,7 +64,7 @@ pub struct StepShape {
     pub flat: UnfoldedCell,
     /// Closed surfaces; empty for [`StoneStep::Finish`].
     pub surface: Surface,
-    /// Lines to draw over it.
+    /// Lines to draw over the surface.
     pub edges: Vec<[Vec3; 2]>,
 }
 
@@ -128,7 +128,8 @@ pub fn step(params: &StonesParams, paving: Paving, k: usize, step: StoneStep) ->
     })
 }
 
-/// A maker with the template that all stones with as many corners share: the first of these has made it.
+/// A maker with the template that all stones of this sort share ([`sort_of`]). As in the scene, the first of these
+/// stones makes it.
 fn primed(params: &StonesParams, paving: Paving, k: usize) -> Option<Maker> {
     let cells = paving.cells;
     let mut maker = Maker::new(params, cells, most_triangles(cells.len()));
@@ -226,7 +227,7 @@ impl Plates {
         self.add(&ring(flat, cell), middle, down.as_vec3(), colour);
     }
 
-    /// The polygon in its plane, and lines to its corners from those on the surface.
+    /// The polygon in its plane, and lines that join its corners to the corners on the surface.
     fn add_flat(&mut self, flat: &UnfoldedCell, cell: &SurfaceCell) {
         let high = flat.bend.anchor;
         let corners = flat.cell.ring.iter();
@@ -251,7 +252,7 @@ impl Plates {
     }
 }
 
-/// A place of the model.
+/// A place of the model, in the axes and units of the picture.
 fn seen(flat: &UnfoldedCell, at: DVec3) -> Vec3 {
     let from = flat.axes.map(|axis| axis.dot(at - flat.at) * flat.unit);
     (DVec3::from(from) + DVec3::Z * flat.bend.anchor).as_vec3()

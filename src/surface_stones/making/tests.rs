@@ -35,7 +35,7 @@ fn stones() -> [StoneParams; 2] {
     [StoneParams::default(), scale]
 }
 
-/// A cell inside, with its neighbours.
+/// Index of a cell that is not on the border.
 const INSIDE: usize = 5 * 30 + 7;
 
 #[test]

@@ -9,7 +9,7 @@ fn curvature_goes_from_blue_over_pale_to_orange() {
     let ground = grounded(&mesh);
     let view = MapView::build(&ground, &fields, Quantity::Gaussian, true);
     let legend = view.legend();
-    // On the outside the curvature is 1 / (0.4 * 1.4). On the inside it is greater, with the opposite sign.
+    // On the outside the Gaussian curvature is 1 / (0.4 * 1.4). On the inside it is greater, with the opposite sign.
     assert!(legend.ends[1] > 1.0 / (0.4 * 1.4f64).sqrt() && legend.ends[0] == -legend.ends[1]);
     let light = |c: [u8; 3]| c.iter().map(|&v| u32::from(v)).sum::<u32>();
     let (first, last) = (legend.colours[0], legend.colours[legend.colours.len() - 1]);
