@@ -14,11 +14,11 @@ use glam::DVec3;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-/// How far a unit vector may be from one, and right angles from right ones.
+/// Tolerance for the length of a unit vector, and for the dot product of unit vectors at right angles.
 const UNIT: f64 = 1e-6;
 /// Pieces and radii shorter than this are faults (metres).
 const SHORT: f64 = 1e-6;
-/// The sharpest turn of a smooth profile: about a degree.
+/// The sharpest turn of a smooth profile: about a degree (radians).
 const KINK: f64 = 0.0175;
 
 /// Tests a draft. Coordinates are tested first, so that later tests meet finite numbers only.
@@ -61,7 +61,7 @@ fn counts(draft: &Draft) -> Result<(), BuildingFault> {
     }
 }
 
-/// Tests that a number is one and not too great.
+/// Tests that a number is finite and its size at most [`FARTHEST`].
 fn number(path: impl Fn() -> String, value: f64) -> Result<(), BuildingFault> {
     if value.abs() <= FARTHEST {
         return Ok(());
@@ -200,7 +200,7 @@ fn arc_fault(draft: &Draft, arc: &DraftArc) -> Option<ArcFault> {
     is_bad.then_some(ArcFault::Radius)
 }
 
-/// The fault of a surface.
+/// The first fault of a surface; `None` if it has none.
 fn surface_fault(surface: &Surface) -> Option<SurfaceFault> {
     match surface {
         Surface::Sweep(sweep) => sweep_fault(sweep),

@@ -9,22 +9,22 @@ use glam::DVec3;
 pub struct Vertex {
     /// Its place (metres).
     pub position: DVec3,
-    /// A polygon edge that begins or ends here; on a border it is one of the border.
+    /// A polygon edge that begins or ends here; at a vertex on a border, one that lies on the border.
     pub edge: PolygonEdgeId,
     /// The corner here, if there is one: most vertices have none.
     pub corner: Option<CornerId>,
 }
 
-/// A polygon edge of the child mesh: a straight piece of an edge, or one inside of a face.
+/// A polygon edge of the child mesh: a straight piece of an [`super::Edge`], or a side of two polygons of one face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PolygonEdge {
     /// Its start and its end.
     pub vertices: [VertexId; 2],
-    /// The polygon that walks it from start to end, and the one that walks it back.
+    /// The polygon that walks it from start to end, and the one that walks it back; `None` where the border is.
     pub polygons: [Option<PolygonId>; 2],
-    /// Its neighbours around both polygons.
+    /// The polygon edges before and after it around both polygons.
     pub wings: Wings<PolygonEdgeId>,
-    /// The edge that it is part of; none inside of a face.
+    /// The edge of the parent mesh that it is part of; `None` inside of a face.
     pub edge: Option<EdgeId>,
 }
 
@@ -33,7 +33,7 @@ pub struct PolygonEdge {
 pub struct Polygon {
     /// Its vertices, counter-clockwise seen from outside.
     pub vertices: Vec<VertexId>,
-    /// Its polygon edges; each begins or ends at the vertex of the same number and leads to the next one.
+    /// Its polygon edges: `edges[k]` joins `vertices[k]` and the next vertex.
     pub edges: Vec<PolygonEdgeId>,
     /// The face that it is part of.
     pub face: FaceId,

@@ -13,21 +13,21 @@ pub struct Draft {
     pub arcs: Vec<DraftArc>,
     /// The faces.
     pub faces: Vec<DraftFace>,
-    /// Labels of edges' own: two vertices that a side of a loop joins, and a label of the edge that it belongs to.
+    /// Labels for single edges: the two vertices of a side, and a label for the edge that the side belongs to.
     pub edge_labels: Vec<([u32; 2], String)>,
-    /// Labels of corners' own.
+    /// Labels for single corners: a vertex, and a label for the corner there.
     pub corner_labels: Vec<(u32, String)>,
-    /// Edges whose pattern is to be flipped by hand (section 5.2, the stored bit), each by two vertices of a side.
+    /// Edges whose pattern is flipped by hand (section 5.2, the stored bit), each named by the two vertices of a side.
     pub edge_flips: Vec<[u32; 2]>,
-    /// Corners whose pattern is to be flipped by hand.
+    /// Corners whose pattern is flipped by hand, each named by its vertex.
     pub corner_flips: Vec<u32>,
     /// Meshes that carry no masonry: glass, doors, rails.
     pub extras: Vec<ExtraMesh>,
-    /// The height of the ground, if there is any.
+    /// The height of the ground (metres), if there is any.
     pub ground: Option<f64>,
 }
 
-/// A side that is an arc: counter-clockwise from one vertex to the other, if the axis points at the viewer.
+/// A side that is an arc: counter-clockwise from `from` to `to`, if the axis points at the viewer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DraftArc {
     /// The vertex at its start.
@@ -48,9 +48,9 @@ pub struct DraftFace {
     /// Its surface; a face without one is an error.
     pub surface: Option<Surface>,
     /// Its loops of vertices, seen from outside: outer ones counter-clockwise, holes clockwise. A whole cylinder has
-    /// one around its bottom and one around its top.
+    /// one loop around its bottom and one around its top.
     pub loops: Vec<Vec<u32>>,
-    /// How thick the wall is that the face stands for, if it has no back (metres).
+    /// The thickness of the wall behind the face (metres), if the wall is this single face without a back.
     pub thickness: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Where arcs are cut into chords, so that all faces of one cylinder cut it at the same angles.
+//! Where arcs are cut into chords, so that all faces of one cylinder are cut at the same angles.
 
 use super::piece::Arc;
 use glam::DVec3;
@@ -8,12 +8,13 @@ use std::f64::consts::TAU;
 const CHORD: f64 = 0.06;
 /// The widest angle of a chord (radians).
 const ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
-/// The most chords of a whole turn. Circles of over 190 m then have longer chords, which sag by less than 0.2 mm.
+/// The most chords of a whole turn. Circles of over 190 m radius then have chords longer than [`CHORD`], which sag by
+/// less than 0.2 mm.
 const MOST: f64 = 20_000.0;
 /// Cuts this close to the arc's ends are left out (metres): the ends lie on them.
 pub(super) const NEAR: f64 = 1e-4;
 
-/// The arc lengths of the inner places where an arc is cut, rising.
+/// The arc lengths (metres, rising) at which an arc is cut between its ends.
 ///
 /// Cuts are at whole steps from a direction that depends on the axis alone. So arcs of one circle are cut at the same
 /// places, whichever way they run and wherever they begin, and so are circles of one cylinder.
@@ -44,8 +45,8 @@ fn absolute_start(arc: &Arc) -> (f64, f64) {
     (angle, sign)
 }
 
-/// A unit vector normal to a unit vector, from the coordinate axis that is the farthest from it. Keep the first of two
-/// equally far ones.
+/// A unit vector at right angles to the unit vector `axis`: the coordinate axis that is the farthest from it, made
+/// perpendicular. If two are equally far, the first is used.
 pub(super) fn perpendicular(axis: DVec3) -> DVec3 {
     let parts = axis.abs().to_array();
     let least = axis.abs().min_element() + 1e-6;

@@ -1,4 +1,4 @@
-//! Why a model is no building, and what is odd about one.
+//! Faults for which a model is no building, and warnings about a building.
 
 use super::ids::{CornerId, EdgeId, FaceId};
 use glam::DVec3;
@@ -7,7 +7,7 @@ use glam::DVec3;
 pub const FARTHEST: f64 = 1e4;
 /// The most faces of a building.
 pub const MOST_FACES: usize = 4000;
-/// The most sides of loops, and the most triangles of extra meshes.
+/// The most sides of loops, vertices, arcs, or triangles of extra meshes.
 pub const MOST_SIDES: usize = 200_000;
 /// The greatest distance of a loop from its surface (metres).
 pub const OFF_SURFACE: f64 = 1e-3;
@@ -28,12 +28,12 @@ pub enum BuildingFault {
     NotObj(crate::notice::Notice),
     /// The version is not 1.
     Version {
-        /// The one that is given, as text; empty if there is none.
+        /// The version that is given, as text; empty if there is none.
         found: String,
     },
     /// The unit is not `m`.
     Unit {
-        /// The one that is given, as text.
+        /// The unit that is given, as text; empty if there is none.
         found: String,
     },
     /// A value is missing, or of the wrong kind.
@@ -45,29 +45,29 @@ pub enum BuildingFault {
     },
     /// A number is not finite, or greater than [`FARTHEST`].
     Number {
-        /// Where it is.
+        /// Where the number is, such as `v[3]`.
         path: String,
-        /// Its text.
+        /// The number as text.
         found: String,
     },
     /// There are no faces.
     Empty,
     /// There are more than [`MOST_FACES`] faces.
     TooManyFaces {
-        /// How many there are.
+        /// The number of faces.
         faces: usize,
     },
-    /// Loops have more than [`MOST_SIDES`] sides, or there are more vertices, arcs, or triangles of extra meshes than
-    /// that; or arcs are cut to more than twice as many.
+    /// There are more than [`MOST_SIDES`] sides of loops, vertices, arcs, or triangles of extra meshes; or more than
+    /// twice as many vertices after arcs are cut.
     TooManySides {
-        /// How many there are.
+        /// The number that is too great.
         sides: usize,
     },
     /// A loop, an arc or a triangle names a vertex that does not exist.
     NoVertex {
         /// Where it is named.
         path: String,
-        /// The number that is given.
+        /// The vertex that is named.
         vertex: u32,
     },
     /// A loop has fewer than three vertices that differ by over 0.2 mm.
@@ -77,7 +77,7 @@ pub enum BuildingFault {
         /// The number of the loop in the face.
         ring: usize,
     },
-    /// An arc has no axis, its ends are not equally far from its centre, or its sides are given twice.
+    /// An arc has no axis, its ends do not lie on a circle about it, or another arc joins the same vertices.
     BadArc {
         /// The number of the arc in the draft.
         arc: usize,
@@ -100,7 +100,7 @@ pub enum BuildingFault {
     OffSurface {
         /// The face.
         face: FaceId,
-        /// The place (metres).
+        /// The place of the loop that is off (metres).
         at: DVec3,
         /// The distance from the surface (metres).
         by: f64,
@@ -126,14 +126,14 @@ pub enum BuildingFault {
     },
     /// More than two faces meet along a side (section 6 of the paper leaves that to future work).
     NonManifold {
-        /// Two vertices of the draft.
+        /// The ends of the side, as vertices of the draft.
         vertices: [u32; 2],
         /// The faces there.
         faces: Vec<FaceId>,
     },
     /// Two faces walk a side in the same direction, so one of them is turned over.
     TurnedOver {
-        /// Two vertices of the draft.
+        /// The ends of the side, as vertices of the draft.
         vertices: [u32; 2],
         /// Both faces.
         faces: [FaceId; 2],
@@ -145,9 +145,9 @@ pub enum BuildingFault {
 pub enum ArcFault {
     /// The axis is the zero vector.
     NoAxis,
-    /// The ends differ in their distance from the centre by over 1 mm, or lie at it.
+    /// The ends' distances from the centre differ by over 1 mm, or the start is within 1 mm of the centre.
     Radius,
-    /// The ends do not lie in a plane normal to the axis by over 1 mm.
+    /// An end lies over 1 mm off the plane through the centre that is normal to the axis.
     Plane,
     /// Another arc joins the same two vertices.
     Twice,
@@ -166,7 +166,7 @@ pub enum SurfaceFault {
     Direction,
     /// An arc runs around its circle more than once.
     Turns,
-    /// The loops of a whole cylinder do not close around it.
+    /// The loops of a whole cylinder or disk do not bound a region.
     Unbounded,
 }
 
@@ -179,12 +179,12 @@ pub enum BuildingWarning {
     Pinched(CornerId),
     /// A label or a flip names two vertices that are no side of a loop.
     NoSuchEdge {
-        /// The vertices.
+        /// The two vertices that are named.
         vertices: [u32; 2],
     },
     /// A label or a flip names a vertex that is no corner.
     NoSuchCorner {
-        /// The vertex.
+        /// The vertex that is named.
         vertex: u32,
     },
     /// No loop has this arc as a side.

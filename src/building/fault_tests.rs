@@ -328,7 +328,7 @@ fn spoil(draft: &mut Draft, random: &mut crate::random::Random) {
     }
 }
 
-/// Whether there is something left to spoil.
+/// Whether there are faces left to spoil, all with loops that have vertices.
 fn has_loops(draft: &Draft) -> bool {
     let is_whole =
         |face: &DraftFace| !face.loops.is_empty() && face.loops.iter().all(|ring| !ring.is_empty());

@@ -24,8 +24,8 @@ fn corners_have_the_classes_of_the_paper() {
         classes(&of(Rule::Block, &[])),
         BTreeMap::from([([3, 3, 0], 8)])
     );
-    // An L without windows. The roof of the wing ends in the slope of the main house, above the inner corner, and at
-    // the foot of its other valley.
+    // An L without windows. The wing's roof meets the main house at three corners: in the slope, above the inner
+    // corner, and at the foot of the other valley.
     let l = of(Rule::LHouse, &[44.0, 36.0, 18.0, 16.0, 34.0, 0.0]);
     assert_eq!(
         classes(&l),
@@ -102,7 +102,8 @@ fn sizes_are_counted_as_masons_do() {
             let courses = edge.length() / module.course;
             let over = edge.length() - courses.round() * module.course;
             let joints = over / module.joint;
-            // A solid is a joint less, an opening a joint more, and what is both is even.
+            // A solid is whole courses less a joint, an opening whole courses and a joint. From one to the other they
+            // are whole.
             assert!(
                 (joints - joints.round()).abs() < 1e-6 && joints.abs() < 1.5,
                 "{name} {over}"

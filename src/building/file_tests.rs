@@ -88,7 +88,7 @@ fn bad_json_is_refused_with_its_place() {
         replaced("[\"line\"", "[\"spline\""),
         BuildingFault::Field { .. }
     ));
-    // Numbers beyond the doubles are no JSON to the parser.
+    // The parser refuses numbers beyond the range of f64 as no JSON.
     assert!(matches!(
         replaced("\"v\":[[", "\"v\":[[1e999,0,0],["),
         BuildingFault::NotJson { .. }
@@ -146,7 +146,7 @@ fn obj_files_are_recognised() {
             let is = |face: &&Face| face.surface.is_flat() == is_flat;
             building.faces().iter().filter(is).count()
         };
-        // A jamb and its arch are one face in a draft, and three in a file.
+        // Both jambs and their arch are one face in a draft, and three faces in a file.
         let joined = building.faces().iter().filter(|face| match &face.surface {
             Surface::Sweep(sweep) => sweep.profile().pieces().len() > 1,
             Surface::Disk(_) => false,

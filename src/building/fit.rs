@@ -11,15 +11,15 @@ use crate::order::{self, rank};
 const LEAST_INTERVAL: f64 = 0.5;
 /// The least width of a wall, in modules.
 const LEAST_WIDTH: f64 = 2.0;
-/// The least depth of a wall, in modules; below one it is odd.
+/// The least depth of a wall, in modules. Walls between this and one module are listed as thin.
 const LEAST_DEPTH: f64 = 0.5;
 
 /// Why a module cannot be laid on a building.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Misfit {
-    /// All upright faces of a group of faces that meet have no interval between corners of half a module.
+    /// In a group of upright faces that meet, all intervals between corners are shorter than half a module.
     ModuleTooLarge {
-        /// The largest face of the group.
+        /// The face of the group with the widest interval.
         face: FaceId,
         /// Its width (metres).
         width: f64,
@@ -30,9 +30,9 @@ pub enum Misfit {
     TooNarrow {
         /// The face.
         face: FaceId,
-        /// Its width (metres).
+        /// The distance of the two edges (metres).
         width: f64,
-        /// Two modules (metres).
+        /// Two modules less a joint (metres).
         least: f64,
     },
     /// A wall is thinner than half a module.
@@ -115,7 +115,7 @@ impl Building {
         Ok(())
     }
 
-    /// The widest interval of s between neighbouring corners of a face, or its whole width if it has none.
+    /// The widest interval of s between neighbouring corners of a face (metres); on a whole cylinder, its whole width.
     fn widest_interval(&self, face: FaceId) -> f64 {
         let own = self.face(face);
         let uses = own.loops.iter().flatten();
@@ -133,8 +133,8 @@ impl Building {
         }
     }
 
-    /// The least distance of two convex vertical edges of an upright face that overlap in height, with the face between
-    /// them.
+    /// The least distance (metres) of two convex vertical edges of an upright face that overlap in height and have the
+    /// face between them; `None` if there are no such edges.
     fn narrowest(&self, face: FaceId) -> Option<f64> {
         let own = self.face(face);
         let side = |id: EdgeId, forward: bool| {
@@ -155,7 +155,7 @@ impl Building {
         let all: Vec<_> = uses
             .filter_map(|step| side(step.edge, step.forward))
             .collect();
-        // The face lies to the left of sides that rise, so a right end rises and a left one falls.
+        // Loops have the face on their left, so its right side rises and its left side falls.
         let period = own.surface.period();
         let right = all.iter().filter(|side| side.3);
         let pairs = right.flat_map(|right| {

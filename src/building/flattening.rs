@@ -1,4 +1,4 @@
-//! From a face's loops in space to its region in two parameters, and to its triangles.
+//! Flattens a face's loops in space to its region in s and t, and triangulates it.
 
 use super::facets;
 use super::fault::{BuildingFault, OFF_SURFACE, SurfaceFault};
@@ -11,11 +11,11 @@ use crate::domain::{Contact, first_contact};
 use crate::order::{self, rank};
 use glam::{DVec2, DVec3};
 
-/// Spots this close to a bend lie on it (metres): those which [`facets::cuts`] takes for it.
+/// Spots this close to a bend lie on it (metres): the tolerance that [`facets::cuts`] has, too.
 const SNAP: f64 = facets::NEAR;
-/// Places where arcs are cut may be off the surface's own bends by so much, as all loops may (metres).
+/// Cuts of arcs this close to a bend lie on it (metres): more than [`SNAP`], since loops may be off the surface.
 const CUT_SNAP: f64 = 2.0 * OFF_SURFACE;
-/// The longest straight side of a disk's region (metres): straight lines are curves in polar coordinates.
+/// The longest step in s along a straight side of a disk (metres): in s and t, which are polar, the side is a curve.
 const POLAR: f64 = 0.06;
 
 /// A side of a face's loop: its shape, and the vertices along it from start to end.
@@ -135,7 +135,8 @@ fn bends(sweep: &Sweep) -> Vec<f64> {
     all
 }
 
-/// The places where a whole circle is cut. If one is at its start, it is found at the end of the turn.
+/// The arc lengths at which a whole circle is cut. [`facets::cuts`] leaves out the ends of an arc, so a cut at the
+/// start is found a whole turn later.
 fn bends_around(arc: &Arc, period: f64) -> Vec<f64> {
     let more = 0.5 * arc.sense();
     let longer = facets::cuts(&Arc {
@@ -181,7 +182,7 @@ fn apart(
     }
 }
 
-/// Rings without their vertices.
+/// The rings' places alone, without vertices.
 pub(super) fn plain(rings: &[SpotRing]) -> Vec<Vec<DVec2>> {
     let ring = |ring: &SpotRing| ring.iter().map(|spot| spot.at).collect();
     rings.iter().map(ring).collect()
@@ -214,7 +215,7 @@ fn in_plane(disk: &Disk, p: DVec3) -> DVec2 {
     DVec2::new(d.dot(disk.rim().y), d.dot(disk.rim().x))
 }
 
-/// The place of such coordinates.
+/// The place at coordinates in a disk's plane: the inverse of [`in_plane`].
 pub(super) fn from_plane(disk: &Disk, at: DVec2) -> DVec3 {
     disk.centre() + disk.rim().y * at.x + disk.rim().x * at.y
 }
@@ -256,7 +257,7 @@ fn polar(
     region::cut_open(&rings, period, seam, Some(0.0))
 }
 
-/// A disk's centre has no angle: it becomes two spots with those of its neighbours.
+/// A spot at the disk's centre has no angle: it becomes two spots, with the angles of the spots before and after it.
 fn with_centre(spots: SpotRing) -> SpotRing {
     let n = spots.len();
     let mut all = SpotRing::new();

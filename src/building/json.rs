@@ -13,21 +13,21 @@ pub const VERSION: u64 = 1;
 
 type Read<T> = Result<T, BuildingFault>;
 
-/// A value, and where it is: in another one, under a name or a number.
+/// A value, and where it is: the value that contains it, and its name or index there.
 #[derive(Clone, Copy)]
 struct At<'a> {
     value: &'a Value,
     within: Option<(&'a At<'a>, PathPart<'a>)>,
 }
 
-/// The place of a value in another one.
+/// The name of a value in an object, or its index in a list.
 #[derive(Clone, Copy)]
 enum PathPart<'a> {
     Name(&'a str),
     Item(usize),
 }
 
-/// Reads a draft. Whether it is a building is for [`super::Building::new`] to check.
+/// Reads a draft from JSON text. Only [`super::Building::new`] checks whether it is a building.
 ///
 /// # Errors
 /// As [`parse`] and [`draft`].
@@ -35,7 +35,7 @@ pub fn read(text: &str) -> Read<Draft> {
     draft(&parse(text)?)
 }
 
-/// The first half of [`read`].
+/// The first half of [`read`]: parses the text.
 ///
 /// # Errors
 /// Text that is not JSON, with its line and column.
@@ -47,7 +47,7 @@ pub fn parse(text: &str) -> Read<Value> {
     })
 }
 
-/// The second half of [`read`].
+/// The second half of [`read`]: makes a draft of parsed text.
 ///
 /// # Errors
 /// Another version or unit; a value that is missing or of the wrong kind, with its place.
@@ -75,7 +75,7 @@ pub fn draft(value: &Value) -> Read<Draft> {
     })
 }
 
-/// The value under a name of an object that may be missing.
+/// The value under a name, if there is an object and the object has it.
 fn part<'a>(of: &'a Option<At<'a>>, name: &'a str) -> Option<At<'a>> {
     of.as_ref()?.get(name)
 }
@@ -101,7 +101,7 @@ fn each<T>(list: Option<At<'_>>, read: impl Fn(&At<'_>) -> Read<T>) -> Read<Vec<
 }
 
 impl<'a> At<'a> {
-    /// Its place in words, as `faces[3].loops[0]`; empty at the root.
+    /// The path of the value as text, such as `faces[3].loops[0]`; empty at the root.
     fn path(&self) -> String {
         let Some((of, part)) = self.within else {
             return String::new();
@@ -121,7 +121,7 @@ impl<'a> At<'a> {
         }
     }
 
-    /// A part of the value.
+    /// A value within this one.
     fn at<'b>(&'b self, value: &'b Value, part: PathPart<'b>) -> At<'b> {
         At {
             value,
@@ -129,7 +129,7 @@ impl<'a> At<'a> {
         }
     }
 
-    /// The value under a name; none if it is missing or null.
+    /// The value under a name; `None` if it is missing or null.
     fn get<'b>(&'b self, name: &'b str) -> Option<At<'b>> {
         let value = self.value.get(name).filter(|value| !value.is_null())?;
         Some(self.at(value, PathPart::Name(name)))

@@ -1,4 +1,4 @@
-//! Writes a draft as JSON. Numbers are the shortest that read back as the same.
+//! Writes a draft as JSON. Numbers have the fewest digits that read back as the same value.
 
 use super::draft::{Draft, DraftArc, DraftFace, ExtraMesh};
 use super::json::VERSION;

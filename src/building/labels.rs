@@ -1,8 +1,8 @@
-//! Labels of features (Legakis, Dorsey, Gortler 2001, section 3.1): strings, several on one.
+//! Labels of features (Legakis, Dorsey, Gortler 2001, section 3.1): strings, any number on one feature.
 //!
 //! Any string is a label. These are the ones that rules give and that patterns usually ask for. Faces have the labels of
 //! the draft. An edge or a corner has its own labels if the draft gives it any. Otherwise it takes those of its faces:
-//! if one of them is glass, [`GLASS`] alone; else all of them, each once, in alphabetical order. So labels do not depend
+//! [`GLASS`] alone if a face has that label; else all labels, each once, in alphabetical order. So labels do not depend
 //! on the order of faces.
 
 use std::collections::BTreeSet;

@@ -1,4 +1,4 @@
-//! Makes a building of a draft.
+//! Makes a building from a draft, in slices.
 
 use super::checking;
 use super::class::{Bend, CornerClass};
@@ -19,7 +19,7 @@ use std::f64::consts::{PI, TAU};
 /// Faces whose planes differ by less are tangent: about a degree (radians).
 const SMOOTH: f64 = 0.0175;
 
-/// A building that is made of a draft in slices.
+/// The work of making a building from a draft, in slices.
 #[derive(Default)]
 pub struct BuildingMaking {
     step: MakingStep,
@@ -86,9 +86,9 @@ impl BuildingMaking {
 impl Building {
     /// Checks a draft, and makes both meshes of it.
     ///
-    /// Vertices within 0.2 mm are welded. A side of a loop belongs to an edge with all those next to it that have the
-    /// same two faces and go on within 28 degrees; other vertices are corners. A side at which a face meets itself,
-    /// as the seam of a cylinder, is dropped.
+    /// Vertices within 0.2 mm are welded. Consecutive sides that lie between the same two faces and turn by less than
+    /// 28 degrees form one edge; all other vertices of loops are corners. A side at which a face meets itself, as the
+    /// seam of a cylinder, is dropped.
     ///
     /// # Errors
     /// The first fault of the draft.
@@ -101,7 +101,7 @@ impl Building {
         }
     }
 
-    /// Both meshes, whose features know neither their neighbours nor how they meet.
+    /// Both meshes, as yet without corners, without the edges' neighbours and without their bends.
     fn unlinked(draft: &Draft, (sides, chains): (&mut Sides, &Chains), child: Child) -> Self {
         Self {
             faces: faces(draft, sides, chains, &child),
@@ -227,7 +227,7 @@ impl Building {
     }
 }
 
-/// Adds a label of a feature's own; the first one replaces those that it has taken from its faces.
+/// Adds a label that the draft gives a feature; the first such label replaces the labels taken from the faces.
 fn own_label(labels: &mut Vec<String>, has_own: &mut bool, label: &str) {
     if !*has_own {
         labels.clear();
@@ -313,7 +313,7 @@ fn bend(frame: &EdgeFrame) -> (Bend, f64) {
     let ([Some(normal), _], [Some(first), Some(second)]) = (frame.normals, frame.inward) else {
         return (Bend::Open, PI);
     };
-    // Turning from the first face through the solid, which lies against its normal.
+    // The angle from the first face to the second one through the solid, which lies on the side opposite the normal.
     let angle = libm::atan2(-second.dot(normal), second.dot(first));
     let angle = if angle < 0.0 { angle + TAU } else { angle };
     let bend = if (angle - PI).abs() < SMOOTH {

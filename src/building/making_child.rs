@@ -14,7 +14,7 @@ use super::wings::Wings;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
-/// The most vertices that arcs may be cut to.
+/// The most vertices after arcs are cut.
 const MOST_VERTICES: usize = 2 * MOST_SIDES;
 /// Triangles in a slice of the work, about.
 const SLICE: usize = 200;
@@ -32,7 +32,7 @@ pub(super) struct Child {
     pub between: BTreeMap<(u32, u32), PolygonEdgeId>,
 }
 
-/// The child mesh in the making: arcs are cut, faces are triangulated, and what meets is joined.
+/// The child mesh in the making: arcs are cut, faces triangulated, and their polygons joined.
 pub(super) struct ChildMaking {
     positions: Vec<DVec3>,
     along: Vec<Vec<u32>>,
@@ -60,7 +60,7 @@ impl ChildMaking {
         })
     }
 
-    /// Triangulates some faces; joins everything after the last one.
+    /// Triangulates some faces. The call after the last face joins the polygons to the mesh.
     ///
     /// # Errors
     /// Loops off their surface, loops that cross or do not bound a region.
@@ -125,7 +125,8 @@ impl ChildMaking {
     }
 }
 
-/// Tests that both faces of each side have all polygon edges along it.
+/// Tests that each polygon edge along a side exists, with polygons on both sides of it unless the
+/// side lies on a border.
 fn check_sides(
     sides: &Sides,
     along: &[Vec<u32>],
@@ -150,7 +151,7 @@ fn check_sides(
     Ok(())
 }
 
-/// The vertices along each side; both faces of a side share them.
+/// The vertices along each side, from start to end; the two faces along an edge share them.
 fn cut_arcs(sides: &Sides, positions: &mut Vec<DVec3>) -> Vec<Vec<u32>> {
     let mut along: Vec<Vec<u32>> = Vec::with_capacity(sides.sides.len());
     for (k, side) in sides.sides.iter().enumerate() {

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 pub(super) struct CornerFan {
     pub vertex: u32,
     pub edges: Vec<EdgeEnd>,
-    /// The face behind each edge; none behind the last one at a border.
+    /// The face counter-clockwise of each edge; `None` after the last edge at a border.
     pub faces: Vec<Option<FaceId>>,
     /// The number of fans of faces: more than one if the corner is pinched.
     pub fans: usize,
@@ -62,7 +62,8 @@ fn fan(sides: &[Side], chains: &Chains, first: usize, to: &mut CornerFan, used: 
     }
 }
 
-/// The end of a side's edge at the side's start, or at its end.
+/// The end of the edge that a side belongs to: the one towards the side's start if `at_start`, else
+/// towards its end.
 fn end(chains: &Chains, side: usize, at_start: bool) -> EdgeEnd {
     let (edge, forward) = chains.of_side[side];
     EdgeEnd {
@@ -71,7 +72,7 @@ fn end(chains: &Chains, side: usize, at_start: bool) -> EdgeEnd {
     }
 }
 
-/// Finds the edge or the corner that vertices of the draft name.
+/// Finds edges and corners by numbers of the draft's vertices.
 pub(super) struct Names<'a> {
     sides: &'a Sides,
     chains: &'a Chains,

@@ -7,14 +7,14 @@ use super::sides::{Side, Sides};
 
 /// A turn of a chain whose cosine is less makes a corner: 28 degrees.
 const TURN: f64 = 0.883;
-/// The greatest difference of circles that are one (metres), and of lines and axes that are one.
+/// The tolerance for two circles (metres), or two unit tangents, to count as the same.
 const SAME: f64 = 1e-6;
 
 /// The edges of the parent mesh, and which sides they consist of.
 pub(super) struct Chains {
     /// The sides of each edge from start to end, all of its first face.
     pub chains: Vec<Vec<usize>>,
-    /// The edge of each side; true for those of the edge's first face.
+    /// The edge of each side, and true if the side is of the edge's first face, so that it runs as the edge does.
     pub of_side: Vec<(EdgeId, bool)>,
     /// The corner at each welded vertex.
     pub corner: Vec<Option<CornerId>>,
@@ -24,8 +24,8 @@ pub(super) struct Chains {
 
 /// Finds corners, and joins sides to edges between them.
 ///
-/// A vertex is a corner unless it has just two edges' sides, with the same faces, that go on in nearly the same
-/// direction.
+/// A vertex is a corner unless exactly two sides meet there (twins count as one), with the same faces and in nearly the
+/// same direction.
 pub(super) fn find(sides: &Sides) -> Chains {
     let corner = corners(sides);
     let count = corner.iter().flatten().count();
@@ -37,7 +37,7 @@ pub(super) fn find(sides: &Sides) -> Chains {
         corner,
         corners: count,
     };
-    // Chains between corners first, so that walks around closed ones need not look for a start.
+    // Chains between corners come first. The sides left over then lie on closed chains, which may start anywhere.
     for is_closed in [false, true] {
         for k in 0..all.len() {
             let starts = is_closed || chains.corner[all[k].from as usize].is_some();
@@ -68,7 +68,7 @@ fn pair(sides: &[Side], k: usize) -> (FaceId, Option<FaceId>) {
 fn corners(sides: &Sides) -> Vec<Option<CornerId>> {
     let all = &sides.sides;
     let mut at: Vec<Vec<usize>> = vec![Vec::new(); sides.positions.len()];
-    // Each side once.
+    // Twins count as one side.
     let each = (0..all.len()).filter(|&k| all[k].twin.is_none_or(|twin| k < twin));
     for k in each {
         at[all[k].from as usize].push(k);

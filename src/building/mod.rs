@@ -1,14 +1,14 @@
 //! Buildings: the model that masonry is laid on.
 //!
 //! Legakis, Dorsey, Gortler (2001), Feature-based cellular texturing for architectural models, section 3: a building is
-//! two meshes, both whole. The *child mesh* has vertices, polygon edges and polygons; it is the shape. The *parent mesh*
+//! two complete meshes. The *child mesh* has vertices, polygon edges and polygons; it is the shape. The *parent mesh*
 //! has corners, edges and faces; it is what patterns are made for. A face consists of polygons, an edge is a chain of
 //! polygon edges, and a corner is a vertex. Both are winged-edge structures ([`Wings`]). Faces have surfaces in closed
 //! form ([`Surface`]), edges are chains of lines and arcs ([`Path`]). Features have labels ([`labels`]).
 //!
-//! A building is described by a [`Draft`], which comes from a rule ([`Rule`]), from JSON ([`json`]; docs/building.md) or
-//! from an OBJ file ([`obj`]). [`Building::new`] checks it, and derives both meshes. [`Mortar`] is its shrunk surface,
-//! [`WallThickness`] the depth of wall behind a place.
+//! A building is described by a [`Draft`], which comes from a rule ([`Rule`]), from JSON ([`json`]; docs/building.md)
+//! or from an OBJ file ([`obj`]). [`Building::new`] checks it, and derives both meshes. [`Mortar`] is the building's
+//! surface moved inwards. [`WallThickness`] measures how thick the wall behind a place is.
 //!
 //! Lengths are metres, angles radians. Space is right-handed with y up; faces are counter-clockwise seen from outside.
 

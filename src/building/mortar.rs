@@ -6,7 +6,7 @@ use super::surface::Surface;
 use super::whole::Building;
 use glam::DVec3;
 
-/// Normals with a greater cosine between them are one.
+/// Normals with a greater cosine between them count as equal.
 const SAME: f64 = 1.0 - 1e-9;
 
 /// The shrunk surface of a building, in triangles.
@@ -21,10 +21,10 @@ pub struct Mortar {
 }
 
 impl Mortar {
-    /// Moves the surface inwards by `recess` (metres). Each vertex moves by the shortest vector x with x.n = -recess for
-    /// the normals n of all its faces; where more than three planes meet, by the one that comes nearest to that. Faces of
-    /// glass stay where they are. Where a wall bulges, the middle of a straight block lies behind the surface: mortar
-    /// moves in by that much more, for blocks of length `block` (metres).
+    /// Moves the surface inwards by `recess` (metres). Each vertex moves by the shortest vector x with x.n = -recess
+    /// for the normals n of all its faces; where more than three planes meet, by the least-squares solution. Faces of
+    /// glass stay where they are. Where a wall bulges, the middle of a straight block of length `block` (metres) lies
+    /// behind the surface; mortar there moves in by that much more.
     pub fn new(building: &Building, recess: f64, block: f64) -> Self {
         let mut planes: Vec<Vec<(DVec3, f64)>> = vec![Vec::new(); building.vertices().len()];
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
@@ -112,8 +112,8 @@ mod tests {
                 mortar.triangles.len() >= building.polygons().len(),
                 "{name}"
             );
-            // More than three planes can meet in one vertex. They fit together at a gable, but in the inner corner of
-            // an L the two roofs may have different pitches, so the limit is looser there.
+            // More than three planes can meet in one vertex. At a gable one move satisfies all of them. In the inner
+            // corner of an L the two roofs may have different pitches, so the limit is looser there.
             let limit = match name.contains("lhouse") {
                 true => 1e-3,
                 false => 1e-6,

@@ -23,18 +23,18 @@ pub struct Recognised {
     pub draft: Draft,
     /// The number of polygons in the file.
     pub polygons: usize,
-    /// Polygons without an area, which were left out.
+    /// The number of polygons without an area, which were left out.
     pub degenerate: usize,
-    /// Faces that are flat.
+    /// The number of flat faces.
     pub flat: usize,
-    /// Faces that are curved.
+    /// The curved faces.
     pub curved: Vec<Curved>,
 }
 
 /// A curved face that was recognised.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curved {
-    /// Its place in the draft's list.
+    /// Its index in the draft's list of faces.
     pub face: usize,
     /// The number of flat pieces that it was made of.
     pub pieces: usize,
@@ -44,7 +44,7 @@ pub struct Curved {
     pub is_whole: bool,
 }
 
-/// The ends of group names that programs add, such as `.001`, are no part of a label. These names are no labels.
+/// Group names that are not labels, in lower case. Endings that programs add, such as `.001`, are cut off first.
 const NO_LABELS: [&str; 4] = ["default", "off", "(null)", "none"];
 
 /// Reads a file.
@@ -88,7 +88,7 @@ pub fn read(bytes: &[u8]) -> Result<Recognised, BuildingFault> {
             .push(face(labels, Some(flat_surface(&ring)), loops));
         flat += 1;
     }
-    // Faces of one circle share its sides.
+    // Faces that meet along a circle have its sides twice.
     let mut seen = BTreeSet::new();
     draft
         .arcs
@@ -130,8 +130,8 @@ fn labels(names: &[String]) -> Vec<String> {
     names.iter().map(plain).filter(is_label).collect()
 }
 
-/// The loops around facets: the sides that no other one of them has. Where loops touch, each goes on with the side of
-/// the lowest number.
+/// The loops around facets: the sides that no two of them share. Where loops touch, each goes on to the vertex of the
+/// lowest number.
 fn outline(facets: &FacetModel, members: &[usize]) -> Vec<Vec<u32>> {
     let sides = members.iter().flat_map(|&k| &facets.all[k].sides);
     let all: BTreeSet<(u32, u32)> = sides.copied().collect();

@@ -31,16 +31,16 @@ pub struct EdgeEnd {
 pub struct Corner {
     /// Its vertex in the child mesh.
     pub vertex: VertexId,
-    /// The ends of the edges that meet here, counter-clockwise seen from outside. Where the border passes, the first and
-    /// the last one are edges of it.
+    /// The ends of the edges that meet here, counter-clockwise seen from outside. At a border, the first and the last
+    /// edge lie on it.
     pub edges: Vec<EdgeEnd>,
-    /// The faces between them: `faces[k]` is between `edges[k]` and the next one; none outside of a border.
+    /// The faces between the edges: `faces[k]` is between `edges[k]` and the next edge; `None` outside of a border.
     pub faces: Vec<Option<FaceId>>,
     /// Its labels: its own ones if it has any, else those of its faces (see [`super::labels`]).
     pub labels: Vec<String>,
     /// Whether the draft gives it labels of its own.
     pub has_own_labels: bool,
-    /// Valence, convex and concave edges, and the direction of a single one.
+    /// Its valence, its numbers of convex and concave edges, and the direction of such an edge if it is the only one.
     pub class: CornerClass,
     /// The stored bit: whether its pattern is flipped by hand (section 5.2).
     pub flip: bool,
@@ -52,17 +52,18 @@ pub struct Edge {
     /// The face that walks it from start to end and lies to its left, seen from outside, and the one that walks it back.
     /// The first one always exists.
     pub faces: [Option<FaceId>; 2],
-    /// The corners at its start and its end; none if it is closed, as the rim of a cylinder.
+    /// The corners at its start and its end; `None` if it is closed, as the rim of a cylinder.
     pub corners: [Option<CornerId>; 2],
     /// Its shape, by arc length from its start (metres).
     pub path: Path,
-    /// Its polygon edges from start to end; true for those that begin nearer to the start.
+    /// Its polygon edges from start to end; true if a polygon edge runs in the direction of the edge.
     pub chain: Vec<(PolygonEdgeId, bool)>,
     /// Its neighbours in the loops of both faces.
     pub wings: Wings<EdgeId>,
     /// Whether it is convex, concave, smooth or open.
     pub bend: Bend,
-    /// The angle that the solid fills in its middle (radians): below pi if convex, above if concave, pi if open.
+    /// The angle that the solid fills at the middle of the edge (radians): below pi if convex, above if concave, pi if
+    /// open.
     pub dihedral: f64,
     /// Its labels: its own ones if it has any, else those of its faces (see [`super::labels`]).
     pub labels: Vec<String>,
@@ -83,12 +84,12 @@ impl Edge {
         self.corners[0].is_none()
     }
 
-    /// 0 for the face that walks it from start to end, 1 for the other one; none if it is not an edge of the face.
+    /// 0 for the face that walks it from start to end, 1 for the other one; `None` if it is not an edge of the face.
     pub fn side(&self, face: FaceId) -> Option<usize> {
         self.faces.iter().position(|&own| own == Some(face))
     }
 
-    /// The face on the other side.
+    /// The face on the other side, seen from `face`; `None` at a border.
     pub fn across(&self, face: FaceId) -> Option<FaceId> {
         let side = self.side(face)?;
         self.faces[1 - side]
@@ -109,7 +110,7 @@ pub enum Stance {
     Upright,
     /// A reveal with an arch, or a vault: t grows inwards, rows run along s.
     Through,
-    /// Ground, roofs and sills: the normal is steeper than about 45 degrees.
+    /// Ground, roofs and sills: a disk, or a flat face whose normal is steeper than about 45 degrees.
     Level,
 }
 
@@ -130,7 +131,7 @@ pub struct Face {
     pub(super) bounds: [DVec2; 2],
     /// Its polygons in the child mesh.
     pub polygons: Vec<PolygonId>,
-    /// How thick the wall is that the face stands for, if it has no back (metres).
+    /// The thickness of the wall behind the face (metres), if the wall is this single face without a back.
     pub thickness: Option<f64>,
 }
 
@@ -162,7 +163,7 @@ impl Face {
     }
 }
 
-/// The cosine of the angle within which the direction of an upright face is upwards.
+/// A face is upright if the direction of t has a greater y: it is within 2.6 degrees of upwards.
 const UPRIGHT: f64 = 0.999;
-/// Faces whose normals have a larger vertical part are level.
+/// Flat faces whose normals have a greater |y| are level; other flat faces on which t rises more than this are upright.
 const STEEP: f64 = 0.7;

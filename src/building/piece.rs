@@ -14,7 +14,7 @@ pub struct Arc {
     pub radius: f64,
     /// The unit vector towards angle 0.
     pub x: DVec3,
-    /// The unit vector towards a quarter turn, normal to `x`.
+    /// The unit vector towards angle pi / 2, normal to `x`.
     pub y: DVec3,
     /// The angle of the start (radians).
     pub from: f64,
@@ -54,7 +54,7 @@ impl Arc {
         self.x * cos + self.y * sin
     }
 
-    /// The angle of a point, within half a turn of the arc's middle.
+    /// The angle of a point (radians), within half a turn of the arc's middle.
     pub fn angle(&self, p: DVec3) -> f64 {
         let d = p - self.centre;
         let raw = libm::atan2(d.dot(self.y), d.dot(self.x));

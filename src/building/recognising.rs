@@ -14,13 +14,13 @@ use std::f64::consts::{PI, TAU};
 
 /// Polygons whose normals differ by less are in one plane (length of the difference).
 const SAME_PLANE: f64 = 1e-4;
-/// Polygons this far from a common plane are in another one, and joints this far from a circle on another one (metres).
+/// The tolerance for polygons in one plane, and for joints on one circle (metres).
 const SAME_PLACE: f64 = 1e-3;
 /// Directions whose cross product is shorter are parallel.
 const PARALLEL: f64 = 1e-3;
 /// The sharpest turn between two pieces of a curved face: 31 degrees (radians).
 const SHARPEST: f64 = 31.0 * PI / 180.0;
-/// Polygons with less area have none (square metres).
+/// Polygons with less area are left out as degenerate (square metres).
 const LEAST_AREA: f64 = 1e-9;
 /// The fewest pieces of a curved face.
 const FEWEST: usize = 3;
@@ -119,7 +119,7 @@ fn left_of_sides(rings: &[PlaneRing]) -> Result<BTreeMap<(u32, u32), usize>, Bui
     Ok(left)
 }
 
-/// The number of each polygon's plane: those next to each other in one group and one plane have the same.
+/// The number of each polygon's plane. Connected polygons of one group in one plane have the same number.
 fn planes(
     rings: &[PlaneRing],
     left: &BTreeMap<(u32, u32), usize>,
@@ -131,7 +131,7 @@ fn planes(
         if number[first] != usize::MAX {
             continue;
         }
-        // All have to fit the plane of the first one, so that a bend is not crept around.
+        // All have to fit the first polygon's plane: comparing neighbours only would follow a slow bend.
         let (_, group, normal) = rings[first];
         let origin = positions[rings[first].0[0] as usize];
         let fits = |k: usize| {
@@ -164,7 +164,7 @@ pub(super) struct Bow {
     pub radius: f64,
     /// Whether the face looks away from its axis.
     is_outer: bool,
-    /// The facets.
+    /// The numbers of its facets.
     pub facets: Vec<usize>,
     /// The angles of the rulings around the axis (radians), in order.
     angles: Vec<f64>,
@@ -176,7 +176,7 @@ impl Bow {
         is_along(self.axis, b - a)
     }
 
-    /// The widest gap between two rulings, and the angle behind it (radians).
+    /// The widest gap between neighbouring rulings, and the angle at which it ends (radians).
     fn gap(&self) -> (f64, f64) {
         let last = self.angles[self.angles.len() - 1] - TAU;
         let before = [last].into_iter().chain(self.angles.iter().copied());
@@ -220,7 +220,7 @@ fn is_along(axis: DVec3, side: DVec3) -> bool {
     side.normalize_or_zero().cross(axis).length() < PARALLEL
 }
 
-/// A joint of two pieces, with the circle through it and its neighbours.
+/// A joint: a side between two pieces, with the circle through it and the far ends of both pieces, seen along the side.
 struct Joint {
     pieces: [usize; 2],
     centre: DVec3,
@@ -228,7 +228,7 @@ struct Joint {
     radius: f64,
 }
 
-/// The curved faces, in the order of their first facets.
+/// The curved faces, in the order of their first joints.
 pub(super) fn bows(facets: &FacetModel) -> Vec<Bow> {
     let joints: Vec<Joint> = joints(facets);
     let mut of_piece: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
@@ -272,7 +272,7 @@ fn is_same_circle(a: &Joint, b: &Joint) -> bool {
         && (a.radius - b.radius).abs() < SAME_PLACE
 }
 
-/// The joints at which pieces turn a little along a side.
+/// The joints: sides between two facets of one group whose normals differ by at most [`SHARPEST`].
 fn joints(facets: &FacetModel) -> Vec<Joint> {
     let mut joints = Vec::new();
     for (&(a, b), &left) in facets.of_side.iter().filter(|((a, b), _)| a < b) {
@@ -306,7 +306,7 @@ fn joints(facets: &FacetModel) -> Vec<Joint> {
     joints
 }
 
-/// An axis with the sign by which its largest component is positive. Keep the vertical one of equal components.
+/// The axis, turned so that its largest component is positive. If some are equal, y counts first, then x.
 fn upwards(axis: DVec3) -> DVec3 {
     let most = axis.abs().max_element() - 1e-6;
     let part = [axis.y, axis.x, axis.z]
@@ -334,7 +334,7 @@ fn far_end(facets: &FacetModel, facet: usize, axis: DVec3, from: DVec3) -> DVec3
     best.1
 }
 
-/// The circle through three points.
+/// The centre and the radius of the circle through three points; `None` if they lie on a line.
 fn circle(p: DVec3, q: DVec3, r: DVec3) -> Option<(DVec3, f64)> {
     let (a, b) = (p - q, r - q);
     let normal = a.cross(b);
@@ -346,7 +346,7 @@ fn circle(p: DVec3, q: DVec3, r: DVec3) -> Option<(DVec3, f64)> {
     Some((q + to, to.length()))
 }
 
-/// A curved face of pieces. Its centre is that of a joint, so all joints lie on its circle.
+/// Makes a curved face of facets. It takes the circle of one joint, on which all their joints lie.
 fn bow(facets: &FacetModel, joint: &Joint, members: Vec<usize>) -> Bow {
     let x = super::facets::perpendicular(joint.axis);
     let y = joint.axis.cross(x);
@@ -371,8 +371,8 @@ fn bow(facets: &FacetModel, joint: &Joint, members: Vec<usize>) -> Bow {
     }
 }
 
-/// Whether a cylinder can stand for the pieces: all vertices lie on it, and each side of its outline runs along the axis
-/// or around it, where it meets a plane across the axis, a border, or another curved piece of the same kind.
+/// Whether a cylinder can stand for the pieces: all vertices lie on it, and each side of its outline runs along the
+/// axis or around it. A side around the axis has to lie at a border or at a plane across the axis.
 fn is_possible(facets: &FacetModel, bow: &Bow) -> bool {
     let place = |v: u32| facets.positions[v as usize];
     let radius = |v: u32| {

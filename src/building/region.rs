@@ -3,12 +3,12 @@
 use crate::order::{self, rank};
 use glam::DVec2;
 
-/// A place on a ring, and the vertex there; none at a place that the seam or a disk's centre adds.
+/// A place on a ring, and the vertex there; `None` at a place that the seam or a disk's centre adds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Spot {
     pub at: DVec2,
     pub vertex: Option<u32>,
-    /// Whether an arc was cut here; else it is a vertex of the draft.
+    /// True at a cut of an arc; false at a vertex of the draft or an added place.
     pub is_cut: bool,
 }
 
@@ -22,7 +22,7 @@ const ON_SEAM: f64 = 1e-4;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct UnboundedRegion;
 
-/// Makes s continuous along loops on a surface with a period.
+/// Makes s continuous along loops on a surface with this period in s (metres).
 pub(super) fn unwrap(loops: &mut [SpotRing], period: f64) {
     for ring in loops {
         for k in 1..ring.len() {
@@ -33,7 +33,8 @@ pub(super) fn unwrap(loops: &mut [SpotRing], period: f64) {
     }
 }
 
-/// The seam among these values of s that passes the fewest vertices and does not run along a side. Keep the first one.
+/// The candidate s whose seam passes the fewest spots. A seam along a side passes both its ends, so it is avoided. If
+/// several pass equally few, the first is used.
 pub(super) fn best_seam(loops: &[SpotRing], period: f64, candidates: &[f64]) -> f64 {
     let within = |s: f64| s - period * (s / period).floor();
     let mut all: Vec<f64> = loops
@@ -58,11 +59,12 @@ pub(super) fn best_seam(loops: &[SpotRing], period: f64, candidates: &[f64]) -> 
     counted.fold((usize::MAX, 0.0), fewer).1
 }
 
-/// Cuts loops open at a seam. The rings lie within one period from it.
+/// Cuts loops open at a seam. The new rings lie between `seam` and `seam + period` in s.
 ///
-/// Sides are moved by whole periods until their middles lie within it, so a loop that passes the seam falls into chains
-/// which begin and end there. The region is to the left of its loops: at the upper end of the period it goes on upwards
-/// along the seam, at the lower end downwards. `floor` is the t of a side that closes a disk at its centre.
+/// Sides are moved by whole periods until their middles lie in that range, so a loop that passes the seam falls into
+/// chains which begin and end there. The region is to the left of its loops. So its boundary goes on along the seam
+/// with rising t at the upper end of the range, with falling t at the lower end. `floor` is the t of a side that closes
+/// a disk at its centre.
 ///
 /// # Errors
 /// If a chain has no continuation: the loops do not bound a region.
@@ -127,7 +129,8 @@ fn link(
     Ok(())
 }
 
-/// The chain that the boundary goes on with behind `end`, along the seam.
+/// The chain that follows `end` along the seam: the nearest one that starts below it at the lower end of the period, or
+/// above it at the upper end.
 fn following(chains: &[SpotRing], end: DVec2, is_low: impl Fn(DVec2) -> bool) -> Option<usize> {
     let low = is_low(end);
     let ahead = |t: f64| if low { end.y - t } else { t - end.y };
@@ -140,7 +143,7 @@ fn following(chains: &[SpotRing], end: DVec2, is_low: impl Fn(DVec2) -> bool) ->
     same.first().map(|&(k, _)| k)
 }
 
-/// A loop with spots where its sides cross the seam.
+/// The loop with a spot added wherever a side crosses the seam.
 fn with_seam_spots(ring: &[Spot], period: f64, seam: f64) -> SpotRing {
     let n = ring.len();
     let mut all = SpotRing::new();
@@ -162,7 +165,7 @@ fn with_seam_spots(ring: &[Spot], period: f64, seam: f64) -> SpotRing {
     all
 }
 
-/// Splits a loop where its sides pass the seam.
+/// Splits a loop into chains where its sides pass the seam. A loop that does not pass it is added to the rings.
 fn split(
     ring: &[Spot],
     period: f64,
@@ -189,7 +192,7 @@ fn split(
         let step = ring[(k + 1) % n].at.x - ring[k].at.x;
         (step / period).round()
     };
-    // The side behind the last spot may go on a period away.
+    // From the last spot to the first one, s may jump by whole periods; `wraps` counts them.
     let differs = |k: usize| {
         let next = (k + 1) % n;
         all[k] + wraps(k) != all[next]

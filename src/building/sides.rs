@@ -1,4 +1,4 @@
-//! The sides of all loops, welded and joined to those of their neighbours.
+//! The sides of all loops, with welded vertices, each joined to the side of the neighbouring face.
 
 use super::draft::{Draft, DraftArc};
 use super::fault::{BuildingFault, BuildingWarning};
@@ -16,11 +16,11 @@ const WELD: f64 = 2e-4;
 #[derive(Clone, Debug)]
 pub(super) struct Side {
     pub face: FaceId,
-    /// Welded vertices.
+    /// The welded vertices at which it starts and ends.
     pub from: u32,
     pub to: u32,
     pub piece: Piece,
-    /// Sides before and behind it in its loop, without seams.
+    /// The sides after and before this one in its loop; seams are left out.
     pub next: usize,
     pub previous: usize,
     /// The side of the other face along the same edge; `None` on the border.
@@ -86,7 +86,8 @@ pub(super) fn join(draft: &Draft) -> Result<Sides, BuildingFault> {
     })
 }
 
-/// The distinct vertices, and which of them each vertex is. Keep the first of two equal ones.
+/// The distinct vertices, and for each given vertex the number of its distinct one. If two are equal, the first is
+/// kept.
 pub(super) fn weld(vertices: &[DVec3]) -> (Vec<DVec3>, Vec<u32>) {
     let mut hash = SurfaceHash::around(vertices.iter().copied(), 0.05);
     let mut positions: Vec<DVec3> = Vec::new();
@@ -113,7 +114,7 @@ type ArcTable<'a> = BTreeMap<(u32, u32), (&'a DraftArc, u32)>;
 /// The numbers of arcs by their welded vertices.
 type ArcNumbers = BTreeMap<(u32, u32), usize>;
 
-/// The arcs by their welded vertices, each with the one at which it starts; and their numbers.
+/// The arcs by their pairs of welded vertices, each with the vertex at which it starts; and their numbers in the draft.
 fn arc_table<'a>(
     draft: &'a Draft,
     welded: &[u32],
@@ -176,7 +177,7 @@ fn find_twins(draft: &Draft, welded: &[u32], sides: &mut [Side]) -> Result<(), B
     for (k, side) in sides.iter().enumerate() {
         table.entry(key(side.from, side.to)).or_default().push(k);
     }
-    // The first vertex of the draft at a welded one.
+    // The first vertex of the draft that was welded to `v`.
     let original = |v: u32| {
         welded
             .iter()
@@ -208,8 +209,8 @@ fn find_twins(draft: &Draft, welded: &[u32], sides: &mut [Side]) -> Result<(), B
     Ok(())
 }
 
-/// Drops the sides at which a face meets itself, and joins the rest to loops again: behind a seam, the loop goes on
-/// with what follows the seam's twin.
+/// Drops the sides at which a face meets itself (seams), and joins the remaining sides to loops: where a seam was, the
+/// loop goes on with the side after the seam's twin.
 fn without_seams(mut sides: Vec<Side>, faces: usize) -> (Vec<Side>, Vec<Vec<Vec<usize>>>) {
     let is_seam =
         |side: &Side, sides: &[Side]| side.twin.is_some_and(|twin| sides[twin].face == side.face);

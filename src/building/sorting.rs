@@ -5,7 +5,7 @@ use crate::order::rank;
 use glam::DVec3;
 
 impl Draft {
-    /// The same with its faces sorted by the places of their corners: patterns number features in this order.
+    /// The draft with its faces sorted by the places of their corners: patterns number features in this order.
     pub fn sorted(mut self) -> Self {
         let vertices = &self.vertices;
         self.faces.sort_by_cached_key(|face| key(face, vertices));

@@ -22,7 +22,7 @@ pub struct SurfaceFrame {
     pub normal: DVec3,
 }
 
-/// More than rounding moves a place (metres).
+/// Rounding moves a place by less than this (metres).
 const ROUNDING: f64 = 1e-6;
 
 /// A turn counts as whole if no more than this is missing (radians).
@@ -105,7 +105,7 @@ impl Sweep {
         let t = (p - start).dot(self.direction);
         let in_plane = p - self.direction * t;
         let s = match self.line {
-            // Without a sign of zero, as where the line is one of several pieces.
+            // Adding 0 turns -0 into 0, as the sum in `Path::project` does.
             Some([from, tangent, _]) => 0.0 + (in_plane - from).dot(tangent),
             None => self.profile.project(in_plane),
         };
@@ -231,8 +231,8 @@ impl Surface {
         }
     }
 
-    /// Whether it is plain that a place is farther than `by` from the face along its normal (metres): the face is a
-    /// single plane, and no rounding of the projection brings it nearer.
+    /// True if the face is a single plane and a place is certainly farther than `by` (metres) from it along its normal,
+    /// whatever the rounding. False does not mean that the place is near.
     pub fn is_off(&self, p: DVec3, by: f64) -> bool {
         match self {
             Self::Sweep(Sweep {
@@ -243,7 +243,8 @@ impl Surface {
         }
     }
 
-    /// The range of s of a whole cylinder or disk.
+    /// The range of s (metres) of a whole cylinder or disk: s and s + period are the same place. `None` for other
+    /// surfaces.
     pub fn period(&self) -> Option<f64> {
         match self {
             Self::Sweep(sweep) => sweep.period(),

@@ -64,7 +64,7 @@ fn parts(building: &Building) -> usize {
     (0..label.len()).filter(|&k| label[k] == k).count()
 }
 
-/// Open edges of a building.
+/// The number of open edges of a building.
 fn open(building: &Building) -> usize {
     building
         .edges()
@@ -73,13 +73,13 @@ fn open(building: &Building) -> usize {
         .count()
 }
 
-/// Openings that do not reach the ground.
+/// The number of openings that do not reach the ground.
 fn sills(building: &Building) -> usize {
     let is_sill = |face: &&Face| face.labels.iter().any(|label| label == labels::SILL);
     building.faces().iter().filter(is_sill).count()
 }
 
-/// Holes through the solids of a rule's building.
+/// The number of holes through the solids of a rule's building.
 fn genus(rule: &str, building: &Building) -> usize {
     match rule {
         "wall" => 3,
@@ -107,7 +107,7 @@ fn both_meshes_obey_euler() {
         let count = |n: usize| n as i64;
         let euler = count(vertices) - count(building.polygon_edges().len());
         assert_eq!(euler + count(building.polygons().len()), wanted, "{name}");
-        // A closed edge counts as one with a vertex, and each loop more than the first takes one from its face.
+        // A closed edge brings a vertex of its own, and each loop of a face after its first counts as -1.
         let closed = building
             .edges()
             .iter()
@@ -273,7 +273,7 @@ fn the_order_of_faces_does_not_matter() {
     }
 }
 
-/// The draft under a map of space; true if the map is a mirror.
+/// The draft under a map of space; `mirrors` is true if the map is a reflection.
 pub(super) fn mapped(draft: &Draft, map: impl Fn(DVec3) -> DVec3, mirrors: bool) -> Draft {
     let mut mapped = draft.clone();
     mapped.vertices.iter_mut().for_each(|v| *v = map(*v));

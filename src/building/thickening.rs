@@ -20,7 +20,7 @@ impl Draft {
     /// round arch, they have one narrow side.
     ///
     /// # Errors
-    /// The first fault of the draft that its numbers, surfaces or loops have.
+    /// The first fault in the numbers, surfaces or loops of the draft.
     pub fn thickened(&self) -> Result<Self, BuildingFault> {
         checking::check(self)?;
         let sides = sides::join(self)?;
@@ -44,7 +44,7 @@ impl Draft {
     }
 }
 
-/// Adds the back and the narrow sides of a face. `back` leads from its front to its back.
+/// Adds the back and the narrow sides of a face. `back` is the vector from its front to its back.
 fn thicken(draft: &mut Draft, sides: &Sides, face: &DraftFace, loops: &[Vec<usize>], back: DVec3) {
     let mut behind: Vec<Vec<DVec3>> = Vec::new();
     for ring in loops {
@@ -57,7 +57,7 @@ fn thicken(draft: &mut Draft, sides: &Sides, face: &DraftFace, loops: &[Vec<usiz
     let outer = behind.iter().map(|ring| flat_surface(ring));
     let surface = match &face.surface {
         Some(Surface::Disk(_)) | None => outer.into_iter().next(),
-        // The frame of the front, seen from behind.
+        // The frame of the front with s reversed, so that its normal points to the back.
         Some(front) => {
             let frame = front.frame(0.0, 0.0);
             Some(Surface::flat(frame.origin + back, -frame.s, frame.t))
@@ -87,7 +87,7 @@ fn runs(sides: &[Side], ring: &[usize]) -> Vec<Vec<usize>> {
     runs
 }
 
-/// Adds the narrow face along a run of sides. It is walked against them, so its profile runs back, too.
+/// Adds the narrow face along a run of sides. Its loop walks these sides backwards, so its profile is reversed, too.
 fn add_side(draft: &mut Draft, sides: &Sides, face: &DraftFace, run: &[usize], back: DVec3) {
     let all = &sides.sides;
     let ends = run.iter().map(|&side| all[side].to);

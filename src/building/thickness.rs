@@ -5,9 +5,9 @@ use super::whole::Building;
 use crate::trimesh::{MeshFault, Search, TriMesh};
 use std::sync::Arc;
 
-/// Surfaces count as opposite if the cosine between the ray and their outward normal is greater: about 60 degrees.
+/// A surface counts as opposite if the cosine between the ray and its outward normal is greater: within 60 degrees.
 const OPPOSITE: f64 = 0.5;
-/// A ray begins so far below its face (metres).
+/// A ray begins this far behind its face (metres).
 const BELOW: f64 = 1e-4;
 
 /// Finds the thickness of walls by rays through the child mesh, with a tree of boxes.
@@ -22,7 +22,8 @@ impl WallThickness {
     /// Prepares a building.
     ///
     /// # Errors
-    /// If its polygons are no mesh. The tests of [`Building::new`] leave only flat ones to cause that.
+    /// If its polygons are not a valid mesh. After the tests of [`Building::new`], only degenerate polygons can cause
+    /// that.
     pub fn new(building: Arc<Building>) -> Result<Self, MeshFault> {
         let positions = building.vertices().iter().map(|v| v.position).collect();
         let triangles = building.polygons().iter();
@@ -37,9 +38,9 @@ impl WallThickness {
         })
     }
 
-    /// The thickness of the wall behind s and t on a face (metres): the way along the inward normal to the first surface
-    /// that looks away from the face. That of a face without a back is its own thickness. None if the building is open
-    /// there, or if the wall is thicker than `most`.
+    /// The thickness of the wall behind s and t on a face (metres): the way along the inward normal to the first
+    /// surface that looks away from the face. If there is none, the thickness that the face has from the draft. `None`
+    /// if the building is open there, or if the wall is thicker than `most`.
     pub fn behind(&self, face: FaceId, s: f64, t: f64, most: f64) -> Option<f64> {
         let own = self.building.face(face);
         let frame = own.surface.frame(s, t);

@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Units of the triangulation per metre. Its grid then has steps of 60 nanometres, and reaches over 32 kilometres.
 const UNITS: f64 = 256.0;
-/// The share by which areas may differ.
+/// The relative tolerance between the area of the triangles and that of the rings.
 const SAME_AREA: f64 = 1e-5;
 
 /// The rings run the wrong way.
@@ -27,8 +27,7 @@ pub(super) enum TriangleCorner {
     Inner(DVec2),
 }
 
-/// Triangulates the region of rings that do not touch. `strips` are the values of s along which no triangle reaches
-/// from one side to the other.
+/// Triangulates the region of rings that do not touch. `strips` are values of s whose lines no triangle crosses.
 ///
 /// # Errors
 /// If outer rings are not counter-clockwise, or holes are not clockwise.
@@ -39,7 +38,7 @@ pub(super) fn triangulate(
     let spots = || rings.iter().flatten();
     let bounds = [DVec2::INFINITY, DVec2::NEG_INFINITY];
     let [low, high] = spots().fold(bounds, |[lo, hi], p| [lo.min(p.at), hi.max(p.at)]);
-    // Minus zero becomes zero: the order of the lines below tells them apart, and the least of both differs by machine.
+    // Turns -0 into 0: the order of the lines below tells the two apart, and the `min` of both depends on the machine.
     let scaled = |p: DVec2| (p - low) * UNITS + DVec2::ZERO;
     let mut lines: Vec<[DVec2; 2]> = Vec::new();
     for ring in rings {
@@ -51,8 +50,8 @@ pub(super) fn triangulate(
         );
     }
     let walls = lines.len();
-    // Points are inserted in this order: a sweep along s changes few triangles at a time. Ring by ring, the second row of
-    // points would change all those to the first row again and again.
+    // Points are inserted in this order, a sweep along s, which changes few triangles at a time. Ring by ring, each
+    // point of the second ring would change all triangles at the first one again.
     order::sort(&mut lines, |[a, b]| {
         (rank(a.x.min(b.x)), rank(a.y.min(b.y)))
     });
@@ -89,7 +88,7 @@ fn grid_key(p: DVec2) -> SortKey {
     (rank(p.x + 0.0), rank(p.y + 0.0))
 }
 
-/// Whether each triangle lies inside: from the outer face, each wall leads in or out.
+/// For each triangle whether it lies inside: from the outer face on, each wall crossed leads in or out.
 fn inside(mesh: &Delaunay, walls: BTreeSet<[u32; 2]>) -> Vec<bool> {
     let is_wall = |ends: [u32; 2]| walls.contains(&ends);
     // The triangle beyond each side, and whether a wall is between.

@@ -1,4 +1,4 @@
-//! A building: both meshes, with what leads from one to the other.
+//! A building: both meshes, with the links between them.
 
 use super::child::{Polygon, PolygonEdge, Vertex};
 use super::draft::ExtraMesh;
@@ -126,8 +126,8 @@ impl Building {
         (0..self.faces.len() as u32).map(FaceId)
     }
 
-    /// The same building with the stored bits of these corners and edges turned, each time that one is named; those that
-    /// it does not have are left out.
+    /// A copy of the building with the flip bits of these corners and edges inverted, once for each time that an id is
+    /// listed. Ids that the building does not have are ignored.
     pub fn flipped(&self, corners: &[CornerId], edges: &[EdgeId]) -> Self {
         let mut turned = self.clone();
         for id in corners {
@@ -167,7 +167,7 @@ impl Building {
         }
     }
 
-    /// The unit vector in which an edge leaves a corner.
+    /// The unit vector along which an edge leaves a corner.
     pub fn leaving(&self, end: EdgeEnd) -> DVec3 {
         let [start, stop] = self.edge(end.edge).path.end_tangents();
         if end.end == 0 { start } else { -stop }

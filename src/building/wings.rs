@@ -2,7 +2,7 @@
 //! vision). Both meshes have them.
 
 /// The neighbours of an edge. Side 0 is the face (or polygon) that walks it from start to end, side 1 the one that
-/// walks it back. None where a side has no face.
+/// walks it back. `None` where a side has no face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wings<E> {
     /// The next edge of each side's loop, in the direction in which that side walks.

@@ -53,7 +53,7 @@ pub(crate) fn triangulate_lines(
     work.finish()
 }
 
-/// The same in slices.
+/// Does the work of [`triangulate_lines`] in slices.
 pub(crate) struct LineTriangulation {
     snapped: Snapped,
     walls: usize,
@@ -79,8 +79,8 @@ impl LineTriangulation {
         }
     }
 
-    /// Inserts points, then pieces of lines, each of which takes one off `amount`, until nothing is left of it; true at
-    /// the end.
+    /// Inserts points, then pieces of lines. Each takes one off `amount`, and the work pauses when that is 0. True when
+    /// nothing is left to insert.
     pub fn advance(&mut self, amount: &mut usize) -> bool {
         loop {
             let point = self.snapped.points.get(self.handles.len());

@@ -7,14 +7,14 @@ use std::ops::Range;
 
 /// The number of boxes within a box.
 const BRANCHES: usize = 4;
-/// About how many leaves a strip has for each strip there is.
+/// About the number of leaves in a strip, divided by the number of strips.
 const STRIP: f64 = 4.0;
 
 /// The smallest and the largest corner.
 type Corners = [DVec2; 2];
 
-/// An R-tree over the bounding boxes of segments. Segments that lie far apart are found as well as close
-/// ones: only the order of their places matters.
+/// An R-tree over the bounding boxes of segments. It serves segments far apart as well as close ones: only the order of
+/// their places matters, not the distances.
 pub(super) struct RTree {
     /// The segments, in the order of the leaves.
     order: Vec<u32>,

@@ -18,8 +18,8 @@ use glam::DVec2;
 pub(super) struct Snapped {
     /// Distinct points: first the ends of the lines, in order, then the crossings.
     pub points: Vec<DVec2>,
-    /// The line's number and the numbers of its two points. A piece is listed once for each line that runs
-    /// along it.
+    /// Each piece: the number of its line, and the numbers of its two points. A piece is listed once for each line that
+    /// runs along it.
     pub pieces: Vec<(u32, [u32; 2])>,
 }
 
@@ -35,8 +35,8 @@ pub(super) fn snap(lines: &[[DVec2; 2]]) -> Snapped {
     for (&p, number) in points.iter().zip(0..) {
         tree.near(p - HALF, p + HALF, &mut near);
         for &k in near.iter().filter(|&&k| passes(lines[k as usize], p)) {
-            // The sum of both coordinate distances from the start orders the squares: neither falls along the
-            // line, and one of them grows.
+            // The sum of both coordinate distances from the start orders the squares: neither distance falls along the
+            // line, and at least one grows.
             let along = (p - lines[k as usize][0]).abs().element_sum();
             passed.push((k, along, number));
         }
@@ -49,11 +49,11 @@ pub(super) fn snap(lines: &[[DVec2; 2]]) -> Snapped {
 
 const HALF: DVec2 = DVec2::splat(GRAIN / 2.0);
 
-/// Whether a line between grid points passes the grid square around a point. The left and upper sides belong
-/// to the square, without their far corners.
+/// Whether a line between grid points passes the grid square around a point. The left and upper sides belong to the
+/// square, except their ends at the lower left and the upper right corner.
 fn passes([a, b]: [DVec2; 2], p: DVec2) -> bool {
     let (lo, hi) = (p - HALF, p + HALF);
-    // No end of the line lies inside a side, so the boxes share more than a side or nothing.
+    // The line's ends are grid points, and no side contains one. So the boxes share more than a side, or nothing.
     if a.max(b).cmplt(lo).any() || a.min(b).cmpgt(hi).any() {
         return false;
     }

@@ -17,7 +17,7 @@ use glam::DVec2;
 /// whole sides. So the images of places on the grain are exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Space {
-    /// The side of the torus; nothing in the plane.
+    /// The side of the torus (picture units); `None` in the plane.
     period: Option<f64>,
 }
 
@@ -80,8 +80,8 @@ impl Space {
         Shifts { side, far, next: 0 }
     }
 
-    /// The images of a place, of the nine around it, that lie in the picture or at most `reach` outside. The
-    /// place itself, which must be in the picture, comes first.
+    /// Those of the nine images in and around the picture that lie in it or at most `reach` outside. The place itself,
+    /// which must be in the picture, comes first.
     #[inline]
     pub(crate) fn images(self, p: DVec2, reach: f64) -> impl Iterator<Item = DVec2> + Clone {
         const SHIFTS: [f64; 3] = [0.0, -1.0, 1.0];
@@ -129,7 +129,7 @@ impl Space {
         })
     }
 
-    /// The outer edge of the nine copies of the picture; nothing in the plane.
+    /// The sides of the square around all nine copies of the picture; no sides in the plane.
     pub(crate) fn frame(self) -> impl Iterator<Item = [DVec2; 2]> {
         let rim = |side| {
             let at = |x: f64, y: f64| DVec2::new(x, y) * side;

@@ -15,7 +15,7 @@ pub(crate) fn carried(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
 const WEIGHTS: (f64, f64) = (0.05, 4.0);
 
 /// The neighbours of each vertex, counter-clockwise, with the weights of the edges to them and the turns that carry
-/// vectors of their frames into the vertex' own.
+/// vectors from a neighbour's frame into the vertex' frame.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Adjacency {
     start: Vec<u32>,
@@ -31,7 +31,7 @@ pub(crate) struct Adjacency {
 }
 
 impl Adjacency {
-    /// The range of a vertex' entries.
+    /// The range of a vertex' entries in `to`, `weight` and `turn`.
     #[inline(always)]
     pub fn of(&self, vertex: usize) -> Range<usize> {
         self.start[vertex] as usize..self.start[vertex + 1] as usize
@@ -148,7 +148,7 @@ impl AdjacencyBuilder {
 
     fn vertex(&mut self, mesh: &TriMesh, v: u32) {
         let first = self.links.to.len();
-        // The cotangent opposite the edge that this corner shares with the next one.
+        // The edge between a corner and the next one of the fan: its other end, and the cotangent opposite it.
         let mut before: Option<(u32, f64)> = None;
         for (t, k) in mesh.fan(v) {
             let corners = mesh.triangles()[t as usize];

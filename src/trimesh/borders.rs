@@ -9,9 +9,9 @@ const SLICE: usize = 1 << 15;
 /// their left.
 #[derive(Default)]
 pub(super) struct BorderWalk {
-    /// For each vertex the next one along its border, or [`NONE`] if it has been passed or lies on none.
+    /// For each vertex the next one along its border, or [`NONE`] if the vertex has been passed or lies on no border.
     next: Vec<u32>,
-    /// The triangles whose edges are known.
+    /// How many triangles have put their edges into `next`.
     linked: usize,
     /// The vertex at which the current ring starts, and the one that is reached.
     start: usize,

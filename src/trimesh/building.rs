@@ -201,9 +201,9 @@ fn ends(mesh: &TriMesh, edge: u32) -> [u32; 2] {
     [corners[k], corners[(k + 1) % 3]]
 }
 
-/// Joins edges that have the same two ends. All edges given belong to one vertex.
+/// Joins edges that have the same two ends. All of `edges` belong to `vertex`.
 fn link(mesh: &mut TriMesh, vertex: u32, edges: &mut [u32]) -> Result<(), MeshFault> {
-    // The sum of both ends less the vertex, by bits.
+    // Exclusive or with the vertex leaves the other end.
     let other_end = |[a, b]: [u32; 2]| a ^ b ^ vertex;
     let sorted = edges.len() > MANY;
     if sorted {

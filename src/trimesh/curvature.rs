@@ -5,8 +5,8 @@ use super::{SurfacePoint, TangentFrame, TriMesh};
 use crate::field::symmetry::direction_of;
 use glam::DVec2;
 
-/// The shape operator S at a place, in the frame of its normal n: along a step dx the normal changes by S dx. It is
-/// positive on a ball seen from outside. Curvatures are one over a length.
+/// The shape operator S at a place, in the frame of its normal n: along a step dx the normal changes by S dx. S is
+/// positive on a ball seen from outside. The unit of curvatures is 1 / length.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Curvature {
     /// The mean of the two principal curvatures.
@@ -26,8 +26,8 @@ impl Curvature {
         )
     }
 
-    /// The principal curvatures with unit vectors of their directions, at right angles. The greater one, with its
-    /// sign, comes first. Where both are equal, the directions are arbitrary.
+    /// The principal curvatures with unit vectors of their directions, at right angles. The one with the greater
+    /// absolute value comes first; both have their signs. Where both are equal, the directions are arbitrary.
     pub fn principal(&self) -> [(f64, DVec2); 2] {
         let half = self.bend.length();
         let first = direction_of(self.bend.try_normalize().unwrap_or(DVec2::X), 2);

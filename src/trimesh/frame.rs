@@ -54,7 +54,7 @@ pub(crate) fn rotated(v: DVec3, from: DVec3, to: DVec3) -> DVec3 {
     v - (from + to) * (v.dot(to) / (1.0 + cos).max(1e-12))
 }
 
-/// A rotation of the plane that takes coordinates of one frame to those of another: the image of the x axis.
+/// A rotation of the plane that takes coordinates of one frame to those of another, stored as the image of the x axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transport(pub DVec2);
 
@@ -108,14 +108,15 @@ impl SurfacePoint {
     }
 }
 
-/// Points do not see each other if the dot product of their normals is less than this ...
+/// [`log`] is `None` if the dot product of the two normals is less than this.
 const SEES: f64 = -0.2;
-/// ... or if their difference points further out of the surface than this share of its tangential part.
+/// [`log`] is `None` if the part of the points' difference along the surface is less than this share of its length.
 const LIES: f64 = 0.3;
 
-/// The logarithmic map from one point to another. The direction lies in the plane of the mean of the two normals; the
-/// length is that of the circular arc that has these normals at its ends. The map from `b` to `a` is the reverse.
-/// Nothing if the points lie on different sides of a thin sheet. Points at one place see each other, at distance 0.
+/// The logarithmic map from one point to another. The vector lies in the plane normal to the mean of the two normals,
+/// turned into the plane of the first point; its length is that of the circular arc with these normals at its ends. The
+/// map from `b` to `a` is the reverse. `None` if the points lie on different sides of a thin sheet. For two points at
+/// one place the vector is zero.
 pub fn log(a: &SurfacePoint, b: &SurfacePoint) -> Option<LogMap> {
     let to = seen(a.at, a.normal, b.at, b.normal)?;
     let own = TangentFrame::of(a.normal);
@@ -128,7 +129,7 @@ pub fn log(a: &SurfacePoint, b: &SurfacePoint) -> Option<LogMap> {
     Some(LogMap { to, turn })
 }
 
-/// [`LogMap::to`] in any frame of the first point's normal.
+/// [`LogMap::to`] in the frame `own`, which may be any frame of the first point's normal.
 pub(crate) fn log_in(own: &TangentFrame, from: DVec3, at: DVec3, normal: DVec3) -> Option<DVec2> {
     Some(own.within(seen(from, own.normal, at, normal)?))
 }
@@ -173,8 +174,8 @@ fn seen(from: DVec3, own: DVec3, at: DVec3, normal: DVec3) -> Option<DVec3> {
     Some(rotated(in_plane, sum / square.sqrt(), own))
 }
 
-/// The length of an arc over that of its chord, (a / 2) / sin(a / 2), from the cosine of the angle a between the
-/// normals at its ends.
+/// The length of an arc divided by that of its chord, (a / 2) / sin(a / 2), from the cosine of the angle a between the
+/// normals at the arc's ends.
 #[inline(always)]
 pub(crate) fn arc_over_chord(cos: f64) -> f64 {
     // The square of sin(a / 2).
@@ -192,7 +193,7 @@ pub(crate) fn arc_over_chord(cos: f64) -> f64 {
 
 /// Below this the first terms of the series of asin(sqrt s) / sqrt s have ten exact digits, more than a mesh has.
 const SERIES: f64 = 0.06;
-/// The terms: 1, 1/2 / 3, (1 3)/(2 4) / 5, ...
+/// The coefficients of these terms: 1, 1/2 / 3, (1 3)/(2 4) / 5, ...
 const ARC: [f64; 8] = [
     1.0,
     1.0 / 6.0,

@@ -68,8 +68,8 @@ impl TriMesh {
         self.triangles[triangle as usize].map(|v| self.positions[v as usize])
     }
 
-    /// The triangle beyond the edge from corner `k` to the next one, and the number of that edge there. Nothing at
-    /// the border.
+    /// The triangle beyond the edge from corner `k` to the next one, and the number of that edge there. `None` at the
+    /// border.
     #[inline]
     pub fn across(&self, triangle: u32, k: usize) -> Option<(u32, usize)> {
         let other = self.across[triangle as usize][k];

@@ -1,14 +1,14 @@
 //! Triangle meshes in space: repair, search, and walks on them.
 //!
 //! Points lie in triangles of a mesh ([`TriMesh`], [`SurfacePoint`]) and move along straightest paths
-//! ([`TriMesh::walk`]). The vector between two points lies in the plane of their mean normal ([`log`]), so code for
+//! ([`TriMesh::walk`]). The vector between two points lies in the plane across their mean normal ([`log`]), so code for
 //! the plane, which works with two-dimensional vectors, serves on a surface as well.
 //!
 //! The triangles of a file ([`Soup`]) become a mesh in steps, each of them in slices. [`repair::MeshRepair`] makes a
-//! surface of them. [`Siding`] chooses the outside of open parts. [`repair::HoleFilling`] closes openings that are
-//! small beside a cell. [`refine::Refining`] makes edges short enough to tell cells apart. [`repair::CreaseCutting`],
-//! an option, cuts along creases. [`Simplifying`] makes a simpler surface to pack on, and a [`Search`] brings points
-//! of it to the full one.
+//! surface of them. [`Siding`] chooses the outside of open parts. [`repair::HoleFilling`] closes holes that are small
+//! compared with a cell. [`refine::Refining`] makes edges short enough to tell cells apart. [`repair::CreaseCutting`],
+//! an option, cuts along creases. [`Simplifying`] makes a simpler surface to pack on, and a [`Search`] brings points of
+//! it to the full one.
 //!
 //! Space is right-handed with y up. Triangles run counter-clockwise seen from outside. A tangent vector at a point is a
 //! [`glam::DVec2`] in the [`TangentFrame`] of the point's normal: its x axis, its y axis and the normal are

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 /// Polygons with more corners are not triangulated.
 const MOST_CORNERS: usize = 600;
-/// The same limit for polygons of files, which may have many of them.
+/// Polygons of files with more corners become fans, since a file may have many of them.
 const MOST_IN_FILES: usize = 64;
 
 /// The sum of the cross products of neighbouring corners (Newell): normal to the polygon's mean plane, twice its area
@@ -17,7 +17,7 @@ pub(crate) fn across(points: &[DVec3]) -> DVec3 {
 }
 
 /// Triangulates by cutting off ears: each time the one with the best triangle and no other corner in it. `may_join`
-/// tells whether an edge may join two corners. Nothing if there is no such triangulation, or if there are too many
+/// tells whether an edge may join two corners. `None` if there is no such triangulation, or if there are too many
 /// corners.
 pub(crate) fn cut(
     points: &[DVec3],
@@ -64,7 +64,7 @@ fn quality(points: &[DVec3], triangle: [usize; 3], up: DVec3) -> f64 {
     (b - a).cross(c - a).dot(up) / sides
 }
 
-/// Whether no other corner lies in a triangle, seen from above.
+/// Whether no other corner lies in a triangle, seen along `up`.
 fn is_empty(points: &[DVec3], ring: &[usize], triangle: [usize; 3], up: DVec3) -> bool {
     let corners = triangle.map(|v| points[v]);
     let is_inside = |p: DVec3| {
@@ -79,7 +79,8 @@ fn is_empty(points: &[DVec3], ring: &[usize], triangle: [usize; 3], up: DVec3) -
         .all(|p| corners.contains(&p) || !is_inside(p))
 }
 
-/// Adds a polygon of a file to `triangles`: by ears if it may be concave, else as a fan.
+/// Adds a polygon of a file to `triangles`: by cutting off ears if it may be concave and has at most [`MOST_IN_FILES`]
+/// corners, else as a fan.
 pub(crate) fn add(positions: &[DVec3], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
     let places = || {
         let places = corners.iter().map(|&v| positions.get(v as usize).copied());

@@ -17,8 +17,8 @@ pub const SHARE: f64 = 0.4;
 pub const MOST_REFINED: usize = 1_500_000;
 /// A round splits edges with at least this share of the greatest excess.
 const NEARLY: f64 = 0.6;
-/// A mesh with slivers has more triangles than this, this many times more than it began with, and this many times more
-/// than its area needs.
+/// A mesh with slivers has more triangles than [`SLIVERS`], [`GROWN`] times more than it began with, and [`NEEDLESS`]
+/// times more than its area needs.
 const SLIVERS: usize = 1 << 17;
 const GROWN: usize = 4;
 const NEEDLESS: f64 = 16.0;
@@ -32,7 +32,7 @@ const SLICE: usize = 1 << 14;
 pub struct Refined {
     /// The mesh: first the old vertices, then the new ones.
     pub mesh: TriMesh,
-    /// For each new vertex, the two that it was put between, in the order of making. These may be new themselves.
+    /// For each new vertex, in the order of making, the two vertices that it was put between, which may be new, too.
     pub parents: Vec<[u32; 2]>,
     /// For each triangle, the old one that it lies in.
     pub origin: Vec<u32>,
@@ -47,13 +47,13 @@ pub struct Refining {
     origin: Vec<u32>,
     stage: RefiningPhase,
     at: usize,
-    /// The greatest square of an edge's length over its allowed one.
+    /// The greatest ratio of an edge's squared length to the square of its allowed length.
     excess: f64,
     /// Whether the allowed length is the same everywhere; then the count of triangles can be foretold.
     is_even: bool,
     /// How many triangles there were at first.
     began: usize,
-    /// A lower bound of the triangles at the end.
+    /// A lower bound of the number of triangles at the end.
     least: f64,
     /// For each edge of each triangle its new vertex, or [`NONE`].
     middles: Vec<[u32; 3]>,
@@ -174,7 +174,8 @@ impl Refining {
     }
 
     /// Whether slivers are being split again and again. A split of both long edges gives three triangles of half the
-    /// length, where two would do, and nearly all triangles of a needle come from that. Only for even lengths.
+    /// length, where two would do, and nearly all triangles of a needle come from that. Known only between two rounds,
+    /// and only if the allowed length is the same everywhere; else false.
     pub fn has_slivers(&self) -> bool {
         let count = self.mesh.triangles().len();
         let is_between = self.stage == RefiningPhase::Measure && self.at == 0;
@@ -212,7 +213,7 @@ impl Refining {
         }
     }
 
-    /// The square of an edge's length over its allowed one.
+    /// The ratio of an edge's squared length to the square of its allowed length.
     fn ratio(&self, t: usize, k: usize) -> f64 {
         let [a, b] = self.ends(t, k).map(|v| v as usize);
         let positions = match self.stage {
@@ -233,7 +234,7 @@ impl Refining {
             self.excess = self.excess.max(self.ratio(t, k));
         }
         if self.is_even {
-            // The equilateral triangle has the greatest area of all.
+            // The equilateral triangle has the greatest area for a greatest side.
             let most = EQUILATERAL * self.targets[0] * self.targets[0];
             self.least += (self.mesh.area_of(t as u32) / most).max(1.0);
         }
@@ -321,8 +322,8 @@ impl Refining {
         }
     }
 
-    /// Cuts a triangle into four like it. An obtuse corner keeps a line to the middle of the opposite side instead,
-    /// which makes the angles less obtuse.
+    /// Cuts a triangle into four similar ones. If a corner is obtuse, a line joins it to the middle of the opposite
+    /// side instead, which makes the angles less obtuse.
     fn four(&mut self, t: usize, [a, b, c]: [u32; 3], [ab, bc, ca]: [u32; 3]) {
         for (corner, opposite, [x, y], [beside_y, beside_x]) in [
             (c, ab, [a, b], [bc, ca]),

@@ -4,7 +4,7 @@ use super::Soup;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// The distance between rings for equilateral triangles, in edges.
+/// The distance between rings for equilateral triangles, in edge lengths.
 pub(crate) const ROW: f64 = 0.866_025_403_784_438_6;
 
 /// A ring among the vertices of a soup.
@@ -16,7 +16,8 @@ pub(crate) struct VertexRing {
 }
 
 impl Soup {
-    /// Adds a ring after the ring before it, if there is one. `at` is its radius and its height.
+    /// Adds a ring with the radius and height `at`. Its vertices are turned against those of the ring before it, if
+    /// there is one.
     pub(crate) fn ring(
         &mut self,
         at: DVec2,
@@ -36,8 +37,8 @@ impl Soup {
         ring
     }
 
-    /// Joins two rings: goes round both, each time on to the vertex with the shorter edge. The triangles face away from
-    /// the axis if the second ring is the upper one.
+    /// Joins two rings by triangles: goes round both, and steps each time to the next vertex of the ring that gives the
+    /// shorter new edge. The triangles face away from the axis if the second ring is the upper one.
     pub(crate) fn sew(&mut self, lower: &VertexRing, upper: &VertexRing) {
         let name = |ring: &VertexRing, k: usize| (ring.first + k % ring.count) as u32;
         let steps = |ring: &VertexRing| if ring.count > 1 { ring.count } else { 0 };

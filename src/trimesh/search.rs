@@ -10,8 +10,7 @@ use glam::DVec3;
 
 /// Triangles in a leaf.
 const LEAF: usize = 8;
-/// Steps of the curve along each axis, as a power of two. The bits of the three axes fill the three rounds of the
-/// sort.
+/// The curve has 2^BITS steps along each axis. The bits of the three axes together take three rounds of the sort.
 const BITS: u32 = 10;
 /// Rounding may make the distance to a box too large by less than this factor.
 const SLACK: f64 = 1.0 + 1e-12;
@@ -19,13 +18,14 @@ const SLACK: f64 = 1.0 + 1e-12;
 /// it.
 const ROUNDING: f64 = 1e-14;
 
-/// The tolerance of barycentric weights makes a ray through an edge meet at least one of its triangles.
+/// The tolerance of barycentric weights. With it, a ray through an edge meets at least one of the edge's triangles.
 const NEAR_EDGE: f64 = 1e-12;
 
 /// Room for the open nodes of a search: one on each level, in the largest tree.
 const DEEP: usize = 24;
 
-/// A point is not moved to the back of a thin sheet while its front is at most this many times as far away.
+/// A point moves to triangles that face the other way only if those that face its own way are more than this many times
+/// as far away.
 const BACK: f64 = 4.0;
 
 /// The hit of a ray.
@@ -85,7 +85,7 @@ enum TreeStage {
     Done,
 }
 
-/// Nodes that are still to be searched, each with how far it is at least.
+/// Nodes that are still to be searched, each with a lower bound of its distance (squared for the nearest place).
 struct OpenNodes(Vec<(f64, usize)>);
 
 impl OpenNodes {
@@ -96,7 +96,7 @@ impl OpenNodes {
         Self(nodes)
     }
 
-    /// Opens the children of a node, the nearer one to be searched first. Those at infinity are left out.
+    /// Opens the children of a node, the nearer one to be searched first. Children at infinity are left out.
     fn split(&mut self, node: usize, far: impl Fn(usize) -> f64) {
         let (a, b) = (2 * node, 2 * node + 1);
         let (to_a, to_b) = (far(a), far(b));
@@ -141,12 +141,12 @@ impl NearestWalk {
         self.pass(search, mesh, amount, |_| true)
     }
 
-    /// The place, once the search is at its end.
+    /// The nearest place, once the search is at its end; `None` if there is none within the radius.
     pub fn found(&self, mesh: &TriMesh) -> Option<SurfacePoint> {
         (self.best.triangle != NONE).then(|| self.best.point(mesh))
     }
 
-    /// The same among the triangles for which `wanted` is true.
+    /// Does as [`Self::advance`], but among the triangles for which `wanted` is true.
     fn pass(
         &mut self,
         search: &Search,
@@ -219,7 +219,7 @@ impl Search {
     /// Works on at most `amount` triangles; true when the tree is complete.
     pub fn advance(&mut self, mesh: &TriMesh, amount: usize) -> bool {
         let leaves = self.boxes.len() / 2;
-        // Stages: codes; three rounds of counting and placing; leaves; the boxes from the leaves to the root.
+        // How many triangles, leaves or boxes the stage works on. The sort makes its own slices.
         let all = match self.stage {
             TreeStage::Codes(_) => mesh.triangles().len(),
             TreeStage::Leaves => leaves,
@@ -326,8 +326,8 @@ impl Search {
         walk.best
     }
 
-    /// Whether `test` is true for a triangle near `p`. It is called at least for all triangles that are at most
-    /// `radius` away.
+    /// Whether `test` is true for a triangle near `p`. It is called for all triangles that are at most `radius` away,
+    /// and for some others, until it returns true.
     pub fn any_within(&self, p: DVec3, radius: f64, mut test: impl FnMut(u32) -> bool) -> bool {
         let mut open = vec![1];
         let leaves = self.boxes.len() / 2;
@@ -431,7 +431,7 @@ fn push_codes(mesh: &TriMesh, end: usize, codes: &mut Vec<(u64, u32)>) {
     }
 }
 
-/// Puts two zero bits between each two bits.
+/// Puts two zero bits between neighbouring bits.
 fn spread(x: u32) -> u32 {
     let mut spread = 0;
     for bit in 0..BITS {
@@ -491,7 +491,7 @@ fn meets([a, b, c]: [DVec3; 3], from: DVec3, along: DVec3) -> Option<(f64, DVec3
     }
     let off = from - a;
     let u = off.dot(across) / volume;
-    // Most triangles of a leaf are missed; half of them on this side.
+    // Most triangles of a leaf are missed, about half of them by this test.
     if u < -NEAR_EDGE {
         return None;
     }
@@ -548,7 +548,7 @@ mod tests {
 
     #[test]
     fn a_search_can_be_cut_anywhere() {
-        // All triangles of a ball are as far from its middle.
+        // All triangles of a ball are equally far from its middle.
         let mesh = samples::ball(3);
         let (search, count) = (Search::new(&mesh), mesh.triangles().len());
         for (p, least) in [(DVec3::ZERO, count / 50), (DVec3::new(2.0, 0.1, 0.3), 1)] {

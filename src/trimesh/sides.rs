@@ -32,14 +32,14 @@ pub enum Sides {
 /// A mesh with the wanted outsides.
 #[derive(Clone, Debug)]
 pub struct Sided {
-    /// The mesh; the same one if no triangle was turned.
+    /// The mesh; the given one if no triangle was turned over.
     pub mesh: Arc<TriMesh>,
-    /// Whether a part is open.
+    /// Whether any part is open.
     pub is_open: bool,
     /// The area of the largest part.
     pub largest: f64,
-    /// The sum of the squared edges of all triangles over the area: about 7 for equilateral ones. The boxes of needles
-    /// overlap, and a search looks at about as many of them.
+    /// The sum of the squared edges of all triangles, divided by their area: about 7 for equilateral triangles. The
+    /// boxes of needles overlap, so a search looks at about as many boxes as this number.
     pub slenderness: f64,
     /// A remark on parts that were turned, or that look as if they should be.
     pub notice: Option<Notice>,
@@ -50,15 +50,15 @@ pub struct Sided {
 struct PartSums {
     is_open: bool,
     triangles: usize,
-    /// Twice the area, the sum of area vectors, and the centroid times twice the area.
+    /// Twice the area. `facing` is twice the sum of area vectors, `moment` the centroid times twice the area.
     area: f64,
     /// The sum of the squared edges.
     squares: f64,
     facing: DVec3,
     moment: DVec3,
-    /// The flux of the place through the part: of the vector from [`Siding::about`] to a point of the surface.
+    /// Twice the flux through the part of the vector from [`Siding::about`] to a point of the surface.
     flux: f64,
-    /// The sum of distances from there, weighted by area.
+    /// The sum of the triangles' distances from [`Siding::about`], each times twice the triangle's area.
     reach: f64,
 }
 
@@ -100,7 +100,7 @@ enum SidingPhase {
     Build(Box<MeshBuilding>),
 }
 
-/// Turns open parts, in slices.
+/// Turns open parts over where that is wanted, in slices.
 pub struct Siding {
     mesh: Arc<TriMesh>,
     sides: Sides,
@@ -110,7 +110,7 @@ pub struct Siding {
     /// How many triangles have been measured.
     at: usize,
     parts: Vec<PartSums>,
-    /// Places are relative to this one, so that sums lose few digits.
+    /// The middle of the bounding box. Places are relative to it, so that sums lose few digits.
     about: DVec3,
 }
 
@@ -162,7 +162,7 @@ impl Siding {
         end == part.len()
     }
 
-    /// Whether a part is turned.
+    /// Whether a part is to be turned over.
     fn is_turned(&self, part: &PartSums) -> bool {
         match self.sides {
             Sides::Given => false,
@@ -171,7 +171,7 @@ impl Siding {
         }
     }
 
-    /// Begins to build the mesh with turned parts, or returns the same one if none is turned.
+    /// Begins to build the mesh with turned parts, or returns the given mesh if no part is turned.
     fn turn(&mut self) -> Option<Sided> {
         let turned: Vec<bool> = self.parts.iter().map(|part| self.is_turned(part)).collect();
         if !turned.contains(&true) {

@@ -3,8 +3,9 @@
 //!
 //! Garland, Heckbert (1997), Surface Simplification Using Quadric Error Metrics: edges collapse to a vertex one after
 //! the other, each time the one of least cost. An edge may collapse only where the surface keeps its topology (its
-//! ends have no common neighbours but those opposite it: Dey, Edelsbrunner, Guha, Nekhayev 1999) and where no
-//! triangle turns over. Borders stay borders and keep their shape. Edges of equal cost go by number.
+//! ends have no common neighbours but those opposite it: Dey, Edelsbrunner, Guha, Nekhayev 1999) and where no triangle
+//! turns over. Borders stay borders and keep their shape. Edges of equal cost go in the order of their vertices'
+//! numbers.
 
 mod postponed;
 
@@ -14,7 +15,7 @@ use crate::solid::{Collapse, LENGTH, Quadric};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Weight of the planes that stand on the border, in squares of the edge.
+/// Weight of the planes that stand upright on border edges, in squares of the edge's length.
 const BORDER: f64 = 10.0;
 /// The pull of a new vertex towards the middle of its edge, as parts of the weights; the second one is tried if the
 /// first one fails.
@@ -26,10 +27,10 @@ const LEAST_QUALITY: f64 = 0.15;
 /// In a slice: triangles of the preparation, and triangles to look at while edges collapse.
 const SLICE: usize = 1 << 13;
 const LOOKED_AT: usize = 1 << 15;
-/// A vertex with more triangles than this gets its neighbours by sorting.
+/// The neighbours of a vertex with more triangles than this are found by sorting.
 const MANY: u32 = 64;
-/// The edges of a vertex with more triangles than this do not collapse: each collapse looks at all of them, so a large
-/// fan would take the square of its size. The edges round the fan are shorter, and make it smaller.
+/// The edges of a vertex with more triangles than this do not collapse: each collapse looks at all these triangles, so
+/// a large fan would take time with the square of its size. The fan shrinks by its rim, whose shorter edges collapse.
 const MOST_AROUND: u32 = 1 << 10;
 
 /// A surface that is being simplified.
@@ -147,7 +148,7 @@ impl Simplifying {
         end >= all.len().max(triangles.len())
     }
 
-    /// Adds the plane of a triangle to its corners, and upright planes along the border.
+    /// Adds the plane of a triangle to the quadrics of its corners, and upright planes along the border.
     fn weigh(&mut self, t: usize) {
         let triangle = self.collapse.triangles[t];
         let [a, b, c] = self.corners(triangle);
@@ -220,8 +221,8 @@ impl Simplifying {
         lowest.into_iter().find(is_near).unwrap_or(middle)
     }
 
-    /// Collapses the next edge, if it may; false when there is nothing more to do. Takes the triangles that it looks at
-    /// from `left`.
+    /// Collapses the next edge, if it may; false when there is nothing more to do. Subtracts from `left` about the
+    /// number of triangles that it looks at.
     fn next(&mut self, left: &mut i64) -> bool {
         if self.left <= self.most.max(4) {
             return false;
@@ -349,7 +350,7 @@ impl Simplifying {
     }
 }
 
-/// Area over the squares of the sides, scaled to 1 for an equilateral triangle.
+/// Area divided by the sum of the squared sides, scaled to 1 for an equilateral triangle.
 fn quality([p, q, r]: [DVec3; 3], across: DVec3) -> f64 {
     let sides = (q - p).length_squared() + (r - q).length_squared() + (p - r).length_squared();
     if sides == 0.0 {

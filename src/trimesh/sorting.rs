@@ -5,8 +5,8 @@ const SLICE: usize = 1 << 18;
 /// Bits of a digit.
 const BITS: u32 = 11;
 
-/// Sorts a list of keys with numbers by its keys; entries with equal keys keep their order (a radix sort, lowest
-/// digits first).
+/// Sorts pairs of a key and a number by their keys; pairs with equal keys keep their order (a radix sort, lowest digits
+/// first).
 #[derive(Clone, Debug)]
 pub(super) struct Sorting {
     entries: Vec<(u64, u32)>,

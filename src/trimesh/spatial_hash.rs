@@ -71,8 +71,8 @@ impl SurfaceHash {
         })
     }
 
-    /// Calls `visit` with the number of every point that may lie within `radius` of `p`, until it returns true;
-    /// returns whether it did.
+    /// Calls `visit` with the number of every point that may lie within `radius` of `p`, until it returns true; returns
+    /// whether `visit` has returned true.
     pub fn any_near(&self, p: DVec3, radius: f64, mut visit: impl FnMut(usize) -> bool) -> bool {
         let mut runs = self.runs(p, radius);
         runs.any(|run| self.points.any(run, &mut visit))

@@ -106,7 +106,7 @@ pub fn torus(around: u32, across: u32, thin: f64) -> Soup {
     soup
 }
 
-/// A disc of this many triangles about its middle, vertex 0. It looks up.
+/// A disc of this many triangles about its middle, vertex 0, facing up.
 pub fn disc(rim: u32) -> Soup {
     let place = |k: u32| {
         let angle = TAU * f64::from(k) / f64::from(rim);

@@ -64,9 +64,9 @@ struct Walker<'a> {
     weights: [f64; 3],
     /// The whole step, in the triangle's plane.
     heading: DVec3,
-    /// The whole step in the frame at the start, carried along.
+    /// The whole step in the frame at the start, as turned and shortened by borders so far.
     ahead: DVec2,
-    /// The corner opposite the edge just crossed: that edge is not crossed back at once.
+    /// The corner opposite the edge just crossed, which is not crossed back at once; 3 if there is none.
     behind: usize,
 }
 
@@ -89,7 +89,7 @@ impl<'a> Walker<'a> {
         weights / (weights.x + weights.y + weights.z)
     }
 
-    /// Goes a step whose length has this square; true if it met the border.
+    /// Goes the whole step; `length` is the square of its length. True if the walk met the border.
     fn go(&mut self, length: f64) -> bool {
         let (mut left, mut slid, mut slides) = (1.0, false, 0);
         for _ in 0..MOST_EDGES {
@@ -123,8 +123,8 @@ impl<'a> Walker<'a> {
         slid
     }
 
-    /// How fast the weights change along the path; and the corner whose weight first becomes 0, with the length until
-    /// then.
+    /// How fast the weights change along the path, per whole step; and the corner whose weight first becomes 0, with
+    /// the share of the step until then.
     fn rates(&self) -> ([f64; 3], Option<(usize, f64)>) {
         let [a, b, c] = self.mesh.corners(self.triangle);
         let (e, f) = (b - a, c - a);
@@ -132,7 +132,7 @@ impl<'a> Walker<'a> {
         let across = self.heading.cross(cross) / cross.length_squared();
         let (at_b, at_c) = (-f.dot(across), e.dot(across));
         let rates = [-at_b - at_c, at_b, at_c];
-        // A slower rate counts as a path along the edge.
+        // A weight that falls more slowly than this counts as constant: the path runs along the edge.
         let least = -1e-14 * (at_b.abs() + at_c.abs());
         let mut exit: Option<(usize, f64)> = None;
         for (k, &rate) in rates.iter().enumerate() {

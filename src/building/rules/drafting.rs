@@ -1,4 +1,4 @@
-//! Puts drafts together: vertices by place, flat faces with their surfaces, meshes beside them.
+//! Puts drafts together: vertices by place, flat faces with their surfaces, extra meshes.
 
 use crate::building::draft::{Draft, DraftArc, DraftFace, ExtraMesh};
 use crate::building::facets;
@@ -18,7 +18,7 @@ pub(super) struct Drafting {
 }
 
 impl Drafting {
-    /// The vertex at a place.
+    /// The number of the vertex at a place; a new vertex if there is none.
     pub fn vertex(&mut self, p: DVec3) -> u32 {
         let vertices = &mut self.draft.vertices;
         let known = vertices.iter().position(|q| q.distance(p) < SAME);
@@ -28,13 +28,14 @@ impl Drafting {
         }) as u32
     }
 
-    /// The vertices of loops.
+    /// The loops as numbers of vertices.
     fn loops(&mut self, loops: &[Vec<DVec3>]) -> Vec<Vec<u32>> {
         let mut numbers = |ring: &Vec<DVec3>| ring.iter().map(|&p| self.vertex(p)).collect();
         loops.iter().map(&mut numbers).collect()
     }
 
-    /// Declares the side between two places an arc: counter-clockwise about the axis. Both faces of a side may do so.
+    /// Declares the side between two places an arc: counter-clockwise about the axis. Both faces of a side may do so;
+    /// the first call counts.
     pub fn arc(&mut self, from: DVec3, to: DVec3, centre: DVec3, axis: DVec3) {
         let arc = DraftArc {
             from: self.vertex(from),
@@ -112,15 +113,15 @@ impl Drafting {
             .extend(triangles.map(|t| t.map(|v| v + first)));
     }
 
-    /// The draft, on the ground.
+    /// The finished draft, with the ground at y = 0.
     pub fn on_ground(mut self) -> Draft {
         self.draft.ground = Some(0.0);
         self.draft
     }
 }
 
-/// The plane of a loop as a surface. t grows upwards, and is the height where the plane is vertical; on level planes s
-/// runs along the longest side. Elsewhere s and t begin at the loop.
+/// The plane of a loop as a surface. On a vertical plane t is the height; on a sloping one t grows upwards; on a level
+/// one s runs along the longest side. s is 0 where it is least on the loop, and so is t unless the plane is vertical.
 pub(in crate::building) fn flat_surface(ring: &[DVec3]) -> Surface {
     let normal = polygon::across(ring).normalize_or_zero();
     let up = DVec3::Y - normal * normal.y;

@@ -15,12 +15,12 @@ use glam::DVec2;
 /// Walls that do not meet keep so far apart, in modules.
 const APART: f64 = 1.0;
 
-/// The least and the greatest of an opening's numbers, after that of its wall.
+/// The least and the greatest value of each number of an opening, except that of its wall, which is the first.
 const RANGES: [[i64; 2]; 5] = [[0, 240], [0, 60], [2, 24], [4, 60], [0, 2]];
 
-/// The plan of a rule without rows: the walls of a garden with two cut corners, open towards the viewer.
+/// The rule's own plan, used if none is drawn: the walls of a garden with two cut corners, open towards the viewer.
 const PLAN: [[i64; 2]; 6] = [[0, 40], [0, 8], [8, 0], [40, 0], [48, 8], [48, 30]];
-/// Its openings.
+/// The openings of the walls over [`PLAN`].
 const OPENINGS: [[i64; 6]; 4] = [
     [1, 12, 9, 6, 8, 0],
     [3, 12, 0, 8, 13, 2],
@@ -40,14 +40,14 @@ pub struct DrawnPlan {
     pub openings: Vec<[i64; 6]>,
 }
 
-/// A checked line, and for each drawn wall the one that it belongs to and where it begins there (modules). Drawn walls
-/// that go on straight are one.
+/// A checked line, whose walls join drawn walls that go on straight. `parts` has for each drawn wall the wall of the
+/// line that it belongs to, and where it begins there (modules).
 struct CheckedLine {
     line: PlanLine,
     parts: Vec<(usize, i64)>,
 }
 
-/// An opening in a wall of a checked line. Its number is that of its row.
+/// An opening in a wall of a checked line. Its number is that of its row, from 1.
 struct PlacedOpening {
     number: usize,
     wall: usize,
@@ -101,8 +101,8 @@ impl DrawnPlan {
         (to.on_ground(), faults)
     }
 
-    /// The openings that fit in their walls, each with the number of its wall. `free` tells the part of a wall for them
-    /// (metres), and its height (courses).
+    /// The openings that fit in their walls, each with the number of its wall. `free` gives for a wall the part where
+    /// openings may be (metres), and the wall's height (courses).
     fn placed_openings(
         &self,
         module: &Module,
@@ -207,7 +207,7 @@ fn goes_on(corners: &[[i64; 2]], is_closed: bool, k: usize) -> bool {
     ux * vy == uy * vx && ux * vx + uy * vy > 0
 }
 
-/// For each drawn wall the wall of the kept corners that it belongs to, and where it begins there (modules, rounded).
+/// For each drawn wall the wall between kept corners that it belongs to, and where it begins there (modules, rounded).
 fn parts(corners: &[[i64; 2]], kept: &[usize], is_closed: bool) -> Vec<(usize, i64)> {
     let walls = corners.len() - usize::from(!is_closed);
     let part = |k: usize| {

@@ -1,6 +1,6 @@
 //! The limits of drawn plans, and their faults.
 
-/// Corners are at most so far from the origin along each axis, in modules.
+/// Corners are at most this far from the origin along each axis, in modules.
 pub const FARTHEST_CORNER: i64 = 120;
 /// Walls meet at least at this angle (degrees): in sharper corners, bricks of both walls would overlap.
 pub const SHARPEST: f64 = 75.0;
@@ -9,15 +9,15 @@ pub const LEAST_PIER: f64 = 2.0;
 /// The fewest courses between an opening and the next one above it, or the top of the wall.
 pub const LEAST_OVER: f64 = 4.0;
 
-/// A fault of a plan. Corners, walls and openings are counted from 1. After faults of the line other than
-/// [`DrawnFault::Far`] and [`DrawnFault::Roofless`], the rule's own plan stands.
+/// A fault of a plan. Corners, walls and openings are counted from 1. After a fault of the line other than
+/// [`DrawnFault::Far`] and [`DrawnFault::Roofless`], the rule's own plan is built.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DrawnFault {
     /// There are too few corners.
     Few {
-        /// Their number.
+        /// The number of corners.
         corners: usize,
-        /// The least number.
+        /// The least number of corners.
         least: usize,
     },
     /// One side of a wall is shorter than [`LEAST_PIER`].
@@ -39,9 +39,9 @@ pub enum DrawnFault {
         /// The place (modules).
         at: [f64; 2],
     },
-    /// Corners were farther away than [`FARTHEST_CORNER`] and moved.
+    /// Corners were farther away than [`FARTHEST_CORNER`] and were moved to it.
     Far {
-        /// Their number.
+        /// The number of corners that were moved.
         corners: usize,
     },
     /// There should be a roof, but the plan is open, or its corners turn both ways.
@@ -55,21 +55,21 @@ pub enum DrawnFault {
     },
 }
 
-/// A fault of an opening. After [`OpeningFault::Number`] it is kept, after others left out.
+/// A fault of an opening. After [`OpeningFault::Number`] the opening is kept; after all other faults it is left out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OpeningFault {
     /// A number was moved into its range.
     Number {
-        /// The number's place in the row.
+        /// The number's place in the row, from 1.
         place: usize,
         /// Its least and its greatest value.
         range: [i64; 2],
         /// The given number and the kept one.
         moved: [i64; 2],
     },
-    /// It is in a wall that is not there.
+    /// It names a wall that does not exist.
     NoWall {
-        /// That wall.
+        /// The number that it names.
         wall: i64,
         /// The number of walls.
         walls: usize,
@@ -78,9 +78,9 @@ pub enum OpeningFault {
     Beyond {
         /// The wall.
         wall: usize,
-        /// Where it begins and ends (modules).
+        /// Where it begins and ends along the wall (modules).
         ends: [i64; 2],
-        /// Where it may begin and end.
+        /// The least beginning and the greatest end that are allowed (modules).
         allowed: [i64; 2],
     },
     /// The wall has no room for it, wherever it begins.
@@ -88,16 +88,16 @@ pub enum OpeningFault {
         /// The wall.
         wall: usize,
     },
-    /// It is too near to another one, or over it.
+    /// It is too near to an earlier opening, or overlaps it.
     Over {
-        /// The other one.
+        /// The earlier opening.
         other: usize,
     },
-    /// It is higher than its wall, less [`LEAST_OVER`].
+    /// Its top is less than [`LEAST_OVER`] below the top of its wall.
     High {
         /// The height of its top (courses).
         top: f64,
-        /// The height that is allowed.
+        /// The greatest height that is allowed (courses).
         most: f64,
     },
 }

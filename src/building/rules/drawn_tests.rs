@@ -11,7 +11,7 @@ fn plan(corners: &[[i64; 2]], openings: &[[i64; 6]]) -> DrawnPlan {
     }
 }
 
-/// The building of a plan, of two modules' thickness, and its faults.
+/// The draft of a plan with walls two modules thick, and its faults. Its building has to be closed.
 fn drawn(corners: &[[i64; 2]], openings: &[[i64; 6]]) -> (Draft, Vec<DrawnFault>) {
     let (draft, faults) = plan(corners, openings).draft(&Module::NORMAL, &[24.0, 2.0]);
     let building = Building::new(&draft).expect("a building");
@@ -22,7 +22,7 @@ fn drawn(corners: &[[i64; 2]], openings: &[[i64; 6]]) -> (Draft, Vec<DrawnFault>
 
 const YARD: [[i64; 2]; 5] = [[0, 0], [30, 0], [30, -20], [0, -20], [0, 0]];
 
-/// The numbers of an opening's faults.
+/// The faults of an opening in the walls of the yard.
 fn faults_of(opening: [i64; 6]) -> Vec<OpeningFault> {
     let (_, faults) = drawn(&YARD, &[opening]);
     let why = |fault| match fault {
@@ -47,7 +47,8 @@ fn a_line_becomes_walls_whichever_way_it_turns() {
         let (draft, faults) = drawn(corners, &[]);
         assert_eq!((faults.len(), draft.faces.len()), (0, 4 * 2 + 2));
     }
-    // The yard's outside is 30 modules long; walked the other way round, its inside is.
+    // The yard's outside is 30 modules long; if the line is walked the other way round, its inside
+    // is 30 modules long.
     let width = |corners: &[[i64; 2]]| {
         let (draft, _) = drawn(corners, &[]);
         draft.vertices.iter().map(|v| v.x).fold(0.0, f64::max) * 2.0

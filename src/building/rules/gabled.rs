@@ -1,4 +1,5 @@
-//! A house with gables under a roof that stands over. It is one solid: the walls end at the underside of the roof.
+//! A house with gables under a roof that overhangs the walls. It is one solid: the walls end at the underside of the
+//! roof.
 
 use super::Module;
 use super::drafting::Drafting;
@@ -7,7 +8,7 @@ use crate::building::draft::Draft;
 use crate::building::labels::ROOF;
 use glam::{DVec2, DVec3};
 
-/// How far the roof stands over the long walls, and over the gables (metres).
+/// How far the roof overhangs the long walls, and the gables (metres).
 const OVER: [f64; 2] = [0.3, 0.2];
 /// The thickness of the roof (metres).
 const SLAB: f64 = 0.12;
@@ -98,7 +99,7 @@ impl House {
         let left = ((width - 4.0) / 2.0).round();
         let room =
             |courses: f64| (self.half.y * self.pitch[2] + self.eaves) - courses * module.course;
-        // The upper corners keep off the slopes by two modules.
+        // Level with its crown, the gable is over ten modules wide: three more than the window on each side.
         let is_low = room(springing + 3.0) > 5.0 * module.half * self.pitch[2];
         is_low.then_some(Opening {
             left,

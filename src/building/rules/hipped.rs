@@ -9,8 +9,8 @@ const SAME: f64 = 4e-4;
 /// A corner of a slope in plan, and how far it is from its eave (metres).
 pub(super) type SlopeCorner = (DVec2, f64);
 
-/// The slopes over a convex plan that is counter-clockwise seen from above, one for each side. A slope lies where its own
-/// side is the nearest.
+/// The slopes over a convex plan that is counter-clockwise seen from above, one for each side. A slope covers the part
+/// of the plan that is nearest to its side.
 pub(super) fn slopes(plan: &[DVec2]) -> Vec<Vec<SlopeCorner>> {
     let eaves: Vec<[DVec2; 2]> = sides(plan).map(|[a, b]| [a, (b - a).normalize()]).collect();
     let off = |[from, way]: [DVec2; 2], p: DVec2| way.perp_dot(p - from);
@@ -45,7 +45,7 @@ fn below(ring: &[DVec2], value: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
     part
 }
 
-/// The first of the places so far that is the same as this one, or this one, which is added.
+/// The first known place within [`SAME`] of this one; if there is none, this one, which is added.
 fn same(kept: &mut Vec<DVec2>, p: DVec2) -> DVec2 {
     let known = kept.iter().find(|known| known.distance(p) < SAME).copied();
     known.unwrap_or_else(|| {

@@ -1,5 +1,5 @@
-//! A house with an L-shaped plan: a main house with two gables, and a wing with one. Roofs begin at the walls' faces, and
-//! that of the wing runs into that of the main house in two valleys.
+//! A house with an L-shaped plan: a main house with two gables, and a wing with one. Roofs do not overhang the walls.
+//! The wing's roof meets the main roof in two valleys.
 
 use super::Module;
 use super::drafting::Drafting;
@@ -9,9 +9,9 @@ use crate::building::draft::Draft;
 use crate::building::labels::ROOF;
 use glam::{DVec2, DVec3};
 
-/// The number of the inner corner of the plan.
+/// The index of the inner corner in the plan.
 const INNER: usize = 3;
-/// The greatest rise of the wing's roof over that of the main house.
+/// The greatest rise of the wing's roof, as a share of the rise of the main roof.
 const LOWER: f64 = 0.85;
 
 /// The house: the main part lies along x in front, and the wing stands behind it on the left.
@@ -19,11 +19,12 @@ struct House {
     plan: [DVec2; 6],
     /// The height of the eaves (metres).
     eaves: f64,
-    /// The rise of both roofs, of the main house and of the wing.
+    /// The rises of the main roof and of the wing's roof (metres).
     rises: [f64; 2],
 }
 
-/// The plan. The wing's inner walls are whole modules from the grid's lines, so they run half a joint outside of them.
+/// The plan (metres). Walls stand half a joint inside of the grid's lines, at the inner corner, too. So the two walls
+/// that meet there are whole modules long.
 fn plan(module: &Module, [length, width, wing, depth]: [f64; 4]) -> [DVec2; 6] {
     let wing = wing.min(length - 6.0);
     let depth = depth.min(width - 6.0);
@@ -114,13 +115,13 @@ impl House {
         DVec2::new(self.plan[0].x, self.plan[INNER].y)
     }
 
-    /// The ends of the main ridge, and the outer end of the wing's.
+    /// The ends of the main ridge (left, right) and of the wing's ridge (gable, valley), in plan with their heights.
     fn ridges(&self) -> [[(DVec2, f64); 2]; 2] {
         let (plan, [main, wing]) = (&self.plan, self.rises);
         let y = 0.5 * (plan[0].y + plan[INNER].y);
         let x = 0.5 * (plan[0].x + plan[INNER].x);
         let ridge = [plan[0].x, plan[1].x].map(|x| (DVec2::new(x, y), self.eaves + main));
-        // The wing's roof meets the slope of the main house where that is as high.
+        // The wing's ridge meets the slope of the main house where both are equally high.
         let back = plan[INNER].y - (plan[INNER].y - y) * wing / main;
         let own = [plan[5].y, back].map(|y| (DVec2::new(x, y), self.eaves + wing));
         [ridge, own]

@@ -1,4 +1,4 @@
-//! Walls with openings, and the reveals of these.
+//! Walls with openings, and the reveals of the openings.
 
 use super::Module;
 use super::drafting::Drafting;
@@ -22,7 +22,7 @@ pub enum OpeningHead {
 }
 
 impl OpeningHead {
-    /// The head with this number: 0, 1 or 2.
+    /// The head with this number: 0 straight, 1 segmental, 2 round.
     pub(super) fn of(number: f64) -> Self {
         match number as u32 {
             0 => Self::Straight,
@@ -32,15 +32,16 @@ impl OpeningHead {
     }
 }
 
-/// The rise of a segmental head over its span.
+/// The rise of a segmental head as a share of its span.
 const RISE: f64 = 1.0 / 6.0;
-/// The width of frames, half of the width of glazing bars, and half of the thickness of both (metres).
+/// The width of frames, half of the width of glazing bars ([`BAR`]), and half of the thickness of both ([`THICK`]), in
+/// metres.
 const FRAME: f64 = 0.045;
 const BAR: f64 = 0.012;
 const THICK: f64 = 0.02;
 /// The height of a pane between two bars (metres).
 const LIGHT: f64 = 0.4;
-/// How far a pane stands before the back of its opening (metres).
+/// How far a pane stands in front of the back of its opening (metres).
 const BEFORE: f64 = 0.002;
 
 /// An opening in a wall, counted in modules from the wall's left end and in courses from the ground.
@@ -55,8 +56,8 @@ pub(super) struct Opening {
     pub is_door: bool,
 }
 
-/// The plane of a wall seen from outside: u to the right, y upwards. u is 0 at a line of the grid: half a joint
-/// before the wall's left end, or half a joint behind it where the wall begins in an inner corner.
+/// The plane of a wall seen from outside: u to the right, y upwards. u is 0 at a line of the grid: half a joint to the
+/// left of the wall's left end, or to the right of it where the wall begins in an inner corner.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WallPlane {
     pub origin: DVec3,
@@ -75,7 +76,7 @@ impl WallPlane {
         }
     }
 
-    /// The place at u and y, so far behind the face.
+    /// The place at u and y, `behind` metres behind the face.
     pub fn at(&self, p: DVec2, behind: f64) -> DVec3 {
         self.origin + self.along * p.x + DVec3::Y * p.y - self.normal * behind
     }
@@ -85,10 +86,10 @@ impl WallPlane {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reveal {
     corners: [DVec2; 4],
-    /// The centre of the head's circle.
+    /// The centre of the head's circle; `None` if the head is straight.
     centre: Option<DVec2>,
     head: OpeningHead,
-    /// The labels of its faces, and the one more of the curved ones.
+    /// The labels of its faces; curved faces have [`ARCH`] as well, and the sill has [`SILL`].
     labels: &'static [&'static str],
 }
 
@@ -103,7 +104,7 @@ impl Opening {
         self.springing + rise * (self.width * module.half + module.joint) / module.course
     }
 
-    /// Its outline in a wall's plane: it is n modules and a joint wide.
+    /// Its outline in a wall's plane: an opening of n modules is a joint wider than that.
     pub fn reveal(&self, module: &Module) -> Reveal {
         let half = 0.5 * module.joint;
         let left = self.left * module.half - half;
@@ -135,17 +136,17 @@ impl Reveal {
         self.corners
     }
 
-    /// How far along the wall its left and its right side are (metres).
+    /// u of its left and its right side (metres).
     pub fn sides(&self) -> [f64; 2] {
         [self.corners[0].x, self.corners[3].x]
     }
 
-    /// The hole in the wall's face.
+    /// The loop of the hole, `behind` metres behind the wall's face.
     pub fn hole(&self, plane: &WallPlane, behind: f64) -> Vec<DVec3> {
         self.corners.map(|p| plane.at(p, behind)).to_vec()
     }
 
-    /// Declares the arc of the head at a depth.
+    /// Declares the arc of the head, if it has one, `behind` metres behind the wall's face.
     pub fn declare(&self, to: &mut Drafting, plane: &WallPlane, behind: f64) {
         if let Some(centre) = self.centre {
             let [_, from, end, _] = self.corners.map(|p| plane.at(p, behind));
@@ -153,8 +154,8 @@ impl Reveal {
         }
     }
 
-    /// Adds the faces of the reveal from the wall's face inwards. With `sill` false there is none: the opening reaches
-    /// the ground.
+    /// Adds the faces of the reveal from the wall's face inwards. If `sill` is false, the opening reaches the ground
+    /// and has no sill.
     pub fn faces(&self, to: &mut Drafting, plane: &WallPlane, depth: f64, sill: bool) {
         let [bl, tl, tr, br] = self.corners.map(|p| plane.at(p, 0.0));
         let [bl2, tl2, tr2, br2] = self.corners.map(|p| plane.at(p, depth));
@@ -201,7 +202,7 @@ impl Reveal {
         Some(Piece::Arc(arc))
     }
 
-    /// Closes the opening at a depth with a face of glass, and puts a pane or a door before it.
+    /// Closes the opening at a depth with a face of glass, and puts a pane or a door in front of it.
     pub fn close(&self, to: &mut Drafting, plane: &WallPlane, depth: f64) {
         let mut back = self.hole(plane, depth);
         back.reverse();

@@ -6,7 +6,8 @@ use crate::building::draft::{Draft, DraftFace};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
-/// The place over a point of a plan, whose y runs towards -z: then plans are counter-clockwise seen from above.
+/// The place over a point of a plan. The plan's y runs towards -z, so a plan that is counter-clockwise in x and y is so
+/// seen from above, too.
 pub(super) fn over(p: DVec2, y: f64) -> DVec3 {
     DVec3::new(p.x, y, -p.y)
 }
@@ -23,7 +24,7 @@ pub(super) fn turned(plan: &[DVec2], y: f64) -> Vec<DVec3> {
     level
 }
 
-/// Sides of a plan, from left to right seen from outside.
+/// The sides of a plan, each from its left end to its right end seen from outside.
 pub(super) fn sides(plan: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
     let next = plan.iter().cycle().skip(1);
     plan.iter().zip(next).map(|(&a, &b)| [a, b])

@@ -19,7 +19,7 @@ impl PlanLine {
         self.corners[k % self.corners.len()]
     }
 
-    /// The length of a part.
+    /// The length of a part (metres).
     pub fn length(&self, wall: usize) -> f64 {
         self.corner(wall).distance(self.corner(wall + 1))
     }
@@ -29,22 +29,23 @@ impl PlanLine {
         (self.corner(wall + 1) - self.corner(wall)).normalize()
     }
 
-    /// The directions before and behind a corner; none at the ends of an open line.
+    /// The directions of the parts before and after a corner; `None` at the ends of an open line.
     pub fn turn(&self, corner: usize) -> Option<[DVec2; 2]> {
         let (count, n) = (self.walls(), self.corners.len());
         let is_end = !self.is_closed && [0, n - 1].contains(&(corner % n));
         (!is_end).then(|| [(corner + count - 1) % count, corner % count].map(|k| self.way(k)))
     }
 
-    /// Whether it is closed and turns to the left at all corners, or to the right at all.
+    /// Whether it is closed and turns the same way, left or right, at all corners.
     pub fn is_convex(&self) -> bool {
         let turns = (0..self.corners.len()).map(|k| self.turn(k).map(|[a, b]| a.perp_dot(b)));
         let turns: Option<Vec<f64>> = turns.collect();
         turns.is_some_and(|turns| turns.iter().all(|turn| turn * turns[0] > 0.0))
     }
 
-    /// Where a line to the left of a part, at this distance, begins and ends along it (metres from the part's first
-    /// corner). It meets those of its neighbours; the ends of an open line come in by `free`.
+    /// Where the parallel of a part at this distance to the left begins and ends (metres from the part's first corner).
+    /// It ends where it meets the parallels of the neighbouring parts; at an end of an open line it is shorter by
+    /// `free`.
     pub fn span(&self, wall: usize, distance: f64, free: f64) -> [f64; 2] {
         let inset = |corner| match self.turn(corner) {
             // The tangent of half of the angle by which the line turns to the left.
@@ -67,7 +68,7 @@ impl PlanLine {
             .collect()
     }
 
-    /// The border of the strip between two distances to the left: one ring, or two of a closed line.
+    /// The border of the strip between two distances to the left: one ring, or two if the line is closed.
     pub fn border(&self, distances: [f64; 2], free: f64) -> Vec<Vec<DVec2>> {
         let [mut front, mut back] = distances.map(|distance| self.beside(distance, free));
         back.reverse();

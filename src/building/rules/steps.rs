@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 const RAIL: [f64; 2] = [0.85, 0.025];
 /// Sides of a rail.
 const SIDES: u32 = 8;
-/// The height of a column's cap in courses, and how far it stands over in modules.
+/// The height of a column's cap in courses, and how far it overhangs the column in modules.
 const CAP: [f64; 2] = [2.0, 1.0];
 
 pub(super) fn steps(module: &Module, n: &[f64]) -> Draft {
@@ -71,7 +71,7 @@ fn flight(to: &mut Drafting, module: &Module, [count, tread, riser]: [f64; 3], h
     }
 }
 
-/// A column with a cap that stands over.
+/// A column with a cap that overhangs it.
 fn add_column(to: &mut Drafting, module: &Module, centre: DVec2, [width, height]: [f64; 2]) {
     let square = |modules: f64, y: f64| -> Vec<DVec3> {
         let half = 0.5 * module.pier(modules);

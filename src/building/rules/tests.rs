@@ -33,7 +33,8 @@ fn each_opening_has_a_pane_or_a_door_that_looks_outwards() {
             }
             for triangle in 0..mesh.triangles().len() as u32 {
                 let middle: glam::DVec3 = mesh.corners(triangle).iter().sum::<glam::DVec3>() / 3.0;
-                // All walls of these look away from their middle, but those of the wing's inner corner.
+                // All walls of these buildings look away from the building's middle, except those at an L's inner
+                // corner.
                 let outward = mesh.face_normal(triangle).dot(middle);
                 assert!(outward > 0.0 || rule == Rule::LHouse, "{rule:?} {middle}");
             }

@@ -10,9 +10,9 @@ use crate::building::surface::{Disk, Surface, Sweep};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// The heights of the lowest windows, from and to, in courses; every other one is higher by the last number.
+/// The bottom and the springing of windows, and how much higher every other window is at most (courses).
 const HEIGHTS: [f64; 3] = [8.0, 18.0, 6.0];
-/// Parts of a whole circle in loops.
+/// The number of arcs of which a loop around a whole circle consists.
 const QUARTERS: u32 = 4;
 
 /// A window by its angles and heights.
@@ -23,7 +23,7 @@ struct Slot {
     heights: [f64; 2],
 }
 
-/// Both radii and the height (metres).
+/// The outer and the inner radius, the height (metres), and the windows.
 struct Tower {
     radii: [f64; 2],
     top: f64,
@@ -73,7 +73,7 @@ fn at(radius: f64, angle: f64, y: f64) -> DVec3 {
 }
 
 impl Tower {
-    /// The angle of a slot's side. Quarters of circles begin between the windows' sides, so none is cut by accident.
+    /// The ends of the four quarters of a circle around the axis, counter-clockwise seen from above.
     fn circle(&self, radius: f64, y: f64) -> Vec<DVec3> {
         let quarter = |k| TAU * f64::from(k) / f64::from(QUARTERS);
         (0..QUARTERS).map(|k| at(radius, quarter(k), y)).collect()

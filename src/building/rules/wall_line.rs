@@ -12,7 +12,7 @@ use crate::domain::signed_area;
 use crate::trimesh::polygon;
 use glam::{DVec2, DVec3};
 
-/// Walls that stand to the left of a line. Their fronts look to its right, half a joint behind it.
+/// Walls that stand to the left of a line. Their fronts look to its right, and stand half a joint to its left.
 pub(super) struct WallLine<'a> {
     module: &'a Module,
     line: PlanLine,
@@ -23,11 +23,12 @@ pub(super) struct WallLine<'a> {
     pitch: Option<f64>,
 }
 
-/// A place on the front of walls, and that behind it on their back.
+/// A place on the front of walls, and the place behind it on their back.
 type Across = [DVec3; 2];
 
 impl<'a> WallLine<'a> {
-    /// Walls of a height in courses and a thickness in modules. Their middle comes to stand over the origin.
+    /// Walls of a height in courses and a thickness in modules. The line is moved so that the middle of their bounding
+    /// box is the origin.
     pub fn new(module: &'a Module, mut line: PlanLine, [height, thickness]: [f64; 2]) -> Self {
         let half = 0.5 * module.joint;
         let distances = [half, thickness * module.half - half];
@@ -47,7 +48,8 @@ impl<'a> WallLine<'a> {
         }
     }
 
-    /// Puts the walls under a hipped roof of a pitch in degrees. False if their line is not convex: they stay without.
+    /// Puts the walls under a hipped roof of a pitch in degrees. Returns false, and makes no roof, if their line is not
+    /// convex.
     pub fn set_roof(&mut self, pitch: f64) -> bool {
         let (sin, cos) = libm::sincos(pitch.to_radians());
         self.pitch = self.line.is_convex().then_some(sin / cos);
@@ -73,21 +75,21 @@ impl<'a> WallLine<'a> {
         WallPlane::new(over(front, 0.0), over(front + way, 0.0), 0.0)
     }
 
-    /// Where a wall's front and its back begin and end along it (metres).
+    /// Where the front and the back of a wall begin and end along its line (metres).
     fn spans(&self, wall: usize) -> [[f64; 2]; 2] {
         let free = 0.5 * self.module.joint;
         self.distances
             .map(|distance| self.line.span(wall, distance, free))
     }
 
-    /// The part of a wall that both its front and its back have (metres along its line).
+    /// The part of a wall along which it has both a front and a back (metres along its line).
     pub fn free(&self, wall: usize) -> [f64; 2] {
         let [front, back] = self.spans(wall);
         [front[0].max(back[0]), front[1].min(back[1])]
     }
 
-    /// Adds the walls with openings, each with the number of its wall. Those that begin on the ground have no sill.
-    /// Others are closed with panes, if these are wished.
+    /// Adds the walls with openings, each given with the number of its wall. Openings that begin on the ground have no
+    /// sill. All others are closed with panes if `has_panes`.
     pub fn build(&self, to: &mut Drafting, openings: &[(usize, Opening)], has_panes: bool) {
         let of = |wall: usize| {
             let own = openings.iter().filter(move |of| of.0 == wall);
@@ -193,7 +195,7 @@ impl<'a> WallLine<'a> {
         to.flat(&[ROOF], &[turned(&inner, self.top)]);
     }
 
-    /// The ground under the walls between gates, from place to place along them, and whether it goes all around.
+    /// The strips of ground under the walls between gates, as places along the walls; true if a strip goes all around.
     fn strips(&self, gates: &[Vec<[f64; 2]>]) -> Vec<(Vec<Across>, bool)> {
         let mut strips: Vec<Vec<Across>> = vec![Vec::new()];
         for (wall, gates) in gates.iter().enumerate() {

@@ -22,7 +22,7 @@ pub(super) fn wall(module: &Module, n: &[f64]) -> Draft {
     let mut left = gap;
     let mut openings = Vec::new();
     for (width, head) in widths.into_iter().zip(heads) {
-        // Round heads rise above the springing by half their width.
+        // Curved heads rise above the springing by at most half their width.
         let rise = match head {
             OpeningHead::Straight => 0.0,
             _ => (0.5 * width * module.half / module.course).ceil(),

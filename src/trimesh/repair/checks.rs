@@ -1,4 +1,4 @@
-//! Refuses numbers of which no surface can be made.
+//! Refuses numbers from which no surface can be made.
 
 use super::super::MOST_TRIANGLES;
 use super::{MeshInRepair, NONE, RepairStep, slice};
@@ -15,7 +15,7 @@ const STEP: f64 = (1u128 << 64) as f64;
 #[derive(Default)]
 pub(super) struct Checking {
     at: usize,
-    /// For each vertex, whether a triangle uses it; then its new number.
+    /// For each vertex, [`NONE`] if no triangle uses it, else 0; later its new number.
     number: Vec<u32>,
     checked: bool,
 }
@@ -63,7 +63,7 @@ impl Checking {
         Ok(())
     }
 
-    /// True if there is a vertex that no triangle uses.
+    /// Removes the vertices that no triangle uses; true if there are any.
     fn leave_out(&mut self, work: &mut MeshInRepair) -> bool {
         if !self.number.contains(&NONE) {
             return false;

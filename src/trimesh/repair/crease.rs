@@ -10,7 +10,7 @@ use glam::DVec3;
 pub struct CreaseCut {
     /// The surface, with a vertex for each side of a crease.
     pub mesh: TriMesh,
-    /// For each vertex, the one that it was before. Vertices with the same origin stay at the same place.
+    /// For each vertex, the one that it was before the cut. Vertices with the same origin stay at the same place.
     pub origin: Vec<u32>,
     /// How many edges were cut.
     pub count: usize,

@@ -1,4 +1,4 @@
-//! Closes holes that are small beside a cell, and finds parts that are.
+//! Closes holes that are small compared with a cell, and finds parts of the surface that are.
 
 use super::super::borders::PartSearch;
 use super::super::{MeshBuilding, TriMesh, polygon};
@@ -8,13 +8,13 @@ use crate::notice::{Code, Notice};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// A hole is closed if its border is shorter than this many cells.
+/// A hole is closed only if its border is shorter than this many cells' sides.
 const HOLE: f64 = 4.0;
-/// A hole is closed only if its part of the surface has at least this many times its area: the outer border of a
-/// small patch is not a hole.
+/// A hole is closed only if the part of the surface around it has more than this many times the hole's area: the outer
+/// border of a small patch is not a hole.
 const PART: f64 = 4.0;
-/// A part is as small as one below the area of a cell if its mean width, from border to border, is less than this part
-/// of a cell's side. A cell there would be a needle of thousands of corners.
+/// A part with at least the area of a cell counts as small, too, if its mean width, from border to border, is less than
+/// this share of a cell's side. A cell there would be a needle of thousands of corners.
 const NARROW: f64 = 1.0 / 32.0;
 /// Corners of holes in a slice.
 const CORNERS: usize = 256;
@@ -24,7 +24,7 @@ const CORNERS: usize = 256;
 pub struct Filled {
     /// The surface: its old vertices and triangles come first, in their order. It is the given one if no hole is closed.
     pub mesh: Arc<TriMesh>,
-    /// For each triangle, whether its part of the surface is smaller than a cell and therefore has none.
+    /// For each triangle, whether its part of the surface is smaller than a cell and therefore has no cells.
     pub bare: Vec<bool>,
     /// Notices of the changes, and of small parts.
     pub notices: Vec<Notice>,
@@ -270,7 +270,7 @@ fn welded(count: usize, welds: &[[u32; 2]]) -> Vec<u32> {
         let (a, b) = (root(&into, a), root(&into, b));
         into[a.max(b) as usize] = a.min(b);
     }
-    // A vertex leads to a lesser one, which leads to the least one by now.
+    // Each vertex leads to one with a lower number, whose entry is final by now.
     for v in 0..count {
         into[v] = into[into[v] as usize];
     }

@@ -84,7 +84,7 @@ impl Linking {
                 LinkingPhase::Doubled
             }
             LinkingPhase::Doubled => LinkingPhase::Drop,
-            // Without them the edges have other numbers: start again.
+            // Without the duplicates the edges have other numbers: start again.
             LinkingPhase::Drop if self.kept < triangles => {
                 work.tell(Code::MendedDoubled, triangles - self.kept);
                 work.triangles.truncate(self.kept);
@@ -156,7 +156,7 @@ impl Linking {
         true
     }
 
-    /// Marks all triangles but the first one at each opposite corner; they are in order.
+    /// Marks all triangles but the first one at each opposite corner. `thirds` is sorted by these corners.
     fn mark_doubled<T: PartialEq>(&mut self, thirds: &[(T, u32)]) {
         for two in thirds.windows(2) {
             if two[0].0 == two[1].0 {
@@ -191,7 +191,7 @@ mod tests {
     use super::*;
     use glam::DVec3;
 
-    /// Triangles that all have one edge, every third one twice.
+    /// Triangles that all share one edge; every third triangle occurs twice.
     fn book(leaves: usize) -> Soup {
         let leaf = |k: usize| {
             let angle = 6.0 * k as f64 / leaves as f64;

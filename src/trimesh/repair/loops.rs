@@ -27,13 +27,14 @@ pub(super) struct LoopCutting {
     /// The corners of all rings, each with a key of its place.
     keyed: Vec<(u64, u32)>,
     sorting: Option<Sorting>,
-    /// For each corner the first one of its ring at its place.
+    /// For each corner, the first corner of the same ring at the same place.
     first: Vec<u32>,
     /// The number of the current ring.
     ring: usize,
-    /// For each first corner, where its place stands in the list of open ones.
+    /// For each first corner at a place, the index in `open` of the corner there; [`NONE`] if none is open.
     depth: Vec<u32>,
-    /// The corners of the current ring that are in no loop yet, with pairs of vertices that loops there have left.
+    /// The corners of the current ring that are in no loop yet, each with the pairs of vertices that closed loops have
+    /// left at its place.
     open: Vec<(u32, Vec<[u32; 2]>)>,
     made: Vec<Loop>,
 }
@@ -96,7 +97,8 @@ impl LoopCutting {
         None
     }
 
-    /// Finds the first corners of the places in a slice of the sorted list. Corners that have one key end up in one slice.
+    /// Finds the first corners of the places in a slice of the sorted list. Corners with the same key are always in one
+    /// slice.
     fn find_places(&mut self, mesh: &TriMesh) {
         let range = slice(&mut self.at, self.keyed.len());
         while self.at < self.keyed.len() && self.keyed[self.at].0 == self.keyed[self.at - 1].0 {
@@ -108,7 +110,7 @@ impl LoopCutting {
                 let ring = self.walk.ends.partition_point(|&end| end <= k as usize);
                 (place(mesh, self.walk.corners[k as usize]), ring, k)
             });
-            // Places that differ may have one key.
+            // Different places may have the same key.
             let mut all: Vec<_> = all.collect();
             all.sort_unstable();
             for same in all.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
@@ -157,7 +159,7 @@ fn place(mesh: &TriMesh, v: u32) -> [u64; 3] {
     at.to_array().map(f64::to_bits)
 }
 
-/// A key of a place. Few places have the same one.
+/// A key of a place. Different places rarely have the same key.
 fn key(place: [u64; 3]) -> u64 {
     let mixed = place.into_iter().fold(0, |mixed: u64, bits| {
         let mixed = (mixed ^ bits).wrapping_mul(0x9E37_79B9_7F4A_7C15);

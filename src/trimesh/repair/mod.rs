@@ -1,9 +1,9 @@
 //! Makes a surface that cells can be packed on from the triangles of a file.
 //!
 //! [`MeshRepair`] checks, welds and orients the triangles, mends them where that is safe, and reports each kind of
-//! change. [`HoleFilling`] closes holes that are small beside cells, and reports parts that are smaller than one.
-//! [`CreaseCutting`] cuts a surface along its creases, once its edges are short enough (see [`super::refine`]). All
-//! work is cut into slices by amount. Results do not depend on scale or position: a distance counts as zero below a
+//! change. [`HoleFilling`] closes holes that are small compared with cells, and reports parts that are smaller than a
+//! cell. [`CreaseCutting`] cuts a surface along its creases, once its edges are short enough (see [`super::refine`]).
+//! All work is cut into slices by amount. Results do not depend on scale or position: a distance counts as zero below a
 //! millionth of the model's diagonal.
 
 mod checks;
@@ -123,7 +123,7 @@ impl MeshRepair {
             let mesh = building.advance()?;
             let notices = self.work.notices();
             let mended = mesh.map(|mesh| Mended { mesh, notices });
-            // The steps before have removed all faults but one: no triangle with an area is left.
+            // The steps before leave one possible fault: that no triangle with an area is left.
             return Some(mended.map_err(|_| Code::ModelNoArea.into()));
         }
         match self.step.advance(&mut self.work) {

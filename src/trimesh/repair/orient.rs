@@ -14,7 +14,7 @@ pub(super) struct Orienting {
     at: usize,
     /// For each triangle the number of its part.
     part: Vec<u32>,
-    /// For each triangle, whether its direction differs from that of the first one of its part.
+    /// For each triangle, whether its direction differs from that of the part's first triangle.
     turned: Vec<bool>,
     open: Vec<u32>,
     parts: Vec<OrientedPart>,
@@ -143,7 +143,7 @@ impl Orienting {
         let is_turned =
             |t: usize| self.turned[t] != self.parts[self.part[t] as usize].is_inside_out();
         let across = work.across[t].map(|edge| match edge {
-            // If the triangle beyond is turned as well, its edges run in reverse order.
+            // If the triangle beyond is turned, its edges get numbers in reverse order.
             edge if edge != NONE && is_turned(edge as usize / 3) => edge / 3 * 3 + 2 - edge % 3,
             edge => edge,
         });

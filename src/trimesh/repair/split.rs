@@ -4,14 +4,14 @@ use super::{MeshInRepair, NONE, RepairStep, slice};
 use crate::notice::{Code, Notice};
 use glam::DVec3;
 
-/// Visits all vertices. A vertex is split if one way round it does not reach all of its corners.
+/// Visits all vertices. A vertex is split if one walk round it does not reach all of its corners.
 pub(super) struct Splitter {
     at: usize,
     /// Marks corners that have been visited.
     seen: Vec<[bool; 3]>,
     /// Marks vertices that have a fan already.
     taken: Vec<bool>,
-    /// For each new vertex, the one that it was.
+    /// For each new vertex, the old one that it was split from.
     pub origin: Vec<u32>,
 }
 

@@ -50,8 +50,8 @@ impl RepairStep for Thinning {
     }
 }
 
-/// The most triangles around a corner that are looked at. If there are more, no edge of the corner is flipped, because a
-/// large fan of flat triangles would take the square of its size.
+/// The most triangles around a corner that are looked at. If there are more, no edge of the corner is flipped, because
+/// a large fan of flat triangles would take time with the square of its size.
 const MOST_AROUND: usize = 1 << 10;
 
 /// A removed triangle.
@@ -126,7 +126,8 @@ impl Thinning {
     }
 }
 
-/// Whether an edge joins a corner of a triangle to a vertex, as far as the fan around the corner reaches.
+/// Whether an edge joins a corner of a triangle to a vertex. True as well if the fan around the corner has
+/// [`MOST_AROUND`] triangles or more, which are not all looked at.
 fn are_joined(work: &MeshInRepair, t: usize, corner: usize, vertex: u32) -> bool {
     let first = (t, corner);
     for step in [2, 0] {
@@ -151,8 +152,8 @@ fn are_joined(work: &MeshInRepair, t: usize, corner: usize, vertex: u32) -> bool
     false
 }
 
-/// Flips an edge: edge `k` of `t`, which is edge `j` of `other`, goes from a to b. The new one joins d, the corner of
-/// `other` opposite it, to c, the corner of `t` opposite it.
+/// Flips an edge: edge `k` of `t`, which is edge `j` of `other`, goes from a to b. The new edge joins d, the corner of
+/// `other` opposite the old edge, to c, the corner of `t` opposite it.
 fn turn(
     work: &mut MeshInRepair,
     (t, k): (usize, usize),

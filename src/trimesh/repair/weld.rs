@@ -40,11 +40,11 @@ pub(super) struct Welding {
     cubes: Vec<(u64, u32)>,
     /// For each vertex its cube.
     cube_of: Vec<u32>,
-    /// For each cube, one at the same place with a lesser number; the last of such a chain is itself.
+    /// For each cube, a cube at the same place with a lesser number, or itself if it is the root of such a chain.
     joined: Vec<u32>,
     /// How far the pass has come in each of the rows.
     rows: [usize; ROWS.len()],
-    /// For the cube at the end of each chain, the number of the vertex that is kept.
+    /// For the root of each chain, the number of the vertex that is kept.
     number: Vec<u32>,
     kept: Vec<DVec3>,
     /// How many triangles are kept.

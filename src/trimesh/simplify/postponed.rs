@@ -1,12 +1,13 @@
-//! Candidates that wait. A queue of all edges of a large surface jumps through its whole memory for each of them, so
-//! only the cheapest ones stand in the queue, and the others in a list without order.
+//! Candidates for a collapse that wait outside of the queue. A queue of all edges of a large surface would jump through
+//! its whole memory for each of them. So only the cheapest edges stand in the queue, and all others in an unsorted
+//! list.
 
 use crate::order::rank;
 use crate::solid::Collapse;
 
 /// Up to this many candidates go to the queue together.
 const FEW: usize = 1 << 12;
-/// The number of candidates that are compared to find a limit, about, and its place in their order.
+/// About [`COMPARED`] candidates are sorted to find a limit, which is the one with the index [`CHEAP`].
 const COMPARED: usize = 256;
 const CHEAP: usize = 32;
 
@@ -18,7 +19,7 @@ type EdgeOrder = (u64, [u32; 2]);
 pub(super) struct PostponedEdges {
     /// Candidates up to this one go to the queue.
     limit: EdgeOrder,
-    /// Costs, ends, and how often the ends had changed.
+    /// For each candidate its cost, its ends, and how often the ends had changed when it was offered.
     list: Vec<(f64, [u32; 2], u32)>,
 }
 
@@ -31,7 +32,8 @@ impl PostponedEdges {
         }
     }
 
-    /// Puts the cheapest candidates into the empty queue, and drops those whose ends have changed; false if none is left.
+    /// Puts the cheapest candidates into the empty queue, and drops those whose ends have changed. False if no
+    /// candidate was waiting.
     pub fn refill(&mut self, queue: &mut Collapse) -> bool {
         if self.list.is_empty() {
             return false;
@@ -75,7 +77,7 @@ mod tests {
             .map(|n| ([n >> 24, 256 + (n >> 16 & 255)], f64::from(n >> 8 & 15)))
     }
 
-    /// The ends of all candidates in their order; each of them offers another one, up to some number.
+    /// The ends of all candidates in their order; each of the first ones offers another candidate.
     fn order(
         mut offer: impl FnMut(&mut Collapse, [u32; 2], f64),
         mut refill: impl FnMut(&mut Collapse) -> bool,

@@ -2,7 +2,7 @@ use super::super::testing::{self, mesh};
 use super::super::{Search, TriMesh};
 use super::*;
 
-/// The greatest distance of corners and triangle middles of one surface from another, over its diagonal.
+/// The greatest distance of corners and triangle middles of one surface from another, as a share of the diagonal.
 fn farthest(from: &TriMesh, to: &TriMesh) -> f64 {
     let search = Search::new(to);
     let mut most = 0.0f64;
@@ -91,7 +91,7 @@ fn place_and_size_do_not_matter() {
     assert!((moved.area() / one.area() - 1.0).abs() < 0.01);
 }
 
-/// Slices until a surface is simple.
+/// The number of slices until a surface is simple.
 fn slices(soup: testing::Soup, most: usize) -> usize {
     let mut work = Simplifying::new(mesh(soup), most, f64::INFINITY);
     let mut count = 1;
