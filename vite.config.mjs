@@ -74,7 +74,10 @@ function sentences(table, language) {
 /** The folder of the second module, which is loaded at first need. */
 const house = here('pkg-house');
 
-/** The sentence for a link whose generator is unknown, in English, naming all of these. @param {{ word: string }[]} generators */
+/**
+ * The sentence for a link whose generator is unknown, in English, naming all these generators.
+ * @param {{ word: string }[]} generators
+ */
 function unknownIn(generators) {
   const known = new Intl.ListFormat('en-GB', { type: 'disjunction' }).format(generators.map(({ word }) => word));
   const sentence = sentences('words', 'en')['bad_make']?.replace('{known}', known);
@@ -112,9 +115,9 @@ const made = {
 };
 
 /**
- * Writes the first script into the page itself, with the addresses of files that generators need: the first visit's
- * module, and for each generator of the second module this module and its script. The page's policy names the script's
- * digest.
+ * Writes the first script into the page itself, with the addresses of files that generators need. These are the first
+ * visit's module and, for each generator of the second module, that module and its script. The page's policy names the
+ * script's digest.
  */
 const begin = {
   name: 'begin',
@@ -194,8 +197,8 @@ export default defineConfig({
       // A service worker has one fixed address, and its scope is all that it serves.
       output: {
         entryFileNames: ({ name }) => (name === 'sw' ? 'sw.js' : 'assets/[name]-[hash].js'),
-        // The page starts with one file, whichever parts of it later files need; what those share is one file as
-        // well.
+        // The page starts with one file, whichever parts of it later files need; code that later files share is one
+        // file as well.
         codeSplitting: {
           groups: [
             { name: 'page', tags: ['$initial'], test: (id) => !id.includes('/www/service/') },

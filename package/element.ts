@@ -11,7 +11,7 @@ const SLICE = 8;
 const STEPS = 3;
 const ALL_STEPS = 100_000;
 
-/** The distance to the window at which it loads the module. */
+/** The distance to the window at which the element loads the module. */
 const NEAR = '25%';
 
 /** The detail of the event `done`. */
@@ -62,7 +62,7 @@ export class BubbleStone extends Base {
   #frame = 0;
   /** The canvas is out of date. */
   #due = false;
-  /** The event at the end was sent. */
+  /** The event `done` or `error` of this picture has been sent. */
   #told = false;
 
   constructor() {
@@ -90,7 +90,7 @@ export class BubbleStone extends Base {
     this.setAttribute('link', link);
   }
 
-  /** The words of a view, joined by '+', as for `Bubblestone.draw`; 'auto' shows how it forms. */
+  /** The words of a view, joined by '+', as for `Bubblestone.draw`; 'auto' shows how the picture forms. */
   get view(): string {
     return this.getAttribute('view') ?? 'auto';
   }
@@ -99,7 +99,7 @@ export class BubbleStone extends Base {
     this.setAttribute('view', view);
   }
 
-  /** While paused, it does no work. */
+  /** While paused, the element does no work. */
   get paused(): boolean {
     return this.hasAttribute('paused');
   }
@@ -118,8 +118,8 @@ export class BubbleStone extends Base {
   }
 
   /**
-   * Its studio. Read from it, but neither free nor keep it. Undefined before the element is first visible and after
-   * its removal.
+   * The element's studio. Read from it, but neither free nor keep it. Undefined before the element is first visible and
+   * after its removal.
    */
   get studio(): Bubblestone | undefined {
     return this.#studio;
@@ -211,7 +211,7 @@ export class BubbleStone extends Base {
     this.#studio = undefined;
   }
 
-  /** Continues in the next frame, if it is visible and there is something to do. */
+  /** Continues in the next frame, if the element is visible and there is something to do. */
   readonly #wake = (): void => {
     if (this.#frame || !this.#seen || !this.#studio) return;
     this.#frame = requestAnimationFrame(() => {

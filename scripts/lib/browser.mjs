@@ -4,8 +4,8 @@ import { isProgram, which } from './run.mjs';
 /** @typedef {'chromium' | 'firefox'} Kind */
 
 /**
- * Names, folders and Debian packages of the browsers; of the packages, the first one that Debian has is enough. Chromium's headless shell is Chromium without its own windows, menus
- * and services: it opens a page in two thirds of the processor's time.
+ * Names, folders and Debian packages of the browsers. The first package that Debian has is enough. Chromium's headless
+ * shell is Chromium without its own windows, menus and services: it opens a page in two thirds of the processor's time.
  */
 export const browsers = {
   chromium: {

@@ -72,8 +72,8 @@ class Writer {
   }
 
   /**
-   * The place of the sentence on what happened, with the room of each text that may come, which nobody sees. A question that
-   * the figure does not answer must have its replies in the text.
+   * The place of the sentence on what happened. Invisible copies of all texts that may come keep its room. A question
+   * that the figure does not answer must have its replies in the text.
    */
   seen(key = '', figure = '', isReplied = false) {
     const answers = this.site.draw.answers(figure, key, this.language);
@@ -119,7 +119,7 @@ class Writer {
     }
   }
 
-  /** The way to what the papers print and the program reads. */
+  /** The link to what the papers print, and how the program reads it. */
   papers() {
     const first = differences.find(({ chapter }) => chapter === this.chapter.name);
     const href = way(this.folder, folderOf(this.language, 'papers'));
@@ -160,7 +160,7 @@ ${writer.scenes()}
 }
 
 /**
- * The way to the chapter before or after.
+ * The link to the previous or the next chapter.
  * @param {string} word
  * @param {import('../../www/learn/chapters/contents.mjs').Row | undefined} row
  * @param {Language} language

@@ -57,7 +57,7 @@ export function guidePage(site, language, chapters) {
 }
 
 /**
- * A plan as a table; a step of another chapter leads there.
+ * A plan as a table; a step that names a chapter has a link to it.
  * @param {{ minutes: number, steps: [string, Words, string?][] }} plan
  * @param {Language} language
  * @param {(words: Words) => string} text

@@ -1,4 +1,5 @@
-// The frame of every page of the chapters: head, policy, links between the languages, foot. And the texts' own marks.
+// The frame of every page of the chapters: head, policy, links between the languages, foot. And the markup of the
+// texts.
 import { words } from '../../www/learn/chapters/words.mjs';
 import { inLine } from '../../www/learn/chapters/math.mjs';
 
@@ -20,7 +21,7 @@ export const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '
 /** The folder of a page in a language: '' is the contents. @param {Language} language @param {string} place such as 'two-bubbles' */
 export const folderOf = (language, place) => `learn/${language === 'ja' ? 'ja/' : ''}${place ? `${place}/` : ''}`;
 
-/** The way from one page's folder to another file or folder of the site. @param {string} from @param {string} to */
+/** The relative address from a page's folder to another place of the site. @param {string} from @param {string} to */
 export const way = (from, to) => {
   const up = '../'.repeat(from.split('/').length - 1);
   return `${up}${to}`;

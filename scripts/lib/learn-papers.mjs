@@ -1,4 +1,4 @@
-// The page on what the papers print and the program reads.
+// The page on what the papers print, and how the program reads it.
 import { chapters } from '../../www/learn/chapters/contents.mjs';
 import { differences } from '../../www/learn/chapters/papers.mjs';
 import { words } from '../../www/learn/chapters/words.mjs';
@@ -15,7 +15,10 @@ function sideOf(language, title, { math, speech, text }) {
   return `<div class="side" role="group" aria-label="${title}"${math ? ' tabindex="0"' : ''}><p class="over">${title}</p>${body}</div>`;
 }
 
-/** The state that shows it: of a figure of the chapter, or of the studio. @param {Language} language @param {Difference} difference */
+/**
+ * The link to the state that shows a difference: of a figure of the chapter, or of the studio. @param {Language}
+ * language @param {Difference} difference
+ */
 function seeing(language, { chapter = '', see }) {
   const own = folderOf(language, 'papers');
   const state = see.figure ? `fig=${see.figure}` : (see.link ?? '');
@@ -36,7 +39,7 @@ function rowOf(language, difference) {
 <p>${text(note)}</p>${exercise}${seeing(language, difference)}</section>`;
 }
 
-/** Rows on chapters that are still to come wait for their figures. @param {Site} site @param {Language} language */
+/** Rows on chapters that are still to come are left out. @param {Site} site @param {Language} language */
 export function papersPage(site, language) {
   const t = words[language];
   const there = differences.filter(({ chapter }) => !chapter || chapters.some(({ name }) => name === chapter));

@@ -14,7 +14,7 @@ import { root } from './run.mjs';
 
 const folder = join(root, 'www', 'learn');
 
-/** The sources that a change of makes the pages anew; the texts are read once. */
+/** The sources whose change makes the pages anew. The texts, however, are read only once. */
 export function learnSources() {
   const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
   return files.map(({ parentPath, name }) => join(parentPath, name));
@@ -32,7 +32,7 @@ async function scripts(plugins) {
   return output.map((file) => ({ fileName: file.fileName, source: file.type === 'chunk' ? file.code : file.source, isEntry: file.type === 'chunk' && file.isEntry }));
 }
 
-/** The drawing of figures, as the browser has it, for Node. */
+/** The browser's code that draws figures, bundled for Node. */
 async function drawing() {
   const { output } = await bundled({ ssr: true, rolldownOptions: { input: join(folder, 'built.ts'), output: { format: 'es' } } });
   return import(`data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`);

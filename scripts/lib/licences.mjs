@@ -30,7 +30,10 @@ export const licences = {
   },
 };
 
-/** The folder of a module's package: the nearest one whose package.json has a version, as packages may have others inside. @param {string} id */
+/**
+ * The folder of a module's package: the nearest one whose package.json has a version, as packages may hold others
+ * without one. @param {string} id
+ */
 function folderOf(id) {
   for (let folder = dirname(id.replace(/^\0|\?.*$/g, '')); ; folder = dirname(folder)) {
     const file = join(folder, 'package.json');

@@ -22,7 +22,7 @@ export function firstOf(site) {
   return filesOf(site).filter((path) => path === 'index.html' || named.includes(path));
 }
 
-/** The path by which a browser asks for a file: a page's is that of its folder. @param {string} path */
+/** The path by which a browser asks for a file; for a page it is the path of its folder. @param {string} path */
 export const asked = (path) => path.replace(/(^|\/)index\.html$/, '$1');
 
 /** The value of SITE in www/service/sw.ts. @param {string} site */

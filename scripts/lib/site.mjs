@@ -15,8 +15,8 @@ export const site = join(root, 'dist');
 const visitBudget = 600_000;
 
 /**
- * The most that scripts and styles which all chapters share may have, and a chapter in one language with its pictures and the
- * script of its figures.
+ * Most gzipped bytes of the scripts and styles that all chapters share, and of a chapter in one language with its
+ * pictures and the script of its figures.
  */
 const learnBudgets = { shared: 45_000, chapter: 60_000 };
 
@@ -34,7 +34,7 @@ function vite() {
   run(process.execPath, [join(root, 'node_modules', 'vite', 'bin', 'vite.js'), 'build', '--logLevel', 'warn']);
 }
 
-/** The same, and again after every change of www/, until the program ends; answers when the site is there. */
+/** Builds the site, and again after every change of www/ until the program ends. Resolves when the site is there. */
 export async function keepBuilt() {
   say('Building the page into dist/');
   const { build } = await import('vite');
@@ -55,7 +55,7 @@ export async function keepBuilt() {
 }
 
 /**
- * The site for the person at the keyboard; tests open the same.
+ * Serves the site to the person at the keyboard; tests open the same files.
  * @param {number} port the first one to try
  * @param {(path: string) => void} [asked] gets the path of each request
  */

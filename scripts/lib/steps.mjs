@@ -19,8 +19,8 @@ import { buildModules } from './wasm.mjs';
 const testsInWasm = ['--test', 'properties', '--test', 'hostile'];
 
 /**
- * Settings of cargo for builds that serve one run: without the notes that speed up the next build, and without what only
- * a debugger reads. A panic names its line all the same.
+ * Settings of cargo for builds that serve one run: no data for incremental builds and no debug information. A panic
+ * names its line all the same.
  */
 const singleBuild = { CARGO_INCREMENTAL: '0', CARGO_PROFILE_TEST_DEBUG: '0' };
 

@@ -1,5 +1,5 @@
-// The small pictures of presets, and of the words of choices, in www/public/thumbs/. The page's module draws each preset at its full size, and the
-// picture is scaled down. They are made only after a change that can affect them.
+// The small pictures of presets, and of the words of choices, in www/public/thumbs/. The page's module draws each
+// preset at its full size, and the picture is scaled down. All are made only after a change that can affect them.
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { digest } from './digest.mjs';
@@ -94,8 +94,8 @@ async function thumbsOf({ presets, Bubblestone }, word, smaller = '') {
 }
 
 /**
- * The pictures of the words of a generator's choices, as its rules for samples have them. Their names are those of the
- * generator, of the choice and of the word.
+ * The pictures of the words of a generator's choices, by its rules for samples. A picture's name is
+ * GENERATOR-CHOICE-WORD.
  * @param {any} module
  * @param {string} make the word of the generator
  */
@@ -181,7 +181,7 @@ function seen(studio, name, asked) {
 }
 
 /**
- * Works on a recipe until it is enough.
+ * Works on a recipe until `isEnough` returns true.
  * @param {any} studio
  * @param {string} name of the preset or sample
  * @param {() => boolean} isEnough

@@ -26,7 +26,7 @@ async function beside(page, other) {
   await page.waitForFunction(() => /steps/.test(document.querySelector('#beside-name span')?.textContent ?? ''));
 }
 
-/** The names and counts below the pictures: [name, cells, steps] of the second one, then of the own one. */
+/** The names and counts below the pictures: [name, cells, steps] of the second picture, then of the page's own. */
 const names = (page) =>
   page.$$eval('.beside-name', (lines) => lines.map((line) => [line.children[0].textContent, ...(line.children[1].textContent.match(/\d+(?= ·)/g) ?? []).map(Number)]));
 

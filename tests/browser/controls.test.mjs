@@ -39,7 +39,7 @@ const NEEDS = {
 // A picture of a few cells, as each parameter needs two.
 const FEW = '#size=128&cs=14';
 
-// Values that surely differ; the usual choice, halfway to the end, might not.
+// Values that surely change the picture; those that `another` finds by rule might not.
 const OTHER = { cs: '21', on: '7', seed: '7', size: '256', crowd: '0.95', room: '0.3', fend: '0', mend: '0', most: '3', cool: '0.5', given: '0.5,0.5,0' };
 
 /** A value other than this one. */
@@ -193,7 +193,7 @@ test('a value out of range is clamped, and the page says so', sameEverywhere, as
   assert.equal(await get(page, 'dr'), '1');
   assert.equal(await page.$eval('#p-dr', (box) => box.value), '1');
   assert.match(await page.$eval('#notices', (notices) => notices.textContent), /\b1\b/);
-  // The value stays, and the box shows it: for a number that is clamped to it again, and for none.
+  // The value stays, and the box shows it, after a number that is clamped to the same value, and after no number.
   for (const text of ['9', '']) {
     await set(page, 'dr', text);
     assert.equal(await get(page, 'dr'), '1');

@@ -1,4 +1,4 @@
-// The host of an engine without the page around it, as a figure of any other page has it.
+// The host of an engine without the usual page around it: a figure on any other page works like this.
 import assert from 'node:assert/strict';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

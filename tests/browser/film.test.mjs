@@ -107,7 +107,7 @@ async function playing(url, [x, y, side]) {
   return { length: video.duration, size: [video.videoWidth, video.videoHeight], coarse };
 }
 
-/** A coarse picture of the one saved at four times its side, from which films are made. */
+/** The coarse picture of the file that is saved at four times the side. Films are made from such a picture. */
 async function coarsePicture(page) {
   await page.$eval('#save', (key) => key.click());
   await page.waitForSelector('#save-png-4');
@@ -139,7 +139,10 @@ function assertSame(picture, frames) {
   }
 }
 
-/** Another reader's facts about an MP4 file: the durations of its frames, and its key frames. @param {Buffer} bytes */
+/**
+ * Facts about an MP4 file, read by another library: its codec, and the durations and the number of its frames. @param
+ * {Buffer} bytes
+ */
 function readMp4(bytes) {
   const file = createFile();
   const buffer = Object.assign(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), { fileStart: 0 });

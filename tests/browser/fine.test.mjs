@@ -51,7 +51,7 @@ function count() {
 /** Waits for the fine picture with this many pixels along a side. */
 const fine = (page, side = THREE) => page.waitForSelector(`#sheet[data-fine="${side}"]`);
 
-/** The number of fine pictures at once after a key. */
+/** The number of fine pictures right after a key is pressed. */
 const leftAfter = (page, key) =>
   page.evaluate((pressed) => {
     document.body.dispatchEvent(new KeyboardEvent('keydown', { key: pressed, bubbles: true }));

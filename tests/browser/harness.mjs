@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { host } from '../../scripts/lib/host.mjs';
 import { allowClipboard, blankPage, kind, launch, setSystem } from './browsers.mjs';
 
-/** The window of pages that ask for no other one. */
+/** The window of pages that state none, and of sites that state none. */
 export const desk = { width: 1280, height: 800 };
 
 /**
@@ -24,7 +24,7 @@ const dist = fileURLToPath(new URL('../../dist/', import.meta.url));
 const folder = '/any/folder/';
 
 /**
- * A browser that has the system's settings of its pages, these settings, and the number of its open pages.
+ * A started browser, the system's settings that its pages have, and the number of its open pages.
  * @typedef {{ started: ReturnType<typeof launch>, system: string, pages: number }} Shared
  */
 
@@ -74,7 +74,7 @@ async function sharing(system, opened) {
  * Serves dist/. A browser with an empty profile is started for the first page, and closed with the last site.
  * @param {object} [options]
  * @param {string} [options.files] another folder than dist/
- * @param {import('puppeteer-core').Viewport} [options.viewport] the window of pages that ask for no other one
+ * @param {import('puppeteer-core').Viewport} [options.viewport] the window of pages that state none
  * @param {(asked: (path: string) => void) => ReturnType<typeof host>} [options.serve] another host
  */
 export async function open({ files = dist, viewport: usual = desk, serve = (asked) => host(files, { under: folder, asked }) } = {}) {

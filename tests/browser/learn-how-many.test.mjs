@@ -27,7 +27,7 @@ test('crosses and empty places say who goes and who comes at the next look', asy
   assert.match((await shown(page, figure)).told, new RegExp(`Right: 60 at the start, ${places} came, ${crosses} went: ${60 + places - crosses} now`));
   assert.equal(await drawn(page, figure, 1, 'g .fresh'), places);
 
-  // All that are hatched are nearer than the threshold, and all others are not: without one nobody is.
+  // Only cells that are nearer to others than the threshold are hatched: with a low one hardly any is.
   const { hash } = await shown(page, figure);
   await type(page, figure, 'crowd', 0.5);
   await changed(page, figure, hash);
@@ -50,7 +50,7 @@ test('a hole: the papers’ rule brings none, ours brings one', async () => {
   await type(page, figure, 'room', 0.97);
   await changed(page, figure, hash);
   await seek(page, figure, 10);
-  // The other rule has a threshold of its own.
+  // Our rule has a threshold of its own, so the box of the papers' rule leaves its 37 cells.
   assert.match((await shown(page, figure)).told, /The papers’ rule: 40 cells.*Our rule: 37 cells/);
   assert.deepEqual(problems, []);
   await close();
@@ -93,7 +93,7 @@ test('thresholds that cross: it never rests, whichever way they are moved', same
   await page.mouse.move(x + (width * 81) / 400, y, { steps: 4 });
   await page.mouse.up();
   await boxHas(page, figure, 'crowd', 0.95, 0.011);
-  // ... and by the keys of the other one.
+  // ... and by keys on the other flag.
   await page.focus(`${plate} .grip-room`);
   for (const wanted of [0.95, 0.85]) {
     await page.keyboard.press('PageDown');

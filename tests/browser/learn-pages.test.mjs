@@ -29,7 +29,7 @@ const BY_TURNS = chapters.map((chapter, k) => ({ ...chapter, path: `learn/${k % 
 /** The names of a chapter's figures. */
 const figuresOf = ({ blocks }) => blocks.flatMap(({ figure, kind: part }) => (figure && part !== 'mark' ? [figure] : []));
 
-/** The figures of a chapter, and the replies in its text. */
+/** The number of figures in a chapter, and of replies in its text. */
 const partsOf = ({ blocks }) => ({
   figures: figuresOf({ blocks }).length,
   replies: blocks.flatMap(({ answers = [] }) => answers.filter(({ reply }) => reply)).length,
@@ -46,7 +46,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** Whether all scenes have come, and the scripts have begun: they show what is of no use without them. */
+/** Waits until all scenes are there and the scripts have begun. They show the buttons that are useless without them. */
 const begun = (page) => page.waitForSelector('html:not([data-opening]) #theme:not([hidden])');
 
 /** Texts that are cut off, or stick out of the window. A formula may scroll in its own box. */
@@ -93,9 +93,9 @@ async function faults(page) {
   });
 }
 
-/** 390 px and text of 200 % lose nothing. */
+/** Checks that a page loses nothing at a width of 390 px, nor with text of 200 %. */
 async function losesNothing(page, path) {
-  // Without a finger, as that would load the page again.
+  // The viewport is not that of a touch screen, as changing to touch would load the page again.
   await page.setViewport({ width: phone.width, height: phone.height });
   await frames(page, 2);
   assert.deepEqual(await lost(page), [], `${path} on a phone`);
@@ -118,7 +118,7 @@ test('each page opens without an error, asks nobody else, is accessible and lose
     await page.goto(site.address + path, { waitUntil: 'load' });
     await begun(page);
     if (kind === 'chromium') {
-      // The sheets of all chapters are of one make.
+      // The sheets of all chapters are made alike, so one is checked.
       if (isChecked && !/(?<!two-bubbles)\/sheet\/$/.test(path)) assert.deepEqual(await faults(page), [], path);
       if (isChecked && CHAPTER_PATHS.has(path)) assert.deepEqual(await walkByTab(page), [], path);
       await losesNothing(page, path);

@@ -63,7 +63,7 @@ test('wells: a square at 45 degrees stays at weight 0 and slides at 0.05, which 
   assert.notEqual((await shown(page, figure)).picture, picture);
 
   const state = await shown(page, figure);
-  // The address follows after a short wait.
+  // The address is rewritten a short time after the step.
   await page.waitForFunction(() => location.hash.includes('&cw=0.05&'));
   const fragment = await page.evaluate(() => location.hash);
   await page.click(`${figure} [data-do="again"]`);

@@ -11,7 +11,7 @@ const FIGURES = ['quarter', 'road', 'pieces', 'walk', 'halfway', 'fork'];
 
 const chapter = chapterPages('which-way');
 
-/** Waits until the text of a figure has these words. @param {Page} page @param {string} figure @param {string} words */
+/** Waits for these words below a figure. @param {Page} page @param {string} figure @param {string} words */
 const tells = (page, figure, words) => page.waitForFunction((selector, wanted) => document.querySelector(`${selector} .figure-told`).textContent?.includes(wanted), {}, figure, words);
 
 /** The place of a plate at shares of its width and of its height. @param {Page} page @param {string} figure @param {number} x @param {number} y */
@@ -51,7 +51,7 @@ const put = (page, figure, axis, value) =>
     String(value),
   );
 
-/** The address once it has some words, and is another one than before. @param {Page} page @param {string} words @param {string} [before] */
+/** The first new address with these words. @param {Page} page @param {string} words @param {string} [before] */
 async function addressWith(page, words, before = '') {
   await page.waitForFunction((part, old) => location.hash.includes(part) && location.hash !== old, {}, words, before);
   return page.evaluate(() => location.hash);
@@ -113,7 +113,7 @@ test('road: the point in the middle answers the question, and a link opens there
   assert.match(await answer(page, 'middle'), /^You expected that it points along the road\. In the middle 0\.00\d .*The small rest .*certainty 1\.00/);
   await tells(page, figure, 'it points across the road');
 
-  // Below the road a tap changes nothing, and no point leaves the road.
+  // A tap below the road changes nothing, and a point that is dragged away stays on the road.
   const rows = await onPlate(page, figure, 0.3, 0.8);
   await page.mouse.click(rows.x, rows.y);
   await drag(page, `${figure} .plate-box[data-plate="1"] .grip-at`, -40, -60);
@@ -173,7 +173,7 @@ test('pieces: ten of them change the printed sum alone', sameEverywhere, async (
   await other.close();
 });
 
-/** The middle of a walk and its radius have grips. @param {Page} page @param {string} figure */
+/** Checks that the middle of a walk and its radius have working grips. @param {Page} page @param {string} figure */
 async function gripsOf(page, figure) {
   await drag(page, `${figure} .grip-at`, -60, 0);
   await page.waitForFunction((selector) => Number(document.querySelector(selector).value) < 0.65, {}, `${figure} .handle[data-key="at"] input`);

@@ -100,7 +100,7 @@ test('every handle works by keys, by a press on its slider, and by its box or it
       const { x, y, width, height } = await inSight(page, slider);
       const { share, wanted, range } = await page.$eval(slider, ({ min, max, value }) => {
         const [from, wide] = [Number(min), Number(max) - Number(min)];
-        // A press on the thumb itself moves nothing.
+        // A press on the thumb itself moves nothing, so the place lies away from it.
         const part = Math.abs((Number(value) - from) / wide - 0.4) < 0.2 ? 0.75 : 0.4;
         return { share: part, wanted: from + part * wide, range: wide };
       });
@@ -157,7 +157,7 @@ test('with any stiffness the pair stays on its curves, and their numbers follow 
   const [onForce, onValley] = [await dot(0), await dot(1)];
   for (const [stiffness, most] of [[10, '11.250'], [0.1, '0.113']]) {
     await type(page, figure, 'stiff', Number(stiffness));
-    // At the start the state is the same.
+    // Stiffness does not change the state at the start, so the test waits for a number on the plate.
     await page.waitForFunction((selector, number) => document.querySelector(selector).innerHTML.includes(`>${number}<`), {}, `${figure} .plate-box[data-plate="0"]`, most);
     assert.deepEqual([await dot(0), await dot(1)], [onForce, onValley], `stiffness ${stiffness}`);
     const { told } = await shown(page, figure);

@@ -51,7 +51,7 @@ export function shown(page, figure) {
     step: Number(element.getAttribute('data-step')),
     hash: element.getAttribute('data-hash') ?? '',
     said: element.querySelector('.time-said')?.textContent,
-    // Letters stand by their numbers.
+    // No-break spaces join letters to their numbers.
     told: (element.querySelector('.figure-told')?.textContent ?? '').replaceAll('\u00a0', ' '),
     picture: [...element.querySelectorAll('.plate-svg')].map((plate) => plate.innerHTML).join(''),
   }));
@@ -96,7 +96,10 @@ export async function seek(page, figure, step) {
   await page.waitForSelector(`${figure}[data-step="${step}"]`);
 }
 
-/** The heights that a figure has at steps of its run, where only one is right: what is below it would jump. @param {Page} page @param {string} figure @returns {Promise<number[]>} */
+/**
+ * The heights of a figure at steps of its run. There should be only one, or else all below it would jump. @param {Page}
+ * page @param {string} figure @returns {Promise<number[]>}
+ */
 export const heights = (page, figure) =>
   page.$eval(figure, (element) => {
     const slider = /** @type {HTMLInputElement | null} */ (element.querySelector('input.time'));
@@ -110,7 +113,7 @@ export const heights = (page, figure) =>
     return [...new Set(seen)];
   });
 
-/** Goes to the end of the runs, however long they are. @param {Page} page @param {string} figure */
+/** Goes to the end of a figure's runs, however long they are. @param {Page} page @param {string} figure */
 export async function toEnd(page, figure) {
   await page.focus(`${figure} input.time`);
   await page.keyboard.press('End');
@@ -134,7 +137,7 @@ export async function middle(page, selector) {
 /** The sentence of an answered question; '' while it is open. @param {Page} page @param {string} key */
 export const answer = (page, key) => page.$eval(`[data-seen="${key}"]`, (place) => (place.hasAttribute('hidden') ? '' : (place.textContent ?? '')));
 
-/** Waits until a question is answered; its sentence has the room that was kept for it. @param {Page} page @param {string} key */
+/** Waits for a question's answer, and checks the room that was kept for it. @param {Page} page @param {string} key */
 export async function answered(page, key) {
   const seen = await page.waitForSelector(`[data-seen="${key}"]:not([hidden])`);
   const heights = await seen?.evaluate((element) => {
@@ -147,7 +150,7 @@ export async function answered(page, key) {
   assert.ok(heights && heights[0] === heights[1], `${key}: ${heights}`);
 }
 
-/** The findings of axe in the figures of a page, with all folds open, and whether something is wider than it. @param {Page} page @returns {Promise<string[]>} */
+/** Axe's findings in all unfolded figures, and too wide a page. @param {Page} page @returns {Promise<string[]>} */
 export async function violations(page) {
   const wide = await page.evaluate(() => (document.documentElement.scrollWidth > innerWidth ? [`${document.documentElement.scrollWidth} of ${innerWidth} pixels`] : []));
   await page.$$eval('figure details', (folds) => folds.forEach((fold) => fold.setAttribute('open', '')));
@@ -160,7 +163,7 @@ export async function violations(page) {
 }
 
 /**
- * Each figure has the golden state at each of its stops, and axe finds nothing in it.
+ * Checks that each figure has the golden state at each of its stops, and that axe finds nothing in the page's figures.
  * @param {ReturnType<typeof chapterPages>} chapter
  * @param {readonly string[]} figures
  * @param {(page: Page, figure: string, golden: { stop: string, step: string }) => Promise<void>} [look] at each stop
@@ -183,8 +186,8 @@ export async function hasGoldenStates(chapter, figures, look) {
 }
 
 /**
- * On a dark phone, in Japanese, each figure has its text and one height at all steps, axe finds nothing in it, and nothing is
- * wider than the page.
+ * Checks the figures of a Japanese page on a dark phone: each has its text and one height at all steps, and axe finds
+ * nothing in it. Nothing is wider than the page.
  * @param {ReturnType<typeof chapterPages>} chapter
  * @param {readonly string[]} figures
  * @param {RegExp} told

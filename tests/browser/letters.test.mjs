@@ -19,7 +19,7 @@ async function dialog(options, fragment = SQUARE) {
   return opened;
 }
 
-/** Replaces the text at once. @param {import('puppeteer-core').Page} page @param {string} text */
+/** Replaces the whole text in one step. @param {import('puppeteer-core').Page} page @param {string} text */
 function write(page, text) {
   return page.$eval(
     '#letters',
@@ -31,7 +31,10 @@ function write(page, text) {
   );
 }
 
-/** Waits for words below the fields. @param {import('puppeteer-core').Page} page @param {RegExp} words @param {string} [place] */
+/**
+ * Waits until the text beside the picture, or in another place, has these words. @param {import('puppeteer-core').Page}
+ * page @param {RegExp} words @param {string} [place]
+ */
 function said(page, words, place = '.letters-side') {
   return page.waitForFunction((selector, source) => new RegExp(source).test(document.querySelector(selector)?.textContent ?? ''), {}, place, words.source);
 }

@@ -60,7 +60,7 @@ test('the address follows the controls, and is not written for each move of a sl
   });
   const value = await get(page, 'el');
   await page.waitForFunction((text) => location.hash.includes(`el=${text}`), { timeout: 60_000 }, value);
-  // The address is written every half second, and at the end.
+  // The address is written at most every half second, and at the end.
   const written = (await page.evaluate(() => window.written)) - before;
   assert.ok(written <= spent / 500 + 3, `${written} times in ${spent} ms`);
   await close();

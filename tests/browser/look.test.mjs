@@ -140,7 +140,7 @@ async function unseen(page, seen, what) {
   assert.fail(`${what} looks like another picture`);
 }
 
-/** Waits until the compared picture equals the own one. */
+/** Waits until the compared picture equals the page's own. */
 const alike = (page) => page.waitForFunction(() => document.querySelector('.other').toDataURL() === document.querySelector('#canvas').toDataURL());
 
 test('layers are drawn over the picture, each with a sentence, and the canvas keeps its place', sameEverywhere, async () => {
@@ -302,7 +302,7 @@ test('another recipe is compared under a divider, made beside the shown one', as
   assert.equal(await page.$eval('#divider', (divider) => divider.value), '60');
   assert.notEqual(await clip(), before);
   await page.select('#compare-with', 'before');
-  // The previous recipe equals the own one in every view.
+  // The previous recipe equals the page's own, so both pictures are alike in every view.
   await alike(page);
   const picture = new Set([(await canvas(page)).hash]);
   await page.keyboard.press('3');

@@ -38,7 +38,7 @@ test('another generator is chosen at the top, comes as its small picture promise
   const [, shown = ''] = /([^/]+)\.avif$/.exec(picture) ?? [];
   // The presets of the pavement stay until those of surfaces are listed.
   await page.waitForFunction((name) => document.querySelector('[data-preset]')?.getAttribute('data-preset') === name, {}, shown);
-  // Its own light and seed, not those of the pavement.
+  // It has its own light and seed, not those of the pavement.
   assert.deepEqual(await Promise.all(['seed', 'moss', 'az'].map((key) => get(page, key))).then((own) => own.map((value, k) => value === ['7', '0.5', '30'][k])), [false, false, false]);
   await page.waitForSelector(`[data-preset="${shown}"][aria-current], [data-preset="${shown}"][aria-pressed=true]`);
   assert.deepEqual(await stages(page), ['surface', 'fields', 'packing', 'mesh', 'cells', 'stones', 'light']);
@@ -47,7 +47,7 @@ test('another generator is chosen at the top, comes as its small picture promise
   assert.equal(await page.$eval('#edit-tools', (tools) => tools.hidden), true);
   assert.deepEqual(await page.$$eval('#view option', (options) => options.slice(0, 3).map((option) => option.value)), ['auto', 'picture', 'packed']);
   assert.equal(await page.$eval('[data-preset]', (button) => button.dataset['preset']), 'dragon-egg');
-  // Back to the first one: all is as before.
+  // Back at the pavement, all is as before.
   await click(page, '.make[data-make=pavement]');
   assert.equal(await made(page, 'pavement'), pavement);
   assert.deepEqual(await Promise.all(['stone', 'seed', 'az'].map((key) => get(page, key))), ['flag', '7', '30']);
@@ -93,7 +93,7 @@ test('all generators work without a host once the site is stored', sameEverywher
   await reloading(page, () => page.reload());
   assert.equal(await made(page, 'surface'), ball);
   await click(page, '.make[data-make=pavement]');
-  // The recipe that was open when the page was left.
+  // This is the recipe of the pavement that was open when the page was left.
   assert.notEqual(await made(page, 'pavement'), '');
   await page.evaluate((link) => (location.hash = link), SMALL);
   assert.equal(await made(page, 'pavement'), pavement);
@@ -102,8 +102,8 @@ test('all generators work without a host once the site is stored', sameEverywher
 });
 
 /**
- * Keeps the second module, and its script, from this page until `isUp`. Requests made while `isSlow` wait. With `up`,
- * the module can be loaded until the session stores `cut`.
+ * Keeps the second module, and its script, from this page until `isUp`. While `isSlow`, requests wait. With `up`, it
+ * can be loaded from the start, until the session's storage has `cut`.
  * @param {Page} fresh
  * @param {boolean} [up]
  */
@@ -158,7 +158,7 @@ test('a step back to a generator that does not arrive loses no step', sameEveryw
   await set(page, 'seed', '6');
   await click(page, '#undo');
   await page.waitForFunction(() => document.querySelector('#stored').textContent !== '');
-  // A fresh page has the first module only.
+  // A page loaded anew has the first module only.
   await page.evaluate(() => sessionStorage.setItem('cut', 'yes'));
   await reloading(page, () => page.reload());
   await digest(page);

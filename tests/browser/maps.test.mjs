@@ -106,8 +106,8 @@ test('before the picture is done a sentence says so', sameEverywhere, async () =
 
 /**
  * @param {any} small
- * @param {any} large PNG files of a picture, of which the second has `scale` times the side
- * @returns {number} how far the means of the reds are off each other
+ * @param {any} large a picture's two PNG files; the second one has `scale` times the side of the first
+ * @returns {number} the mean difference between the reds of the first and the means of the second
  */
 function meanDifference(small, large, scale) {
   let off = 0;
@@ -137,12 +137,12 @@ test('maps come larger, and show the same', sameEverywhere, async () => {
   for (const name of Object.keys(own).filter((name) => name.endsWith('.png'))) {
     const [small, large] = [own, twice].map((zip) => png(zip, name.slice(0, -4)));
     assert.deepEqual([large.width, large.height, large.depth], [384, 384, small.depth], name);
-    // Ids jump from cell to cell, and roughness in 16 bits differs more in numbers.
+    // Only colours are compared: ids jump from cell to cell, and heights in 16 bits differ by larger numbers.
     if (name === 'albedo.png') assert.ok(meanDifference(small, large, 2) < 7, `${name} is ${meanDifference(small, large, 2)} off`);
   }
   const reports = [own, twice].map((zip) => JSON.parse(Buffer.from(zip['report.json']).toString()));
   assert.deepEqual([reports[1].scale, reports[1].hash], [2, reports[0].hash]);
-  // The choice was remembered. The 32-bit heights equal the 16-bit ones.
+  // The dialog has kept the size that was chosen. The 32-bit heights equal the 16-bit ones.
   const blender = files(await saved(page, '#save-maps', { normals: 'blender' }));
   const { width, height, data, format } = new EXRLoader().setDataType(FloatType).parse(Uint8Array.from(blender['Bubblestone_Displacement.exr']).buffer);
   assert.deepEqual([width, height], [384, 384]);

@@ -53,7 +53,7 @@ async function held(page, blocks) {
 test('one press on Masonry shows the cottage, laid in its stages', sameEverywhere, async () => {
   const { page, problems, external, close } = await site.newPage(SMALL);
   await digest(page);
-  // The stage of the picture before stands until the first one of the cottage.
+  // The page keeps the last picture's stage until the cottage has its first, so all stages are recorded.
   await page.evaluate(() => {
     const root = document.documentElement;
     const stages = (/** @type {any} */ (window).stages = []);
@@ -106,7 +106,8 @@ test('each view has a frame and sentences of its own', sameEverywhere, async () 
     await tells(page, new RegExp(`^${words}, seen from the front right, 16 degrees`));
     await page.waitForFunction((source) => new RegExp(`^${source}`).test(document.querySelector('#caption')?.textContent ?? ''), {}, note);
     const now = await hash(page);
-    // The finished blocks are those of the view in which they form.
+    // Only the view of finished blocks has a frame that was seen before: blocks end up in it when the view is
+    // automatic.
     assert.equal(shown.has(now), view === 'picture', view);
     shown.add(now);
   }
@@ -209,7 +210,7 @@ test('a building opens as masonry, whatever is shown, and a refused one changes 
     await message(page, 'alert', /** @type {RegExp} */ (words));
     assert.deepEqual([await link(page), await digest(page)], [before, walls]);
   }
-  // A file of the panel's choice.
+  // A file is chosen in the panel.
   await chooses(page, 'wall.json', BUILDING);
   await click(page, '#model-other');
   await page.waitForFunction(() => document.querySelector('#model-name')?.textContent === 'wall.json');
@@ -272,7 +273,7 @@ test('sliders that are moved without a rest hold the page for less than 50 ms', 
       }
     });
   const runs = [];
-  // A browser's first run takes longer, and so does each while other programs use the caches.
+  // The first run takes longer, and so does each run while other programs use the processor's caches.
   while (runs.length < 6 && !(runs.at(-1) < 1)) {
     runs.push(
       await longestTask(page, async () => {

@@ -56,7 +56,10 @@ function openSides(corners) {
   return [...sides.values()].filter((sum) => sum !== 0).length;
 }
 
-/** @param {number[][]} corners greater than 0 where triangles go counter-clockwise seen from outside */
+/**
+ * @param {number[][]} corners x, y, z of three corners after each other; the volume is above 0 if they go
+ * counter-clockwise seen from outside
+ */
 function volume(corners) {
   let six = 0;
   for (let k = 0; k < corners.length; k += 3) {

@@ -89,7 +89,7 @@ test('a model dropped anywhere becomes a surface, and one that cannot be read sa
   await drop(page, 'box.obj', cube(1.5), '');
   await page.waitForSelector('.make[data-make=surface][aria-current]');
   await until(page, 'form', 'file');
-  // On a smaller surface the rest takes less time.
+  // The rest takes less time on a smaller surface.
   await page.evaluate((fragment) => (location.hash = fragment), EGG);
   await until(page, 'form', 'egg');
   // One side is turned over, and another one occurs twice.
@@ -101,7 +101,7 @@ test('a model dropped anywhere becomes a surface, and one that cannot be read sa
   await close();
 });
 
-/** A corner of a cube, whose edges are sharper than few cells can follow. */
+/** The corner of a cube: its edges are too sharp for a few cells to follow. */
 const WEDGE = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n';
 
 test('a model that the present cells cannot cover is opened, and with smaller cells it is covered', sameEverywhere, async () => {
@@ -205,7 +205,7 @@ const shelf = (page) =>
     return Object.fromEntries(all.map((/** @type {{ digest: string, file: Blob }} */ kept) => [kept.digest, kept.file.size]));
   });
 
-// It needs the model of the test before.
+// It uses the model that the test before this one has packed.
 test("the file of a stranger's recipe neither changes nor removes a kept model", sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(EGG);
   await digest(page);
@@ -219,10 +219,10 @@ test("the file of a stranger's recipe neither changes nor removes a kept model",
   const zeros = packed(new Uint8Array(20_000_000));
   /** @type {[string, object[], string][]} */
   const cases = [
-    // Another content under the digest of a kept model, and a model that the recipe does not name.
+    // Other content under the digest of a kept model, and a model that the recipe does not name.
     [tower, [{ ...own, size: 13, gzip: packed('not the model') }], 'is open'],
     [tower, [{ ...own, digest: '0123456789abcdef', size: 20_000_000, gzip: zeros }], 'is open'],
-    // A model that is not here, with another content, more bytes than stated, no size, and no archive.
+    // A model that is not stored here, with other content, more bytes than stated, a size below 0, and no archive.
     ...[{ gzip: packed('x'.repeat(20)), size: 20 }, { gzip: zeros, size: 100 }, { size: -1 }, { gzip: 'AAAA' }].map(
       (wrong) => /** @type {[string, object[], string]} */ ([box60.fragment, [{ ...packed60, ...wrong }], 'does not hold the model']),
     ),
@@ -255,7 +255,7 @@ test('strokes are painted on the surface, one step each, and taken away by a cli
   await page.waitForFunction(() => /** @type {any} */ (window).bubblestone.get('strokes') !== '');
   await page.waitForSelector('.paint-over .paint-strokes');
   await digest(page);
-  // The row does not lie on the finished picture; the eraser shows it.
+  // The finished picture does not show the painted row, but the eraser does.
   await page.waitForFunction(() => !document.querySelector('.paint-over .paint-strokes'));
   await click(page, '#paint-erase');
   await page.waitForSelector('.paint-over .paint-strokes');

@@ -23,7 +23,7 @@ before(async () => {
 
 after(() => kept?.close());
 
-/** Waits until the page says that it is stored, or that a newer build is there. */
+/** Waits until the page's root element says `stored`, or `newer` if there is a newer build. */
 const told = (page, what) => page.waitForFunction((word) => document.documentElement.dataset.offline === word, { timeout: 60_000 }, what);
 
 /** The hashes of files of the site, as the page receives them. */

@@ -45,7 +45,9 @@ test('a pavement forms before the eyes, without errors or external requests', as
   await close();
 });
 
-/** Records layout shifts: each element and its distance, as a share of the screen. Firefox does not measure them itself. */
+/**
+ * Records layout shifts: what moved, and its area and distance as shares of the screen. Firefox does not measure them.
+ */
 function watchShifts() {
   window.shifts = [];
   if (PerformanceObserver.supportedEntryTypes.includes('layout-shift')) {
@@ -99,7 +101,7 @@ for (const [name, viewport] of Object.entries({
     const shifts = await page.evaluate(() => window.shifts);
     const sum = shifts.reduce((total, { value }) => total + value, 0);
     assert.ok(sum < 0.01, JSON.stringify(shifts));
-    // Proof that the recorder sees a shift.
+    // A shift that is made on purpose proves that the recorder sees shifts.
     await page.evaluate(() => (document.querySelector('#frame').style.marginTop = '90px'));
     await page.waitForFunction((count) => window.shifts.length > count, { timeout: 60_000 }, shifts.length);
     await close();

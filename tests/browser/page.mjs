@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 /** A recipe that takes little time. */
 export const SMALL = '#size=192&cs=16';
 
-/** The same in a square. */
+/** The same recipe with a square as its outline. */
 export const SQUARE = `${SMALL}&outline=square`;
 
 /** Some stones on a ball. */
@@ -18,7 +18,7 @@ export const PILE = '#v=1&make=pile&size=128&c1=pebble&variants=1&form=heap&ps=5
 /** A small block of some 150 bricks. */
 export const BRICKS = '#v=1&make=masonry&building=block&block_length=8&block_width=8&block_height=8&size=128&pattern=bricks&ground=none';
 
-/** A phone whose pixels are those of the layout: frames of bodies have a quarter of the usual ones. */
+/** A phone with one pixel for each of the layout: frames of bodies have a quarter of the usual number of pixels. */
 export const phone = { width: 390, height: 844, isMobile: true, hasTouch: true };
 
 /** Waits for the page's functions for scripts, which come when its panel is built. @param {Page} page */
@@ -46,9 +46,10 @@ export async function frames(page, count) {
 }
 
 /**
- * Scrolls an element to the middle of the window, and waits until it stands: its box in the window is the same in three frames. A press before that
- * may go by an older place, since the browser finds what its last frame has drawn. Returns the box.
- * @param {Page} page @param {string} selector @returns {Promise<{ x: number, y: number, width: number, height: number }>}
+ * Scrolls an element to the middle of the window, and waits until its box there is the same in three frames. An earlier
+ * press might miss it, since the browser finds what lies at a place by the last drawn frame. Returns the box.
+ * @param {Page} page @param {string} selector
+ * @returns {Promise<{ x: number, y: number, width: number, height: number }>}
  */
 export const inSight = (page, selector) =>
   page.$eval(selector, async (element) => {
@@ -96,7 +97,7 @@ export async function link(page) {
 }
 
 /**
- * Does something that reloads the page, and waits for the load. Rewriting the address is no load.
+ * Does something that reloads the page, and waits for the load. Changing the address alone does not load it.
  * @param {Page} page
  * @param {() => Promise<unknown>} act
  */
@@ -148,7 +149,7 @@ export async function set(page, key, value) {
 }
 
 /**
- * The texts of all messages, except that the site is stored, which may come at any time.
+ * The texts of all messages except the one that the site is stored, which may come at any time.
  * @param {Page} page
  * @returns {Promise<string[]>}
  */
@@ -252,7 +253,7 @@ export async function bring(page, text) {
   await read(page);
 }
 
-/** The same without waiting. @param {Page} page @param {string} text */
+/** Gives text to the import's dialog without waiting for the end. @param {Page} page @param {string} text */
 export async function begin(page, text) {
   await tool(page, 'import');
   await page.waitForSelector('#outline-text');

@@ -13,7 +13,7 @@ before(async () => {
 
 after(() => site?.close());
 
-/** A page on a phone, or a tablet, with all controls visible. */
+/** A page on a phone or a tablet, with all controls visible and all folds open. */
 async function unfolded(size = phone) {
   const opened = await site.newPage(SMALL, { viewport: size });
   await digest(opened.page);
@@ -29,7 +29,7 @@ async function unfolded(size = phone) {
 }
 
 /**
- * Pairs of controls that lie on each other, each cut to what its scrolling boxes show, and buttons whose words reach out of them.
+ * Pairs of controls that overlap in the parts that their scrolling boxes show, and buttons whose words stick out.
  * @param {import('puppeteer-core').Page} page
  */
 const collisions = (page) =>
@@ -57,7 +57,7 @@ const collisions = (page) =>
     for (const { element } of boxes) {
       const box = element.getBoundingClientRect();
       for (const word of element.querySelectorAll('span')) {
-        // For screen readers only.
+        // Words for screen readers only are clipped.
         if (getComputedStyle(word).clipPath !== 'none') continue;
         const range = document.createRange();
         range.selectNodeContents(word);
@@ -191,7 +191,7 @@ test('a finger pauses, steps and moves a slider', async () => {
   const [x, y] = [slider.x + slider.width * 0.85, slider.y + slider.height / 2];
   await page.touchscreen.tap(x, y);
   await page.waitForFunction((before) => window.bubblestone.get('el') !== before, {}, elevation);
-  // A finger that only begins on a slider scrolls the page.
+  // A finger that starts on a slider and moves up scrolls the page, and leaves the value.
   if (kind !== 'firefox') {
     const chosen = await get(page, 'el');
     const before = await page.evaluate(() => scrollY);

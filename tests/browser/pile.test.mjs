@@ -47,7 +47,7 @@ test('the first press on Piles shows what the small picture promises, and its bo
 });
 
 test('a dropped model is heaped, is used as the shape, and comes back', sameEverywhere, async () => {
-  // The way back leads to the usual shape.
+  // The recipe has the usual shape, as a model that is taken back from the shape leaves the usual one.
   const { page, problems, close } = await site.newPage(PILE.replace('form=heap&', ''));
   const rice = await digest(page);
   await drop(page, 'block.obj', BLOCK, '');
@@ -214,7 +214,7 @@ test('the rows of piles are Japanese on a Japanese page', sameEverywhere, async 
   await all(page);
   const texts = await page.$$eval('#controls .name, #controls summary span:first-child, #controls option, #controls .segments span, #view option, #pipeline .word, .make span', (parts) => parts.map((part) => part.textContent?.trim() ?? ''));
   assert.ok(texts.length > 100);
-  // Symbols stand beside names.
+  // Single letters are allowed: symbols stand beside names.
   assert.deepEqual(texts.filter((text) => /^[ -~]*[A-Za-z]{2}[ -~]*$/.test(text)), []);
   assert.deepEqual(problems, []);
   await close();

@@ -1,4 +1,4 @@
-// Opens the files that the page saves.
+// Saves files by the page's dialog, and reads them.
 import assert from 'node:assert/strict';
 import { unzipSync } from 'fflate';
 import { click, SMALL } from './page.mjs';

@@ -87,7 +87,7 @@ test('every way of the control takes the lengths along, and rounds nothing on th
   assert.notEqual(side, '256');
   await undo();
   assert.equal(await link(page), seeded);
-  // A value that was changed meanwhile is scaled as it is now. The reset works as well.
+  // A value that was changed in between is scaled from what it is now. The reset works as well.
   await set(page, 'size', '512');
   await set(page, 'cs', '40');
   await set(page, 'size', '256');

@@ -17,7 +17,7 @@ after(() => site?.close());
 
 const VIEW = 'view=packed+forces&pace=0.25&step=7&zoom=2.5,0.31,0.62';
 
-/** Waits until the packing pauses at a step, the step is drawn, and scripts get an answer. */
+/** Waits until the packing pauses at a step, the step is drawn, and the page has its functions for scripts. */
 const held = (page, step) =>
   page.waitForFunction((count) => 'bubblestone' in window && document.querySelector('#play')?.dataset.does === 'play' && Number(document.querySelector('#count-steps')?.textContent) === count, { timeout: 60_000 }, step);
 

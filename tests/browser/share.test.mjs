@@ -141,7 +141,7 @@ test("the system's share sheet gets the link and the picture, where there is one
 });
 
 test('the embed code shows the picture alone, plays, and leads to the whole page', async () => {
-  // A hundred and sixty steps leave time to pause.
+  // The packing takes a hundred and sixty steps, which leaves time to pause.
   const { page, problems, close } = await site.newPage('#size=192&cs=12&vs=0.5&seed=9');
   const planes = await digest(page);
   await set(page, 'palette', 'marble');
@@ -178,7 +178,7 @@ test('the embed code shows the picture alone, plays, and leads to the whole page
   assert.equal(seen.scroll[0], seen.scroll[1]);
   // A click plays on, another one pauses.
   await frame.click('.embed-play');
-  // Paused by a call inside the frame: a click from outside could come too late, as the frame may be in another process.
+  // The pause comes from inside the frame: a click from outside, perhaps from another process, could be too late.
   await frame.evaluate(async () => {
     while (document.documentElement.dataset.stage !== 'packing') await new Promise(requestAnimationFrame);
     document.querySelector('.embed-play').click();

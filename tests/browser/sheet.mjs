@@ -4,7 +4,7 @@ import { digest, frames, SQUARE } from './page.mjs';
 /** @typedef {import('puppeteer-core').Page} Page */
 
 /**
- * A finished page whose picture listens to the pointer.
+ * A page with a finished picture that already reacts to the pointer.
  * @param {Awaited<ReturnType<typeof import('./harness.mjs').open>>} site
  * @param {string} [fragment]
  * @param {import('./harness.mjs').PageOptions} [options]

@@ -39,7 +39,7 @@ test('a surface shows its stones and nothing else, and is not left', sameEverywh
   const rows = await page.$$eval('.control', (controls) => controls.filter((control) => control.checkVisibility({ contentVisibilityAuto: true })).map((control) => control.getAttribute('data-key')));
   assert.deepEqual(rows.filter((key) => /^(sphere|torus|leg)_/.test(key ?? '')), ['sphere_height', 'sphere_depth', 'sphere_square']);
   assert.deepEqual(rows.filter((key) => ['size', 'strokes', 'spots', 'lines', 'model'].includes(key ?? '')), []);
-  // Another value, and undo.
+  // Another palette changes the frame, and undo brings the first one back.
   await set(page, 'palette', 'marble');
   await page.waitForFunction(() => document.querySelector('#sheet')?.getAttribute('data-turn') !== 'fine');
   await turned(page);
@@ -209,7 +209,7 @@ test('on a phone one finger turns it, and the page is scrolled', sameEverywhere,
   await close();
 });
 
-/** The states of the frames after the first one at rest. @param {Page} page */
+/** The states of the frames from the first one at rest on. @param {Page} page */
 const states = (page) => page.evaluate(() => /** @type {any} */ (window).turns.slice(/** @type {any} */ (window).turns.findIndex((/** @type {string} */ word) => ['still', 'fine'].includes(word))));
 
 /** Opens the ball for a new visitor, and records the states of its frames. @param {object} [options] */

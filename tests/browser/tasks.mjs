@@ -1,7 +1,7 @@
 // Measures how long tasks block the page, in Chromium, which reports their cost.
 import { kind } from './browsers.mjs';
 
-/** Skips tests that need the measure. */
+/** The reason to skip tests that need `longestTask`; false in Chromium. */
 export const skip = kind !== 'chromium' && 'only Chromium tells what tasks cost';
 
 /**

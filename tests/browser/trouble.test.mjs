@@ -46,7 +46,7 @@ test('a trap in the module as it is sent becomes the same message', async () => 
   const { page, close } = await site.newPage(`${SMALL}&seed=77`);
   await digest(page);
   await page.evaluate(() => {
-    // A call lends the studio, and the clock calls it again meanwhile.
+    // Nothing may call the studio while one of its calls runs, but this clock does, and such a call reads it.
     performance.now = () => Number(window.bubblestone.link());
   });
   await click(page, '#play');

@@ -54,7 +54,7 @@ test('it is turned by keys, tells where it is seen from, and is no step of the r
   await page.focus('#turn');
   await page.keyboard.press('Escape');
   assert.deepEqual(await page.evaluate(() => [document.activeElement?.id, document.querySelector('#turn')]), ['turn-button', null]);
-  // The first camera followed the light when the slant opened, and does so again.
+  // Each time the slant opens, its first camera follows the light.
   await page.keyboard.press('g');
   await page.waitForFunction(() => /from the upper right, 40 degrees/.test(document.querySelector('#turn-seen')?.textContent ?? ''));
   assert.deepEqual([problems, external], [[], []]);
@@ -126,7 +126,7 @@ test('the page is scrolled over it, by one finger and by the wheel, and two fing
 });
 
 test('a mouse turns it, moves its ground with Shift, and comes closer to what it points at', async () => {
-  // Stones have to be large beside the steps of the pointer.
+  // Stones have to be large compared with the steps of the pointer.
   const { page, problems, close } = await site.newPage('#size=192&cs=30&outline=square&camera=330,45', { still: true });
   await turned(page);
   /** The body under the pointer at a place; 'none' if there is none. */
@@ -140,7 +140,7 @@ test('a mouse turns it, moves its ground with Shift, and comes closer to what it
   };
   const { x, y } = await spot(page, 0.35, 0.6);
   const at = { x: Math.round(x), y: Math.round(y) };
-  // Well inside a stone, a pixel more or less hits the same one.
+  // Well inside a stone, places a few pixels apart hit the same one.
   const near = (off) => body({ x: at.x + off, y: at.y + off });
   const inside = async () => {
     const first = await near(-6);
@@ -284,7 +284,7 @@ test('pictures are saved with nothing behind the bodies, and their planes', same
   assert.equal(side, 1024);
   assert.ok(clear > 10_000 && full > 10_000, `${clear} clear, ${full} full`);
   const { bytes: depth } = await saved(page, '#save-turn-depth');
-  // The sides, the bits, and the kind of pixels: grey.
+  // The head of the PNG file has the side, the bits, and the kind of pixels: grey.
   const head = new DataView(depth.buffer, depth.byteOffset);
   assert.deepEqual([head.getUint32(16), depth[24], depth[25]], [1024, 16, 0]);
   assert.deepEqual(problems, []);

@@ -1,4 +1,4 @@
-// Walks through a chapter's page, and records of it: by Tab, through the screens of a class, shifts, memory.
+// Walks through a chapter's page, by Tab and through the screens of a class; records of its shifts and its memory.
 
 /** @typedef {import('puppeteer-core').Page} Page */
 
@@ -14,7 +14,7 @@ export async function walkByTab(page) {
     /** @type {string[]} */
     const faults = [];
     const own = /** @type {any} */ (window);
-    /** When a figure works, its grips come, and stops that it has not seen are disabled. */
+    /** These change while figures start to work: grips are added, and stops that were not reached yet are disabled. */
     const LATE = '.grip, [data-stop], :disabled';
     const said = (/** @type {Element} */ element) => `${element.closest('figure')?.id ?? ''} ${element.outerHTML.slice(0, 80)}`;
     const look = (/** @type {Element} */ element) => {
@@ -26,7 +26,7 @@ export async function walkByTab(page) {
       const { outlineStyle, outlineWidth } = getComputedStyle(element);
       if (outlineStyle === 'none' || !parseFloat(outlineWidth)) faults.push(`no ring: ${said(element)}`);
     };
-    /** The first of the buttons for one choice has the focus. */
+    /** Tab stops once at the buttons of a choice: at the checked one, or else at the first. */
     const isFirst = (/** @type {any} */ element) => element.type !== 'radio' || element.checked || (!document.querySelector(`[name="${element.name}"]:checked`) && document.querySelector(`[name="${element.name}"]`) === element);
     const controls = () => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter((one) => !one.matches(LATE) && one.checkVisibility({ visibilityProperty: true }) && isFirst(one));
     let isDone = false;
@@ -44,7 +44,10 @@ export async function walkByTab(page) {
   return page.evaluate(() => /** @type {any} */ (window).walked());
 }
 
-/** Goes through all screens of a class, and back. Returns the figures that do not fit with their handles, and with a line more of their text. @param {Page} page @returns {Promise<string[]>} */
+/**
+ * Goes through all screens of a class, and back. Returns the figures that do not fit the screen, as they open or with
+ * one more line of text. @param {Page} page @returns {Promise<string[]>}
+ */
 export const tooHighInClass = (/** @type {Page} */ page) =>
   page.evaluate(async () => {
     /** @type {string[]} */
@@ -119,7 +122,7 @@ export const watchShifts = (/** @type {Page} */ page) =>
     new PerformanceObserver((list) => own.shifts.push(...list.getEntries().map((/** @type {any} */ { value, sources }) => [value, ...sources.map(said)].join(' ')))).observe({ type: 'layout-shift', buffered: true });
   });
 
-/** Keeps hold of the memory of a page’s modules from its beginning on. */
+/** Keeps references to the memories of a page’s modules from its beginning on. */
 export const watchMemory = (/** @type {Page} */ page) =>
   page.evaluateOnNewDocument(() => {
     const own = /** @type {any} */ (window);

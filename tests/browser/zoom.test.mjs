@@ -25,7 +25,7 @@ test('the wheel zooms towards the pointer, dragging moves the picture, and a dou
   const zoom = await factor(page);
   assert.ok(zoom > 2 && zoom < 16, String(zoom));
   const near = await box(page, '#canvas');
-  // A place a quarter from the left and seven tenths from the top has stayed.
+  // The place under the pointer, a quarter from the left and seven tenths from the top, has stayed.
   assert.ok(Math.abs(near.x + 0.25 * near.width - at.x) < 1.5 && Math.abs(near.y + 0.7 * near.height - at.y) < 1.5);
   await drag(page, at, { x: at.x + 40, y: at.y - 30 });
   await page.mouse.up();

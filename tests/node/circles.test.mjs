@@ -13,7 +13,10 @@ const files = ['www', 'package', 'scripts', 'tests']
 
 const known = new Set(files);
 
-/** A statement at the start of a line, whose names may fill several lines; or a call of `import`, as code and as types of comments use it. */
+/**
+ * A statement at the start of a line, whose names may fill several lines; or a call of `import`, in code or in the type
+ * of a comment.
+ */
 const IMPORT = /^(?:import|export)\s(?:[^'"`;=]*?\sfrom\s)?['"](\.[^'"]*)['"]|\bimport\(['"](\.[^'"]*)['"]\)/gm;
 
 /** The addresses of files that a text imports, types included. @param {string} text */

@@ -27,7 +27,10 @@ function opened(name, values = {}) {
   return { figure, traces, directions: traces[0].directions };
 }
 
-/** The sentence of a question on a state. @param {any} opened @param {number[]} at @param {number} [step] */
+/**
+ * The sentence that answers a figure's first question in a state; undefined if it is not answered. @param {any} opened
+ * @param {number[]} at @param {number} [step]
+ */
 const asked = ({ figure, traces }, at, step = figure.last) => figure.asks[0].seen({ traces, step, trials: [], at, zero: 0.718, isStill: true }, 'en');
 
 test('in the middle of a road the printed sum vanishes, and the four-fold one is certain', () => {
@@ -42,7 +45,7 @@ test('in the middle of a road the printed sum vanishes, and the four-fold one is
     const { along, certainty } = directions.at([x, 0.5]);
     assert.ok(Math.abs(code.asSquare(code.degreesOf(along))) < 1e-9 && certainty > 1 - 1e-9);
   }
-  // Off the centre the rest points across.
+  // Off the centre, the sum that is left points across the road.
   const [across = 0, down = 0] = directions.terms([0.7, 0.5]).printed;
   assert.ok(Math.abs(down) > 100 * Math.abs(across));
   traces[0].free();

@@ -41,7 +41,7 @@ function alone(/** @type {string} */ weight, /** @type {string} */ radius, /** @
   return energy;
 }
 
-/** The numbers of a figure with other values, and what a square does that is dropped at a place. */
+/** The numbers of a figure with other values, and with its square dropped at a place, if one is given. */
 function reading(/** @type {string} */ name, /** @type {Record<string, string>} */ values = {}, /** @type {[number, number] | undefined} */ place = undefined) {
   const figure = code.FIGURES.find((/** @type {any} */ one) => one.name === name);
   const made = new code.Reading(module, figure, figure.recipe, {});
@@ -128,7 +128,7 @@ test('the questions of the squares are answered by what they ask for', () => {
   assert.equal(ask('bump', { cw: '1', cr: '0.6' }), undefined);
   assert.equal(ask('slide', {}, [1.1, 0.6]), undefined);
   assert.match(ask('slide', {}, [-1.1, 0.6]), /the well on the left/);
-  // Put into the well, it has not slid.
+  // A square that is put into the well has not slid.
   assert.equal(ask('slide', {}, [-1.05, 0.1]), undefined);
 });
 

@@ -1,4 +1,5 @@
-// The pages of the chapters as they were built: both languages have the same parts, and nothing in them is loose.
+// The pages of the chapters as they were built: both languages have the same parts, links lead somewhere, and the
+// numbers in texts are the engine's.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
@@ -79,7 +80,7 @@ for (const name of chapters) {
     for (const [selector, attribute] of parts) {
       const own = keys(en, selector, attribute);
       assert.ok(own.length > 0, selector);
-      // Sentences have their symbols in an order of their own.
+      // The two languages may have their symbols in different orders.
       assert.deepEqual(keys(ja, selector, attribute).sort(), own.sort(), selector);
     }
     const links = (page) => keys(page, 'a.term', 'href').map((href) => href.split('#')[1]).sort();
@@ -88,7 +89,7 @@ for (const name of chapters) {
     assert.doesNotMatch(textOf(selectOne('article', en)), /\$|\[\[|undefined|[ぁ-ん]/);
   });
 
-  // Chapters of which some symbols are of the whole calculation are left out.
+  // Chapters in which some symbols belong to the whole calculation are left out.
   if (['mesh', 'which-way', 'how-many'].includes(name))
     test(`${name}: each symbol of an equation is in a figure`, () => {
       const page = chapter(name, 'en');
@@ -258,7 +259,7 @@ test('the numbers of meshes are the engine’s', async () => {
   const module = await moduleIn(join(root, 'pkg'));
   const { FIGURES } = await figuresCode();
   const recipeOf = (name) => FIGURES.find((figure) => figure.name === name).recipe;
-  // Both diagonals of a square are felt, and those behind the neighbours of a honeycomb are not.
+  // Cells across the diagonal of a square act on each other; those behind the neighbours in a honeycomb do not.
   assert.ok(module.bubbleCurve(Math.SQRT2)[0] !== 0 && module.bubbleCurve(Math.sqrt(3))[0] === 0);
   const least = ['close', 'place'].map((name) => {
     const triangles = trianglesOf(joinedAt(module, recipeOf(name)));
@@ -322,7 +323,7 @@ test('the numbers of directions are the engine’s', async () => {
   for (const language of languages) assert.ok(questions[1].right[language].includes('2') && questions[4].thoughts[0][1][language].includes(`${45 - 10}°`));
 });
 
-/** Plans of three lengths, without a gap. */
+/** Checks that there are plans of three lengths, and that their steps leave no gap. */
 function fillTheirTime(plans) {
   assert.deepEqual(plans.map(({ minutes }) => minutes), [20, 60, 180]);
   for (const { minutes, steps } of plans) {
@@ -376,7 +377,7 @@ test('printed equations stand beside ours, and each is seen in a figure that is 
     for (const [k, row] of rows.entries()) {
       assert.equal(selectAll('.side', row).length, 2);
       assert.equal(selectAll('.misprint', row).length, Number(Boolean(there[k].isMisprint)));
-      // A misprint is an exercise, with its answer.
+      // A misprint has an exercise with its answer.
       assert.equal(selectAll('.task', row).length, Number(Boolean(there[k].isMisprint)), there[k].key);
       const { href } = selectOne('.see a', row).attribs;
       const figure = new URLSearchParams(href.split('#')[1]).get('fig');

@@ -42,7 +42,9 @@ const DRAWN = [
 /** @param {string} link @returns {any} a studio at its beginning */
 const open = (link) => new module.Bubblestone(link);
 
-/** @param {any} studio @returns {any} the same at its end */
+/**
+ * @param {any} studio @returns {any} the same studio at its end
+ */
 function finished(studio) {
   while (!['done', 'error'].includes(studio.stage())) studio.tick(...all);
   return studio;
@@ -75,7 +77,7 @@ function lookAt(studio) {
     assert.equal(canvas.pixels.data.length, 4 * side * side, view);
     studio.absences(view);
   }
-  // A map has the picture's pixels; the outline stands for it before it is made.
+  // A map has the picture's own pixels. Before it is made, the outline is drawn instead.
   const maps = studio.stage() === 'done' ? [['height+x3', 1]] : [];
   for (const [view, scale] of /** @type {[string, number][]} */ ([['mesh+x2', 2], ['picture+packed+x3', 3], ['paper+size+x3', 1], ...maps])) {
     studio.prepare(view, 1);
@@ -561,8 +563,8 @@ test('files are refused with the same sentences as natively', async () => {
 });
 
 /**
- * No known recipe leads to these notices: arcs off their circle are off their surface, too, and bricks that do not alternate
- * need walls whose every interval is a single column.
+ * No known recipe leads to these notices. Arcs off their circle are off their surface, too. Bricks that do not
+ * alternate need walls in which every interval is a single column.
  */
 const GUARDS = ['building_circle', 'masonry_conflict'];
 

@@ -4,9 +4,9 @@ import type { KeysWord } from '../words/keys';
 export interface Binding {
   /** `KeyboardEvent.key` in lower case, after `ctrl+` and `shift+`. `ctrl+` means Ctrl or Cmd. */
   keys: string[];
-  /** The keys as the list shows them, where capitals are not enough. */
+  /** The keys as the list of keys shows them. Without it, the list shows `keys` in capitals. */
   shown?: string[];
-  /** Their effect, for the list. */
+  /** The effect of the keys, as a word of the list of keys. */
   word: KeysWord;
   /** The part of the page that the keys serve. If a generator does not offer it, the keys do nothing. */
   part?: string;

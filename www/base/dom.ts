@@ -5,7 +5,7 @@ export function byId(id: string): HTMLElement {
   return byIdAs(id, HTMLElement);
 }
 
-/** The same, as an instance of a class. */
+/** The element with this id, which must be an instance of the class `kind`. */
 export function byIdAs<T extends Element>(id: string, kind: new () => T): T {
   const found = document.getElementById(id);
   if (!(found instanceof kind)) throw new Error(`The page has no element “${id}” that is a ${kind.name}.`);

@@ -4,8 +4,8 @@
 export const MODELS = '.obj,.glb,.ply,.stl,.json';
 
 /**
- * Whether a file's name is that of a model. The module explains why it cannot open a text glTF. A JSON file may hold other
- * things than a building, so its content decides.
+ * Whether a file is a model by its name. A text glTF counts: the module explains why it cannot open one. JSON does not
+ * count: the file may hold other things than a building, so its content decides.
  */
 export function isModel(name: string): boolean {
   return /\.(obj|glb|ply|stl|gltf)$/i.test(name);

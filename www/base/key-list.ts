@@ -6,7 +6,10 @@ import { byId, byIdAs, closeFromBeside, make } from './dom';
 const dialog = byIdAs('keys', HTMLDialogElement);
 closeFromBeside(dialog);
 
-/** Keys that work only on the picture, or while points are edited, with their parts. The same list shows them. */
+/**
+ * Keys that work only on the picture, or while points are edited, each with the part of the page that it serves. The
+ * list shows them after the bindings.
+ */
 const ON_PICTURE: readonly [shown: string[], word: KeysWord, part: string][] = [
   [['← ↑ → ↓'], 'walk', 'probe'],
   [['← ↑ → ↓'], 'orbit', 'turn'],
@@ -22,7 +25,7 @@ const ON_PICTURE: readonly [shown: string[], word: KeysWord, part: string][] = [
   [['Esc'], 'escape', 'outline'],
 ];
 
-/** Shows these keys, as far as they serve the page now. */
+/** Shows the keys whose part of the page is offered now. */
 export function showKeys(bindings: readonly Binding[]): void {
   byId('keys-list').replaceChildren(
     ...bindings.filter(({ part }) => isOffered(part)).map(({ keys, shown, word }) => row(shown ?? keys.map((key) => key.toUpperCase()), word)),

@@ -12,7 +12,7 @@ export function bindKeys(...more: Binding[]): void {
   bindings.push(...more);
 }
 
-/** Starts to listen, and shows the list under `?` and its button. */
+/** Starts to listen to keys. The key `?` and a button show the list of keys. */
 export function listenToKeys(): void {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.altKey) return;

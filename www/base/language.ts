@@ -7,13 +7,13 @@ import { keep, kept } from './storage';
 /** The event on the window after a change of the language, for parts that are made again with other words. */
 export const RETOLD = 'languagechange';
 
-/** The page's own words by key: those that the build wrote into it, and those of another language. */
+/** The words of the page's markup in one language, by key. The English ones are read from the markup. */
 type Dictionary = Record<string, string>;
 const english: Dictionary = {};
 
 /**
- * Uses the language chosen here before, or the first of the browser's that the page has. Where its words cannot be
- * loaded, the page stays English. `whole` adds the words of the second module.
+ * Uses the language that the visitor chose before, or else the first of the browser's languages that the page has. If
+ * its words cannot be loaded, the page stays English. `whole` adds the words of the second module.
  */
 export async function takeLanguage(whole: boolean): Promise<void> {
   for (const element of document.querySelectorAll<HTMLElement>('[data-t]')) {
@@ -34,7 +34,7 @@ export async function takeLanguage(whole: boolean): Promise<void> {
       for (const [name, key] of partsOf(element)) fill(element, name, page[key] ?? '');
     }
   } catch {
-    // The English words are there.
+    // The page keeps its English words.
     notice('language', t('lost_language'));
   } finally {
     root.toggleAttribute('data-wordless', false);

@@ -1,6 +1,7 @@
 /**
- * Messages beside the picture. Only the newest notice is shown. It goes when it could be read, unless it is pointed at,
- * has the focus, or shows that work goes on. Then the one before it is shown. Errors stay until dismissed.
+ * Messages beside the picture. Only the newest notice is shown. It disappears after the time that reading takes, unless
+ * it is pointed at, has the focus, or shows that work goes on. Then the notice before it is shown. Errors stay until
+ * dismissed.
  */
 import { t } from '../words/words';
 import { byId, make } from './dom';
@@ -8,7 +9,7 @@ import { byId, make } from './dom';
 /** Notices of the same topic replace each other. */
 export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'module' | 'part' | 'language' | 'remarks';
 
-/** Milliseconds that a notice is shown: for each letter as many as a slow reader takes, within limits. */
+/** Milliseconds that a notice is shown: `letter` per letter, as a slow reader needs, but from `least` to `most`. */
 const SHOWN = { least: 6000, letter: 70, most: 20_000 };
 
 /** The notices that stay until something removes them. */
@@ -75,7 +76,7 @@ function showNewest(box: HTMLElement): void {
   wait(box);
 }
 
-/** Begins the time of the newest notice, which goes at its end. */
+/** Starts the timer that removes the newest notice. */
 function wait(box: HTMLElement): void {
   clearTimeout(timer);
   const note = box.lastElementChild;

@@ -1,7 +1,7 @@
 /**
- * Changes the language of all words where they stand, so that the picture, the work and open dialogs stay. A text of the
- * page's markup is found by its key; a text of a script by asking the words that were given (words/words.ts). Later
- * changes of the page are observed, because parts of it may be kept outside the document, or may have kept a text.
+ * Changes the language of all words where they stand, so that the picture, the work and open dialogs stay. A text of
+ * the page's markup is found by its key. A text that a script set is found in the memory of words/words.ts. Later
+ * changes of the page are observed, because a part that is added later may hold words of the other language.
  */
 import { again } from '../words/words';
 
@@ -11,16 +11,16 @@ type PageWords = Record<'en' | 'ja', Record<string, string>>;
 /** The attributes that hold words, or the address of a page in a language. */
 const ATTRIBUTES = ['href', 'title', 'aria-label', 'aria-valuetext', 'placeholder', 'label', 'alt'];
 
-/** This joins texts that were given one by one. */
+/** Signs with which scripts join separate texts. */
 const JOINTS = /( [·–+/] |, |: |、|[.?] |[。？])/;
 
-/** The words of a place in both languages, as they were changed: the way back is exact even if two words look alike. */
+/** The text of a place in both languages, kept so that the way back is exact even if two words look alike. */
 const pairs = new WeakMap<Node, Map<string, Partial<Record<'en' | 'ja', string>>>>();
 
 let observer: MutationObserver | undefined;
 let tell: (root: Node) => void = () => undefined;
 
-/** Changes the words of the page now, and those that come later. `partsOf` gives the words' keys of an element. */
+/** Changes the words of the page now and those that come later. `partsOf` gives an element's texts with their keys. */
 export function retell(page: PageWords, to: 'en' | 'ja', partsOf: (element: HTMLElement) => [name: string, key: string][]): void {
   const from = to === 'en' ? 'ja' : 'en';
   const own = (element: Element | null, name: string, text: string): string | undefined => {
@@ -58,7 +58,7 @@ function* nodesOf(root: Node): Iterable<Text | Element> {
   }
 }
 
-/** A text in the present language. If the whole text was not given, its longest known parts are taken, from left to right. */
+/** A text in the present language. If it is unknown, its longest known parts are translated, from left to right. */
 function inParts(text: string): string {
   const whole = again(text);
   if (whole !== undefined) return whole;
@@ -74,7 +74,7 @@ function inParts(text: string): string {
   return told;
 }
 
-/** A text that was given, with the space that follows it, in the present language. */
+/** A text in the present language, with the space that follows it; undefined if it is unknown. */
 function bareIn(text: string): string | undefined {
   const bare = text.trimEnd();
   const now = again(bare);

@@ -1,12 +1,12 @@
 /**
- * Work in pieces, without a frame in between. Input, messages and frames that wait come before the next piece. A timer in a
- * timer would wait for four milliseconds.
+ * Runs work in pieces without waiting for a frame in between. Input, messages and frames that are due come before the
+ * next piece. Messages are used because browsers delay nested timers by four milliseconds.
  */
 
 let channel: MessageChannel | undefined;
 const waiting: (() => void)[] = [];
 
-/** Calls a function after the tasks that wait already. */
+/** Calls a function after the tasks that are already in the queue. */
 export function soon(act: () => void): void {
   channel ??= opened();
   waiting.push(act);

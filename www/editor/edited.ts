@@ -19,7 +19,7 @@ export interface FigureNeeds {
   change(sort: Sort, figures: Figure[]): boolean;
   /** A drag begins or ends. */
   live(on: boolean): void;
-  /** The ring that `armed` waited for was drawn. */
+  /** `armed` ends: its ring was added, or drawing was cancelled. */
   disarmed(): void;
 }
 
@@ -95,7 +95,7 @@ export class EditedFigures {
     return this.sheet.focus(this.all, this.at);
   }
 
-  /** Makes elements for all figures, and marks a point that exists. */
+  /** Makes elements for all figures, and marks this point. Indices that are too large are clamped. */
   private rebuild({ figure, index }: FigurePoint): void {
     if (!this.sort) return;
     const known = Math.max(0, Math.min(figure, this.all.length - 1));
@@ -204,7 +204,7 @@ export class EditedFigures {
     this.needs.live(true);
   }
 
-  /** Makes the present curves the ones that the next move starts from. */
+  /** Makes the present curves the originals that the next move bends. */
   private settle(): void {
     for (const figure of this.all) settle(figure, this.side);
   }
@@ -247,7 +247,7 @@ export class EditedFigures {
     this.needs.disarmed();
   }
 
-  /** Adds a point halfway to the next one. Behind the last point of a line, it extends the line. */
+  /** Adds a point halfway to the next one. After the last point of a line, the new point extends the line. */
   addAfter({ figure, index }: FigurePoint): void {
     const found = this.all[figure];
     const form = this.sort?.form;

@@ -35,7 +35,7 @@ import '../styles/late/editor.css';
 /** The endings of files that may hold an outline; files without an ending may, too. */
 const KNOWN = /(^[^.]*|\.(svg|json|txt))$/i;
 
-/** Largest file in bytes. The outline of a drawing with ten thousand points has about two hundred thousand. */
+/** Largest file, in bytes. A drawing with ten thousand points has about 200 000. */
 const LARGEST = 4_000_000;
 
 /** Number of outlines whose roads, or handles, are remembered. */
@@ -65,7 +65,10 @@ export class Editor {
   private writing = false;
   /** Points are being dragged. */
   private held = false;
-  /** Figures by the outline that they gave, in sides of the picture: they return whenever that outline returns. */
+  /**
+   * Figures by the outline that was made from them, with lengths in sides of the picture. When undo brings an outline
+   * back, its figures come back, too.
+   */
   private readonly given = new Map<string, Figure[]>();
   private giving: Figure[] = [];
   private rim: Ring[] = [];
@@ -112,8 +115,8 @@ export class Editor {
   }
 
   /**
-   * Starts to edit the sort `asked`, or stops. `fresh` makes a first figure where there is none. Without a word, the
-   * sort that was edited last is shown.
+   * Starts to edit the sort `asked`, or stops if it is edited already. Without `asked`, takes the sort that was edited
+   * last. `fresh`: if the sort `asked` has no figure, adds a first one.
    */
   toggle(asked?: string, fresh = true): void {
     const word = asked ?? this.last;
@@ -144,7 +147,7 @@ export class Editor {
     this.begin('outline', true);
   }
 
-  /** Turns the present outline into a free one. */
+  /** Turns the present outline into a polygon that can be edited. */
   free(): void {
     if (this.takeRings(this.engine.outline())) this.begin('outline');
   }
@@ -278,7 +281,7 @@ export class Editor {
     return '';
   }
 
-  /** After a new outline: the recipe is no variant of its preset. Shows its handles unless there are too many. */
+  /** After a new outline: the recipe no longer belongs to its preset. Shows handles unless there would be too many. */
   private tookNew(): void {
     this.work.store.update({ preset: undefined });
     const rings = this.engine.outline();

@@ -5,7 +5,10 @@ import type { FigurePoint } from './geometry/figures';
 import { DOUBLE, Pen } from './pen';
 import type { SheetPart } from './sheet';
 
-/** A press becomes a drag beyond this many CSS pixels, and two presses within it are at one place. Fingers have more. */
+/**
+ * A press that moves by SLACK CSS pixels, or twice that by finger, is a drag. Two presses closer than NEAR are at one
+ * place.
+ */
 const SLACK = 3;
 const NEAR = 9;
 const NEAR_FOR_FINGERS = 24;

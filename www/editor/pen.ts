@@ -49,7 +49,7 @@ export class Pen {
     else this.path.push(at);
   }
 
-  /** Ignores the press. */
+  /** Forgets the press. The points before it stay. */
   lift(): void {
     this.path = [];
     this.pointer = undefined;
@@ -59,7 +59,9 @@ export class Pen {
     this.pointer = at;
   }
 
-  /** The pointer rises. Places closer than `near` are one. Returns the figure that this ended, if any. */
+  /**
+   * The pointer is lifted. Places closer together than `near` count as one. Returns the figure that this ended, if any.
+   */
   release(at: Point, moved: boolean, near: number, time: number): Figure | undefined {
     if (this.form !== 'line') return this.round(moved ? at : undefined);
     const path = moved ? thinLine(this.path, STEADY * this.side) : [at];

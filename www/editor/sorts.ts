@@ -8,7 +8,10 @@ import { handled } from './geometry/handles';
 import { distance, toSegment } from './geometry/plane';
 import { depth } from './geometry/rings';
 
-/** Half the length of a new line and the radius of a new spot, in sides; the width of the first road, in hundredths. */
+/**
+ * Half the length of a new line and the radius of a new spot, in sides; the width of the first road, in hundredths of
+ * the side.
+ */
 const NEW_LINE = 0.12;
 const NEW_SPOT = 0.18;
 const ROAD = 16;

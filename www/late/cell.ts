@@ -17,8 +17,8 @@ function valueOf({ numbers, value }: MeasureRow, measures: ReadonlyMap<string, u
 }
 
 /**
- * The rows for the measures and the texts that a generator gives, by their words. Without the row that only says the
- * card's `title`.
+ * The rows for the measures and the texts that a generator gives, by their words. A row that only repeats the card's
+ * `title` is left out.
  */
 export function cellNumbers(measures: object, texts: Readonly<Record<string, string>> = {}, title = ''): [name: string, value: string][] {
   const given = new Map<string, unknown>(Object.entries(measures));
@@ -31,7 +31,7 @@ export function cellNumbers(measures: object, texts: Readonly<Record<string, str
   return [...rows].filter(([, value]) => value !== title).map(([name, value]) => [t(name), value]);
 }
 
-/** The same as rows of a card. */
+/** The measures of `cellNumbers` as rows of a card. */
 export function cellRows(...given: Parameters<typeof cellNumbers>): HTMLElement[] {
   return cellNumbers(...given).map(([name, value]) => make('div', {}, make('span', {}, name), make('b', {}, value)));
 }

@@ -1,6 +1,6 @@
 /**
- * The rows of a card that tells the measures of a cell or a body, in their order. Generators give measures as numbers by
- * words, and texts by words. This is the table of words for them; a row is shown if all its numbers are known.
+ * The rows of the card with the measures of a cell or a body, in their order. A generator gives each measure as a
+ * number with a word, and some texts. A row is shown if all its numbers are known.
  */
 import type { LookWord } from '../words/look';
 
@@ -10,7 +10,7 @@ export interface MeasureRow {
   readonly numbers: Readonly<Record<string, number>>;
   /** The word of the value, or one for each value of the first number; without it, the value is that number. */
   readonly value?: LookWord | readonly LookWord[];
-  /** The value that needs no row. */
+  /** A row with this value is left out. */
   readonly usual?: string;
 }
 

@@ -42,7 +42,7 @@ function slidesOf(scene: HTMLElement): Slide[] {
   return hasFigure ? [...ask, { scene, part: 'figure' }] : ask;
 }
 
-/** Room below a question's picture, and below the text of a figure. */
+/** Room in pixels below a question's picture, and below the text of a figure. */
 const BELOW = { ask: 40, figure: 12 };
 
 /** The least height of a question's picture; with less room it is left out. */
@@ -51,7 +51,10 @@ const LEAST = 180;
 /** The least share of their height that a figure's plates keep for its text; with less room the page scrolls. */
 const SHARE = 0.7;
 
-/** Makes plates so large that this `end`, which follows them or is theirs, is as low as the window allows. Returns their height. */
+/**
+ * Scales plates until the lower edge of `end` is as low as the window allows. Returns the height of the plates. `end`
+ * is the text below the plates, or the plates themselves.
+ */
 function fill(plates: HTMLElement, end: HTMLElement, part: Slide['part']): number {
   const { width, height } = plates.getBoundingClientRect();
   const spare = innerHeight - BELOW[part] - scrollY - end.getBoundingClientRect().bottom;
@@ -69,7 +72,7 @@ class Lesson {
     this.slides = scenes.flatMap(slidesOf);
   }
 
-  /** Begins at the scene in sight, or ends where it was. */
+  /** Begins class mode at the scene in sight, or ends it. */
   toggle(): void {
     if (this.at >= 0) this.end();
     else this.show(Math.max(0, this.slides.findIndex(({ scene }) => scene.getBoundingClientRect().bottom > innerHeight / 3)));
@@ -99,7 +102,7 @@ class Lesson {
     plates.style.maxWidth = '';
     const end = part === 'figure' ? told : plates;
     fill(plates, end, part);
-    // Titles of smaller plates may have another line, and those of larger ones do not grow.
+    // Titles of smaller plates may take another line, so the plates are fitted a second time.
     const height = fill(plates, end, part);
     scene.toggleAttribute('data-bare', part === 'ask' && height < LEAST);
   }

@@ -16,7 +16,7 @@ function button(id: string, act: () => void): void {
   found.addEventListener('click', act);
 }
 
-/** The other language opens at the same figure in the same state. */
+/** Makes the link to the other language open the same figure in the same state. */
 function keepState(link: HTMLAnchorElement): void {
   const follow = (): void => {
     link.hash = location.hash;
@@ -37,7 +37,7 @@ function openReplies(ask: Element): void {
   });
 }
 
-/** A symbol of a formula, what it is in the figures, and the handle that changes it mark each other. */
+/** Pointing at a symbol in a formula or a figure, or at its handle, marks the symbol everywhere. */
 function markSymbols(): void {
   const mark = (target: EventTarget | null, isOn: boolean): void => {
     if (!(target instanceof Element)) return;
@@ -62,7 +62,7 @@ function start(): void {
   byId('theme').hidden = false;
   followTheme();
   button('print', () => print());
-  // Paper has no folds.
+  // On paper the answers are unfolded.
   addEventListener('beforeprint', () => {
     for (const fold of document.querySelectorAll<HTMLDetailsElement>('details.answers')) fold.open = true;
   });

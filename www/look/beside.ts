@@ -71,8 +71,8 @@ export class Beside implements Partner, Way {
   }
 
   /**
-   * Shows this host beside the page's own picture. Both begin again, except for visitors who prefer less motion: then
-   * only the other one works.
+   * Shows this host beside the page's own picture. Both begin again; for visitors who prefer less motion, only this one
+   * works.
    */
   take(host: PictureHost, title: string): void {
     const { canvas, grip, pane } = this;
@@ -157,7 +157,7 @@ export class Beside implements Partner, Way {
     this.tell();
   }
 
-  /** Writes names and counts below both. */
+  /** Writes the name and the counts below each picture. */
   private tell(): void {
     if (!this.host) return;
     const { engine } = this.host;

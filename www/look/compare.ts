@@ -46,7 +46,7 @@ export class Compare {
   private readonly canvas = make('canvas', { class: 'other' });
   private host: PictureHost | undefined;
   private readonly arrivals = new Arrivals();
-  /** The recipe of the second engine. */
+  /** The choice and the recipe that the second engine works on. */
   private wanted = '';
   /** The generator whose presets are listed. */
   private listed = '';
@@ -140,7 +140,7 @@ export class Compare {
   private key({ key, target, defaultPrevented }: KeyboardEvent): void {
     const { compare, beside, editing } = this.store.state;
     if (key !== 'Escape' || !compare || editing !== undefined || defaultPrevented || !(target instanceof Element)) return;
-    // A comparison under a divider ends by Escape on the picture, one side by side by Escape anywhere.
+    // Escape on the picture ends a comparison under a divider; Escape anywhere ends one side by side.
     if (beside ? !target.closest(NOT_HERE) : this.sheet.contains(target)) this.end();
   }
 

@@ -30,11 +30,11 @@ const SLACK = 1.04;
 /** Largest number of fine pixels per pixel of the recipe, along a side. */
 const MOST_SCALE = 8;
 
-/** The same for drawings, and their most pixels along a side. These are limits of the module. */
+/** Largest scale of a drawing, and its most pixels along a side: limits of the module. */
 const DRAWN_SCALE = 3;
 const DRAWN_PIXELS = 2048;
 
-/** Most pixels along a side: the module's own limit if there is much memory, else a share of it. */
+/** Most pixels along a side: the module's own limit. With less than MUCH_MEMORY gigabytes, a share of it. */
 const MOST_PIXELS = 4096;
 const MUCH_MEMORY = 8;
 /** Gigabytes to assume if the browser does not report them. */
@@ -57,13 +57,13 @@ interface Picture {
   readonly drawing: string | undefined;
 }
 
-/** Whether the canvas stands still. */
+/** The facts that decide whether the canvas stands still. */
 export interface Standing {
   readonly stage: string;
   readonly isPaused: boolean;
 }
 
-/** The words of a drawing that stands still on a canvas, or else whether it is the finished picture. */
+/** The words of a drawing that stands still; an empty object for the finished picture; undefined while work goes on. */
 export function standing(engine: Engine, view: string, { stage, isPaused }: Standing): Pick<CanvasPicture, 'drawing'> | undefined {
   if (stage === 'done' && isPicture(view)) return {};
   return (stage === 'done' || isPaused) && !engine.offers('frames') ? { drawing: view } : undefined;
@@ -95,7 +95,7 @@ export class Fine {
   private next: Picture | undefined;
   private making = new AbortController();
 
-  /** `asked` describes the picture on the canvas; undefined if that is unfinished, or not wanted finer. */
+  /** `asked` describes the picture on the canvas. It returns undefined if no finer one is wanted, or not yet. */
   constructor(canvas: HTMLCanvasElement, engine: Engine, asked: () => CanvasPicture | undefined) {
     [this.canvas, this.engine, this.asked] = [canvas, engine, asked];
     const follow = (): void => this.follow();
@@ -126,7 +126,7 @@ export class Fine {
     this.follow();
   }
 
-  /** A picture is that of its link. A drawing is that of the canvas: it may change while its link stays. */
+  /** A picture's key is its link. A drawing may change while its link stays, so its key counts the drawings, too. */
   private keyOf({ link, drawing }: CanvasPicture): string {
     return drawing === undefined ? link : `${link} ${drawing} ${this.drawings}`;
   }
@@ -160,7 +160,7 @@ export class Fine {
     await this.show(picture, canvas);
   }
 
-  /** Draws in slices. Some views have fewer pixels, or the recipe's alone: then the canvas below stays visible. */
+  /** Draws in slices. A view may give fewer pixels than asked for; if they are only the recipe's, shows nothing. */
   private async draw(picture: Picture, words: string, signal: AbortSignal): Promise<void> {
     const { engine } = this;
     for (let isReady = false; !isReady; ) {

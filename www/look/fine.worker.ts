@@ -4,7 +4,7 @@ import { studioFor } from '../module/given';
 import { loadModule } from '../module/load';
 import { BUDGET, finish } from '../module/run';
 
-/** The message to the worker: the recipe, and the pixels for one of its own, along a side. */
+/** The message to the worker: the recipe, and the number of fine pixels for one of its own, along a side. */
 export type FineRequest = [link: string, scale: number];
 
 /** The worker's answer; without a picture if the recipe gives none at this scale. */

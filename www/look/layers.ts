@@ -13,7 +13,7 @@ export class Layers {
   private readonly box = make('section', { class: 'layers-box', id: 'layers', 'aria-label': t('layers_over') });
   private bases: HTMLInputElement[] = [];
   private overlays: HTMLInputElement[] = [];
-  /** The words that have a box. */
+  /** The words of the views and overlays that have a box. */
   private offered: readonly string[] = [];
   private readonly legend = make('dl', { class: 'layers-legend' });
   private readonly fine = make('input', { type: 'checkbox', id: 'fine', title: t('note_fine') });

@@ -14,7 +14,10 @@ import '../styles/late/look.css';
 /** Distance of the sun from the middle of the sheet when it is at the horizon, in sides. */
 const HORIZON = 0.46;
 
-/** Distance of the lamp's bulb from its foot: a minimum, and an amount per side of height. It points down near the upper edge. */
+/**
+ * Distance of the lamp's bulb from its foot, in sides: a minimum, and an amount per side of the lamp's height. The bulb
+ * is above the foot, but below it if the foot is nearer than UPPER to the upper edge.
+ */
 const POST = [0.07, 0.12] as const;
 const UPPER = 0.16;
 

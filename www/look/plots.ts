@@ -15,7 +15,9 @@ const PAUSE = 120;
 
 const HEIGHT = 112;
 
-/** Bounds of the share of cells that the plots name: relative to the requested size, and in degrees. */
+/**
+ * The plots name the share of cells within these bounds: of the size, relative to the requested one, and in degrees.
+ */
 const SIZE_BAND = 0.1;
 const ANGLE_BAND = 5;
 
@@ -24,7 +26,7 @@ interface PlotContent {
   readonly said: string;
 }
 
-/** A line of a plot. Several differ by their dashes, too. */
+/** The style of a line. Lines of one plot differ by their dashes, too, not by colour alone. */
 interface LineStyle {
   readonly colour: string;
   readonly dash: number[];
@@ -205,7 +207,7 @@ function histogramsOf(engine: Engine): Histograms {
   return engine.ask((studio) => studio.histograms(), { size: none, angle: none });
 }
 
-/** A sentence with the last value of a row, and the first. */
+/** A sentence with the last and the first value of a series. */
 function said(word: 'plot_energy_said' | 'plot_move_said', step: Float64Array, values: Float64Array): string {
   const [now, first] = [values.at(-1), values[0]];
   if (now === undefined || first === undefined) return t('plot_none');

@@ -22,7 +22,7 @@ interface Sight {
   reveal(place: { x: number; y: number }): void;
 }
 
-/** A place in one of the pictures that stand side by side, `repeat` of them along a side. */
+/** A place in one of the copies that stand side by side: `point` in units of the picture, `tile` as column and row. */
 interface TiledPlace {
   point: Point;
   tile: Point;

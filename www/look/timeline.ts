@@ -1,9 +1,9 @@
 /**
  * The timeline under the picture: a slider through the steps of the forming, on and back.
  *
- * An engine only goes on. Some engines keep states of their steps, and go on again from the nearest one; their first way
- * back makes these states. Others begin the steps again, and run unseen up to the one that is asked for. The stages before
- * the steps keep their results. The number of steps is known once the forming has come to its end.
+ * An engine only works forwards. To go back, it begins the steps again and runs unseen up to the step that is asked
+ * for; the stages before the steps keep their results. Some engines store states on the first such run, and start from
+ * the nearest state later. The number of steps is known once the forming has come to its end.
  */
 import { t } from '../words/look';
 import { byId, make, say } from '../base/dom';
@@ -16,7 +16,7 @@ import type { Work } from '../state/work';
 
 import '../styles/late/timeline.css';
 
-/** The assumed steps of a forming that has not come to its end yet. */
+/** The assumed number of steps, until a forming has come to its end. */
 const GUESS = 45;
 
 export class Timeline {
@@ -26,7 +26,7 @@ export class Timeline {
   private readonly slider = make('input', { type: 'range', id: 'moment', min: '0', step: '1', value: '0' });
   private readonly back = make('button', { type: 'button', id: 'step-back', class: 'key', 'aria-keyshortcuts': ',' }, '‹');
   private readonly said = make('output', { for: 'moment' });
-  /** The steps of the whole forming: those of the last one, or a guess before it has come to its end. */
+  /** The number of steps of a whole forming: that of the last one, or a guess until one has come to its end. */
   private all = 0;
   private isKnown = false;
   /** The step that is asked for, until it is reached. */
@@ -34,7 +34,7 @@ export class Timeline {
   /** Whether the engine keeps states of the present recipe's steps. */
   private isKept = false;
 
-  /** `leave` ends what else holds or paces the forming. */
+  /** `leave` ends the slow pace of a watched forming, and the pause that a link asked for. */
   constructor(work: Work, host: PictureHost, leave: () => void) {
     [this.work, this.host, this.leave] = [work, host, leave];
     this.slider.addEventListener('input', () => this.seek(Number(this.slider.value)));
@@ -44,7 +44,7 @@ export class Timeline {
     store.on(['make'], () => ([this.all, this.isKnown] = [0, false]));
     store.on(['recipe'], () => this.forget());
     store.on(['paused'], ({ paused }) => {
-      // A pause on the way to a step leaves it: the engine is to go on from where it is.
+      // A pause on the way to a step gives that step up: work will go on from where it is now.
       if (!paused || this.asked === undefined) return;
       this.forget();
       this.show();
@@ -58,7 +58,7 @@ export class Timeline {
     this.follow(work.engine.stage(), work.engine.status());
   }
 
-  /** Shows how far the forming is. */
+  /** Shows how far the forming has come. */
   follow(stage: string, { steps }: Status): void {
     const { generator } = this.host.engine;
     if (this.isFormed(stage)) [this.all, this.isKnown] = [steps, true];
@@ -71,7 +71,7 @@ export class Timeline {
     return stage === 'done' || (stage !== 'error' && !isUpToSteps(this.host.engine.generator, stage));
   }
 
-  /** The present step; those of a forming that has not begun are 0. */
+  /** The present step; 0 before the forming has begun. */
   private now(): number {
     if (this.asked !== undefined) return this.asked;
     const { engine } = this.host;
@@ -80,14 +80,17 @@ export class Timeline {
     return !isEnd(stage) && stages.indexOf(stage) < stages.indexOf(stepping) ? 0 : engine.status().steps;
   }
 
-  /** One step back, if there is one. A step may lay several blocks, so the first run may only show where the step before began. */
+  /**
+   * One step back, if there is one. The last step may count for several, so a run to `now - 1` may end at `now` again.
+   * Then a second run goes to where that step began.
+   */
   goBack(): void {
     if (this.back.disabled) return;
     const now = this.now();
     this.seek(now - 1, ({ made, before }) => made !== undefined && made >= now && this.seek(before));
   }
 
-  /** Another recipe has other steps. */
+  /** Drops the asked step and the stored states, as another recipe has other steps. */
   private forget(): void {
     this.asked = undefined;
     if (this.isKept) this.host.engine.hold();

@@ -16,7 +16,7 @@ export class Together {
   }
 
   /**
-   * Works on one of both for about `budget` milliseconds and at most `steps` steps. True when the visible state may
+   * Works on one of the two for about `budget` milliseconds and at most `steps` steps. True when the visible state may
    * have changed.
    */
   tick(engine: Engine, budget: number, steps: number): boolean {
@@ -30,7 +30,7 @@ export class Together {
     return engine === first && this.lead(budget, steps);
   }
 
-  /** Makes the steps of both in turn. The one that is behind comes first. */
+  /** Makes the steps of both in turn. The picture that is behind comes first. */
   private lead(budget: number, steps: number): boolean {
     const { first, second } = this;
     const end = performance.now() + budget;
@@ -46,7 +46,7 @@ export class Together {
     return changed;
   }
 
-  /** Makes the steps that the first one is ahead, even while both are paused. */
+  /** Makes the steps by which the first picture is ahead, even while both are paused. */
   private catchUp(budget: number): boolean {
     const { first, second } = this;
     const end = performance.now() + budget;

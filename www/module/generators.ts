@@ -18,14 +18,14 @@ export function placeOf(link: string): number {
   return named(link)?.module ?? 0;
 }
 
-/** Whether the generator of a link offers a part of the page, told before its module is here. */
+/** Whether the generator of a link offers a part of the page. Its module need not be loaded. */
 export function isOffered(link: string, part: string): boolean {
   return named(link)?.offers.includes(part) === true;
 }
 
 /**
- * A module names its own generators to a link that has an unknown one. This names all that the page has, in a sentence
- * of the same table.
+ * The notice about an unknown generator, changed to name all generators of the page: a module names only its own. The
+ * sentence is from the same table.
  */
 export function knowingAll(notice: Notice): Notice {
   if (notice.code !== 'bad_make') return notice;

@@ -39,7 +39,7 @@ async function give(studio: SceneStudio, { digest, name }: RecipeFile, wanted: (
   }
   if (!wanted()) return false;
   if (studio.giveFile() === digest) return true;
-  // The stored file is not the one that was stored under this digest.
+  // The bytes of the stored file do not have this digest.
   await dropFile(digest);
   return false;
 }

@@ -38,12 +38,14 @@ export function moduleFor(link: string): Module | undefined {
     .at(-1);
 }
 
-/** Such a module, once it is loaded. Throws the browser's error if WebAssembly is missing or the connection fails. */
+/**
+ * Loads a module that can open this link. Throws the browser's error if WebAssembly is missing or the connection fails.
+ */
 export async function loadModule(link: string): Promise<Module> {
   return moduleFor(link) ?? (coming[placeOf(link)] ??= arriving(placeOf(link)));
 }
 
-/** The last module, which can make everything, once it is loaded. Throws the same. */
+/** Loads the last module, which can make everything. Throws like `loadModule`. */
 export async function loadWhole(): Promise<Whole> {
   const last = SOURCES.length - 1;
   return (ready[last] ?? (await (coming[last] ??= arriving(last)))) as Whole;
@@ -63,8 +65,8 @@ export function useModule(module: Module): void {
 }
 
 /**
- * Ends a use of a module; everything that was made with it has been freed. An unused module is released with all its
- * memory if a later one can replace it.
+ * Ends a use of a module. Everything that was made with it must have been freed. An unused module is released with all
+ * its memory if a later one can replace it.
  */
 export function leaveModule(module: Module): void {
   const left = (users.get(module) ?? 1) - 1;

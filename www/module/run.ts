@@ -4,7 +4,7 @@ import type { Module } from './load';
 import { isEnd } from './stages';
 import type { Generator as Made, Status } from './types';
 
-/** Milliseconds of work in one slice; and a limit of steps that this time never reaches. */
+/** Milliseconds of work in one slice, and more steps than this time ever allows. */
 export const BUDGET = 50;
 const STEPS = 100_000;
 

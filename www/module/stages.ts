@@ -24,7 +24,7 @@ export function isSettled({ stages, settled }: Course, stage: string): boolean {
   return stage === 'done' || (first >= 0 && stages.indexOf(stage) >= first);
 }
 
-/** The number of steps is unknown. After this many, half of the remaining progress is taken to be done. */
+/** The number of steps is unknown, so every HALF steps count as half of the progress that is left in the stage. */
 const HALF = 60;
 
 /**

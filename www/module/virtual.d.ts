@@ -16,7 +16,7 @@ declare module 'virtual:generators' {
     offers: string[];
   }[];
   export default made;
-  /** The English for a link whose generator is unknown: it names all of these. */
+  /** The English notice about a link with an unknown generator, with places for words in braces. */
   export const unknown: string;
 }
 

@@ -60,7 +60,7 @@ export function thrown(
       values.set(key, pick === '' ? '' : isRange(pick) ? inRange(random, pick, now) : word(random, pick));
     }
   }
-  // Parameters with rows of their own, and the one that is randomised apart.
+  // Parameters with rows of their own, and the one that is randomised above.
   const known = new Set([...Object.values(table).flatMap((rows) => rows.map(([key]) => key)), 'stone']);
   for (const parameter of schema) {
     // A text is drawn work: it stays, and has no effect where another outline or body is chosen.

@@ -124,7 +124,7 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Cont
   let held = '';
   box.addEventListener('change', () => {
     change(key, box.value, true);
-    // A text that was refused, or clamped to the value, makes room for the value.
+    // If the text was refused or clamped, shows the value that is in use.
     box.value = held;
   });
   whenMeant(slider, (last) => change(key, String(now()), last));
@@ -150,8 +150,8 @@ function numberAndSlider(parameter: Parameter, id: string, change: Change): Cont
 }
 
 /**
- * Pixels that a finger moves along a slider before it changes the value. A finger that scrolls the page moves across
- * it.
+ * A finger changes a slider's value only after it has moved this many pixels along the slider. A finger that scrolls
+ * the page moves across the slider.
  */
 const ALONG = 8;
 

@@ -1,7 +1,7 @@
 /**
  * The panel: every parameter of the schema as a control, in groups in the order of the pipeline.
  *
- * It is built a few controls per frame while the first cells move. One frame is left to the browser for its layout.
+ * It is built a few controls per frame while the first cells move. Its layout then has a frame of its own.
  */
 import { groupIn, t } from '../words/words';
 import { byId, byIdAs, frame, make, say } from '../base/dom';
@@ -21,7 +21,7 @@ const PAINTED: readonly Parameter['item'][] = ['trace', 'patch', 'feature'];
 /** The visitor's choice of how much of the panel is shown. */
 const EXTENT = 'panel';
 
-/** Groups that are open at first on a large screen; on a phone only the first of them is. */
+/** Groups that are open at first on a large screen. On a small screen only the panel's first group is. */
 const OPEN_AT_FIRST = ['Outline', 'Shape', 'Cells', 'Size', 'Direction', 'Relief'];
 
 /** Milliseconds of building in a frame. */

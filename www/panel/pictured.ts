@@ -31,7 +31,7 @@ export function withPictures<Parts extends { inputs: HTMLElement[]; show: (value
     const chosen = row.querySelector<HTMLElement>('label:has(:checked)');
     if (chosen && !row.matches(':focus-within, :hover')) row.scrollLeft = chosen.offsetLeft - (row.clientWidth - chosen.offsetWidth) / 2;
   };
-  // It may be folded away at first, and measuring at once would force a layout.
+  // The row may be folded away at first, and measuring it at once would force a layout.
   new ResizeObserver(reveal).observe(row);
   let known: string | undefined;
   const { show } = parts;

@@ -30,7 +30,7 @@ export class Presets {
   private readonly buttons = new Map<string, HTMLButtonElement>();
   private marked: string | undefined;
   private placed: ResizeObserver | undefined;
-  /** Lazy loading by browsers fetches far more of a list than is visible. */
+  /** Loads pictures that come into sight. The browsers' own lazy loading fetches far more of a list than is visible. */
   private readonly inSight = new IntersectionObserver((entries) => {
     for (const { isIntersecting, target } of entries) {
       if (!isIntersecting || !(target instanceof HTMLImageElement)) continue;
@@ -125,12 +125,12 @@ function scrollInto(list: HTMLElement, item: HTMLElement): void {
   list.scrollLeft += way(box.left - frame.left, box.right - frame.right);
 }
 
-/** How far a list scrolls to an item, of which `before` and `after` are the distances between their edges. */
+/** How far a list scrolls to show an item that lies `before` beyond its first edge and `after` beyond its last one. */
 function way(before: number, after: number): number {
   return before < 0 ? before : Math.max(0, after);
 }
 
-/** A short figure for under a small picture: "Fig. 13 (1b) of 2000, Fig. 12 (1b) of 2001" becomes the first paper's number. */
+/** A figure's number, to stand under a small picture: "Fig. 13 (1b) of 2000, Fig. 12 (1b) of 2001" gives "13 (1b)". */
 function short(figure: string): string {
   return /(?:Fig\. |図)(\d+\s*(\(\w+\))?)/.exec(figure)?.[1] ?? figure;
 }

@@ -11,7 +11,7 @@ const BODIES = ['leg', 'tail', 'fish', 'horn'];
 const GROUNDS = ['terrain', 'slope', 'stairs'];
 const STONE_PALETTES: Weights = { granite: 2, basalt: 2, sandstone: 2, terracotta: 2, marble: 2, porphyry: 2, slate: 1, mossy: 1, limestone: 2 };
 
-/** Rows for both generators. A table's own rows have priority. */
+/** Rows for pavements and for surfaces. Their own rows have priority. */
 const BOTH: Table = {
   Relief: [
     ['bh', range(0.1, 0.2, 0.01)],
@@ -349,7 +349,7 @@ const typeRows = (n: number): Row[] => {
 };
 
 
-/** Sunlight about as it is, for bodies whose colours are known. */
+/** Sunlight near its defaults, for bodies whose colours people know. */
 const STILL_LIGHT: Row[] = [
   ['light', { parallel: 1 }],
   ['amb', range(0.95, 1.15, 0.05)],
@@ -447,7 +447,7 @@ const PILE: Table = {
   Light: [['az', range(60, 150, 1)], ['el', range(36, 55, 1)], ...STILL_LIGHT],
 };
 
-/** The rows of the numbers of shapes that surfaces have, too. */
+/** The rows for the numbers of the shapes that piles share with surfaces. */
 function shapeRows(): Row[] {
   return (SURFACE['Shape'] ?? []).filter(([key]) => /^[a-z]+_/.test(key));
 }

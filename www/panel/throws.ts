@@ -37,7 +37,7 @@ export function groups(work: Work, push: () => void, names: readonly string[], a
   push();
   work.setAll(values);
   if (engine.schema.some(({ key, kind, group }) => kind === 'text' && stay.has(key) && free.includes(group))) tellKept(() => groups(work, push, names, true));
-  // After all groups were randomised, the recipe is no variant of its preset.
+  // After all groups were randomised, the recipe no longer belongs to its preset.
   if (names.length > 1) store.update({ preset: undefined });
 }
 

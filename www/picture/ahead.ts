@@ -8,7 +8,7 @@ import { making } from '../module/run';
 import type { Status } from '../module/types';
 import { Engine } from '../state/engine';
 
-/** Milliseconds of work at a time, between frames; and a limit of packing steps that this time never reaches. */
+/** Milliseconds of work at a time, between frames. */
 const SLICE = 12;
 
 export class Ahead {

@@ -17,7 +17,7 @@ export class Forming {
   /** A new visitor watches the page's first picture, which is not computed ahead yet. */
   private newcomer = false;
 
-  /** `work` starts to compute a recipe ahead. `told` is called when scripts can know more of it. */
+  /** `work` starts to compute a recipe ahead. `told` is called after each piece of that work. */
   constructor(engine: Engine, loop: Loop, work: (tell: () => void) => Ahead, told: () => void) {
     this.engine = engine;
     this.loop = loop;
@@ -25,7 +25,7 @@ export class Forming {
     this.told = told;
   }
 
-  /** Starts the pace of a viewer. */
+  /** Starts a forming at the pace of a viewer. */
   begin(newcomer = this.newcomer): void {
     if (!this.engine.offers('forming')) return;
     this.newcomer = newcomer;

@@ -27,8 +27,8 @@ const BARE = 250;
 const LONG = 32;
 
 /**
- * Milliseconds between the frames of a usual screen, and the most of them that one frame makes up for. The first packing
- * then takes the same time where frames are slow, and no frame makes many steps at once.
+ * Milliseconds between the frames of a usual screen, and the most of these frames whose steps one slow frame makes. So
+ * the first packing takes the same time where frames are slow, and no frame makes many steps at once.
  */
 const FRAME = 1000 / 60;
 const MOST_FRAMES = 4;
@@ -43,19 +43,19 @@ interface PairPacing {
 export interface Rhythm {
   /** Milliseconds of work in a slice. */
   readonly budget: number;
-  /** The same until the first picture is finished, which nobody turns or changes yet. */
+  /** Milliseconds of work in a slice until the first picture is finished, which nobody turns or changes yet. */
   readonly first: number;
-  /** The same if the screen does not show each slice: before the first cells, and if a painter draws. */
+  /** Milliseconds of work if the screen does not show each slice: before the first cells, and if a painter draws. */
   readonly unseen: number;
   /** Milliseconds of a slice for a drawing that is made in pieces. */
   readonly piece: number;
-  /** The same for a painter. */
+  /** Milliseconds of a slice for a painter. */
   readonly painted: number;
   /** The least time between two drawings of work in progress, in milliseconds. */
   readonly apart: number;
   /** Requests the next slice. */
   next(slice: (begin: number) => void): void;
-  /** Requests it at once, without a frame in between. */
+  /** Requests the next slice at once, without a frame in between. */
   soon?(slice: (begin: number) => void): void;
 }
 
@@ -118,8 +118,8 @@ export class Loop {
   private owed = false;
   private spared = false;
   /**
-   * Whether the next slice does not wait for a frame: the last one was too short for the work, and nobody sees each
-   * slice, or waits for the first picture.
+   * Whether the next slice starts without waiting for a frame. It does if the last slice used up its time, and either
+   * the slices are not seen or the visitor waits for the first picture.
    */
   private hasty = false;
 
@@ -205,7 +205,7 @@ export class Loop {
 
   /**
    * Whole steps for a frame that began at `begin`; the remainder is kept for the next one. Until the first picture is
-   * finished, slow frames make up for those of a usual screen.
+   * finished, a slow frame makes the steps of up to MOST_FRAMES usual frames.
    */
   private stepsNow(begin: number): number {
     const isFirst = !this.finished && !this.pair && !this.until;

@@ -20,7 +20,7 @@ const COUNTS = ['cells', 'steps', 'move', 'added'] as const;
 /** The counts of generators whose cells move, come and go. */
 const OF_MOVES: readonly string[] = ['move', 'added'];
 
-/** The words of these counts. Bodies and blocks have no largest move; each step lays blocks. */
+/** The words of these counts for cells, bodies and blocks. `follow` hides the counts that a generator does not have. */
 const WORDS = { cells: COUNTS, bodies: ['bodies', 'turns', 'move', 'removed'], blocks: ['blocks', 'steps', 'move', 'added'] } as const;
 
 export class StatusLine {

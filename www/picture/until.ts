@@ -6,12 +6,12 @@ import { isEnd, isUpToSteps } from '../module/stages';
 import type { Engine } from '../state/engine';
 
 export class Until {
-  /** The steps made, once it is paused. */
+  /** The steps made, once the forming is paused; undefined before. */
   made: number | undefined;
-  /** The steps made before the last one; a step may count for several. */
+  /** The number of steps before the last one, which may count for several. */
   before = 0;
   private readonly step: number;
-  /** Called when it is paused. */
+  /** Called when the forming is paused. */
   readonly held: (steps: number) => void;
   /** Whether nothing is drawn on the way, which then takes as little time as it can. */
   readonly unseen: boolean;

@@ -8,7 +8,9 @@
 /** The build replaces this. */
 declare const SITE: {
   version: string;
-  /** The first half of each file's SHA-256, in hexadecimal, by path; a page has that of its folder, and '' is the studio. */
+  /**
+   * The first half of each file's SHA-256, in hexadecimal, by path. A page's path is its folder's, '' for the studio.
+   */
   files: Record<string, string>;
   /** The files that the page needs at its start. */
   first: string[];
@@ -79,8 +81,8 @@ async function store(paths: string[]): Promise<void> {
 }
 
 /**
- * Puts a file into the cache: from an older cache, from the browser's own, or from the host. The browser's has the
- * files that the page loaded.
+ * Puts a file into the cache: from an older cache, from the browser's own cache, or from the host. The browser's own
+ * cache has the files that the page loaded.
  */
 async function bring(path: string): Promise<Response | undefined> {
   const url = scope + path;

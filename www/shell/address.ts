@@ -54,8 +54,8 @@ export class Address {
   }
 
   /**
-   * Opens a preset by a link of it, in its view. A preset with a view starts from the usual one, and so does the next one
-   * if the visitor has left that view as it was.
+   * Opens a preset by one of its links, in its view. First returns to the usual view if the preset has a view of its
+   * own, or if the view of another link is still shown.
    */
   openPreset(preset: Preset, link: string): void {
     const { work } = this;

@@ -40,7 +40,7 @@ import { remedies, tellCrash } from './trouble';
 const SETTLED = 400;
 /** Frames to wait for the first cells, or the first frame of bodies, before the panel is built anyway. */
 const PATIENCE = 40;
-/** Milliseconds after the first cells within which a picture is finished before the panel is built. */
+/** The panel waits for the first picture, but at most this many milliseconds after the first cells. */
 const QUICK = 1200;
 
 export class App {
@@ -229,7 +229,7 @@ export class App {
     this.address.leave();
   }
 
-  /** The same, at the work's own pace. */
+  /** Lets the work run past that step, at the work's own pace. */
   private leaveForming(): void {
     this.forming.leave();
     this.goOn();
@@ -286,7 +286,7 @@ export class App {
     this.face.done();
   }
 
-  /** This recipe gives no picture; another one may. */
+  /** Shows why this recipe gives no picture, with buttons that mend it. */
   private stuck(): void {
     const sentence = this.engine.problem();
     // A missing file is shown by a part of its own on the sheet.
@@ -314,7 +314,7 @@ export class App {
     this.address.push();
   }
 
-  /** Opens a preset by a link of it, in its view. */
+  /** Opens a preset by one of its links, in its view. */
   openPreset(preset: Preset, link: string): void {
     this.address.openPreset(preset, link);
   }

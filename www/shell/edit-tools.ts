@@ -55,7 +55,7 @@ export class EditTools {
       const stop = rare.querySelector<HTMLElement>('[tabindex="0"]');
       if (!on && stop && isShown(more)) [stop.tabIndex, more.tabIndex] = [-1, 0];
       more.setAttribute('aria-expanded', String(on));
-      // A column that scrolls may end above them.
+      // In a column that scrolls, the rare tools may be out of sight.
       if (on) rare.scrollIntoView({ block: 'nearest' });
     };
     more.addEventListener('click', () => open(!isOpen()));

@@ -59,7 +59,7 @@ export class Embed {
         this.host.open(recipe);
         if (engine.alive) clear('trouble');
         this.opened(words);
-        // A held step is reached from the start.
+        // The step that a link asks for is reached from the start of the forming.
         if (loop.until) engine.restart();
       });
     });

@@ -1,6 +1,6 @@
 /**
- * The controls of the present generator: panel, dice, presets and the tools of the editor. The first cells are shown
- * before they are built.
+ * The controls of the present generator: panel, dice, presets and the tools of the editor. They are built after the
+ * first cells are shown.
  */
 import type { Parameter, Preset } from '../module/types';
 import { frame } from '../base/dom';
@@ -26,7 +26,7 @@ interface House {
   readonly parts: PageParts;
   /** Makes the next change an entry of its own in the browser's history. */
   push(): void;
-  /** Opens a preset by a link of it, in its view. */
+  /** Opens a preset by one of its links, in its view. */
   openPreset(preset: Preset, link: string): void;
 }
 
@@ -101,7 +101,7 @@ function change(house: House, scaling: Scaling, key: string, text: string, done:
   else work.set(key, text, !done);
 }
 
-/** The row of the file that a value needs, if the recipe does not name it yet. */
+/** The parameter of the file that a value needs, if the recipe does not name the file yet. */
 function fileFor({ work: { engine } }: House, key: string, text: string): Parameter | undefined {
   const files = engine.schema.filter(({ item }) => item === 'file');
   return files.find(({ key: file, shownFor }) => shownFor?.key === key && shownFor.words.includes(text) && engine.get(file) === '');

@@ -1,6 +1,6 @@
 /**
- * Files that the visitor drops, pastes or chooses. A model is known by its name; of all others the content tells whether
- * they hold a recipe, a building or an outline, whatever the page shows.
+ * Files that the visitor drops, pastes or chooses. A model is known by its name. The content of any other file tells
+ * whether it holds a recipe, a building or an outline, whatever the page shows.
  */
 import { isModel } from '../base/files';
 import type { Later } from '../base/later';
@@ -9,7 +9,7 @@ import type { Editor } from '../editor/editor';
 import type { Space } from '../space/space';
 import { openRecipe } from '../take/recipe-file';
 
-/** The bytes of a file in which a building's keys are looked for. */
+/** The bytes at the start of a file in which a building's keys are looked for. */
 const HEAD = 4_000_000;
 
 /** Matches the text of a building (docs/building.md), also of one that is no valid JSON. */

@@ -31,7 +31,7 @@ export function makeLookTools(store: Store, parts: PageParts, leave: () => void)
     store.update({ compare: false, repeat: 1 });
   });
   byId('tile-button').addEventListener('click', () => {
-    // Editing and comparing need a single picture. The mode chosen last ends the others.
+    // Editing and comparing need a single picture. The mode chosen last ends the other modes.
     leave();
     store.update({ compare: false, turn: false, repeat: (store.state.repeat % REPEATS) + 1 });
   });

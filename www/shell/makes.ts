@@ -32,7 +32,7 @@ export function offerMakes(work: Work, push: () => void): void {
     if (word === store.state.make) work.stay();
     if (!chosen || word === store.state.make) return;
     push();
-    // The first press shows what the small picture promises.
+    // At the first press, opens the recipe that the small picture shows.
     work.open(last.get(word) ?? chosen.link, { then: () => store.update({ paused: false }) });
   };
   const buttons = [...byId('makes').querySelectorAll<HTMLButtonElement>('.make[data-make]')];

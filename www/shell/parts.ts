@@ -17,7 +17,7 @@ export const OFFERED = [
 
 export type PageParts = ReturnType<typeof partsOf>;
 
-/** `leave` ends what holds or paces the forming. */
+/** `leave` ends the slow pace of a watched forming, and the pause that a link asked for. */
 export function partsOf(work: Work, view: View, host: PictureHost, leave: () => void) {
   const { engine, store } = work;
   const take = (file: File, role?: string): void => given.ask((it) => void it.take(file, role));

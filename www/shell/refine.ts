@@ -1,6 +1,6 @@
 /**
- * Loads what lays finer pixels over the canvas, if the visitor wants that: with the first finished picture, or at a pause,
- * when a drawing stands still. Without it the plain canvas stays.
+ * Loads look/fine.ts, which lays finer pixels over the canvas, if the visitor wants them. It is loaded with the first
+ * finished picture, or at a pause, when a drawing stands still. Without it the plain canvas stays.
  */
 import type { View } from '../picture/view';
 import type { Work } from '../state/work';

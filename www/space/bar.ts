@@ -1,6 +1,6 @@
 /**
- * The bar of the model that is open: its name, its size beside the cells, and what can be done with it. If there are
- * several, it shows the first one.
+ * The bar of the model that is open: its name, its size in cells, and what can be done with it. If there are several
+ * models, the bar shows the first one.
  */
 import type { ModelFacts } from '../../pkg-house/bubblestone.js';
 import type { Parameter } from '../module/types';

@@ -27,23 +27,24 @@ interface Named {
   module: Whole;
 }
 
-/** A file to be opened, and the role that it should get. Only generators with buildings take the file of one. */
+/** A file to be opened, and the role that it should get. Only generators with buildings take the file of a building. */
 export interface Given {
   readonly file: File;
   readonly role?: string | undefined;
   readonly isBuilding: boolean;
 }
 
-/** The parameter that chooses a building, the building's file among others. */
+/** The parameter that chooses a building; one of its words stands for a file. */
 const BUILDING = 'building';
 
-/** Stops the file that is being read. */
+/** Stops the reading that goes on now. */
 let now: AbortController | undefined;
 
 /**
  * Opens a file and names it in the recipe, if something can be made of it; else nothing changes. The other settings
- * stay if the present generator takes files. Without a role it is the file that the recipe waits for, or its first one. If the recipe already names the file, `again` is called because the
- * recipe does not change. Returns whether the file is open.
+ * stay if the present generator takes files. Without a role, the file gets the role that the recipe waits for, or else
+ * the first one. If the recipe already names the file, the recipe does not change, and `again` is called. Returns
+ * whether the file is open.
  */
 export async function openModel(work: Work, given: Given, again: () => void): Promise<boolean> {
   now?.abort();
@@ -63,7 +64,7 @@ export async function openModel(work: Work, given: Given, again: () => void): Pr
     return true;
   } catch (error) {
     if (!stopping.signal.aborted) refuse(reasonOf(error));
-    // Unless another file has taken its place.
+    // If another file has replaced this one, its own message is shown.
     else if (stopping === now) notice('files', t('stopped', { name }));
     return false;
   }
@@ -105,8 +106,8 @@ async function nameOf(file: File, task: Task): Promise<Named> {
 }
 
 /**
- * The link of a recipe that names a file: the present recipe with it, or one of another generator if this one takes
- * no such files. A file that the recipe waits for changes nothing else of it.
+ * The link of a recipe that names a file: the present recipe with it, or one of another generator if this one takes no
+ * such files. If the recipe waits for this very file, the link stays the same.
  */
 function askingFor({ digest, value, module }: Named, { engine, store: { state: { make, recipe } } }: Work, { role, isBuilding }: Given): string {
   const missing = engine.missing();

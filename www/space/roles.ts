@@ -6,7 +6,7 @@ import { withValues } from '../state/link';
 const COMPONENT = 'file1';
 const SHAPE = 'model';
 
-/** The rows of a file: that which names it, the choice that makes it count, and the upright axis. */
+/** The parameters of a file: the one that names it, the choice and word that make it count, and the upright axis. */
 interface FileRows {
   readonly file: Parameter;
   readonly choice: string;
@@ -25,7 +25,10 @@ export function uprightOf(schema: readonly Parameter[], role: string): Parameter
   return placeOf(schema, role)?.up;
 }
 
-/** The link with the file in its other role. The file that was there before is gone, and the role that this one leaves is free. */
+/**
+ * The link with the file in its other role. A file that had that role before is dropped, and the first role becomes
+ * free.
+ */
 export function moved(link: string, schema: readonly Parameter[], role: string): string {
   const [from, to] = [placeOf(schema, role), placeOf(schema, otherThan(role))];
   if (!from || !to) return link;

@@ -11,7 +11,7 @@ export function isOther(value: string): boolean {
   return value === OTHER;
 }
 
-/** The value for the other side than the one that is seen. `remarks` are the codes of the remarks on the surface. */
+/** The value that makes the side outside which is inside now. `remarks` are the codes of the remarks on the surface. */
 export function otherSide(value: string, remarks: readonly string[]): string {
   if (value === OTHER) return GUESSED;
   return value === GUESSED || !remarks.includes(INWARD) ? OTHER : GUESSED;

@@ -1,7 +1,7 @@
 /**
  * A model file is tried before the page shows anything of it: an engine of its own works on the new recipe until the
- * surface is made. A file that is refused so changes nothing. If it is taken, the page goes on with that engine, and
- * no work is done twice.
+ * surface is made. So a file that is refused changes nothing. If it is taken, the page goes on with that engine, and no
+ * work is done twice.
  */
 import { piecesOf, supply } from '../module/given';
 import type { SceneStudio, Whole } from '../module/scene';
@@ -13,7 +13,7 @@ import { said } from '../words/words';
 /** Milliseconds of work in a slice, between which the page can act. */
 const BUDGET = 10;
 
-/** The share of the progress bar that is left for the surface, after the file has been read. */
+/** The place on the progress bar, 0..1, at which the file has been read and the surface begins. */
 export const MADE = 0.5;
 
 /**
@@ -50,7 +50,7 @@ async function surface(module: Whole, studio: SceneStudio, task: Task): Promise<
     const end = performance.now() + BUDGET;
     do studio.tick(0, 1);
     while (studio.stage() === first && performance.now() < end);
-    // The share is not known: each slice does a part of the rest.
+    // The true progress is unknown: each slice counts as a hundredth of the rest.
     task.progress((done += (1 - done) / 100));
     await new Promise((resolve) => setTimeout(resolve));
   }

@@ -1,4 +1,4 @@
-/** Links whose generator may not be loaded yet. Everything stays as it is until it is. */
+/** Links whose generator may not be loaded yet. The page stays as it is until the generator is loaded. */
 import { placeOf } from '../module/generators';
 import { loadModule, moduleFor } from '../module/load';
 import { t, type PageWord } from '../words/words';
@@ -27,7 +27,7 @@ export async function load(link: string, lost: PageWord = 'lost_wasm'): Promise<
 
 export class Arrivals {
   private readonly tell: (link: string) => void;
-  /** Counts the requests. A load for an earlier one is ignored when it ends. */
+  /** Counts the requests. A load for an earlier request is ignored when it ends. */
   private turn = 0;
   private timer = 0;
 

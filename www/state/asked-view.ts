@@ -7,7 +7,7 @@ export interface Sights {
   readonly overlays: readonly string[];
   /** Only an offered forming has steps. A camera needs frames, or bodies that can be turned. */
   readonly offers: readonly string[];
-  /** The first camera as numbers with commas between, and the lowest camera in degrees. */
+  /** The first camera as numbers with commas between, and the least height of a camera in degrees. */
   readonly home: string;
   readonly lowest: number;
 }
@@ -35,7 +35,7 @@ const FARTHEST = 2;
 /** A body and a step in its making. */
 const BODY = /^[1-9]\d{0,6}:\d{1,3}$/;
 
-/** Decimals of each number in a link. */
+/** Decimals of each number of a camera in a link. */
 const DIGITS = [1, 1, 3, 1, 4, 4, 4];
 
 /** The camera of links without one. */
@@ -147,7 +147,7 @@ function readView(given: string, { bases, overlays }: Sights, viewing: Viewing, 
   viewing.overlays = overlays.filter((word) => layers.includes(word));
 }
 
-/** Reads the factor and the middle; without one, the middle of the picture. */
+/** Reads a zoom's factor and its middle; by default the middle of the picture. */
 function readZoom(given: string, viewing: Viewing, faults: Fault[]): void {
   const [times = '', ...place] = given.split(',');
   const [x, y] = (place.length ? place : ['0.5', '0.5']).map(numberIn);

@@ -99,7 +99,7 @@ export class Engine {
     return this.notices();
   }
 
-  /** Goes on with a studio of this module that has begun to work on a link. The previous one is released. */
+  /** Goes on with a studio of this module that has begun to work on a link. The previous studio is released. */
   adopt(studio: SceneStudio, module: Module): void {
     if (this.dead) return studio.free();
     this.search.end();
@@ -323,7 +323,7 @@ export class Engine {
   }
 }
 
-/** Numbers in rows of these lengths, where each item of a row has some numbers. */
+/** Splits numbers into rows. A row's length is given in items, and an item has `each` numbers. */
 function rowsOf(numbers: Float64Array, lengths: Uint32Array, each: number): number[][] {
   let at = 0;
   return Array.from(lengths, (length) => Array.from(numbers.slice(at, (at += each * length))));

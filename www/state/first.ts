@@ -8,7 +8,9 @@ import type { State } from './store';
 import { PACE, parted, WHOLE } from './viewing';
 import { presetOf } from './work';
 
-/** The recipe and the view in the address. Before a reload, a step, an undo or a redo may not have reached the address. */
+/**
+ * The recipe and the view in the address. After a reload the address may be a step behind; then the last work counts.
+ */
 export function askedFor(last: LastWork | undefined): { recipe: string; words: string } {
   const asked = parted(fragment());
   const isBehind = last && isReload() && asked.recipe !== last.recipe && [...last.past, ...last.future].includes(asked.recipe);

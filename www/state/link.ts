@@ -4,9 +4,9 @@
 const THROTTLE = 500;
 
 /**
- * The most changes in a span of milliseconds, with room for another change just before each. Browsers limit their rate:
- * Safari refuses more than a hundred in half a minute. Beyond the first number a new state replaces the present one,
- * beyond the second it waits; the page's own history has each step in any case.
+ * The most changes of each kind within SPAN milliseconds. Browsers limit their rate: Safari refuses more than a hundred
+ * in half a minute, and a state that waits may be written just before another one. Beyond `pushState`, a new state
+ * replaces the present one; beyond `replaceState`, it waits. The page's own history has each step in any case.
  */
 const SPAN = 30_000;
 const MOST = { pushState: 60, replaceState: 90 };
@@ -15,7 +15,7 @@ const MOST = { pushState: 60, replaceState: 90 };
 const OURS = 'ours';
 
 export class Link {
-  /** How to write the next state: as a new entry, to which Back returns, or in place of the present one. */
+  /** How to write the next state: as a new entry of the browser's history, or in place of the present one. */
   next: 'push' | 'replace' = 'replace';
   private written = fragment();
   private waiting: string | undefined;
@@ -115,7 +115,7 @@ export function pageAddress(state: string): string {
   return url.href;
 }
 
-/** The state with other values. */
+/** The state with these values in place of its own. */
 export function withValues(state: string, values: readonly (readonly [key: string, text: string])[]): string {
   const kept = state.split('&').filter((piece) => piece !== '' && !values.some(([key]) => piece.startsWith(`${key}=`)));
   return [...kept, ...values.map(([key, text]) => `${key}=${text}`)].join('&');

@@ -1,6 +1,6 @@
 /**
- * The last work and its history, kept in this browser. Each tab keeps its own, too, so that a reload finds it. A tab that
- * replaces the work of another one puts that aside; a new tab finds it at the start of its history.
+ * The last work and its history, kept in this browser. Each tab keeps its own, too, so that a reload finds it. A tab
+ * that overwrites the work of another tab puts the other's work aside; a new tab finds it at the start of its history.
  */
 import { keep, keepInTab, kept, keptInTab } from '../base/storage';
 import type { State, Store } from './store';

@@ -10,7 +10,7 @@ export interface Recipe {
   defaultOf(parameter: Parameter): string;
 }
 
-/** Whether a parameter has an effect, by its rule in the schema and by the rule of the parameter that it names. */
+/** Whether a parameter has an effect: its rule in the schema holds, and so does that of the parameter in this rule. */
 export function applies({ shownFor: rule }: Parameter, recipe: Recipe): boolean {
   if (!rule) return true;
   const other = recipe.schema.find(({ key }) => key === rule.key);

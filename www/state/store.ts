@@ -32,7 +32,7 @@ export interface State {
   readonly paused: boolean;
   /** The view's word. */
   readonly view: string;
-  /** The words of its overlays. */
+  /** The words of the view's overlays. */
   readonly overlays: readonly string[];
   /** The zoom and its middle. */
   readonly zoom: Zoomed;
@@ -44,7 +44,7 @@ export interface State {
   readonly light: boolean;
   readonly layers: boolean;
   readonly compare: boolean;
-  /** The compared picture stands beside the own one and forms in step; otherwise it is under a divider. */
+  /** The compared picture stands beside the page's own and forms in step; otherwise it is under a divider. */
   readonly beside: boolean;
   /** The stage of the picture beside; 'done' while there is none. */
   readonly other: string;

@@ -17,7 +17,7 @@ export interface Zoomed {
  */
 export type Camera = readonly [angle: number, height: number, distance: number, lens: number, x: number, y: number, z: number];
 
-/** A plane beyond which bodies are cut away: the direction there, and the distance from the middle in sides of the picture. */
+/** A plane beyond which bodies are cut away: its normal, pointing there, and its distance from the middle, in sides. */
 export type Cut = readonly [x: number, y: number, z: number, at: number];
 
 /** The view of a link's picture. Values that it does not name stay as they are. */
@@ -39,7 +39,7 @@ export interface Viewing {
 /** The zoom that shows the whole picture. */
 export const WHOLE: Zoomed = { scale: 1, x: 0.5, y: 0.5 };
 
-/** The usual speed, and that of visitors who prefer reduced motion. */
+/** Packing steps per frame: the usual number, and that for visitors who prefer reduced motion. */
 export const PACE = { usual: 3, still: 100_000 } as const;
 
 const KEYS = ['view', 'pace', 'step', 'zoom', 'camera', 'cut', 'body'];
@@ -55,7 +55,7 @@ export function parted(fragment: string): { recipe: string; words: string } {
   return { recipe: pieces.filter((piece) => piece !== '' && !words.includes(piece)).join('&') || 'v=1', words: words.join('&') };
 }
 
-/** Joins both to a fragment. It is never empty, as a bare address opens the first picture of a visit. */
+/** Joins a recipe and words of the view. Never empty, as a bare address opens the first picture of a visit. */
 export function joined(recipe: string, words: string): string {
   return [recipe || 'v=1', words].filter((piece) => piece !== '').join('&');
 }

@@ -11,9 +11,9 @@ import type { State, Store } from './store';
 interface Opening {
   /** The link is the visitor's own work. */
   own?: boolean;
-  /** The preset to name. Without it, it is that of the link. */
+  /** The preset to name. By default it is the one that has this link. */
   preset?: Preset;
-  /** Called once it is open. */
+  /** Called once the link is open. */
   then?: () => void;
 }
 
@@ -62,7 +62,7 @@ export class Work {
     this.changed(held);
   }
 
-  /** The same, but returns the notices instead of showing them. */
+  /** Sets a parameter, but returns the notices instead of showing them. */
   write(key: string, text: string, held = false): SetResult {
     const told = this.engine.set(key, text);
     this.changed(held);
@@ -127,7 +127,7 @@ export class Work {
   }
 }
 
-/** The preset with exactly this recipe: the opened one if it has it, since presets may differ in their views only. */
+/** The preset with exactly this recipe; of several, which differ in their views only, the opened one. */
 export function presetOf(presets: Preset[], recipe: string, opened?: State['preset']): State['preset'] {
   if (opened?.recipe === recipe) return opened;
   const found = presets.find(({ link }) => link.replace(/^#/, '') === recipe);

@@ -12,7 +12,7 @@ export interface Foreign {
   makes: Record<string, string>;
   /** Groups of parameters and of presets. */
   groups: Record<string, string>;
-  /** By the preset's name. The presets of the papers' figures get their titles from these, too. */
+  /** By the preset's name. An empty title stands for the name of the preset's figure. */
   presets: Record<string, { title: string; note: string }>;
   /** The papers' figures that a preset names. */
   figure(text: string): string;

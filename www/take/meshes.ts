@@ -13,8 +13,9 @@ const DETAILS = { low: 100, middle: 400, high: 1600 };
 const IMAGES = [1.85, 2.2, 1.15];
 
 /**
- * Bytes of a GLB file of one mesh. Instead of the text of each body, it has wider indices; with images it also has
- * more normals and tangents. The module's sizes are those of a mesh for each stone.
+ * By how many bytes a GLB file of one mesh is larger than the module's size, which is that of a mesh for each stone.
+ * Each body saves its text (`textured`: with images), each triangle has wider indices, and with images each vertex has
+ * more normals and tangents.
  */
 const JOINED = { text: -850, textured: -560, triangle: 6, vertex: 28 };
 
@@ -65,12 +66,12 @@ function meshSize(engine: Engine, ending: 'glb' | 'obj', images: readonly number
   return { triangles, bytes: ending === 'glb' && chosen.bodies === 'one' ? bytes + joinedBytes(engine, triangles, images.length > 0) : bytes };
 }
 
-/** The bytes that a file has more if it has one mesh. */
+/** By how many bytes a file grows if it has one mesh. */
 function joinedBytes(engine: Engine, triangles: number, textured: boolean): number {
   const { cells } = engine.status();
   const { text, triangle, vertex } = JOINED;
   if (!textured) return triangle * triangles + text * cells;
-  // A fifth of the stones' triangles is the ground's. Its normals and tangents are in the file anyway.
+  // The ground has a fifth as many triangles as the stones. Its normals and tangents are in the file anyway.
   const ofStones = triangles / 1.2 / 2 + 2 * cells;
   return triangle * triangles + JOINED.textured * cells + vertex * ofStones;
 }

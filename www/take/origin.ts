@@ -16,13 +16,13 @@ export async function signed(file: Blob, address: string): Promise<Blob> {
   return new Blob([text.slice(0, inside), origin, text.slice(inside)], { type: file.type });
 }
 
-/** The content of a canvas as such a file; undefined if the browser cannot make one. */
+/** The content of a canvas as a PNG file with the address inside; undefined if the browser cannot make one. */
 export async function signedPng(canvas: HTMLCanvasElement, address: string): Promise<Blob | undefined> {
   const picture = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
   return picture ? signed(picture, address) : undefined;
 }
 
-/** The address in such a file, read from its first bytes; undefined if there is none. */
+/** The address in a saved file, read from its first bytes; undefined if there is none. */
 export function originIn(bytes: Uint8Array): string | undefined {
   const inPicture = textIn(bytes, PROGRAM);
   if (inPicture !== undefined) return inPicture;

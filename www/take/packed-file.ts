@@ -87,8 +87,8 @@ export interface Unpacked {
 }
 
 /**
- * Stores the models of a recipe's file that the recipe names and that are not here yet. A model takes no other one's
- * place. Throws an error when the task is stopped, or if the module does not load.
+ * Stores the models of a recipe's file that the recipe names and that are not here yet. No stored file is replaced or
+ * deleted for it. Throws an error when the task is stopped, or if the module does not load.
  */
 export async function keepFiles(file: Blob, at: number, first: object, recipe: string, task: Task): Promise<Unpacked> {
   const [module] = await Promise.all([loadWhole(), moreWords()]);

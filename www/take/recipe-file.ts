@@ -29,7 +29,7 @@ function valueOf({ kind }: Parameter, text: string): string | number {
   return kind === 'number' || kind === 'int' ? Number(text) : text;
 }
 
-/** Stops the file that is being opened. */
+/** Stops the opening that goes on now. */
 let now: AbortController | undefined;
 
 /** Opens the recipe that a file holds; false if the file is something else. */

@@ -72,7 +72,7 @@ export function sentence(body: BodyInfo, sort: Sort): string {
   return [[name, ...numbers].join(', '), ...(hasSteps(body, sort) ? [t('how_key')] : [])].join('. ');
 }
 
-/** An element of a mesh is no body that is made. */
+/** Whether the making of a body can be shown in steps. An element of a mesh has none. */
 export function hasSteps({ steps }: BodyInfo, sort: Sort): boolean {
   return steps.length > 0 && sort !== 'element';
 }

@@ -54,8 +54,9 @@ export const CLOSER = 1 / 1.3;
 const SLACK = { mouse: 4, touch: 9 };
 
 /**
- * In milliseconds: a mouse rests this long before a body is shown; after this pause the wheel or keys have stopped. A
- * throw continues at the speed of its last part, in degrees per millisecond, and decays.
+ * A mouse rests for REST milliseconds before a body is shown; after a pause of STOPPED milliseconds the wheel or keys
+ * have stopped. A throw goes on at the mean speed of its `last` milliseconds, but at most at `most`, in degrees per
+ * millisecond. It decays with the time constant `dies`, and ends below `least`.
  */
 const REST = 120;
 const STOPPED = 220;
@@ -255,7 +256,7 @@ export class Gestures {
     event.preventDefault();
   }
 
-  /** Moves the camera, perhaps one of several moves. It counts as stopped after a pause. */
+  /** Moves the camera; more moves may follow. After a pause the camera counts as stopped. */
   soon(camera: Camera): void {
     this.stop();
     this.hands.take(camera, true);

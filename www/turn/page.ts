@@ -33,7 +33,7 @@ export class PageTurntable {
     store.on(['recipe', 'held', 'camera', 'cut'], () => this.both.shown?.follow());
     store.on(['make'], ({ turn }) => this.show(turn));
     store.on(['preset'], ({ turn }) => this.face(turn));
-    // Editing, comparing and repeating need the picture. The mode chosen last ends the others.
+    // Editing, comparing and repeating need the picture. The mode chosen last ends the other modes.
     store.on(['editing', 'compare', 'repeat'], ({ turn, editing, compare, repeat }) => {
       if (turn && !work.engine.offers('frames') && (editing !== undefined || compare || repeat > 1)) store.update({ turn: false });
     });
@@ -52,8 +52,8 @@ export class PageTurntable {
   }
 
   /**
-   * Lets the first look at a slant follow the light: when it opens, and with another preset. It does not move with the
-   * light while that is changed. A camera that the visitor chose stays.
+   * Sets the first camera by the light of the picture: when the turntable opens, and with another preset. The camera
+   * does not follow later changes of the light. A camera that the visitor chose stays.
    */
   private face(on: boolean): void {
     const { store, engine } = this.work;

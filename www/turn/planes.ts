@@ -5,7 +5,7 @@ import type { Plane } from '../picture/frames/source';
 
 const PLANES: readonly Plane[] = ['light', 'depth', 'normal', 'id', 'alpha'];
 
-/** The control that chooses one of them; it calls `chosen`. */
+/** The control that chooses a plane, and calls `chosen` with it. */
 export function planes(chosen: (plane: Plane) => void): HTMLSelectElement {
   const options = PLANES.map((plane) => make('option', { value: plane }, t(`plane_${plane}`)));
   const select = make('select', { id: 'turn-plane', 'aria-label': t('plane'), title: t('plane') }, ...options);

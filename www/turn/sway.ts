@@ -14,17 +14,17 @@ const WIDE = 11;
 /** The longest time of a frame that counts, in milliseconds: on slow machines the swing takes longer instead of jumping. */
 const LONGEST = 100;
 
-/** The key of the note that the visitor has seen it, or has turned bodies. */
+/** The key of the note that the visitor has seen the swing, or has turned bodies. */
 const SEEN = 'swayed';
 
-/** These events end it. */
+/** These events end the swing. */
 const TOUCHES = ['pointerdown', 'touchstart', 'keydown', 'wheel', 'scroll'] as const;
 
 export class Sway {
   private frame = 0;
   private passed = 0;
   private last = 0;
-  /** Whether it may still begin. */
+  /** Whether the swing may still begin. */
   private waits = kept(SEEN) === undefined;
   private readonly see: () => void;
   private readonly touched = ({ type, target }: Event): void => {
@@ -37,12 +37,12 @@ export class Sway {
     this.see = see;
   }
 
-  /** The bodies have come: from now on a touch prevents it. */
+  /** The bodies have come: from now on a touch prevents the swing. */
   arm(): void {
     if (this.waits) for (const sign of TOUCHES) addEventListener(sign, this.touched, { capture: true, passive: true });
   }
 
-  /** Begins, if it may. */
+  /** Begins the swing, unless it has been prevented. */
   begin(): void {
     if (!this.waits || this.goes) return;
     this.waits = false;
@@ -52,7 +52,7 @@ export class Sway {
     this.frame = requestAnimationFrame((now) => this.go(now));
   }
 
-  /** Ends it, and prevents it from now on. */
+  /** Ends the swing, and prevents it from now on. */
   end(): void {
     const { goes } = this;
     for (const sign of TOUCHES) removeEventListener(sign, this.touched, { capture: true });
@@ -72,7 +72,7 @@ export class Sway {
     return this.frame !== 0;
   }
 
-  /** The camera of this moment, for one at rest. */
+  /** The camera of this moment; `camera` is the one at rest. */
   of(camera: Camera): Camera {
     const part = this.passed / TIME;
     return this.goes ? turned(camera, WIDE * Math.sin(2 * Math.PI * part) * Math.sin(Math.PI * part), 0, ALL_AROUND) : camera;

@@ -13,10 +13,10 @@ const FAR = { near: 0.6, far: 2.4 };
 
 const SIDES = ['side_0', 'side_1', 'side_2', 'side_3', 'side_4', 'side_5', 'side_6', 'side_7'] as const;
 
-/** The same for generators that are seen by frames only. */
+/** The words for these sides if the generator is seen by frames only. */
 const AROUND = ['around_0', 'around_1', 'around_2', 'around_3', 'around_4', 'around_5', 'around_6', 'around_7'] as const;
 
-/** The words for several bodies; views of the others have words of their own. */
+/** The words for several bodies of a sort. Views that show other things have words of their own. */
 const MANY = { stone: 'stones', scale: 'scales', body: 'bodies', block: 'blocks', feature: 'blocks', cell: 'stones', element: 'stones', dart: 'bodies' } as const satisfies Record<Sort, string>;
 
 /** A sentence on the bodies, or on the other content of the view, and on the camera. */
@@ -49,15 +49,15 @@ export function areOfMap(steps: readonly string[]): boolean {
 }
 
 /**
- * A sentence that stands alone: on a state of a face's map, or on a step that no paper describes, among steps that end with
- * the body in its place on a surface; '' if there is none.
+ * A sentence that cites no paper, or ''. It is on a state of a face's map, or on a step that no paper describes in the
+ * making of a body that ends up on a surface.
  */
 export function ownNote(step: string, steps: readonly string[]): string {
   const key = `own_${step}`;
   return (steps.includes('bent') || areOfMap(steps)) && isWord(key) ? t(key) : '';
 }
 
-/** A sentence on such a step, with the recipe's numbers; '' if there is none. */
+/** A sentence on a step that a paper describes, with the recipe's numbers; '' if there is none. */
 export function stepNote(step: string, get: (key: string) => string): string {
   const form = get('stone');
   const word = step.replace(/\d+$/, '');

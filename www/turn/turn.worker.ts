@@ -1,9 +1,9 @@
 /**
  * Runs a recipe once more, with the full module, and makes frames of its bodies for the page.
  *
- * Only the latest request counts. While something moves there are coarse frames only, and each is finished: otherwise
- * none ever would be. A view at rest gets a coarse frame, then one with all pixels, which is refined; a newer request ends
- * these.
+ * Only the latest request counts. While something moves there are coarse frames only, and each is finished; otherwise
+ * no frame ever would be. A view at rest gets a coarse frame, then one with all pixels, which is refined until a newer
+ * request comes.
  */
 import { reasonOf } from '../base/errors';
 import { soon } from '../base/soon';

@@ -1,5 +1,5 @@
 /**
- * The words of the tools for a closer look, in the page's language, and those of the page. They are loaded with the
+ * The words of the tools for a closer look and the page's own words, in the page's language. They are loaded with the
  * tools, in both languages.
  */
 import { en, ja } from '../strings/look.json';

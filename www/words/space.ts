@@ -1,4 +1,4 @@
-/** The words of surfaces in space, in the page's language. They are loaded with them, in both languages. */
+/** The words for surfaces in space, in the page's language. They are loaded with www/space, in both languages. */
 import { en, ja } from '../strings/space.json';
 import { wordsOf } from './words';
 

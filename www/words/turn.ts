@@ -6,7 +6,7 @@ type TurnWord = keyof typeof en;
 
 export const t = wordsOf({ en, ja });
 
-/** Whether the word is known. Some steps have none. */
+/** Whether this is a word of the turntable. Some steps have none. */
 export function isWord(word: string): word is TurnWord {
   return word in en;
 }

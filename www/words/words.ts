@@ -1,13 +1,14 @@
 /**
  * The page's words in its language. All are in strings/; English is always loaded.
  *
- * strings/en.json has two lists: `page`, which the build writes into the HTML, and `words`, which scripts use. Lazy parts
- * bring their own words. The module has the English of parameters and presets; other languages translate it by key
- * (strings/ja-module.ts). The module sends notices as a code with arguments; the tables in src/notice have their words in
- * all languages. Tests check that no word is missing.
+ * strings/en.json has two lists: `page`, which the build writes into the HTML, and `words`, which scripts use. Lazy
+ * parts bring their own words. The module has the English of parameters and presets; other languages translate it by
+ * key (strings/ja-module.ts). The module sends notices as a code with arguments; the tables in src/notice have their
+ * words in all languages. Tests check that no word is missing.
  *
- * Each text that was given is remembered with a function that gives it in the present language. So the words on the page
- * can change where they stand (base/retell.ts). The words of parameters and presets are getters for the same reason.
+ * Each text that this file has given is remembered, with a function that gives it in the present language. So the words
+ * on the page can change where they stand (base/retell.ts). The words of parameters and presets are getters for the
+ * same reason.
  */
 import type { Notice, Parameter, Preset } from '../module/types';
 import { words as english } from '../strings/en.json';
@@ -34,7 +35,7 @@ export function again(text: string): string | undefined {
   return given.get(text)?.();
 }
 
-/** The same, whether it is known or not. */
+/** A value in the present language if it is a text that was given before; else the value itself. */
 const anew = (value: string | number): string | number => (typeof value === 'string' ? (again(value) ?? value) : value);
 
 /** The code of the page's language. */
@@ -47,20 +48,20 @@ export function t(key: PageWord, values: Record<string, string | number> = {}): 
   return remember(() => words[key], values);
 }
 
-/** The same for a lazy part, which brings its words in all languages. */
+/** Makes a function like `t` for a lazy part, which brings its words in both languages. */
 export function wordsOf<Key extends string>(by: { en: Record<Key, string>; ja: Record<Key, string> }) {
   return (key: Key, values: Record<string, string | number> = {}): string => remember(() => by[language() === 'ja' ? 'ja' : 'en'][key], values);
 }
 
-/** A text of the present language with its values. */
+/** Fills a pattern of the present language with values, and remembers the text. */
 function remember(pattern: () => string, values: Record<string, string | number>): string {
   const text = filled(pattern(), values);
-  // A text that is nothing but its value is the value's.
+  // A text that is nothing but one of its values keeps the entry of that value.
   if (Object.values(values).includes(text)) return text;
   return remembered(text, () => remember(pattern, Object.fromEntries(Object.entries(values).map(([key, value]) => [key, anew(value)]))));
 }
 
-/** The same for words of the module. */
+/** Remembers a word of the module; `word` gives it in the present language. */
 function spoken(word: () => string): string {
   return remembered(word(), () => spoken(word));
 }
@@ -70,7 +71,7 @@ function filled(text: string, values: Record<string, string | number>): string {
   return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
 }
 
-/** Changes the language; without other words, to English. */
+/** Changes the language. Without `to`, the words are the English ones. */
 export function translate(code: string, to?: { words: Record<PageWord, string>; foreign: Foreign }): void {
   words = to?.words ?? english;
   foreign = to?.foreign;
@@ -95,12 +96,12 @@ export function stageIn(word: string): string {
   return spoken(() => known(`stage_${word}`) ?? word);
 }
 
-/** The same for a view. */
+/** A view's name in the page's language; its own word if it has no name. */
 export function viewIn(word: string): string {
   return spoken(() => known(`view_${word}`) ?? word);
 }
 
-/** The same for a generator; the schema's title if the page has no words for it. */
+/** A generator's name in the page's language; the schema's `title` if the page has no words for it. */
 export function makeIn(word: string, title: string): string {
   return spoken(() => foreign?.makes[word] ?? title);
 }

@@ -1,4 +1,6 @@
-/** A figure of a page that has nothing else of ours: a recipe, and a view of it. */
+/**
+ * A figure on a page without any other part of ours. The address has a recipe and its view, with a "!" between them.
+ */
 import { PictureHost } from '../../../www/picture/host';
 import { load } from '../../../www/state/arrivals';
 

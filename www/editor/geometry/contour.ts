@@ -61,7 +61,7 @@ function crossing(values: Float32Array, columns: number, line: number): Point {
   return line & 1 ? [x, y + part] : [x + part, y];
 }
 
-/** Rings with less area than this, in squares of the grid, are dropped. */
+/** Rings with less area than a square of this side, in units of the grid, are dropped. */
 const DUST = 4;
 
 /** Longest piece, in units of the grid, by which a contour cuts off a corner. */
@@ -87,7 +87,7 @@ function fromCorner(ring: Ring): Ring {
   return [...ring.slice(at), ...ring.slice(0, at)];
 }
 
-/** Replaces one or two short pieces by a corner, where the long sides beside them would meet close behind. */
+/** Replaces one or two short pieces by a corner, where the long sides beside them, extended, meet nearby. */
 function sharpened(ring: Ring): Ring {
   const points = [...ring];
   for (let k = 0; k < points.length; k += 1) {

@@ -20,7 +20,7 @@ export function stretchAlong(line: Ring, smooth: boolean): Stretch {
   return { smooth, from: line[0] ?? [0, 0], to: line.at(-1) ?? [0, 0], length, inner };
 }
 
-/** For each handle, the points from it up to the next one, without that one. Without stretches, the pieces are straight. */
+/** For each handle, the points from it to before the next handle. Without stretches, the pieces are straight. */
 export function lines(figure: Figure, side: number): Point[][] {
   const { points, stretches } = figure;
   return points.map((from, k) => (stretches ? [from, ...bent(stretches, points, k, side)] : [from]));
@@ -31,7 +31,7 @@ export function ringOf(figure: Figure, side: number): Ring {
   return lines(figure, side).flat();
 }
 
-/** Makes the present curves the ones that later moves start from. */
+/** Makes the present curves the originals that later moves bend. */
 export function settle(figure: Figure, side: number): void {
   const { points, stretches } = figure;
   if (!stretches) return;
@@ -66,7 +66,7 @@ function bent(stretches: Stretch[], points: Point[], index: number, side: number
   });
 }
 
-/** The direction at a smooth handle of stretches that were not moved. */
+/** The unit tangent at a smooth handle, on the stretches as they were before any move. */
 function direction(stretches: Stretch[], index: number): Point {
   const [before, behind] = [stretches.at(index - 1), stretches[index]];
   if (!before || !behind) return [1, 0];
@@ -74,12 +74,12 @@ function direction(stretches: Stretch[], index: number): Point {
   return through(last, behind.from, next);
 }
 
-/** The mean of the direction to a place and the direction from it. */
+/** The mean of the directions from `a` to `b` and from `b` to `c`, as a unit vector. */
 function through(a: Point, b: Point, c: Point): Point {
   return unit(sum(unit(minus(b, a)), unit(minus(c, b))));
 }
 
-/** The rotation at a smooth handle. If the handle moved, it follows the direction from the previous handle to the next one. */
+/** How far the tangent at a smooth handle turns, as a complex number: 1 if the handle has not moved. */
 function swing(stretches: Stretch[], points: Point[], index: number): Point {
   const [before, here, next] = [points.at(index - 1), points[index], points[(index + 1) % points.length]];
   const [last, base] = [stretches.at(index - 1), stretches[index]];
@@ -137,8 +137,8 @@ export function middle(line: Point[], to: Point): Point {
 }
 
 /**
- * Adds a handle to a ring behind handle `index`, where the ring is nearest to a place: smooth on a curve, a corner on
- * a straight line.
+ * Adds a handle to a ring after handle `index`, where the ring is nearest to `near`; halfway without `near`. It is
+ * smooth on a curve, and a corner on a straight line.
  */
 export function divide(figure: Figure, index: number, near: Point | undefined, side: number): void {
   const { points } = figure;
@@ -156,7 +156,7 @@ export function divide(figure: Figure, index: number, near: Point | undefined, s
   all.splice(index, 1, stretchAlong([...before, at], stretch.smooth), stretchAlong([at, ...behind], line.length > 1));
 }
 
-/** The handle before the stretch that is nearest to a place. */
+/** Index of the stretch nearest to a place, and so of the handle where it begins. */
 export function nearestLine(figure: Figure, place: Point, side: number): number {
   const all = lines(figure, side);
   return nearest(all.map((line, k) => Math.min(...line.map((from, n) => toSegment(place, from, line[n + 1] ?? all[(k + 1) % all.length]?.[0] ?? from)))));
@@ -189,12 +189,12 @@ function beside({ points }: Figure, index: number): [before: number, next: numbe
   return [(index + points.length - 1) % points.length, (index + 1) % points.length];
 }
 
-/** The direction of a smooth handle. */
+/** The unit tangent at a handle; undefined at a corner. */
 function way(stretches: Stretch[], index: number): Point | undefined {
   return stretches[index]?.smooth ? direction(stretches, index) : undefined;
 }
 
-/** Replaces the stretch behind a handle by a curve in these directions, or by a straight line. */
+/** Replaces the stretch after a handle by a curve with these end tangents; without tangents by a straight line. */
 function lay({ points, stretches }: Figure, index: number, next: number, leaves: Point | undefined, comes: Point | undefined, side: number): void {
   const [from, to, stretch] = [points[index], points[next], stretches?.[index]];
   if (from && to && stretches && stretch) stretches[index] = stretchAlong(swung(from, to, leaves, comes, side), stretch.smooth);

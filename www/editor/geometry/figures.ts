@@ -38,19 +38,19 @@ export interface Sort {
   form: 'ring' | 'line' | 'spot' | 'seed';
   /** The least number of points of a figure. */
   least: number;
-  /** A sentence on how to draw one. */
+  /** A sentence on how to draw a figure of this sort. */
   tip: string;
   /** The label of a figure's point. */
   name(place: FigurePoint, all: Figure[]): string;
   /** The meaning of a figure's value; `words` if it is a choice of words. */
   value?: FigureValue | undefined;
-  /** Drawn as a band whose width is its value, in hundredths of the picture's side. */
+  /** A figure is drawn as a band, and its value is the band's width in hundredths of the picture's side. */
   broad?: boolean;
 }
 
 export interface FigureValue {
   label: string;
-  /** The same in one word, before a number's field. */
+  /** A label of one word, before the field of the number. */
   brief?: string;
   min: number;
   max: number;

@@ -8,8 +8,8 @@ const MARGIN = 0.05;
 const SMALL = 0.2;
 
 /**
- * Scales rings to a picture of this side. Rings on a square page of side `page` keep their place on it. Others stay as
- * they are where they fit, or else fill the picture up to a margin.
+ * Scales rings to a picture of this side. Rings on a square page of side `page` keep their place on it. Without a page,
+ * rings that fit and are not too small stay as they are. All others are scaled to fill the picture up to a margin.
  */
 export function fitted(rings: Ring[], side: number, page?: number): Ring[] {
   const points = rings.flat();

@@ -28,7 +28,7 @@ export function over(a: Point, b: Point): Point {
   return square > 0 ? times(a, [b[0] / square, -b[1] / square]) : [1, 0];
 }
 
-/** The same direction, of length 1. */
+/** The unit vector of a vector; the zero vector stays. */
 export function unit([x, y]: Point): Point {
   const length = Math.hypot(x, y) || 1;
   return [x / length, y / length];
@@ -39,7 +39,7 @@ export function between(from: Point, to: Point, part: number): Point {
   return [from[0] + part * (to[0] - from[0]), from[1] + part * (to[1] - from[1])];
 }
 
-/** Where on a segment, 0..1, the place nearest to a point lies. */
+/** The parameter, 0 at `from` and 1 at `to`, of the place of a segment nearest to a point. */
 function along(point: Point, from: Point, to: Point): number {
   const [x, y] = minus(to, from);
   const square = x * x + y * y;
@@ -63,7 +63,7 @@ export function nearest(distances: number[]): number {
   return distances.reduce((best, far, k) => (far < (distances[best] ?? Infinity) ? k : best), 0);
 }
 
-/** The signed area of a ring. */
+/** The signed area of a ring: positive if it runs clockwise on the screen. */
 export function area(ring: Ring): number {
   return ring.reduce((total, [x, y], k) => {
     const [u, v] = ring[(k + 1) % ring.length] ?? [x, y];

@@ -7,7 +7,10 @@ export function arranged(rings: Ring[]): Ring[] {
   return turned(rings.filter((ring) => ring.length > 2).sort((a, b) => Math.abs(area(b)) - Math.abs(area(a))));
 }
 
-/** The rings in the right orientation: rims lie in an even number of others and run one way, holes run the other way. */
+/**
+ * The rings in the right orientation: clockwise on the screen if a ring lies in an even number of others, else
+ * reversed.
+ */
 export function turned(rings: Ring[]): Ring[] {
   return rings.map((ring) => (area(ring) > 0 === (depth(ring, rings) % 2 === 0) ? ring : [...ring].reverse()));
 }

@@ -2,7 +2,7 @@
 import type { Point, Ring } from '../../module/types';
 import { distance, toSegment } from './plane';
 
-/** The first tolerance, as a fraction of the picture's side, and how it grows until the points are few. */
+/** The first tolerance, as a fraction of the picture's side, and its factor of growth until the points are few. */
 const FIRST_TOLERANCE = 0.0008;
 const GROWTH = 1.35;
 
@@ -38,7 +38,7 @@ function thin(ring: Ring, tolerance: number): Ring {
   return thinned.length < 3 ? ring : thinned;
 }
 
-/** The same for an open line. */
+/** Thins an open line. Its ends stay. */
 export function thinLine(line: Ring, tolerance: number): Ring {
   const kept: Ring = line.slice(0, 1);
   // A stack of parts to do: recursion could go as deep as there are points.

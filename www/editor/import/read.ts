@@ -2,7 +2,8 @@
  * Reads outlines from text: polygon JSON, SVG, or SVG path data alone.
  *
  * The result is thinned to the number of points that an outline may have. A second outline, smaller by a grain all
- * around, is tried where rings of the first touch. Limits of shapes and points are checked before the work they forbid.
+ * around, is tried where rings of the first touch. The numbers of shapes and points are checked before the costly work
+ * on them.
  */
 import type { Point, Ring } from '../../module/types';
 import { fitted } from '../geometry/fit';
@@ -16,7 +17,7 @@ import { parsePath } from '../svg/path';
 import { Refusal, type Count } from '../svg/refusal';
 import { seen } from '../svg/seen';
 
-/** TOLERANCE is the error of a drawing's outline, in sides. It may grow by COARSER where there are too many points. */
+/** Largest error of a drawing's outline, in sides; up to COARSER times that if there are too many points. */
 const TOLERANCE = 0.0003;
 const COARSER = 8;
 
@@ -32,11 +33,11 @@ const GRAINS = 32768;
 export interface Try {
   rings: Ring[];
   left: Count;
-  /** The number of points before thinning, where too many had to go. */
+  /** The number of points before thinning, set only if the limit made the outline coarser. */
   coarse?: number;
 }
 
-/** Reads at least one outline for a picture of this side. Where the first cannot be used, the next one may. */
+/** Reads at least one outline for a picture of this side. If the engine refuses the first, the next may do. */
 export function outlines(text: string, side: number, progress: (done: number) => void): Try[] {
   const start = text.trimStart().slice(0, 1);
   if (start === '[' || start === '{') return polygons(text, side);

@@ -20,7 +20,7 @@ const ACROSS = { min: 1, max: 8, step: 0.5, first: 3.5 };
 const SIDES = [512, 1024, 2048];
 const LARGEST = 1024;
 
-/** Cells with fewer pixels hardly look like stones. */
+/** Cells smaller than this, in pixels, hardly look like stones. */
 const SMALL = 4;
 
 /** If the outline touches itself, it is made again up to this many times finer. */
@@ -65,7 +65,7 @@ class LettersDialog {
   private readonly asked = new LettersQueue((letters) => this.came(letters), (reason) => this.broke(reason));
   private timer = 0;
   private finer = 1;
-  /** `stale`: the letters do not yet match the fields. The other flag: take them as soon as they do. */
+  /** `stale`: the letters do not yet match the fields. `taking`: take the letters as soon as they match. */
   private stale = true;
   private taking = false;
   private now: Letters | undefined;
@@ -168,7 +168,7 @@ class LettersDialog {
     this.fit();
   }
 
-  /** Sets the size of the cells, and shows the outline with them in stones. */
+  /** Sets the size of the cells, and shows the outline filled with stones. */
   private fit(): void {
     const { now } = this;
     last.across = this.across.valueAsNumber;

@@ -14,14 +14,14 @@ const RIM = 6;
 /** Largest number of letters. */
 export const MOST_LETTERS = 120;
 
-/** The error of an outline, in pixels, and in stroke widths where strokes are narrow. */
+/** Largest error of an outline: OF_STROKE stroke widths, but at least FINEST and at most TOLERANCE pixels. */
 const TOLERANCE = 1.28;
 const FINEST = 0.5;
 const OF_STROKE = 0.07;
 
 /**
- * Limits of the program (src/domain/check.rs) with some reserve: points, and the smallest area of a ring as a square,
- * in sides.
+ * Limits of the program (src/domain/check.rs): the number of points, and the smallest ring. The latter is the side of a
+ * square of equal area, in sides of the picture, with some reserve.
  */
 export const MOST_POINTS = 4096;
 const SMALLEST = 1.02 / 128;

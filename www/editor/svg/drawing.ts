@@ -55,7 +55,7 @@ interface Around {
   opacity: number;
   /** The box that percentages refer to. */
   page: Box;
-  /** Elements in use here. None may use itself. */
+  /** The elements whose use led here. They are not drawn again, so none uses itself. */
   used: Element[];
   deep: number;
   /** All shapes count as areas, as they clip others. */

@@ -1,9 +1,9 @@
 /** Decides whether a paint is visible on white paper. */
 
-/** Out of 255. Autotracers paint paper with a white that is not exact. */
+/** White has at least this in each channel, out of 255. Autotracers paint paper with a white that is not exact. */
 const WHITE = 250;
 
-/** A paint that is less opaque hides nothing. */
+/** A white paint that is less opaque than this hides nothing. */
 const COVERS = 0.5;
 
 /** `ink` adds to the outline; `paper` removes the area under it; undefined has no effect. */
@@ -15,7 +15,10 @@ export function paintOf(colour: string, opacity: number): Paint {
   return Math.min(red, green, blue) >= WHITE && opacity * alpha >= COVERS ? 'paper' : 'ink';
 }
 
-/** Red, green and blue up to 255, and alpha up to 1. Every colour that is neither white nor clear counts as black. */
+/**
+ * Red, green and blue up to 255, and alpha up to 1. Only white must be exact: other names count as black, and `hsl`
+ * gives a grey of its lightness.
+ */
 function channels(colour: string): [number, number, number, number] {
   if (colour === 'none' || colour === 'transparent') return [0, 0, 0, 0];
   if (colour === 'white') return [255, 255, 255, 1];

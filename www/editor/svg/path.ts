@@ -3,7 +3,10 @@ import type { Point, Ring } from '../../module/types';
 import { moved, times, type Matrix } from './matrix';
 import { Refusal } from './refusal';
 
-/** A run of lines and curves. Each has one, two or three points, after the end of the previous one. */
+/**
+ * A subpath. Each curve begins at the end of the previous one, and has one more point (a line), two (quadratic) or
+ * three (cubic).
+ */
 export interface Run {
   start: Point;
   curves: Point[][];
@@ -64,7 +67,7 @@ export function parsePath(text: string): Run[] {
   return runs;
 }
 
-/** The commands one by one. A list of numbers repeats its command; after a move it means lines. */
+/** The commands one by one. Further numbers repeat the command; after a move they are lines. */
 function* commands(text: string): Generator<{ letter: string; numbers: number[] }> {
   const [command, number, flag] = [/[\s,]*([a-z])/iy, /[\s,]*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)/iy, /[\s,]*([01])/y];
   let at = 0;

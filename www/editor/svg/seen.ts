@@ -21,7 +21,7 @@ const FAR = 1e6;
 /** Most points that are combined at once. */
 const AT_ONCE = 20_000;
 
-/** The effect of pieces on the layers below: they cover some of them, then they add. */
+/** The effect of pieces on the ink below: first the area `covers` is removed, then the area `adds` is added. */
 interface Layer {
   covers: Area;
   adds: Area;

@@ -24,7 +24,7 @@ export const chapters = [
   { ...howMany, guide: howManyGuide },
 ];
 
-/** The titles of those to come, by number. @type {Record<number, Words>} */
+/** The titles of the chapters to come, by number. @type {Record<number, Words>} */
 const coming = {
   7: { en: 'Stretch', ja: '引き伸ばす' },
   8: { en: 'Cells', ja: 'セル' },

@@ -1,7 +1,10 @@
-// Formulas as MathML, for the chapters. A row is written as words between spaces: a symbol by its name, a number, else an
-// operator. Each symbol carries its name, so that the page can mark what it is in a figure.
+// Formulas as MathML, for the chapters. A row is written as words between spaces: a symbol by its name, a number, else
+// an operator. Each symbol carries its name, so that the page can mark the same symbol in a figure.
 
-/** A letter with one below it. @param {string} name the symbol's in the page @param {string} letter @param {string} below MathML @param {string} [kind] */
+/**
+ * A letter with a subscript. @param {string} name the symbol's in the page @param {string} letter @param {string} below
+ * MathML @param {string} [kind]
+ */
 const low = (name, letter, below, kind = '') => `<msub data-symbol="${name}"><mi${kind}>${letter}</mi>${below}</msub>`;
 
 const vector = ' class="vector"';
@@ -67,7 +70,7 @@ const symbols = {
   Fi: low('f', 'f', i, vector),
 };
 
-/** How the words of a row are spoken, beside numbers and letters. */
+/** How the words of a row are spoken; numbers and letters are spoken as they are. */
 const spoken = {
   en: {
     v4: 'v four', si: 's i', F: 'f', psi: 'psi', psi0: 'psi P zero', psi1: 'psi P one', l0: 'l zero', k0: 'k zero', r0: 'r zero', wij: 'w i j', Fi: 'f i', cw: 'root 2 minus 1', cr: 'root 2 minus 1', root2: 'root 2', 'd²': 'd squared', 'l0²': 'l zero squared',
@@ -99,7 +102,7 @@ export const raised = (base, power) => `<msup>${part(base)}<mn>${power}</mn></ms
 /** A sign over a range, such as a sum. @param {string} sign @param {string} below a row */
 export const under = (sign, below) => `<munder><mo movablelimits="false">${sign}</mo>${row(below)}</munder>`;
 
-/** Something with fractions, in parentheses as tall. @param {string} inner */
+/** A formula with fractions, in parentheses of the same height. @param {string} inner */
 export const fenced = (inner) => `<mrow><mo class="tall" stretchy="false" form="prefix">(</mo>${inner}<mo class="tall" stretchy="false" form="postfix">)</mo></mrow>`;
 
 /** A value by cases, each with its condition. @param {[string, string][]} all */

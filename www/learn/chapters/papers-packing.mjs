@@ -1,4 +1,4 @@
-// Papers and differences, on: corner potentials, motion, placement, population.
+// Papers and differences, continued: corner potentials, motion, placement, population.
 import { at, JAPANESE, PAVEMENTS, SKINS } from './cite.mjs';
 import { row, under } from './math.mjs';
 

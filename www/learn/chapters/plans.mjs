@@ -1,4 +1,4 @@
-// The teacher's guide, as far as it holds for all chapters.
+// The part of the teacher's guide that holds for all chapters.
 
 export const general = [
   {

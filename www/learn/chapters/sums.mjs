@@ -1,4 +1,4 @@
-// The sums over the outline's segments that give a direction: both as the papers print them, and ours.
+// The sums over the outline's segments that give a direction: two as the papers print them, and ours.
 import { over, row, under } from './math.mjs';
 
 const MEAN = `${row('v =')}<mfrac><mn>1</mn><mi>n</mi></mfrac>${under('∑', 'i')}`;
@@ -19,7 +19,7 @@ export const arrowSum = {
   },
 };
 
-/** Equation (1) of the paper of 2001: the same with lengths. */
+/** Equation (1) of the paper of 2001: the mean of the segments' lengths, over their squared distances. */
 export const lengthSum = {
   math: `${MEAN}<mfrac>${LENGTH}${row('di²')}</mfrac>`,
   speech: {

@@ -1,4 +1,4 @@
-// Chapter 1 in the teacher's guide. Links are those of the figures.
+// Chapter 1 in the teacher's guide. Links to states are made as figures make theirs.
 
 const PAIR = 'outline=square&size=256&kind=circle&cs=64&edge=open&pop=off&fend=0&mend=0&most=1000';
 

@@ -9,13 +9,13 @@ export const MIDDLE = 96;
 /** Below the bubbles, where the next drawing begins. */
 export const BELOW = 194;
 
-/** The length of an arrow for a force of the stiffness. */
+/** The length of an arrow for a force as large as the stiffness k0. */
 const FORCE = 64;
 
 /** Arrows begin beside the sign of the centre. */
 const CLEAR = 9;
 
-/** A force is drawn if its arrow is longer than a hair. */
+/** The least force that is drawn, as a share of the stiffness. */
 const LEAST = 0.01;
 
 export function bubbles(view: View, packing: number): string {

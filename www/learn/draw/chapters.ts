@@ -1,4 +1,4 @@
-/** All chapters with their figures, for the build. Pages load their own alone (`figure/chapters.ts`). */
+/** All chapters with their figures, for the build. A page loads only its own chapter (`figure/chapters.ts`). */
 import { drawings as howMany } from './of-how-many';
 import { drawings as manyBubbles } from './of-many-bubbles';
 import { drawings as mesh } from './of-mesh';

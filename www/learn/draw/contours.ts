@@ -4,7 +4,7 @@ import type { Place } from '../figures/place';
 /** A height at a column and a row. */
 export type Heights = (column: number, row: number) => number;
 
-/** The first and the last column, which are those of the rows, too. */
+/** The first and the last column, and also the first and the last row. */
 export type Range = readonly [first: number, last: number];
 
 /** A part of a border through one grid square: its ends, and the number of the side that it goes to. */
@@ -20,14 +20,14 @@ type SegmentsBySide = Map<number, BorderSegment[]>;
 /** More columns than any grid has. */
 const WIDE = 4096;
 
-/** The corners of a grid square in a circle. Side k joins corner k with the next one. */
+/** The corners of a grid square in cyclic order. Side k joins corner k with the next one. */
 const CORNERS: readonly Place[] = [[0, 0], [1, 0], [1, 1], [0, 1]];
 const SIDES = [0, 1, 2, 3];
 
-/** So deep that the fall beside the grid is steep. */
+/** The height beside the grid: so low that borders there keep close to the grid. */
 const DEEP = -1e9;
 
-/** The borders of the ground at each level and above, all closed: beside the grid it falls. Levels rise. */
+/** For each level, the borders of the ground from it up, all closed, as it falls beside the grid. Levels must rise. */
 export function regions(heights: Heights, range: Range, levels: readonly number[]): Place[][][] {
   const work = tracing(heights, range, levels);
   for (;;) {
@@ -36,7 +36,7 @@ export function regions(heights: Heights, range: Range, levels: readonly number[
   }
 }
 
-/** Like the function above, but in parts: a row of the grid each. */
+/** Like `regions`, but in parts, each of which does a row of the grid. */
 export function* tracing(heights: Heights, [first, last]: Range, levels: readonly number[]): Generator<undefined, Place[][][]> {
   const all = levels.map((level) => ({ level, parts: new Map<number, BorderSegment[]>() }));
   const high = (column: number, row: number): number => (column < first || row < first || column > last || row > last ? DEEP : heights(column, row));
@@ -67,7 +67,7 @@ function cross(corners: readonly number[], level: number, square: Place, parts: 
   });
 }
 
-/** Two neighbours name their common side alike. */
+/** The number of a side, which is the same for both squares that share it. */
 function nameOf([column, row]: Place, side: number): number {
   return ((row + (side === 2 ? 1 : 0)) * WIDE + column + (side === 1 ? 1 : 0)) * 2 + (side % 2);
 }
@@ -117,7 +117,7 @@ export function inside(border: readonly Place[], [first, last]: Range): Place[][
   return pieces.filter((piece) => piece.length > 1);
 }
 
-/** Leaves out points that lie on the straight way between others, to a tolerance in the same units. */
+/** Leaves out points that are within the tolerance of the straight line between the points that stay. */
 export function simplified(line: readonly Place[], tolerance: number): Place[] {
   const kept = line.slice(0, 1);
   let from = 0;
@@ -129,7 +129,7 @@ export function simplified(line: readonly Place[], tolerance: number): Place[] {
   return line.length > 1 ? [...kept, ...line.slice(-1)] : kept;
 }
 
-/** Whether a line leaves the straight way between two of its points. */
+/** Whether a line is farther than the tolerance from the straight line between two of its points. */
 function leaves(line: readonly Place[], from: number, to: number, tolerance: number): boolean {
   const [[x, y], [u, v]] = [line[from] ?? [0, 0], line[to] ?? [0, 0]];
   const length = Math.hypot(u - x, v - y) || 1e-9;

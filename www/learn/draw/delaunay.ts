@@ -1,6 +1,7 @@
 /**
- * Points by hand with the edges of Delaunay's triangulation. Marked is the edge that is looked at, with the angles that face it
- * and the circle of one of its triangles; or the triangle with the smallest angle, with its circle.
+ * Points that the reader moves, with the edges of their Delaunay triangulation. A plate marks the edge that is looked
+ * at, with the angles that face it and the circle of one of its triangles. Or it marks the triangle with the smallest
+ * angle, with its circle.
  */
 import type { Plate, View } from '../figures/figure';
 import { acrossOf, distance, nearestEdge, placeOf, triangleAt, worstOf, type Flip, type InnerEdge, type JoinedCells, type Triangle } from '../figures/joined';
@@ -17,7 +18,9 @@ const NAMED = 18;
 /** The width reserved for the text, in units of the drawing. */
 const EDGE = 66;
 
-/** The radius of a point with its number inside, and of one with its number beside it, and how far away that is. */
+/**
+ * NODE: radius of a point with its number inside. DOT: radius of a point whose number is BESIDE units from its centre.
+ */
 const NODE = 8.5;
 const [DOT, BESIDE] = [3.5, 13];
 
@@ -99,13 +102,13 @@ function outside([cx, cy]: Place, [mx, my]: Place): readonly [x: number, y: numb
   return [Math.max(4, Math.min(SIDE - 4, cx)), cy + (cy > SIDE / 2 ? -18 : 28), cx < SIDE / 2 ? 'start' : 'end'];
 }
 
-/** The direction from a place to another. */
+/** The unit vector from a place to another. */
 export function unit([x, y]: Place, [u, v]: Place): Place {
   const far = Math.hypot(u - x, v - y) || 1;
   return [(u - x) / far, (v - y) / far];
 }
 
-/** The direction halfway between two others. */
+/** The unit vector halfway between two others. */
 export const middleOf = ([x, y]: Place, [u, v]: Place): Place => unit([0, 0], [x + u, y + v]);
 
 /** A sector at a corner between two directions. */

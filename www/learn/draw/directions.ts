@@ -2,10 +2,10 @@
 import { placesOn, type Direction, type Directions, type SegmentTerms, type Singular, type Turned } from '../figures/directions';
 import type { Studio } from './studio';
 
-/** The numbers of the engine for a segment's terms, a place of a walk, and a singular point. */
+/** How many numbers the engine gives for a segment's terms, a place of a walk, and a singular point. */
 const [TERM, WALK, SINGULAR] = [9, 4, 3];
 
-/** The numbers before those of the terms. */
+/** How many numbers come before those of the terms. */
 const BEFORE = 3;
 
 const QUARTERS = 4;
@@ -80,7 +80,7 @@ export class DirectionReading implements Directions {
     return this.kept.get(name) as T;
   }
 
-  /** Reads the field until this time, at places in rows and columns; true once it is there. */
+  /** Reads the field until the time `end`, at `across` places in each row and column; true once it is there. */
   advance(across: number, end: number): boolean {
     this.work ??= this.survey(across);
     while (!this.work.next().done) if (performance.now() > end) return false;
@@ -88,7 +88,7 @@ export class DirectionReading implements Directions {
     return true;
   }
 
-  /** A walk of one place is empty outside of the outline. */
+  /** Reads the field row by row. At a place outside the outline, the engine gives no numbers. */
   private *survey(across: number): Generator<undefined, undefined> {
     const found: Direction[] = [];
     const share = (k: number): number => (k + 0.5) / across;

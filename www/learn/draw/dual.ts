@@ -1,4 +1,7 @@
-/** Bubbles, their mesh and their cells, a layer at a time: one cell with a corner in each triangle, those around it, all. */
+/**
+ * Bubbles, their mesh and their cells, a layer at a time: first one cell with a corner in each triangle, then those
+ * around it, then all.
+ */
 import type { Plate, View } from '../figures/figure';
 import { nearestPoint, type JoinedCells } from '../figures/joined';
 import { outlineOf, ringPath, SIDE } from './crowd';

@@ -14,7 +14,7 @@ const RADIUS = 150;
 /** Bars: their beginning, their first row, their distance, and the length of a picture's side. */
 const [LEFT, FIRST, APART, SCALE] = [148, 278, 34, 420];
 
-/** The direction at an angle from the right, against the clock. */
+/** The unit vector at an angle in degrees, counter-clockwise from the right. */
 const toward = (angle: number): Place => [Math.cos((angle * Math.PI) / 180), -Math.sin((angle * Math.PI) / 180)];
 
 const letter = (name: 'alpha' | 'beta'): string => symbol(name, name === 'alpha' ? 'α' : 'β');

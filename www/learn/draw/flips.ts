@@ -1,6 +1,6 @@
 /**
- * Finds the moment at which an edge flips while points are moved by hand: the way between two states that were shown is halved,
- * and the module joins the points there, until the four corners lie on one circle.
+ * Finds the moment at which an edge flips while points are moved by hand. The way between two states that were shown is
+ * bisected: the module joins the points halfway, until the four corners lie on one circle.
  */
 import { acrossOf, distance, edgeKey, edgeKeys, innerEdges, placeOf, sumOf, type Flip, type InnerEdge, type JoinedCells } from '../figures/joined';
 import type { Place } from '../figures/place';
@@ -21,7 +21,7 @@ const HALF_TURN = 179.99;
 /** A flip is drawn only if the sum of its facing angles is above this, in degrees: almost half a turn. */
 const NEARLY = 179.9;
 
-/** Places are the same within a hair. */
+/** Places that are closer than this, in shares of the picture's side, are the same. */
 const SAME = 1e-6;
 
 const BEFORE = ['domain', 'fields'];
@@ -37,7 +37,10 @@ export class Flips {
     this.studio = new Bubblestone(recipe);
   }
 
-  /** Works until `end` on the way to a state that is shown; true once it is looked through. One that was begun is ended first. */
+  /**
+   * Searches the way to a state that is shown, until the time `end`; true once it is searched. First finishes a search
+   * that has begun.
+   */
   advance(now: ShownPoints, end: number): boolean {
     while (this.work || this.isNew(now)) {
       if (performance.now() > end) return false;
@@ -111,7 +114,7 @@ function between(from: readonly Place[], to: readonly Place[], share: number): P
   });
 }
 
-/** The edge that goes when the other diagonal of its two triangles comes, if these two are all the difference. */
+/** The edge that is replaced by the other diagonal of its two triangles, if the meshes differ in nothing else. */
 function flippedEdge(before: JoinedCells, after: JoinedCells): InnerEdge | undefined {
   const [old, now] = [edgeKeys(before), edgeKeys(after)];
   const [gone, come] = [[...old].filter((key) => !now.has(key)), [...now].filter((key) => !old.has(key))];

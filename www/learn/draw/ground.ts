@@ -1,10 +1,13 @@
-/** The ground of a landscape as bands of equal potential: a quarter of each with its mirrors, which drawings use. */
+/**
+ * The ground of a landscape as bands of equal potential: one quarter of each band, and its three mirror images by
+ * `use`.
+ */
 import type { Landscape } from '../figures/figure';
 import type { Place } from '../figures/place';
 import { inside, simplified, tracing, type Heights } from './contours';
 import { WIDTH } from './plate';
 
-/** The points of a landscape's grid for one stable distance, and along half its side. */
+/** Grid points for one stable distance, and along half the landscape's side. */
 export const FINE = 32;
 export const HALF = 2 * FINE;
 
@@ -20,7 +23,7 @@ export const LEVELS = [...Array.from({ length: BELOW }, (_, k) => (k - BELOW) * 
 /** The number of the first band above 0. */
 export const FOOT = BELOW;
 
-/** Below 0 every second border is drawn as a line. */
+/** Whether the border of a band is drawn as a line: below 0 only every second one is. */
 const isDrawn = (band: number): boolean => band >= BELOW || band % 2 === 0;
 
 /** How far a line may be from its place, in units of the grid. */
@@ -65,12 +68,12 @@ function whole(id: string, path: string): string {
   return `<g id="${id}"><path class="card" id="${id}-quarter" d="${path}"/>${mirrors.join('')}</g>`;
 }
 
-/** A band or the lines, by the name of the ground. */
+/** Uses a band or the lines of the ground of this name. */
 export function part(name: string, of: string, kind: string, transform: string): string {
   return `<use${kind && ` class="${kind}"`} href="#${name}-${of}" transform="${transform}"/>`;
 }
 
-/** A layer over a ground, for what moves. */
+/** A layer over a ground, for moving parts. */
 export function over(content: string): string {
   return `<svg class="plate over" viewBox="0 0 ${WIDTH} ${WIDTH}" width="${WIDTH}" height="${WIDTH}" aria-hidden="true">${content}</svg>`;
 }

@@ -1,4 +1,4 @@
-/** The cells of a packing in their outline, and below them how many it holds beside other numbers, as bars. */
+/** The cells of a packing in their outline. Bars below compare the number of cells with other numbers. */
 import type { Bar, Plate, View } from '../figures/figure';
 import { marksAt } from '../figures/population';
 import { number } from '../figures/words';

@@ -1,4 +1,7 @@
-/** The triangle with the smallest angle, magnified until its circle has one size: its shortest side, its radius, its angle. */
+/**
+ * The triangle with the smallest angle, scaled so that its circle always has the same size: its shortest side, its
+ * radius, its angle.
+ */
 import type { Plate, View } from '../figures/figure';
 import { LARGEST, placeOf, smallestOf, worstOf, type JoinedCells, type Triangle } from '../figures/joined';
 import type { Place } from '../figures/place';
@@ -14,7 +17,7 @@ const RADIUS = 128;
 /** The bar: its ends and its top. */
 const [LEFT, RIGHT, TOP, TALL] = [40, WIDTH - 40, 336, 16];
 
-/** An angle below this is bad. */
+/** An angle below this, in degrees, is bad. */
 const BAD = 30;
 
 export function inscribed(view: View, { packing, title }: Plate): string {
@@ -45,7 +48,7 @@ function inCircle(joined: JoinedCells, worst: Triangle): string {
   return `${round}<path class="triangle tint-${tintOf(smallestOf(worst))}" d="${shape}"/><path class="looked-at" d="${shape}"/>${radiusTo(smallestOf(worst) < BAD ? clearOf(at0, one, other) : one)}${side}${angleAt(at0, one, other, smallestOf(worst))}`;
 }
 
-/** A place that is away from a thin triangle: straight to the side of its long axis. */
+/** A place on the circle that is away from a thin triangle: at a right angle to its long axis. */
 function clearOf(corner: Place, one: Place, other: Place): Place {
   const far: Place = [(one[0] + other[0]) / 2, (one[1] + other[1]) / 2];
   const [x, y] = unit(corner, far);

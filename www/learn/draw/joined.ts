@@ -3,7 +3,7 @@ import type { JoinedCells, Triangle } from '../figures/joined';
 import type { Place } from '../figures/place';
 import type { Studio } from './studio';
 
-/** The numbers of a point, of an element, and of a triangle. */
+/** How many numbers a point, an element, and a triangle have. */
 const [POINT, FACE, TRIANGLE] = [3, 4, 10];
 
 /** Joins the cells of the step that the studio holds. */

@@ -1,7 +1,7 @@
 /**
- * The potential of equation (4) around a square that is held, as the module gives it: many pairs of squares in one packing, too
- * far apart to feel each other, of which each has one point of a grid. An eighth of the grid is enough, as the potential has
- * the symmetry of a square. Lengths are in stable distances, energies in k0.
+ * The potential of equation (4) around a held square, as the module computes it. One packing has many pairs of squares,
+ * too far apart to act on each other; each pair measures one point of a grid. An eighth of the grid is enough, as the
+ * potential has the symmetry of a square. Lengths are in stable distances, energies in k0.
  */
 import { ROW } from '../figures/crowds';
 import type { Landscape, Lowest } from '../figures/figure';
@@ -15,7 +15,7 @@ const SIDE = 64;
 const STRIDE = 1 / 256;
 const RECIPE = 'outline=square&size=128&cs=2&kind=square&dir=constant&edge=open&pop=off&fend=0&mend=0&given=0.5,0.5,1;0.6,0.5,0';
 
-/** Pairs of one packing: 256 cells may be given, and pairs this far apart do not feel each other. */
+/** Pairs of one packing: 256 cells may be given, and pairs this far apart do not act on each other. */
 const PAIRS = 128;
 const APART = 5;
 const ACROSS = 12;
@@ -29,16 +29,16 @@ const BEFORE = ['domain', 'fields'];
 /** The place of a grid point in the eighth, which has x >= y >= 0. */
 const place = (i: number, j: number): number => (i * (i + 1)) / 2 + j;
 
-/** The points of the eighth. Two cells cannot be at one place: the centre's own point is a hair beside it. */
+/** The points of the eighth. Two cells cannot be at one place, so the point at the centre is moved by STRIDE. */
 const EIGHTH: readonly Place[] = Array.from({ length: HALF + 1 }, (_, i) => Array.from({ length: i + 1 }, (__, j): Place => [i ? i / FINE : STRIDE, j / FINE])).flat();
 
-/** No well and no pass is nearer than this. */
+/** No well and no pass is nearer to the centre than this, in units of the grid. */
 const NEAREST = Math.round(0.7 * FINE);
 
 /** Landscapes that are kept. */
 const KEPT = 16;
 
-/** The energy at a column and a row, of the energies at the points of the eighth. */
+/** The energy at a column and a row, from the energies at the points of the eighth. */
 function heightsOf(eighth: Float64Array): Heights {
   return (column, row) => {
     const [i, j] = [Math.abs(column), Math.abs(row)];
@@ -65,7 +65,7 @@ export class Survey {
     return this.kept.get(`${weight} ${radius}`);
   }
 
-  /** Works for about `budget` milliseconds on a landscape; true once it is there. One that was begun is ended first. */
+  /** Works for about `budget` milliseconds on a landscape; true once it is there. First finishes a begun one. */
   advance(weight: string, radius: string, budget: number): boolean {
     const end = performance.now() + budget;
     while (!this.of(weight, radius)) {
@@ -120,7 +120,7 @@ export class Survey {
     while (BEFORE.includes(this.studio.stage())) this.studio.tick(8, 0);
     while (!this.studio.reach(8));
     const cells = this.studio.packedCells();
-    // Each of a pair has half of its potential.
+    // Each square of a pair has half of the pair's potential.
     return points.map((_, k) => 2 * (cells[2 * k * ROW + ENERGY] ?? 0));
   }
 

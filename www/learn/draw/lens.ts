@@ -14,7 +14,7 @@ const RADIUS = 74;
 const FORCE = 300;
 const LONGEST = 120;
 
-/** A force is drawn if its arrow is longer than a hair. */
+/** The shortest arrow that is drawn, in units of the plate. */
 const LEAST = 2;
 
 export function lens(view: View, { packing, title }: Plate): string {

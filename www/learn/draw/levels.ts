@@ -30,7 +30,7 @@ export function levels(view: View, { bars, digits = 2, title }: Plate): string {
   return svg(SIDE, said, `${scale.join('')}${shown.map((bar, k) => level(bar, place(k), y, digits)).join('')}${next(place(shown.length), y(middle))}${name}`);
 }
 
-/** The next one is not known yet. */
+/** The level of the next trial, which is not known yet. */
 function next(x: number, y: number): string {
   return `${basin(x, y, 'unknown')}${text(x, y - 24, '?', 'key')}`;
 }

@@ -5,13 +5,13 @@ interface Rows {
   readonly numbers: Float64Array;
 }
 
-/** The numbers of a point. */
+/** How many numbers a point has in each list. */
 const WIDTHS: Readonly<Record<PlaceList, number>> = { given: 3, poly: 2, strokes: 2 };
 
 /** The sign between two points in the text of a list. */
 const BETWEEN: Readonly<Record<PointList, string>> = { given: ';', poly: ',' };
 
-/** The digits that name a point of a list exactly. */
+/** The decimals that name a point of a list exactly. */
 const DIGITS = 9;
 
 /** The points with all their numbers. */

@@ -32,7 +32,7 @@ function bands(landscape: Landscape, ground: string): string {
   return `<rect class="tier${seen[0]?.[0] ?? 0}" width="${SIDE}" height="${SIDE}"/>${all.join('')}${part(ground, 'lines', 'level-line', CENTRE)}`;
 }
 
-/** The wells, and the passes between them, if they are not all one ring. */
+/** The wells and the passes between them; a ring if all of them are equally deep. */
 function marks({ well, pass }: Landscape): string {
   if (pass.energy - well.energy < LOW) return `<circle class="ring" cx="${SIDE / 2}" cy="${SIDE / 2}" r="${at(well.w * UNIT)}"/>`;
   const [far, near] = [well.w * UNIT, pass.w * UNIT * Math.SQRT1_2];

@@ -22,7 +22,7 @@ const ofSides = (draw: PlateDrawing['draw']): PlateDrawing => ({
   numbers: (x, y, _key, { at }) => toPicture(x, y) ?? at,
 });
 
-/** The end of an arrow from a point, and its angle at a place. */
+/** The end of an arrow from a point, at an angle in degrees and with the length `far`. */
 const end = ([x, y]: readonly [number, number], degrees: number, far: number): readonly [number, number] => [x + far * Math.cos((degrees * Math.PI) / 180), y + far * Math.sin((degrees * Math.PI) / 180)];
 
 /** The walk's middle has one grip, and its radius another one on the circle. */

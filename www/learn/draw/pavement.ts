@@ -12,7 +12,7 @@ const TINTS = 4;
 /** The radius of the two bubbles that are left. */
 const LARGE = 78;
 
-/** The length of its arrows, which show the way alone. */
+/** The length of the arrows on these two, which show only the direction. */
 const ARROW = 34;
 
 type Form = 'stones' | 'cells' | 'bubbles' | 'two';
@@ -25,7 +25,7 @@ export function pavement(view: View, packing: number): string {
   const pair = pairOf(cells);
   const whole = FORMS[view.step - 1];
   const form = (cell: Cell): Form => whole ?? FORMS[Math.min(3, Math.floor(cell.x * 4))] ?? 'two';
-  // Where the pair is shown large, all others stand back, and so does the pair among them.
+  // If the pair is shown large, all small bubbles stand back, those of the pair, too.
   const drawn = cells.map((cell) => one(cell, form(cell), whole ? [] : pair)).join('');
   const two = whole === 'two' ? large(view, pair) : '';
   const said = view.language === 'ja' ? '舗装の石と、もとになったバブル' : 'The stones of a pavement and the bubbles they are made of';
@@ -39,7 +39,7 @@ function one(cell: Cell, form: Form, pair: readonly Cell[]): string {
   return circle(place(cell.x), place(cell.y), cell.radius * SIDE, kind);
 }
 
-/** A stone: its cell, drawn in and rounded, with a lit edge. */
+/** A stone: its cell, shrunk and rounded, with a lit edge. */
 function stone(cell: Cell): string {
   return `<path class="joint" d="${edges(cell, 1)}"/><path class="stone tint${cell.id % TINTS}" d="${rounded(cell, 0.9)}"/><path class="lit" d="${rounded(cell, 0.74)}"/>`;
 }
@@ -78,7 +78,7 @@ function pairOf(cells: readonly Cell[]): readonly Cell[] {
   return first && second ? [first, second] : [];
 }
 
-/** The two that are left, large, as all other figures of the chapter show them: their distance and force are their own. */
+/** The two remaining bubbles, large, as in all other figures of the chapter, with their true distance and force. */
 function large({ curve, language }: View, [one, other]: readonly Cell[]): string {
   if (!one || !other) return '';
   const w = Math.hypot(other.x - one.x, other.y - one.y) / (one.radius + other.radius);

@@ -15,7 +15,7 @@ export function shownIn({ figures, drawn }: Drawings, name: string): Shown | und
   return figure && { figure, drawn };
 }
 
-/** The steps between two points of a curve. */
+/** The step of w from one point of a curve to the next. */
 const FINE = 0.02;
 
 /** The curves of the force and of the potential, by the module. */

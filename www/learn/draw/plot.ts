@@ -10,7 +10,7 @@ const [LEFT, RIGHT, BOTTOM] = [56, WIDTH - 16, SIDE - 44];
 /** The height of a row of the key. */
 const ROW_OF_KEY = 18;
 
-/** The most strides between marks of the vertical axis. */
+/** The most intervals between marks of the vertical axis. */
 const MARKS = 6;
 
 interface Axes {
@@ -50,7 +50,7 @@ function axesOf({ last }: View, values: readonly number[], top: number): Axes {
   };
 }
 
-/** Round numbers that hold a range. */
+/** Round numbers at equal intervals that cover a range. */
 export function marksOf(low: number, high: number): number[] {
   const wide = Math.max(high - low, 1e-3) / MARKS;
   const power = 10 ** Math.floor(Math.log10(wide));

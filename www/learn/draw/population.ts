@@ -1,4 +1,6 @@
-/** The cells of a packing with those that are crowded, those that go, those that come, and below them a strip of all looks. */
+/**
+ * The cells of a packing: those that are crowded, that go, that come. Below is a strip of all looks at the population.
+ */
 import { countOf, crowdAt } from '../figures/crowds';
 import type { PackedCell, Plate, Trace, View } from '../figures/figure';
 import { isCrowded, looksUpTo, marksAt, type Look, type Marks } from '../figures/population';
@@ -12,7 +14,7 @@ export const BELOW = 0.805 * SIDE;
 /** Room above for cells that stick out of the outline; below it the outline leaves enough. */
 const TOP_ROOM = 8;
 
-/** The strip: names of its rows, its first and last step, the curve, and the rows of those that came and went. */
+/** The strip: its left and right end, the top and floor of its curve, and the rows of the cells that came and went. */
 const [LEFT, RIGHT, TOP, FLOOR] = [62, WIDTH - 24, BELOW + 36, BELOW + 78];
 const [CAME, WENT] = [FLOOR + 18, FLOOR + 34];
 
@@ -94,7 +96,7 @@ function strip(view: View, trace: Trace, isAhead: boolean): string {
   const points = stairs(trace, x, y);
   const seen = isAhead ? view.step : view.furthest;
   const past = points.slice(0, 2 * seen + 2);
-  // Near its end the number at the present step says it.
+  // Near the end, the number at the present step is enough.
   const end = x(trace.steps.length - 1) - x(seen) > 20 ? endOf(trace, x, y) : '';
   const ahead = isAhead && seen < view.last ? `${path(points.slice(2 * seen + 1), 'line ahead')}${end}` : '';
   const looks = changed(looksUpTo(trace, isAhead ? view.last : view.furthest), x, seen);
@@ -102,7 +104,7 @@ function strip(view: View, trace: Trace, isAhead: boolean): string {
   return `${line([LEFT, FLOOR], [RIGHT, FLOOR], 'axis')}${name}${rowNames(view)}${looks}${ahead}${path(past, 'line line-0')}${here(view, trace, isAhead, x, y)}`;
 }
 
-/** The number of cells changes at a step, not between two. */
+/** The curve of the number of cells, as stairs: the number changes at a step, not between two steps. */
 function stairs({ steps }: Trace, x: (step: number) => number, y: (count: number) => number): (readonly [number, number])[] {
   return steps.flatMap((crowd, k) => [[x(crowd.step), y(countOf(steps[k - 1] ?? crowd))], [x(crowd.step), y(countOf(crowd))]] as const);
 }

@@ -19,7 +19,7 @@ const UP_TO_CELLS = [...BEFORE, 'packing', 'mesh', 'cells'];
 /** Milliseconds of a slice for a landscape, which follows the hand. */
 const LAND = 12;
 
-/** The numbers of a change of the population, and of a neighbour. */
+/** How many numbers a change of the population has, and a neighbour. */
 const CHANGE = 5;
 const NEAR = 4;
 
@@ -60,7 +60,7 @@ export class Reading implements Trace {
     return key === 'held' ? String(this.given()[2] ?? 0) : this.studio.get(key);
   };
 
-  /** How a list has the number of a handle. */
+  /** How a list stores the number of a handle; undefined if none does. */
   private listed(key: string): Listed | undefined {
     const handle = [...this.figure.handles, ...this.figure.more].find((one) => one.key === key);
     return handle?.kind === 'number' ? handle.listed : undefined;
@@ -68,7 +68,7 @@ export class Reading implements Trace {
 
   readonly points = (list: PlaceList): readonly (readonly [number, number])[] => pointsIn(this.studio.list(list), list);
 
-  /** The last one while the next is read. */
+  /** The present landscape, or the last one while the next is being read. */
   get landscape(): Landscape | undefined {
     return this.survey?.of(this.value('cw'), this.value('cr')) ?? this.survey?.latest;
   }
@@ -128,7 +128,7 @@ export class Reading implements Trace {
   advance(budget: number): boolean {
     const end = performance.now() + budget;
     if (this.figure.steps === 'layer') return this.readCells(end);
-    // The landscape first: it follows a hand at the weight, while the steps come later.
+    // The landscape comes first, as it follows a drag of the weight; the steps come later.
     if (this.survey?.advance(this.value('cw'), this.value('cr'), LAND) === false) return false;
     if (this.figure.steps === 'walk') return this.readFields(budget, end);
     return (this.isRead || this.readSteps(budget, end)) && this.joinFirst(budget) && (this.flips?.advance({ places: this.points('given'), joined: this.joined(0) }, end) ?? true);
@@ -162,7 +162,7 @@ export class Reading implements Trace {
     return this.made.length > this.figure.last && this.finish();
   }
 
-  /** Whether the steps are those of the present recipe; until then no step of it can be gone to. */
+  /** Whether there are steps of the present recipe. Before that, none of its steps can be shown. */
   get isBegun(): boolean {
     return this.made.length > 0;
   }
@@ -229,7 +229,7 @@ export class Reading implements Trace {
     return Array.from(this.studio.probe(x, y)?.outline ?? [], (value) => value / this.side);
   }
 
-  /** Goes to a step. A kept state is at most ten steps away, and steps of few cells are short. */
+  /** Goes to a step. It needs no slices: a kept state is at most ten steps away, and steps of few cells are short. */
   private go(step: number): void {
     this.studio.hold(step);
     while (!this.studio.reach(50));

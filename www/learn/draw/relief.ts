@@ -9,7 +9,7 @@ const FLAT = 0.76;
 const THICK = 3.4;
 const TURN = 45;
 
-/** The place of the centre at the height of no energy. */
+/** The vertical place of the centre at an energy of 0. */
 const MIDDLE = 186;
 
 /** The radii of the round piece of ground, and the height of its edge. */
@@ -18,7 +18,7 @@ const [WIDE, DEEP, EDGE] = [194, 194 * FLAT, 26];
 /** A rim is seen this far beside its card. */
 const RIM = 0.7;
 
-/** The height above no energy in cards; the hill is cut off one card high. */
+/** The height of an energy above 0, in cards; the hill is cut off one card high. */
 const cardsUp = (energy: number): number => Math.min(energy / STEP, 1);
 
 /** The place of a point of the ground on the plate; y up. */

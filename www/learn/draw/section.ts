@@ -24,7 +24,7 @@ export function section(view: View, { packing }: Plate): string {
   return svg(WIDTH, said, `${axes(view)}${path(over(land, 0), 'curve')}${path(over(land, 1), 'curve dashed')}${names(view)}${lowest(land)}${here(view, packing)}`);
 }
 
-/** The points of a curve from where it leaves the plate. */
+/** The points of a curve, from where it comes into the plate at the top. */
 function over({ at: energy }: Landscape, slope: 0 | 1): (readonly [number, number])[] {
   const all = Array.from({ length: HALF + 1 }, (_, i) => [(i / FINE) * Math.hypot(1, slope), energy(i, slope * i)] as const).filter(([w]) => w <= END + 0.02);
   const first = all.findLastIndex(([, value]) => value > HIGHEST);
@@ -41,7 +41,7 @@ function axes({ language }: View): string {
   return `${up.join('')}${across.join('')}${touch}${text(X(0) - 6, TOP - 14, symbol('psi', 'Ψ'), 'curve-name', 'end')}${text(X(END) + 12, BOTTOM + 16, symbol('w', 'w'), 'number', 'middle')}`;
 }
 
-/** The two lines with a piece of each. */
+/** The names of the two lines, with a piece of each. */
 function names({ language }: View): string {
   const rows = language === 'ja' ? ['辺の真ん中の先', '角の先（45°）'] : ['beyond an edge', 'beyond a corner (45°)'];
   return rows.map((words, k) => `${line([X(1.08), TOP + 16 + 18 * k], [X(1.28), TOP + 16 + 18 * k], k ? 'curve dashed' : 'curve')}${text(X(1.34), TOP + 20 + 18 * k, words, 'key halo', 'start')}`).join('');

@@ -1,6 +1,7 @@
 /**
- * The sides of an outline at a point, and below them the term of each with their sum: as printed, or at four times the angle.
- * The terms of a side that is cut stand one behind the other. All lengths are shares of the lengths of all terms.
+ * The sides of an outline at a point. Below are the terms of the sides with their sum: as printed, or at four times the
+ * angle. The terms of a side that is cut follow each other head to tail. All lengths are shares of the total length of
+ * all terms.
  */
 import { degreesOf, type SegmentTerm, type SegmentTerms } from '../figures/directions';
 import type { Plate, Trace, View } from '../figures/figure';
@@ -27,7 +28,7 @@ const ANGLE = 82;
 /** Shorter arrows have no head. */
 const SHORT = 4;
 
-/** The length of all terms in the picture, where their sum stands at the point. */
+/** The length that stands for all terms in the picture, where their sum is drawn at the point. */
 const AT_POINT = 84;
 
 type Kind = 'printed' | 'turned';
@@ -54,7 +55,7 @@ interface Straight {
   readonly terms: readonly SegmentTerm[];
 }
 
-/** Two vectors whose directions differ by less have one direction. */
+/** Two vectors have one direction if the sine of the angle between them is less than this. */
 const ALIKE = 1e-3;
 
 function groupsOf(list: readonly SegmentTerm[]): Straight[] {
@@ -130,7 +131,7 @@ function named(group: Straight): string {
   return lettered(x, isUpright ? y - 8 : y + 4, 'segment', 's', numbersOf(group));
 }
 
-/** The cross of the direction at the point, and those all over the outline. */
+/** The cross of the direction at the point, and the crosses all over the outline. */
 function crossIn({ outline, directions }: Trace, { at: looked }: View): string {
   const { place, along } = directions.at(looked);
   const [x, y] = toPlate(place);
@@ -139,7 +140,7 @@ function crossIn({ outline, directions }: Trace, { at: looked }: View): string {
   return `${crosses(directions.field, 6, toPlate)}<g transform="translate(0 ${MIDDLE - SIDE / 2})">${ground}</g><g class="carried present"><path class="back" d="${marked}"/><path class="arms" d="${marked}"/></g>`;
 }
 
-/** A row for each side: the terms of its pieces one behind the other, and their length; with four-fold angles its own angle, too. */
+/** A row for each side: its terms head to tail, and their length; with four-fold angles also the side's angle. */
 function rowsOf(groups: readonly Straight[], kind: Kind): string {
   return groups
     .map((group, row) => {

@@ -15,21 +15,24 @@ export const dot = (place: Place, kind = 'centre', radius = 2.5): string => circ
 export const square = ([x, y]: Place, half: number, kind = 'bubble'): string => `<path class="${kind}" d="M${at(x - half)} ${at(y - half)}h${at(2 * half)}v${at(2 * half)}h${at(-2 * half)}z"/>`;
 export const closed = (points: readonly Place[], kind: string): string => `<path class="${kind}" d="M${points.map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}z"/>`;
 
-/** The square's middle band fills a picture: a place in units for one in shares, and back. */
+/**
+ * A small picture shows the middle band of the square picture. `placed` gives units for shares of its side, `shared`
+ * the reverse.
+ */
 export const placed = ([x, y]: Place): Place => [x * WIDTH, y * WIDTH - (WIDTH - HEIGHT) / 2];
 export const shared = ([x, y]: Place): Place => [x / WIDTH, (y + (WIDTH - HEIGHT) / 2) / WIDTH];
 
 /** Points as words of a recipe. */
 export const listed = (points: readonly Place[]): string[] => points.map((place) => shared(place).map((part) => part.toFixed(4)).join(','));
 
-/** A recipe when its fields are there. */
+/** A studio with this recipe, whose fields are made. */
 function opened(module: Bubbles, recipe: string): Studio {
   const studio = new module.Bubblestone(recipe);
   while (['domain', 'fields'].includes(studio.stage())) studio.tick(100, 0);
   return studio;
 }
 
-/** Something that a recipe is asked when its fields are there. */
+/** The answer of a recipe's studio to a question, once its fields are made. */
 export function ask<T>(module: Bubbles, recipe: string, question: (studio: Studio) => T): T {
   const studio = opened(module, recipe);
   const answer = question(studio);
@@ -37,7 +40,7 @@ export function ask<T>(module: Bubbles, recipe: string, question: (studio: Studi
   return answer;
 }
 
-/** Something that a packing is asked at each of its first steps. */
+/** The answers of a packing to a question, at each of its first steps. */
 export function asked<T>(module: Bubbles, recipe: string, steps: number, question: (studio: Studio) => T): T[] {
   return ask(module, recipe, (studio) =>
     Array.from({ length: steps }, (_, step) => {

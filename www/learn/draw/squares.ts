@@ -8,7 +8,7 @@ import { at, line, svg } from './plate';
 /** Bubbles are drawn in squares that are at least this large, in units of the plate. */
 const LARGE = 60;
 
-/** Radii of circles are half a size, as is that of the central bubble, times a factor. */
+/** The radius is half a size times `factor`; the factor of the central bubble is 1. */
 const circle = (x: number, y: number, size: number, factor: number, kind: string): string => `<circle class="${kind}" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="${at((size / 2) * factor * SIDE)}"/>`;
 
 export function squares(view: View, { packing, title }: Plate): string {

@@ -24,7 +24,7 @@ function viewOf(module: Bubbles, figure: Figure, readings: readonly Reading[], l
   return { traces: readings, step, last, furthest: step, curve: curveOf(module), zero: zeroOf(module), at: figure.at, trials: trialsOf(figure, readings, step), isStill: true, isZeroShown: false, stops, language };
 }
 
-/** The start that the figure opens with, if it is seen how that ends. */
+/** The trial of the start that the figure opens with, if its end is seen already. */
 export function trialsOf({ trial }: Figure, [reading]: readonly Reading[], step: number): Trial[] {
   const own = reading && trial?.(reading, step);
   return own ? [own] : [];
@@ -39,7 +39,7 @@ function markupOf(shown: Shown & { readonly chapter: string }, view: View, readi
   return `<div class="plates plates-${boxes.length}" data-chapter="${chapter}">${boxes.join('')}</div><div class="figure-tools">${tools}</div><p class="figure-told">${toldOf(figure, view)}</p>`;
 }
 
-/** A plate with its title, unless the drawing has it; its note follows the steps. */
+/** A plate with its title, unless the drawing shows the title itself. The note changes with the steps. */
 function titled({ plates }: Figure, k: number, note: string | undefined, language: Language, box: string): string {
   const { title, draw } = plates[k] ?? {};
   if (!title || draw === 'track') return box;

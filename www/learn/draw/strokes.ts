@@ -1,4 +1,7 @@
-/** Strokes, the field that they make, and squares on the way from one to the other; the one in the middle stands out. */
+/**
+ * Strokes, the field that they make, and squares on the way from one stroke to the other; the square in the middle
+ * stands out.
+ */
 import type { Plate, Trace, View } from '../figures/figure';
 import type { Place } from '../figures/place';
 import { angleIn } from '../figures/which-way-handles';
@@ -6,7 +9,7 @@ import { SIDE } from './crowd';
 import { line, svg, text } from './plate';
 import { crosses, onto, standing, strokesOf } from './ways';
 
-/** The squares on the way, and the side of one. */
+/** The number of squares on the way, and their side. */
 const SQUARES = 5;
 const TALL = 24;
 

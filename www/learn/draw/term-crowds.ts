@@ -30,7 +30,7 @@ const start: Draw = (module) =>
     return places.map((place) => `${circle(place, 20 * scale)}${dot(place, 'centre', 1.5)}`).join('');
   }).join('');
 
-/** A number of each step, from the left to the right, from `low` to `high`. */
+/** The curve of a number over the steps; its height goes from `low` to `high`. */
 const overSteps = (recipe: string, steps: number, [low, high]: Place, of: (studio: Studio) => number): Draw => (module) => {
   const points = asked(module, recipe, steps, of).map((value, step): Place => [8 + (step * (WIDTH - 16)) / (steps - 1), HEIGHT - 12 - ((HEIGHT - 22) * (value - low)) / (high - low)]);
   return `${line([8, HEIGHT - 10], [WIDTH - 6, HEIGHT - 10], 'axis')}${path(points, 'curve')}`;
@@ -109,7 +109,7 @@ function heightAt(landscape: Landscape, [x, y]: Place): number {
 const section = (landscape: Landscape, walk: readonly Place[]): Place[] =>
   walk.map((place, k): Place => [8 + (k * (WIDTH - 16)) / (walk.length - 1), 14 - heightAt(landscape, place) * 720]).filter(([, y]) => y > 3);
 
-/** Walks: outwards through the middle of an edge, and from that well over the pass to the next one and on. */
+/** Walks: outwards through the middle of an edge; and from the well there over the pass to the next well, and on. */
 const OUT = Array.from({ length: 80 }, (_, k): Place => [0.8 + k * 0.014, 0]);
 const ROUND = Array.from({ length: 121 }, (_, k): Place => {
   const turn = (k - 10) / 100 * (Math.PI / 2);

@@ -71,7 +71,7 @@ const dual: Draw = (module) => {
 /** Scattered points in the whole picture. */
 const SCATTERED = `outline=polygon&poly=${listed([[2, 2], [118, 2], [118, 78], [2, 78]]).join(',')}&size=256&kind=circle&cs=60&seed=4&start=random&count=9&pop=off&cells=lloyd`;
 
-/** Voronoi cells, each point's way to its next place. */
+/** Voronoi cells, and each point's way to its next place. */
 const lloyd: Draw = (module) => {
   const [now, next] = ['0', '1'].map((rounds) => joinedOf(module, `${SCATTERED}&rounds=${rounds}`));
   if (!now || !next) return '';

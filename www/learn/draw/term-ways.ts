@@ -6,7 +6,7 @@ import type { Studio } from './studio';
 
 const CELLS = 'size=256&kind=square&cs=32&edge=open&pop=off';
 
-/** An outline of corners of the picture. */
+/** A recipe whose outline has these corners. */
 const within = (corners: readonly Place[]): string => `outline=polygon&poly=${listed(corners).join(',')}&${CELLS}`;
 
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
@@ -78,7 +78,7 @@ const BULGED: readonly Place[] = [0, 120, 240].flatMap((corner) => {
   return Array.from({ length: 9 }, (_, k) => from(centre, radius, corner + 45 + (30 * k) / 9));
 });
 
-/** How far it is to the outline. */
+/** The distance from a place to the outline. */
 function marginAt(studio: Studio, place: Place): number {
   const [x, y] = shared(place);
   const numbers = studio.segmentTerms(x * studio.side(), y * studio.side());

@@ -35,7 +35,7 @@ export function thresholds(view: View, { packing, title }: Plate): string {
   return svg(HEIGHT, said, `${bands(view, crowd, room)}${axis(view)}${dots(trace, view)}${flag(view, 'crowd', crowd)}${flag(view, 'room', room)}${sums(trace, view)}`);
 }
 
-/** The bands of those that go and of those that bring another; where they overlap, both patterns show. */
+/** The bands of w in which cells go, and in which they bring another one; where these overlap, both patterns show. */
 function bands({ language }: View, crowd: number, room: number): string {
   const band = (from: number, to: number, kind: string): string => `<rect class="band ${kind}" x="${at(X(from))}" y="${TOP}" width="${at(Math.max(0, X(to) - X(from)))}" height="${FLOOR - TOP}"/>`;
   const both = room < crowd ? `${slant(room, crowd)}${text((X(room) + X(crowd)) / 2, TOP + 16, language === 'ja' ? '両方' : 'both', 'both')}` : '';
@@ -55,7 +55,9 @@ function axis({ language }: View): string {
   return `${line([LEFT, FLOOR], [RIGHT, FLOOR], 'axis')}${marks.join('')}${text(WIDTH / 2, FLOOR + 34, name, 'number')}`;
 }
 
-/** A dot for each cell: a cross goes, a plus brings another, a star does both. */
+/**
+ * A dot for each cell. One with a cross goes, one with a plus brings another cell, and one with both signs does both.
+ */
 function dots(trace: Trace, { step }: View): string {
   const now = crowdAt(trace, step);
   const heights = new Map<number, number>();

@@ -28,7 +28,7 @@ export function stepWords({ steps }: Figure, step: number, last: number, languag
   return language === 'ja' ? `${step} / ${last} ステップ` : `step ${step} of ${last}`;
 }
 
-/** The values of handles, and the step with the last one. */
+/** The values of handles, the present step, and the last one. */
 export interface Standing {
   readonly step: number;
   readonly last: number;

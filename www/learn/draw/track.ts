@@ -35,7 +35,7 @@ function scale({ language, last }: View, Y: (step: number) => number): string {
   return `${bands.join('')}${rest}${marks.join('')}${steps.join('')}${name}${text(X(WIDEST) + 2, BOTTOM + 16, symbol('w', 'w'), 'number', 'end')}`;
 }
 
-/** The stops that are passed but for the last step, on the track, with their names where there is room. */
+/** The stops that have been passed, except one at the last step: on the track, with their names where there is room. */
 function stops(view: View, packing: number, Y: (step: number) => number): string {
   let free = -Infinity;
   const passed = view.stops.filter(({ step }) => step > 0 && step <= view.step && step < view.last);

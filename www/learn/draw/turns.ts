@@ -7,7 +7,7 @@ import { at, line, path, svg, symbol, text, WIDTH } from './plate';
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [56, WIDTH - 24, 40, SIDE - 52];
 
-/** The axis has at least these numbers. */
+/** The axis goes at least from the first number to the second. */
 const [LOWEST, HIGHEST] = [-2, 4];
 
 const X = (step: number): number => LEFT + (step / STEPS) * (RIGHT - LEFT);
@@ -24,7 +24,7 @@ export function turns(view: View, { packing, title }: Plate): string {
   return svg(SIDE, title?.[view.language] ?? '', `${rows.join('')}${marks.join('')}${names}${way.length ? drawn(view, values, y) : nothing(isJapanese, y(1))}`);
 }
 
-/** The part that is still to come is seen once the walk was gone; the present number stands beside its dot. */
+/** The curve goes on, dotted, to the furthest step that was seen; the present number stands beside its dot. */
 function drawn({ step, furthest }: View, values: readonly number[], y: (value: number) => number): string {
   const upTo = (last: number): (readonly [number, number])[] => values.slice(0, last + 1).map((value, k) => [X(k), y(value)] as const);
   const now = values[step] ?? 0;

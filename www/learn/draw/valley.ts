@@ -25,7 +25,7 @@ export function valley(view: View, packing: number): string {
   return svg(HEIGHT, said, `${axisOfW(Y(0), TOP, BOTTOM, view.language)}${ground}${path(points, 'curve')}${name()}${zero(view)}${mark(view)}${moment ? ball(moment, stiffnessOf(view, packing), view) : ''}`);
 }
 
-/** The part of the curve below the top, which it leaves between two points. */
+/** The part of the curve below the plate's top, which it crosses between two of its points. */
 function shown({ curve }: View): CurvePoint[] {
   const first = curve.findIndex(([, , psi]) => psi <= HIGHEST);
   const [[w, , psi] = [0, 0, 0], [above, , higher] = [0, 0, 0]] = [curve[first], curve[first - 1]];
@@ -37,7 +37,10 @@ function name(): string {
   return `${text(X(0) - 8, TOP + 12, `${symbol('psi', 'Ψ')}(${symbol('w', 'w')})`, 'curve-name', 'end')}${text(X(0) - 8, Y(0) + 4, '0', 'number', 'end')}`;
 }
 
-/** The ball, and its whole energy as a line on which it would turn; a ball on the wall above the plate has a sign. */
+/**
+ * The ball, and its whole energy as a line at the height where it would turn back. A sign stands for a ball above the
+ * plate.
+ */
 function ball({ w, energy, motion }: Moment, stiffness: number, { language }: View): string {
   const level = energy + motion;
   const y = Y(level / stiffness);

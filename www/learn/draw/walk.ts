@@ -7,7 +7,7 @@ import { over } from './ground';
 import { arrowTo, at, path, svg, text } from './plate';
 import { cornersOf, crosses, inOutline, onto, strokesOf } from './ways';
 
-/** The half of a cross in the field, and of the one on the walk. */
+/** Half the size of a cross in the field, of a past one on the walk, and of the present one. */
 const [SMALL, PAST, LARGE] = [7, 9, 18];
 
 /** The least distance of crosses on the way, and the numbers of steps between two of them. */
@@ -22,7 +22,7 @@ export function walk(view: View, { packing, ground: name = '' }: Plate): string 
   return `${svg(SIDE, said, ground)}${over(`${singular(trace, view)}${circle(view, trace)}`)}`;
 }
 
-/** The circle of the walk, and the part that was gone, with its crosses. */
+/** The circle of the walk, and the part that has been walked, with its crosses. */
 function circle(view: View, trace: Trace): string {
   const [x = 0, y = 0, radius = 0] = view.at;
   const way = trace.directions.walk(view.at);
@@ -36,7 +36,7 @@ function circle(view: View, trace: Trace): string {
   return `${ring}${path(gone.map(({ place }) => onto(place)), 'gone')}${marks.join('')}${onward(now, [x, y])}${carried(now, way, LARGE, 'present')}`;
 }
 
-/** The way that the walk goes, at its present place. */
+/** An arrow in the direction of the walk, at its present place. */
 function onward({ place }: Turned, [x, y]: readonly [number, number]): string {
   const [dx, dy] = [place[0] - x, place[1] - y];
   const length = Math.hypot(dx, dy) || 1;
@@ -51,7 +51,10 @@ function carried({ place, along, quarters }: Turned, [first]: readonly Turned[],
   return `<g class="carried ${kind}">${kind === 'present' ? `<path class="back" d="${strokesOf([x, y], along, half)}"/>` : ''}<path class="arms" d="${strokesOf([x, y], along, half)}"/><path class="arm" d="M${at(x)} ${at(y)}l${at(u)} ${at(v)}"/><circle class="tip" cx="${at(x + u)}" cy="${at(y + v)}" r="${kind === 'present' ? 4.5 : 2.5}"/></g>`;
 }
 
-/** The singular points; those inside a whole walk have their quarter turns, if the count is theirs together. */
+/**
+ * The singular points. After a whole walk those inside show their quarter turns, if the sum of these is the walk's
+ * count.
+ */
 function singular({ directions }: Trace, { at: [x = 0, y = 0, radius = 0], step, last }: View): string {
   const all = directions.singular();
   const inside = all.filter(({ place }) => Math.hypot(place[0] - x, place[1] - y) < radius);
@@ -66,7 +69,7 @@ function singular({ directions }: Trace, { at: [x = 0, y = 0, radius = 0], step,
     .join('');
 }
 
-/** The place of a name: away from the middle of all. */
+/** The place of a point's name: on the side away from the mean of all points. */
 function beside([x, y]: readonly [number, number], all: readonly (readonly [number, number])[]): [number, number] {
   const middle = (axis: 0 | 1): number => all.reduce((sum, place) => sum + place[axis], 0) / all.length;
   const [dx, dy] = [x - middle(0), y - middle(1)];

@@ -13,7 +13,7 @@ export const onto: Onto = ([x, y]) => [x * SIDE, y * SIDE];
 /** Certainty is shown in this many tones. */
 const TONES = 6;
 
-/** The two strokes of a cross: its first one lies along the direction. */
+/** The two strokes of a cross: the first stroke lies along the direction. */
 export function strokesOf([x, y]: Place, [u, v]: Place, half: number): string {
   const stroke = (dx: number, dy: number): string => `M${tenth(x - dx)} ${tenth(y - dy)}l${tenth(2 * dx)} ${tenth(2 * dy)}`;
   return `${stroke(half * u, half * v)}${stroke(-half * v, half * u)}`;
@@ -28,7 +28,7 @@ export function crosses(field: readonly Direction[], half: number, to: Onto = on
   return rows.map((row, k) => (row.length ? `<path class="cross tone${k}" d="${row.join('')}"/>` : '')).join('');
 }
 
-/** A drawing that ends at the outline. */
+/** A drawing that is clipped at the outline. */
 export function inOutline({ outline }: Trace, name: string, content: string): string {
   return `<clipPath id="${name}-inside"><path clip-rule="evenodd" d="${outline.map(ringPath).join('')}"/></clipPath><g clip-path="url(#${name}-inside)">${content}</g>`;
 }
@@ -39,7 +39,7 @@ export function standing([x, y]: Place, along: Place, side: number, kind: string
   return `<rect class="${kind}" x="${at(-side / 2)}" y="${at(-side / 2)}" width="${at(side)}" height="${at(side)}" transform="translate(${at(x)} ${at(y)}) rotate(${at(degreesOf(along))})"${rest}/>`;
 }
 
-/** A corner turns by nearly a right angle, whose sine is at least this. */
+/** A corner is square if the sine of its angle is at least this. */
 const SQUARE = 0.95;
 
 /** The square corners of an outline, as small angles inside them. */
@@ -63,7 +63,7 @@ function unit(from: Place, to: Place): Place {
   return [dx / length, dy / length];
 }
 
-/** A symbol with a low number. */
+/** A symbol with a subscript. */
 export function lettered(x: number, y: number, name: string, letters: string, low: string, kind = 'side-name', anchor = 'middle'): string {
   return text(x, y, `${symbol(name, letters)}<tspan class="low" dy="3">${low}</tspan>`, kind, anchor);
 }

@@ -15,7 +15,7 @@ export function stateWords(name: string, { recipe, step, at }: State): string {
   return [`fig=${name}`, recipe, `step=${step}`, ...(at.length ? [`at=${at.map((value) => value.toFixed(3)).join(',')}`] : [])].join('&');
 }
 
-/** The words of a figure's state for the studio: at the step of the packing, or with the directions. */
+/** The words of a figure's state for the studio, which shows the step of the packing, or the directions. */
 export function studioWords({ steps }: Figure, { recipe, step }: Pick<State, 'recipe' | 'step'>): string {
   if (steps === 'walk') return `${recipe}&view=direction`;
   return `${recipe}&view=packed${steps === 'step' ? `&step=${step}` : ''}`;

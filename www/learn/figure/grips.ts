@@ -1,6 +1,6 @@
 /**
- * Grips on plates. A grip takes the finger, and elsewhere the page scrolls. A tap on a plate moves a grip there: the one that
- * was tapped before, or else the nearest of those that belong to the plate's first handle.
+ * Grips on plates. A finger drags a grip; elsewhere it scrolls the page. A tap on a plate moves a grip there: the one
+ * that was tapped before, or else the nearest of those that belong to the plate's first handle.
  */
 import { markAt } from '../figures/marks';
 import type { Place } from '../figures/place';
@@ -13,13 +13,13 @@ export interface Gripped {
   place(): Place;
   move(to: Place, isOver: boolean): void;
   onKey(event: KeyboardEvent): void;
-  /** Its value, in words and as a number between limits. */
+  /** The value of the grip, in words and as a number between limits. */
   said(): { readonly words: string; readonly now: string; readonly from: number; readonly to: number };
-  /** It is taken in hand. */
+  /** Called when the grip is pressed. */
   taken?(): void;
 }
 
-/** One grip: an element, in another as large as its plate that is moved as a whole, so that the layout stays. */
+/** One grip. Its element lies in a carrier as large as the plate, which moves as a whole, so that the layout stays. */
 class Grip {
   readonly of: Gripped;
   readonly element = document.createElement('div');
@@ -30,7 +30,7 @@ class Grip {
     this.of = of;
     const { element, carrier } = this;
     element.className = `grip grip-${of.key}`;
-    // It is there once it has a value.
+    // The grip is shown once it has a value.
     element.hidden = true;
     element.tabIndex = 0;
     element.role = 'slider';
@@ -128,7 +128,7 @@ export class Grips {
   }
 }
 
-/** The nearest grip of the first handle; marks stand in rows, so that the one of the row is the nearest. */
+/** The nearest grip of the first handle. Marks stand in rows, so for them only the vertical distance counts. */
 function nearest(grips: readonly Grip[], [x, y]: Place): Grip | undefined {
   const first = grips[0]?.of.key ?? '';
   const areMarks = markAt(first) !== undefined;

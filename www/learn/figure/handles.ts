@@ -10,11 +10,11 @@ import { afterKey, pointAfterKey, within } from './strides';
 export interface Handled {
   readonly figure: Figure;
   readonly language: Language;
-  /** The value of a handle as it stands. */
+  /** The present value of a handle. */
   value(key: string): string;
-  /** Sets it; `isOver` is false while a drag goes on. */
+  /** Sets a handle's value; `isOver` is false while a drag goes on. */
   change(key: string, text: string, isOver: boolean): void;
-  /** The points of a handle as they stand, in shares of the picture's side. */
+  /** The present points of a handle, in shares of the picture's side. */
   points(handle: PointHandle): readonly Place[];
   move(handle: PointHandle, row: number, to: Place, isOver: boolean): void;
   /** The place of a grip, in shares of its plate, and the numbers of a handle there. */
@@ -150,7 +150,7 @@ export class Handles {
     return `x ${x ?? ''}, y ${y ?? ''} ${handle.unit[this.of.language]}`.trim();
   }
 
-  /** Shows the values as they stand. */
+  /** Shows the present values. */
   show(): void {
     for (const handle of this.all) {
       const box = this.boxOf(handle);
@@ -179,7 +179,7 @@ export class Handles {
 /** Keys that move within the text of a box. */
 const isOfText = ({ key }: KeyboardEvent): boolean => ['ArrowLeft', 'ArrowRight', 'Home', 'End'].includes(key);
 
-/** A box in which the same number is being typed is left alone. */
+/** Writes a number into an input, unless the same number is being typed there. */
 function fillNumber(input: HTMLInputElement, text: string): void {
   const isTyped = input.type === 'number' && input === document.activeElement && Number(input.value) === Number(text);
   if (input.value !== text && !isTyped) input.value = text;

@@ -1,4 +1,6 @@
-/** The layers of plates, an SVG each: one that has not changed stays, so that a ground is drawn once for all steps on it. */
+/**
+ * The layers of plates, each an SVG. A layer that has not changed stays, so a ground is drawn once for all steps on it.
+ */
 export class Layers {
   private readonly shown = new Map<Element, readonly string[]>();
 

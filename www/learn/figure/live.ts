@@ -46,11 +46,11 @@ export class Live implements Handled, Timed {
   private furthest = 0;
   private at: readonly number[];
   private isRead = false;
-  /** Whether a hand has changed the recipe: the picture follows it while the numbers are read. */
+  /** Whether the reader has changed the recipe: the picture then follows while the numbers are being read. */
   private isInHand = false;
   private isPlaying = false;
   private isInSight = true;
-  /** The time of the last frame that played, and the part of a step that is still to come. */
+  /** The time of the last frame that played, and the fraction of a step that is due. */
   private played = 0;
   private part = 0;
   private frame = 0;
@@ -80,7 +80,7 @@ export class Live implements Handled, Timed {
     return this.isRead ? this.readings.map((reading) => reading.hashAt(this.step)).join(' ') : '';
   }
 
-  /** A recipe that does not fit is left for the figure's own. */
+  /** Opens a recipe. One that does not fit the figure is replaced by the figure's own. */
   private open(recipe: string): void {
     const { figure, module } = this;
     const made = (from: string): Reading[] => figure.packings.map((own) => new Reading(module, figure, from, own));
@@ -176,12 +176,12 @@ export class Live implements Handled, Timed {
     this.show(true);
   }
 
-  /** The end stays the end when a later change makes the run longer. */
+  /** Asks for a step. The last step stands for the end, also after a change that makes the run longer. */
   private go(step: number): void {
     this.asked = step >= this.last ? this.figure.last : Math.max(0, step);
   }
 
-  /** Works and plays in sight only. */
+  /** To be called when the figure comes into sight or leaves it. It works and plays in sight only. */
   sight(isInSight: boolean): void {
     this.isInSight = isInSight;
     this.played = performance.now();
@@ -215,7 +215,7 @@ export class Live implements Handled, Timed {
     this.show(!this.isPlaying);
   }
 
-  /** A crowd that is read anew is shown as far as it is: its outline follows the hand. */
+  /** Shows a crowd while its numbers are still being read, so that its outline follows a drag. */
   private preview(): void {
     const isBegun = this.readings.every(({ isBegun, moments, landscape }) => isBegun && (landscape !== undefined || !moments.length));
     if (!isBegun || !this.isInHand) return;
@@ -267,7 +267,9 @@ export class Live implements Handled, Timed {
     });
   }
 
-  /** The stops that tell nothing about a run that the reader has not seen, while there is something to predict. */
+  /**
+   * The stops on offer. If there is something to predict, only those up to the furthest step that the reader has seen.
+   */
   private offered(): typeof this.stops {
     const { steps, asks } = this.figure;
     return steps === 'layer' || !asks.length ? this.stops : this.stops.filter(({ step }) => step <= this.furthest);

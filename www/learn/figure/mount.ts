@@ -1,6 +1,6 @@
 /**
- * Puts the figures of a page to work: each near the window, with the module that the first of them loads. One that is far
- * away is freed and keeps its picture and its state.
+ * Puts the figures of a page to work: each near the window, with the module that the first of them loads. A figure that
+ * is far away is freed, but keeps its picture and its state.
  */
 import type { Language } from '../figures/figure';
 import type { Bubbles } from '../draw/studio';
@@ -54,7 +54,7 @@ class PlacedFigure {
   open(fragment: string): void {
     this.leave();
     this.asked = fragment;
-    // A class goes to its screen.
+    // Class mode goes to the figure's screen.
     this.element.dispatchEvent(new Event('opened', { bubbles: true }));
     // The plates of a figure that is higher than the window come first.
     this.element.scrollIntoView({ block: this.element.offsetHeight > innerHeight ? 'start' : 'center' });

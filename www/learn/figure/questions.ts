@@ -12,7 +12,7 @@ export class Questions {
     [this.figure, this.language] = [figure, language];
   }
 
-  /** Whether a question that shows the place of no potential is answered. */
+  /** Whether a question is answered after which the place where the potential is 0 is shown. */
   get showsZero(): boolean {
     return [...this.found].some((ask) => ask.showsZero);
   }

@@ -14,7 +14,7 @@ function strideOf({ stride, fine, coarse }: Strides, { key, shiftKey }: Keyboard
   return key.startsWith('Arrow') ? (shiftKey ? fine : stride) : coarse;
 }
 
-/** The value after a key, Home and End for the limits; `undefined` if the key is no handle's. */
+/** The value after a key; Home and End give the limits. `undefined` if handles do not use the key. */
 export function afterKey(handle: Strides, value: number, event: KeyboardEvent): number | undefined {
   if (event.key === 'Home') return handle.from;
   if (event.key === 'End') return handle.to;
@@ -22,7 +22,7 @@ export function afterKey(handle: Strides, value: number, event: KeyboardEvent): 
   return way === undefined ? undefined : within(handle, value + way * strideOf(handle, event));
 }
 
-/** The point after a key; `undefined` if the key is no handle's. */
+/** The point after a key; `undefined` if handles do not use the key. */
 export function pointAfterKey(handle: PointHandle, [x, y]: readonly [number, number], event: KeyboardEvent): readonly [number, number] | undefined {
   const way = PLANE[event.key];
   const stride = strideOf(handle, event);

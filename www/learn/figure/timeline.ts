@@ -8,7 +8,7 @@ export interface Timed {
   readonly language: Language;
   again(): void;
   play(): void;
-  /** Goes by some steps. */
+  /** Goes some steps forwards, or back if the number is negative. */
   by(steps: number): void;
   seek(step: number): void;
 }

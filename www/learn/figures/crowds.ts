@@ -1,7 +1,7 @@
 /** The cells of a crowd, and its stops, found in the engine's numbers. */
 import type { Crowd, Moment, PackedCell, Stop, Trace } from './figure';
 
-/** The numbers of a cell in a crowd's rows. */
+/** How many numbers a cell has in a crowd's rows. */
 export const ROW = 11;
 
 /** The crowd at a step; the last one after the end of the run. */
@@ -29,7 +29,7 @@ export function nearestTo(cells: readonly PackedCell[], [x = 0, y = 0]: readonly
 /** The sum of a crowd's energies, which falls unless a step is too long. */
 export const energyOf = ({ pairs, walls, motion }: Crowd): number => pairs + walls + motion;
 
-/** Two cells as a pair. `from` is the first place of the left one, in pixels. */
+/** Two cells as a pair. `from` is where the left one was at the start: its x in pixels. */
 export function momentOf({ step, rows, pairs, motion }: Crowd, from: number): Moment {
   const at = (place: number): number => rows[place] ?? 0;
   const size = at(3);

@@ -105,7 +105,7 @@ export interface Trace {
   /** Whether the run has ended by itself. */
   readonly isOver: boolean;
   readonly comings: readonly Coming[];
-  /** The same steps as those of a pair; none if there are not two cells. */
+  /** The steps as those of a pair; empty unless there are exactly two cells. */
   readonly moments: readonly Moment[];
   readonly cells: readonly Cell[];
   /** Pixels along the picture's side, the unit of places in rows. */
@@ -166,7 +166,7 @@ export interface NumberHandle {
   readonly marks?: readonly { readonly value: number; readonly name: string }[];
   /** The plates that have a grip for it. */
   readonly plates?: readonly number[];
-  /** How a list has it, if it is no parameter. */
+  /** How a list stores it, if it is no parameter. */
   readonly listed?: Listed;
 }
 
@@ -221,7 +221,9 @@ export interface Bar {
   readonly isMarked?: boolean;
 }
 
-/** An arrow of a dial: its angle clockwise from the right, and its length in radii. A ghost is where one was. */
+/**
+ * An arrow of a dial: its angle clockwise from the right, and its length in radii. A ghost shows where an arrow was.
+ */
 export interface Hand {
   readonly degrees: number;
   readonly length: number;
@@ -268,7 +270,7 @@ export interface Plate {
 
 /** A start that was let go of, and how it ended. */
 export interface Trial {
-  /** Tells starts apart. */
+  /** A text that differs between any two starts. */
   readonly start: string;
   readonly value: number;
   readonly parted?: boolean;
@@ -281,7 +283,7 @@ export interface Seen {
   readonly trials: readonly Trial[];
   /** The place looked at: a number for each mark on a curve, or two for a point of the picture; see `markAt`. */
   readonly at: readonly number[];
-  /** The distance, apart from rest, at which the potential is 0. */
+  /** The distance below 1 at which the potential is 0. */
   readonly zero: number;
   /** Whether the reader has stopped at this step. */
   readonly isStill: boolean;
@@ -322,8 +324,9 @@ export interface Figure {
   readonly recipe: string;
   readonly packings: readonly Readonly<Record<string, string>>[];
   /**
-   * The last step of the longest run, the step that the figure opens at or the end before it, and what its steps are called.
-   * Those of a walk need the fields alone, and no step of a packing. A figure whose last step is 0 has no timeline.
+   * The last step of the longest run, the step that the figure opens at (the run's end if that comes earlier), and the
+   * kind of its steps. A walk needs only the fields, and no step of a packing. A figure whose last step is 0 has no
+   * timeline.
    */
   readonly last: number;
   readonly opens: number;
@@ -331,10 +334,10 @@ export interface Figure {
   readonly plates: readonly Plate[];
   readonly stops: readonly Stop[];
   readonly handles: readonly Handle[];
-  /** Handles in a fold. */
+  /** Handles that are folded away at first. */
   readonly more: readonly Handle[];
   readonly at: readonly number[];
-  /** Plates that show the field: its places along the picture's side. */
+  /** For plates that show the field: the number of its places along the picture's side. */
   readonly across?: number;
   /** Whether plates show the potential around the first cell. */
   readonly hasLandscape?: boolean;

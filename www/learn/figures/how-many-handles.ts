@@ -8,7 +8,7 @@ export const AT_START: NumberHandle = {
   from: 4, to: 80, stride: 1, fine: 1, coarse: 10, digits: 0,
 };
 
-/** A cell goes if its nearest neighbour is nearer. */
+/** A cell goes if its nearest neighbour is nearer than this. */
 export const CROWDED: NumberHandle = {
   kind: 'number', key: 'crowd', symbol: 'a', name: { en: 'Goes below', ja: '去る境目' }, unit: RATIO,
   from: 0.5, to: 1.2, stride: 0.01, fine: 0.01, coarse: 0.1, digits: 2,

@@ -29,7 +29,7 @@ const SQUARE = 'qqOqqOsrjBAAsrjBrrjBA';
 const isSmall = ({ points, value }: Trace): boolean =>
   value('kind') === 'circle' && value('outline') === 'polygon' && Number(value('size')) <= 256 && Number(value('cs')) >= 22 && Number(value('count')) <= 100 && points('given').length <= 60;
 
-/** The step before the first look that changes the population, and the step of that look. */
+/** The steps of the first and of the last look that changes the population, and the step before the first one. */
 const firstLook = (trace: Trace): number | undefined => looksOf(trace)[0]?.step;
 const lastLook = (trace: Trace): number | undefined => looksOf(trace).at(-1)?.step;
 const beforeLook = (trace: Trace): number | undefined => (firstLook(trace) ?? 0) - 1;

@@ -17,7 +17,7 @@ export interface JoinedCells {
   readonly points: ReadonlyMap<number, Place>;
   /** The ids of each element's corners. */
   readonly faces: readonly (readonly number[])[];
-  /** All triangles as far as the convex hull. */
+  /** All Delaunay triangles, out to the convex hull. */
   readonly triangles: readonly Triangle[];
   /** The outlines of the cells by their ids: x, y, x, y, ... */
   readonly cells: ReadonlyMap<number, readonly number[]>;
@@ -42,7 +42,7 @@ export interface Flip {
   readonly radius: number;
 }
 
-/** The largest angle that the smallest one of a triangle can be. */
+/** The largest possible value of a triangle's smallest angle, in degrees. */
 export const LARGEST = 60;
 
 export const smallestOf = ({ angles }: Triangle): number => Math.min(...angles);
@@ -104,7 +104,7 @@ export function nearestEdge(joined: JoinedCells, to: Place): InnerEdge | undefin
   return innerEdges(joined).reduce<InnerEdge | undefined>((best, edge) => (best && far(best) <= far(edge) ? best : edge), undefined);
 }
 
-/** How far a place is from the line between two others. */
+/** The distance from a place to the segment between two others. */
 function fromEdge(to: Place, a: Place, b: Place): number {
   const along = ((to[0] - a[0]) * (b[0] - a[0]) + (to[1] - a[1]) * (b[1] - a[1])) / distance(a, b) ** 2;
   const share = Math.max(0, Math.min(1, along));
@@ -125,7 +125,7 @@ export function nearestPoint({ points }: JoinedCells, [x = 0, y = 0]: readonly n
   return [...points.keys()].reduce<number | undefined>((best, id) => (best !== undefined && far(best) <= far(id) ? best : id), undefined);
 }
 
-/** The edges at a point. */
+/** The number of edges at a point. */
 export function edgesAt({ faces }: JoinedCells, id: number): number {
   return new Set(faces.filter((face) => face.includes(id)).flatMap((face) => face.filter((other) => other !== id))).size;
 }

@@ -164,7 +164,7 @@ const same: Ask = {
   ),
 };
 
-/** A change of an energy that is seen in the numbers shown. */
+/** The least change of an energy that shows in the printed digits. */
 const CLEAR = 5e-4;
 
 const falls: Ask = {
@@ -207,7 +207,7 @@ const best: Ask = {
   ),
 };
 
-/** The steps in which the exercise asks for rest. */
+/** The exercise asks for rest within this many steps. */
 const SOON = 40;
 
 const quiet: Ask = {

@@ -7,7 +7,7 @@ export interface Neighbour {
   readonly x: number;
   readonly y: number;
   readonly w: number;
-  /** Where it is, in degrees from the right, against the clock; and how far that is from the middle of the nearest edge. */
+  /** Degrees: its direction, counter-clockwise from the right, and that from the nearest edge's middle. */
   readonly angle: number;
   readonly aside: number;
   readonly speed: number;
@@ -56,7 +56,7 @@ export function reachesEdge(trace: Trace): number | undefined {
 /** Two squares that touch along an edge: the ends of that edge, in shares of the picture's side. */
 export type SharedEdge = readonly [x: number, y: number, u: number, v: number];
 
-/** Neighbours are at most this far apart, and an edge is shared if one square is beside the other to within these shares of it. */
+/** Largest distance of neighbours; largest gap and shift of two that share an edge. All in sizes. */
 const NEIGHBOURS = 1.25;
 const BESIDE = 0.08;
 const SHIFTED = 0.12;

@@ -46,7 +46,9 @@ const HALFWAY: Stop = { key: 'halfway', name: { en: 'On the way', ja: '途中' }
 
 const weightOf = (trace: Trace): number => Number(trace.value('cw'));
 
-/** A square that was dropped at 45 degrees, and whether it has left for an edge; apart from others by its weight. */
+/**
+ * The trial of a square that was dropped at 45 degrees: whether it has left for an edge. Trials differ by their weight.
+ */
 function dropped(trace: Trace, step: number): Trial | undefined {
   const [first, now] = [neighbourAt(trace, 0), neighbourAt(trace, step)];
   if (!first || !now || !isAtCorner(first) || first.w < 0.85 || first.w > 1.3) return undefined;
@@ -56,7 +58,7 @@ function dropped(trace: Trace, step: number): Trial | undefined {
   return isStaying ? { start: `${value} corner`, value, parted: false } : undefined;
 }
 
-/** The largest weight of a drop that shows that little is enough. */
+/** A drop with at most this weight shows that a small weight is enough. */
 const LITTLE = 0.05;
 
 const from: Ask = {
@@ -109,7 +111,7 @@ const slide: Ask = {
     ({ traces: [trace], step }) => {
       const [first, now] = trace ? [neighbourAt(trace, 0), neighbourAt(trace, step)] : [];
       if (!first || !now || !isAtEdge(now) || now.x > -0.5 || Math.hypot(first.x - now.x, first.y - now.y) < SLIDE) return undefined;
-      // As the boxes of its place have it: y down.
+      // As the number boxes show its place: y down.
       return [number(first.x, 2), number(-first.y, 2), step];
     },
     [['−0.00', '−0.00', 100]],

@@ -21,7 +21,7 @@ const REST: Stop = { key: 'rest', name: { en: 'Rest', ja: '静止' }, find: ofPa
 const PARTED: Stop = { key: 'parted', name: { en: 'Apart for good', ja: '離れきる' }, find: ofPair(parting) };
 const END: Stop = { key: 'end', name: { en: 'Last step', ja: '最後' }, find: ofPair((moments) => moments.at(-1)?.step) };
 
-/** The answer that was chosen, which the runtime puts before what happened. */
+/** The question on a pair that starts beyond the reach of the force. */
 const far: Ask = {
   key: 'far',
   answers: { a: { en: 'it drifts off', ja: '離れていく' }, b: { en: 'it stays', ja: 'そのまま止まっている' }, c: { en: 'it comes back', ja: '戻ってくる' } },
@@ -171,7 +171,7 @@ function toldLayer({ traces, step }: Seen, language: Language): string {
   return (language === 'ja' ? ja : en)[step] ?? '';
 }
 
-/** A pavement that is quickly made. */
+/** Whether a pavement is small enough to be made quickly. */
 const isSmall = ({ value }: Trace): boolean => Number(value('cs')) >= 20 && Number(value('size')) <= 512;
 
 const NO_PHYSICS = { handles: [], more: [] };

@@ -20,7 +20,7 @@ const RIGHT_CORNERS: readonly Place[] = [[ENDS[1], WALLS[1]], [ENDS[0], WALLS[1]
 /** The road with its upper side cut into pieces of one length. */
 export const roadOf = (pieces: number): string => listed([...Array.from({ length: pieces + 1 }, (_, k): Place => [ENDS[0] + ((ENDS[1] - ENDS[0]) * k) / pieces, WALLS[0]]), ...RIGHT_CORNERS]);
 
-/** The upper side has all points of the road but two. */
+/** The upper side has all points of the road but two, so its pieces are three fewer than the points. */
 const CUT: Listed = { list: 'poly', read: (points) => points.length - 3, write: (pieces) => ({ poly: roadOf(Math.round(pieces)) }) };
 
 export const PIECES: NumberHandle = {
@@ -47,7 +47,7 @@ function roundOf(height: number): string {
 
 export const ROUND = roundOf(1);
 
-/** How high the round place is for its width; a change of it goes back there. */
+/** The height of the round place in widths. A change of it also returns to the round place from another outline. */
 const FLAT: Listed = {
   list: 'poly',
   read: (points) => {

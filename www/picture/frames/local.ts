@@ -69,7 +69,7 @@ export class LocalFrames implements FrameSource, Painter {
     return place && [place[0] ?? 0, place[1] ?? 0, place[2] ?? 0];
   }
 
-  /** The place in that frame of a place on the model; undefined if it is hidden. */
+  /** The place in the last frame of a place on the model; undefined if it is hidden. */
   spotOf([x, y, z]: readonly [x: number, y: number, z: number]): FramePlace | undefined {
     const { sides } = this.maker;
     const pixel = sides && this.ask((studio) => studio.pixelOf(x, y, z));

@@ -1,8 +1,8 @@
 /**
  * Makes frames of a studio's bodies, for the engine of the page or in a worker. A new view gets a coarse frame first,
  * then one with all pixels, which is refined: it is the mean of more and more samples, and each mean is shown. A newer
- * request ends that at once. While something moves there are coarse frames only, and each is finished: otherwise none
- * ever would be.
+ * request ends the refinement at once. While something moves there are coarse frames only. Each of them is finished
+ * even if a newer request comes; otherwise no frame would ever be finished.
  */
 import type { SceneStudio } from '../../module/scene';
 import type { Notice } from '../../module/types';
@@ -38,7 +38,7 @@ export class FrameMaker<W extends Wished = Wished> {
   private spent = 0;
   /** The bodies may differ from the last frame. */
   private stale = true;
-  /** The last frame: its view, the frames of its ladder that are finished, its subject, and its sides. */
+  /** The last frame: its view, the number of finished frames of its ladder, its subject, and its sides. */
   private last = { view: '', rungs: 0, subject: '', width: 0, height: 0 };
 
   /** `view` gives the word of the view. */

@@ -27,7 +27,7 @@ export interface Wished {
 }
 
 /**
- * A body: its number, its figures by the words of its generator, words that tell what numbers cannot, and the words of the
+ * A body: its number, its measures (`figures`) and texts (`words`) by the words of its generator, and the words of the
  * steps in its making.
  */
 export interface BodyInfo {

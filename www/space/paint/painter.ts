@@ -21,7 +21,7 @@ export interface Surface {
   readonly host: HTMLElement;
   /** The place on the model at a place of the last frame; undefined beside the model. */
   placeAt(spot: FramePlace): ModelPlace | undefined;
-  /** The place in that frame of a place on the model; undefined if it is hidden. */
+  /** The place in the last frame of a place on the model; undefined if it is hidden. */
   spotOf(place: ModelPlace): FramePlace | undefined;
 }
 
@@ -133,7 +133,7 @@ export class Painter {
     this.work.set('flip', this.work.engine.get('flip') === '1' ? '0' : '1');
   }
 
-  /** Listens to events of the host. `act` returns whether it has used the event; the frame then does not get it. */
+  /** Listens to events of the host. If `act` returns true, it has used the event, and the frame does not get it. */
   private listen<K extends keyof HTMLElementEventMap>(sign: K, act: (event: HTMLElementEventMap[K]) => boolean): void {
     this.surface.host.addEventListener(
       sign,

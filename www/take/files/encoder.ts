@@ -58,7 +58,7 @@ export class FilmEncoder {
     return film;
   }
 
-  /** Shows an RGBA image for `times` frames. Throws the browser's error if it cannot encode them. */
+  /** Shows an RGBA image for `times` frames. Throws the browser's error if it cannot encode the frames. */
   async add(rgba: Uint8ClampedArray, times = 1): Promise<void> {
     const { width, height } = SHAPES[this.shape];
     const planes = planesOf(rgba, width, height, this.codec.matrix);
@@ -85,7 +85,7 @@ export class FilmEncoder {
 
 /**
  * The fastest of some codecs. One browser takes ten times as long for VP9 as for VP8, another one for VP8 as for VP9.
- * The others are tried only if the first one is slow. `rgba` is a frame to try them with, and is overwritten.
+ * The other codecs are tried only if the first one is slow. `rgba` is a frame to try them with, and is overwritten.
  */
 export async function quickest(codecs: readonly Codec[], shape: Shape, rgba: Uint8ClampedArray): Promise<Codec> {
   let [best, least] = [codecs[0], Infinity];
@@ -114,7 +114,7 @@ function coloursOf({ matrix }: Codec): VideoColorSpaceInit {
   return { primaries: 'bt709', transfer: 'bt709', matrix, fullRange: false };
 }
 
-/** If an encoder does not report its colours, players have to guess them. */
+/** Adds the colours to the encoder's description of its frames: without them, players have to guess. */
 function inColours(meta: EncodedVideoChunkMetadata | undefined, codec: Codec): EncodedVideoChunkMetadata | undefined {
   return meta?.decoderConfig ? { ...meta, decoderConfig: { ...meta.decoderConfig, colorSpace: coloursOf(codec) } } : meta;
 }

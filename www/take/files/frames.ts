@@ -27,7 +27,7 @@ export function framesOf(steps: number): number {
  * finished picture again.
  */
 export async function showForming(studio: Bubblestone, course: Course, look: Look, finished: Canvas, { steps, stones }: Status, show: Show): Promise<void> {
-  // Where each step places bodies, its frames take the time of all others.
+  // If each step places bodies, the steps also get the frames of the cells and stones.
   const more = isPlacedByStep(course) ? FRAMES.cells + FRAMES.standing + FRAMES.stones : 0;
   await new Forming(studio, course, look, finished, paceOf(steps, more), steps, stones, show).run();
 }
@@ -49,7 +49,7 @@ class Forming {
   private before: OffscreenCanvasRenderingContext2D;
   private now: OffscreenCanvasRenderingContext2D;
   private begun = false;
-  /** The next frames of the packing and of the stones. */
+  /** The number of the next frame of the packing, from 0, and of the next frame of the stones, from 1. */
   private packed = 0;
   private placed = 1;
   private steps = -1;
@@ -104,7 +104,7 @@ class Forming {
     await this.show(this.now.canvas, this.now.canvas, 0, FRAMES.still);
   }
 
-  /** Shows the frames up to a step of the packing, after that step. */
+  /** To be called after a step of the packing: shows the frames up to that step. */
   private async step(steps: number): Promise<void> {
     const next = this.pace[this.packed] ?? Infinity;
     const last = this.steps;

@@ -11,7 +11,7 @@ export interface TurnFilmJob extends Seen {
   codecs: Codec[];
 }
 
-/** Seconds of a turn. The animation has few pixels and frames because they are large in its file. */
+/** Seconds of a turn. The animation (GIF) has few pixels and frames, because each of them makes its file large. */
 const LENGTH = 6;
 const ANIMATION = { side: 360, frames: 60 };
 
