@@ -1,12 +1,12 @@
 //! The finished picture with more pixels: the same bodies and noises in finer detail.
 //!
 //! The stages up to the cells' coats only use picture units. From the painter on, `pixel_scale` pixels stand for each
-//! unit. A picture of 8192 pixels along a side fits into [`MOST_MEMORY`], because only those planes are held in full
-//! that later stages read everywhere: heights, colours and materials, 8 bytes a pixel, then occlusion and light. The
-//! ground's tile, the samples of stones and the ids exist for one band of rows at a time, the weather's means for the
-//! rows around one, and rows of the picture or of its maps are handed out as soon as they are made. No stage sees the
-//! joints between bands, so none show. Stencils of large scales would take any amount of memory: they get what the
-//! rest leaves, and the scales have fewer Loop steps if that is too little.
+//! unit. A picture of 8192 pixels along a side fits into [`MOST_MEMORY`], because only planes that later stages read
+//! everywhere are held in full: heights, colours and materials (8 bytes a pixel), then occlusion and light. The
+//! ground's tile, the samples of stones and the ids exist for one band of rows at a time. The means of the weather
+//! exist for the rows around the present one. Rows of the picture or of its maps are handed out as soon as they are
+//! made. No stage depends on where bands meet, so no joint shows. Stencils of large scales of skin have no limit of
+//! their own: they get the memory that remains. If it is too little, the scales have fewer Loop steps.
 
 use super::height_field::{Bodies, HeightFieldParams, Painting, ROWS, solids};
 use super::lighting::LightParams;
@@ -18,25 +18,26 @@ use crate::notice::{Code, Notice};
 use crate::solid::Solids;
 use std::ops::Range;
 
-/// Most pixels along the side: more would not fit into the memory that browsers give a page.
+/// Most pixels along the side. A larger picture would not fit into the memory that browsers give a page.
 pub const MOST_PIXELS: usize = 8192;
-/// The greatest scale of the picture's side.
+/// The most pixels of the bigger picture for each pixel of the picture, along a side.
 const MOST_SCALE: usize = 8;
-/// Bytes that a bigger picture takes at most: beside the picture itself, the module's 1 GiB has room for them. If the
-/// stencils of the finest solids would take more than is left of them, solids are coarser.
+/// Most bytes of a bigger picture. The 1 GiB of the module then has room for the picture itself. If the stencils of the
+/// finest solids need more bytes than remain, solids are coarser.
 const MOST_MEMORY: usize = 800 << 20;
-/// Bytes that a bigger picture and the picture itself take at most, and those of the picture itself for each of its
-/// pixels. Beside a picture of 2048 pixels along a side, a bigger one of 8192 has less than [`MOST_MEMORY`].
+/// Most bytes of a bigger picture and the picture itself together. The picture itself takes [`OWN`] bytes for each of
+/// its pixels. Beside a picture of 2048 pixels along a side, a bigger one of 8192 has less than [`MOST_MEMORY`].
 const WITH_PICTURE: usize = 1000 << 20;
 const OWN: usize = 64;
-/// Least and most pixels of a band: the samples of stones are held for these only. A stone is made anew for each of its
-/// bands, so few large ones take less time.
+/// Least and most pixels of a band. Samples of stones are held for one band only. A stone is made again in each band
+/// that it reaches, so few large bands take less time.
 const BAND: [usize; 2] = [1 << 20, 3 << 20];
-/// Bytes for each pixel of the finished picture.
+/// Bytes for each pixel after painting: 8 for the planes, and 2 for occlusion and light.
 const BYTES: usize = 10;
-/// Bytes while stones are painted: for each pixel, more for each pixel of the band, and for noise and ground.
+/// Bytes while stones are painted: for each pixel, in addition for each pixel of the band, and once for noise and
+/// ground.
 const PAINTING: [usize; 3] = [8, 43, 64 << 20];
-/// Rows are handed out as soon as they have this many bytes, even within the budget.
+/// Rows are handed out as soon as they have this many bytes, even if time is left.
 const HANDED: usize = 4 << 20;
 
 /// A bigger picture, or its maps, while it is made.
@@ -44,12 +45,12 @@ pub(super) struct Bigger {
     scale: usize,
     /// The wanted maps; empty for the picture itself.
     kinds: Vec<MapKind>,
-    /// The revision of the picture that it belongs to.
+    /// The revision of the finished picture that is made bigger.
     revision: u64,
     side: usize,
     light: LightParams,
     work: BiggerPhase,
-    /// Slices of the current stage.
+    /// Slices done in the current stage.
     slices: usize,
     /// Rows of the picture whose stones are all painted.
     painted: usize,
@@ -67,21 +68,21 @@ enum BiggerPhase {
     Done,
 }
 
-/// The inputs of a bigger picture.
+/// The inputs of a bigger picture, from the finished picture.
 pub(super) struct Picture<'a> {
-    /// Pixels along its side.
+    /// Pixels along the side of the finished picture.
     pub side: usize,
-    /// The picture's revision; `None` before it is finished.
+    /// The revision of the picture; `None` before the picture is finished.
     pub revision: Option<u64>,
     pub bodies: Option<Bodies<'a>>,
 }
 
 impl Bigger {
-    /// Works for about `budget` milliseconds on these maps or, if there are none, on the picture, with `scale` times
-    /// as many pixels along its side. `kept` holds the unfinished work.
+    /// Works for about `budget` milliseconds on the maps `kinds`, or on the picture if `kinds` is empty. Both have
+    /// `scale` times as many pixels along the side. `kept` holds the unfinished work.
     ///
     /// # Errors
-    /// A notice if the picture is not finished, or would be too large; nothing is kept then.
+    /// A notice if the picture is not finished, or the bigger one would be too large; nothing is kept then.
     pub fn advance(
         kept: &mut Option<Bigger>,
         picture: &Picture,
@@ -134,7 +135,8 @@ impl Bigger {
         Ok(slice)
     }
 
-    /// Starts a picture of `side` pixels. Stones with these coats are painted into `band` rows at a time.
+    /// Starts a picture of `side` pixels along its side. Stones with these coats are painted into `band` rows at a
+    /// time.
     pub fn begin(
         (scale, kinds): (usize, &[MapKind]),
         side: usize,
@@ -211,7 +213,8 @@ impl Bigger {
         };
     }
 
-    /// Hands out the ids of a band with all its stones, and goes on to the next band; false if there is none.
+    /// Hands out the ids of the band, whose stones are all painted, and goes on to the next band; false if no band is
+    /// left.
     fn next_band(&mut self, painting: &mut Painting) -> bool {
         let ids = painting.ids();
         self.painted += ids.len() / self.side;
@@ -223,7 +226,7 @@ impl Bigger {
         painting.next_band()
     }
 
-    /// The stage after the weather.
+    /// The stage after the weather: shading for the picture, mapping for maps.
     fn finishing(&mut self, planes: Planes) -> BiggerPhase {
         self.slices = 0;
         let shade = &self.light.shade;
@@ -236,7 +239,7 @@ impl Bigger {
         BiggerPhase::Mapping(planes, scale, 0)
     }
 
-    /// Hands out these rows of all maps except ids.
+    /// Hands out these rows of all maps except ids, which are handed out while stones are painted.
     fn map(&mut self, planes: &Planes, scale: &maps::Scale, rows: Range<usize>) {
         for (map, &kind) in self.rows.iter_mut().zip(&self.kinds) {
             if kind != MapKind::Id {
@@ -279,8 +282,8 @@ impl Bigger {
     }
 }
 
-/// The rows of a band, if a picture of `side` pixels can be made at `scale` times its side. `fit` limits the bytes of
-/// stencils, and returns those that they take.
+/// The number of rows in a band, or a notice if a picture of `side` pixels cannot be made `scale` times as large. `fit`
+/// limits stencils to the given bytes, and returns the bytes that they take.
 fn rows(scale: usize, side: usize, fit: impl FnOnce(usize) -> usize) -> Result<usize, Notice> {
     let bigger = side.saturating_mul(scale);
     if !(1..=MOST_SCALE).contains(&scale) || bigger > MOST_PIXELS {
@@ -296,7 +299,7 @@ fn rows(scale: usize, side: usize, fit: impl FnOnce(usize) -> usize) -> Result<u
     let left = memory.saturating_sub(each * pixels + in_band * least + more);
     let stencils = fit(left);
     let band = (least + left.saturating_sub(stencils) / in_band).min(most);
-    // The planes are two blocks; light and occlusion take what painting has freed.
+    // The planes are two blocks; light and occlusion use the memory that painting has freed.
     let painting = in_band * band + more + stencils;
     let blocks = [
         each * pixels / 2,

@@ -16,15 +16,15 @@ use crate::recipe::Recipe;
 pub struct Progress {
     /// The number of cells, or bodies.
     pub cells: usize,
-    /// The number of steps that they have moved by.
+    /// The number of steps in which cells or bodies have moved so far.
     pub steps: u32,
     /// The largest move of the last step, in cell sizes.
     pub largest_move: f64,
-    /// Cells added since the first were placed.
+    /// Cells added after the first cells were placed.
     pub added: u32,
-    /// Cells removed since then.
+    /// Cells removed after the first cells were placed.
     pub removed: u32,
-    /// Whether it came to rest by itself.
+    /// Whether the cells or bodies came to rest by themselves.
     pub converged: bool,
     /// The number of finished stones, or bodies.
     pub stones: usize,
@@ -51,14 +51,14 @@ pub trait Engine {
     /// Sets the latest recipe. The work continues with the present one until [`Engine::take_up`].
     fn ask(&mut self, recipe: &Recipe);
 
-    /// The first stage in which the latest recipe differs from the present one.
+    /// The first stage in which the latest recipe differs from the present one; `None` if no stage does.
     fn stale(&self) -> Option<usize>;
 
     /// Makes the latest recipe the present one.
     fn take_up(&mut self);
 
-    /// Marks the stage that makes steps as stale, so that it and all stages after it run again. If a step is held, they
-    /// go on from it.
+    /// Marks the stage that makes steps as stale, so that it and all stages after it run again. If a step is held, the
+    /// new run goes on from that step.
     fn forget_steps(&mut self);
 
     /// Pixels along the side of the present picture.
@@ -78,7 +78,8 @@ pub trait Engine {
     /// Does one slice of work, on the first stage that is not fresh.
     fn advance(&mut self);
 
-    /// Whether a step begins with the next slice. It waits while the work is held; the rest of a step does not.
+    /// Whether the next slice begins a step. While the work is held, no step begins, but a step that has begun is
+    /// finished.
     fn is_step(&self) -> bool {
         false
     }
@@ -97,24 +98,24 @@ pub trait Engine {
     /// The progress of the work.
     fn progress(&self) -> Progress;
 
-    /// The potential energy of the bodies that move, or have moved last, in units of the mean cell's spring constant k0;
-    /// 0 before that.
+    /// The potential energy of the cells or bodies that move or have moved last, in units of the mean cell's spring
+    /// constant k0; 0 before any has moved.
     fn energy(&mut self) -> f64 {
         0.0
     }
 
-    /// The picture of a view, by its words: opaque RGBA, row after row from the top. While a stage has nothing to
-    /// show yet, the last one stays.
+    /// The picture of a view, by its words: opaque RGBA, row after row from the top. While a stage has nothing to show
+    /// yet, the last picture stays.
     fn view(&mut self, words: &str) -> &[u8];
 
-    /// Draws a part of a view that takes long, for about `budget` milliseconds but at least one piece. True if
+    /// Draws a part of a slow view in advance: for about `budget` milliseconds, but at least one piece. True if
     /// [`Engine::view`] has no long work left.
     fn prepare(&mut self, words: &str, clock: Clock, budget: f64) -> bool;
 
     /// The last finished picture, in the form of [`Engine::view`]; empty before there is one.
     fn picture(&self) -> &[u8];
 
-    /// Digest of the planes or bodies made last, 16 hexadecimal digits: equal for equal ones.
+    /// Digest of the planes or bodies made last, as 16 hexadecimal digits. Equal results have equal digests.
     fn digest(&self) -> String;
 
     /// Adds the figures of this generator to a report.

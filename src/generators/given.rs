@@ -1,4 +1,4 @@
-//! Files for recipes, as they arrive: in pieces, so that no call takes long for the digest.
+//! Files that recipes name. Files arrive in pieces, so that no call takes long for the digest.
 
 use crate::hash::Hash;
 use crate::notice::{Code, Notice};
@@ -14,7 +14,7 @@ const BELIEVED: usize = 1 << 29;
 #[derive(Clone)]
 pub struct FileDigest {
     hash: Hash,
-    /// Bytes that do not fill a word yet.
+    /// The last bytes, `filled` in number, which do not fill a word yet; zeros follow.
     rest: [u8; WORD],
     filled: usize,
 }
@@ -65,8 +65,8 @@ impl FileDigest {
     }
 }
 
-/// Rules beyond single rows: naming a file selects the word `file` of a choice. The function tells the choice that a
-/// file's key belongs to.
+/// A rule beyond single rows: naming a file sets a choice to the word `file`. The function maps the key of the file to
+/// the key of that choice.
 pub(super) struct FileRules(pub fn(Key) -> Key);
 
 impl Rules for FileRules {

@@ -11,7 +11,7 @@ use crate::solid::Solids;
 /// Rows of the picture in one slice.
 pub(super) const ROWS: usize = 16;
 
-/// The parameters of planes.
+/// The parameters of painting stones into planes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PlaneParams {
     pub texture: TextureParams,
@@ -19,7 +19,7 @@ pub(super) struct PlaneParams {
     pub finer: i32,
 }
 
-/// The parameters of all its stages.
+/// The parameters of all stages of the finisher.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct HeightFieldParams {
     pub planes: PlaneParams,
@@ -27,10 +27,10 @@ pub(super) struct HeightFieldParams {
     pub light: LightParams,
 }
 
-/// Planes, weather and light.
+/// The three stages of the finisher with their results: planes, weather and light.
 pub(super) struct HeightField {
-    /// The last planes stay while stones are painted again, 13 bytes a pixel and their ground. So after a step back
-    /// nothing has to be painted.
+    /// The last planes, 13 bytes a pixel and their ground, are kept while stones are painted again. If the recipe
+    /// returns to the parameters of the kept planes, nothing has to be painted.
     pub planes: Node<PlaneParams, Painting, Painted>,
     pub weather: Node<WeatherParams, Weathering, Planes>,
     /// The picture: opaque RGBA, row after row from the top.
@@ -43,7 +43,7 @@ pub(super) struct HeightField {
 #[derive(Clone, Copy)]
 pub(super) struct Bodies<'a> {
     pub domain: &'a Domain,
-    /// The cells of the stones, and their coats by rule.
+    /// The cells of the stones. `coats` holds the coat that the rule of colours gives each of them.
     pub cells: &'a [Cell],
     pub coats: &'a [Coat],
 }
@@ -110,7 +110,7 @@ impl HeightField {
         })
     }
 
-    /// The parameters at work, for a picture with `pixel_scale` pixels for each unit.
+    /// The present parameters, for a picture with `pixel_scale` pixels for each unit.
     pub fn params(&self, pixel_scale: usize) -> HeightFieldParams {
         let mut planes = *self.planes.params();
         planes.texture.pixel_scale = pixel_scale;
@@ -122,8 +122,8 @@ impl HeightField {
     }
 }
 
-/// The greatest detail in pixels of a unit: more triangles would show nothing new, as bodies are smooth, and take
-/// most of the memory.
+/// The greatest detail of solids, in pixels for each unit. More triangles would show nothing new, because bodies are
+/// smooth, and would take most of the memory.
 const MOST_DETAIL: usize = 4;
 
 /// A maker of solids with the detail that these planes need.
@@ -169,7 +169,7 @@ impl Painting {
         self.painter.next_band()
     }
 
-    /// The number of stones that are painted, in the band at work.
+    /// The number of stones that are painted in the present band.
     pub fn stones(&self) -> usize {
         self.stones
     }
@@ -179,7 +179,7 @@ impl Painting {
         self.is_bedded
     }
 
-    /// The planes as they are by now.
+    /// The planes as painted so far.
     pub fn planes(&self) -> &Planes {
         self.painter.planes()
     }

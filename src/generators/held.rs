@@ -18,14 +18,14 @@ pub(super) struct Held<L, M> {
     progress: Option<HeldProgress<L, M>>,
 }
 
-/// The states of a held packing.
+/// The progress of a held packing.
 enum HeldProgress<L, M> {
     Placing(Option<Box<L>>),
     Stepping(Box<History<M>>),
 }
 
 impl<L, M: Kept> Held<L, M> {
-    /// Requests a step, or drops the packing without one.
+    /// Requests a step; `None` drops the held packing.
     pub fn ask(slot: &mut Option<Self>, step: Option<u32>, of: Origin) {
         let kept = slot.take();
         *slot = step.map(|asked| {
@@ -39,8 +39,9 @@ impl<L, M: Kept> Held<L, M> {
         });
     }
 
-    /// Works for about `budget` milliseconds towards the requested step; true when it is reached, or if no step can be
-    /// reached: without a ground, or if no cells can be placed. A packing of another origin is begun anew.
+    /// Works for about `budget` milliseconds towards the requested step; true when the step is reached. It is also true
+    /// if no step can be reached: without a ground, or if no cells can be placed. A packing of another origin starts
+    /// again.
     pub fn reach(
         slot: &mut Option<Self>,
         ground: Option<impl PackingGround<Placing = L, Packing = M>>,
@@ -83,7 +84,8 @@ impl<L, M: Kept> Held<L, M> {
         }
     }
 
-    /// The packing at its step, once its first cells are placed, if it is of this origin.
+    /// The packing at the step that it has reached; `None` before its first cells are placed, or if its origin is not
+    /// `of`.
     pub fn packing(&self, of: &Origin) -> Option<&M> {
         match &self.progress {
             Some(HeldProgress::Stepping(history)) if self.of == *of => Some(history.packing()),
@@ -99,7 +101,7 @@ impl<L, M: Kept> Held<L, M> {
         }
     }
 
-    /// The work that goes on from its step, unless the run ends there.
+    /// A copy of the packing, from which the run can go on; `None` if the run ends at this step.
     pub fn going_on(&self, of: &Origin) -> Option<Box<M>> {
         let packing = self.packing(of)?;
         (!packing.is_over()).then(|| Box::new(packing.clone()))

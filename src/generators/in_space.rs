@@ -19,25 +19,26 @@ pub trait Frames {
     /// The last frame finished by [`Frames::turn`], until the next one begins.
     fn frame(&self) -> Option<&Frame>;
 
-    /// The body at a pixel of that frame.
+    /// The body at a pixel of the last frame; `None` beside the bodies.
     fn body_at(&mut self, x: usize, y: usize) -> Option<SeenBody>;
 
-    /// The words of the steps in the making of a body, by its id.
+    /// The words of the steps in which the body with this id is made.
     fn making(&self, _id: u32) -> Vec<String> {
         Vec::new()
     }
 
-    /// The caption of a view that is shown: the meaning of its colours, or its counts.
+    /// The caption of the shown view: what its colours mean, or counts.
     fn caption(&self, _words: &str) -> Option<Notice> {
         None
     }
 
-    /// The place of the model at a pixel of that frame, as in rows of strokes and spots; `None` beside the model.
+    /// The place on the model at a pixel of the last frame, as rows of strokes and spots hold places; `None` beside the
+    /// model.
     fn place_at(&self, _x: usize, _y: usize) -> Option<[i64; 3]> {
         None
     }
 
-    /// The pixel of such a place in that frame; `None` if the place is not visible.
+    /// The pixel at which the last frame shows a place on the model; `None` if the place is not visible.
     fn pixel_of(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
         None
     }
@@ -48,7 +49,7 @@ pub trait Frames {
 pub struct ModelFacts {
     /// Width, height and depth of its bounding box, in sizes of its cells.
     pub cells: [f64; 3],
-    /// Whether it has open parts, which have two sides.
+    /// Whether it has open parts. An open part has two sides, so one side must be chosen as the outside.
     pub is_open: bool,
 }
 

@@ -10,30 +10,31 @@ use crate::packing::{Packing, Particle};
 use crate::solid::StoneParams;
 use glam::DVec2;
 
-/// Classes of a histogram.
+/// The number of classes in a histogram.
 const CLASSES: usize = 30;
 
 /// A cell at a place. Lengths are in picture units, angles in degrees from +x, y down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probe {
-    /// Its index in the list of cells; during the packing, in that of the particles by rising ids.
+    /// Its index in the list of cells. While cells are packed, its index among the particles by rising ids.
     pub cell: usize,
     /// Its middle.
     pub centre: DVec2,
     /// Its kind.
     pub kind: CellKind,
-    /// Its size: that of a cell of its kind with its area.
+    /// Its size: the size of a cell of this kind with this area.
     pub size: f64,
-    /// The size in the field there.
+    /// The size that the field asks for at its middle.
     pub wanted: f64,
     /// Length over width, at least 1.
     pub aspect: f64,
     /// Its direction: 0..90 for squares, 0..180 for rectangles and ellipses. `None` for circles, and without a
     /// direction.
     pub angle: Option<f64>,
-    /// The angle between that and the direction field: 0..45 for squares, else 0..90.
+    /// The angle between its direction and the direction field: 0..45 for squares, else 0..90; `None` without a
+    /// direction.
     pub off: Option<f64>,
-    /// Its outline, not closed; for a packed cell its shape.
+    /// Its outline as a ring without a repeated last point. A packed cell has the outline of its shape.
     pub outline: Vec<DVec2>,
     /// Measures of its polygon, if it has one.
     pub polygon: Option<Polygon>,
@@ -44,18 +45,18 @@ pub struct Probe {
 pub struct Polygon {
     /// Its area.
     pub area: f64,
-    /// Corners that turn by more than 10 degrees.
+    /// The number of corners at which the outline turns by more than 10 degrees.
     pub sides: usize,
-    /// The number of cells on the other side of its sides; cells that only meet it in a corner do not count.
+    /// The number of neighbouring cells across its sides. Cells that only meet it in a corner do not count.
     pub neighbours: usize,
 }
 
-/// Counts of values in equal classes; values beyond count in the outermost ones.
+/// Counts of values in classes of equal width. Values outside the range count in the first or last class.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Histogram {
     /// Where the first class begins.
     pub from: f64,
-    /// Where the last one ends.
+    /// Where the last class ends.
     pub to: f64,
     /// Counts by class; empty if there is nothing to count.
     pub counts: Vec<u32>,
@@ -74,40 +75,41 @@ impl Histogram {
     }
 }
 
-/// Points that are joined to a mesh and to polygons: packed cells at a step, or as many scattered points.
+/// Points that are joined to a mesh and to polygons: the packed cells at a step, or the same number of scattered
+/// points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct JoinedCells {
     /// The points in the order of the mesh's vertices.
     pub points: Vec<Particle>,
     /// Their mesh; see [`Mesh::build`].
     pub mesh: Mesh,
-    /// Their plain Delaunay triangulation, out to the convex hull. On a tile it does not reach over the seams.
+    /// The plain Delaunay triangulation of the points, out to their convex hull. On a tile, no triangle crosses a seam.
     pub triangles: Vec<JoinedTriangle>,
     /// The polygons, by rising ids.
     pub cells: Vec<Cell>,
-    /// The smallest angles of the mesh's triangles in degrees, counted.
+    /// The histogram of the smallest angle of each triangle of the mesh, in degrees.
     pub angles: Histogram,
     /// The median of these angles; `None` without triangles.
     pub middle_angle: Option<f64>,
 }
 
-/// A triangle of a Delaunay triangulation with the circle through its corners, in which no other point lies.
+/// A triangle of a Delaunay triangulation with its circumcircle, in which no other point lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JoinedTriangle {
     /// The ids of its corners.
     pub ids: [u32; 3],
-    /// Its angles there, in degrees.
+    /// Its angles at these corners, in degrees.
     pub angles: [f64; 3],
-    /// Its shortest side.
+    /// The length of its shortest side, in picture units.
     pub shortest: f64,
-    /// The circle's centre.
+    /// The centre of the circumcircle.
     pub circle: DVec2,
-    /// The circle's radius.
+    /// The radius of the circumcircle.
     pub radius: f64,
 }
 
 impl JoinedCells {
-    /// The id of the point at a vertex of the mesh; on a tile that of an image is the point's.
+    /// The id of the point at a vertex of the mesh. On a tile, an image has the id of its point.
     pub fn id(&self, vertex: u32) -> u32 {
         let vertex = vertex as usize;
         let image = vertex.checked_sub(self.points.len());
@@ -143,7 +145,7 @@ pub struct Products<'a> {
     pub domain: Option<&'a Domain>,
     /// The present fields.
     pub fields: Option<&'a Fields>,
-    /// The packing in progress, or the last one; while live, the one that flows.
+    /// The packing in progress, or the last one; while a draft is active, the draft's packing.
     pub packing: Option<&'a Packing>,
     /// The last packing that ended, with the domain and the fields of the stages.
     pub ended: Option<(&'a Domain, &'a Fields, &'a Packing)>,
@@ -151,7 +153,7 @@ pub struct Products<'a> {
     pub mesh: Option<&'a Mesh>,
     /// The cells of the last packing that ended.
     pub cells: &'a [Cell],
-    /// The cells of the stones: for skin, those whose axes agree.
+    /// The cells of the stones. For skin, these are cells whose axes agree in sense.
     pub scales: &'a [Cell],
     /// The parameters of the stones.
     pub stones: StoneParams,

@@ -52,17 +52,17 @@ use crate::recipe::{Recipe, Schema};
 
 /// A generator as data: its properties for the page, links and the studio.
 pub struct Generator {
-    /// Its parameters. The schema's word is also the generator's, as in `make=` of a link.
+    /// Its parameters. The word of the schema also names the generator, as in `make=` of a link.
     pub schema: &'static Schema,
     /// Its name on the page.
     pub title: &'static str,
     /// Its presets, in the order of the page.
     pub presets: &'static [Preset],
-    /// Words of the stages, in their order, as in scripts and reports.
+    /// Words of the stages in the order of the work, as used in scripts and reports.
     pub stages: &'static [&'static str],
-    /// The course of the stages, for viewers.
+    /// How the stages proceed, for showing the progress.
     pub course: Course,
-    /// The views of its work.
+    /// The views that the page can show.
     pub views: Views,
     /// Words of the page's parts that it needs. A picture in a plane has `outline` (the editor), `probe`, `plots`,
     /// `layers`, `tiles`, `svg`, `maps` (with larger pictures), `slab` (its relief for printing), and `turn` (its
@@ -74,48 +74,49 @@ pub struct Generator {
     pub offers: &'static [&'static str],
     /// Keys of the parameters that best describe a recipe without a name.
     pub names: &'static [&'static str],
-    /// Small pictures of the words of choices.
+    /// Rules for the small pictures that the page shows for the words of choices.
     pub samples: &'static [SampleRule],
-    /// The word of the ranges for random parameters.
+    /// The word that selects the ranges for random parameters (the page's dice).
     pub chance: &'static str,
-    /// The first camera for its bodies: its numbers, with commas between.
+    /// The first camera for its bodies: angle, height, distance, lens and target, with commas between. Numbers at the
+    /// end may be missing.
     pub home: &'static str,
     /// The lowest elevation of a camera, in degrees above the ground.
     pub lowest: f64,
-    /// Makes an engine for a recipe, with all its work to be done.
+    /// Makes an engine for a recipe; no stage is done yet.
     pub engine: fn(&Recipe) -> Box<dyn Engine>,
 }
 
-/// A rule for small pictures of the words of choices. The first rule that fits a word holds.
+/// A rule for small pictures of the words of choices. A word gets the picture of the first rule that fits it.
 #[derive(Clone, Copy)]
 pub struct SampleRule {
-    /// The keys of the choices. All of them show the pictures of the first.
+    /// The keys of the choices. All show the pictures made for the first key.
     pub keys: &'static [&'static str],
-    /// The words; if there are none, all words but those in `without`.
+    /// The words with a picture. If the list is empty, all words have one except those in `without`.
     pub words: &'static [&'static str],
-    /// Words without a picture.
+    /// Words that the rule gives no picture.
     pub without: &'static [&'static str],
-    /// The other values of the pictures' recipes, as in a link.
+    /// The values of the other parameters in the pictures' recipes, as in a link.
     pub link: &'static str,
-    /// The view that is seen; empty for the finished picture. Diagrams are drawn as soon as their stage is done.
+    /// The view in the pictures; empty for the finished picture. A diagram is drawn as soon as its stage is done.
     pub view: &'static str,
 }
 
-/// The course of a generator's stages. Words of stages are empty if there is no such stage; lists have an entry for
-/// each stage, and are empty if nothing is known.
+/// How the stages of a generator proceed. A word is empty if there is no such stage. A list has one entry for each
+/// stage, and is empty if nothing is known.
 #[derive(Clone, Copy)]
 pub struct Course {
-    /// Where each stage begins, as a share of the time of common recipes.
+    /// When each stage begins, as a share (0..1) of the total time; for common recipes.
     pub begins: &'static [f64],
     /// The stage that proceeds in steps, such as the packing.
     pub stepping: &'static str,
     /// The stage that makes one body after the other.
     pub placing: &'static str,
-    /// The first stage of the finisher: from there on a short pass is finished before a newer recipe begins.
+    /// The first stage of the finisher. From this stage on, a short pass is finished before a newer recipe begins.
     pub finisher: &'static str,
-    /// The first stage that leaves the bodies as they are.
+    /// The first stage that no longer changes the bodies.
     pub settled: &'static str,
-    /// The view in which the forming shows each stage; empty for the bodies.
+    /// For each stage, the view that shows it while it forms; empty for the bodies themselves.
     pub seen: &'static [&'static str],
 }
 
@@ -131,16 +132,16 @@ impl Course {
     };
 }
 
-/// Words of views, joined by '+': at most one base, and overlays.
+/// The words of views. A view joins words by '+': at most one base, and any overlays.
 #[derive(Clone, Copy)]
 pub struct Views {
-    /// Words of pictures and diagrams, of which a view has one as its base.
+    /// Words of bases: pictures and diagrams.
     pub bases: &'static [&'static str],
-    /// Words of drawings that may lie over it.
+    /// Words of overlays: drawings over a base.
     pub overlays: &'static [&'static str],
 }
 
-/// A list of generators. The first one is for links that name none.
+/// A list of generators. A link that names no generator gets the first.
 #[derive(Clone, Copy)]
 pub struct Registry(&'static [&'static Generator]);
 
@@ -164,12 +165,12 @@ impl Generator {
 }
 
 impl Registry {
-    /// All of them, in the order of the page.
+    /// All generators of the list, in the order of the page.
     pub fn iter(self) -> impl Iterator<Item = &'static Generator> {
         self.0.iter().copied()
     }
 
-    /// Reads a link of one of them; see [`Recipe::from_link`].
+    /// Reads a link of any generator of the list; see [`Recipe::from_link`].
     pub fn recipe(self, link: &str) -> (Recipe, Vec<Notice>) {
         let schemas: Vec<&Schema> = self.iter().map(|generator| generator.schema).collect();
         Recipe::from_link(&schemas, link)
@@ -182,7 +183,7 @@ impl Registry {
         found.unwrap_or(self.0[0])
     }
 
-    /// The generator of this word (`make=` of a link), if there is one.
+    /// The generator with this word (`make=` of a link); `None` if no generator has it.
     pub fn named(self, word: &str) -> Option<&'static Generator> {
         self.iter().find(|generator| generator.schema.word == word)
     }

@@ -13,31 +13,31 @@ use glam::DVec2;
 /// The result of one slice of work on a mesh file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshSlice {
-    /// Whether a new file begins with these parts; those of earlier calls belong to another one.
+    /// Whether a new file begins with these parts. If so, parts of earlier calls belong to another file.
     pub begun: bool,
     /// The next parts of the file, in order.
     pub parts: Vec<Vec<u8>>,
-    /// Whether the file ends with them.
+    /// Whether the file ends with these parts.
     pub done: bool,
 }
 
 /// The result of one slice of work on a bigger picture, or on its maps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureSlice {
-    /// Whether a new picture begins with these rows; those of earlier calls belong to another one.
+    /// Whether a new picture begins with these rows. If so, rows of earlier calls belong to another picture.
     pub begun: bool,
     /// The share of the work that is done, 0..1, a rough estimate.
     pub progress: f64,
     /// The next rows of each requested map, or of the picture, from the top; empty in most slices.
     pub rows: Vec<Map>,
-    /// The lowest and the highest value of its bump plane, in picture units, once that is finished.
+    /// The lowest and the highest value of the bump plane, in picture units. Both are 0 until maps are made from it.
     pub heights: (f32, f32),
-    /// Whether the picture ends with them.
+    /// Whether the picture ends with these rows.
     pub done: bool,
 }
 
-/// Drafts: while live, a draft may show a recipe. It continues from the present state instead of running the stages.
-/// [`super::Engine::is_drafting`] tells whether a draft is active.
+/// Drafts: in the live mode, a draft may show a recipe. A draft continues from the present state instead of running the
+/// stages. [`super::Engine::is_drafting`] tells whether a draft is active.
 pub trait Drafts {
     /// Starts or ends the live mode.
     fn set_live(&mut self, on: bool);
@@ -48,7 +48,7 @@ pub trait Drafts {
     /// Works on the draft for about `budget` milliseconds; true when it may look different.
     fn advance_draft(&mut self, clock: Clock, budget: f64) -> bool;
 
-    /// Drops the draft: always (`all`), or only if the stages have something to show instead.
+    /// Drops the draft. If `all` is false, this is done only if the stages have something to show instead.
     fn drop_draft(&mut self, all: bool);
 }
 
@@ -60,12 +60,12 @@ pub trait Maps {
     /// A notice if the picture is not finished, or there is no such map.
     fn map(&self, kind: MapKind) -> Result<Map, Notice>;
 
-    /// Works for about `budget` milliseconds, or until there are some megabytes of rows, on these maps of the
-    /// finished picture with `scale` times as many pixels along its side; without maps, on the picture itself. Starts
-    /// again if the order or the picture has changed, or the last file was done.
+    /// Works on maps of the finished picture, or on the picture itself if the list is empty, with `scale` times as many
+    /// pixels along the side. `order` is `(scale, maps)`. The call takes about `budget` milliseconds, or less if there
+    /// are some megabytes of rows. Starts again if the order or the picture has changed, or the last file was done.
     ///
     /// # Errors
-    /// A notice if the picture is not finished, or would be too large.
+    /// A notice if the picture is not finished, or the bigger one would be too large.
     fn picture_file(
         &mut self,
         order: (usize, &[MapKind]),
@@ -73,7 +73,7 @@ pub trait Maps {
         budget: f64,
     ) -> Result<PictureSlice, Notice>;
 
-    /// Drops an unfinished bigger picture, and its parts that are kept for its maps.
+    /// Drops the work on a bigger picture or its maps, finished or not.
     fn stop_picture(&mut self);
 }
 
@@ -90,7 +90,7 @@ pub trait Meshes {
         budget: f64,
     ) -> Result<MeshSlice, Notice>;
 
-    /// The size of such a file; `None` before there are bodies.
+    /// The size of the mesh file for this order; `None` before there are bodies.
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize>;
 
     /// The places of the finished bodies as a table in CSV; empty before there are any, and `None` if each body has a
@@ -105,19 +105,19 @@ pub trait Meshes {
 
 /// Measures of cells in a plane.
 pub trait Inspect {
-    /// The cell at a place of the picture.
+    /// The cell at a place of the picture; `None` if no cell is there.
     fn probe(&mut self, place: DVec2) -> Option<Probe>;
 
-    /// The record of the packing, by rising steps.
+    /// The measures recorded during the packing, by rising steps.
     fn samples(&self) -> &[Sample];
 
-    /// The sizes of all cells over the wanted ones, and their angles to the direction field in degrees.
+    /// Two histograms of all cells: size divided by wanted size, and the angle to the direction field in degrees.
     fn histograms(&mut self) -> [Histogram; 2];
 
-    /// The range of the shown bump plane, in picture units; 0 before there is one.
+    /// The highest minus the lowest value of the shown bump plane, in picture units; 0 before there is one.
     fn height_range(&self) -> f64;
 
-    /// The parts of a view that show nothing, by their words, each with the word of the reason.
+    /// The words of those parts of a view that show nothing, each with the word of the reason.
     fn absences(&mut self, words: &str) -> Vec<(&'static str, &'static str)>;
 
     /// The last finished cells as an SVG file; empty before there are any.
@@ -126,18 +126,18 @@ pub trait Inspect {
 
 /// The steps of a packing, forward and back. States are kept on the way, so that a step is soon reached again.
 pub trait Rewind {
-    /// Holds the packing at a step, or at its end if that comes earlier; without a step, lets go of it.
-    /// [`Rewind::reach`] does the work. Steps that are made again then go on from the held one.
+    /// Holds the packing at a step, or at its last step if that comes earlier; `None` releases it. [`Rewind::reach`]
+    /// does the work. If the stages make their steps again, the steps go on from the held one.
     fn hold(&mut self, step: Option<u32>);
 
     /// Works for about `budget` milliseconds towards the held step; true when it is reached, or no step is held.
     fn reach(&mut self, clock: Clock, budget: f64) -> bool;
 }
 
-/// A packing in a plane in numbers, at the step that is shown: the held one, or that of the stages.
+/// A packing in a plane in numbers, at the shown step: the held step, or the last step of the stages.
 pub trait Steps {
-    /// Works for about `budget` milliseconds on the mesh and the polygons of the packing that is shown; true when they
-    /// are made. There are none without a packing, and none of more than 400 cells.
+    /// Works for about `budget` milliseconds on the mesh and the polygons of the packing that is shown; true when no
+    /// work is left. Nothing is made without a packing, or for more than 400 cells.
     fn join(&mut self, clock: Clock, budget: f64) -> bool;
 
     /// The mesh and the polygons that [`Steps::join`] has made.
@@ -164,7 +164,7 @@ pub trait Outlines {
     /// The index of the part of the outline that contains this place; `None` outside.
     fn part(&self, place: DVec2) -> Option<usize>;
 
-    /// Makes this outline the recipe's. Returns notices about repairs.
+    /// Puts this outline into the recipe. Returns notices about repairs.
     ///
     /// # Errors
     /// The fault of the outline; the recipe is unchanged then.

@@ -32,7 +32,7 @@ pub(super) trait PackingGround: Copy {
     /// A notice if there would be too many.
     fn begin(self, params: PackingParams) -> Result<Self::Placing, Notice>;
 
-    /// Does one slice of the placing; true when all places are filled.
+    /// Does one slice of the placing; true when all cells are placed.
     fn place(self, placing: &mut Self::Placing) -> bool;
 
     /// Makes a packing of the placed cells; also returns their number.
@@ -48,7 +48,8 @@ impl<L, M> PackingProgress<L, M> {
         node.work().and_then(Self::moving).or(node.made())
     }
 
-    /// The same, mutable, because a packing caches measures such as its energy.
+    /// The packing in progress, or the last one; mutable, because a packing caches measures such as
+    /// its energy.
     pub fn shown_mut(node: &mut PackingNode<L, M>) -> Option<&mut M> {
         let (work, made) = node.both_mut();
         work.and_then(Self::moving_mut).or(made)
@@ -97,7 +98,7 @@ impl<L, M> PackingProgress<L, M> {
         }
     }
 
-    /// The same packing, mutable.
+    /// The packing, once its cells move; mutable.
     fn moving_mut(&mut self) -> Option<&mut M> {
         match self {
             Self::Moving(packing) => Some(packing),

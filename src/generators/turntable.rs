@@ -1,4 +1,4 @@
-//! Scenes on a turntable: frames in slices, for the latest order. The lighting is kept while the camera moves.
+//! Frames of scenes on a turntable, made in slices for the latest order. The lighting is kept while the camera moves.
 
 use super::lighting::LightParams;
 use super::{Budget, Clock};
@@ -21,7 +21,7 @@ const MOST_PIXELS: usize = 8192;
 pub struct TurnOrder {
     /// Empty for all bodies, or a body's id and the index of a step in its making, as '12:3'.
     pub subject: String,
-    /// The camera; each subject has its own scale.
+    /// The camera, in units of the scene. All bodies together and each single body are scenes of different scales.
     pub camera: Camera,
     /// Width and height in pixels.
     pub size: [usize; 2],
@@ -84,7 +84,7 @@ pub struct FrameSlice {
     pub begun: bool,
     /// Whether one more sample is finished, so that the frame shows more than before.
     pub refined: bool,
-    /// Whether it is finished.
+    /// Whether the frame is finished.
     pub done: bool,
     /// The share of the work that is done, 0..1, a rough estimate.
     pub progress: f64,
@@ -99,11 +99,11 @@ pub struct SeenBody {
     pub middle: [f64; 3],
     /// The generator's measures of it, by their words.
     pub figures: Vec<(&'static str, f64)>,
-    /// The words that tell of it what numbers cannot, each by the word of its kind.
+    /// Properties of the body that are words instead of numbers, each with the word of its kind.
     pub words: Vec<(&'static str, String)>,
 }
 
-/// The key of a frame.
+/// The inputs of a frame, to know whether a new frame must begin.
 #[derive(Clone, PartialEq)]
 struct FrameKey {
     scene: u64,
@@ -111,13 +111,13 @@ struct FrameKey {
     order: Order,
 }
 
-/// A light with the scene and the parameters that it is for.
+/// A light, after the number of the scene and the parameters that it was made for.
 type KeptLight = (u64, LightParams, SoftLight);
 
-/// Light and frame.
+/// The kept lighting, and the frame that is being made.
 #[derive(Default)]
 pub(super) struct Turntable {
-    /// Fine and coarse lighting.
+    /// The fine lighting, then the coarse one.
     lights: [Option<KeptLight>; 2],
     frame: Option<Frame>,
     key: Option<FrameKey>,
@@ -128,15 +128,15 @@ pub(super) struct ViewSetup<'a> {
     pub scene: &'a Scene,
     pub number: u64,
     pub light: &'a LightParams,
-    /// The height of the ground under lamps, in the scene; `None` is that of the lowest body.
+    /// The height of the ground under lamps, in units of the scene; `None` for the height of the lowest body.
     pub ground: Option<f32>,
 }
 
-/// The place of one body alone: the middle of a stone of some height comes to the origin, and the corners of its cell
-/// are one unit away from it, at the top and at the base, taking the mean over the corners.
+/// Moves and scales one stone so that it can be shown alone. The middle of the stone comes to the origin. A corner at
+/// the mean distance from the cell's centre, at the top or at the base of the stone, is one unit from the origin.
 pub(super) struct CloseUp {
     middle: Vec3,
-    /// Units of the scene in a unit of the picture.
+    /// Units of the scene for each unit of the picture.
     pub unit: f32,
 }
 
@@ -151,12 +151,12 @@ impl CloseUp {
         }
     }
 
-    /// A place of the picture, given upright: x, the height, y.
+    /// Maps a place (picture x, height, picture y) into the scene.
     pub fn at(&self, p: Vec3) -> Vec3 {
         (p - self.middle) * self.unit
     }
 
-    /// A surface alone, with lines over it.
+    /// The scene of a surface alone, with lines over it.
     pub fn scene(&self, surface: &Surface, edges: &[[Vec3; 2]], id: u32) -> Scene {
         let line = |p: &Vec3| self.at(Vec3::new(p.x, p.z, p.y));
         Scene {
@@ -175,7 +175,7 @@ impl CloseUp {
 }
 
 impl ViewSetup<'_> {
-    /// Its lighting, with the work on it still to be done.
+    /// The lighting of the scene, on which all work is still to be done.
     pub fn lighting(&self, sharpness: Sharpness, cut: Option<Cut>) -> Lighting {
         let ground = self.ground.unwrap_or_else(|| self.scene.lowest());
         let lamp = Lamp::over_picture(self.light.shade.light, ground);
@@ -252,7 +252,8 @@ fn check_room([width, height]: [usize; 2]) -> Result<(), Notice> {
     }
 }
 
-/// While something moves, any fine lighting that exists will do; without one, the coarse one is made sooner.
+/// The lighting for a frame. While something moves, an existing fine lighting is used; if there is none, a coarse one,
+/// which is made sooner.
 fn light_for<'a>(
     [fine, coarse]: &'a mut [Option<KeptLight>; 2],
     stand: &ViewSetup,

@@ -20,7 +20,7 @@ pub struct Viewing {
 }
 
 impl Viewing {
-    /// A view by the usual camera; its words are joined by '+'.
+    /// A view of finished work with the usual camera. `view` holds words joined by '+'.
     pub fn of(view: &str) -> Self {
         Self {
             view: view.into(),

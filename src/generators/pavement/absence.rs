@@ -8,22 +8,22 @@ use glam::DVec2;
 /// Why a view or an overlay shows nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Absence {
-    /// Its content has not been made yet.
+    /// The content has not been made yet.
     NotYet,
     /// No force on a cell is large enough for an arrow.
     AtRest,
-    /// The direction has no singular point.
+    /// The direction field has no singular point.
     NoPoint,
     /// There are too few cells for a mesh.
     NoMesh,
-    /// Cells should have one size everywhere.
+    /// The size field is constant.
     OneSize,
-    /// Cells should be as wide as long everywhere.
+    /// The aspect ratio is 1 everywhere.
     AllEven,
 }
 
 impl Absence {
-    /// The page's word for it.
+    /// The page's word for the reason.
     pub fn word(self) -> &'static str {
         match self {
             Absence::NotYet => "not_yet",
@@ -38,12 +38,12 @@ impl Absence {
 
 /// Places along a side of the picture at which fields are sampled.
 const PLACES: usize = 32;
-/// Fields that vary by less than this share count as constant.
+/// A field whose values differ by less than this counts as constant: aspect ratios, or sizes over the recipe's size.
 const SAME: f64 = 0.01;
 
 impl Pavement {
-    /// The parts of a view that show nothing, by their words, with the reasons: first the base, then the overlays in
-    /// their order.
+    /// The words of those parts of a view that show nothing, with the reasons. The base comes first, then the overlays
+    /// in their order.
     pub(super) fn missing(&mut self, view: PavementView) -> Vec<(&'static str, Absence)> {
         let mut found = Vec::new();
         if let Some(why) = self.base_absence(view.base) {
@@ -110,7 +110,7 @@ impl Pavement {
     }
 }
 
-/// Whether a field is about constant in the outline, or about `wanted`.
+/// Whether a field is about constant in the outline. If `wanted` is given, it must also have about this value.
 fn is_even(domain: &Domain, field: &dyn Fn(DVec2) -> f64, wanted: Option<f64>) -> bool {
     let (low, high) = domain.bounds();
     let places = (0..PLACES * PLACES).map(|k| {

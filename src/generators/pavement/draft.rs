@@ -1,8 +1,9 @@
-//! While a point is dragged the cells flow after it. A draft of the packing continues with the present particles, in
-//! the outline and the fields of the latest recipe. When the point is let go, the packing is made from its own start,
-//! as always, and replaces the draft.
+//! Drafts: while the user drags a point, the cells follow it. A draft of the packing continues with the present
+//! particles, in the outline and the fields of the latest recipe. When the point is released, the packing is made from
+//! its usual start, and replaces the draft.
 //!
-//! The stages stand still meanwhile and do not know the draft. It is shown until the new packing has ended.
+//! During the drag the stages stand still and are not changed by the draft. The draft is shown until the new packing
+//! has ended.
 
 use super::stages::Stages;
 use super::{Pavement, Stage};
@@ -14,10 +15,10 @@ use crate::graph::Wiring;
 use crate::packing::Packing;
 use glam::DVec2;
 
-/// The most steps that a draft makes in one tick: more would look hasty.
+/// The most steps that a draft makes in one call; with more, the cells would seem to rush.
 const STEPS: u32 = 4;
 
-/// A packing that flows, with stages of its own for its domain and its fields.
+/// A packing that follows the latest recipe, with stages of its own for its domain and its fields.
 pub(super) struct Draft {
     pub(super) stages: Stages,
     pub packing: Packing,
@@ -79,7 +80,7 @@ impl Pavement {
         }
         let (domain, fields) = stages.ground()?;
         let params = stages.packing.params().clone();
-        // Given cells start where they are given.
+        // Cells with given places start there, so they cannot continue from the last packing.
         let carried = packing.filter(|_| params.given.is_empty());
         let carried = carried.map(|mut packing| {
             packing.warm_start(domain, fields, params.clone());
@@ -120,14 +121,14 @@ impl Draft {
         }
     }
 
-    /// The packing's potential energy, in units of a cell's.
+    /// The packing's potential energy, in units of the mean cell's spring constant k0.
     pub fn energy(&mut self) -> f64 {
         let domain = self.stages.domain.made();
         domain.map_or(0.0, |domain| self.packing.energy(domain))
     }
 }
 
-/// The shown results of the stages that a draft replaces.
+/// The outline, domain, fields and packing to show, from the draft or from the stages.
 pub(super) struct DraftView<'a> {
     pub rings: Vec<&'a [DVec2]>,
     pub domain: Option<&'a Domain>,

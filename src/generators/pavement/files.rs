@@ -21,7 +21,7 @@ pub(super) struct Saving {
     file: MeshFile,
     solids: Solids,
     order: MeshOrder,
-    /// The revision of its picture: of the planes and their materials.
+    /// The revision of the picture (planes and materials) that the file is made from.
     revision: u64,
 }
 
@@ -92,7 +92,7 @@ impl Meshes for Pavement {
         Ok(MeshSlice { begun, parts, done })
     }
 
-    /// The full module writes mesh files, because a first visit needs none.
+    /// Only the full module writes mesh files; a first visit needs none.
     #[cfg(not(house))]
     fn mesh_file(&mut self, _: &MeshOrder, _: Clock, _: f64) -> Result<MeshSlice, Notice> {
         Err(Code::NoSuchFile.into())
@@ -121,7 +121,8 @@ impl Pavement {
         }
     }
 
-    /// Adds cells for about `budget` milliseconds, and then the ground; true when all are in.
+    /// Adds cells for about `budget` milliseconds, and then the ground; true when the file has them
+    /// all.
     fn add_cells(&self, saving: &mut Saving, clock: Clock, budget: f64) -> bool {
         let Saving { file, solids, .. } = saving;
         let stone = self.stone_params();

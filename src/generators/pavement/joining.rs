@@ -1,7 +1,7 @@
-//! The mesh and the polygons of the packing at the step that is shown, made when they are asked for.
+//! The mesh and the polygons of the packing at the step that is shown, made on request.
 //!
-//! They are those of the stages that follow the packing. If the recipe's cells are those of scattered points, these
-//! points are joined, as many as there are packed cells.
+//! The mesh and the polygons are made as in the stages after the packing. If the recipe's cells are Voronoi cells of
+//! scattered points, the scattered points are joined instead, as many as there are packed cells.
 
 use super::Pavement;
 use super::params::CellParams;
@@ -40,7 +40,7 @@ impl Joining {
             self.made = match CellsProgress::advance(&self.of.1, &mut self.work, from) {
                 Ok(None) => None,
                 Ok(Some(cells)) => Some(self.joined(from, cells)),
-                // There are no cells.
+                // Without cells, there is nothing to join.
                 Err(_) => Some(JoinedCells::default()),
             };
         }
@@ -66,14 +66,15 @@ impl Joining {
     }
 }
 
-/// The scattered points of Voronoi cells. Pieces without a point have the highest numbers.
+/// The scattered points, from their Voronoi cells. Cells without a point of their own have the highest ids, and are
+/// left out.
 fn scattered(from: Packed, cells: &[Cell]) -> Vec<Particle> {
     let own = cells.iter().filter(|cell| cell.id < u32::MAX / 2);
     own.map(|cell| Particle::new(cell.id, cell.centre, false, from.fields))
         .collect()
 }
 
-/// Delaunay's triangles.
+/// The triangles of the points' Delaunay triangulation.
 fn triangles(points: &[Particle]) -> Vec<JoinedTriangle> {
     let places: Vec<_> = points.iter().map(|point| point.centre).collect();
     let triangle = |nodes: [u32; 3]| {

@@ -1,7 +1,7 @@
 //! The words of views: a base, and overlays.
 //!
-//! Overlays have a fixed order, whatever the order of their words. On paper the first of them is drawn in full
-//! colours. Over anything else they are light lines with dark rims, and fillings let the picture through.
+//! Overlays have a fixed order, whatever the order of their words. On paper the first overlay is drawn in full colours.
+//! Over any other base, overlays are light lines with dark rims, and their fillings are translucent.
 
 /// The base of a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,13 +66,13 @@ pub struct PavementView {
     pub base: Base,
     /// The overlays, a bit for each, by their indices in [`Overlay::ALL`].
     over: u16,
-    /// Pixels that are asked for along a picture unit, 1 to 3.
+    /// The wanted number of pixels along a picture unit, 1 to 3.
     pub scale: u8,
 }
 
 impl Base {
-    /// All bases with their words, in the order of the page, whose keys 0 to 9 select the first ten. Words of
-    /// [`Overlay`] that stand alone select drawings on paper.
+    /// All bases with their words, in the order of the page, whose keys 0 to 9 select the first ten. A word that is
+    /// also an overlay's, such as `mesh`, selects this base only if the view names no other base.
     pub const ALL: [(Base, &'static str); 14] = [
         (Base::Auto, "auto"),
         (Base::Picture, "picture"),
@@ -109,7 +109,7 @@ impl Overlay {
         1 << self as u16
     }
 
-    /// The base that shows it alone on paper.
+    /// The base that shows this overlay alone on paper, if there is such a base.
     const fn on_paper(self) -> Option<Base> {
         match self {
             Overlay::Packed => Some(Base::Packed),
@@ -122,7 +122,7 @@ impl Overlay {
 }
 
 impl Base {
-    /// The words only.
+    /// The words of the bases, in the order of [`Base::ALL`].
     pub(super) const WORDS: [&str; 14] = {
         let (mut words, mut k) = ([""; 14], 0);
         while k < 14 {
@@ -134,7 +134,7 @@ impl Base {
 }
 
 impl Overlay {
-    /// The words only.
+    /// The words of the overlays, in the order of [`Overlay::ALL`].
     pub(super) const WORDS: [&str; 9] = {
         let (mut words, mut k) = ([""; 9], 0);
         while k < 9 {
@@ -174,7 +174,7 @@ impl PavementView {
         }
         let view = |base: Base, over: u16| PavementView { base, over, scale };
         match base {
-            // The potential is that of one cell: nothing of the picture lies over it.
+            // The potential is that of one cell, so overlays, which show the whole picture, do not fit it.
             Some(Base::Potential) => view(Base::Potential, 0),
             Some(base) => view(base, over),
             None => match view(Base::Paper, over).overlays().next() {

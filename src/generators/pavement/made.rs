@@ -25,7 +25,7 @@ impl Stages {
         PackingProgress::shown(&self.packing)
     }
 
-    /// The same, mutable, and the domain.
+    /// The packing in progress, or the last one; mutable, with the domain.
     pub fn shown_packing_mut(&mut self) -> Option<(&mut Packing, &Domain)> {
         PackingProgress::shown_mut(&mut self.packing).zip(self.domain.made())
     }
@@ -62,14 +62,14 @@ impl Stages {
         self.cells.revision()
     }
 
-    /// The cells of the stones: for skin, those whose axes agree.
+    /// The cells of the stones. For skin, these are cells whose axes agree in sense.
     pub fn scales(&self) -> &[Cell] {
         let oriented = self.current(&self.flow);
         let oriented = oriented.filter(|cells| !cells.is_empty());
         oriented.map_or_else(|| self.cells(), Vec::as_slice)
     }
 
-    /// The coats of the cells by rule; empty while other cells form.
+    /// The coats of the cells, made by the rule of colours; empty while new cells form.
     pub fn coats(&self) -> &[Coat] {
         let forms = self.at().is_some_and(|stage| stage < Stage::Planes);
         let coats = self.current(&self.coats);

@@ -92,14 +92,14 @@ pub fn recipe(link: &str) -> (Recipe, Vec<Notice>) {
     Recipe::from_link(&[&SCHEMA], link)
 }
 
-/// The engine: its stages, and what is looked at.
+/// The engine of pavements: its stages, a draft, a held packing, and the data of views and files.
 pub struct Pavement {
-    /// The outline used instead of the recipe's, for outlines finer than a link can hold.
+    /// An outline used instead of the recipe's, if it is finer than a link can hold.
     exact: Option<Outline>,
     /// Loop steps of skin beyond those that a picture needs.
     finer: i32,
     made: Stages,
-    /// Counts the changes of drafts, for the views.
+    /// The number of changes by drafts and held steps; if it rises, views are drawn again.
     changes: u64,
     gallery: Gallery,
     /// Whether the cells flow after each change.
@@ -107,7 +107,7 @@ pub struct Pavement {
     draft: Option<Draft>,
     /// The packing, held at one of its steps.
     held: Option<stepping::Held>,
-    /// Its mesh and its polygons.
+    /// The mesh and the polygons of the packing that is shown.
     joining: Option<joining::Joining>,
     /// The unfinished mesh file.
     #[cfg(house)]
@@ -120,7 +120,7 @@ pub struct Pavement {
 }
 
 impl Pavement {
-    /// Starts with all its work to be done.
+    /// An engine for a recipe; no stage is done yet.
     pub fn new(recipe: &Recipe) -> Self {
         Self::start(recipe, None, 0)
     }
@@ -160,7 +160,7 @@ impl Pavement {
         }
     }
 
-    /// Whether the latest picture is as large as the present one.
+    /// Whether the latest recipe's picture is as large as the present one.
     fn keeps_side(&self) -> bool {
         let planes = &self.made.finish.planes;
         planes.latest().texture.side == planes.params().texture.side
@@ -193,22 +193,22 @@ impl Pavement {
         self.made.cells()
     }
 
-    /// The cells of the stones: for skin, those whose axes agree.
+    /// The cells of the stones. For skin, these are cells whose axes agree in sense.
     fn scales(&self) -> &[Cell] {
         self.made.scales()
     }
 
-    /// The parameters of the stones at work.
+    /// The present parameters of the stones.
     fn stone_params(&self) -> StoneParams {
         self.texture().stone
     }
 
-    /// The parameters of the planes at work.
+    /// The present parameters of the planes.
     fn texture(&self) -> &TextureParams {
         &self.made.finish.planes.params().texture
     }
 
-    /// The light at work.
+    /// The present light.
     fn light(&self) -> &LightParams {
         self.made.finish.light.params()
     }

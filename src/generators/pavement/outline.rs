@@ -104,11 +104,12 @@ fn snap(outline: &Outline, side: f64) -> Outline {
     }
 }
 
-/// The rules of a pavement beyond its single rows.
+/// The rules of a pavement's recipe that concern more than one row.
 pub(super) struct PavementRules;
 
 impl Rules for PavementRules {
-    /// The bevel ratio Br of the 2001 paper sets both of ours.
+    /// Replaces the keys and words of older links by present ones. `br`, the bevel ratio Br of the 2001 paper, sets
+    /// both `bh` and `bv`.
     fn modern(&self, key: String, value: String) -> Vec<(String, String)> {
         match key.as_str() {
             "br" => ["bh", "bv"].map(|k| (k.to_owned(), value.clone())).to_vec(),
@@ -121,7 +122,7 @@ impl Rules for PavementRules {
         }
     }
 
-    /// Uses the present outline as the first polygon.
+    /// Makes these rows the free polygon; without rows, the present outline.
     fn draw(&self, recipe: &mut Recipe, _: Key, rows: Option<Rows>) -> Result<Vec<Notice>, Notice> {
         let outline = match rows {
             Some(rows) => of_rows(&rows, recipe.side()),

@@ -34,7 +34,7 @@ impl Pavement {
             };
             layers.extend(match overlay {
                 Overlay::Size => {
-                    // In a new domain the last fields keep their colours.
+                    // While a new domain has no fields of its own yet, the colours of the last fields stay.
                     let revision = made.fields.revision();
                     heat.draw(&mut board, revision, side, domain, fields);
                     Vec::new()

@@ -21,7 +21,7 @@ use glam::DVec2;
 pub(super) enum DomainParams {
     /// A checked outline with its constraint lines.
     Plane(Outline),
-    /// The whole picture as a tile, with constraint lines. The outline does not count.
+    /// The whole picture as a tile, with constraint lines. The outline is ignored.
     Tile { side: f64, lines: Vec<Vec<DVec2>> },
 }
 
@@ -30,9 +30,10 @@ pub(super) enum DomainParams {
 pub(super) enum CellParams {
     /// The dual of the packing's mesh.
     Fitted,
-    /// The packed squares as they are.
+    /// The packed cells as they are.
     Packed,
-    /// The Voronoi diagram of the same number of scattered points, relaxed in `rounds` rounds.
+    /// The Voronoi cells of as many scattered points as there are packed cells, after `rounds` rounds of Lloyd's
+    /// relaxation.
     Scattered { rounds: u32, seed: u64 },
 }
 
@@ -41,14 +42,14 @@ pub(super) enum CellParams {
 pub(super) struct CoatParams {
     pub colour: ColourParams,
     pub seed: u64,
-    /// The side of the picture.
+    /// The side of the picture, in picture units.
     pub side: f64,
 }
 
 /// The parameters of each stage.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Params {
-    /// The outer ring, then the holes.
+    /// The rings of the outline: the outer ring, then the holes.
     pub rings: Vec<Vec<DVec2>>,
     pub domain: DomainParams,
     pub fields: FieldParams,
@@ -60,17 +61,17 @@ pub(super) struct Params {
     pub finish: HeightFieldParams,
 }
 
-/// The sense in which scales lean as a whole.
+/// The flow: the direction in which scales lean as a whole.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct FlowParams {
-    /// 1 along the strokes, -1 against them.
+    /// 1 along the strokes, -1 against them, 0 without strokes.
     sense: f64,
-    /// Strokes that set the flow; empty if axes stay as they are.
+    /// The strokes that the flow follows; if empty, the flow at a cell is the cell's own axis.
     strokes: Vec<Vec<DVec2>>,
 }
 
 impl FlowParams {
-    /// The flow at a cell, of any length.
+    /// The direction of the flow at a cell, as a vector of any length.
     pub fn at(&self, cell: &Cell) -> DVec2 {
         if self.strokes.is_empty() {
             return cell.axis;
@@ -133,9 +134,9 @@ fn outline(recipe: &Recipe, exact: Option<&Outline>) -> Outline {
     outline
 }
 
-/// The aspect ratio with which cells of a kind are packed for the wanted one `ca`. The cells of ellipses are
-/// hexagons. By their second moments they are as long as the ellipses, by their bounding boxes 0.87 times as long;
-/// this is a value between.
+/// The aspect ratio with which cells of a kind are packed, so that finished cells have about the ratio `ca`. Packed
+/// ellipses become hexagons. By second moments, a hexagon is as long as its ellipse; by bounding boxes, 0.87 times as
+/// long. The factor here is between the two.
 fn drawn(kind: CellKind, ca: f64) -> f64 {
     if kind == CellKind::Ellipse {
         1.0 + 1.06 * (ca - 1.0)
@@ -144,7 +145,7 @@ fn drawn(kind: CellKind, ca: f64) -> f64 {
     }
 }
 
-/// The kind of the cells and their aspect ratio.
+/// The kind of the cells, and the aspect ratio with which they are packed.
 pub(super) fn kind(recipe: &Recipe) -> (CellKind, f64) {
     let kind = CellKind::from_word(recipe.choice(keys::KIND)).unwrap_or_default();
     let ca = recipe.number(keys::CA);
@@ -240,7 +241,7 @@ pub(super) fn packing(recipe: &Recipe) -> PackingParams {
     }
 }
 
-/// The cells whose places are given.
+/// The cells that start at given places, in picture units.
 fn given(recipe: &Recipe) -> Vec<GivenCell> {
     let cell = |row: &Vec<i64>| GivenCell {
         centre: points(&row[..2], recipe.side())[0],
@@ -249,7 +250,8 @@ fn given(recipe: &Recipe) -> Vec<GivenCell> {
     recipe.rows(keys::GIVEN).iter().map(cell).collect()
 }
 
-/// The constants of the packing. A value at its default leaves the choice to the packing.
+/// The constants of the packing. For an optional constant, the row's default stands for `None`: the packing then
+/// chooses.
 fn physics(recipe: &Recipe) -> Physics {
     let number = |key| recipe.number(key);
     let own = |key: Key| {

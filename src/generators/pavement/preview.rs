@@ -1,4 +1,4 @@
-//! The view of stones in progress: until the picture is finished, they lie in a plain light over the cells.
+//! The view of stones in progress. Until the picture is finished, stones are drawn over the cells in a plain light.
 
 use super::Pavement;
 use crate::cells::Cell;
@@ -12,13 +12,13 @@ use glam::DVec2;
 #[derive(Default)]
 pub(super) struct Preview {
     board: Option<Board>,
-    /// The pass over the stones that it shows.
+    /// The pass of the planes' stage whose stones the board shows.
     pass: u64,
     stones: usize,
 }
 
 impl Pavement {
-    /// Whether the preview shows the stones in progress.
+    /// Whether the preview already shows stones of the present pass.
     pub(super) fn goes_on(&self, preview: &Preview) -> bool {
         let board = preview.board.as_ref().filter(|b| b.fits(self.side()));
         board.is_some() && preview.pass == self.made.finish.planes.passes()
@@ -33,7 +33,7 @@ impl Pavement {
         Some(self.on_board(board, &tones.paper, vec![cells]))
     }
 
-    /// The cells with the stones so far; `bedded` is the background of the first one.
+    /// The cells with the stones painted so far. `bedded` is the board on which a new preview begins.
     pub(super) fn stones_coming(
         &self,
         preview: &mut Preview,

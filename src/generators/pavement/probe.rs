@@ -1,7 +1,7 @@
 //! Measures of the cell at a place, and of all cells.
 //!
-//! Once cells have polygons, these are measured. During the packing the particles are measured: their size and angle
-//! follow from their neighbours.
+//! Once cells have polygons, the polygons are measured. During the packing, the particles are measured; for histograms,
+//! size and angle then follow from the neighbours of each particle.
 
 use super::look::PavementView;
 use super::{Pavement, Stage};
@@ -20,13 +20,13 @@ use {
     crate::generators::{Engine, Outlines},
 };
 
-/// The range of sizes over wanted sizes.
+/// The range of the histogram of sizes, as size divided by wanted size.
 const SIZES: (f64, f64) = (0.55, 1.45);
 
-/// Neighbours of a cell are searched from places along its sides that are about this far apart, in cell sizes ...
+/// Neighbours of a cell are searched from places along its sides. The places are about this far apart, in cell sizes.
 const STEP: f64 = 0.12;
-/// ... and lie this far outside of the side: the first distance finds neighbours that share the side, the second one
-/// finds packed cells beyond a gap.
+/// Distances of these places outwards from the side, in cell sizes. The first distance finds neighbours that share the
+/// side, the second one finds packed cells beyond a gap.
 const REACH: [f64; 2] = [0.03, 0.25];
 
 /// Bounding boxes of the cells, to skip most polygons.
@@ -52,10 +52,10 @@ impl Inspect for Pavement {
         begun.map_or(&[], |packing| packing.samples())
     }
 
-    // The sizes of all cells over the wanted ones, and their angles to the direction field in degrees. Angles are
-    // 0..45 if all cells with an angle are squares or are in a packing of cells with corners, else 0..90; circles
-    // have none. During the packing, sizes follow from the neighbours' distances, and angles from the rows that cells
-    // stand in.
+    // The sizes of all cells over the wanted sizes, and the angles of cells to the direction field in degrees. The
+    // range of angles is 0..45 if all cells with an angle are squares, else 0..90; circles have no angle. During the
+    // packing, rectangles also have 0..45, sizes follow from the distances of neighbours, and angles from the rows in
+    // which cells stand.
     fn histograms(&mut self) -> [Histogram; 2] {
         let past = self.is_past(Stage::Cells);
         let stands = match past || !self.made.is_packing() {
@@ -122,7 +122,7 @@ impl Inspect for Pavement {
         }
     }
 
-    /// The full module writes SVG files, because a first visit needs none.
+    /// Only the full module writes SVG files; a first visit needs none.
     #[cfg(not(house))]
     fn svg(&self) -> String {
         String::new()
@@ -130,7 +130,7 @@ impl Inspect for Pavement {
 }
 
 impl Pavement {
-    /// Whether the results of this stage belong to the current pass.
+    /// Whether this stage is done for the present recipe.
     pub(super) fn is_past(&self, stage: Stage) -> bool {
         self.made.at().is_none_or(|at| at > stage)
     }
@@ -248,7 +248,7 @@ fn bounds(cell: &Cell) -> [DVec2; 2] {
     around.fold([first; 2], |[lo, hi], &q| [lo.min(q), hi.max(q)])
 }
 
-/// The angle of a cell's axis.
+/// The angle of a cell's axis in degrees, from 0 up to the symmetry angle of the kind.
 fn degrees(axis: DVec2, kind: CellKind) -> f64 {
     let degrees = libm::atan2(axis.y, axis.x).to_degrees();
     let period = symmetry_angle(kind);

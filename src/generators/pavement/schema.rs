@@ -225,7 +225,7 @@ const CONTROLLED: &[&str] = &["slots", "smallest", "opposite"];
 /// The kinds with an aspect ratio.
 const STRETCHED: &[&str] = &["rectangle", "ellipse"];
 
-/// The patterns, and those that have a scale.
+/// All patterns; [`SCALED`] lists the patterns that have a scale.
 const PATTERNS: &[&str] = &[
     "bands",
     "spots",
@@ -259,7 +259,7 @@ const BUILT_IN: &[&str] = &[
     "square",
 ];
 
-/// The outlines that have a number of something.
+/// The outlines with a number of bends, turns, arms, holes, notches or points.
 const COUNTED: &[&str] = &[
     "road_s",
     "road_spiral",

@@ -1,4 +1,4 @@
-//! A pavement or a hide seen from a slant: its stones as bodies on their ground.
+//! A pavement or a hide seen from a slant: its stones are bodies on the ground.
 
 use super::Pavement;
 use crate::generators::lighting::LightParams;
@@ -18,7 +18,7 @@ pub(super) struct TurntableScene {
     making: Option<HeightFieldScene>,
     scene: Option<Scene>,
     step: Option<ShownStep>,
-    /// The number of the scene, and the count of all scenes so far.
+    /// The number of `scene`. Numbers come from `count`, the count of all scenes so far.
     number: u64,
     count: u64,
     table: Turntable,
@@ -26,7 +26,7 @@ pub(super) struct TurntableScene {
 
 /// The step in the making of a stone that was requested last.
 struct ShownStep {
-    /// The revision of its planes, the stone, and the step.
+    /// The revision of the planes, the id of the stone, and the index of the step.
     of: (u64, (u32, usize)),
     number: u64,
     scene: Scene,
@@ -76,7 +76,7 @@ impl Frames for Pavement {
 }
 
 impl Pavement {
-    /// Makes the bodies; `None` if they exist.
+    /// Works on the bodies within the budget; `None` when they exist.
     fn build(
         &self,
         slant: &mut TurntableScene,

@@ -3,7 +3,7 @@
 /// The stages of a pavement, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
-    /// The outline with its distances.
+    /// The area to pave, with distances to its boundary.
     Domain,
     /// Size and direction of the cells.
     Fields,
@@ -35,7 +35,7 @@ impl Stage {
     ];
 }
 
-/// Their words.
+/// The words of the stages, in their order.
 pub const WORDS: [&str; 8] = [
     "domain", "fields", "packing", "mesh", "cells", "planes", "weather", "shading",
 ];

@@ -15,7 +15,7 @@ use crate::packing::{Packing, Placing};
 use crate::solid::oriented;
 use glam::DVec2;
 
-/// Cells in a slice, to find neighbours or to make coats.
+/// The number of cells in one slice, when neighbours are found or coats are made.
 const CELLS: usize = 500;
 
 /// The nodes of the stages.
@@ -25,13 +25,13 @@ pub(super) struct Stages {
     pub(super) packing: PackingNode<Placing, Packing>,
     pub(super) mesh: Node<(), Meshing, Mesh>,
     pub(super) cells: Node<CellParams, CellsProgress, Vec<Cell>>,
-    /// The cells of skin with axes of one sense; empty for stones.
+    /// The cells of skin, with axes that agree in sense; empty for stones that are not skin.
     pub(super) flow: Node<Option<FlowParams>, Graph, Vec<Cell>>,
     pub(super) coats: Node<CoatParams, Coats, Vec<Coat>>,
     pub(super) finish: HeightField,
     /// The revision of the packing that the picture shows.
     pub(super) pictured: u64,
-    /// The rings of the latest recipe.
+    /// The rings of the latest recipe's outline.
     rings: Vec<Vec<DVec2>>,
 }
 
@@ -124,7 +124,7 @@ impl Stages {
         }
     }
 
-    /// The rings of the outline at work; on a tile, where they do not count, those of the latest recipe.
+    /// The rings of the present outline. A tile ignores its outline and has the rings of the latest recipe.
     pub fn rings(&self) -> &[Vec<DVec2>] {
         match self.domain.params() {
             DomainParams::Plane(outline) => &outline.rings,

@@ -1,5 +1,5 @@
-//! The packing held at any of its steps, and its numbers there. The stages go on, or stay finished, meanwhile; views
-//! and measures of the packing show the held step.
+//! The packing held at any of its steps, and its numbers there. Views and measures of the packing show the held step,
+//! while the stages go on or stay finished.
 
 use super::stages::Stages;
 use super::{Pavement, Stage};
@@ -28,8 +28,8 @@ impl Pavement {
         held.packing(&origin(&self.made))
     }
 
-    /// Makes the packing and all stages after it stale. A held packing goes on from its step; its states are kept, so
-    /// that another step can be held soon.
+    /// Makes the packing and all stages after it stale. If a packing is held, the stages go on from its step. The
+    /// states of the held packing are kept, so that another step can be reached soon.
     pub(super) fn forget_packing(&mut self) {
         let is_held = self.held().is_some();
         let of = origin(&self.made);

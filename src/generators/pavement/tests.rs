@@ -1,4 +1,4 @@
-//! Exactly the stages that differ run, and bigger pictures show no joints of their bands.
+//! Tests: exactly the stages with changed inputs run, and bigger pictures show no joints between bands.
 
 use super::params::{self, Params};
 use super::schema::keys;
@@ -17,7 +17,7 @@ use crate::recipe::{Key, Kind, Recipe};
 use crate::solid::{SkinParams, StoneParams};
 use crate::studio::Studio;
 
-/// Sample values for each of the lists.
+/// Three test values for each parameter that is a list.
 fn drawn(key: Key) -> [&'static str; 3] {
     match key {
         keys::POLY => [
@@ -202,7 +202,7 @@ fn bands_make_the_whole() {
         }
         assert_eq!(pavement.failure(), None, "{link}");
         let scale = [2, 3, 4][at % 3];
-        // Light reaches the picture alone, so maps are made only of the first links, which differ in their stones.
+        // Maps do not depend on the light, so they are made only for the first links, whose stones differ.
         let wanted: &[&[MapKind]] = if at < 4 { &[&kinds, &[]] } else { &[&[]] };
         // Bands that divide the picture and bands that do not.
         let bands = [16, 50];
@@ -229,7 +229,7 @@ fn off(plain: &[u8], fine: &[u8], scale: usize) -> f64 {
     apart / plain.len() as f64
 }
 
-/// Maps have the recipe's pixels alone. All else has those that are asked for.
+/// Maps always have the recipe's pixels. All other views have the pixels that are asked for.
 #[test]
 fn drawings_have_more_pixels_and_the_same_content() {
     let (recipe, _) = ALL.recipe("size=128&cs=24&kind=ellipse&ca=2&spots=0.5,0.5,0.3,1.5");

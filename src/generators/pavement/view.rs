@@ -11,7 +11,7 @@ use crate::graph::Wiring;
 use crate::heightfield::Planes;
 use glam::DVec2;
 
-/// Most pixels along the side of a drawing that is larger than the recipe's picture: two of them are 32 MiB.
+/// Most pixels along the side of a drawing that is larger than the recipe's picture. Two such drawings take 32 MiB.
 const MOST_SIDE: usize = 2048;
 
 /// Pixels along a unit, the base, and the state of the pavement that it is drawn from.
@@ -25,7 +25,7 @@ pub(super) struct Gallery {
     /// The unfinished drawing of the next frame, with its key.
     begun: Option<((DrawnKey, ProgressView), Sketch)>,
     preview: Preview,
-    /// The frame with overlays, and an unfinished one.
+    /// The frame with overlays. `begun_over` is an unfinished one; each has a key of view and stamp.
     over: Option<Board>,
     begun_over: Option<((PavementView, u64), Sketch)>,
     drawn_over: Option<(PavementView, u64)>,
@@ -48,9 +48,9 @@ enum ProgressView {
 }
 
 impl Pavement {
-    /// The picture of a view. While a stage has nothing to show yet, the last one stays, or the bare outline is
-    /// shown. A drawing has the pixels that are asked for, unless they are too many. A picture has those of the recipe;
-    /// it is enlarged where a drawing lies over it.
+    /// The picture of a view. While a stage has nothing to show yet, the last picture stays, or the bare outline is
+    /// shown. A drawing has the pixels that are asked for, up to a limit. A picture has the recipe's pixels; it is
+    /// enlarged if overlays with more pixels lie over it.
     pub(super) fn look_at(&mut self, view: PavementView) -> &[u8] {
         let of = (view, self.stamp());
         let mut gallery = std::mem::take(&mut self.gallery);
@@ -67,7 +67,7 @@ impl Pavement {
         shown.map_or(&[], Board::rgba)
     }
 
-    /// Draws the base, unless it is drawn.
+    /// Draws the base, unless the frame shows it already.
     fn draw_base(&self, key: DrawnKey, gallery: &mut Gallery) {
         let side = self.side();
         let fits = |board: &Board| board.fits(side) && key.0.is_multiple_of(board.scale());
@@ -80,7 +80,7 @@ impl Pavement {
         }
     }
 
-    /// The overlays of a view on its base, as far as they were begun.
+    /// The drawing of a view's overlays on its base: the one begun with this key, or a new one.
     fn begin_over(&mut self, of: (PavementView, u64), gallery: &mut Gallery) -> Option<Sketch> {
         match gallery.begun_over.take() {
             Some((begun, sketch)) if begun == of => Some(sketch),
@@ -91,7 +91,8 @@ impl Pavement {
         }
     }
 
-    /// Draws a piece of the frame in advance, then of the overlays. Work on the recipe in between makes it start again.
+    /// Draws pieces of the base in advance, then of the overlays; true when both are ready. If the pavement changes in
+    /// between, the drawing starts again.
     pub(super) fn draw_beforehand(
         &mut self,
         view: PavementView,
@@ -128,7 +129,8 @@ impl Pavement {
         self.changes + self.made.slices()
     }
 
-    /// Sizes have the recipe's pixels. A potential is computed pixel by pixel in one slice, which is to stay short.
+    /// The key of a view's base. Views with sizes have the recipe's pixels only. A potential is computed in one slice,
+    /// which must be short, so it has at most 2 pixels along a unit.
     fn key(&self, view: PavementView) -> DrawnKey {
         let most = match view.base {
             _ if view.has(Overlay::Size) => 1,
@@ -138,7 +140,7 @@ impl Pavement {
         (most.min(view.scale.into()), view.base, self.stamp())
     }
 
-    /// The base drawing of a view, as far as it was begun; `None` if the base is no drawing.
+    /// The drawing of a base: the one begun with this key, or a new one; `None` if the base is not a drawing.
     fn sketch(&self, key: DrawnKey, gallery: &mut Gallery) -> Option<Sketch> {
         let way = self.way(key.1, gallery);
         match gallery.begun.take() {
@@ -244,7 +246,7 @@ impl Pavement {
         board
     }
 
-    /// The planes to show: the finished ones, unless they belong to another pavement.
+    /// The planes to show: the finished ones; but while another pavement forms, the unfinished ones, if any exist.
     pub(super) fn planes_to_show(&self) -> Option<&Planes> {
         let finished = self.made.planes();
         let finished = finished.filter(|p| p.side == self.side());

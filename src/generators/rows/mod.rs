@@ -1,4 +1,4 @@
-//! Tables of parameters, and the rows that several generators share, with the parameters of stages that they make.
+//! Tables of parameters, the rows that several generators share, and the parameters of stages made from these rows.
 
 #[cfg(house)]
 pub mod buildings;

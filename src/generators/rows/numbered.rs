@@ -15,7 +15,7 @@ pub(super) const fn rule_row(of: &ShapeNumber, group: &'static str) -> Parameter
         .group(group)
 }
 
-/// The numbers that are shown for one word of a choice alone, in the order of the table.
+/// The values of the rows that are shown for one word of a choice only, in the order of the table.
 pub(crate) fn numbers_of(recipe: &Recipe, choice: Key, word: &str) -> Vec<f64> {
     let is_own = |row: &&Parameter| {
         let of = row.shown_for.filter(|of| of.0 == choice);

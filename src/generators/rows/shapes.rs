@@ -1,4 +1,5 @@
-//! Rows of the numbers of shapes in space, shared by the generators that stand on one. Each is shown with its shape.
+//! Rows of the numbers of shapes in space, shared by the generators that use a shape. A row is shown with its shape
+//! only.
 
 use super::lists::lists;
 use super::numbered::rule_row;

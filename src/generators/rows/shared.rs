@@ -1,5 +1,5 @@
 //! Rows shared by generators, and the parameters of stages that their values make. A generator's table may contain
-//! whole lists of them, and single ones with another help text, range or group.
+//! whole lists of these rows, and single rows with another help text, range or group.
 
 use super::lists::lists;
 use crate::generators::lighting::LightParams;
@@ -132,7 +132,7 @@ pub(crate) fn light(recipe: &Recipe) -> LightParams {
     }
 }
 
-/// The light.
+/// The lamp, and the factors of the shading.
 pub(crate) fn shading(recipe: &Recipe) -> ShadeParams {
     ShadeParams {
         light: match recipe.choice(keys::LIGHT) {
@@ -160,7 +160,7 @@ mod tests {
     use super::*;
     use crate::generators::ALL;
 
-    /// Access to a row that does not exist panics.
+    /// Every generator with this finisher has the rows that the finisher reads; reading a missing row would panic.
     #[test]
     fn who_uses_the_height_field_has_its_rows() {
         let finisher = ["planes", "weather", "shading"];

@@ -21,7 +21,7 @@ pub const SKIN: &str = "skin";
 /// The words of kinds that are skin.
 const SKINS: &[&str] = &[SKIN];
 
-/// The words of the other kinds, and of those with bevels.
+/// The words of kinds that are not skin; [`FLAG`] lists the kinds with bevels.
 const HARD: &[&str] = &["cobble", "flag"];
 const FLAG: &[&str] = &["flag"];
 
@@ -109,7 +109,7 @@ lists! {
     }
 }
 
-/// The patterns, and those with a scale.
+/// All patterns; [`SCALED`] lists the patterns that have a scale.
 const PATTERNS: &[&str] = &[
     "bands",
     "spots",
@@ -124,7 +124,7 @@ const SCALED: &[&str] = &[
     "bands", "spots", "rosettes", "blotches", "turing", "boundary",
 ];
 
-/// The parameters of stones; `unit` is the unit of heights.
+/// The parameters of stones; `unit` is the unit of heights, in picture units.
 pub(crate) fn stone(recipe: &Recipe, unit: f64) -> StoneParams {
     StoneParams {
         kind: match recipe.choice(keys::STONE) {
@@ -157,8 +157,8 @@ pub(crate) fn stone(recipe: &Recipe, unit: f64) -> StoneParams {
     }
 }
 
-/// The parameters of stones or scales in a picture that is no tile. `size` is the mean size of cells in picture units,
-/// and `units` are those of heights and of patterns.
+/// The parameters of stones or scales in a picture that is no tile. `size` is the mean size of cells in picture units.
+/// The last argument has the units of heights and of patterns.
 pub(crate) fn texture(recipe: &Recipe, size: f64, [height, pattern]: [f64; 2]) -> TextureParams {
     TextureParams {
         side: side(recipe),

@@ -2,7 +2,7 @@
 
 /// Defines a constant for each row's key, in a module `keys`, and `ROWS`, the list of all rows. An entry is a row,
 /// `word CONSTANT: "Help." => row;` or with the help text of a shared row `word CONSTANT => row;`, or a list of shared
-/// rows, `..[list];`. A row after the list that has it takes its place there.
+/// rows, `..[list];`. If a list before a row has a row of the same key, the later row replaces it at the list's place.
 macro_rules! rows {
     ($($(..[$list:expr])? $($word:ident $name:ident $(: $help:literal)? => $row:expr)?;)*) => {
         /// The keys of the rows.

@@ -1,5 +1,5 @@
-//! The engine of any generator of bodies in space. A generator says what is its own in [`SceneStages`] and
-//! [`SceneFacts`]; the interfaces for the studio follow from these.
+//! The engine of any generator of bodies in space. A generator implements [`SceneStages`] and [`SceneFacts`]; the
+//! interfaces for the studio follow from these two.
 
 use super::picture::{ScenePicture, SceneSource};
 use super::shared::SharedNodes;
@@ -18,7 +18,7 @@ use crate::scene::Frame;
 pub(crate) trait SceneStages: Wiring<Stage = usize> + SceneSource {
     /// The parameters of the finished bodies.
     type Look: Clone + PartialEq;
-    /// The work on them.
+    /// The unfinished work on the bodies.
     type Finishing;
     /// The unfinished mesh file, with what is kept for it.
     type Saving: Default;
@@ -31,19 +31,19 @@ pub(crate) trait SceneStages: Wiring<Stage = usize> + SceneSource {
     /// The stages of a recipe, with nothing made.
     fn new(recipe: &Recipe) -> Self;
 
-    /// The nodes that all such generators have.
+    /// The nodes that all generators of bodies in space have.
     fn shared(&self) -> &SharedNodes<Self::Look, Self::Finishing>;
 
-    /// The same, mutable.
+    /// The nodes of [`Self::shared`], mutable.
     fn shared_mut(&mut self) -> &mut SharedNodes<Self::Look, Self::Finishing>;
 
     /// Notes the parameters of the latest recipe.
     fn ask(&mut self, recipe: &Recipe);
 
-    /// Makes the stage that makes steps stale, and all stages after it.
+    /// Marks the stage with the steps as stale, and all stages after it.
     fn forget_steps(&mut self);
 
-    /// The steps forward and back, if states of them are kept.
+    /// The steps forward and back, if the states of steps are kept.
     fn rewind(&mut self) -> Option<&mut dyn Rewind> {
         None
     }
@@ -54,7 +54,7 @@ pub(crate) trait SceneStages: Wiring<Stage = usize> + SceneSource {
     /// Whether the next slice begins a step that a viewer sees.
     fn is_moving(&self) -> bool;
 
-    /// Whether there is a scene of the present value of a node, even if another look is wanted.
+    /// Whether the last scene shows the present value of this node, even if another look is wanted.
     fn has_scene_of<P: Clone + PartialEq, W, T>(&self, node: &Node<P, W, T>) -> bool {
         let bodies = self.shared().bodies.made();
         let bodies = bodies.filter(|_| self.is_fresh(node));
@@ -77,7 +77,7 @@ pub(crate) struct SceneEngine<S: SceneStages> {
 }
 
 impl<S: SceneStages> SceneEngine<S> {
-    /// Starts with all its work to be done.
+    /// An engine for a recipe; no stage is done yet.
     pub fn new(recipe: &Recipe) -> Self {
         Self {
             made: S::new(recipe),
@@ -107,7 +107,7 @@ pub(crate) trait SceneFacts: Meshes {
     /// The measures of a body, by their words.
     fn figures(&self, id: u32) -> Vec<(&'static str, f64)>;
 
-    /// The words that tell of a body what numbers cannot, each by the word of its kind.
+    /// Properties of a body that are words instead of numbers, each with the word of its kind.
     fn words_of(&self, _id: u32) -> Vec<(&'static str, String)> {
         Vec::new()
     }
@@ -126,7 +126,7 @@ pub(crate) trait SceneFacts: Meshes {
         None
     }
 
-    /// The pixel of such a place in the last frame; `None` if the place is not visible.
+    /// The pixel of a place on the model in the last frame; `None` if the place is not visible.
     fn pixel_of_place(&self, _place: [i64; 3]) -> Option<[f64; 2]> {
         None
     }

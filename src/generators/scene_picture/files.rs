@@ -11,7 +11,7 @@ use std::rc::Rc;
 pub(crate) struct Saving<F> {
     file: F,
     order: MeshOrder,
-    /// The revision of its bodies.
+    /// The revision of the bodies in the file.
     revision: u64,
 }
 

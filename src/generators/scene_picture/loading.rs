@@ -41,7 +41,7 @@ impl ModelFiles {
         self.given.give(digest, bytes, self.loaded.params());
     }
 
-    /// The missing files, also before any work has found that out.
+    /// The needed files that have not been given, even if loading has not begun yet.
     pub fn missing(&self) -> Vec<MissingFile> {
         let asked = match self.loaded.is_fresh(self.inputs()) {
             true => &[],
@@ -50,8 +50,8 @@ impl ModelFiles {
         self.given.missing(asked).collect()
     }
 
-    /// Waits for all files and reads none of them, for generators that read other things than surfaces. It takes the
-    /// place of [`ModelFiles::load`]; [`ModelFiles::bytes`] has the files then.
+    /// Waits for all files and reads none of them, for generators whose files contain other things than surfaces. Such
+    /// generators call this instead of [`ModelFiles::load`], and then take the files from [`ModelFiles::bytes`].
     pub fn wait(&mut self) -> Option<()> {
         let given = &self.given;
         self.loaded.advance(|asked, _| {
@@ -62,10 +62,10 @@ impl ModelFiles {
         })
     }
 
-    /// The bytes of a file by its number.
+    /// The bytes of a file by its index among the needed files.
     ///
     /// # Errors
-    /// If the recipe names none, or if it has not been given.
+    /// If the recipe names no such file, or if the file has not been given.
     pub fn bytes(&self, number: usize) -> Result<Arc<Vec<u8>>, Notice> {
         let asked = self.loaded.params().get(number).ok_or(Code::ModelFirst)?;
         Ok(needed(asked, &self.given)?.1)
@@ -91,7 +91,7 @@ pub(crate) struct Loading {
     file: Option<LoadingFile>,
 }
 
-/// The surface that is being loaded.
+/// The phases of loading one file: reading it, then mending its surface.
 enum LoadingFile {
     Reading(Box<Reading>),
     Mending(Box<MeshRepair>),

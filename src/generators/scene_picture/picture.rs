@@ -14,11 +14,11 @@ use glam::Vec3;
 /// A place counts as visible up to this distance behind the visible surface, in units of the scene.
 const BURIED: f32 = 0.06;
 
-/// The direction of the light on a body that is shown alone, and its heights, in degrees.
+/// The azimuth of the light on a body that is shown alone, in degrees.
 const FRONT: f64 = 225.0;
-/// The least height of a sun, in degrees.
+/// The least elevation of this light if the picture has a parallel light, in degrees.
 const LOW: f64 = 30.0;
-/// The height of a lamp, in degrees.
+/// The elevation of this light if the picture has a lamp at a place, in degrees.
 const HIGH: f64 = 45.0;
 
 /// Identifies a scene: its view, and the state of the work in it.
@@ -34,8 +34,8 @@ pub(crate) struct SceneKey<V> {
 }
 
 impl<V: PartialEq> SceneKey<V> {
-    /// Whether a scene is a later state of this one. Then an unfinished frame of this one is finished before the other
-    /// begins. Otherwise no frame of moving bodies would ever be finished.
+    /// Whether `after` is a later state of this scene. If so, an unfinished frame of this scene is finished before a
+    /// frame of the later one begins; else no frame of moving bodies would ever be finished.
     pub fn leads_to(&self, after: &Self) -> bool {
         self.view == after.view && self.site == after.site && self.is_live
     }
@@ -56,12 +56,12 @@ pub(crate) trait SceneSource: Sized {
     /// The key of the present scene of a view; `None` while there is none.
     fn key(&self, view: &str) -> Option<KeyOf<Self>>;
 
-    /// Whether the next scene is made by changing the shown one, an earlier state of it.
+    /// Whether the next scene is made by changing the shown scene, which is an earlier state of the same work.
     fn goes_on(&self, _shown: &Self::Subject) -> bool {
         false
     }
 
-    /// Begins a scene; with the shown one, if it goes on.
+    /// Begins a scene. `shown` is the shown scene, if the new scene is made by changing it.
     fn begin(&self, shown: Option<Self::Subject>) -> Self::Making;
 
     /// Makes a slice of a scene; returns the scene once it is done.
@@ -92,7 +92,7 @@ pub(crate) struct ScenePicture<S: SceneSource> {
     number: u64,
     /// The shown step in the making of a body.
     step: Option<ShownStep<S>>,
-    /// Whether the last frame is of that step.
+    /// Whether the last frame shows a step in the making of a body.
     is_step: bool,
     /// The count of all scenes so far.
     count: u64,
@@ -104,7 +104,7 @@ pub(crate) struct ScenePicture<S: SceneSource> {
 
 /// A step in the making of a body.
 struct ShownStep<S: SceneSource> {
-    /// The bodies, the body among them, and the step.
+    /// The key of all bodies, then the id of this body and the index of the step.
     of: (KeyOf<S>, (u32, usize)),
     number: u64,
     scene: Scene,
@@ -125,7 +125,7 @@ impl<S: SceneSource> Default for ScenePicture<S> {
     }
 }
 
-/// The light on one body that is shown alone: from the front of the first camera for one body.
+/// The light on one body that is shown alone. It comes from the front, as the first camera for one body sees it.
 fn close_up(light: &LightParams) -> LightParams {
     let mut light = light.clone();
     let elevation = match light.shade.light {
@@ -222,7 +222,7 @@ impl<S: SceneSource> ScenePicture<S> {
         })
     }
 
-    /// The shown scene, if that of the key is made by changing it.
+    /// Takes the shown scene, if the scene of `key` is made by changing it.
     fn take_earlier(&mut self, source: &S, key: KeyOf<S>) -> Option<S::Subject> {
         let goes_on = |(shown, subject): &mut (KeyOf<S>, S::Subject)| {
             shown.leads_to(&key) && source.goes_on(subject)

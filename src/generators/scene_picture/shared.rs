@@ -7,7 +7,7 @@ use crate::graph::Node;
 use crate::scene::Scene;
 use std::rc::Rc;
 
-/// These nodes. `P` are the parameters of the bodies, `W` is the work on them.
+/// The nodes at the beginning and the end. `P` are the parameters of the bodies, `W` is the work on the bodies.
 pub(crate) struct SharedNodes<P, W> {
     /// The files that the recipe names.
     pub files: ModelFiles,
@@ -39,7 +39,7 @@ impl<P: Clone + PartialEq, W> SharedNodes<P, W> {
         self.bodies.made().map(|bodies| &bodies.scene)
     }
 
-    /// The digest of that scene; empty before there is one.
+    /// The digest of the last scene of finished bodies; empty before there is one.
     pub fn digest(&self) -> String {
         let bodies = self.bodies.made();
         bodies.map_or(String::new(), |bodies| bodies.digest.clone())

@@ -45,12 +45,12 @@ pub(crate) struct MadeScene {
     pub scene: Rc<Scene>,
     /// The digest of the scene.
     pub digest: String,
-    /// The revision of the bodies that it shows.
+    /// The revision of the result that the scene shows, such as the packing.
     pub shows: u64,
 }
 
 impl MadeScene {
-    /// A scene of bodies of this revision.
+    /// A finished scene; `shows` is the revision of the result that it shows.
     pub fn new(scene: Rc<Scene>, shows: u64) -> Self {
         Self {
             digest: scene.digest(),

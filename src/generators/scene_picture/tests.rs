@@ -232,9 +232,9 @@ fn a_frame_is_refined_sample_by_sample() {
         assert!(of_bodies(&shown[0]) == of_bodies(&first), "{lamp:?}");
         assert!(shown.windows(2).all(|two| two[0] != two[1]));
         let soft = borders(source.picture.frame().unwrap());
-        // The light of a lamp at a place differs over the whole floor.
+        // The light of a lamp at a place varies over the whole floor, so borders of its shadows cannot be counted.
         assert!(lamp == LAMP || soft > sharp, "{soft} {sharp}");
-        // The division into slices has no effect, and neither has the frame before.
+        // Neither the division into slices nor the frame before has an effect.
         source.frame("moving+sky");
         let turned = source.turn(&order, f64::INFINITY);
         assert!(turned.refined);

@@ -29,8 +29,8 @@ impl<S: SceneSource> ScenePicture<S> {
         slice.done
     }
 
-    /// The picture of a view, of which all work is done at once; white until there is one. A `finished` picture needs
-    /// no work.
+    /// The picture of a view. All work on it is done in this call, except if `finished` is the picture. It is white if
+    /// there is nothing to show yet.
     pub fn view(
         &mut self,
         (source, still): (&mut S, &StillParams),
@@ -49,7 +49,7 @@ impl<S: SceneSource> ScenePicture<S> {
     }
 }
 
-/// The place of the first known word among words joined by '+', in the list of known words.
+/// The index in `words` of the first known word of `asked`, whose words are joined by '+'.
 pub(super) fn first_known(asked: &str, words: &[&str]) -> Option<usize> {
     let place = |word: &str| words.iter().position(|own| *own == word);
     asked.split('+').find_map(place)

@@ -1,4 +1,5 @@
-//! The second stage: the size and shape wanted at each place of the surface, and whether cells fit there.
+//! The second stage: the wanted size, shape and direction of cells at each place of the surface, and a check that cells
+//! fit.
 
 use super::build::{Built, size_params};
 use super::params::{FieldParams, Follow};
@@ -12,13 +13,13 @@ use crate::surface_field::{
 use crate::trimesh::Search;
 use glam::DVec3;
 
-/// Triangles in a slice of a search tree.
+/// The number of triangles in one slice of building a search tree.
 const SEARCHED: usize = 1 << 14;
 
 /// The fields, with notices about them.
 pub(super) struct FieldsWithRemarks {
     pub fields: SurfaceFields,
-    /// The painted strokes.
+    /// The painted strokes, then the painted lines.
     pub strokes: Vec<Stroke>,
     pub notices: Vec<Notice>,
 }
@@ -30,7 +31,7 @@ pub(super) struct Fielding {
 }
 
 enum FieldingPhase {
-    /// Finds the places of painted items.
+    /// Builds the search tree that finds the places of painted items.
     Search(Box<Search>),
     Fields(Box<SurfaceFieldBuilder>),
     Grid(Box<(SurfaceFields, Search)>),
@@ -98,7 +99,7 @@ impl Fielding {
         Ok(None)
     }
 
-    /// Starts, with the painted items found by a search, if there are any.
+    /// Starts the fields. `search` finds the places of painted items; `None` if nothing is painted.
     fn begin(params: &FieldParams, built: &Built, search: Option<&Search>) -> Self {
         let traced = |rows: &[Vec<i64>]| {
             let find = |search| tracing::strokes(&built.mesh, search, rows, params.reach);
@@ -120,7 +121,7 @@ fn is_drawn(params: &FieldParams) -> bool {
     rows.iter().any(|rows| !rows.is_empty()) || spots.iter().any(|spots| !spots.is_empty())
 }
 
-/// How much an axis counts and how much the bones do, and the direction of the axis.
+/// The weights of an axis and of the bones, and the direction of the axis.
 fn along(follow: Follow, params: &FieldParams, built: &Built) -> ([f64; 2], DVec3) {
     let shares = match follow {
         Follow::Axis => [1.0, 0.0],

@@ -15,7 +15,7 @@ use crate::surface_packing::{PackingMesh, SurfacePacking};
 use crate::surface_stones::{Fit, StonesParams};
 use std::rc::Rc;
 
-/// Revisions of some results.
+/// Revisions of the results that views show.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Revisions {
     pub fields: u64,
@@ -28,14 +28,14 @@ pub(super) struct Standing<'a> {
     pub scene: &'a Rc<Scene>,
     pub params: StonesParams,
     pub paved: &'a PavedCells,
-    /// From the model to the scene.
+    /// The map from the model to the scene.
     pub fit: Fit,
     /// The revision of the stones.
     pub revision: u64,
 }
 
 impl Stages {
-    /// The surface, if it was made with the present parameters.
+    /// The surface, if it was made from the present files; its parameters may be older.
     pub(super) fn built(&self) -> Option<&Built> {
         self.current(&self.built)
     }
@@ -45,7 +45,7 @@ impl Stages {
         self.built.made()
     }
 
-    /// Measures of the last surface, if the recipe asks for that of a file.
+    /// Measures of the surface, if the recipe takes it from a file.
     pub(super) fn model(&self) -> Option<ModelFacts> {
         let built = self.built()?;
         let MeshSource::Model(_) = self.built.params().source else {
@@ -58,7 +58,7 @@ impl Stages {
         })
     }
 
-    /// The last site.
+    /// The last surface that was prepared for packing.
     pub(super) fn site(&self) -> Option<&PackingMesh> {
         self.site.made()
     }
@@ -76,7 +76,7 @@ impl Stages {
         }
     }
 
-    /// The revision of the last surface, and those of the results on it.
+    /// The revision of the last surface, and the revisions of the results on it.
     pub(super) fn revisions(&self) -> (u64, Revisions) {
         let revisions = Revisions {
             fields: self.fields.revision(),
@@ -91,7 +91,7 @@ impl Stages {
         PackingProgress::shown(&self.packing)
     }
 
-    /// The same, mutable, and its site.
+    /// The packing in progress, or the last one; mutable, with the surface that it is on.
     pub(super) fn packing_mut(&mut self) -> Option<(&mut SurfacePacking, &PackingMesh)> {
         PackingProgress::shown_mut(&mut self.packing).zip(self.site.made())
     }
@@ -129,7 +129,7 @@ impl Stages {
         })
     }
 
-    /// How many stones are done.
+    /// The number of stones made so far.
     pub(super) fn stones(&self) -> usize {
         match (self.shared.bodies.work(), self.paved.made()) {
             (Some(work), Some(paved)) => {

@@ -14,8 +14,9 @@ use glam::{DVec2, Vec3};
 use std::rc::Rc;
 
 impl SurfaceEngine {
-    /// The measures of the cell under a body, by their words, in its tangent plane. Lengths are in picture units. There
-    /// is no angle, as a surface has no common direction to count from, but the cell's angle to the direction field.
+    /// The measures of a body's cell, each with its word, taken in the cell's tangent plane. Lengths are in picture
+    /// units. A surface has no common direction from which to count angles, so only the angle to the direction field is
+    /// given.
     pub(super) fn measures(&self, id: u32) -> Vec<(&'static str, f64)> {
         let is_picture = matches!(self.picture.shown(), Some((_, ViewScene::Stones(_))));
         let standing = self.made.standing().filter(|_| is_picture);
@@ -47,7 +48,7 @@ impl Stages {
     }
 }
 
-/// The index of a body's cell.
+/// The index of the cell that belongs to a body's id; ids count from 1.
 fn index(id: u32) -> Option<usize> {
     (id as usize).checked_sub(1)
 }
@@ -86,7 +87,7 @@ fn measures(standing: &Standing, id: u32) -> Vec<(&'static str, f64)> {
     probe.figures()
 }
 
-/// The finished stone and its neighbours, as they stand in the scene of all.
+/// The finished stone and its neighbours: a part of the scene of all stones, turned and scaled to show this one.
 fn finished(standing: &Standing, k: usize, flat: &UnfoldedCell, near: &CloseUp) -> Scene {
     let fit = &standing.fit;
     let all = standing.scene;

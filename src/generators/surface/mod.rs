@@ -41,7 +41,7 @@ pub static SCHEMA: Schema = Schema {
     rules: &FileRules(|_| keys::FORM),
 };
 
-/// The generator.
+/// The generator of cells on surfaces in space.
 pub static SURFACE: Generator = Generator {
     schema: &SCHEMA,
     title: "Surfaces in space",
@@ -70,5 +70,5 @@ pub static SURFACE: Generator = Generator {
     engine: |recipe| Box::new(SurfaceEngine::new(recipe)),
 };
 
-/// The engine.
+/// The engine of surfaces.
 pub(crate) type SurfaceEngine = SceneEngine<Stages>;

@@ -37,7 +37,7 @@ pub(super) enum PackingTarget {
     Fit,
     /// The surface itself.
     Whole,
-    /// A simpler one; cells are then carried to the surface.
+    /// A simpler surface; cells are then carried to the surface itself.
     Simple,
 }
 
@@ -46,7 +46,7 @@ pub(super) enum PackingTarget {
 pub(super) enum MeshSource {
     /// A shape by rule, with its ends and its numbers.
     Shape(Shape, Ends, Vec<f64>),
-    /// From a file.
+    /// The surface in a file.
     Model(AskedFile),
 }
 
@@ -54,11 +54,11 @@ pub(super) enum MeshSource {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SurfaceParams {
     pub source: MeshSource,
-    /// The outside of the open parts of a file's surface.
+    /// Which side is the outside of a file's open parts.
     pub sides: Sides,
     /// The mesh on which cells are packed.
     pub on: PackingTarget,
-    /// Creases with at least this angle are cut.
+    /// Creases with at least this angle (in radians) are cut; `None` cuts no crease.
     pub cut: Option<f64>,
     pub sizes: Sizes,
 }
@@ -67,7 +67,7 @@ pub(super) struct SurfaceParams {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Sizes {
     pub kind: CellKind,
-    /// About how many cells there are.
+    /// The wanted number of cells; the packing meets it approximately.
     pub count: f64,
     pub taper: Option<Taper>,
     pub curvature: Option<ByCurvature>,
@@ -97,12 +97,12 @@ pub(super) struct FieldParams {
     pub flow: Follow,
     pub towards: DVec3,
     pub angle: f64,
-    /// In radians; creases that are not cut guide the rows.
+    /// The least angle of a crease, in radians. Creases that are not cut guide the rows.
     pub crease: f64,
     /// Rows of [`crate::recipe::Item::Trace`].
     pub strokes: Vec<Vec<i64>>,
     pub lines: Vec<Vec<i64>>,
-    /// The width of strokes, in sides of the model's bounding box.
+    /// The width of strokes, in longest sides of the model's bounding box.
     pub reach: f64,
 }
 
@@ -110,7 +110,8 @@ pub(super) struct FieldParams {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CellParams {
     pub colour: ColourParams,
-    /// Bands run around a body with bones, by the length along these; else across the pattern's angle.
+    /// Whether bands run around a body with bones, by the length along its bones; else bands run across the pattern's
+    /// angle.
     pub is_around: bool,
     pub seed: u64,
     /// Whether the flow is reversed.
@@ -148,7 +149,7 @@ impl Params {
     }
 }
 
-/// The shape of a recipe, if it is one by rule.
+/// The shape by rule that a recipe names; `None` for a surface from a file.
 pub(super) fn shape(recipe: &Recipe) -> Option<Shape> {
     Shape::of_word(recipe.choice(keys::FORM))
 }

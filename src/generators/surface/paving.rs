@@ -10,9 +10,10 @@ use crate::surface_field::{AlongBones, SurfaceFields};
 use crate::surface_stones::{Claw, Paving, SurfaceCoats, links, make_one_sense};
 use crate::trimesh::{Search, SurfacePoint};
 
-/// Cells in a slice of coats.
+/// The number of cells in one slice of making coats.
 const CELLS: usize = 500;
-/// Cells in a slice of carrying them to another surface. A search may meet very many triangles.
+/// The number of cells that one slice carries to another surface. It is small, because a search may
+/// meet very many triangles.
 const CARRIED: usize = 4;
 
 /// Cells with everything that stones need.
@@ -57,7 +58,7 @@ impl PavingProgress {
     /// Does one slice; returns the cells when all is done.
     ///
     /// # Errors
-    /// If there is not one cell.
+    /// If there is no cell.
     pub fn advance(
         params: &CellParams,
         work: &mut Option<PavingProgress>,
@@ -122,7 +123,7 @@ fn coating(params: &CellParams, paved: PavedCells, built: &Built) -> PavingProgr
     PavingProgress::Coat(paved, Box::new(coats))
 }
 
-/// Picture units in a unit of the model.
+/// Picture units for each unit of the model.
 fn unit(cells: &[SurfaceCell]) -> f64 {
     let sum: f64 = cells.iter().map(|cell| cell.size).sum();
     let mean = sum / cells.len().max(1) as f64;

@@ -1,5 +1,5 @@
-//! A coarser surface in place of a huge one: all later work on the surface, its ground and their pictures grows with
-//! its number of triangles, and far fewer already show all that cells leave to be seen.
+//! Replaces a huge surface by a coarser one. All later work, on the surface, its ground and their pictures, grows with
+//! the number of triangles. Far fewer triangles already show every detail that cells do not hide.
 
 use crate::notice::{Code, Notice};
 use crate::trimesh::repair::{Filled, HoleFilling};
@@ -19,15 +19,15 @@ pub(super) struct Reducing {
 }
 
 enum ReducePhase {
-    /// Small holes are closed first. A coarser surface keeps each open hole, with at least three edges.
+    /// Small holes are closed first, because a coarser surface keeps each open hole with at least three edges.
     Fill(Box<HoleFilling>),
     LeaveOut(Box<MeshBuilding>),
     Simplify(Box<Simplifying>),
 }
 
 impl Reducing {
-    /// Starts with a huge surface; nothing for others. It gets about `most` triangles. `size` is the side of a cell of
-    /// mean size.
+    /// Starts; `None` if the surface is not huge. The coarser surface gets about `most` triangles. `size` is the side
+    /// of a cell of mean size.
     pub fn begin(given: &Arc<TriMesh>, most: usize, size: f64) -> Option<Self> {
         (given.triangles().len() > HUGE * most).then(|| Self {
             phase: ReducePhase::Fill(Box::new(HoleFilling::new(given.clone(), size))),
@@ -43,13 +43,13 @@ impl Reducing {
             ReducePhase::Fill(filling) => {
                 self.phase = match filling.advance()? {
                     Ok(filled) => self.filled(filled),
-                    // A ragged surface may be large enough once it is simple.
+                    // A ragged surface may seem smaller than a cell now, but be large enough once it is simple.
                     Err(_) => self.simplify(self.given.clone()),
                 };
                 None
             }
             ReducePhase::LeaveOut(building) => {
-                // The rest of a mesh is one, too.
+                // The triangles that stay form a mesh, too, so this does not fail.
                 let mesh = building.advance()?.map_or(self.given.clone(), Arc::new);
                 self.phase = self.simplify(mesh);
                 None
@@ -79,19 +79,19 @@ impl Reducing {
         {
             return ReducePhase::LeaveOut(Box::new(building));
         }
-        // Those that stay are counted once the surface is simple.
+        // Parts without cells that stay are counted later, on the simple surface.
         self.notices.retain(|notice| notice.code != Code::ModelBare);
         self.simplify(filled.mesh)
     }
 }
 
-/// The mesh without parts that are smaller than a cell.
+/// The mesh without the triangles marked in `bare`, such as parts that are smaller than a cell.
 pub(super) fn without(mesh: &TriMesh, bare: &[bool]) -> TriMesh {
     let built = leaving_out(mesh, bare).map(MeshBuilding::finish);
     built.and_then(Result::ok).unwrap_or_else(|| mesh.clone())
 }
 
-/// The building of the same; nothing if there are no such parts.
+/// Begins to build the mesh without the triangles marked in `bare`; `None` if none is marked.
 pub(super) fn leaving_out(mesh: &TriMesh, bare: &[bool]) -> Option<MeshBuilding> {
     if !bare.contains(&true) {
         return None;
@@ -131,7 +131,7 @@ mod tests {
     fn a_huge_surface_becomes_coarser() {
         let full = Arc::new(mesh(testing::blob(5)));
         assert!(Reducing::begin(&full, full.triangles().len() / HUGE, 0.3).is_none());
-        // It is also simplified if it is smaller than a cell as a whole.
+        // A surface that is smaller than a cell as a whole is simplified, too.
         for size in [0.3, 90.0] {
             let (coarse, said) = reduced(testing::blob(5), 1000, size);
             assert!(coarse.triangles().len() <= 1000);
@@ -180,7 +180,7 @@ mod tests {
         assert!((50..=100).contains(&coarse.triangles().len()));
         let both = vec![Code::ModelBare, Code::ModelCoarser];
         assert_eq!((coarse.parts().1, said), (1, both));
-        // Few of them stay.
+        // If only a few parts have no cells, these parts stay.
         let (coarse, said) = reduced(dusty(50), 100, 0.3);
         let only = vec![Code::ModelCoarser];
         assert_eq!((coarse.parts().1, said), (51, only));

@@ -27,12 +27,12 @@ pub(super) const WORDS: [&str; 7] = [
     "surface", "fields", "packing", "mesh", "cells", "stones", "light",
 ];
 
-/// The indices of some of them.
+/// The index of the packing.
 pub(super) const PACKING: usize = 2;
 /// The index of the stones, the first stage of the finisher.
 pub(super) const STONES: usize = 5;
 
-/// A surface may have this many times fewer or more cells than the recipe asks for, without a notice.
+/// No notice is given if the number of cells differs from the wanted number by less than this factor.
 const COUNT: f64 = 4.0;
 
 /// The nodes of the stages, and the files given for them.
@@ -152,8 +152,8 @@ impl SceneStages for Stages {
 }
 
 impl Stages {
-    /// A notice if there are far fewer or more cells than the recipe asks for. Every cell needs a place, also where the
-    /// surface is narrower than a cell.
+    /// A notice if there are far fewer or more cells than the recipe asks for. For example, parts that are narrower
+    /// than a cell get cells, too.
     fn count(&self, paved: &PavedCells) -> Option<Notice> {
         let (n, wanted) = (paved.cells.len(), self.fields.params().sizes.count);
         let share = n as f64 / wanted;

@@ -15,7 +15,7 @@ use crate::surface_views::{
 };
 use std::rc::Rc;
 
-/// A scene.
+/// The scene of a view.
 pub(crate) enum ViewScene {
     Stones(Rc<Scene>),
     Particles(Box<Particles>),
@@ -34,7 +34,7 @@ impl AsRef<Scene> for ViewScene {
     }
 }
 
-/// A scene in progress.
+/// The scene of a view, while it is made.
 pub(crate) enum ViewSceneMaking {
     Begin(Option<Box<Particles>>),
     Field(Box<FieldView>),
@@ -151,7 +151,8 @@ impl Stages {
             && (self.live_packing().is_none() || self.site().is_none())
     }
 
-    /// Works on the bare surface of this revision; `None` until it is finished, or cut into parts if that is enough.
+    /// Works on the bare surface of this revision. `None` until it is finished; with `cut_is_enough`, until it is cut
+    /// into parts.
     fn make_bare(&mut self, surface: u64, cut_is_enough: bool) -> Option<()> {
         let built = self.built.made()?;
         let new = || BareSurface::new(&built.mesh, Fit::new(&built.whole));
@@ -165,7 +166,7 @@ impl Stages {
         Tones::new(&self.shared.bodies.params().texture)
     }
 
-    /// The packing as it is now on the bare surface. The last scene of it is changed.
+    /// The scene of the present packing on the bare surface. `last`, an earlier scene of the packing, is updated.
     fn packed_scene(&self, last: Option<Box<Particles>>) -> Option<ViewScene> {
         let (_, ground) = self.bare.as_ref()?;
         let (packing, site) = (self.live_packing()?, self.site()?);
@@ -174,7 +175,7 @@ impl Stages {
         Some(ViewScene::Particles(view))
     }
 
-    /// The beginning of a view that takes several slices.
+    /// Begins a view that takes several slices; `None` for other views, and while there is nothing to show.
     fn begun_view(&self, view: SurfaceView) -> Option<ViewSceneMaking> {
         Some(match view {
             SurfaceView::Auto | SurfaceView::Picture | SurfaceView::Packed => return None,

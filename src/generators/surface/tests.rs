@@ -109,7 +109,8 @@ fn a_step_back_to_what_is_there_makes_nothing() {
     assert_eq!(studio.runs(), runs);
 }
 
-/// The file of a recipe, read back from its link.
+/// A run that goes on from a held step has the same result. After the first held step, others are
+/// reached sooner.
 #[test]
 fn the_steps_go_back_and_on_with_the_same_bits() {
     let clock = &mut || 0.0;
@@ -266,7 +267,7 @@ fn each_step_in_the_making_of_a_scale_has_a_frame_and_each_cell_its_measures() {
     }
     seen.sort();
     seen.dedup();
-    // Without noise, that step shows the same.
+    // Without noise, the step of noise shows the same as the step before it.
     assert!(seen.len() + 2 > steps.len(), "{} of {steps:?}", seen.len());
     turn(&mut studio, "").expect("a frame");
     let frames = studio.engine_mut().frames().expect("frames");

@@ -1,4 +1,4 @@
-//! Painted items: turns rows of a recipe into strokes and spots, and a place into its numbers.
+//! Painted items: turns rows of a recipe into strokes and spots, and a place in space into the numbers of a row.
 
 use super::SurfaceEngine;
 use crate::recipe::BOX_STEPS;
@@ -7,13 +7,13 @@ use crate::surface_stones::Fit;
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 
-/// The least corner of a mesh's bounding box, and its longest side.
+/// The corner of a mesh's bounding box with the least coordinates, and the longest side of the box.
 fn unit(mesh: &TriMesh) -> (DVec3, f64) {
     let (low, high) = mesh.bounds();
     (low, (high - low).max_element().max(f64::MIN_POSITIVE))
 }
 
-/// The strokes of rows, with a width of `reach` sides of the box.
+/// The strokes in these rows. Their width is `reach` times the longest side of the mesh's bounding box.
 pub(super) fn strokes(
     mesh: &TriMesh,
     search: &Search,
@@ -28,7 +28,7 @@ pub(super) fn strokes(
     rows.iter().filter_map(stroke).collect()
 }
 
-/// The spots of rows in decimal numbers: place, radius, value.
+/// The spots in these rows: x, y and z, radius, value. Lengths are in longest sides of the mesh's bounding box.
 pub(super) fn spots(mesh: &TriMesh, search: &Search, rows: &[[f64; 5]]) -> Vec<SurfaceSpot> {
     let (low, side) = unit(mesh);
     let spot = |&[x, y, z, radius, value]: &[f64; 5]| SurfaceSpot {
@@ -39,13 +39,13 @@ pub(super) fn spots(mesh: &TriMesh, search: &Search, rows: &[[f64; 5]]) -> Vec<S
     rows.iter().map(spot).collect()
 }
 
-/// The place in space of a row's numbers.
+/// The place in space for three whole numbers of a row.
 fn place(mesh: &TriMesh, numbers: [i64; 3]) -> DVec3 {
     let (low, side) = unit(mesh);
     low + DVec3::from(numbers.map(|n| n as f64)) * (side / BOX_STEPS)
 }
 
-/// The numbers of a place in space, as in rows.
+/// The three whole numbers by which rows hold a place in space.
 fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
     let (low, side) = unit(mesh);
     ((p - low) / side * BOX_STEPS)
@@ -64,7 +64,7 @@ impl SurfaceEngine {
         Some(numbers(&built.mesh, seen / fit.scale + fit.middle))
     }
 
-    /// Where such a place is in the last finished frame, in pixels; `None` if it is not visible there.
+    /// The pixel of a row's place in the last finished frame; `None` if the place is not visible there.
     pub(super) fn traced_pixel(&self, numbers: [i64; 3]) -> Option<[f64; 2]> {
         let built = self.made.last_built()?;
         let fit = Fit::new(&built.whole);

@@ -1,7 +1,7 @@
 //! Recipes with names: every row of Table 1 of the papers, and others of our own.
 //!
-//! Where a paper prints seconds, they come with the stages here that do the same work ([`Timing`]). The
-//! file of each group is a list, and all lists are joined when the crate is compiled.
+//! Where a paper prints seconds, a preset has them, with the stages here that do the same work ([`Timing`]). The file
+//! of each group is a list, and all lists are joined when the crate is compiled.
 
 mod gallery;
 mod house;

@@ -1,8 +1,9 @@
 //! Every row of Table 1 of Itoh, Miyata, Shimada (2003), Generation of Organic Textures with
 //! Controlled Anisotropy and Directionality via Packing Rectangular and Elliptical Cells.
 //!
-//! The seconds are those of Table 2, which has six of the thirteen. The paper prints no coordinates
-//! and no colours, so outlines, lines and palettes are ours, in the spirit of the figures.
+//! The seconds are those of Table 2, which has six of the thirteen rows. The paper prints no
+//! coordinates and no colours, so outlines, lines and palettes are ours, in the spirit of the
+//! figures.
 
 use super::{MeasuredPart, Preset, Timing};
 use crate::generators::pavement::stage;

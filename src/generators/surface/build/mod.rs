@@ -19,21 +19,22 @@ use crate::trimesh::{MeshBuilding, Search, Siding, Simplifying, TriMesh};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Edges are divided further if the smallest cells are smaller than this part of the mean.
+/// Edges are divided further if the smallest cell size is less than this share of the mean size.
 const VARIES: f64 = 0.6;
-/// If there are more triangles for a cell than this, a simpler surface is packed.
+/// If a surface has more triangles for each cell than this, cells are packed on a simpler surface.
 const PLENTY: f64 = 60.0;
-/// A huge surface is first made coarser, to this many triangles or to [`PLENTY`] for each cell.
+/// A huge surface is first made coarser, to this number of triangles or to [`PLENTY`] for each cell, if that is more.
 const FEW: usize = 1 << 15;
-/// Triangles for a cell on a simpler surface, before its edges are divided.
+/// The number of triangles for each cell on a simpler surface, before its edges are divided.
 const SIMPLE: f64 = 6.0;
 /// The greatest error of a simpler surface, in sizes of cells.
 const OFF: f64 = 0.2;
 
-/// If the triangles of a file are more slender than this, and more, stones stand on the simpler surface, too.
+/// If both the slenderness of a file's triangles and their number exceed this, stones, too, stand on the simpler
+/// surface.
 const NEEDLES: f64 = 4000.0;
 
-/// A model is refused at once if its largest part has less area than this, in squares of a cell.
+/// A model is refused at once if its largest part has less area than this, in squared cell sizes.
 const SMALL: f64 = 0.25;
 
 /// A surface ready for its fields.
@@ -42,10 +43,10 @@ pub(super) struct Built {
     pub mesh: Arc<TriMesh>,
     /// The mesh on which stones stand: not cut, and as fine as given.
     pub whole: Arc<TriMesh>,
-    /// Brings cells from the first to the second, if they differ.
+    /// Finds places on `whole`, to carry cells there from a simpler `mesh`; else `None`.
     pub search: Option<Search>,
     pub bones: Vec<Bone>,
-    /// Claws and tips of horn that stand on it.
+    /// Claws and tips of horn that stand on the surface.
     pub claws: Vec<Claw>,
     /// The main direction from head to tail, if there are no bones.
     pub main: DVec3,
@@ -63,7 +64,7 @@ pub(super) struct Building {
     size: f64,
     /// The mesh of the file, or a coarser one in place of a huge one.
     given: Option<Arc<TriMesh>>,
-    /// The mesh for stones, if it differs from the current one.
+    /// The mesh for stones, if it differs from the mesh that is being made.
     whole: Option<Arc<TriMesh>>,
     search: Option<Search>,
     notices: Vec<Notice>,
@@ -75,7 +76,7 @@ pub(super) struct Building {
 }
 
 enum BuildPhase {
-    /// A coarse version, to find its area.
+    /// A coarse version of the shape, to find its area.
     Sketch(Box<ShapeMaking>),
     SketchMesh(Box<MeshBuilding>),
     Shape(Box<ShapeMaking>),
@@ -96,14 +97,14 @@ enum BuildPhase {
     None,
 }
 
-/// Triangles in a slice of a search tree.
+/// The number of triangles in one slice of building a search tree.
 const SEARCHED: usize = 1 << 14;
 
 impl Building {
     /// Does one slice. `loaded` is the file's surface, if the surface comes from a file.
     ///
     /// # Errors
-    /// If there is none, or it would have too many triangles or cells.
+    /// If there is no surface, or it would have too many triangles or cells.
     pub fn advance(
         params: &SurfaceParams,
         work: &mut Option<Building>,
@@ -145,7 +146,8 @@ impl Building {
         Ok(new)
     }
 
-    /// A far finer surface than the cells need is simplified for their packing.
+    /// Goes on with a mesh whose sides are known. If it is far finer than cells need, cells are packed on a simpler
+    /// one.
     fn sided(&mut self, params: &SurfaceParams, mesh: Arc<TriMesh>) -> BuildPhase {
         let count = params.sizes.count;
         let plenty = PLENTY * count;
@@ -170,8 +172,8 @@ impl Building {
         self.simplifying(count, mesh)
     }
 
-    /// The sketch of a shape gives its area, and so the mean size and the wanted length of edges. If it is as fine as
-    /// wanted, it is the surface.
+    /// The area of the sketch of a shape gives the mean size of cells and the wanted length of edges. If this length
+    /// leads to the same triangles, the sketch becomes the surface.
     fn shaped(&mut self, params: &SurfaceParams, sketch: TriMesh) -> BuildPhase {
         self.size = size_for(&params.sizes, sketch.area());
         let MeshSource::Shape(shape, ends, numbers) = &params.source else {
@@ -184,12 +186,13 @@ impl Building {
         BuildPhase::Shape(Box::new(shape.making(numbers, edge, *ends)))
     }
 
-    /// Whether the surface is that of a file, as it was given.
+    /// Whether the surface is from a file, and has not been simplified yet.
     fn may_simplify(&self) -> bool {
         self.given.is_some() && !self.is_simple
     }
 
-    /// Packs on a simpler surface than this one. Stones stand on that of the file.
+    /// Begins a simpler surface than this one, to pack cells on. Stones stand on the surface of the file unless it has
+    /// needles.
     fn simplifying(&mut self, count: f64, mesh: impl Into<Arc<TriMesh>>) -> BuildPhase {
         self.is_simple = true;
         if self.has_needles {
@@ -238,7 +241,7 @@ impl Building {
         BuildPhase::Divide(Box::new(Refining::new(owned(mesh), targets.collect())))
     }
 
-    /// Leaves the faces of cuts without cells, and cuts the rest along its creases.
+    /// Leaves the faces where a body is cut off without cells, and cuts the other faces along creases.
     fn cutting(&mut self, params: &SurfaceParams, mesh: TriMesh) -> BuildPhase {
         let whole = Arc::new(mesh);
         let covered = match &params.source {
@@ -337,7 +340,7 @@ pub(super) fn size_params(sizes: &Sizes, mesh: &TriMesh, search: Option<&Search>
     }
 }
 
-/// The bones of a shape in the form for fields: closed ones return to their first point.
+/// The bones of a shape, as fields need them: a closed bone returns to its first point.
 fn bones(shape: Shape, numbers: &[f64]) -> Vec<Bone> {
     let open = |bone: ShapeBone| {
         let (mut points, mut radii) = (bone.points, bone.radii);

@@ -37,7 +37,7 @@ impl Building {
             },
             BuildPhase::Sides(mut siding) => match siding.advance() {
                 None => BuildPhase::Sides(siding),
-                // Neither closed holes nor a simpler surface make up for this.
+                // Neither closing holes nor a simpler surface can make the model large enough.
                 Some(sided) if sided.largest < SMALL * self.size * self.size => {
                     return Err(Code::ModelTooSmall.into());
                 }
@@ -114,7 +114,7 @@ impl Building {
         })
     }
 
-    /// The steps on a mesh whose holes are closed: it gets triangles as small as the cells need, and its border.
+    /// The steps on a mesh whose holes are closed: triangles become as small as cells need, and the mesh is cut.
     fn next_of_closed(
         &mut self,
         params: &SurfaceParams,

@@ -13,13 +13,13 @@ use crate::trimesh::testing::Soup;
 use glam::DVec3;
 use std::fmt::Write;
 
-/// The place of the stage that makes cells of the mesh.
+/// The index of the stage that makes cells from the mesh.
 const CELLS: usize = 4;
 
 /// A surface to put cells on.
 pub struct Body {
     pub name: String,
-    /// Where it comes from a file.
+    /// The triangles, if the surface comes from a file.
     soup: Option<Soup>,
     has_bones: bool,
 }
@@ -56,7 +56,7 @@ pub fn from_file(name: &str, soup: Soup) -> Body {
     }
 }
 
-/// Larger, and turned about an axis askew.
+/// The soup scaled, and turned by `angle` (in radians) about a skew axis.
 pub fn moved((positions, triangles): &Soup, scale: f64, angle: f64) -> Soup {
     let about = DVec3::new(0.6, 0.0, 0.8);
     let (sin, cos) = libm::sincos(angle);
@@ -69,7 +69,7 @@ pub fn moved((positions, triangles): &Soup, scale: f64, angle: f64) -> Soup {
 }
 
 impl Body {
-    /// Runs the stages up to the cells' mesh. Rows follow bones, or where there are none borders and creases.
+    /// Runs the stages up to the cells' mesh. Rows follow the bones; without bones, borders and creases.
     pub fn whole(&self, asked: Asked) -> Whole {
         let file = self.soup.as_ref().map(file);
         let mut recipe = Recipe::new(&SCHEMA);

@@ -1,4 +1,4 @@
-//! Meshes as they stand in files.
+//! Test meshes, as files may contain them.
 
 use crate::trimesh::testing::{self, Soup};
 use glam::DVec3;
@@ -20,7 +20,7 @@ pub fn flat() -> Soup {
     testing::flat(12)
 }
 
-/// A wall of height 1 about a circle of radius 1.
+/// A wall of height 1 inside a circle of radius 1.
 pub fn wall(thick: f64) -> Soup {
     const AROUND: u32 = 96;
     let corners = [

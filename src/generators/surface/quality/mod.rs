@@ -1,4 +1,4 @@
-//! The figures of cells on all surfaces, made by the generator's own stages.
+//! Tests of the figures of cells on all surfaces, with cells made by the generator's own stages.
 
 mod chain;
 mod files;
@@ -7,11 +7,12 @@ use crate::field::CellKind;
 use crate::shapes::Shape;
 use chain::{Asked, Body, Whole, by_rule};
 
-/// The figures of a kind of cells on all surfaces, as measured, with a small margin.
+/// Limits for the figures of one kind of cells on all surfaces: the measured values with a small margin.
 struct Bounds {
-    /// The mean of cells' sizes over the size asked for. The polygon of a round cell has less than the area of its square.
+    /// Least and most of the mean size of cells over the wanted size. The polygon of a round cell has less than the
+    /// area of its square.
     size: [f64; 2],
-    /// The most of the standard deviation of sizes over their mean.
+    /// The most of the standard deviation of sizes over the mean size.
     spread: f64,
     /// The least share of quadrilaterals.
     quads: f64,
@@ -31,9 +32,9 @@ fn bounds(kind: CellKind) -> Bounds {
     }
 }
 
-/// Surfaces whose cells are less even: the least area of all cells over that of the surface, and the spread over that of
-/// other surfaces. The triangles about the centre of a cell that is folded over a sharp edge cut the corner off. Many
-/// cells of stairs and of the block with two holes touch two edges. Few ellipses lie across the open tube, between borders.
+/// Surfaces whose cells are less even: the least area of all cells over the area of the surface, and the factor of the
+/// allowed spread. If a cell is folded over a sharp edge, the triangles about its centre cut the corner off. Many cells
+/// of stairs and of the block with two holes touch two edges. Few ellipses lie across the open tube, between borders.
 const UNEVEN: [(&str, f64, f64); 4] = [
     ("stairs", 0.945, 1.3),
     ("genus 2", 0.94, 1.1),
@@ -41,7 +42,7 @@ const UNEVEN: [(&str, f64, f64); 4] = [
     ("open", 0.97, 1.4),
 ];
 
-/// The promises that hold for all cells, large or small beside the roundness of their surface.
+/// Checks the promises that hold for cells of any size, even where the surface bends much within a cell.
 fn check(body: &Body, asked: Asked) -> Whole {
     let whole = body.whole(asked);
     let (figures, stages) = (&whole.figures, &whole.stages);
