@@ -3,8 +3,9 @@
 
 use super::Module;
 use super::drafting::Drafting;
-use super::openings::{Opening, OpeningHead, WallPlane, spread, wall_face};
+use super::openings::{Opening, OpeningHead, spread, wall_face};
 use super::plain::{over, sides, turned};
+use super::wall_plane::WallPlane;
 use crate::building::draft::Draft;
 use crate::building::labels::ROOF;
 use glam::{DVec2, DVec3};

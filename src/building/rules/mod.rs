@@ -17,6 +17,7 @@ mod hipped;
 mod lhouse;
 pub(crate) mod numbers;
 mod openings;
+mod panes;
 mod plain;
 mod plan_line;
 mod steps;
@@ -24,6 +25,7 @@ mod steps;
 mod tests;
 mod tower;
 mod wall_line;
+mod wall_plane;
 mod walls;
 
 pub(super) use drafting::flat_surface;

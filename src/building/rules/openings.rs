@@ -2,6 +2,8 @@
 
 use super::Module;
 use super::drafting::Drafting;
+use super::panes;
+use super::wall_plane::WallPlane;
 use crate::building::facets;
 use crate::building::labels::{ARCH, DOOR, GLASS, SILL, WINDOW};
 use crate::building::path::Path;
@@ -34,13 +36,6 @@ impl OpeningHead {
 
 /// The rise of a segmental head as a share of its span.
 const RISE: f64 = 1.0 / 6.0;
-/// The width of frames, half of the width of glazing bars ([`BAR`]), and half of the thickness of both ([`THICK`]), in
-/// metres.
-const FRAME: f64 = 0.045;
-const BAR: f64 = 0.012;
-const THICK: f64 = 0.02;
-/// The height of a pane between two bars (metres).
-const LIGHT: f64 = 0.4;
 /// How far a pane stands in front of the back of its opening (metres).
 const BEFORE: f64 = 0.002;
 
@@ -54,32 +49,6 @@ pub(super) struct Opening {
     pub springing: f64,
     pub head: OpeningHead,
     pub is_door: bool,
-}
-
-/// The plane of a wall seen from outside: u to the right, y upwards. u is 0 at a line of the grid: half a joint to the
-/// left of the wall's left end, or to the right of it where the wall begins in an inner corner.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct WallPlane {
-    pub origin: DVec3,
-    pub along: DVec3,
-    pub normal: DVec3,
-}
-
-impl WallPlane {
-    /// The wall from its left end to its right one, seen from outside. `lead` is u at its left end.
-    pub fn new(left: DVec3, right: DVec3, lead: f64) -> Self {
-        let along = (right - left).normalize();
-        Self {
-            origin: left - along * lead,
-            along,
-            normal: along.cross(DVec3::Y),
-        }
-    }
-
-    /// The place at u and y, `behind` metres behind the face.
-    pub fn at(&self, p: DVec2, behind: f64) -> DVec3 {
-        self.origin + self.along * p.x + DVec3::Y * p.y - self.normal * behind
-    }
 }
 
 /// The outline of an opening: lower left, upper left, upper right, lower right; clockwise seen from outside.
@@ -212,97 +181,19 @@ impl Reveal {
 
     /// Adds a pane or a door at a depth.
     pub fn pane(&self, to: &mut Drafting, plane: &WallPlane, depth: f64) {
-        let mut outline = vec![self.corners[3]];
-        match self.bow(plane) {
-            Some(Piece::Arc(arc)) => {
-                let piece = Piece::Arc(arc);
-                let lengths = facets::cuts(&arc);
-                let all = [0.0].into_iter().chain(lengths).chain([piece.length()]);
-                let flat = |p: DVec3| DVec2::new((p - plane.origin).dot(plane.along), p.y);
-                outline.extend(all.map(|s| flat(piece.point(s))));
-            }
-            _ => outline.extend([self.corners[2], self.corners[1]]),
+        let [bl, tl, tr, br] = self.corners;
+        let mut outline = vec![bl, tl];
+        if let Some(Piece::Arc(arc)) = self.bow(plane) {
+            let flat = |p: DVec3| DVec2::new((p - plane.origin).dot(plane.along), p.y);
+            let head = facets::cuts(&arc).into_iter().rev();
+            outline.extend(head.map(|s| flat(Piece::Arc(arc).point(s))));
         }
-        outline.push(self.corners[0]);
-        self.frame(to, (plane, depth), &outline);
-        let outline: Vec<DVec3> = outline.iter().map(|&p| plane.at(p, depth)).collect();
+        outline.extend([tr, br]);
         match self.labels {
-            [DOOR] => to.pane("door", "wood", &outline),
-            _ => to.pane("pane", "glass", &outline),
+            [DOOR] => panes::door(to, (plane, depth), &outline),
+            _ => panes::window(to, (plane, depth), &outline),
         }
     }
-
-    /// Adds a frame inside of an outline, which is clockwise, and the glazing bars of a window.
-    fn frame(&self, to: &mut Drafting, place: (&WallPlane, f64), outline: &[DVec2]) {
-        let next = |k: usize| outline[(k + 1) % outline.len()];
-        let inner: Vec<DVec2> = (0..outline.len())
-            .map(|k| {
-                let before = outline[(k + outline.len() - 1) % outline.len()];
-                let ways = [outline[k] - before, next(k) - outline[k]].map(DVec2::normalize);
-                let sum = -ways[0].perp() - ways[1].perp();
-                outline[k] + sum * (2.0 * FRAME / sum.length_squared())
-            })
-            .collect();
-        for k in 0..outline.len() {
-            let after = (k + 1) % outline.len();
-            bar(to, place, [outline[k], inner[k], inner[after], next(k)]);
-        }
-        let [low, _, high, _] = self.corners;
-        let top = outline.iter().map(|p| p.y).fold(high.y, f64::max);
-        if self.labels.contains(&DOOR) {
-            return;
-        }
-        let upright = |u: f64, half: f64| {
-            let corners = [
-                (u - half, low.y),
-                (u + half, low.y),
-                (u + half, top),
-                (u - half, top),
-            ];
-            corners.map(DVec2::from)
-        };
-        let level = |y: f64, half: f64| {
-            let corners = [
-                (low.x, y - half),
-                (high.x, y - half),
-                (high.x, y + half),
-                (low.x, y + half),
-            ];
-            corners.map(DVec2::from)
-        };
-        bar(to, place, upright(0.5 * (low.x + high.x), 0.6 * FRAME));
-        let count = ((high.y - low.y) / LIGHT).round().max(1.0);
-        let last = if top > high.y {
-            count as u32
-        } else {
-            count as u32 - 1
-        };
-        for k in 1..=last {
-            bar(
-                to,
-                place,
-                level(low.y + (high.y - low.y) * f64::from(k) / count, BAR),
-            );
-        }
-    }
-}
-
-/// Adds a bar of a frame: a quadrilateral of the wall's plane, counter-clockwise seen from outside, made thick.
-fn bar(to: &mut Drafting, (plane, depth): (&WallPlane, f64), corners: [DVec2; 4]) {
-    let ends = [depth - THICK, depth + THICK].map(|behind| corners.map(|p| plane.at(p, behind)));
-    let positions = ends.concat();
-    let quads = [
-        [0, 1, 2, 3],
-        [7, 6, 5, 4],
-        [0, 4, 5, 1],
-        [1, 5, 6, 2],
-        [2, 6, 7, 3],
-        [3, 7, 4, 0],
-    ];
-    let triangles = quads
-        .into_iter()
-        .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
-    to.extra("frame", "paint", &positions, triangles);
 }
 
 /// Adds a wall's face with openings, their reveals, and what closes them. `outline` is counter-clockwise in the wall's

@@ -1,8 +1,9 @@
 //! Properties of the parts beside the masonry.
 
 use super::*;
+use crate::building::draft::ExtraMesh;
 use crate::building::labels;
-use crate::trimesh::TriMesh;
+use crate::trimesh::{Search, TriMesh};
 
 #[test]
 fn rails_are_closed_and_right_side_out() {
@@ -25,7 +26,8 @@ fn each_opening_has_a_pane_or_a_door_that_looks_outwards() {
             .iter()
             .filter(|face| face.labels.iter().any(|l| l == labels::SILL));
         let mut parts = 0;
-        for extra in draft.extras.iter().filter(|extra| extra.name != "frame") {
+        let is_one = |extra: &&ExtraMesh| ["pane", "door"].contains(&&extra.name[..]);
+        for extra in draft.extras.iter().filter(is_one) {
             let mesh = TriMesh::new(extra.positions.clone(), extra.triangles.clone()).unwrap();
             parts += mesh.parts().1;
             if rule == Rule::Wall {
@@ -40,6 +42,35 @@ fn each_opening_has_a_pane_or_a_door_that_looks_outwards() {
             }
         }
         assert_eq!(parts, sills.count(), "{rule:?}");
+    }
+}
+
+#[test]
+fn frames_and_bars_stand_in_their_openings() {
+    for rule in [Rule::Gabled, Rule::LHouse, Rule::Wall, Rule::Tower] {
+        let draft = rule.draft(&Module::NORMAL, &[]);
+        let mesh_of = |names: [&str; 2]| {
+            let parts = draft.extras.iter().filter(|e| names.contains(&&e.name[..]));
+            let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+            for extra in parts {
+                let first = positions.len() as u32;
+                positions.extend_from_slice(&extra.positions);
+                triangles.extend(extra.triangles.iter().map(|t| t.map(|v| v + first)));
+            }
+            TriMesh::new(positions, triangles).unwrap()
+        };
+        let (frames, panes) = (mesh_of(["frame", "boards"]), mesh_of(["pane", "door"]));
+        let search = Search::new(&panes);
+        let farthest = frames
+            .positions()
+            .iter()
+            .map(|&p| search.closest(&panes, p).at.distance(p));
+        let farthest = farthest.fold(0.0, f64::max);
+        // Half of the thickness of a bar, and a corner of the upright bar in the arc.
+        assert!(
+            (0.02 - 1e-9..0.025).contains(&farthest),
+            "{rule:?} {farthest}"
+        );
     }
 }
 

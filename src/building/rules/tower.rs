@@ -2,12 +2,14 @@
 
 use super::Module;
 use super::drafting::Drafting;
+use super::panes;
+use super::wall_plane::WallPlane;
 use crate::building::draft::Draft;
 use crate::building::labels::{SILL, WINDOW};
 use crate::building::path::Path;
 use crate::building::piece::{Arc, Piece};
 use crate::building::surface::{Disk, Surface, Sweep};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// The bottom and the springing of windows, and how much higher every other window is at most (courses).
@@ -120,7 +122,7 @@ impl Tower {
         to.face(&[], Surface::Disk(disk), &loops);
     }
 
-    /// The four faces of a window, and its pane.
+    /// The four faces of a window, and its flat pane with a frame.
     fn reveal(&self, to: &mut Drafting, slot: &Slot) {
         let ([left, right], [low, high]) = (slot.angles, slot.heights);
         let [outer, inner] = self.radii;
@@ -161,11 +163,10 @@ impl Tower {
             to.panel(&[WINDOW], &corners, around * sign);
         }
         let middle = 0.5 * (outer + inner);
-        let corners = [(left, low), (right, low), (right, high), (left, high)];
-        to.pane(
-            "pane",
-            "glass",
-            &corners.map(|(angle, y)| at(middle, angle, y)),
-        );
+        let [from, end] = [left, right].map(|angle| at(middle, angle, 0.0));
+        let width = from.distance(end);
+        let outline = [(0.0, low), (0.0, high), (width, high), (width, low)];
+        let plane = WallPlane::new(from, end, 0.0);
+        panes::window(to, (&plane, 0.0), &outline.map(DVec2::from));
     }
 }

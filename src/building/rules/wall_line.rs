@@ -4,9 +4,10 @@
 use super::Module;
 use super::drafting::Drafting;
 use super::hipped::slopes;
-use super::openings::{Opening, Reveal, WallPlane};
+use super::openings::{Opening, Reveal};
 use super::plain::{over, turned};
 use super::plan_line::PlanLine;
+use super::wall_plane::WallPlane;
 use crate::building::labels::ROOF;
 use crate::domain::signed_area;
 use crate::trimesh::polygon;
