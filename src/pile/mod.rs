@@ -65,7 +65,7 @@ pub use darts::{Dart, Darting, expected_darts, same_side};
 pub use golden::Reading;
 pub use kind::{Kind, Shape, natural_range};
 pub use layers::LayerDarting;
-pub use measures::{contacts, deepest_overlap, deepest_overlaps, pierced};
+pub use measures::{OverlapWork, contacts, contacts_of, deepest_overlap, pierced};
 pub use merge::merge;
 pub use refine::{Method, Order, RefineParams, Refining};
 pub use turn::Turn;

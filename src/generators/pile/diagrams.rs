@@ -5,7 +5,7 @@ use super::heap::place;
 use super::made::Thrown;
 use super::views::PileView;
 use crate::component::Sphere;
-use crate::pile::{Body as PiledBody, Fate, Kind, deepest_overlaps};
+use crate::pile::{Body as PiledBody, Fate, Kind};
 use crate::scene::{Body, Detail, Instance, Paint, Place, Scene, Surfel};
 use crate::solid::Surface;
 use crate::surface_stones::Fit;
@@ -43,8 +43,6 @@ const DRAWN: f64 = 0.94;
 /// Meridians and parallels of a ball, and corners of a disk.
 const BALL: [usize; 2] = [20, 10];
 const DISK: usize = 28;
-/// Balls and disks in their own coordinates have the radius 1.
-const UNIT: f32 = 1.0;
 
 /// The scene of a diagram, and the number in its caption.
 pub(crate) struct Diagram {
@@ -94,12 +92,11 @@ pub(super) fn darts(ground: &BareSurface, thrown: &Thrown) -> Diagram {
     }
 }
 
-/// A diagram of settled bodies.
+/// A diagram of settled bodies, except [`overlap`].
 pub(super) fn of_bodies(view: PileView, piled: &Piled, ground: &BareSurface) -> Diagram {
     match view {
         PileView::Spheres => spheres(piled),
         PileView::Fates => fates(piled, ground),
-        PileView::Overlap => overlap(piled),
         PileView::Depth => depth(piled),
         PileView::Layers => coloured(piled, |body| TYPES[body.layer as usize % TYPES.len()]),
         _ => coloured(piled, |body| TYPES[body.kind as usize % TYPES.len()]),
@@ -226,8 +223,8 @@ fn fates(piled: &Piled, ground: &BareSurface) -> Diagram {
 }
 
 /// The bodies, blue where they are apart, green where they touch, and red where they overlap by more than T + D.
-fn overlap(piled: &Piled) -> Diagram {
-    let deepest = deepest_overlaps(piled.bodies, piled.kinds);
+/// `deepest` has the deepest overlap of each body, in R.
+pub(super) fn overlap(piled: &Piled, deepest: &[f64]) -> Diagram {
     let colour = |body: &PiledBody| {
         let own = deepest[body.dart as usize];
         bytes(between_three(own, (piled.offset, piled.removal)))
@@ -346,7 +343,7 @@ fn disk(colour: [u8; 3]) -> Surface {
     push(&mut surface, Vec3::Y * THICK, Vec3::Y);
     for j in 0..DISK {
         let (s, c) = libm::sincos(TAU * j as f64 / DISK as f64);
-        let out = Vec3::new(c as f32, 0.0, s as f32) * UNIT;
+        let out = Vec3::new(c as f32, 0.0, s as f32);
         push(&mut surface, out + Vec3::Y * THICK, Vec3::Y);
         push(&mut surface, out - Vec3::Y * THICK, out);
     }

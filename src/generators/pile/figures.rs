@@ -4,7 +4,7 @@ use super::PileEngine;
 use super::subject::ViewScene;
 use super::views::PileView;
 use crate::notice::{Code, Notice};
-use crate::pile::{Fate, contacts};
+use crate::pile::{Fate, contacts_of};
 
 impl PileEngine {
     /// The measures of a body, words and numbers: its type and layer, from 1; how far it slid along the normal, and the
@@ -25,8 +25,8 @@ impl PileEngine {
             figures.push(("outwards", body.range.1 / diagonal));
             let offset = self.made.settled.params().offset;
             let bodies = self.made.settled.made().map_or(&[][..], |s| s.bodies());
-            let touched = contacts(bodies, &placed.kinds, offset);
-            figures.push(("touches", touched[body.dart as usize].len() as f64));
+            let touched = contacts_of(body, bodies, &placed.kinds, offset);
+            figures.push(("touches", touched as f64));
         }
         figures
     }

@@ -7,6 +7,7 @@ use super::views::PileView;
 use crate::generators::scene_picture::{SceneKey, SceneSource, SceneStages};
 use crate::graph::Wiring;
 use crate::material::Material;
+use crate::pile::OverlapWork;
 use crate::scene::Scene;
 use std::rc::Rc;
 
@@ -18,6 +19,16 @@ pub(crate) enum ViewScene {
     Settling(Box<Heap>, u64),
     /// A diagram.
     Diagram(Diagram),
+}
+
+/// The scene of a view in the making.
+pub(crate) enum ViewMaking {
+    /// Nothing is made yet.
+    Begun,
+    /// The settling bodies that were shown before.
+    Heap(Box<Heap>),
+    /// How deep bodies overlap.
+    Overlap(Box<OverlapWork>),
 }
 
 impl AsRef<Scene> for ViewScene {
@@ -33,7 +44,7 @@ impl AsRef<Scene> for ViewScene {
 impl SceneSource for PileStages {
     type View = PileView;
     type Subject = ViewScene;
-    type Making = Option<Box<Heap>>;
+    type Making = ViewMaking;
 
     fn key(&self, view: &str) -> Option<SceneKey<PileView>> {
         let key = |view, is_live, revision| SceneKey {
@@ -68,24 +79,23 @@ impl SceneSource for PileStages {
         matches!(shown, ViewScene::Settling(_, pass) if *pass == self.settled.passes())
     }
 
-    fn begin(&self, shown: Option<ViewScene>) -> Option<Box<Heap>> {
+    fn begin(&self, shown: Option<ViewScene>) -> ViewMaking {
         match shown {
-            Some(ViewScene::Settling(heap, _)) => Some(heap),
-            _ => None,
+            Some(ViewScene::Settling(heap, _)) => ViewMaking::Heap(heap),
+            _ => ViewMaking::Begun,
         }
     }
 
-    fn make(
-        &mut self,
-        of: SceneKey<PileView>,
-        making: &mut Option<Box<Heap>>,
-    ) -> Option<ViewScene> {
+    fn make(&mut self, of: SceneKey<PileView>, making: &mut ViewMaking) -> Option<ViewScene> {
         if of.view == PileView::Picture {
             return self.shared.scene().cloned().map(ViewScene::Bodies);
         }
         if of.view == PileView::Auto {
             let (parts, refining) = (self.parts()?, self.refining()?);
-            let mut heap = making.take().unwrap_or_else(|| Box::new(Heap::new(parts)));
+            let mut heap = match std::mem::replace(making, ViewMaking::Begun) {
+                ViewMaking::Heap(heap) => heap,
+                _ => Box::new(Heap::new(parts)),
+            };
             heap.update_seen(parts, refining.bodies(), refining.history());
             return Some(ViewScene::Settling(heap, self.settled.passes()));
         }
@@ -102,9 +112,17 @@ impl SceneSource for PileStages {
             components: self.components.made()?,
             fit: ground.fit(),
         };
-        Some(ViewScene::Diagram(diagrams::of_bodies(
-            of.view, &piled, ground,
-        )))
+        if of.view != PileView::Overlap {
+            let diagram = diagrams::of_bodies(of.view, &piled, ground);
+            return Some(ViewScene::Diagram(diagram));
+        }
+        if let ViewMaking::Overlap(work) = making {
+            let is_done = work.advance(piled.bodies, piled.kinds);
+            return is_done.then(|| ViewScene::Diagram(diagrams::overlap(&piled, &work.deepest)));
+        }
+        let work = OverlapWork::new(piled.bodies, piled.kinds);
+        *making = ViewMaking::Overlap(Box::new(work));
+        None
     }
 
     fn materials(&self, subject: &ViewScene) -> Option<&'static [Material]> {
