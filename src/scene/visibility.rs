@@ -98,10 +98,10 @@ impl VisibilityBuffer {
         let pixels = view.size[0] * view.size[1] + LANES - 1;
         for list in [&mut self.owner, &mut self.triangle] {
             list.clear();
-            list.reserve_exact(pixels + LANES - 1);
+            list.reserve_exact(pixels);
         }
         self.inverse.clear();
-        self.inverse.reserve_exact(pixels + LANES - 1);
+        self.inverse.reserve_exact(pixels);
         self.levels.clear();
         self.due.clear();
         (self.planned, self.is_sorted, self.drawn, self.next) = (0, false, 0, 0);

@@ -96,7 +96,7 @@ fn laid_file(name: &str, content: &str) -> Result<usize, Notice> {
         .expect("a file");
     let mut engine = MasonryEngine::new(&recipe);
     Files::give(&mut engine, file);
-    while engine.at().is_some_and(|at| at < 2) {
+    while engine.at().is_some_and(|at| at < LAYING) {
         if let Some(notice) = engine.failure() {
             return Err(notice.clone());
         }

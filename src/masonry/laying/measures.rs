@@ -4,7 +4,7 @@ use super::Laying;
 use super::cell::{CellSort, Feature, MasonryCell};
 use crate::building::{Bend, EdgeId, FaceId};
 use crate::masonry::plan::is_wall;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// The cell size of the hash grid that finds overlaps (metres).
 const CELL: f64 = 0.5;
@@ -107,41 +107,50 @@ fn shared_volume(cells: &[MasonryCell]) -> f64 {
     if whole > 0.0 { shared / whole } else { 0.0 }
 }
 
-/// The share of head joints between cells of a face that go on in the next row.
+/// The share of head joints between cells of a face that go on in the next row: four cells meet at their upper end. Ends of
+/// rows are no joints.
 fn straight(laying: &Laying) -> f64 {
     let (mut all, mut straight) = (0usize, 0usize);
     for face in laying.textured_faces() {
-        let map = laying.face_map(face);
         let is_own = |cell: u32| {
-            laying
-                .cells()
-                .get(cell as usize)
-                .is_some_and(|cell| cell.feature == Feature::Face(face))
+            let cell = laying.cells().get(cell as usize);
+            cell.is_some_and(|cell| cell.feature == Feature::Face(face))
         };
-        let mut ends: Vec<[f64; 2]> = Vec::new();
-        let mut starts: Vec<[f64; 2]> = Vec::new();
-        for claim in map
-            .claims()
-            .list()
-            .iter()
-            .filter(|claim| is_own(claim.cell) && claim.polygon.corners().len() == 4)
-        {
-            let [low, high] = claim.polygon.bounds();
-            ends.push([high.x, high.y]);
-            starts.push([low.x, low.y]);
-        }
-        // A joint at the upper right corner of a cell goes on if a cell of the next row begins there.
-        starts.sort_by(|a, b| a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0])));
-        for [s, t] in ends {
-            all += 1;
-            let from = starts.partition_point(|start| start[1] < t - STRAIGHT);
-            let row = starts[from..]
-                .iter()
-                .take_while(|start| start[1] < t + STRAIGHT);
-            straight += usize::from(row.into_iter().any(|start| (start[0] - s).abs() < STRAIGHT));
+        let claims = laying.face_map(face).claims().list().iter();
+        let own = claims.filter(|c| is_own(c.cell) && c.polygon.corners().len() == 4);
+        let bounds: Vec<[DVec2; 2]> = own.map(|claim| claim.polygon.bounds()).collect();
+        let upper_left = Places::new(bounds.iter().map(|b| DVec2::new(b[0].x, b[1].y)));
+        let lower_left = Places::new(bounds.iter().map(|b| b[0]));
+        let lower_right = Places::new(bounds.iter().map(|b| DVec2::new(b[1].x, b[0].y)));
+        for upper_right in bounds.iter().map(|b| b[1]) {
+            if upper_left.has(upper_right) {
+                all += 1;
+                let goes_on = lower_left.has(upper_right) && lower_right.has(upper_right);
+                straight += usize::from(goes_on);
+            }
         }
     }
     straight as f64 / all.max(1) as f64
+}
+
+/// Places on a face, sorted by their height.
+struct Places(Vec<DVec2>);
+
+impl Places {
+    fn new(places: impl Iterator<Item = DVec2>) -> Self {
+        let mut places: Vec<DVec2> = places.collect();
+        places.sort_by(|a, b| a.y.total_cmp(&b.y));
+        Self(places)
+    }
+
+    /// Whether one of the places is within [`STRAIGHT`] of this one, along both axes.
+    fn has(&self, place: DVec2) -> bool {
+        let from = self.0.partition_point(|p| p.y < place.y - STRAIGHT);
+        let row = self.0[from..]
+            .iter()
+            .take_while(|p| p.y < place.y + STRAIGHT);
+        row.into_iter().any(|p| (p.x - place.x).abs() < STRAIGHT)
+    }
 }
 
 /// How far from an edge bed joints are looked for (metres).
