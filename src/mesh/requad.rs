@@ -139,7 +139,7 @@ impl PatchSearch {
             self.paths(on, &start, &mut gain, &mut best);
         }
         let Some(best) = best else { return false };
-        self.triangles -= (self.triangles_in(&best) / 2) * 2;
+        self.triangles -= (self.triangles_in(&best, on.nodes) / 2) * 2;
         self.division.of(on.nodes, &best.corners, self.goal.worst);
         self.apply(&best);
         true
@@ -151,10 +151,11 @@ impl PatchSearch {
         face.nodes().iter().all(regular) && self.cost(on, face) < FINE
     }
 
-    fn triangles_in(&self, patch: &Patch) -> usize {
+    /// The number of lone triangles in a patch.
+    fn triangles_in<N: Nodes + ?Sized>(&self, patch: &Patch, nodes: &N) -> usize {
         let members = patch.members.iter();
         members
-            .filter(|&&f| self.faces.faces[f as usize].sides == 3)
+            .filter(|&&f| is_lone(nodes, &self.faces.faces[f as usize]))
             .count()
     }
 
