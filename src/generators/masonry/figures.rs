@@ -3,6 +3,7 @@
 use super::colours::type_of;
 use super::diagrams::{Claimed, Texture, clipped};
 use super::stages::MasonryStages;
+use super::subject::WallSubject;
 use super::views::MasonryView;
 use super::{MasonryEngine, diagrams};
 use crate::building::{FaceId, PolygonId};
@@ -127,7 +128,10 @@ impl MasonryEngine {
             MasonryView::Sizes => Some(sizes(laying)),
             MasonryView::Plan => Some(lines(laying)),
             MasonryView::Parity => Some(parity(laying)),
-            MasonryView::Occupancy => Some(occupancy(laying)),
+            MasonryView::Occupancy => match self.picture.shown() {
+                Some((_, WallSubject::Diagram(diagram))) => diagram.claimed.map(occupancy),
+                _ => None,
+            },
             MasonryView::Clipping => Some(clipping(laying)),
             MasonryView::Seams => Some(seams(laying)),
             _ => None,
@@ -220,8 +224,7 @@ fn parity(laying: &Laying) -> Notice {
         .with("changes", laying.plan().changes.len())
 }
 
-fn occupancy(laying: &Laying) -> Notice {
-    let Claimed { free, by } = Claimed::new(laying);
+fn occupancy(Claimed { free, by }: Claimed) -> Notice {
     let all = free + by.iter().sum::<usize>();
     let share = |pixels: usize| {
         let share = 1e3 * pixels as f64 / all.max(1) as f64;

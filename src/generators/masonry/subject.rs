@@ -1,6 +1,6 @@
 //! Scenes of the views of masonry.
 
-use super::diagrams::{self, DiagramWork};
+use super::diagrams::{self, Diagram, DiagramWork};
 use super::kept::marks;
 use super::setting::WallScene;
 use super::stages::MasonryStages;
@@ -26,7 +26,7 @@ pub(crate) enum WallSubject {
     /// Blocks that are being laid, and how often work on the blocks, and on the ground, was begun.
     Laying(Box<WallScene>, [u64; 2]),
     /// A diagram.
-    Diagram(Scene),
+    Diagram(Diagram),
 }
 
 impl AsRef<Scene> for WallSubject {
@@ -34,7 +34,7 @@ impl AsRef<Scene> for WallSubject {
         match self {
             Self::Blocks(scene) => scene,
             Self::Laying(wall, _) => wall.scene(),
-            Self::Diagram(scene) => scene,
+            Self::Diagram(diagram) => &diagram.scene,
         }
     }
 }
@@ -104,9 +104,9 @@ impl SceneSource for MasonryStages {
             }
             MasonryView::Mortar => {
                 let scene = diagrams::bare(site, self.laid.params());
-                Some(WallSubject::Diagram(scene))
+                Some(WallSubject::Diagram(scene.into()))
             }
-            MasonryView::Polygons => Some(WallSubject::Diagram(diagrams::polygons(site))),
+            MasonryView::Polygons => Some(WallSubject::Diagram(diagrams::polygons(site).into())),
             view => {
                 let laying = self.cells.made()?;
                 let blocks = self.laid.params();

@@ -1,7 +1,7 @@
 //! Properties of the views' scenes, and of bricks that are turned by hand.
 
 use super::colours::type_of;
-use super::diagrams::{Claimed, DiagramWork, STATES, Texture, clipped, lines, map_scene, occupied};
+use super::diagrams::{Diagram, DiagramWork, STATES, Texture, clipped, lines, map_scene, occupied};
 use super::figures::size;
 use super::tests::{laid, recipe};
 use super::views::MasonryView;
@@ -31,12 +31,16 @@ fn laying(engine: &MasonryEngine) -> &Laying {
 }
 
 fn scene(engine: &MasonryEngine, view: MasonryView) -> Scene {
+    diagram(engine, view).scene
+}
+
+fn diagram(engine: &MasonryEngine, view: MasonryView) -> Diagram {
     let site = engine.made.site.made().expect("a site");
     let blocks = engine.made.laid.params();
     let mut work = DiagramWork::new(site, blocks);
     loop {
-        if let Some(scene) = work.advance(view, laying(engine), (site, blocks)) {
-            return scene;
+        if let Some(diagram) = work.advance(view, laying(engine), (site, blocks)) {
+            return diagram;
         }
     }
 }
@@ -122,7 +126,8 @@ fn pixels_are_free_or_claimed_as_in_the_maps() {
     for link in ["building=gate", "building=tower"] {
         let engine = engine(link);
         let laying = laying(&engine);
-        let counts = Claimed::new(laying);
+        let diagram = diagram(&engine, MasonryView::Occupancy);
+        let counts = diagram.claimed.expect("pixels");
         let pixels =
             |map: &Bitmap| (map.empty_area() / (map.pixel() * map.pixel())).round() as usize;
         let (mut free, mut all) = (0, 0);

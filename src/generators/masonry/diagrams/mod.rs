@@ -38,11 +38,29 @@ const REACH: f64 = 0.3;
 /// Cells that a slice of the work adds to a diagram.
 const SLICE: usize = 60;
 
+/// The diagram of a view.
+#[derive(Default)]
+pub(crate) struct Diagram {
+    pub scene: Scene,
+    /// The pixels of all faces, if the diagram shows them.
+    pub claimed: Option<Claimed>,
+}
+
+impl From<Scene> for Diagram {
+    fn from(scene: Scene) -> Self {
+        Self {
+            scene,
+            claimed: None,
+        }
+    }
+}
+
 /// The diagram of a view in the making, over the mortar of blocks.
 pub(crate) struct DiagramWork {
-    scene: Scene,
-    /// How many cells have been added.
+    made: Diagram,
+    /// How many cells, and how many faces, have been added.
     cells: usize,
+    faces: usize,
     /// The index of the first instance of the building's copy, which stands beside the seams.
     copy: usize,
 }
@@ -51,8 +69,9 @@ impl DiagramWork {
     /// Starts with the mortar of these blocks.
     pub(super) fn new(site: &BuildingSite, blocks: &BlockParams) -> Self {
         Self {
-            scene: bare(site, blocks),
+            made: bare(site, blocks).into(),
             cells: 0,
+            faces: 0,
             copy: 0,
         }
     }
@@ -63,17 +82,25 @@ impl DiagramWork {
         view: MasonryView,
         laying: &Laying,
         (site, blocks): (&BuildingSite, &BlockParams),
-    ) -> Option<Scene> {
+    ) -> Option<Diagram> {
         let (fit, all) = (site.fit, laying.cells().len());
         let is_first = self.cells == 0;
         let cells = self.cells..all.min(self.cells + SLICE);
         self.cells = cells.end;
-        let is_done = self.cells == all;
-        let scene = &mut self.scene;
+        let mut is_done = self.cells == all;
+        let scene = &mut self.made.scene;
         match view {
             MasonryView::Plan => grid::add(scene, laying, fit),
             MasonryView::Parity => parity::add(scene, laying, fit),
-            MasonryView::Occupancy => occupancy::add(scene, laying, fit),
+            MasonryView::Occupancy => {
+                let face = faces(laying).nth(self.faces);
+                is_done = face.is_none();
+                self.faces += 1;
+                let counts = self.made.claimed.get_or_insert_default();
+                if let Some(face) = face {
+                    occupancy::add((scene, counts), laying, face, fit);
+                }
+            }
             MasonryView::Clipping => clipping::add(scene, laying, fit, cells),
             MasonryView::Seams => {
                 if is_first {
@@ -88,11 +115,8 @@ impl DiagramWork {
             }
             _ => kinds::add(scene, view, laying, (fit, cells)),
         }
-        let is_whole = matches!(
-            view,
-            MasonryView::Plan | MasonryView::Parity | MasonryView::Occupancy
-        );
-        (is_done || is_whole).then(|| std::mem::take(scene))
+        let is_whole = matches!(view, MasonryView::Plan | MasonryView::Parity);
+        (is_done || is_whole).then(|| std::mem::take(&mut self.made))
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::super::colours::{FEATURES, type_of};
 use super::plates::Plates;
-use super::{MAP, faces, toned};
+use super::{MAP, toned};
 use crate::building::FaceId;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::laying::Laying;
@@ -24,50 +24,41 @@ const LINE: f64 = 0.1;
 
 /// The number of free pixels, and of pixels that cells of corners, edges and faces have claimed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::generators::masonry) struct Claimed {
+pub(crate) struct Claimed {
     pub free: usize,
     /// Claimed pixels, by the type of the feature: corners, edges, faces.
     pub by: [usize; 3],
 }
 
-impl Claimed {
-    /// Counts the pixels of all faces.
-    pub fn new(laying: &Laying) -> Self {
-        let mut counts = Self::default();
-        let all = faces(laying).flat_map(|(face, _)| {
-            let claims = laying.face_map(face).claims();
-            runs(laying, face, claims).1
-        });
-        for run in all {
-            match run.claim {
-                None => counts.free += run.count(),
-                Some(cell) => {
-                    let feature = laying.cells()[cell as usize].feature;
-                    counts.by[type_of(feature)] += run.count();
-                }
+/// Adds the pixels of a face to a scene and to the counts; the id of the body is that of the face.
+pub(super) fn add(
+    (scene, counts): (&mut Scene, &mut Claimed),
+    laying: &Laying,
+    (id, number): (FaceId, u32),
+    fit: Fit,
+) {
+    let (pixel, runs) = runs(laying, id, laying.face_map(id).claims());
+    let mut plates = Plates::new(laying.building().face(id), fit);
+    for run in &runs {
+        let claimed = run
+            .claim
+            .map(|cell| (cell, type_of(laying.cells()[cell as usize].feature)));
+        let colour = match claimed {
+            None => {
+                counts.free += run.count();
+                FREE
             }
-        }
-        counts
-    }
-}
-
-/// Adds the pixels of all faces; the id of a body is that of its face.
-pub(super) fn add(scene: &mut Scene, laying: &Laying, fit: Fit) {
-    for (id, number) in faces(laying) {
-        let (pixel, runs) = runs(laying, id, laying.face_map(id).claims());
-        let mut plates = Plates::new(laying.building().face(id), fit);
-        for run in &runs {
-            let colour = run.claim.map_or(FREE, |cell| {
-                let feature = laying.cells()[cell as usize].feature;
-                toned(FEATURES[type_of(feature)], TONE, cell)
-            });
-            let line = DVec2::splat(LINE * pixel);
-            if let Some(place) = Footprint::rectangle(run.low + line, run.high - line) {
-                plates.add(&place, HEIGHT, colour);
+            Some((cell, of)) => {
+                counts.by[of] += run.count();
+                toned(FEATURES[of], TONE, cell)
             }
+        };
+        let line = DVec2::splat(LINE * pixel);
+        if let Some(place) = Footprint::rectangle(run.low + line, run.high - line) {
+            plates.add(&place, HEIGHT, colour);
         }
-        plates.finish(scene, (number, MAP));
     }
+    plates.finish(scene, (number, MAP));
 }
 
 /// The side of a pixel (metres), and the runs of a face's pixels under some claims.
