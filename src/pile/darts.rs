@@ -3,6 +3,7 @@
 use crate::component::FULL_COVER;
 use crate::order::rank;
 use crate::random::{Purpose, Random};
+use crate::trimesh::running_sums::RunningSums;
 use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::DVec3;
@@ -63,10 +64,10 @@ pub struct Darting {
 }
 
 enum Stage {
-    /// The sum of areas up to each triangle.
-    Areas(Vec<f64>),
+    /// The sums of the triangles' areas.
+    Areas(RunningSums),
     Throw {
-        sums: Vec<f64>,
+        sums: RunningSums,
         left: usize,
         /// Points that wait for their turn in scan order.
         points: Vec<SurfacePoint>,
@@ -106,7 +107,7 @@ impl Darting {
     /// Begins to throw darts that are at least `spacing` apart. `kind` is the number of the type: each type has its own
     /// random numbers. `in_scan_order` takes points row by row, and the rows show (section 4.2).
     pub fn new(mesh: &TriMesh, spacing: f64, kind: u32, seed: u64, in_scan_order: bool) -> Self {
-        let stage = Stage::Areas(Vec::with_capacity(mesh.triangles().len()));
+        let stage = Stage::Areas(RunningSums::with_capacity(mesh.triangles().len()));
         let random = Random::new(
             seed,
             Purpose::Dart,
@@ -139,17 +140,17 @@ impl Darting {
         &self.accepted.points
     }
 
-    fn areas(&mut self, mesh: &TriMesh, mut sums: Vec<f64>, amount: usize) -> Stage {
+    fn areas(&mut self, mesh: &TriMesh, mut sums: RunningSums, amount: usize) -> Stage {
         let all = mesh.triangles().len();
         let end = all.min(sums.len() + amount.max(1));
         for t in sums.len()..end {
-            let before = sums.last().copied().unwrap_or(0.0);
-            sums.push(before + mesh.area_of(t as u32));
+            sums.push(mesh.area_of(t as u32));
         }
         if end < all {
             return Stage::Areas(sums);
         }
-        let area = sums[all - 1] / (self.spacing * self.spacing);
+        sums.index();
+        let area = sums.total() / (self.spacing * self.spacing);
         let share = if self.in_scan_order { SCANNED } else { THROWN };
         let left = (share * area).ceil() as usize;
         Stage::Throw {
@@ -162,7 +163,7 @@ impl Darting {
     fn throw(
         &mut self,
         mesh: &TriMesh,
-        (sums, left, mut points): (Vec<f64>, usize, Vec<SurfacePoint>),
+        (sums, left, mut points): (RunningSums, usize, Vec<SurfacePoint>),
         amount: usize,
     ) -> Stage {
         let now = left.min(amount.max(1));
@@ -232,11 +233,8 @@ pub(super) fn scan_key(at: DVec3, spacing: f64) -> (u64, u64) {
 }
 
 /// A point of the surface, uniform by area.
-pub(super) fn anywhere(mesh: &TriMesh, sums: &[f64], random: &mut Random) -> SurfacePoint {
-    let share = random.unit() * sums[sums.len() - 1];
-    let triangle = sums
-        .partition_point(|&sum| sum <= share)
-        .min(sums.len() - 1);
+pub(super) fn anywhere(mesh: &TriMesh, sums: &RunningSums, random: &mut Random) -> SurfacePoint {
+    let triangle = sums.item(random.unit() * sums.total());
     SurfacePoint::new(mesh, triangle as u32, WHOLE.draw(random))
 }
 

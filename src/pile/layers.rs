@@ -2,6 +2,7 @@
 
 use super::darts::{Dart, anywhere};
 use crate::random::{Purpose, Random};
+use crate::trimesh::running_sums::RunningSums;
 use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{Search, TriMesh};
 
@@ -21,7 +22,7 @@ pub struct LayerDarting {
     depth: f64,
     spacing: f64,
     random: Random,
-    sums: Vec<f64>,
+    sums: RunningSums,
     left: usize,
     darts: Vec<Dart>,
     hash: SurfaceHash,
@@ -37,19 +38,14 @@ impl LayerDarting {
         seed: u64,
     ) -> Self {
         let item = 1 << 32 | u64::from(layer) << 16 | u64::from(kind);
-        let mut sum = 0.0;
-        let add = |t| {
-            sum += mesh.area_of(t);
-            sum
-        };
-        let sums: Vec<f64> = (0..mesh.triangles().len() as u32).map(add).collect();
+        let sums = RunningSums::of_areas(mesh);
         Self {
             kind,
             layer,
             depth,
             spacing,
             random: Random::new(seed, Purpose::Dart, item),
-            left: (THROWN * sum / (spacing * spacing)).ceil() as usize,
+            left: (THROWN * sums.total() / (spacing * spacing)).ceil() as usize,
             sums,
             darts: Vec::new(),
             hash: SurfaceHash::new(mesh.bounds(), spacing),

@@ -4,17 +4,13 @@ use super::{
     pierced, same_side,
 };
 use crate::random::{Purpose, Random};
+use crate::trimesh::running_sums::RunningSums;
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::DVec3;
 
 /// Points of the surface, uniform by area.
 fn probes(mesh: &TriMesh, count: usize) -> Vec<SurfacePoint> {
-    let sums: Vec<f64> = (0..mesh.triangles().len() as u32)
-        .scan(0.0, |sum, t| {
-            *sum += mesh.area_of(t);
-            Some(*sum)
-        })
-        .collect();
+    let sums = RunningSums::of_areas(mesh);
     let mut random = Random::new(9, Purpose::Scatter, 0);
     (0..count)
         .map(|_| super::darts::anywhere(mesh, &sums, &mut random))

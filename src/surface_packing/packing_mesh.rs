@@ -2,6 +2,7 @@
 
 use super::walls::SurfaceWalls;
 use crate::packing::packing_domain::MetricSpace;
+use crate::trimesh::running_sums::RunningSums;
 use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{SurfacePoint, Transport, TriMesh, log};
 use glam::{DVec2, DVec3};
@@ -15,7 +16,7 @@ pub struct PackingMesh {
     part: Arc<Vec<u32>>,
     parts: usize,
     /// Running sums of the triangles' areas.
-    areas: Vec<f64>,
+    areas: RunningSums,
     bounds: (DVec3, DVec3),
     pub(super) walls: SurfaceWalls,
 }
@@ -68,14 +69,9 @@ impl PackingMesh {
 
     fn begin(mesh: &Arc<TriMesh>, (part, parts): (Vec<u32>, usize), longest: f64) -> Self {
         let part = Arc::new(part);
-        let mut sum = 0.0;
-        let areas = (0..mesh.triangles().len() as u32).map(|t| {
-            sum += mesh.area_of(t);
-            sum
-        });
         let reach = crate::packing::wall::reach(longest);
         Self {
-            areas: areas.collect(),
+            areas: RunningSums::of_areas(mesh),
             walls: SurfaceWalls::begin(mesh.clone(), part.clone(), reach),
             bounds: mesh.bounds(),
             part,
@@ -102,9 +98,7 @@ impl PackingMesh {
     /// The point whose triangle is reached at `share` of the total area, 0..1, at the place in it that `within`
     /// gives, 0..1 each.
     pub(super) fn point(&self, share: f64, within: DVec2) -> SurfacePoint {
-        let wanted = share * self.mesh.area();
-        let triangle = self.areas.partition_point(|&sum| sum <= wanted);
-        let triangle = triangle.min(self.areas.len() - 1) as u32;
+        let triangle = self.areas.item(share * self.mesh.area()) as u32;
         let root = within.x.sqrt();
         let weights = DVec3::new(1.0 - root, root * (1.0 - within.y), root * within.y);
         SurfacePoint::new(&self.mesh, triangle, weights)

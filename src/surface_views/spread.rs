@@ -5,6 +5,7 @@
 
 use crate::order::lesser;
 use crate::random::{Purpose, Random};
+use crate::trimesh::running_sums::RunningSums;
 use crate::trimesh::spatial_hash::SurfaceHash;
 use crate::trimesh::{SurfacePoint, TriMesh, log};
 use glam::{DVec2, DVec3};
@@ -31,7 +32,7 @@ pub(super) struct Spread {
     /// The distance wanted at each place.
     gaps: Vec<f64>,
     /// Running sums over the triangles: the numbers of places for which they have room.
-    rooms: Vec<f64>,
+    rooms: RunningSums,
     boxes: Option<SurfaceHash>,
     widest: f64,
     dart: usize,
@@ -44,7 +45,7 @@ impl Spread {
         Self {
             places: Vec::new(),
             gaps: Vec::new(),
-            rooms: Vec::new(),
+            rooms: RunningSums::default(),
             boxes: None,
             widest: 0.0,
             dart: 0,
@@ -60,6 +61,7 @@ impl Spread {
             self.weigh(mesh, gap);
         } else if self.boxes.is_none() {
             let step = REACH * self.widest;
+            self.rooms.index();
             self.boxes = Some(SurfaceHash::new(mesh.bounds(), step));
         } else if self.dart < self.darts() {
             self.throw(mesh, gap);
@@ -78,21 +80,19 @@ impl Spread {
     fn weigh(&mut self, mesh: &TriMesh, gap: impl Fn(&SurfacePoint) -> f64) {
         let from = self.rooms.len();
         let to = mesh.triangles().len().min(from + TRIANGLES);
-        let mut sum = self.rooms.last().copied().unwrap_or(0.0);
         for t in from as u32..to as u32 {
             let gap = gap(&SurfacePoint::new(mesh, t, DVec3::splat(1.0 / 3.0)));
             self.widest = self.widest.max(gap);
-            sum += mesh.area_of(t) / (gap * gap);
-            self.rooms.push(sum);
+            self.rooms.push(mesh.area_of(t) / (gap * gap));
         }
     }
 
     fn darts(&self) -> usize {
-        (DARTS * self.rooms.last().copied().unwrap_or(0.0)) as usize
+        (DARTS * self.rooms.total()) as usize
     }
 
     fn throw(&mut self, mesh: &TriMesh, gap: impl Fn(&SurfacePoint) -> f64) {
-        let all = self.rooms.last().copied().unwrap_or(0.0);
+        let all = self.rooms.total();
         let to = self.darts().min(self.dart + THROWN);
         let Some(boxes) = &mut self.boxes else {
             return;
@@ -100,8 +100,7 @@ impl Spread {
         for dart in self.dart..to {
             let mut random = Random::new(0, Purpose::Scatter, dart as u64);
             let [room, u, v] = [(); 3].map(|()| random.unit());
-            let t = self.rooms.partition_point(|&sum| sum <= room * all);
-            let t = t.min(self.rooms.len() - 1) as u32;
+            let t = self.rooms.item(room * all) as u32;
             let root = u.sqrt();
             let weights = DVec3::new(1.0 - root, root * (1.0 - v), root * v);
             let p = SurfacePoint::new(mesh, t, weights);

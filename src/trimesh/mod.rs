@@ -30,6 +30,7 @@ pub(crate) mod polygon;
 pub mod refine;
 pub mod repair;
 mod rings;
+pub(crate) mod running_sums;
 #[cfg(test)]
 pub(crate) mod samples;
 pub(crate) mod search;

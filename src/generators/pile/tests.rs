@@ -11,6 +11,7 @@ use crate::pile_shape::PileShape;
 use crate::random::{Purpose, Random};
 use crate::recipe::Recipe;
 use crate::shapes::Shape;
+use crate::trimesh::running_sums::RunningSums;
 use crate::trimesh::{SurfacePoint, TriMesh};
 use glam::DVec3;
 
@@ -77,16 +78,10 @@ fn there_is_a_row_for_each_number_of_a_pile_shape() {
 
 /// Points of a mesh, uniform by area.
 pub(super) fn points_of(mesh: &TriMesh, count: usize) -> Vec<SurfacePoint> {
-    let mut sum = 0.0;
-    let add = |t| {
-        sum += mesh.area_of(t);
-        sum
-    };
-    let sums: Vec<f64> = (0..mesh.triangles().len() as u32).map(add).collect();
+    let sums = RunningSums::of_areas(mesh);
     let mut random = Random::new(9, Purpose::Scatter, 0);
     let point = |_| {
-        let share = random.unit() * sum;
-        let triangle = sums.partition_point(|&end| end <= share);
+        let triangle = sums.item(random.unit() * sums.total());
         let [a, b] = [random.unit(), random.unit()];
         let [a, b] = if a + b > 1.0 {
             [1.0 - a, 1.0 - b]
@@ -94,7 +89,7 @@ pub(super) fn points_of(mesh: &TriMesh, count: usize) -> Vec<SurfacePoint> {
             [a, b]
         };
         let weights = DVec3::new(a, b, 1.0 - a - b);
-        SurfacePoint::new(mesh, triangle.min(sums.len() - 1) as u32, weights)
+        SurfacePoint::new(mesh, triangle as u32, weights)
     };
     (0..count).map(point).collect()
 }
