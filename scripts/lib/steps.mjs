@@ -24,6 +24,9 @@ const testsInWasm = ['--test', 'properties', '--test', 'hostile'];
  */
 const singleBuild = { CARGO_INCREMENTAL: '0', CARGO_PROFILE_TEST_DEBUG: '0' };
 
+/** The tests under Node that compare many digests or films of the built modules: they take long, and have a step of their own. */
+const ofModules = ['shipped', 'film'].map((name) => `${name}.test.mjs`);
+
 /** @type {Record<string, () => unknown>} */
 export const steps = {
   'cargo fmt': () => run('cargo', ['fmt', '--check'], { env: nativeEnv(), otherwise: 'Run `cargo fmt`.' }),
@@ -34,9 +37,9 @@ export const steps = {
   'wasm build': () => buildModules(forWasm()),
   'page build': buildSite,
   types,
-  'page in Node': () => nodeTests(['viewing', 'painting', 'drawing', 'learn', 'figures', 'circles'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
+  'page in Node': () => nodeTests(inNode((file) => !ofModules.includes(file)), 'Node'),
   lint: () => tool('eslint', 'bin/eslint.js', ['--max-warnings', '0', '.']),
-  'modules as sent': () => nodeTests(['shipped', 'film'].map((name) => join(root, 'tests', 'node', `${name}.test.mjs`)), 'Node'),
+  'modules as sent': () => nodeTests(inNode((file) => ofModules.includes(file)), 'Node'),
   'clippy, wasm32': () => wasmLint(forWasm()),
   'wasm test': () => wasmTest(forWasm()),
   'tests in Chromium': () => browserTests('chromium'),
@@ -155,6 +158,15 @@ async function browserTests(kind) {
   });
   // Three files at a time keep two cores busy, because each of them waits now and then.
   await nodeTests(files, browsers[kind].title, 3);
+}
+
+/**
+ * The files of tests under Node, as the folder has them, so that a new one runs, too.
+ * @param {(file: string) => boolean} wanted
+ */
+function inNode(wanted) {
+  const folder = join(root, 'tests', 'node');
+  return readdirSync(folder).filter((file) => file.endsWith('.test.mjs') && wanted(file)).map((file) => join(folder, file));
 }
 
 /** @param {string[]} files @param {string} where @param {number} [concurrency] files at a time */
