@@ -4,7 +4,7 @@
 //! More of them, from another start: `BUBBLESTONE_RECIPES=2000 BUBBLESTONE_SEED=7 cargo test --release
 //! --test hostile_piles`.
 
-// The tests under Node look at the same code in WebAssembly.
+// Tests in WebAssembly are built without the feature `house`, so they make no piles.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod common;

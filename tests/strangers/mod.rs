@@ -105,7 +105,6 @@ fn assert_finite(studio: &mut Studio) {
     let frame = studio.finish_frame(&order, &mut || 0.0).expect("a frame");
     assert!(frame.depths().iter().all(|depth| depth.is_finite()));
     assert!(frame.normals().iter().all(|normal| normal.is_finite()));
-    #[cfg(not(target_arch = "wasm32"))]
     for (name, text) in studio.engine().data() {
         assert!(!text.contains("NaN") && !text.contains("inf"), "{name}");
     }

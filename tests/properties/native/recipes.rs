@@ -67,7 +67,6 @@ fn defaults_are_those_that_links_rely_on() {
 }
 
 /// A row of the table of all keys.
-#[cfg(not(target_arch = "wasm32"))]
 fn described(row: &Parameter) -> String {
     let words = |row: &Parameter| {
         let words: Vec<String> = row
