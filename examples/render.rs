@@ -28,7 +28,8 @@
 //! ROLE is the key of the parameter that names the file. Without it, the first parameter that waits for a file is used.
 //!
 //! For piles, `--model` gives the component, and `--shape` the shape that bodies are heaped on; bodies.json has all
-//! components, bodies and walls, and bodies.csv a line for each body, for the scatter tools of other programs.
+//! components, bodies and walls, and bodies.csv a line for each body, for the scatter tools of other programs. For
+//! masonry, `--model` gives the building, as OBJ or JSON.
 //!
 //! An outline file with a `size` is drawn in a picture of that size, or scaled to that of the link if the link names
 //! one, as on the page.
