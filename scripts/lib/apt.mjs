@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { ask, run, say, tryRun, which } from './run.mjs';
 
 /** Whether this is Debian itself. Its derivatives ship other packages under the same names. */
-export function isDebian() {
+function isDebian() {
   try {
     return /^ID=debian$/m.test(readFileSync('/etc/os-release', 'utf8')) && Boolean(which('apt-get'));
   } catch {

@@ -11,7 +11,7 @@ export const systemBin = '/usr/bin';
 
 /** The folder of cargo's builds. A folder inside it is kept for WebAssembly, so that two compilers never share one. */
 export const targetDir = process.env.CARGO_TARGET_DIR ?? join(root, 'target');
-export const wasmTargetDir = join(targetDir, 'wasm');
+const wasmTargetDir = join(targetDir, 'wasm');
 
 /** The folder in which `cargo install` puts programs. */
 export const cargoBin = join(process.env.CARGO_HOME ?? join(homedir(), '.cargo'), 'bin');

@@ -40,7 +40,7 @@ interface PairPacing {
 }
 
 /** The times of the slices of the work. */
-export interface Rhythm {
+interface Rhythm {
   /** Milliseconds of work in a slice. */
   readonly budget: number;
   /** Milliseconds of work in a slice until the first picture is finished, which nobody turns or changes yet. */

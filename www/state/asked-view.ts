@@ -107,7 +107,7 @@ export function cameraWords(camera: Camera, home: Camera): string {
 }
 
 /** A plane as words of a link, and of the module's order for a frame. */
-export function cutWords(cut: Cut): string {
+function cutWords(cut: Cut): string {
   return cut.map((value) => Number(value.toFixed(3))).join();
 }
 

@@ -34,7 +34,7 @@ const last = { text: 'B', face: 'serif' as Face, across: ACROSS.first, follows: 
 
 type Values = [key: string, text: string][];
 
-export interface LettersNeeds {
+interface LettersNeeds {
   readonly engine: Engine;
   /**
    * Takes rings, with lengths in sides of the picture, and parameters as one step. Returns the reason of a refusal,

@@ -7,13 +7,13 @@
  */
 
 /** A part of a line that is not broken; `spaced` if a space precedes it within a line. */
-export interface TextPiece {
+interface TextPiece {
   text: string;
   spaced: boolean;
 }
 
 /** The ways to break a line of the given text, the coarsest first. */
-export type Ways = TextPiece[][];
+type Ways = TextPiece[][];
 
 /** Characters that may not begin a line, and those that may not end one. */
 const NO_BEGIN = /^[\p{Pe}\p{Pf}\p{M}、。，．・：；？！,.:;?!%％‰°℃ー々〻ゝゞヽヾぁぃぅぇぉっゃゅょゎゕゖァィゥェォッャュョヮヵヶㇰ-ㇿ…‥～〜'"’”-]/u;

@@ -18,7 +18,7 @@ export const UNIT = WIDTH / 4;
 export const STEP = 0.005;
 const BELOW = 24;
 const ABOVE = [0.02, 0.06, 0.15, 0.3, 0.45];
-export const LEVELS = [...Array.from({ length: BELOW }, (_, k) => (k - BELOW) * STEP), ...ABOVE];
+const LEVELS = [...Array.from({ length: BELOW }, (_, k) => (k - BELOW) * STEP), ...ABOVE];
 
 /** The number of the first band above 0. */
 export const FOOT = BELOW;

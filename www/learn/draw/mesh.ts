@@ -37,7 +37,7 @@ export function dots(points: ReadonlyMap<number, Place>, radius: number): string
 }
 
 /** The triangles of the mesh's elements: the mesh leaves out slivers along the border. */
-export function meshedOf({ faces, triangles }: JoinedCells): Triangle[] {
+function meshedOf({ faces, triangles }: JoinedCells): Triangle[] {
   const key = (ids: readonly number[]): string => [...ids].sort((a, b) => a - b).join(' ');
   const wanted = new Set(faces.map(key));
   return triangles.filter(({ ids }) => wanted.has(key(ids)));

@@ -25,7 +25,7 @@ function viewOf(module: Bubbles, figure: Figure, readings: readonly Reading[], l
 }
 
 /** The trial of the start that the figure opens with, if its end is seen already. */
-export function trialsOf({ trial }: Figure, [reading]: readonly Reading[], step: number): Trial[] {
+function trialsOf({ trial }: Figure, [reading]: readonly Reading[], step: number): Trial[] {
   const own = reading && trial?.(reading, step);
   return own ? [own] : [];
 }

@@ -6,7 +6,7 @@ import { markAt } from '../figures/marks';
 import type { Place } from '../figures/place';
 
 /** A point on a plate that a handle follows; places are in shares of the plate's width and height. */
-export interface Gripped {
+interface Gripped {
   readonly key: string;
   readonly plate: number;
   readonly label: string;

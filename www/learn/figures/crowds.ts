@@ -36,12 +36,6 @@ export function momentOf({ step, rows, pairs, motion }: Crowd, from: number): Mo
   return { step, left: (at(1) - from) / size, w: (at(ROW + 1) - at(1)) / size, speed: at(ROW + 5) - at(5), force: at(ROW + 7), energy: pairs, motion };
 }
 
-/** The step of the first cell that went. */
-export const firstGone = ({ comings }: Trace): number | undefined => comings.find(({ came }) => !came)?.step;
-
-/** The step of the first cell that came. */
-export const firstCame = ({ comings }: Trace): number | undefined => comings.find(({ came }) => came)?.step;
-
 /** The last step of a run, at rest or not. */
 export const lastOf = ({ steps }: Trace): number | undefined => steps.at(-1)?.step;
 
@@ -57,7 +51,5 @@ export const ofAll = (find: (trace: Trace) => number | undefined): Stop['find'] 
   return steps.reduce((latest, step) => (latest === undefined || step === undefined ? undefined : Math.max(latest, step)), 0);
 };
 
-export const GONE: Stop = { key: 'gone', name: { en: 'First one goes', ja: '最初の一つが去る' }, find: ofFirst(firstGone) };
-export const CAME: Stop = { key: 'came', name: { en: 'First one comes', ja: '最初の一つが来る' }, find: ofFirst(firstCame) };
 export const AT_REST: Stop = { key: 'rest', name: { en: 'Rest', ja: '静止' }, find: ofAll(restOf) };
 export const OVER: Stop = { key: 'end', name: { en: 'Last step', ja: '最後' }, find: ofAll(lastOf) };

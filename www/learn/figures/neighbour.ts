@@ -54,7 +54,7 @@ export function reachesEdge(trace: Trace): number | undefined {
 }
 
 /** Two squares that touch along an edge: the ends of that edge, in shares of the picture's side. */
-export type SharedEdge = readonly [x: number, y: number, u: number, v: number];
+type SharedEdge = readonly [x: number, y: number, u: number, v: number];
 
 /** Largest distance of neighbours; largest gap and shift of two that share an edge. All in sizes. */
 const NEIGHBOURS = 1.25;
