@@ -30,3 +30,8 @@ export function row(what: string, note: string, ...ways: HTMLElement[]): HTMLEle
     make('div', { class: 'take-ways' }, ...ways),
   );
 }
+
+/** A number as the page's language writes it. */
+export function shown(count: number): string {
+  return count.toLocaleString(document.documentElement.lang);
+}

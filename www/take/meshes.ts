@@ -2,7 +2,7 @@
 import { t } from '../words/take';
 import { make } from '../base/dom';
 import type { Engine } from '../state/engine';
-import { row, select } from './dialog';
+import { row, select, shown } from './dialog';
 import type { Kind } from './file-name';
 import type { Job } from './files/job.worker';
 
@@ -74,10 +74,6 @@ function joinedBytes(engine: Engine, triangles: number, textured: boolean): numb
   // The ground has a fifth as many triangles as the stones. Its normals and tangents are in the file anyway.
   const ofStones = triangles / 1.2 / 2 + 2 * cells;
   return triangle * triangles + JOINED.textured * cells + vertex * ofStones;
-}
-
-export function shown(count: number): string {
-  return count.toLocaleString(document.documentElement.lang);
 }
 
 /** Rounds to three digits. */

@@ -9,7 +9,7 @@ import { address, embedAddress, valuesIn } from '../state/link';
 import { written } from '../state/asked-view';
 import { joined, PACE, WHOLE, type Viewing } from '../state/viewing';
 import type { Store } from '../state/store';
-import { takeDialog } from './dialog';
+import { shown, takeDialog } from './dialog';
 import { makeFilm, shared, shareFile, sharesFile } from './film';
 import { codecsFor, type Codec, type Shape } from './files/codecs';
 import { nameOf } from './name';
@@ -138,10 +138,6 @@ function holds(engine: Engine, link: string, words: string): string {
   }
   if (words !== '') parts.push(t('holds_view'));
   return t('holds', { n: shown(link.length), what: parts.join(t('and')) });
-}
-
-function shown(count: number): string {
-  return count.toLocaleString(document.documentElement.lang);
 }
 
 async function copied(box: HTMLInputElement | HTMLTextAreaElement, told: HTMLElement, sentence: string): Promise<void> {

@@ -9,7 +9,7 @@ import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
 import { linesOf, loop, onPlate, tinted } from './mesh';
-import { at, line, svg, symbol, text } from './plate';
+import { at, circle, line, svg, symbol, text, unit } from './plate';
 
 /** The radius of an angle's sector, and how far beyond the corner its number stands. */
 const SECTOR = 40;
@@ -47,17 +47,14 @@ function node(id: number, [x, y]: Place, near: Place | undefined): string {
   return `<circle class="numbered" cx="${at(x)}" cy="${at(y)}" r="${near ? DOT : NODE}"/>${name}`;
 }
 
-function circle(centre: Place, radius: number, kind: string): string {
-  const [x, y] = onPlate(centre);
-  return `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius * SIDE)}"/>`;
-}
+const around = (centre: Place, radius: number, kind: string): string => circle(onPlate(centre), radius * SIDE, kind);
 
 const edges = ({ points, triangles }: JoinedCells): string => linesOf(points, triangles.map(({ ids }) => ids), 'mesh-edge');
 
 function smallest(joined: JoinedCells): string {
   const worst = worstOf(joined);
   const filled = tinted(joined, joined.triangles);
-  return `${filled}${edges(joined)}${worst ? `${circle(worst.centre, worst.radius, 'empty-circle')}${outlined(joined, worst)}` : ''}`;
+  return `${filled}${edges(joined)}${worst ? `${around(worst.centre, worst.radius, 'empty-circle')}${outlined(joined, worst)}` : ''}`;
 }
 
 const outlined = ({ points }: JoinedCells, { ids }: Triangle): string => `<path class="looked-at" d="${loop(ids.map((id) => placeOf(points, id)))}"/>`;
@@ -68,7 +65,7 @@ function looked(joined: JoinedCells, to: Place, flip: Flip | undefined): string 
   const triangle = triangleAt(joined, edge, to);
   const both = joined.triangles.filter(({ ids }) => edge.ends.every((id) => ids.includes(id)));
   const filled = both.map(({ ids }) => `<path class="beside-edge" d="${loop(ids.map((id) => placeOf(joined.points, id)))}"/>`).join('');
-  const round = triangle && !flip ? circle(triangle.centre, triangle.radius, 'empty-circle') : '';
+  const round = triangle && !flip ? around(triangle.centre, triangle.radius, 'empty-circle') : '';
   const [a, b] = edge.ends.map((id) => onPlate(placeOf(joined.points, id)));
   const own = a && b ? line(a, b, 'own-edge') : '';
   const sectors = edge.facing.map(({ id, angle }, k) => sector(joined, edge, id, angle, k ? 'beta' : 'alpha')).join('');
@@ -78,8 +75,8 @@ function looked(joined: JoinedCells, to: Place, flip: Flip | undefined): string 
 /** The moment of a flip: the circle through all four corners, and the edge that went. */
 function moment({ centre, radius, before, points }: Flip): string {
   const [a, b] = before.ends.map((id) => onPlate(placeOf(points, id)));
-  const four = [...before.ends, ...acrossOf(before)].map((id) => circle(placeOf(points, id), (NODE + 4) / SIDE, 'of-four')).join('');
-  return `${circle(centre, radius, 'empty-circle of-flip')}${a && b ? line(a, b, 'gone-edge') : ''}${four}`;
+  const four = [...before.ends, ...acrossOf(before)].map((id) => around(placeOf(points, id), (NODE + 4) / SIDE, 'of-four')).join('');
+  return `${around(centre, radius, 'empty-circle of-flip')}${a && b ? line(a, b, 'gone-edge') : ''}${four}`;
 }
 
 /** The angle at a corner that faces an edge, with its number. */
@@ -100,12 +97,6 @@ function outside([cx, cy]: Place, [mx, my]: Place): readonly [x: number, y: numb
   const hasRoom = x - (EDGE * (1 - side)) / 2 > 0 && x + (EDGE * (1 + side)) / 2 < SIDE;
   if (hasRoom) return [x, Math.max(16, Math.min(SIDE - 6, y)), side ? (side > 0 ? 'start' : 'end') : 'middle'];
   return [Math.max(4, Math.min(SIDE - 4, cx)), cy + (cy > SIDE / 2 ? -18 : 28), cx < SIDE / 2 ? 'start' : 'end'];
-}
-
-/** The unit vector from a place to another. */
-export function unit([x, y]: Place, [u, v]: Place): Place {
-  const far = Math.hypot(u - x, v - y) || 1;
-  return [(u - x) / far, (v - y) / far];
 }
 
 /** The unit vector halfway between two others. */

@@ -7,9 +7,9 @@ import { LARGEST, placeOf, smallestOf, worstOf, type JoinedCells, type Triangle 
 import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
-import { middleOf, sectorPath, unit } from './delaunay';
+import { middleOf, sectorPath } from './delaunay';
 import { tintOf } from './mesh';
-import { at, line, svg, symbol, text, WIDTH } from './plate';
+import { at, line, svg, symbol, text, unit, WIDTH } from './plate';
 
 const MIDDLE: Place = [WIDTH / 2, 156];
 const RADIUS = 128;

@@ -3,7 +3,7 @@ import { crowdAt, nearestTo, packedOf } from '../figures/crowds';
 import type { NearCell, PackedCell, Plate, View } from '../figures/figure';
 import type { Vector } from '../figures/place';
 import { number } from '../figures/words';
-import { arrowTo, at, path, svg, text, WIDTH } from './plate';
+import { arrowTo, circle, path, svg, text, WIDTH } from './plate';
 
 const MIDDLE = WIDTH / 2;
 
@@ -26,7 +26,7 @@ export function lens(view: View, { packing, title }: Plate): string {
   if (!trace || !now || !own) return svg(WIDTH, said, '');
   const near = trace.neighbours(now.step, own.id);
   const to = placeBy(own);
-  const circles = cells.map((cell) => circle(to(cell.x, cell.y), (cell.size / own.size) * RADIUS, kindOf(cell, own, near))).join('');
+  const circles = cells.map((cell) => seen(to(cell.x, cell.y), (cell.size / own.size) * RADIUS, kindOf(cell, own, near))).join('');
   const walls = trace.outline.map((ring) => path(corners(ring, to), 'outline')).join('');
   return svg(WIDTH, `${title ? `${title[view.language]}. ` : ''}${said}`, `${walls}${circles}${arrows(own, near)}${distances(cells, near, to)}`);
 }
@@ -39,8 +39,9 @@ function placeBy({ x, y, size }: PackedCell): (x: number, y: number) => Vector {
 
 const kindOf = (cell: PackedCell, own: PackedCell, near: readonly NearCell[]): string => (cell === own ? 'bubble own' : near.some(({ id, w }) => id === cell.id && w < 1.5) ? 'bubble' : 'bubble faint');
 
-function circle([x, y]: Vector, radius: number, kind: string): string {
-  return Math.max(Math.abs(x - MIDDLE), Math.abs(y - MIDDLE)) > MIDDLE + radius ? '' : `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius)}"/>`;
+/** A circle, unless it lies beside the plate. */
+function seen([x, y]: Vector, radius: number, kind: string): string {
+  return Math.max(Math.abs(x - MIDDLE), Math.abs(y - MIDDLE)) > MIDDLE + radius ? '' : circle([x, y], radius, kind);
 }
 
 function corners(ring: readonly number[], to: (x: number, y: number) => Vector): Vector[] {

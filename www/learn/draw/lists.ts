@@ -1,5 +1,6 @@
 /** Points in the lists of a recipe: rows of given bubbles are x, y, held; the outline is one row of its corners. */
 import type { PlaceList, PointList } from '../figures/figure';
+import { inRows } from './rows';
 
 interface Rows {
   readonly numbers: Float64Array;
@@ -16,8 +17,7 @@ const DIGITS = 9;
 
 /** The points with all their numbers. */
 export function rowsOf({ numbers }: Rows, list: PlaceList): number[][] {
-  const width = WIDTHS[list];
-  return Array.from({ length: numbers.length / width }, (_, k) => Array.from(numbers.subarray(k * width, (k + 1) * width)));
+  return inRows(numbers, WIDTHS[list]);
 }
 
 export function pointsIn(rows: Rows, list: PlaceList): (readonly [number, number])[] {

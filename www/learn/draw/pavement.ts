@@ -1,7 +1,7 @@
 /** A pavement taken apart: stones, the cells that they fill, the bubbles that the cells are made of, and two of these. */
 import type { Cell, View } from '../figures/figure';
 import { number } from '../figures/words';
-import { arrow, at, pick, PULL, PUSH, svg, symbol, text, WIDTH } from './plate';
+import { arrow, at, circle, pick, PULL, PUSH, svg, symbol, text, WIDTH } from './plate';
 
 const SIDE = WIDTH - 16;
 const OFF = 8;
@@ -36,7 +36,7 @@ function one(cell: Cell, form: Form, pair: readonly Cell[]): string {
   if (form === 'stones') return stone(cell);
   if (form === 'cells') return `<path class="cell" d="${edges(cell, 1)}"/>`;
   const kind = form === 'two' && !pair.includes(cell) ? 'bubble faint' : 'bubble';
-  return circle(place(cell.x), place(cell.y), cell.radius * SIDE, kind);
+  return circle([place(cell.x), place(cell.y)], cell.radius * SIDE, kind);
 }
 
 /** A stone: its cell, shrunk and rounded, with a lit edge. */
@@ -64,10 +64,6 @@ function rounded(cell: Cell, share: number): string {
   return `${parts.join('')}z`;
 }
 
-function circle(x: number, y: number, radius: number, kind: string): string {
-  return `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius)}"/>`;
-}
-
 /** The cell nearest to the middle of the right quarter, and its nearest neighbour there. */
 function pairOf(cells: readonly Cell[]): readonly Cell[] {
   const far = (cell: Cell, x: number, y: number): number => Math.hypot(cell.x - x, cell.y - y);
@@ -86,8 +82,8 @@ function large({ curve, language }: View, [one, other]: readonly Cell[]): string
   const middle = WIDTH / 2;
   const [left, right] = [middle - LARGE * w, middle + LARGE * w];
   const kind = force > 0 ? 'push' : 'pull';
-  const rings = [left, right].map((x) => circle(x, middle, LARGE, 'bubble') + circle(x, middle, 4, 'centre')).join('');
-  const backs = [left, right].map((x) => circle(x, middle, LARGE + 10, 'back')).join('');
+  const rings = [left, right].map((x) => circle([x, middle], LARGE, 'bubble') + circle([x, middle], 4, 'centre')).join('');
+  const backs = [left, right].map((x) => circle([x, middle], LARGE + 10, 'back')).join('');
   const words = `${symbol('w', 'w')} = ${number(w, 3)}: ${pick(force > 0 ? PUSH : PULL, language)}`;
   const back = `<rect class="back" x="${at(middle - 70)}" y="${at(middle - LARGE - 40)}" width="140" height="26" rx="6"/>`;
   return `${backs}${back}${rings}${arrow(left, middle, -ARROW * Math.sign(force), kind)}${arrow(right, middle, ARROW * Math.sign(force), kind)}${text(middle, middle - LARGE - 22, words, `force-name ${kind}`)}`;

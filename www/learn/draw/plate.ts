@@ -4,6 +4,7 @@
  * has them for light, dark and paper.
  */
 import type { Figure, Language, Moment, Plate, View, Words } from '../figures/figure';
+import type { Place, Vector } from '../figures/place';
 
 export const WIDTH = 400;
 
@@ -33,6 +34,12 @@ export type CurvePoint = View['curve'][number];
 /** A number for an attribute: hundredths are finer than a pixel of any screen. */
 export const at = (value: number): string => String(Math.round(value * 100) / 100);
 
+/** The unit vector from a place to another. */
+export function unit([x, y]: Place, [u, v]: Place): Vector {
+  const far = Math.hypot(u - x, v - y) || 1;
+  return [(u - x) / far, (v - y) / far];
+}
+
 export function momentOf(view: View, packing: number): Moment | undefined {
   return view.traces[packing]?.moments[view.step];
 }
@@ -50,6 +57,10 @@ export function path(points: readonly (readonly [number, number])[], name: strin
 
 export function text(x: number, y: number, words: string, name = '', anchor = 'middle'): string {
   return `<text x="${at(x)}" y="${at(y)}" text-anchor="${anchor}"${name && ` class="${name}"`}>${words}</text>`;
+}
+
+export function circle([x, y]: Place, radius: number, name: string): string {
+  return `<circle class="${name}" cx="${at(x)}" cy="${at(y)}" r="${at(radius)}"/>`;
 }
 
 /** A symbol, which the page marks together with the same one in equations. */

@@ -68,11 +68,13 @@ function chords(x: number, y: number, r: number): string {
 
 const hatching = ({ x, y, size }: PackedCell): string => chords(x * SIDE, y * SIDE, (size / 2) * SIDE);
 
-function cross(x: number, y: number, arm = ARM): string {
+/** The sign of a cell that goes. */
+export function cross(x: number, y: number, arm = ARM): string {
   return `<path class="sign goes" d="M${at(x - arm)} ${at(y - arm)}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}"/>`;
 }
 
-function plus(x: number, y: number, arm = ARM + 1, kind = ''): string {
+/** The sign of a cell that comes. */
+export function plus(x: number, y: number, arm = ARM + 1, kind = ''): string {
   return `<path class="sign comes${kind}" d="M${at(x - arm)} ${at(y)}h${2 * arm}m${-arm} ${-arm}v${2 * arm}"/>`;
 }
 

@@ -1,6 +1,6 @@
 /** Pieces of the glossary's small pictures. Places are units of 120 x 80. */
 import type { Place } from '../figures/place';
-import { at } from './plate';
+import { at, circle } from './plate';
 import type { Bubbles, Studio } from './studio';
 
 export type Draw = (module: Bubbles) => string;
@@ -8,7 +8,7 @@ export type Draw = (module: Bubbles) => string;
 export const [WIDTH, HEIGHT] = [120, 80];
 export const MIDDLE: Place = [WIDTH / 2, HEIGHT / 2];
 
-export const circle = ([x, y]: Place, radius: number, kind = 'bubble'): string => `<circle class="${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(radius)}"/>`;
+export const bubble = (place: Place, radius: number): string => circle(place, radius, 'bubble');
 /** A circle without its inside. */
 export const ring = ([x, y]: Place, radius: number, kind: string): string => `<path class="${kind}" d="M${at(x - radius)} ${at(y)}a${at(radius)} ${at(radius)} 0 1 0 ${at(2 * radius)} 0a${at(radius)} ${at(radius)} 0 1 0 ${at(-2 * radius)} 0z"/>`;
 export const dot = (place: Place, kind = 'centre', radius = 2.5): string => circle(place, radius, kind);

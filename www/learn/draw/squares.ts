@@ -3,13 +3,13 @@ import { crowdAt, packedOf } from '../figures/crowds';
 import type { PackedCell, Plate, Trace, View } from '../figures/figure';
 import { edgesOf } from '../figures/neighbour';
 import { SIDE } from './crowd';
-import { at, line, svg } from './plate';
+import { at, circle, line, svg } from './plate';
 
 /** Bubbles are drawn in squares that are at least this large, in units of the plate. */
 const LARGE = 60;
 
 /** The radius is half a size times `factor`; the factor of the central bubble is 1. */
-const circle = (x: number, y: number, size: number, factor: number, kind: string): string => `<circle class="${kind}" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="${at((size / 2) * factor * SIDE)}"/>`;
+const ring = (x: number, y: number, size: number, factor: number, kind: string): string => circle([x * SIDE, y * SIDE], (size / 2) * factor * SIDE, kind);
 
 export function squares(view: View, { packing, title }: Plate): string {
   const trace = view.traces[packing];
@@ -30,6 +30,6 @@ export function square({ x, y, size }: PackedCell, kind: string): string {
 /** The central bubble, and those of the corners if they have a weight. */
 export function bubblesOf({ x, y, size }: PackedCell, trace: Trace): string {
   const [weight, radius] = [Number(trace.value('cw')), Number(trace.value('cr'))];
-  const corners = [-0.5, 0.5].flatMap((dx) => [-0.5, 0.5].map((dy) => circle(x + dx * size, y + dy * size, size, radius, 'corner-bubble')));
-  return `${circle(x, y, size, 1, 'central-bubble')}${weight > 0 ? corners.join('') : ''}`;
+  const corners = [-0.5, 0.5].flatMap((dx) => [-0.5, 0.5].map((dy) => ring(x + dx * size, y + dy * size, size, radius, 'corner-bubble')));
+  return `${ring(x, y, size, 1, 'central-bubble')}${weight > 0 ? corners.join('') : ''}`;
 }

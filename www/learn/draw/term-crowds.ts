@@ -4,8 +4,9 @@ import type { Place } from '../figures/place';
 import { inside, regions, simplified } from './contours';
 import { FINE, HALF } from './ground';
 import { Survey } from './landscape';
-import { arrowTo, at, line, path } from './plate';
-import { asked, circle, dot, HEIGHT, MIDDLE, square, WIDTH, type Draw } from './small';
+import { arrowTo, at, circle, line, path } from './plate';
+import { cross, plus } from './population';
+import { asked, bubble, dot, HEIGHT, MIDDLE, square, WIDTH, type Draw } from './small';
 import type { Bubbles, Studio } from './studio';
 
 /** The numbers of a cell in `packedCells`. */
@@ -13,9 +14,6 @@ const ROW = 11;
 
 /** The papers' weight and radius of the corner bubbles. */
 const PAPERS = String(Math.SQRT2 - 1);
-
-const plus = ([x, y]: Place, arm: number): string => `<path class="sign comes" d="M${at(x - arm)} ${at(y)}h${2 * arm}M${at(x)} ${at(y - arm)}v${2 * arm}"/>`;
-const cross = ([x, y]: Place, arm: number): string => `<path class="sign goes" d="M${at(x - arm)} ${at(y - arm)}l${2 * arm} ${2 * arm}m0 ${-2 * arm}l${-2 * arm} ${2 * arm}"/>`;
 
 /** Six places around the middle, at a distance. */
 const around = (far: number): Place[] => Array.from({ length: 6 }, (_, k) => [MIDDLE[0] + far * Math.cos((k * Math.PI) / 3), MIDDLE[1] + far * Math.sin((k * Math.PI) / 3)]);
@@ -27,7 +25,7 @@ const start: Draw = (module) =>
   asked(module, `${CROWD}&start=random&count=12&pop=off`, 1, (studio) => {
     const [cells, scale] = [studio.packedCells(), HEIGHT / studio.side()];
     const places = Array.from({ length: cells.length / ROW }, (_, k): Place => [20 + (cells[k * ROW + 1] ?? 0) * scale, (cells[k * ROW + 2] ?? 0) * scale]);
-    return places.map((place) => `${circle(place, 20 * scale)}${dot(place, 'centre', 1.5)}`).join('');
+    return places.map((place) => `${bubble(place, 20 * scale)}${dot(place, 'centre', 1.5)}`).join('');
   }).join('');
 
 /** The curve of a number over the steps; its height goes from `low` to `high`. */
@@ -50,7 +48,7 @@ const netForce: Draw = (module) => {
     const near = studio.neighbours(cells[0] ?? 0);
     const arrows = [2, 6].map((k) => arrowTo(own, [(near[k] ?? 0) * longest, (near[k + 1] ?? 0) * longest], (near[k - 1] ?? 0) < 1 ? 'push' : 'pull'));
     const whole = arrowTo(own, [(cells[7] ?? 0) * longest, (cells[8] ?? 0) * longest], 'sum');
-    return `${places.map((place) => circle(place, 32 * scale)).join('')}${arrows.join('')}${whole}`;
+    return `${places.map((place) => bubble(place, 32 * scale)).join('')}${arrows.join('')}${whole}`;
   }).join('');
 };
 
@@ -64,9 +62,9 @@ const valleys: Draw = ({ bubbleCurve }) => {
   return `${path(points, 'curve')}${dot([x, y - 4], 'here', 4)}`;
 };
 
-const neighbours: Draw = () => `${around(24).map((place) => circle(place, 12)).join('')}${circle(MIDDLE, 12, 'bubble own')}${dot(MIDDLE)}`;
-const wall: Draw = () => `${line([34, 4], [34, HEIGHT - 4], 'outline')}${circle([48, 40], 20)}${dot([48, 40])}${arrowTo([48, 40], [44, 0], 'wall')}`;
-const round: Draw = () => `${circle([30, 40], 16)}${circle([90, 40], 16)}<path class="curve" d="M34 18Q60 0 84 18M86 62Q60 80 36 62"/>${arrowTo([78, 13], [8, 6], 'sum')}${arrowTo([42, 67], [-8, -6], 'sum')}`;
+const neighbours: Draw = () => `${around(24).map((place) => bubble(place, 12)).join('')}${circle(MIDDLE, 12, 'bubble own')}${dot(MIDDLE)}`;
+const wall: Draw = () => `${line([34, 4], [34, HEIGHT - 4], 'outline')}${bubble([48, 40], 20)}${dot([48, 40])}${arrowTo([48, 40], [44, 0], 'wall')}`;
+const round: Draw = () => `${bubble([30, 40], 16)}${bubble([90, 40], 16)}<path class="curve" d="M34 18Q60 0 84 18M86 62Q60 80 36 62"/>${arrowTo([78, 13], [8, 6], 'sum')}${arrowTo([42, 67], [-8, -6], 'sum')}`;
 
 /** Half a side of the square in pictures of corner bubbles. */
 const HALF_SIDE = 20;
@@ -125,11 +123,11 @@ const heights = (walk: readonly Place[], weights: readonly string[], over = ''):
   return `${SEA}${all.map((one, k) => (one ? path(section(one, walk), k === all.length - 1 ? 'curve' : 'guide') : '')).join('')}${over}`;
 };
 
-const crowded: Draw = () => `${circle([48, 40], 22, 'bubble crowded')}${circle([72, 40], 22, 'bubble')}${dot([48, 40])}${dot([72, 40])}${cross([48, 40], 6)}`;
-const empty: Draw = () => `${around(24).map((place) => circle(place, 12)).join('')}${circle(MIDDLE, 12, 'empty')}${plus(MIDDLE, 5)}`;
+const crowded: Draw = () => `${circle([48, 40], 22, 'bubble crowded')}${bubble([72, 40], 22)}${dot([48, 40])}${dot([72, 40])}${cross(48, 40, 6)}`;
+const empty: Draw = () => `${around(24).map((place) => bubble(place, 12)).join('')}${circle(MIDDLE, 12, 'empty')}${plus(...MIDDLE, 5)}`;
 const nearest: Draw = () => {
   const others: Place[] = [[30, 22], [88, 24], [82, 66]];
-  return `${others.map((place) => circle(place, 13)).join('')}${circle(MIDDLE, 13, 'bubble own')}${others.map((place) => line(MIDDLE, place, 'link')).join('')}${line(MIDDLE, others[0] ?? MIDDLE, 'measure')}${dot(MIDDLE)}`;
+  return `${others.map((place) => bubble(place, 13)).join('')}${circle(MIDDLE, 13, 'bubble own')}${others.map((place) => line(MIDDLE, place, 'link')).join('')}${line(MIDDLE, others[0] ?? MIDDLE, 'measure')}${dot(MIDDLE)}`;
 };
 const threshold: Draw = () => `${line([8, 52], [112, 52], 'axis')}${line([50, 20], [50, 62], 'measure')}${[20, 36, 64, 76, 84, 96].map((x) => dot([x, 52], x < 50 ? 'bubble crowded' : 'bubble', 5)).join('')}`;
 
@@ -140,7 +138,7 @@ function quarters([x, y]: Place, side: number, depth: number): string {
   const half = side / 2;
   return [0, half].flatMap((i) => [0, half].map((j) => quarters([x + i, y + j], half, depth - 1))).join('');
 }
-const honeycomb: Draw = () => `${around(24).map((place) => circle(place, 12)).join('')}${circle(MIDDLE, 12)}<path class="curve" d="M${around(13.9).map(([x, y]) => `${at(MIDDLE[0] + (y - MIDDLE[1]))} ${at(MIDDLE[1] + (x - MIDDLE[0]))}`).join('L')}z"/>`;
+const honeycomb: Draw = () => `${around(24).map((place) => bubble(place, 12)).join('')}${bubble(MIDDLE, 12)}<path class="curve" d="M${around(13.9).map(([x, y]) => `${at(MIDDLE[0] + (y - MIDDLE[1]))} ${at(MIDDLE[1] + (x - MIDDLE[0]))}`).join('L')}z"/>`;
 
 export const CROWD_TERMS: Readonly<Record<string, Draw>> = {
   neighbour: neighbours,

@@ -1,7 +1,8 @@
 /** The small pictures of the terms of meshes, by the module's triangles and cells. Places are units of 120 x 80. */
 import type { Place } from '../figures/place';
-import { at, line } from './plate';
-import { asked, circle, closed, dot, HEIGHT, listed, MIDDLE, placed, ring, WIDTH, type Draw } from './small';
+import { at, circle, line } from './plate';
+import { inRows, polygonsIn } from './rows';
+import { asked, closed, dot, HEIGHT, listed, MIDDLE, placed, ring, WIDTH, type Draw } from './small';
 import type { Bubbles, Studio } from './studio';
 
 /** A recipe with points of a picture as its cells. */
@@ -15,8 +16,6 @@ interface Joined {
   readonly angles: Float64Array;
 }
 
-const rowsOf = (numbers: Float64Array, length: number): number[][] => Array.from({ length: numbers.length / length }, (_, k) => [...numbers.subarray(k * length, (k + 1) * length)]);
-
 function joinedOf(module: Bubbles, recipe: string): Joined {
   const [joined] = asked(module, recipe, 1, (studio) => {
     while (!studio.joinCells(100));
@@ -29,24 +28,15 @@ function joinedOf(module: Bubbles, recipe: string): Joined {
 function read(studio: Studio): Joined {
   const side = studio.side();
   const place = (x = 0, y = 0): Place => placed([x / side, y / side]);
-  const points = new Map(rowsOf(studio.joined('points'), 3).map(([id = 0, x, y]) => [id, place(x, y)]));
-  const triangles = rowsOf(studio.joined('triangles'), 10).map(([a = 0, b = 0, c = 0, alpha = 0, beta = 0, gamma = 0, , x, y, radius = 0]) => ({
+  const points = new Map(inRows(studio.joined('points'), 3).map(([id = 0, x, y]) => [id, place(x, y)]));
+  const triangles = inRows(studio.joined('triangles'), 10).map(([a = 0, b = 0, c = 0, alpha = 0, beta = 0, gamma = 0, , x, y, radius = 0]) => ({
     corners: [a, b, c].map((id) => points.get(id) ?? MIDDLE),
     angles: [alpha, beta, gamma],
     centre: place(x, y),
     radius: (radius / side) * WIDTH,
   }));
-  return { points, triangles, cells: cellsIn(studio.joined('cells'), place), angles: studio.joined('angles') };
-}
-
-function cellsIn(numbers: Float64Array, place: (x?: number, y?: number) => Place): Map<number, Place[]> {
-  const cells = new Map<number, Place[]>();
-  for (let k = 0; k < numbers.length; ) {
-    const [id = 0, count = 0] = [numbers[k], numbers[k + 1]];
-    cells.set(id, Array.from({ length: count }, (_, corner) => place(numbers[k + 2 + 2 * corner], numbers[k + 3 + 2 * corner])));
-    k += 2 + 2 * count;
-  }
-  return cells;
+  const cells = new Map(polygonsIn(studio.joined('cells')).map(([id, corners]) => [id, inRows(corners, 2).map(([x, y]) => place(x, y))]));
+  return { points, triangles, cells, angles: studio.joined('angles') };
 }
 
 /** A point in the middle, six around it, and more at the sides. */

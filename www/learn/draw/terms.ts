@@ -1,7 +1,7 @@
 /** The small pictures of the glossary: pairs, curves and tracks by the same numbers as the figures. */
 import { way } from '../figures/words';
 import type { Moment } from '../figures/figure';
-import { arrow, at, line, path } from './plate';
+import { arrow, circle, line, path } from './plate';
 import { shownOf } from './chapters';
 import { curveOf } from './picture';
 import { Reading } from './reading';
@@ -19,13 +19,13 @@ const [UNIT, ALONG] = [36, 48];
 /** The force and the potential as curves: their column, the height of 1, and that of the axis. */
 const CURVES = { force: [1, 40, 52], potential: [2, 90, 58] } as const;
 
-const circle = (x: number, radius = UNIT / 2): string => `<circle class="bubble" cx="${at(x)}" cy="${MIDDLE}" r="${at(radius)}"/>`;
-const centre = (x: number, radius = 3): string => `<circle class="centre" cx="${at(x)}" cy="${MIDDLE}" r="${radius}"/>`;
+const bubble = (x: number, radius = UNIT / 2): string => circle([x, MIDDLE], radius, 'bubble');
+const centre = (x: number, radius = 3): string => circle([x, MIDDLE], radius, 'centre');
 
 /** Two bubbles at a distance, with what is drawn over them. */
 const pair = (w: number, over: (left: number, right: number, module: Bubbles) => string): Draw => (module) => {
   const [left, right] = [-1, 1].map((side) => WIDTH / 2 + (side * w * UNIT) / 2) as [number, number];
-  return `${circle(left)}${circle(right)}${centre(left)}${centre(right)}${over(left, right, module)}`;
+  return `${bubble(left)}${bubble(right)}${centre(left)}${centre(right)}${over(left, right, module)}`;
 };
 
 function measure(left: number, right: number): string {
@@ -54,15 +54,15 @@ const track = (figure: string, values: Readonly<Record<string, string>>, steps: 
   while (!reading.advance(1000));
   const points = reading.moments.map(placed(steps));
   reading.free();
-  const dots = steps > 20 ? '' : points.map(([x, y]) => `<circle class="centre" cx="${at(x)}" cy="${at(y)}" r="2"/>`).join('');
+  const dots = steps > 20 ? '' : points.map((point) => circle(point, 2, 'centre')).join('');
   return `${line([8, MIDDLE], [WIDTH - 6, MIDDLE], 'axis')}${path(points, 'curve')}${dots}`;
 };
 
 const placed = (steps: number) => ({ step, w }: Moment): readonly [number, number] => [8 + (step * (WIDTH - 14)) / steps, Math.max(4, Math.min(HEIGHT - 4, MIDDLE - (w - 1) * 110))];
 
-const moved: Draw = () => `${circle(44)}${centre(44)}${arrow(44, MIDDLE, 56, 'push')}`;
-const heavy: Draw = () => `${circle(WIDTH / 2, 28)}${centre(WIDTH / 2, 11)}`;
-const alone: Draw = () => `${circle(WIDTH / 2, 28)}${centre(WIDTH / 2)}`;
+const moved: Draw = () => `${bubble(44)}${centre(44)}${arrow(44, MIDDLE, 56, 'push')}`;
+const heavy: Draw = () => `${bubble(WIDTH / 2, 28)}${centre(WIDTH / 2, 11)}`;
+const alone: Draw = () => `${bubble(WIDTH / 2, 28)}${centre(WIDTH / 2)}`;
 
 const DRAWN: Readonly<Record<string, Draw>> = {
   bubble: alone,

@@ -4,7 +4,7 @@ import type { Plate, Trace, View } from '../figures/figure';
 import { number } from '../figures/words';
 import { outlineOf, SIDE } from './crowd';
 import { over } from './ground';
-import { arrowTo, at, path, svg, text } from './plate';
+import { arrowTo, at, circle, path, svg, text } from './plate';
 import { cornersOf, crosses, inOutline, onto, strokesOf } from './ways';
 
 /** Half the size of a cross in the field, of a past one on the walk, and of the present one. */
@@ -19,15 +19,15 @@ export function walk(view: View, { packing, ground: name = '' }: Plate): string 
   if (!trace) return svg(SIDE, '', '');
   const said = view.language === 'ja' ? '輪郭の中の向きの場と、一周する道筋' : 'The directions in an outline, and a walk';
   const ground = `${inOutline(trace, name, crosses(trace.directions.field, SMALL))}${outlineOf(trace)}${cornersOf(trace)}`;
-  return `${svg(SIDE, said, ground)}${over(`${singular(trace, view)}${circle(view, trace)}`)}`;
+  return `${svg(SIDE, said, ground)}${over(`${singular(trace, view)}${walked(view, trace)}`)}`;
 }
 
 /** The circle of the walk, and the part that has been walked, with its crosses. */
-function circle(view: View, trace: Trace): string {
+function walked(view: View, trace: Trace): string {
   const [x = 0, y = 0, radius = 0] = view.at;
   const way = trace.directions.walk(view.at);
   const now = way[view.step];
-  const ring = `<circle class="round${now ? '' : ' broken'}" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="${at(radius * SIDE)}"/>`;
+  const ring = circle([x * SIDE, y * SIDE], radius * SIDE, `round${now ? '' : ' broken'}`);
   if (!now) return ring;
   const gone = way.slice(0, view.step + 1);
   const stride = (2 * Math.PI * radius * SIDE) / STEPS;

@@ -3,7 +3,7 @@ import { degreesOf, type Direction } from '../figures/directions';
 import type { Trace } from '../figures/figure';
 import type { Place } from '../figures/place';
 import { ringPath, SIDE } from './crowd';
-import { at, symbol, text } from './plate';
+import { at, symbol, text, unit } from './plate';
 
 /** The point of the plate that a place of the picture has. */
 export type Onto = (place: Place) => Place;
@@ -55,12 +55,6 @@ function cornerAt(ring: readonly number[], k: number): string {
   const [x, y] = onto(here);
   const [far, size] = [10, 10];
   return `<path class="corner" data-symbol="corners" d="M${at(x + far * a[0])} ${at(y + far * a[1])}l${at(size * b[0])} ${at(size * b[1])}l${at(-size * a[0])} ${at(-size * a[1])}"/>`;
-}
-
-function unit(from: Place, to: Place): Place {
-  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-  const length = Math.hypot(dx, dy) || 1;
-  return [dx / length, dy / length];
 }
 
 /** A symbol with a subscript. */
