@@ -3,7 +3,7 @@ import type { AngleRow, Plate, View } from '../figures/figure';
 import { LARGEST, type JoinedCells } from '../figures/joined';
 import { number } from '../figures/words';
 import { tintOf } from './mesh';
-import { at, line, svg, symbol, text, WIDTH } from './plate';
+import { at, circle, line, svg, symbol, text, WIDTH } from './plate';
 
 const [LEFT, RIGHT, TOP, ROW, TALL] = [80, WIDTH - 18, 16, 61, 38];
 
@@ -54,5 +54,5 @@ function rowOf(view: View, { name, letter }: AngleRow, row: number, { counts, me
 /** The reader's mark; one that was not set stands at 0. */
 function mark(letter: string, row: number, angle: number): string {
   const [x, y] = flagAt(row, angle);
-  return `<g class="mark">${line([x, floorOf(row)], [x, y], 'pole')}<circle class="flag" cx="${at(x)}" cy="${at(y)}" r="8"/>${text(x, y + 4, letter, 'flag-letter')}</g>`;
+  return `<g class="mark">${line([x, floorOf(row)], [x, y], 'pole')}${circle([x, y], 8, 'flag')}${text(x, y + 4, letter, 'flag-letter')}</g>`;
 }

@@ -1,7 +1,7 @@
 /** Two bubbles with their forces as arrows and the distance between their centres. */
 import { number, way } from '../figures/words';
 import type { Trace, View } from '../figures/figure';
-import { arrow, at, line, momentOf, pick, PULL, PUSH, stiffnessOf, symbol, text, UNIT, WIDTH, X } from './plate';
+import { arrow, at, circle, line, momentOf, pick, PULL, PUSH, stiffnessOf, symbol, text, UNIT, WIDTH, X } from './plate';
 
 /** The height of the centres. */
 export const MIDDLE = 96;
@@ -34,12 +34,12 @@ export function bubbles(view: View, packing: number): string {
 const isHeld = (trace: Trace): boolean => trace.value('held') === '1';
 
 function bubble(x: number, held: boolean): string {
-  return `<circle class="bubble${held ? ' held' : ''}" cx="${at(x)}" cy="${MIDDLE}" r="${UNIT / 2}"/>`;
+  return circle([x, MIDDLE], UNIT / 2, `bubble${held ? ' held' : ''}`);
 }
 
 /** A held bubble has a nail, a free one a ring. */
 function centre(x: number, held: boolean): string {
-  if (!held) return `<circle class="centre" cx="${at(x)}" cy="${MIDDLE}" r="4"/>`;
+  if (!held) return circle([x, MIDDLE], 4, 'centre');
   return `<path class="nail" d="M${at(x - 5)} ${MIDDLE - 5}l10 10m0 -10l-10 10"/>`;
 }
 

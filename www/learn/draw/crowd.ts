@@ -1,7 +1,7 @@
 /** The cells of a packing in their outline, with the net force on each. */
 import { crowdAt, nearestTo, packedOf } from '../figures/crowds';
 import type { PackedCell, Plate, Trace, View } from '../figures/figure';
-import { arrowTo, at, svg, WIDTH } from './plate';
+import { arrowTo, at, circle, svg, WIDTH } from './plate';
 
 /** The side of the picture on the plate. */
 export const SIDE = WIDTH;
@@ -40,7 +40,7 @@ export function ringPath(points: readonly number[]): string {
 /** A cell as a circle, or by its outline if it has corners. */
 export function cellShape({ x, y, size }: PackedCell, outline: readonly number[] | undefined, kind: string): string {
   if (outline) return `<path class="${kind}" d="${ringPath(outline)}"/>`;
-  return `<circle class="${kind}" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="${at((size / 2) * SIDE)}"/>`;
+  return circle([x * SIDE, y * SIDE], (size / 2) * SIDE, kind);
 }
 
 /** The arrow of the net force on a cell, from its centre; '' if it is too short to see. */

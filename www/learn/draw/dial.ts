@@ -2,7 +2,7 @@
 import type { Hand, Plate, View } from '../figures/figure';
 import type { Place } from '../figures/place';
 import { number } from '../figures/words';
-import { arrowTo, line, path, svg, text, WIDTH } from './plate';
+import { arrowTo, circle, line, path, svg, text, WIDTH } from './plate';
 
 const [MIDDLE, CENTRE, RADIUS] = [WIDTH / 2, 178, 128];
 
@@ -21,7 +21,7 @@ export function dial(view: View, { hands, title }: Plate): string {
   const all = hands?.(view, view.language) ?? [];
   const said = [title?.[view.language] ?? '', ...all.filter(({ kind }) => kind !== 'ghost').map(({ name, degrees }) => `${name} ${number(degrees, 0)}°`)].filter(Boolean).join(', ');
   const last = all.at(-1);
-  return svg(WIDTH, said, `${face(all)}${last ? arc(last) : ''}${all.map(handOf).join('')}<circle class="hub" cx="${MIDDLE}" cy="${CENTRE}" r="4.5"/>`);
+  return svg(WIDTH, said, `${face(all)}${last ? arc(last) : ''}${all.map(handOf).join('')}${circle([MIDDLE, CENTRE], 4.5, 'hub')}`);
 }
 
 /** Degrees at the rim, unless the name of an arrow stands there. */
@@ -32,7 +32,7 @@ function face(all: readonly Hand[]): string {
     const [x, y] = place(degrees, RADIUS + 20);
     return text(x, y + 4, `${degrees}°`, 'number');
   });
-  return `<circle class="dial" cx="${MIDDLE}" cy="${CENTRE}" r="${RADIUS}"/>${ticks.join('')}${names.join('')}`;
+  return `${circle([MIDDLE, CENTRE], RADIUS, 'dial')}${ticks.join('')}${names.join('')}`;
 }
 
 /** The way of an arrow from 0, which may go round more than once. */

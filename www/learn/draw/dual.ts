@@ -6,7 +6,7 @@ import type { Plate, View } from '../figures/figure';
 import { nearestPoint, type JoinedCells } from '../figures/joined';
 import { outlineOf, ringPath, SIDE } from './crowd';
 import { dots, linesOf, onPlate } from './mesh';
-import { at, svg } from './plate';
+import { circle, svg } from './plate';
 
 /** The layers at which the mesh, one cell, its neighbours and all cells come. */
 const [MESH, ONE, AROUND, ALL] = [1, 2, 3, 4];
@@ -18,7 +18,7 @@ export function dual(view: View, { packing }: Plate): string {
   const joined = trace.joined(step);
   const own = nearestPoint(joined, view.at) ?? 0;
   const said = language === 'ja' ? `${joined.points.size}個のバブル${step >= MESH ? 'とメッシュ' : ''}${step >= ONE ? 'とセル' : ''}` : `${joined.points.size} bubbles${step >= MESH ? ' and their mesh' : ''}${step >= ONE ? ' and cells' : ''}`;
-  const bubbles = trace.cells.map(({ id, x, y, radius }) => `<circle class="bubble${id === own && step < ONE ? ' own' : ''}${step >= AROUND ? ' behind' : ''}" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="${at(radius * SIDE)}"/>`);
+  const bubbles = trace.cells.map(({ id, x, y, radius }) => circle([x * SIDE, y * SIDE], radius * SIDE, `bubble${id === own && step < ONE ? ' own' : ''}${step >= AROUND ? ' behind' : ''}`));
   const drawn = [outlineOf(trace), ...bubbles, cellsIn(joined, own, step), meshIn(joined, own, step), step >= ONE ? ringOf(joined, own) : ''];
   return svg(SIDE, said, drawn.join(''));
 }
@@ -42,5 +42,5 @@ function cellsIn({ cells, faces }: JoinedCells, own: number, step: number): stri
 function ringOf({ cells }: JoinedCells, own: number): string {
   const ring = cells.get(own) ?? [];
   const corners = Array.from({ length: ring.length / 2 }, (_, k) => onPlate([ring[2 * k] ?? 0, ring[2 * k + 1] ?? 0]));
-  return `<path class="dual-ring" d="${ringPath(ring)}"/>${corners.map(([x, y]) => `<circle class="dual-corner" cx="${at(x)}" cy="${at(y)}" r="4"/>`).join('')}`;
+  return `<path class="dual-ring" d="${ringPath(ring)}"/>${corners.map((corner) => circle(corner, 4, 'dual-corner')).join('')}`;
 }

@@ -1,7 +1,7 @@
 /** The force of equation (2) below its two bubbles, with their place on it. */
 import type { View } from '../figures/figure';
 import { number, way } from '../figures/words';
-import { at, axisOfW, guideDown, line, momentOf, path, stiffnessOf, svg, symbol, text, X } from './plate';
+import { axisOfW, circle, guideDown, line, momentOf, path, stiffnessOf, svg, symbol, text, X } from './plate';
 import { BELOW, bubbles } from './bubbles';
 
 const [TOP, BOTTOM] = [BELOW + 24, BELOW + 200];
@@ -29,7 +29,7 @@ function name(): string {
 function strongest(view: View, stiffness: number): string {
   const most = view.curve[0]?.[1] ?? 0;
   const least = Math.min(...view.curve.map(([, f]) => f));
-  const dot = (w: number, f: number): string => `<circle class="extreme" cx="${at(X(w))}" cy="${at(Y(f))}" r="2.5"/>`;
+  const dot = (w: number, f: number): string => circle([X(w), Y(f)], 2.5, 'extreme');
   return `${dot(0, most)}${text(X(0) - 8, Y(most) + 18, number(most * stiffness, 3), 'number', 'end')}${dot(STRONGEST, least)}${text(X(STRONGEST), Y(least) + 15, number(least * stiffness, 3), 'number halo')}`;
 }
 
@@ -39,5 +39,5 @@ function here(view: View, packing: number): string {
   if (!moment) return '';
   const [x, y, kind] = [X(moment.w), Y(moment.force / stiffnessOf(view, packing)), way(moment)];
   const guide = moment.left === 0 ? guideDown(moment.w, BELOW - 8, TOP, BOTTOM) : '';
-  return `${guide}${line([x, Y(0)], [x, y], `bar ${kind}`)}<circle class="here" cx="${at(x)}" cy="${at(y)}" r="5.5"/>`;
+  return `${guide}${line([x, Y(0)], [x, y], `bar ${kind}`)}${circle([x, y], 5.5, 'here')}`;
 }

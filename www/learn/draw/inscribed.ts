@@ -9,7 +9,7 @@ import { number } from '../figures/words';
 import { SIDE } from './crowd';
 import { middleOf, sectorPath } from './delaunay';
 import { tintOf } from './mesh';
-import { at, line, svg, symbol, text, unit, WIDTH } from './plate';
+import { at, circle, line, svg, symbol, text, unit, WIDTH } from './plate';
 
 const MIDDLE: Place = [WIDTH / 2, 156];
 const RADIUS = 128;
@@ -43,7 +43,7 @@ function inCircle(joined: JoinedCells, worst: Triangle): string {
   const least = worst.angles.indexOf(smallestOf(worst));
   const [at0, one, other] = [0, 1, 2].map((k) => corners[(least + k) % 3] ?? MIDDLE) as [Place, Place, Place];
   const shape = `M${[at0, one, other].map(([x, y]) => `${at(x)} ${at(y)}`).join('L')}z`;
-  const round = `<circle class="empty-circle" cx="${MIDDLE[0]}" cy="${MIDDLE[1]}" r="${RADIUS}"/>`;
+  const round = circle(MIDDLE, RADIUS, 'empty-circle');
   const side = `${line(one, other, 'shortest-side')}${beside([(one[0] + other[0]) / 2, (one[1] + other[1]) / 2], MIDDLE, symbol('shortest', 's'))}`;
   return `${round}<path class="triangle tint-${tintOf(smallestOf(worst))}" d="${shape}"/><path class="looked-at" d="${shape}"/>${radiusTo(smallestOf(worst) < BAD ? clearOf(at0, one, other) : one)}${side}${angleAt(at0, one, other, smallestOf(worst))}`;
 }
@@ -60,7 +60,7 @@ function clearOf(corner: Place, one: Place, other: Place): Place {
 function radiusTo(end: Place): string {
   const [x, y] = unit(MIDDLE, end);
   const half: Place = [MIDDLE[0] + (x * RADIUS) / 2 - y * 13, MIDDLE[1] + (y * RADIUS) / 2 + x * 13 + 5];
-  return `${line(MIDDLE, end, 'radius')}<circle class="centre" cx="${MIDDLE[0]}" cy="${MIDDLE[1]}" r="3.5"/>${text(half[0], half[1], symbol('R', 'R'), 'letter-of')}`;
+  return `${line(MIDDLE, end, 'radius')}${circle(MIDDLE, 3.5, 'centre')}${text(half[0], half[1], symbol('R', 'R'), 'letter-of')}`;
 }
 
 /** A letter beside a place, on the side away from another. */

@@ -52,7 +52,7 @@ function corners(ring: readonly number[], to: (x: number, y: number) => Vector):
 function arrows(own: PackedCell, near: readonly NearCell[]): string {
   const each = near.map(({ w, force }) => arrow(force, w < 1 ? 'push' : 'pull'));
   const walls = near.reduce<Vector>(([x, y], { force }) => [x - force[0], y - force[1]], own.force);
-  return `${each.join('')}${arrow(walls, 'wall')}<circle class="centre" cx="${MIDDLE}" cy="${MIDDLE}" r="4"/>${arrow(own.force, 'sum')}`;
+  return `${each.join('')}${arrow(walls, 'wall')}${circle([MIDDLE, MIDDLE], 4, 'centre')}${arrow(own.force, 'sum')}`;
 }
 
 function arrow([x, y]: Vector, kind: string): string {

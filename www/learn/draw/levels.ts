@@ -2,7 +2,7 @@
 import type { Bar, Plate, View } from '../figures/figure';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
-import { at, line, svg, text, WIDTH } from './plate';
+import { at, circle, line, svg, text, WIDTH } from './plate';
 import { digitsOf, marksOf } from './plot';
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [64, WIDTH - 24, 44, SIDE - 44];
@@ -43,7 +43,7 @@ function basin(x: number, y: number, kind: string): string {
 /** A level as a valley with a ball in it; the marked one has its number. */
 function level({ name, value, isMarked = false }: Bar, x: number, y: (value: number) => number, digits: number): string {
   const here = y(value);
-  const ball = `<circle class="${isMarked ? 'here' : 'extreme'}" cx="${at(x)}" cy="${at(here - 6)}" r="${isMarked ? 5.5 : 4}"/>`;
+  const ball = circle([x, here - 6], isMarked ? 5.5 : 4, isMarked ? 'here' : 'extreme');
   const shown = isMarked ? text(x, here - 24, number(value, digits), 'key marked') : '';
   return `${basin(x, here, isMarked ? 'marked' : '')}${ball}${shown}${text(x, BOTTOM + 15, name, 'number')}`;
 }

@@ -3,7 +3,7 @@ import { crowdAt, packedOf } from '../figures/crowds';
 import type { Landscape, PackedCell, Plate, Trace, View } from '../figures/figure';
 import { SIDE } from './crowd';
 import { definitions, over, part, seenBands, UNIT } from './ground';
-import { arrowTo, at, path, svg } from './plate';
+import { arrowTo, at, circle, path, svg } from './plate';
 import { bubblesOf, square } from './squares';
 
 const CENTRE = `translate(${SIDE / 2} ${SIDE / 2})`;
@@ -34,7 +34,7 @@ function bands(landscape: Landscape, ground: string): string {
 
 /** The wells and the passes between them; a ring if all of them are equally deep. */
 function marks({ well, pass }: Landscape): string {
-  if (pass.energy - well.energy < LOW) return `<circle class="ring" cx="${SIDE / 2}" cy="${SIDE / 2}" r="${at(well.w * UNIT)}"/>`;
+  if (pass.energy - well.energy < LOW) return circle([SIDE / 2, SIDE / 2], well.w * UNIT, 'ring');
   const [far, near] = [well.w * UNIT, pass.w * UNIT * Math.SQRT1_2];
   const wells = [[far, 0], [-far, 0], [0, far], [0, -far]] as const;
   const passes = [[near, near], [-near, near], [near, -near], [-near, -near]] as const;
@@ -51,7 +51,7 @@ const nail = ({ x, y }: PackedCell): string => `<path class="nail" d="M${at(x * 
 function wayOf(trace: Trace, step: number): string {
   const points = trace.steps.slice(0, step + 1).flatMap((crowd) => packedOf(crowd, trace.side).slice(1, 2).map(({ x, y }) => [x * SIDE, y * SIDE] as const));
   const [first] = points;
-  return `${path(points, 'way-back')}${path(points, 'way')}${first ? `<circle class="start" cx="${at(first[0])}" cy="${at(first[1])}" r="4"/>` : ''}`;
+  return `${path(points, 'way-back')}${path(points, 'way')}${first ? circle(first, 4, 'start') : ''}`;
 }
 
 function forceOn({ x, y, force }: PackedCell): string {
@@ -59,5 +59,5 @@ function forceOn({ x, y, force }: PackedCell): string {
   const drawn = Math.min(LONGEST, length * FORCE);
   const [fx, fy] = force;
   const arrow = drawn < LEAST ? '' : arrowTo([x * SIDE, y * SIDE], [(fx / length) * drawn, (fy / length) * drawn], 'sum');
-  return `${arrow}<circle class="here" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="6"/>`;
+  return `${arrow}${circle([x * SIDE, y * SIDE], 6, 'here')}`;
 }

@@ -4,7 +4,7 @@ import { edgeKey, LARGEST, placeOf, smallestOf, type JoinedCells, type Triangle 
 import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { outlineOf, SIDE } from './crowd';
-import { at, svg } from './plate';
+import { circle, svg } from './plate';
 
 /** The tints, from the thinnest triangles to those with three equal angles. */
 const TINTS = 6;
@@ -33,7 +33,7 @@ export function tinted({ points }: JoinedCells, triangles: readonly Triangle[]):
 }
 
 export function dots(points: ReadonlyMap<number, Place>, radius: number): string {
-  return [...points.values()].map(onPlate).map(([x, y]) => `<circle class="node" cx="${at(x)}" cy="${at(y)}" r="${radius}"/>`).join('');
+  return [...points.values()].map(onPlate).map((place) => circle(place, radius, 'node')).join('');
 }
 
 /** The triangles of the mesh's elements: the mesh leaves out slivers along the border. */

@@ -3,7 +3,7 @@ import { crowdAt } from '../figures/crowds';
 import type { Line, Plate, View } from '../figures/figure';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
-import { at, line, path, pick, svg, symbol, text, WIDTH } from './plate';
+import { circle, line, path, pick, svg, symbol, text, WIDTH } from './plate';
 
 const [LEFT, RIGHT, BOTTOM] = [56, WIDTH - 16, SIDE - 44];
 
@@ -79,7 +79,7 @@ function now(view: View, lines: readonly Line[], { top, x, y }: Axes): string {
   const dots = lines.map(({ packing, of }, k) => {
     const trace = view.traces[packing];
     const crowd = trace && crowdAt(trace, view.step);
-    return crowd ? `<circle class="here here-${k}" cx="${at(x(crowd.step))}" cy="${at(y(of(crowd)))}" r="4.5"/>` : '';
+    return crowd ? circle([x(crowd.step), y(of(crowd))], 4.5, `here here-${k}`) : '';
   });
   return `${pole}${dots.join('')}`;
 }

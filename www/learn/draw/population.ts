@@ -5,7 +5,7 @@ import { countOf, crowdAt } from '../figures/crowds';
 import type { PackedCell, Plate, Trace, View } from '../figures/figure';
 import { isCrowded, looksUpTo, marksAt, type Look, type Marks } from '../figures/population';
 import { cellShape, outlineOf, SIDE } from './crowd';
-import { at, line, path, svg, symbol, text, WIDTH } from './plate';
+import { at, circle, line, path, svg, symbol, text, WIDTH } from './plate';
 
 /** The picture fills this share of the plate's width, so that there is room below it, also for cells that begin on the outline. */
 const SHARE = 0.76;
@@ -51,7 +51,7 @@ function cellsOf(trace: Trace, { cells, leaving, fresh, empty }: Marks): string 
   const kind = (cell: PackedCell): string => `bubble${isCrowded(trace, cell) ? ' crowded' : ''}${fresh.has(cell.id) ? ' fresh' : ''}`;
   const drawn = cells.map((cell) => `${cellShape(cell, undefined, kind(cell))}${isCrowded(trace, cell) ? hatching(cell) : ''}`);
   const signs = cells.map((cell) => (leaving.has(cell.id) ? cross(cell.x * SIDE, cell.y * SIDE) : fresh.has(cell.id) ? plus(cell.x * SIDE, cell.y * SIDE) : ''));
-  const places = empty.map(({ x, y }) => `<circle class="empty" cx="${at(x * SIDE)}" cy="${at(y * SIDE)}" r="${at((size / 2) * SIDE)}"/>${plus(x * SIDE, y * SIDE)}`);
+  const places = empty.map(({ x, y }) => `${circle([x * SIDE, y * SIDE], (size / 2) * SIDE, 'empty')}${plus(x * SIDE, y * SIDE)}`);
   return `${drawn.join('')}${places.join('')}${signs.join('')}`;
 }
 
@@ -81,7 +81,7 @@ export function plus(x: number, y: number, arm = ARM + 1, kind = ''): string {
 /** The key of the signs. */
 function legend({ language }: View): string {
   const y = BELOW + 10;
-  const dot = (x: number, kind: string): string => `<circle class="${kind}" cx="${x}" cy="${y}" r="7"/>`;
+  const dot = (x: number, kind: string): string => circle([x, y], 7, kind);
   const words = (x: number, en: string, ja: string): string => text(x, y + 4, language === 'ja' ? ja : en, 'number', 'start');
   const crowded = `${dot(22, 'bubble crowded')}${chords(22, y, 7)}${words(34, 'crowded', '過密')}`;
   const goes = `${cross(112, y, 5)}${words(124, 'goes next', '次に去る')}`;
@@ -125,7 +125,7 @@ function here(view: View, trace: Trace, isAhead: boolean, x: (step: number) => n
   // The number at the end of the later steps needs its room, too.
   const isLate = x(now.step) > Math.min(RIGHT, isAhead ? x(trace.steps.length - 1) : RIGHT) - 30;
   const words = text(x(now.step) + (isLate ? -8 : 8), y(count) - 5, String(count), 'key', isLate ? 'end' : 'start');
-  return `${line([x(view.step), TOP - 6], [x(view.step), FLOOR], 'now')}<circle class="here" cx="${at(x(now.step))}" cy="${at(y(count))}" r="4.5"/>${words}`;
+  return `${line([x(view.step), TOP - 6], [x(view.step), FLOOR], 'now')}${circle([x(now.step), y(count)], 4.5, 'here')}${words}`;
 }
 
 function rowNames({ language }: View): string {

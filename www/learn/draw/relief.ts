@@ -2,7 +2,7 @@
 import type { Landscape, Plate, Trace, View } from '../figures/figure';
 import { neighbourAt } from '../figures/neighbour';
 import { FOOT, over, part, seenBands, STEP, UNIT } from './ground';
-import { at, path, svg, WIDTH } from './plate';
+import { at, circle, path, svg, WIDTH } from './plate';
 
 /** How much the view shortens depth, the thickness of a card, and how far the square is turned. */
 const FLAT = 0.76;
@@ -55,5 +55,5 @@ function ball(trace: Trace, step: number): string {
     return one ? [spot(one.x, one.y, one.energy)] : [];
   });
   const [x, y] = points.at(-1) ?? [0, 0];
-  return `${path(points, 'way-back')}${path(points, 'way')}<ellipse class="shadow" cx="${at(x + 2)}" cy="${at(y)}" rx="8" ry="4"/><circle class="ball" cx="${at(x)}" cy="${at(y - 6)}" r="7.5"/><circle class="gleam" cx="${at(x - 2.5)}" cy="${at(y - 8.5)}" r="2.2"/>`;
+  return `${path(points, 'way-back')}${path(points, 'way')}<ellipse class="shadow" cx="${at(x + 2)}" cy="${at(y)}" rx="8" ry="4"/>${circle([x, y - 6], 7.5, 'ball')}${circle([x - 2.5, y - 8.5], 2.2, 'gleam')}`;
 }

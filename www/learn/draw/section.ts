@@ -3,7 +3,7 @@ import type { Landscape, Plate, View } from '../figures/figure';
 import { neighbourAt } from '../figures/neighbour';
 import { number } from '../figures/words';
 import { FINE, HALF } from './ground';
-import { at, line, path, svg, symbol, text, WIDTH, X } from './plate';
+import { circle, line, path, svg, symbol, text, WIDTH, X } from './plate';
 
 const [TOP, BOTTOM] = [34, WIDTH - 24];
 
@@ -49,7 +49,7 @@ function names({ language }: View): string {
 
 /** The well and the pass with their places, and the barrier between them. */
 function lowest({ well, pass }: Landscape): string {
-  const dot = (w: number, energy: number): string => `<circle class="extreme" cx="${at(X(w))}" cy="${at(Y(energy))}" r="3.5"/>`;
+  const dot = (w: number, energy: number): string => circle([X(w), Y(energy)], 3.5, 'extreme');
   const [low, high, x] = [Y(well.energy), Y(pass.energy), X(END) - 18];
   const bar = low - high < 4 ? '' : `${line([X(well.w), low], [x + 5, low], 'guide')}${line([X(pass.w), high], [x + 5, high], 'guide')}${line([x, low], [x, high], 'measure')}${text(x - 6, (low + high) / 2 + 4, number(pass.energy - well.energy, 4), 'measured', 'end')}`;
   return `${bar}${dot(well.w, well.energy)}${dot(pass.w, pass.energy)}${text(X(well.w), low + 18, `${symbol('w', 'w')} = ${number(well.w, 2)}`, 'measured halo')}`;
@@ -59,5 +59,5 @@ function here({ traces, step }: View, packing: number): string {
   const trace = traces[packing];
   const one = trace && neighbourAt(trace, step);
   if (!one || one.energy > HIGHEST || one.w > END) return '';
-  return `<circle class="here" cx="${at(X(one.w))}" cy="${at(Y(one.energy))}" r="5.5"/>`;
+  return circle([X(one.w), Y(one.energy)], 5.5, 'here');
 }

@@ -8,7 +8,7 @@ import type { Plate, Trace, View } from '../figures/figure';
 import type { Place } from '../figures/place';
 import { number } from '../figures/words';
 import { ringPath, SIDE } from './crowd';
-import { arrowTo, at, line, svg, symbol, text, WIDTH } from './plate';
+import { arrowTo, circle, line, svg, symbol, text, WIDTH } from './plate';
 import { crosses, lettered, strokesOf, type Onto } from './ways';
 
 export const HEIGHT = 300;
@@ -107,7 +107,7 @@ function distanceTo(point: Place, ends: readonly Place[]): string {
 
 function sumAt([x, y]: Place, [u, v]: Place): string {
   const isSeen = Math.hypot(u, v) * AT_POINT > 1.5;
-  return `${isSeen ? arrowTo([x, y], [u * AT_POINT, v * AT_POINT], 'total') : ''}<circle class="looked" cx="${at(x)}" cy="${at(y)}" r="4"/>`;
+  return `${isSeen ? arrowTo([x, y], [u * AT_POINT, v * AT_POINT], 'total') : ''}${circle([x, y], 4, 'looked')}`;
 }
 
 const minus = ([x, y]: Place, [u, v]: Place): Place => [x - u, y - v];
@@ -168,7 +168,7 @@ function chained(group: Straight, kind: Kind, y: number): string {
     [x, here] = [x + dx, here + dy];
     return arrow;
   });
-  return `<circle class="origin" cx="${ORIGIN}" cy="${at(y - (down * WHOLE) / 2)}" r="2"/>${arrows.join('')}`;
+  return `${circle([ORIGIN, y - (down * WHOLE) / 2], 2, 'origin')}${arrows.join('')}`;
 }
 
 /** The sum of all rows. */
@@ -178,5 +178,5 @@ function total({ list, printed }: SegmentTerms, kind: Kind): string {
   const length = Math.hypot(u, v);
   const name = kind === 'printed' ? symbol('v', 'v') : `${symbol('v4', 'v')}<tspan class="low" dy="3">4</tspan>`;
   const arrow = length * WHOLE < 1 ? '' : arrowTo([ORIGIN, y - (v * WHOLE) / 2], [u * WHOLE, v * WHOLE], 'total');
-  return `${line([14, y - 22], [WIDTH - 14, y - 22], 'axis')}${text(16, y + 4, name, 'side-name sum-name', 'start')}<circle class="looked" cx="${ORIGIN}" cy="${at(y - (v * WHOLE) / 2)}" r="3.5"/>${arrow}${text(WIDTH - 14, y + 5, number(length, 3), 'key marked', 'end')}`;
+  return `${line([14, y - 22], [WIDTH - 14, y - 22], 'axis')}${text(16, y + 4, name, 'side-name sum-name', 'start')}${circle([ORIGIN, y - (v * WHOLE) / 2], 3.5, 'looked')}${arrow}${text(WIDTH - 14, y + 5, number(length, 3), 'key marked', 'end')}`;
 }

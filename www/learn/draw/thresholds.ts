@@ -3,7 +3,7 @@ import { crowdAt, packedOf } from '../figures/crowds';
 import type { Plate, Trace, View } from '../figures/figure';
 import { isCrowded, isLonely } from '../figures/population';
 import { number } from '../figures/words';
-import { at, line, svg, symbol, text, WIDTH } from './plate';
+import { at, circle, line, svg, symbol, text, WIDTH } from './plate';
 import { HEIGHT } from './population';
 
 const [LEFT, RIGHT, TOP, FLOOR] = [24, WIDTH - 24, 112, HEIGHT - 64];
@@ -70,7 +70,7 @@ function dots(trace: Trace, { step }: View): string {
       heights.set(bin, height + 1);
       const [x, y] = [X(bin * BIN), FLOOR - r - 2 - height * 2 * r];
       const kind = `${isCrowded(trace, cell) ? ' crowded' : ''}${isLonely(trace, cell) ? ' lonely' : ''}`;
-      return `<circle class="cell-dot${kind}" cx="${at(x)}" cy="${at(y)}" r="${at(r)}"/>${kind ? sign(x, y, r * 0.6, kind) : ''}`;
+      return `${circle([x, y], r, `cell-dot${kind}`)}${kind ? sign(x, y, r * 0.6, kind) : ''}`;
     })
     .join('');
 }

@@ -1,6 +1,6 @@
 /** Two bubbles, and below the right one the track of its distance: time goes down. */
 import type { View } from '../figures/figure';
-import { at, guideDown, line, momentOf, NOTHING, path, pick, PULL, PUSH, svg, symbol, text, WIDEST, WIDTH, X } from './plate';
+import { at, circle, guideDown, line, momentOf, NOTHING, path, pick, PULL, PUSH, svg, symbol, text, WIDEST, WIDTH, X } from './plate';
 import { BELOW, bubbles } from './bubbles';
 import { HEIGHT } from './force';
 
@@ -18,7 +18,7 @@ export function track(view: View, packing: number, title: string): string {
   const points = moments.map(({ w, step }) => [X(Math.min(w, WIDEST + 0.2)), Y(step)] as const);
   const now = momentOf(view, packing);
   const guide = now?.left === 0 ? guideDown(now.w, BELOW - 8, TOP, Y(now.step)) : '';
-  const here = now && X(now.w) < WIDTH ? `<circle class="here" cx="${at(X(now.w))}" cy="${at(Y(now.step))}" r="5.5"/>` : '';
+  const here = now && X(now.w) < WIDTH ? circle([X(now.w), Y(now.step)], 5.5, 'here') : '';
   const said = view.language === 'ja' ? '二つのバブルと、時間とともに変わる距離wの跡' : 'Two bubbles, and the track of their distance w over time';
   return svg(HEIGHT, title ? `${title}. ${said}` : said, `${scale(view, Y)}${guide}${path(points, 'track')}${stops(view, packing, Y)}${here}${title ? text(6, 16, title, 'plate-title', 'start') : ''}${bubbles(view, packing)}`);
 }
@@ -42,7 +42,7 @@ function stops(view: View, packing: number, Y: (step: number) => number): string
   return passed
     .map(({ name, step }) => {
       const w = view.traces[packing]?.moments[step]?.w ?? 0;
-      const dot = `<circle class="stop" cx="${at(X(Math.min(w, WIDEST)))}" cy="${at(Y(step))}" r="3"/>`;
+      const dot = circle([X(Math.min(w, WIDEST)), Y(step)], 3, 'stop');
       if (packing > 0 || Y(step) < free + APART) return packing > 0 ? '' : dot;
       free = Y(step);
       const words = text(X(NAMED), Y(step) + 4, pick(name, view.language), 'stop-name', 'start');

@@ -4,7 +4,7 @@ import type { Landscape, Plate, Trace, View } from '../figures/figure';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
 import { definitions, FOOT, over, part, seenBands, UNIT } from './ground';
-import { arrowTo, at, path, svg, text } from './plate';
+import { arrowTo, at, circle, path, svg, text } from './plate';
 import { bubblesOf, square } from './squares';
 
 const MIDDLE = SIDE / 2;
@@ -36,7 +36,7 @@ function bands(landscape: Landscape, ground: string): string {
 function wells({ well }: Landscape): string {
   const far = well.w * UNIT;
   const at2 = (x: number, y: number): string => `<path class="well" d="M${at(MIDDLE + x)} ${at(MIDDLE + y)}m-5 0h10m-5 -5v10"/>`;
-  return `${at2(far, 0)}${at2(-far, 0)}${at2(0, far)}${at2(0, -far)}<circle class="followed" cx="${at(MIDDLE + far)}" cy="${MIDDLE}" r="11"/>`;
+  return `${at2(far, 0)}${at2(-far, 0)}${at2(0, far)}${at2(0, -far)}${circle([MIDDLE + far, MIDDLE], 11, 'followed')}`;
 }
 
 function squareOf(trace: Trace): string {

@@ -3,7 +3,7 @@ import { STEPS } from '../figures/directions';
 import type { Plate, View } from '../figures/figure';
 import { number } from '../figures/words';
 import { SIDE } from './crowd';
-import { at, line, path, svg, symbol, text, WIDTH } from './plate';
+import { circle, line, path, svg, symbol, text, WIDTH } from './plate';
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [56, WIDTH - 24, 40, SIDE - 52];
 
@@ -31,7 +31,7 @@ function drawn({ step, furthest }: View, values: readonly number[], y: (value: n
   const isLate = step > STEPS - 12;
   const place = [X(step), y(now)] as const;
   const name = text(place[0] + (isLate ? -12 : 12), place[1] - 10, number(now, Number.isInteger(now) ? 0 : 1), 'key marked halo', isLate ? 'end' : 'start');
-  return `${path(upTo(furthest), 'line later')}${path(upTo(step), 'line line-0')}${line([place[0], y(0)], place, 'now')}<circle class="here" cx="${at(place[0])}" cy="${at(place[1])}" r="5.5"/>${name}`;
+  return `${path(upTo(furthest), 'line later')}${path(upTo(step), 'line line-0')}${line([place[0], y(0)], place, 'now')}${circle(place, 5.5, 'here')}${name}`;
 }
 
 function nothing(isJapanese: boolean, y: number): string {

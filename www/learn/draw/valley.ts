@@ -1,7 +1,7 @@
 /** The potential of equation (3) as a valley, with the pair as a ball in it and its energy as a level. */
 import type { Moment, View } from '../figures/figure';
 import { number } from '../figures/words';
-import { at, axisOfW, line, momentOf, path, stiffnessOf, svg, symbol, text, WIDEST, WIDTH, X, type CurvePoint } from './plate';
+import { at, axisOfW, circle, line, momentOf, path, stiffnessOf, svg, symbol, text, WIDEST, WIDTH, X, type CurvePoint } from './plate';
 import { HEIGHT } from './force';
 
 export const [TOP, BOTTOM] = [34, HEIGHT - 24];
@@ -47,7 +47,7 @@ function ball({ w, energy, motion }: Moment, stiffness: number, { language }: Vi
   const words = language === 'ja' ? 'エネルギー' : 'energy';
   const high = level / stiffness > HIGHEST ? '' : `${line([X(0), y], [X(WIDEST), y], 'level')}${text(X(WIDEST), y - 6, `${words} ${number(level, 3)}`, 'level-name', 'end')}`;
   const up = energy / stiffness > HIGHEST ? text(Math.min(X(w), WIDTH - 20) + 12, TOP + 16, `▲ ${number(energy, 3)}`, 'number', 'start') : '';
-  return `${high}${up}<circle class="here" cx="${at(Math.min(X(w), WIDTH - 6))}" cy="${at(Y(energy / stiffness))}" r="7"/>`;
+  return `${high}${up}${circle([Math.min(X(w), WIDTH - 6), Y(energy / stiffness)], 7, 'here')}`;
 }
 
 /** The reader's mark: a flag on the axis. */
@@ -63,5 +63,5 @@ function mark({ at: [place], language }: View): string {
 function zero({ zero: place, isZeroShown }: View): string {
   if (!isZeroShown) return '';
   const x = X(place);
-  return `<g class="zero">${line([x, Y(0) - 30], [x, Y(0) + 6], 'pole')}<circle class="extreme" cx="${at(x)}" cy="${at(Y(0))}" r="4"/>${text(x + 6, Y(0) - 24, `${symbol('psi', 'Ψ')} = 0: ${number(place, 3)}`, 'number', 'start')}</g>`;
+  return `<g class="zero">${line([x, Y(0) - 30], [x, Y(0) + 6], 'pole')}${circle([x, Y(0)], 4, 'extreme')}${text(x + 6, Y(0) - 24, `${symbol('psi', 'Ψ')} = 0: ${number(place, 3)}`, 'number', 'start')}</g>`;
 }

@@ -48,7 +48,7 @@ function carried({ place, along, quarters }: Turned, [first]: readonly Turned[],
   const [x, y] = onto(place);
   const angle = ((degreesOf(first?.along ?? along) + 90 * quarters) * Math.PI) / 180;
   const [u, v] = [half * Math.cos(angle), half * Math.sin(angle)];
-  return `<g class="carried ${kind}">${kind === 'present' ? `<path class="back" d="${strokesOf([x, y], along, half)}"/>` : ''}<path class="arms" d="${strokesOf([x, y], along, half)}"/><path class="arm" d="M${at(x)} ${at(y)}l${at(u)} ${at(v)}"/><circle class="tip" cx="${at(x + u)}" cy="${at(y + v)}" r="${kind === 'present' ? 4.5 : 2.5}"/></g>`;
+  return `<g class="carried ${kind}">${kind === 'present' ? `<path class="back" d="${strokesOf([x, y], along, half)}"/>` : ''}<path class="arms" d="${strokesOf([x, y], along, half)}"/><path class="arm" d="M${at(x)} ${at(y)}l${at(u)} ${at(v)}"/>${circle([x + u, y + v], kind === 'present' ? 4.5 : 2.5, 'tip')}</g>`;
 }
 
 /**
