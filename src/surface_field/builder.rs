@@ -104,72 +104,29 @@ impl SurfaceFieldBuilder {
     }
 
     pub(super) fn advance_by(&mut self, amount: usize) -> bool {
-        let stage = std::mem::replace(&mut self.stage, FieldsPhase::Done);
-        self.stage = match stage {
-            FieldsPhase::Links(mut work) => {
-                if work.advance(&self.mesh, amount) {
-                    self.links = work.links;
-                    self.parts = vec![u32::MAX; self.links.len()];
-                    FieldsPhase::Parts(Vec::new())
-                } else {
-                    FieldsPhase::Links(work)
-                }
-            }
+        self.stage = match std::mem::replace(&mut self.stage, FieldsPhase::Done) {
+            FieldsPhase::Links(work) => self.find_links(work, amount),
             FieldsPhase::Parts(open) => self.find_parts(open, amount),
-            FieldsPhase::Curvature(mut work) => {
-                if work.advance(&self.mesh, &self.links, amount) {
-                    self.fields.curvature_reach = work.rounds;
-                    self.fields.curvature = work.values;
-                    FieldsPhase::Bones
-                } else {
-                    FieldsPhase::Curvature(work)
-                }
-            }
-            FieldsPhase::Bones => match self.hear_bones(amount) {
-                true => FieldsPhase::Sizes(Box::new(Sizes::begin(self.ground()))),
-                false => FieldsPhase::Bones,
-            },
-            FieldsPhase::Sizes(mut work) => {
-                if work.advance(self.ground(), amount) {
-                    (self.fields.size, self.fields.sizes) = (work.size, work.values);
-                    self.fields.aspects = work.aspects;
-                    self.begin_sources(false)
-                } else {
-                    FieldsPhase::Sizes(work)
-                }
-            }
-            FieldsPhase::Rims(is_flow, mut sources) => {
-                let direction = &self.params.direction;
-                if sources.find_rims(direction, &self.mesh, &self.links, amount) {
-                    self.most = vec![0.0; self.part_count];
-                    let system = System::new(&self.links, self.parts.clone());
-                    FieldsPhase::Rows(is_flow, Box::new((*sources, system)))
-                } else {
-                    FieldsPhase::Rims(is_flow, sources)
-                }
-            }
-            FieldsPhase::Rows(is_flow, mut rows) => {
-                if !self.add_rows(is_flow, &mut rows, amount) {
-                    FieldsPhase::Rows(is_flow, rows)
-                } else if is_flow && !self.most.iter().any(|&m| m > NO_SOURCE) {
-                    FieldsPhase::Done
-                } else {
-                    FieldsPhase::Hints(is_flow, rows, 0)
-                }
-            }
+            FieldsPhase::Curvature(work) => self.measure_curvature(work, amount),
+            FieldsPhase::Bones => self.hear_bones(amount),
+            FieldsPhase::Sizes(work) => self.find_sizes(work, amount),
+            FieldsPhase::Rims(is_flow, sources) => self.find_rims(is_flow, sources, amount),
+            FieldsPhase::Rows(is_flow, rows) => self.add_rows(is_flow, rows, amount),
             FieldsPhase::Hints(is_flow, rows, at) => self.hint(is_flow, rows, at, amount),
-            FieldsPhase::Smooth(is_flow, mut work) => {
-                if work.advance(amount) {
-                    self.fields.iterations += work.iterations;
-                    FieldsPhase::Vectors(is_flow, work.finish())
-                } else {
-                    FieldsPhase::Smooth(is_flow, work)
-                }
-            }
+            FieldsPhase::Smooth(is_flow, work) => self.smooth(is_flow, work, amount),
             FieldsPhase::Vectors(is_flow, found) => self.vectors(is_flow, found, amount),
-            FieldsPhase::Done => return true,
+            FieldsPhase::Done => FieldsPhase::Done,
         };
         matches!(self.stage, FieldsPhase::Done)
+    }
+
+    fn find_links(&mut self, mut work: AdjacencyBuilder, amount: usize) -> FieldsPhase {
+        if !work.advance(&self.mesh, amount) {
+            return FieldsPhase::Links(work);
+        }
+        self.links = work.links;
+        self.parts = vec![u32::MAX; self.links.len()];
+        FieldsPhase::Parts(Vec::new())
     }
 
     /// Gives up to `amount` more vertices the number of their part.
@@ -200,6 +157,15 @@ impl SurfaceFieldBuilder {
         FieldsPhase::Parts(open)
     }
 
+    fn measure_curvature(&mut self, mut work: Curvatures, amount: usize) -> FieldsPhase {
+        if !work.advance(&self.mesh, &self.links, amount) {
+            return FieldsPhase::Curvature(work);
+        }
+        self.fields.curvature_reach = work.rounds;
+        self.fields.curvature = work.values;
+        FieldsPhase::Bones
+    }
+
     fn ground(&self) -> SizeInputs<'_> {
         SizeInputs {
             params: &self.params,
@@ -210,18 +176,29 @@ impl SurfaceFieldBuilder {
         }
     }
 
-    fn hear_bones(&mut self, amount: usize) -> bool {
-        if self.bones.is_empty() || !wants_bones(&self.params) {
-            return true;
+    fn hear_bones(&mut self, amount: usize) -> FieldsPhase {
+        if !self.bones.is_empty() && wants_bones(&self.params) {
+            let end = self.links.len().min(self.heard.len() + amount.max(8) / 8);
+            let mut last = LastPlace::default();
+            for v in self.heard.len()..end {
+                let (mesh, links) = (&self.mesh, &self.links);
+                let source = bone_source(&self.bones, self.symmetry, (mesh, links), v, &mut last);
+                self.heard.push(source);
+            }
+            if end < self.links.len() {
+                return FieldsPhase::Bones;
+            }
         }
-        let end = self.links.len().min(self.heard.len() + amount.max(8) / 8);
-        let mut last = LastPlace::default();
-        for v in self.heard.len()..end {
-            let (mesh, links) = (&self.mesh, &self.links);
-            let source = bone_source(&self.bones, self.symmetry, (mesh, links), v, &mut last);
-            self.heard.push(source);
+        FieldsPhase::Sizes(Box::new(Sizes::begin(self.ground())))
+    }
+
+    fn find_sizes(&mut self, mut work: Box<Sizes>, amount: usize) -> FieldsPhase {
+        if !work.advance(self.ground(), amount) {
+            return FieldsPhase::Sizes(work);
         }
-        end == self.links.len()
+        (self.fields.size, self.fields.sizes) = (work.size, work.values);
+        self.fields.aspects = work.aspects;
+        self.begin_sources(false)
     }
 
     fn begin_sources(&mut self, is_flow: bool) -> FieldsPhase {
@@ -238,29 +215,55 @@ impl SurfaceFieldBuilder {
         FieldsPhase::Rims(is_flow, Box::new(sources))
     }
 
+    fn find_rims(
+        &mut self,
+        is_flow: bool,
+        mut sources: Box<Sources>,
+        amount: usize,
+    ) -> FieldsPhase {
+        let direction = &self.params.direction;
+        if !sources.find_rims(direction, &self.mesh, &self.links, amount) {
+            return FieldsPhase::Rims(is_flow, sources);
+        }
+        self.most = vec![0.0; self.part_count];
+        let system = System::new(&self.links, self.parts.clone());
+        FieldsPhase::Rows(is_flow, Box::new((*sources, system)))
+    }
+
+    /// Adds the rows of up to `amount / 4` more vertices to the equations.
     fn add_rows(
         &mut self,
         is_flow: bool,
-        (sources, system): &mut (Sources, System),
+        mut rows: Box<(Sources, System)>,
         amount: usize,
-    ) -> bool {
-        let symmetry = if is_flow { 1 } else { self.symmetry };
-        let begin = system.held.len();
+    ) -> FieldsPhase {
+        let begin = rows.1.held.len();
         let end = self.links.len().min(begin + amount.max(4) / 4);
         for v in begin..end {
-            let size = self.fields.size_of(v);
-            let bone = match self.heard.get(v) {
-                Some(bone) if sources.hears_bones() => *bone,
-                _ => BoneSource::default(),
-            };
-            let curvature = &self.fields.curvature[v];
-            let (held, load) = sources.at(v, &self.links, curvature, size, &bone);
-            let most = &mut self.most[self.parts[v] as usize];
-            *most = most.max(held);
-            let scale = sources::scale(self.links.mass[v], size);
-            system.row(&self.links, symmetry, (scale * held, scale * load));
+            self.add_row(is_flow, &mut rows, v);
         }
-        end == self.links.len()
+        if end < self.links.len() {
+            FieldsPhase::Rows(is_flow, rows)
+        } else if is_flow && !self.most.iter().any(|&m| m > NO_SOURCE) {
+            FieldsPhase::Done
+        } else {
+            FieldsPhase::Hints(is_flow, rows, 0)
+        }
+    }
+
+    fn add_row(&mut self, is_flow: bool, (sources, system): &mut (Sources, System), v: usize) {
+        let symmetry = if is_flow { 1 } else { self.symmetry };
+        let size = self.fields.size_of(v);
+        let bone = match self.heard.get(v) {
+            Some(bone) if sources.hears_bones() => *bone,
+            _ => BoneSource::default(),
+        };
+        let curvature = &self.fields.curvature[v];
+        let (held, load) = sources.at(v, &self.links, curvature, size, &bone);
+        let most = &mut self.most[self.parts[v] as usize];
+        *most = most.max(held);
+        let scale = sources::scale(self.links.mass[v], size);
+        system.row(&self.links, symmetry, (scale * held, scale * load));
     }
 
     /// In a part without constraints the right-hand sides serve as the initial guess.
@@ -299,6 +302,14 @@ impl SurfaceFieldBuilder {
                 self.fields.size,
             )),
         )
+    }
+
+    fn smooth(&mut self, is_flow: bool, mut work: Box<Smoothing>, amount: usize) -> FieldsPhase {
+        if !work.advance(amount) {
+            return FieldsPhase::Smooth(is_flow, work);
+        }
+        self.fields.iterations += work.iterations;
+        FieldsPhase::Vectors(is_flow, work.finish())
     }
 
     /// Unit vectors in space from the representation vectors at the vertices.
