@@ -23,6 +23,24 @@ pub(super) struct Division {
     apex: [[[u8; 2]; MOST]; MOST],
 }
 
+/// The best division of a part of the polygon found so far: an entry of both tables of [`Division`].
+struct Best {
+    cost: f64,
+    apex: [u8; 2],
+}
+
+impl Best {
+    const NONE: Self = Self {
+        cost: f64::INFINITY,
+        apex: [0, 0],
+    };
+    /// A side of the polygon has no part beside it.
+    const SIDE: Self = Self {
+        cost: 0.0,
+        ..Self::NONE
+    };
+}
+
 impl Division {
     /// Starts empty.
     pub fn new() -> Self {
@@ -39,39 +57,68 @@ impl Division {
         for span in 1..n {
             for i in 0..n - span {
                 let j = i + span;
-                let (mut least, mut apex) = (f64::INFINITY, [0, 0]);
-                if span == 1 {
-                    least = 0.0;
-                }
-                for a in i + 1..j {
-                    let first = self.cost[i][a];
-                    if first >= least {
-                        continue;
-                    }
-                    for b in a + 1..j {
-                        let inner = first + self.cost[a][b] + self.cost[b][j];
-                        if inner < least {
-                            let quad = [i, a, b, j].map(|k| corners[k]);
-                            let score = score(nodes, quad);
-                            if score >= worst && inner + 1.0 - score < least {
-                                (least, apex) = (inner + 1.0 - score, [a as u8, b as u8]);
-                            }
-                        }
-                    }
-                    // A triangle is tried only if the polygon has an odd number of corners: an even number needs none.
-                    let inner = first + self.cost[a][j] + TRIANGLE;
-                    if inner < least
-                        && n % 2 == 1
-                        && height(nodes, [i, a, j].map(|k| corners[k])) > FLAT
-                    {
-                        (least, apex) = (inner, [a as u8, a as u8]);
-                    }
-                }
-                self.cost[i][j] = least;
-                self.apex[i][j] = apex;
+                let best = match span {
+                    1 => Best::SIDE,
+                    _ => self.cheapest((nodes, corners), worst, [i, j]),
+                };
+                (self.cost[i][j], self.apex[i][j]) = (best.cost, best.apex);
             }
         }
         self.cost[0][n - 1]
+    }
+
+    /// The cheapest division of the part between corners i and j, from those of shorter parts.
+    fn cheapest<N: Nodes + ?Sized>(
+        &self,
+        on: (&N, &[u32]),
+        worst: f64,
+        [i, j]: [usize; 2],
+    ) -> Best {
+        let mut best = Best::NONE;
+        for a in i + 1..j {
+            if self.cost[i][a] < best.cost {
+                self.try_quads(on, worst, [i, a, j], &mut best);
+                self.try_triangle(on, [i, a, j], &mut best);
+            }
+        }
+        best
+    }
+
+    /// Tries the quadrilaterals with corners i, a and j.
+    fn try_quads<N: Nodes + ?Sized>(
+        &self,
+        (nodes, corners): (&N, &[u32]),
+        worst: f64,
+        [i, a, j]: [usize; 3],
+        best: &mut Best,
+    ) {
+        for b in a + 1..j {
+            let inner = self.cost[i][a] + self.cost[a][b] + self.cost[b][j];
+            if inner >= best.cost {
+                continue;
+            }
+            let score = score(nodes, [i, a, b, j].map(|k| corners[k]));
+            if score >= worst && inner + 1.0 - score < best.cost {
+                best.cost = inner + 1.0 - score;
+                best.apex = [a as u8, b as u8];
+            }
+        }
+    }
+
+    /// Tries the triangle of corners i, a and j.
+    fn try_triangle<N: Nodes + ?Sized>(
+        &self,
+        (nodes, corners): (&N, &[u32]),
+        [i, a, j]: [usize; 3],
+        best: &mut Best,
+    ) {
+        // A polygon with an even number of corners needs no triangle.
+        let is_odd = corners.len() % 2 == 1;
+        let cost = self.cost[i][a] + self.cost[a][j] + TRIANGLE;
+        let is_high = || height(nodes, [i, a, j].map(|k| corners[k])) > FLAT;
+        if is_odd && cost < best.cost && is_high() {
+            (best.cost, best.apex) = (cost, [a as u8; 2]);
+        }
     }
 
     /// The elements of the division found for `n` corners, as positions in the polygon.
