@@ -76,47 +76,60 @@ fn rows(kind: CellKind, asked: Lattice, side: f64) -> Lattice {
 fn nearest(along: DVec2, unit: f64, row: f64, side: f64, even: bool) -> (DVec2, f64) {
     let most = ((side / unit.min(row)) as i64).clamp(1, 200);
     let mut best = (f64::INFINITY, DVec2::X * unit, row);
-    for a in -most..=most {
-        // Tries the b nearest to the direction and both its neighbours; no other can be nearer.
-        let slanted = along.x.abs() < along.y.abs();
-        let tilt = if slanted {
-            along.x / along.y
-        } else {
-            along.y / along.x
-        };
-        let other = (a as f64 * tilt).round() as i64;
-        for other in other - 1..=other + 1 {
-            let (x, y) = if slanted { (other, a) } else { (a, other) };
-            let vector = DVec2::new(x as f64, y as f64);
-            let length = vector.length();
-            if divisor(x, y) != 1 || vector.dot(along) <= 0.0 {
-                continue;
-            }
-            let asked = (side / (unit * length), side / (row * length));
-            for m in multiples(asked.0) {
-                for n in multiples(asked.1) {
-                    let (m, n) = (m as i64, n as i64);
-                    if even && ((m * x + n * y) % 2 != 0 || (m * y + n * x) % 2 != 0) {
-                        continue;
-                    }
-                    let stretch = libm::log(m as f64 / asked.0);
-                    let spread = libm::log(n as f64 / asked.1);
-                    let turn = along.perp_dot(vector) / length;
-                    let cost = stretch * stretch + spread * spread + 2.0 * turn * turn;
-                    if cost < best.0 {
-                        let unit = vector * (side / (m as f64 * length * length));
-                        best = (cost, unit, side / (n as f64 * length));
-                    }
-                }
+    for direction in directions(along, most) {
+        let vector = DVec2::from(direction.map(|v| v as f64));
+        let length = vector.length();
+        let turn = along.perp_dot(vector) / length;
+        let asked = [side / (unit * length), side / (row * length)];
+        for counts in counts(asked).filter(|&c| !even || sums_are_even(direction, c)) {
+            let [m, n] = counts.map(|v| v as f64);
+            let stretch = libm::log(m / asked[0]);
+            let spread = libm::log(n / asked[1]);
+            let cost = stretch * stretch + spread * spread + 2.0 * turn * turn;
+            if cost < best.0 {
+                let unit = vector * (side / (m * length * length));
+                best = (cost, unit, side / (n * length));
             }
         }
     }
     (best.1, best.2)
 }
 
+/// Coprime whole numbers near a direction: for each number up to `most` on the longer axis, the nearest number on the
+/// other axis and both its neighbours. No other can be nearer.
+fn directions(along: DVec2, most: i64) -> impl Iterator<Item = [i64; 2]> {
+    let is_steep = along.x.abs() < along.y.abs();
+    let tilt = if is_steep {
+        along.x / along.y
+    } else {
+        along.y / along.x
+    };
+    let beside = move |a: i64| {
+        let middle = (a as f64 * tilt).round() as i64;
+        (middle - 1..=middle + 1).map(move |b| if is_steep { [b, a] } else { [a, b] })
+    };
+    let is_ahead = move |v: [i64; 2]| DVec2::from(v.map(|v| v as f64)).dot(along) > 0.0;
+    (-most..=most)
+        .flat_map(beside)
+        .filter(move |&[x, y]| divisor(x, y) == 1 && is_ahead([x, y]))
+}
+
+/// Pairs of whole numbers near the asked ones.
+fn counts(asked: [f64; 2]) -> impl Iterator<Item = [i64; 2]> {
+    let [first, second] = asked.map(multiples);
+    first
+        .into_iter()
+        .flat_map(move |m| second.map(|n| [m.into(), n.into()]))
+}
+
 fn multiples(asked: f64) -> [u32; 3] {
     let middle = (asked.round() as u32).max(2);
     [middle - 1, middle, middle + 1]
+}
+
+/// Whether both sides of the picture are even sums of steps along and across the rows, as shifted rows need.
+fn sums_are_even([x, y]: [i64; 2], [m, n]: [i64; 2]) -> bool {
+    (m * x + n * y) % 2 == 0 && (m * y + n * x) % 2 == 0
 }
 
 fn divisor(a: i64, b: i64) -> i64 {
