@@ -5,6 +5,7 @@ use super::division::{Division, MOST, TRIANGLE};
 use super::quads::{Faces, score};
 use super::triangles::NONE;
 use super::{Face, Nodes};
+use std::ops::Range;
 
 /// Cost of an inner node for each side more or less than four.
 const IRREGULAR: f64 = 0.12;
@@ -91,48 +92,42 @@ impl PatchSearch {
         patch: &Patch,
         next: u32,
     ) -> Option<Patch> {
-        let n = patch.corners.len();
-        let last = *patch.members.last()?;
-        if next == NONE {
-            return None;
-        }
+        let [at, k] = self.joint(patch, next)?;
         let face = self.faces.faces[next as usize];
-        let corners = face.nodes();
+        let (corners, adjacent) = (face.nodes(), self.faces.adjacent[next as usize]);
         let m = corners.len();
-        let at = (0..m).find(|&j| self.faces.adjacent[next as usize][j] == last)?;
         let (b, a) = (corners[at], corners[(at + 1) % m]);
         if (on.keep)([a.min(b), a.max(b)]) {
             return None;
         }
-        let k = (0..n).find(|&k| patch.corners[k] == a && patch.corners[(k + 1) % n] == b)?;
-        let mut grown = Patch {
-            corners: Vec::with_capacity(n + 2),
-            outside: Vec::with_capacity(n + 2),
-            members: patch.members.clone(),
-            cost: patch.cost + self.cost(on, &face),
-        };
-        grown.members.push(next);
-        for s in 0..n {
-            grown.corners.push(patch.corners[s]);
-            if s != k {
-                grown.outside.push(patch.outside[s]);
-                continue;
-            }
-            for j in 1..m {
-                let place = (at + j) % m;
-                grown
-                    .outside
-                    .push(self.faces.adjacent[next as usize][place]);
-                if j + 1 < m {
-                    let node = corners[(place + 1) % m];
-                    if patch.corners.contains(&node) {
-                        return None;
-                    }
-                    grown.corners.push(node);
-                }
-            }
+        let nodes = (2..m).map(|j| corners[(at + j) % m]);
+        if nodes.clone().any(|node| patch.corners.contains(&node)) {
+            return None;
         }
-        Some(grown)
+        let beyond = (1..m).map(|j| adjacent[(at + j) % m]);
+        let mut members = patch.members.clone();
+        members.push(next);
+        Some(Patch {
+            corners: spliced(&patch.corners, k + 1..k + 1, nodes),
+            outside: spliced(&patch.outside, k..k + 1, beyond),
+            members,
+            cost: patch.cost + self.cost(on, &face),
+        })
+    }
+
+    /// The side that an element shares with the last member of a patch: its positions in the element and in the patch.
+    fn joint(&self, patch: &Patch, next: u32) -> Option<[usize; 2]> {
+        let last = *patch.members.last()?;
+        if next == NONE {
+            return None;
+        }
+        let corners = self.faces.faces[next as usize].nodes();
+        let (n, m) = (patch.corners.len(), corners.len());
+        let at = (0..m).find(|&j| self.faces.adjacent[next as usize][j] == last)?;
+        // The side runs the other way round in the patch.
+        let side = [corners[(at + 1) % m], corners[at]];
+        let k = (0..n).find(|&k| [patch.corners[k], patch.corners[(k + 1) % n]] == side)?;
+        Some([at, k])
     }
 
     /// The cost saved by dividing a patch anew, irregular nodes included; 0 if the division leaves too few sides at a
@@ -182,53 +177,102 @@ impl PatchSearch {
 
     /// Replaces the patch's elements with the division found last.
     pub(super) fn apply(&mut self, patch: &Patch) {
-        let n = patch.corners.len();
-        for &f in &patch.members {
-            for &node in self.faces.faces[f as usize].nodes() {
-                self.valence[node as usize] -= 1;
-            }
-        }
+        self.take_out(patch);
+        let (faces, valence) = (&mut self.faces, &mut self.valence);
         let mut slots = patch.members.iter();
-        // Half-edges within the patch (from, to, element, position), to be matched with their twins.
-        let mut sides: Vec<(u8, u8, u32, usize)> = Vec::new();
-        for &f in patch.members.iter().chain(&patch.outside) {
-            if f != NONE {
-                self.fresh[f as usize] = true;
-            }
-        }
-        let faces = &mut self.faces;
-        let valence = &mut self.valence;
-        self.division.pieces(n, |piece| {
+        let mut inner = Vec::new();
+        self.division.pieces(patch.corners.len(), |piece| {
             let Some(&slot) = slots.next() else { return };
-            let node = |k: usize| patch.corners[piece[k] as usize];
-            faces.faces[slot as usize] = match piece.len() {
-                4 => Face::quad([node(0), node(1), node(2), node(3)]),
-                _ => Face::triangle([node(0), node(1), node(2)]),
-            };
-            faces.adjacent[slot as usize] = [NONE; 4];
-            for k in 0..piece.len() {
-                valence[node(k) as usize] += 1;
-                let (from, to) = (piece[k], piece[(k + 1) % piece.len()]);
-                if usize::from(to) == (usize::from(from) + 1) % n {
-                    let outer = patch.outside[usize::from(from)];
-                    faces.adjacent[slot as usize][k] = outer;
-                    if outer != NONE {
-                        let [a, b] = [from, to].map(|k| patch.corners[usize::from(k)]);
-                        faces.put_across(outer, [b, a], slot);
-                    }
-                    continue;
-                }
-                for &(f, t, other, place) in &sides {
-                    if (f, t) == (to, from) {
-                        faces.adjacent[slot as usize][k] = other;
-                        faces.adjacent[other as usize][place] = slot;
-                    }
-                }
-                sides.push((from, to, slot, k));
+            let face = patch.face(piece);
+            for &node in face.nodes() {
+                valence[node as usize] += 1;
             }
+            faces.faces[slot as usize] = face;
+            faces.link(patch, piece, slot, &mut inner);
         });
         for &slot in slots {
             self.faces.faces[slot as usize].sides = 0;
         }
     }
+
+    /// Takes the sides of a patch's elements out of the counts; these elements and those around them are tried again.
+    fn take_out(&mut self, patch: &Patch) {
+        for &f in &patch.members {
+            for &node in self.faces.faces[f as usize].nodes() {
+                self.valence[node as usize] -= 1;
+            }
+        }
+        for &f in patch.members.iter().chain(&patch.outside) {
+            if f != NONE {
+                self.fresh[f as usize] = true;
+            }
+        }
+    }
+}
+
+impl Patch {
+    /// The element with these corners of the patch.
+    fn face(&self, piece: &[u8]) -> Face {
+        let node = |k: usize| self.corners[piece[k] as usize];
+        match piece.len() {
+            4 => Face::quad([node(0), node(1), node(2), node(3)]),
+            _ => Face::triangle([node(0), node(1), node(2)]),
+        }
+    }
+}
+
+/// A side of a new element: from a corner of the patch to another, the element, and the position in it.
+struct PieceSide {
+    corners: [u8; 2],
+    slot: u32,
+    place: usize,
+}
+
+impl Faces {
+    /// Links a new element of a patch with the elements around the patch, and with those linked before.
+    fn link(&mut self, patch: &Patch, piece: &[u8], slot: u32, inner: &mut Vec<PieceSide>) {
+        self.adjacent[slot as usize] = [NONE; 4];
+        for place in 0..piece.len() {
+            let corners = [piece[place], piece[(place + 1) % piece.len()]];
+            let [from, to] = corners.map(usize::from);
+            let side = PieceSide {
+                corners,
+                slot,
+                place,
+            };
+            if to == (from + 1) % patch.corners.len() {
+                self.link_outside(patch, &side);
+            } else {
+                self.link_inside(side, inner);
+            }
+        }
+    }
+
+    fn link_outside(&mut self, patch: &Patch, side: &PieceSide) {
+        let [from, to] = side.corners.map(usize::from);
+        let outer = patch.outside[from];
+        self.adjacent[side.slot as usize][side.place] = outer;
+        if outer != NONE {
+            self.put_across(outer, [patch.corners[to], patch.corners[from]], side.slot);
+        }
+    }
+
+    /// Links a side within the patch with its twin, if that is among those before.
+    fn link_inside(&mut self, side: PieceSide, inner: &mut Vec<PieceSide>) {
+        let [from, to] = side.corners;
+        for twin in inner.iter().filter(|other| other.corners == [to, from]) {
+            self.adjacent[side.slot as usize][side.place] = twin.slot;
+            self.adjacent[twin.slot as usize][twin.place] = side.slot;
+        }
+        inner.push(side);
+    }
+}
+
+/// The list with other items in the place of a range.
+fn spliced(list: &[u32], range: Range<usize>, items: impl Iterator<Item = u32>) -> Vec<u32> {
+    let mut all = Vec::with_capacity(list.len() + 2);
+    all.extend(&list[..range.start]);
+    all.extend(items);
+    all.extend(&list[range.end..]);
+    all
 }
