@@ -28,6 +28,8 @@ const ON_LINE: f64 = 1e-4;
 const ASIDE: f64 = 0.05;
 /// Ids of cells without a particle count down from here.
 pub(super) const NAMELESS: u32 = u32::MAX;
+/// A triangle that is in no piece of the region that is cut.
+const NO_PIECE: u32 = u32::MAX;
 
 /// The owner of a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -269,49 +271,69 @@ impl Ownership {
     /// Divides a region into connected pieces, each with triangles for which `side` is the same. The largest piece
     /// keeps the region's owner, each other piece becomes a cell. Gives all pieces.
     fn cut(&mut self, region: u32, side: impl Fn([DVec2; 3]) -> bool) -> Vec<u32> {
-        let side = |t: usize| side(self.plane.corners[t]);
-        let mut piece = vec![u32::MAX; self.plane.region.len()];
-        let mut areas: Vec<f64> = Vec::new();
-        for start in 0..piece.len() {
-            if piece[start] != u32::MAX || self.root_of(start) != region {
-                continue;
+        let (pieces, areas) = self.pieces(region, side);
+        let first = self.regions.len() as u32;
+        self.add_regions(region, &areas);
+        for (t, piece) in pieces.into_iter().enumerate() {
+            if piece != NO_PIECE {
+                self.plane.region[t] = first + piece;
             }
-            let number = areas.len() as u32;
-            areas.push(0.0);
-            let mut open = vec![start];
-            piece[start] = number;
-            while let Some(t) = open.pop() {
-                areas[number as usize] += self.plane.area(t);
-                for (other, _) in self.plane.across[t] {
-                    let Some(o) = other.map(|o| o as usize) else {
-                        continue;
-                    };
-                    let same = self.root_of(o) == region && side(o) == side(t);
-                    if same && piece[o] == u32::MAX {
-                        piece[o] = number;
-                        open.push(o);
-                    }
+        }
+        (first..self.regions.len() as u32).collect()
+    }
+
+    /// For each triangle the number of its piece, and for each piece its area.
+    fn pieces(&self, region: u32, side: impl Fn([DVec2; 3]) -> bool) -> (Vec<u32>, Vec<f64>) {
+        let side = |t: usize| side(self.plane.corners[t]);
+        let is_same = |t: usize, o: usize| self.root_of(o) == region && side(o) == side(t);
+        let mut pieces = vec![NO_PIECE; self.plane.region.len()];
+        let mut areas = Vec::new();
+        for start in 0..pieces.len() {
+            if pieces[start] == NO_PIECE && self.root_of(start) == region {
+                let number = areas.len() as u32;
+                areas.push(self.flood(&mut pieces, (start, number), is_same));
+            }
+        }
+        (pieces, areas)
+    }
+
+    /// Gives a triangle's piece its number: the triangles that are reached over sides between two that are the same.
+    /// Returns its area.
+    fn flood(
+        &self,
+        pieces: &mut [u32],
+        (start, number): (usize, u32),
+        is_same: impl Fn(usize, usize) -> bool,
+    ) -> f64 {
+        let mut area = 0.0;
+        let mut open = vec![start];
+        pieces[start] = number;
+        while let Some(t) = open.pop() {
+            area += self.plane.area(t);
+            for other in self.plane.across[t].into_iter().filter_map(|(o, _)| o) {
+                let other = other as usize;
+                if pieces[other] == NO_PIECE && is_same(t, other) {
+                    pieces[other] = number;
+                    open.push(other);
                 }
             }
         }
+        area
+    }
+
+    /// Adds a region for each piece of a region. The first of the largest pieces keeps the owner.
+    fn add_regions(&mut self, region: u32, areas: &[f64]) {
         let keeper =
             (0..areas.len()).max_by(|&a, &b| areas[a].total_cmp(&areas[b]).then(b.cmp(&a)));
-        let first = self.regions.len() as u32;
         for (k, &area) in areas.iter().enumerate() {
             let mut made = self.regions[region as usize].clone();
             made.area = area;
             if Some(k) != keeper {
                 made.owner = Owner::Itself;
             }
-            self.joined.push(first + k as u32);
+            self.joined.push(self.regions.len() as u32);
             self.regions.push(made);
         }
-        for (t, piece) in piece.into_iter().enumerate() {
-            if piece != u32::MAX {
-                self.plane.region[t] = first + piece;
-            }
-        }
-        (first..self.regions.len() as u32).collect()
     }
 
     /// For each region the edges around it, with the inside at their inward normal; empty if it is not a
