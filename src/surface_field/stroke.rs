@@ -44,7 +44,7 @@ impl Stroke {
     /// The stroke as whole numbers: its width and its places, in steps (4096 for the longest side of the mesh's
     /// bounding box). So the stroke can be found again when the same model is divided into other triangles.
     pub fn row(&self, mesh: &TriMesh) -> Vec<i64> {
-        let (lo, side) = unit(mesh);
+        let (lo, side) = mesh.bounding_cube();
         let steps = |x: f64| (x / side * STEPS).round() as i64;
         let mut row = vec![steps(self.width)];
         let mut last = None;
@@ -66,7 +66,7 @@ impl Stroke {
         if places.is_empty() || places.len() % 3 != 0 || width < 0 || !row.iter().all(fits) {
             return None;
         }
-        let (lo, side) = unit(mesh);
+        let (lo, side) = mesh.bounding_cube();
         let each = places.chunks_exact(3).map(|p| {
             let at = DVec3::new(p[0] as f64, p[1] as f64, p[2] as f64);
             search.closest(mesh, lo + at * (side / STEPS))
@@ -114,11 +114,6 @@ pub(super) fn distance(p: DVec3, from: DVec3, by: DVec3) -> f64 {
         0.0
     };
     p.distance(from + t.clamp(0.0, 1.0) * by)
-}
-
-fn unit(mesh: &TriMesh) -> (DVec3, f64) {
-    let (lo, hi) = mesh.bounds();
-    (lo, (hi - lo).max_element().max(f64::MIN_POSITIVE))
 }
 
 impl TriMesh {

@@ -143,6 +143,12 @@ impl TriMesh {
         each.fold((first, first), |(lo, hi), &p| (lo.min(p), hi.max(p)))
     }
 
+    /// The cube that has the least corner and the longest side of the bounding box: this corner and this side, above 0.
+    pub(crate) fn bounding_cube(&self) -> (DVec3, f64) {
+        let (lo, hi) = self.bounds();
+        (lo, (hi - lo).max_element().max(f64::MIN_POSITIVE))
+    }
+
     /// The diagonal of the bounding box.
     pub fn diagonal(&self) -> f64 {
         let (lo, hi) = self.bounds();

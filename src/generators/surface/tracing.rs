@@ -7,12 +7,6 @@ use crate::surface_stones::Fit;
 use crate::trimesh::{Search, TriMesh};
 use glam::DVec3;
 
-/// The corner of a mesh's bounding box with the least coordinates, and the longest side of the box.
-fn unit(mesh: &TriMesh) -> (DVec3, f64) {
-    let (low, high) = mesh.bounds();
-    (low, (high - low).max_element().max(f64::MIN_POSITIVE))
-}
-
 /// The strokes in these rows. Their width is `reach` times the longest side of the mesh's bounding box.
 pub(super) fn strokes(
     mesh: &TriMesh,
@@ -30,7 +24,7 @@ pub(super) fn strokes(
 
 /// The spots in these rows: x, y and z, radius, value. Lengths are in longest sides of the mesh's bounding box.
 pub(super) fn spots(mesh: &TriMesh, search: &Search, rows: &[[f64; 5]]) -> Vec<SurfaceSpot> {
-    let (low, side) = unit(mesh);
+    let (low, side) = mesh.bounding_cube();
     let spot = |&[x, y, z, radius, value]: &[f64; 5]| SurfaceSpot {
         at: search.closest(mesh, low + DVec3::new(x, y, z) * side),
         radius: radius * side,
@@ -41,13 +35,13 @@ pub(super) fn spots(mesh: &TriMesh, search: &Search, rows: &[[f64; 5]]) -> Vec<S
 
 /// The place in space for three whole numbers of a row.
 fn place(mesh: &TriMesh, numbers: [i64; 3]) -> DVec3 {
-    let (low, side) = unit(mesh);
+    let (low, side) = mesh.bounding_cube();
     low + DVec3::from(numbers.map(|n| n as f64)) * (side / BOX_STEPS)
 }
 
 /// The three whole numbers by which rows hold a place in space.
 fn numbers(mesh: &TriMesh, p: DVec3) -> [i64; 3] {
-    let (low, side) = unit(mesh);
+    let (low, side) = mesh.bounding_cube();
     ((p - low) / side * BOX_STEPS)
         .round()
         .to_array()
