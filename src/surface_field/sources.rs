@@ -29,12 +29,21 @@ pub(super) struct Sources {
     axis: (f64, DVec3),
     bones: f64,
     curvature: f64,
-    /// For each vertex: the number of its border and crease edges, the sum of their representation vectors, and their
-    /// weight. Empty if borders and creases have no weight.
-    rims: Vec<(f64, DVec2, f64)>,
+    /// For each vertex its borders and creases. Empty if these have no weight.
+    rims: Vec<RimSum>,
     paint: Paint,
     /// How many triangles have been searched for borders and creases.
     looked_at: usize,
+}
+
+/// The border and crease edges at a vertex.
+#[derive(Clone, Copy, Debug, Default)]
+struct RimSum {
+    count: f64,
+    /// The sum of their representation vectors.
+    sum: DVec2,
+    /// The greatest of their weights.
+    weight: f64,
 }
 
 impl Sources {
@@ -54,7 +63,7 @@ impl Sources {
             ..Self::default()
         };
         if params.borders > 0.0 || params.creases > 0.0 {
-            sources.rims = vec![(0.0, DVec2::ZERO, 0.0); links.len()];
+            sources.rims = vec![RimSum::default(); links.len()];
         }
         for stroke in &params.strokes {
             paint::add(&mut sources.paint, stroke, symmetry, mesh, links, 0.0);
@@ -105,34 +114,26 @@ impl Sources {
         for t in self.looked_at..end {
             let corners = mesh.triangles()[t];
             for k in 0..3 {
-                let weight = match mesh.across(t as u32, k) {
-                    None => weight(params.borders),
-                    Some((other, _)) if other as usize > t && params.creases > 0.0 => {
-                        let cos = mesh.face_normal(t as u32).dot(mesh.face_normal(other));
-                        if cos < sharp {
-                            weight(params.creases)
-                        } else {
-                            0.0
-                        }
-                    }
-                    Some(_) => 0.0,
-                };
-                if weight == 0.0 {
-                    continue;
-                }
-                let [a, b] = [corners[k], corners[(k + 1) % 3]];
-                let by = mesh.positions()[b as usize] - mesh.positions()[a as usize];
-                for v in [a, b] {
-                    let along = links.frames[v as usize].within(by).normalize_or_zero();
-                    let rim = &mut self.rims[v as usize];
-                    rim.0 += 1.0;
-                    rim.1 += representation(along, self.symmetry);
-                    rim.2 = rim.2.max(weight);
+                let weight = rim_weight(params, sharp, mesh, (t as u32, k));
+                if weight > 0.0 {
+                    self.add_rim([corners[k], corners[(k + 1) % 3]], weight, mesh, links);
                 }
             }
         }
         self.looked_at = end;
         end == all
+    }
+
+    /// Adds a border or crease edge to both its ends.
+    fn add_rim(&mut self, [a, b]: [u32; 2], weight: f64, mesh: &TriMesh, links: &Adjacency) {
+        let by = mesh.positions()[b as usize] - mesh.positions()[a as usize];
+        for v in [a, b] {
+            let along = links.frames[v as usize].within(by).normalize_or_zero();
+            let rim = &mut self.rims[v as usize];
+            rim.count += 1.0;
+            rim.sum += representation(along, self.symmetry);
+            rim.weight = rim.weight.max(weight);
+        }
     }
 
     /// The sum of all constraints at a vertex. Weights do not include the vertex' area yet, see [`scale`].
@@ -166,11 +167,11 @@ impl Sources {
                 representation(least, self.symmetry),
             );
         }
-        if let Some(&(count, sum, weight)) = self.rims.get(v)
-            && count > 0.0
+        if let Some(rim) = self.rims.get(v)
+            && rim.count > 0.0
         {
-            held += weight;
-            load += weight / count * sum;
+            held += rim.weight;
+            load += rim.weight / rim.count * rim.sum;
         }
         if self.bones > 0.0 && bone.held > 0.0 {
             let said = if self.symmetry == 1 {
@@ -200,6 +201,20 @@ impl Sources {
 /// as the mesh gets finer, so constraints count by area, relative to that of a cell.
 pub(super) fn scale(mass: f64, size: f64) -> f64 {
     2.0 / 3.0 * mass / (HEED * HEED * size * size)
+}
+
+/// The weight of the side of a triangle after its corner k, as a border or a crease; 0 if it is neither. A crease
+/// counts in the triangle with the lesser number. `sharp` is the cosine of the least angle of creases.
+fn rim_weight(params: &DirectionParams, sharp: f64, mesh: &TriMesh, (t, k): (u32, usize)) -> f64 {
+    let Some((other, _)) = mesh.across(t, k) else {
+        return weight(params.borders);
+    };
+    let is_crease = || mesh.face_normal(t).dot(mesh.face_normal(other)) < sharp;
+    if other > t && params.creases > 0.0 && is_crease() {
+        weight(params.creases)
+    } else {
+        0.0
+    }
 }
 
 fn weight(x: f64) -> f64 {

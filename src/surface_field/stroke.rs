@@ -158,49 +158,13 @@ impl TriMesh {
         moved
     }
 
-    /// The shortest path over the edges, by A*; `None` if there is none. Equal distances go by the vertex index.
+    /// The shortest path over the edges; `None` if there is none.
     fn along_edges(&self, from: &SurfacePoint, to: &SurfacePoint) -> Option<Vec<SurfacePoint>> {
-        let at = self.positions();
-        let mut best: BTreeMap<u32, (f64, u32)> = BTreeMap::new();
-        let mut open = BinaryHeap::new();
-        let guess = |v: u32| at[v as usize].distance(to.at);
-        for &v in &self.triangles()[from.triangle as usize] {
-            let far = at[v as usize].distance(from.at);
-            best.insert(v, (far, v));
-            open.push(Reverse((order::rank(far + guess(v)), v)));
-        }
-        let goals = self.triangles()[to.triangle as usize];
-        let mut found = None;
-        while let Some(Reverse((rank, v))) = open.pop() {
-            let (far, _) = best[&v];
-            if rank > order::rank(far + guess(v)) {
-                continue;
-            }
-            if goals.contains(&v) {
-                found = Some(v);
-                break;
-            }
-            for (t, k) in self.fan(v) {
-                let corners = self.triangles()[t as usize];
-                for other in [corners[(k + 1) % 3], corners[(k + 2) % 3]] {
-                    let next = far + at[v as usize].distance(at[other as usize]);
-                    let old = best.get(&other).map_or(f64::INFINITY, |b| b.0);
-                    if next < old {
-                        best.insert(other, (next, v));
-                        open.push(Reverse((order::rank(next + guess(other)), other)));
-                    }
-                }
-            }
-        }
+        let mut search = EdgeSearch::begin(self, from, to);
+        let last = search.find()?;
         let mut path = vec![*to];
-        let mut v = found?;
-        loop {
+        for v in search.walk_back(last) {
             path.push(self.vertex_point(v)?);
-            let before = best[&v].1;
-            if before == v {
-                break;
-            }
-            v = before;
         }
         path.push(*from);
         path.reverse();
@@ -213,6 +177,78 @@ impl TriMesh {
         let mut weights = DVec3::ZERO;
         weights[corner] = 1.0;
         Some(SurfacePoint::new(self, triangle, weights))
+    }
+}
+
+/// A search over the edges for the shortest path between two places, by A*. Equal distances go by the vertex index.
+struct EdgeSearch<'a> {
+    mesh: &'a TriMesh,
+    to: &'a SurfacePoint,
+    /// For each vertex reached, the length of the path to it, and the vertex before it; the first comes before itself.
+    best: BTreeMap<u32, (f64, u32)>,
+    open: BinaryHeap<Reverse<(u64, u32)>>,
+}
+
+impl<'a> EdgeSearch<'a> {
+    fn begin(mesh: &'a TriMesh, from: &SurfacePoint, to: &'a SurfacePoint) -> Self {
+        let mut search = Self {
+            mesh,
+            to,
+            best: BTreeMap::new(),
+            open: BinaryHeap::new(),
+        };
+        for &v in &mesh.triangles()[from.triangle as usize] {
+            search.reach(v, search.place(v).distance(from.at), v);
+        }
+        search
+    }
+
+    fn place(&self, v: u32) -> DVec3 {
+        self.mesh.positions()[v as usize]
+    }
+
+    /// The rank of a vertex at this distance: paths to the goal have at least the rest of the way before them.
+    fn rank(&self, v: u32, far: f64) -> u64 {
+        order::rank(far + self.place(v).distance(self.to.at))
+    }
+
+    /// Notes a path to a vertex, if it is the shortest so far.
+    fn reach(&mut self, v: u32, far: f64, before: u32) {
+        if self.best.get(&v).is_none_or(|old| far < old.0) {
+            self.best.insert(v, (far, before));
+            self.open.push(Reverse((self.rank(v, far), v)));
+        }
+    }
+
+    /// The corner of the goal's triangle at the end of the shortest path.
+    fn find(&mut self) -> Option<u32> {
+        let goals = self.mesh.triangles()[self.to.triangle as usize];
+        while let Some(Reverse((rank, v))) = self.open.pop() {
+            let (far, _) = self.best[&v];
+            // A shorter path may have been found since.
+            if rank > self.rank(v, far) {
+                continue;
+            }
+            if goals.contains(&v) {
+                return Some(v);
+            }
+            for (t, k) in self.mesh.fan(v) {
+                let corners = self.mesh.triangles()[t as usize];
+                for other in [corners[(k + 1) % 3], corners[(k + 2) % 3]] {
+                    let next = far + self.place(v).distance(self.place(other));
+                    self.reach(other, next, v);
+                }
+            }
+        }
+        None
+    }
+
+    /// The vertices of the path to a vertex, from its end to its start.
+    fn walk_back(&self, end: u32) -> impl Iterator<Item = u32> {
+        std::iter::successors(Some(end), |v| {
+            let (_, before) = self.best[v];
+            (before != *v).then_some(before)
+        })
     }
 }
 
