@@ -148,49 +148,60 @@ impl GroundMaking {
         let Some(&(part, _)) = self.order.get(self.next) else {
             return GroundSlice::End;
         };
-        let mut fine = Surface::default();
-        // Marks vertices that lie on a border of the part or of the surface.
-        let mut stays = Vec::new();
         let own = self.order[self.next..].iter().take_while(|o| o.0 == part);
-        for &(_, t) in own {
-            let places = &mut self.places;
-            fine.triangles
-                .push(self.surface.triangles[t as usize].map(|v| {
-                    let at = v as usize;
-                    if places[at] == NONE {
-                        places[at] = fine.positions.len() as u32;
-                        fine.positions.push(self.surface.positions[at]);
-                        fine.normals.push(self.surface.normals[at]);
-                        fine.colours.push(self.surface.colours[at]);
-                        stays.push(self.is_shared[at]);
-                    }
-                    places[at]
-                }));
-        }
-        let count = fine.triangles.len();
-        for &(_, t) in &self.order[self.next..][..count] {
-            for v in self.surface.triangles[t as usize] {
-                self.places[v as usize] = NONE;
-            }
-        }
-        self.next += count;
-        for v in boundary_edges(&fine.triangles, stays.len()).as_flattened() {
-            stays[*v as usize] = true;
-        }
-        let mut triangles = fine.triangles.clone();
-        let mut levels = Vec::new();
-        for degree in DEGREES {
-            let (most, positions) = ((count / degree, self.far), &fine.positions);
-            simplify_between(positions, &mut triangles, most, f32::MIN, |v| {
-                stays[v as usize]
-            });
-            triangles.retain(|t| t[0] != t[1]);
-            levels.push(fine.part(&triangles));
-        }
+        let own: Vec<u32> = own.map(|o| o.1).collect();
+        self.next += own.len();
+        let (fine, stays) = self.cut_out(&own);
+        let mut levels = self.simplified(&fine, &stays);
         if self.has_fine {
             levels.insert(0, fine);
         }
         GroundSlice::Part(levels)
+    }
+
+    /// The surface of some triangles, and marks of its vertices that lie on a border of the part or of the surface.
+    fn cut_out(&mut self, own: &[u32]) -> (Surface, Vec<bool>) {
+        let (mut part, mut stays) = (Surface::default(), Vec::new());
+        for &t in own {
+            let corners = self.surface.triangles[t as usize];
+            let corners = corners.map(|v| self.place(v as usize, &mut part, &mut stays));
+            part.triangles.push(corners);
+        }
+        for &t in own {
+            for v in self.surface.triangles[t as usize] {
+                self.places[v as usize] = NONE;
+            }
+        }
+        for &v in boundary_edges(&part.triangles, stays.len()).as_flattened() {
+            stays[v as usize] = true;
+        }
+        (part, stays)
+    }
+
+    /// The index of a vertex in the current part, which gets the vertex if it does not have it yet.
+    fn place(&mut self, v: usize, part: &mut Surface, stays: &mut Vec<bool>) -> u32 {
+        if self.places[v] == NONE {
+            self.places[v] = part.positions.len() as u32;
+            part.positions.push(self.surface.positions[v]);
+            part.normals.push(self.surface.normals[v]);
+            part.colours.push(self.surface.colours[v]);
+            stays.push(self.is_shared[v]);
+        }
+        self.places[v]
+    }
+
+    /// The coarser levels of a part, each simplified from the one before. Vertices marked in `stays` stay.
+    fn simplified(&self, fine: &Surface, stays: &[bool]) -> Vec<Surface> {
+        let count = fine.triangles.len();
+        let mut triangles = fine.triangles.clone();
+        let level = |degree: usize| {
+            let most = (count / degree, self.far);
+            let stays = |v: u32| stays[v as usize];
+            simplify_between(&fine.positions, &mut triangles, most, f32::MIN, stays);
+            triangles.retain(|t| t[0] != t[1]);
+            fine.part(&triangles)
+        };
+        DEGREES.map(level).into()
     }
 
     /// The share of the work that is done, 0 to 1.

@@ -9,45 +9,66 @@ const SAME: f64 = 1e-5;
 
 /// The neighbours of each cell, as rising indices. If a is a neighbour of b, then b is one of a.
 pub fn links(cells: &[SurfaceCell]) -> Vec<Vec<u32>> {
-    let side = SAME * super::mean_size(cells);
-    // Rounding may put a corner into any of the cubes that touch its own.
-    let cube = |p: DVec3| [p.x, p.y, p.z].map(|v| (v / (4.0 * side)).floor() as i64);
-    let mut corners: Vec<([i64; 3], u32, DVec3)> = Vec::new();
-    for (k, cell) in cells.iter().enumerate() {
-        corners.extend(cell.ring.iter().map(|&p| (cube(p), k as u32, p)));
-    }
-    corners.sort_unstable_by_key(|&(cube, k, _)| (cube, k));
-    let mut links = vec![Vec::new(); cells.len()];
-    for (k, cell) in cells.iter().enumerate() {
-        let own: &mut Vec<u32> = &mut links[k];
-        for &p in &cell.ring {
-            for near in 0..8 {
-                // Along an axis where the corner is near a side of its cube, also take the next cube.
-                let reach = DVec3::from([0, 1, 2].map(|axis| f64::from(near >> axis & 1)));
-                let [low, high] = [p - side, p + side].map(cube);
-                let at = [0, 1, 2].map(|axis| {
-                    if reach[axis] > 0.0 {
-                        high[axis]
-                    } else {
-                        low[axis]
-                    }
-                });
-                let is_there = [0, 1, 2].map(|axis| reach[axis] == 0.0 || high[axis] != low[axis]);
-                if is_there.contains(&false) {
-                    continue;
-                }
-                let first = corners.partition_point(|c| c.0 < at);
-                for &(_, other, q) in corners[first..].iter().take_while(|c| c.0 == at) {
-                    if other != k as u32 && (p - q).length() <= side {
-                        own.push(other);
-                    }
-                }
-            }
-        }
+    let grid = CornerGrid::new(cells);
+    let linked = |(k, cell): (usize, &SurfaceCell)| {
+        let near = cell.ring.iter().flat_map(|&p| grid.near(p));
+        let mut own: Vec<u32> = near.filter(|&other| other as usize != k).collect();
         own.sort_unstable();
         own.dedup();
+        own
+    };
+    cells.iter().enumerate().map(linked).collect()
+}
+
+/// The corners of all cells, to find those that are the same.
+struct CornerGrid {
+    /// Corners at most this far apart are the same.
+    side: f64,
+    /// Corners with their cubes and cells, sorted by these.
+    corners: Vec<([i64; 3], u32, DVec3)>,
+}
+
+impl CornerGrid {
+    fn new(cells: &[SurfaceCell]) -> Self {
+        let mut grid = Self {
+            side: SAME * super::mean_size(cells),
+            corners: Vec::new(),
+        };
+        for (k, cell) in (0..).zip(cells) {
+            for &p in &cell.ring {
+                grid.corners.push((grid.cube(p), k, p));
+            }
+        }
+        grid.corners.sort_unstable_by_key(|&(cube, k, _)| (cube, k));
+        grid
     }
-    links
+
+    /// The cube of a place. Cubes are so large that places near it lie in at most two along each axis.
+    fn cube(&self, p: DVec3) -> [i64; 3] {
+        p.to_array().map(|v| (v / (4.0 * self.side)).floor() as i64)
+    }
+
+    /// The cells with a corner at a place, once for each such corner.
+    fn near(&self, p: DVec3) -> impl Iterator<Item = u32> {
+        let [low, high] = [p - self.side, p + self.side].map(|p| self.cube(p));
+        cubes(low, high)
+            .flat_map(|cube| self.within(cube))
+            .filter(move |(_, _, q)| (p - q).length() <= self.side)
+            .map(|&(_, cell, _)| cell)
+    }
+
+    fn within(&self, cube: [i64; 3]) -> impl Iterator<Item = &([i64; 3], u32, DVec3)> {
+        let first = self.corners.partition_point(|c| c.0 < cube);
+        let rest = self.corners[first..].iter();
+        rest.take_while(move |c| c.0 == cube)
+    }
+}
+
+/// All cubes from one to another.
+fn cubes(low: [i64; 3], high: [i64; 3]) -> impl Iterator<Item = [i64; 3]> {
+    let [x, y, z] = [0, 1, 2].map(|axis| low[axis]..=high[axis]);
+    let flat = x.flat_map(move |x| y.clone().map(move |y| [x, y]));
+    flat.flat_map(move |[x, y]| z.clone().map(move |z| [x, y, z]))
 }
 
 /// The neighbours beyond the sides of a cell: those of its links that share two corners or more with it.

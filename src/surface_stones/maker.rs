@@ -1,7 +1,7 @@
 //! Makes the surfaces of a cell's stone, bent and coloured.
 
 use super::look::{Look, Own, bytes};
-use super::template::{SharedLevels, Templates};
+use super::template::{SharedLevels, StoneLevel, Templates};
 use super::{StonesParams, UnfoldedCell, mean_size};
 use crate::heightfield::{Surfaces, TextureParams};
 use crate::material::{Coat, StoneTexture};
@@ -66,49 +66,30 @@ impl Maker {
             walls,
             template,
         } = self.flat_stone(cell, coat, leans_out)?;
-        let positions = &mut surface.positions;
         let own = Own::new(&flat, face);
         let up = flat.axes[2].y as f32;
-        // Colour the vertices of the finest level only: coarser ones use a subset.
-        let mut colours = vec![None; positions.len()];
-        let finest = template.levels.first()?;
-        for &v in &finest.kept {
-            let seen = self.look.bare(&own, positions[v as usize], up);
-            colours[v as usize] = Some((bytes(seen.colour), seen.height));
-        }
+        self.colour(&mut surface, &own, template.levels.first()?, up);
         let middle = Vec3::new(0.0, 0.0, top(&params, flat.cell.size) as f32);
         let material = self.look.bare(&own, middle, up).material;
-        for (p, seen) in positions.iter_mut().zip(&colours) {
-            if let Some((_, height)) = seen {
-                p.z = greater(*height, p.z.min(self.look.level));
-            }
-        }
-        let bent: Vec<Vec3> = positions
-            .iter()
-            .map(|p| flat.placed(p.as_dvec3()).as_vec3())
-            .collect();
-        // The axes are left-handed, so triangles run the other way round. Take normals without the cap, which would
-        // bend the normals of the walls.
-        let turned: Vec<[u32; 3]> = walls.iter().map(|&[a, b, c]| [a, c, b]).collect();
-        let normals = normals(&bent, &turned);
-        let level = |level: &super::template::StoneLevel| {
-            let kept = level.kept.iter().map(|&v| v as usize);
-            Surface {
-                positions: kept.clone().map(|v| bent[v]).collect(),
-                normals: kept.clone().map(|v| normals[v]).collect(),
-                colours: kept.map(|v| colours[v].map_or([0; 3], |c| c.0)).collect(),
-                triangles: level.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect(),
-            }
-        };
-        let mut levels: Vec<Surface> = template.levels.iter().map(level).collect();
-        for surface in &mut levels {
-            under(surface, flat.axes[2]);
-        }
+        bend(&mut surface, &flat, &walls);
+        let levels = template.levels.iter();
+        let levels = levels.map(|level| level_of(&surface, level, flat.axes[2]));
         Some(Made {
             own,
-            levels,
+            levels: levels.collect(),
             material,
         })
+    }
+
+    /// Colours the vertices of the finest level, and gives them the height of their relief. Coarser levels use some of
+    /// them.
+    fn colour(&self, surface: &mut Surface, own: &Own, finest: &StoneLevel, up: f32) {
+        for v in finest.kept.iter().map(|&v| v as usize) {
+            let p = &mut surface.positions[v];
+            let seen = self.look.bare(own, *p, up);
+            surface.colours[v] = bytes(seen.colour);
+            p.z = greater(seen.height, p.z.min(self.look.level));
+        }
     }
 }
 
@@ -149,6 +130,30 @@ impl Maker {
             template,
         })
     }
+}
+
+/// Bends a flat stone onto the surface, and gives it normals.
+fn bend(surface: &mut Surface, flat: &UnfoldedCell, walls: &[[u32; 3]]) {
+    for p in &mut surface.positions {
+        *p = flat.placed(p.as_dvec3()).as_vec3();
+    }
+    // The axes are left-handed, so triangles run the other way round. Take normals without the cap, which would
+    // bend the normals of the walls.
+    let turned: Vec<[u32; 3]> = walls.iter().map(|&[a, b, c]| [a, c, b]).collect();
+    surface.normals = normals(&surface.positions, &turned);
+}
+
+/// A level of detail of a bent stone. `out` is the direction away from the ground.
+fn level_of(bent: &Surface, level: &StoneLevel, out: DVec3) -> Surface {
+    let kept = level.kept.iter().map(|&v| v as usize);
+    let mut surface = Surface {
+        positions: kept.clone().map(|v| bent.positions[v]).collect(),
+        normals: kept.clone().map(|v| bent.normals[v]).collect(),
+        colours: kept.map(|v| bent.colours[v]).collect(),
+        triangles: level.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect(),
+    };
+    under(&mut surface, out);
+    surface
 }
 
 /// Sets the normal of the cap's middle, which belongs to no wall, so that it points inwards.
