@@ -5,6 +5,7 @@
 //! rotated from one such pixel to the next. Each pixel gets the mean of the computed ones beside it, as far as they
 //! lie on the same surface. All rotations have the same weight in the mean, so no pattern shows.
 
+use super::View;
 use super::visibility::VisibilityBuffer;
 use crate::order::{greater, lesser};
 use glam::Vec3;
@@ -38,6 +39,72 @@ pub(super) struct Occlusion {
     wide: usize,
     /// The visible part of the sky at each pixel; 255 is all of it.
     pub open: Vec<u8>,
+}
+
+/// The samples around a pixel. First they are read, then it is computed how much they hide: so the compiler makes the
+/// second loop do four at a time.
+struct SkySamples {
+    /// The inverse depth at each sample; 0 where there is none.
+    there: [f32; TAPS],
+    right: [f32; TAPS],
+    down: [f32; TAPS],
+}
+
+impl SkySamples {
+    /// Reads the samples of a pattern around a pixel, `across` pixels wide.
+    #[inline(always)]
+    fn read(
+        sight: &VisibilityBuffer,
+        pattern: &[[f32; 2]; TAPS],
+        [x, y]: [usize; 2],
+        across: f32,
+    ) -> Self {
+        let width = sight.view().size[0];
+        let [wide, high] = sight.view().size.map(|v| v as f32);
+        let (mut there, mut right, mut down) = ([0.0; TAPS], [0.0; TAPS], [0.0; TAPS]);
+        for (k, &[dx, dy]) in pattern.iter().enumerate() {
+            let (tx, ty) = (x as f32 + 0.5 + dx * across, y as f32 + 0.5 + dy * across);
+            if tx >= 0.0 && ty >= 0.0 && tx < wide && ty < high {
+                // Cast through i32: the cast to unsigned is slower on x86.
+                let (tx, ty) = (tx as i32, ty as i32);
+                there[k] = sight.inverse[ty as usize * width + tx as usize];
+                (right[k], down[k]) = (tx as f32, ty as f32);
+            }
+        }
+        Self { there, right, down }
+    }
+
+    /// The sum of the parts of the sky that samples hide at a point with a normal. `fading` is half of the inverse of
+    /// the squared reach.
+    #[inline(always)]
+    fn hidden(&self, view: &View, point: Vec3, normal: Vec3, fading: f32) -> f32 {
+        let mut parts = [0.0; TAPS];
+        for k in 0..TAPS {
+            let depth = 1.0 / greater(self.there[k], f32::MIN_POSITIVE);
+            let way = at_depth(view, [self.right[k], self.down[k]], depth) - point;
+            // A sample on the pixel itself hides nothing.
+            let square = greater(way.length_squared(), 1e-12);
+            let cosine = way.dot(normal) / square.sqrt();
+            let fades = greater(1.0 - square * fading, 0.0);
+            let part = greater(cosine - LEAST, 0.0) * fades;
+            parts[k] = if self.there[k] > 0.0 { part } else { 0.0 };
+        }
+        parts.iter().sum()
+    }
+}
+
+/// The place at a pixel in this depth. The axes point to the right, down and into the frame.
+#[inline(always)]
+fn at_depth(view: &View, [x, y]: [f32; 2], depth: f32) -> Vec3 {
+    let across = (x + 0.5 - view.middle[0]) * view.slope;
+    let down = (y + 0.5 - view.middle[1]) * view.slope;
+    Vec3::new(across * depth, down * depth, depth)
+}
+
+/// A direction along the axes of [`at_depth`].
+#[inline(always)]
+fn on_screen(view: &View, v: Vec3) -> Vec3 {
+    Vec3::new(v.dot(view.right), -v.dot(view.up), v.dot(view.ahead))
 }
 
 impl Occlusion {
@@ -89,54 +156,18 @@ impl Occlusion {
         }
         let view = sight.view();
         let [width, height] = view.size;
-        let [wide, high] = [width as f32, height as f32];
-        let (slope, fading) = (view.slope, 0.5 / (reach * reach));
-        // The axes point to the right, down and into the frame.
-        let at_depth = |x: f32, y: f32, depth: f32| {
-            let across = (x + 0.5 - view.middle[0]) * slope;
-            let down = (y + 0.5 - view.middle[1]) * slope;
-            Vec3::new(across * depth, down * depth, depth)
-        };
+        let fading = 0.5 / (reach * reach);
         let patterns = &self.pattern[(y / STEP % PATTERN) * PATTERN..][..PATTERN];
         for x in (0..width).step_by(STEP) {
-            let at = y * width + x;
-            let inverse = sight.inverse[at];
-            let across = lesser(reach * view.focal * inverse, MOST_REACH * high);
+            let inverse = sight.inverse[y * width + x];
+            let across = lesser(reach * view.focal * inverse, MOST_REACH * height as f32);
             // Also skips pixels without a surface.
             if across < 1.0 {
                 continue;
             }
-            let point = at_depth(x as f32, y as f32, 1.0 / inverse);
-            let normal = normal(x);
-            let normal = Vec3::new(
-                normal.dot(view.right),
-                -normal.dot(view.up),
-                normal.dot(view.ahead),
-            );
-            // First read the samples, then compute what they hide: the compiler makes the second loop do four at a
-            // time.
-            let (mut there, mut right, mut down) = ([0.0; TAPS], [0.0; TAPS], [0.0; TAPS]);
-            for (k, &[dx, dy]) in patterns[x / STEP % PATTERN].iter().enumerate() {
-                let (tx, ty) = (x as f32 + 0.5 + dx * across, y as f32 + 0.5 + dy * across);
-                if tx >= 0.0 && ty >= 0.0 && tx < wide && ty < high {
-                    // Cast through i32: the cast to unsigned is slower on x86.
-                    let (tx, ty) = (tx as i32, ty as i32);
-                    there[k] = sight.inverse[ty as usize * width + tx as usize];
-                    (right[k], down[k]) = (tx as f32, ty as f32);
-                }
-            }
-            let mut parts = [0.0; TAPS];
-            for k in 0..TAPS {
-                let depth = 1.0 / greater(there[k], f32::MIN_POSITIVE);
-                let way = at_depth(right[k], down[k], depth) - point;
-                // A sample on the pixel itself hides nothing.
-                let square = greater(way.length_squared(), 1e-12);
-                let cosine = way.dot(normal) / square.sqrt();
-                let fades = greater(1.0 - square * fading, 0.0);
-                let part = greater(cosine - LEAST, 0.0) * fades;
-                parts[k] = if there[k] > 0.0 { part } else { 0.0 };
-            }
-            let hidden: f32 = parts.iter().sum();
+            let point = at_depth(view, [x as f32, y as f32], 1.0 / inverse);
+            let samples = SkySamples::read(sight, &patterns[x / STEP % PATTERN], [x, y], across);
+            let hidden = samples.hidden(view, point, on_screen(view, normal(x)), fading);
             let open = greater(1.0 - STRENGTH * hidden / TAPS as f32, 0.0);
             self.raw[y / STEP * self.wide + x / STEP] = (255.0 * open + 0.5) as u8;
         }
