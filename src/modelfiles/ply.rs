@@ -131,6 +131,33 @@ fn scalar(word: &[u8]) -> Result<Scalar, Notice> {
     })
 }
 
+/// The byte that ends the lines of the head. The numbers of a binary file begin right after it, so it must be known
+/// exactly.
+fn line_end(bytes: &[u8]) -> u8 {
+    match bytes {
+        [_, _, _, b'\r', after, ..] if *after != b'\n' => b'\r',
+        _ => b'\n',
+    }
+}
+
+fn format_of(word: &[u8]) -> Result<Format, Notice> {
+    Ok(match word {
+        b"ascii" => Format::Text,
+        b"binary_little_endian" => Format::Little,
+        b"binary_big_endian" => Format::Big,
+        _ => return Err(bad_head()),
+    })
+}
+
+/// An element that has no properties yet.
+fn element(name: &[u8], count: &[u8]) -> Result<Element, Notice> {
+    Ok(Element {
+        count: whole(count).ok_or_else(bad_head)?,
+        is_vertex: name == b"vertex",
+        properties: Vec::new(),
+    })
+}
+
 impl Ply {
     /// The next line of the head, in lower case. `end` is the byte that ends lines.
     fn head_line(&mut self, bytes: &[u8], end: u8) -> Result<Vec<u8>, Notice> {
@@ -148,30 +175,19 @@ impl Ply {
     }
 
     fn read_head(&mut self, bytes: &[u8]) -> Result<Head, Notice> {
+        let end = line_end(bytes);
         let mut format = None;
         let mut elements: Vec<Element> = Vec::new();
-        // The numbers of a binary file begin right after the head, so the end of a line must be known exactly.
-        let ends_with_cr = bytes
-            .get(3..5)
-            .is_some_and(|end| end[0] == b'\r' && end[1] != b'\n');
-        let end = if ends_with_cr { b'\r' } else { b'\n' };
         loop {
             let line = self.head_line(bytes, end)?;
             let line: Vec<&[u8]> = words(&line).collect();
             match line[..] {
-                [b"format", kind, ..] => {
-                    format = Some(match kind {
-                        b"ascii" => Format::Text,
-                        b"binary_little_endian" => Format::Little,
-                        b"binary_big_endian" => Format::Big,
-                        _ => return Err(bad_head()),
-                    });
+                [b"format", kind, ..] => format = Some(format_of(kind)?),
+                [b"element", name, count] => {
+                    elements.push(element(name, count)?);
+                    // Strips are recognised by the name of their element.
+                    self.has_faces |= name == b"tristrips";
                 }
-                [b"element", name, count] => elements.push(Element {
-                    count: whole(count).ok_or_else(bad_head)?,
-                    is_vertex: name == b"vertex",
-                    properties: Vec::new(),
-                }),
                 [b"property", b"list", count, item, name] => {
                     let count = scalar(count)?;
                     add_property(&mut elements, name, item, Some(count))?;
@@ -180,10 +196,6 @@ impl Ply {
                 [b"end_header"] => break,
                 [b"ply"] | [b"comment", ..] | [b"obj_info", ..] | [] => {}
                 _ => return Err(bad_head()),
-            }
-            // Strips are recognised by the name of their element.
-            if let [b"element", b"tristrips", _] = line[..] {
-                self.has_faces = true;
             }
         }
         let format = format.ok_or_else(bad_head)?;
