@@ -4,6 +4,7 @@
 //! its finish. The ground is a block with the picture's top, cut off straight at its edges. Stones that reach over the
 //! picture's edge are whole, and the block is wide enough to hold their feet.
 
+use super::block::{cut_off, widened};
 use super::bump_map::BumpMap;
 use super::sheet::GroundSheet;
 use super::{GROUND, Planes, Surfaces, TextureParams};
@@ -23,9 +24,6 @@ const SQUARES: [usize; 3] = [192, 96, 48];
 const PIXELS: usize = 65_536;
 /// Depth of the block below the base of the stones, in sides of the picture.
 const THICK: f32 = 0.035;
-/// Colour of the cut faces at the top and at the bottom, relative to the mean colour of the ground along the
-/// edges.
-const CUT: [f32; 2] = [1.0, 0.75];
 /// On a tile, a stone's image at the opposite edge is shown if at least this share of its extent, along both sides,
 /// lies in the picture.
 const INSIDE: f32 = 0.35;
@@ -233,101 +231,6 @@ fn images(extent: [[f32; 2]; 2], tile: bool) -> Vec<[f32; 2]> {
         }
     }
     images
-}
-
-/// A sheet of `n` squares a side with a plain rim around it, `by` wide, of the mean colour and height of its edges. The
-/// result has `n` + 4 squares a side, of which two rings are the rim and a seam without area.
-fn widened(sheet: &Surface, n: usize, by: f32) -> Surface {
-    let (row, wide) = (n + 1, n + 4);
-    let at = |i: usize, j: usize| (j.clamp(2, n + 2) - 2) * row + i.clamp(2, n + 2) - 2;
-    let edge: Vec<usize> = (0..row * row)
-        .filter(|k| [0, n].contains(&(k % row)) || [0, n].contains(&(k / row)))
-        .collect();
-    let count = edge.len() as f32;
-    let height = edge.iter().map(|&k| sheet.positions[k].z).sum::<f32>() / count;
-    let colours = edge
-        .iter()
-        .map(|&k| Vec3::from(sheet.colours[k].map(f32::from)));
-    let colour = (colours.sum::<Vec3>() / count).to_array().map(|v| v as u8);
-    let moved = |k: usize| match k {
-        0 => -by,
-        k if k == wide => by,
-        _ => 0.0,
-    };
-    let mut rimmed = Surface::default();
-    for j in 0..=wide {
-        for i in 0..=wide {
-            let source = at(i, j);
-            let is_own = (2..=n + 2).contains(&i) && (2..=n + 2).contains(&j);
-            let is_seam = (1..wide).contains(&i) && (1..wide).contains(&j);
-            let mut p = sheet.positions[source];
-            if !is_seam {
-                p = Vec3::new(p.x + moved(i), p.y + moved(j), height);
-            }
-            rimmed.positions.push(p);
-            rimmed.colours.push(if is_own {
-                sheet.colours[source]
-            } else {
-                colour
-            });
-            let normal = if is_own {
-                sheet.normals[source]
-            } else {
-                Vec3::Z
-            };
-            rimmed.normals.push(normal);
-            let is_flat = |k: usize| k == 1 || k == n + 2 || k == wide;
-            if !is_flat(i) && !is_flat(j) {
-                let a = (j * (wide + 1) + i) as u32;
-                let c = a + wide as u32 + 1;
-                rimmed.triangles.extend([[a, a + 1, c + 1], [a, c + 1, c]]);
-            }
-        }
-    }
-    rimmed
-}
-
-/// Turns a sheet with `n` squares a side into a block: adds walls along its edges and a bottom.
-fn cut_off(sheet: &mut Surface, n: usize, thick: f32) {
-    let row = n + 1;
-    // The four sides, clockwise on screen seen from above: the wall's normal, and the grid points along it.
-    let sides: [(Vec3, &dyn Fn(usize) -> usize); 4] = [
-        (Vec3::NEG_Y, &|k| k),
-        (Vec3::X, &|k| k * row + n),
-        (Vec3::Y, &|k| n * row + n - k),
-        (Vec3::NEG_X, &|k| (n - k) * row),
-    ];
-    // Each wall has one colour: single grains of sand would make streaks.
-    let mut mean = Vec3::ZERO;
-    for (_, place) in &sides {
-        let colours = (0..n).map(|k| sheet.colours[place(k)]);
-        mean += colours.map(|c| Vec3::from(c.map(f32::from))).sum::<Vec3>() / (4 * n) as f32;
-    }
-    let cut = CUT.map(|part| (mean * part).to_array().map(|v| v as u8));
-    for (normal, place) in sides {
-        let first = sheet.positions.len() as u32;
-        for k in 0..=n {
-            let p = sheet.positions[place(k)];
-            for (z, colour) in [(p.z, cut[0]), (-thick, cut[1])] {
-                sheet.positions.push(Vec3::new(p.x, p.y, lesser(z, p.z)));
-                sheet.normals.push(normal);
-                sheet.colours.push(colour);
-            }
-        }
-        for k in 0..n as u32 {
-            let [a, b, c, d] = [0, 1, 2, 3].map(|v| first + 2 * k + v);
-            sheet.triangles.extend([[a, b, c], [b, d, c]]);
-        }
-    }
-    let first = sheet.positions.len() as u32;
-    for place in [0, n, n * row, n * row + n] {
-        let p = sheet.positions[place];
-        sheet.positions.push(Vec3::new(p.x, p.y, -thick));
-        sheet.normals.push(Vec3::NEG_Z);
-        sheet.colours.push(cut[1]);
-    }
-    let [a, b, c, d] = [0, 1, 2, 3].map(|v| first + v);
-    sheet.triangles.extend([[a, c, b], [b, c, d]]);
 }
 
 #[cfg(test)]

@@ -49,6 +49,8 @@
 //! assert_eq!(shader.rgba().len(), 4 * 64 * 64);
 //! ```
 
+#[cfg(house)]
+mod block;
 mod box_filter;
 #[cfg(house)]
 mod bump_map;
