@@ -1,7 +1,8 @@
 //! Bodies and surfaces for tests.
 
 use super::{
-    Dart, Darting, Fate, Kind, Method, Order, RefineParams, Refining, Shape, Turn, Wall, merge,
+    Body, Dart, Darting, Fate, Kind, Method, Order, OverlapWork, RefineParams, Refining, Shape,
+    Turn, Wall, merge,
 };
 use crate::component::Sphere;
 use crate::trimesh::{Search, TriMesh, testing};
@@ -140,4 +141,24 @@ pub fn pile(
 
 pub fn count(refining: &Refining, fate: Fate) -> usize {
     refining.bodies().iter().filter(|b| b.fate == fate).count()
+}
+
+/// The deepest overlap of two inner spheres of different bodies, in R of the smaller body; less than 0 if none overlap.
+pub fn deepest_overlap(bodies: &[Body], kinds: &[Kind]) -> f64 {
+    let mut work = OverlapWork::new(bodies, kinds);
+    while !work.advance(bodies, kinds) {}
+    work.deepest.into_iter().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// How many bodies the line along a surface normal pierces, counted by their inner spheres. Spheres count if their
+/// centres are at most `reach` above or below `at`.
+pub fn pierced(bodies: &[Body], kinds: &[Kind], (at, normal): (DVec3, DVec3), reach: f64) -> usize {
+    let meets = |sphere: Sphere| {
+        let away = sphere.centre - at;
+        let along = away.dot(normal);
+        let square = away.length_squared() - along * along;
+        along.abs() <= reach && square < sphere.radius * sphere.radius
+    };
+    let kept = bodies.iter().filter(|b| b.fate == Fate::Kept);
+    kept.filter(|b| b.spheres(kinds).any(meets)).count()
 }

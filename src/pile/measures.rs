@@ -3,7 +3,6 @@
 use super::{Body, Fate, Kind};
 use crate::component::Sphere;
 use crate::trimesh::spatial_hash::SurfaceHash;
-use glam::DVec3;
 
 /// A gap that counts as touching, in R of the smaller body.
 const TOUCHING: f64 = 0.02;
@@ -32,13 +31,6 @@ pub fn contacts_of(body: &Body, bodies: &[Body], kinds: &[Kind], offset: f64) ->
         other.dart != body.dart && overlap([body, other], kinds, offset - TOUCHING).is_some()
     });
     touched.count()
-}
-
-/// The deepest overlap of two inner spheres of different bodies, in R of the smaller body; less than 0 if none overlap.
-pub fn deepest_overlap(bodies: &[Body], kinds: &[Kind]) -> f64 {
-    let mut work = OverlapWork::new(bodies, kinds);
-    while !work.advance(bodies, kinds) {}
-    work.deepest.into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Finds how deep bodies overlap, in slices.
@@ -71,19 +63,6 @@ impl OverlapWork {
             }
         })
     }
-}
-
-/// How many bodies the line along a surface normal pierces, counted by their inner spheres. Spheres count if their
-/// centres are at most `reach` above or below `at`.
-pub fn pierced(bodies: &[Body], kinds: &[Kind], (at, normal): (DVec3, DVec3), reach: f64) -> usize {
-    let meets = |sphere: Sphere| {
-        let away = sphere.centre - at;
-        let along = away.dot(normal);
-        let square = away.length_squared() - along * along;
-        along.abs() <= reach && square < sphere.radius * sphere.radius
-    };
-    let kept = bodies.iter().filter(|b| b.fate == Fate::Kept);
-    kept.filter(|b| b.spheres(kinds).any(meets)).count()
 }
 
 /// The pairs of kept bodies that are near each other.

@@ -56,7 +56,7 @@ mod turn;
 mod walls;
 
 #[cfg(test)]
-mod fixture;
+pub(crate) mod fixture;
 #[cfg(test)]
 mod tests;
 
@@ -65,7 +65,7 @@ pub use darts::{Dart, Darting, expected_darts, same_side};
 pub use golden::Reading;
 pub use kind::{Kind, Shape, natural_range};
 pub use layers::LayerDarting;
-pub use measures::{OverlapWork, contacts, contacts_of, deepest_overlap, pierced};
+pub use measures::{OverlapWork, contacts, contacts_of};
 pub use merge::merge;
 pub use refine::{Method, Order, RefineParams, Refining};
 pub use turn::Turn;

@@ -1,7 +1,6 @@
-use super::fixture::{self, PARAMS, count};
+use super::fixture::{self, PARAMS, count, deepest_overlap, pierced};
 use super::{
-    Body, Dart, Fate, Kind, Method, Reading, RefineParams, Refining, Turn, Wall, deepest_overlap,
-    pierced, same_side,
+    Body, Dart, Fate, Kind, Method, Reading, RefineParams, Refining, Turn, Wall, same_side,
 };
 use crate::random::{Purpose, Random};
 use crate::trimesh::running_sums::RunningSums;

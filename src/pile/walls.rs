@@ -39,13 +39,6 @@ impl Wall {
         })
     }
 
-    /// The least and greatest t at which p + t n passes the wall by at most `slack` (measured upright in a bowl). The
-    /// range is empty if its end is less than its start.
-    pub fn free_range(&self, p: DVec3, n: DVec3, slack: f64) -> (f64, f64) {
-        let (a, b, c) = self.room(p, n);
-        roots(a + slack, b, c)
-    }
-
     /// The part of a range in which p + t n passes the wall by at most `slack`, which is above 0.
     pub fn narrowed(&self, (p, n): (DVec3, DVec3), slack: f64, (lo, hi): (f64, f64)) -> (f64, f64) {
         let (a, b, c) = self.room(p, n);
@@ -94,6 +87,15 @@ fn roots(a: f64, b: f64, c: f64) -> (f64, f64) {
 mod tests {
     use super::*;
     use crate::random::{Purpose, Random};
+
+    impl Wall {
+        /// The least and greatest t at which p + t n passes the wall by at most `slack` (measured upright in a bowl).
+        /// The range is empty if its end is less than its start.
+        pub(crate) fn free_range(&self, p: DVec3, n: DVec3, slack: f64) -> (f64, f64) {
+            let (a, b, c) = self.room(p, n);
+            roots(a + slack, b, c)
+        }
+    }
 
     #[test]
     fn a_plane_stops_a_point_at_its_distance() {

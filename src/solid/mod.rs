@@ -70,7 +70,7 @@ pub(crate) use simplify::simplify;
 pub(crate) use simplify::simplify_between;
 pub use solids::{Solids, control_mesh};
 pub use stencil_cache::MOST_LEVELS;
-pub use subdivide::{Solid, Stencil, loop_subdivide};
+pub use subdivide::{Solid, Stencil};
 pub(crate) use surface::boundary_edges;
 pub(crate) use surface::used;
 pub use surface::{Surface, normals};

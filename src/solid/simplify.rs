@@ -149,7 +149,8 @@ impl Simplifier {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solid::{Solid, loop_subdivide};
+    use crate::solid::Solid;
+    use crate::solid::subdivide::tests::loop_subdivide;
     use std::collections::HashSet;
 
     /// A sphere: an octahedron after some Loop steps.

@@ -22,15 +22,6 @@ pub struct Solid {
     pub triangles: Rc<[[u32; 3]]>,
 }
 
-/// One Loop step of a mesh with at most 65,536 vertices.
-pub fn loop_subdivide(mesh: &Solid) -> Solid {
-    let stencil = Stencil::new(mesh.vertices.len(), &mesh.triangles, 1);
-    Solid {
-        vertices: stencil.apply(&mesh.vertices),
-        triangles: stencil.triangles,
-    }
-}
-
 /// The refined vertices of every mesh with one connectivity as weighted sums of its vertices (a matrix in
 /// compressed rows), and the refined triangles.
 #[derive(Clone, Debug)]
@@ -222,9 +213,18 @@ impl StencilBuilder {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::solid::beta;
+
+    /// One Loop step of a mesh with at most 65,536 vertices.
+    pub(crate) fn loop_subdivide(mesh: &Solid) -> Solid {
+        let stencil = Stencil::new(mesh.vertices.len(), &mesh.triangles, 1);
+        Solid {
+            vertices: stencil.apply(&mesh.vertices),
+            triangles: stencil.triangles,
+        }
+    }
 
     /// A vertex of valence n (index 0) in a closed double pyramid.
     fn pyramid(n: u32) -> Solid {

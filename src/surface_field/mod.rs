@@ -227,25 +227,6 @@ impl SurfaceFields {
         self.direction(&self.flows, 1, p, p.weights(&self.mesh))
     }
 
-    /// Turns a cell's axis by a multiple of a half, quarter or sixth turn to the direction nearest to the flow.
-    /// Without a flow the axis stays.
-    pub fn one_sense(&self, p: &SurfacePoint, axis: DVec2) -> DVec2 {
-        let flow = self.flow(p);
-        let part = match self.symmetry() {
-            4 => DVec2::Y,
-            6 => DVec2::new(0.5, 0.866_025_403_784_438_6),
-            _ => DVec2::NEG_X,
-        };
-        let (mut best, mut turned) = (axis, axis);
-        for _ in 1..self.symmetry() {
-            turned = turned.rotate(part);
-            if turned.dot(flow) > best.dot(flow) {
-                best = turned;
-            }
-        }
-        best
-    }
-
     /// The curvature at this point, averaged over about a cell.
     pub fn curvature(&self, p: &SurfacePoint) -> Curvature {
         curvature::interpolated(&self.curvature, &self.mesh, p)

@@ -180,7 +180,7 @@ fn a_leg_turns_into_its_toes() {
             on_leg += 1;
             assert!(angle(axis, DVec3::Y) < 15.0, "{}", p.at);
             assert!(flow.y < -0.9);
-            assert!(out(&p, fields.one_sense(&p, fields.axis(&p))).y < -0.9);
+            assert!(out(&p, one_sense(&fields, &p)).y < -0.9);
         }
         if p.at.z > 0.5 && p.at.x > 0.0 && beside(toe) {
             on_toe += 1;
@@ -229,7 +229,7 @@ fn strokes_lead_and_give_the_sense() {
         let way = stroke.points[k + 1].at - stroke.points[k - 1].at;
         let way = p.frame().within(way).normalize();
         for fields in [&fields, &along_line] {
-            let axis = fields.one_sense(&p, fields.axis(&p));
+            let axis = one_sense(fields, &p);
             assert!(axis.dot(way) > 0.98, "{k}: {}", axis.dot(way));
             assert!(fields.flow(&p).dot(way) > 0.97);
         }
