@@ -18,7 +18,8 @@ use crate::notice::{Code, Notice};
 use crate::solid::Solids;
 use std::ops::Range;
 
-/// Most pixels along the side. A larger picture would not fit into the memory that browsers give a page.
+/// Most pixels along a side of a picture or a frame. A larger one would not fit into the memory that browsers give a
+/// page.
 pub const MOST_PIXELS: usize = 8192;
 /// The most pixels of the bigger picture for each pixel of the picture, along a side.
 const MOST_SCALE: usize = 8;

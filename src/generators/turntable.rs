@@ -1,7 +1,7 @@
 //! Frames of scenes on a turntable, made in slices for the latest order. The lighting is kept while the camera moves.
 
 use super::lighting::LightParams;
-use super::{Budget, Clock};
+use super::{Budget, Clock, MOST_PIXELS};
 use crate::cells::Cell;
 use crate::notice::{Code, Notice, quote};
 use crate::scene::{
@@ -13,8 +13,6 @@ use glam::Vec3;
 
 /// The work of one slice, in triangles drawn or pixels shaded.
 const SLICE: usize = 6_000;
-/// The most pixels along a side of a frame.
-const MOST_PIXELS: usize = 8192;
 
 /// An order for a frame.
 #[derive(Clone, Debug, PartialEq)]
