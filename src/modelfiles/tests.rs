@@ -1,5 +1,6 @@
 use super::samples::{files, glb, glb_of, model, obj, ply, stl, stl_text};
 use super::*;
+use crate::trimesh::TriMesh;
 use crate::trimesh::repair::MeshRepair;
 use crate::trimesh::testing;
 use glam::DVec3;
@@ -92,10 +93,25 @@ fn broken_files_are_a_sentence_or_a_model() {
     }
 }
 
-/// A broken file may give any result but a panic.
 fn try_all(name: &str, bytes: Vec<u8>) {
-    if let Ok(soup) = Reading::read(name, bytes) {
-        let _ = MeshRepair::mend(soup);
+    match Reading::read(name, bytes).and_then(MeshRepair::mend) {
+        Ok(mended) => assert_is_sound(&mended.mesh),
+        Err(why) => {
+            let why = why.to_string();
+            assert!(why.len() > 20 && why.ends_with('.'), "{name}: {why}");
+        }
+    }
+}
+
+/// Positions are finite, and faces beside each other agree on their common side.
+fn assert_is_sound(mesh: &TriMesh) {
+    assert!(mesh.positions().iter().all(|p| p.is_finite()));
+    for t in 0..mesh.triangles().len() as u32 {
+        for k in 0..3 {
+            if let Some((other, side)) = mesh.across(t, k) {
+                assert_eq!(mesh.across(other, side), Some((t, k)));
+            }
+        }
     }
 }
 
