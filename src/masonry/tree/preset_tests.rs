@@ -14,6 +14,8 @@ fn features() -> Vec<FeatureView<'static>> {
             vec![],
             vec!["Window"],
             vec!["Arch"],
+            vec!["Door"],
+            vec!["Door", "Sill"],
             vec!["Step"],
             vec!["Roof"],
             vec!["Arch", "Glass"],
@@ -168,6 +170,45 @@ fn trees_that_know_windows_know_arches() {
     }
 }
 
+/// Straight heads of doors are laid as those of windows. The rest of a door is laid as parts without a label are: it has
+/// no sill.
+#[test]
+fn doors_have_the_heads_of_windows() {
+    for preset in &PRESETS {
+        let tree = preset.tree();
+        let laid = |kind, labels: &[&'static str], window| {
+            let feature = FeatureView {
+                kind,
+                labels: labels.to_vec(),
+                window,
+                heading: match window {
+                    WindowPart::Side if kind != FeatureKind::Face => Heading::Up,
+                    _ => Heading::Level,
+                },
+                ..FeatureView::FACE
+            };
+            let reached = tree.walk(&feature).reached;
+            let nodes = reached.into_iter().map(|reached| reached.node.clone());
+            nodes.collect::<Vec<GeneratorNode>>()
+        };
+        let (top, side) = (WindowPart::Top, WindowPart::Side);
+        let door = |kind, part| laid(kind, &["Door"], part);
+        for kind in [FeatureKind::Corner, FeatureKind::Edge] {
+            assert_eq!(
+                door(kind, top),
+                laid(kind, &["Window"], top),
+                "{} {kind:?}",
+                preset.name
+            );
+            assert_eq!(door(kind, side), laid(kind, &[], side), "{}", preset.name);
+            let sill = laid(kind, &["Door", "Sill"], WindowPart::Bottom);
+            assert_eq!(sill, laid(kind, &[], WindowPart::Bottom), "{}", preset.name);
+        }
+        let face = door(FeatureKind::Face, side);
+        assert_eq!(face, laid(FeatureKind::Face, &[], side), "{}", preset.name);
+    }
+}
+
 #[test]
 fn corners_and_orientations_are_told_apart() {
     let text = r#"{"type":"ByCorner","cases":[
@@ -211,8 +252,8 @@ fn labels_are_listed_with_their_places() {
             .iter()
             .map(|(label, _)| label.as_str())
             .collect::<Vec<_>>(),
-        ["Arch", "Glass", "Roof", "Window"]
+        ["Arch", "Door", "Glass", "Roof", "Window"]
     );
-    let without = tree.labels_without_use(&["Glass", "Roof", "Window"]);
+    let without = tree.labels_without_use(&["Door", "Glass", "Roof", "Window"]);
     assert_eq!(without, [("Arch".to_owned(), String::new())]);
 }

@@ -52,6 +52,22 @@ pub static PRESETS: [TreePreset; 7] = [
   "type": "ByLabel",
   "cases": {
     "Arch": {"type": "ByFeature", "corner": {"type": "None"}, "edge": {"type": "ArchBricks"}, "face": {"type": "Bricks"}},
+    "Door": {
+      "type": "ByFeature",
+      "corner": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "Bricks"},
+        "top": {"type": "None"},
+        "side": {"type": "Bricks"}
+      },
+      "edge": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "Bricks"},
+        "top": {"type": "ArchStones", "rows": [[0.25, 0.0625, 0]]},
+        "side": {"type": "Bricks"}
+      },
+      "face": {"type": "Bricks"}
+    },
     "Glass": {"type": "None"},
     "Roof": {
       "type": "ByFeature",
@@ -91,6 +107,22 @@ pub static PRESETS: [TreePreset; 7] = [
       "edge": {"type": "ArchStones", "rows": [[0.3, 0.22, 0], [0.1, 0.3, 0.05]], "quoin": 3},
       "face": {"type": "RandomAshlar"}
     },
+    "Door": {
+      "type": "ByFeature",
+      "corner": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "RandomAshlar"},
+        "top": {"type": "None"},
+        "side": {"type": "RandomAshlar"}
+      },
+      "edge": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "RandomAshlar"},
+        "top": {"type": "ArchStones", "rows": [[0.25, 0.25, 0.02]], "quoin": 3},
+        "side": {"type": "RandomAshlar"}
+      },
+      "face": {"type": "RandomAshlar"}
+    },
     "Glass": {"type": "None"},
     "Roof": {
       "type": "ByFeature",
@@ -118,6 +150,22 @@ pub static PRESETS: [TreePreset; 7] = [
       "type": "ByFeature",
       "corner": {"type": "None"},
       "edge": {"type": "ArchStones", "rows": [[0.25, 0.2, 0]], "keystone": 0.08, "tag": 1},
+      "face": {"type": "Bricks"}
+    },
+    "Door": {
+      "type": "ByFeature",
+      "corner": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "Quoins", "extrude": 0.012, "tag": 1},
+        "top": {"type": "None"},
+        "side": {"type": "Quoins", "extrude": 0.012, "tag": 1}
+      },
+      "edge": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "Seq", "children": [{"type": "Bricks"}, {"type": "Coping", "tag": 1}]},
+        "top": {"type": "ArchStones", "rows": [[0.25, 0.2, 0]], "keystone": 0.08, "tag": 1},
+        "side": {"type": "Quoins", "extrude": 0.012, "tag": 1}
+      },
       "face": {"type": "Bricks"}
     },
     "Glass": {"type": "None"},
@@ -163,6 +211,22 @@ pub static PRESETS: [TreePreset; 7] = [
   "type": "ByLabel",
   "cases": {
     "Arch": {"type": "ByFeature", "corner": {"type": "None"}, "edge": {"type": "ArchBricks"}, "face": {"type": "Bricks"}},
+    "Door": {
+      "type": "ByFeature",
+      "corner": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "Bricks"},
+        "top": {"type": "None"},
+        "side": {"type": "Bricks"}
+      },
+      "edge": {
+        "type": "AnalyzeWindow",
+        "bottom": {"type": "Seq", "children": [{"type": "Bricks"}, {"type": "Coping", "tag": 1}]},
+        "top": {"type": "ArchStones", "rows": [[0.25, 0.2, 0]], "keystone": 0.08, "tag": 1},
+        "side": {"type": "Bricks"}
+      },
+      "face": {"type": "Bricks"}
+    },
     "Glass": {"type": "None"},
     "Roof": {
       "type": "ByFeature",
