@@ -23,9 +23,9 @@ pub struct Mortar {
 impl Mortar {
     /// Moves the surface inwards by `recess` (metres). Each vertex moves by the shortest vector x with x.n = -recess
     /// for the normals n of all its faces; where more than three planes meet, by the least-squares solution. Faces of
-    /// glass stay where they are. Where a wall bulges, the middle of a straight block of length `block` (metres) lies
-    /// behind the surface; mortar there moves in by that much more.
-    pub fn new(building: &Building, recess: f64, block: f64) -> Self {
+    /// glass stay where they are. Where a wall bulges, the middle of a straight block lies behind the surface; mortar
+    /// there moves in by that much more. `widest` gives the length of the widest block on each face (metres).
+    pub fn new(building: &Building, recess: f64, widest: impl Fn(FaceId) -> f64) -> Self {
         let mut planes: Vec<Vec<(DVec3, f64)>> = vec![Vec::new(); building.vertices().len()];
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
         for polygon in building.polygons() {
@@ -38,7 +38,7 @@ impl Mortar {
                 let place = face.surface.project(building.vertex(v).position);
                 let normal = face.surface.frame(place.x, place.y).normal;
                 let bulge = match depth > 0.0 {
-                    true => bulge(&face.surface, place, block),
+                    true => bulge(&face.surface, place, widest(polygon.face)),
                     false => 0.0,
                 };
                 add_plane(&mut planes[v.index()], normal, depth + bulge);
@@ -107,7 +107,7 @@ mod tests {
     #[test]
     fn every_face_moves_in_by_the_recess() {
         for (name, _, building) in all() {
-            let mortar = Mortar::new(building, 0.006, 0.0);
+            let mortar = Mortar::new(building, 0.006, |_| 0.0);
             assert!(
                 mortar.triangles.len() >= building.polygons().len(),
                 "{name}"
@@ -154,7 +154,7 @@ mod tests {
         let towers = all().iter().filter(|(name, ..)| name.contains("tower"));
         assert!(towers.clone().count() > 0);
         for (name, _, building) in towers {
-            let [flush, sunk] = [0.0, block].map(|block| Mortar::new(building, recess, block));
+            let [flush, sunk] = [0.0, block].map(|block| Mortar::new(building, recess, |_| block));
             let moved = flush.positions.iter().zip(&sunk.positions);
             let most = moved.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
             let face = building.faces().iter().find(|face| !face.surface.is_flat());

@@ -8,7 +8,7 @@ use super::parts::add_plain;
 use super::shapes::{BlockLook, BlockShape, ShapedBlock, SharedBody, WallShapes};
 use super::site::BuildingSite;
 use crate::building::labels::ROOF;
-use crate::building::{ExtraMesh, FaceId, Mortar};
+use crate::building::{Building, ExtraMesh, FaceId, Mortar};
 use crate::masonry::block::{Bevelled, BlockMesh, Dressing, Polyhedron, Rough, Stonecutter};
 use crate::masonry::laying::{CellSort, MasonryCell};
 use crate::order::{greater, lesser};
@@ -22,8 +22,10 @@ use std::rc::Rc;
 /// Width of the rounded edges of stones, and height of the bumps on them, at roughness 1 (metres).
 const BEVEL: f64 = 0.024;
 const BUMPS: f64 = 0.014;
-/// Least depth of the mortar behind the surface of a stone wall, at roughness 1 (metres).
-const SUNK: f64 = 0.02;
+/// Least depth of the mortar behind the surface of a wall of rough stones (metres): at less depth the arrises of the
+/// mortar stand out of rounded corners. Below the roughness `ROUNDED` edges are less round, and it falls to 0 with them.
+const SUNK: f64 = 0.022;
+const ROUNDED: f64 = 0.3;
 /// The colour of a roof's boards.
 const BOARDS: [u8; 3] = [92, 72, 54];
 /// Normals are rounded to steps of one over this; triangles with equal rounded normals share vertices.
@@ -50,20 +52,18 @@ pub(crate) struct Wall {
 }
 
 impl Wall {
-    /// Starts with mortar, glass, doors and the like. `last` has the shapes of the last wall's blocks.
+    /// Starts with mortar for these cells, glass, doors and the like. `last` has the shapes of the last wall's blocks.
     pub(super) fn new(
         site: &BuildingSite,
         params: &BlockParams,
+        cells: &[MasonryCell],
         last: Option<Rc<WallShapes>>,
     ) -> Self {
         let mut scene = Scene::default();
-        let sunk = match params.colours.are_stone() {
-            true => SUNK * params.rough,
-            false => 0.0,
-        };
         let looks = [(params.colours.mortar(), MORTAR_ROW), (BOARDS, WOOD_ROW)];
-        let recess = greater(params.recess, sunk);
-        add_mortar(&mut scene, site, (recess, params.length), looks);
+        let recess = mortar_depth(params);
+        let widest = widest(&site.building, cells, params.length);
+        add_mortar(&mut scene, site, (recess, &widest), looks);
         for extra in site.building.extras() {
             add_extra(&mut scene, extra, site.fit);
         }
@@ -266,14 +266,37 @@ fn smooth(mesh: &BlockMesh, place: impl Fn(DVec3) -> Vec3) -> Surface {
     }
 }
 
-/// Adds the mortar, and the boards of roofs, each in one colour and material.
+/// How far mortar lies behind the surface (metres).
+fn mortar_depth(params: &BlockParams) -> f64 {
+    let sunk = match params.colours.are_stone() {
+        true => SUNK * lesser(params.rough / ROUNDED, 1.0),
+        false => 0.0,
+    };
+    greater(params.recess, sunk)
+}
+
+/// The length of the widest block on each face (metres): `length`, or more where a cell claims more of a curved face.
+pub(super) fn widest(building: &Building, cells: &[MasonryCell], length: f64) -> Vec<f64> {
+    let mut widest = vec![length; building.faces().len()];
+    for (face, claim) in cells.iter().flat_map(|cell| &cell.claims) {
+        if !building.face(*face).surface.is_flat() {
+            let [low, high] = claim.bounds();
+            let widest = &mut widest[face.index()];
+            *widest = greater(*widest, high.x - low.x);
+        }
+    }
+    widest
+}
+
+/// Adds the mortar, and the boards of roofs, each in one colour and material. `widest` has the length of the widest
+/// block on each face (metres).
 pub(super) fn add_mortar(
     scene: &mut Scene,
     site: &BuildingSite,
-    (recess, length): (f64, f64),
+    (recess, widest): (f64, &[f64]),
     [mortar_look, board_look]: [([u8; 3], u8); 2],
 ) {
-    let mortar = Mortar::new(&site.building, recess, length);
+    let mortar = Mortar::new(&site.building, recess, |face| widest[face.index()]);
     let is_roof = |face: FaceId| site.building.face(face).has_label(ROOF);
     for (is_of_roof, (tint, material)) in [(false, mortar_look), (true, board_look)] {
         let own = mortar.triangles.iter().zip(&mortar.faces);

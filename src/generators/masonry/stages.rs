@@ -217,7 +217,7 @@ impl MasonryStages {
         let shapes = self.last.as_ref().map(|last| &last.shapes);
         let mut finished = None;
         self.laid.advance(|params, work| {
-            let wall = work.get_or_insert_with(|| Wall::new(site, params, shapes.cloned()));
+            let wall = work.get_or_insert_with(|| Wall::new(site, params, cells, shapes.cloned()));
             let end = wall.shown() + in_a_step(cells, wall.shown(), kept);
             wall.lay(cells, end);
             if end < cells.len() {

@@ -103,14 +103,14 @@ impl SceneSource for MasonryStages {
                 Some(WallSubject::Laying(scene, self.pass()))
             }
             MasonryView::Mortar => {
-                let scene = diagrams::bare(site, self.laid.params());
+                let scene = diagrams::bare(site, self.laid.params(), &[]);
                 Some(WallSubject::Diagram(scene.into()))
             }
             MasonryView::Polygons => Some(WallSubject::Diagram(diagrams::polygons(site).into())),
             view => {
                 let laying = self.cells.made()?;
                 let blocks = self.laid.params();
-                let new = || DiagramWork::new(site, blocks);
+                let new = || DiagramWork::new(site, blocks, laying.cells());
                 let work = making.diagram.get_or_insert_with(new);
                 let done = work.advance(view, laying, (site, blocks));
                 done.map(WallSubject::Diagram)

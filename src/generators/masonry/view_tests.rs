@@ -37,7 +37,7 @@ fn scene(engine: &MasonryEngine, view: MasonryView) -> Scene {
 fn diagram(engine: &MasonryEngine, view: MasonryView) -> Diagram {
     let site = engine.made.site.made().expect("a site");
     let blocks = engine.made.laid.params();
-    let mut work = DiagramWork::new(site, blocks);
+    let mut work = DiagramWork::new(site, blocks, laying(engine).cells());
     loop {
         if let Some(diagram) = work.advance(view, laying(engine), (site, blocks)) {
             return diagram;

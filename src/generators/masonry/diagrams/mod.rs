@@ -15,14 +15,14 @@ pub(super) use occupancy::Claimed;
 pub(super) use seams::Texture;
 pub(super) use unrolled::{STATES, occupied, scene as map_scene};
 
-use super::blocks::{add_mortar, flat};
+use super::blocks::{add_mortar, flat, widest};
 use super::params::BlockParams;
 use super::parts::add_plain;
 use super::site::BuildingSite;
 use super::views::MasonryView;
 use crate::building::{FaceId, VertexId};
 use crate::masonry::block::BlockMesh;
-use crate::masonry::laying::{Feature, Laying};
+use crate::masonry::laying::{Feature, Laying, MasonryCell};
 use crate::random::{Purpose, Random};
 use crate::scene::Scene;
 
@@ -66,10 +66,10 @@ pub(crate) struct DiagramWork {
 }
 
 impl DiagramWork {
-    /// Starts with the mortar of these blocks.
-    pub(super) fn new(site: &BuildingSite, blocks: &BlockParams) -> Self {
+    /// Starts with the mortar of these blocks, which are made of these cells.
+    pub(super) fn new(site: &BuildingSite, blocks: &BlockParams, cells: &[MasonryCell]) -> Self {
         Self {
-            made: bare(site, blocks).into(),
+            made: bare(site, blocks, cells).into(),
             cells: 0,
             faces: 0,
             copy: 0,
@@ -106,7 +106,7 @@ impl DiagramWork {
                 if is_first {
                     seams::add(scene, laying, fit);
                     self.copy = scene.instances.len();
-                    add_bare(scene, site, blocks);
+                    add_bare(scene, site, blocks, laying.cells());
                 }
                 seams::add_cells(scene, laying, (fit, cells));
                 if is_done {
@@ -120,16 +120,16 @@ impl DiagramWork {
     }
 }
 
-/// The mortar alone.
-pub(super) fn bare(site: &BuildingSite, blocks: &BlockParams) -> Scene {
+/// The mortar alone, with room for these cells.
+pub(super) fn bare(site: &BuildingSite, blocks: &BlockParams, cells: &[MasonryCell]) -> Scene {
     let mut scene = empty(site);
-    add_bare(&mut scene, site, blocks);
+    add_bare(&mut scene, site, blocks, cells);
     scene
 }
 
-fn add_bare(scene: &mut Scene, site: &BuildingSite, blocks: &BlockParams) {
-    let depth = (blocks.recess, blocks.length);
-    add_mortar(scene, site, depth, [(CALM, BARE); 2]);
+fn add_bare(scene: &mut Scene, site: &BuildingSite, blocks: &BlockParams, cells: &[MasonryCell]) {
+    let widest = widest(&site.building, cells, blocks.length);
+    add_mortar(scene, site, (blocks.recess, &widest), [(CALM, BARE); 2]);
 }
 
 fn empty(site: &BuildingSite) -> Scene {
