@@ -28,6 +28,8 @@ const STRENGTHS: [GrainStrength; 3] = [
         height: 0.16,
     },
 ];
+/// The share of the grain that feet wear away.
+const SMOOTH: f32 = 0.6;
 /// The deviation of lightness by noise, for mortar, bricks and stones; and the waves in a metre of broad and of fine
 /// noise.
 const CLOUDS: [f32; 3] = [0.05, 0.10, 0.09];
@@ -115,9 +117,13 @@ impl Detail for WallGrain {
             stripes,
             own: (own >> 16 & 255) as f32 / 127.5 - 1.0,
         };
-        self.weather.apply(surfel, at, &noise);
+        let rough = 1.0 - SMOOTH * self.weather.apply(surfel, at, &noise);
+        let strength = GrainStrength {
+            speckle: rough * STRENGTHS[kind].speckle,
+            height: rough * STRENGTHS[kind].height,
+        };
         let place = (at * UNITS + away, surfel.normal);
-        if let Some(grain) = self.grain.at(place, spread * UNITS, STRENGTHS[kind]) {
+        if let Some(grain) = self.grain.at(place, spread * UNITS, strength) {
             grain.add_to(&mut surfel.colour, &mut surfel.normal);
         }
     }

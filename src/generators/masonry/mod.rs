@@ -16,6 +16,8 @@ mod ground;
 mod kept;
 #[cfg(test)]
 mod kept_tests;
+#[cfg(test)]
+mod look_tests;
 mod params;
 mod parts;
 mod plan_sentences;
@@ -29,6 +31,7 @@ mod stages;
 mod subject;
 #[cfg(test)]
 mod tests;
+mod trodden;
 #[cfg(test)]
 mod view_tests;
 mod views;

@@ -89,7 +89,7 @@ rows! {
     h H: "Height of a course, with its joint." => millimetres("Course", [20.0, 1000.0, 83.3]);
     joint JOINT: "Thickness of joints." => millimetres("Joint", [0.0, 40.0, 10.0]);
 
-    recess RECESS: "How far mortar lies behind the wall's surface." =>
+    recess RECESS: "How far mortar lies behind the wall's surface; behind rough stones 22 mm at least." =>
         number("", "Recess").range(0.0, 40.0, 1.0, 6.0).unit("mm").group("Blocks");
     chamfer CHAMFER: "Width of the blocks' chamfers." =>
         number("", "Chamfer").range(0.0, 30.0, 1.0, 4.0).unit("mm").group("Blocks");
@@ -107,7 +107,7 @@ rows! {
     gloss GLOSS: "How blocks shine." => shared::GLOSS.group("Look");
 
     ground GROUND: "The ground on which the building stands." => choice("Ground", GROUNDS).group("Weather").main();
-    moss MOSS: "Lets moss grow low down, on what faces up, and on the north side." =>
+    moss MOSS: "Lets moss grow low down, on what faces up, and on the north side, but not where people walk." =>
         number("", "Moss").range(0.0, 1.0, 0.05, 0.3).group("Weather").main();
     damp DAMP: "Lets damp rise from the ground, and water run down from sills." =>
         number("", "Damp").range(0.0, 1.0, 0.05, 0.3).group("Weather").main();

@@ -2,6 +2,7 @@
 
 use super::colours::{MORTAR_ROW, MOSS_ROW};
 use super::site::BuildingSite;
+use super::trodden::{Trodden, trodden};
 use crate::building::labels::SILL;
 use crate::material::{Effects, LEVEL, MOSS, Place, Sample, WeatherParams, smoothstep_f32};
 use crate::order::{greater, lesser};
@@ -23,6 +24,10 @@ const SOAKED: [f32; 2] = [0.5, 0.55];
 const RISES: [f32; 2] = [0.1, 0.75];
 /// How far water runs down from sills, how far beside them (metres), and how dark it makes the wall.
 const RUNS: [f32; 3] = [1.0, 0.1, 0.3];
+/// How much paler treads are where they are worn most, and how much that changes with the noise of patches.
+const WORN: [f32; 2] = [0.12, 0.06];
+/// Treads are worn in full if moss and damp together have this strength.
+const AGED: f64 = 0.2;
 
 /// The weather of a building.
 pub(super) struct Weather {
@@ -33,6 +38,10 @@ pub(super) struct Weather {
     ground: f32,
     /// The bounding boxes of sills.
     sills: Vec<[Vec3; 2]>,
+    /// Faces on which people walk.
+    trodden: Vec<Trodden>,
+    /// How worn these are, 0..1.
+    worn: f32,
 }
 
 /// Noise at a place, with a standard deviation of about 1.
@@ -83,6 +92,8 @@ impl Weather {
             ),
             ground: heights.fold(f32::MAX, lesser),
             sills: boxes.collect(),
+            trodden: trodden(building, place),
+            worn: lesser((params.moss + params.wet) / AGED, 1.0) as f32,
             params,
         }
     }
@@ -92,8 +103,9 @@ impl Weather {
         self.params.moss.to_bits() ^ self.params.wet.to_bits().rotate_left(32)
     }
 
-    /// Adds damp and moss to a surface at a place (metres in the scene's axes).
-    pub fn apply(&self, surfel: &mut Surfel, at: Vec3, noise: &Noise) {
+    /// Adds damp, wear and moss to a surface at a place (metres in the scene's axes). Returns how smooth feet have worn
+    /// it, 0..1.
+    pub fn apply(&self, surfel: &mut Surfel, at: Vec3, noise: &Noise) -> f32 {
         let height = greater(at.y - self.ground, 0.0);
         if self.params.wet > 0.0 {
             let rises = RISES[0] + RISES[1] * self.params.wet as f32;
@@ -102,6 +114,17 @@ impl Weather {
             self.affect(&self.damp, surfel, level + 0.2 * noise.own, noise);
             let dark = RUNS[2] * self.runs(at, noise);
             surfel.colour = surfel.colour.map(|v| v * (1.0 - dark));
+        }
+        let trodden = self.trodden.iter();
+        if let Some(share) = trodden
+            .filter_map(|face| face.share(at, surfel.normal))
+            .next()
+        {
+            // No moss grows under feet.
+            let worn = self.worn * share;
+            let paler = worn * (WORN[0] + WORN[1] * noise.patches);
+            surfel.colour = surfel.colour.map(|v| lesser(v * (1.0 + paler), 255.0));
+            return worn;
         }
         if self.params.moss > 0.0 {
             let [all, up, low, north, joint] = HOLLOW;
@@ -115,6 +138,7 @@ impl Weather {
                 + OWN * noise.own;
             self.affect(&self.moss, surfel, hollow, noise);
         }
+        0.0
     }
 
     fn affect(&self, effects: &Effects, surfel: &mut Surfel, hollow: f32, noise: &Noise) {
