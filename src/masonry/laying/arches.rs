@@ -171,7 +171,7 @@ impl Site {
         near.fold(f64::MAX, f64::min).min(length + half)
     }
 
-    /// One row: an odd number of stones on an arc, so that one is in the middle.
+    /// One row: an odd number of stones, so that one is in the middle and no joint.
     fn arch_row(
         &mut self,
         id: EdgeId,
@@ -180,11 +180,11 @@ impl Site {
         (off, row): (f64, &StoneRow),
     ) {
         let length = ring.length * ring.curve.stretch(off + 0.5 * row.length);
-        let mut count = pieces(length, row.width);
         let is_arc = matches!(ring.curve, Curve::Arc { .. });
-        if is_arc && count.is_multiple_of(2) {
-            count += 1;
-        }
+        let count = match is_arc {
+            true => pieces(length, row.width) | 1,
+            false => odd_pieces(length, row.width),
+        };
         let depth = ring.depth.min(self.plan.grid(ring.wall).depth);
         for k in 0..count {
             let ends = [k, k + 1].map(|k| ring.length * k as f64 / count as f64);
@@ -365,6 +365,21 @@ impl Site {
             let draft = self.edge_stone(run, (number % 2, JAMB), span);
             self.place(Feature::Edge(id), node, draft);
         }
+    }
+}
+
+/// The odd number of pieces of a length whose width differs from the wanted one by the least factor.
+fn odd_pieces(length: f64, width: f64) -> usize {
+    let count = pieces(length, width);
+    if !count.is_multiple_of(2) {
+        return count;
+    }
+    // The geometric mean of the two odd numbers beside an even one.
+    let mean = ((count * count - 1) as f64).sqrt();
+    if length < mean * width {
+        count - 1
+    } else {
+        count + 1
     }
 }
 

@@ -1,12 +1,12 @@
 //! Properties of whole buildings.
 
 use super::{
-    CellSort, Feature, Laying, LayingParams, LayingPass, LayingWarning, MasonryCell, Measures,
+    CellSort, Feature, Laying, LayingParams, LayingPass, LayingWarning, MasonryCell, Measures, view,
 };
 use crate::building::{Building, Draft, EdgeId, FaceId, Misfit, Module, Rule};
 use crate::masonry::module::{ASHLAR, BLOCK};
 use crate::masonry::plan::{FaceGrid, PlanFault, is_wall, thicknesses};
-use crate::masonry::tree::{PRESETS, PatternGenerator, PatternTree};
+use crate::masonry::tree::{PRESETS, PatternGenerator, PatternTree, WindowPart};
 use std::sync::Arc;
 
 /// The paper's three trees with their modules.
@@ -142,6 +142,37 @@ fn arches_beside_quoins_are_of_stone() {
         let mut fronts = fronts.filter(|&id| is_wall(laying.building().face(id)));
         assert!(fronts.any(is_line), "{highest}");
         assert_eq!((heights.len(), keystones), (15, 1), "{heights:?}");
+    }
+}
+
+/// Doors, as windows, have a lintel, with a stone in its middle and not a joint.
+#[test]
+fn straight_heads_are_odd_rows_of_stones() {
+    let quoins_and_coped = [3, 5].map(|tree| (tree, Module::NORMAL));
+    let trees = [BRICKS, TREES[2], quoins_and_coped[0], quoins_and_coped[1]];
+    for tree in trees {
+        let mut heads = [0; 2];
+        for rule in [Rule::Gabled, Rule::Wall] {
+            let laying = laid(&draft(rule, &tree.1), tree, 1);
+            let building = laying.building();
+            for id in building.edge_ids() {
+                let seen = view(building, Feature::Edge(id));
+                let labels = ["Window", "Door"].map(|label| seen.labels.contains(&label));
+                let is_straight = !seen.labels.contains(&"Arch") && labels != [false; 2];
+                if seen.window != WindowPart::Top || !is_straight {
+                    continue;
+                }
+                let cells = laying.cells().iter();
+                let own = cells.filter(|cell| {
+                    cell.feature == Feature::Edge(id)
+                        && cell.generator == PatternGenerator::ArchStones
+                });
+                let own = own.count();
+                assert_eq!(own % 2, 1, "{rule:?} {tree:?} {labels:?} {own}");
+                heads[usize::from(labels[1])] += 1;
+            }
+        }
+        assert!(heads[0] > 2 && heads[1] > 0, "{tree:?} {heads:?}");
     }
 }
 
