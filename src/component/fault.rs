@@ -33,7 +33,7 @@ pub enum ComponentFault {
     Crossing {
         /// Pairs of triangles that cross.
         pairs: usize,
-        /// A place where two of them cross, in the file's units.
+        /// A place where two of them cross, in the units of the mesh that was checked.
         at: DVec3,
     },
     /// The largest inner sphere is too small beside the diagonal.
@@ -44,6 +44,14 @@ pub enum ComponentFault {
 }
 
 impl ComponentFault {
+    /// The same fault with its place mapped to other coordinates.
+    pub fn mapped(mut self, map: impl FnOnce(DVec3) -> DVec3) -> Self {
+        if let Self::Crossing { at, .. } = &mut self {
+            *at = map(*at);
+        }
+        self
+    }
+
     /// The sentence on the fault.
     pub fn notice(self) -> Notice {
         match self {
@@ -53,7 +61,8 @@ impl ComponentFault {
             Self::OneSided => Code::ModelOneSided.into(),
             Self::Flat => Code::ComponentFlat.into(),
             Self::Crossing { pairs, at } => {
-                let rounded = |v: f64| decimal::text((v * 100.0).round() / 100.0);
+                let fine = fine(at);
+                let rounded = |v: f64| decimal::text((v * fine).round() / fine + 0.0);
                 let at = at.to_array().map(rounded).join(", ");
                 let notice = Notice::new(Code::ComponentCrossing).with("pairs", pairs);
                 notice.with("at", at)
@@ -73,6 +82,14 @@ impl From<Notice> for ComponentFault {
             _ => Self::Broken(notice),
         }
     }
+}
+
+/// The inverse of the unit to which a place is rounded: a hundredth, or less for a small file.
+fn fine(at: DVec3) -> f64 {
+    let most = at.abs().max_element();
+    let steps = [1e2, 1e3, 1e4, 1e5];
+    let is_fine = |step: &&f64| most * **step >= 50.0;
+    *steps.iter().find(is_fine).unwrap_or(&1e6)
 }
 
 /// Whether a component with this largest inner sphere and this diagonal is thick enough.

@@ -4,7 +4,8 @@ use super::params::{ComponentParams, ComponentSource};
 use crate::component::{Component, ComponentFault, Original, OriginalMaking, VariantMaking};
 use crate::generators::scene_picture::Loaded;
 use crate::notice::Notice;
-use crate::trimesh::Soup;
+use crate::trimesh::{Soup, TriMesh};
+use glam::DVec3;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -36,7 +37,8 @@ pub(super) struct ComponentsMaking {
 enum Part {
     #[default]
     Next,
-    Original(Box<OriginalMaking>),
+    /// A component, and how a file's mesh was placed for it.
+    Original(Box<OriginalMaking>, UnitFrame),
     Variants {
         original: Arc<Original>,
         made: Vec<Arc<Component>>,
@@ -81,11 +83,13 @@ impl ComponentsMaking {
                 if let Some(same) = same.next() {
                     return Ok(Some(same.clone()));
                 }
-                self.part = Part::Original(Box::new(begin(source, loaded)));
+                let (making, frame) = begin(source, loaded);
+                self.part = Part::Original(Box::new(making), frame);
             }
-            Part::Original(making) => {
+            Part::Original(making, frame) => {
                 if let Some(original) = making.advance(SLICE) {
-                    let original = Arc::new(original.map_err(ComponentFault::notice)?);
+                    let in_file = |fault: ComponentFault| fault.mapped(|at| frame.in_file(at));
+                    let original = Arc::new(original.map_err(|fault| in_file(fault).notice())?);
                     self.part = Part::Variants {
                         making: Box::new(VariantMaking::new(original.clone(), seed, 0)),
                         made: Vec::new(),
@@ -117,29 +121,60 @@ impl ComponentsMaking {
     }
 }
 
-fn begin(source: ComponentSource, loaded: &Loaded) -> OriginalMaking {
+fn begin(source: ComponentSource, loaded: &Loaded) -> (OriginalMaking, UnitFrame) {
     match source {
-        ComponentSource::Kind(kind) => OriginalMaking::of_kind(kind),
-        ComponentSource::File(number, _) => {
+        ComponentSource::Kind(kind) => (OriginalMaking::of_kind(kind), UnitFrame::HOME),
+        ComponentSource::File {
+            number, is_z_up, ..
+        } => {
             let mesh = &loaded.meshes[number];
-            OriginalMaking::of_file(unit_size(Soup {
-                positions: mesh.positions().to_vec(),
+            let frame = UnitFrame::of(mesh, is_z_up);
+            let positions = mesh.positions().iter();
+            let soup = Soup {
+                positions: positions.map(|p| frame.in_unit(*p)).collect(),
                 triangles: mesh.triangles().to_vec(),
-            }))
+            };
+            (OriginalMaking::of_file(soup), frame)
         }
     }
 }
 
-/// The same triangles, moved and scaled so that half of their longest side is 1, as components by rule are.
-fn unit_size(mut soup: Soup) -> Soup {
-    let first = soup.positions[0];
-    let (low, high) = soup
-        .positions
-        .iter()
-        .fold((first, first), |(low, high), &p| (low.min(p), high.max(p)));
-    let (middle, half) = (0.5 * (low + high), 0.5 * (high - low).max_element());
-    for p in &mut soup.positions {
-        *p = (*p - middle) / half;
+/// How a file's mesh is moved and scaled: half of its longest side is 1 then, as components by rule have it.
+#[derive(Clone, Copy)]
+struct UnitFrame {
+    middle: DVec3,
+    half: f64,
+    /// Whether z is up in the file; y is up in the mesh.
+    is_z_up: bool,
+}
+
+impl UnitFrame {
+    /// Leaves everything where it is.
+    const HOME: Self = Self {
+        middle: DVec3::ZERO,
+        half: 1.0,
+        is_z_up: false,
+    };
+
+    fn of(mesh: &TriMesh, is_z_up: bool) -> Self {
+        let (low, high) = mesh.bounds();
+        Self {
+            middle: 0.5 * (low + high),
+            half: 0.5 * (high - low).max_element(),
+            is_z_up,
+        }
     }
-    soup
+
+    fn in_unit(&self, p: DVec3) -> DVec3 {
+        (p - self.middle) / self.half
+    }
+
+    /// A place of the component in the file's coordinates.
+    fn in_file(&self, p: DVec3) -> DVec3 {
+        let at = self.middle + self.half * p;
+        match self.is_z_up {
+            true => DVec3::new(at.x, -at.z, at.y),
+            false => at,
+        }
+    }
 }

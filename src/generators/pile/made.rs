@@ -74,7 +74,7 @@ impl PileStages {
         let sources = self.components.params().sources.iter();
         let word = |source: &ComponentSource| match source {
             ComponentSource::Kind(kind) => kind.word(),
-            ComponentSource::File(..) => FILE,
+            ComponentSource::File { .. } => FILE,
         };
         sources.map(word).collect()
     }

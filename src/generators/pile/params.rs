@@ -34,8 +34,15 @@ pub(super) struct PileParams {
 pub(super) enum ComponentSource {
     /// A component by rule.
     Kind(ComponentKind),
-    /// From a file: its number among all files of the recipe, and its digest (0 if the recipe names no file).
-    File(usize, u64),
+    /// From a file.
+    File {
+        /// Its number among all files of the recipe.
+        number: usize,
+        /// Its digest; 0 if the recipe names no file.
+        digest: u64,
+        /// Whether z is up in it.
+        is_z_up: bool,
+    },
 }
 
 /// The components of all types.
@@ -174,8 +181,13 @@ fn source(recipe: &Recipe, own: &TypeKeys, files: &mut Vec<AskedFile>) -> Compon
         None => {
             let asked = asked(recipe, own.file, own.up);
             let digest = asked.file.as_ref().map_or(0, |file| file.digest);
+            let is_z_up = asked.is_z_up;
             files.push(asked);
-            ComponentSource::File(files.len() - 1, digest)
+            ComponentSource::File {
+                number: files.len() - 1,
+                digest,
+                is_z_up,
+            }
         }
     }
 }

@@ -4,16 +4,16 @@ use super::quality::assert_good;
 use super::schema::{FILE, NONE, ROWS, TYPE_KEYS, keys};
 use super::{PILE, PileEngine, SCHEMA};
 use crate::component::{ComponentKind, FINISHES};
-use crate::generators::{ALL, Engine, Preset};
-use crate::notice::{Code, Notice};
+use crate::generators::{ALL, Engine, Files, GivenFile, Preset};
+use crate::notice::{Arg, Code, Notice};
 use crate::pile::fixture::deepest_overlap;
 use crate::pile::{Dart, Fate, Kind, same_side};
 use crate::pile_shape::PileShape;
 use crate::random::{Purpose, Random};
-use crate::recipe::Recipe;
+use crate::recipe::{NamedFile, Recipe};
 use crate::shapes::Shape;
 use crate::trimesh::running_sums::RunningSums;
-use crate::trimesh::{SurfacePoint, TriMesh};
+use crate::trimesh::{SurfacePoint, TriMesh, testing};
 use glam::DVec3;
 
 /// Points of the shape whose distance from the nearest dart is checked.
@@ -191,6 +191,63 @@ fn stopped(link: &str) -> Code {
     }
 }
 
+/// Two cubes that overlap, as an OBJ file.
+fn crossing_cubes(size: f64, corners: [DVec3; 2]) -> String {
+    let (places, triangles) = testing::cube(1);
+    let vertex = |p: DVec3| format!("v {} {} {}\n", p.x, p.y, p.z);
+    let mut text = String::new();
+    for (corner, first) in corners.into_iter().zip([1, 1 + places.len() as u32]) {
+        text.extend(places.iter().map(|p| vertex(corner + size * *p)));
+        let face = |t: &[u32; 3]| {
+            let [a, b, c] = t.map(|v| v + first);
+            format!("f {a} {b} {c}\n")
+        };
+        text.extend(triangles.iter().map(face));
+    }
+    text
+}
+
+/// The place where a file's component crosses itself, as the refusal says it.
+fn crossing(content: &str, up: &str) -> DVec3 {
+    let file = GivenFile::whole("a.obj", content.as_bytes().to_vec());
+    let named = NamedFile::new(file.digest(), "a.obj").text();
+    let link = format!("make=pile&variants=1&c1=file&file1={named}&up1={up}");
+    let mut engine = PileEngine::new(&recipe(&link));
+    engine.give(file);
+    while engine.failure().is_none() {
+        engine.advance();
+    }
+    let notice = engine.failure().expect("a refusal");
+    assert_eq!(notice.code, Code::ComponentCrossing, "{notice}");
+    let at = notice.args.iter().find(|(name, _)| *name == "at");
+    let Some((_, Arg::Text(at))) = at else {
+        panic!("{notice}");
+    };
+    let numbers: Vec<f64> = at.split(", ").map(|v| v.parse().unwrap()).collect();
+    DVec3::from_slice(&numbers)
+}
+
+#[test]
+fn the_place_where_a_component_crosses_itself_is_that_in_the_file() {
+    let unit = [DVec3::ZERO, DVec3::splat(0.5)];
+    assert_eq!(
+        crossing(&crossing_cubes(1.0, unit), "y"),
+        DVec3::new(0.5, 1.0, 1.0)
+    );
+    let first = DVec3::new(10.0, -20.0, 30.0);
+    for (size, home) in [(1.0, first), (0.002, 0.001 * first)] {
+        let corners = [home, home + size * DVec3::new(0.5, 0.25, 0.125)];
+        for up in ["y", "z"] {
+            let at = crossing(&crossing_cubes(size, corners), up);
+            for corner in corners {
+                let local = (at - corner) / size - 0.5;
+                let off = local.abs().max_element() - 0.5;
+                assert!(off.abs() < 0.011, "{size} {up}: {at}");
+            }
+        }
+    }
+}
+
 #[test]
 fn impossible_piles_are_refused_before_any_dart_is_thrown() {
     assert_eq!(
@@ -211,7 +268,7 @@ fn the_spacing_of_the_sentence_fits() {
         panic!("no refusal");
     };
     let fits = notice.args.iter().find(|(name, _)| *name == "fits");
-    let Some((_, crate::notice::Arg::Text(fits))) = fits else {
+    let Some((_, Arg::Text(fits))) = fits else {
         panic!("{notice}");
     };
     let mut engine = PileEngine::new(&recipe(&format!("{link}{fits}")));
