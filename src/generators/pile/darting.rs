@@ -6,7 +6,9 @@ use super::params::{DartParams, RoomParams, TypeParams};
 use super::site::Site;
 use crate::component::Component;
 use crate::notice::{Code, Notice};
-use crate::pile::{Dart, Darting, Kind, LayerDarting, Shape, expected_darts, merge, natural_range};
+use crate::pile::{
+    Body, Dart, Darting, Fate, Kind, LayerDarting, Shape, expected_darts, merge, natural_range,
+};
 use crate::trimesh::TriMesh;
 use glam::DVec3;
 use std::rc::Rc;
@@ -14,7 +16,8 @@ use std::sync::Arc;
 
 /// The most darts of all types and layers.
 const MOST: f64 = 30_000.0;
-/// The fewest darts of the outer layer, of all types together; a pile of fewer is refused.
+/// The fewest darts of the outer layer, of all types together; a pile of fewer is refused. There is a remark if fewer
+/// bodies are kept.
 const FEWEST: f64 = 20.0;
 /// The longest side of a component, as a share of the shape's shortest side. Above the first number there is a remark,
 /// above the second a refusal.
@@ -187,6 +190,13 @@ pub(super) fn room(params: &RoomParams, components: &Components) -> f64 {
     };
     let each = params.types.iter().zip(components).map(outside);
     each.fold(0.0, f64::max)
+}
+
+/// A remark on a settled pile, if it has few bodies.
+pub(super) fn sparse(bodies: &[Body]) -> Option<Notice> {
+    let kept = bodies.iter().filter(|body| body.fate == Fate::Kept).count();
+    let notice = || Notice::new(Code::PileSparse).with("n", kept);
+    ((kept as f64) < FEWEST).then(|| notice().with("darts", bodies.len()))
 }
 
 fn kind(params: &DartParams, own: &TypeParams, variants: &[Arc<Component>]) -> Kind {

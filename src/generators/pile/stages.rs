@@ -1,7 +1,7 @@
 //! The stages of a pile, as a table of tasks.
 
 use super::components::{Components, ComponentsMaking};
-use super::darting::{Placed, Placing, room};
+use super::darting::{Placed, Placing, room, sparse};
 use super::dress::{Dressed, Dressing};
 use super::heap::{Heap, HeapParts};
 use super::params::{
@@ -123,7 +123,9 @@ impl SceneStages for PileStages {
             .flat_map(|one| &one.notices);
         let placed = self.current(&self.placed);
         let of_sizes = placed.into_iter().flat_map(|placed| &placed.remarks);
-        of_files.chain(of_sizes).cloned().collect()
+        let settled = self.current(&self.settled);
+        let of_count = settled.and_then(|settled| sparse(settled.bodies()));
+        of_files.chain(of_sizes).cloned().chain(of_count).collect()
     }
 
     fn is_moving(&self) -> bool {

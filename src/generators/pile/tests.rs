@@ -262,6 +262,23 @@ fn impossible_piles_are_refused_before_any_dart_is_thrown() {
 }
 
 #[test]
+fn a_pile_of_few_bodies_has_a_remark() {
+    let codes = |link: &str| {
+        let engine = settled(&recipe(link)).expect("a pile");
+        let codes: Vec<Code> = engine.remarks().iter().map(|notice| notice.code).collect();
+        (engine.made.count(Fate::Kept), codes)
+    };
+    let link = "make=pile&c1=pebble&variants=1&form=heap&ps=5";
+    let (kept, notices) = codes(link);
+    assert!(kept < 20, "{kept}");
+    assert!(notices.contains(&Code::PileSparse), "{notices:?}");
+    // A longer range helps, as the sentence says.
+    let (more, notices) = codes(&format!("{link}&l1=6&k1=0.8"));
+    assert!(more >= 20, "{more}");
+    assert!(!notices.contains(&Code::PileSparse), "{notices:?}");
+}
+
+#[test]
 fn the_spacing_of_the_sentence_fits() {
     let link = "make=pile&c1=rice&ps=30&sigma1=";
     let Err(notice) = settled(&recipe(&format!("{link}0.5"))) else {
