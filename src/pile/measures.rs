@@ -4,16 +4,13 @@ use super::{Body, Fate, Kind};
 use crate::component::Sphere;
 use crate::trimesh::spatial_hash::SurfaceHash;
 
-/// A gap that counts as touching, in R of the smaller body.
-const TOUCHING: f64 = 0.02;
-
-/// For each body, the numbers of the bodies that it touches: their inner spheres overlap by about `offset` or more, in
-/// R of the smaller body. Bodies that are not kept touch nothing.
-pub fn contacts(bodies: &[Body], kinds: &[Kind], offset: f64) -> Vec<Vec<u32>> {
+/// For each body, the numbers of the bodies that it touches: their spheres overlap. Bodies that are not kept touch
+/// nothing.
+pub fn contacts(bodies: &[Body], kinds: &[Kind]) -> Vec<Vec<u32>> {
     let mut touched = vec![Vec::new(); bodies.len()];
     let mut pairs = Pairs::new(bodies, kinds);
     while pairs.advance(bodies, |a, b| {
-        if overlap([a, b].map(|k| &bodies[k]), kinds, offset - TOUCHING).is_some() {
+        if overlap([a, b].map(|k| &bodies[k]), kinds, 0.0).is_some() {
             touched[a].push(b as u32);
             touched[b].push(a as u32);
         }
@@ -25,11 +22,10 @@ pub fn contacts(bodies: &[Body], kinds: &[Kind], offset: f64) -> Vec<Vec<u32>> {
 }
 
 /// How many bodies a kept one touches; see [`contacts`].
-pub fn contacts_of(body: &Body, bodies: &[Body], kinds: &[Kind], offset: f64) -> usize {
+pub fn contacts_of(body: &Body, bodies: &[Body], kinds: &[Kind]) -> usize {
     let others = bodies.iter().filter(|other| other.fate == Fate::Kept);
-    let touched = others.filter(|other| {
-        other.dart != body.dart && overlap([body, other], kinds, offset - TOUCHING).is_some()
-    });
+    let touched = others
+        .filter(|other| other.dart != body.dart && overlap([body, other], kinds, 0.0).is_some());
     touched.count()
 }
 
@@ -153,7 +149,7 @@ mod tests {
         let bodies = pile.bodies();
         let mut work = OverlapWork::new(bodies, &kinds);
         while !work.advance(bodies, &kinds) {}
-        let touched = contacts(bodies, &kinds, fixture::PARAMS.offset);
+        let touched = contacts(bodies, &kinds);
         let mut overlaps = 0;
         for (k, body) in bodies
             .iter()
@@ -172,10 +168,9 @@ mod tests {
                 assert_eq!(work.deepest[k], deepest);
                 overlaps += 1;
             }
-            let least = fixture::PARAMS.offset - TOUCHING;
-            let near = each.iter().filter(|e| e.1 > least).map(|e| e.0);
+            let near = each.iter().filter(|e| e.1 > 0.0).map(|e| e.0);
             assert_eq!(touched[k], near.collect::<Vec<u32>>());
-            let count = contacts_of(body, bodies, &kinds, fixture::PARAMS.offset);
+            let count = contacts_of(body, bodies, &kinds);
             assert_eq!(count, touched[k].len());
         }
         assert!(overlaps > 20, "{overlaps}");

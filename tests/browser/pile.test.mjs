@@ -114,7 +114,7 @@ test('a body has a card, and a plane cuts bodies away', sameEverywhere, async ()
   await page.keyboard.press('Enter');
   await page.waitForSelector('.turn-card[data-picked]');
   const rows = await page.$$eval('.turn-card strong, .turn-card div', (parts) => parts.map((part) => part.textContent ?? ''));
-  assert.match(rows.join('|'), /^Body \d+\|Type1\|Layer1\|Slid−?\d\.\d\d d of −\d\.\d\d … \d\.\d\d d\|Touches\d+$/);
+  assert.match(rows.join('|'), /^Body \d+\|Type[A-Z][a-z ]+\|Layer1\|Slid−?\d\.\d\d d of −\d\.\d\d … \d\.\d\d d\|Touches\d+$/);
   const whole = await hash(page);
   await click(page, '#turn-cut');
   const half = await other(page, whole);

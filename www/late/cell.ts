@@ -24,7 +24,7 @@ export function cellNumbers(measures: object, texts: Readonly<Record<string, str
   const given = new Map<string, unknown>(Object.entries(measures));
   const rows = new Map<LookWord, string>();
   for (const row of ROWS) {
-    const value = valueOf(row, given);
+    const value = (row.text === undefined ? undefined : texts[row.text]) ?? valueOf(row, given);
     if (value !== undefined && value !== row.usual && !rows.has(row.name)) rows.set(row.name, value);
   }
   for (const [word, name] of Object.entries(TEXTS)) if (texts[word]) rows.set(name, texts[word]);

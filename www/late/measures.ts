@@ -10,6 +10,8 @@ export interface MeasureRow {
   readonly numbers: Readonly<Record<string, number>>;
   /** The word of the value, or one for each value of the first number; without it, the value is that number. */
   readonly value?: LookWord | readonly LookWord[];
+  /** The word of a text that stands for the number where it is given. */
+  readonly text?: string;
   /** A row with this value is left out. */
   readonly usual?: string;
 }
@@ -26,7 +28,7 @@ export const ROWS: readonly MeasureRow[] = [
   { name: 'cell_sides', numbers: { sides: 0 } },
   { name: 'cell_neighbours', numbers: { neighbours: 0 } },
   { name: 'cell_area', numbers: { area: 0 } },
-  { name: 'body_type', numbers: { type: 0 } },
+  { name: 'body_type', numbers: { type: 0 }, text: 'type' },
   { name: 'body_layer', numbers: { layer: 0 } },
   { name: 'body_slid', numbers: { slid: 2, inwards: 2, outwards: 2 }, value: 'body_slid_of' },
   { name: 'body_touches', numbers: { touches: 0 } },

@@ -150,6 +150,7 @@ export class Embed {
       link: () => engine.link(),
       held: () => false,
       get: (key) => engine.get(key),
+      schema: () => engine.schema,
       camera: () => this.camera,
       cut: () => this.cut,
       take: (now) => (this.camera = now),

@@ -94,6 +94,7 @@ export class PageTurntable {
         return asked;
       },
       flip: (feature) => flipOf(this.work, feature),
+      schema: () => engine.schema,
       only: (subject, camera) => store.update({ body: subject === '' ? undefined : { subject, camera } }),
       framed: (whole) => {
         if (engine.offers('frames')) this.seen(whole);

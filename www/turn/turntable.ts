@@ -8,12 +8,13 @@
 import { t } from '../words/turn';
 import { byId, make, say } from '../base/dom';
 import { keep, kept } from '../base/storage';
-import type { Generator } from '../module/types';
+import type { Generator, Parameter } from '../module/types';
 import { cameraLimits, cameraWords, firstCamera, homeOf, wholeBodies } from '../state/asked-view';
 import type { Camera, Cut } from '../state/viewing';
 import type { Bodies, FrameSource, Heard, Plane, Quality, BodyInfo } from '../picture/frames/source';
 import { ALL_AROUND, nearer, type Heights } from './camera';
 import { Card, hasSteps, sentence } from './card';
+import { componentIn } from './components';
 import { CutTool } from './cut';
 import { Frames } from './frames';
 import { CLOSER, Gestures } from './gestures';
@@ -44,6 +45,8 @@ export interface Surroundings {
   asked?(): string;
   /** The act that turns the bricks of a corner (0) or an edge (1) of a building by hand; undefined if there is none. */
   flip?(feature: readonly [kind: number, number: number]): (() => void) | undefined;
+  /** The parameters of the generator, which name the components of a pile. */
+  schema(): readonly Parameter[];
   /** Called with the subject that is shown: a step in the making of one body (`ID:STEP`), or '' for all. */
   only?(subject: string, camera: Camera): void;
   /** Leaves the turntable. Missing in an embedded picture, and if there is nothing but bodies to see. */
@@ -290,12 +293,18 @@ export class Turntable {
   private async point(x: number, y: number, picked: boolean): Promise<BodyInfo | undefined> {
     if (this.making.subject !== '' || this.moving || (this.card.picked && !picked)) return undefined;
     const turn = (this.pointed += 1);
-    const body = await this.frames.bodyAt(x, y);
+    const body = this.named(await this.frames.bodyAt(x, y));
     if (turn !== this.pointed || !this.on) return undefined;
     this.stand.dataset['body'] = String(body?.id ?? 'none');
     if (body) this.card.show(body, this.bodies.sort, x, y, picked);
     else this.card.hide();
     return body;
+  }
+
+  /** A body of a pile with the name of its component. */
+  private named(body: BodyInfo | undefined): BodyInfo | undefined {
+    const word = body?.words['type'];
+    return body && word !== undefined ? { ...body, words: { ...body.words, type: componentIn(this.place.schema(), word) } } : body;
   }
 
   private unpoint(): void {

@@ -57,7 +57,7 @@ impl PileText<'_> {
                 faces(mesh)
             )
         });
-        let touches = contacts(self.bodies, self.kinds, self.params.offset);
+        let touches = contacts(self.bodies, self.kinds);
         let bodies = list(self.kept(), |body| {
             self.body_json(body, &touches[body.dart as usize])
         });
@@ -77,13 +77,13 @@ impl PileText<'_> {
         self.bodies.iter().filter(|body| body.fate == Fate::Kept)
     }
 
-    /// All variants: the word, the number, the finest mesh, and the inner spheres as text.
+    /// All variants: the word, the number, the finest mesh, and the spheres with which overlaps were tested, as text.
     fn variants(&self) -> impl Iterator<Item = (&'static str, usize, &TriMesh, String)> {
         let types = self.words.iter().zip(self.components);
         types.flat_map(|(&word, variants)| {
             let each = variants.all.iter().enumerate();
             each.map(move |(k, component)| {
-                let spheres = list(component.spheres.iter(), |s| {
+                let spheres = list(component.widened(), |s| {
                     format!("[{},{}]", numbers(s.centre.to_array()), number(s.radius))
                 });
                 (word, k, &component.levels[0].mesh, spheres)

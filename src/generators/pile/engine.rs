@@ -35,6 +35,10 @@ impl SceneFacts for PileEngine {
         self.measures(id)
     }
 
+    fn words_of(&self, id: u32) -> Vec<(&'static str, String)> {
+        self.named(id)
+    }
+
     fn caption_of(&self, words: &str) -> Option<Notice> {
         self.meaning(words)
     }

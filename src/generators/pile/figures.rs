@@ -23,12 +23,20 @@ impl PileEngine {
             figures.push(("slid", body.t / diagonal));
             figures.push(("inwards", body.range.0 / diagonal));
             figures.push(("outwards", body.range.1 / diagonal));
-            let offset = self.made.settled.params().offset;
             let bodies = self.made.settled.made().map_or(&[][..], |s| s.bodies());
-            let touched = contacts_of(body, bodies, &placed.kinds, offset);
+            let touched = contacts_of(body, bodies, &placed.kinds);
             figures.push(("touches", touched as f64));
         }
         figures
+    }
+
+    /// The word of a body's component.
+    pub(super) fn named(&self, id: u32) -> Vec<(&'static str, String)> {
+        let kind = self.made.body(id).map(|body| body.kind as usize);
+        let word = kind.and_then(|kind| self.made.words().get(kind).copied());
+        word.into_iter()
+            .map(|word| ("type", word.to_owned()))
+            .collect()
     }
 
     /// The caption of a view that is shown.
