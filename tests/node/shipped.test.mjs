@@ -497,8 +497,8 @@ test('notices of piles are said', async () => {
     hear([studio.problem()]);
     studio.free();
   }
-  const studio = finished(new whole.Bubblestone(`${pile}&c1=ball`));
-  for (const view of ['darts', 'fates', 'overlap']) {
+  const studio = finished(new whole.Bubblestone(`${pile}&c1=ball&c2=rice&k2=0.5`));
+  for (const view of ['darts', 'spheres', 'fates', 'overlap']) {
     while (!studio.turn('', '', 96, 64, `moving+floor+${view}`, 4).done);
     hear(studio.caption(view));
   }

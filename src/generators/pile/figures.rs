@@ -1,10 +1,11 @@
 //! The measures of a body, and the caption of a view.
 
-use super::PileEngine;
 use super::subject::ViewScene;
 use super::views::PileView;
-use crate::notice::{Code, Notice};
-use crate::pile::{Fate, contacts_of};
+use super::{PileEngine, SCHEMA, keys};
+use crate::component::Component;
+use crate::notice::{Arg, Code, Notice};
+use crate::pile::{Fate, Kind, contacts_of};
 
 impl PileEngine {
     /// The measures of a body, words and numbers: its type and layer, from 1; how far it slid along the normal, and the
@@ -54,6 +55,7 @@ impl PileEngine {
                 let count = self.made.darts().darts.len();
                 Some(Notice::new(Code::PileDarts).with("n", count))
             }
+            PileView::Spheres => self.types(),
             PileView::Fates => Some(self.fates()),
             PileView::Overlap => {
                 let deepest = crate::decimal::text_to(2, diagram.deepest?);
@@ -73,4 +75,39 @@ impl PileEngine {
             .with("walls", walls)
             .with("removed", removed)
     }
+
+    /// The numbers of all types.
+    fn types(&self) -> Option<Notice> {
+        let (kinds, components) = (
+            &self.made.placed.made()?.kinds,
+            self.made.components.made()?,
+        );
+        let words = self.made.words();
+        let each = words.iter().zip(kinds.iter()).zip(components);
+        let each = each.map(|((word, kind), variants)| of_type(word, kind, &variants.all[0]));
+        let all: Vec<Notice> = each.collect();
+        all.into_iter().rev().reduce(|others, first| {
+            let notice = Notice::new(Code::PileTypes).with("first", first);
+            notice.with("others", others)
+        })
+    }
+}
+
+/// The numbers of a type: R and d at its size, as the first variant has them, the number of its spheres, and the spacing
+/// that follows from the component.
+fn of_type(word: &'static str, kind: &Kind, component: &Component) -> Notice {
+    let row = SCHEMA.row(keys::C1.0);
+    let choice = row.and_then(|row| row.choices.iter().find(|choice| choice.word == word));
+    let name = Arg::Choice {
+        key: keys::C1.0,
+        word,
+        label: choice.map_or(word, |choice| choice.label),
+    };
+    let short = |number: f64| crate::decimal::text_to(2, number);
+    Notice::new(Code::PileType)
+        .with("name", name)
+        .with("radius", short(kind.radius()))
+        .with("diagonal", short(kind.diagonal()))
+        .with("spheres", component.spheres.len())
+        .with("spacing", short(component.density()))
 }
