@@ -481,7 +481,7 @@ const NO_COMPONENTS = [
 test('notices of piles are said', async () => {
   const whole = await moduleIn(wholeModule, undefined, 'space');
   const pile = 'make=pile&size=128&ps=5&variants=1';
-  for (const link of ['c1=leaf&sigma1=0.3&ps=20', 'c1=ball&sigma1=8', 'c1=ball&k1=5&sigma1=0.3', 'c1=ball&k1=2&sigma1=0.6', 'c1=pebble&form=heap']) {
+  for (const link of ['c1=leaf&sigma1=0.3&ps=20', 'c1=ball&sigma1=8', 'c1=ball&k1=5&sigma1=0.3', 'c1=ball&k1=2&sigma1=0.6', 'c1=pebble&k1=2&form=heap']) {
     const studio = finished(new whole.Bubblestone(`${pile}&${link}`));
     hear([studio.problem(), studio.remarks()]);
     studio.free();
