@@ -92,7 +92,7 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Shapes and vessels", "nut-bowl", "Bowl of nuts"],
         "Walnuts, almonds and cashews are mixed in equal parts in a white bowl.",
-        "v=1&make=pile&c1=walnut&k1=1.1&sigma1=1.9&l1=1&c2=almond&k2=0.8&sigma2=2.2&c3=cashew&k3=0.9&sigma3=2.4&form=bowl&bowl_full=0.6&ps=8.5&merge=alone&alpha=0.7&first=mixed",
+        "v=1&make=pile&c1=walnut&sigma1=1.4&l1=1.5&c2=almond&k2=0.9&sigma2=2.2&c3=cashew&sigma3=2.6&form=bowl&bowl_full=0.6&ps=8.5&merge=alone&alpha=0.7&first=mixed",
     ),
     Preset::plain(
         ["Shapes and vessels", "leaf-dome", "Hedge"],
