@@ -13,6 +13,7 @@ use bubblestone::generators::{ALL, GivenFile};
 use bubblestone::recipe::Recipe;
 use bubblestone::studio::Studio;
 use common::{formed, recipe};
+use std::collections::{BTreeMap, BTreeSet};
 
 const GOLDEN: &str = include_str!("masonry.txt");
 
@@ -90,4 +91,43 @@ fn a_building_that_is_written_and_read_has_the_same_blocks() {
             );
         }
     }
+}
+
+#[test]
+fn each_block_has_its_feature_its_node_and_its_course() {
+    let gabled = formed("make=masonry&size=128&building=gabled");
+    let read = |name: &str| -> serde_json::Value {
+        serde_json::from_str(&data(&gabled, name)).expect("JSON")
+    };
+    let (model, blocks, measures) = (
+        read("model.json"),
+        read("blocks.json"),
+        read("measures.json"),
+    );
+    let blocks = blocks["blocks"].as_array().expect("a list");
+    let faces = model["faces"].as_array().expect("a list");
+    let (mut features, mut kinds) = (BTreeMap::new(), BTreeMap::new());
+    let mut courses = BTreeSet::new();
+    for block in blocks {
+        let word = |key: &str| block[key].as_str().expect(key).to_owned();
+        let name = word("name");
+        let (feature, number) = name.rsplit_once('_').expect("a number");
+        assert_eq!(feature, word("feature"));
+        let number: usize = number.parse().expect("a number");
+        if feature == "face" {
+            let labels = faces[number]["labels"].as_array();
+            let labels = labels.into_iter().flatten().filter_map(|one| one.as_str());
+            assert_eq!(labels.collect::<Vec<_>>().join(" "), word("label"));
+        }
+        // The tree of bricks begins with a choice by label, so each block's node has a path.
+        assert_ne!(word("node"), "", "{name}");
+        courses.extend(block["course"].as_u64());
+        *features.entry(word("feature")).or_insert(0) += 1;
+        *kinds.entry(word("kind")).or_insert(0) += 1;
+    }
+    let last = courses.len() as u64;
+    assert!(last > 20 && courses.into_iter().eq(1..=last));
+    assert_eq!(measures["cells"], blocks.len());
+    assert_eq!(measures["features"], serde_json::json!(features));
+    assert_eq!(measures["kinds"], serde_json::json!(kinds));
 }

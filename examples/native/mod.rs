@@ -166,7 +166,12 @@ fn write_report(
     (report.notices, report.frame) = (notices, frame);
     report.notices.extend(studio.engine().remarks());
     let metrics = studio.engine().products().and_then(|made| made.metrics());
-    report.metrics = metrics.map(|metrics| metrics_json(&metrics));
+    let measures = || {
+        let data = studio.engine().data().into_iter();
+        let mut named = data.filter(|(name, _)| *name == "measures.json");
+        named.next().map(|(_, text)| text)
+    };
+    report.metrics = metrics.map(|made| metrics_json(&made)).or_else(measures);
     write(dir, "report.json", report.json().as_bytes())
 }
 

@@ -38,7 +38,7 @@ pub struct Report {
     pub milliseconds: Vec<StageTime>,
     /// The heights shown as 0 and as 65535 in height.png, in picture units.
     pub height_range: (f32, f32),
-    /// The result of [`super::metrics_json`], if figures were asked for.
+    /// The result of [`super::metrics_json`], or the measures of masonry, as JSON.
     pub metrics: Option<String>,
     /// Notices of values that were clamped, dropped or given up.
     pub notices: Vec<Notice>,

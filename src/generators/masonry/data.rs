@@ -3,8 +3,9 @@
 use super::MasonryEngine;
 use crate::building::write_json;
 use crate::decimal;
-use crate::masonry::laying::{Laying, MasonryCell, Measures};
+use crate::masonry::laying::{Feature, Laying, MasonryCell, Measures};
 use glam::DVec3;
+use std::collections::BTreeMap;
 
 impl MasonryEngine {
     /// The results as text files: names and contents. Lengths are metres, y up.
@@ -43,14 +44,22 @@ fn block(laying: &Laying, cell: &MasonryCell) -> String {
         .collect();
     let labels = cell.feature.labels(laying.building()).join(" ");
     let label = serde_json::Value::from(labels);
+    let node = serde_json::Value::from(laying.node_path(cell));
+    let course = serde_json::Value::from(laying.course(cell));
     format!(
-        "{{\"feature\":\"{}\",\"label\":{label},\"kind\":\"{:?}\",\"generator\":\"{}\",\"vertices\":[{}],\"faces\":[{}]}}",
+        "{{\"feature\":\"{}\",\"name\":\"{}\",\"label\":{label},\"kind\":\"{:?}\",\"generator\":\"{}\",\"node\":{node},\"course\":{course},\"vertices\":[{}],\"faces\":[{}]}}",
         cell.feature.word(),
+        name(cell.feature),
         cell.sort,
         cell.generator.word(),
         vertices.join(","),
         faces.join(",")
     )
+}
+
+/// The name of a feature: its type and its number. Faces have the numbers that they have in `model.json`.
+fn name(feature: Feature) -> String {
+    format!("{}_{}", feature.word(), feature.number())
 }
 
 fn point(p: DVec3) -> String {
@@ -76,10 +85,25 @@ fn measures(laying: &Laying) -> String {
         // Minus zero becomes zero.
         .map(|(name, share)| format!("\"{name}\":{}", decimal::text(*share + 0.0)))
         .collect();
+    let features = counts(laying, |cell| cell.feature.word().to_owned());
+    let kinds = counts(laying, |cell| format!("{:?}", cell.sort));
     format!(
-        "{{\"cells\":{},\"conflicts\":{},{}}}",
+        "{{\"cells\":{},\"features\":{features},\"kinds\":{kinds},\"conflicts\":{},{}}}",
         m.cells,
         m.conflicts,
         shares.join(",")
     )
+}
+
+/// The number of cells for each word.
+fn counts(laying: &Laying, word: impl Fn(&MasonryCell) -> String) -> String {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for cell in laying.cells() {
+        *counts.entry(word(cell)).or_default() += 1;
+    }
+    let counts: Vec<String> = counts
+        .iter()
+        .map(|(word, n)| format!("\"{word}\":{n}"))
+        .collect();
+    format!("{{{}}}", counts.join(","))
 }

@@ -141,14 +141,9 @@ impl MasonryEngine {
 
 /// The type and the number of a feature, as measures.
 fn of_feature(feature: Feature) -> [(&'static str, f64); 2] {
-    let number = match feature {
-        Feature::Corner(id) => id.0,
-        Feature::Edge(id) => id.0,
-        Feature::Face(id) => id.0,
-    };
     [
         ("feature", type_of(feature) as f64),
-        ("number", f64::from(number)),
+        ("number", f64::from(feature.number())),
     ]
 }
 

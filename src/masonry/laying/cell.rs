@@ -38,6 +38,15 @@ impl Feature {
             Self::Face(_) => "face",
         }
     }
+
+    /// Its number among the features of its type.
+    pub fn number(self) -> u32 {
+        match self {
+            Self::Corner(id) => id.0,
+            Self::Edge(id) => id.0,
+            Self::Face(id) => id.0,
+        }
+    }
 }
 
 /// The sort of a cell, for the measures.
