@@ -138,6 +138,28 @@ pub enum BuildingFault {
         /// Both faces.
         faces: [FaceId; 2],
     },
+    /// Two polygons of an OBJ file run the same way along a side.
+    Polygons {
+        /// The ends of the side, as numbers of vertices in the file, from 0.
+        vertices: [usize; 2],
+        /// Both polygons, as numbers of polygons in the file, from 0.
+        polygons: [usize; 2],
+        /// The fault.
+        why: PolygonFault,
+    },
+}
+
+/// Why two polygons of an OBJ file run the same way along a side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PolygonFault {
+    /// No other polygon meets them there, so one of them is turned over.
+    Turned,
+    /// More than two polygons meet there: this many.
+    Many(usize),
+    /// Both have the same vertices.
+    Twice,
+    /// Both are the same polygon.
+    Itself,
 }
 
 /// The fault of an arc.

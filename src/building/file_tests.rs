@@ -239,5 +239,14 @@ fn bad_obj_files_are_refused() {
     assert!(matches!(line, BuildingFault::NotObj(_)));
     assert_eq!(obj::read(b"v 0 0 0\n"), Err(BuildingFault::Empty));
     let twice = obj::read(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n").unwrap_err();
-    assert!(matches!(twice, BuildingFault::NonManifold { .. }));
+    let why = PolygonFault::Twice;
+    let (vertices, polygons) = ([0, 1], [0, 1]);
+    assert_eq!(
+        twice,
+        BuildingFault::Polygons {
+            vertices,
+            polygons,
+            why
+        }
+    );
 }

@@ -39,6 +39,7 @@ pub mod obj;
 mod parent;
 mod path;
 mod piece;
+mod polygon_sides;
 mod recognising;
 mod region;
 pub mod rules;
@@ -58,7 +59,7 @@ pub use class::{Bend, CornerClass, Heading};
 pub use draft::{Draft, DraftArc, DraftFace, ExtraMesh};
 pub use fault::{
     ArcFault, BuildingFault, BuildingWarning, FARTHEST, MOST_FACES, MOST_SIDES, OFF_SURFACE,
-    SurfaceFault,
+    PolygonFault, SurfaceFault,
 };
 pub use fit::{Misfit, ThinWall};
 pub use ids::{CornerId, EdgeId, FaceId, PolygonEdgeId, PolygonId, VertexId};

@@ -50,8 +50,8 @@ const NO_LABELS: [&str; 4] = ["default", "off", "(null)", "none"];
 /// Reads a file.
 ///
 /// # Errors
-/// [`BuildingFault::NotObj`] with the line that cannot be read; [`BuildingFault::NonManifold`] if more than two polygons
-/// meet along an edge, or [`BuildingFault::Empty`].
+/// [`BuildingFault::NotObj`] with the line that cannot be read; [`BuildingFault::Polygons`] if two polygons run the same
+/// way along a side, as where more than two meet; or [`BuildingFault::Empty`].
 pub fn read(bytes: &[u8]) -> Result<Recognised, BuildingFault> {
     let model = PolygonModel::read(bytes).map_err(BuildingFault::NotObj)?;
     let facets = FacetModel::new(&model)?;

@@ -1,9 +1,9 @@
 //! Recognises flat and curved faces in polygons.
 
 use super::fault::BuildingFault;
-use super::ids::FaceId;
 use super::path::Path;
 use super::piece::{Arc, Piece};
+use super::polygon_sides::{PlaneRing, clash, left_of_sides, sides};
 use super::surface::{Surface, Sweep};
 use crate::modelfiles::PolygonModel;
 use crate::order::{self, rank};
@@ -56,11 +56,13 @@ impl FacetModel {
     /// Joins polygons in one plane to facets.
     ///
     /// # Errors
-    /// If there is no polygon, or if more than two meet along a side.
+    /// If there is no polygon, if more than two meet along a side, or if both run the same way there.
     pub fn new(model: &PolygonModel) -> Result<Self, BuildingFault> {
         let (positions, welded) = super::sides::weld(&model.positions);
         let (mut rings, mut degenerate) = (Vec::new(), 0);
-        for (corners, group) in &model.polygons {
+        // The number of each ring's polygon in the file.
+        let mut polygons = Vec::new();
+        for (polygon, (corners, group)) in model.polygons.iter().enumerate() {
             let mut ring: Vec<u32> = corners.iter().map(|&v| welded[v as usize]).collect();
             ring.dedup();
             if ring.len() > 1 && ring.first() == ring.last() {
@@ -69,14 +71,24 @@ impl FacetModel {
             let points: Vec<DVec3> = ring.iter().map(|&v| positions[v as usize]).collect();
             let across = polygon::across(&points);
             match 0.5 * across.length() > LEAST_AREA {
-                true => rings.push((ring, *group, across.normalize())),
+                true => {
+                    rings.push((ring, *group, across.normalize()));
+                    polygons.push(polygon);
+                }
                 false => degenerate += 1,
             }
         }
         if rings.is_empty() {
             return Err(BuildingFault::Empty);
         }
-        let left = left_of_sides(&rings)?;
+        let left = left_of_sides(&rings).map_err(|[first, second, from, to]| {
+            let vertex = |v: usize| welded.iter().position(|&w| w as usize == v).unwrap_or(v);
+            BuildingFault::Polygons {
+                vertices: [from, to].map(vertex),
+                polygons: [first, second].map(|ring| polygons[ring]),
+                why: clash(&rings, [first, second], [from, to].map(|v| v as u32)),
+            }
+        })?;
         let number = planes(&rings, &left, &positions);
         let count = number.iter().max().map_or(0, |most| most + 1);
         let mut all = vec![Facet::default(); count];
@@ -93,30 +105,6 @@ impl FacetModel {
             degenerate,
         })
     }
-}
-
-type PlaneRing = (Vec<u32>, u32, DVec3);
-
-fn sides(ring: &[u32]) -> impl Iterator<Item = (u32, u32)> + '_ {
-    ring.iter()
-        .copied()
-        .zip(ring.iter().copied().cycle().skip(1))
-}
-
-/// The polygon to the left of each directed side.
-fn left_of_sides(rings: &[PlaneRing]) -> Result<BTreeMap<(u32, u32), usize>, BuildingFault> {
-    let mut left = BTreeMap::new();
-    for (k, (ring, ..)) in rings.iter().enumerate() {
-        for (a, b) in sides(ring) {
-            if let Some(other) = left.insert((a, b), k) {
-                return Err(BuildingFault::NonManifold {
-                    vertices: [a, b],
-                    faces: vec![FaceId(other as u32), FaceId(k as u32)],
-                });
-            }
-        }
-    }
-    Ok(left)
 }
 
 /// The number of each polygon's plane. Connected polygons of one group in one plane have the same number.

@@ -2,7 +2,7 @@
 
 use crate::building::{
     ArcFault, Building, BuildingFault, BuildingWarning, EdgeId, FaceId, MOST_FACES, MOST_SIDES,
-    Misfit, SurfaceFault,
+    Misfit, PolygonFault, SurfaceFault,
 };
 use crate::decimal;
 use crate::masonry::laying::{Laying, LayingWarning};
@@ -43,7 +43,26 @@ pub(super) fn unread(fault: &BuildingFault) -> Notice {
         Fault::TurnedOver { vertices, faces } => between(Code::BuildingTurned, *vertices)
             .with("one", faces[0].index())
             .with("other", faces[1].index()),
+        Fault::Polygons {
+            vertices,
+            polygons,
+            why,
+        } => of_polygons(*vertices, *polygons, *why),
         fault => of_face(fault),
+    }
+}
+
+/// The sentence of two polygons that run the same way. OBJ files number vertices from 1.
+fn of_polygons(vertices: [usize; 2], polygons: [usize; 2], why: PolygonFault) -> Notice {
+    let ([a, b], [one, other]) = (vertices, polygons);
+    let side = |code: Code| Notice::new(code).with("a", a + 1).with("b", b + 1);
+    let one = |notice: Notice| notice.with("one", one + 1);
+    let both = |notice: Notice| one(notice).with("other", other + 1);
+    match why {
+        PolygonFault::Turned => both(side(Code::BuildingPolygonTurned)),
+        PolygonFault::Many(n) => side(Code::BuildingPolygonsMeet).with("n", n),
+        PolygonFault::Twice => both(Notice::new(Code::BuildingPolygonTwice)),
+        PolygonFault::Itself => one(side(Code::BuildingPolygonItself)),
     }
 }
 

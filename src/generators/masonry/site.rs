@@ -1,13 +1,15 @@
 //! The first stage: the building, and how thick its walls are.
 
 use super::params::BuildingParams;
-use super::{plan_sentences, sentences};
+use super::{keys, plan_sentences, sentences};
 use crate::building::{
     Building, BuildingFault, BuildingMaking, Draft, Face, Rule, Stance, json, obj,
 };
+use crate::decimal;
 use crate::domain::signed_area;
 use crate::masonry::plan::ThicknessWork;
 use crate::notice::{Code, Notice};
+use crate::recipe::Key;
 use crate::surface_stones::Fit;
 use glam::DVec3;
 use serde_json::Value;
@@ -239,6 +241,20 @@ fn check_number(building: &Building, params: &BuildingParams) -> Result<(), Noti
     }
     let scale = (blocks / MOST_BLOCKS).sqrt();
     let fits = |length: f64| (1e3 * length * scale).ceil() as usize;
+    let beyond = |key: Key, length: f64| {
+        let row = super::SCHEMA.row(key.0);
+        row.is_some_and(|row| fits(length) as f64 > row.max)
+    };
+    if beyond(keys::W, module.half) || beyond(keys::H, module.course) {
+        let (low, high) = bounds(building);
+        let [x, y, z] = (high - low).to_array().map(|v| decimal::text_to(1, v));
+        return Err(Notice::new(Code::MasonryUnits)
+            .with("n", blocks as usize)
+            .with("most", MOST_BLOCKS as usize)
+            .with("x", x)
+            .with("y", y)
+            .with("z", z));
+    }
     Err(Notice::new(Code::MasonryMany)
         .with("n", blocks as usize)
         .with("most", MOST_BLOCKS as usize)
@@ -251,8 +267,14 @@ fn area(face: &Face) -> f64 {
     face.rings.iter().map(|ring| signed_area(ring)).sum()
 }
 
-/// The map from the building to the scene, for a box around all vertices and extra meshes.
+/// The map from the building to the scene.
 fn fit(building: &Building) -> Fit {
+    let (low, high) = bounds(building);
+    Fit::of_box(low, high)
+}
+
+/// The box around all vertices and extra meshes (metres).
+fn bounds(building: &Building) -> (DVec3, DVec3) {
     let extras = building.extras().iter().flat_map(|extra| &extra.positions);
     let all = building
         .vertices()
@@ -260,6 +282,5 @@ fn fit(building: &Building) -> Fit {
         .map(|v| &v.position)
         .chain(extras);
     let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let (low, high) = all.fold(start, |(lo, hi), &p| (lo.min(p), hi.max(p)));
-    Fit::of_box(low, high)
+    all.fold(start, |(lo, hi), &p| (lo.min(p), hi.max(p)))
 }

@@ -150,6 +150,60 @@ fn the_module_of_the_sentence_about_too_many_blocks_fits() {
 }
 
 #[test]
+fn a_file_in_millimetres_is_asked_about_its_unit() {
+    let notice = laid_file("mm.obj", &box_of([3000.0, 2400.0, 3000.5])).expect_err("a sentence");
+    let text = notice.to_string();
+    assert!(
+        text.contains("3000 by 2400 by 3000.5 metres") && text.contains("in millimetres?"),
+        "{text}"
+    );
+    assert!(!text.contains('{'), "{text}");
+}
+
+#[test]
+fn polygons_that_clash_are_told_apart() {
+    let refused = |content: &str| {
+        let notice = laid_file("clash.obj", content).expect_err("a sentence");
+        notice.to_string()
+    };
+    let cube = box_of([2.0; 3]);
+    let turned = refused(&cube.replace("f 1 3 4 2", "f 2 4 3 1"));
+    assert!(
+        turned.contains("vertices 3 and 1, polygons 1 and 5 run the same way"),
+        "{turned}"
+    );
+    let beside = cube.lines().map(|line| {
+        let words: Vec<&str> = line.split(' ').collect();
+        match words[0] {
+            "v" => format!(
+                "v {} {} {}\n",
+                2.0 + words[1].parse::<f64>().unwrap(),
+                words[2],
+                words[3]
+            ),
+            _ => {
+                let own = words[1..]
+                    .iter()
+                    .map(|v| format!(" {}", 8 + v.parse::<u32>().unwrap()));
+                format!("f{}\n", own.collect::<String>())
+            }
+        }
+    });
+    let two = refused(&(cube.clone() + &beside.collect::<String>()));
+    assert!(two.contains("4 polygons meet; at most two may"), "{two}");
+    let twice = refused(&(cube.clone() + "f 4 2 1 3\n"));
+    assert!(
+        twice.contains("Polygons 1 and 7 have the same vertices"),
+        "{twice}"
+    );
+    let itself = refused("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 3 0\nf 1 2 3 1 2 4 5\n");
+    assert!(
+        itself.contains("Polygon 1 runs twice from vertex 1 to vertex 2"),
+        "{itself}"
+    );
+}
+
+#[test]
 fn buildings_of_files_are_laid_or_refused_with_a_sentence() {
     assert!(laid_file("box.obj", &box_of([2.0, 1.0, 1.5])).expect("blocks") > 100);
     let refused = |name, content: &str| laid_file(name, content).map_err(|notice| notice.code);
