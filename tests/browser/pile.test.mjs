@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { low, open } from './harness.mjs';
-import { opened, saved } from './saved.mjs';
+import { dialog, opened, saved } from './saved.mjs';
 import { all, chooses, click, digest, done, drop, get, link, message, PILE, set, SMALL } from './page.mjs';
 import { hash, other, turned } from './turned.mjs';
 
@@ -137,6 +137,8 @@ test('the places of the bodies are saved as a table, a line for each', sameEvery
   await digest(page);
   const { stones } = await page.evaluate(() => window.bubblestone.status());
   const { name, bytes } = await saved(page, '#save-places');
+  await dialog(page);
+  assert.equal(await page.$eval('#bodies [value=each]', (choice) => choice.textContent), 'A mesh for each body');
   assert.match(name, /^bubblestone-[a-z0-9-]+-places\.csv$/);
   const [head, ...lines] = Buffer.from(bytes).toString().trim().split('\n').map((line) => line.split(','));
   assert.deepEqual(head.slice(0, 9), ['x', 'y', 'z', 'qx', 'qy', 'qz', 'qw', 'scale', 'component']);

@@ -1,6 +1,7 @@
 /** The row of the dialog that saves meshes. It shows the sizes of the files before one is made. */
 import { t } from '../words/take';
 import { make } from '../base/dom';
+import { countedBy } from '../module/stages';
 import type { Engine } from '../state/engine';
 import { row, select, shown } from './dialog';
 import type { Kind } from './file-name';
@@ -30,7 +31,7 @@ type Offer = (id: string, word: string, kind: () => Kind, job: () => Job) => HTM
 export function meshes(engine: Engine, offer: Offer): HTMLElement {
   const words = { low: t('low', { n: shown(DETAILS.low) }), middle: t('middle', { n: shown(DETAILS.middle) }), high: t('high', { n: shown(DETAILS.high) }) };
   const detail = select('detail', t('detail'), words, chosen.detail);
-  const bodies = select('bodies', t('bodies'), { each: t('bodies_each'), one: t('bodies_one') }, chosen.bodies);
+  const bodies = select('bodies', t('bodies'), { each: t(`bodies_each_${countedBy(engine.generator)}`), one: t('bodies_one') }, chosen.bodies);
   const size = make('output', { class: 'take-note', id: 'mesh-size', for: 'detail bodies' });
   const tell = (): void => {
     Object.assign(chosen, { detail: detail.value, bodies: bodies.value });
