@@ -152,7 +152,7 @@ test('the button for models names the open file, opens others, and turns open pa
   assert.deepEqual(await page.$$eval('#model-name, #caption', (both) => both.map((one) => one.textContent)), ['slope.obj', before]);
   assert.deepEqual((await messages(page)).filter((text) => text?.includes('bad.obj is open')), []);
   await drop(page, 'scene.fbx', 'Kaydara', '');
-  await message(page, 'alert', /of a kind that cannot be opened here/);
+  await message(page, 'alert', /of a kind that cannot be opened here.*PNG pictures saved here/);
   // A closed model has only one outside.
   await chooses(page, 'box.obj', cube(1.5));
   await click(page, '#model-other');
