@@ -108,12 +108,28 @@ test('a model that the present cells cannot cover is opened, and with smaller ce
   const { page, problems, close } = await site.newPage(EGG);
   await digest(page);
   await drop(page, 'wedge.obj', WEDGE, '');
-  await message(page, 'status', /wedge\.obj is open/);
-  await message(page, 'alert', /Choose smaller cells/);
-  await until(page, 'cn', '60');
+  await until(page, 'form', 'file');
+  // One message: the file is open, but that it is would seem to contradict the refusal.
+  const refused = async () => {
+    await message(page, 'alert', /Choose smaller cells/);
+    assert.deepEqual((await messages(page)).filter((text) => /is open/.test(text)), []);
+  };
+  await refused();
+  assert.equal(await get(page, 'cn'), '60');
   await set(page, 'cn', '400');
   await digest(page);
   assert.deepEqual(await page.$$eval('#alerts .message', (notes) => notes.length), 0);
+  // Numbers of the earlier run do not stand beside a refusal, and a sentence tells that its picture does.
+  const counts = () => page.$$eval('#counts dd, #timeline output', (all) => all.map((one) => one.textContent));
+  await page.waitForSelector('#moment:not(:disabled)');
+  await seen(page);
+  const [, cells] = await counts();
+  assert.ok(Number(cells) > 100, `${cells} cells`);
+  await set(page, 'cn', '60');
+  await refused();
+  await page.waitForSelector('#moment:disabled');
+  assert.deepEqual(await counts(), ['', '–', '–', '–', '–']);
+  assert.match(await page.$eval('#caption', (caption) => caption.textContent), /^The picture is the last one that worked\./);
   assert.deepEqual(problems, []);
   await close();
 });

@@ -7,7 +7,7 @@ import { t } from '../words/words';
 import { byId, make } from './dom';
 
 /** Notices of the same topic replace each other. */
-export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'module' | 'part' | 'language' | 'remarks';
+export type Topic = 'link' | 'value' | 'outline' | 'done' | 'files' | 'opened' | 'busy' | 'replaced' | 'offline' | 'trouble' | 'module' | 'part' | 'language' | 'remarks';
 
 /** Milliseconds that a notice is shown: `letter` per letter, as a slow reader needs, but from `least` to `most`. */
 const SHOWN = { least: 6000, letter: 70, most: 20_000 };

@@ -71,10 +71,11 @@ export class Timeline {
     return stage === 'done' || (stage !== 'error' && !isUpToSteps(this.host.engine.generator, stage));
   }
 
-  /** The present step; 0 before the forming has begun. */
+  /** The present step; 0 before the forming has begun, and if the recipe gives no picture. */
   private now(): number {
     if (this.asked !== undefined) return this.asked;
     const { engine } = this.host;
+    if (engine.stage() === 'error') return 0;
     const { stages, stepping } = engine.generator;
     const stage = engine.stage();
     return !isEnd(stage) && stages.indexOf(stage) < stages.indexOf(stepping) ? 0 : engine.status().steps;
@@ -146,7 +147,7 @@ export class Timeline {
 
   private show(): void {
     const { store } = this.work;
-    const isIdle = this.all === 0 || store.state.compare;
+    const isIdle = this.all === 0 || store.state.compare || this.host.engine.stage() === 'error';
     const now = this.now();
     this.slider.disabled = isIdle;
     this.back.disabled = isIdle || now === 0;

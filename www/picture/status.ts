@@ -90,10 +90,9 @@ export class StatusLine {
       const spent = status.ms[word];
       say(parts.time, state === 'next' || spent === undefined ? '–' : `${milliseconds(spent)} ms`);
     });
-    this.count('cells', String(status.cells));
-    this.count('steps', String(status.steps));
-    this.count('move', status.steps ? status.largestMove.toFixed(3) : '–');
-    this.count('added', this.ofBodies ? String(status.removed) : `+${status.added} −${status.removed}`);
+    // A recipe without a picture has no numbers; those of the engine are of the recipe before.
+    const counted = { cells: status.cells, steps: status.steps, move: status.steps ? status.largestMove.toFixed(3) : '–', added: this.ofBodies ? status.removed : `+${status.added} −${status.removed}` };
+    for (const name of COUNTS) this.count(name, stage === 'error' ? '–' : String(counted[name]));
     return true;
   }
 

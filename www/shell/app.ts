@@ -269,7 +269,7 @@ export class App {
     this.parts.timeline.here?.follow(stage, status);
     if (this.status.show(stage, status, { watched: loop.watch !== undefined, goesOn: !loop.stands })) {
       const remarks = this.view.remarks(stage);
-      this.status.name(this.view.note || (preset ? '' : described(this.engine)), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
+      this.status.name(this.oldNote(stage) || this.view.note || (preset ? '' : described(this.engine)), [this.view.absences().values(), remarks], preset?.shown, preset?.recipe !== recipe, stage, status);
     }
     this.report(stage);
     if (stage === 'error') this.stuck();
@@ -286,11 +286,20 @@ export class App {
     this.face.done();
   }
 
+  /** A note that the frame on the screen belongs to an earlier recipe; '' if it does not, or if there is no frame. */
+  private oldNote(stage: string): string {
+    return stage === 'error' && this.engine.offers('frames') && document.querySelector('.turn[data-shown]') ? t('last_picture') : '';
+  }
+
   /** Shows why this recipe gives no picture, with buttons that mend it. */
   private stuck(): void {
     const sentence = this.engine.problem();
     // A missing file is shown by a part of its own on the sheet.
-    if (!this.engine.missing().length) alertOf('trouble', sentence, ...remedies(this.work));
+    if (!this.engine.missing().length) {
+      // A message that a file is open would seem to contradict this.
+      clear('opened');
+      alertOf('trouble', sentence, ...remedies(this.work));
+    }
     this.face.failed(sentence);
   }
 

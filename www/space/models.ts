@@ -141,5 +141,5 @@ function take(work: Work, given: Given, { named, link, before, studio }: Taken, 
   }
   if (isAsked) again();
   if (asked && !isAsked) notice('files', t('other', { name, asked: asked.name }));
-  else notice('files', t('opened', { name }));
+  else notice('opened', t('opened', { name }));
 }

@@ -111,8 +111,8 @@ export class Space {
     if (this.opened === '' || filesOf(engine).length === 0 || (stage !== 'done' && stages.indexOf(stage) <= MADE)) return;
     const mended = engine.remarks().filter(({ code }) => code.startsWith('mended'));
     const sentences = mended.map(said);
-    if (sentences.length > 1) notice('files', t('mended', { name: this.opened }), ...sentences);
-    else if (sentences.length) notice('files', [t('opened', { name: this.opened }), ...sentences].join(' '));
+    if (sentences.length > 1) notice('opened', t('mended', { name: this.opened }), ...sentences);
+    else if (sentences.length) notice('opened', [t('opened', { name: this.opened }), ...sentences].join(' '));
     this.opened = '';
   }
 
