@@ -10,18 +10,7 @@
 mod common;
 mod strangers;
 
-use bubblestone::random::{Purpose, Random};
-use common::wished;
-use strangers::{broken, files, given_ends_well, link_ends_well, wild_pile};
-
-/// Tries cases from a start. The last line that is printed names the case that fails.
-fn try_all(count: u64, mut case: impl FnMut(&mut Random) -> String) {
-    let seed = wished("BUBBLESTONE_SEED", 1);
-    for index in 0..wished("BUBBLESTONE_RECIPES", count) {
-        let mut random = Random::new(seed, Purpose::Attribute, index);
-        println!("{index}: {}", case(&mut random));
-    }
-}
+use strangers::{broken, files, given_ends_well, link_ends_well, try_all, wild_pile};
 
 #[test]
 fn whatever_a_link_asks_for_the_pile_ends_well() {

@@ -16,27 +16,10 @@ use bubblestone::modelfiles::Reading;
 use bubblestone::random::{Purpose, Random};
 use bubblestone::studio::Studio;
 use bubblestone::trimesh::repair::MeshRepair;
-use common::wished;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use strangers::{
     COVERED, Ended, assert_sentence, broken, broken_link, file_ends_well, files, link_ends_well,
-    mended, wild,
+    mended, try_all, wild,
 };
-
-/// Tries cases from a start, and lists those that fail.
-fn try_all(count: u64, case: impl Fn(&mut Random) -> String) {
-    let seed = wished("BUBBLESTONE_SEED", 1);
-    let mut bad = Vec::new();
-    for index in 0..wished("BUBBLESTONE_RECIPES", count) {
-        let mut random = Random::new(seed, Purpose::Attribute, index);
-        // The output is printed only if the test fails.
-        match catch_unwind(AssertUnwindSafe(|| case(&mut random))) {
-            Ok(end) => println!("{index}: {end}"),
-            Err(_) => bad.push(index),
-        }
-    }
-    assert!(bad.is_empty(), "cases {bad:?} from start {seed}");
-}
 
 #[test]
 fn whatever_a_link_asks_for_the_work_ends_well() {

@@ -76,7 +76,8 @@ fn number(path: impl Fn() -> String, value: f64) -> Result<(), BuildingFault> {
     })
 }
 
-fn vector(path: impl Fn() -> String, v: DVec3) -> Result<(), BuildingFault> {
+/// Tests that the parts of a vector are finite and at most [`FARTHEST`].
+pub(super) fn vector(path: impl Fn() -> String, v: DVec3) -> Result<(), BuildingFault> {
     let mut all = v.to_array().into_iter();
     all.try_for_each(|value| number(&path, value))
 }

@@ -237,6 +237,20 @@ fn groups_part_faces_and_name_them() {
 fn bad_obj_files_are_refused() {
     let line = obj::read(b"v 0 0 0\nv 0 x 0\n").unwrap_err();
     assert!(matches!(line, BuildingFault::NotObj(_)));
+    for far in ["1e38", "nan", "-20000"] {
+        let text = format!("v 0 0 0\nv 1 0 {far}\nv 1 1 0\nf 1 2 3\n");
+        let fault = obj::read(text.as_bytes()).unwrap_err();
+        assert!(
+            matches!(&fault, BuildingFault::Number { path, .. } if path == "v 2"),
+            "{fault:?}"
+        );
+    }
+    let bent = obj::read(b"v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nf 1 2 3 4\n").unwrap();
+    let fault = Building::new(&bent.draft).unwrap_err();
+    assert!(
+        matches!(fault, BuildingFault::OffSurface { .. }),
+        "{fault:?}"
+    );
     assert_eq!(obj::read(b"v 0 0 0\n"), Err(BuildingFault::Empty));
     let twice = obj::read(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n").unwrap_err();
     let why = PolygonFault::Twice;

@@ -7,6 +7,7 @@
 //! Jambs that are tangent to an arch do not belong to it: each joint has a circle through itself and its two
 //! neighbours, and only joints with the same circle are joined.
 
+use super::checking;
 use super::draft::{Draft, DraftArc, DraftFace};
 use super::fault::BuildingFault;
 use super::recognising::{self, Bow, Facet, FacetModel};
@@ -50,10 +51,14 @@ const NO_LABELS: [&str; 4] = ["default", "off", "(null)", "none"];
 /// Reads a file.
 ///
 /// # Errors
-/// [`BuildingFault::NotObj`] with the line that cannot be read; [`BuildingFault::Polygons`] if two polygons run the same
-/// way along a side, as where more than two meet; or [`BuildingFault::Empty`].
+/// [`BuildingFault::NotObj`] with the line that cannot be read; [`BuildingFault::Number`] with the vertex, counted from
+/// 1, that lies too far away; [`BuildingFault::Polygons`] if two polygons run the same way along a side, as where more
+/// than two meet; or [`BuildingFault::Empty`].
 pub fn read(bytes: &[u8]) -> Result<Recognised, BuildingFault> {
     let model = PolygonModel::read(bytes).map_err(BuildingFault::NotObj)?;
+    for (k, &place) in model.positions.iter().enumerate() {
+        checking::vector(|| format!("v {}", k + 1), place)?;
+    }
     let facets = FacetModel::new(&model)?;
     let bows = recognising::bows(&facets);
     let mut draft = Draft {

@@ -130,7 +130,8 @@ fn planes(
         };
         let mut open = vec![first];
         while let Some(k) = open.pop() {
-            if number[k] != usize::MAX || !fits(k) {
+            // A polygon that is not plane is a facet all the same: a later check refuses it.
+            if number[k] != usize::MAX || k != first && !fits(k) {
                 continue;
             }
             number[k] = count;

@@ -1,5 +1,6 @@
-//! Eight files of one small model, and damage to them.
+//! Eight files of one small model, files of buildings, and damage to them.
 
+use bubblestone::building::{Module, Rule, write_json};
 use bubblestone::random::Random;
 use std::fmt::Write;
 
@@ -159,6 +160,41 @@ pub fn files() -> Vec<(&'static str, Vec<u8>)> {
         ("a.stl", stl()),
         ("b.stl", stl_text()),
         ("a.glb", glb()),
+    ]
+}
+
+/// A block of 3 by 2 by 2.5 metres with a group for each side, as text.
+fn obj_of_block() -> Vec<u8> {
+    let mut text = String::from("# metres\n");
+    for k in 0..8 {
+        let [x, y, z] = [(0, 3.0), (1, 2.5), (2, 2.0)].map(|(axis, side)| match k >> axis & 1 {
+            0 => 0.0,
+            _ => side,
+        });
+        writeln!(text, "v {x} {y} {z}").unwrap();
+    }
+    for (group, face) in [
+        ("Left", "1 5 7 3"),
+        ("Right", "2 4 8 6"),
+        ("Bottom", "1 2 6 5"),
+        ("Top", "3 7 8 4"),
+        ("Back", "1 3 4 2"),
+        ("Front", "5 6 8 7"),
+    ] {
+        writeln!(text, "g {group}\nf {face}").unwrap();
+    }
+    text.into_bytes()
+}
+
+/// Files of buildings: some by rule, and a block as polygons.
+pub fn buildings() -> Vec<(&'static str, Vec<u8>)> {
+    let json = |rule: Rule| write_json(&rule.draft(&Module::NORMAL, &[])).into_bytes();
+    vec![
+        ("block.json", json(Rule::Block)),
+        ("gate.json", json(Rule::Gate)),
+        ("steps.json", json(Rule::Steps)),
+        ("tower.json", json(Rule::Tower)),
+        ("block.obj", obj_of_block()),
     ]
 }
 

@@ -2,7 +2,7 @@
 
 use crate::common::number;
 use bubblestone::generators::surface::{SCHEMA, keys};
-use bubblestone::generators::{ALL, pile};
+use bubblestone::generators::{ALL, masonry, pile};
 use bubblestone::random::Random;
 use bubblestone::recipe::{Item, Key, Kind, Parameter, Schema};
 use std::fmt::Write;
@@ -33,6 +33,26 @@ fn places(random: &mut Random, count: usize) -> String {
     numbers.collect::<Vec<_>>().join(",")
 }
 
+/// Corners of a plan: a line that turns at random, and may cross itself.
+fn corners(random: &mut Random) -> String {
+    let mut at = [0.0, 0.0];
+    let corners = (0..2 + random.below(9)).map(|_| {
+        let axis = random.below(2);
+        at[axis] += number(random, (-40.0, 40.0)).round();
+        at[1 - axis] += [0.0, 0.0, 0.5, 7.0][random.below(4)];
+        format!("{},{}", at[0], at[1])
+    });
+    corners.collect::<Vec<_>>().join(",")
+}
+
+/// An opening of one of the first walls, usually within it.
+fn opening(random: &mut Random) -> String {
+    let (wall, head) = (1 + random.below(5), random.below(4));
+    let [along, sill, width, height] =
+        [30.0, 12.0, 12.0, 20.0].map(|most| number(random, (0.0, most)).round());
+    format!("{wall},{along},{sill},{width},{height},{head}")
+}
+
 /// Rows of a list: a few, the most allowed, or one more.
 fn rows(random: &mut Random, item: Item) -> String {
     let count = [1, 3, 64, 65][random.below(4)];
@@ -47,6 +67,8 @@ fn rows(random: &mut Random, item: Item) -> String {
         }
         Item::File => "1,2,3,4,97".to_owned(),
         Item::Feature => format!("{},{}", random.below(3), random.below(100)),
+        Item::Plan => corners(random),
+        Item::Opening => opening(random),
         _ => {
             let points = [1, 2, 4, 30][random.below(4)];
             places(random, points)
@@ -90,6 +112,14 @@ pub fn wild_pile(random: &mut Random) -> String {
         number(random, (3.0, 7.0))
     )
     .unwrap();
+    link
+}
+
+/// The same for a building.
+pub fn wild_building(random: &mut Random) -> String {
+    let fixed = [masonry::keys::SIZE, masonry::keys::MODEL];
+    let mut link = wild_of(random, &masonry::SCHEMA, masonry::keys::BUILDING, &fixed);
+    link += "&size=128";
     link
 }
 

@@ -7,15 +7,33 @@
 mod files;
 mod links;
 
-pub use files::{broken, files};
-pub use links::{broken_link, wild, wild_pile};
+pub use files::{broken, buildings, files};
+pub use links::{broken_link, wild, wild_building, wild_pile};
 
+use crate::common::wished;
 use bubblestone::generators::surface::{SCHEMA, keys};
 use bubblestone::generators::{ALL, GivenFile, TurnOrder};
 use bubblestone::notice::{Code, Notice};
+use bubblestone::random::{Purpose, Random};
 use bubblestone::recipe::Recipe;
 use bubblestone::scene::Camera;
 use bubblestone::studio::Studio;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Tries cases from a start, and lists those that fail.
+pub fn try_all(count: u64, case: impl Fn(&mut Random) -> String) {
+    let seed = wished("BUBBLESTONE_SEED", 1);
+    let mut bad = Vec::new();
+    for index in 0..wished("BUBBLESTONE_RECIPES", count) {
+        let mut random = Random::new(seed, Purpose::Attribute, index);
+        // The output is printed only if the test fails.
+        match catch_unwind(AssertUnwindSafe(|| case(&mut random))) {
+            Ok(end) => println!("{index}: {end}"),
+            Err(_) => bad.push(index),
+        }
+    }
+    assert!(bad.is_empty(), "cases {bad:?} from start {seed}");
+}
 
 /// Slices of work after which a recipe counts as hanging: about ten times as many as the slowest one took.
 const MOST_SLICES: usize = 130_000;

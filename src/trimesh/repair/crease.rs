@@ -1,6 +1,6 @@
 //! Cuts surfaces along their creases.
 
-use super::super::{MeshBuilding, NONE, TriMesh};
+use super::super::{MeshBuilding, MeshFault, NONE, TriMesh};
 use super::slice;
 use super::split::Splitter;
 use glam::DVec3;
@@ -46,21 +46,11 @@ impl CreaseCutting {
         }
     }
 
-    /// Does one more slice; returns the surface when it is done.
-    pub fn advance(&mut self) -> Option<CreaseCut> {
+    /// Does one more slice. Returns the surface when it is done, or the fault of the cut mesh.
+    pub fn advance(&mut self) -> Option<Result<CreaseCut, MeshFault>> {
         if let Some(building) = &mut self.building {
-            // Cutting keeps a mesh valid, so there is no fault.
-            let mesh = building.advance()?.ok()?;
-            let all = 0..(mesh.positions.len() as u32);
-            let splitter = self.splitter.take()?;
-            let old = all.end as usize - splitter.origin.len();
-            let origin = all.take(old).chain(splitter.origin).collect();
-            let count = self.count;
-            return Some(CreaseCut {
-                mesh,
-                origin,
-                count,
-            });
+            let mesh = building.advance()?;
+            return Some(mesh.map(|mesh| self.cut_mesh(mesh)));
         }
         let count = self.triangles.len();
         if let Some(splitter) = &mut self.splitter {
@@ -96,8 +86,25 @@ impl CreaseCutting {
         }
     }
 
+    fn cut_mesh(&mut self, mesh: TriMesh) -> CreaseCut {
+        let all = 0..(mesh.positions.len() as u32);
+        let added = self
+            .splitter
+            .take()
+            .map_or(Vec::new(), |split| split.origin);
+        let old = all.end as usize - added.len();
+        CreaseCut {
+            mesh,
+            origin: all.take(old).chain(added).collect(),
+            count: self.count,
+        }
+    }
+
     /// Does all the work at once.
-    pub fn finish(mut self) -> CreaseCut {
+    ///
+    /// # Errors
+    /// If the cut mesh has a fault.
+    pub fn finish(mut self) -> Result<CreaseCut, MeshFault> {
         loop {
             if let Some(cut) = self.advance() {
                 return cut;

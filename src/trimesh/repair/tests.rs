@@ -434,7 +434,9 @@ fn a_patch_that_is_itself_small_is_not_closed() {
 #[test]
 fn creases_are_cut_and_remembered() {
     let cube = mend(testing::cube(4)).mesh;
-    let cut = CreaseCutting::new(cube.clone(), 25f64.to_radians()).finish();
+    let cut = CreaseCutting::new(cube.clone(), 25f64.to_radians())
+        .finish()
+        .unwrap();
     assert_eq!(
         (cut.mesh.parts().1, cut.mesh.borders().len(), cut.count),
         (6, 6, 48)
@@ -449,6 +451,8 @@ fn creases_are_cut_and_remembered() {
         assert_eq!(point.normal, cut.mesh.face_normal(t));
     }
     let blob = mend(testing::blob(4)).mesh;
-    let cut = CreaseCutting::new(blob.clone(), 60f64.to_radians()).finish();
+    let cut = CreaseCutting::new(blob.clone(), 60f64.to_radians())
+        .finish()
+        .unwrap();
     assert!((cut.mesh, cut.count) == (blob, 0));
 }

@@ -146,7 +146,7 @@ impl Building {
             },
             BuildPhase::Cut(mut cutting, whole) => match cutting.advance() {
                 None => BuildPhase::Cut(cutting, whole),
-                Some(cut) => BuildPhase::End(cut.mesh, whole),
+                Some(cut) => BuildPhase::End(built(cut.map(|cut| cut.mesh))?, whole),
             },
             end => end,
         })
