@@ -224,6 +224,11 @@ test('each question is answered by doing what it asks', async () => {
   await answered(page, 'broken');
 
   await at(page, 'exercise');
+  // A start at rest needs no damping, so it is not what the exercise asks for.
+  await type(page, '#fig-exercise', 'w', 1);
+  await seek(page, '#fig-exercise', 50);
+  assert.equal(await answer(page, 'still'), '');
+  await type(page, '#fig-exercise', 'w', 0.8);
   await type(page, '#fig-exercise', 'damp', 1);
   await seek(page, '#fig-exercise', 50);
   assert.equal(await answer(page, 'still'), '');

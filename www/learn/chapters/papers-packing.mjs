@@ -20,8 +20,8 @@ export const packingDifferences = [
       speech: { en: 'Root 2 r zero equals root 2 minus 1, times r zero, plus r zero.', ja: 'ルート2アール・ゼロは、かっこルート2引く1アール・ゼロ足すアール・ゼロ。' },
     },
     note: {
-      en: 'The equation stands as it is; ours adds what its radius means. The text of 2003 adds the corners “to the original potential field Ψ”, where it means the central one. The paper gives a corner bubble the radius $cr r0$; we read from it that a corner and a neighbour’s centre are at rest at $root2 r0$, their distance when the edges touch. For two sizes ours takes the mean of both views.',
-      ja: '式はこのままで、半径の意味だけを補います。2003年の本文は四隅を「もとのポテンシャル場Ψに」足すと書いていますが、もとの場は中央のΨのことです。論文は四隅のバブルの半径を$cr r0$とします。これを、隅と隣の中心とがつり合う距離が$root2 r0$、つまり辺が触れ合うときの距離になる、と読みました。大きさが違う対では、両方から見た平均をとります。',
+      en: 'The equation stands as it is; ours adds what its radius means. The text of 2003 adds the corners “to the original potential field Ψ”, where it means the central one. The paper gives a corner bubble the radius $cr r0$; we read from it that a corner and a neighbour’s centre are at rest at $root2 r0$, their distance when the edges touch. A corner has the pair’s k0 / l0, so its potential is 1/√2 of the one in the centre. For two sizes ours takes the mean of both views.',
+      ja: '式はこのままで、半径の意味だけを補います。2003年の本文は四隅を「もとのポテンシャル場Ψに」足すと書いていますが、もとの場は中央のΨのことです。論文は四隅のバブルの半径を$cr r0$とします。これを、隅と隣の中心とがつり合う距離が$root2 r0$、つまり辺が触れ合うときの距離になる、と読みました。隅の強さは対のk0 / l0なので、そのポテンシャルは中央の1/√2倍です。大きさが違う対では、両方から見た平均をとります。',
     },
     task: {
       question: { en: 'A square with half side $r0$ touches another along an edge. How far is its centre from the nearest corner of the other?', ja: '一辺の半分が$r0$の正方形が、もう一つと辺で触れ合っています。その中心から、相手の最も近い隅までの距離は。' },

@@ -157,8 +157,8 @@ export const squares = {
       heading: { en: 'Ours and theirs', ja: '論文と本プログラム' },
       lines: [
         {
-          en: 'Equation (4) is used as printed. For two sizes, which the paper leaves open, ours takes the mean of both landscapes.',
-          ja: '式(4)は印刷どおりに使います。論文が定めていない、大きさの違う対では、二つの地形の平均をとります。',
+          en: 'In equation (4) a corner pushes with the k0 / l0 of the pair. Its own stable distance is shorter, so its potential is 1/√2 of the one in the centre. For two sizes, which the paper leaves open, ours takes the mean of both landscapes.',
+          ja: '式(4)の四隅は、対のk0 / l0の強さで押します。隅の安定距離は短いので、そのポテンシャルは中央の1/√2倍です。論文が定めていない、大きさの違う対では、二つの地形の平均をとります。',
         },
         {
           en: 'Where the field has no direction, only the central potential acts, as the paper of 2001 says.',

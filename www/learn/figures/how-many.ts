@@ -250,6 +250,6 @@ export const HOW_MANY: readonly Figure[] = [
   {
     ...base, name: 'right-number', recipe: `${IN_SQUARE}&seed=5&count=26&crowd=0.7&room=0.7`, packings: [{}], last: 100, opens: 100,
     plates: [cells(0, 'Choose the number', '個数を選ぶ')],
-    stops: STOPS, handles: [AT_START], more: [CROWDED, ROOM], asks: [right], told: toldRight,
+    stops: STOPS, handles: [AT_START], more: [], asks: [right], told: toldRight,
   },
 ];

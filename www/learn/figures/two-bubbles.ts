@@ -88,7 +88,8 @@ const still: Ask = {
     ({ traces: [trace], step }) => {
       const moments = trace?.moments ?? [];
       const at = rest(moments);
-      if (!trace || step < 30 || at === undefined || at > 30 || moments.some(({ w }) => w > 1.01)) return undefined;
+      const isFar = (moments[0]?.w ?? 1) < 0.9;
+      if (!trace || !isFar || step < 30 || at === undefined || at > 30 || moments.some(({ w }) => w > 1.01)) return undefined;
       return [trace.value('damp'), at];
     },
     [['0.00', 30]],
@@ -131,7 +132,7 @@ const isAtRest = ({ moments }: Trace, step: number): boolean => step > 0 && step
 /** A hint at something to try next. */
 function hint(trace: Trace, step: number, language: Language): string {
   if (step === 0) return language === 'ja' ? '右のバブルを動かすか、「再生」で放してください。' : 'Move the right bubble, or press play to let go.';
-  if (isAtRest(trace, step)) return language === 'ja' ? '静止しています。ほかの距離からも試してください。' : 'They are at rest. Try another start.';
+  if (isAtRest(trace, step)) return language === 'ja' ? '力はほとんど残っておらず、静止しています。ほかの距離からも試してください。' : 'Almost no force is left: they are at rest. Try another start.';
   return language === 'ja' ? '一歩ずつ進めたり戻したりして、力の向きを見てください。' : 'Step on or back and watch which way the force points.';
 }
 
