@@ -1,7 +1,7 @@
 //! Runs: upright or level pieces of convex edges, along which cells are laid. Level pieces may be arcs.
 
 use super::site::{Site, meet};
-use crate::building::{Bend, EdgeId, FaceId, Piece, Stance};
+use crate::building::{Bend, EdgeId, FaceId, Piece, Stance, Surface};
 use crate::masonry::block::Polyhedron;
 use crate::masonry::footprint::Footprint;
 use crate::masonry::plan::{FaceGrid, divided, is_wall, pieces};
@@ -11,6 +11,8 @@ use glam::{DVec2, DVec3};
 const STEP: f64 = 1e-4;
 /// A unit vector is along an axis if its part along that is greater. Cells of other directions would be skewed.
 const ALONG: f64 = 0.999_999;
+/// The most by which an arc may leave the straight line that stands for it on a flat face, in modules.
+const BENT: f64 = 0.25;
 /// Places nearer than this count as one (metres).
 pub(super) const NEAR: f64 = 2e-3;
 
@@ -146,6 +148,13 @@ impl Site {
                 way,
             }
         };
+        let end = middle + way * (0.5 * (ends[1] - ends[0]));
+        let bent = (surface.project(path.point(ends[1])).truncate()).distance(end);
+        // Cells along the tangent of a flat face's round outline would lie outside of it: faces meet at a mitre there.
+        let is_plane = matches!(surface, Surface::Sweep(_)) && surface.is_flat();
+        if is_plane && bent > BENT * self.plan.module.half {
+            return None;
+        }
         let straight = axis(inwards).zip(axis(way.try_normalize()?));
         if let Some((inwards, along)) = straight {
             let lines = self.lines(face, inwards.x != 0.0);
@@ -163,8 +172,7 @@ impl Site {
     pub fn lines(&self, face: FaceId, of_s: bool) -> Vec<f64> {
         let grid = self.plan.grid(face);
         let lines = if of_s { &grid.s } else { &grid.t };
-        let period = self.face(face).surface.period().filter(|_| of_s);
-        let Some(period) = period else {
+        let Some(period) = self.face(face).surface.period().filter(|_| of_s) else {
             return lines.clone();
         };
         let once = &lines[..lines.len() - 1];
