@@ -115,7 +115,7 @@ fn each_block_has_its_feature_its_node_and_its_course() {
         assert_eq!(feature, word("feature"));
         let number: usize = number.parse().expect("a number");
         if feature == "face" {
-            let labels = faces[number]["labels"].as_array();
+            let labels = faces[number]["label"].as_array();
             let labels = labels.into_iter().flatten().filter_map(|one| one.as_str());
             assert_eq!(labels.collect::<Vec<_>>().join(" "), word("label"));
         }

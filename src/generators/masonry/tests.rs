@@ -169,7 +169,7 @@ fn polygons_that_clash_are_told_apart() {
     let cube = box_of([2.0; 3]);
     let turned = refused(&cube.replace("f 1 3 4 2", "f 2 4 3 1"));
     assert!(
-        turned.contains("vertices 3 and 1, polygons 1 and 5 run the same way"),
+        turned.contains("vertices 1 and 2, polygons 1 and 3 run the same way"),
         "{turned}"
     );
     let beside = cube.lines().map(|line| {

@@ -223,7 +223,7 @@ pub static PRESETS: [TreePreset; 7] = [
         "type": "AnalyzeWindow",
         "bottom": {"type": "Seq", "children": [{"type": "Bricks"}, {"type": "Coping", "tag": 1}]},
         "top": {"type": "ArchStones", "rows": [[0.25, 0.2, 0]], "keystone": 0.08, "tag": 1},
-        "side": {"type": "Bricks"}
+        "side": {"type": "Seq", "children": [{"type": "Bricks"}, {"type": "Coping", "tag": 1}]}
       },
       "face": {"type": "Bricks"}
     },
