@@ -79,7 +79,7 @@ impl SkySamples {
     #[inline(always)]
     fn hidden(&self, view: &View, point: Vec3, normal: Vec3, fading: f32) -> f32 {
         let mut parts = [0.0; TAPS];
-        for k in 0..TAPS {
+        for (k, hidden) in parts.iter_mut().enumerate() {
             let depth = 1.0 / greater(self.there[k], f32::MIN_POSITIVE);
             let way = at_depth(view, [self.right[k], self.down[k]], depth) - point;
             // A sample on the pixel itself hides nothing.
@@ -87,7 +87,7 @@ impl SkySamples {
             let cosine = way.dot(normal) / square.sqrt();
             let fades = greater(1.0 - square * fading, 0.0);
             let part = greater(cosine - LEAST, 0.0) * fades;
-            parts[k] = if self.there[k] > 0.0 { part } else { 0.0 };
+            *hidden = if self.there[k] > 0.0 { part } else { 0.0 };
         }
         parts.iter().sum()
     }
