@@ -12,6 +12,8 @@ use glam::{DVec2, DVec3};
 
 /// The index of the inner corner in the plan.
 const INNER: usize = 3;
+/// The wall with the door: that of the main house beside the wing, so that door and wing are seen together.
+const DOOR: usize = INNER - 1;
 /// The greatest rise of the wing's roof, as a share of the rise of the main roof.
 const LOWER: f64 = 0.85;
 
@@ -80,7 +82,7 @@ impl House {
         let length = ((a.distance(b) + module.joint) / module.half).round();
         let mut openings = spread(length, windows, window);
         let middle = openings.len() / 2;
-        if let (0, Some(door)) = (k, openings.get_mut(middle)) {
+        if let (DOOR, Some(door)) = (k, openings.get_mut(middle)) {
             (door.bottom, door.is_door) = (1.0, true);
         }
         let lead = 0.5

@@ -4,91 +4,19 @@
 use super::bricks::BrickBond;
 use super::cell::{CellSort, Feature};
 use super::quoins::stacks;
+use super::rim::{Curve, RimPiece};
 use super::run::Run;
 use super::site::Site;
-use crate::building::{Arc, Bend, Edge, EdgeId, FaceId, Piece};
+use crate::building::{EdgeId, FaceId};
 use crate::masonry::footprint::Footprint;
 use crate::masonry::free_space::{LEAST_SHARE, clip};
-use crate::masonry::plan::{is_wall, pieces};
+use crate::masonry::plan::pieces;
 use crate::masonry::tree::{GeneratorNode, StoneRow};
-use glam::{DVec2, DVec3};
 
 /// The width of an arch's bricks, in courses.
 const BRICK_WIDTH: f64 = 0.75;
 /// Columns that jamb stones reach into the wall and into the reveal, the other way round at every other stone.
 const JAMB: [usize; 2] = [3, 2];
-
-/// A line or an arc of an opening's edge on a wall, with the side on which the wall lies.
-#[derive(Clone, Copy, Debug)]
-enum Curve {
-    /// From a place along the unit vector `along`; the wall lies towards `inwards`.
-    Line {
-        from: DVec2,
-        along: DVec2,
-        inwards: DVec2,
-    },
-    /// About a centre; `turn` is the angle for each metre along the curve (radians). The wall lies outside if `out` is
-    /// 1, inside if it is -1.
-    Arc {
-        centre: DVec2,
-        start: DVec2,
-        turn: f64,
-        out: f64,
-    },
-}
-
-impl Curve {
-    fn line(run: &Run) -> Self {
-        let wall = &run.sides[0];
-        Self::Line {
-            from: wall.place,
-            along: wall.along,
-            inwards: wall.inwards,
-        }
-    }
-
-    /// The place at `along` metres along the curve, and `off` metres from it into the wall.
-    fn at(&self, along: f64, off: f64) -> DVec2 {
-        match *self {
-            Self::Line {
-                from,
-                along: way,
-                inwards,
-            } => from + way * along + inwards * off,
-            Self::Arc {
-                centre,
-                start,
-                turn,
-                out,
-            } => {
-                let (sin, cos) = libm::sincos(turn * along);
-                let radius = start - centre;
-                let radius = radius * cos + radius.perp() * sin;
-                centre + radius * (1.0 + out * off / radius.length())
-            }
-        }
-    }
-
-    /// The length of the curve at a distance into the wall, over its own length.
-    fn stretch(&self, off: f64) -> f64 {
-        match *self {
-            Self::Line { .. } => 1.0,
-            Self::Arc {
-                centre, start, out, ..
-            } => 1.0 + out * off / start.distance(centre),
-        }
-    }
-}
-
-/// A piece of an edge between a wall and a reveal.
-struct RimPiece {
-    wall: FaceId,
-    curve: Curve,
-    length: f64,
-    /// How deep stones reach into the reveal (metres): about as deep as wanted, at most half of it if another convex
-    /// edge lies at its far end.
-    depth: f64,
-}
 
 /// Rows of stones around an opening.
 struct Rows<'a> {
@@ -143,7 +71,9 @@ impl Site {
     }
 
     fn arch_rows(&mut self, id: EdgeId, node: &GeneratorNode, rows: &Rows) {
-        for ring in self.rings(id, rows.depth) {
+        for mut ring in self.rings(id, rows.depth) {
+            let height = rows.rows.iter().map(|row| row.length).sum();
+            self.bear(&mut ring, height);
             let mut off = 0.0;
             for (k, row) in rows.rows.iter().enumerate() {
                 let is_last = k + 1 == rows.rows.len();
@@ -179,7 +109,8 @@ impl Site {
         (ring, rows): (&RimPiece, &Rows),
         (off, row): (f64, &StoneRow),
     ) {
-        let length = ring.length * ring.curve.stretch(off + 0.5 * row.length);
+        let [start, end] = ring.ends;
+        let length = (end - start) * ring.curve.stretch(off + 0.5 * row.length);
         let is_arc = matches!(ring.curve, Curve::Arc { .. });
         let count = match is_arc {
             true => pieces(length, row.width) | 1,
@@ -187,7 +118,7 @@ impl Site {
         };
         let depth = ring.depth.min(self.plan.grid(ring.wall).depth);
         for k in 0..count {
-            let ends = [k, k + 1].map(|k| ring.length * k as f64 / count as f64);
+            let ends = [k, k + 1].map(|k| start + (end - start) * k as f64 / count as f64);
             let is_key = is_arc && 2 * k + 1 == count;
             let mut top = off + row.length;
             if is_key && rows.keystone > 0.0 {
@@ -249,109 +180,6 @@ impl Site {
         clip(place, &obstacles, inset, LEAST_SHARE)
     }
 
-    /// The parts of an edge that are not upright, between a wall and a reveal. `depth` is how deep their stones should
-    /// reach (metres).
-    fn rings(&self, id: EdgeId, depth: f64) -> Vec<RimPiece> {
-        let edge = self.edge(id);
-        let [Some(a), Some(b)] = edge.faces else {
-            return Vec::new();
-        };
-        let Some(wall) = [a, b].into_iter().find(|&face| is_wall(self.face(face))) else {
-            return Vec::new();
-        };
-        if edge.bend != Bend::Convex {
-            return Vec::new();
-        }
-        let reveal = if wall == a { b } else { a };
-        let level = self
-            .runs(id)
-            .into_iter()
-            .filter(|run| !run.is_upright && run.sides[0].face == wall);
-        let lines = level.map(|run| RimPiece {
-            wall,
-            curve: Curve::line(&run),
-            length: run.ends[1] - run.ends[0],
-            depth: run.sides[1]
-                .reach(pieces(depth, self.plan.module.half))
-                .min(self.reveal(edge, reveal, 0.5 * (run.ends[0] + run.ends[1]))),
-        });
-        let arcs = edge
-            .path
-            .joints()
-            .windows(2)
-            .zip(edge.path.pieces())
-            .filter_map(|(ends, piece)| match piece {
-                Piece::Arc(arc) => Some(RimPiece {
-                    wall,
-                    curve: self.arc(wall, arc, edge, ends[0])?,
-                    length: ends[1] - ends[0],
-                    depth: depth.min(self.reveal(edge, reveal, 0.5 * (ends[0] + ends[1]))),
-                }),
-                Piece::Line { .. } => None,
-            });
-        lines.chain(arcs).collect()
-    }
-
-    /// An arc of an edge in the (s, t) of a flat wall; none if it does not lie in the wall.
-    fn arc(&self, wall: FaceId, arc: &Arc, edge: &Edge, start: f64) -> Option<Curve> {
-        let surface = &self.face(wall).surface;
-        if !surface.is_flat() {
-            return None;
-        }
-        let of = |p: DVec3| surface.project(p);
-        let (centre, first) = (of(arc.centre), of(edge.path.point(start)).truncate());
-        let next = of(edge.path.point(start + 0.01 * arc.radius)).truncate();
-        let centre = (centre.z.abs() < 0.01).then(|| centre.truncate())?;
-        let turn = (first - centre).perp_dot(next - centre).signum() / arc.radius;
-        let curve = |out: f64| Curve::Arc {
-            centre,
-            start: first,
-            turn,
-            out,
-        };
-        // The middle of the arc is clear of corners.
-        let probe = curve(1.0).at(0.5 * arc.length(), 0.01);
-        let is_outside = self.regions[wall.index()].contains(probe);
-        Some(curve(if is_outside { 1.0 } else { -1.0 }))
-    }
-
-    /// How deep stones may reach into a reveal from a place of its edge (metres): half of it if another convex edge
-    /// lies at its far end.
-    fn reveal(&self, edge: &Edge, face: FaceId, along: f64) -> f64 {
-        let of = &self.face(face).surface;
-        let place = of.project(edge.path.point(along)).truncate();
-        let Some(side) = edge.side(face) else {
-            return f64::MAX;
-        };
-        let frame = of.frame(place.x, place.y);
-        let inward = edge_inward(self, edge, side, along);
-        let way = DVec2::new(inward.dot(frame.s), inward.dot(frame.t));
-        let region = &self.regions[face.index()];
-        let way = if way.x.abs() > way.y.abs() {
-            DVec2::X * way.x.signum()
-        } else {
-            DVec2::Y * way.y.signum()
-        };
-        let width = region.ray(place, way, super::run::NEAR).unwrap_or(f64::MAX);
-        let is_through = self.is_convex_at(face, place + way * width);
-        if is_through { 0.5 * width } else { width }
-    }
-
-    /// Whether a convex edge of a face passes a place.
-    fn is_convex_at(&self, face: FaceId, place: DVec2) -> bool {
-        let p = self.at(face, place, 0.0);
-        let mut edges = self
-            .face(face)
-            .loops
-            .iter()
-            .flatten()
-            .map(|walk| self.edge(walk.edge));
-        edges.any(|edge| {
-            let at = edge.path.project(p).clamp(0.0, edge.length());
-            edge.bend == Bend::Convex && edge.path.point(at).distance(p) < super::run::NEAR
-        })
-    }
-
     /// Stones of some courses along an upright edge. In turn they reach farther into the wall and farther into the
     /// reveal.
     fn jamb_stones(&mut self, id: EdgeId, node: &GeneratorNode, run: &Run) {
@@ -380,19 +208,5 @@ fn odd_pieces(length: f64, width: f64) -> usize {
         count - 1
     } else {
         count + 1
-    }
-}
-
-/// The unit vector from an edge into one of its faces.
-fn edge_inward(site: &Site, edge: &Edge, side: usize, along: f64) -> DVec3 {
-    let tangent = edge.path.tangent(along);
-    let face = edge.faces[side].expect("a side of the edge");
-    let surface = &site.face(face).surface;
-    let place = surface.project(edge.path.point(along));
-    let normal = surface.frame(place.x, place.y).normal;
-    if side == 0 {
-        normal.cross(tangent)
-    } else {
-        tangent.cross(normal)
     }
 }

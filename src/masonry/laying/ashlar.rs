@@ -1,8 +1,10 @@
 //! Random ashlar: rectangles of random size on a fine grid (Legakis, Dorsey, Gortler 2001, section 5.2, Random
 //! Ashlar).
 
+use super::bond;
 use super::cell::{CellDraft, CellSort, Feature};
-use super::rectangles::{Most, Rectangle, Unit, Units, merge};
+use super::faces::wrapped;
+use super::rectangles::{Most, Rectangle, Unit, Units};
 use super::run::{Run, unit};
 use super::site::Site;
 use super::work::SiteWork;
@@ -18,6 +20,10 @@ use glam::DVec2;
 const CORNER: [usize; 2] = [3, 2];
 /// The most units that edge stones reach into the face along which they lie.
 const LONGEST: usize = 4;
+/// A unit that is at least this share of the stones' depth is as deep.
+const NEARLY: f64 = 0.8;
+/// A course that is at least this share of the room between two edges fills it.
+const SINGLE: f64 = 0.75;
 /// The most rows of an edge stone.
 const HIGHEST: usize = 3;
 
@@ -186,10 +192,14 @@ impl Site {
 
     fn level_stone(&mut self, feature: Feature, node: &GeneratorNode, run: &Run, span: [f64; 2]) {
         let middle = 0.5 * (span[0] + span[1]);
-        let height = self.stone_reach(run, 0, 1, middle);
+        let height = match self.single_course(run, middle) {
+            Some(_) if run.sides[0].inwards.y > 0.0 => return,
+            Some(course) => course,
+            None => self.stone_reach(run, 0, 1, middle),
+        };
         let depth = self
             .stone_reach(run, 1, 2, middle)
-            .min(self.ashlar_depth(run.sides[0].face));
+            .min(self.level_depth(run));
         let body = self.edge_body(run, span, [height, depth]);
         let outwards = self.edge_outwards(run, middle);
         self.place(
@@ -197,6 +207,27 @@ impl Site {
             node,
             CellDraft::new(CellSort::Stone, body, outwards),
         );
+    }
+
+    /// The height of a single course between two level edges of a wall, as under a door (metres): the stones of the
+    /// upper edge take all of it. None where there is more than a course.
+    fn single_course(&self, run: &Run, along: f64) -> Option<f64> {
+        let side = &run.sides[0];
+        let room = self.room(side, along);
+        let is_single = side.reach(1) > SINGLE * room.width;
+        (room.is_shared && side.inwards.y.abs() > 0.5 && is_single).then_some(room.width)
+    }
+
+    /// How deep the stones of a level edge reach into its other face (metres): about as deep as the stones of its first
+    /// face, but one unit where that is nearly as deep, so that no strip of it is left.
+    fn level_depth(&self, run: &Run) -> f64 {
+        let depth = self.ashlar_depth(run.sides[0].face);
+        let unit = run.sides[1].reach(1);
+        if (NEARLY * depth..depth).contains(&unit) {
+            unit
+        } else {
+            depth
+        }
     }
 
     /// How deep stones reach (metres): no deeper than edge stones reach on neighbouring faces, which is one unit at the
@@ -247,6 +278,7 @@ impl AshlarWork {
             random: random(seed, Feature::Face(id)),
             units: Units {
                 columns: grid.column_lines().len() - 1,
+                is_round: site.grid_period(id).is_some(),
                 states: Vec::new(),
             },
             rows: grid.row_lines().len() - 1,
@@ -259,11 +291,7 @@ impl AshlarWork {
             width: self.node.count("most_width"),
             height: self.node.count("most_height"),
         };
-        let partly = self.units.partly();
-        let mut stones = self.units.greedy(most, &mut self.random);
-        let columns = self.units.columns;
-        merge(&mut stones, columns, (most, &mut self.random));
-        stones.extend(partly);
+        let mut stones = bond::stones(&self.units, most, &mut self.random);
         stones.reverse();
         stones
     }
@@ -285,8 +313,9 @@ impl SiteWork for AshlarWork {
             let Some(stone) = stones.pop() else {
                 return true;
             };
-            let [low, high] = site.plan.grid(self.id).block(stone.columns, stone.rows);
-            if let Some(place) = GridPlace::new(low, high) {
+            let grid = site.plan.grid(self.id);
+            let place = wrapped(grid, stone.columns, stone.rows, site.grid_period(self.id));
+            if let Some(place) = place {
                 let whole = (&place, place.area());
                 site.face_brick(self.id, &self.node, whole, CellSort::Stone);
             }

@@ -317,6 +317,12 @@ impl Site {
         bricks.filter(is_free).count()
     }
 
+    /// The length after which the columns of a face's rows come back, on a whole cylinder (metres).
+    pub fn grid_period(&self, id: FaceId) -> Option<f64> {
+        let period = self.face(id).surface.period();
+        period.filter(|_| !self.plan.grid(id).are_rows_along_s())
+    }
+
     /// The bricks of a row of a face's grid, with the bond shifted by `shift` columns.
     fn row_bricks(
         &self,
@@ -325,11 +331,7 @@ impl Site {
         (row, shift): (usize, usize),
     ) -> Vec<GridBrick> {
         let grid = self.plan.grid(id);
-        let period = self
-            .face(id)
-            .surface
-            .period()
-            .filter(|_| !grid.are_rows_along_s());
+        let period = self.grid_period(id);
         let columns = grid.column_lines().len() as isize - 1;
         let mut found = Vec::new();
         for column in -1..columns {
@@ -344,7 +346,7 @@ impl Site {
                 last.min(columns)
             };
             let start = column.max(0);
-            let place = wrapped(grid, [start as usize, end as usize], row, period);
+            let place = wrapped(grid, [start as usize, end as usize], [row, row + 1], period);
             found.extend(place.map(|place| GridBrick {
                 area: place.area(),
                 place,
@@ -355,15 +357,15 @@ impl Site {
     }
 }
 
-/// The rectangle of some columns in a row; on a whole cylinder the last column may be one of the next turn.
-fn wrapped(
+/// The rectangle of some columns and rows; on a whole cylinder the last column may be one of the next turn.
+pub(super) fn wrapped(
     grid: &FaceGrid,
     [from, to]: [usize; 2],
-    row: usize,
+    rows: [usize; 2],
     period: Option<f64>,
 ) -> Option<GridPlace> {
     let last = grid.column_lines().len() - 1;
-    let [low, mut high] = grid.block([from, to.min(last)], [row, row + 1]);
+    let [low, mut high] = grid.block([from, to.min(last)], rows);
     if let (Some(period), true) = (period, to > last) {
         high.x = grid.s[to - last] + period;
     }

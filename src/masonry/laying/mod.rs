@@ -7,6 +7,9 @@
 mod answers;
 mod arches;
 mod ashlar;
+#[cfg(test)]
+mod ashlar_tests;
+mod bond;
 mod bricks;
 mod cell;
 mod cement;
@@ -29,6 +32,7 @@ mod raking;
 #[cfg(test)]
 mod random_tests;
 mod rectangles;
+mod rim;
 #[cfg(test)]
 mod roof_tests;
 mod run;

@@ -95,24 +95,6 @@ fn bricks_fill_walls_without_conflicts_or_overlaps() {
     }
 }
 
-#[test]
-fn ashlar_fills_walls_nearly_without_overlaps() {
-    for rule in [
-        Rule::Block,
-        Rule::LHouse,
-        Rule::Wall,
-        Rule::Gate,
-        Rule::Steps,
-        Rule::Tower,
-    ] {
-        let found = Measures::new(&laid(&draft(rule, &Module::NORMAL), TREES[2], 1));
-        assert!(
-            found.gap <= 0.005 && found.shared_volume <= 0.003,
-            "{rule:?} {found:?}"
-        );
-    }
-}
-
 /// With stone quoins, the arch of a gate has an odd number of stones on both sides of the wall.
 #[test]
 fn arches_beside_quoins_are_of_stone() {

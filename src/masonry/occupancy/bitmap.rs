@@ -254,7 +254,8 @@ impl Bitmap {
     /// beyond the raster count as occupied.
     pub fn empty_share(&self, polygon: &Footprint) -> Option<f64> {
         if polygon.is_rectangle() {
-            return self.empty_share_of(polygon.bounds());
+            let (empty, whole) = self.empty_under(polygon.bounds());
+            return share(empty, whole);
         }
         let mut empty = 0;
         let whole = self.raster.under(polygon, |row, columns| {
@@ -265,8 +266,8 @@ impl Bitmap {
         share(empty, whole)
     }
 
-    /// As [`Self::empty_share`], for the rectangle along s and t between its least and its greatest corner.
-    fn empty_share_of(&self, place: [DVec2; 2]) -> Option<f64> {
+    /// The number of empty pixel centres in a rectangle along s and t, and that of all pixel centres in it.
+    fn empty_under(&self, place: [DVec2; 2]) -> (u32, f64) {
         let ([rows, columns], whole) = self.raster.block(place);
         let stride = self.raster.stride();
         let mut empty = 0;
@@ -283,12 +284,13 @@ impl Bitmap {
             }
             empty += full * bits.count_ones();
         }
-        share(empty, whole)
+        (empty, whole)
     }
 
     /// Whether all pixels under a rectangle along s and t are empty.
     pub fn is_empty_under(&self, place: &GridPlace) -> bool {
-        self.empty_share_of([place.low, place.high]) == Some(1.0)
+        let (empty, whole) = self.empty_under([place.low, place.high]);
+        whole > 0.0 && f64::from(empty) >= whole
     }
 
     /// Whether a place is free, partly free or occupied. A place without a pixel centre counts as partly free: only
@@ -299,7 +301,23 @@ impl Bitmap {
 
     /// As [`Self::coverage`], for a rectangle along s and t.
     pub fn coverage_of(&self, place: &GridPlace) -> Coverage {
-        coverage(self.empty_share_of([place.low, place.high]))
+        self.coverage_of_all(std::slice::from_ref(place))
+    }
+
+    /// As [`Self::coverage_of`], for several rectangles together. One without an area counts nothing.
+    pub fn coverage_of_all(&self, places: &[GridPlace]) -> Coverage {
+        let counts = places
+            .iter()
+            .map(|place| self.empty_under([place.low, place.high]));
+        let (empty, whole) = counts.fold((0, 0.0), |sum, (empty, whole)| {
+            (sum.0 + empty, sum.1 + whole)
+        });
+        coverage(share(empty, whole))
+    }
+
+    /// The least s and t of the raster (metres).
+    pub fn low(&self) -> DVec2 {
+        self.raster.low
     }
 
     /// The empty area: that of all empty pixels, in square metres.

@@ -106,9 +106,21 @@ impl FaceMap {
         self.bitmap.coverage(polygon)
     }
 
-    /// As [`Self::coverage`], for a rectangle along s and t.
+    /// As [`Self::coverage`], for a rectangle along s and t. On a cylinder it may lie over the seam.
     pub fn coverage_of(&self, place: &GridPlace) -> Coverage {
-        self.bitmap.coverage_of(place)
+        let low = self.bitmap.low().x;
+        let (before, after) = (place.low.x < low, |end| place.high.x > end);
+        match self.period {
+            Some(period) if before || after(low + period) => {
+                let turn = DVec2::new(period, 0.0);
+                let first = if before { place.moved(turn) } else { *place };
+                let (mut first, mut second) = (first, first.moved(-turn));
+                first.high.x = first.high.x.min(low + period);
+                second.low.x = second.low.x.max(low);
+                self.bitmap.coverage_of_all(&[first, second])
+            }
+            _ => self.bitmap.coverage_of(place),
+        }
     }
 
     /// The share of a polygon that earlier claims cover, summed over the claims: above 1 if they overlap.
@@ -317,6 +329,23 @@ mod tests {
             assert!((map.claimed_share(&place) - 1.0).abs() < 1e-9);
         }
         assert!((map.claimed() - 0.125).abs() < 1e-9 && map.overlap() < 1e-12);
+    }
+
+    #[test]
+    fn free_places_over_the_seam_of_a_cylinder_are_free() {
+        let mut map = FaceMap::new(&wall(), (W, 8.0), Some(3.0));
+        // Some of them reach over the seam by less than a pixel.
+        for over in [0.001, 0.01, 0.06, 0.12, 0.124] {
+            // Places are asked for on the turn on which their centres lie.
+            let s = if 2.0 * over < W { -over } else { 3.0 - over };
+            let low = DVec2::new(s, 0.25);
+            let place = GridPlace::new(low, low + W).unwrap();
+            assert_eq!(map.coverage_of(&place), Coverage::Free, "{over}");
+        }
+        map.claim(&rectangle((0.0, 0.25), (0.07, 0.25 + W)), 1);
+        let low = DVec2::new(-0.06, 0.25);
+        let place = GridPlace::new(low, low + W).unwrap();
+        assert_eq!(map.coverage_of(&place), Coverage::Partly);
     }
 
     #[test]

@@ -2,13 +2,19 @@
 
 use super::lines::{divided, merged, pieces};
 use super::parity::Columns;
-use crate::building::{Building, EdgeId, Face, FaceId, Module, Piece, Stance, Surface};
+use crate::building::{Building, Edge, EdgeId, Face, FaceId, Module, Piece, Stance, Surface};
 
 use crate::masonry::region::Region;
 use glam::{DVec2, DVec3};
 
 /// How far apart two lines or places may be and still count as one (metres).
 pub(super) const NEAR: f64 = 1e-3;
+
+/// How far the line of a gable's top is from other lines at least, in columns.
+const TOO_NEAR: f64 = 0.5;
+
+/// The direction of a wall is upwards if the cosine of its angle to the y axis is above this.
+const UPRIGHT: f64 = 0.999;
 
 /// The grid of a face. Rows are courses of bricks; columns divide them into pieces of half a brick.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,6 +96,14 @@ impl FaceGrid {
     }
 }
 
+/// Whether a face is a wall: its t is the height above a level.
+pub fn is_wall(face: &Face) -> bool {
+    match &face.surface {
+        Surface::Sweep(sweep) => face.stance() == Stance::Upright && sweep.direction().y > UPRIGHT,
+        Surface::Disk(_) => false,
+    }
+}
+
 /// The region of a face.
 pub fn region(face: &Face) -> Region {
     Region {
@@ -130,16 +144,26 @@ pub(super) fn edges(face: &Face) -> impl Iterator<Item = EdgeId> + '_ {
     face.loops.iter().flatten().map(|walk| walk.edge)
 }
 
-/// The fixed lines of a face along s and along t: the places of its corners and joints, and its bounds.
-pub(super) fn fixed_lines(building: &Building, id: FaceId) -> [Vec<f64>; 2] {
+/// The fixed lines of a face along s and along t: the places of its corners and joints, and its bounds. `half` is the
+/// width of a column (metres). On walls, the line of a gable's top gives way to a line that it would be too near to.
+pub(super) fn fixed_lines(building: &Building, id: FaceId, half: f64) -> [Vec<f64>; 2] {
     let face = building.face(id);
     let [low, high] = face.bounds();
-    let (mut s, mut t) = (Vec::new(), Vec::new());
-    for (p, _) in edges(face).flat_map(|edge| joints(building, edge)) {
-        let place = place(face, p);
-        s.push(place.x);
-        t.push(place.y);
+    let (mut s, mut t, mut tops) = (Vec::new(), Vec::new(), Vec::new());
+    for id in edges(face) {
+        let is_top = is_wall(face) && is_plain_slope(building.edge(id));
+        for (p, _) in joints(building, id) {
+            let place = place(face, p);
+            if is_top { &mut tops } else { &mut s }.push(place.x);
+            t.push(place.y);
+        }
     }
+    let firm = s.clone();
+    let is_far = |top: &f64| {
+        firm.iter()
+            .all(|line| (line - top).abs() >= TOO_NEAR * half)
+    };
+    s.extend(tops.into_iter().filter(is_far));
     let ends = match face.surface.period() {
         // A seam is no line of the grid: lines begin at a corner, if there is one.
         Some(period) => {
@@ -149,6 +173,15 @@ pub(super) fn fixed_lines(building: &Building, id: FaceId) -> [Vec<f64>; 2] {
         None => [low.x, high.x],
     };
     [within(s, ends), within(t, [low.y, high.y])]
+}
+
+/// Whether an edge is one straight piece that neither stands upright nor lies level.
+fn is_plain_slope(edge: &Edge) -> bool {
+    let [Piece::Line { from, to }] = edge.path.pieces() else {
+        return false;
+    };
+    let way = (*to - *from).abs();
+    way.y > NEAR && way.x.max(way.z) > NEAR
 }
 
 /// Sorted lines within bounds. The bounds win over lines near to them.

@@ -65,7 +65,7 @@ impl Plan {
     pub fn changed(&self, building: &Building) -> Vec<(FaceId, [f64; 2])> {
         let part = |change: &super::Change| {
             let face = FaceId(change.wall);
-            let [fixed, _] = fixed_lines(building, face);
+            let [fixed, _] = fixed_lines(building, face, self.module.half);
             let from = change.interval as usize;
             (face, [fixed[from], fixed[from + 1]])
         };

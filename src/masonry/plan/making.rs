@@ -1,13 +1,13 @@
 //! Makes the plan of a building.
 
 use super::face_grid::{
-    FaceGrid, WallColumns, edges, fixed_lines, joints, place, plain, through_rows,
+    FaceGrid, WallColumns, edges, fixed_lines, is_wall, joints, place, plain, through_rows,
 };
 use super::fault::{PlanFault, PlanWarning};
 use super::lines::{CourseMark, Courses, divided};
 use super::parity::{Columns, PhaseEdge, PhasePlan};
 use super::repair::{Change, RepairWork};
-use super::whole::{Plan, is_of_opening, is_wall};
+use super::whole::{Plan, is_of_opening};
 use crate::building::{Bend, Building, EdgeId, Face, FaceId, Module, Stance};
 use crate::masonry::module;
 use std::collections::BTreeMap;
@@ -145,7 +145,10 @@ impl PlanMaking {
     fn find_lines(&mut self) -> PlanStep {
         let building = self.building.clone();
         for id in building.face_ids().skip(self.fixed.len()).take(SLICE) {
-            let (face, fixed) = (building.face(id), fixed_lines(&building, id));
+            let (face, fixed) = (
+                building.face(id),
+                fixed_lines(&building, id, self.module.half),
+            );
             let columns = WallColumns::new(face, fixed[0].clone(), &self.module);
             self.columns.push(columns);
             self.fixed.push(fixed);

@@ -15,11 +15,11 @@ mod repair;
 mod whole;
 
 pub use depths::{ThicknessWork, thicknesses};
-pub use face_grid::{FaceGrid, region};
+pub use face_grid::{FaceGrid, is_wall, region};
 pub use fault::{PlanFault, PlanWarning};
 pub use grid_lines::{GridLine, grid_lines};
 pub use lines::{CourseMark, CourseWarning, Courses, divided, merged, pieces};
 pub use making::PlanMaking;
 pub use parity::{Columns, PhaseEdge, PhasePlan, solve};
 pub use repair::{Change, RepairWork};
-pub use whole::{Plan, is_wall};
+pub use whole::Plan;

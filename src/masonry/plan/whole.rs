@@ -3,10 +3,7 @@
 use super::face_grid::FaceGrid;
 use super::fault::PlanWarning;
 use super::repair::Change;
-use crate::building::{Building, EdgeId, Face, FaceId, Module, Stance, Surface, labels};
-
-/// The direction of a wall is upwards if the cosine of its angle to the y axis is above this.
-const UPRIGHT: f64 = 0.999;
+use crate::building::{Building, EdgeId, FaceId, Module, labels};
 
 /// The plan of a building: what several features must agree on before the first cell is laid.
 #[derive(Clone, Debug)]
@@ -24,14 +21,6 @@ pub struct Plan {
     pub changes: Vec<Change>,
     /// Warnings about what may look wrong.
     pub warnings: Vec<PlanWarning>,
-}
-
-/// Whether a face is a wall: its t is the height above a level.
-pub fn is_wall(face: &Face) -> bool {
-    match &face.surface {
-        Surface::Sweep(sweep) => face.stance() == Stance::Upright && sweep.direction().y > UPRIGHT,
-        Surface::Disk(_) => false,
-    }
 }
 
 /// Whether an edge belongs to a window, a door or an arch.
