@@ -114,6 +114,16 @@ fn open(options: &Options) -> Result<(Studio, Vec<Notice>), String> {
     for path in &options.models {
         notices.extend(native::model::open_model(&mut studio, path)?);
     }
+    // Refused before the work, not after it.
+    let wants_maps = [
+        ("--maps", options.maps),
+        ("--maps-for", options.maps_for.is_some()),
+        ("--scale", options.scale.is_some()),
+    ];
+    let wanted = wants_maps.into_iter().find(|(_, is_wanted)| *is_wanted);
+    if let Some((option, _)) = wanted.filter(|_| studio.maps().is_err()) {
+        return Err(format!("{option} is for pavements only."));
+    }
     Ok((studio, notices))
 }
 
