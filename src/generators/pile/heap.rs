@@ -25,8 +25,6 @@ const BARE: [u8; 3] = [150, 143, 132];
 const REMOVED: [u8; 3] = [255, 72, 60];
 /// Removed bodies are shown if at most this many bodies are new: an eye cannot follow more.
 const FOLLOWED: usize = 24;
-/// The depth of the floor below the lowest place of ground, in longest sides.
-const SKIRT: f64 = 0.03;
 /// The word of wooden containers, their colour, and how much boards differ.
 const WOOD: &str = "wood";
 const OAK: [f32; 3] = [186.0, 146.0, 98.0];
@@ -207,8 +205,7 @@ fn add_skirt(scene: &mut Scene, site: &Site, fit: Fit, colour: [u8; 3]) {
         return;
     }
     let mesh = &site.mesh;
-    let (low, high) = mesh.bounds();
-    let floor = low.y - SKIRT * (high - low).max_element();
+    let floor = site.floor();
     let mut surface = Surface::default();
     for ring in mesh.borders() {
         for (k, &v) in ring.iter().enumerate() {

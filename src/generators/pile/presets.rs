@@ -87,7 +87,7 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Showpieces", "stones-hill", "Stones on a hill"],
         "Large stones lie half buried in the ground, and small ones gather between them.",
-        "v=1&make=pile&c1=smooth&f1=river&k1=2.2&sigma1=2.2&tu1=60&tw1=60&l1=0.3&c2=smooth&f2=river&k2=0.8&sigma2=1.3&l2=2.4&form=terrain&terrain_hills=2&terrain_height=0.5&ps=16&yaw=20&merge=alone&seed=3&alpha=0.875&gloss=matt",
+        "v=1&make=pile&c1=smooth&f1=river&k1=2.2&sigma1=2.2&tu1=60&tw1=60&l1=0.3&c2=smooth&f2=river&k2=0.7&sigma2=0.7&l2=3&form=terrain&terrain_hills=2&terrain_height=0.5&ps=16&yaw=20&merge=alone&seed=3&alpha=0.85&retries=3&gloss=matt",
     ),
     Preset::plain(
         ["Shapes and vessels", "nut-bowl", "Bowl of nuts"],

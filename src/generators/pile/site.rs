@@ -13,6 +13,10 @@ use std::sync::Arc;
 
 /// The length of edges, as a share of the longest side.
 const EDGE: f64 = 0.02;
+/// The depth of the floor below the lowest place of ground, in longest sides.
+const SKIRT: f64 = 0.03;
+/// How far from the cut sides of ground bodies end, in longest sides: they may pass a wall by a hair, which would show.
+const INSET: f64 = 0.002;
 /// Triangles in a slice of the search tree.
 const SEARCHED: usize = 1 << 14;
 
@@ -62,6 +66,10 @@ impl SiteMaking {
                     let is_ground = is_ground(&params.source);
                     let positions = scaled(made.positions, 2.0 * params.half);
                     let around = Surroundings {
+                        walls: match is_ground {
+                            true => sides(&positions),
+                            false => Vec::new(),
+                        },
                         is_ground,
                         ..Surroundings::default()
                     };
@@ -143,11 +151,44 @@ fn is_ground(source: &SiteSource) -> bool {
     )
 }
 
+/// The four upright sides of a block of ground, and its floor. Ground is cut out of a landscape, so bodies end at the
+/// cut.
+fn sides(positions: &[DVec3]) -> Vec<Wall> {
+    let low = positions.iter().copied().reduce(DVec3::min);
+    let high = positions.iter().copied().reduce(DVec3::max);
+    let (mut low, high) = (low.unwrap_or_default(), high.unwrap_or_default());
+    let inset = INSET * (high - low).max_element();
+    low.y -= skirt(low, high);
+    let wall = |(normal, at): (DVec3, DVec3)| Wall::Plane {
+        normal,
+        offset: normal.dot(at) - inset,
+    };
+    let sides = [
+        (DVec3::X, high),
+        (DVec3::NEG_X, low),
+        (DVec3::Z, high),
+        (DVec3::NEG_Z, low),
+        (DVec3::NEG_Y, low),
+    ];
+    sides.map(wall).to_vec()
+}
+
+/// The depth of the floor of a block of ground below the lowest place of its surface, which has this box.
+fn skirt(low: DVec3, high: DVec3) -> f64 {
+    SKIRT * (high - low).max_element()
+}
+
 fn scaled(positions: Vec<DVec3>, by: f64) -> Vec<DVec3> {
     positions.into_iter().map(|p| p * by).collect()
 }
 
 impl Site {
+    /// The height of the floor on which ground stands.
+    pub fn floor(&self) -> f64 {
+        let (low, high) = self.mesh.bounds();
+        low.y - skirt(low, high)
+    }
+
     /// The map from the shape's units to the scene: the shape with its container, and `room` around it for bodies, has
     /// its middle at the origin and fits into a picture.
     pub fn fit(&self, room: f64) -> Fit {

@@ -301,6 +301,30 @@ fn without_a_range_bodies_stay_at_their_darts() {
 }
 
 #[test]
+fn bodies_end_at_the_cut_sides_of_ground() {
+    for form in ["stairs", "slope", "terrain"] {
+        let link = format!("make=pile&c1=rice&variants=2&ps=7&form={form}");
+        let engine = settled(&recipe(&link)).expect("a pile");
+        let kinds = &engine.made.placed.made().expect("darts").kinds;
+        let site = engine.made.site.made().expect("a shape");
+        let (mut low, high) = site.mesh.bounds();
+        low.y = site.floor();
+        let bodies = engine.made.settled.made().expect("bodies").bodies();
+        for body in bodies.iter().filter(|b| b.fate == Fate::Kept) {
+            let slack = 0.05 * body.radius(kinds);
+            for &point in &body.shape(kinds).points {
+                let at = body.place() + body.turn * (body.scale * point);
+                let beyond = (low - at).max(at - high);
+                assert!(beyond.x.max(beyond.z) <= slack, "{form}: {at}");
+                assert!(low.y - at.y <= slack, "{form}: {at}");
+            }
+        }
+        let [kept, walls] = [Fate::Kept, Fate::Walls].map(|fate| engine.made.count(fate));
+        assert!(walls > 0 && walls < kept, "{form}: {walls} of {kept}");
+    }
+}
+
+#[test]
 fn components_stay_while_others_change() {
     let mut engine = settled(&recipe("make=pile&c1=ball&ps=5&variants=2")).expect("a pile");
     let runs = |engine: &PileEngine| engine.runs();
