@@ -42,8 +42,8 @@ const METAL: Finish = Finish {
     parts: &[],
     dark: [0.30, 0.28, 0.27],
     light: [1.25, 1.25, 1.25],
-    body: Material::STEEL,
-    rest: Material::STEEL,
+    body: Material::TURNED,
+    rest: Material::TURNED,
     texture: Texture::Brushed,
     ..TOY
 };

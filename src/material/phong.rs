@@ -15,6 +15,8 @@ pub struct Material {
     pub mirror: f32,
     /// How far highlights and mirrored surroundings have the surface's colour, as those of metal, 0..1; only in space.
     pub metal: f32,
+    /// How far the surroundings that it mirrors are a room with windows instead of an even sky, 0..1; only in space.
+    pub room: f32,
     /// Share of the lamp's light that shines through from behind, 0..1; only in space, where it is for thin bodies.
     pub thin: f32,
 }
@@ -24,7 +26,15 @@ impl Material {
     pub const BRASS: Self = Self {
         mirror: 1.0,
         metal: 1.0,
-        ..Self::new(0.35, 0.3, 0.85, 60.0)
+        room: 1.0,
+        ..Self::new(0.16, 0.16, 0.85, 60.0)
+    };
+    /// Steel and copper of small parts, which lie in a room.
+    pub const TURNED: Self = Self {
+        mirror: 1.0,
+        metal: 1.0,
+        room: 1.0,
+        ..Self::new(0.12, 0.14, 0.9, 40.0)
     };
     /// Cooked rice, damp: it shines, and some light goes through.
     pub const DAMP_RICE: Self = Self {
@@ -85,6 +95,7 @@ impl Material {
             shininess,
             mirror: 0.0,
             metal: 0.0,
+            room: 0.0,
             thin: 0.0,
         }
     }

@@ -21,7 +21,7 @@ const HALVINGS: usize = 2;
 /// A bulb shines at night: the floor gets this share of the sky's light.
 const NIGHT: f32 = 0.4;
 /// The finish of a scene without materials.
-const BLACK: SurfaceFinish = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+const BLACK: SurfaceFinish = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
 
 /// Cosine below which a triangle's own normal is ignored in favour of its corners' normals.
 const TURNED: f32 = 0.05;

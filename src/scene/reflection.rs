@@ -43,11 +43,11 @@ impl Reaching {
     }
 }
 
-/// A material with the factors of the recipe: ambient, diffuse and specular share, and exponent; then mirror, metal and
-/// thin.
+/// A material with the factors of the recipe: ambient, diffuse and specular share, and exponent; then mirror, room,
+/// metal and thin.
 pub(super) type SurfaceFinish = [f32; FINISH];
 /// The numbers of a finish.
-pub(super) const FINISH: usize = 7;
+pub(super) const FINISH: usize = 8;
 
 /// The share that a surface mirrors at normal incidence.
 const STRAIGHT: f32 = 0.03;
@@ -55,6 +55,16 @@ const STRAIGHT: f32 = 0.03;
 const MIRRORED: [[f32; 3]; 3] = [[0.42, 0.44, 0.47], [1.0, 1.04, 1.1], [0.34, 0.32, 0.28]];
 /// The dark line at the horizon: its loss of light, and the inverse of half its width.
 const HORIZON: [f32; 2] = [0.75, 7.0];
+/// The direction of a room's large window (x and z, a unit vector).
+const WINDOW: [f32; 2] = [-0.8, 0.6];
+/// The light of a room's walls, how much it grows towards the window, and what the windows and the ceiling add.
+const DIM: f32 = 0.46;
+const SIDE: f32 = 0.22;
+const LARGE: f32 = 2.6;
+const SMALL: f32 = 1.0;
+const CEILING: f32 = 0.7;
+/// How much the direction of a room's parts changes in a unit of the scene.
+const NEAR: f32 = 0.5;
 
 /// The finish of a material.
 pub(super) fn finish_of(material: &Material, params: &ShadeParams) -> SurfaceFinish {
@@ -65,6 +75,7 @@ pub(super) fn finish_of(material: &Material, params: &ShadeParams) -> SurfaceFin
         material.specular * params.specular as f32,
         exponent,
         lesser(material.mirror * params.specular as f32, 1.0),
+        material.room,
         material.metal,
         material.thin,
     ]
@@ -126,16 +137,18 @@ impl LitPoints {
         let share = (straight + (white - straight) * gleam.edge) * (gleam.mirror * open);
         albedo.times(scattered)
             + lamp.times(tint) * shine
-            + share.times(self.surroundings(gleam.up))
+            + share.times(self.surroundings(gleam.along.y) * self.room(gleam.along))
     }
 
     /// How the points mirror the lamp and their surroundings. `to` is the unit vector to the lamp.
     #[inline(always)]
     fn gleam(&self, to: FourVectors) -> Gleam {
-        let [_, _, specular, exponent, mirror, ..] = self.finish;
+        let [_, _, specular, exponent, mirror, room, ..] = self.finish;
         let one = f32x4::ONE;
-        // As in pictures of height fields, a film fills the relief where the highlight is narrow.
+        // As in pictures of height fields, a film fills the relief where the highlight is narrow. Bare metal has no
+        // film.
         let fine = all(SMOOTH) / (all(SMOOTH) + exponent);
+        let fine = fine + (one - fine) * room;
         let relief = self.normals - self.smooth;
         let normals = self.smooth + relief * fine;
         let normals = normals * (one / normals.dot(normals).sqrt().fast_max(all(1e-3)));
@@ -151,8 +164,35 @@ impl LitPoints {
             shine: specular * wider * power(mirrored, exponent * wider),
             edge: square * square * edge,
             mirror: mirror * wider,
-            up: twice * normals.y - self.to_eye.y,
+            along: normals * twice - self.to_eye,
         }
+    }
+
+    /// The factor by which a room changes the light of the surroundings in a direction: it is dim, and it has a large
+    /// window with a bar, a small one across, and a lit ceiling. Exactly 1 where nothing mirrors a room.
+    #[inline(always)]
+    fn room(&self, along: FourVectors) -> f32x4 {
+        let [.., room, _, _] = self.finish;
+        if !room.simd_gt(f32x4::ZERO).any() {
+            return f32x4::ONE;
+        }
+        // The windows are near: what a place mirrors depends on where it is.
+        let along = along + self.positions * all(NEAR);
+        let [x, z] = WINDOW.map(all);
+        let ahead = along.x * x + along.z * z;
+        let across = along.x * z - along.z * x;
+        let above = |least: f32, steep: f32, v: f32x4| smooth(share((v - all(least)) * all(steep)));
+        let height = above(0.02, 8.0, along.y) * above(-0.82, 8.0, -along.y);
+        let bar = f32x4::ONE - all(0.8) * share(all(1.5) - all(16.0) * across.abs());
+        let large = above(0.25, 6.0, ahead) * height * bar;
+        let small = above(0.55, 6.0, -ahead) * height;
+        let ceiling = above(0.86, 12.0, along.y);
+        let light = all(DIM)
+            + all(SIDE) * ahead
+            + all(LARGE) * large
+            + all(SMALL) * small
+            + all(CEILING) * ceiling;
+        f32x4::ONE + room * (light.fast_max(all(0.08)) - f32x4::ONE)
     }
 
     /// The light of the surroundings in a direction with this y: a sky that is bright above, a dark line, and the floor.
@@ -192,8 +232,14 @@ struct Gleam {
     edge: f32x4,
     /// How much of the surroundings is mirrored.
     mirror: f32x4,
-    /// The y of the direction that is mirrored to the eye.
-    up: f32x4,
+    /// The direction that is mirrored to the eye.
+    along: FourVectors,
+}
+
+/// 3 v² - 2 v³ for v in 0..1.
+#[inline(always)]
+fn smooth(v: f32x4) -> f32x4 {
+    v * v * (all(3.0) - v - v)
 }
 
 /// Linear light of colours on the screen (0..255), with an error of about 0.001 of white.

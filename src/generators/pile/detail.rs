@@ -26,6 +26,10 @@ const SKIN_GRAIN: GrainStrength = GrainStrength {
     height: 0.12,
 };
 
+/// How far the faces of metal parts are domed, as those of forged and polished ones are: the tilt of the normal at the
+/// distance of half a component. A flat face would mirror one tone.
+const DOMED: f32 = 0.12;
+
 /// The id of a wooden box in the scene.
 pub(super) const BOX_ID: u32 = u32::MAX;
 /// Units of the wood's texture in a unit of the scene.
@@ -107,6 +111,10 @@ impl Detail for PileDetail {
         let light = self.noise.light(texture, &local);
         surfel.colour = surfel.colour.map(|v| lesser(v * light, 255.0));
         let mut normal = local.normal;
+        if texture == Texture::Brushed {
+            normal += (local.at - normal * normal.dot(local.at)) * DOMED;
+            normal = normal.normalize_or_zero();
+        }
         self.noise
             .grain(texture, &local, &mut surfel.colour, &mut normal);
         surfel.normal = unit[0] * normal.x + unit[1] * normal.y + unit[2] * normal.z;

@@ -24,6 +24,8 @@ mod stages;
 mod subject;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod view_tests;
 mod views;
 
 pub use schema::keys;
