@@ -6,7 +6,7 @@ use super::made::Thrown;
 use super::views::PileView;
 use crate::component::Sphere;
 use crate::pile::{Body as PiledBody, Fate, Kind};
-use crate::scene::{Body, Detail, Instance, Paint, Place, Scene, Surfel};
+use crate::scene::{Body, Cut, CutHow, Detail, Instance, Paint, Place, Scene, Surfel};
 use crate::solid::Surface;
 use crate::surface_stones::Fit;
 use crate::surface_views::BareSurface;
@@ -29,6 +29,17 @@ const PALE: [u8; 3] = [206, 200, 190];
 const APART: [f32; 3] = [70.0, 120.0, 210.0];
 const TOUCHING: [f32; 3] = [90.0, 180.0, 90.0];
 const DEEP: [f32; 3] = [216.0, 64.0, 48.0];
+/// The colour of places outside all inner spheres.
+const OUTSIDE: [f32; 3] = [196.0, 198.0, 202.0];
+/// Depths between two lines, in R, and the width of a line as a share of that.
+const STEP: f64 = 0.25;
+const LINE: f64 = 0.1;
+/// The plane that cuts bodies open where none is asked for: it is upright and faces the first camera.
+pub(super) const MIDDLE: Cut = Cut {
+    normal: Vec3::new(0.5, 0.0, 0.866_025_4),
+    at: 0.0,
+    how: CutHow::Through,
+};
 /// The row of plain bodies in the materials of views.
 const SATIN: u8 = 2;
 /// The row of the bare surface in the materials of views.
@@ -49,6 +60,18 @@ pub(crate) struct Diagram {
     pub scene: Scene,
     /// The deepest overlap, in R (the radius of the largest inner sphere), if the diagram shows it.
     pub deepest: Option<f64>,
+    /// Whether it shows the inside of bodies, which are cut open.
+    pub is_inside: bool,
+}
+
+impl From<Scene> for Diagram {
+    fn from(scene: Scene) -> Self {
+        Self {
+            scene,
+            deepest: None,
+            is_inside: false,
+        }
+    }
 }
 
 /// A settled pile.
@@ -86,10 +109,7 @@ pub(super) fn darts(ground: &BareSurface, thrown: &Thrown) -> Diagram {
             paint: None,
         });
     }
-    Diagram {
-        scene,
-        deepest: None,
-    }
+    scene.into()
 }
 
 /// A diagram of settled bodies, except [`overlap`].
@@ -113,10 +133,7 @@ fn coloured(piled: &Piled, colour: impl Fn(&PiledBody) -> [u8; 3]) -> Diagram {
             .instances
             .push(painted(mesh, place, body.dart, colour(body)));
     }
-    Diagram {
-        scene,
-        deepest: None,
-    }
+    scene.into()
 }
 
 /// A scene with a white body for each variant, and the number of the first body of each type.
@@ -164,10 +181,7 @@ fn spheres(piled: &Piled) -> Diagram {
             scene.instances.push(painted(0, place, body.dart, tint));
         }
     }
-    Diagram {
-        scene,
-        deepest: None,
-    }
+    scene.into()
 }
 
 /// A white mesh in its place, with the colour and the id of a dart's body.
@@ -216,10 +230,7 @@ fn fates(piled: &Piled, ground: &BareSurface) -> Diagram {
         let place = round(sphere, piled.fit);
         scene.instances.push(painted(first, place, body.dart, tint));
     }
-    Diagram {
-        scene,
-        deepest: None,
-    }
+    scene.into()
 }
 
 /// The bodies, blue where they are apart, green where they touch, and red where they overlap by more than T + D.
@@ -236,15 +247,33 @@ pub(super) fn overlap(piled: &Piled, deepest: &[f64]) -> Diagram {
     }
 }
 
+fn mix(a: [f32; 3], b: [f32; 3], part: f64) -> [f32; 3] {
+    let part = part.clamp(0.0, 1.0) as f32;
+    std::array::from_fn(|k| a[k] + (b[k] - a[k]) * part)
+}
+
 /// Blue up to -0.3, green from 0 to `offset`, red from `offset + more` on, and blended between these.
 fn between_three(value: f64, (offset, more): (f64, f64)) -> [f32; 3] {
-    let mix = |a: [f32; 3], b: [f32; 3], part: f64| {
-        let part = part.clamp(0.0, 1.0) as f32;
-        std::array::from_fn(|k| a[k] + (b[k] - a[k]) * part)
-    };
     match value {
         value if value < 0.0 => mix(APART, TOUCHING, 1.0 + value / 0.3),
         value => mix(TOUCHING, DEEP, (value - offset - 1e-6) / more.max(1e-6)),
+    }
+}
+
+/// The colour of a depth in R: pale outside, blue at 0, green at 0.5 and red from 1 on. Each step of [`STEP`] ends in a
+/// thin dark line, as on a map.
+fn inside(depth: f64) -> [f32; 3] {
+    if depth < -1e-6 {
+        return mix(APART, OUTSIDE, -depth / 0.1);
+    }
+    let colour = match depth {
+        depth if depth < 0.5 => mix(APART, TOUCHING, depth / 0.5),
+        depth => mix(TOUCHING, DEEP, (depth - 0.5) / 0.5),
+    };
+    let part = depth / STEP - (depth / STEP).floor();
+    match part < LINE && depth > 0.5 * STEP {
+        true => colour.map(|v| 0.72 * v),
+        false => colour,
     }
 }
 
@@ -252,8 +281,8 @@ fn bytes(colour: [f32; 3]) -> [u8; 3] {
     colour.map(|v| (v.clamp(0.0, 255.0) + 0.5) as u8)
 }
 
-/// The bodies, coloured by the depth of eq. (2) at each place of the surface in the body's own spheres: green on a
-/// sphere, blue outside, red inside.
+/// The bodies, coloured by the depth of eq. (2) at each place in the body's own spheres: blue on a sphere, green halfway
+/// to the centre of the largest one, and red there. Places outside all spheres are pale. Bodies are cut open.
 fn depth(piled: &Piled) -> Diagram {
     let mut diagram = coloured(piled, |_| [255; 3]);
     let count = piled.bodies.len();
@@ -269,10 +298,11 @@ fn depth(piled: &Piled) -> Diagram {
         radii[k] = body.radius(piled.kinds) * piled.fit.scale;
     }
     diagram.scene.detail = Some(Box::new(DepthDetail { owns, radii }));
+    diagram.is_inside = true;
     diagram
 }
 
-/// Colours a body's surface by its depth in the body's own spheres.
+/// Colours a body by the depth in the body's own spheres.
 struct DepthDetail {
     owns: Vec<Option<Vec<Sphere>>>,
     radii: Vec<f64>,
@@ -287,7 +317,7 @@ impl Detail for DepthDetail {
         let at = surfel.position.as_dvec3();
         let depth = |s: &Sphere| s.radius - at.distance(s.centre);
         let deepest = spheres.iter().map(depth).fold(f64::NEG_INFINITY, f64::max);
-        surfel.colour = between_three(deepest / self.radii[k], (0.0, 0.3));
+        surfel.colour = inside(deepest / self.radii[k]);
     }
 }
 

@@ -8,7 +8,7 @@ use crate::generators::scene_picture::{SceneKey, SceneSource, SceneStages};
 use crate::graph::Wiring;
 use crate::material::Material;
 use crate::pile::OverlapWork;
-use crate::scene::Scene;
+use crate::scene::{Cut, CutHow, Scene};
 use std::rc::Rc;
 
 /// The scene of a view.
@@ -123,6 +123,17 @@ impl SceneSource for PileStages {
         let work = OverlapWork::new(piled.bodies, piled.kinds);
         *making = ViewMaking::Overlap(Box::new(work));
         None
+    }
+
+    /// A body's depth is inside, so a plane cuts through all bodies, in the middle if no other is asked for.
+    fn cut(&self, subject: &ViewScene, asked: Option<Cut>) -> Option<Cut> {
+        match subject {
+            ViewScene::Diagram(diagram) if diagram.is_inside => Some(Cut {
+                how: CutHow::Through,
+                ..asked.unwrap_or(diagrams::MIDDLE)
+            }),
+            _ => asked,
+        }
     }
 
     fn materials(&self, subject: &ViewScene) -> Option<&'static [Material]> {

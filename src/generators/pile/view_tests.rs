@@ -19,6 +19,30 @@ fn seen(link: &str, view: &str) -> Vec<[u8; 3]> {
     pixels.map(|p| [p[0], p[1], p[2]]).collect()
 }
 
+/// The share of pixels whose red, green or blue (0, 1 or 2) is much stronger than both others.
+fn share(pixels: &[[u8; 3]], strong: usize) -> f64 {
+    let is_strong = |p: &&[u8; 3]| {
+        let others = (0..3).filter(|&k| k != strong);
+        let most = others.map(|k| p[k]).max().unwrap_or(0);
+        f64::from(p[strong]) > 1.25 * f64::from(most)
+    };
+    pixels.iter().filter(is_strong).count() as f64 / pixels.len() as f64
+}
+
+#[test]
+fn depth_is_seen_inside_of_bodies_that_are_cut_open() {
+    let link = "make=pile&c1=ball&variants=1&form=sphere&ps=4&size=128";
+    let usual = seen(link, "depth+still");
+    for strong in 0..3 {
+        let part = share(&usual, strong);
+        assert!(part > 0.001, "{strong}: {part}");
+    }
+    // A plane beyond all bodies cuts none of them: only their surface is seen.
+    let whole = seen(link, "depth+still+whole=0,0,1,5");
+    assert!(share(&whole, 0) < 0.0002 && share(&whole, 1) < 0.0002);
+    assert!(share(&whole, 2) > 0.1);
+}
+
 /// The brightest tenth of brass is far brighter than its darkest tenth: it mirrors windows, walls and the floor.
 #[test]
 fn metals_mirror_bright_and_dark_parts_of_a_room() {

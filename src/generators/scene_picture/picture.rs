@@ -8,7 +8,7 @@ use crate::generators::{Budget, Clock, FrameSlice, SeenBody, TurnOrder};
 use crate::light::Light;
 use crate::material::Material;
 use crate::notice::{Code, Notice};
-use crate::scene::{Frame, Order, Scene};
+use crate::scene::{Cut, Frame, Order, Scene};
 use glam::Vec3;
 
 /// A place counts as visible up to this distance behind the visible surface, in units of the scene.
@@ -75,6 +75,11 @@ pub(crate) trait SceneSource: Sized {
     /// The scene of one step in the making of a body; `None` if there is no such step.
     fn step_scene(&self, _step: (u32, usize)) -> Option<Scene> {
         None
+    }
+
+    /// The plane that cuts a scene, where an order asks for `asked`.
+    fn cut(&self, _subject: &Self::Subject, asked: Option<Cut>) -> Option<Cut> {
+        asked
     }
 
     /// The materials of a scene, if they are not those of the picture.
@@ -247,7 +252,9 @@ impl<S: SceneSource> ScenePicture<S> {
         let order = order.order()?;
         let order = Order {
             camera: turned(order.camera, still.yaw),
-            cut: order.cut.map(|cut| turned_cut(cut, still.yaw)),
+            cut: source
+                .cut(subject, order.cut)
+                .map(|cut| turned_cut(cut, still.yaw)),
             ..order
         };
         let scene = subject.as_ref();
