@@ -48,7 +48,7 @@ test('the first press on Piles shows what the small picture promises, and its bo
 
 test('a dropped model is heaped, is used as the shape, and comes back', sameEverywhere, async () => {
   // The recipe has the usual shape, as a model that is taken back from the shape leaves the usual one.
-  const { page, problems, close } = await site.newPage(PILE.replace('form=heap&', ''));
+  const { page, problems, close } = await site.newPage(PILE.replace('form=heap&', '').replace('variants=1&', ''));
   const rice = await digest(page);
   await drop(page, 'block.obj', BLOCK, '');
   await message(page, 'status', /block\.obj is open/);
@@ -56,6 +56,7 @@ test('a dropped model is heaped, is used as the shape, and comes back', sameEver
   const heaped = await digest(page);
   assert.notEqual(heaped, rice);
   assert.equal(await get(page, 'c1'), 'file');
+  assert.equal(await get(page, 'variants'), '1');
   const [, named] = /&file1=(\w[\w-]*)&/.exec(await link(page)) ?? [];
   assert.ok(named, await link(page));
   await page.waitForSelector('#model:not([hidden])');
@@ -64,7 +65,7 @@ test('a dropped model is heaped, is used as the shape, and comes back', sameEver
   await click(page, '#model-move');
   await page.waitForFunction(() => window.bubblestone.get('form') === 'file');
   await done(page);
-  assert.equal(await link(page), `v=1&make=pile&variants=1&form=file&model=${named}&ps=5&size=128`);
+  assert.equal(await link(page), `v=1&make=pile&form=file&model=${named}&ps=5&size=128`);
   assert.notEqual(await digest(page), heaped);
   await page.waitForFunction(() => document.querySelector('#model-move')?.textContent === 'Use as the component');
   await click(page, '#model-move');

@@ -12,6 +12,7 @@ import { alertOf, clear, notice } from '../base/messages';
 import { stoppable, type Task } from '../late/task';
 import { withValues } from '../state/link';
 import type { Work } from '../state/work';
+import { unbent } from './roles';
 import { GUESSED, SIDE } from './sides';
 import { MADE, tried } from './trial';
 
@@ -123,7 +124,8 @@ function askingFor({ digest, value, module }: Named, { engine, store: { state: {
   // The parameter may apply only with certain values of another one.
   const beside = row.shownFor?.words.slice(0, 1).map((word) => [row.shownFor?.key ?? '', word] as const) ?? [];
   const sides = module.schema(taker).some(({ key }) => key === SIDE) ? [[SIDE, GUESSED] as const] : [];
-  return withValues(taker === make ? recipe : `v=1&make=${taker}`, [...beside, [row.key, value], ...sides]);
+  const link = taker === make ? recipe : `v=1&make=${taker}`;
+  return withValues(link, [...beside, [row.key, value], ...unbent(link, row.key), ...sides]);
 }
 
 function take(work: Work, given: Given, { named, link, before, studio }: Taken, again: () => void): void {

@@ -6,6 +6,10 @@ import { withValues } from '../state/link';
 const COMPONENT = 'file1';
 const SHAPE = 'model';
 
+/** The number of bent versions of components, and other types in a link, which share it with the first one. */
+const VARIANTS = 'variants';
+const OTHER_TYPES = /&c[2-4]=/;
+
 /** The parameters of a file: the one that names it, the choice and word that make it count, and the upright axis. */
 interface FileRows {
   readonly file: Parameter;
@@ -25,6 +29,11 @@ export function uprightOf(schema: readonly Parameter[], role: string): Parameter
   return placeOf(schema, role)?.up;
 }
 
+/** The values that go with a file in a role: a thing of one's own is heaped as it is, not bent, if it is the only component. */
+export function unbent(link: string, role: string): readonly (readonly [key: string, value: string])[] {
+  return role === COMPONENT && !OTHER_TYPES.test(link) ? [[VARIANTS, '1']] : [];
+}
+
 /**
  * The link with the file in its other role. A file that had that role before is dropped, and the first role becomes
  * free.
@@ -35,9 +44,11 @@ export function moved(link: string, schema: readonly Parameter[], role: string):
   const pieces = link.split('&');
   const valueOf = (key: string): string | undefined => pieces.find((piece) => piece.startsWith(`${key}=`))?.slice(key.length + 1);
   const left = [from.file.key, from.choice, from.up?.key, to.up?.key].filter((key) => key !== undefined);
-  const rest = pieces.filter((piece) => !left.some((key) => piece.startsWith(`${key}=`))).join('&');
+  // The things that take the file's place as the component are bent as usual.
+  const unlike = unbent(link, role).map((pair) => pair.join('='));
+  const rest = pieces.filter((piece) => !unlike.includes(piece) && !left.some((key) => piece.startsWith(`${key}=`))).join('&');
   const up = from.up && valueOf(from.up.key);
-  return withValues(rest, [[to.choice, to.word], [to.file.key, valueOf(from.file.key) ?? ''], ...(to.up && up ? [[to.up.key, up] as const] : [])]);
+  return withValues(rest, [[to.choice, to.word], [to.file.key, valueOf(from.file.key) ?? ''], ...unbent(rest, to.file.key), ...(to.up && up ? [[to.up.key, up] as const] : [])]);
 }
 
 function otherThan(role: string): string {

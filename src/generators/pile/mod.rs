@@ -30,7 +30,6 @@ mod views;
 
 pub use schema::keys;
 
-use super::given::FileRules;
 use super::scene_picture::SceneEngine;
 use super::{Course, Generator, Views};
 use crate::recipe::Schema;
@@ -41,7 +40,7 @@ pub static SCHEMA: Schema = Schema {
     word: "pile",
     is_named: true,
     rows: schema::ROWS,
-    rules: &FileRules(schema::choice_of),
+    rules: &schema::PileRules,
 };
 
 /// The generator.

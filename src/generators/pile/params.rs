@@ -15,6 +15,9 @@ use crate::recipe::{Key, Recipe};
 use crate::shapes::Shape;
 use glam::DVec3;
 
+/// The finish of a file's component.
+const PLAIN: &str = "clay";
+
 /// The parameters of the stages.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PileParams {
@@ -212,13 +215,15 @@ fn site(recipe: &Recipe, files: &mut Vec<AskedFile>) -> SiteParams {
     }
 }
 
-/// The finish of a type: the given one, else that of its component.
+/// The finish of a type: the given one, else that of its component. A file's component is of fired clay, which hides
+/// nothing of its form.
 fn finish(recipe: &Recipe, own: &TypeKeys) -> &'static Finish {
-    let word = recipe.choice(own.finish);
-    Finish::of_word(word).unwrap_or_else(|| {
-        let kind = ComponentKind::of_word(recipe.choice(own.component));
-        kind.map_or(&FINISHES[0], ComponentKind::finish)
-    })
+    let of_component = || match ComponentKind::of_word(recipe.choice(own.component)) {
+        Some(kind) => Some(kind.finish()),
+        None => Finish::of_word(PLAIN),
+    };
+    let given = Finish::of_word(recipe.choice(own.finish));
+    given.or_else(of_component).unwrap_or(&FINISHES[0])
 }
 
 fn darts(recipe: &Recipe, types: &[&TypeKeys]) -> DartParams {

@@ -1,12 +1,14 @@
 //! The one table of a pile's parameters; see [`crate::recipe::Schema`].
 
 use crate::generators::SampleRule;
+use crate::generators::given::FileRules;
 use crate::generators::rows::rows;
 use crate::generators::rows::shapes;
 use crate::generators::rows::shared;
+use crate::notice::Notice;
 use crate::recipe::parameter::{Parameter, choice, int, number, text};
 use crate::recipe::schema::choices;
-use crate::recipe::{Choice, Item, Key};
+use crate::recipe::{Choice, Item, Key, Recipe, Rows, Rules};
 
 /// The word for a component or a shape that a file gives.
 pub const FILE: &str = "file";
@@ -114,6 +116,26 @@ const fn file(number: usize) -> Parameter {
 pub fn choice_of(file: Key) -> Key {
     let of_type = TYPE_KEYS.iter().find(|own| own.file == file);
     of_type.map_or(keys::FORM, |own| own.component)
+}
+
+/// The rules for files: a file sets the choice to which it belongs. A component from a file is heaped as it is, without
+/// bent versions, unless other types share their number with it.
+pub struct PileRules;
+
+impl Rules for PileRules {
+    fn draw(
+        &self,
+        recipe: &mut Recipe,
+        key: Key,
+        rows: Option<Rows>,
+    ) -> Result<Vec<Notice>, Notice> {
+        let mut said = FileRules(choice_of).draw(recipe, key, rows)?;
+        let mut others = TYPE_KEYS[1..].iter();
+        if key == keys::FILE1 && others.all(|own| recipe.choice(own.component) == NONE) {
+            said.extend(recipe.set(keys::VARIANTS.0, "1")?);
+        }
+        Ok(said)
+    }
 }
 
 /// The row of a file's upright axis.

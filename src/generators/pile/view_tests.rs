@@ -1,9 +1,14 @@
-//! Tests of that which is seen of a pile.
+//! Tests of that which is seen of a pile, and of files that become components.
 
 use super::PILE;
+use super::params::PileParams;
 use super::tests::recipe;
-use crate::generators::{ALL, TurnOrder};
+use crate::generators::{ALL, GivenFile, TurnOrder};
+use crate::recipe::Recipe;
 use crate::studio::Studio;
+
+/// A closed wedge.
+const WEDGE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
 /// The pixels of a view, red, green and blue.
 fn seen(link: &str, view: &str) -> Vec<[u8; 3]> {
@@ -54,4 +59,25 @@ fn metals_mirror_bright_and_dark_parts_of_a_room() {
     tones.sort_unstable();
     let [dark, bright] = [1, 9].map(|tenths| tones[tones.len() * tenths / 10]);
     assert!(2 * bright > 5 * dark, "{dark} {bright}");
+}
+
+/// The recipe after a file was opened.
+fn opened(link: &str, role: &str) -> Recipe {
+    let mut studio = Studio::new(ALL, recipe(link));
+    let file = GivenFile::whole("wedge.obj", WEDGE.as_bytes().to_vec());
+    studio.open_file(Some(role), file).expect("an open file");
+    studio.recipe().clone()
+}
+
+#[test]
+fn a_component_from_a_file_is_plain_and_not_bent() {
+    let alone = opened("make=pile", "file1");
+    assert_eq!(alone.choice(super::keys::C1), "file");
+    assert_eq!(alone.number(super::keys::VARIANTS), 1.0);
+    assert_eq!(PileParams::new(&alone).dress.finishes[0].word, "clay");
+    // Other types keep their variants, and a shape changes none of them.
+    let mixed = opened("make=pile&c2=rice", "file1");
+    assert_eq!(mixed.number(super::keys::VARIANTS), 8.0);
+    let shape = opened("make=pile", "model");
+    assert_eq!(shape.number(super::keys::VARIANTS), 8.0);
 }
