@@ -61,6 +61,13 @@ const GROWN: Finish = Finish {
     ..TOY
 };
 
+/// Glass that sand and sea have ground: its skin is dull, and light goes through.
+const FROSTED: Material = Material {
+    mirror: 0.35,
+    thin: 0.5,
+    ..Material::new(1.12, 0.72, 0.2, 14.0)
+};
+
 /// The colour of the button and the stalk of apples.
 const WOODY: [u8; 3] = [104, 76, 46];
 const ORANGE_PARTS: &[PartColour] = &[
@@ -342,12 +349,12 @@ pub const FINISHES: &[Finish] = &[
     Finish {
         word: "glass",
         label: "Glass",
-        bases: &[[70, 150, 118], [84, 148, 176], [176, 112, 50], [206, 214, 208], [52, 92, 158]],
+        bases: &[[116, 186, 158], [138, 190, 208], [190, 134, 72], [218, 226, 220], [76, 116, 186]],
         parts: &[(Part::Cap, [240, 240, 236])],
         dark: [0.94, 0.94, 0.94],
         light: [1.05, 1.05, 1.05],
-        body: Material::GLASS,
-        rest: Material::GLASS,
+        body: FROSTED,
+        rest: FROSTED,
         ..TOY
     },
 ];

@@ -13,8 +13,11 @@ use std::rc::Rc;
 const UNIT: f32 = 24.0;
 /// The noise tile: its random stream, the binary logarithm of its side, its levels, and its fractal dimension.
 const NOISE: (u64, u32, u32, f64) = (23, 7, 4, 1.5);
-/// The colour factor of wet bodies, and the width of the water's edge in the scene.
-const SOAKED: f32 = 0.62;
+/// The colour factors of dry and of wet bodies, by how much the colours of wet ones are stronger, and the width of the
+/// water's edge in the scene.
+const DRIED: f32 = 1.14;
+const SOAKED: f32 = 0.5;
+const STRONGER: f32 = 0.35;
 const EDGE: f32 = 0.02;
 /// The strength of grain on brushed metal, and on wood and peel.
 const METAL_GRAIN: GrainStrength = GrainStrength {
@@ -138,8 +141,11 @@ impl PileDetail {
             .between(at.x + 0.6 * at.y, at.z - 0.6 * at.y);
         let below = (water + EDGE * uneven - surfel.position.y) / EDGE + 0.5;
         let soaked = below.clamp(0.0, 1.0);
-        let factor = 1.0 + (SOAKED - 1.0) * soaked;
-        surfel.colour = surfel.colour.map(|v| v * factor);
+        let factor = DRIED + (SOAKED - DRIED) * soaked;
+        let grey = surfel.colour.iter().sum::<f32>() / 3.0;
+        let stronger = 1.0 + STRONGER * soaked;
+        let wet = |v: f32| (grey + (v - grey) * stronger) * factor;
+        surfel.colour = surfel.colour.map(|v| wet(v).clamp(0.0, 255.0));
         if soaked > 0.5 {
             surfel.material = row(kind as usize, is_part, true);
         }

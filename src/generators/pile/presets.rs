@@ -47,7 +47,7 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Showpieces", "oranges", "Oranges in a bowl"],
         "Every orange has its pores, and here and there a stalk end looks up.",
-        "v=1&make=pile&c1=orange&sigma1=0.5&l1=4&form=bowl&ps=8&offset=0.2",
+        "v=1&make=pile&c1=orange&k1=0.9&sigma1=0.4&l1=4&form=bowl&bowl_full=0.3&ps=8&offset=0.2&alpha=0.8&retries=3",
     ),
     Preset::plain(
         ["Showpieces", "wet-pebbles", "Wet pebbles"],
@@ -57,7 +57,7 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Showpieces", "chestnut-rice", "Chestnut rice"],
         "Chestnuts sit deep in the rice, as their range is short and they settle first.",
-        "v=1&make=pile&c1=chestnut&k1=1.2&sigma1=3.3&l1=0.1&c2=rice&k2=0.8&sigma2=0.8&l2=3&riceball_thick=0.5&yaw=-20&alpha=0.85",
+        "v=1&make=pile&c1=chestnut&k1=1.2&sigma1=5&l1=0.1&c2=rice&k2=0.8&sigma2=1&l2=3&riceball_thick=0.5&yaw=-20&merge=alone&alpha=0.9",
     ),
     Preset::plain(
         ["Showpieces", "nuts-bolts", "Nuts and bolts"],
@@ -77,7 +77,7 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Showpieces", "autumn-leaves", "Autumn leaves"],
         "Low light from the side shines through the leaves of a raked heap.",
-        "v=1&make=pile&c1=leaf&k1=2&sigma1=5.8&tu1=80&tw1=80&form=heap&heap_height=0.38&ps=12&seed=5&offset=0.05&alpha=0.5&az=225&el=30&amb=1.2&diff=1.2",
+        "v=1&make=pile&c1=leaf&k1=2&sigma1=4.6&tu1=40&tw1=40&form=heap&heap_height=0.38&ps=12&seed=5&offset=0.05&alpha=0.5&az=225&el=30&amb=1.2&diff=1.2",
     ),
     Preset::plain(
         ["Showpieces", "bean-letter", "Bean letter"],
@@ -112,12 +112,12 @@ pub const PRESETS: &[Preset] = &[
     Preset::plain(
         ["Shapes and vessels", "sea-glass", "Sea glass"],
         "Rounded glass of five colours fills a white bowl, as if gathered on a beach.",
-        "v=1&make=pile&c1=smooth&f1=glass&sigma1=1.2&form=bowl&ps=9",
+        "v=1&make=pile&c1=smooth&f1=glass&sigma1=0.6&l1=4&form=bowl&bowl_full=0.35&ps=9&offset=0.2&retries=3",
     ),
     Preset::plain(
         ["Shapes and vessels", "leaf-fish", "Fish of leaves"],
         "Green and autumn leaves lie flat on a fish, like scales.",
-        "v=1&make=pile&c1=leaf&f1=greenleaf&k1=1.3&sigma1=11&tu1=30&tv1=60&tw1=30&l1=0.5&c2=leaf&k2=1.1&sigma2=11&tu2=30&tv2=60&tw2=30&l2=0.5&form=fish&ps=17&merge=alone&alpha=0.9&first=mixed",
+        "v=1&make=pile&c1=leaf&f1=greenleaf&k1=1.8&sigma1=7&tu1=20&tv1=40&tw1=20&l1=0.8&c2=leaf&k2=1.8&sigma2=9&tu2=20&tv2=40&tw2=20&l2=0.8&form=fish&ps=24&merge=alone&offset=0.2&alpha=0.6&first=mixed",
     ),
     Preset::plain(
         ["Shapes and vessels", "ivory-knot", "Ivory knot"],
