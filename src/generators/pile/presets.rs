@@ -1,6 +1,6 @@
 //! Recipes with names: things that everybody knows, the rows of table 1 of Sakurai, Miyata (2014), Modelling of
 //! Non-Periodic Aggregates Having a Pile Structure, and others of its figures. Components and shapes of the paper's
-//! figures are guesses where its text has lost them; docs/deviations.md lists these.
+//! figures are guesses where its text has lost them: notes say so, and docs/deviations.md lists these.
 
 use crate::generators::{MeasuredPart, Preset, Timing};
 
@@ -23,6 +23,14 @@ const fn figure(
             bodies: Some(bodies),
         }),
         ..Preset::drawn(["The paper's table", name, title, figure], note, link)
+    }
+}
+
+/// A preset whose view has a colour for each layer, and no front half, so that the layers below the surface are seen.
+const fn cut_open(preset: Preset) -> Preset {
+    Preset {
+        view: "view=layers&cut=0.5,0,0.866,0",
+        ..preset
     }
 }
 
@@ -151,122 +159,122 @@ pub const PRESETS: &[Preset] = &[
     ),
     figure(
         ["pile9-a", "Fig. 9 (a)", "Fig. 9 (a) of 2014"],
-        "Grains of rice turn about the normal only and lie flat on the surface.",
+        "Grains of rice turn about the normal only and lie flat on the surface. The paper's text has lost component and shape: both are guesses.",
         "v=1&make=pile&sigma1=1&tu1=0&tw1=0&riceball_thick=0.5&ps=11.3&offset=0.2&alpha=0&retries=0",
         (324.2, 4524),
     ),
     figure(
         ["pile9-c", "Fig. 9 (c)", "Fig. 9 (c) of 2014"],
-        "Pebbles turn about the normal only and lie flat on a heap.",
+        "Pebbles turn about the normal only and lie flat on a heap. The paper's text has lost component and shape: both are guesses.",
         "v=1&make=pile&c1=smooth&f1=river&sigma1=1&tu1=0&tw1=0&form=heap&ps=13.2&offset=0.2&alpha=0&retries=0",
         (246.5, 1234),
     ),
     figure(
         ["pile9-e", "Fig. 9 (e)", "Fig. 9 (e) of 2014"],
-        "Beans turn about the normal only and lie flat in a bowl.",
+        "Beans turn about the normal only and lie flat in a bowl. The paper's text has lost component and shape: both are guesses.",
         "v=1&make=pile&c1=bean&sigma1=1&tu1=0&tw1=0&form=bowl&bowl_full=0.2&ps=16.8&offset=0.2&alpha=0&retries=0",
         (182.2, 2089),
     ),
     figure(
         ["pile10-a", "Fig. 10 (a)", "Fig. 10 (a) of 2014"],
-        "Rings, balls and blocks have spacings of 4, 2 and 1, and ranges of 1, 2 and 3.",
+        "Rings, balls and blocks have spacings of 4, 2 and 1, and ranges of 1, 2 and 3. The paper's text has lost shape, angles and order: they are guesses.",
         "v=1&make=pile&c1=torus&sigma1=4&l1=1&c2=ball&sigma2=2&c3=box&sigma3=1&l3=3&form=heap&heap_height=0.42&ps=26.9&offset=0.2&alpha=0&first=mixed&retries=0",
         (51.1, 2523),
     ),
     figure(
         ["pile10-b", "Fig. 10 (b)", "Fig. 10 (b) of 2014"],
-        "Chestnuts with a range of 0.1 stay deep in rice with a range of 1.5.",
+        "Chestnuts with a range of 0.1 stay deep in rice with a range of 1.5. The large component, its size, the shape and the angles are guesses; the paper's number of bodies may read 7,400 or 97,400.",
         "v=1&make=pile&c1=chestnut&k1=3&sigma1=3&l1=0.1&c2=rice&sigma2=1&l2=1.5&riceball_thick=0.5&ps=24.7&offset=0.2&alpha=0&retries=0",
         (161.99, 7400),
     ),
     figure(
         ["pile11-a", "Fig. 11 (a)", "Fig. 11 (a) of 2014"],
-        "Walnuts keep clear of each other, because the offset T is 0.",
+        "Walnuts keep clear of each other, because the offset T is 0. The paper's text has lost component, shape and angles: they are guesses.",
         "v=1&make=pile&c1=walnut&sigma1=1&l1=8&form=sphere&ps=8.8&offset=0&alpha=0&retries=0",
         (240.3, 1124),
     ),
     figure(
         ["pile11-b", "Fig. 11 (b)", "Fig. 11 (b) of 2014"],
-        "Walnuts may overlap by an offset T of 0.2, and the gaps close.",
+        "Walnuts may overlap by an offset T of 0.2, and the gaps close. Component, shape and angles are guesses, and so is how we split the paper's digits into seconds and bodies.",
         "v=1&make=pile&c1=walnut&sigma1=1&l1=8&form=sphere&ps=18.3&offset=0.2&alpha=0&retries=0",
         (1454.9, 4805),
     ),
     figure(
         ["pile13-a", "Fig. 13 (a)", "Fig. 13 (a) of 2014"],
-        "Blocks follow the surface, as their turns start from its own axes.",
+        "Blocks follow the surface, as their turns start from its own axes. The paper's text has lost component, shape and angles: they are guesses.",
         "v=1&make=pile&c1=box&sigma1=2&tu1=10&tv1=10&tw1=10&l1=3&form=egg&ps=22&offset=0.2&alpha=0&retries=0",
         (339.0, 2856),
     ),
     figure(
         ["pile13-b", "Fig. 13 (b)", "Fig. 13 (b) of 2014"],
-        "Blocks lie in level courses, as their turns start from the axes of space.",
+        "Blocks lie in level courses, as their turns start from the axes of space. The paper's text has lost component, shape and angles: they are guesses.",
         "v=1&make=pile&c1=box&sigma1=2&tu1=10&tv1=10&tw1=10&l1=3&form=egg&ps=20.5&frame=global&offset=0.2&alpha=0&retries=0",
         (270.6, 2557),
     ),
-    figure(
+    cut_open(figure(
         ["pile14-a", "Fig. 14 (a)", "Fig. 14 (a) of 2014"],
-        "Layers of oranges fill a ball below its surface.",
+        "Layers of oranges fill a ball below its surface. The paper's text has lost component, shape and angles: they are guesses.",
         "v=1&make=pile&c1=orange&sigma1=1&form=sphere&ps=14&layers=3&offset=0.2&alpha=0&retries=0",
         (203.9, 2986),
-    ),
-    figure(
+    )),
+    cut_open(figure(
         ["pile14-b", "Fig. 14 (b)", "Fig. 14 (b) of 2014"],
-        "Layers of oranges fill an egg with the numbers of Figure 14 (a).",
+        "Layers of oranges fill an egg with the numbers of Figure 14 (a). Component, shape and angles are guesses here, too.",
         "v=1&make=pile&c1=orange&sigma1=1&form=egg&ps=18.5&layers=3&offset=0.2&alpha=0&retries=0",
         (244.0, 3686),
-    ),
+    )),
     figure(
         ["pile15-a", "Fig. 15 (a)", "Fig. 15 (a) of 2014"],
-        "Loose rings lie flat and let the light through a vase.",
+        "Loose rings lie flat and let the light through a vase. The paper's text has lost component and shape: both are guesses.",
         "v=1&make=pile&c1=torus&sigma1=7.5&tu1=0&tw1=0&l1=6&form=vase&vase_lip=1.2&ps=18.8&seed=3&offset=0.2&alpha=0&retries=0",
         (19.5, 490),
     ),
     figure(
         ["pile15-b", "Fig. 15 (b)", "Fig. 15 (b) of 2014"],
-        "Nuts with a spacing of 7 and bolts with one of 2 share a range of 3.",
+        "Nuts with a spacing of 7 and bolts with one of 2 share a range of 3. The paper's text has lost shape, angles and order: they are guesses.",
         "v=1&make=pile&c1=nut&sigma1=7&l1=3&c2=bolt&sigma2=2&l2=3&form=heap&heap_height=0.4&ps=16.5&offset=0.2&alpha=0&first=mixed&retries=0",
         (45.4, 1148),
     ),
     figure(
         ["pile15-c", "Fig. 15 (c)", "Fig. 15 (c) of 2014"],
-        "Gears lie flat on a ball like plates of armour.",
+        "Gears lie flat on a ball like plates of armour. The paper's text has lost component and shape: both are guesses.",
         "v=1&make=pile&c1=gear&sigma1=6&tu1=0&tw1=0&l1=3&form=sphere&ps=10.5&offset=0.2&alpha=0&retries=0",
         (101.7, 897),
     ),
     figure(
         ["pile15-d", "Fig. 15 (d)", "Fig. 15 (d) of 2014"],
-        "Few nuts lie among many bolts, and both have a range of 10.",
+        "Few nuts lie among many bolts, and both have a range of 10. The paper's text has lost shape, angles and order: they are guesses.",
         "v=1&make=pile&c1=nut&sigma1=10&l1=10&c2=bolt&sigma2=2&l2=10&form=heap&heap_height=0.5&ps=17&offset=0.2&alpha=0&first=mixed&retries=0",
         (129.6, 1132),
     ),
     Preset::drawn(
         ["The paper's figures", "pile6-alone", "Fig. 6 (a)", "Fig. 6 (a) of 2014"],
-        "Rice takes the places of the chestnuts, as the two types are not merged.",
+        "Rice takes the places of the chestnuts, as the two types are not merged. The paper has a rice ball in place of the dome; the numbers are guesses.",
         "v=1&make=pile&c1=chestnut&k1=1.6&sigma1=2.6&l1=1&c2=rice&sigma2=1.1&form=dome&dome_height=0.35&merge=alone&alpha=0.4&first=mixed",
     ),
     Preset::drawn(
         ["The paper's figures", "pile6-merged", "Fig. 6 (b)", "Fig. 6 (b) of 2014"],
-        "Rice leaves room for the chestnuts, as no grain starts within their radius.",
+        "Rice leaves room for the chestnuts, as no grain starts within their radius. The paper has a rice ball in place of the dome; the numbers are guesses.",
         "v=1&make=pile&c1=chestnut&k1=1.6&sigma1=2.6&l1=1&c2=rice&sigma2=1.1&form=dome&dome_height=0.35&alpha=0.4&first=mixed",
     ),
     Preset::drawn(
         ["The paper's figures", "pile8-strict", "Fig. 8 (a)", "Fig. 8 (a) of 2014"],
-        "Oranges with a short range stay sunk among the pebbles.",
+        "Oranges with a short range stay sunk among the pebbles. Components, shape and numbers are guesses.",
         "v=1&make=pile&c1=orange&k1=1.6&sigma1=2.2&l1=0.3&c2=smooth&k2=0.8&l2=1.2&form=egg&ps=12&offset=0.2&alpha=0&first=mixed",
     ),
     Preset::drawn(
         ["The paper's figures", "pile8-loose", "Fig. 8 (b)", "Fig. 8 (b) of 2014"],
-        "Oranges with a long range stick out of the pebbles.",
+        "Oranges with a long range stick out of the pebbles. Components, shape and numbers are guesses.",
         "v=1&make=pile&c1=orange&k1=1.6&sigma1=2.2&l1=3&c2=smooth&k2=0.8&l2=1.2&form=egg&ps=12&offset=0.2&alpha=0&first=mixed",
     ),
     Preset::drawn(
         ["The paper's figures", "pile12-normal", "Fig. 12 (b)", "Fig. 12 (b) of 2014"],
-        "Almonds do not tilt and lie flat on a vase.",
+        "Almonds do not tilt and lie flat on a vase. Component, shape and numbers are guesses.",
         "v=1&make=pile&c1=almond&sigma1=1.9&tu1=0&tw1=0&l1=1&form=vase&ps=11&alpha=0.7",
     ),
     Preset::drawn(
         ["The paper's figures", "pile12-random", "Fig. 12 (c)", "Fig. 12 (c) of 2014"],
-        "Almonds turn in all directions and make the same vase rough.",
+        "Almonds turn in all directions and make the same vase rough. Component, shape and numbers are guesses.",
         "v=1&make=pile&c1=almond&sigma1=1.9&l1=1&form=vase&ps=11&alpha=0.7",
     ),
 ];
