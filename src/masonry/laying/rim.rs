@@ -187,7 +187,7 @@ impl Site {
     /// How deep stones may reach into a reveal from a place of its edge (metres): half of it if another convex edge
     /// lies at its far end.
     fn reveal(&self, edge: &Edge, face: FaceId, along: f64) -> f64 {
-        let Some((place, way)) = self.into_reveal(edge, face, along) else {
+        let Some((place, way)) = self.reveal_axis(edge, face, along) else {
             return f64::MAX;
         };
         let region = &self.regions[face.index()];
@@ -197,7 +197,7 @@ impl Site {
     }
 
     /// The (s, t) of a place of an edge on a reveal, and the axis that leads into the reveal from there.
-    fn into_reveal(&self, edge: &Edge, face: FaceId, along: f64) -> Option<(DVec2, DVec2)> {
+    fn reveal_axis(&self, edge: &Edge, face: FaceId, along: f64) -> Option<(DVec2, DVec2)> {
         let of = &self.face(face).surface;
         let place = of.project(edge.path.point(along)).truncate();
         let frame = of.frame(place.x, place.y);
@@ -214,7 +214,7 @@ impl Site {
     /// is nearly as deep, so that no strip of a unit is left beside them.
     fn arc_depth(&self, edge: &Edge, face: FaceId, along: f64, wanted: f64) -> f64 {
         let most = self.reveal(edge, face, along);
-        let lines = self.into_reveal(edge, face, along).map(|(place, way)| {
+        let lines = self.reveal_axis(edge, face, along).map(|(place, way)| {
             let lines = self.lines(face, way.x != 0.0).into_iter();
             let depths = lines.map(move |line| way.dot(DVec2::splat(line) - place));
             depths.filter(|depth| (depth - wanted).abs() < NEAR_LINE * wanted)
