@@ -204,7 +204,6 @@ test('each question is answered by doing what it asks', async () => {
   assert.match(await answer(page, 'far'), /^You expected that it comes back\. It stayed: at w = 1\.600 the force is 0\.000/);
 
   await type(page, '#fig-let-go', 'damp', 0);
-  await type(page, '#fig-let-go', 'mark', 0.5);
   for (const w of [0.71, 0.74, 0.725]) {
     assert.equal(await answer(page, 'near'), '');
     await type(page, '#fig-let-go', 'w', w);
@@ -212,6 +211,9 @@ test('each question is answered by doing what it asks', async () => {
     await seek(page, '#fig-let-go', 200);
   }
   await answered(page, 'near');
+  assert.match(await answer(page, 'near'), /^You set no mark\. From 0\.710 it parted for good, from 0\.725 it came back/);
+  await type(page, '#fig-let-go', 'mark', 0.5);
+  await page.waitForFunction(() => document.querySelector('[data-seen=near]')?.textContent?.startsWith('Your mark'));
   assert.match(await answer(page, 'near'), /^Your mark is at 0\.500\. From 0\.710 it parted for good, from 0\.725 it came back.*0\.718/);
   await page.click('#fig-let-go [data-do="back"]');
   await page.waitForSelector('#fig-let-go .zero');

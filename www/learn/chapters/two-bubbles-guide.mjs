@@ -72,7 +72,7 @@ export const twoBubblesGuide = {
       thoughts: [
         [{ en: 'A mark at 0.5:', ja: '0.5に印：' }, { en: 'mirrors 1.5 at 1. The curve is not symmetric: the push is far stronger.', ja: '1を中心に1.5を折り返している。斥力のほうがずっと強く、曲線は対称ではない。' }],
         [{ en: 'A mark near 1:', ja: '1の近くに印：' }, { en: 'thinks that any push leads away, and forgets the pull on the way.', ja: '押されれば離れると考え、途中で働く引力を忘れている。' }],
-        [{ en: 'A mark at 0:', ja: '0に印：' }, { en: 'thinks that the pull always wins in the end.', ja: '最後には必ず引力が勝つと考えている。' }],
+        [{ en: 'A mark close to 0:', ja: '0の近くに印：' }, { en: 'thinks that the pull always wins in the end.', ja: '最後には必ず引力が勝つと考えている。' }],
       ],
     },
     {

@@ -50,13 +50,14 @@ function ball({ w, energy, motion }: Moment, stiffness: number, { language }: Vi
   return `${high}${up}${circle([Math.min(X(w), WIDTH - 6), Y(energy / stiffness)], 7, 'here')}`;
 }
 
-/** The reader's mark: a flag on the axis. */
+/** The reader's mark: a flag on the axis. One that was not set stands at 0, and asks to be set. */
 function mark({ at: [place], language }: View): string {
   if (place === undefined) return '';
   const x = X(place);
   // On the right the level has its name.
   const isFar = place > LEFT_OF_NAME;
-  return `<g class="mark">${line([x, BOTTOM], [x, BOTTOM - POLE], 'pole')}<path class="flag" d="M${at(x)} ${BOTTOM - POLE}h26l-6 7l6 7h-26z"/>${text(x + (isFar ? -4 : 4), BOTTOM - POLE - 6, `${language === 'ja' ? '印' : 'mark'} ${number(place, 3)}`, 'number halo', isFar ? 'end' : 'start')}</g>`;
+  const words = place === 0 ? (language === 'ja' ? '印を付ける' : 'set your mark') : `${language === 'ja' ? '印' : 'mark'} ${number(place, 3)}`;
+  return `<g class="mark">${line([x, BOTTOM], [x, BOTTOM - POLE], 'pole')}<path class="flag" d="M${at(x)} ${BOTTOM - POLE}h26l-6 7l6 7h-26z"/>${text(x + (isFar ? -4 : 4), BOTTOM - POLE - 6, words, 'number halo', isFar ? 'end' : 'start')}</g>`;
 }
 
 /** The distance at which the potential is 0, once that is found. */

@@ -50,14 +50,16 @@ const near: Ask = {
     ({ trials, at, zero }) => {
       const [parted, kept] = between(trials, 0.02) ?? [];
       if (parted === undefined || kept === undefined) return undefined;
-      return [number(parted, 3), number(kept, 3), number(at[0] ?? 0, 3), number(zero, 3)];
+      // A mark that was not set stands at 0.
+      const own = at[0] ? number(at[0], 3) : '';
+      return [number(parted, 3), number(kept, 3), own, number(zero, 3)];
     },
     [['0.000', '0.000', '0.000', '0.000']],
     (language, parted, kept, own, level) =>
       inWords(
         language,
-        `Your mark is at ${own}. From ${parted} it parted for good, from ${kept} it came back. Ψ is 0 in between, at w = ${level}: without damping no energy is lost, so a start above 0 leaves the valley.`,
-        `あなたの印は${own}。${parted}からは離れきり、${kept}からは戻りました。その間のw = ${level}でΨは0です。減衰がなければエネルギーは減らず、0より上から始めると谷を出ていきます。`,
+        `${own ? `Your mark is at ${own}.` : 'You set no mark.'} From ${parted} it parted for good, from ${kept} it came back. Ψ is 0 in between, at w = ${level}: without damping no energy is lost, so a start above 0 leaves the valley.`,
+        `${own ? `あなたの印は${own}。` : '印はありません。'}${parted}からは離れきり、${kept}からは戻りました。その間のw = ${level}でΨは0です。減衰がなければエネルギーは減らず、0より上から始めると谷を出ていきます。`,
       ),
   ),
 };
@@ -191,7 +193,7 @@ export const TWO_BUBBLES: readonly Figure[] = [
     stops: [START, TOUCH, TURN, REST], handles: [DISTANCE, HELD], more: [DAMPING, ...PHYSICS], asks: [], told,
   },
   {
-    name: 'let-go', fits: isPair, at: [0.3], recipe: pair(0.6, 'damp=0.6&move=rk4&dt=0.1'), packings: [{}], last: 200, opens: 200, steps: 'step',
+    name: 'let-go', fits: isPair, at: [0], recipe: pair(0.6, 'damp=0.6&move=rk4&dt=0.1'), packings: [{}], last: 200, opens: 200, steps: 'step',
     plates: [{ draw: 'track', packing: 0 }, { draw: 'valley', packing: 0 }],
     stops: [START, TOUCH, TURN, PARTED, REST, END], handles: [{ ...DISTANCE, plates: [0] }, DAMPING, MARK, HELD], more: PHYSICS,
     trial: trialOf, asks: [far, near], told,
