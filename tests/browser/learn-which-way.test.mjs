@@ -198,7 +198,10 @@ test('walk: around all singular points of the round place it counts four; its mi
   const first = await shown(page, figure);
   const outline = await page.$(`${figure} .handle[data-key="outline"] input[value="annulus"]`);
   await outline?.click();
-  await page.waitForFunction((selector) => document.querySelector(`${selector} .plate-note`).textContent === '0 singular points ◆', {}, figure);
+  await changed(page, figure, first.hash);
+  // Singular points would give the answer away.
+  const points = () => page.$eval(figure, (place) => ({ marks: place.querySelectorAll('.singular').length, note: place.querySelector('.plate-note')?.textContent }));
+  assert.deepEqual(await points(), { marks: 0, note: '' });
   await type(page, figure, 'mark-2', 0.35);
   await tells(page, figure, 'It leaves the outline');
   const centre = await onPlate(page, figure, 0.5, 0.5);
@@ -210,6 +213,9 @@ test('walk: around all singular points of the round place it counts four; its mi
   await page.$eval(`${figure} .handle[data-key="outline"] input[value="polygon"]`, (button) => button.click());
   await answered(page, 'turns');
   assert.match(await answer(page, 'turns'), /four quarter turns\. All singular points together count four: index 1/);
+  const { marks, note } = await points();
+  assert.ok(marks > 0);
+  assert.equal(note, `${marks} singular ${marks === 1 ? 'point' : 'points'} ◆`);
 
   await page.click(`${figure} [data-stop="quarter"]`);
   await tells(page, figure, 'After 90° the cross has turned by 90°, 1 quarter turn.');

@@ -21,7 +21,7 @@ function viewOf(module: Bubbles, figure: Figure, readings: readonly Reading[], l
   const last = lastStepOf(figure, readings);
   const step = Math.min(figure.opens, last);
   const stops = stopsOf(figure, readings);
-  return { traces: readings, step, last, furthest: step, curve: curveOf(module), zero: zeroOf(module), at: figure.at, trials: trialsOf(figure, readings, step), isStill: true, isZeroShown: false, stops, language };
+  return { traces: readings, step, last, furthest: step, curve: curveOf(module), zero: zeroOf(module), at: figure.at, trials: trialsOf(figure, readings, step), isStill: true, isZeroShown: false, answered: new Set(), stops, language };
 }
 
 /** The trial of the start that the figure opens with, if its end is seen already. */

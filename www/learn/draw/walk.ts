@@ -14,12 +14,13 @@ const [SMALL, PAST, LARGE] = [7, 9, 18];
 const APART = 34;
 const EVERY = [3, 6, 9, 12, 18];
 
-export function walk(view: View, { packing, ground: name = '' }: Plate): string {
+export function walk(view: View, { packing, ground: name = '', after }: Plate): string {
   const trace = view.traces[packing];
   if (!trace) return svg(SIDE, '', '');
   const said = view.language === 'ja' ? '輪郭の中の向きの場と、一周する道筋' : 'The directions in an outline, and a walk';
   const ground = `${inOutline(trace, name, crosses(trace.directions.field, SMALL))}${outlineOf(trace)}${cornersOf(trace)}`;
-  return `${svg(SIDE, said, ground)}${over(`${singular(trace, view)}${walked(view, trace)}`)}`;
+  const points = after === undefined || view.answered.has(after) ? singular(trace, view) : '';
+  return `${svg(SIDE, said, ground)}${over(`${points}${walked(view, trace)}`)}`;
 }
 
 /** The circle of the walk, and the part that has been walked, with its crosses. */

@@ -239,7 +239,7 @@ export class Live implements Handled, Timed {
 
   private view(): View {
     const { readings, step, last, furthest, trials, curve, zero, at, language, stops } = this;
-    return { traces: readings, step, last, furthest, trials, curve, zero, at, isStill: !this.isPlaying, isZeroShown: this.questions.showsZero, stops, language };
+    return { traces: readings, step, last, furthest, trials, curve, zero, at, isStill: !this.isPlaying, isZeroShown: this.questions.showsZero, answered: this.questions.answered, stops, language };
   }
 
   /** Shows the state. At rest the text is spoken, and the address follows. */

@@ -17,6 +17,10 @@ export class Questions {
     return [...this.found].some((ask) => ask.showsZero);
   }
 
+  get answered(): ReadonlySet<string> {
+    return new Set([...this.found].map(({ key }) => key));
+  }
+
   /** Looks at the numbers; true if a question was answered for the first time. */
   look(seen: Seen): boolean {
     let isNew = false;

@@ -253,6 +253,8 @@ export interface Plate {
   readonly lines?: readonly Line[];
   readonly axis?: Words;
   readonly digits?: number;
+  /** A walk: the key of the question whose answer its singular points give away; they are shown once it is answered. */
+  readonly after?: string;
   /** The name of its ground, which is drawn once, and used by its other layers and by other plates of the figure. */
   readonly ground?: string;
   readonly bars?: (seen: Seen, language: Language) => readonly Bar[];
@@ -287,6 +289,8 @@ export interface Seen {
   readonly zero: number;
   /** Whether the reader has stopped at this step. */
   readonly isStill: boolean;
+  /** The keys of the questions that are answered. */
+  readonly answered: ReadonlySet<string>;
 }
 
 /** All that a drawing may show. */

@@ -187,13 +187,15 @@ const turnedNote = ({ traces: [trace], at, step }: Seen, language: Language): st
   return now ? quarterTurns(now.quarters, language) : inWords(language, 'no count', '数えない');
 };
 
-const countedNote = ({ traces: [trace] }: Seen, language: Language): string => {
+/** The number of singular points, once the question on them is answered, if there is one. */
+const countedNote = (after?: string) => ({ traces: [trace], answered }: Seen, language: Language): string => {
+  if (after !== undefined && !answered.has(after)) return '';
   const count = trace?.directions.singular().length ?? 0;
   return inWords(language, `${count} singular ${count === 1 ? 'point' : 'points'} ◆`, `特異点 ◆ ${count}個`);
 };
 
-const walkPlates = (ground: string): readonly Plate[] => [
-  { draw: 'walk', packing: 0, ground, title: { en: 'A walk', ja: '道筋' }, note: countedNote },
+const walkPlates = (ground: string, after?: string): readonly Plate[] => [
+  { draw: 'walk', packing: 0, ground, ...(after === undefined ? {} : { after }), title: { en: 'A walk', ja: '道筋' }, note: countedNote(after) },
   { draw: 'turns', packing: 0, title: { en: 'The cross has turned by', ja: '十字の回った角度' }, note: turnedNote },
 ];
 
@@ -278,7 +280,7 @@ export const WHICH_WAY: readonly Figure[] = [
   },
   {
     ...WALK, name: 'walk', fits: (trace) => OUTLINE.choices.some(({ word }) => word === trace.value('outline')) && trace.value('kind') === 'square', at: [0.7, 0.5, 0.1], recipe: `outline=polygon&size=256&kind=square&poly=${ROUND}`,
-    plates: walkPlates('walk'), handles: [CENTRE, WALK_RADIUS, OUTLINE], more: [HEIGHT], asks: [turns],
+    plates: walkPlates('walk', turns.key), handles: [CENTRE, WALK_RADIUS, OUTLINE], more: [HEIGHT], asks: [turns],
   },
   {
     ...OF_FIELDS, name: 'halfway', fits: (trace) => trace.points('strokes').length === 4 && trace.value('dir') === 'strokes' && trace.value('kind') === 'square', at: [], recipe: `outline=square&size=256&kind=square&dir=strokes&strokes=${strokesAt(10, 30)}`, across: 18,
