@@ -18,6 +18,9 @@ interface Stopped {
   readonly step: number;
 }
 
+/** The key of the stop at the last step. */
+const LAST = 'end';
+
 export class Timeline {
   private readonly of: Timed;
   /** The slider; a figure without steps has none. */
@@ -25,6 +28,8 @@ export class Timeline {
   private readonly place: HTMLElement;
   private stops: readonly Stopped[] = [];
   private isPlaying: boolean | undefined;
+  /** The last step there is. */
+  private last = 0;
   /** The stops that are marked, in words. */
   private marked = '';
 
@@ -45,8 +50,16 @@ export class Timeline {
   }
 
   private go(key: string): void {
-    const stop = this.stops.find((one) => one.key === key);
-    if (stop) this.of.seek(stop.step);
+    const step = this.stepOf(this.stops, key);
+    if (step !== undefined) this.of.seek(step);
+  }
+
+  /**
+   * The step of a stop on offer. The last step always is: the slider leads there, too, and it gives nothing away. It is
+   * no stop of its own where another stop falls on it, or where the run was not yet seen to its end.
+   */
+  private stepOf(stops: readonly Stopped[], key = ''): number | undefined {
+    return key === LAST ? this.last : stops.find((one) => one.key === key)?.step;
   }
 
   /** Page keys go from stop to stop. */
@@ -61,6 +74,7 @@ export class Timeline {
   show(step: number, last: number, isPlaying: boolean, stops: readonly Stopped[]): void {
     const { of: { figure, language }, range } = this;
     if (!range) return;
+    this.last = last;
     this.mark(stops, last);
     const said = stepWords(figure, step, last, language);
     range.max = String(last);
@@ -69,8 +83,7 @@ export class Timeline {
     range.style.setProperty('--share', String(step / (last || 1)));
     (this.place.querySelector('.time-said') as HTMLElement).textContent = said;
     this.place.querySelectorAll<HTMLElement>('[data-stop]').forEach((button) => {
-      const at = stops.find(({ key }) => key === button.dataset.stop);
-      button.ariaCurrent = at?.step === step ? 'step' : null;
+      button.ariaCurrent = this.stepOf(stops, button.dataset.stop) === step ? 'step' : null;
     });
     if (isPlaying !== this.isPlaying) this.name(isPlaying);
   }
@@ -93,6 +106,6 @@ export class Timeline {
       return mark;
     });
     (this.place.querySelector('.time-marks') as HTMLElement).replaceChildren(...marks);
-    this.place.querySelectorAll<HTMLButtonElement>('[data-stop]').forEach((button) => (button.disabled = !stops.some(({ key }) => key === button.dataset.stop)));
+    this.place.querySelectorAll<HTMLButtonElement>('[data-stop]').forEach((button) => (button.disabled = this.stepOf(stops, button.dataset.stop) === undefined));
   }
 }
