@@ -139,8 +139,20 @@ test('outlines of the same area: a smaller size turns the order round; the right
   }
   await answered(page, 'right');
   assert.match(await answer(page, 'right'), /^Done: from 36 cells/);
+  await page.waitForFunction(() => location.hash.includes('fig=right-number') && location.hash.includes('count=36'));
+  const fragment = await page.evaluate(() => location.hash);
   assert.deepEqual(problems, []);
   await close();
+
+  // Thresholds that a link has changed do not answer the question on the number, though nobody comes or goes.
+  for (const [from, to] of [['crowd=0.7', 'crowd=0.1'], ['room=0.7', 'room=0.9']]) {
+    assert.ok(fragment.includes(from), fragment);
+    const other = await chapter(fragment.replace(from, to));
+    await other.page.waitForSelector(`${exercise}[data-hash]`);
+    assert.match((await shown(other.page, exercise)).told, /^36/);
+    assert.equal(await answer(other.page, 'right'), '');
+    await other.close();
+  }
 });
 
 test('on a dark phone, in Japanese, axe finds nothing in the figures, and nothing is wider than the page', sameEverywhere, () => isSoundOnPhone(chapter, FIGURES, /個/));

@@ -204,11 +204,16 @@ function toldRight({ traces: [trace], step }: Seen, language: Language): string 
   return sentences(language, language === 'ja' ? `${counted(trace, step, language)}。` : `${counted(trace, step, language)}.`, hint);
 }
 
+/** The thresholds of the exercise, and its rule. Its question is on the number alone. */
+const OF_EXERCISE = { crowd: 0.7, room: 0.7, pop: 'slots' } as const;
+
+const isOfExercise = (trace: Trace): boolean => Number(trace.value('crowd')) === OF_EXERCISE.crowd && Number(trace.value('room')) === OF_EXERCISE.room && trace.value('pop') === OF_EXERCISE.pop;
+
 const right: Ask = {
   key: 'right',
   answers: {},
   ...sentence<[all: number, step: number]>(
-    ({ traces: [trace], step }) => (!trace || !isAtRest(trace, step) || trace.comings.length > 0 ? undefined : [numberAt(trace, step), lastOf(trace) ?? step]),
+    ({ traces: [trace], step }) => (!trace || !isOfExercise(trace) || !isAtRest(trace, step) || trace.comings.length > 0 ? undefined : [numberAt(trace, step), lastOf(trace) ?? step]),
     [[10, 100]],
     (language, all, step) =>
       inWords(
@@ -248,7 +253,7 @@ export const HOW_MANY: readonly Figure[] = [
     more: [], asks: [count], told: toldCount,
   },
   {
-    ...base, name: 'right-number', recipe: `${IN_SQUARE}&seed=5&count=26&crowd=0.7&room=0.7`, packings: [{}], last: 100, opens: 100,
+    ...base, name: 'right-number', recipe: `${IN_SQUARE}&seed=5&count=26&crowd=${OF_EXERCISE.crowd}&room=${OF_EXERCISE.room}`, packings: [{}], last: 100, opens: 100,
     plates: [cells(0, 'Choose the number', '個数を選ぶ')],
     stops: STOPS, handles: [AT_START], more: [], asks: [right], told: toldRight,
   },
