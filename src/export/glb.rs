@@ -32,7 +32,7 @@ use glam::{Mat3, Quat};
 #[cfg(house)]
 use joined::Joined;
 #[cfg(house)]
-use layout::{BARE, BODY, NO_SCALE, PAINTED, WHITE};
+use layout::{BARE, BLENDED, BODY, NO_SCALE, PAINTED, ROOT, WHITE};
 use layout::{BUFFERS, HEAD, IMAGE, INDICES, LISTS, Layout, PLACED, PLAIN, SHARED};
 
 /// The normal and tangent that all vertices share in a file with images.
@@ -42,6 +42,19 @@ const UPRIGHT: [&[f32]; 2] = [&[0.0, 1.0, 0.0], &[1.0, 0.0, 0.0, 1.0]];
 const GLTF: u32 = u32::from_le_bytes(*b"glTF");
 const JSON: u32 = u32::from_le_bytes(*b"JSON");
 const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
+
+/// A material of bodies.
+#[cfg(house)]
+pub(super) struct FileMaterial {
+    pub name: Option<&'static str>,
+    /// The colour (sRGB).
+    pub tint: [u8; 3],
+    /// How opaque it is, 0..1.
+    pub alpha: f32,
+    /// How metallic it is, 0..1.
+    pub metal: f32,
+    pub roughness: f32,
+}
 
 /// A GLB file that is being made.
 pub(super) struct Glb {
@@ -69,6 +82,9 @@ pub(super) struct Glb {
     materials: String,
     #[cfg(house)]
     materials_made: usize,
+    /// The place of the first node.
+    #[cfg(house)]
+    root: Place,
     meshes: String,
     accessors: String,
     linear: [u32; 256],
@@ -99,6 +115,8 @@ impl Glb {
             materials: String::new(),
             #[cfg(house)]
             materials_made: 0,
+            #[cfg(house)]
+            root: Place::default(),
             meshes: String::new(),
             accessors: String::new(),
             linear: std::array::from_fn(linear),
@@ -234,12 +252,44 @@ impl Glb {
         self.list_node();
     }
 
+    /// The same file, whose first node, and so all others, has a place without a turn.
+    #[cfg(house)]
+    pub(super) fn placed(self, root: Place) -> Self {
+        Self { root, ..self }
+    }
+
+    /// The end of the first node.
+    #[cfg(house)]
+    fn root_end(&self) -> String {
+        if self.root == Place::default() {
+            return LISTS[1].to_owned();
+        }
+        let mut end = String::new();
+        let numbers = [[self.root.scale(); 3], self.root.origin.to_array()].concat();
+        fill(
+            &mut end,
+            ROOT,
+            &numbers.into_iter().map(shortest).collect::<Vec<_>>(),
+        );
+        end
+    }
+
     /// Adds a material; returns its number. Number 0 is that of [`Glb::new`].
     #[cfg(house)]
-    pub(super) fn add_material(&mut self, tint: [u8; 3], roughness: f32) -> usize {
-        let linear = tint.map(|c| decoded(f64::from(c) / 255.0));
+    pub(super) fn add_material(&mut self, material: &FileMaterial) -> usize {
+        let linear = material.tint.map(|c| decoded(f64::from(c) / 255.0));
         let [r, g, b] = linear.map(|v| (v * 1e6).round() / 1e6);
-        fill(&mut self.materials, PAINTED, &[r, g, b, roughness.into()]);
+        let factors = [material.alpha, material.metal, material.roughness].map(shortest);
+        let numbers = [[r, g, b], factors].concat();
+        self.materials += ",{";
+        if let Some(name) = material.name {
+            self.materials += &format!("\"name\":{},", text(name));
+        }
+        fill(&mut self.materials, PAINTED, &numbers);
+        if material.alpha < 1.0 {
+            self.materials += BLENDED;
+        }
+        self.materials.push('}');
         self.materials_made += 1;
         self.materials_made
     }
@@ -303,6 +353,14 @@ impl Glb {
         }
         let parts = [&self.children, &self.nodes, &self.meshes, &self.accessors];
         for (k, before) in LISTS.into_iter().enumerate() {
+            #[cfg(house)]
+            let before = if k == 1 {
+                self.root_end()
+            } else {
+                before.to_owned()
+            };
+            #[cfg(house)]
+            let before = before.as_str();
             json += before;
             // The second list continues after a first node.
             let from = usize::from(k != 1);

@@ -47,7 +47,7 @@ pub use part_file::PartFile;
 pub use programs::maps_for;
 pub use report::{Report, StageTime};
 #[cfg(house)]
-pub use scene_file::SceneFile;
+pub use scene_file::{SceneFile, SceneTerms};
 pub use slab::{Slab, SlabFile};
 pub use surface::MeshFile;
 pub use svg::svg;

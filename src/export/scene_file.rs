@@ -2,20 +2,33 @@
 //! object for each body.
 
 use super::frame::ExportSpace;
-use super::glb::Glb;
+use super::glb::{FileMaterial, Glb};
 use super::maps::roughness;
 use super::obj::Obj;
 use super::order::{MeshFormat, MeshOrder};
 use super::part_file::PartFile;
 use super::surface::mean_roughness;
 use crate::material::Material;
-use crate::scene::{Instance, Paint, Scene};
+use crate::scene::{Instance, Paint, Place, Scene};
 use crate::solid::Surface;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// The share of light that glass stops, in files.
+const GLASS_ALPHA: f32 = 0.4;
+
+/// How a file tells of a scene.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SceneTerms {
+    /// The names of the rows of the table of materials. Materials of further rows have none.
+    pub materials: &'static [&'static str],
+    /// Maps the scene to the file, without a turn: its units, and where its origin is.
+    pub place: Place,
+}
 
 /// A file of a scene that is being made.
 pub struct SceneFile {
     writer: SceneWriter,
+    terms: SceneTerms,
     /// The most triangles of a body.
     most: usize,
     next: usize,
@@ -29,8 +42,9 @@ enum SceneWriter {
 /// A GLB file whose nodes share meshes.
 struct SharedMeshes {
     glb: Glb,
-    /// The roughness of each material.
-    roughness: Vec<f32>,
+    /// The rows of the table of materials.
+    rows: Vec<Material>,
+    names: &'static [&'static str],
     /// The number of the surface of each body.
     surfaces: BTreeMap<u32, usize>,
     materials: BTreeMap<Paint, usize>,
@@ -40,11 +54,16 @@ struct SharedMeshes {
 
 impl SceneFile {
     /// A file of a scene with these materials. Images of the order are ignored.
-    pub fn new(order: &MeshOrder, materials: &[Material], scene: &Scene) -> Self {
-        let rough = |material: &Material| roughness(f64::from(material.shininess));
+    pub fn new(
+        order: &MeshOrder,
+        (materials, terms): (&[Material], SceneTerms),
+        scene: &Scene,
+    ) -> Self {
+        let mean = mean_roughness(materials);
         let glb = || SharedMeshes {
-            glb: Glb::of_scene(mean_roughness(materials), order.joined, is_white(scene)),
-            roughness: materials.iter().map(rough).collect(),
+            glb: Glb::of_scene(mean, order.joined, is_white(scene)).placed(terms.place),
+            rows: materials.to_vec(),
+            names: terms.materials,
             surfaces: BTreeMap::new(),
             materials: BTreeMap::new(),
             meshes: BTreeMap::new(),
@@ -54,6 +73,7 @@ impl SceneFile {
                 MeshFormat::Obj => SceneWriter::Obj(Obj::new(&ExportSpace::Model(None))),
                 MeshFormat::Glb => SceneWriter::Glb(Box::new(glb())),
             },
+            terms,
             most: order.of_each(scene.instances.len()),
             next: 0,
         }
@@ -74,7 +94,10 @@ impl SceneFile {
         match &mut self.writer {
             SceneWriter::Obj(obj) => {
                 let name = name(instance).replace(char::is_whitespace, "_");
-                obj.add_named(&ExportSpace::Model(None), &placed(surface, instance), &name);
+                let mut surface = placed(surface, instance);
+                let place = &self.terms.place;
+                surface.positions.iter_mut().for_each(|p| *p = place.of(*p));
+                obj.add_named(&ExportSpace::Model(None), &surface, &name);
             }
             SceneWriter::Glb(glb) => glb.add(surface, instance, &name(instance)),
         }
@@ -136,10 +159,17 @@ impl SharedMeshes {
         let Some(paint) = paint else {
             return 0;
         };
-        let rough = self.roughness.get(usize::from(paint.material));
+        let row = usize::from(paint.material);
+        let material = self.rows.get(row);
         let new = || {
-            self.glb
-                .add_material(paint.tint, rough.copied().unwrap_or(1.0))
+            let is_glass = material == Some(&Material::GLASS);
+            self.glb.add_material(&FileMaterial {
+                name: self.names.get(row).copied(),
+                tint: paint.tint,
+                alpha: if is_glass { GLASS_ALPHA } else { 1.0 },
+                metal: material.map_or(0.0, |material| material.metal),
+                roughness: material.map_or(1.0, |one| roughness(f64::from(one.shininess))),
+            })
         };
         *self.materials.entry(paint).or_insert_with(new)
     }

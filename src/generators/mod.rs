@@ -218,6 +218,10 @@ mod tests {
                     "places",
                     engine.meshes().is_some_and(|m| m.places().is_some()),
                 ),
+                (
+                    "building",
+                    engine.meshes().is_some_and(|m| m.building().is_some()),
+                ),
                 ("turn", has_frames && is_plane),
                 ("frames", has_frames && !is_plane),
                 ("models", engine.files().is_some()),

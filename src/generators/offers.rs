@@ -99,6 +99,11 @@ pub trait Meshes {
         None
     }
 
+    /// The building as JSON, as its file has it; empty before there is one, and `None` if the generator has none.
+    fn building(&self) -> Option<String> {
+        None
+    }
+
     /// Drops an unfinished mesh file.
     fn stop_mesh(&mut self);
 }

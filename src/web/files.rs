@@ -54,6 +54,13 @@ impl Bubblestone {
         table.unwrap_or_default()
     }
 
+    /// The building as JSON, which opens again here; '' before there is one.
+    pub fn building(&mut self) -> String {
+        let meshes = self.studio.meshes().ok();
+        let text = meshes.and_then(|meshes| meshes.building());
+        text.unwrap_or_default()
+    }
+
     /// Works for about `budget` milliseconds on maps of the finished picture at `scale` (1 to 8) times its
     /// side. `maps` has their words with spaces between; without words, the picture itself is made. `stopFile`
     /// frees the memory.

@@ -5,7 +5,7 @@ import { after, before, test } from 'node:test';
 import { sameEverywhere } from './browsers.mjs';
 import { low, open } from './harness.mjs';
 import { BALL, BRICKS, chooses, click, digest, done, drop, exported, frames, get, link, message, PILE, reloading, SMALL, SQUARE, steps } from './page.mjs';
-import { dialog } from './saved.mjs';
+import { dialog, opened, saved } from './saved.mjs';
 import { spot } from './sheet.mjs';
 import { longestTask, skip } from './tasks.mjs';
 import { hash, other, tells, told, turned } from './turned.mjs';
@@ -218,6 +218,21 @@ test('a building opens as masonry, whatever is shown, and a refused one changes 
   assert.match(await link(page), /pattern=bricks/);
   await click(page, '#undo');
   assert.equal(await made(page), walls);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test('a building saved as JSON opens again with the same blocks', sameEverywhere, async () => {
+  const { page, problems, close } = await opened(site, BRICKS);
+  const blocks = await made(page);
+  const { name, bytes } = await saved(page, '#save-building');
+  assert.match(name, /^bubblestone-.*building.*\.json$/);
+  const text = new TextDecoder().decode(bytes);
+  assert.ok(JSON.parse(text).faces.length > 5, text.slice(0, 200));
+  await drop(page, 'mine.json', text, 'application/json');
+  await message(page, 'status', /mine\.json is open/);
+  await page.waitForFunction(() => document.querySelector('#model-name')?.textContent === 'mine.json');
+  assert.equal(await made(page), blocks);
   assert.deepEqual(problems, []);
   await close();
 });

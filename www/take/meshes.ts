@@ -47,8 +47,9 @@ export function meshes(engine: Engine, offer: Offer): HTMLElement {
   // Images are maps of a plane.
   const images = engine.offers('maps') ? [file('save-glb-images', t('images'), 'glb', true)] : [];
   const places = engine.offers('places') ? [offer('save-places', 'CSV', () => ({ variant: ['places'], ending: 'csv' }), () => ({ file: 'places' }))] : [];
+  const building = engine.offers('building') ? [offer('save-building', t('building'), () => ({ variant: ['building'], ending: 'json' }), () => ({ file: 'building' }))] : [];
   const note = t(engine.offers('maps') ? 'mesh_note' : 'mesh_note_space');
-  return row(t('mesh'), note, detail, bodies, file('save-glb', 'GLB', 'glb'), ...images, file('save-obj', 'OBJ', 'obj'), ...places, size);
+  return row(t('mesh'), note, detail, bodies, file('save-glb', 'GLB', 'glb'), ...images, file('save-obj', 'OBJ', 'obj'), ...places, ...building, size);
 }
 
 /** The sentence on the sizes of the files with the last choices. */

@@ -131,11 +131,16 @@ pub(super) const BODY: [&str; 3] = [
     r#","rotation":[@,@,@,@],"translation":[@,@,@]"#,
     r#","scale":[@,@,@]"#,
 ];
+/// The end of the first node, with its place.
+#[cfg(house)]
+pub(super) const ROOT: &str = r#"],"scale":[@,@,@],"translation":[@,@,@]}"#;
 /// A scale this close to 1 is not written.
 #[cfg(house)]
 pub(super) const NO_SCALE: f32 = 1e-6;
 #[cfg(house)]
 pub(super) const PAINTED: &str = concat!(
-    r#",{"pbrMetallicRoughness":{"baseColorFactor":[@,@,@,1],"#,
-    r#""metallicFactor":0,"roughnessFactor":@}}"#,
+    r#""pbrMetallicRoughness":{"baseColorFactor":[@,@,@,@],"#,
+    r#""metallicFactor":@,"roughnessFactor":@}"#,
 );
+#[cfg(house)]
+pub(super) const BLENDED: &str = r#","alphaMode":"BLEND""#;

@@ -21,6 +21,11 @@ pub(super) const MOSS_ROW: u8 = 6;
 pub(super) const GRASS_ROW: u8 = 7;
 pub(super) const SOIL_ROW: u8 = 8;
 
+/// The names of the rows in mesh files.
+pub(super) const MATERIAL_NAMES: [&str; 9] = [
+    "mortar", "brick", "stone", "glass", "wood", "iron", "moss", "grass", "ground",
+];
+
 /// Fired clay.
 const BRICK: Material = Material::new(1.0, 0.94, 0.05, 9.0);
 

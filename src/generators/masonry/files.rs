@@ -1,13 +1,16 @@
 //! Mesh files of a finished building.
 
 use super::MasonryEngine;
-use super::colours::GRASS_ROW;
-use crate::export::{MeshOrder, MeshSize, SceneFile};
+use super::colours::{GRASS_ROW, MATERIAL_NAMES};
+use super::site::BuildingSite;
+use crate::building::write_json;
+use crate::export::{MeshOrder, MeshSize, SceneFile, SceneTerms};
 use crate::generators::scene_picture::Saving;
 use crate::generators::{Clock, MeshSlice, Meshes};
 use crate::masonry::laying::Laying;
 use crate::notice::Notice;
-use crate::scene::{Instance, Scene};
+use crate::scene::{Instance, Place, Scene};
+use glam::Vec3;
 use std::rc::Rc;
 
 /// A mesh file in the making.
@@ -29,6 +32,15 @@ fn without_grass(scene: &Scene) -> Scene {
         bodies: scene.bodies.clone(),
         instances: instances.filter(|instance| !is_grass(instance)).collect(),
         ..Scene::default()
+    }
+}
+
+/// Maps the scene back to the building's metres.
+fn metres(site: &BuildingSite) -> Place {
+    let scale = (1.0 / site.fit.scale) as f32;
+    Place {
+        axes: [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * scale),
+        origin: site.fit.middle.as_vec3(),
     }
 }
 
@@ -55,14 +67,30 @@ impl Meshes for MasonryEngine {
         let cells = self.made.cells.made().map_or(&[][..], Laying::cells);
         // A body's name has the type of its feature and the number of its block.
         let name = |number: usize| format!("{}_{number}", cells[number].feature.word());
-        let names = ("building", name);
+        let part = |row: u8| MATERIAL_NAMES[usize::from(row)];
+        let terms = SceneTerms {
+            materials: &MATERIAL_NAMES,
+            place: self.made.site.made().map_or(Place::default(), metres),
+        };
         let of = (&self.made, scene);
-        Saving::of_scene(&mut self.saving.file, of, order, (clock, budget), names)
+        let order = (order, terms);
+        Saving::of_scene(
+            &mut self.saving.file,
+            of,
+            order,
+            (clock, budget),
+            (part, name),
+        )
     }
 
     fn mesh_size(&self, order: &MeshOrder) -> Option<MeshSize> {
         let scene = self.made.shared.scene()?;
         Some(order.scene_size(&without_grass(scene)))
+    }
+
+    fn building(&self) -> Option<String> {
+        let site = self.made.site.made();
+        Some(site.map_or(String::new(), |site| write_json(&site.draft)))
     }
 
     fn stop_mesh(&mut self) {

@@ -71,7 +71,9 @@ pub static MASONRY: Generator = Generator {
         bases: &views::WORDS,
         overlays: &[],
     },
-    offers: &["frames", "models", "cut", "compare", "mesh", "forming"],
+    offers: &[
+        "frames", "models", "cut", "compare", "mesh", "building", "forming",
+    ],
     names: &["building", "pattern"],
     samples: &[],
     chance: "masonry",

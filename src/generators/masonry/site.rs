@@ -23,8 +23,7 @@ pub(super) const MOST_BLOCKS: f64 = 60_000.0;
 /// A building that can be laid.
 pub(super) struct BuildingSite {
     pub building: Arc<Building>,
-    /// The draft of the building, which native programs write to a file.
-    #[cfg(not(target_arch = "wasm32"))]
+    /// The draft of the building, for files.
     pub draft: Draft,
     /// Whether a file or a visitor's plan gave it.
     pub is_given: bool,
@@ -217,7 +216,6 @@ impl BuildingSite {
             fit: fit(&building),
             building,
             thickness,
-            #[cfg(not(target_arch = "wasm32"))]
             draft,
             is_given: !matches!(params.rule, Some((rule, _)) if rule != Rule::Plan),
             remarks,

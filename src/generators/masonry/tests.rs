@@ -12,6 +12,7 @@ use crate::masonry::laying::LayingPass;
 use crate::masonry::tree::TreePreset;
 use crate::notice::{Arg, Code, Notice};
 use crate::recipe::{Kind, Recipe};
+use std::collections::BTreeSet;
 
 pub(super) fn recipe(link: &str) -> Recipe {
     let (recipe, notices) = Recipe::from_link(&[&super::SCHEMA], link);
@@ -344,19 +345,38 @@ fn the_house_is_a_small_file() {
         joined: false,
     };
     let estimate = engine.mesh_size(&order).expect("a size").bytes;
-    let mut bytes = 0;
+    let mut file = Vec::new();
     loop {
         let slice = engine
             .mesh_file(&order, &mut || 0.0, f64::INFINITY)
             .expect("a file");
-        bytes += slice.parts.iter().map(Vec::len).sum::<usize>();
+        file.extend(slice.parts.concat());
         if slice.done {
             break;
         }
     }
+    let bytes = file.len();
     assert!(bytes <= 2_000_000, "{bytes}");
     assert!(
         (0.5..2.0).contains(&(estimate / bytes as f64)),
         "{estimate} {bytes}"
     );
+    let length = u32::from_le_bytes(file[12..16].try_into().expect("four bytes")) as usize;
+    let json: serde_json::Value = serde_json::from_slice(&file[20..20 + length]).expect("JSON");
+    // Lengths are metres: the house is 5.5 m long, and its longest side is 1 in the scene.
+    let scale = json["nodes"][0]["scale"][0].as_f64().expect("a scale");
+    assert!((5.0..9.0).contains(&scale), "{scale}");
+    let list = |key: &str| json[key].as_array().expect("a list").iter();
+    let parts: BTreeSet<_> = list("nodes")
+        .filter_map(|node| node["name"].as_str())
+        .collect();
+    for name in ["mortar", "glass", "wood", "ground", "edge_12"] {
+        assert!(parts.contains(name), "{name}");
+    }
+    let is_clear = |material: &&serde_json::Value| material["alphaMode"] == "BLEND";
+    let clear: BTreeSet<_> = list("materials")
+        .filter(is_clear)
+        .map(|one| one["name"].as_str())
+        .collect();
+    assert_eq!(clear, BTreeSet::from([Some("glass")]));
 }

@@ -1,7 +1,7 @@
 //! Mesh files of a finished pile.
 
 use super::PileEngine;
-use crate::export::{MeshOrder, MeshSize};
+use crate::export::{MeshOrder, MeshSize, SceneTerms};
 use crate::generators::scene_picture::Saving;
 use crate::generators::{Clock, MeshSlice, Meshes};
 use crate::notice::Notice;
@@ -22,8 +22,9 @@ impl Meshes for PileEngine {
             let word = words[body.kind as usize];
             format!("{word}_{dart}_layer_{}", body.layer)
         };
-        let names = ("shape", name);
+        let names = (|_| "shape", name);
         let of = (&self.made, scene);
+        let order = (order, SceneTerms::default());
         Saving::of_scene(&mut self.saving, of, order, (clock, budget), names)
     }
 

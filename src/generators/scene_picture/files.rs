@@ -1,7 +1,7 @@
 //! Files of bodies, written in slices.
 
 use super::engine::SceneStages;
-use crate::export::{MeshOrder, PartFile, SceneFile};
+use crate::export::{MeshOrder, PartFile, SceneFile, SceneTerms};
 use crate::generators::{Clock, MeshSlice, until};
 use crate::notice::{Code, Notice};
 use crate::scene::{Instance, Scene};
@@ -45,17 +45,17 @@ impl<F: PartFile> Saving<F> {
 }
 
 impl Saving<SceneFile> {
-    /// Works for about `budget` milliseconds on the file of a finished scene. Ground and shapes, which have no number,
-    /// are named `ground`; `name` names the bodies by their numbers, from 0.
+    /// Works for about `budget` milliseconds on the file of a finished scene. `ground` names what has no number, as
+    /// ground and shapes, by the row of its material; `name` names the bodies by their numbers, from 0.
     ///
     /// # Errors
     /// If the picture is not finished.
     pub fn of_scene(
         kept: &mut Option<Self>,
         (stages, scene): (&impl SceneStages, Option<Rc<Scene>>),
-        order: &MeshOrder,
+        (order, terms): (&MeshOrder, SceneTerms),
         time: (Clock, f64),
-        (ground, name): (&str, impl Fn(usize) -> String),
+        (ground, name): (impl Fn(u8) -> &'static str, impl Fn(usize) -> String),
     ) -> Result<MeshSlice, Notice> {
         let scene = scene
             .filter(|_| stages.at().is_none())
@@ -63,13 +63,13 @@ impl Saving<SceneFile> {
         let shared = stages.shared();
         let materials = &shared.still.params().light.materials;
         let name = |instance: &Instance| match (instance.id as usize).checked_sub(1) {
-            None => ground.to_owned(),
+            None => ground(instance.paint.map_or(0, |paint| paint.material)).to_owned(),
             Some(number) => name(number),
         };
         Ok(Self::slice(
             kept,
             (order, shared.bodies.revision()),
-            || SceneFile::new(order, materials, &scene),
+            || SceneFile::new(order, (materials, terms), &scene),
             time,
             |file| file.advance(&scene, name),
         ))

@@ -5,7 +5,7 @@ use super::loading::Loading;
 use super::picture::ScenePicture;
 use super::still::StillRender;
 use super::*;
-use crate::export::{MeshFormat, MeshOrder, SceneFile};
+use crate::export::{MeshFormat, MeshOrder, SceneFile, SceneTerms};
 use crate::generators::lighting::LightParams;
 use crate::generators::{FrameSlice, MeshSlice, TurnOrder};
 use crate::light::{Light, ShadeParams};
@@ -307,7 +307,7 @@ fn file(format: MeshFormat, joined: bool, scene: &Scene) -> Vec<u8> {
     let mut saving = None;
     let mut bytes = Vec::new();
     loop {
-        let new = || SceneFile::new(&order, &materials, scene);
+        let new = || SceneFile::new(&order, (&materials, SceneTerms::default()), scene);
         let name = |instance: &Instance| format!("box \"{}\"", instance.id);
         let advance = |file: &mut SceneFile| file.advance(scene, name);
         let MeshSlice { parts, done, .. } =

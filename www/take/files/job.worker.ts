@@ -19,6 +19,7 @@ import { workedOut, type Progress } from './worked';
 export type Job =
   | { file: 'svg' }
   | { file: 'places' }
+  | { file: 'building' }
   | GifJob
   | FilmJob
   | TurnJob
@@ -66,6 +67,8 @@ async function made(link: string, job: Job, progress: Progress): Promise<Blob> {
   switch (job.file) {
     case 'svg':
       return new Blob([studio.svg()], { type: 'image/svg+xml' });
+    case 'building':
+      return new Blob([studio.building()], { type: 'application/json' });
     case 'places':
       return new Blob([studio.places()], { type: 'text/csv' });
     case 'picture':
