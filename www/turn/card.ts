@@ -14,6 +14,8 @@ interface CardActs {
   how(body: BodyInfo): void;
   /** The act that turns the bricks of a corner or an edge; undefined if the body is of another feature. */
   flip(body: BodyInfo): (() => void) | undefined;
+  /** Outlines the picked body, or none. */
+  outline(id: number | undefined): void;
   /** The pixels at the top of the frame that hold tools; no card covers them. */
   tools(): number;
 }
@@ -37,6 +39,7 @@ export class Card {
   show(body: BodyInfo, sort: Sort, x: number, y: number, picked: boolean): void {
     const { element } = this;
     this.picked = picked ? body : undefined;
+    this.acts.outline(this.picked?.id);
     element.toggleAttribute('data-picked', picked);
     const name = called(body, sort);
     element.replaceChildren(make('strong', {}, name), ...cellRows(body.figures, body.words, name));
@@ -44,13 +47,17 @@ export class Card {
     const flip = picked ? this.acts.flip(body) : undefined;
     if (flip) this.offer('turn-flip', t('flip'), flip);
     element.hidden = false;
-    const box = element.parentElement?.getBoundingClientRect();
+    const [wide, high] = [element.parentElement?.clientWidth ?? 0, element.parentElement?.clientHeight ?? 0];
     const along = (part: number, room: number, own: number, least: number): number => {
       const after = part * room + GAP;
       return Math.max(least, after + own <= room ? after : part * room - GAP - own);
     };
-    element.style.left = `${along(x, box?.width ?? 0, element.offsetWidth, 0)}px`;
-    element.style.top = `${along(y, box?.height ?? 0, element.offsetHeight, this.acts.tools())}px`;
+    const { offsetWidth, offsetHeight } = element;
+    const top = this.acts.tools();
+    element.style.left = `${along(x, wide, offsetWidth, 0)}px`;
+    // A narrow frame has no room beside a body: the card is at the edge away from it.
+    const away = y * high > (top + high) / 2 ? top : Math.max(top, high - offsetHeight);
+    element.style.top = `${picked && wide < 2 * (offsetWidth + GAP) ? away : along(y, high, offsetHeight, top)}px`;
   }
 
   private offer(id: string, name: string, act: () => void): void {
@@ -61,6 +68,7 @@ export class Card {
 
   hide(): void {
     this.picked = undefined;
+    this.acts.outline(undefined);
     this.element.hidden = true;
   }
 }

@@ -2,11 +2,14 @@
 import type { FrameSource, Heard, BodyInfo, Wished } from '../picture/frames/source';
 import type { About, Question, FrameMessage, Wish } from './turn.worker';
 
+/** The answer to a question. */
+type Answer = Extract<FrameMessage, { ask: number }> | undefined;
+
 export class Frames implements FrameSource {
   private readonly heard: Heard;
   private worker: Worker | undefined;
   private last: Wish | undefined;
-  private readonly asked = new Map<number, (body: BodyInfo | undefined) => void>();
+  private readonly asked = new Map<number, (answer: Answer) => void>();
   private questions = 0;
 
   constructor(heard: Heard) {
@@ -24,14 +27,24 @@ export class Frames implements FrameSource {
   }
 
   bodyAt(x: number, y: number): Promise<BodyInfo | undefined> {
-    return this.answer({ x, y });
+    return this.body({ x, y });
   }
 
   bodyOf(id: number): Promise<BodyInfo | undefined> {
-    return this.answer({ id });
+    return this.body({ id });
   }
 
-  private answer(about: About): Promise<BodyInfo | undefined> {
+  async outlineOf(id: number, fine: number): Promise<ImageData | undefined> {
+    const answer = await this.answer({ outline: id, fine });
+    return answer && 'outline' in answer ? answer.outline : undefined;
+  }
+
+  private async body(about: About): Promise<BodyInfo | undefined> {
+    const answer = await this.answer(about);
+    return answer && 'body' in answer ? answer.body : undefined;
+  }
+
+  private answer(about: About | { outline: number; fine: number }): Promise<Answer> {
     const { worker } = this;
     if (!worker) return Promise.resolve(undefined);
     const ask = (this.questions += 1);
@@ -64,7 +77,7 @@ export class Frames implements FrameSource {
     if ('frame' in said) heard.frame(said.frame, said.quality, said.bodies, said.n === this.last?.n);
     else if ('working' in said) heard.working(said.working);
     else if ('ask' in said) {
-      this.asked.get(said.ask)?.(said.body);
+      this.asked.get(said.ask)?.(said);
       this.asked.delete(said.ask);
     } else if ('refused' in said) {
       if (said.n === this.last?.n) heard.refused(said.refused);

@@ -26,14 +26,15 @@ export interface Wish extends Wished {
 /** A body: the one at a place of the frame, in fractions of its sides, or the one with this number. */
 export type About = { x: number; y: number } | { id: number };
 
-/** Requests a body. */
-export type Question = About & { ask: number };
+/** Requests a body, or the outline of one in the last frame. */
+export type Question = (About | { outline: number; fine: number }) & { ask: number };
 
 export type FrameMessage =
   | { frame: ImageBitmap; n: number; quality: Quality; bodies: Bodies }
   /** Progress, 0..1: first of the recipe, then of a frame. */
   | { working: number }
   | { ask: number; body: BodyInfo | undefined }
+  | { ask: number; outline: ImageData | undefined }
   /** There is no picture, or no such subject. */
   | { refused: Notice; n: number }
   | { lost: string }
@@ -87,6 +88,10 @@ class Turner {
     const { x, y } = about;
     const body = sides && this.studio.bodyAt(Math.floor(x * sides[0]), Math.floor(y * sides[1]));
     return body && { id: body.id, figures: body.figures, words: body.words, steps: this.studio.making(body.id) };
+  }
+
+  outlineOf(id: number, fine: number): ImageData | undefined {
+    return this.maker.outlineOf(id, fine);
   }
 
   /** Runs the request's recipe; false if a newer request came, or there is no picture. */
@@ -157,7 +162,8 @@ async function run(): Promise<void> {
 
 addEventListener('message', ({ data }: MessageEvent<Wish | Question>) => {
   if ('ask' in data) {
-    say({ ask: data.ask, body: turner?.told(data) });
+    if ('outline' in data) say({ ask: data.ask, outline: turner?.outlineOf(data.outline, data.fine) });
+    else say({ ask: data.ask, body: turner?.told(data) });
     return;
   }
   latest = data;

@@ -19,6 +19,7 @@ import { CutTool } from './cut';
 import { Frames } from './frames';
 import { CLOSER, Gestures } from './gestures';
 import { Making } from './making';
+import { Outline } from './outline';
 import { planes } from './planes';
 import { Sway } from './sway';
 import { seen } from './told';
@@ -84,6 +85,7 @@ export class Turntable {
   private readonly working = make('div', { class: 'turn-working' }, make('span', { role: 'status' }, t('working')), this.bar);
   private readonly making: Making;
   private readonly card: Card;
+  private readonly outline = new Outline((id) => this.frames.outlineOf(id, this.canvas.width / Math.max(1, this.stand.clientWidth)));
   private readonly root: HTMLElement;
   private readonly frames: FrameSource;
   private readonly gestures: Gestures;
@@ -110,7 +112,7 @@ export class Turntable {
   constructor(place: Surroundings) {
     this.place = place;
     this.making = new Making({ get: (key) => place.get(key), show: () => this.follow(), end: () => this.all() });
-    this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body), tools: () => Math.max(0, ...this.tools.map(({ offsetTop, offsetHeight }) => offsetTop + offsetHeight)) });
+    this.card = new Card({ how: (body) => this.how(body), flip: (body) => this.flipOf(body), outline: (id) => this.outline.of(id), tools: () => Math.max(0, ...this.tools.map(({ offsetTop, offsetHeight }) => offsetTop + offsetHeight)) });
     const heard: Heard = {
       frame: (frame, quality, bodies, latest) => this.show(frame, quality, bodies, latest),
       working: (done) => (this.bar.value = done),
@@ -135,7 +137,7 @@ export class Turntable {
       },
       place.alone === true,
     );
-    this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.card.element), this.making.strip, this.working, this.told);
+    this.root = make('div', { class: 'turn' }, make('div', { class: 'turn-frame' }, this.stand, this.outline.element, this.card.element), this.making.strip, this.working, this.told);
     if (!place.alone && !kept(DRAGGED)) this.root.append(this.hint);
     if (place.slice) this.tools.push(this.cutTool.element);
     if (place.leave) this.tools.push(planes((plane) => this.choose(plane)), this.wayOut());
@@ -273,6 +275,7 @@ export class Turntable {
     [canvas.width, canvas.height] = [frame.width, frame.height];
     canvas.getContext('bitmaprenderer')?.transferFromImageBitmap(frame);
     this.root.toggleAttribute('data-shown', true);
+    this.outline.framed(quality !== 'moving');
     this.place.framed?.(quality !== 'moving');
     if (!latest) return;
     this.shown = this.place.link();

@@ -62,6 +62,10 @@ export class LocalFrames implements FrameSource, Painter {
     return Promise.resolve({ id, figures: {}, words: {}, steps: this.ask((studio) => studio.making(id)) ?? [] });
   }
 
+  outlineOf(id: number, fine: number): Promise<ImageData | undefined> {
+    return Promise.resolve(this.maker.outlineOf(id, fine));
+  }
+
   /** The place on the model at a place of the last frame, in fractions of its sides; undefined beside the model. */
   placeAt([u, v]: FramePlace): [x: number, y: number, z: number] | undefined {
     const { sides } = this.maker;

@@ -7,6 +7,7 @@
 import type { SceneStudio } from '../../module/scene';
 import type { Notice } from '../../module/types';
 import { Coarse, ladderOf, viewOf } from './ladder';
+import { outlineIn } from './outline';
 import { coverage, pixelsOf } from './pixels';
 import type { Quality, Wished } from './source';
 
@@ -62,6 +63,12 @@ export class FrameMaker<W extends Wished = Wished> {
   get sides(): readonly [width: number, height: number] | undefined {
     const { width, height, subject } = this.last;
     return width && subject === '' ? [width, height] : undefined;
+  }
+
+  /** The outline of a body in the last frame; undefined if the body is not visible. */
+  outlineOf(id: number, fine: number): ImageData | undefined {
+    const map = this.sides && this.studio.frameMap('id');
+    return map && 'bytes' in map ? outlineIn(map, id, fine) : undefined;
   }
 
   /** The quality of the next frame; undefined if none is due. Bodies that still change get coarse frames only. */

@@ -65,6 +65,8 @@ export interface FrameSource {
   bodyAt(x: number, y: number): Promise<BodyInfo | undefined>;
   /** The body with this number, once there has been a frame. */
   bodyOf(id: number): Promise<BodyInfo | undefined>;
+  /** The outline of a body in the last frame; `fine` is the number of the frame's pixels for one of the page. */
+  outlineOf(id: number, fine: number): Promise<ImageData | undefined>;
   /** Ends the source: no more frames are requested. */
   end(): void;
 }
