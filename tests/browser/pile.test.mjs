@@ -106,6 +106,32 @@ test('a file for each role is chosen in the panel, and a link asks for the ones 
   await other.close();
 });
 
+test('the picked body is outlined until the picture turns', sameEverywhere, async () => {
+  const { page, problems, close } = await site.newPage(PILE);
+  await digest(page);
+  await turned(page);
+  await page.focus('#turn');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => (document.querySelector('canvas.turn-outline')?.clientWidth ?? 0) > 100);
+  const found = await page.$eval('canvas.turn-outline', (element) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (element);
+    const { width, height } = canvas;
+    const pixels = canvas.getContext('2d')?.getImageData(0, 0, width, height).data ?? [];
+    const inked = Array.from({ length: width * height }, (_, k) => k).filter((k) => (pixels[4 * k + 3] ?? 0) > 0);
+    const [across, down] = [inked.map((k) => (k % width) / width), inked.map((k) => Math.floor(k / width) / height)];
+    const [box, frame] = [canvas, canvas.parentElement].map((one) => one?.getBoundingClientRect().toJSON());
+    return { left: Math.min(...across), right: Math.max(...across), top: Math.min(...down), bottom: Math.max(...down), isWhole: box.width === frame.width && box.height === frame.height };
+  });
+  // The keyboard picks the body in the middle of the frame. The outline covers the frame, and its line is around that body.
+  assert.ok(found.isWhole, JSON.stringify(found));
+  assert.ok(found.left < 0.5 && found.right > 0.5 && found.top < 0.5 && found.bottom > 0.5, JSON.stringify(found));
+  assert.ok(found.right - found.left < 0.5 && found.bottom - found.top < 0.5, JSON.stringify(found));
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction(() => document.querySelector('canvas.turn-outline')?.clientWidth === 0);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test('a body has a card, and a plane cuts bodies away', sameEverywhere, async () => {
   const { page, problems, close } = await site.newPage(PILE);
   await digest(page);

@@ -210,8 +210,6 @@ impl BuildingSite {
         (draft, thickness, remarks): (Draft, Vec<f64>, Vec<Notice>),
         params: &BuildingParams,
     ) -> Self {
-        #[cfg(target_arch = "wasm32")]
-        drop(draft);
         Self {
             fit: fit(&building),
             building,
