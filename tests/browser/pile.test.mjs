@@ -112,7 +112,8 @@ test('the picked body is outlined until the picture turns', sameEverywhere, asyn
   await turned(page);
   await page.focus('#turn');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => (document.querySelector('canvas.turn-outline')?.clientWidth ?? 0) > 100);
+  const wide = (/** @type {boolean} */ is) => page.waitForFunction((wanted) => (document.querySelector('canvas.turn-outline')?.getAttribute('width') !== '0') === wanted, {}, is);
+  await wide(true);
   const found = await page.$eval('canvas.turn-outline', (element) => {
     const canvas = /** @type {HTMLCanvasElement} */ (element);
     const { width, height } = canvas;
@@ -127,7 +128,7 @@ test('the picked body is outlined until the picture turns', sameEverywhere, asyn
   assert.ok(found.left < 0.5 && found.right > 0.5 && found.top < 0.5 && found.bottom > 0.5, JSON.stringify(found));
   assert.ok(found.right - found.left < 0.5 && found.bottom - found.top < 0.5, JSON.stringify(found));
   await page.keyboard.press('ArrowLeft');
-  await page.waitForFunction(() => document.querySelector('canvas.turn-outline')?.clientWidth === 0);
+  await wide(false);
   assert.deepEqual(problems, []);
   await close();
 });
