@@ -14,7 +14,7 @@ interface CardActs {
   how(body: BodyInfo): void;
   /** The act that turns the bricks of a corner or an edge; undefined if the body is of another feature. */
   flip(body: BodyInfo): (() => void) | undefined;
-  /** Outlines the picked body, or none. */
+  /** Outlines the picked body. Without a number, no body is outlined. */
   outline(id: number | undefined): void;
   /** The pixels at the top of the frame that hold tools; no card covers them. */
   tools(): number;

@@ -15,7 +15,7 @@ export class Outline {
     this.ask = ask;
   }
 
-  /** Outlines another body, or none. */
+  /** Outlines another body. Without a number, no body is outlined. */
   of(id: number | undefined): void {
     if (id !== this.id) this.clear();
     this.id = id;
