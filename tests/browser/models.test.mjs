@@ -143,7 +143,7 @@ test('the button for models names the open file, opens others, and turns open pa
   await chooses(page, 'slope.obj', SLOPE);
   await click(page, '#your-model');
   await page.waitForSelector('#model:not([hidden])');
-  await message(page, 'status', /slope\.obj is open.*faced down or inwards were turned.*: 2 triangles/);
+  await message(page, 'status', /slope\.obj is open.*faced down or inwards were turned.*Triangles turned: 2\./);
   // Fewer cells take less time.
   await page.evaluate((fragment) => (location.hash = fragment), `${await link(page)}&size=128&cn=60`);
   await until(page, 'cn', '60');
