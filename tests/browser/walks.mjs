@@ -45,32 +45,56 @@ export async function walkByTab(page) {
 }
 
 /**
- * Goes through all screens of a class, and back. Returns the figures that do not fit the screen, as they open or with
- * one more line of text. @param {Page} page @returns {Promise<string[]>}
+ * Goes through all screens of a class, and back. Returns the screens that do not fit the window, as they open or with one
+ * more line of a figure's text, and those whose picture is left out or small: it has nearly half of the window's width,
+ * or three quarters of its height. A screen is measured when its figure works and its plates have kept their place.
+ * @param {Page} page @returns {Promise<string[]>}
  */
-export const tooHighInClass = (/** @type {Page} */ page) =>
+export const unfitInClass = (/** @type {Page} */ page) =>
   page.evaluate(async () => {
     /** @type {string[]} */
     const found = [];
+    const root = document.documentElement;
     const press = (/** @type {string} */ key) => document.dispatchEvent(new KeyboardEvent('keydown', { key }));
-    const now = () => `${[...document.querySelectorAll('.scene')].findIndex((scene) => scene.hasAttribute('data-now'))} ${document.documentElement.dataset.part}`;
+    const frame = () => new Promise(requestAnimationFrame);
+    const now = () => `${[...document.querySelectorAll('.scene')].findIndex((scene) => scene.hasAttribute('data-now'))} ${root.dataset.part}`;
+    const boxOf = (/** @type {Element | null} */ element) => JSON.stringify(element?.getBoundingClientRect());
+    /** Waits until the plates are where they were two frames before. */
+    const settled = async (/** @type {Element | null} */ plates) => {
+      for (let before = '', after = boxOf(plates); before !== after; after = boxOf(plates)) {
+        before = after;
+        for (let k = 0; k < 2; k += 1) await frame();
+      }
+    };
+    /** All that is shown, without the inside of drawings and formulas. */
+    const shown = (/** @type {Element} */ scene) => [...scene.querySelectorAll('*')].filter((one) => one.checkVisibility({ visibilityProperty: true }) && !one.closest('svg, math, .grip-carrier') && one.getBoundingClientRect().height > 0);
+    let seen = 0;
     /** @type {HTMLElement} */ (document.querySelector('#class')).click();
     for (let before = ''; before !== now(); press('ArrowRight')) {
       before = now();
-      const told = document.documentElement.dataset.part === 'figure' && document.querySelector('[data-now] .figure-told');
-      if (!told) continue;
-      const look = (/** @type {string} */ what) => {
-        const { bottom } = told.getBoundingClientRect();
-        if (bottom > innerHeight) found.push(`${told.closest('figure')?.id} ${what} down to ${Math.round(bottom)}`);
+      seen += 1;
+      const scene = /** @type {HTMLElement} */ (document.querySelector('[data-now]'));
+      const [figure, plates, told] = ['.figure', '.plates', '.figure-told'].map((part) => /** @type {HTMLElement | null} */ (scene.querySelector(part)));
+      const isFigure = root.dataset.part === 'figure';
+      while (isFigure && !figure?.dataset.hash) await frame();
+      await settled(plates);
+      const look = (/** @type {string} */ how) => {
+        const lowest = Math.max(root.scrollHeight, ...shown(scene).map((one) => one.getBoundingClientRect().bottom + scrollY));
+        if (lowest > innerHeight + 1) found.push(`${before} ${figure?.id ?? scene.dataset.kind} ${how}: down to ${Math.round(lowest)}`);
       };
       look('as it opens');
+      if (!figure || !plates || !told) continue;
+      const { width, height } = plates.getBoundingClientRect();
+      if (!plates.checkVisibility() || (width < 0.46 * innerWidth && height < 0.75 * innerHeight)) found.push(`${before} ${figure.id}: its picture has ${Math.round(width)} x ${Math.round(height)}`);
+      if (!isFigure) continue;
       told.append(document.createElement('br'), 'A line more.');
-      await new Promise(requestAnimationFrame);
-      await new Promise(requestAnimationFrame);
+      await settled(plates);
       look('with a line more');
     }
     press('Escape');
-    return found;
+    // The next class begins with the first screen.
+    scrollTo(0, 0);
+    return seen > 7 ? found : [`only ${seen} were seen`];
   });
 
 /**

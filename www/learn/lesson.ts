@@ -38,7 +38,7 @@ interface Slide {
 
 function slidesOf(scene: HTMLElement): Slide[] {
   const hasFigure = scene.querySelector('.figure') !== null;
-  const ask: Slide[] = !hasFigure || scene.querySelector('.ask') ? [{ scene, part: 'ask' }] : [];
+  const ask: Slide[] = !hasFigure || scene.querySelector('.ask, .marking') ? [{ scene, part: 'ask' }] : [];
   return hasFigure ? [...ask, { scene, part: 'figure' }] : ask;
 }
 
@@ -100,7 +100,9 @@ class Lesson {
     const [plates, told] = ['.plates', '.figure-told'].map((part) => scene?.querySelector<HTMLElement>(part));
     if (!scene || !plates?.checkVisibility() || !told) return;
     plates.style.maxWidth = '';
-    const end = part === 'figure' ? told : plates;
+    // Text that stands beside the plates has no lower edge to fit.
+    const isBelow = told.getBoundingClientRect().top >= plates.getBoundingClientRect().bottom;
+    const end = part === 'figure' && isBelow ? told : plates;
     fill(plates, end, part);
     // Titles of smaller plates may take another line, so the plates are fitted a second time.
     const height = fill(plates, end, part);
