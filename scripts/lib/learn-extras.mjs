@@ -103,13 +103,19 @@ export function sheetPage(site, language, chapter) {
   const text = (/** @type {Words} */ words) => prose(words[language].replace(/\[\[[\w-]+\|([^\]]+)\]\]/g, '$1').replace(/\[\[([\w-]+)\]\]/g, '$1'), language, glossary);
   const lines = (/** @type {number} */ count) => '<span class="line"></span>'.repeat(count);
   const asked = chapter.blocks.filter(({ key, kind }) => key && kind !== 'exercise');
-  const parts = asked.map(({ kind, key = '', text: words, ask = words, answers = [], blanks = [], figure = '' }, at) => {
+  /** Figures whose picture is on the sheet. @type {Set<string>} */
+  const pictured = new Set();
+  const parts = asked.map(({ key = '', heading, text: words, ask, answers = [], blanks = [], figure = '', givesAway = false }, at) => {
     const boxes = answers.map(({ value, text: answer }) => `<li><span class="box" aria-hidden="true"></span>${value}. ${text(answer)}</li>`);
     const guess = boxes.length ? `<ul class="boxes">${boxes.join('')}</ul>` : `<p class="fill">${blanks.map((words) => `${text(words)} <span class="blank"></span>`).join(' ')}</p>`;
-    // The sheet does not show the answer to its question, nor a picture of something else.
-    const picture = kind === 'question' && site.draw.answers(figure, key, language).length ? `<div class="picture">${site.draw.figure(figure, language)}</div>` : '';
-    return `<section class="asked"><h2><span>${t.order[0]} ${at + 1}</span> ${ask ? text(ask) : ''}</h2>${picture}
-<h3>${t.order[1]}</h3>${guess}<h3>${t.order[2]}</h3>${lines(2)}<h3>${t.order[3]}</h3>${lines(2)}</section>`;
+    // The heading and the text of a wrong idea tell its answer; its question is a sentence of its own.
+    const [title = words, more] = ask ? [ask] : heading ? [heading, words] : [];
+    // A picture of something else, or one that gives the answer away, is left out.
+    const hasPicture = !givesAway && !pictured.has(figure) && site.draw.answers(figure, key, language).length > 0;
+    if (hasPicture) pictured.add(figure);
+    const picture = hasPicture ? `<div class="picture">${site.draw.figure(figure, language)}</div>` : '';
+    return `<section class="asked"><h2><span>${t.order[0]} ${at + 1}</span> ${title ? text(title) : ''}</h2>${more ? `<p>${text(more)}</p>` : ''}
+<div class="guess">${picture}<div><h3>${t.order[1]}</h3>${guess}</div></div><div class="reasons"><div><h3>${t.order[2]}</h3>${lines(3)}</div><div><h3>${t.order[3]}</h3>${lines(3)}</div></div></section>`;
   });
   const body = `<article class="sheet"><header><p class="over">${t.chapter(chapter.number)}</p><h1>${chapter.title[language]}</h1><p class="fill">${t.name} <span class="blank"></span> ${t.date} <span class="blank"></span></p></header>${parts.join('')}</article>`;
   return pageFile(site, language, { place, title: `${t.sheet}: ${chapter.title[language]}`, description: chapter.description[language], body, kind: 'of-sheet' });

@@ -272,6 +272,45 @@ test('on paper a chapter has every figure and every answer, and no handles', sam
   }
 });
 
+/** The parts of an A4 page that print has, in pixels: 10 mm are left free on each side. */
+const A4 = { width: 718, height: 1047 };
+
+test('on the sheets to print each question has its sentence, its pictures and its lines, and no page cuts it', sameEverywhere, async () => {
+  for (const { name, blocks } of chapters) {
+    for (const language of ['en', 'ja']) {
+      const { page, close } = await site.newPage(`learn/${language === 'ja' ? 'ja/' : ''}${name}/sheet/`, { viewport: A4 });
+      await page.emulateMediaType('print');
+      const seen = await page.$$eval('.asked', (all) =>
+        all.map((one) => ({
+          height: one.getBoundingClientRect().height,
+          text: one.textContent,
+          pictures: [...one.querySelectorAll('svg.plate')].filter((plate) => plate.getBoundingClientRect().width > 120).length,
+          answers: one.querySelectorAll('.box').length,
+          blanks: one.querySelectorAll('.blank').length,
+          lines: one.querySelectorAll('span.line').length,
+          breaks: getComputedStyle(one).breakInside,
+        })),
+      );
+      const asked = blocks.filter((block) => block.key && block.kind !== 'exercise');
+      assert.equal(seen.length, asked.length);
+      for (const [at, { height, text, answers, blanks, lines, breaks }] of seen.entries()) {
+        const block = asked[at];
+        assert.ok(height < A4.height * 0.9, `${name}: question ${at + 1} is ${height} high`);
+        assert.equal(breaks, 'avoid');
+        // Formulas are no text of their own, so the sentence is compared up to the first one, without the glossary's marks.
+        const sentence = (block.ask ?? block.heading ?? block.text)[language].split('$')[0].replace(/\[\[([^|\]]+\|)?([^\]]+)\]\]/g, '$2');
+        assert.ok(text.includes(sentence), `${name}: ${sentence}`);
+        assert.deepEqual([answers, blanks, lines], [block.answers?.length ?? 0, block.blanks?.length ?? 0, 6]);
+      }
+      const pictured = seen.map(({ pictures }) => pictures > 0);
+      assert.ok(pictured.filter(Boolean).length >= 2, `${name}: ${pictured}`);
+      for (const [at, { givesAway = false }] of asked.entries()) assert.ok(!(givesAway && pictured[at]), `${name}: question ${at + 1} shows its answer`);
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), A4.width, `${name} ${language}`);
+      await close();
+    }
+  }
+});
+
 test('in class every slide fits the screen with a large picture; an answer, and the sentence on what happened, move nothing', sameEverywhere, async () => {
   for (const path of CHAPTER_PATHS) {
     const { page, close } = await site.newPage(path, { viewport: projector });

@@ -78,6 +78,7 @@ export const manyBubbles = {
       kind: 'prediction',
       key: 'falls',
       figure: 'energy',
+      givesAway: true,
       heading: { en: 'Downhill all the way?', ja: 'ずっと下り坂でしょうか' },
       text: {
         en: 'A crowd settles. Its pairs end with less energy than they began with. Does their energy fall at every step?',

@@ -29,11 +29,12 @@ const DIGIT = 9;
 /** Between two lines of a hatching. */
 const HATCH = 5;
 
-export function population(view: View, { packing, title, isAhead = false }: Plate): string {
+export function population(view: View, { packing, title, isAhead = false, isAsked = false }: Plate): string {
   const trace = view.traces[packing];
   if (!trace) return svg(HEIGHT, '', '');
-  const marks = marksAt(trace, view.step);
-  const said = [title?.[view.language] ?? '', spoken(view, marks)].filter(Boolean).join('. ');
+  const all = marksAt(trace, view.step);
+  const marks = isAsked ? { ...all, leaving: new Set<number>(), empty: [] } : all;
+  const said = [title?.[view.language] ?? '', spoken(view, marks, isAsked)].filter(Boolean).join('. ');
   return svg(HEIGHT, said, `${inOutline(trace, cellsOf(trace, marks))}${legend(view)}${strip(view, trace, isAhead)}`);
 }
 
@@ -42,7 +43,8 @@ export function inOutline(trace: Trace, content: string): string {
   return `<g transform="translate(${at((WIDTH - SHARE * SIDE) / 2)} ${TOP_ROOM}) scale(${SHARE})">${outlineOf(trace)}${content}</g>`;
 }
 
-function spoken({ language }: View, { cells, leaving, empty }: Marks): string {
+function spoken({ language }: View, { cells, leaving, empty }: Marks, isAsked: boolean): string {
+  if (isAsked) return language === 'ja' ? `輪郭の中の${cells.length}個のバブル` : `${cells.length} bubbles in their outline`;
   return language === 'ja' ? `輪郭の中の${cells.length}個のバブル。次の調査で${leaving.size}個が去り、${empty.length}個が増えます` : `${cells.length} bubbles in their outline; next ${leaving.size} leave and ${empty.length} come`;
 }
 

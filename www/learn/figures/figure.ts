@@ -268,6 +268,8 @@ export interface Plate {
   readonly marked?: 'edge' | 'smallest';
   /** A population: whether the steps that are still to come are shown, too. */
   readonly isAhead?: boolean;
+  /** A population: whether the signs of who comes and goes next are left out, as a question asks for them. */
+  readonly isAsked?: boolean;
 }
 
 /** A start that was let go of, and how it ended. */

@@ -234,7 +234,7 @@ export const HOW_MANY: readonly Figure[] = [
   },
   {
     ...base, name: 'hole', recipe: `${HONEYCOMB}&pop=opposite&room=1.02`, packings: [{}, { pop: 'slots', room: '0.63' }], last: 100, opens: 9,
-    plates: [cells(0, 'The papers’ rule: far from the nearest', '論文の規則：最も近い隣から遠い'), cells(1, 'Our rule: an empty place', '本プログラムの規則：空いた場所')],
+    plates: [{ ...cells(0, 'The papers’ rule: far from the nearest', '論文の規則：最も近い隣から遠い'), isAsked: true }, { ...cells(1, 'Our rule: an empty place', '本プログラムの規則：空いた場所'), isAsked: true }],
     stops: STOPS, handles: [LONELY, RULE], more: [], asks: [hole], told: toldHole,
   },
   {
